@@ -1,0 +1,2 @@
+//! The nullcone command line.
+fn main() {}

@@ -1,0 +1,110 @@
+//! `f32` and `f64`.
+
+use super::{Field, Real, Ring};
+
+/// Elementary functions of `f64`, from whichever library the features name.
+#[cfg(feature = "std")]
+macro_rules! elementary {
+    ($type:ty, $standard:ident, $free:ident, $($argument:expr),+) => {
+        <$type>::$standard($($argument),+)
+    };
+}
+#[cfg(not(feature = "std"))]
+macro_rules! elementary {
+    ($type:ty, $standard:ident, $free:ident, $($argument:expr),+) => {
+        libm::$free($($argument),+)
+    };
+}
+
+macro_rules! implement_float {
+    ($type:ident, $sqrt:ident, $fabs:ident, $sin:ident, $cos:ident, $atan2:ident, $exp:ident, $log:ident) => {
+        impl Ring for $type {
+            #[inline]
+            fn zero() -> Self {
+                0.0
+            }
+            #[inline]
+            fn one() -> Self {
+                1.0
+            }
+            #[inline]
+            fn from_integer(value: i64) -> Self {
+                value as $type
+            }
+            #[inline]
+            fn mul_add(self, factor: Self, summand: Self) -> Self {
+                // Without the instruction the fused form is a slow library call.
+                #[cfg(all(feature = "std", target_feature = "fma"))]
+                {
+                    <$type>::mul_add(self, factor, summand)
+                }
+                #[cfg(not(all(feature = "std", target_feature = "fma")))]
+                {
+                    self * factor + summand
+                }
+            }
+        }
+
+        impl Field for $type {
+            #[inline]
+            fn from_ratio(numerator: i64, denominator: i64) -> Self {
+                numerator as $type / denominator as $type
+            }
+        }
+
+        impl Real for $type {
+            type Mask = bool;
+
+            #[inline]
+            fn from_f64(value: f64) -> Self {
+                value as $type
+            }
+            #[inline]
+            fn epsilon() -> Self {
+                <$type>::EPSILON
+            }
+            #[inline]
+            fn sqrt(self) -> Self {
+                elementary!($type, sqrt, $sqrt, self)
+            }
+            #[inline]
+            fn abs(self) -> Self {
+                elementary!($type, abs, $fabs, self)
+            }
+            #[inline]
+            fn sin_cos(self) -> (Self, Self) {
+                (
+                    elementary!($type, sin, $sin, self),
+                    elementary!($type, cos, $cos, self),
+                )
+            }
+            #[inline]
+            fn atan2(self, x: Self) -> Self {
+                elementary!($type, atan2, $atan2, self, x)
+            }
+            #[inline]
+            fn exp(self) -> Self {
+                elementary!($type, exp, $exp, self)
+            }
+            #[inline]
+            fn ln(self) -> Self {
+                elementary!($type, ln, $log, self)
+            }
+            #[inline]
+            fn less_than(self, other: Self) -> bool {
+                self < other
+            }
+            #[inline]
+            fn is_finite(self) -> bool {
+                <$type>::is_finite(self)
+            }
+            #[inline]
+            fn select(mask: bool, if_true: Self, if_false: Self) -> Self {
+                if mask { if_true } else { if_false }
+            }
+        }
+    };
+}
+
+implement_float!(f32, sqrtf, fabsf, sinf, cosf, atan2f, expf, logf);
+implement_float!(f64, sqrt, fabs, sin, cos, atan2, exp, log);

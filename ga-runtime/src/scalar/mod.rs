@@ -1,0 +1,131 @@
+//! What a coefficient must be able to do: one family of traits in three steps.
+//!
+//! | trait | adds | enough for |
+//! | --- | --- | --- |
+//! | [`Ring`] | `+ - *`, integers | products of multivectors with stored blades |
+//! | [`Field`] | `/`, fractions | derived blades (`x²/2`), inverses, duals in any metric |
+//! | [`Real`] | roots, angles, ordering by masks | lengths, rotors from angles, exponentials |
+//!
+//! Generic code asks for the weakest step that it needs, so that the products run over integers and
+//! over a prime field as well as over floating point, and tests can demand exact equality.
+
+mod float;
+mod integer;
+
+use core::fmt::Debug;
+use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// A commutative ring with one: the least that a coefficient must be.
+///
+/// ```
+/// use ga_runtime::scalar::Ring;
+/// fn square<S: Ring>(x: S) -> S {
+///     x * x
+/// }
+/// assert_eq!(square(3_i64), 9);
+/// assert_eq!(square(0.5_f32), 0.25);
+/// ```
+pub trait Ring:
+    Copy
+    + Debug
+    + PartialEq
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+{
+    /// The neutral element of addition.
+    fn zero() -> Self;
+    /// The neutral element of multiplication.
+    fn one() -> Self;
+    /// The image of an integer.
+    fn from_integer(value: i64) -> Self;
+
+    /// `self · factor + summand`, in one rounding only where the target has the instruction for it.
+    #[inline]
+    fn mul_add(self, factor: Self, summand: Self) -> Self {
+        self * factor + summand
+    }
+}
+
+/// A ring in which every element but zero has an inverse.
+///
+/// ```
+/// use ga_runtime::scalar::Field;
+/// assert_eq!(f64::from_ratio(1, 4), 0.25);
+/// ```
+pub trait Field: Ring + Div<Output = Self> {
+    /// The fraction `numerator / denominator`. The denominator is a constant of the program, never
+    /// zero.
+    fn from_ratio(numerator: i64, denominator: i64) -> Self;
+
+    /// `1 / self`.
+    #[inline]
+    fn recip(self) -> Self {
+        Self::one() / self
+    }
+}
+
+/// A field with roots, angles and an order: floating point, alone or in lanes.
+///
+/// Comparisons return a [`Real::Mask`], and [`Real::select`] chooses by it, so that the same code runs on one
+/// number and on lanes of them.
+///
+/// ```
+/// use ga_runtime::scalar::Real;
+/// fn clamp_below<S: Real>(x: S, least: S) -> S {
+///     S::select(x.less_than(least), least, x)
+/// }
+/// assert_eq!(clamp_below(-1.0, 0.0), 0.0);
+/// ```
+pub trait Real: Field {
+    /// The outcome of a comparison.
+    type Mask: Copy + Debug;
+
+    /// The image of a constant of the program.
+    fn from_f64(value: f64) -> Self;
+    /// The distance from one to the next larger number.
+    fn epsilon() -> Self;
+    /// `√self`.
+    fn sqrt(self) -> Self;
+    /// The absolute value.
+    fn abs(self) -> Self;
+    /// Sine and cosine of an angle in radians.
+    fn sin_cos(self) -> (Self, Self);
+    /// The angle in radians, in (−π, π], of the point (`x`, `self`).
+    fn atan2(self, x: Self) -> Self;
+    /// The exponential function.
+    fn exp(self) -> Self;
+    /// The natural logarithm.
+    fn ln(self) -> Self;
+    /// Whether `self < other`.
+    fn less_than(self, other: Self) -> Self::Mask;
+    /// Whether neither infinite nor NaN.
+    fn is_finite(self) -> Self::Mask;
+    /// `if_true` where the mask is set, else `if_false`.
+    fn select(mask: Self::Mask, if_true: Self, if_false: Self) -> Self;
+
+    /// Sine of an angle in radians.
+    #[inline]
+    fn sin(self) -> Self {
+        self.sin_cos().0
+    }
+    /// Cosine of an angle in radians.
+    #[inline]
+    fn cos(self) -> Self {
+        self.sin_cos().1
+    }
+    /// The larger of two numbers.
+    #[inline]
+    fn max(self, other: Self) -> Self {
+        Self::select(self.less_than(other), other, self)
+    }
+    /// The smaller of two numbers.
+    #[inline]
+    fn min(self, other: Self) -> Self {
+        Self::select(other.less_than(self), other, self)
+    }
+}
