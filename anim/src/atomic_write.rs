@@ -1,0 +1,134 @@
+//! Files that appear whole or not at all.
+//!
+//! A reader never sees a half-written file, and a failed write leaves the folder as it was: the bytes go to a
+//! temporary file beside the target, which takes the target's name only once it is complete.
+
+use std::fs::Permissions;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use tempfile::Builder;
+
+/// A file could not be written. Whatever stood under its name before still does.
+#[derive(Debug, thiserror::Error)]
+#[error("cannot write {}: {source}", path.display())]
+pub struct WriteError {
+    /// The file that was to be written.
+    pub path: PathBuf,
+    /// What the operating system said.
+    pub source: io::Error,
+}
+
+/// Writes `contents` to `path`, in place of any file there, creating missing parent folders.
+///
+/// # Errors
+///
+/// [`WriteError`] when a folder or the file cannot be made, the disk is full, or `path` is a folder. The temporary
+/// file is removed and an earlier file at `path` stays as it was; folders that were made stay.
+///
+/// # Examples
+///
+/// ```
+/// let folder = tempfile::tempdir()?;
+/// let path = folder.path().join("out/model.glb");
+/// ga_anim::atomic_write::write(&path, b"glTF")?;
+/// assert_eq!(std::fs::read(&path)?, b"glTF");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn write(path: impl AsRef<Path>, contents: &[u8]) -> Result<(), WriteError> {
+    let path = path.as_ref();
+    replace(path, contents).map_err(|source| WriteError {
+        path: path.to_path_buf(),
+        source,
+    })
+}
+
+fn replace(path: &Path, contents: &[u8]) -> io::Result<()> {
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    std::fs::create_dir_all(folder)?;
+    let mut builder = Builder::new();
+    if let Some(permissions) = ordinary_permissions() {
+        builder.permissions(permissions);
+    }
+    let mut file = builder.prefix(".nullcone-").tempfile_in(folder)?;
+    file.write_all(contents)?;
+    // Without this a power cut after the rename can leave the new name on an empty file.
+    file.as_file().sync_all()?;
+    file.persist(path)?;
+    Ok(())
+}
+
+/// Temporary files are private to their owner by default; an output file obeys the umask like any other.
+#[cfg(unix)]
+fn ordinary_permissions() -> Option<Permissions> {
+    use std::os::unix::fs::PermissionsExt;
+    Some(Permissions::from_mode(0o666))
+}
+
+#[cfg(not(unix))]
+fn ordinary_permissions() -> Option<Permissions> {
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names(folder: &Path) -> Vec<String> {
+        let mut names: Vec<String> = std::fs::read_dir(folder)
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn replaces_a_file_and_leaves_nothing_else() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.bin");
+        write(&path, b"first, and longer").unwrap();
+        write(&path, b"second").unwrap();
+        assert_eq!(std::fs::read(&path).unwrap(), b"second");
+        assert_eq!(names(folder.path()), ["a.bin"]);
+    }
+
+    #[test]
+    fn a_failed_write_names_the_file_and_leaves_the_folder_as_it_was() {
+        let folder = tempfile::tempdir().unwrap();
+        let taken = folder.path().join("taken");
+        std::fs::create_dir(&taken).unwrap();
+        std::fs::write(taken.join("inside"), b"kept").unwrap();
+        let error = write(&taken, b"x").unwrap_err();
+        assert_eq!(error.path, taken);
+        assert!(
+            error
+                .to_string()
+                .starts_with(&format!("cannot write {}: ", taken.display()))
+        );
+        assert_eq!(names(folder.path()), ["taken"]);
+        assert_eq!(names(&taken), ["inside"]);
+    }
+
+    #[test]
+    fn a_file_in_place_of_a_folder_is_an_error() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("file"), b"kept").unwrap();
+        assert!(write(folder.path().join("file/below"), b"x").is_err());
+        assert_eq!(std::fs::read(folder.path().join("file")).unwrap(), b"kept");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn the_file_has_the_permissions_of_any_new_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let (ours, plain) = (folder.path().join("ours"), folder.path().join("plain"));
+        write(&ours, b"x").unwrap();
+        std::fs::write(&plain, b"x").unwrap();
+        let permissions = |path: &Path| std::fs::metadata(path).unwrap().permissions();
+        assert_eq!(permissions(&ours), permissions(&plain));
+    }
+}
