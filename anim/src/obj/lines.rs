@@ -1,0 +1,108 @@
+use std::borrow::Cow;
+
+/// The lines of an OBJ file, those that end in `\` joined with the next, each with the number of its first line.
+pub(super) struct Lines<'a> {
+    rest: Option<&'a [u8]>,
+    /// How many lines of the file have been taken.
+    taken: usize,
+}
+
+impl<'a> Lines<'a> {
+    pub(super) fn new(bytes: &'a [u8]) -> Self {
+        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        Self {
+            rest: Some(bytes),
+            taken: 0,
+        }
+    }
+
+    /// How many lines of the file have been taken so far.
+    pub(super) fn taken(&self) -> usize {
+        self.taken
+    }
+
+    /// One line of the file without its end, and whether the next one goes on from it.
+    fn physical(&mut self) -> Option<(&'a [u8], bool)> {
+        let rest = self.rest?;
+        let line = match rest.iter().position(|&byte| byte == b'\n') {
+            Some(end) => {
+                self.rest = Some(&rest[end + 1..]);
+                &rest[..end]
+            }
+            // What follows the last line end is a line only if there is something.
+            None => {
+                self.rest = None;
+                if rest.is_empty() {
+                    return None;
+                }
+                rest
+            }
+        };
+        self.taken += 1;
+        let line = line.strip_suffix(b"\r").unwrap_or(line);
+        // A comment ends with its line: going on would let a path like C:\ in it swallow the next vertex.
+        Some(match line.strip_suffix(b"\\") {
+            Some(start) if !has_comment(line) => (start, true),
+            _ => (line, false),
+        })
+    }
+}
+
+impl<'a> Iterator for Lines<'a> {
+    type Item = (usize, Cow<'a, [u8]>);
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let (line, mut goes_on) = self.physical()?;
+        let number = self.taken;
+        if !goes_on {
+            return Some((number, Cow::Borrowed(line)));
+        }
+        let mut joined = line.to_vec();
+        while goes_on {
+            let Some((line, again)) = self.physical() else {
+                break;
+            };
+            joined.push(b' ');
+            joined.extend_from_slice(line);
+            goes_on = again;
+        }
+        Some((number, Cow::Owned(joined)))
+    }
+}
+
+fn has_comment(line: &[u8]) -> bool {
+    line.split(u8::is_ascii_whitespace)
+        .any(|word| word.starts_with(b"#"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_keep_the_number_they_begin_at() {
+        let lines: Vec<_> = Lines::new(b"\xef\xbb\xbfa\r\nb \\\nc\\\r\nd\n\n e")
+            .map(|(number, line)| (number, String::from_utf8(line.into_owned()).unwrap()))
+            .collect();
+        let expected = [(1, "a"), (2, "b  c d"), (5, ""), (6, " e")];
+        assert_eq!(
+            lines,
+            expected.map(|(number, line)| (number, line.to_owned()))
+        );
+    }
+
+    #[test]
+    fn a_comment_ends_with_its_line() {
+        let lines: Vec<_> = Lines::new(b"# from C:\\\nv 1 # C:\\\ng a#b\\\nc")
+            .map(|(_, line)| line.into_owned())
+            .collect();
+        assert_eq!(lines, [&b"# from C:\\"[..], b"v 1 # C:\\", b"g a#b c"]);
+    }
+
+    #[test]
+    fn a_line_may_go_on_past_the_end_of_the_file() {
+        assert_eq!(Lines::new(b"a\\").count(), 1);
+        assert_eq!(Lines::new(b"").count(), 0);
+        assert_eq!(Lines::new(b"\n").count(), 1);
+    }
+}
