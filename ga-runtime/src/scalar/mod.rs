@@ -11,9 +11,12 @@
 
 mod float;
 mod integer;
+mod prime;
 
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+
+pub use prime::Prime61;
 
 /// A commutative ring with one: the least that a coefficient must be.
 ///
