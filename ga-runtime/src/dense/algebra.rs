@@ -1,0 +1,339 @@
+//! A geometric algebra: basis vectors, their metric and their names.
+
+use alloc::format;
+#[cfg(not(target_has_atomic = "ptr"))]
+use alloc::rc::Rc as Arc;
+use alloc::string::String;
+#[cfg(target_has_atomic = "ptr")]
+use alloc::sync::Arc;
+use alloc::vec;
+use alloc::vec::Vec;
+
+use super::{DenseError, Multivector, blade};
+use crate::scalar::Ring;
+
+/// The largest number of basis vectors.
+pub(super) const MAXIMUM_DIMENSION: usize = 16;
+
+/// A geometric algebra over the scalars `S`, given by the inner products of its basis vectors.
+///
+/// It is the source of its multivectors. A clone is a second handle to the same algebra and costs next to nothing.
+/// Two algebras are equal if their metrics are.
+///
+/// ```
+/// use ga_runtime::dense::Algebra;
+/// # fn main() -> Result<(), ga_runtime::dense::DenseError> {
+/// let space = Algebra::with_signature(3, 0, 0)?;
+/// let a = space.vector([1.0, 2.0, 3.0])?;
+/// let plane = space.blade(0b011)?;
+/// assert_eq!((&a ^ &plane).to_string(), "3 e123");
+/// assert_eq!((&a * &plane).to_string(), "-2 e1 + e2 + 3 e123");
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Clone, Debug)]
+pub struct Algebra<S> {
+    definition: Arc<Definition<S>>,
+}
+
+#[derive(Clone, Debug)]
+struct Definition<S> {
+    metric: Vec<Vec<S>>,
+    names: Vec<String>,
+    /// The determinant of the metric.
+    determinant: S,
+}
+
+impl<S: Ring> Algebra<S> {
+    /// The largest number of basis vectors.
+    pub const MAXIMUM_DIMENSION: usize = MAXIMUM_DIMENSION;
+
+    /// The algebra in which `metric[i][j]` is the inner product of the basis vectors i and j, named e1, e2 and so on.
+    ///
+    /// Whether the metric is singular, and so what dual means, is decided by comparing its determinant to zero; with
+    /// floating-point scalars the entries should therefore be small integers or fractions of powers of two.
+    ///
+    /// # Errors
+    ///
+    /// [`DenseError::TooManyVectors`], [`DenseError::NotSquare`] or [`DenseError::NotSymmetric`], which also stands for
+    /// an entry that is not a number.
+    pub fn new(metric: Vec<Vec<S>>) -> Result<Self, DenseError> {
+        let dimension = metric.len();
+        if dimension > MAXIMUM_DIMENSION {
+            return Err(DenseError::TooManyVectors { dimension });
+        }
+        for (row, entries) in metric.iter().enumerate() {
+            if entries.len() != dimension {
+                return Err(DenseError::NotSquare {
+                    row,
+                    entries: entries.len(),
+                    dimension,
+                });
+            }
+        }
+        for (row, entries) in metric.iter().enumerate() {
+            for (column, &entry) in entries.iter().enumerate().take(row + 1) {
+                // Unlike `!=`, this refuses NaN on the diagonal as well.
+                let symmetric = entry == metric[column][row];
+                if !symmetric {
+                    return Err(DenseError::NotSymmetric { row, column });
+                }
+            }
+        }
+        let names = (1..=dimension).map(|number| format!("e{number}")).collect();
+        let definition = Definition {
+            metric,
+            names,
+            determinant: S::zero(),
+        };
+        let unmeasured = Self {
+            definition: Arc::new(definition.clone()),
+        };
+        // The blade of all vectors times its reverse is the determinant of their inner products.
+        let pseudoscalar = unmeasured.pseudoscalar();
+        let determinant = pseudoscalar.scalar_product(&pseudoscalar.reverse());
+        Ok(Self {
+            definition: Arc::new(Definition {
+                determinant,
+                ..definition
+            }),
+        })
+    }
+
+    /// The algebra of an orthogonal basis: first `positive` vectors of square 1, then `negative` of square −1, then
+    /// `null` of square 0.
+    ///
+    /// # Errors
+    ///
+    /// [`DenseError::TooManyVectors`].
+    pub fn with_signature(
+        positive: usize,
+        negative: usize,
+        null: usize,
+    ) -> Result<Self, DenseError> {
+        let dimension = positive.saturating_add(negative).saturating_add(null);
+        if dimension > MAXIMUM_DIMENSION {
+            return Err(DenseError::TooManyVectors { dimension });
+        }
+        let mut metric = vec![vec![S::zero(); dimension]; dimension];
+        for (vector, row) in metric.iter_mut().enumerate() {
+            row[vector] = if vector < positive {
+                S::one()
+            } else if vector < positive + negative {
+                -S::one()
+            } else {
+                S::zero()
+            };
+        }
+        Self::new(metric)
+    }
+
+    /// The same algebra with names for its basis vectors, for output.
+    ///
+    /// # Errors
+    ///
+    /// [`DenseError::NameCount`], or [`DenseError::UnusableName`] for a name that is empty or given twice.
+    pub fn with_names<N: Into<String>>(
+        &self,
+        names: impl IntoIterator<Item = N>,
+    ) -> Result<Self, DenseError> {
+        let names: Vec<String> = names.into_iter().map(Into::into).collect();
+        if names.len() != self.dimension() {
+            return Err(DenseError::NameCount {
+                expected: self.dimension(),
+                found: names.len(),
+            });
+        }
+        for (vector, name) in names.iter().enumerate() {
+            if name.is_empty() || names[..vector].contains(name) {
+                return Err(DenseError::UnusableName {
+                    vector,
+                    name: name.clone(),
+                });
+            }
+        }
+        let definition = Definition {
+            names,
+            ..(*self.definition).clone()
+        };
+        Ok(Self {
+            definition: Arc::new(definition),
+        })
+    }
+
+    /// The number of basis vectors, n.
+    pub fn dimension(&self) -> usize {
+        self.definition.metric.len()
+    }
+
+    /// The number of basis blades, 2ⁿ.
+    pub fn size(&self) -> usize {
+        1 << self.dimension()
+    }
+
+    /// The inner products of the basis vectors.
+    pub fn metric(&self) -> &[Vec<S>] {
+        &self.definition.metric
+    }
+
+    /// The determinant of the metric, which is I ~I for the pseudoscalar I.
+    pub fn determinant(&self) -> S {
+        self.definition.determinant
+    }
+
+    /// The names of the basis vectors.
+    pub fn names(&self) -> &[String] {
+        &self.definition.names
+    }
+
+    /// The multivector zero.
+    pub fn zero(&self) -> Multivector<S> {
+        Multivector::from_parts(self.clone(), vec![S::zero(); self.size()])
+    }
+
+    /// A scalar as a multivector.
+    pub fn scalar(&self, value: S) -> Multivector<S> {
+        let mut coefficients = vec![S::zero(); self.size()];
+        coefficients[0] = value;
+        Multivector::from_parts(self.clone(), coefficients)
+    }
+
+    /// The multivector 1.
+    pub fn one(&self) -> Multivector<S> {
+        self.scalar(S::one())
+    }
+
+    /// The vector of the given components, one for each basis vector.
+    ///
+    /// # Errors
+    ///
+    /// [`DenseError::CoefficientCount`].
+    pub fn vector(
+        &self,
+        components: impl IntoIterator<Item = S>,
+    ) -> Result<Multivector<S>, DenseError> {
+        let components: Vec<S> = components.into_iter().collect();
+        if components.len() != self.dimension() {
+            return Err(DenseError::CoefficientCount {
+                expected: self.dimension(),
+                found: components.len(),
+            });
+        }
+        let mut coefficients = vec![S::zero(); self.size()];
+        for (vector, component) in components.into_iter().enumerate() {
+            coefficients[1 << vector] = component;
+        }
+        Ok(Multivector::from_parts(self.clone(), coefficients))
+    }
+
+    /// The basis blade of a bitmask: the outer product of its vectors in rising order.
+    ///
+    /// # Errors
+    ///
+    /// [`DenseError::NoSuchBlade`].
+    pub fn blade(&self, blade: usize) -> Result<Multivector<S>, DenseError> {
+        self.from_terms([(blade, S::one())])
+    }
+
+    /// The outer product of all basis vectors, I.
+    pub fn pseudoscalar(&self) -> Multivector<S> {
+        let mut coefficients = vec![S::zero(); self.size()];
+        coefficients[self.size() - 1] = S::one();
+        Multivector::from_parts(self.clone(), coefficients)
+    }
+
+    /// The multivector of the given coefficients, indexed by the bitmasks of the basis blades.
+    ///
+    /// # Errors
+    ///
+    /// [`DenseError::CoefficientCount`].
+    pub fn multivector(
+        &self,
+        coefficients: impl Into<Vec<S>>,
+    ) -> Result<Multivector<S>, DenseError> {
+        let coefficients = coefficients.into();
+        if coefficients.len() != self.size() {
+            return Err(DenseError::CoefficientCount {
+                expected: self.size(),
+                found: coefficients.len(),
+            });
+        }
+        Ok(Multivector::from_parts(self.clone(), coefficients))
+    }
+
+    /// The multivector with the given coefficients on the blades of the given bitmasks and zero on all others.
+    ///
+    /// # Errors
+    ///
+    /// [`DenseError::NoSuchBlade`] or [`DenseError::RepeatedBlade`].
+    #[allow(clippy::wrong_self_convention)]
+    pub fn from_terms(
+        &self,
+        terms: impl IntoIterator<Item = (usize, S)>,
+    ) -> Result<Multivector<S>, DenseError> {
+        let mut coefficients = vec![None; self.size()];
+        for (blade, value) in terms {
+            match coefficients.get_mut(blade) {
+                None => {
+                    return Err(DenseError::NoSuchBlade {
+                        blade,
+                        dimension: self.dimension(),
+                    });
+                }
+                Some(Some(_)) => return Err(DenseError::RepeatedBlade { blade }),
+                Some(coefficient) => *coefficient = Some(value),
+            }
+        }
+        let coefficients: Vec<S> = coefficients
+            .into_iter()
+            .map(|coefficient| coefficient.unwrap_or(S::zero()))
+            .collect();
+        Ok(Multivector::from_parts(self.clone(), coefficients))
+    }
+}
+
+impl<S> Algebra<S> {
+    /// The name of a basis blade: the names of its vectors, joined after the beginning that all names of the algebra
+    /// have in common, as `e12` of `e1` and `e2`; `1` for the scalar. An underscore separates the vectors where one of
+    /// the names goes on for more than one character, as in `e1_10`.
+    ///
+    /// Bits beyond the basis vectors of the algebra are passed over.
+    pub fn blade_name(&self, blade: usize) -> String {
+        let names = &self.definition.names;
+        let mut members = blade::vectors(blade).filter_map(|vector| names.get(vector));
+        let Some(first) = members.next() else {
+            return String::from("1");
+        };
+        let shared = shared_beginning(names);
+        let separator = if names.iter().any(|name| name[shared..].chars().count() > 1) {
+            "_"
+        } else {
+            ""
+        };
+        members.fold(first.clone(), |joined, name| {
+            joined + separator + &name[shared..]
+        })
+    }
+}
+
+impl<S: PartialEq> PartialEq for Algebra<S> {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.definition, &other.definition)
+            || self.definition.metric == other.definition.metric
+    }
+}
+
+/// The length in bytes of the beginning that all names have in common, leaving at least one character of each.
+fn shared_beginning(names: &[String]) -> usize {
+    let Some(first) = names.first() else { return 0 };
+    first
+        .char_indices()
+        .map(|(position, _)| position)
+        .take_while(|&position| {
+            names.iter().all(|name| {
+                name.len() > position && name.as_bytes()[..position] == first.as_bytes()[..position]
+            })
+        })
+        .last()
+        .unwrap_or(0)
+}

@@ -1,0 +1,85 @@
+//! Basis blades as lists of vectors, and what one more vector does to them.
+
+/// The vectors of a blade in rising order.
+pub(super) fn vectors(blade: usize) -> Vectors {
+    Vectors { remaining: blade }
+}
+
+/// The number of vectors of a blade.
+pub(super) fn grade(blade: usize) -> usize {
+    vectors(blade).count()
+}
+
+/// `vector ∧ blade` as a sign and a blade, or `None` if it is zero.
+pub(super) fn wedge(vector: usize, blade: usize) -> Option<(Sign, usize)> {
+    let mut sign = Sign::Plus;
+    for passed in vectors(blade) {
+        if passed == vector {
+            return None;
+        }
+        if passed > vector {
+            break;
+        }
+        sign = sign.flipped();
+    }
+    Some((sign, blade | 1 << vector))
+}
+
+/// The terms of `vector ⌋ blade`: each vector of the blade with the sign at which it is taken out and what is left.
+pub(super) fn contraction(blade: usize) -> impl Iterator<Item = (usize, Sign, usize)> {
+    let mut sign = Sign::Minus;
+    vectors(blade).map(move |met| {
+        sign = sign.flipped();
+        (met, sign, blade ^ 1 << met)
+    })
+}
+
+/// The sign of an odd or even number of swaps.
+#[derive(Clone, Copy)]
+pub(super) enum Sign {
+    Plus,
+    Minus,
+}
+
+impl Sign {
+    pub(super) fn flipped(self) -> Self {
+        match self {
+            Self::Plus => Self::Minus,
+            Self::Minus => Self::Plus,
+        }
+    }
+
+    /// The sign of so many swaps.
+    pub(super) fn of_swaps(swaps: usize) -> Self {
+        if swaps.is_multiple_of(2) {
+            Self::Plus
+        } else {
+            Self::Minus
+        }
+    }
+
+    pub(super) fn times<S: core::ops::Neg<Output = S>>(self, value: S) -> S {
+        match self {
+            Self::Plus => value,
+            Self::Minus => -value,
+        }
+    }
+}
+
+/// The iterator of [`vectors`].
+pub(super) struct Vectors {
+    remaining: usize,
+}
+
+impl Iterator for Vectors {
+    type Item = usize;
+
+    fn next(&mut self) -> Option<usize> {
+        if self.remaining == 0 {
+            return None;
+        }
+        let vector = self.remaining.trailing_zeros() as usize;
+        self.remaining ^= 1 << vector;
+        Some(vector)
+    }
+}

@@ -1,0 +1,30 @@
+//! The means by which Nullcone tests itself, for the tests of crates that build on it.
+//!
+//! - [`assert_close!`] compares floating-point results, [`Coefficients`] being what it can compare.
+//! - [`strategy`] holds proptest strategies for scalars and for multivectors of any algebra.
+//! - [`Prime61`] is the scalar of exact tests, [`dense`] the reference to test against.
+//!
+//! A test of an identity, exact and in an algebra of one's own choice:
+//!
+//! ```
+//! use ga_runtime::testing::{Prime61, dense::Algebra, strategy};
+//! use proptest::prelude::*;
+//!
+//! # fn main() -> Result<(), ga_runtime::dense::DenseError> {
+//! let spacetime = Algebra::<Prime61>::with_signature(1, 3, 0)?;
+//! let vector = strategy::vector(&spacetime, strategy::prime());
+//! proptest!(|(a in vector.clone(), b in vector)| {
+//!     // Vectors anticommute up to twice their inner product.
+//!     prop_assert_eq!(&a * &b + &b * &a, (&a | &b).scale(2.into()));
+//! });
+//! # Ok(())
+//! # }
+//! ```
+
+mod close;
+pub mod strategy;
+
+pub use crate::assert_close;
+pub use crate::dense;
+pub use crate::scalar::Prime61;
+pub use close::{Coefficients, Deviation, check_close};
