@@ -1,1 +1,140 @@
-//! Placeholder.
+//! The optimising compiler behind Nullcone.
+//!
+//! [`expand_algebra`] takes the declaration of a geometric algebra and gives Rust code; the stages between are public,
+//! so that tools can parse, simplify, evaluate and count without any macro:
+//!
+//! ```text
+//! tokens → parse → define → expression → lower → ir → passes → emit
+//!                     └────────────── verify ──────────────┘
+//! ```
+//!
+//! - [`parse`]: grammars; names are still names.
+//! - [`define`]: a checked declaration; every error is found here, at its token.
+//! - [`algebra`]: blades, metric, and the products of basis blades.
+//! - [`expression`]: formulas over typed operands.
+//! - [`lower`]: formulas to the graph, by named rules.
+//! - [`ir`]: the graph, hash-consed, and multivectors over it.
+//! - [`passes`]: dead code, order, cost.
+//! - [`kernel`]: one compiled expression.
+//! - [`verify`]: evaluation over a prime field, which decides what a result is and checks the compiler's work.
+//! - [`emit`]: Rust code.
+//!
+//! # Example
+//!
+//! The outer product of two vectors of the plane, from tokens to a count of operations:
+//!
+//! ```
+//! use ga_compiler::{Compiled, compile_function};
+//!
+//! let declaration = quote::quote! {
+//!     pub mod vga2 {
+//!         basis e1, e2;
+//!         signature 2, 0;
+//!         struct Vector { e1, e2 }
+//!         struct Bivector { e12 }
+//!     }
+//! };
+//! let function = quote::quote! { (a: Vector, b: Vector) -> Bivector { a ^ b } };
+//! let Compiled { kernel, .. } = compile_function(declaration, function)?;
+//! assert_eq!((kernel.cost().multiplications, kernel.cost().additions), (2, 1));
+//! # Ok::<(), syn::Error>(())
+//! ```
+
+pub mod algebra;
+pub mod define;
+pub mod diag;
+pub mod emit;
+pub mod expression;
+pub mod ir;
+pub mod kernel;
+pub mod lower;
+pub mod parse;
+pub mod passes;
+pub mod verify;
+
+use proc_macro2::{Span, TokenStream};
+use syn::{Error, Result};
+
+use define::Definition;
+use diag::Diagnostics;
+use expression::Expression;
+use kernel::Kernel;
+
+/// A compiled function with the algebra it is written in.
+pub struct Compiled {
+    /// The algebra.
+    pub definition: Definition,
+    /// The graph.
+    pub kernel: Kernel,
+}
+
+/// Expands the declaration of an algebra. `runtime` is the path of ga-runtime where the code will stand.
+///
+/// On errors the result holds a `compile_error!` for each and stand-ins for the types, so that code which uses
+/// them adds no errors of its own.
+#[must_use]
+pub fn expand_algebra(tokens: TokenStream, runtime: TokenStream) -> TokenStream {
+    let source = tokens.clone();
+    let syntax = match parse::parse_declaration(tokens) {
+        Ok(syntax) => syntax,
+        Err(error) => return error.to_compile_error(),
+    };
+    let mut diagnostics = Diagnostics::default();
+    let definition = Definition::check(syntax, runtime, &mut diagnostics);
+    if diagnostics.is_empty() {
+        emit::rust::algebra(&definition, &source)
+    } else {
+        let mut output = diagnostics.to_compile_errors();
+        output.extend(emit::rust::stand_ins(&definition));
+        output
+    }
+}
+
+/// Compiles one function in an algebra, both given as tokens, and checks it against its plain meaning.
+///
+/// # Errors
+/// Every error of the declaration, or the first of the function.
+pub fn compile_function(declaration: TokenStream, function: TokenStream) -> Result<Compiled> {
+    let mut diagnostics = Diagnostics::default();
+    let syntax = parse::parse_declaration(declaration)?;
+    let definition = Definition::check(syntax, TokenStream::new(), &mut diagnostics);
+    diagnostics.into_result()?;
+    let function = parse::parse_function(function)?;
+    let find = |name: &syn::Ident| {
+        let found = definition.type_named(&name.to_string());
+        found.ok_or_else(|| Error::new(name.span(), format!("unknown type `{name}`")))
+    };
+    let names: Vec<_> = function
+        .operands
+        .iter()
+        .map(|(name, _)| name.clone())
+        .collect();
+    let operands = function
+        .operands
+        .iter()
+        .map(|(_, kind)| find(kind))
+        .collect::<Result<Vec<_>>>()?;
+    let result = match function.result.to_string().as_str() {
+        "Scalar" => None,
+        _ => Some(find(&function.result)?),
+    };
+    let expression = Expression::resolve(&function.body, &names)?;
+    let algebra = &definition.algebra;
+    verify::result_fits(algebra, &operands, &expression, result).map_err(|reasons| {
+        let message = format!(
+            "the result is no `{}`: {}",
+            function.result,
+            reasons.join("; ")
+        );
+        Error::new(function.result.span(), message)
+    })?;
+    let kernel = Kernel::compile(algebra, &operands, &expression, result);
+    if !kernel.agrees(algebra, &operands, &expression, result, 1) {
+        let message = format!(
+            "rule {:?} changed the meaning of the expression",
+            kernel.rule
+        );
+        return Err(Error::new(Span::call_site(), message));
+    }
+    Ok(Compiled { definition, kernel })
+}

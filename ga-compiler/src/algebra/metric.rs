@@ -1,0 +1,190 @@
+//! The inner products of the basis vectors, and the product of two basis blades that follows from them.
+
+use super::{Blade, Ratio};
+
+/// A constant symmetric bilinear form on the basis vectors; it need not be diagonal nor regular.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Metric {
+    dimension: usize,
+    entries: Vec<Ratio>,
+}
+
+impl Metric {
+    /// The form in which every inner product is zero.
+    #[must_use]
+    pub fn zero(dimension: usize) -> Self {
+        Self {
+            dimension,
+            entries: vec![Ratio::ZERO; dimension * dimension],
+        }
+    }
+
+    /// The diagonal form with `positive` squares of 1, then `negative` of −1, then `null` of 0.
+    #[must_use]
+    pub fn signature(positive: usize, negative: usize, null: usize) -> Self {
+        let mut metric = Self::zero(positive + negative + null);
+        for index in 0..positive + negative {
+            let square = if index < positive { 1 } else { -1 };
+            metric.set(index, index, Ratio::integer(square));
+        }
+        metric
+    }
+
+    /// The number of basis vectors.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        self.dimension
+    }
+
+    /// The inner product of two basis vectors.
+    #[must_use]
+    pub fn get(&self, row: usize, column: usize) -> Ratio {
+        self.entries[row * self.dimension + column]
+    }
+
+    /// Sets the inner product of two basis vectors, in both orders.
+    pub fn set(&mut self, row: usize, column: usize, value: Ratio) {
+        self.entries[row * self.dimension + column] = value;
+        self.entries[column * self.dimension + row] = value;
+    }
+
+    /// The square of the pseudoscalar: (−1)^(n(n−1)/2) det G. Zero where the metric is degenerate.
+    #[must_use]
+    pub fn pseudoscalar_square(&self) -> Ratio {
+        let pseudoscalar = Blade::pseudoscalar(self.dimension);
+        self.geometric(pseudoscalar, pseudoscalar)
+            .into_iter()
+            .find(|(blade, _)| *blade == Blade::SCALAR)
+            .map_or(Ratio::ZERO, |(_, value)| value)
+    }
+
+    /// The geometric product of two basis blades, as a sum of basis blades.
+    ///
+    /// By Wick's theorem the product of two blades is the sum over all ways to contract some vectors
+    /// of the left one with vectors of the right one, of what is left wedged together. The vectors of
+    /// the left blade are met from the last to the first; each is kept, or contracted with one vector of the right
+    /// blade, with a sign for every vector that it passes on the way.
+    #[must_use]
+    pub fn geometric(&self, left: Blade, right: Blade) -> Vec<(Blade, Ratio)> {
+        let mut terms = vec![(Blade::SCALAR, right, Ratio::ONE)];
+        for vector in left.vectors().rev() {
+            let mut next = Vec::with_capacity(terms.len() * 2);
+            for (kept, rest, value) in terms {
+                for partner in rest.vectors() {
+                    let inner = self.get(vector, partner);
+                    if inner.is_zero() {
+                        continue;
+                    }
+                    let passed = kept.grade() + rest.rank_of(partner);
+                    let signed = if passed % 2 == 1 { -inner } else { inner };
+                    next.push((kept, rest.without(partner), value * signed));
+                }
+                next.push((Blade(kept.0 | 1 << vector), rest, value));
+            }
+            terms = next;
+        }
+        let mut result: Vec<(Blade, Ratio)> = Vec::new();
+        for (kept, rest, value) in terms {
+            if kept.0 & rest.0 != 0 {
+                continue;
+            }
+            let signed = if kept.wedge_is_negative(rest) {
+                -value
+            } else {
+                value
+            };
+            let blade = Blade(kept.0 | rest.0);
+            match result.iter_mut().find(|(other, _)| *other == blade) {
+                Some((_, sum)) => *sum = *sum + signed,
+                None => result.push((blade, signed)),
+            }
+        }
+        result.retain(|(_, value)| !value.is_zero());
+        result.sort_by_key(|(blade, _)| *blade);
+        result
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn null_basis() -> Metric {
+        let mut metric = Metric::signature(3, 0, 2);
+        metric.set(3, 4, Ratio::integer(-1));
+        metric
+    }
+
+    #[test]
+    fn vectors_multiply_to_inner_and_outer_part() {
+        let metric = null_basis();
+        let (eo, ei) = (Blade::vector(3), Blade::vector(4));
+        let both = Blade(eo.0 | ei.0);
+        assert_eq!(
+            metric.geometric(eo, ei),
+            [(Blade::SCALAR, Ratio::integer(-1)), (both, Ratio::ONE)]
+        );
+        assert_eq!(
+            metric.geometric(ei, eo),
+            [
+                (Blade::SCALAR, Ratio::integer(-1)),
+                (both, Ratio::integer(-1))
+            ]
+        );
+        assert_eq!(metric.geometric(both, both), [(Blade::SCALAR, Ratio::ONE)]);
+    }
+
+    #[test]
+    fn pseudoscalar_squares() {
+        assert_eq!(null_basis().pseudoscalar_square(), Ratio::integer(-1));
+        assert_eq!(
+            Metric::signature(3, 0, 0).pseudoscalar_square(),
+            Ratio::integer(-1)
+        );
+        assert_eq!(
+            Metric::signature(3, 0, 1).pseudoscalar_square(),
+            Ratio::ZERO
+        );
+        assert_eq!(
+            Metric::signature(1, 3, 0).pseudoscalar_square(),
+            Ratio::integer(-1)
+        );
+    }
+
+    #[test]
+    fn product_is_associative_in_a_full_metric() {
+        let mut metric = Metric::zero(4);
+        for row in 0..4 {
+            for column in row..4 {
+                metric.set(
+                    row,
+                    column,
+                    Ratio::integer((row * 3 + column * 7) as i128 % 5 - 2),
+                );
+            }
+        }
+        let multiply = |terms: &[(Blade, Ratio)], blade: Blade, on_left: bool| {
+            let mut sums = vec![Ratio::ZERO; 16];
+            for &(term, value) in terms {
+                let product = if on_left {
+                    metric.geometric(term, blade)
+                } else {
+                    metric.geometric(blade, term)
+                };
+                for (result, factor) in product {
+                    sums[result.0 as usize] = sums[result.0 as usize] + value * factor;
+                }
+            }
+            sums
+        };
+        for a in 0..16 {
+            for b in 0..16 {
+                for c in 0..16 {
+                    let left = multiply(&metric.geometric(Blade(a), Blade(b)), Blade(c), true);
+                    let right = multiply(&metric.geometric(Blade(b), Blade(c)), Blade(a), false);
+                    assert_eq!(left, right, "({a} {b}) {c}");
+                }
+            }
+        }
+    }
+}

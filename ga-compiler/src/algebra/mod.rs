@@ -1,0 +1,119 @@
+//! Basis blades, the metric, and the products of basis blades.
+
+mod blade;
+mod metric;
+mod names;
+mod product;
+mod ratio;
+
+pub use blade::Blade;
+pub use metric::Metric;
+pub use names::{BladeNames, NameError, NamedBlade, SCALAR};
+pub use product::{Product, Unary};
+pub use ratio::Ratio;
+
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::rc::Rc;
+
+/// The largest number of basis vectors.
+pub const MAX_DIMENSION: usize = 16;
+
+/// A sum of basis blades with constant coefficients, sorted by blade.
+pub type BladeSum = Rc<[(Blade, Ratio)]>;
+
+/// A geometric algebra: named basis vectors and their inner products.
+#[derive(Debug)]
+pub struct Algebra {
+    names: BladeNames,
+    metric: Metric,
+    pseudoscalar_square: Ratio,
+    geometric: RefCell<HashMap<(Blade, Blade), BladeSum>>,
+}
+
+impl Algebra {
+    /// An algebra over the given basis vectors; `metric` must have their number as its dimension.
+    #[must_use]
+    pub fn new(basis: &[String], metric: Metric) -> Self {
+        Self {
+            names: BladeNames::new(basis),
+            pseudoscalar_square: metric.pseudoscalar_square(),
+            metric,
+            geometric: RefCell::default(),
+        }
+    }
+
+    /// The number of basis vectors.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        self.metric.dimension()
+    }
+
+    /// The inner products of the basis vectors.
+    #[must_use]
+    pub fn metric(&self) -> &Metric {
+        &self.metric
+    }
+
+    /// How blades are written.
+    #[must_use]
+    pub fn names(&self) -> &BladeNames {
+        &self.names
+    }
+
+    /// The outer product of all basis vectors.
+    #[must_use]
+    pub fn pseudoscalar(&self) -> Blade {
+        Blade::pseudoscalar(self.dimension())
+    }
+
+    /// Whether the pseudoscalar has no inverse, so that duals go through complements.
+    #[must_use]
+    pub fn is_degenerate(&self) -> bool {
+        self.pseudoscalar_square.is_zero()
+    }
+
+    /// The geometric product of two basis blades.
+    #[must_use]
+    pub fn geometric(&self, left: Blade, right: Blade) -> BladeSum {
+        let key = (left, right);
+        if let Some(known) = self.geometric.borrow().get(&key) {
+            return Rc::clone(known);
+        }
+        let product: BladeSum = self.metric.geometric(left, right).into();
+        self.geometric.borrow_mut().insert(key, Rc::clone(&product));
+        product
+    }
+
+    /// The dual of a basis blade: `a I⁻¹`, or the right complement (`a ∧ dual a = I`) where I is singular.
+    #[must_use]
+    pub fn dual(&self, blade: Blade) -> Vec<(Blade, Ratio)> {
+        if self.is_degenerate() {
+            return vec![self.complement(blade, false)];
+        }
+        let inverse = Ratio::ONE / self.pseudoscalar_square;
+        self.geometric(blade, self.pseudoscalar())
+            .iter()
+            .map(|&(result, value)| (result, value * inverse))
+            .collect()
+    }
+
+    /// The inverse of [`dual`](Self::dual): `a I`, or the left complement where I is singular.
+    #[must_use]
+    pub fn undual(&self, blade: Blade) -> Vec<(Blade, Ratio)> {
+        if self.is_degenerate() {
+            return vec![self.complement(blade, true)];
+        }
+        self.geometric(blade, self.pseudoscalar()).to_vec()
+    }
+
+    fn complement(&self, blade: Blade, on_left: bool) -> (Blade, Ratio) {
+        let rest = Blade(self.pseudoscalar().0 & !blade.0);
+        let is_negative = if on_left {
+            rest.wedge_is_negative(blade)
+        } else {
+            blade.wedge_is_negative(rest)
+        };
+        (rest, Ratio::integer(if is_negative { -1 } else { 1 }))
+    }
+}

@@ -1,0 +1,140 @@
+//! Polynomials in the stored coefficients of a type: what a derived blade is.
+
+use syn::{BinOp, Error, Expr, Lit, Result, UnOp};
+
+use crate::algebra::Ratio;
+
+/// A polynomial; `Coefficient` holds the index of a blade in the type's list.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Polynomial {
+    /// A number.
+    Constant(Ratio),
+    /// The coefficient of a blade of the type, as it is written in the declaration.
+    Coefficient(usize),
+    /// A sum.
+    Sum(Box<Polynomial>, Box<Polynomial>),
+    /// A product.
+    Product(Box<Polynomial>, Box<Polynomial>),
+}
+
+/// The largest absolute value of a number in a declaration; it keeps all exact arithmetic within range.
+const LARGEST: i128 = 1_000_000;
+
+impl Polynomial {
+    /// Reads a polynomial; `lookup` resolves the names of blades.
+    ///
+    /// # Errors
+    /// Anything but sums, differences, products, quotients by constants, and blades that `lookup` accepts.
+    pub fn resolve(
+        syntax: &Expr,
+        lookup: &mut dyn FnMut(&syn::Ident) -> Result<usize>,
+    ) -> Result<Self> {
+        match syntax {
+            Expr::Paren(inner) => Self::resolve(&inner.expr, lookup),
+            Expr::Group(inner) => Self::resolve(&inner.expr, lookup),
+            Expr::Lit(literal) => match &literal.lit {
+                Lit::Int(number) => {
+                    let value: i128 = number.base10_parse()?;
+                    if value > LARGEST {
+                        let message = format!("numbers above {LARGEST} are not supported");
+                        return Err(Error::new_spanned(literal, message));
+                    }
+                    Ok(Self::Constant(Ratio::integer(value)))
+                }
+                other => Err(Error::new_spanned(
+                    other,
+                    "expected a whole number; write fractions as `1/2`",
+                )),
+            },
+            Expr::Path(path) => match path.path.get_ident() {
+                Some(name) => Ok(Self::Coefficient(lookup(name)?)),
+                None => Err(Error::new_spanned(path, "expected the name of a blade")),
+            },
+            Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => {
+                Ok(Self::resolve(&unary.expr, lookup)?.negative())
+            }
+            Expr::Binary(binary) => {
+                let left = Self::resolve(&binary.left, lookup)?;
+                let right = Self::resolve(&binary.right, lookup)?;
+                match binary.op {
+                    BinOp::Add(_) => Ok(Self::Sum(Box::new(left), Box::new(right))),
+                    BinOp::Sub(_) => Ok(Self::Sum(Box::new(left), Box::new(right.negative()))),
+                    BinOp::Mul(_) => Ok(Self::Product(Box::new(left), Box::new(right))),
+                    BinOp::Div(_) => match right.as_constant().and_then(Ratio::recip) {
+                        Some(inverse) => Ok(Self::Product(
+                            Box::new(left),
+                            Box::new(Self::Constant(inverse)),
+                        )),
+                        None => Err(Error::new_spanned(
+                            &binary.right,
+                            "only a constant other than zero may divide",
+                        )),
+                    },
+                    operator => Err(Error::new_spanned(
+                        operator,
+                        "expected `+`, `-`, `*` or `/`",
+                    )),
+                }
+            }
+            other => Err(Error::new_spanned(
+                other,
+                "expected a polynomial in the stored blades of the type",
+            )),
+        }
+    }
+
+    /// The number that the polynomial is, if no blade occurs in it.
+    #[must_use]
+    pub fn as_constant(&self) -> Option<Ratio> {
+        match self {
+            Self::Constant(value) => Some(*value),
+            Self::Coefficient(_) => None,
+            Self::Sum(a, b) => Some(a.as_constant()? + b.as_constant()?),
+            Self::Product(a, b) => Some(a.as_constant()? * b.as_constant()?),
+        }
+    }
+
+    /// Folds the polynomial over any ring.
+    pub fn evaluate<T>(
+        &self,
+        constant: &mut dyn FnMut(Ratio) -> T,
+        coefficient: &mut dyn FnMut(usize) -> T,
+        combine: &mut dyn FnMut(PolynomialStep, T, T) -> T,
+    ) -> T {
+        match self {
+            Self::Constant(value) => constant(*value),
+            Self::Coefficient(index) => coefficient(*index),
+            Self::Sum(a, b) | Self::Product(a, b) => {
+                let step = if matches!(self, Self::Sum(..)) {
+                    PolynomialStep::Sum
+                } else {
+                    PolynomialStep::Product
+                };
+                let left = a.evaluate(constant, coefficient, combine);
+                let right = b.evaluate(constant, coefficient, combine);
+                combine(step, left, right)
+            }
+        }
+    }
+
+    fn negative(self) -> Self {
+        Self::Product(Box::new(Self::Constant(Ratio::integer(-1))), Box::new(self))
+    }
+}
+
+/// How two parts of a polynomial are joined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PolynomialStep {
+    /// Added.
+    Sum,
+    /// Multiplied.
+    Product,
+}
+
+/// Reads a constant.
+pub(super) fn constant(syntax: &Expr) -> Result<Ratio> {
+    let refuse =
+        |name: &syn::Ident| Err(Error::new(name.span(), "expected a constant, not a name"));
+    let value = Polynomial::resolve(syntax, &mut { refuse })?.as_constant();
+    value.ok_or_else(|| Error::new_spanned(syntax, "expected a constant"))
+}

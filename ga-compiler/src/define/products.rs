@@ -1,0 +1,290 @@
+//! Checks the products: operand types, and that every result lies in the declared type.
+
+use proc_macro2::Span;
+use syn::Ident;
+
+use super::TypeDefinition;
+use crate::algebra::{Algebra, Product, Unary};
+use crate::diag::Diagnostics;
+use crate::expression::Expression;
+use crate::parse::ProductSyntax;
+use crate::verify;
+
+/// An operation that a declaration may ask for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Operation {
+    /// A bilinear product.
+    Product(Product),
+    /// The dual or its inverse.
+    Unary(Unary),
+    /// The action of a versor.
+    Sandwich,
+}
+
+/// One operation on given types.
+#[derive(Clone, Debug)]
+pub struct ProductDefinition {
+    /// The operation.
+    pub operation: Operation,
+    /// The types of the operands, as indices.
+    pub operands: Vec<usize>,
+    /// The type of the result, as an index; none for a scalar.
+    pub result: Option<usize>,
+}
+
+impl Operation {
+    fn from_name(name: &str) -> Option<Self> {
+        match name {
+            "dual" => Some(Self::Unary(Unary::Dual)),
+            "undual" => Some(Self::Unary(Unary::Undual)),
+            "sandwich" => Some(Self::Sandwich),
+            other => Product::from_name(other).map(Self::Product),
+        }
+    }
+
+    /// The name in declarations and of methods.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Product(product) => product.name(),
+            Self::Unary(unary) => unary.name(),
+            Self::Sandwich => "sandwich",
+        }
+    }
+
+    /// The operation on operands 0 and 1.
+    #[must_use]
+    pub fn expression(self) -> Expression {
+        let (first, second) = (Expression::Operand(0), Expression::Operand(1));
+        match self {
+            Self::Product(product) => Expression::binary(product, first, second),
+            Self::Unary(operation) => Expression::unary(operation, first),
+            Self::Sandwich => Expression::sandwich(first, second),
+        }
+    }
+
+    const fn arity(self) -> usize {
+        match self {
+            Self::Unary(_) => 1,
+            _ => 2,
+        }
+    }
+}
+
+pub(super) fn check(
+    algebra: &Algebra,
+    types: &[TypeDefinition],
+    syntax: &[ProductSyntax],
+    diagnostics: &mut Diagnostics,
+) -> Vec<ProductDefinition> {
+    let mut products: Vec<ProductDefinition> = Vec::new();
+    for line in syntax {
+        let Some(operation) = Operation::from_name(&line.operation.to_string()) else {
+            let message = format!("unknown operation `{}`", line.operation);
+            diagnostics.error(line.operation.span(), message);
+            continue;
+        };
+        if line.operands.len() != operation.arity() {
+            let message = format!(
+                "`{}` takes {} operands, not {}",
+                line.operation,
+                operation.arity(),
+                line.operands.len()
+            );
+            diagnostics.error(line.operation.span(), message);
+            continue;
+        }
+        let Some(choices) = resolve_operands(types, line, diagnostics) else {
+            continue;
+        };
+        for operands in combinations(&choices) {
+            let repeated = products
+                .iter()
+                .any(|known| known.operation == operation && known.operands == operands);
+            if repeated {
+                let names: Vec<_> = operands
+                    .iter()
+                    .map(|&o| types[o].name.to_string())
+                    .collect();
+                let message = format!(
+                    "`{}({})` is declared twice",
+                    line.operation,
+                    names.join(", ")
+                );
+                diagnostics.error(line.operation.span(), message);
+                continue;
+            }
+            let context = Context {
+                algebra,
+                types,
+                operation,
+                operands: &operands,
+                span: line.operation.span(),
+            };
+            if let Some(result) = context.result(line.result.as_ref(), diagnostics) {
+                products.push(ProductDefinition {
+                    operation,
+                    operands,
+                    result,
+                });
+            }
+        }
+    }
+    products
+}
+
+fn resolve_operands(
+    types: &[TypeDefinition],
+    line: &ProductSyntax,
+    diagnostics: &mut Diagnostics,
+) -> Option<Vec<Vec<usize>>> {
+    let mut complete = true;
+    let mut choices = Vec::new();
+    for names in &line.operands {
+        let mut places = Vec::new();
+        for name in names {
+            match types.iter().position(|kind| kind.name == *name) {
+                Some(place) => places.push(place),
+                None => {
+                    complete = false;
+                    diagnostics.error(name.span(), format!("unknown type `{name}`"));
+                }
+            }
+        }
+        choices.push(places);
+    }
+    complete.then_some(choices)
+}
+
+fn combinations(choices: &[Vec<usize>]) -> Vec<Vec<usize>> {
+    choices.iter().fold(vec![vec![]], |all, next| {
+        all.iter()
+            .flat_map(|start| {
+                next.iter().map(move |&place| {
+                    let mut extended = start.clone();
+                    extended.push(place);
+                    extended
+                })
+            })
+            .collect()
+    })
+}
+
+/// One operation on given operand types, of which the result is sought.
+struct Context<'a> {
+    algebra: &'a Algebra,
+    types: &'a [TypeDefinition],
+    operation: Operation,
+    operands: &'a [usize],
+    span: Span,
+}
+
+impl Context<'_> {
+    /// The type of the result: some index, none for a scalar; `None` where an error was reported.
+    fn result(
+        &self,
+        stated: Option<&Ident>,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<Option<usize>> {
+        if self.operands.iter().all(|&o| self.types[o].is_constant()) {
+            let message = "a product of constants alone has no scalar type to work in";
+            diagnostics.error(self.span, message);
+            return None;
+        }
+        let Some(name) = stated else {
+            return self.infer(diagnostics);
+        };
+        let place = if name == "Scalar" {
+            None
+        } else if name == "Self" {
+            self.operands.last().copied()
+        } else {
+            match self.types.iter().position(|kind| kind.name == *name) {
+                Some(place) => Some(place),
+                None => {
+                    diagnostics.error(name.span(), format!("unknown type `{name}`"));
+                    return None;
+                }
+            }
+        };
+        if let Err(reasons) = self.fits(place) {
+            let message = format!(
+                "{} does not lie in `{}`: {}",
+                self.title(),
+                place.map_or("Scalar".to_owned(), |p| self.types[p].name.to_string()),
+                reasons.join("; ")
+            );
+            diagnostics.error(name.span(), message);
+            return None;
+        }
+        Some(place)
+    }
+
+    fn fits(&self, place: Option<usize>) -> Result<(), Vec<String>> {
+        let operands: Vec<_> = self.operands.iter().map(|&o| &self.types[o]).collect();
+        verify::result_fits(
+            self.algebra,
+            &operands,
+            &self.operation.expression(),
+            place.map(|p| &self.types[p]),
+        )
+    }
+
+    fn infer(&self, diagnostics: &mut Diagnostics) -> Option<Option<usize>> {
+        let operands: Vec<_> = self.operands.iter().map(|&o| &self.types[o]).collect();
+        let blades = verify::result_blades(self.algebra, &operands, &self.operation.expression());
+        let names: Vec<_> = blades
+            .iter()
+            .map(|&blade| self.algebra.names().name(blade))
+            .collect();
+        if blades.is_empty() {
+            diagnostics.error(self.span, format!("{} is always zero", self.title()));
+            return None;
+        }
+        let candidates: Vec<usize> = (0..self.types.len())
+            .filter(|&place| {
+                let kind = &self.types[place];
+                kind.is_linear()
+                    && kind.coefficients.len() == blades.len()
+                    && blades
+                        .iter()
+                        .all(|&blade| kind.coefficient(blade).is_some())
+            })
+            .collect();
+        match candidates.as_slice() {
+            [] if blades.iter().all(|blade| blade.grade() == 0) => Some(None),
+            [one] => Some(Some(*one)),
+            [] => {
+                let message = format!(
+                    "{} has the blades {}, and no declared type has just these",
+                    self.title(),
+                    names.join(", ")
+                );
+                diagnostics.error(self.span, message);
+                None
+            }
+            several => {
+                let fitting: Vec<_> = several
+                    .iter()
+                    .map(|&place| format!("`{}`", self.types[place].name))
+                    .collect();
+                let message = format!(
+                    "{} fits {}: state the result with `->`",
+                    self.title(),
+                    fitting.join(" and ")
+                );
+                diagnostics.error(self.span, message);
+                None
+            }
+        }
+    }
+
+    fn title(&self) -> String {
+        let names: Vec<_> = self
+            .operands
+            .iter()
+            .map(|&o| self.types[o].name.to_string())
+            .collect();
+        format!("`{}({})`", self.operation.name(), names.join(", "))
+    }
+}

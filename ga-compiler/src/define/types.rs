@@ -1,0 +1,300 @@
+//! Checks the types: their blades, what is constant or derived, their facts and hulls.
+
+use std::collections::HashMap;
+
+use proc_macro2::Span;
+use syn::{Attribute, Error, Ident};
+
+use super::polynomial::Polynomial;
+use crate::algebra::{Algebra, Blade, NameError, NamedBlade, Ratio};
+use crate::diag::Diagnostics;
+use crate::ir::Facts;
+use crate::parse::{CoefficientSyntax, FactSyntax, TypeSyntax};
+use crate::verify;
+
+/// A type of multivectors.
+#[derive(Clone)]
+pub struct TypeDefinition {
+    /// Doc comments.
+    pub docs: Vec<Attribute>,
+    /// The name.
+    pub name: Ident,
+    /// The blades in the order of their declaration.
+    pub coefficients: Vec<Coefficient>,
+    /// What every member satisfies.
+    pub facts: Facts,
+    /// Whether the facts hold for any stored coefficients, so that every member can be built freely.
+    pub facts_are_implied: bool,
+    /// The type of sums and multiples, as an index; none where it is the type itself.
+    pub hull: Option<usize>,
+}
+
+/// A blade of a type.
+#[derive(Clone, Debug)]
+pub struct Coefficient {
+    /// The name as declared, which is the name of the field.
+    pub name: Ident,
+    /// The blade in rising order.
+    pub blade: Blade,
+    /// Whether the declared order of the vectors has the opposite sign.
+    pub is_negative: bool,
+    /// Where the coefficient comes from.
+    pub role: Role,
+}
+
+/// Where a coefficient comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Role {
+    /// It is a field.
+    Stored,
+    /// It is always the same.
+    Constant(Ratio),
+    /// It follows from the stored ones.
+    Derived(Polynomial),
+}
+
+impl TypeDefinition {
+    /// The stored coefficients in order.
+    pub fn stored(&self) -> impl Iterator<Item = &Coefficient> {
+        self.coefficients
+            .iter()
+            .filter(|coefficient| coefficient.role == Role::Stored)
+    }
+
+    /// Whether nothing is stored, so that the type has one member and no scalar type.
+    #[must_use]
+    pub fn is_constant(&self) -> bool {
+        self.stored().next().is_none()
+    }
+
+    /// Whether every coefficient is stored.
+    #[must_use]
+    pub fn is_stored_whole(&self) -> bool {
+        self.coefficients.iter().all(|c| c.role == Role::Stored)
+    }
+
+    /// Whether any coefficients make a member and sums stay in the type.
+    #[must_use]
+    pub fn is_linear(&self) -> bool {
+        self.is_stored_whole() && self.facts.is_empty()
+    }
+
+    /// The coefficient of a blade.
+    #[must_use]
+    pub fn coefficient(&self, blade: Blade) -> Option<&Coefficient> {
+        self.coefficients.iter().find(|c| c.blade == blade)
+    }
+}
+
+pub(super) fn check(
+    algebra: &Algebra,
+    syntax: &[TypeSyntax],
+    diagnostics: &mut Diagnostics,
+) -> Vec<TypeDefinition> {
+    let mut places: HashMap<String, usize> = HashMap::new();
+    let mut types = Vec::new();
+    for (index, kind) in syntax.iter().enumerate() {
+        let name = kind.name.to_string();
+        if name == "Scalar" {
+            diagnostics.error(kind.name.span(), "`Scalar` stands for the coefficients");
+        } else if places.insert(name, index).is_some() {
+            let message = format!("type `{}` is declared twice", kind.name);
+            diagnostics.error(kind.name.span(), message);
+        }
+        types.push(TypeDefinition {
+            docs: kind.docs.clone(),
+            name: kind.name.clone(),
+            coefficients: check_coefficients(algebra, &kind.coefficients, diagnostics),
+            facts: check_facts(algebra, &kind.facts, diagnostics),
+            facts_are_implied: true,
+            hull: None,
+        });
+    }
+    for (index, kind) in syntax.iter().enumerate() {
+        check_hull(index, kind, &places, &mut types, diagnostics);
+    }
+    if diagnostics.is_empty() {
+        for (kind, syntax) in types.iter_mut().zip(syntax) {
+            establish_facts(algebra, kind, &syntax.facts, diagnostics);
+        }
+    }
+    types
+}
+
+/// Resolves the name of a blade, with an error that says what is wrong with it.
+pub(super) fn resolve_blade(algebra: &Algebra, name: &Ident) -> Result<NamedBlade, Error> {
+    let text = name.to_string();
+    algebra.names().resolve(&text).map_err(|error| {
+        let message = match error {
+            NameError::Unknown => {
+                format!("unknown basis vector in `{text}`; a blade is named by basis vectors joined after their common prefix")
+            }
+            NameError::Ambiguous(readings) => {
+                format!("`{text}` is ambiguous: {}", readings.join(" or "))
+            }
+            NameError::Repeated(vector) => {
+                format!("`{text}` names the basis vector `{vector}` twice")
+            }
+        };
+        Error::new(name.span(), message)
+    })
+}
+
+fn check_coefficients(
+    algebra: &Algebra,
+    syntax: &[CoefficientSyntax],
+    diagnostics: &mut Diagnostics,
+) -> Vec<Coefficient> {
+    let mut coefficients: Vec<Coefficient> = Vec::new();
+    let mut values = Vec::new();
+    for CoefficientSyntax { blade, value } in syntax {
+        let named = match resolve_blade(algebra, blade) {
+            Ok(named) => named,
+            Err(error) => {
+                diagnostics.push(error);
+                continue;
+            }
+        };
+        if let Some(earlier) = coefficients.iter().find(|c| c.blade == named.blade) {
+            let message = format!(
+                "blade `{blade}` is listed twice, first as `{}`",
+                earlier.name
+            );
+            diagnostics.error(blade.span(), message);
+            continue;
+        }
+        coefficients.push(Coefficient {
+            name: blade.clone(),
+            blade: named.blade,
+            is_negative: named.is_negative,
+            role: Role::Stored,
+        });
+        values.push(value.as_ref());
+    }
+    let names: Vec<_> = coefficients.iter().map(|c| c.name.clone()).collect();
+    for (index, value) in values.iter().enumerate() {
+        let Some(value) = value else { continue };
+        let lookup = &mut |name: &Ident| {
+            let place = names.iter().position(|other| other == name);
+            match place {
+                None => Err(Error::new(
+                    name.span(),
+                    format!("`{name}` is no blade of this type"),
+                )),
+                Some(place) if values[place].is_some() => Err(Error::new(
+                    name.span(),
+                    format!(
+                        "a derived blade may refer to stored blades only; `{name}` is not stored"
+                    ),
+                )),
+                Some(place) => Ok(place),
+            }
+        };
+        match Polynomial::resolve(value, lookup) {
+            Ok(polynomial) => {
+                coefficients[index].role = match polynomial.as_constant() {
+                    Some(constant) => Role::Constant(constant),
+                    None => Role::Derived(polynomial),
+                };
+            }
+            Err(error) => diagnostics.push(error),
+        }
+    }
+    coefficients
+}
+
+fn check_facts(algebra: &Algebra, syntax: &[FactSyntax], diagnostics: &mut Diagnostics) -> Facts {
+    let mut facts = Facts::default();
+    for FactSyntax { name, blade } in syntax {
+        match (name.to_string().as_str(), blade) {
+            ("unit_versor", None) => facts.unit_versor = true,
+            ("null", None) => facts.null = true,
+            ("blade", None) => facts.blade = true,
+            ("weight", Some(blade)) => match resolve_blade(algebra, blade) {
+                Ok(named) => facts.weight = Some(named.blade),
+                Err(error) => diagnostics.push(error),
+            },
+            ("weight", None) => diagnostics.error(
+                name.span(),
+                "`weight` names the blade whose coefficient is 1: `weight(eo)`",
+            ),
+            _ => diagnostics.error(
+                name.span(),
+                "unknown fact; known are `unit_versor`, `null`, `blade` and `weight(…)`",
+            ),
+        }
+    }
+    facts
+}
+
+fn check_hull(
+    index: usize,
+    syntax: &TypeSyntax,
+    places: &HashMap<String, usize>,
+    types: &mut [TypeDefinition],
+    diagnostics: &mut Diagnostics,
+) {
+    let name = &syntax.name;
+    let Some(hull) = &syntax.hull else {
+        let kind = &types[index];
+        if !kind.is_linear() && !kind.is_constant() {
+            let message = format!(
+                "`{name}` has constant or derived blades or facts, so its sums need a type: name it with `#[hull(…)]`"
+            );
+            diagnostics.error(name.span(), message);
+        }
+        return;
+    };
+    let Some(&place) = places.get(&hull.to_string()) else {
+        diagnostics.error(hull.span(), format!("unknown type `{hull}`"));
+        return;
+    };
+    if !types[place].is_linear() {
+        let message = format!("the hull `{hull}` must store all its blades and state no facts");
+        diagnostics.error(hull.span(), message);
+        return;
+    }
+    let missing: Vec<_> = types[index]
+        .coefficients
+        .iter()
+        .filter(|c| types[place].coefficient(c.blade).is_none())
+        .map(|c| format!("`{}`", c.name))
+        .collect();
+    if missing.is_empty() {
+        types[index].hull = Some(place);
+    } else {
+        let message = format!("the hull `{hull}` has no blade {}", missing.join(", "));
+        diagnostics.error(hull.span(), message);
+    }
+}
+
+/// Decides whether the facts follow from the blades. Only a unit versor may restrict the stored
+/// coefficients, since only there it is known how to draw members at random.
+fn establish_facts(
+    algebra: &Algebra,
+    kind: &mut TypeDefinition,
+    syntax: &[FactSyntax],
+    diagnostics: &mut Diagnostics,
+) {
+    let broken = verify::facts_not_implied(algebra, kind);
+    kind.facts_are_implied = broken.is_empty();
+    for fact in broken {
+        let span = syntax
+            .iter()
+            .find(|stated| stated.name == fact)
+            .map_or_else(Span::call_site, |stated| stated.name.span());
+        if fact != "unit_versor" {
+            let message = format!(
+                "`{fact}` does not follow from the blades of `{}`; derive a blade so that it does",
+                kind.name
+            );
+            diagnostics.error(span, message);
+        } else if verify::sample(algebra, kind, &mut verify::sequence(0)).is_none() {
+            let message = format!(
+                "the unit versors among the blades of `{}` do not form a family that is generated by its bivectors",
+                kind.name
+            );
+            diagnostics.error(span, message);
+        }
+    }
+}

@@ -1,0 +1,270 @@
+//! Hash-consed scalar nodes.
+
+use std::collections::HashMap;
+
+use super::Prime;
+use crate::algebra::Ratio;
+
+/// The place of a node in its arena. A node comes after everything that it refers to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct NodeId(u32);
+
+impl NodeId {
+    /// The place as an index.
+    #[must_use]
+    pub const fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// A scalar operation.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Node {
+    /// The number 1.
+    One,
+    /// An input, by its number.
+    Input(usize),
+    /// A sum of values whose nodes differ and rise, the first with a positive factor, the factors without a common divisor.
+    Sum(Box<[Value]>),
+    /// A product of two nodes in rising order.
+    Product(NodeId, NodeId),
+}
+
+/// A node times a constant factor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Value {
+    /// The constant factor.
+    pub factor: Ratio,
+    /// The node.
+    pub node: NodeId,
+}
+
+impl Value {
+    /// Zero.
+    pub const ZERO: Self = Self::constant(Ratio::ZERO);
+    /// One.
+    pub const ONE: Self = Self::constant(Ratio::ONE);
+
+    /// A constant.
+    #[must_use]
+    pub const fn constant(factor: Ratio) -> Self {
+        Self {
+            factor,
+            node: Arena::ONE,
+        }
+    }
+
+    /// The constant that the value is, if it is one.
+    #[must_use]
+    pub fn as_constant(self) -> Option<Ratio> {
+        (self.node == Arena::ONE || self.factor.is_zero()).then_some(self.factor)
+    }
+
+    /// Whether the value is known to be zero.
+    #[must_use]
+    pub const fn is_zero(self) -> bool {
+        self.factor.is_zero()
+    }
+
+    /// The value times a constant.
+    #[must_use]
+    pub fn scaled(self, factor: Ratio) -> Self {
+        if factor.is_zero() || self.is_zero() {
+            return Self::ZERO;
+        }
+        Self {
+            factor: self.factor * factor,
+            ..self
+        }
+    }
+}
+
+impl std::ops::Neg for Value {
+    type Output = Self;
+    fn neg(self) -> Self {
+        self.scaled(Ratio::integer(-1))
+    }
+}
+
+/// The nodes of a graph, each stored once.
+#[derive(Clone, Debug)]
+pub struct Arena {
+    nodes: Vec<Node>,
+    known: HashMap<Node, NodeId>,
+    inputs: usize,
+}
+
+impl Default for Arena {
+    fn default() -> Self {
+        Self {
+            nodes: vec![Node::One],
+            known: HashMap::from([(Node::One, Self::ONE)]),
+            inputs: 0,
+        }
+    }
+}
+
+impl Arena {
+    /// The node of the number 1, present in every arena.
+    pub const ONE: NodeId = NodeId(0);
+
+    /// The node at a place.
+    #[must_use]
+    pub fn node(&self, id: NodeId) -> &Node {
+        &self.nodes[id.index()]
+    }
+
+    /// The number of nodes.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Never: the node of the number 1 is always there.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
+    /// The number of inputs so far.
+    #[must_use]
+    pub fn inputs(&self) -> usize {
+        self.inputs
+    }
+
+    /// A new input, numbered in order from zero.
+    pub fn input(&mut self) -> Value {
+        let node = self.intern(Node::Input(self.inputs));
+        self.inputs += 1;
+        Value {
+            factor: Ratio::ONE,
+            node,
+        }
+    }
+
+    /// The product of two values.
+    pub fn product(&mut self, left: Value, right: Value) -> Value {
+        let factor = left.factor * right.factor;
+        if factor.is_zero() {
+            return Value::ZERO;
+        }
+        let (first, second) = (left.node.min(right.node), left.node.max(right.node));
+        let node = if first == Self::ONE {
+            second
+        } else {
+            self.intern(Node::Product(first, second))
+        };
+        Value { factor, node }
+    }
+
+    /// The sum of any number of values: equal nodes are collected, and the common factor moves outwards.
+    pub fn sum(&mut self, values: impl IntoIterator<Item = Value>) -> Value {
+        let mut terms: Vec<Value> = values.into_iter().filter(|v| !v.is_zero()).collect();
+        terms.sort_by_key(|value| value.node);
+        terms.dedup_by(|next, kept| {
+            let same = next.node == kept.node;
+            if same {
+                kept.factor = kept.factor + next.factor;
+            }
+            same
+        });
+        terms.retain(|value| !value.is_zero());
+        match terms.as_slice() {
+            [] => return Value::ZERO,
+            [single] => return *single,
+            _ => {}
+        }
+        let factor = common_factor(&terms);
+        for term in &mut terms {
+            term.factor = term.factor / factor;
+        }
+        let node = self.intern(Node::Sum(terms.into()));
+        Value { factor, node }
+    }
+
+    /// The difference of two values.
+    pub fn difference(&mut self, left: Value, right: Value) -> Value {
+        self.sum([left, -right])
+    }
+
+    fn intern(&mut self, node: Node) -> NodeId {
+        if let Some(&id) = self.known.get(&node) {
+            return id;
+        }
+        let id = NodeId(u32::try_from(self.nodes.len()).unwrap_or(u32::MAX));
+        self.nodes.push(node.clone());
+        self.known.insert(node, id);
+        id
+    }
+
+    /// The values of all nodes for the given inputs, over the prime field.
+    #[must_use]
+    pub fn evaluate(&self, inputs: &[Prime]) -> Vec<Prime> {
+        let mut results = Vec::with_capacity(self.nodes.len());
+        for node in &self.nodes {
+            let result = match node {
+                Node::One => Prime::ONE,
+                Node::Input(number) => inputs[*number],
+                Node::Sum(terms) => terms.iter().fold(Prime::ZERO, |sum, term| {
+                    sum + results_at(&results, term.node) * Prime::from_ratio(term.factor)
+                }),
+                Node::Product(a, b) => results_at(&results, *a) * results_at(&results, *b),
+            };
+            results.push(result);
+        }
+        results
+    }
+}
+
+fn results_at(results: &[Prime], id: NodeId) -> Prime {
+    results[id.index()]
+}
+
+/// The factor that leaves coprime integers, the first of them positive.
+fn common_factor(terms: &[Value]) -> Ratio {
+    let divide = |mut a: i128, mut b: i128| {
+        while b != 0 {
+            (a, b) = (b, a % b);
+        }
+        a.abs()
+    };
+    let (mut numerator, mut denominator) = (0, 1);
+    for Value { factor, .. } in terms {
+        numerator = divide(numerator, factor.numerator());
+        let shared = divide(denominator, factor.denominator());
+        denominator = denominator / shared * factor.denominator();
+    }
+    let size = Ratio::integer(numerator) / Ratio::integer(denominator);
+    match terms.first() {
+        Some(first) if first.factor.is_negative() => -size,
+        _ => size,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn equal_expressions_are_one_node() {
+        let mut arena = Arena::default();
+        let (a, b) = (arena.input(), arena.input());
+        let first = arena.difference(a, b);
+        let second = arena.difference(b, a);
+        assert_eq!(first, -second);
+        assert_eq!(arena.product(a, b), arena.product(b, a));
+        let doubled = arena.sum([a, a, b, b]);
+        let plain = arena.sum([b, a]);
+        assert_eq!(doubled, plain.scaled(Ratio::integer(2)));
+    }
+
+    #[test]
+    fn what_cancels_is_zero() {
+        let mut arena = Arena::default();
+        let (a, b) = (arena.input(), arena.input());
+        let (ab, ba) = (arena.product(a, b), arena.product(b, a));
+        assert_eq!(arena.difference(ab, ba), Value::ZERO);
+        assert_eq!(arena.product(a, Value::ZERO), Value::ZERO);
+        assert_eq!(arena.product(a, Value::ONE), a);
+    }
+}

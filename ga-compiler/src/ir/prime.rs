@@ -1,0 +1,116 @@
+//! The field of integers modulo 2⁶¹ − 1, in which the compiler checks its own work exactly.
+
+use std::ops::{Add, Mul, Neg, Sub};
+
+use crate::algebra::Ratio;
+
+const MODULUS: u64 = (1 << 61) - 1;
+
+/// A residue modulo 2⁶¹ − 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Prime(u64);
+
+impl Prime {
+    /// Zero.
+    pub const ZERO: Self = Self(0);
+    /// One.
+    pub const ONE: Self = Self(1);
+
+    /// The residue of a number.
+    #[must_use]
+    pub const fn new(value: u64) -> Self {
+        Self(value % MODULUS)
+    }
+
+    /// The image of a fraction. A denominator that the modulus divides gives zero.
+    #[must_use]
+    pub fn from_ratio(ratio: Ratio) -> Self {
+        let residue = |value: i128| {
+            let value = value.rem_euclid(i128::from(MODULUS));
+            Self(u64::try_from(value).unwrap_or(0))
+        };
+        if ratio.is_integer() {
+            return residue(ratio.numerator());
+        }
+        residue(ratio.numerator()) * residue(ratio.denominator()).recip()
+    }
+
+    /// The inverse; zero for zero.
+    #[must_use]
+    pub fn recip(self) -> Self {
+        let (mut power, mut base, mut exponent) = (Self::ONE, self, MODULUS - 2);
+        while exponent > 0 {
+            if exponent & 1 == 1 {
+                power = power * base;
+            }
+            base = base * base;
+            exponent >>= 1;
+        }
+        power
+    }
+}
+
+impl Add for Prime {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self::new(self.0 + other.0)
+    }
+}
+
+impl Sub for Prime {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self::new(self.0 + MODULUS - other.0)
+    }
+}
+
+impl Neg for Prime {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self::ZERO - self
+    }
+}
+
+impl Mul for Prime {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        let wide = u128::from(self.0) * u128::from(other.0);
+        let folded = (wide & u128::from(MODULUS)) + (wide >> 61);
+        Self(u64::try_from(folded % u128::from(MODULUS)).unwrap_or(0))
+    }
+}
+
+/// A reproducible sequence of residues (SplitMix64: Steele, Lea and Flood 2014).
+#[derive(Clone, Debug)]
+pub struct PrimeSequence(u64);
+
+impl PrimeSequence {
+    /// The sequence of a seed.
+    #[must_use]
+    pub const fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+
+    /// The next residue.
+    pub fn next_prime(&mut self) -> Prime {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut bits = self.0;
+        bits = (bits ^ bits >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        bits = (bits ^ bits >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
+        Prime::new(bits ^ bits >> 31)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn inverses_and_fractions() {
+        let half = Prime::from_ratio(Ratio::new(-1, 2).unwrap());
+        assert_eq!(half + half, -Prime::ONE);
+        let value = Prime::new(123_456_789_012_345_678);
+        assert_eq!(value * value.recip(), Prime::ONE);
+        assert_eq!(Prime(MODULUS - 1) * Prime(MODULUS - 1), Prime::ONE, "(−1)²");
+    }
+}

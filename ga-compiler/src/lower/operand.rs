@@ -1,0 +1,44 @@
+//! Operands: stored coefficients are inputs, constants are constants, derived ones follow.
+
+use crate::define::{PolynomialStep, Role, TypeDefinition};
+use crate::ir::{Arena, Multivector, Value};
+
+/// An operand of a type. Its stored coefficients become the next inputs of the arena, in the order of the
+/// declaration and as they are written there.
+pub fn operand(arena: &mut Arena, kind: &TypeDefinition) -> Multivector {
+    let written: Vec<Value> = kind
+        .coefficients
+        .iter()
+        .map(|c| match &c.role {
+            Role::Stored => arena.input(),
+            Role::Constant(value) => Value::constant(*value),
+            Role::Derived(_) => Value::ZERO,
+        })
+        .collect();
+    complete(arena, kind, &written)
+}
+
+/// A member of a type from its coefficients as written, the derived ones of which are worked out here.
+pub fn complete(arena: &mut Arena, kind: &TypeDefinition, written: &[Value]) -> Multivector {
+    let mut terms = Vec::with_capacity(written.len());
+    for (index, coefficient) in kind.coefficients.iter().enumerate() {
+        let value = match &coefficient.role {
+            Role::Derived(polynomial) => polynomial.evaluate(
+                &mut Value::constant,
+                &mut |place| written[place],
+                &mut |step, a, b| match step {
+                    PolynomialStep::Sum => arena.sum([a, b]),
+                    PolynomialStep::Product => arena.product(a, b),
+                },
+            ),
+            _ => written[index],
+        };
+        let value = if coefficient.is_negative {
+            -value
+        } else {
+            value
+        };
+        terms.push((coefficient.blade, value));
+    }
+    Multivector::new(arena, terms).with_facts(kind.facts)
+}

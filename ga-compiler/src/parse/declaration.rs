@@ -1,0 +1,307 @@
+//! The grammar of `algebra!`.
+//!
+//! ```text
+//! declaration  = docs visibility "mod" name "{" [ "crate" "=" path ";" ] basis metric item* "}"
+//! basis        = "basis" name ("," name)* ";"
+//! metric       = "metric" [ name "*" name "=" number ("," …)* ] ";" | "signature" p "," q "," r ";"
+//! item         = type | products
+//! type         = docs [ "#[hull(" type ")]" ] [ "#[facts(" fact ("," fact)* ")]" ] "struct" name "{" coefficient* "}"
+//! coefficient  = blade [ "=" (number | polynomial in the type's stored blades) ] ","
+//! fact         = "unit_versor" | "null" | "blade" | "weight" "(" blade ")"
+//! products     = "products" "{" ( operation "(" operands ["," operands] ")" [ "->" type ] ";" )* "}"
+//! operands     = type | "{" type ("," type)* "}"
+//! ```
+
+use proc_macro2::{Span, TokenStream};
+use syn::parse::{Parse, ParseStream};
+use syn::punctuated::Punctuated;
+use syn::{Attribute, Error, Expr, Ident, LitInt, Path, Result, Token, Visibility, braced};
+
+mod keyword {
+    syn::custom_keyword!(basis);
+    syn::custom_keyword!(metric);
+    syn::custom_keyword!(signature);
+    syn::custom_keyword!(products);
+}
+
+/// A whole declaration.
+pub struct DeclarationSyntax {
+    /// Doc comments and other attributes of the module.
+    pub attributes: Vec<Attribute>,
+    /// The visibility of the module.
+    pub visibility: Visibility,
+    /// The name of the module and of the algebra.
+    pub name: Ident,
+    /// Where ga-runtime is found, if the declaration says so.
+    pub runtime: Option<Path>,
+    /// The basis vectors.
+    pub basis: BasisSyntax,
+    /// Their inner products.
+    pub metric: MetricSyntax,
+    /// The types.
+    pub types: Vec<TypeSyntax>,
+    /// The products to emit.
+    pub products: Vec<ProductSyntax>,
+}
+
+/// The names of the basis vectors.
+pub struct BasisSyntax {
+    /// In the order of the bits of a blade.
+    pub names: Vec<Ident>,
+}
+
+/// The inner products of the basis vectors.
+pub enum MetricSyntax {
+    /// Entry by entry; what is not stated is zero.
+    Entries(Vec<(Ident, Ident, Expr)>),
+    /// Squares of 1, −1 and 0.
+    Signature([usize; 3], Span),
+}
+
+/// One type.
+pub struct TypeSyntax {
+    /// Doc comments.
+    pub docs: Vec<Attribute>,
+    /// The type that sums and multiples have.
+    pub hull: Option<Ident>,
+    /// What every member satisfies.
+    pub facts: Vec<FactSyntax>,
+    /// The name.
+    pub name: Ident,
+    /// The blades.
+    pub coefficients: Vec<CoefficientSyntax>,
+}
+
+/// One fact.
+pub struct FactSyntax {
+    /// Its name.
+    pub name: Ident,
+    /// The blade that a weight refers to.
+    pub blade: Option<Ident>,
+}
+
+/// One blade of a type.
+pub struct CoefficientSyntax {
+    /// The blade as written.
+    pub blade: Ident,
+    /// The constant or polynomial that its coefficient is; none for a stored one.
+    pub value: Option<Expr>,
+}
+
+/// One line of the products.
+pub struct ProductSyntax {
+    /// The name of the operation.
+    pub operation: Ident,
+    /// The types of each operand.
+    pub operands: Vec<Vec<Ident>>,
+    /// The type of the result; `Self` stands for the last operand's.
+    pub result: Option<Ident>,
+}
+
+impl Parse for DeclarationSyntax {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        let attributes = input.call(Attribute::parse_outer)?;
+        let visibility = input.parse()?;
+        input.parse::<Token![mod]>()?;
+        let name = input.parse()?;
+        let body;
+        braced!(body in input);
+        if !input.is_empty() {
+            return Err(input.error("nothing may follow the module of the algebra"));
+        }
+        let runtime = if body.peek(Token![crate]) {
+            body.parse::<Token![crate]>()?;
+            body.parse::<Token![=]>()?;
+            let path = Path::parse_mod_style(&body)?;
+            body.parse::<Token![;]>()?;
+            Some(path)
+        } else {
+            None
+        };
+        let basis = body.parse()?;
+        let metric = body.parse()?;
+        let (mut types, mut products) = (Vec::new(), Vec::new());
+        while !body.is_empty() {
+            if body.peek(keyword::products) {
+                body.parse::<keyword::products>()?;
+                let lines;
+                braced!(lines in body);
+                while !lines.is_empty() {
+                    products.push(lines.parse()?);
+                }
+            } else {
+                types.push(body.parse()?);
+            }
+        }
+        Ok(Self {
+            attributes,
+            visibility,
+            name,
+            runtime,
+            basis,
+            metric,
+            types,
+            products,
+        })
+    }
+}
+
+impl Parse for BasisSyntax {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        input.parse::<keyword::basis>()?;
+        let names = Punctuated::<Ident, Token![,]>::parse_separated_nonempty(input)?;
+        input.parse::<Token![;]>()?;
+        Ok(Self {
+            names: names.into_iter().collect(),
+        })
+    }
+}
+
+impl Parse for MetricSyntax {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        if input.peek(keyword::signature) {
+            let keyword: keyword::signature = input.parse()?;
+            let mut counts = [0; 3];
+            for (place, count) in counts.iter_mut().enumerate() {
+                if place > 0 && !input.peek(Token![;]) {
+                    input.parse::<Token![,]>()?;
+                } else if place > 0 {
+                    break;
+                }
+                *count = input.parse::<LitInt>()?.base10_parse()?;
+            }
+            input.parse::<Token![;]>()?;
+            return Ok(Self::Signature(counts, keyword.span));
+        }
+        input.parse::<keyword::metric>().map_err(|error| {
+            Error::new(
+                error.span(),
+                "expected `metric` or `signature` after the basis",
+            )
+        })?;
+        let mut entries = Vec::new();
+        while !input.peek(Token![;]) {
+            let row = input.parse()?;
+            input.parse::<Token![*]>()?;
+            let column = input.parse()?;
+            input.parse::<Token![=]>()?;
+            entries.push((row, column, input.parse()?));
+            if !input.peek(Token![;]) {
+                input.parse::<Token![,]>()?;
+            }
+        }
+        input.parse::<Token![;]>()?;
+        Ok(Self::Entries(entries))
+    }
+}
+
+impl Parse for TypeSyntax {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        let (mut docs, mut hull, mut facts) = (Vec::new(), None, Vec::new());
+        for attribute in input.call(Attribute::parse_outer)? {
+            let path = attribute.path();
+            if path.is_ident("doc") {
+                docs.push(attribute);
+            } else if path.is_ident("hull") {
+                hull = Some(attribute.parse_args()?);
+            } else if path.is_ident("facts") {
+                let list = attribute
+                    .parse_args_with(Punctuated::<FactSyntax, Token![,]>::parse_terminated)?;
+                facts.extend(list);
+            } else {
+                return Err(Error::new_spanned(
+                    path,
+                    "expected a doc comment, `hull` or `facts`",
+                ));
+            }
+        }
+        if !input.peek(Token![struct]) {
+            return Err(input.error("expected a `struct` of blades, or `products`"));
+        }
+        input.parse::<Token![struct]>()?;
+        let name = input.parse()?;
+        let body;
+        braced!(body in input);
+        let coefficients = Punctuated::<CoefficientSyntax, Token![,]>::parse_terminated(&body)?;
+        Ok(Self {
+            docs,
+            hull,
+            facts,
+            name,
+            coefficients: coefficients.into_iter().collect(),
+        })
+    }
+}
+
+impl Parse for FactSyntax {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        let name = input.parse()?;
+        let blade = if input.peek(syn::token::Paren) {
+            let body;
+            syn::parenthesized!(body in input);
+            Some(body.parse()?)
+        } else {
+            None
+        };
+        Ok(Self { name, blade })
+    }
+}
+
+impl Parse for CoefficientSyntax {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        let blade = input.parse()?;
+        let value = if input.peek(Token![=]) {
+            input.parse::<Token![=]>()?;
+            Some(input.parse()?)
+        } else {
+            None
+        };
+        Ok(Self { blade, value })
+    }
+}
+
+impl Parse for ProductSyntax {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        let operation = input.parse()?;
+        let body;
+        syn::parenthesized!(body in input);
+        let mut operands = Vec::new();
+        while !body.is_empty() {
+            if body.peek(syn::token::Brace) {
+                let list;
+                braced!(list in body);
+                let names = Punctuated::<Ident, Token![,]>::parse_terminated(&list)?;
+                operands.push(names.into_iter().collect());
+            } else {
+                operands.push(vec![body.parse()?]);
+            }
+            if !body.is_empty() {
+                body.parse::<Token![,]>()?;
+            }
+        }
+        let result = if input.peek(Token![->]) {
+            input.parse::<Token![->]>()?;
+            Some(if input.peek(Token![Self]) {
+                Ident::from(input.parse::<Token![Self]>()?)
+            } else {
+                input.parse()?
+            })
+        } else {
+            None
+        };
+        input.parse::<Token![;]>()?;
+        Ok(Self {
+            operation,
+            operands,
+            result,
+        })
+    }
+}
+
+/// Reads a declaration.
+///
+/// # Errors
+/// The first place where the tokens leave the grammar.
+pub fn parse_declaration(tokens: TokenStream) -> Result<DeclarationSyntax> {
+    syn::parse2(tokens)
+}

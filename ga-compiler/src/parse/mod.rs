@@ -1,0 +1,10 @@
+//! From tokens to syntax trees. Nothing is resolved here: names are still names.
+
+mod declaration;
+mod expression;
+
+pub use declaration::{
+    BasisSyntax, CoefficientSyntax, DeclarationSyntax, FactSyntax, MetricSyntax, ProductSyntax,
+    TypeSyntax, parse_declaration,
+};
+pub use expression::{FunctionSyntax, parse_function};

@@ -1,0 +1,57 @@
+//! What a graph costs: multiplications and additions of the code that it becomes.
+
+use super::schedule;
+use crate::algebra::Ratio;
+use crate::ir::{Arena, Node, Value};
+
+/// Numbers of operations. A multiplication by 2 or ½ is one multiplication, a subtraction one addition.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Cost {
+    /// Multiplications.
+    pub multiplications: usize,
+    /// Additions and subtractions.
+    pub additions: usize,
+    /// Negations that no other operation takes in.
+    pub negations: usize,
+}
+
+impl Cost {
+    /// Multiplications and additions together, which is what decides between rules.
+    #[must_use]
+    pub const fn total(self) -> usize {
+        self.multiplications + self.additions
+    }
+
+    fn scale(&mut self, factor: Ratio) {
+        if factor.abs() != Ratio::ONE {
+            self.multiplications += 1;
+        } else if factor.is_negative() {
+            self.negations += 1;
+        }
+    }
+}
+
+/// Counts the operations that some outputs need.
+#[must_use]
+pub fn cost(arena: &Arena, outputs: &[Value]) -> Cost {
+    let mut cost = Cost::default();
+    for id in schedule(arena, outputs).order {
+        match arena.node(id) {
+            Node::One | Node::Input(_) => {}
+            Node::Product(..) => cost.multiplications += 1,
+            Node::Sum(terms) => {
+                cost.additions += terms.len() - 1;
+                let scaled = terms
+                    .iter()
+                    .filter(|term| term.node != Arena::ONE && term.factor.abs() != Ratio::ONE);
+                cost.multiplications += scaled.count();
+            }
+        }
+    }
+    for output in outputs {
+        if output.as_constant().is_none() {
+            cost.scale(output.factor);
+        }
+    }
+    cost
+}

@@ -1,0 +1,137 @@
+//! Multivectors of residues, and the plain meaning of expressions.
+
+use std::collections::BTreeMap;
+
+use crate::algebra::{Algebra, Blade, Product, Unary};
+use crate::expression::Expression;
+use crate::ir::Prime;
+
+/// A multivector over the prime field. Blades that are absent are zero.
+pub type Numbers = BTreeMap<Blade, Prime>;
+
+/// The coefficient of a blade.
+pub(super) fn coefficient(value: &Numbers, blade: Blade) -> Prime {
+    value.get(&blade).copied().unwrap_or(Prime::ZERO)
+}
+
+/// The value, or its negative.
+pub(super) fn signed(value: Prime, is_negative: bool) -> Prime {
+    if is_negative { -value } else { value }
+}
+
+/// The value of an expression, operation by operation as it is written.
+#[must_use]
+pub fn evaluate(algebra: &Algebra, expression: &Expression, operands: &[Numbers]) -> Numbers {
+    match expression {
+        Expression::Operand(number) => operands[*number].clone(),
+        Expression::Constant(value) => Numbers::from([(Blade::SCALAR, Prime::from_ratio(*value))]),
+        Expression::Unary(operation, operand) => {
+            let operand = evaluate(algebra, operand, operands);
+            unary(algebra, *operation, &operand)
+        }
+        Expression::Binary(operation, left, right) => {
+            let left = evaluate(algebra, left, operands);
+            let right = evaluate(algebra, right, operands);
+            product(algebra, *operation, &left, &right)
+        }
+        Expression::Sandwich(versor, operand) => {
+            let versor = evaluate(algebra, versor, operands);
+            let operand = evaluate(algebra, operand, operands);
+            sandwich(algebra, &versor, &operand)
+        }
+        Expression::Sum(left, right) => {
+            let mut sum = evaluate(algebra, left, operands);
+            for (blade, value) in evaluate(algebra, right, operands) {
+                add(&mut sum, blade, value);
+            }
+            sum
+        }
+        Expression::Negative(operand) => evaluate(algebra, operand, operands)
+            .into_iter()
+            .map(|(blade, value)| (blade, -value))
+            .collect(),
+    }
+}
+
+pub(super) fn product(
+    algebra: &Algebra,
+    operation: Product,
+    left: &Numbers,
+    right: &Numbers,
+) -> Numbers {
+    let mut result = Numbers::new();
+    for (&a, &first) in left {
+        for (&b, &second) in right {
+            let both = first * second;
+            for (blade, factor) in operation.of_blades(algebra, a, b) {
+                add(&mut result, blade, both * Prime::from_ratio(factor));
+            }
+        }
+    }
+    result
+}
+
+pub(super) fn unary(algebra: &Algebra, operation: Unary, operand: &Numbers) -> Numbers {
+    let mut result = Numbers::new();
+    for (&blade, &value) in operand {
+        for (image, factor) in operation.of_blade(algebra, blade) {
+            add(&mut result, image, value * Prime::from_ratio(factor));
+        }
+    }
+    result
+}
+
+/// `M X ~M`, with the grade involution of X where M is odd.
+pub(super) fn sandwich(algebra: &Algebra, versor: &Numbers, operand: &Numbers) -> Numbers {
+    let is_odd = versor
+        .iter()
+        .find(|(_, value)| **value != Prime::ZERO)
+        .is_some_and(|(blade, _)| blade.involute_is_negative());
+    let operand = if is_odd {
+        unary(algebra, Unary::Involute, operand)
+    } else {
+        operand.clone()
+    };
+    let half = product(algebra, Product::Geometric, versor, &operand);
+    let reverse = unary(algebra, Unary::Reverse, versor);
+    product(algebra, Product::Geometric, &half, &reverse)
+}
+
+/// Whether a multivector is an outer product of vectors: it has one grade, and every contraction of it by a basis
+/// (grade − 1)-blade wedges with it to zero (the Plücker relations).
+pub(super) fn is_blade(algebra: &Algebra, value: &Numbers) -> bool {
+    let mut grades = value
+        .iter()
+        .filter(|(_, v)| **v != Prime::ZERO)
+        .map(|(blade, _)| blade.grade());
+    let Some(grade) = grades.next() else {
+        return true;
+    };
+    if grades.any(|other| other != grade) {
+        return false;
+    }
+    if grade == 0 {
+        return true;
+    }
+    // The dual vectors are taken by coefficient, so that a degenerate metric does not matter.
+    (0..=algebra.pseudoscalar().0)
+        .map(Blade)
+        .filter(|blade| blade.grade() == grade - 1)
+        .all(|probe| {
+            let mut vector = Numbers::new();
+            for (&blade, &v) in value {
+                if blade.0 & probe.0 == probe.0 {
+                    let rest = Blade(blade.0 & !probe.0);
+                    add(&mut vector, rest, signed(v, probe.wedge_is_negative(rest)));
+                }
+            }
+            product(algebra, Product::Wedge, &vector, value)
+                .values()
+                .all(|&v| v == Prime::ZERO)
+        })
+}
+
+fn add(sums: &mut Numbers, blade: Blade, value: Prime) {
+    let sum = sums.entry(blade).or_insert(Prime::ZERO);
+    *sum = *sum + value;
+}
