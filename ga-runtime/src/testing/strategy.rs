@@ -41,7 +41,7 @@ pub fn float(magnitude: f64) -> impl Strategy<Value = f64> + Clone {
 pub fn multivector<S: Ring, C: Strategy<Value = S> + Clone>(
     algebra: &Algebra<S>,
     coefficient: C,
-) -> impl Strategy<Value = Multivector<S>> + Clone {
+) -> impl Strategy<Value = Multivector<S>> + Clone + use<S, C> {
     let algebra = algebra.clone();
     vec(coefficient, algebra.size())
         .prop_map(move |coefficients| with_coefficients(&algebra, |blade| coefficients[blade]))
@@ -52,7 +52,7 @@ pub fn of_grade<S: Ring, C: Strategy<Value = S> + Clone>(
     algebra: &Algebra<S>,
     grade: usize,
     coefficient: C,
-) -> impl Strategy<Value = Multivector<S>> + Clone {
+) -> impl Strategy<Value = Multivector<S>> + Clone + use<S, C> {
     multivector(algebra, coefficient).prop_map(move |multivector| multivector.grade(grade))
 }
 
@@ -60,7 +60,7 @@ pub fn of_grade<S: Ring, C: Strategy<Value = S> + Clone>(
 pub fn vector<S: Ring, C: Strategy<Value = S> + Clone>(
     algebra: &Algebra<S>,
     component: C,
-) -> impl Strategy<Value = Multivector<S>> + Clone {
+) -> impl Strategy<Value = Multivector<S>> + Clone + use<S, C> {
     let algebra = algebra.clone();
     vec(component, algebra.dimension()).prop_map(move |components| {
         with_coefficients(&algebra, |blade| match blade.is_power_of_two() {
@@ -75,7 +75,7 @@ pub fn versor<S: Ring, C: Strategy<Value = S> + Clone>(
     algebra: &Algebra<S>,
     factors: usize,
     component: C,
-) -> impl Strategy<Value = Multivector<S>> + Clone {
+) -> impl Strategy<Value = Multivector<S>> + Clone + use<S, C> {
     let one = algebra.one();
     vec(vector(algebra, component), factors).prop_map(move |vectors| {
         vectors
