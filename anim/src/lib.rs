@@ -1,9 +1,11 @@
 //! Three-dimensional animation on conformal geometric algebra.
 
 pub mod atomic_write;
+pub mod bvh;
 pub mod mesh;
 pub mod obj;
 mod read_error;
+pub mod rig;
 pub mod skeleton;
 pub mod weights;
 

@@ -1,0 +1,136 @@
+//! Rigs for the MakeHuman base mesh: bones and painted weights, as JSON.
+//!
+//! The rig file is an object of bones by name; of each bone `head.default_position`, `tail.default_position` and `parent` (a
+//! name, or empty for a root) are read. Its positions are Blender's: z up, the person looking along −y, and ten of the mesh's
+//! units long. In the mesh's coordinates (y up, looking along z, decimetres) such a position (x, y, z) is (10x, 10z, −10y), which is
+//! how the joints come out. The weights file has a member `weights`, an object of bones by name, each a list of
+//! (vertex, weight).
+//!
+//! Source: the files of MPFB, the MakeHuman plug-in for Blender.
+
+mod bones;
+mod painted;
+
+use std::path::Path;
+
+use crate::read_error::{ReadError, read_with};
+use crate::skeleton::{Skeleton, SkeletonError};
+use crate::weights::{SkinWeights, WeightsError};
+
+/// Reads the skeleton in a rig file.
+///
+/// # Errors
+///
+/// [`ReadError::Io`], or [`ReadError::Contents`] as [`parse`] gives.
+pub fn read(path: impl AsRef<Path>) -> Result<Skeleton, ReadError<RigError>> {
+    read_with(path.as_ref(), parse)
+}
+
+/// Reads a skeleton from the bytes of a rig file.
+///
+/// The joints come depth first, parents before children and siblings in the order of their names.
+///
+/// # Errors
+///
+/// [`RigError::Json`], [`RigError::DuplicateBone`], [`RigError::UnknownParent`], [`RigError::Cycle`] and [`RigError::Skeleton`].
+///
+/// # Examples
+///
+/// ```
+/// let json = br#"{
+///     "foot": {"head": {"default_position": [0, 0, 0.1]}, "tail": {"default_position": [0, -0.2, 0]}, "parent": "leg"},
+///     "leg": {"head": {"default_position": [0, 0, 0.9]}, "tail": {"default_position": [0, 0, 0.1]}, "parent": ""}
+/// }"#;
+/// let skeleton = ga_anim::rig::parse(json)?;
+/// let foot = &skeleton.joints()[1];
+/// assert_eq!((foot.name.as_str(), foot.parent), ("foot", Some(0)));
+/// assert_eq!(foot.tail, [0.0, 0.0, 2.0]);
+/// # Ok::<(), ga_anim::rig::RigError>(())
+/// ```
+pub fn parse(bytes: &[u8]) -> Result<Skeleton, RigError> {
+    bones::parse(bytes)
+}
+
+/// Reads the weights in a file, for a mesh of `vertex_count` vertices.
+///
+/// # Errors
+///
+/// [`ReadError::Io`], or [`ReadError::Contents`] as [`parse_weights`] gives.
+pub fn read_weights(
+    path: impl AsRef<Path>,
+    skeleton: &Skeleton,
+    vertex_count: usize,
+) -> Result<SkinWeights, ReadError<RigError>> {
+    read_with(path.as_ref(), |bytes| {
+        parse_weights(bytes, skeleton, vertex_count)
+    })
+}
+
+/// Reads weights from the bytes of a file, for a mesh of `vertex_count` vertices.
+///
+/// The influences of a vertex come in the order of the bones' names, so that of two equal weights
+/// [`SkinWeights::strongest`] keeps the one whose bone comes first by name.
+///
+/// # Errors
+///
+/// [`RigError::Json`], [`RigError::DuplicateBone`], [`RigError::UnknownBone`] for a bone that the skeleton has not,
+/// [`RigError::VertexOutOfRange`] for a vertex that the mesh has not, and [`RigError::Weights`], also for a vertex that no bone moves.
+pub fn parse_weights(
+    bytes: &[u8],
+    skeleton: &Skeleton,
+    vertex_count: usize,
+) -> Result<SkinWeights, RigError> {
+    painted::parse(bytes, skeleton, vertex_count)
+}
+
+/// A file that holds no rig, or no weights for this rig and mesh.
+#[derive(Debug, thiserror::Error)]
+pub enum RigError {
+    /// The file is not JSON, or not of this form; the message names line and column.
+    #[error("{0}")]
+    Json(serde_json::Error),
+    /// One bone stands in the file twice.
+    #[error("bone {bone:?} stands in the file twice")]
+    DuplicateBone {
+        /// The bone.
+        bone: String,
+    },
+    /// A bone's parent is not in the file.
+    #[error("bone {bone:?} has the parent {parent:?}, which is not in the file")]
+    UnknownParent {
+        /// The bone.
+        bone: String,
+        /// Its parent.
+        parent: String,
+    },
+    /// A bone is above itself.
+    #[error("bone {bone:?} is its own ancestor")]
+    Cycle {
+        /// The bone.
+        bone: String,
+    },
+    /// The bones make no skeleton.
+    #[error(transparent)]
+    Skeleton(#[from] SkeletonError),
+    /// Weights are given for a bone that the skeleton has not.
+    #[error("the weights are for bone {bone:?}, which the skeleton has not")]
+    UnknownBone {
+        /// The bone.
+        bone: String,
+    },
+    /// A weight is given for a vertex that the mesh has not.
+    #[error(
+        "bone {bone:?} has a weight for vertex {vertex}, but the mesh has {vertices} vertices, counted from 0"
+    )]
+    VertexOutOfRange {
+        /// The bone.
+        bone: String,
+        /// The vertex, from 0.
+        vertex: u64,
+        /// How many vertices the mesh has.
+        vertices: usize,
+    },
+    /// The weights of a vertex are no weights.
+    #[error(transparent)]
+    Weights(#[from] WeightsError),
+}
