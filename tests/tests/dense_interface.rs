@@ -67,7 +67,7 @@ fn operands_that_do_not_fit() -> Result {
         })
     );
     assert_eq!(
-        plane.from_terms([(1, 1), (2, 5), (1, 2)]),
+        plane.sparse([(1, 1), (2, 5), (1, 2)]),
         Err(DenseError::RepeatedBlade { blade: 1 })
     );
     assert_eq!(
@@ -162,7 +162,7 @@ fn equal_metrics_make_equal_algebras() -> Result {
 #[test]
 fn reading_and_writing_coefficients() -> Result {
     let space = Algebra::with_signature(3, 0, 0)?;
-    let mut a = space.from_terms([(0b101, 7), (0, 2)])?;
+    let mut a = space.sparse([(0b101, 7), (0, 2)])?;
     assert_eq!(a.coefficients(), [2, 0, 0, 0, 0, 7, 0, 0]);
     assert_eq!(a, space.multivector([2, 0, 0, 0, 0, 7, 0, 0])?);
     a.set_coefficient(0b010, -4)?;
@@ -187,7 +187,7 @@ fn blade_notation() -> Result {
     .with_names(["e1", "eo", "ei"])?;
     assert_eq!(cga1.zero().to_string(), "0");
     assert_eq!(cga1.scalar(-1.0).to_string(), "-1");
-    let a = cga1.from_terms([
+    let a = cga1.sparse([
         (0, 1.0),
         (0b001, -1.0),
         (0b101, -0.25),

@@ -232,7 +232,7 @@ impl<S: Ring> Algebra<S> {
     ///
     /// [`DenseError::NoSuchBlade`].
     pub fn blade(&self, blade: usize) -> Result<Multivector<S>, DenseError> {
-        self.from_terms([(blade, S::one())])
+        self.sparse([(blade, S::one())])
     }
 
     /// The outer product of all basis vectors, I.
@@ -266,8 +266,7 @@ impl<S: Ring> Algebra<S> {
     /// # Errors
     ///
     /// [`DenseError::NoSuchBlade`] or [`DenseError::RepeatedBlade`].
-    #[allow(clippy::wrong_self_convention)]
-    pub fn from_terms(
+    pub fn sparse(
         &self,
         terms: impl IntoIterator<Item = (usize, S)>,
     ) -> Result<Multivector<S>, DenseError> {

@@ -17,7 +17,7 @@ use crate::scalar::Ring;
 /// use ga_runtime::dense::Algebra;
 /// # fn main() -> Result<(), ga_runtime::dense::DenseError> {
 /// let plane = Algebra::with_signature(2, 0, 0)?;
-/// let quarter_turn = plane.from_terms([(0b11, -1)])?;
+/// let quarter_turn = plane.sparse([(0b11, -1)])?;
 /// let e1 = plane.blade(0b01)?;
 /// assert_eq!(&quarter_turn * &e1, plane.blade(0b10)?);
 /// assert_eq!(&quarter_turn * &quarter_turn, plane.scalar(-1));

@@ -117,7 +117,10 @@ impl Div for Prime61 {
     type Output = Self;
     /// The quotient; zero if the divisor is zero.
     #[inline]
-    #[allow(clippy::suspicious_arithmetic_impl)]
+    #[expect(
+        clippy::suspicious_arithmetic_impl,
+        reason = "a quotient is a product with the inverse"
+    )]
     fn div(self, other: Self) -> Self {
         self * other.inverse()
     }
