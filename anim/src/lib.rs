@@ -5,6 +5,7 @@ pub mod bvh;
 pub mod mesh;
 pub mod obj;
 mod read_error;
+pub mod render;
 pub mod rig;
 pub mod skeleton;
 pub mod weights;

@@ -1,0 +1,164 @@
+//! Clipping of polygons in the camera's frame, so that every corner that is left can be projected.
+
+use super::vector::{Vector, add_scaled, subtract};
+
+/// How far beyond the picture's centre a corner may fall, in half heights or widths of the picture. Wide enough that
+/// few triangles are cut, small enough that the rasteriser's integers do not overflow.
+const GUARD: f64 = 8.0;
+
+/// The half-spaces that a polygon has to lie in: beyond the near depth, and within a pyramid around the picture.
+pub(super) struct Clipper {
+    near: f64,
+    /// Guard slope `x / depth`, `y / depth`.
+    slope: [f64; 2],
+}
+
+/// The corners of a clipped triangle: one more than it had for each of the five planes, at most.
+pub(super) struct Polygon {
+    corners: [Vector; 8],
+    len: usize,
+}
+
+impl Polygon {
+    pub(super) fn corners(&self) -> &[Vector] {
+        &self.corners[..self.len]
+    }
+
+    fn push(&mut self, corner: Vector) {
+        self.corners[self.len] = corner;
+        self.len += 1;
+    }
+
+    fn empty() -> Self {
+        Self {
+            corners: [[0.0; 3]; 8],
+            len: 0,
+        }
+    }
+}
+
+impl Clipper {
+    /// `half_width` and `half_height` are the picture's half extents as slopes.
+    pub(super) fn new(near: f64, half_width: f64, half_height: f64) -> Self {
+        Self {
+            near,
+            slope: [half_width * GUARD, half_height * GUARD],
+        }
+    }
+
+    /// The part of a triangle, given by right offset, up offset and depth, that lies in all half-spaces.
+    pub(super) fn clip(&self, triangle: [Vector; 3]) -> Polygon {
+        let mut polygon = Polygon::empty();
+        for corner in triangle {
+            polygon.push(corner);
+        }
+        for plane in 0..5 {
+            let outside = |corner: &Vector| self.signed_distance(plane, *corner) < 0.0;
+            if polygon.corners().iter().any(outside) {
+                polygon = self.cut(plane, &polygon);
+            }
+        }
+        polygon
+    }
+
+    /// The part of a segment beyond the near depth.
+    pub(super) fn clip_segment(&self, ends: [Vector; 2]) -> Option<[Vector; 2]> {
+        let [a, b] = ends;
+        let (da, db) = (self.signed_distance(0, a), self.signed_distance(0, b));
+        match (da >= 0.0, db >= 0.0) {
+            (true, true) => Some(ends),
+            (false, false) => None,
+            (true, false) => Some([a, crossing(a, b, da, db)]),
+            (false, true) => Some([crossing(a, b, da, db), b]),
+        }
+    }
+
+    /// Sutherland and Hodgman's step for one plane.
+    fn cut(&self, plane: usize, polygon: &Polygon) -> Polygon {
+        let corners = polygon.corners();
+        let mut cut = Polygon::empty();
+        for (i, &corner) in corners.iter().enumerate() {
+            let next = corners[(i + 1) % corners.len()];
+            let (here, there) = (
+                self.signed_distance(plane, corner),
+                self.signed_distance(plane, next),
+            );
+            if here >= 0.0 {
+                cut.push(corner);
+            }
+            if (here >= 0.0) != (there >= 0.0) {
+                cut.push(crossing(corner, next, here, there));
+            }
+        }
+        cut
+    }
+
+    /// Positive inside, linear in the point.
+    fn signed_distance(&self, plane: usize, [x, y, depth]: Vector) -> f64 {
+        match plane {
+            0 => depth - self.near,
+            1 => self.slope[0] * depth - x,
+            2 => self.slope[0] * depth + x,
+            3 => self.slope[1] * depth - y,
+            _ => self.slope[1] * depth + y,
+        }
+    }
+}
+
+/// Always computed from the inner end, so that two triangles cut a shared edge at the same place.
+fn crossing(a: Vector, b: Vector, da: f64, db: f64) -> Vector {
+    if da >= 0.0 {
+        add_scaled(a, subtract(b, a), da / (da - db))
+    } else {
+        add_scaled(b, subtract(a, b), db / (db - da))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn twice_area(corners: &[Vector]) -> f64 {
+        corners
+            .windows(2)
+            .skip(1)
+            .map(|pair| {
+                let (a, b) = (subtract(pair[0], corners[0]), subtract(pair[1], corners[0]));
+                a[0] * b[1] - a[1] * b[0]
+            })
+            .sum()
+    }
+
+    #[test]
+    fn a_triangle_half_behind_the_near_plane_keeps_its_front_part() {
+        let clipper = Clipper::new(1.0, 1e3, 1e3);
+        let polygon = clipper.clip([[0.0, 0.0, 3.0], [1.0, 0.0, -1.0], [-1.0, 0.0, -1.0]]);
+        assert_eq!(
+            polygon.corners(),
+            [[0.0, 0.0, 3.0], [0.5, 0.0, 1.0], [-0.5, 0.0, 1.0]]
+        );
+    }
+
+    proptest! {
+        /// In a plane of constant depth the guard pyramid is a rectangle, and the area within has a closed form.
+        #[test]
+        fn a_right_triangle_loses_its_corners(size in 8.5f64..15.9) {
+            let clipper = Clipper::new(0.5, 1.0, 1.0);
+            let triangle = [[0.0, 0.0, 1.0], [size, 0.0, 1.0], [0.0, size, 1.0]];
+            let cut_off = size - GUARD;
+            let area = size * size - 2.0 * cut_off * cut_off;
+            prop_assert!((twice_area(clipper.clip(triangle).corners()) - area).abs() < 1e-9);
+        }
+
+        #[test]
+        fn every_corner_left_is_inside(triangle in prop::array::uniform3(prop::array::uniform3(-20f64..20.0))) {
+            let clipper = Clipper::new(0.5, 0.3, 0.4);
+            for corner in clipper.clip(triangle).corners() {
+                for plane in 0..5 {
+                    prop_assert!(clipper.signed_distance(plane, *corner) > -1e-9);
+                }
+            }
+        }
+    }
+}

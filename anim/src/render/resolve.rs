@@ -1,0 +1,199 @@
+//! From samples to pixels: shading, ground and background, averaged in linear light.
+
+use super::camera::Camera;
+use super::color::LinearColor;
+use super::depth::DepthMap;
+use super::ground::{GroundShading, background};
+use super::normals::{scaled_normal, vertex_normals};
+use super::shade::WorldLighting;
+use super::shadow::GroundShadow;
+use super::surface::{Samples, barycentric};
+use super::vector::{Vector, add, add_scaled, dot, length, normalized, scale, subtract};
+use super::{RenderError, Scene, Style};
+
+/// Tangents of the half angles of the key light and of the part of the sky that counts for the contact shadow.
+const KEY_TANGENT: f64 = 0.06;
+const SKY_TANGENT: f64 = 0.9;
+
+/// The linear light of each pixel, row by row, and the depths.
+pub(super) fn resolve(
+    scene: &Scene,
+    camera: &Camera,
+    style: &Style,
+    samples: &Samples,
+) -> Result<(Vec<LinearColor>, DepthMap), RenderError> {
+    let lighting = WorldLighting::new(
+        &style.lighting,
+        style.gloss,
+        camera.forward(),
+        camera.right(),
+    )
+    .ok_or(RenderError::Style("a light has no direction"))?;
+    let resolver = Resolver {
+        scene,
+        camera,
+        style,
+        samples,
+        normals: vertex_normals(scene.positions, scene.triangles),
+        ground: ground_shading(scene, camera, style, &lighting),
+        lighting,
+    };
+
+    let (width, height) = (style.width as usize, style.height as usize);
+    let mut light = Vec::with_capacity(width * height);
+    let mut depth = DepthMap::empty(style.width, style.height);
+    for row in 0..height {
+        for column in 0..width {
+            let pixel = resolver.pixel(column, row);
+            light.push(pixel.light);
+            depth.set(row * width + column, pixel.depth, pixel.coverage);
+        }
+    }
+    Ok((light, depth))
+}
+
+struct Resolver<'a> {
+    scene: &'a Scene<'a>,
+    camera: &'a Camera,
+    style: &'a Style,
+    samples: &'a Samples,
+    normals: Vec<Vector>,
+    lighting: WorldLighting,
+    ground: Option<GroundShading<'a>>,
+}
+
+struct Pixel {
+    light: LinearColor,
+    depth: f32,
+    coverage: f32,
+}
+
+impl Resolver<'_> {
+    fn pixel(&self, column: usize, row: usize) -> Pixel {
+        let n = self.style.supersampling as usize;
+        let per_sample = 1.0 / (n * n) as f64;
+        let mut light = [0.0; 3];
+        let (mut covered, mut nearest) = (0, 0f32);
+        for j in 0..n {
+            for i in 0..n {
+                let (x, y) = (column * n + i, row * n + j);
+                let index = y * self.samples.width + x;
+                let inverse = self.samples.inverse_depth[index];
+                if inverse == 0.0 {
+                    continue;
+                }
+                let ray = self.samples.lens.ray(x as f64 + 0.5, y as f64 + 0.5);
+                if self.ground_depth(ray) < 1.0 / f64::from(inverse) {
+                    continue;
+                }
+                light = add(light, self.surface(self.samples.triangle[index], ray));
+                nearest = nearest.max(inverse);
+                covered += 1;
+            }
+        }
+        let coverage = f64::from(covered) * per_sample;
+        light = scale(light, per_sample);
+        if coverage < 1.0 {
+            light = add_scaled(light, self.surroundings(column, row), 1.0 - coverage);
+        }
+        Pixel {
+            light,
+            depth: 1.0 / nearest,
+            coverage: coverage as f32,
+        }
+    }
+
+    /// The mesh's light towards the eye along a ray of the camera's frame.
+    fn surface(&self, triangle: u32, ray: Vector) -> LinearColor {
+        let corners = self.scene.triangles[triangle as usize].map(|v| v as usize);
+        let weights = barycentric(ray, corners.map(|v| self.samples.view[v]));
+        let mut normal = [0.0; 3];
+        for (corner, weight) in corners.into_iter().zip(weights) {
+            normal = add_scaled(normal, self.normals[corner], weight);
+        }
+        let flat = scaled_normal(corners.map(|v| self.scene.positions[v]));
+        let towards_viewer = self.camera.world_direction(scale(ray, -1.0));
+        let (Some(mut normal), Some(towards_viewer)) = (
+            normalized(normal).or_else(|| normalized(flat)),
+            normalized(towards_viewer),
+        ) else {
+            return self.style.surface;
+        };
+        if dot(flat, towards_viewer) < 0.0 {
+            normal = scale(normal, -1.0);
+        }
+        self.lighting
+            .shade(self.style.surface, normal, towards_viewer)
+    }
+
+    /// What is seen beside the mesh, at the middle of a pixel.
+    fn surroundings(&self, column: usize, row: usize) -> LinearColor {
+        let n = f64::from(self.style.supersampling);
+        let (x, y) = ((column as f64 + 0.5) * n, (row as f64 + 0.5) * n);
+        let ray = self.samples.lens.ray(x, y);
+        let behind = background(
+            self.style,
+            (row as f64 + 0.5) / f64::from(self.style.height),
+        );
+        let depth = self.ground_depth(ray);
+        match &self.ground {
+            Some(ground) if depth.is_finite() => {
+                let direction = self.camera.world_direction(ray);
+                let point = add_scaled(self.camera.eye(), direction, depth);
+                // A pixel's patch of ground is longer than wide by one over the sine of the ray's slope.
+                let sine = direction[1].abs() / length(direction);
+                let pixel = depth * n / self.samples.lens.focal;
+                ground.color(point, pixel / sine.sqrt(), behind)
+            }
+            _ => behind,
+        }
+    }
+
+    /// The depth at which a ray of the camera's frame meets the ground; infinite where it does not.
+    fn ground_depth(&self, ray: Vector) -> f64 {
+        let Some(ground) = &self.ground else {
+            return f64::INFINITY;
+        };
+        let fall = self.camera.world_direction(ray)[1];
+        let depth = (ground.ground.height - self.camera.eye()[1]) / fall;
+        if depth >= self.camera.near() {
+            depth
+        } else {
+            f64::INFINITY
+        }
+    }
+}
+
+fn ground_shading<'a>(
+    scene: &Scene,
+    camera: &Camera,
+    style: &'a Style,
+    lighting: &WorldLighting,
+) -> Option<GroundShading<'a>> {
+    let ground = scene.ground?;
+    let shadow = |direction, tangent| {
+        GroundShadow::new(
+            scene.positions,
+            scene.triangles,
+            ground.height,
+            direction,
+            tangent,
+        )
+    };
+    let centre = centre_of(scene.positions).unwrap_or(camera.eye());
+    let distance = length(subtract(centre, camera.eye()));
+    Some(GroundShading {
+        ground,
+        style,
+        key_shadow: shadow(lighting.towards_key(), KEY_TANGENT),
+        sky_shadow: shadow([0.0, 1.0, 0.0], SKY_TANGENT),
+        centre,
+        fade: distance,
+    })
+}
+
+/// The mean of some points.
+fn centre_of(positions: &[Vector]) -> Option<Vector> {
+    let sum = positions.iter().copied().reduce(add)?;
+    Some(scale(sum, 1.0 / positions.len() as f64))
+}

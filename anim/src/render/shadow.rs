@@ -1,0 +1,191 @@
+//! Soft shadows that a model casts on a level ground.
+
+use super::blur::Field;
+use super::raster;
+use super::vector::Vector;
+
+/// How much of a light each place of the ground sees.
+///
+/// The model is projected along the light onto the ground, where each texel remembers the height of the lowest
+/// surface above it. A light of half angle α seen past an edge at height *h* is covered little by little over a
+/// width of about *2 h tan α*, so each texel's darkness is spread that wide: sharp at the feet, soft at the head.
+pub(super) struct GroundShadow {
+    /// Least *x* and *z* of the map, and texels per unit of length.
+    origin: [f64; 2],
+    density: f64,
+    size: usize,
+    darkness: Vec<f32>,
+}
+
+/// Texels along a side of the map.
+const SIZE: usize = 320;
+
+/// The radii, in texels, over which darkness is spread; heights between are shared by the neighbouring two.
+const RADII: [usize; 6] = [1, 3, 6, 12, 24, 40];
+
+impl GroundShadow {
+    /// The shadow on the plane `y = ground`, for a light in the direction `towards_light` (above the horizon) whose
+    /// half angle has the given tangent; `None` for a model that casts none.
+    pub(super) fn new(
+        positions: &[Vector],
+        triangles: &[[u32; 3]],
+        ground: f64,
+        towards_light: Vector,
+        light_tangent: f64,
+    ) -> Option<Self> {
+        let slant = [
+            towards_light[0] / towards_light[1],
+            towards_light[2] / towards_light[1],
+        ];
+        let project = |p: &Vector| {
+            let height = p[1] - ground;
+            [p[0] - slant[0] * height, p[2] - slant[1] * height, height]
+        };
+        let projected: Vec<Vector> = positions.iter().map(project).collect();
+        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for point in &projected {
+            for axis in 0..2 {
+                low[axis] = low[axis].min(point[axis]);
+                high[axis] = high[axis].max(point[axis]);
+            }
+        }
+        let border = RADII[RADII.len() - 1] + 2;
+        let density = (SIZE - 2 * border) as f64 / (high[0] - low[0]).max(high[1] - low[1]);
+        if !(density.is_finite() && density > 0.0) {
+            return None;
+        }
+
+        let origin = low.map(|c| c - border as f64 / density);
+        let mut lowest = vec![f32::INFINITY; SIZE * SIZE];
+        for triangle in triangles {
+            let corners = triangle.map(|v| {
+                let [x, z, height] = projected[v as usize];
+                [(x - origin[0]) * density, (z - origin[1]) * density, height]
+            });
+            raster::fill(SIZE, SIZE, corners, |texel, height| {
+                lowest[texel] = lowest[texel].min(height);
+            });
+        }
+        Some(Self {
+            origin,
+            density,
+            size: SIZE,
+            darkness: spread(&lowest, light_tangent * density),
+        })
+    }
+
+    /// The share of the light that reaches the ground at `(x, z)`, from 0 to 1.
+    pub(super) fn visibility(&self, x: f64, z: f64) -> f64 {
+        let column = (x - self.origin[0]) * self.density - 0.5;
+        let row = (z - self.origin[1]) * self.density - 0.5;
+        let last = (self.size - 1) as f64;
+        let inside = column >= 0.0 && row >= 0.0 && column < last && row < last;
+        if !inside {
+            return 1.0;
+        }
+        let (i, j) = (column as usize, row as usize);
+        let (u, v) = (column - i as f64, row - j as f64);
+        let texel = |i: usize, j: usize| f64::from(self.darkness[j * self.size + i]);
+        let near = texel(i, j) * (1.0 - u) + texel(i + 1, j) * u;
+        let far = texel(i, j + 1) * (1.0 - u) + texel(i + 1, j + 1) * u;
+        1.0 - (near * (1.0 - v) + far * v)
+    }
+}
+
+/// Darkness from 0 to 1: each covered texel spread over the radius that its height asks for.
+fn spread(lowest: &[f32], texels_per_height: f64) -> Vec<f32> {
+    let mut darkness = vec![0f32; SIZE * SIZE];
+    for (band, &radius) in RADII.iter().enumerate() {
+        let covered: Vec<f32> = lowest
+            .iter()
+            .map(|&height| {
+                if height.is_finite() {
+                    band_share(band, f64::from(height.max(0.0)) * texels_per_height)
+                } else {
+                    0.0
+                }
+            })
+            .collect();
+        if covered.iter().all(|&c| c == 0.0) {
+            continue;
+        }
+        let blurred = Field::new(SIZE, covered).blurred(radius);
+        for (sum, &part) in darkness.iter_mut().zip(blurred.values()) {
+            *sum += part;
+        }
+    }
+    for value in &mut darkness {
+        *value = value.clamp(0.0, 1.0);
+    }
+    darkness
+}
+
+/// The share of a texel of the wanted radius that a band spreads: the shares of all bands add to 1.
+fn band_share(band: usize, radius: f64) -> f32 {
+    let radii = RADII.map(|r| r as f64);
+    let radius = radius.clamp(radii[0], radii[radii.len() - 1]);
+    let rising = if band == 0 {
+        1.0
+    } else {
+        (radius - radii[band - 1]) / (radii[band] - radii[band - 1])
+    };
+    let falling = if band + 1 == radii.len() {
+        1.0
+    } else {
+        (radii[band + 1] - radius) / (radii[band + 1] - radii[band])
+    };
+    rising.min(falling).max(0.0) as f32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A square plate of side 2 at height `h` over the ground, two triangles.
+    fn plate(height: f64) -> ([Vector; 4], [[u32; 3]; 2]) {
+        let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+        (corners.map(|[x, z]| [x, height, z]), [[0, 1, 2], [0, 2, 3]])
+    }
+
+    #[test]
+    fn a_plate_under_a_slanting_light_shadows_the_place_beside_it() {
+        let (positions, triangles) = plate(3.0);
+        // Down from the left: the shadow moves right by the height.
+        let shadow =
+            GroundShadow::new(&positions, &triangles, 0.0, [-0.5, 0.5, 0.0], 0.01).unwrap();
+        assert!(shadow.visibility(3.0, 0.0) < 1e-3);
+        assert!(shadow.visibility(2.2, 0.8) < 1e-3);
+        for lit in [[1.7, 0.0], [4.3, 0.0], [3.0, 1.3], [3.0, -1.3], [90.0, 0.0]] {
+            assert_eq!(shadow.visibility(lit[0], lit[1]), 1.0, "{lit:?}");
+        }
+    }
+
+    #[test]
+    fn the_edge_of_a_shadow_is_as_soft_as_the_blocker_is_high() {
+        let softness = |height: f64| {
+            let (positions, triangles) = plate(height);
+            let shadow =
+                GroundShadow::new(&positions, &triangles, 0.0, [0.0, 1.0, 0.0], 0.1).unwrap();
+            let half_shadow = shadow.visibility(1.0, 0.0);
+            assert!(
+                (half_shadow - 0.5).abs() < 0.1,
+                "{half_shadow} at height {height}"
+            );
+            (0..4000)
+                .map(|i| shadow.visibility(-2.0 + f64::from(i) / 1000.0, 0.0))
+                .filter(|v| (0.05..0.95).contains(v))
+                .count()
+        };
+        let (low, middle, high) = (softness(0.1), softness(1.0), softness(2.0));
+        assert!(low < middle / 2 && middle < high, "{low} {middle} {high}");
+    }
+
+    #[test]
+    fn bands_share_each_texel_completely() {
+        for tenth in 0..600 {
+            let radius = f64::from(tenth) / 10.0;
+            let total: f32 = (0..RADII.len()).map(|band| band_share(band, radius)).sum();
+            assert!((total - 1.0).abs() < 1e-6);
+        }
+    }
+}

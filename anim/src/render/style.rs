@@ -1,0 +1,131 @@
+//! How a picture looks, apart from what is in it.
+
+use super::RenderError;
+use super::color::{LinearColor, from_srgb};
+use super::shade::{Light, Lighting};
+
+/// Size, light and colours of a picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Style {
+    /// Columns of the picture.
+    pub width: u32,
+    /// Rows of the picture.
+    pub height: u32,
+    /// Samples along each side of a pixel, 1 to 8.
+    pub supersampling: u32,
+    /// The mesh's colour.
+    pub surface: LinearColor,
+    /// Strength of the mesh's highlights.
+    pub gloss: f64,
+    /// The lights.
+    pub lighting: Lighting,
+    /// The background at the top and at the bottom.
+    pub background: [LinearColor; 2],
+    /// The ground's colour.
+    pub ground: LinearColor,
+    /// The colour of the lines of the ground's grid.
+    pub grid: LinearColor,
+    /// How much of the ground's light the key light's shadow takes away, 0 to 1.
+    pub shadow: f64,
+    /// How much of the ground's light is taken away close under the mesh, 0 to 1.
+    pub occlusion: f64,
+    /// How strongly surfaces are darkened beside nearer ones, so that crossing limbs are told apart: the share of
+    /// light taken for each size of the mesh (its bounding box's diagonal) that they lie behind; 0 for none.
+    pub depth_contrast: f64,
+    /// The colour of bones.
+    pub bone: LinearColor,
+    /// The colour of the dots at their ends.
+    pub joint: LinearColor,
+    /// The width of bones, as a fraction of the picture's height.
+    pub bone_width: f64,
+}
+
+impl Default for Style {
+    /// A clay figure before a blue-grey background, 480 × 640.
+    fn default() -> Self {
+        Self {
+            width: 480,
+            height: 640,
+            supersampling: 2,
+            surface: from_srgb([214, 203, 190]),
+            gloss: 0.10,
+            lighting: Lighting {
+                key: Light {
+                    direction: [-0.75, 1.0, 0.6],
+                    color: [0.95, 0.90, 0.82],
+                },
+                fill: Light {
+                    direction: [0.9, 0.15, 0.45],
+                    color: [0.10, 0.13, 0.18],
+                },
+                sky: [0.26, 0.29, 0.34],
+                bounce: [0.14, 0.12, 0.11],
+            },
+            background: [from_srgb([226, 231, 238]), from_srgb([178, 187, 199])],
+            ground: from_srgb([205, 210, 217]),
+            grid: from_srgb([184, 191, 201]),
+            shadow: 0.42,
+            occlusion: 0.35,
+            depth_contrast: 3.5,
+            bone: from_srgb([28, 88, 160]),
+            joint: from_srgb([250, 168, 40]),
+            bone_width: 0.006,
+        }
+    }
+}
+
+impl Style {
+    /// Width divided by height.
+    pub fn aspect(&self) -> f64 {
+        f64::from(self.width) / f64::from(self.height)
+    }
+
+    pub(super) fn check(&self) -> Result<(), RenderError> {
+        const MOST_SAMPLES: u32 = 16_384;
+        if self.width == 0 || self.height == 0 {
+            return Err(RenderError::Style("its width or height is zero"));
+        }
+        if !(1..=8).contains(&self.supersampling) {
+            return Err(RenderError::Style("its supersampling is not 1 to 8"));
+        }
+        let across = self
+            .width
+            .max(self.height)
+            .saturating_mul(self.supersampling);
+        if across > MOST_SAMPLES {
+            return Err(RenderError::Style(
+                "it has more than 16384 samples along a side",
+            ));
+        }
+        if !self.numbers().all(|n| n.is_finite() && n >= 0.0) {
+            return Err(RenderError::Style(
+                "a colour or strength is negative or not finite",
+            ));
+        }
+        if self.lighting.key.direction[1] <= 0.0 {
+            return Err(RenderError::Style("its key light is not above the horizon"));
+        }
+        Ok(())
+    }
+
+    fn numbers(&self) -> impl Iterator<Item = f64> {
+        let lighting = &self.lighting;
+        [
+            self.surface,
+            lighting.key.color,
+            lighting.fill.color,
+            lighting.sky,
+            lighting.bounce,
+            self.background[0],
+            self.background[1],
+            self.ground,
+            self.grid,
+            self.bone,
+            self.joint,
+            [self.gloss, self.shadow, self.occlusion],
+            [self.bone_width, self.depth_contrast, 0.0],
+        ]
+        .into_iter()
+        .flatten()
+    }
+}
