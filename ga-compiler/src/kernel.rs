@@ -1,6 +1,6 @@
 //! One compiled expression: the path from an expression over typed operands to a graph with chosen rules.
 
-use crate::algebra::{Algebra, Blade};
+use crate::algebra::{Algebra, Blade, NamedBlade};
 use crate::define::TypeDefinition;
 use crate::expression::Expression;
 use crate::ir::{Arena, Multivector, Prime, Value};
@@ -22,8 +22,6 @@ pub struct Kernel {
 
 impl Kernel {
     /// Compiles an expression, wanting the stored coefficients of a type, or the scalar.
-    ///
-    /// Each rule for sandwiches is tried, and the cheapest graph is kept; of equals the first.
     #[must_use]
     pub fn compile(
         algebra: &Algebra,
@@ -31,25 +29,30 @@ impl Kernel {
         expression: &Expression,
         result: Option<&TypeDefinition>,
     ) -> Self {
-        let rules: &[SandwichRule] = if has_sandwich(expression) {
-            &SandwichRule::ALL
-        } else {
-            &[SandwichRule::LeftFirst]
-        };
-        let attempts = rules
-            .iter()
-            .map(|&rule| Self::by_rule(algebra, operands, expression, result, rule));
-        attempts
-            .min_by_key(|kernel| kernel.cost().total())
-            .unwrap_or_else(|| {
-                Self::by_rule(
-                    algebra,
-                    operands,
-                    expression,
-                    result,
-                    SandwichRule::LeftFirst,
-                )
-            })
+        Self::of_blades(algebra, operands, expression, &wanted(result))
+    }
+
+    /// Compiles an expression, wanting the coefficients of the given blades.
+    ///
+    /// Each rule for sandwiches is tried, and the cheapest graph is kept; of equals the first.
+    #[must_use]
+    pub fn of_blades(
+        algebra: &Algebra,
+        operands: &[&TypeDefinition],
+        expression: &Expression,
+        wanted: &[NamedBlade],
+    ) -> Self {
+        let by_rule = |rule| Self::by_rule(algebra, operands, expression, wanted, rule);
+        let mut best = by_rule(SandwichRule::LeftFirst);
+        if has_sandwich(expression) {
+            for rule in [SandwichRule::RightFirst, SandwichRule::UnitCommutator] {
+                let next = by_rule(rule);
+                if next.cost().total() < best.cost().total() {
+                    best = next;
+                }
+            }
+        }
+        best
     }
 
     /// Compiles with a given rule for sandwiches.
@@ -58,7 +61,7 @@ impl Kernel {
         algebra: &Algebra,
         operands: &[&TypeDefinition],
         expression: &Expression,
-        result: Option<&TypeDefinition>,
+        wanted: &[NamedBlade],
         rule: SandwichRule,
     ) -> Self {
         let mut arena = Arena::default();
@@ -67,16 +70,13 @@ impl Kernel {
             .map(|kind| lower::operand(&mut arena, kind))
             .collect();
         let value = lower::lower(&mut arena, algebra, expression, &inputs, rule);
-        let outputs = match result {
-            None => vec![value.coefficient(Blade::SCALAR)],
-            Some(kind) => kind
-                .stored()
-                .map(|c| {
-                    let found = value.coefficient(c.blade);
-                    if c.is_negative { -found } else { found }
-                })
-                .collect(),
-        };
+        let outputs = wanted
+            .iter()
+            .map(|named| {
+                let found = value.coefficient(named.blade);
+                if named.is_negative { -found } else { found }
+            })
+            .collect();
         Self {
             arena,
             outputs,
@@ -128,6 +128,24 @@ impl Kernel {
         };
         self.evaluate(&inputs) == expected
     }
+}
+
+/// The stored blades of a type, or the scalar.
+#[must_use]
+pub fn wanted(result: Option<&TypeDefinition>) -> Vec<NamedBlade> {
+    let scalar = NamedBlade {
+        blade: Blade::SCALAR,
+        is_negative: false,
+    };
+    let stored = |kind: &TypeDefinition| {
+        kind.stored()
+            .map(|c| NamedBlade {
+                blade: c.blade,
+                is_negative: c.is_negative,
+            })
+            .collect()
+    };
+    result.map_or_else(|| vec![scalar], stored)
 }
 
 fn has_sandwich(expression: &Expression) -> bool {

@@ -68,16 +68,18 @@ pub struct Compiled {
     pub kernel: Kernel,
 }
 
-/// Expands the declaration of an algebra. `runtime` is the path of ga-runtime where the code will stand.
+/// Expands the declaration of an algebra, preceded by the path of ga-runtime in brackets: `[runtime] declaration`.
 ///
 /// On errors the result holds a `compile_error!` for each and stand-ins for the types, so that code which uses
 /// them adds no errors of its own.
 #[must_use]
-pub fn expand_algebra(tokens: TokenStream, runtime: TokenStream) -> TokenStream {
-    let source = tokens.clone();
-    let syntax = match parse::parse_declaration(tokens) {
-        Ok(syntax) => syntax,
-        Err(error) => return error.to_compile_error(),
+pub fn expand_algebra(tokens: TokenStream) -> TokenStream {
+    let parsed = parse::parse_placed(tokens).and_then(|(runtime, source)| {
+        Ok((runtime, source.clone(), parse::parse_declaration(source)?))
+    });
+    let (runtime, source, syntax) = match parsed {
+        Ok(parsed) => parsed,
+        Err(error) => return error.into_compile_error(),
     };
     let mut diagnostics = Diagnostics::default();
     let definition = Definition::check(syntax, runtime, &mut diagnostics);
@@ -88,6 +90,21 @@ pub fn expand_algebra(tokens: TokenStream, runtime: TokenStream) -> TokenStream 
         output.extend(emit::rust::stand_ins(&definition));
         output
     }
+}
+
+/// Expands to tests of every declared product of an algebra against the dense reference.
+///
+/// The tokens are what the algebra's own macro hands over: `[runtime] { declaration } path`.
+#[must_use]
+pub fn expand_product_tests(tokens: TokenStream) -> TokenStream {
+    let expanded = parse::parse_handover(tokens).and_then(|handover| {
+        let mut diagnostics = Diagnostics::default();
+        let syntax = parse::parse_declaration(handover.declaration)?;
+        let definition = Definition::check(syntax, handover.runtime, &mut diagnostics);
+        diagnostics.into_result()?;
+        Ok(emit::rust::product_tests(&definition, &handover.input))
+    });
+    expanded.unwrap_or_else(Error::into_compile_error)
 }
 
 /// Compiles one function in an algebra, both given as tokens, and checks it against its plain meaning.

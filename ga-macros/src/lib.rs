@@ -1,1 +1,17 @@
-//! The procedural macros of Nullcone.
+//! The procedural macros of Nullcone: a thin door to [`ga_compiler`].
+//!
+//! Crates use them through ga-runtime, whose macros add the path at which the emitted code finds it.
+
+use proc_macro::TokenStream;
+
+/// Declares an algebra; `ga_runtime::algebra!` describes the grammar.
+#[proc_macro]
+pub fn algebra(tokens: TokenStream) -> TokenStream {
+    ga_compiler::expand_algebra(tokens.into()).into()
+}
+
+/// Tests every declared product of an algebra; see `ga_runtime::testing::product_tests!`.
+#[proc_macro]
+pub fn product_tests(tokens: TokenStream) -> TokenStream {
+    ga_compiler::expand_product_tests(tokens.into()).into()
+}

@@ -117,6 +117,22 @@ impl Polynomial {
         }
     }
 
+    /// The polynomial as text, with the given names of coefficients.
+    #[must_use]
+    pub fn to_text(&self, name: &dyn Fn(usize) -> String) -> String {
+        let inner = |part: &Self| match part {
+            Self::Sum(..) => format!("({})", part.to_text(name)),
+            _ => part.to_text(name),
+        };
+        match self {
+            Self::Constant(value) if value.is_integer() => value.to_string(),
+            Self::Constant(value) => format!("({value})"),
+            Self::Coefficient(index) => name(*index),
+            Self::Sum(a, b) => format!("{} + {}", a.to_text(name), b.to_text(name)),
+            Self::Product(a, b) => format!("{} {}", inner(a), inner(b)),
+        }
+    }
+
     fn negative(self) -> Self {
         Self::Product(Box::new(Self::Constant(Ratio::integer(-1))), Box::new(self))
     }

@@ -19,7 +19,7 @@ pub fn operand(arena: &mut Arena, kind: &TypeDefinition) -> Multivector {
 }
 
 /// A member of a type from its coefficients as written, the derived ones of which are worked out here.
-pub fn complete(arena: &mut Arena, kind: &TypeDefinition, written: &[Value]) -> Multivector {
+fn complete(arena: &mut Arena, kind: &TypeDefinition, written: &[Value]) -> Multivector {
     let mut terms = Vec::with_capacity(written.len());
     for (index, coefficient) in kind.coefficients.iter().enumerate() {
         let value = match &coefficient.role {

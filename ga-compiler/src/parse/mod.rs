@@ -2,9 +2,11 @@
 
 mod declaration;
 mod expression;
+mod handover;
 
 pub use declaration::{
     BasisSyntax, CoefficientSyntax, DeclarationSyntax, FactSyntax, MetricSyntax, ProductSyntax,
     TypeSyntax, parse_declaration,
 };
 pub use expression::{FunctionSyntax, parse_function};
+pub use handover::{Handover, parse_handover, parse_placed};

@@ -22,9 +22,12 @@
 //! ```
 
 mod close;
+mod declared;
 pub mod strategy;
 
+pub use crate::__product_tests as product_tests;
 pub use crate::assert_close;
 pub use crate::dense;
 pub use crate::scalar::Prime61;
 pub use close::{Coefficients, Deviation, check_close};
+pub use declared::{algebra_of, constant_to_dense, exact_member, for_all, member, only, to_dense};

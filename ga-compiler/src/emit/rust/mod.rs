@@ -1,11 +1,124 @@
-//! x
+//! Rust code: a module with the types, and a macro that hands the definition on.
+
+mod arithmetic;
+mod body;
+mod context;
+mod conversions;
+mod involutions;
+mod products;
+mod tests;
+mod types;
+mod versors;
+
+pub use tests::product_tests;
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+use syn::Visibility;
+
 use crate::define::Definition;
-use proc_macro2::TokenStream;
-/// x
-pub fn algebra(_: &Definition, _: &TokenStream) -> TokenStream {
-    TokenStream::new()
+use context::Context;
+
+/// The module of an algebra and its macro. `source` are the tokens of the declaration.
+#[must_use]
+pub fn algebra(definition: &Definition, source: &TokenStream) -> TokenStream {
+    let context = Context::new(definition);
+    let mut items = TokenStream::new();
+    items.extend(constants(definition));
+    for kind in &definition.types {
+        items.extend(types::emit(&context, kind));
+        items.extend(arithmetic::emit(&context, kind));
+        items.extend(involutions::emit(&context, kind));
+        items.extend(versors::emit(&context, kind));
+        items.extend(conversions::emit(&context, kind));
+    }
+    items.extend(products::emit(&context));
+    let module = module(definition, items);
+    let handover = handover(definition, source);
+    quote! { #module #handover }
 }
-/// x
-pub fn stand_ins(_: &Definition) -> TokenStream {
-    TokenStream::new()
+
+/// Stand-ins for the types of a declaration with errors.
+#[must_use]
+pub fn stand_ins(definition: &Definition) -> TokenStream {
+    let types = definition.types.iter().map(|kind| {
+        let name = &kind.name;
+        if kind.is_constant() {
+            return quote! {
+                #[doc = ""] #[derive(::core::clone::Clone, ::core::marker::Copy)] pub struct #name;
+            };
+        }
+        quote! {
+            #[doc = ""]
+            #[derive(::core::clone::Clone, ::core::marker::Copy)]
+            pub struct #name<S>(::core::marker::PhantomData<S>);
+        }
+    });
+    module(definition, quote! { #(#types)* })
+}
+
+fn module(definition: &Definition, items: TokenStream) -> TokenStream {
+    let (attributes, name) = (&definition.attributes, &definition.name);
+    let visibility = &definition.visibility;
+    quote! {
+        #(#attributes)*
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery, dead_code, unused_variables)]
+        #visibility mod #name { #items }
+    }
+}
+
+/// The basis and the metric as data, for references and tests.
+fn constants(definition: &Definition) -> TokenStream {
+    let algebra = &definition.algebra;
+    let dimension = algebra.dimension();
+    let names = (0..dimension).map(|k| algebra.names().name(crate::algebra::Blade::vector(k)));
+    let rows = (0..dimension).map(|row| {
+        let entries = (0..dimension).map(|column| {
+            let entry = algebra.metric().get(row, column);
+            let part = |value| i64::try_from(value).unwrap_or(i64::MAX);
+            let (numerator, denominator) = (part(entry.numerator()), part(entry.denominator()));
+            quote! { (#numerator, #denominator) }
+        });
+        quote! { &[#(#entries),*] }
+    });
+    quote! {
+        /// The names of the basis vectors. Bit `k` of a blade's number stands for the `k`-th of them.
+        pub const BASIS: &[&::core::primitive::str] = &[#(#names),*];
+        /// The inner products of the basis vectors as (numerator, denominator).
+        pub const METRIC: &[&[(::core::primitive::i64, ::core::primitive::i64)]] = &[#(#rows),*];
+    }
+}
+
+/// A macro of the algebra's name that passes the definition to another macro. Its own name is unique to the
+/// definition, so that two algebras of one name in two modules do not collide.
+fn handover(definition: &Definition, source: &TokenStream) -> TokenStream {
+    let (name, runtime) = (&definition.name, &definition.runtime);
+    let unique = unique_name(name, source);
+    let is_public = matches!(definition.visibility, Visibility::Public(_));
+    let export = is_public.then(|| quote! { #[macro_export] });
+    let visibility = match &definition.visibility {
+        Visibility::Inherited => quote! { pub(crate) },
+        stated => stated.to_token_stream(),
+    };
+    quote! {
+        #[doc(hidden)]
+        #export
+        macro_rules! #unique {
+            ([$($callback:tt)*] $($input:tt)*) => {
+                $($callback)* ! { [#runtime] { #source } $($input)* }
+            };
+        }
+        #[doc(hidden)]
+        #[allow(unused_imports)]
+        #visibility use #unique as #name;
+    }
+}
+
+fn unique_name(name: &Ident, source: &TokenStream) -> Ident {
+    // FNV-1a over the text and its place: the same in every build, and different for every declaration.
+    let text = format!("{source}{:?}", name.span());
+    let hash = text.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    });
+    format_ident!("__nullcone_{name}_{hash:016x}", span = Span::call_site())
 }

@@ -1,0 +1,138 @@
+//! Sums, differences, negatives and multiples, in the type itself where they stay there, else in its hull.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::context::{Context, other, receiver};
+use crate::define::TypeDefinition;
+use crate::expression::Expression;
+
+pub(super) fn emit(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+    if kind.is_constant() {
+        return TokenStream::new();
+    }
+    let mut items = TokenStream::new();
+    items.extend(sums(context, kind));
+    items.extend(negative(context, kind));
+    items.extend(multiples(context, kind));
+    if kind.is_linear() {
+        items.extend(assignments(context, kind));
+    }
+    items
+}
+
+fn sums(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+    let hull = context.hull(kind);
+    let (path, output) = (context.path(kind), context.path(hull));
+    let mut items = TokenStream::new();
+    for (name, method, sign) in [("Add", "add", 1), ("Sub", "sub", -1)] {
+        let second = Expression::Operand(1);
+        let second = if sign == 1 {
+            second
+        } else {
+            Expression::Negative(Box::new(second))
+        };
+        let sum = Expression::Sum(Box::new(Expression::Operand(0)), Box::new(second));
+        let operands = [(kind, receiver()), (kind, other())];
+        let (body, needs_field) = context.compile(&operands, &sum, Some(hull));
+        let bound = context.bound(needs_field);
+        let (name, method) = (format_ident!("{name}"), format_ident!("{method}"));
+        items.extend(quote! {
+            impl<S: #bound> ::core::ops::#name for #path {
+                type Output = #output;
+                #[inline]
+                fn #method(self, other: Self) -> #output { #body }
+            }
+        });
+    }
+    items
+}
+
+fn negative(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+    // A constant or derived blade does not follow the sign; every fact but the weight does.
+    let stays = kind.is_stored_whole() && kind.facts.weight.is_none();
+    let result = if stays { kind } else { context.hull(kind) };
+    let negative = Expression::Negative(Box::new(Expression::Operand(0)));
+    let (body, needs_field) = context.compile(&[(kind, receiver())], &negative, Some(result));
+    let (path, output, bound) = (
+        context.path(kind),
+        context.path(result),
+        context.bound(needs_field),
+    );
+    quote! {
+        impl<S: #bound> ::core::ops::Neg for #path {
+            type Output = #output;
+            #[inline]
+            fn neg(self) -> #output { #body }
+        }
+    }
+}
+
+fn multiples(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+    let hull = context.hull(kind);
+    let (path, output) = (context.path(kind), context.path(hull));
+    let (ring, field) = (context.bound(false), context.bound(true));
+    let (whole, needs_field) =
+        context.compile(&[(kind, receiver())], &Expression::Operand(0), Some(hull));
+    let ring = if needs_field { field.clone() } else { ring };
+    let fields: Vec<_> = hull.stored().map(|c| &c.name).collect();
+    let built = |operator: TokenStream| {
+        let values: Vec<_> = fields
+            .iter()
+            .map(|field| quote! { whole.#field #operator scalar })
+            .collect();
+        context.build(Some(hull), &values)
+    };
+    let (product, quotient) = (built(quote! { * }), built(quote! { / }));
+    let is_hull = std::ptr::eq(hull, kind);
+    let whole = if is_hull {
+        quote! { self }
+    } else {
+        whole
+    };
+    let floats = [format_ident!("f32"), format_ident!("f64")];
+    let from_left = floats.iter().map(|float| from_left(kind, hull, float));
+    quote! {
+        impl<S: #ring> ::core::ops::Mul<S> for #path {
+            type Output = #output;
+            #[inline]
+            fn mul(self, scalar: S) -> #output { let whole = { #whole }; #product }
+        }
+        impl<S: #field> ::core::ops::Div<S> for #path {
+            type Output = #output;
+            #[inline]
+            fn div(self, scalar: S) -> #output { let whole = { #whole }; #quotient }
+        }
+        #(#from_left)*
+    }
+}
+
+fn from_left(kind: &TypeDefinition, hull: &TypeDefinition, float: &Ident) -> TokenStream {
+    let (name, hull) = (&kind.name, &hull.name);
+    quote! {
+        impl ::core::ops::Mul<#name<::core::primitive::#float>> for ::core::primitive::#float {
+            type Output = #hull<::core::primitive::#float>;
+            #[inline]
+            fn mul(self, element: #name<::core::primitive::#float>) -> Self::Output { element * self }
+        }
+    }
+}
+
+fn assignments(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+    let (path, ring) = (context.path(kind), context.bound(false));
+    let fields: Vec<_> = kind.stored().map(|c| &c.name).collect();
+    quote! {
+        impl<S: #ring> ::core::ops::AddAssign for #path {
+            #[inline]
+            fn add_assign(&mut self, other: Self) { #(self.#fields += other.#fields;)* }
+        }
+        impl<S: #ring> ::core::ops::SubAssign for #path {
+            #[inline]
+            fn sub_assign(&mut self, other: Self) { #(self.#fields -= other.#fields;)* }
+        }
+        impl<S: #ring> ::core::ops::MulAssign<S> for #path {
+            #[inline]
+            fn mul_assign(&mut self, scalar: S) { #(self.#fields *= scalar;)* }
+        }
+    }
+}

@@ -1,0 +1,153 @@
+//! Function bodies: a graph as `let` statements and output expressions.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use crate::algebra::Ratio;
+use crate::ir::{Arena, Node, NodeId, Value};
+use crate::kernel::Kernel;
+use crate::passes::{Schedule, schedule};
+
+/// The code of a graph.
+pub(super) struct Body {
+    /// Values that are read more than once.
+    pub(super) statements: TokenStream,
+    /// One expression for each output.
+    pub(super) outputs: Vec<TokenStream>,
+    /// Whether a fraction occurs, so that the scalar must be a field.
+    pub(super) needs_field: bool,
+}
+
+/// Writes the code of a kernel; `inputs` are the expressions of its inputs.
+pub(super) fn body(kernel: &Kernel, runtime: &TokenStream, inputs: &[TokenStream]) -> Body {
+    let mut writer = Writer {
+        arena: &kernel.arena,
+        schedule: schedule(&kernel.arena, &kernel.outputs),
+        runtime,
+        inputs,
+        needs_field: false,
+    };
+    let mut statements = TokenStream::new();
+    for id in writer.schedule.order.clone() {
+        if writer.schedule.uses[id.index()] > 1 {
+            let name = variable(id);
+            let expression = writer.expression(id);
+            statements.extend(quote! { let #name = #expression; });
+        }
+    }
+    let outputs = kernel
+        .outputs
+        .iter()
+        .map(|&output| writer.value(output))
+        .collect();
+    Body {
+        statements,
+        outputs,
+        needs_field: writer.needs_field,
+    }
+}
+
+/// A constant of the scalar type `S`.
+pub(super) fn constant(runtime: &TokenStream, value: Ratio) -> TokenStream {
+    let integer = |value: i128| Literal::i64_suffixed(i64::try_from(value).unwrap_or(i64::MAX));
+    let (numerator, denominator) = (integer(value.numerator()), integer(value.denominator()));
+    if !value.is_integer() {
+        return quote! { <S as #runtime::scalar::Field>::from_ratio(#numerator, #denominator) };
+    }
+    match value.numerator() {
+        0 => quote! { <S as #runtime::scalar::Ring>::zero() },
+        1 => quote! { <S as #runtime::scalar::Ring>::one() },
+        _ => quote! { <S as #runtime::scalar::Ring>::from_integer(#numerator) },
+    }
+}
+
+fn variable(id: NodeId) -> proc_macro2::Ident {
+    format_ident!("t{}", id.index())
+}
+
+struct Writer<'a> {
+    arena: &'a Arena,
+    schedule: Schedule,
+    runtime: &'a TokenStream,
+    inputs: &'a [TokenStream],
+    needs_field: bool,
+}
+
+impl Writer<'_> {
+    fn constant(&mut self, value: Ratio) -> TokenStream {
+        self.needs_field |= !value.is_integer();
+        constant(self.runtime, value)
+    }
+
+    /// A value with its factor.
+    fn value(&mut self, value: Value) -> TokenStream {
+        if let Some(known) = value.as_constant() {
+            return self.constant(known);
+        }
+        if value.factor == Ratio::ONE {
+            return self.read(value.node);
+        }
+        let node = self.operand(value.node);
+        if value.factor == Ratio::integer(-1) {
+            return quote! { -#node };
+        }
+        let factor = self.constant(value.factor);
+        quote! { #factor * #node }
+    }
+
+    /// A node where it is read: its variable, or its expression where this is the only place.
+    fn read(&mut self, id: NodeId) -> TokenStream {
+        match self.arena.node(id) {
+            Node::Input(number) => self.inputs[*number].clone(),
+            Node::Sum(_) | Node::Product(..) if self.schedule.uses[id.index()] > 1 => {
+                let name = variable(id);
+                quote! { #name }
+            }
+            _ => self.expression(id),
+        }
+    }
+
+    /// A node as the operand of a multiplication or negation.
+    fn operand(&mut self, id: NodeId) -> TokenStream {
+        let read = self.read(id);
+        let is_inline_sum =
+            matches!(self.arena.node(id), Node::Sum(_)) && self.schedule.uses[id.index()] == 1;
+        if is_inline_sum {
+            quote! { (#read) }
+        } else {
+            read
+        }
+    }
+
+    fn expression(&mut self, id: NodeId) -> TokenStream {
+        match self.arena.node(id).clone() {
+            Node::One => self.constant(Ratio::ONE),
+            Node::Input(number) => self.inputs[number].clone(),
+            Node::Product(a, b) => {
+                let (a, b) = (self.operand(a), self.operand(b));
+                quote! { #a * #b }
+            }
+            Node::Sum(terms) => {
+                let mut tokens = TokenStream::new();
+                for (place, term) in terms.iter().enumerate() {
+                    let size = Value {
+                        factor: term.factor.abs(),
+                        ..*term
+                    };
+                    let text = if size.factor == Ratio::ONE && term.node != Arena::ONE {
+                        self.operand(term.node)
+                    } else {
+                        self.value(size)
+                    };
+                    match (place, term.factor.is_negative()) {
+                        (0, false) => tokens.extend(text),
+                        (0, true) => tokens.extend(quote! { -#text }),
+                        (_, false) => tokens.extend(quote! { + #text }),
+                        (_, true) => tokens.extend(quote! { - #text }),
+                    }
+                }
+                tokens
+            }
+        }
+    }
+}

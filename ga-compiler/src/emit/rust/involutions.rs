@@ -1,0 +1,126 @@
+//! Reverse, involute, conjugate, grade selection and the squared norm.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::body::constant;
+use super::context::{Context, receiver};
+use crate::algebra::{Product, Ratio, Unary};
+use crate::define::TypeDefinition;
+use crate::expression::Expression;
+use crate::verify;
+
+pub(super) fn emit(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+    if kind.is_constant() {
+        return TokenStream::new();
+    }
+    let mut items = TokenStream::new();
+    let involutions = [
+        (
+            Unary::Reverse,
+            "The reverse `~x`: the order of all vectors reversed, grade k with the sign (−1)^(k(k−1)/2).",
+        ),
+        (
+            Unary::Involute,
+            "The grade involution `x̂`: grade k with the sign (−1)^k.",
+        ),
+        (
+            Unary::Conjugate,
+            "The Clifford conjugate: reverse and involution together, grade k with the sign (−1)^(k(k+1)/2).",
+        ),
+    ];
+    for (operation, text) in involutions {
+        items.extend(involution(context, kind, operation, text));
+    }
+    items.extend(grade(context, kind));
+    items.extend(norm_squared(context, kind));
+    items
+}
+
+fn involution(
+    context: &Context<'_>,
+    kind: &TypeDefinition,
+    operation: Unary,
+    text: &str,
+) -> TokenStream {
+    let expression = Expression::unary(operation, Expression::Operand(0));
+    let algebra = &context.definition.algebra;
+    let stays = verify::result_fits(algebra, &[kind], &expression, Some(kind)).is_ok();
+    let result = if stays { kind } else { context.hull(kind) };
+    let (body, needs_field) = context.compile(&[(kind, receiver())], &expression, Some(result));
+    let (path, output, bound) = (
+        context.path(kind),
+        context.path(result),
+        context.bound(needs_field),
+    );
+    let name = format_ident!("{}", operation.name());
+    quote! {
+        impl<S: #bound> #path {
+            #[doc = #text]
+            #[inline]
+            #[must_use]
+            pub fn #name(self) -> #output { #body }
+        }
+    }
+}
+
+fn grade(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+    let hull = context.hull(kind);
+    let (whole, needs_field) =
+        context.compile(&[(kind, receiver())], &Expression::Operand(0), Some(hull));
+    let mut grades: Vec<u32> = hull.stored().map(|c| c.blade.grade()).collect();
+    grades.sort_unstable();
+    grades.dedup();
+    let zero = constant(context.runtime, Ratio::ZERO);
+    let part = |grade: Option<u32>| {
+        let values: Vec<_> = hull
+            .stored()
+            .map(|c| {
+                let field = &c.name;
+                if Some(c.blade.grade()) == grade {
+                    quote! { whole.#field }
+                } else {
+                    zero.clone()
+                }
+            })
+            .collect();
+        context.build(Some(hull), &values)
+    };
+    let arms = grades.iter().map(|&grade| {
+        let (number, built) = (grade as usize, part(Some(grade)));
+        quote! { #number => #built }
+    });
+    let rest = part(None);
+    let (path, output, bound) = (
+        context.path(kind),
+        context.path(hull),
+        context.bound(needs_field),
+    );
+    quote! {
+        impl<S: #bound> #path {
+            /// The part of one grade; zero where the type has no blade of it.
+            #[inline]
+            #[must_use]
+            pub fn grade(self, grade: ::core::primitive::usize) -> #output {
+                let whole = { #whole };
+                match grade { #(#arms,)* _ => #rest }
+            }
+        }
+    }
+}
+
+fn norm_squared(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+    let reverse = Expression::unary(Unary::Reverse, Expression::Operand(0));
+    let norm = Expression::binary(Product::ScalarProduct, Expression::Operand(0), reverse);
+    let (body, needs_field) = context.compile(&[(kind, receiver())], &norm, None);
+    let (path, bound) = (context.path(kind), context.bound(needs_field));
+    quote! {
+        impl<S: #bound> #path {
+            /// `⟨x ~x⟩₀`, worked out from the coefficients whatever the facts of the type say.
+            /// It is negative or zero for some elements of a metric that is not positive.
+            #[inline]
+            #[must_use]
+            pub fn norm_squared(self) -> S { #body }
+        }
+    }
+}

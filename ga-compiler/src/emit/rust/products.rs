@@ -1,0 +1,207 @@
+//! The declared products: an operator or a trait for each pair of types, and methods of the textbook's names.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::context::{Context, other, receiver};
+use crate::algebra::Product;
+use crate::define::{Operation, ProductDefinition, TypeDefinition};
+
+/// How an operation on two operands appears in Rust.
+struct Face {
+    /// The trait's path.
+    path: TokenStream,
+    /// The trait's method.
+    method: &'static str,
+    /// The formula, for the documentation.
+    formula: &'static str,
+}
+
+pub(super) fn emit(context: &Context<'_>) -> TokenStream {
+    let mut items = TokenStream::new();
+    for product in &context.definition.products {
+        items.extend(match product.operation {
+            Operation::Unary(_) => unary(context, product),
+            operation => binary(context, product, &face(context, operation)),
+        });
+    }
+    for (index, kind) in context.definition.types.iter().enumerate() {
+        items.extend(methods(context, index, kind));
+    }
+    items
+}
+
+fn face(context: &Context<'_>, operation: Operation) -> Face {
+    let runtime = context.runtime;
+    let operator = |name: &str, method, formula| {
+        let name = format_ident!("{name}");
+        Face {
+            path: quote! { ::core::ops::#name },
+            method,
+            formula,
+        }
+    };
+    let own = |name: &str, method, formula| {
+        let name = format_ident!("{name}");
+        Face {
+            path: quote! { #runtime::products::#name },
+            method,
+            formula,
+        }
+    };
+    match operation {
+        Operation::Product(Product::Geometric) => operator("Mul", "mul", "a b"),
+        Operation::Product(Product::Wedge) => operator("BitXor", "bitxor", "a ∧ b"),
+        Operation::Product(Product::LeftContraction) => operator("BitOr", "bitor", "a ⌋ b"),
+        Operation::Product(Product::Vee) => operator("BitAnd", "bitand", "a ∨ b"),
+        Operation::Product(Product::RightContraction) => {
+            own("RightContraction", "right_contraction", "a ⌊ b")
+        }
+        Operation::Product(Product::ScalarProduct) => {
+            own("ScalarProduct", "scalar_product", "⟨a b⟩₀")
+        }
+        Operation::Product(Product::Commutator) => own("Commutator", "commutator", "(a b − b a)/2"),
+        Operation::Sandwich | Operation::Unary(_) => own("Sandwich", "sandwich", "a b ~a"),
+    }
+}
+
+fn binary(context: &Context<'_>, product: &ProductDefinition, face: &Face) -> TokenStream {
+    let (left, right) = (
+        context.kind(product.operands[0]),
+        context.kind(product.operands[1]),
+    );
+    let result = product.result.map(|index| context.kind(index));
+    let operands = [(left, receiver()), (right, other())];
+    let (body, needs_field) = context.compile(&operands, &product.operation.expression(), result);
+    let (path, argument, output) = (
+        context.path(left),
+        context.path(right),
+        context.result_path(result),
+    );
+    let (bound, name) = (context.bound(needs_field), &face.path);
+    let method = format_ident!("{}", face.method);
+    let text = format!(
+        "`{}`: {}, {} → {}.",
+        face.formula,
+        left.name,
+        right.name,
+        result.map_or("scalar".to_owned(), |kind| kind.name.to_string())
+    );
+    quote! {
+        #[doc = #text]
+        impl<S: #bound> #name<#argument> for #path {
+            type Output = #output;
+            #[inline]
+            fn #method(self, other: #argument) -> #output { #body }
+        }
+    }
+}
+
+fn unary(context: &Context<'_>, product: &ProductDefinition) -> TokenStream {
+    let kind = context.kind(product.operands[0]);
+    let result = product.result.map(|index| context.kind(index));
+    let operand = [(kind, receiver())];
+    let (body, needs_field) = context.compile(&operand, &product.operation.expression(), result);
+    let (path, output) = (context.path(kind), context.result_path(result));
+    let (bound, name) = (
+        context.bound(needs_field),
+        format_ident!("{}", product.operation.name()),
+    );
+    let is_degenerate = context.definition.algebra.is_degenerate();
+    let text = match (product.operation.name(), is_degenerate) {
+        ("dual", false) => "The dual `a I⁻¹`.",
+        ("dual", true) => "The right complement: `a ∧ dual a = I` for basis blades.",
+        (_, false) => "The inverse of the dual, `a I`.",
+        (_, true) => {
+            "The left complement, inverse of the dual: `undual a ∧ a = I` for basis blades."
+        }
+    };
+    quote! {
+        impl<S: #bound> #path {
+            #[doc = #text]
+            #[inline]
+            #[must_use]
+            pub fn #name(self) -> #output { #body }
+        }
+    }
+}
+
+/// Inherent methods of the products that a type starts, so that no trait needs importing.
+fn methods(context: &Context<'_>, index: usize, kind: &TypeDefinition) -> TokenStream {
+    let mut methods = TokenStream::new();
+    let operations = Product::ALL
+        .into_iter()
+        .map(Operation::Product)
+        .chain([Operation::Sandwich]);
+    for operation in operations {
+        let starts = |product: &ProductDefinition| {
+            product.operation == operation && product.operands[0] == index
+        };
+        if !context.definition.products.iter().any(starts) {
+            continue;
+        }
+        let Face {
+            path,
+            method,
+            formula,
+        } = face(context, operation);
+        let (name, method) = (
+            format_ident!("{}", operation.name()),
+            format_ident!("{method}"),
+        );
+        let text = method_text(operation, formula, kind);
+        methods.extend(quote! {
+            #[doc = #text]
+            #[inline]
+            #[must_use]
+            pub fn #name<B>(self, other: B) -> <Self as #path<B>>::Output
+            where
+                Self: #path<B>,
+            {
+                #path::#method(self, other)
+            }
+        });
+        if operation == Operation::Sandwich && kind.facts.unit_versor {
+            methods.extend(quote! {
+                /// Moves another element by this versor, `x ↦ M x ~M`; the same as [`sandwich`](Self::sandwich).
+                #[inline]
+                #[must_use]
+                pub fn transform<B>(self, other: B) -> <Self as #path<B>>::Output
+                where
+                    Self: #path<B>,
+                {
+                    #path::#method(self, other)
+                }
+            });
+        }
+    }
+    if methods.is_empty() {
+        return TokenStream::new();
+    }
+    let path = context.path(kind);
+    let generics = (!kind.is_constant()).then(|| quote! { <S> });
+    quote! { impl #generics #path { #methods } }
+}
+
+fn method_text(operation: Operation, formula: &str, kind: &TypeDefinition) -> String {
+    match operation {
+        Operation::Sandwich if is_odd(kind) => {
+            "The action of an odd versor, `a b̂ ~a` with the grade involution of b.".to_owned()
+        }
+        Operation::Sandwich => "The action of a versor, `a b ~a`.".to_owned(),
+        other => format!(
+            "The {} product, `{formula}`.",
+            other.name().replace('_', " ")
+        )
+        .replace("contraction product", "contraction")
+        .replace("scalar product product", "scalar product")
+        .replace("commutator product", "commutator")
+        .replace("vee product", "regressive product (vee)"),
+    }
+}
+
+fn is_odd(kind: &TypeDefinition) -> bool {
+    kind.coefficients
+        .iter()
+        .all(|c| c.blade.involute_is_negative())
+}

@@ -1,0 +1,259 @@
+//! The struct of a type, its constructors and accessors, and how it prints.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::body::{body, constant};
+use super::context::{Context, receiver};
+use crate::algebra::{Blade, NamedBlade, Ratio};
+use crate::define::{Coefficient, Role, TypeDefinition};
+use crate::expression::Expression;
+use crate::kernel::Kernel;
+
+pub(super) fn emit(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+    if kind.is_constant() {
+        return constant_type(kind);
+    }
+    let parts = [
+        structure(kind),
+        constructor(context, kind),
+        accessors(context, kind),
+        default(context, kind),
+        display(context, kind),
+        element(context, kind),
+    ];
+    parts.into_iter().collect()
+}
+
+fn constant_type(kind: &TypeDefinition) -> TokenStream {
+    let (docs, name, table) = (&kind.docs, &kind.name, coefficients_text(kind));
+    quote! {
+        #(#docs)*
+        #[doc = ""]
+        #[doc = #table]
+        #[derive(
+            ::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq,
+            ::core::default::Default
+        )]
+        pub struct #name;
+    }
+}
+
+fn structure(kind: &TypeDefinition) -> TokenStream {
+    let (docs, name, table) = (&kind.docs, &kind.name, coefficients_text(kind));
+    let fields = kind.stored().map(|c| {
+        let (field, text) = (&c.name, format!("Coefficient of `{}`.", c.name));
+        // A type with facts guards its members; elsewhere the fields are the interface.
+        let visibility = kind.is_linear().then(|| quote! { pub });
+        quote! { #[doc = #text] #visibility #field: S }
+    });
+    quote! {
+        #(#docs)*
+        #[doc = ""]
+        #[doc = #table]
+        #[derive(
+            ::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq
+        )]
+        #[repr(C)]
+        pub struct #name<S> { #(#fields),* }
+    }
+}
+
+/// One line that says where each coefficient comes from.
+fn coefficients_text(kind: &TypeDefinition) -> String {
+    let name = |index: usize| kind.coefficients[index].name.to_string();
+    let entries: Vec<_> = kind
+        .coefficients
+        .iter()
+        .map(|c| match &c.role {
+            Role::Stored => format!("`{}`", c.name),
+            Role::Constant(value) => format!("`{} = {value}`", c.name),
+            Role::Derived(polynomial) => format!("`{} = {}`", c.name, polynomial.to_text(&name)),
+        })
+        .collect();
+    format!("Coefficients: {}.", entries.join(", "))
+}
+
+fn constructor(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+    let path = context.path(kind);
+    let fields: Vec<_> = kind.stored().map(|c| &c.name).collect();
+    let (name, text) = if kind.facts_are_implied {
+        (
+            format_ident!("new"),
+            "The member with these stored coefficients.",
+        )
+    } else {
+        (
+            format_ident!("new_unchecked"),
+            "The member with these stored coefficients. The caller vouches for the facts of the type; products of anything else are wrong.",
+        )
+    };
+    quote! {
+        impl<S> #path {
+            #[doc = #text]
+            #[inline]
+            #[must_use]
+            pub const fn #name(#(#fields: S),*) -> Self {
+                Self { #(#fields),* }
+            }
+        }
+    }
+}
+
+fn accessors(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+    let path = context.path(kind);
+    let runtime = context.runtime;
+    let methods = kind.coefficients.iter().map(|c| {
+        let name = &c.name;
+        let (bound, value, text) = match &c.role {
+            // Public fields speak for themselves.
+            Role::Stored if kind.is_linear() => return TokenStream::new(),
+            Role::Stored => (
+                quote! { ::core::marker::Copy },
+                quote! { self.#name },
+                format!("Coefficient of `{name}`."),
+            ),
+            Role::Constant(value) => (
+                context.bound(!value.is_integer()),
+                constant(runtime, *value),
+                format!("Coefficient of `{name}`, which is always {value}."),
+            ),
+            Role::Derived(polynomial) => {
+                let (value, needs_field) = coefficient_body(context, kind, c);
+                let lookup = |index: usize| kind.coefficients[index].name.to_string();
+                let formula = polynomial.to_text(&lookup);
+                (
+                    context.bound(needs_field),
+                    value,
+                    format!("Coefficient of `{name}`, which follows: `{formula}`."),
+                )
+            }
+        };
+        quote! {
+            #[doc = #text]
+            #[inline]
+            #[must_use]
+            pub fn #name(&self) -> S where S: #bound {
+                #value
+            }
+        }
+    });
+    quote! { impl<S> #path { #(#methods)* } }
+}
+
+/// The coefficient of a blade as declared, worked out from `self`.
+fn coefficient_body(
+    context: &Context<'_>,
+    kind: &TypeDefinition,
+    coefficient: &Coefficient,
+) -> (TokenStream, bool) {
+    let wanted = [NamedBlade {
+        blade: coefficient.blade,
+        is_negative: coefficient.is_negative,
+    }];
+    let kernel = Kernel::of_blades(
+        &context.definition.algebra,
+        &[kind],
+        &Expression::Operand(0),
+        &wanted,
+    );
+    let inputs = super::context::fields(&[(kind, receiver())]);
+    let body = body(&kernel, context.runtime, &inputs);
+    let (statements, output) = (body.statements, &body.outputs[0]);
+    (quote! { #statements #output }, body.needs_field)
+}
+
+/// The identity where the type has a scalar, else zero in all that is stored: the origin for a point.
+fn default(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+    let path = context.path(kind);
+    let ring = context.bound(false);
+    let values: Vec<_> = kind
+        .stored()
+        .map(|c| {
+            let is_identity = kind.facts.unit_versor && c.blade == Blade::SCALAR;
+            let value = if is_identity { Ratio::ONE } else { Ratio::ZERO };
+            constant(context.runtime, value)
+        })
+        .collect();
+    let built = context.build(Some(kind), &values);
+    quote! {
+        impl<S: #ring> ::core::default::Default for #path {
+            #[inline]
+            fn default() -> Self { #built }
+        }
+    }
+}
+
+fn display(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+    let (path, runtime) = (context.path(kind), context.runtime);
+    let (mut entries, mut needs_field) = (Vec::new(), false);
+    for c in &kind.coefficients {
+        let (value, field) = coefficient_body(context, kind, c);
+        needs_field |= field;
+        let name = if c.blade == Blade::SCALAR {
+            String::new()
+        } else {
+            c.name.to_string()
+        };
+        entries.push(quote! { (#name, &{ #value }) });
+    }
+    let bound = context.bound(needs_field);
+    quote! {
+        impl<S: #bound + ::core::fmt::Display> ::core::fmt::Display for #path {
+            fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+                #runtime::__private::write_blades(f, &[#(#entries),*])
+            }
+        }
+    }
+}
+
+/// The type as a list of coefficients by blade, in rising order of vectors.
+fn element(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+    let (path, runtime) = (context.path(kind), context.runtime);
+    let mut needs_field = false;
+    let arms: Vec<_> = kind
+        .coefficients
+        .iter()
+        .map(|c| {
+            let rising = Coefficient {
+                is_negative: false,
+                ..c.clone()
+            };
+            let (value, field) = coefficient_body(context, kind, &rising);
+            needs_field |= field;
+            let blade = c.blade.0 as usize;
+            quote! { #blade => { #value } }
+        })
+        .collect();
+    let values: Vec<_> = kind
+        .stored()
+        .map(|c| {
+            let blade = c.blade.0 as usize;
+            let sign = c.is_negative.then(|| quote! { - });
+            quote! { #sign coefficient(#blade) }
+        })
+        .collect();
+    let built = context.build(Some(kind), &values);
+    let bound = context.bound(needs_field);
+    let blades = kind.coefficients.iter().map(|c| c.blade.0 as usize);
+    let (unit_versor, free) = (kind.facts.unit_versor, kind.facts_are_implied);
+    let zero = constant(runtime, Ratio::ZERO);
+    let usize = quote! { ::core::primitive::usize };
+    quote! {
+        impl<S: #bound> #runtime::Element for #path {
+            type Scalar = S;
+            const BLADES: &'static [#usize] = &[#(#blades),*];
+            const IS_UNIT_VERSOR: ::core::primitive::bool = #unit_versor;
+            const IS_FREE: ::core::primitive::bool = #free;
+            const METRIC: &'static [&'static [(::core::primitive::i64, ::core::primitive::i64)]] = METRIC;
+            fn coefficient(&self, blade: #usize) -> S {
+                match blade { #(#arms,)* _ => #zero }
+            }
+            fn from_coefficients_unchecked(
+                coefficient: &mut dyn ::core::ops::FnMut(#usize) -> S
+            ) -> Self {
+                #built
+            }
+        }
+    }
+}

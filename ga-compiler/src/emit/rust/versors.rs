@@ -1,0 +1,219 @@
+//! Inverses, and for types of unit versors the ways in that check or repair.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::body::{body, constant};
+use super::context::Context;
+use crate::algebra::{Blade, NamedBlade, Product, Ratio, Unary};
+use crate::define::{Role, TypeDefinition};
+use crate::expression::Expression;
+use crate::ir::Facts;
+use crate::kernel::Kernel;
+use crate::verify;
+
+pub(super) fn emit(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+    if kind.is_constant() {
+        return TokenStream::new();
+    }
+    if !kind.facts.unit_versor {
+        return try_inverse(context, kind);
+    }
+    let mut items = inverse(context, kind);
+    if !kind.facts_are_implied {
+        items.extend(try_new(context, kind));
+        items.extend(normalize(context, kind));
+    }
+    items
+}
+
+/// `x ~x` of operand 0.
+fn norm() -> Expression {
+    let reverse = Expression::unary(Unary::Reverse, Expression::Operand(0));
+    Expression::binary(Product::Geometric, Expression::Operand(0), reverse)
+}
+
+fn inverse(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+    let (path, ring) = (context.path(kind), context.bound(false));
+    quote! {
+        impl<S: #ring> #path {
+            /// The inverse, which is the reverse for a unit versor.
+            #[inline]
+            #[must_use]
+            pub fn inverse(self) -> Self { self.reverse() }
+        }
+    }
+}
+
+/// `~x / (x ~x)`, for types of which every member has a scalar `x ~x`.
+fn try_inverse(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+    let algebra = &context.definition.algebra;
+    let has_scalar_norm = verify::result_fits(algebra, &[kind], &norm(), None).is_ok();
+    if !has_scalar_norm {
+        return TokenStream::new();
+    }
+    let hull = context.hull(kind);
+    let (path, output) = (context.path(kind), context.path(hull));
+    let (field, zero) = (context.bound(true), constant(context.runtime, Ratio::ZERO));
+    quote! {
+        impl<S: #field> #path {
+            /// The inverse `~x / (x ~x)`, or `None` where `x ~x` is zero.
+            #[inline]
+            #[must_use]
+            pub fn try_inverse(self) -> ::core::option::Option<#output> {
+                let norm = self.norm_squared();
+                if norm == #zero {
+                    return ::core::option::Option::None;
+                }
+                ::core::option::Option::Some(self.reverse() / norm)
+            }
+        }
+    }
+}
+
+/// The type without its facts: nothing is known of what a caller hands in.
+fn unknown(kind: &TypeDefinition) -> TypeDefinition {
+    TypeDefinition {
+        facts: Facts::default(),
+        facts_are_implied: true,
+        ..kind.clone()
+    }
+}
+
+fn try_new(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+    let (runtime, algebra) = (context.runtime, &context.definition.algebra);
+    let candidate = unknown(kind);
+    let defect = Expression::Sum(
+        Box::new(norm()),
+        Box::new(Expression::Constant(Ratio::integer(-1))),
+    );
+    let blades = wanted(verify::result_blades(algebra, &[&candidate], &defect));
+    let kernel = Kernel::of_blades(algebra, &[&candidate], &defect, &blades);
+    let arguments: Vec<_> = kind.stored().map(|c| &c.name).collect();
+    let inputs: Vec<_> = arguments.iter().map(|name| quote! { #name }).collect();
+    let code = body(&kernel, runtime, &inputs);
+    let (statements, defects) = (code.statements, code.outputs);
+    let (path, real) = (context.path(kind), quote! { #runtime::scalar::Real });
+    quote! {
+        impl<S: #real<Mask = ::core::primitive::bool>> #path {
+            /// The unit versor with these coefficients, or `None` where some coefficient of `M ~M − 1` is larger
+            /// than the tolerance, or not a number.
+            #[must_use]
+            pub fn try_new(
+                #(#arguments: S,)* tolerance: S
+            ) -> ::core::option::Option<Self> {
+                #statements
+                let defects = [#(#defects),*];
+                for defect in defects {
+                    let within = <S as #real>::abs(defect);
+                    if !<S as #real>::is_finite(within) || <S as #real>::less_than(tolerance, within) {
+                        return ::core::option::Option::None;
+                    }
+                }
+                ::core::option::Option::Some(Self { #(#arguments),* })
+            }
+        }
+    }
+}
+
+/// With `M ~M = n + P`, n the scalar and P² = 0, the nearest unit versor is `(M − M P/(2n))/√n`: its square norm is
+/// `(n + P)(1 − P/n)/n = 1`. P is zero for rotors, and the defect of the Study condition for motors.
+fn normalize(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+    let algebra = &context.definition.algebra;
+    let candidate = unknown(kind);
+    let is_whole = kind.coefficients.iter().all(|c| c.role == Role::Stored);
+    let scalar = Expression::unary(Unary::Grade(0), norm());
+    let rest = Expression::Sum(
+        Box::new(norm()),
+        Box::new(Expression::Negative(Box::new(scalar))),
+    );
+    let square = Expression::binary(Product::Geometric, rest.clone(), rest.clone());
+    let change = Expression::binary(Product::Geometric, Expression::Operand(0), rest);
+    let applies = is_whole
+        && verify::result_blades(algebra, &[&candidate], &square).is_empty()
+        && verify::result_fits(algebra, &[&candidate], &change, Some(&candidate)).is_ok();
+    let (Some(hull), true) = (kind.hull, applies) else {
+        return TokenStream::new();
+    };
+    let hull = context.kind(hull);
+    normalize_body(context, kind, &candidate, hull, &change)
+}
+
+fn normalize_body(
+    context: &Context<'_>,
+    kind: &TypeDefinition,
+    candidate: &TypeDefinition,
+    hull: &TypeDefinition,
+    change: &Expression,
+) -> TokenStream {
+    let (runtime, algebra) = (context.runtime, &context.definition.algebra);
+    let value: Ident = format_ident!("value");
+    // The hull may order or sign its blades differently, so the coefficients are taken by blade.
+    let locals: Vec<_> = kind.stored().map(|c| &c.name).collect();
+    let taken = kind.stored().map(|c| {
+        let field = hull.coefficient(c.blade);
+        let sign = field
+            .is_some_and(|f| f.is_negative != c.is_negative)
+            .then(|| quote! { - });
+        let name = field.map_or(&c.name, |f| &f.name);
+        quote! { #sign #value.#name }
+    });
+    let inputs: Vec<_> = locals.iter().map(|name| quote! { #name }).collect();
+    let norm_squared = Kernel::compile(algebra, &[candidate], &norm_scalar(), None);
+    let norm_code = body(&norm_squared, runtime, &inputs);
+    let change = Kernel::compile(algebra, &[candidate], change, Some(candidate));
+    let change_code = body(&change, runtime, &inputs);
+    let (norm_statements, norm) = (norm_code.statements, &norm_code.outputs[0]);
+    let change_statements = change_code.statements;
+    let outputs = locals
+        .iter()
+        .zip(&change.outputs)
+        .zip(&change_code.outputs)
+        .map(|((name, value), code)| {
+            if value.is_zero() {
+                quote! { #name * scale }
+            } else {
+                quote! { (#name - (#code) * half) * scale }
+            }
+        });
+    let built = context.build(Some(kind), &outputs.collect::<Vec<_>>());
+    let (path, whole) = (context.path(kind), context.path(hull));
+    let real = quote! { #runtime::scalar::Real };
+    let field = quote! { #runtime::scalar::Field };
+    let zero = constant(runtime, Ratio::ZERO);
+    let text = format!(
+        "The unit versor nearest to an element of the hull: with `M ~M = n + P`, n the scalar, it is `(M − M P/(2n))/√n`. \
+         `None` where n is not positive or not finite. Blades that `{}` does not have are ignored.",
+        kind.name
+    );
+    quote! {
+        impl<S: #real<Mask = ::core::primitive::bool>> #path {
+            #[doc = #text]
+            #[must_use]
+            pub fn normalize(#value: #whole) -> ::core::option::Option<Self> {
+                #(let #locals = #taken;)*
+                let norm = { #norm_statements #norm };
+                if !<S as #real>::less_than(#zero, norm) || !<S as #real>::is_finite(norm) {
+                    return ::core::option::Option::None;
+                }
+                let scale = <S as #field>::recip(<S as #real>::sqrt(norm));
+                let half = <S as #field>::recip(norm + norm);
+                #change_statements
+                ::core::option::Option::Some(#built)
+            }
+        }
+    }
+}
+
+fn norm_scalar() -> Expression {
+    let reverse = Expression::unary(Unary::Reverse, Expression::Operand(0));
+    Expression::binary(Product::ScalarProduct, Expression::Operand(0), reverse)
+}
+
+fn wanted(blades: Vec<Blade>) -> Vec<NamedBlade> {
+    let rising = |blade| NamedBlade {
+        blade,
+        is_negative: false,
+    };
+    blades.into_iter().map(rising).collect()
+}

@@ -1,0 +1,316 @@
+//! Conformal geometric algebra of space.
+
+crate::algebra! {
+    /// Conformal geometric algebra of space: points, spheres, planes, circles and lines as blades, motions as versors.
+    ///
+    /// # Basis
+    ///
+    /// e1, e2, e3 span space; eo stands for the origin and ei for infinity. `e1² = e2² = e3² = 1`, `eo² = ei² = 0`,
+    /// `eo·ei = −1`. A blade such as `e1oi` is the outer product of its vectors in the order of its name.
+    /// `I = e1∧e2∧e3∧eo∧ei`, `I² = −1`, `dual(a) = a I⁻¹ = −a I`, `undual(a) = a I`, `a ∨ b = undual(dual a ∧ dual b)`.
+    ///
+    /// # Types
+    ///
+    /// An object X in *direct* form holds the points x with `x ∧ X = 0`; in *dual* form those with `x·X = 0`.
+    /// A versor moves by `x' = M x ~M`, the right factor of a product first.
+    ///
+    /// | type | blades | grade | as geometry | as a transformation |
+    /// | --- | --- | --- | --- | --- |
+    /// | [`Point`] | e1 e2 e3, eo = 1, ei = ½x² | 1 | the point x | |
+    /// | [`RoundVector`] | e1 e2 e3 eo ei | 1 | dual sphere or plane, weighted point | inversion, reflection |
+    /// | [`DualPlane`] | e1 e2 e3 ei | 1 | dual plane `n + d ei` | reflection in the plane |
+    /// | [`PointPair`] | all ten of two vectors | 2 | two points `p∧q`; dual circle | |
+    /// | [`FlatPoint`] | e1i e2i e3i eoi | 2 | point and infinity `p∧ei` | |
+    /// | [`Direction`] | e1i e2i e3i | 2 | free vector `v∧ei` | |
+    /// | [`MotorGenerator`] | e12 e13 e23 e1i e2i e3i | 2 | dual line | velocity of a motion; log of a motor |
+    /// | [`Circle`] | all ten of three vectors | 3 | circle `p∧q∧r` | |
+    /// | [`Line`] | e12i e13i e23i e1oi e2oi e3oi | 3 | line `p∧q∧ei` | |
+    /// | [`Sphere`] | all five of four vectors | 4 | sphere `p∧q∧r∧s` | |
+    /// | [`Plane`] | e12oi e13oi e23oi e123i | 4 | plane `p∧q∧r∧ei` | |
+    /// | [`Pseudoscalar`] | e123oi | 5 | all of space | |
+    /// | [`Rotor`] | scalar e12 e13 e23 | even | axis through the origin | turn, `exp(−½θB)` |
+    /// | [`Translator`] | scalar = 1, e1i e2i e3i | even | | shift by t, `1 − ½ t ei` |
+    /// | [`Motor`] | scalar e12 e13 e23 e1i e2i e3i e123i | even | screw axis | rigid motion `T R` |
+    /// | [`Dilator`] | scalar eoi | even | | scaling about the origin |
+    /// | [`Similarity`] | Motor and eoi e12oi e13oi e23oi | even | | motion and scaling |
+    /// | [`Quaternion`], [`DualQuaternion`] | those of Rotor, Motor | even | sums of rotors, of motors | |
+    /// | [`Even`] | all sixteen of even grade | even | | any even versor |
+    /// | [`Multivector`] | all 32 | all | | |
+    ///
+    /// [`E1`], [`E2`], [`E3`], [`Origin`] and [`Infinity`] are the basis vectors as types of no size, so that
+    /// `p ^ q ^ Infinity` is a line at no cost.
+    ///
+    /// # Products
+    ///
+    /// `a * b` geometric, `a ^ b` wedge, `a | b` left contraction, `a & b` vee; `right_contraction`, `scalar_product`,
+    /// `commutator` = (ab − ba)/2, `sandwich` and `transform` are methods. In Rust `^ & |` bind looser than `+ *`, so
+    /// `a + b ^ c` is `(a + b) ^ c`.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Infinity, Line, Plane, Point};
+    ///
+    /// let (p, q) = (Point::new(1.0, 0.0, 0.0), Point::new(1.0, 2.0, 0.0));
+    /// // The inner product of two points is −½ times their squared distance.
+    /// assert_eq!(p | q, -2.0);
+    /// // A line and a plane meet in a flat point.
+    /// let line: Line<f64> = p ^ q ^ Infinity;
+    /// let plane: Plane<f64> =
+    ///     Point::new(0.0, 1.0, 0.0) ^ Point::new(1.0, 1.0, 0.0) ^ Point::new(0.0, 1.0, 1.0) ^ Infinity;
+    /// let meet = line & plane;
+    /// assert_eq!([meet.e1i / meet.eoi, meet.e2i / meet.eoi, meet.e3i / meet.eoi], [1.0, 1.0, 0.0]);
+    /// ```
+    pub mod cga3 {
+        basis e1, e2, e3, eo, ei;
+        metric e1*e1 = 1, e2*e2 = 1, e3*e3 = 1, eo*ei = -1;
+
+        /// The basis vector e1, a unit vector of space.
+        struct E1 { e1 = 1 }
+        /// The basis vector e2, a unit vector of space.
+        struct E2 { e2 = 1 }
+        /// The basis vector e3, a unit vector of space.
+        struct E3 { e3 = 1 }
+        /// The basis vector eo, the point at the origin.
+        struct Origin { eo = 1 }
+        /// The basis vector ei, the point at infinity.
+        struct Infinity { ei = 1 }
+
+        /// The point x: three numbers, and yet the whole conformal vector `x + eo + ½x² ei` to every product.
+        ///
+        /// Its weight, the coefficient of eo, is 1, and it is null: `P² = 0`. Sums of points are [`RoundVector`]s.
+        #[hull(RoundVector)]
+        #[facts(null, weight(eo))]
+        struct Point { e1, e2, e3, eo = 1, ei = (e1*e1 + e2*e2 + e3*e3)/2 }
+
+        /// A vector of the algebra: a dual sphere `c − ½r² ei` about the point c, a dual plane, a weighted point.
+        struct RoundVector { e1, e2, e3, eo, ei }
+
+        /// The dual plane `n + d ei`: the points x with `n·x = d`, where n is the normal.
+        struct DualPlane { e1, e2, e3, ei }
+
+        /// Two points, `p∧q`; real, coinciding or imaginary as its square is positive, zero or negative.
+        struct PointPair { e12, e13, e23, e1o, e2o, e3o, e1i, e2i, e3i, eoi }
+
+        /// A point without extent and infinity, `p∧ei`: where a line meets a plane.
+        struct FlatPoint { e1i, e2i, e3i, eoi }
+
+        /// A free vector, `v∧ei`. Motions turn it and do not shift it.
+        struct Direction { e1i, e2i, e3i }
+
+        /// The generator of a rigid motion, a dual line: `−½θB` for a turn by θ in the plane of the unit bivector B through
+        /// the origin, `−½ t ei` for a shift by t.
+        struct MotorGenerator { e12, e13, e23, e1i, e2i, e3i }
+
+        /// A circle, `p∧q∧r` for three of its points; a line where one of them is infinity.
+        struct Circle { e123, e12o, e13o, e23o, e12i, e13i, e23i, e1oi, e2oi, e3oi }
+
+        /// A line, `p∧q∧ei` for two of its points: direction `q − p` in the coefficients of e1oi, e2oi, e3oi, moment `p∧q`
+        /// in those of e12i, e13i, e23i.
+        struct Line { e12i, e13i, e23i, e1oi, e2oi, e3oi }
+
+        /// A sphere, `p∧q∧r∧s` for four of its points; a plane where one of them is infinity.
+        struct Sphere { e123o, e123i, e12oi, e13oi, e23oi }
+
+        /// A plane, `p∧q∧r∧ei` for three of its points.
+        struct Plane { e123i, e12oi, e13oi, e23oi }
+
+        /// A multiple of I = e1∧e2∧e3∧eo∧ei.
+        struct Pseudoscalar { e123oi }
+
+        /// A turn about an axis through the origin: `R = exp(−½θB) = cos ½θ − sin ½θ B`.
+        #[hull(Quaternion)]
+        #[facts(unit_versor)]
+        struct Rotor { scalar, e12, e13, e23 }
+
+        /// A shift by t: `T = 1 − ½ t ei`.
+        #[hull(DualQuaternion)]
+        #[facts(unit_versor)]
+        struct Translator { scalar = 1, e1i, e2i, e3i }
+
+        /// A rigid motion: `M = T R`, with `M ~M = 1` in every grade.
+        #[hull(DualQuaternion)]
+        #[facts(unit_versor)]
+        struct Motor { scalar, e12, e13, e23, e1i, e2i, e3i, e123i }
+
+        /// A scaling by s about the origin: `D = exp(½ ln s · eo∧ei)`. It leaves a point with weight 1/s.
+        #[hull(Even)]
+        #[facts(unit_versor)]
+        struct Dilator { scalar, eoi }
+
+        /// A rigid motion with a scaling, `T R D`.
+        #[hull(Even)]
+        #[facts(unit_versor)]
+        struct Similarity {
+            scalar, e12, e13, e23, e1i, e2i, e3i, e123i, eoi, e12oi, e13oi, e23oi
+        }
+
+        /// Sums and multiples of rotors: the quaternions.
+        struct Quaternion { scalar, e12, e13, e23 }
+
+        /// Sums and multiples of motors: the dual quaternions. A weighted sum of motors, normalised, is their blend.
+        struct DualQuaternion { scalar, e12, e13, e23, e1i, e2i, e3i, e123i }
+
+        /// All blades of even grade.
+        struct Even {
+            scalar,
+            e12, e13, e23, e1o, e2o, e3o, e1i, e2i, e3i, eoi,
+            e123o, e123i, e12oi, e13oi, e23oi
+        }
+
+        /// All 32 blades.
+        struct Multivector {
+            scalar,
+            e1, e2, e3, eo, ei,
+            e12, e13, e23, e1o, e2o, e3o, e1i, e2i, e3i, eoi,
+            e123, e12o, e13o, e23o, e12i, e13i, e23i, e1oi, e2oi, e3oi,
+            e123o, e123i, e12oi, e13oi, e23oi,
+            e123oi
+        }
+
+        products {
+            // Joining: points to pairs, circles, spheres, and with infinity to their flat kin.
+            wedge({Point, RoundVector}, {Point, RoundVector}) -> PointPair;
+            wedge(PointPair, {Point, RoundVector}) -> Circle;
+            wedge({Point, RoundVector}, PointPair) -> Circle;
+            wedge(Circle, {Point, RoundVector}) -> Sphere;
+            wedge({Point, RoundVector}, Circle) -> Sphere;
+            wedge({Sphere, Plane}, {Point, RoundVector}) -> Pseudoscalar;
+            wedge({Point, RoundVector}, {Sphere, Plane}) -> Pseudoscalar;
+            wedge(PointPair, PointPair) -> Sphere;
+            wedge(PointPair, {Circle, Line}) -> Pseudoscalar;
+            wedge({Circle, Line}, PointPair) -> Pseudoscalar;
+            wedge(FlatPoint, {Point, RoundVector}) -> Line;
+            wedge({Point, RoundVector}, FlatPoint) -> Line;
+            wedge({Point, RoundVector}, Direction) -> Line;
+            wedge(Direction, {Point, RoundVector}) -> Line;
+            wedge({Line, PointPair}, FlatPoint) -> Plane;
+            wedge(Line, {Point, RoundVector}) -> Plane;
+            wedge({Point, RoundVector}, Line) -> Plane;
+            wedge(DualPlane, DualPlane) -> MotorGenerator;
+            wedge({Point, RoundVector}, Infinity) -> FlatPoint;
+            wedge(PointPair, Infinity) -> Line;
+            wedge(Circle, Infinity) -> Plane;
+            wedge(Sphere, Infinity) -> Pseudoscalar;
+
+            // Meeting.
+            vee({Sphere, Plane}, Sphere) -> Circle;
+            vee(Sphere, Plane) -> Circle;
+            vee(Plane, Plane) -> Line;
+            vee({Sphere, Plane}, Circle) -> PointPair;
+            vee(Circle, {Sphere, Plane}) -> PointPair;
+            vee(Sphere, Line) -> PointPair;
+            vee(Line, Sphere) -> PointPair;
+            vee(Plane, Line) -> FlatPoint;
+            vee(Line, Plane) -> FlatPoint;
+            vee({Circle, Line}, {Circle, Line}) -> RoundVector;
+            vee({Sphere, Plane}, {Point, RoundVector}) -> Scalar;
+            vee({Point, RoundVector}, {Sphere, Plane}) -> Scalar;
+
+            // Measuring: inner products and contractions.
+            left_contraction({Point, RoundVector, DualPlane}, {Point, RoundVector, DualPlane}) -> Scalar;
+            left_contraction({Point, RoundVector, DualPlane}, PointPair) -> RoundVector;
+            left_contraction({Point, RoundVector, DualPlane}, {Circle, Line}) -> PointPair;
+            left_contraction({Point, RoundVector, DualPlane}, {Sphere, Plane}) -> Circle;
+            left_contraction({Point, RoundVector}, Pseudoscalar) -> Sphere;
+            left_contraction(DualPlane, Pseudoscalar) -> Plane;
+            left_contraction(PointPair, PointPair) -> Scalar;
+            left_contraction(PointPair, {Circle, Line, Sphere, Plane}) -> Multivector;
+            left_contraction(MotorGenerator, MotorGenerator) -> Scalar;
+            left_contraction({Circle, Line}, {Circle, Line}) -> Scalar;
+            left_contraction({Circle, Line}, {Sphere, Plane}) -> RoundVector;
+            left_contraction({Sphere, Plane}, {Sphere, Plane}) -> Scalar;
+            left_contraction(Infinity, {Point, RoundVector}) -> Scalar;
+            left_contraction(Infinity, PointPair) -> RoundVector;
+            left_contraction(Infinity, Circle) -> PointPair;
+            left_contraction(Infinity, Line) -> Direction;
+            left_contraction(Infinity, Sphere) -> Circle;
+            right_contraction(PointPair, {Point, RoundVector}) -> RoundVector;
+            right_contraction({Circle, Line}, {Point, RoundVector}) -> PointPair;
+            right_contraction({Sphere, Plane}, {Point, RoundVector}) -> Circle;
+            scalar_product({Point, RoundVector, DualPlane}, {Point, RoundVector, DualPlane}) -> Scalar;
+            scalar_product(PointPair, PointPair) -> Scalar;
+            scalar_product(FlatPoint, FlatPoint) -> Scalar;
+            scalar_product(MotorGenerator, MotorGenerator) -> Scalar;
+            scalar_product(Circle, {Circle, Line}) -> Scalar;
+            scalar_product(Line, {Circle, Line}) -> Scalar;
+            scalar_product(Sphere, {Sphere, Plane}) -> Scalar;
+            scalar_product(Plane, {Sphere, Plane}) -> Scalar;
+            scalar_product(Multivector, Multivector) -> Scalar;
+
+            // Going over to the dual form and back.
+            dual({Point, RoundVector}) -> Sphere;
+            undual({Point, RoundVector}) -> Sphere;
+            dual(DualPlane) -> Plane;
+            undual(DualPlane) -> Plane;
+            dual(PointPair) -> Circle;
+            undual(PointPair) -> Circle;
+            dual(MotorGenerator) -> Line;
+            undual(MotorGenerator) -> Line;
+            dual(Circle) -> PointPair;
+            undual(Circle) -> PointPair;
+            dual(Line) -> MotorGenerator;
+            undual(Line) -> MotorGenerator;
+            dual(Sphere) -> RoundVector;
+            undual(Sphere) -> RoundVector;
+            dual(Plane) -> DualPlane;
+            undual(Plane) -> DualPlane;
+            dual(Pseudoscalar) -> Scalar;
+            undual(Pseudoscalar) -> Scalar;
+            dual(Multivector) -> Multivector;
+            undual(Multivector) -> Multivector;
+
+            // Composing transformations; the right one acts first.
+            geometric(Rotor, Rotor) -> Rotor;
+            geometric(Translator, Translator) -> Translator;
+            geometric(Translator, Rotor) -> Motor;
+            geometric(Rotor, Translator) -> Motor;
+            geometric(Motor, {Rotor, Translator, Motor}) -> Motor;
+            geometric({Rotor, Translator}, Motor) -> Motor;
+            geometric(Dilator, Dilator) -> Dilator;
+            geometric({Rotor, Translator, Motor}, Dilator) -> Similarity;
+            geometric(Dilator, {Rotor, Translator, Motor}) -> Similarity;
+            geometric(Similarity, {Rotor, Translator, Motor, Dilator, Similarity}) -> Similarity;
+            geometric({Rotor, Translator, Motor, Dilator}, Similarity) -> Similarity;
+            geometric(Quaternion, Quaternion) -> Quaternion;
+            geometric(DualQuaternion, DualQuaternion) -> DualQuaternion;
+            geometric(DualPlane, DualPlane) -> DualQuaternion;
+            geometric(RoundVector, RoundVector) -> Even;
+            geometric(Line, Line) -> DualQuaternion;
+            geometric(MotorGenerator, MotorGenerator) -> DualQuaternion;
+            geometric(Even, Even) -> Even;
+            geometric(Multivector, Multivector) -> Multivector;
+
+            commutator(MotorGenerator, MotorGenerator) -> MotorGenerator;
+            commutator(MotorGenerator, Line) -> Line;
+            commutator(Line, Line) -> MotorGenerator;
+            commutator(PointPair, PointPair) -> PointPair;
+            commutator(Multivector, Multivector) -> Multivector;
+
+            wedge(Multivector, Multivector) -> Multivector;
+            left_contraction(Multivector, Multivector) -> Multivector;
+            right_contraction(Multivector, Multivector) -> Multivector;
+            vee(Multivector, Multivector) -> Multivector;
+            sandwich(Multivector, Multivector) -> Multivector;
+
+            // Moving things.
+            sandwich(
+                {Rotor, Translator, Motor},
+                {
+                    Point, RoundVector, DualPlane, PointPair, FlatPoint, Direction, MotorGenerator, Circle, Line,
+                    Sphere, Plane, Motor
+                }
+            ) -> Self;
+            sandwich(
+                {Dilator, Similarity},
+                {
+                    RoundVector, DualPlane, PointPair, FlatPoint, Direction, MotorGenerator, Circle, Line, Sphere, Plane
+                }
+            ) -> Self;
+            sandwich({Dilator, Similarity}, Point) -> RoundVector;
+            sandwich(Even, RoundVector) -> Multivector;
+            // Reflections and inversions.
+            sandwich(DualPlane, {RoundVector, DualPlane, PointPair, FlatPoint, Circle, Line, Sphere, Plane}) -> Self;
+            sandwich(RoundVector, {RoundVector, PointPair, Circle, Sphere}) -> Self;
+            sandwich({DualPlane, RoundVector}, Point) -> RoundVector;
+        }
+    }
+}

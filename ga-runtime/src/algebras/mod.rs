@@ -1,0 +1,7 @@
+//! The declarations of the algebras.
+
+mod conformal;
+mod projective;
+
+pub use conformal::cga3;
+pub use projective::pga3;

@@ -1,0 +1,102 @@
+//! Projective geometric algebra of space.
+
+crate::algebra! {
+    /// Projective geometric algebra of space: planes as vectors, lines and points as their meets, motions as versors.
+    ///
+    /// # Basis
+    ///
+    /// `e1² = e2² = e3² = 1`, `e0² = 0`. The metric is degenerate, so `I = e1∧e2∧e3∧e0` has no inverse: `dual` is the right
+    /// complement (`a ∧ dual a = I` for basis blades), `undual` its inverse, and `a ∨ b = undual(dual a ∧ dual b)`.
+    ///
+    /// # Types
+    ///
+    /// | type | blades | grade | as geometry | as a transformation |
+    /// | --- | --- | --- | --- | --- |
+    /// | [`Plane`] | e1 e2 e3 e0 | 1 | `n·x + d = 0` as `n + d e0` | reflection |
+    /// | [`Line`] | all six of two vectors | 2 | meet of two planes | generator of a screw |
+    /// | [`Point`] | e123, e120 e130 e230 | 3 | meet of three planes | |
+    /// | [`Motor`] | scalar, all bivectors, e1230 | even | | rigid motion |
+    ///
+    /// Planes meet by `^`, points join by `&`.
+    ///
+    /// ```
+    /// use ga_runtime::pga3::Plane;
+    /// // The planes x = 1, y = 2, z = 3 meet in the point (1, 2, 3).
+    /// let (x, y, z) = (
+    ///     Plane::new(1.0, 0.0, 0.0, -1.0),
+    ///     Plane::new(0.0, 1.0, 0.0, -2.0),
+    ///     Plane::new(0.0, 0.0, 1.0, -3.0),
+    /// );
+    /// let point = x ^ y ^ z;
+    /// assert_eq!([-point.e230, point.e130, -point.e120], [1.0, 2.0, 3.0]);
+    /// assert_eq!(point.e123, 1.0);
+    /// ```
+    pub mod pga3 {
+        basis e1, e2, e3, e0;
+        metric e1*e1 = 1, e2*e2 = 1, e3*e3 = 1;
+
+        /// The plane of the points with `n·x + d = 0`, as `n + d e0`.
+        struct Plane { e1, e2, e3, e0 }
+        /// The meet of two planes.
+        struct Line { e12, e13, e23, e10, e20, e30 }
+        /// The meet of three planes; the point (x, y, z) is `e123 − x e230 + y e130 − z e120`.
+        struct Point { e123, e120, e130, e230 }
+        /// A multiple of I = e1∧e2∧e3∧e0.
+        struct Pseudoscalar { e1230 }
+        /// A turn about an axis through the origin.
+        #[hull(MotorSum)]
+        #[facts(unit_versor)]
+        struct Rotor { scalar, e12, e13, e23 }
+        /// A shift.
+        #[hull(MotorSum)]
+        #[facts(unit_versor)]
+        struct Translator { scalar = 1, e10, e20, e30 }
+        /// A rigid motion, with `M ~M = 1` in every grade.
+        #[hull(MotorSum)]
+        #[facts(unit_versor)]
+        struct Motor { scalar, e12, e13, e23, e10, e20, e30, e1230 }
+        /// Sums and multiples of motors.
+        struct MotorSum { scalar, e12, e13, e23, e10, e20, e30, e1230 }
+        /// All 16 blades.
+        struct Multivector {
+            scalar, e1, e2, e3, e0, e12, e13, e23, e10, e20, e30, e123, e120, e130, e230, e1230
+        }
+
+        products {
+            wedge(Plane, Plane) -> Line;
+            wedge(Plane, Line) -> Point;
+            wedge(Line, Plane) -> Point;
+            wedge(Plane, Point) -> Pseudoscalar;
+            wedge(Line, Line) -> Pseudoscalar;
+            vee(Point, Point) -> Line;
+            vee(Point, Line) -> Plane;
+            vee(Line, Point) -> Plane;
+            vee(Line, Line) -> Scalar;
+            vee(Plane, Point) -> Scalar;
+            left_contraction(Plane, Plane) -> Scalar;
+            left_contraction(Plane, Line) -> Plane;
+            left_contraction(Plane, Point) -> Line;
+            left_contraction(Line, Point) -> Plane;
+            dual(Plane) -> Point;
+            undual(Point) -> Plane;
+            dual(Line) -> Line;
+            undual(Line) -> Line;
+            dual(Point) -> Plane;
+            undual(Plane) -> Point;
+            geometric(Plane, Plane) -> MotorSum;
+            geometric(Rotor, Rotor) -> Rotor;
+            geometric(Translator, Translator) -> Translator;
+            geometric(Translator, Rotor) -> Motor;
+            geometric(Motor, {Motor, Rotor, Translator}) -> Motor;
+            geometric(MotorSum, MotorSum) -> MotorSum;
+            geometric(Multivector, Multivector) -> Multivector;
+            commutator(Line, Line) -> Line;
+            sandwich({Rotor, Translator, Motor}, {Plane, Line, Point, Motor}) -> Self;
+            sandwich(Plane, {Plane, Line, Point}) -> Self;
+            wedge(Multivector, Multivector) -> Multivector;
+            vee(Multivector, Multivector) -> Multivector;
+            right_contraction(Multivector, Multivector) -> Multivector;
+            scalar_product(Multivector, Multivector) -> Scalar;
+        }
+    }
+}
