@@ -2,6 +2,7 @@
 
 pub mod atomic_write;
 pub mod bvh;
+pub mod gltf;
 pub mod mesh;
 pub mod obj;
 mod read_error;
