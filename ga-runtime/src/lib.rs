@@ -10,6 +10,7 @@ pub mod __private;
 mod algebras;
 pub mod dense;
 mod element;
+mod geometry;
 mod macros;
 pub mod products;
 pub mod scalar;

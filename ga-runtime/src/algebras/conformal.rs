@@ -103,7 +103,7 @@ crate::algebra! {
         /// A circle, `p∧q∧r` for three of its points; a line where one of them is infinity.
         struct Circle { e123, e12o, e13o, e23o, e12i, e13i, e23i, e1oi, e2oi, e3oi }
 
-        /// A line, `p∧q∧ei` for two of its points: direction `q − p` in the coefficients of e1oi, e2oi, e3oi, moment `p∧q`
+        /// A line, `p∧q∧ei` for two of its points: direction `q − p` in minus the coefficients of e1oi, e2oi, e3oi, moment `p∧q`
         /// in those of e12i, e13i, e23i.
         struct Line { e12i, e13i, e23i, e1oi, e2oi, e3oi }
 

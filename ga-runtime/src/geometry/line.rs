@@ -1,0 +1,111 @@
+//! Lines.
+
+use super::vector3::{cross, difference, dot, length, normalized, scaled, sum};
+use crate::cga3::{Direction, Line, Point};
+use crate::scalar::{Real, Ring};
+
+impl<S: Ring> Line<S> {
+    /// The line through two points, from the first to the second: `p∧q∧ei`. Zero where they coincide.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Infinity, Line, Point};
+    /// let (p, q) = (Point::new(0.0, 1.0, 0.0), Point::new(2.0, 1.0, 0.0));
+    /// let line = Line::through(p, q);
+    /// assert_eq!(line, p ^ q ^ Infinity);
+    /// assert_eq!(line.direction(), [2.0, 0.0, 0.0]);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn through(p: Point<S>, q: Point<S>) -> Self {
+        Self::from_point_direction(p, difference(q.coordinates(), p.coordinates()))
+    }
+
+    /// The line through a point in a direction d: `p∧d∧ei`. Zero where d is.
+    #[inline]
+    #[must_use]
+    pub fn from_point_direction(point: Point<S>, direction: [S; 3]) -> Self {
+        let [m1, m2, m3] = cross(point.coordinates(), direction);
+        let [d1, d2, d3] = direction;
+        Self::new(m3, -m2, m1, -d1, -d2, -d3)
+    }
+
+    /// The direction d, as long as the line's weight: `q − p` for `p∧q∧ei`. It is minus the coefficients of e1oi, e2oi,
+    /// e3oi.
+    #[inline]
+    #[must_use]
+    pub fn direction(self) -> [S; 3] {
+        [-self.e1oi, -self.e2oi, -self.e3oi]
+    }
+
+    /// The moment `p × d` about the origin, for any point p of the line: the coefficients of e23i, −e13i, e12i.
+    #[inline]
+    #[must_use]
+    pub fn moment(self) -> [S; 3] {
+        [self.e23i, -self.e13i, self.e12i]
+    }
+}
+
+impl<S: Real<Mask = bool>> Line<S> {
+    /// The direction with length 1; `None` for a line of weight zero.
+    #[inline]
+    #[must_use]
+    pub fn unit_direction(self) -> Option<[S; 3]> {
+        normalized(self.direction())
+    }
+
+    /// The line with a direction of length 1; `None` for a line of weight zero.
+    #[inline]
+    #[must_use]
+    pub fn normalized(self) -> Option<Self> {
+        let weight = length(self.direction());
+        let usable = S::zero().less_than(weight) && weight.is_finite();
+        usable.then(|| self / weight)
+    }
+
+    /// The point of the line that is nearest to the origin, `d × m / d²`; `None` for a line of weight zero.
+    #[inline]
+    #[must_use]
+    pub fn support(self) -> Option<Point<S>> {
+        let line = self.normalized()?;
+        Some(Point::from(cross(line.direction(), line.moment())))
+    }
+
+    /// The foot of the perpendicular from a point; `None` for a line of weight zero.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Line, Point};
+    /// let line = Line::through(Point::new(0.0, 1.0, 0.0), Point::new(2.0, 1.0, 0.0));
+    /// let foot = line.foot(Point::new(3.0, 7.0, 0.0)).unwrap();
+    /// assert_eq!(foot.coordinates(), [3.0, 1.0, 0.0]);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn foot(self, point: Point<S>) -> Option<Point<S>> {
+        let (direction, support) = (self.unit_direction()?, self.support()?.coordinates());
+        let along = dot(difference(point.coordinates(), support), direction);
+        Some(Point::from(sum(support, scaled(direction, along))))
+    }
+
+    /// The distance of a point; `None` for a line of weight zero.
+    #[inline]
+    #[must_use]
+    pub fn distance(self, point: Point<S>) -> Option<S> {
+        Some(self.foot(point)?.distance(point))
+    }
+}
+
+impl<S: Ring> Direction<S> {
+    /// The free vector v as `v∧ei`.
+    #[inline]
+    #[must_use]
+    pub fn from_vector([x, y, z]: [S; 3]) -> Self {
+        Self::new(x, y, z)
+    }
+
+    /// The free vector v of `v∧ei`.
+    #[inline]
+    #[must_use]
+    pub fn vector(self) -> [S; 3] {
+        [self.e1i, self.e2i, self.e3i]
+    }
+}

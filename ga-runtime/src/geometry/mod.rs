@@ -1,0 +1,16 @@
+//! Euclidean geometry in cga3: what each type is built from, and what can be read back from it.
+//!
+//! Everything here is an inherent method of a type of [`cga3`](crate::cga3). Coordinates are arrays `[x, y, z]`, angles are in
+//! radians and right-handed. What may not exist comes back as an `Option`: nothing returns NaN in silence.
+
+mod circle;
+mod dilator;
+mod line;
+mod motor;
+mod plane;
+mod point;
+mod rotor;
+mod screw;
+mod sphere;
+mod translator;
+mod vector3;

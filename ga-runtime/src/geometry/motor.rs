@@ -1,0 +1,76 @@
+//! Motors from their parts and matrices, and back.
+
+use super::vector3::difference;
+use crate::cga3::{DualQuaternion, Motor, Point, Rotor, Translator};
+use crate::scalar::{Field, Real};
+
+impl<S: Field> Motor<S> {
+    /// The turn R of `M = T R`, which comes first.
+    #[inline]
+    #[must_use]
+    pub fn rotor(self) -> Rotor<S> {
+        Rotor::new_unchecked(self.scalar(), self.e12(), self.e13(), self.e23())
+    }
+
+    /// The shift T of `M = T R`, which comes second: that of the origin.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Motor, Rotor, Translator};
+    /// let turn = Rotor::from_axis_angle([1.0, 2.0, 3.0], 0.7).unwrap();
+    /// let motor = Translator::from_displacement([1.0, -2.0, 0.5]) * turn;
+    /// let [x, y, z]: [f64; 3] = motor.translator().displacement();
+    /// assert!((x - 1.0).abs() < 1e-15 && (y + 2.0).abs() < 1e-15 && (z - 0.5).abs() < 1e-15);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn translator(self) -> Translator<S> {
+        Translator::from_displacement(self.transform(Point::default()).coordinates())
+    }
+}
+
+impl<S: Real<Mask = bool>> Motor<S> {
+    /// The turn by a rotor about a point instead of the origin, `T(p) R T(−p)`.
+    #[inline]
+    #[must_use]
+    pub fn about(point: Point<S>, rotor: Rotor<S>) -> Self {
+        let turned = rotor.transform(point).coordinates();
+        Translator::from_displacement(difference(point.coordinates(), turned)) * rotor
+    }
+
+    /// The matrix `[R | t]` by rows: `x' = R x + t`.
+    #[must_use]
+    pub fn to_matrix(self) -> [[S; 4]; 3] {
+        let [r0, r1, r2] = self.rotor().to_matrix();
+        let [x, y, z] = self.translator().displacement();
+        [
+            [r0[0], r0[1], r0[2], x],
+            [r1[0], r1[1], r1[2], y],
+            [r2[0], r2[1], r2[2], z],
+        ]
+    }
+
+    /// The motor of a matrix `[R | t]` by rows; `None` where R is no rotation within √ε, or t is not finite.
+    #[must_use]
+    pub fn from_matrix(rows: [[S; 4]; 3]) -> Option<Self> {
+        let rotor = Rotor::from_matrix(rows.map(|[x, y, z, _]| [x, y, z]))?;
+        let displacement = rows.map(|row| row[3]);
+        let is_finite = displacement.iter().all(|t| t.is_finite());
+        is_finite.then(|| Translator::from_displacement(displacement) * rotor)
+    }
+}
+
+impl<S: Real<Mask = bool>> DualQuaternion<S> {
+    /// The motor nearest to a sum of motors; see [`Motor::normalize`].
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Motor, Translator};
+    /// let (a, b) = (Motor::default(), Motor::from(Translator::from_displacement([2.0, 0.0, 0.0])));
+    /// let blend = (a * 0.25 + b * 0.75).normalize().unwrap();
+    /// assert_eq!(blend.translator().displacement(), [1.5, 0.0, 0.0]);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn normalize(self) -> Option<Motor<S>> {
+        Motor::normalize(self)
+    }
+}

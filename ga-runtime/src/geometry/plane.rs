@@ -1,0 +1,78 @@
+//! Planes, direct and dual.
+
+use super::vector3::{cross, difference, dot, length, normalized};
+use crate::cga3::{DualPlane, Plane, Point};
+use crate::scalar::{Field, Real, Ring};
+
+impl<S: Ring> DualPlane<S> {
+    /// The plane of the points x with `n·x = d`, as `n + d ei`. With a unit normal, d is the distance from the origin.
+    #[inline]
+    #[must_use]
+    pub fn from_normal_distance([n1, n2, n3]: [S; 3], distance: S) -> Self {
+        Self::new(n1, n2, n3, distance)
+    }
+
+    /// The normal n, as long as the plane's weight.
+    #[inline]
+    #[must_use]
+    pub fn normal(self) -> [S; 3] {
+        [self.e1, self.e2, self.e3]
+    }
+}
+
+impl<S: Field> Plane<S> {
+    /// The plane through three points, `p∧q∧r∧ei`: its normal is `(q − p) × (r − p)`, so that p, q, r turn
+    /// counterclockwise as seen from its tip. Zero where the points are on one line.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Infinity, Plane, Point};
+    /// let (p, q, r) =
+    ///     (Point::new(0.0, 0.0, 2.0), Point::new(1.0, 0.0, 2.0), Point::new(0.0, 1.0, 2.0));
+    /// let plane = Plane::through(p, q, r);
+    /// assert_eq!(plane, p ^ q ^ r ^ Infinity);
+    /// assert_eq!(plane.unit_normal(), Some([0.0, 0.0, 1.0]));
+    /// assert_eq!(plane.signed_distance(Point::new(5.0, 5.0, 1.5)), Some(-0.5));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn through(p: Point<S>, q: Point<S>, r: Point<S>) -> Self {
+        let [p, q, r] = [p, q, r].map(Point::coordinates);
+        Self::from_point_normal(Point::from(p), cross(difference(q, p), difference(r, p)))
+    }
+
+    /// The plane through a point with a normal.
+    #[inline]
+    #[must_use]
+    pub fn from_point_normal(point: Point<S>, normal: [S; 3]) -> Self {
+        let distance = dot(normal, point.coordinates());
+        DualPlane::from_normal_distance(normal, distance).undual()
+    }
+
+    /// The normal n of the dual plane `n + d ei`, as long as the plane's weight.
+    #[inline]
+    #[must_use]
+    pub fn normal(self) -> [S; 3] {
+        self.dual().normal()
+    }
+}
+
+impl<S: Real<Mask = bool>> Plane<S> {
+    /// The normal with length 1; `None` for a plane of weight zero.
+    #[inline]
+    #[must_use]
+    pub fn unit_normal(self) -> Option<[S; 3]> {
+        normalized(self.normal())
+    }
+
+    /// The distance of a point, positive on the side of the normal; `None` for a plane of weight zero.
+    #[inline]
+    #[must_use]
+    pub fn signed_distance(self, point: Point<S>) -> Option<S> {
+        let dual = self.dual();
+        let weight = length(dual.normal());
+        if !S::zero().less_than(weight) || !weight.is_finite() {
+            return None;
+        }
+        Some((dot(dual.normal(), point.coordinates()) - dual.ei) / weight)
+    }
+}

@@ -1,0 +1,177 @@
+//! Rotors from axes, matrices and vectors, and back.
+
+use super::vector3::{cross, dot, normalized};
+use crate::cga3::{Quaternion, Rotor};
+use crate::scalar::Real;
+
+impl<S: Real<Mask = bool>> Rotor<S> {
+    /// The turn by an angle in radians about an axis through the origin, right-handed:
+    /// `R = cos ½θ − sin ½θ (n1 e23 − n2 e13 + n3 e12)`. The axis need not have length 1; `None` where it is zero or not
+    /// finite, or the angle is not finite.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Point, Rotor};
+    /// let quarter = Rotor::from_axis_angle([0.0, 0.0, 2.0], std::f64::consts::FRAC_PI_2).unwrap();
+    /// let [x, y, z] = quarter.transform(Point::new(1.0, 0.0, 5.0)).coordinates();
+    /// assert!(x.abs() < 1e-15 && (y - 1.0).abs() < 1e-15 && z == 5.0);
+    /// ```
+    #[must_use]
+    pub fn from_axis_angle(axis: [S; 3], angle: S) -> Option<Self> {
+        if !angle.is_finite() {
+            return None;
+        }
+        let [x, y, z] = normalized(axis)?;
+        let (sine, cosine) = (angle * S::from_ratio(1, 2)).sin_cos();
+        Some(Self::from_quaternion_unchecked(
+            [x * sine, y * sine, z * sine],
+            cosine,
+        ))
+    }
+
+    /// The angle in [0, 2π] and the axis of length 1 of the turn; the axis is e3 where the angle is 0 or 2π. A rotor and
+    /// its negative turn to the same place by opposite ways: their angles add to 2π.
+    #[must_use]
+    pub fn to_axis_angle(self) -> ([S; 3], S) {
+        let (vector, scalar) = self.to_quaternion();
+        let half_angle = super::vector3::length(vector).atan2(scalar);
+        let axis = normalized(vector).unwrap_or([S::zero(), S::zero(), S::one()]);
+        (axis, half_angle + half_angle)
+    }
+
+    /// The turn by the shortest way from one direction to another. Opposite directions are joined by a half turn about
+    /// some axis across them. `None` where a direction is zero or not finite.
+    ///
+    /// This is the paper's eq. 23 as corrected, `R = (b + a) a / (|a| |a + b|)` for unit a and b.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Point, Rotor};
+    /// let rotor = Rotor::between([1.0_f64, 0.0, 0.0], [0.0, 3.0, 0.0]).unwrap();
+    /// let [x, y, _] = rotor.transform(Point::new(2.0, 0.0, 0.0)).coordinates();
+    /// assert!(x.abs() < 1e-15 && (y - 2.0).abs() < 1e-15);
+    /// ```
+    #[must_use]
+    pub fn between(from: [S; 3], to: [S; 3]) -> Option<Self> {
+        let (a, b) = (normalized(from)?, normalized(to)?);
+        let (axis, cosine) = (cross(a, b), dot(a, b));
+        // Opposite up to rounding: the axis is lost, and any across will do.
+        if cosine.less_than(S::epsilon() - S::one()) {
+            let least = smallest_axis(a);
+            return Self::from_axis_angle(cross(a, least), S::from_f64(core::f64::consts::PI));
+        }
+        let value = Quaternion::new(S::one() + cosine, -axis[2], axis[1], -axis[0]);
+        Self::normalize(value)
+    }
+
+    /// The rotor of a unit quaternion `w + x i + y j + z k`, given as `[x, y, z]` and w: i = −e23, j = e13, k = −e12.
+    /// `None` where the quaternion is zero or not finite; else it is normalised.
+    #[must_use]
+    pub fn from_quaternion(vector: [S; 3], scalar: S) -> Option<Self> {
+        let [x, y, z] = vector;
+        Self::normalize(Quaternion::new(scalar, -z, y, -x))
+    }
+
+    /// The unit quaternion of the same turn, `[x, y, z]` and w.
+    #[inline]
+    #[must_use]
+    pub fn to_quaternion(self) -> ([S; 3], S) {
+        ([-self.e23(), self.e13(), -self.e12()], self.scalar())
+    }
+
+    /// The rotor of a rotation matrix given by rows, by the paper's eq. 25 as corrected: of the four quotients that give
+    /// the rotor the one with the largest divisor is taken, so that half turns are no special case. `None` where the matrix is
+    /// no rotation within √ε.
+    #[must_use]
+    pub fn from_matrix(rows: [[S; 3]; 3]) -> Option<Self> {
+        let tolerance = S::epsilon().sqrt();
+        let [r0, r1, r2] = rows;
+        for (a, b, expected) in [
+            (r0, r0, S::one()),
+            (r1, r1, S::one()),
+            (r2, r2, S::one()),
+            (r0, r1, S::zero()),
+            (r0, r2, S::zero()),
+            (r1, r2, S::zero()),
+            (cross(r0, r1), r2, S::one()),
+        ] {
+            let deviation = (dot(a, b) - expected).abs();
+            if !deviation.is_finite() || tolerance.less_than(deviation) {
+                return None;
+            }
+        }
+        let one = S::one();
+        let [xx, yy, zz] = [r0[0], r1[1], r2[2]];
+        let candidates = [
+            (
+                [r2[1] - r1[2], r0[2] - r2[0], r1[0] - r0[1]],
+                one + xx + yy + zz,
+            ),
+            (
+                [one + xx - yy - zz, r0[1] + r1[0], r0[2] + r2[0]],
+                r2[1] - r1[2],
+            ),
+            (
+                [r0[1] + r1[0], one - xx + yy - zz, r1[2] + r2[1]],
+                r0[2] - r2[0],
+            ),
+            (
+                [r0[2] + r2[0], r1[2] + r2[1], one - xx - yy + zz],
+                r1[0] - r0[1],
+            ),
+        ];
+        let divisors = [
+            one + xx + yy + zz,
+            one + xx - yy - zz,
+            one - xx + yy - zz,
+            one - xx - yy + zz,
+        ];
+        let mut best = 0;
+        for place in 1..4 {
+            if divisors[best].less_than(divisors[place]) {
+                best = place;
+            }
+        }
+        let (vector, scalar) = candidates[best];
+        Self::from_quaternion(vector, scalar)
+    }
+
+    /// The rotation matrix by rows: `x' = matrix · x`.
+    #[must_use]
+    pub fn to_matrix(self) -> [[S; 3]; 3] {
+        let ([x, y, z], w) = self.to_quaternion();
+        let (one, two) = (S::one(), S::from_integer(2));
+        [
+            [
+                one - two * (y * y + z * z),
+                two * (x * y - w * z),
+                two * (x * z + w * y),
+            ],
+            [
+                two * (x * y + w * z),
+                one - two * (x * x + z * z),
+                two * (y * z - w * x),
+            ],
+            [
+                two * (x * z - w * y),
+                two * (y * z + w * x),
+                one - two * (x * x + y * y),
+            ],
+        ]
+    }
+
+    fn from_quaternion_unchecked([x, y, z]: [S; 3], w: S) -> Self {
+        Self::new_unchecked(w, -z, y, -x)
+    }
+}
+
+/// The basis vector along which a vector extends least.
+fn smallest_axis<S: Real<Mask = bool>>(vector: [S; 3]) -> [S; 3] {
+    let mut least = 0;
+    for place in 1..3 {
+        if vector[place].abs().less_than(vector[least].abs()) {
+            least = place;
+        }
+    }
+    let mut axis = [S::zero(); 3];
+    axis[least] = S::one();
+    axis
+}
