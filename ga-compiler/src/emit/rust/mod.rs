@@ -58,12 +58,23 @@ pub fn stand_ins(definition: &Definition) -> TokenStream {
 }
 
 fn module(definition: &Definition, items: TokenStream) -> TokenStream {
-    let (attributes, name) = (&definition.attributes, &definition.name);
+    let name = &definition.name;
+    // As inner attributes, so that links in the text find the types.
+    let docs = definition
+        .attributes
+        .iter()
+        .filter_map(|attribute| attribute.meta.require_name_value().ok())
+        .filter(|meta| meta.path.is_ident("doc"))
+        .map(|meta| &meta.value);
+    let attributes = definition
+        .attributes
+        .iter()
+        .filter(|attribute| !attribute.path().is_ident("doc"));
     let visibility = &definition.visibility;
     quote! {
         #(#attributes)*
         #[allow(clippy::all, clippy::pedantic, clippy::nursery, dead_code, unused_variables)]
-        #visibility mod #name { #items }
+        #visibility mod #name { #(#![doc = #docs])* #items }
     }
 }
 
