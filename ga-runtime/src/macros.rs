@@ -82,7 +82,7 @@
 /// # The other half
 ///
 /// Beside the module there is a macro of the same name, which hands the definition to macros such as
-/// [`testing::product_tests!`](crate::testing::product_tests). `crate = path;` before the basis says where the emitted code finds
+/// `ga_runtime::testing::product_tests!`. `crate = path;` before the basis says where the emitted code finds
 /// ga-runtime, if not through this macro.
 #[macro_export]
 macro_rules! algebra {
