@@ -8,6 +8,7 @@ pub mod obj;
 mod read_error;
 pub mod render;
 pub mod rig;
+pub mod sheet;
 pub mod skeleton;
 pub mod weights;
 

@@ -137,10 +137,12 @@ impl Camera {
         let mut span_x = Span::default();
         let mut span_y = Span::default();
         let (mut nearest, mut farthest) = (f64::INFINITY, f64::NEG_INFINITY);
+        let mut largest = 0f64;
         for point in points {
             if !point.iter().all(|c| c.abs() <= LARGEST_COORDINATE) {
                 return Err(RenderError::Camera("a point to be seen is not finite"));
             }
+            largest = point.iter().fold(largest, |most, c| most.max(c.abs()));
             let depth = dot(point, forward);
             span_x.include(dot(point, right), tangent_x * depth);
             span_y.include(dot(point, up), tangent_y * depth);
@@ -149,7 +151,8 @@ impl Camera {
         }
         let foremost = (span_x.width() / (2.0 * tangent_x)).min(span_y.width() / (2.0 * tangent_y));
         let extent = farthest - foremost;
-        if !(extent > 0.0 && extent.is_finite()) {
+        // Points in one place leave nothing but rounding.
+        if !(extent > 1e-12 * largest && extent.is_finite()) {
             return Err(RenderError::Camera("there is nothing to look at"));
         }
         // Along a line of sight the cone condition alone would let the camera touch the nearest point.

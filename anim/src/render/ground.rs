@@ -27,7 +27,7 @@ pub(super) struct GroundShading<'a> {
 }
 
 /// Share of the grid's period that a line takes.
-const LINE: f64 = 0.025;
+const LINE: f64 = 0.03;
 
 impl GroundShading<'_> {
     /// The ground's colour at a point of it, over a given background. `footprint` is the width of a pixel there.

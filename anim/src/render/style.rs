@@ -63,7 +63,7 @@ impl Default for Style {
             },
             background: [from_srgb([226, 231, 238]), from_srgb([178, 187, 199])],
             ground: from_srgb([205, 210, 217]),
-            grid: from_srgb([184, 191, 201]),
+            grid: from_srgb([174, 182, 193]),
             shadow: 0.42,
             occlusion: 0.35,
             depth_contrast: 3.5,

@@ -1,0 +1,128 @@
+//! Where the camera stands for each frame.
+
+use super::{Frame, Options, SheetError};
+use crate::render::{Camera, Ground, RenderError};
+
+/// Whether the camera goes along with the figure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Framing {
+    /// One camera for all frames: the figure crosses the picture.
+    Fixed,
+    /// The camera moves level with the middle of the figure: the ground passes below it.
+    Following,
+}
+
+/// The cameras of the frames, and the ground they all see.
+pub(super) struct Stage {
+    pub(super) cameras: Vec<Camera>,
+    pub(super) ground: Ground,
+}
+
+/// A long lens: limbs towards the camera are not blown up.
+const FIELD_OF_VIEW: f64 = 0.45;
+
+/// Free border, as a fraction of half the picture.
+const MARGIN: f64 = 0.1;
+
+impl Stage {
+    pub(super) fn new(frames: &[Frame], options: &Options) -> Result<Self, SheetError> {
+        for frame in frames {
+            check(frame)?;
+        }
+        let middles: Vec<[f64; 3]> = frames
+            .iter()
+            .map(|frame| match options.framing {
+                Framing::Fixed => [0.0; 3],
+                Framing::Following => level_middle(frame),
+            })
+            .collect();
+        let seen = frames.iter().zip(&middles).flat_map(|(frame, middle)| {
+            points(frame).map(move |p| std::array::from_fn(|axis| p[axis] - middle[axis]))
+        });
+        let camera = Camera::fit(
+            seen.clone(),
+            options.view,
+            FIELD_OF_VIEW,
+            options.style.aspect(),
+            MARGIN,
+        )?;
+
+        let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);
+        for [_, y, _] in seen {
+            lowest = lowest.min(y);
+            highest = highest.max(y);
+        }
+        let extent = Some(highest - lowest).filter(|&extent| extent > 0.0);
+        Ok(Self {
+            cameras: middles.iter().map(|&m| camera.moved_by(m)).collect(),
+            ground: Ground {
+                height: lowest,
+                grid: options
+                    .grid
+                    .unwrap_or_else(|| round_number(extent.unwrap_or(1.0) / 3.0)),
+            },
+        })
+    }
+}
+
+fn points<'a>(frame: &Frame<'a>) -> impl Iterator<Item = [f64; 3]> + Clone + use<'a> {
+    let (positions, bones) = (frame.positions, frame.bones);
+    positions
+        .iter()
+        .copied()
+        .chain(bones.iter().flatten().copied())
+}
+
+/// Found here, with the frame's number, rather than by a camera that cannot tell one frame from another.
+fn check(frame: &Frame) -> Result<(), SheetError> {
+    let finite = |p: &[f64; 3]| p.iter().all(|c| c.is_finite());
+    let source = match frame.positions.iter().position(|p| !finite(p)) {
+        Some(vertex) => RenderError::Position { vertex },
+        None => match frame.bones.iter().position(|ends| !ends.iter().all(finite)) {
+            Some(bone) => RenderError::Bone { bone },
+            None => return Ok(()),
+        },
+    };
+    Err(SheetError::Frame {
+        number: frame.number,
+        source,
+    })
+}
+
+/// The mean of a frame's points, at height 0. (The middle of its bounds would sway with every swing of an arm.)
+fn level_middle(frame: &Frame) -> [f64; 3] {
+    let (mut x, mut z, mut count) = (0.0, 0.0, 0.0f64);
+    for point in points(frame) {
+        x += point[0];
+        z += point[2];
+        count += 1.0;
+    }
+    [x / count.max(1.0), 0.0, z / count.max(1.0)]
+}
+
+/// The greatest of 1, 2 and 5 times a power of ten that is not above `x`.
+fn round_number(x: f64) -> f64 {
+    let power = 10f64.powf(x.log10().floor());
+    let factor = [5.0, 2.0]
+        .into_iter()
+        .find(|f| f * power <= x * (1.0 + 1e-9));
+    factor.unwrap_or(1.0) * power
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn round_numbers() {
+        for (x, rounded) in [
+            (0.45, 0.2),
+            (0.5, 0.5),
+            (4.99, 2.0),
+            (1.0, 1.0),
+            (73.0, 50.0),
+        ] {
+            assert!((round_number(x) - rounded).abs() < 1e-12 * rounded, "{x}");
+        }
+    }
+}

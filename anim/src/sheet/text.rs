@@ -1,0 +1,96 @@
+//! Lettering, in Noto Sans Mono.
+
+use image::{Rgb, RgbImage};
+use noto_sans_mono_bitmap::{FontWeight, RasterHeight, get_raster, get_raster_width};
+
+const HEIGHT: RasterHeight = RasterHeight::Size16;
+
+/// How bold letters are.
+#[derive(Clone, Copy)]
+pub(super) enum Weight {
+    Regular,
+    Bold,
+}
+
+/// Writes a line with its top left corner at `x`, `y`, as far as it fits into `width` pixels.
+pub(super) fn write(
+    image: &mut RgbImage,
+    [x, y]: [u32; 2],
+    width: u32,
+    text: &str,
+    weight: Weight,
+    color: Rgb<u8>,
+) {
+    let weight = match weight {
+        Weight::Regular => FontWeight::Regular,
+        Weight::Bold => FontWeight::Bold,
+    };
+    let advance = get_raster_width(weight, HEIGHT) as u32;
+    let letters = text.chars().take((width / advance) as usize);
+    for (index, letter) in letters.enumerate() {
+        let raster = get_raster(letter, weight, HEIGHT).or_else(|| get_raster('?', weight, HEIGHT));
+        let Some(raster) = raster else { continue };
+        let left = x + index as u32 * advance;
+        for (row, line) in raster.rows().enumerate() {
+            for (column, &ink) in line.iter().enumerate() {
+                let place = (left + column as u32, y + row as u32);
+                if let Some(pixel) = image.get_pixel_mut_checked(place.0, place.1) {
+                    *pixel = Rgb(std::array::from_fn(|i| blend(pixel.0[i], color.0[i], ink)));
+                }
+            }
+        }
+    }
+}
+
+fn blend(below: u8, ink: u8, share: u8) -> u8 {
+    let (below, ink, share) = (u32::from(below), u32::from(ink), u32::from(share));
+    // A mean of two bytes is a byte.
+    ((below * (255 - share) + ink * share + 127) / 255) as u8
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WHITE: Rgb<u8> = Rgb([255; 3]);
+
+    fn written(text: &str, width: u32) -> RgbImage {
+        let mut image = RgbImage::from_pixel(120, 24, WHITE);
+        write(&mut image, [4, 4], width, text, Weight::Bold, Rgb([0; 3]));
+        image
+    }
+
+    #[test]
+    fn letters_leave_ink_where_they_stand_and_nowhere_else() {
+        let image = written("|", 100);
+        let inked = |x: u32, y: u32| *image.get_pixel(x, y) != WHITE;
+        let columns: Vec<u32> = (0..120).filter(|&x| (0..24).any(|y| inked(x, y))).collect();
+        let rows: Vec<u32> = (0..24).filter(|&y| (0..120).any(|x| inked(x, y))).collect();
+        assert!(
+            (1..=4).contains(&columns.len()) && columns[0] > 4 && columns[0] < 10,
+            "{columns:?}"
+        );
+        assert!(rows.len() > 10 && rows[0] >= 4, "{rows:?}");
+    }
+
+    #[test]
+    fn text_stops_where_its_room_ends() {
+        let advance = get_raster_width(FontWeight::Bold, HEIGHT) as u32;
+        assert_eq!(written("abcdef", 3 * advance), written("abc", 100));
+        assert_ne!(written("abcdef", 100), written("abc", 100));
+        assert_eq!(written("abc", advance - 1), written("", 100));
+    }
+
+    #[test]
+    fn letters_beyond_the_image_or_the_font_are_no_trouble() {
+        assert_eq!(written("a\u{4e2d}b", 100), written("a?b", 100));
+        write(
+            &mut RgbImage::new(5, 5),
+            [3, 3],
+            100,
+            "wide",
+            Weight::Regular,
+            WHITE,
+        );
+    }
+}
