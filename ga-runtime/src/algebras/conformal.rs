@@ -191,6 +191,19 @@ crate::algebra! {
             wedge(Circle, Infinity) -> Plane;
             wedge(Sphere, Infinity) -> Pseudoscalar;
 
+            // The same with the basis vectors, which cost nothing.
+            wedge({E1, E2, E3, Origin}, {Point, RoundVector}) -> PointPair;
+            wedge({Point, RoundVector}, {E1, E2, E3, Origin}) -> PointPair;
+            wedge(PointPair, {E1, E2, E3, Origin}) -> Circle;
+            wedge(Circle, {E1, E2, E3, Origin}) -> Sphere;
+            wedge(FlatPoint, {E1, E2, E3, Origin}) -> Line;
+            wedge(Line, {E1, E2, E3, Origin}) -> Plane;
+            wedge(Infinity, {Point, RoundVector}) -> FlatPoint;
+            wedge(Infinity, PointPair) -> Line;
+            wedge(Infinity, Circle) -> Plane;
+            left_contraction({E1, E2, E3, Origin}, {Point, RoundVector}) -> Scalar;
+            left_contraction({Point, RoundVector}, {E1, E2, E3, Origin, Infinity}) -> Scalar;
+
             // Meeting.
             vee({Sphere, Plane}, Sphere) -> Circle;
             vee(Sphere, Plane) -> Circle;
@@ -241,8 +254,8 @@ crate::algebra! {
             undual({Point, RoundVector}) -> Sphere;
             dual(DualPlane) -> Plane;
             undual(DualPlane) -> Plane;
-            dual(PointPair) -> Circle;
-            undual(PointPair) -> Circle;
+            dual({PointPair, FlatPoint}) -> Circle;
+            undual({PointPair, FlatPoint}) -> Circle;
             dual(MotorGenerator) -> Line;
             undual(MotorGenerator) -> Line;
             dual(Circle) -> PointPair;
