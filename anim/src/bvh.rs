@@ -16,6 +16,7 @@
 //!
 //! Source: the description by the Motion Capture Web Group, University of Wisconsin, on which readers agree.
 
+mod kinematics;
 mod parser;
 mod words;
 

@@ -7,11 +7,13 @@
 mod faces;
 mod part;
 
+use ga_runtime::cga3::Point;
+
 pub use faces::{Faces, Polygons};
 pub use part::Part;
 
-/// The place of one vertex.
-pub type Position = [f64; 3];
+/// The place of one vertex, as a conformal point: three coordinates, and the whole vector to every product.
+pub type Position = Point<f64>;
 
 /// A polygon mesh whose indices are all in range and whose numbers are all finite.
 ///
@@ -134,7 +136,8 @@ impl Mesh {
     /// # Errors
     ///
     /// [`MeshError::NotFinite`] and [`MeshError::IndexOutOfRange`]; [`MeshError::TooLarge`] past 2³² − 1 vertices.
-    pub fn new(positions: Vec<Position>, faces: Faces) -> Result<Self, MeshError> {
+    pub fn new<P: Into<Position>>(positions: Vec<P>, faces: Faces) -> Result<Self, MeshError> {
+        let positions: Vec<Position> = positions.into_iter().map(Into::into).collect();
         if u32::try_from(positions.len()).is_err() {
             let count = positions.len();
             return Err(MeshError::TooLarge {
@@ -142,7 +145,8 @@ impl Mesh {
                 count,
             });
         }
-        for (vertex, &coordinates) in positions.iter().enumerate() {
+        for (vertex, position) in positions.iter().enumerate() {
+            let coordinates = position.coordinates();
             if !coordinates.iter().all(|x| x.is_finite()) {
                 return Err(MeshError::NotFinite {
                     vertex,
@@ -230,7 +234,7 @@ impl Mesh {
 
     /// The Euclidean coordinates of the vertices, one after the other.
     pub fn coordinates(&self) -> impl ExactSizeIterator<Item = [f64; 3]> + '_ {
-        self.positions.iter().copied()
+        self.positions.iter().map(|position| position.coordinates())
     }
 
     /// The polygons.
@@ -280,7 +284,7 @@ impl Mesh {
     /// # Errors
     ///
     /// As [`Mesh::new`]; fewer positions than before leave faces with [`MeshError::IndexOutOfRange`].
-    pub fn with_positions(&self, positions: Vec<Position>) -> Result<Self, MeshError> {
+    pub fn with_positions<P: Into<Position>>(&self, positions: Vec<P>) -> Result<Self, MeshError> {
         let moved = Self::new(positions, self.faces.clone())?;
         Ok(Self {
             texture: self.texture.clone(),

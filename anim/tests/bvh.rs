@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::shared;
+use common::{assert_relative, shared};
 use ga_anim::bvh::{self, Bvh, Channel};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -74,6 +74,69 @@ fn a_real_file_has_the_joints_and_frames_known_for_it() {
         assert_eq!(motion.frame(frame).unwrap(), numbers(&pose["channels"]));
     }
     assert_eq!(motion.frame(motion.frame_count()), None);
+}
+
+#[test]
+fn the_joints_of_a_real_recording_are_where_they_should_be() {
+    let Some(path) = shared("data/anim/bvh/01_01.bvh") else {
+        return;
+    };
+    let (motion, truth) = (bvh::read(path).unwrap(), truth());
+    let names: Vec<&str> = truth["joints"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|joint| joint["name"].as_str().unwrap())
+        .collect();
+    for pose in truth["poses"].as_array().unwrap() {
+        let frame = pose["frame"].as_u64().unwrap() as usize;
+        let joints = motion.joint_positions(frame).unwrap();
+        let ends = motion.end_site_positions(frame).unwrap();
+        for (name, known) in names.iter().zip(pose["joint_position"].as_array().unwrap()) {
+            let ours = match name.strip_suffix("_end") {
+                Some(name) => ends[motion.index(name).unwrap()].unwrap(),
+                None => joints[motion.index(name).unwrap()],
+            };
+            for (ours, known) in ours.into_iter().zip(numbers(known)) {
+                assert_relative(ours, known, 1e-12);
+            }
+        }
+    }
+    assert_eq!(motion.joint_positions(motion.frame_count()), None);
+}
+
+/// By a matrix for each channel in turn, apart from any motor.
+fn places_by_matrices(joints: &[Link], frame: &[f64]) -> Vec<[f64; 3]> {
+    let mut values = frame.iter();
+    let (mut turn, mut place) = (
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        [0.0; 3],
+    );
+    let mut places = Vec::new();
+    for (channels, offset) in joints {
+        let (mut shift, above) = (*offset, turn);
+        for channel in channels {
+            let value = values.next().unwrap();
+            match *channel {
+                Channel::Position(axis) => shift[axis] += value,
+                Channel::Rotation(axis) => {
+                    let (sine, cosine) = value.to_radians().sin_cos();
+                    let (b, c) = ((axis + 1) % 3, (axis + 2) % 3);
+                    for row in &mut turn {
+                        (row[b], row[c]) = (
+                            cosine * row[b] + sine * row[c],
+                            cosine * row[c] - sine * row[b],
+                        );
+                    }
+                }
+            }
+        }
+        for (axis, row) in above.iter().enumerate() {
+            place[axis] += (0..3).map(|k| row[k] * shift[k]).sum::<f64>();
+        }
+        places.push(place);
+    }
+    places
 }
 
 const SMALL: &str = "HIERARCHY
@@ -394,6 +457,19 @@ proptest! {
     #[test]
     fn what_was_written_is_read((text, joints, frames) in chains()) {
         check(&bvh::parse(text.as_bytes()).unwrap(), &joints, &frames)?;
+    }
+
+    #[test]
+    fn any_order_of_channels_is_obeyed((text, joints, frames) in chains()) {
+        let motion = bvh::parse(text.as_bytes()).unwrap();
+        for (index, frame) in frames.iter().enumerate() {
+            let places = motion.joint_positions(index).unwrap();
+            for (ours, known) in places.iter().zip(places_by_matrices(&joints, frame)) {
+                for (ours, known) in ours.iter().zip(known) {
+                    prop_assert!((ours - known).abs() < 1e-11, "{} is not {}", ours, known);
+                }
+            }
+        }
     }
 
     #[test]

@@ -1,0 +1,73 @@
+use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
+
+use super::{Bvh, Channel};
+use crate::pose::moved;
+
+impl Bvh {
+    /// The motion of each joint's frame in one frame of time: it takes a place given relative to the joint, in axes that are
+    /// the file's at rest, to the file's coordinates. `None` when there is no such frame.
+    ///
+    /// ```text
+    /// F = F_parent T(offset + position) R₁ R₂ R₃
+    /// ```
+    #[must_use]
+    pub fn frames_of_joints(&self, frame: usize) -> Option<Vec<Motor<f64>>> {
+        let values = self.frame(frame)?;
+        let mut frames: Vec<Motor<f64>> = Vec::with_capacity(self.joints().len());
+        for joint in self.joints() {
+            let mut shift = joint.offset;
+            let mut turn = Rotor::default();
+            for (channel, &value) in joint.channels.iter().zip(&values[joint.first_channel..]) {
+                match *channel {
+                    Channel::Position(axis) => shift[axis] += value,
+                    Channel::Rotation(axis) => turn = turn * about_axis(axis, value.to_radians()),
+                }
+            }
+            let own = Translator::from_displacement(shift) * turn;
+            frames.push(joint.parent.map_or(own, |parent| frames[parent] * own));
+        }
+        Some(frames)
+    }
+
+    /// Where each joint is in a frame, or `None` when there is no such frame.
+    #[must_use]
+    pub fn joint_positions(&self, frame: usize) -> Option<Vec<[f64; 3]>> {
+        let origin = Point::new(0.0, 0.0, 0.0);
+        let frames = self.frames_of_joints(frame)?;
+        Some(
+            frames
+                .into_iter()
+                .map(|motor| motor.transform(origin).coordinates())
+                .collect(),
+        )
+    }
+
+    /// Where the End Site of each joint is in a frame, for those that have one, or `None` when there is no such frame.
+    #[must_use]
+    pub fn end_site_positions(&self, frame: usize) -> Option<Vec<Option<[f64; 3]>>> {
+        let frames = self.frames_of_joints(frame)?;
+        let ends = self.joints().iter().zip(frames);
+        Some(
+            ends.map(|(joint, motor)| Some(moved(motor, joint.end_site?)))
+                .collect(),
+        )
+    }
+
+    /// Where each joint is at rest, when all channels are 0.
+    #[must_use]
+    pub fn rest_positions(&self) -> Vec<[f64; 3]> {
+        let mut positions: Vec<[f64; 3]> = Vec::with_capacity(self.joints().len());
+        for joint in self.joints() {
+            let above = joint.parent.map_or([0.0; 3], |parent| positions[parent]);
+            positions.push(std::array::from_fn(|axis| above[axis] + joint.offset[axis]));
+        }
+        positions
+    }
+}
+
+fn about_axis(axis: usize, angle: f64) -> Rotor<f64> {
+    let mut direction = [0.0; 3];
+    direction[axis] = 1.0;
+    // An axis of length 1 and a finite angle always give a rotor.
+    Rotor::from_axis_angle(direction, angle).unwrap_or_default()
+}

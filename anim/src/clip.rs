@@ -1,0 +1,125 @@
+//! Clips: poses at equal steps of time, and the ones in between.
+
+use crate::pose::Pose;
+
+/// A motion of a skeleton: poses of equally many joints, one each `frame_time`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Clip {
+    frame_time: f64,
+    frames: Vec<Pose>,
+}
+
+/// Poses that make no clip, or a demand that a clip cannot meet.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum ClipError {
+    /// There is no pose.
+    #[error("a clip has at least one frame")]
+    Empty,
+    /// The time from one frame to the next is 0, negative, infinite or not a number.
+    #[error("{0} seconds are no time from one frame to the next")]
+    FrameTime(f64),
+    /// Two poses have another number of joints.
+    #[error("frame {frame} has {found} joints, but the first has {expected}")]
+    JointCount {
+        /// The frame, from 0.
+        frame: usize,
+        /// How many joints the first frame has.
+        expected: usize,
+        /// How many this one has.
+        found: usize,
+    },
+    /// A rate is 0, negative, infinite or not a number, or gives more frames than fit in memory.
+    #[error("{0} is no number of frames per second for this clip")]
+    Rate(f64),
+}
+
+impl Clip {
+    /// A clip of these poses, `frame_time` seconds apart, the first at time 0.
+    ///
+    /// # Errors
+    ///
+    /// [`ClipError::Empty`], [`ClipError::FrameTime`] and [`ClipError::JointCount`].
+    pub fn new(frame_time: f64, frames: Vec<Pose>) -> Result<Self, ClipError> {
+        let Some(first) = frames.first() else {
+            return Err(ClipError::Empty);
+        };
+        if !frame_time.is_finite() || frame_time <= 0.0 {
+            return Err(ClipError::FrameTime(frame_time));
+        }
+        let expected = first.joints.len();
+        for (frame, pose) in frames.iter().enumerate() {
+            let found = pose.joints.len();
+            if found != expected {
+                return Err(ClipError::JointCount {
+                    frame,
+                    expected,
+                    found,
+                });
+            }
+        }
+        Ok(Self { frame_time, frames })
+    }
+
+    /// The time from one frame to the next, in seconds.
+    #[must_use]
+    pub fn frame_time(&self) -> f64 {
+        self.frame_time
+    }
+
+    /// The poses; at least one.
+    #[must_use]
+    pub fn frames(&self) -> &[Pose] {
+        &self.frames
+    }
+
+    /// The time of the last frame, in seconds.
+    #[must_use]
+    pub fn duration(&self) -> f64 {
+        (self.frames.len() - 1) as f64 * self.frame_time
+    }
+
+    /// The pose at a time in seconds: the frame there, or in between by [`Pose::interpolate`]. Before the first
+    /// frame and after the last one it is that frame.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use ga_anim::{clip::Clip, pose::Pose};
+    /// use ga_runtime::cga3::{Motor, Point, Translator};
+    ///
+    /// let mut there = Pose::rest(1);
+    /// there.root = Motor::from(Translator::from_displacement([0.0, 0.0, 3.0]));
+    /// let clip = Clip::new(0.5, vec![Pose::rest(1), there])?;
+    /// let [x, y, z] = clip.sample(0.125).root.transform(Point::new(0.0, 0.0, 0.0)).coordinates();
+    /// assert!(x.abs() + y.abs() + (z - 0.75).abs() < 1e-15);
+    /// # Ok::<(), ga_anim::clip::ClipError>(())
+    /// ```
+    #[must_use]
+    pub fn sample(&self, time: f64) -> Pose {
+        let last = self.frames.len() - 1;
+        // NaN becomes the first frame.
+        let position = (time / self.frame_time).max(0.0).min(last as f64);
+        let before = position.floor() as usize;
+        let part = position - before as f64;
+        match self.frames.get(before + 1) {
+            Some(after) if part > 0.0 => self.frames[before].interpolate(after, part),
+            _ => self.frames[before].clone(),
+        }
+    }
+
+    /// The same motion at `rate` frames per second, from the first frame as far as whole steps reach.
+    ///
+    /// # Errors
+    ///
+    /// [`ClipError::Rate`].
+    pub fn resampled(&self, rate: f64) -> Result<Self, ClipError> {
+        // A last step that falls short of the end by rounding alone is still taken.
+        let steps = (self.duration() * rate * (1.0 + 1e-12)).floor();
+        if !rate.is_finite() || rate <= 0.0 || steps >= f64::from(u32::MAX) {
+            return Err(ClipError::Rate(rate));
+        }
+        let frame_time = 1.0 / rate;
+        let frames = (0..=steps as u64).map(|step| self.sample(step as f64 * frame_time));
+        Self::new(frame_time, frames.collect())
+    }
+}

@@ -1,0 +1,359 @@
+//! Retargeting: made bodies whose motion is known, and the real recording on the real human.
+
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+mod common;
+
+use common::shared;
+use ga_anim::bvh::{self, Bvh};
+use ga_anim::retarget::{Retarget, RetargetError, Soles};
+use ga_anim::skeleton::{Joint, Skeleton};
+use ga_anim::skin::{BodyReport, Method};
+use ga_anim::{obj, rig};
+use ga_runtime::cga3::{Motor, Point, Rotor};
+use proptest::array::uniform3;
+use proptest::collection::vec;
+use proptest::prelude::*;
+
+/// Name, parent and place of the joints of a body that stands with its arms out; an end of a limb is a joint too.
+const BODY: [(&str, Option<usize>, [f64; 3]); 17] = [
+    ("hips", None, [0.0, 10.0, 0.0]),
+    ("chest", Some(0), [0.0, 14.0, 0.2]),
+    ("head", Some(1), [0.0, 17.0, 0.0]),
+    ("upper arm l", Some(1), [2.0, 15.0, 0.0]),
+    ("forearm l", Some(3), [5.0, 15.0, 0.0]),
+    ("hand l", Some(4), [8.0, 15.0, 0.0]),
+    ("finger l", Some(5), [9.0, 15.0, 0.2]),
+    ("thigh l", Some(0), [1.0, 9.5, 0.0]),
+    ("shin l", Some(7), [1.2, 5.0, 0.1]),
+    ("foot l", Some(8), [1.3, 0.7, 0.0]),
+    ("toes l", Some(9), [1.4, 0.2, 1.5]),
+    ("thigh r", Some(0), [-1.0, 9.5, 0.0]),
+    ("shin r", Some(11), [-1.2, 5.0, 0.1]),
+    ("foot r", Some(12), [-1.3, 0.7, 0.0]),
+    ("toes r", Some(13), [-1.4, 0.2, 1.5]),
+    ("upper arm r", Some(1), [-2.0, 15.0, 0.0]),
+    ("forearm r", Some(15), [-5.0, 15.0, 0.0]),
+];
+
+fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|axis| a[axis] - b[axis])
+}
+
+fn length(a: [f64; 3]) -> f64 {
+    a.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+/// The body as a recording: the root has a place and all joints have three angles, in an order that differs from joint to joint.
+fn recording(frames: &[Vec<f64>]) -> Bvh {
+    fn joint(index: usize, text: &mut String) {
+        let (name, parent, place) = BODY[index];
+        let [x, y, z] = minus(place, parent.map_or([0.0; 3], |parent| BODY[parent].2));
+        let order = [
+            "Zrotation Yrotation Xrotation",
+            "Xrotation Yrotation Zrotation",
+            "Yrotation Zrotation Xrotation",
+        ];
+        let angles = order[index % 3];
+        let (keyword, channels) = match parent {
+            None => ("ROOT", format!("6 Xposition Yposition Zposition {angles}")),
+            Some(_) => ("JOINT", format!("3 {angles}")),
+        };
+        *text += &format!("{keyword} {name}\n{{\nOFFSET {x} {y} {z}\nCHANNELS {channels}\n");
+        for child in (0..BODY.len()).filter(|&child| BODY[child].1 == Some(index)) {
+            joint(child, text);
+        }
+        *text += "}\n";
+    }
+    let mut text = "HIERARCHY\n".to_owned();
+    joint(0, &mut text);
+    text += &format!("MOTION\nFrames: {}\nFrame Time: 0.1\n", frames.len());
+    for frame in frames {
+        text += &frame
+            .iter()
+            .map(f64::to_string)
+            .collect::<Vec<_>>()
+            .join(" ");
+        text.push('\n');
+    }
+    bvh::parse(text.as_bytes()).unwrap()
+}
+
+/// The body as a skeleton of another size, each joint moved at rest by `place`.
+fn skeleton(scale: f64, place: impl Fn(&str, [f64; 3]) -> [f64; 3]) -> Skeleton {
+    let at = |index: usize| place(BODY[index].0, BODY[index].2).map(|x| x * scale);
+    let joints = BODY.iter().enumerate().map(|(index, &(name, parent, _))| {
+        let child = (0..BODY.len()).find(|&child| BODY[child].1 == Some(index));
+        let head = at(index);
+        Joint {
+            name: name.into(),
+            parent,
+            head,
+            tail: child.map_or(head, at),
+        }
+    });
+    Skeleton::new(joints.collect()).unwrap()
+}
+
+fn frames() -> impl Strategy<Value = Vec<Vec<f64>>> {
+    let frame = (
+        vec(-20.0..20.0f64, 3),
+        vec(-170.0..170.0f64, 3 * BODY.len()),
+    )
+        .prop_map(|(place, angles)| [place, angles].concat());
+    vec(frame, 1..6)
+}
+
+/// The heads of the joints of the target in a frame, and where the source has them, in units of the target.
+fn both(retarget: &Retarget, source: &Bvh, target: &Skeleton, frame: usize) -> Vec<[[f64; 3]; 2]> {
+    let bones = retarget.pose(frame).unwrap().bones(target).unwrap();
+    let places = source.joint_positions(frame).unwrap();
+    let joints = target.joints().iter().zip(bones);
+    joints
+        .map(|(joint, [head, _])| {
+            let index = source.index(&joint.name).unwrap();
+            [head, places[index].map(|x| x * retarget.scale())]
+        })
+        .collect()
+}
+
+/// All heads are where the source has them, but for one height.
+fn same_places(pairs: &[[[f64; 3]; 2]]) -> Result<(), TestCaseError> {
+    let lift = pairs[0][0][1] - pairs[0][1][1];
+    for [ours, there] in pairs {
+        let lifted = [there[0], there[1] + lift, there[2]];
+        prop_assert!(
+            length(minus(*ours, lifted)) < 1e-11,
+            "{ours:?} instead of {lifted:?}"
+        );
+    }
+    Ok(())
+}
+
+proptest! {
+    #[test]
+    fn a_body_alike_but_for_size_moves_alike(frames in frames(), size in 0.01..10.0f64) {
+        let (source, target) = (recording(&frames), skeleton(size, |_, place| place));
+        let retarget = Retarget::new(&source, &target, &Soles::of_skeleton(&target)).unwrap();
+        prop_assert!((retarget.scale() - size).abs() < 1e-12 * size);
+        for frame in 0..frames.len() {
+            let pairs: Vec<_> = both(&retarget, &source, &target, frame);
+            same_places(&pairs.iter().map(|pair| pair.map(|x| x.map(|x| x / size))).collect::<Vec<_>>())?;
+        }
+    }
+
+    /// A limb as a whole turned square to its first bone at rest: what hangs on it goes with it, and nothing rolls.
+    #[test]
+    fn a_limb_held_otherwise_at_rest_makes_no_difference(
+        frames in frames(),
+        (top, limb) in prop::sample::select(vec![(3, 4..7), (7, 8..11), (11, 12..15)]),
+        across in uniform3(-1.0..1.0f64),
+        angle in -0.8..0.8f64,
+    ) {
+        let joint = BODY[top].2;
+        let axis = cross(minus(BODY[top + 1].2, joint), across);
+        prop_assume!(length(axis) > 0.1);
+        let turn = Motor::about(joint.into(), Rotor::from_axis_angle(axis, angle).unwrap());
+        let target = skeleton(1.0, |name, place| {
+            let turned = BODY[limb.clone()].iter().any(|joint| joint.0 == name);
+            if turned { turn.transform(Point::from(place)).coordinates() } else { place }
+        });
+        let source = recording(&frames);
+        let retarget = Retarget::new(&source, &target, &Soles::of_skeleton(&target)).unwrap();
+        for frame in 0..frames.len() {
+            same_places(&both(&retarget, &source, &target, frame))?;
+        }
+    }
+
+    /// Other directions and lengths of limbs at rest: long bones point as the source's do, and the trunk turns as it does.
+    #[test]
+    fn long_bones_point_alike_and_the_rest_turns_alike(
+        frames in frames(),
+        nudges in vec(-0.4..0.4f64, 3 * BODY.len()),
+    ) {
+        let target = skeleton(1.0, |name, place| {
+            let index = BODY.iter().position(|joint| joint.0 == name).unwrap();
+            let nudged = std::array::from_fn(|axis| place[axis] + nudges[3 * index + axis]);
+            match name {
+                "hips" | "chest" | "head" => [place[0], nudged[1], nudged[2]],
+                "foot l" | "foot r" | "toes l" | "toes r" => [nudged[0], place[1], nudged[2]],
+                _ => nudged,
+            }
+        });
+        let source = recording(&frames);
+        let retarget = Retarget::new(&source, &target, &Soles::of_skeleton(&target)).unwrap();
+        for frame in 0..frames.len() {
+            let pairs = both(&retarget, &source, &target, frame);
+            for (from, to) in [(3, 4), (4, 5), (7, 8), (8, 9), (11, 12), (12, 13), (15, 16)] {
+                let ours = minus(pairs[to][0], pairs[from][0]);
+                let there = minus(pairs[to][1], pairs[from][1]);
+                let apart = minus(ours.map(|x| x / length(ours)), there.map(|x| x / length(there)));
+                prop_assert!(length(apart) < 1e-12);
+            }
+            let motions = retarget.pose(frame).unwrap().motions(&target).unwrap();
+            let turned = source.frames_of_joints(frame).unwrap();
+            for name in ["hips", "chest", "head"] {
+                let ours = motions[target.index(name).unwrap()].to_matrix();
+                let there = turned[source.index(name).unwrap()].to_matrix();
+                for row in 0..3 {
+                    for column in 0..3 {
+                        prop_assert!((ours[row][column] - there[row][column]).abs() < 1e-12);
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_joint_without_a_match_moves_with_its_parent() {
+    let frames = [(0..54).map(|i| f64::from(i * 7 % 90)).collect::<Vec<_>>()];
+    let source = recording(&frames);
+    let same = skeleton(1.0, |_, place| place);
+    let renamed = same.joints().iter().map(|joint| {
+        let name = if joint.name == "hand l" {
+            "claw".into()
+        } else {
+            joint.name.clone()
+        };
+        Joint {
+            name,
+            ..joint.clone()
+        }
+    });
+    let target = Skeleton::new(renamed.collect()).unwrap();
+    let retarget = Retarget::new(&source, &target, &Soles::of_skeleton(&target)).unwrap();
+    assert_eq!(retarget.unmatched().collect::<Vec<_>>(), ["claw"]);
+    let pose = retarget.pose(0).unwrap();
+    let claw = pose.joints[target.index("claw").unwrap()].to_matrix();
+    let still = Motor::<f64>::default().to_matrix();
+    for (entry, expected) in claw.as_flattened().iter().zip(still.as_flattened()) {
+        assert!((entry - expected).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn a_standing_body_stands_on_the_ground() {
+    // Standing still, a leap, standing still again, at some height of its own.
+    let frame = |y: f64| [vec![3.0, y, -2.0], vec![0.0; 3 * BODY.len()]].concat();
+    let frames: Vec<Vec<f64>> = (0..30)
+        .map(|i| frame(if (10..20).contains(&i) { 104.0 } else { 100.0 }))
+        .collect();
+    let source = recording(&frames);
+    let target = skeleton(0.1, |_, place| place.map(|x| x - 5.0));
+    let retarget = Retarget::new(&source, &target, &Soles::of_skeleton(&target)).unwrap();
+    let clip = retarget.clip(0..=29).unwrap();
+    for (index, pose) in clip.frames().iter().enumerate() {
+        let ankle = pose.bones(&target).unwrap()[9][0];
+        let expected = 0.05 + if (10..20).contains(&index) { 0.4 } else { 0.0 };
+        assert!(
+            (ankle[1] - expected).abs() < 1e-12,
+            "frame {index}: {}",
+            ankle[1]
+        );
+    }
+}
+
+#[test]
+fn what_cannot_be_carried_over_is_an_error() {
+    let still = vec![0.0; 3 + 3 * BODY.len()];
+    let source = recording(std::slice::from_ref(&still));
+    let target = skeleton(1.0, |_, place| place);
+    let retarget = Retarget::new(&source, &target, &Soles::of_skeleton(&target)).unwrap();
+    assert_eq!(
+        retarget.clip(0..=1),
+        Err(RetargetError::FrameRange {
+            from: 0,
+            to: 1,
+            frames: 1
+        })
+    );
+    let backwards = std::ops::RangeInclusive::new(1, 0);
+    assert_eq!(
+        retarget.clip(backwards),
+        Err(RetargetError::FrameRange {
+            from: 1,
+            to: 0,
+            frames: 1
+        })
+    );
+    assert!(matches!(
+        retarget.pose(1),
+        Err(RetargetError::FrameRange { .. })
+    ));
+
+    assert_eq!(
+        Retarget::new(&recording(&[]), &target, &Soles::of_skeleton(&target)).unwrap_err(),
+        RetargetError::NoFrames
+    );
+    let stranger = Joint {
+        name: "tentacle".into(),
+        parent: None,
+        head: [0.0; 3],
+        tail: [0.0, 1.0, 0.0],
+    };
+    let stranger = Skeleton::new(vec![stranger]).unwrap();
+    assert_eq!(
+        Retarget::new(&source, &stranger, &Soles::of_skeleton(&stranger)).unwrap_err(),
+        RetargetError::NoMatch
+    );
+    let trunk = Skeleton::new(target.joints()[..3].to_vec()).unwrap();
+    assert_eq!(
+        Retarget::new(&source, &trunk, &Soles::of_skeleton(&trunk)).unwrap_err(),
+        RetargetError::NoLegs
+    );
+    let far = [vec![1e308; 3], still[3..].to_vec()].concat();
+    let giant = skeleton(100.0, |_, place| place);
+    assert_eq!(
+        Retarget::new(
+            &recording(&[still, far]),
+            &giant,
+            &Soles::of_skeleton(&giant)
+        )
+        .unwrap_err(),
+        RetargetError::Overflow { frame: 1 }
+    );
+}
+
+/// The CMU recording on the MakeHuman body, in metres: a person who jumps forward, turns round and jumps back.
+#[test]
+fn the_real_recording_moves_the_real_human() {
+    let (Some(mesh), Some(bones), Some(weights), Some(motion)) = (
+        shared("data/anim/human_base.obj"),
+        shared("data/anim/human/rig.cmu_mb.json"),
+        shared("data/anim/human/weights.cmu_mb.json"),
+        shared("data/anim/bvh/01_01.bvh"),
+    ) else {
+        return;
+    };
+    let (whole, skeleton) = (
+        obj::read(mesh).unwrap().scaled(0.1).unwrap(),
+        rig::read(bones).unwrap().scaled(0.1).unwrap(),
+    );
+    let weights = rig::read_weights(weights, &skeleton, whole.vertex_count()).unwrap();
+    let body = whole.part("body").unwrap();
+    let weights = weights.select(&body.vertices).unwrap();
+    let body = body.mesh;
+    let source = bvh::read(motion).unwrap();
+    let soles = Soles::of_mesh(body.positions(), &weights).unwrap();
+    let retarget = Retarget::new(&source, &skeleton, &soles).unwrap();
+    assert_eq!(
+        retarget.unmatched().collect::<Vec<_>>(),
+        ["LeftHandFinger1", "RightHandFinger1"]
+    );
+    println!("scale {}", retarget.scale());
+    for frame in (0..source.frame_count()).step_by(20) {
+        let pose = retarget.pose(frame).unwrap();
+        let report =
+            BodyReport::new(body.positions(), &weights, &skeleton, &pose, Method::Motor).unwrap();
+        println!("{frame} {report:?}");
+    }
+}
