@@ -261,6 +261,37 @@ fn the_side_towards_the_key_light_is_the_brightest() {
 }
 
 #[test]
+fn what_lies_close_behind_an_edge_is_darkened() {
+    let square = |half: f64, z: f64| {
+        [
+            [-half, -half, z],
+            [half, -half, z],
+            [half, half, z],
+            [-half, half, z],
+        ]
+    };
+    let positions = [square(4.0, -1.0), square(0.5, 1.0)].concat();
+    let triangles = [[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]];
+    let with = |depth_contrast| {
+        let style = Style {
+            depth_contrast,
+            ..flat([1.0; 3])
+        };
+        let picture = render(&Scene::new(&positions, &triangles), &front(5.0), &style).unwrap();
+        move |point: Vector| {
+            let [column, row, _] = front(5.0).project(point, 90, 120).unwrap();
+            brightness(&picture, column as u32, row as u32)
+        }
+    };
+    let (plain, contrasted) = (with(0.0), with(3.0));
+    // Seen past the small square's edge, half a unit to the side at depth 4, the large one at depth 6.
+    let (beside, away, before) = ([0.80, 0.0, -1.0], [1.7, 0.0, -1.0], [0.0, 0.0, 1.0]);
+    assert_eq!([plain(beside), plain(away), plain(before)], [765; 3]);
+    assert_eq!([contrasted(away), contrasted(before)], [765; 2]);
+    assert!(contrasted(beside) < 740, "{}", contrasted(beside));
+}
+
+#[test]
 fn degenerate_triangles_change_nothing() {
     let (positions, triangles) = sphere(1.0, [0.0; 3]);
     let mut more = triangles.clone();
