@@ -19,6 +19,8 @@ pub enum Expression {
     Sandwich(Box<Expression>, Box<Expression>),
     /// A sum.
     Sum(Box<Expression>, Box<Expression>),
+    /// The quotient by a scalar.
+    Quotient(Box<Expression>, Box<Expression>),
     /// The negative.
     Negative(Box<Expression>),
 }
@@ -40,6 +42,24 @@ impl Expression {
     #[must_use]
     pub fn sandwich(versor: Self, operand: Self) -> Self {
         Self::Sandwich(Box::new(versor), Box::new(operand))
+    }
+
+    /// The quotient of an expression by a scalar one.
+    #[must_use]
+    pub fn quotient(dividend: Self, divisor: Self) -> Self {
+        Self::Quotient(Box::new(dividend), Box::new(divisor))
+    }
+
+    /// The sum of two expressions.
+    #[must_use]
+    pub fn sum(left: Self, right: Self) -> Self {
+        Self::Sum(Box::new(left), Box::new(right))
+    }
+
+    /// The difference of two expressions.
+    #[must_use]
+    pub fn difference(left: Self, right: Self) -> Self {
+        Self::sum(left, Self::Negative(Box::new(right)))
     }
 
     /// Resolves a parsed expression; `operands` are the names in scope.
@@ -73,10 +93,9 @@ impl Expression {
                     BinOp::BitXor(_) => Self::binary(Product::Wedge, left, right),
                     BinOp::BitOr(_) => Self::binary(Product::LeftContraction, left, right),
                     BinOp::BitAnd(_) => Self::binary(Product::Vee, left, right),
-                    BinOp::Add(_) => Self::Sum(Box::new(left), Box::new(right)),
-                    BinOp::Sub(_) => {
-                        Self::Sum(Box::new(left), Box::new(Self::Negative(Box::new(right))))
-                    }
+                    BinOp::Add(_) => Self::sum(left, right),
+                    BinOp::Sub(_) => Self::difference(left, right),
+                    BinOp::Div(_) => Self::quotient(left, right),
                     other => return Err(Error::new_spanned(other, "no operation of the algebra")),
                 })
             }

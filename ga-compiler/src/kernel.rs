@@ -153,6 +153,8 @@ fn has_sandwich(expression: &Expression) -> bool {
         Expression::Operand(_) | Expression::Constant(_) => false,
         Expression::Sandwich(..) => true,
         Expression::Unary(_, a) | Expression::Negative(a) => has_sandwich(a),
-        Expression::Binary(_, a, b) | Expression::Sum(a, b) => has_sandwich(a) || has_sandwich(b),
+        Expression::Binary(_, a, b) | Expression::Sum(a, b) | Expression::Quotient(a, b) => {
+            has_sandwich(a) || has_sandwich(b)
+        }
     }
 }

@@ -6,7 +6,7 @@ use proc_macro2::Span;
 use syn::{Attribute, Error, Ident};
 
 use super::polynomial::Polynomial;
-use crate::algebra::{Algebra, Blade, NameError, NamedBlade, Ratio};
+use crate::algebra::{Algebra, Blade, NameError, NamedBlade, Ratio, SCALAR};
 use crate::diag::Diagnostics;
 use crate::ir::Facts;
 use crate::parse::{CoefficientSyntax, FactSyntax, TypeSyntax};
@@ -54,6 +54,26 @@ pub enum Role {
 }
 
 impl TypeDefinition {
+    /// The plain numbers, as an operand of expressions.
+    #[must_use]
+    pub fn scalar() -> Self {
+        let name = Ident::new(SCALAR, Span::call_site());
+        let coefficient = Coefficient {
+            name: name.clone(),
+            blade: Blade::SCALAR,
+            is_negative: false,
+            role: Role::Stored,
+        };
+        Self {
+            docs: Vec::new(),
+            name,
+            coefficients: vec![coefficient],
+            facts: Facts::default(),
+            facts_are_implied: true,
+            hull: None,
+        }
+    }
+
     /// The stored coefficients in order.
     pub fn stored(&self) -> impl Iterator<Item = &Coefficient> {
         self.coefficients

@@ -28,6 +28,8 @@ pub enum Node {
     Sum(Box<[Value]>),
     /// A product of two nodes in rising order.
     Product(NodeId, NodeId),
+    /// The first node divided by the second.
+    Quotient(NodeId, NodeId),
 }
 
 /// A node times a constant factor.
@@ -157,6 +159,19 @@ impl Arena {
         Value { factor, node }
     }
 
+    /// The quotient of two values; a constant divisor becomes a factor. `None` where the divisor is known to be zero.
+    pub fn quotient(&mut self, dividend: Value, divisor: Value) -> Option<Value> {
+        let inverse = divisor.factor.recip()?;
+        if dividend.is_zero() || divisor.node == Self::ONE {
+            return Some(dividend.scaled(inverse));
+        }
+        let node = self.intern(Node::Quotient(dividend.node, divisor.node));
+        Some(Value {
+            factor: dividend.factor * inverse,
+            node,
+        })
+    }
+
     /// The sum of any number of values: equal nodes are collected, and the common factor moves outwards.
     pub fn sum(&mut self, values: impl IntoIterator<Item = Value>) -> Value {
         let mut terms: Vec<Value> = values.into_iter().filter(|v| !v.is_zero()).collect();
@@ -209,6 +224,7 @@ impl Arena {
                     sum + results_at(&results, term.node) * Prime::from_ratio(term.factor)
                 }),
                 Node::Product(a, b) => results_at(&results, *a) * results_at(&results, *b),
+                Node::Quotient(a, b) => results_at(&results, *a) * results_at(&results, *b).recip(),
             };
             results.push(result);
         }

@@ -49,6 +49,16 @@ pub fn lower(
             let right = descend(arena, right);
             left.sum(arena, &right)
         }
+        Expression::Quotient(dividend, divisor) => {
+            let dividend = descend(arena, dividend);
+            let divisor = descend(arena, divisor).coefficient(Blade::SCALAR);
+            let quotients: Vec<_> = dividend
+                .terms()
+                .iter()
+                .filter_map(|&(blade, value)| Some((blade, arena.quotient(value, divisor)?)))
+                .collect();
+            Multivector::new(arena, quotients)
+        }
         Expression::Negative(operand) => descend(arena, operand).scaled(Ratio::integer(-1)),
     }
 }

@@ -11,15 +11,17 @@ pub struct Cost {
     pub multiplications: usize,
     /// Additions and subtractions.
     pub additions: usize,
+    /// Divisions.
+    pub divisions: usize,
     /// Negations that no other operation takes in.
     pub negations: usize,
 }
 
 impl Cost {
-    /// Multiplications and additions together, which is what decides between rules.
+    /// Multiplications, additions and divisions together, which is what decides between rules.
     #[must_use]
     pub const fn total(self) -> usize {
-        self.multiplications + self.additions
+        self.multiplications + self.additions + self.divisions
     }
 
     fn scale(&mut self, factor: Ratio) {
@@ -39,6 +41,7 @@ pub fn cost(arena: &Arena, outputs: &[Value]) -> Cost {
         match arena.node(id) {
             Node::One | Node::Input(_) => {}
             Node::Product(..) => cost.multiplications += 1,
+            Node::Quotient(..) => cost.divisions += 1,
             Node::Sum(terms) => {
                 cost.additions += terms.len() - 1;
                 let scaled = terms

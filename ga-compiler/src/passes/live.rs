@@ -37,7 +37,7 @@ fn visit(arena: &Arena, id: NodeId, result: &mut Schedule) {
                 visit(arena, term.node, result);
             }
         }
-        Node::Product(a, b) => {
+        Node::Product(a, b) | Node::Quotient(a, b) => {
             visit(arena, *a, result);
             visit(arena, *b, result);
         }

@@ -46,6 +46,15 @@ pub fn evaluate(algebra: &Algebra, expression: &Expression, operands: &[Numbers]
             }
             sum
         }
+        Expression::Quotient(dividend, divisor) => {
+            let divisor = evaluate(algebra, divisor, operands);
+            let inverse = coefficient(&divisor, Blade::SCALAR).recip();
+            let dividend = evaluate(algebra, dividend, operands);
+            dividend
+                .into_iter()
+                .map(|(blade, value)| (blade, value * inverse))
+                .collect()
+        }
         Expression::Negative(operand) => evaluate(algebra, operand, operands)
             .into_iter()
             .map(|(blade, value)| (blade, -value))

@@ -4,6 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::context::{Context, other, receiver};
+use crate::algebra::Product;
 use crate::define::TypeDefinition;
 use crate::expression::Expression;
 
@@ -26,13 +27,12 @@ fn sums(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let (path, output) = (context.path(kind), context.path(hull));
     let mut items = TokenStream::new();
     for (name, method, sign) in [("Add", "add", 1), ("Sub", "sub", -1)] {
-        let second = Expression::Operand(1);
-        let second = if sign == 1 {
-            second
+        let (first, second) = (Expression::Operand(0), Expression::Operand(1));
+        let sum = if sign == 1 {
+            Expression::sum(first, second)
         } else {
-            Expression::Negative(Box::new(second))
+            Expression::difference(first, second)
         };
-        let sum = Expression::Sum(Box::new(Expression::Operand(0)), Box::new(second));
         let operands = [(kind, receiver()), (kind, other())];
         let (body, needs_field) = context.compile(&operands, &sum, Some(hull));
         let bound = context.bound(needs_field);
@@ -71,37 +71,30 @@ fn negative(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
 fn multiples(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let hull = context.hull(kind);
     let (path, output) = (context.path(kind), context.path(hull));
-    let (ring, field) = (context.bound(false), context.bound(true));
-    let (whole, needs_field) =
-        context.compile(&[(kind, receiver())], &Expression::Operand(0), Some(hull));
-    let ring = if needs_field { field.clone() } else { ring };
-    let fields: Vec<_> = hull.stored().map(|c| &c.name).collect();
-    let built = |operator: TokenStream| {
-        let values: Vec<_> = fields
-            .iter()
-            .map(|field| quote! { whole.#field #operator scalar })
-            .collect();
-        context.build(Some(hull), &values)
+    let scalar = [format_ident!("scalar")];
+    let compile = |expression| {
+        context.compile_scaled(&[(kind, receiver())], &scalar, &expression, Some(hull))
     };
-    let (product, quotient) = (built(quote! { * }), built(quote! { / }));
-    let is_hull = std::ptr::eq(hull, kind);
-    let whole = if is_hull {
-        quote! { self }
-    } else {
-        whole
-    };
+    let (element, number) = (Expression::Operand(0), Expression::Operand(1));
+    let (product, needs_field) = compile(Expression::binary(
+        Product::Geometric,
+        element.clone(),
+        number.clone(),
+    ));
+    let (quotient, _) = compile(Expression::quotient(element, number));
+    let (bound, field) = (context.bound(needs_field), context.bound(true));
     let floats = [format_ident!("f32"), format_ident!("f64")];
     let from_left = floats.iter().map(|float| from_left(kind, hull, float));
     quote! {
-        impl<S: #ring> ::core::ops::Mul<S> for #path {
+        impl<S: #bound> ::core::ops::Mul<S> for #path {
             type Output = #output;
             #[inline]
-            fn mul(self, scalar: S) -> #output { let whole = { #whole }; #product }
+            fn mul(self, scalar: S) -> #output { #product }
         }
         impl<S: #field> ::core::ops::Div<S> for #path {
             type Output = #output;
             #[inline]
-            fn div(self, scalar: S) -> #output { let whole = { #whole }; #quotient }
+            fn div(self, scalar: S) -> #output { #quotient }
         }
         #(#from_left)*
     }
@@ -120,19 +113,18 @@ fn from_left(kind: &TypeDefinition, hull: &TypeDefinition, float: &Ident) -> Tok
 
 fn assignments(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let (path, ring) = (context.path(kind), context.bound(false));
-    let fields: Vec<_> = kind.stored().map(|c| &c.name).collect();
     quote! {
         impl<S: #ring> ::core::ops::AddAssign for #path {
             #[inline]
-            fn add_assign(&mut self, other: Self) { #(self.#fields += other.#fields;)* }
+            fn add_assign(&mut self, other: Self) { *self = *self + other; }
         }
         impl<S: #ring> ::core::ops::SubAssign for #path {
             #[inline]
-            fn sub_assign(&mut self, other: Self) { #(self.#fields -= other.#fields;)* }
+            fn sub_assign(&mut self, other: Self) { *self = *self - other; }
         }
         impl<S: #ring> ::core::ops::MulAssign<S> for #path {
             #[inline]
-            fn mul_assign(&mut self, scalar: S) { #(self.#fields *= scalar;)* }
+            fn mul_assign(&mut self, scalar: S) { *self = *self * scalar; }
         }
     }
 }

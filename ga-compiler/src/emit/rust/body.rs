@@ -99,7 +99,9 @@ impl Writer<'_> {
     fn read(&mut self, id: NodeId) -> TokenStream {
         match self.arena.node(id) {
             Node::Input(number) => self.inputs[*number].clone(),
-            Node::Sum(_) | Node::Product(..) if self.schedule.uses[id.index()] > 1 => {
+            Node::Sum(_) | Node::Product(..) | Node::Quotient(..)
+                if self.schedule.uses[id.index()] > 1 =>
+            {
                 let name = variable(id);
                 quote! { #name }
             }
@@ -110,9 +112,9 @@ impl Writer<'_> {
     /// A node as the operand of a multiplication or negation.
     fn operand(&mut self, id: NodeId) -> TokenStream {
         let read = self.read(id);
-        let is_inline_sum =
-            matches!(self.arena.node(id), Node::Sum(_)) && self.schedule.uses[id.index()] == 1;
-        if is_inline_sum {
+        // What binds no tighter than the product around it.
+        let is_loose = matches!(self.arena.node(id), Node::Sum(_) | Node::Quotient(..));
+        if is_loose && self.schedule.uses[id.index()] == 1 {
             quote! { (#read) }
         } else {
             read
@@ -126,6 +128,18 @@ impl Writer<'_> {
             Node::Product(a, b) => {
                 let (a, b) = (self.operand(a), self.operand(b));
                 quote! { #a * #b }
+            }
+            Node::Quotient(a, b) => {
+                self.needs_field = true;
+                let (dividend, divisor) = (self.operand(a), self.operand(b));
+                let is_input = matches!(self.arena.node(b), Node::Input(_));
+                // A product in the divisor would bind the wrong way.
+                let divisor = if is_input {
+                    divisor
+                } else {
+                    quote! { (#divisor) }
+                };
+                quote! { #dividend / #divisor }
             }
             Node::Sum(terms) => {
                 let mut tokens = TokenStream::new();

@@ -80,13 +80,28 @@ impl<'a> Context<'a> {
         expression: &Expression,
         result: Option<&TypeDefinition>,
     ) -> (TokenStream, bool) {
-        let kinds: Vec<_> = operands.iter().map(|(kind, _)| *kind).collect();
+        self.compile_scaled(operands, &[], expression, result)
+    }
+
+    /// The same with plain numbers as further operands.
+    pub(super) fn compile_scaled(
+        &self,
+        operands: &[(&TypeDefinition, Ident)],
+        scalars: &[Ident],
+        expression: &Expression,
+        result: Option<&TypeDefinition>,
+    ) -> (TokenStream, bool) {
+        let scalar = TypeDefinition::scalar();
+        let mut kinds: Vec<_> = operands.iter().map(|(kind, _)| *kind).collect();
+        kinds.extend(scalars.iter().map(|_| &scalar));
+        let mut inputs = fields(operands);
+        inputs.extend(scalars.iter().map(|name| quote! { #name }));
         let kernel = Kernel::compile(&self.definition.algebra, &kinds, expression, result);
         let Body {
             statements,
             outputs,
             needs_field,
-        } = body(&kernel, self.runtime, &fields(operands));
+        } = body(&kernel, self.runtime, &inputs);
         let built = self.build(result, &outputs);
         (quote! { #statements #built }, needs_field)
     }

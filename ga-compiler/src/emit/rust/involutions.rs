@@ -3,9 +3,8 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use super::body::constant;
 use super::context::{Context, receiver};
-use crate::algebra::{Product, Ratio, Unary};
+use crate::algebra::{Product, Unary};
 use crate::define::TypeDefinition;
 use crate::expression::Expression;
 use crate::verify;
@@ -66,31 +65,25 @@ fn involution(
 
 fn grade(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let hull = context.hull(kind);
-    let (whole, needs_field) =
-        context.compile(&[(kind, receiver())], &Expression::Operand(0), Some(hull));
     let mut grades: Vec<u32> = hull.stored().map(|c| c.blade.grade()).collect();
     grades.sort_unstable();
     grades.dedup();
-    let zero = constant(context.runtime, Ratio::ZERO);
-    let part = |grade: Option<u32>| {
-        let values: Vec<_> = hull
-            .stored()
-            .map(|c| {
-                let field = &c.name;
-                if Some(c.blade.grade()) == grade {
-                    quote! { whole.#field }
-                } else {
-                    zero.clone()
-                }
-            })
-            .collect();
-        context.build(Some(hull), &values)
+    let absent = u32::MAX;
+    let mut needs_field = false;
+    let mut part = |grade| {
+        let expression = Expression::unary(Unary::Grade(grade), Expression::Operand(0));
+        let (body, field) = context.compile(&[(kind, receiver())], &expression, Some(hull));
+        needs_field |= field;
+        body
     };
-    let arms = grades.iter().map(|&grade| {
-        let (number, built) = (grade as usize, part(Some(grade)));
-        quote! { #number => #built }
-    });
-    let rest = part(None);
+    let arms: Vec<_> = grades
+        .iter()
+        .map(|&grade| {
+            let (number, body) = (grade as usize, part(grade));
+            quote! { #number => { #body } }
+        })
+        .collect();
+    let rest = part(absent);
     let (path, output, bound) = (
         context.path(kind),
         context.path(hull),
@@ -102,8 +95,7 @@ fn grade(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
             #[inline]
             #[must_use]
             pub fn grade(self, grade: ::core::primitive::usize) -> #output {
-                let whole = { #whole };
-                match grade { #(#arms,)* _ => #rest }
+                match grade { #(#arms,)* _ => { #rest } }
             }
         }
     }

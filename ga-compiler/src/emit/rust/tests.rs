@@ -169,6 +169,10 @@ fn type_test(definition: &Definition, path: &TokenStream, kind: &TypeDefinition)
                 ::std::assert_eq!(#runtime::testing::to_dense(&algebra, &(a - b)), &x - &y);
                 ::std::assert_eq!(#runtime::testing::to_dense(&algebra, &-a), -&x);
                 ::std::assert_eq!(#runtime::testing::to_dense(&algebra, &(a * factor)), x.scale(factor));
+                ::std::assert_eq!(
+                    #runtime::testing::to_dense(&algebra, &(a / factor)),
+                    x.scale(#runtime::scalar::Field::recip(factor))
+                );
                 for grade in 0..=#path::BASIS.len() {
                     ::std::assert_eq!(
                         #runtime::testing::to_dense(&algebra, &a.grade(grade)), x.grade(grade)

@@ -1,6 +1,6 @@
 //! Inverses, and for types of unit versors the ways in that check or repair.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::body::{body, constant};
@@ -83,10 +83,7 @@ fn unknown(kind: &TypeDefinition) -> TypeDefinition {
 fn try_new(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let (runtime, algebra) = (context.runtime, &context.definition.algebra);
     let candidate = unknown(kind);
-    let defect = Expression::Sum(
-        Box::new(norm()),
-        Box::new(Expression::Constant(Ratio::integer(-1))),
-    );
+    let defect = Expression::difference(norm(), Expression::Constant(Ratio::ONE));
     let blades = wanted(verify::result_blades(algebra, &[&candidate], &defect));
     let kernel = Kernel::of_blades(algebra, &[&candidate], &defect, &blades);
     let arguments: Vec<_> = kind.stored().map(|c| &c.name).collect();
@@ -123,10 +120,7 @@ fn normalize(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let candidate = unknown(kind);
     let is_whole = kind.coefficients.iter().all(|c| c.role == Role::Stored);
     let scalar = Expression::unary(Unary::Grade(0), norm());
-    let rest = Expression::Sum(
-        Box::new(norm()),
-        Box::new(Expression::Negative(Box::new(scalar))),
-    );
+    let rest = Expression::difference(norm(), scalar);
     let square = Expression::binary(Product::Geometric, rest.clone(), rest.clone());
     let change = Expression::binary(Product::Geometric, Expression::Operand(0), rest);
     let applies = is_whole
@@ -135,79 +129,54 @@ fn normalize(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let (Some(hull), true) = (kind.hull, applies) else {
         return TokenStream::new();
     };
-    let hull = context.kind(hull);
-    normalize_body(context, kind, &candidate, hull, &change)
+    normalize_body(context, &candidate, context.kind(hull), change)
 }
 
 fn normalize_body(
     context: &Context<'_>,
-    kind: &TypeDefinition,
     candidate: &TypeDefinition,
     hull: &TypeDefinition,
-    change: &Expression,
+    change: Expression,
 ) -> TokenStream {
-    let (runtime, algebra) = (context.runtime, &context.definition.algebra);
-    let value: Ident = format_ident!("value");
-    // The hull may order or sign its blades differently, so the coefficients are taken by blade.
-    let locals: Vec<_> = kind.stored().map(|c| &c.name).collect();
-    let taken = kind.stored().map(|c| {
-        let field = hull.coefficient(c.blade);
-        let sign = field
-            .is_some_and(|f| f.is_negative != c.is_negative)
-            .then(|| quote! { - });
-        let name = field.map_or(&c.name, |f| &f.name);
-        quote! { #sign #value.#name }
-    });
-    let inputs: Vec<_> = locals.iter().map(|name| quote! { #name }).collect();
-    let norm_squared = Kernel::compile(algebra, &[candidate], &norm_scalar(), None);
-    let norm_code = body(&norm_squared, runtime, &inputs);
-    let change = Kernel::compile(algebra, &[candidate], change, Some(candidate));
-    let change_code = body(&change, runtime, &inputs);
-    let (norm_statements, norm) = (norm_code.statements, &norm_code.outputs[0]);
-    let change_statements = change_code.statements;
-    let outputs = locals
-        .iter()
-        .zip(&change.outputs)
-        .zip(&change_code.outputs)
-        .map(|((name, value), code)| {
-            if value.is_zero() {
-                quote! { #name * scale }
-            } else {
-                quote! { (#name - (#code) * half) * scale }
-            }
-        });
-    let built = context.build(Some(kind), &outputs.collect::<Vec<_>>());
-    let (path, whole) = (context.path(kind), context.path(hull));
+    let value = format_ident!("value");
+    let scalars = [format_ident!("half"), format_ident!("scale")];
+    let scaled = |expression, number| {
+        Expression::binary(Product::Geometric, expression, Expression::Operand(number))
+    };
+    let repaired = Expression::difference(Expression::Operand(0), scaled(change, 1));
+    let (taken, _) = context.compile(
+        &[(hull, value.clone())],
+        &Expression::Operand(0),
+        Some(candidate),
+    );
+    let operand = [(candidate, value)];
+    let (nearest, _) =
+        context.compile_scaled(&operand, &scalars, &scaled(repaired, 2), Some(candidate));
+    let (path, whole, runtime) = (context.path(candidate), context.path(hull), context.runtime);
     let real = quote! { #runtime::scalar::Real };
     let field = quote! { #runtime::scalar::Field };
     let zero = constant(runtime, Ratio::ZERO);
     let text = format!(
         "The unit versor nearest to an element of the hull: with `M ~M = n + P`, n the scalar, it is `(M − M P/(2n))/√n`. \
          `None` where n is not positive or not finite. Blades that `{}` does not have are ignored.",
-        kind.name
+        candidate.name
     );
     quote! {
         impl<S: #real<Mask = ::core::primitive::bool>> #path {
             #[doc = #text]
             #[must_use]
-            pub fn normalize(#value: #whole) -> ::core::option::Option<Self> {
-                #(let #locals = #taken;)*
-                let norm = { #norm_statements #norm };
+            pub fn normalize(value: #whole) -> ::core::option::Option<Self> {
+                let value: Self = { #taken };
+                let norm = value.norm_squared();
                 if !<S as #real>::less_than(#zero, norm) || !<S as #real>::is_finite(norm) {
                     return ::core::option::Option::None;
                 }
                 let scale = <S as #field>::recip(<S as #real>::sqrt(norm));
                 let half = <S as #field>::recip(norm + norm);
-                #change_statements
-                ::core::option::Option::Some(#built)
+                ::core::option::Option::Some({ #nearest })
             }
         }
     }
-}
-
-fn norm_scalar() -> Expression {
-    let reverse = Expression::unary(Unary::Reverse, Expression::Operand(0));
-    Expression::binary(Product::ScalarProduct, Expression::Operand(0), reverse)
 }
 
 fn wanted(blades: Vec<Blade>) -> Vec<NamedBlade> {
