@@ -2,7 +2,8 @@
 //!
 //! [`to_glb`] writes what the Khronos *glTF 2.0 Specification* calls a GLB file: a mesh with normals and one material, a
 //! skin with any number of joints and of influences on a vertex, and animations that turn and move the joints. The
-//! file is made to pass the Khronos validator without errors or warnings.
+//! file is made to pass the Khronos validator without errors or warnings. [`JointNode::from_skeleton`] and
+//! [`Animation::from_clip`] make the input from the types of this crate.
 //!
 //! glTF is right-handed with *y* up and metres, as is everything here, so coordinates are written as they are, in
 //! single precision. Quaternions are *(x, y, z, w)*: a turn by the angle α about the unit axis *n* is
@@ -29,6 +30,7 @@ mod animation;
 mod buffer;
 mod container;
 mod error;
+mod motion;
 mod primitive;
 mod skin;
 

@@ -1,7 +1,10 @@
 //! Written files, read back by an independent reader and evaluated with 4 × 4 matrices.
 
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
 mod errors;
 mod matrix;
+mod motion;
 mod reader;
 mod source;
 mod validator;
