@@ -84,6 +84,8 @@ pub struct Options {
     pub layout: Layout,
     /// Whether there is a row of depth pictures under each row of pictures.
     pub depth: bool,
+    /// The height of the ground; `None` for the level of the lowest vertex of all frames.
+    pub ground: Option<f64>,
     /// The distance between the lines on the ground; `None` for a round number below a third of the figure's
     /// height.
     pub grid: Option<f64>,
@@ -104,6 +106,7 @@ impl Default for Options {
             framing: Framing::Following,
             layout: Layout::KeyToKey,
             depth: true,
+            ground: None,
             grid: None,
         }
     }
@@ -155,8 +158,7 @@ pub enum SheetError {
 
 /// Draws the frames of one mesh and lays them out on a sheet.
 ///
-/// All frames have the scale of the smallest that shows each of them whole, and stand on one ground: the level of the
-/// lowest vertex of all.
+/// All frames stand on one ground and are drawn at one scale, the largest that shows each of them whole.
 ///
 /// # Errors
 ///

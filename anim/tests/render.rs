@@ -1,5 +1,7 @@
 //! Pictures against projections, depths and colours worked out by hand.
 
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
 use ga_anim::render::{
     Camera, Ground, Light, Lighting, RenderError, Rendering, Scene, Style, ViewDirection,
     from_srgb, render, vertex_normals,

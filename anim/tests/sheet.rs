@@ -1,5 +1,7 @@
 //! Contact sheets, taken apart again.
 
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
 use ga_anim::render::{RenderError, Style, ViewDirection};
 use ga_anim::sheet::{Frame, Framing, Kind, Layout, Options, Sheet, SheetError, contact_sheet};
 use image::{Rgb, RgbImage};
@@ -210,6 +212,36 @@ fn a_title_adds_its_line() {
     );
     assert_eq!(plain.image.width(), titled.image.width());
     assert!(titled.image.height() > plain.image.height());
+}
+
+#[test]
+fn the_ground_lies_under_the_lowest_vertex_or_where_it_is_asked_for() {
+    let (kinds, positions) = (kinds(2, 1), walk(3, [0.1, 0.2, 0.0]));
+    let with = |ground| sheet(&kinds, &positions, &Options { ground, ..small() });
+    assert_eq!(with(None).image, with(Some(-1.0)).image);
+    let covered = |sheet: &Sheet| {
+        let depth = &sheet.pictures[0].depth;
+        (0..64)
+            .flat_map(|y| (0..48).map(move |x| depth.coverage(x, y)))
+            .sum::<f64>()
+    };
+    // Half of the first figure is below the ground at its middle.
+    let share = covered(&with(Some(0.0))) / covered(&with(None));
+    assert!((0.3..0.7).contains(&share), "{share}");
+    assert!(matches!(
+        contact_sheet(
+            &frames(&kinds, &positions),
+            &TRIANGLES,
+            &Options {
+                ground: Some(f64::NAN),
+                ..small()
+            }
+        ),
+        Err(SheetError::Frame {
+            source: RenderError::Ground,
+            ..
+        })
+    ));
 }
 
 #[test]

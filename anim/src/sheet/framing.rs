@@ -56,7 +56,7 @@ impl Stage {
         Ok(Self {
             cameras: middles.iter().map(|&m| camera.moved_by(m)).collect(),
             ground: Ground {
-                height: lowest,
+                height: options.ground.unwrap_or(lowest),
                 grid: options
                     .grid
                     .unwrap_or_else(|| round_number(extent.unwrap_or(1.0) / 3.0)),
