@@ -1,4 +1,52 @@
 //! Three-dimensional animation on conformal geometric algebra.
+//!
+//! A mesh is a list of conformal points, a skeleton a tree of joints, a pose one motor for each joint, and skinning carries the
+//! points along. Every motion here is a [`Motor`](ga_runtime::cga3::Motor): of a joint, of a
+//! bone as a line, of a vertex as a point.
+//!
+//! | module | what it does |
+//! | --- | --- |
+//! | [`mesh`], [`skeleton`], [`weights`] | the data: polygons in file order, joints with parents first, influences without a limit |
+//! | [`obj`], [`rig`], [`bvh`] | read meshes, rigs with painted weights, motion capture; [`obj`] also writes |
+//! | [`pose`], [`clip`] | motors of joints, and what lies between two frames, along screws |
+//! | [`skin`] | moves a mesh, by the mean of matrices or of motors |
+//! | [`retarget`] | carries a recording over to another body |
+//! | [`gltf`] | writes mesh, skin and motion as binary glTF |
+//! | [`render`], [`sheet`] | pictures of a frame, and contact sheets of a clip |
+//!
+//! # Conventions
+//!
+//! Coordinates are right-handed with y up, and a person looks along z. Lengths are in metres unless a file
+//! has another unit: readers keep the file's, and [`Mesh::scaled`](mesh::Mesh::scaled) and
+//! [`Skeleton::scaled`](skeleton::Skeleton::scaled) convert. Angles are in radians, times in seconds, and indices count from 0;
+//! in messages lines count from 1. A motor takes a point at rest to the pose, x' = G x ~G, and in a product of motors the right one
+//! comes first.
+//!
+//! Readers are strict and their errors name file, line and element; see [`ReadError`]. Files are written whole or
+//! not at all; see [`atomic_write`].
+//!
+//! # A joint bends
+//!
+//! ```
+//! use ga_anim::pose::Pose;
+//! use ga_anim::skeleton::{Joint, Skeleton};
+//! use ga_anim::skin::{self, Method};
+//! use ga_anim::weights::SkinWeights;
+//! use ga_anim::obj;
+//! use ga_runtime::cga3::{Motor, Rotor};
+//!
+//! let mesh = obj::parse(b"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")?;
+//! let joint = |name: &str, parent, x| Joint { name: name.into(), parent, head: [x, 0.0, 0.0], tail: [x + 1.0, 0.0, 0.0] };
+//! let arm = Skeleton::new(vec![joint("upper arm", None, 0.0), joint("forearm", Some(0), 1.0)])?;
+//! let weights = SkinWeights::new(2, [[(0, 1.0)], [(1, 1.0)], [(1, 1.0)]])?;
+//!
+//! let bend = Rotor::from_axis_angle([0.0, 0.0, 1.0], std::f64::consts::FRAC_PI_2).ok_or("no axis")?;
+//! let pose = Pose::from_rotors(&arm, Motor::default(), &[Rotor::default(), bend])?;
+//! let moved = skin::skin(mesh.positions(), &weights, &pose.motions(&arm)?, Method::Motor)?;
+//! let [x, y, _] = moved[2].coordinates();
+//! assert!((x - 1.0).abs() < 1e-15 && (y - 1.0).abs() < 1e-15);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod atomic_write;
 pub mod bvh;
