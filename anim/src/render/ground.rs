@@ -33,7 +33,8 @@ impl GroundShading<'_> {
     /// The ground's colour at a point of it, over a given background. `footprint` is the width of a pixel there.
     pub(super) fn color(&self, point: Vector, footprint: f64, behind: LinearColor) -> LinearColor {
         let [x, _, z] = point;
-        let distance = (x - self.centre[0]).hypot(z - self.centre[2]);
+        let (from_x, from_z) = (x - self.centre[0], z - self.centre[2]);
+        let distance = (from_x * from_x + from_z * from_z).sqrt();
         let presence = 1.0 - smooth_step(0.15 * self.fade, self.fade, distance);
         if presence == 0.0 {
             return behind;

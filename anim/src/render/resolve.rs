@@ -1,5 +1,7 @@
 //! From samples to pixels: shading, ground and background, averaged in linear light.
 
+use rayon::prelude::*;
+
 use super::camera::Camera;
 use super::color::LinearColor;
 use super::depth::DepthMap;
@@ -40,14 +42,16 @@ pub(super) fn resolve(
     };
 
     let (width, height) = (style.width as usize, style.height as usize);
-    let mut light = Vec::with_capacity(width * height);
+    // Pixels do not depend on each other, so that any number of threads gives the same.
+    let pixels: Vec<Pixel> = (0..width * height)
+        .into_par_iter()
+        .map(|index| resolver.pixel(index % width, index / width))
+        .collect();
+    let mut light = Vec::with_capacity(pixels.len());
     let mut depth = DepthMap::empty(style.width, style.height);
-    for row in 0..height {
-        for column in 0..width {
-            let pixel = resolver.pixel(column, row);
-            light.push(pixel.light);
-            depth.set(row * width + column, pixel.depth, pixel.coverage);
-        }
+    for (index, pixel) in pixels.into_iter().enumerate() {
+        light.push(pixel.light);
+        depth.set(index, pixel.depth, pixel.coverage);
     }
     Ok((light, depth))
 }
@@ -180,13 +184,17 @@ fn ground_shading<'a>(
             tangent,
         )
     };
+    let (key_shadow, sky_shadow) = rayon::join(
+        || shadow(lighting.towards_key(), KEY_TANGENT),
+        || shadow([0.0, 1.0, 0.0], SKY_TANGENT),
+    );
     let centre = centre_of(scene.positions).unwrap_or(camera.eye());
     let distance = length(subtract(centre, camera.eye()));
     Some(GroundShading {
         ground,
         style,
-        key_shadow: shadow(lighting.towards_key(), KEY_TANGENT),
-        sky_shadow: shadow([0.0, 1.0, 0.0], SKY_TANGENT),
+        key_shadow,
+        sky_shadow,
         centre,
         fade: distance,
     })

@@ -18,7 +18,7 @@ pub(super) struct GroundShadow {
 }
 
 /// Texels along a side of the map.
-const SIZE: usize = 320;
+const SIZE: usize = 288;
 
 /// The radii, in texels, over which darkness is spread; heights between are shared by the neighbouring two.
 const RADII: [usize; 6] = [1, 3, 6, 12, 24, 40];
@@ -156,7 +156,7 @@ mod tests {
         assert!(shadow.visibility(3.0, 0.0) < 1e-3);
         assert!(shadow.visibility(2.2, 0.8) < 1e-3);
         for lit in [[1.7, 0.0], [4.3, 0.0], [3.0, 1.3], [3.0, -1.3], [90.0, 0.0]] {
-            assert_eq!(shadow.visibility(lit[0], lit[1]), 1.0, "{lit:?}");
+            assert!(shadow.visibility(lit[0], lit[1]) > 1.0 - 1e-5, "{lit:?}");
         }
     }
 

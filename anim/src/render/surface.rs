@@ -33,16 +33,17 @@ impl Samples {
         let mut inverse_depth = vec![0f32; width * height];
         let mut seen = vec![0u32; width * height];
         let view: Vec<Vector> = scene.positions.iter().map(|&p| camera.view(p)).collect();
+        let project = |[x, y, depth]: Vector| {
+            let inverse = 1.0 / depth;
+            [
+                lens.centre[0] + x * inverse * lens.focal,
+                lens.centre[1] - y * inverse * lens.focal,
+                inverse,
+            ]
+        };
 
         for (index, triangle) in scene.triangles.iter().enumerate() {
             let polygon = clipper.clip(triangle.map(|v| view[v as usize]));
-            let project = |[x, y, depth]: Vector| {
-                [
-                    lens.centre[0] + x / depth * lens.focal,
-                    lens.centre[1] - y / depth * lens.focal,
-                    1.0 / depth,
-                ]
-            };
             let corners = polygon.corners();
             for i in 2..corners.len() {
                 let fan = [corners[0], corners[i - 1], corners[i]].map(project);
