@@ -45,7 +45,7 @@ impl Kernel {
         let by_rule = |rule| Self::by_rule(algebra, operands, expression, wanted, rule);
         let mut best = by_rule(SandwichRule::LeftFirst);
         if has_sandwich(expression) {
-            for rule in [SandwichRule::RightFirst, SandwichRule::UnitCommutator] {
+            for rule in SandwichRule::ALL {
                 let next = by_rule(rule);
                 if next.cost().total() < best.cost().total() {
                     best = next;

@@ -42,7 +42,10 @@ pub fn lower(
         Expression::Sandwich(versor, operand) => {
             let versor = descend(arena, versor);
             let operand = descend(arena, operand);
+            let plain = SandwichRule::LeftFirst;
             rule.lower(arena, algebra, &versor, &operand)
+                .or_else(|| plain.lower(arena, algebra, &versor, &operand))
+                .unwrap_or_default()
         }
         Expression::Sum(left, right) => {
             let left = descend(arena, left);

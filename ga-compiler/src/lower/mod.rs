@@ -3,6 +3,7 @@
 mod expression;
 mod operand;
 mod sandwich;
+pub mod split;
 
 pub use expression::lower;
 pub use operand::operand;

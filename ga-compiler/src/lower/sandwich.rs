@@ -1,5 +1,6 @@
 //! The action of a versor, by one of several rules that agree wherever they apply.
 
+use super::split;
 use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
 use crate::ir::{Arena, Facts, Multivector};
 
@@ -14,16 +15,27 @@ pub enum SandwichRule {
     /// `M X ~M = (X M + [M, X]) ~M = X + [M, X] ~M`. The scalar of M and every pair of commuting blades drop out
     /// before anything is multiplied.
     UnitCommutator,
+    /// `Σ x (M b ~M)` over the blades b of X with coefficients x, by linearity. What M does to the blades is worked out
+    /// once, and entries that agree up to sign are one node, so that it pays for an X of many blades.
+    LinearMap,
+    /// `T (R X ~R) ~T` with `M = T R`, R the part of M without some null vector; see [`split`].
+    Split,
 }
 
 impl SandwichRule {
-    /// Every rule.
-    pub const ALL: [Self; 3] = [Self::LeftFirst, Self::RightFirst, Self::UnitCommutator];
+    /// Every rule, in the order in which they are tried.
+    pub const ALL: [Self; 5] = [
+        Self::LeftFirst,
+        Self::RightFirst,
+        Self::UnitCommutator,
+        Self::LinearMap,
+        Self::Split,
+    ];
 
-    /// Lowers the action of `versor` on `operand`.
+    /// Lowers the action of `versor` on `operand`; `None` where the rule does not apply.
     ///
-    /// Whichever rule, a versor keeps the grades of what it acts on, so no other blade is built. For an odd versor the
-    /// operand is involuted first: `M X̂ ~M`.
+    /// Whichever rule, a unit versor keeps the grades of what it acts on, so no other blade is built. For an odd versor
+    /// the operand is involuted first: `M X̂ ~M`.
     #[must_use]
     pub fn lower(
         self,
@@ -31,53 +43,113 @@ impl SandwichRule {
         algebra: &Algebra,
         versor: &Multivector,
         operand: &Multivector,
-    ) -> Multivector {
+    ) -> Option<Multivector> {
         let is_odd = is_odd(versor);
+        let is_even_unit = versor.facts.unit_versor && !is_odd;
         let image = if is_odd {
             operand.unary(arena, algebra, Unary::Involute)
         } else {
             operand.clone()
         };
-        let grades = grades(operand);
-        let keeps_grades = versor.facts.unit_versor;
-        let wanted = |blade: Blade| !keeps_grades || grades & 1 << blade.grade() != 0;
-        let reverse = versor.unary(arena, algebra, Unary::Reverse);
-        let any = |_: Blade| true;
-        let product = Product::Geometric;
         let result = match self {
-            Self::UnitCommutator if versor.facts.unit_versor && !is_odd => {
-                let commutator = versor.product(arena, algebra, Product::Commutator, &image, any);
-                let change = commutator
-                    .scaled(Ratio::integer(2))
-                    .product(arena, algebra, product, &reverse, wanted);
-                image.sum(arena, &change)
-            }
-            Self::RightFirst => {
-                let half = image.product(arena, algebra, product, &reverse, any);
-                versor.product(arena, algebra, product, &half, wanted)
-            }
-            Self::LeftFirst | Self::UnitCommutator => {
-                let half = versor.product(arena, algebra, product, &image, any);
-                half.product(arena, algebra, product, &reverse, wanted)
-            }
+            Self::LeftFirst => left_first(arena, algebra, versor, &image),
+            Self::RightFirst => right_first(arena, algebra, versor, &image),
+            Self::UnitCommutator if is_even_unit => commutator(arena, algebra, versor, &image),
+            Self::LinearMap if is_even_unit => linear_map(arena, algebra, versor, &image),
+            Self::Split if is_even_unit => split::lower(arena, algebra, versor, &image)?,
+            _ => return None,
         };
         let facts = if is_odd {
             Facts::default()
         } else {
             versor.facts.of_sandwich(operand.facts)
         };
-        result.with_facts(facts)
+        Some(result.with_facts(facts))
     }
+}
+
+fn left_first(
+    arena: &mut Arena,
+    algebra: &Algebra,
+    versor: &Multivector,
+    image: &Multivector,
+) -> Multivector {
+    let half = versor.product(arena, algebra, Product::Geometric, image, |_| true);
+    let reverse = versor.unary(arena, algebra, Unary::Reverse);
+    half.product(
+        arena,
+        algebra,
+        Product::Geometric,
+        &reverse,
+        kept(versor, image),
+    )
+}
+
+fn right_first(
+    arena: &mut Arena,
+    algebra: &Algebra,
+    versor: &Multivector,
+    image: &Multivector,
+) -> Multivector {
+    let reverse = versor.unary(arena, algebra, Unary::Reverse);
+    let half = image.product(arena, algebra, Product::Geometric, &reverse, |_| true);
+    versor.product(
+        arena,
+        algebra,
+        Product::Geometric,
+        &half,
+        kept(versor, image),
+    )
+}
+
+pub(super) fn commutator(
+    arena: &mut Arena,
+    algebra: &Algebra,
+    versor: &Multivector,
+    image: &Multivector,
+) -> Multivector {
+    let reverse = versor.unary(arena, algebra, Unary::Reverse);
+    let change = versor
+        .product(arena, algebra, Product::Commutator, image, |_| true)
+        .scaled(Ratio::integer(2))
+        .product(
+            arena,
+            algebra,
+            Product::Geometric,
+            &reverse,
+            kept(versor, image),
+        );
+    image.sum(arena, &change)
+}
+
+pub(super) fn linear_map(
+    arena: &mut Arena,
+    algebra: &Algebra,
+    versor: &Multivector,
+    image: &Multivector,
+) -> Multivector {
+    let mut terms = Vec::new();
+    for &(blade, value) in image.terms() {
+        let basis = Multivector::new(arena, [(blade, crate::ir::Value::ONE)]);
+        let column = commutator(arena, algebra, versor, &basis);
+        for &(row, entry) in column.terms() {
+            terms.push((row, arena.product(entry, value)));
+        }
+    }
+    Multivector::new(arena, terms)
+}
+
+/// Which blades the action can have: those of the operand's grades for a unit versor, any for another.
+fn kept(versor: &Multivector, image: &Multivector) -> impl Fn(Blade) -> bool + use<> {
+    let all = !versor.facts.unit_versor;
+    let grades = image
+        .terms()
+        .iter()
+        .fold(0_u32, |set, (blade, _)| set | 1 << blade.grade());
+    move |blade| all || grades & 1 << blade.grade() != 0
 }
 
 fn is_odd(versor: &Multivector) -> bool {
     let mut blades = versor.terms().iter().map(|(blade, _)| blade);
     blades.len() > 0 && blades.all(|blade| blade.involute_is_negative())
-}
-
-fn grades(operand: &Multivector) -> u32 {
-    operand
-        .terms()
-        .iter()
-        .fold(0, |set, (blade, _)| set | 1 << blade.grade())
 }
