@@ -51,7 +51,9 @@
 pub mod atomic_write;
 pub mod bvh;
 pub mod clip;
+pub mod distance_weights;
 pub mod gltf;
+pub mod human;
 pub mod mesh;
 pub mod obj;
 pub mod pose;

@@ -1,0 +1,140 @@
+//! Skin weights from the distance to the bones.
+//!
+//! A point follows the n nearest bones, each the less the further away it is. With L the distance from the point to the
+//! bone as a segment and m the rate at which influence falls off,
+//!
+//! ```text
+//! wᵢ = Lᵢ⁻ᵐ / Σₖ Lₖ⁻ᵐ,   k over the n nearest bones
+//! ```
+//!
+//! which is inverse distance weighting (D. Shepard, "A two-dimensional interpolation function for irregularly-spaced
+//! data", ACM National Conference 1968) as eq. 33 of Y. Cui, "Geometric algebra-based modeling techniques for 3D animation
+//! and their application to visual communication" has it. Distance goes straight through the air: the left leg also follows
+//! the right thigh where the two are close. [`human`](crate::human) shows a way round that.
+
+use crate::weights::{SkinWeights, WeightsError};
+
+/// Numbers from which no weights can be made. Bones and points are counted from 0.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum DistanceWeightsError {
+    /// There is no bone.
+    #[error("there are no bones to follow")]
+    NoBones,
+    /// No bone may move a point.
+    #[error("every point follows at least 1 bone, not 0")]
+    NoInfluences,
+    /// The exponent is 0, negative, infinite or not a number.
+    #[error("{exponent} is no exponent for a weight that falls off with distance")]
+    BadExponent {
+        /// The exponent.
+        exponent: f64,
+    },
+    /// An end of a bone has a coordinate that is infinite or not a number.
+    #[error("bone {bone} has an end that is not finite: {ends:?}")]
+    BadBone {
+        /// The bone.
+        bone: usize,
+        /// Its head and its tail.
+        ends: [[f64; 3]; 2],
+    },
+    /// A point has a coordinate that is infinite or not a number, or lies too far away to measure.
+    #[error("point {point} has no finite distance to the bones: {coordinates:?}")]
+    BadPoint {
+        /// The point.
+        point: usize,
+        /// Its coordinates.
+        coordinates: [f64; 3],
+    },
+    /// The weights do not fit into a table.
+    #[error(transparent)]
+    Weights(#[from] WeightsError),
+}
+
+/// The weights of points with respect to bones, given by head and tail in the order of their joints.
+///
+/// Each point follows the `influences` nearest bones (all, if there are fewer), nearest first and between equals the one
+/// listed first, with the weights of the formula above for m = `exponent`. A point on a bone follows that bone alone; one
+/// that lies on several, at a joint, follows them equally.
+///
+/// # Errors
+///
+/// Any [`DistanceWeightsError`].
+///
+/// # Examples
+///
+/// ```
+/// use ga_anim::distance_weights::distance_weights;
+///
+/// let thigh = [[0.0, 0.9, 0.0], [0.0, 0.5, 0.0]];
+/// let shank = [[0.0, 0.5, 0.0], [0.0, 0.1, 0.0]];
+/// // 0.1 m from the thigh and 0.2 m from the shank.
+/// let weights = distance_weights([[0.1, 0.5 + 0.03f64.sqrt(), 0.0]], &[thigh, shank], 2, 2.0)?;
+/// let [first, second] = weights.influences(0) else { panic!("two bones") };
+/// assert!((first.weight - 0.8).abs() < 1e-15 && (second.weight - 0.2).abs() < 1e-15);
+/// # Ok::<(), ga_anim::distance_weights::DistanceWeightsError>(())
+/// ```
+pub fn distance_weights(
+    points: impl IntoIterator<Item = [f64; 3]>,
+    bones: &[[[f64; 3]; 2]],
+    influences: usize,
+    exponent: f64,
+) -> Result<SkinWeights, DistanceWeightsError> {
+    if bones.is_empty() {
+        return Err(DistanceWeightsError::NoBones);
+    }
+    if influences == 0 {
+        return Err(DistanceWeightsError::NoInfluences);
+    }
+    if !exponent.is_finite() || exponent <= 0.0 {
+        return Err(DistanceWeightsError::BadExponent { exponent });
+    }
+    for (bone, &ends) in bones.iter().enumerate() {
+        if !ends.iter().flatten().all(|x| x.is_finite()) {
+            return Err(DistanceWeightsError::BadBone { bone, ends });
+        }
+    }
+    let mut rows = Vec::new();
+    for (point, coordinates) in points.into_iter().enumerate() {
+        let mut distances: Vec<(u32, f64)> = (0..)
+            .zip(bones)
+            .map(|(joint, &bone)| (joint, distance_to_bone(coordinates, bone)))
+            .collect();
+        if !distances.iter().all(|(_, distance)| distance.is_finite()) {
+            return Err(DistanceWeightsError::BadPoint { point, coordinates });
+        }
+        distances.sort_by(|a, b| a.1.total_cmp(&b.1));
+        distances.truncate(influences);
+        let nearest = distances[0].1;
+        // Relative to the nearest bone, no power overflows.
+        let weight = |distance: f64| {
+            if distance == nearest {
+                1.0
+            } else {
+                (nearest / distance).powf(exponent)
+            }
+        };
+        rows.push(
+            distances
+                .into_iter()
+                .map(|(joint, l)| (joint, weight(l)))
+                .collect::<Vec<_>>(),
+        );
+    }
+    Ok(SkinWeights::new(bones.len(), rows)?)
+}
+
+/// The distance from a point to a bone, the segment from head to tail. A bone without length is a point.
+#[must_use]
+pub fn distance_to_bone(point: [f64; 3], [head, tail]: [[f64; 3]; 2]) -> f64 {
+    let axis: [f64; 3] = std::array::from_fn(|k| tail[k] - head[k]);
+    let from_head: [f64; 3] = std::array::from_fn(|k| point[k] - head[k]);
+    let product = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let square = product(axis, axis);
+    let t = if square > 0.0 {
+        (product(from_head, axis) / square).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
+    let across: [f64; 3] = std::array::from_fn(|k| from_head[k] - t * axis[k]);
+    product(across, across).sqrt()
+}

@@ -1,0 +1,87 @@
+//! A person made by formulas: a closed mesh, a skeleton, skin weights and a walk.
+//!
+//! Nothing is read from a file, so whoever has the library has something to animate. The person is an adult without sex, age or
+//! clothes, like an artist's mannequin: 1.75 m tall, facing +z with y up and the left side at +x, in metres. At rest it
+//! stands with its feet on the plane y = 0 and its arms half way down.
+//!
+//! | step | how |
+//! | --- | --- |
+//! | shape | a signed distance: trunk, limbs and head as lofts through cross-sections given by breadth and depth, smoothly joined |
+//! | surface | marching tetrahedra over the left half, remeshed to even triangles, completed by its mirror image: closed, oriented, one piece, without handles |
+//! | weights | inverse distance to the bones (eq. 33 of the paper, see [`distance_weights`](crate::distance_weights)) within the part of the body that a point belongs to |
+//! | walk | gait curves of the textbooks at eight moments of the stride, put on the ground by forward and inverse kinematics |
+//!
+//! The result is the same on every run.
+
+mod frame;
+mod landmarks;
+mod shape;
+mod skeleton;
+mod surface;
+mod vector;
+mod walk;
+mod weights;
+
+use crate::mesh::{Faces, Mesh, Position};
+use crate::skeleton::Skeleton;
+use crate::weights::SkinWeights;
+
+pub use walk::{KEY_NAMES, KEY_TIME, KEYS_PER_STRIDE, walk};
+
+/// The person's height in metres.
+pub const STATURE: f64 = landmarks::STATURE;
+
+/// A person at rest, ready to be moved.
+///
+/// # Examples
+///
+/// ```
+/// use ga_anim::human::{Human, STATURE, walk};
+///
+/// let human = Human::new();
+/// let [low, high] = human.mesh.bounds().ok_or("no vertices")?;
+/// assert!((high[1] - low[1] - STATURE).abs() < 1e-3);
+///
+/// let step = walk(1).sample(0.3);
+/// let bones = step.bones(&human.skeleton)?;
+/// let foot = human.skeleton.index("LeftFoot").ok_or("no left foot")?;
+/// let [ankle, ball] = bones[foot];
+/// assert!(ankle[1] > ball[1] && ball[1] > 0.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Human {
+    /// The skin, about 18,000 vertices in triangles. The left half comes first.
+    pub mesh: Mesh,
+    /// 21 joints: `Hips`, `Spine`, `Chest`, `Neck` and `Head`, and on either side, after `Left` or `Right`, `Shoulder`,
+    /// `UpperArm`, `LowerArm` and `Hand`, `UpperLeg`, `LowerLeg`, `Foot` and `Toe`.
+    pub skeleton: Skeleton,
+    /// Up to four joints for each vertex.
+    pub weights: SkinWeights,
+}
+
+impl Human {
+    /// Makes the person.
+    #[must_use]
+    pub fn new() -> Self {
+        let landmarks = landmarks::Landmarks::new();
+        let body = shape::Body::new(&landmarks);
+        let skeleton = skeleton::skeleton(&landmarks);
+        let surface = surface::surface(&body, &landmarks);
+        let weights = weights::weights(&body, &landmarks, &skeleton, &surface.positions);
+        let positions = surface.positions.into_iter().map(Position::from).collect();
+        let mesh =
+            Faces::from_polygons(surface.triangles).and_then(|faces| Mesh::new(positions, faces));
+        Human {
+            mesh: mesh.expect("the triangles of a surface refer to its vertices, which are finite"),
+            skeleton,
+            weights,
+        }
+    }
+}
+
+impl Default for Human {
+    fn default() -> Self {
+        Self::new()
+    }
+}
