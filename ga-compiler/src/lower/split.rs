@@ -1,0 +1,60 @@
+//! A versor as a turn after which comes a shift.
+//!
+//! Let v be a basis vector with v² = 0 that is orthogonal to every other vector that occurs in the blades of M. The number of times
+//! that v occurs in a blade then adds up in products, and two times give zero. So of `M ~M = 1` the part without v says
+//! `R ~R = 1` for the part R of M without v, and with `T = M ~R = 1 + τ`, where every blade of τ has v,
+//! `T ~T = 1` says `~τ = −τ`. Hence
+//!
+//! - `M = T R`, and `M X ~M = T (R X ~R) ~T`;
+//! - τ has grades 2 and 3 modulo 4 only;
+//! - `τ² = 0`, so `T Y ~T = Y + [τ, Y] − τ Y τ = Y + 2 τ × (Y + τ × Y)` with `a × b = (a b − b a)/2`.
+
+use super::sandwich::linear_map;
+use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
+use crate::ir::{Arena, Facts, Multivector, Value};
+
+/// Lowers the action of an even unit versor by its split; `None` where no vector splits it.
+pub(super) fn lower(
+    arena: &mut Arena,
+    algebra: &Algebra,
+    versor: &Multivector,
+    operand: &Multivector,
+) -> Option<Multivector> {
+    let null = null_vector(algebra, versor)?;
+    let unit = Facts {
+        unit_versor: true,
+        ..Facts::default()
+    };
+    let turn = versor
+        .filtered(|blade| !blade.contains(null))
+        .with_facts(unit);
+    let rest = versor.filtered(|blade| blade.contains(null));
+    let reverse = turn.unary(arena, algebra, Unary::Reverse);
+    let shift = rest.product(arena, algebra, Product::Geometric, &reverse, |blade| {
+        blade.reverse_is_negative()
+    });
+    let turned = linear_map(arena, algebra, &turn, operand);
+    let step = shift.product(arena, algebra, Product::Commutator, &turned, |_| true);
+    let middle = turned.sum(arena, &step);
+    let change = shift.product(arena, algebra, Product::Commutator, &middle, |_| true);
+    Some(turned.sum(arena, &change.scaled(Ratio::integer(2))))
+}
+
+/// The vector that splits the versor, by its index.
+fn null_vector(algebra: &Algebra, versor: &Multivector) -> Option<usize> {
+    let occurring = versor
+        .terms()
+        .iter()
+        .fold(0, |set, (blade, _)| set | blade.0);
+    let has_turn = |null: usize| {
+        let mut blades = versor.terms().iter().map(|(blade, _)| *blade);
+        blades.any(|blade| blade != Blade::SCALAR && !blade.contains(null))
+    };
+    Blade(occurring).vectors().find(|&null| {
+        let orthogonal = Blade(occurring)
+            .vectors()
+            .all(|other| algebra.metric().get(null, other).is_zero());
+        let scalar = versor.coefficient(Blade::SCALAR);
+        orthogonal && has_turn(null) && scalar != Value::ZERO
+    })
+}
