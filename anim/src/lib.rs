@@ -10,7 +10,9 @@
 //! | [`obj`], [`rig`], [`bvh`] | read meshes, rigs with painted weights, motion capture; [`obj`] also writes |
 //! | [`pose`], [`clip`] | motors of joints, and what lies between two frames, along screws |
 //! | [`skin`] | moves a mesh, by the mean of matrices or of motors |
+//! | [`distance_weights`] | weights from the distance to the bones |
 //! | [`retarget`] | carries a recording over to another body |
+//! | [`human`] | makes a body, its skeleton and a walk |
 //! | [`gltf`] | writes mesh, skin and motion as binary glTF |
 //! | [`render`], [`sheet`] | pictures of a frame, and contact sheets of a clip |
 //!

@@ -49,7 +49,7 @@ pub use soles::Soles;
 pub struct Retarget<'a> {
     source: &'a Bvh,
     target: &'a Skeleton,
-    match_: Correspondence,
+    correspondence: Correspondence,
     /// What is added to the height of the scaled source.
     lift: f64,
 }
@@ -108,11 +108,11 @@ impl<'a> Retarget<'a> {
         if expected != found {
             return Err(PoseError { expected, found }.into());
         }
-        let match_ = Correspondence::new(source, target, soles)?;
+        let correspondence = Correspondence::new(source, target, soles)?;
         let mut retarget = Self {
             source,
             target,
-            match_,
+            correspondence,
             lift: 0.0,
         };
         let mut lowest = Vec::with_capacity(source.frame_count());
@@ -135,12 +135,16 @@ impl<'a> Retarget<'a> {
     /// How long one unit of the recording is in the target's unit.
     #[must_use]
     pub fn scale(&self) -> f64 {
-        self.match_.scale
+        self.correspondence.scale
     }
 
     /// The joints of the skeleton that move with their parents, since the recording has none of their names.
     pub fn unmatched(&self) -> impl Iterator<Item = &'a str> + '_ {
-        let joints = self.target.joints().iter().zip(&self.match_.source_of);
+        let joints = self
+            .target
+            .joints()
+            .iter()
+            .zip(&self.correspondence.source_of);
         joints
             .filter(|(_, source)| source.is_none())
             .map(|(joint, _)| joint.name.as_str())
@@ -166,8 +170,8 @@ impl<'a> Retarget<'a> {
             let above = joint
                 .parent
                 .map_or(Rotor::default(), |parent| turns[parent]);
-            let turn = match self.match_.source_of[index] {
-                Some(match_) => source[match_].rotor() * self.match_.alignment[index],
+            let turn = match self.correspondence.source_of[index] {
+                Some(there) => source[there].rotor() * self.correspondence.alignment[index],
                 None => above,
             };
             own.push(above.reverse() * turn);
@@ -177,18 +181,18 @@ impl<'a> Retarget<'a> {
 
         let motions = pose.motions(self.target)?;
         let origin = [0.0; 3];
-        let hips = self.match_.legs.iter().map(|leg| {
+        let hips = self.correspondence.legs.iter().map(|leg| {
             let joint = &self.target.joints()[leg.target];
             (
                 moved(source[leg.source], origin),
                 moved(motions[leg.target], joint.head),
             )
         });
-        let count = self.match_.legs.len() as f64;
+        let count = self.correspondence.legs.len() as f64;
         let mut shift = [0.0, self.lift, 0.0];
         for (there, here) in hips {
             for axis in 0..3 {
-                shift[axis] += (self.match_.scale * there[axis] - here[axis]) / count;
+                shift[axis] += (self.correspondence.scale * there[axis] - here[axis]) / count;
             }
         }
         pose.root = Motor::from(Translator::from_displacement(shift));

@@ -215,6 +215,9 @@ fn resampling_keeps_the_motion_and_reaches_the_end() {
             assert!((x - 120.0 * index as f64 / rate).abs() < 1e-9);
         }
     }
+    // 7 × (1/24) × 24 is less than 7 by rounding.
+    let clip = Clip::new(1.0 / 24.0, vec![Pose::rest(0); 8]).unwrap();
+    assert_eq!(clip.resampled(24.0).unwrap().frames().len(), 8);
     for rate in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e12] {
         assert!(matches!(clip.resampled(rate), Err(ClipError::Rate(_))));
     }

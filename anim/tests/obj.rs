@@ -255,6 +255,7 @@ fn every_fault_is_named_with_its_line() {
             "v 1 \\\n2 \\\n\nf 1 2 3",
             "line 4: a v line has 3, 4 or 6 numbers, but this one has 2",
         ),
+        ("f 1 2 4", "line 4: \"4\" refers to v 4, but there are 3"),
         (
             "\n\r\nf 1 2 9",
             "line 6: \"9\" refers to v 9, but there are 3",

@@ -284,7 +284,7 @@ fn what_are_no_weights_is_named() {
 
 #[test]
 fn a_skeleton_can_be_had_in_metres() {
-    let metres = real_rig().scaled(0.1).unwrap();
+    let metres = real_rig().scaled(rig::METRES_PER_UNIT).unwrap();
     let head = metres.joint("Head").unwrap();
     let foot = metres.joint("LeftFoot").unwrap();
     let height = head.tail[1] - foot.tail[1];

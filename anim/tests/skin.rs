@@ -241,6 +241,17 @@ proptest! {
     }
 }
 
+/// Two joints turn by 120 degrees either way: next to the third, which is still, both are near, but next to each other they are not.
+#[test]
+fn motors_take_the_sign_that_suits_the_strongest() {
+    let turned = |angle: f64| Motor::from(rotor([0.0, 0.0, angle.to_radians()]));
+    let motions = [turned(120.0), Motor::default(), turned(-120.0)];
+    let weights = SkinWeights::new(3, [[(0, 0.2), (1, 0.6), (2, 0.2)]]).unwrap();
+    let place = Point::new(1.0, 2.0, 3.0);
+    let moved = skin::skin(&[place], &weights, &motions, Method::Motor).unwrap();
+    assert!(moved[0].distance(place) < 1e-15);
+}
+
 #[test]
 fn of_equal_weights_the_one_listed_first_stays() {
     let weights = SkinWeights::new(4, [[(3, 0.25), (1, 0.25), (0, 0.5)]]).unwrap();
