@@ -1,1 +1,38 @@
-//! Placeholder.
+//! Stereo vision on conformal geometric algebra.
+//!
+//! - [`camera`]: pinhole cameras; what they see of a point, and the ray that a pixel looks along.
+//! - [`rig`]: two cameras and the motor between them.
+//! - [`triangulation`]: the place where two rays come closest.
+//! - [`observation`]: pictures of points with measured noise, for tests and demonstrations.
+//! - [`pose_error`]: how far reconstructed joints are from the true ones.
+//!
+//! # Conventions
+//!
+//! Lengths are in metres, pictures in pixels. A camera's frame has x to the right, y down and z forward along the optical
+//! axis. A pose is the motor that takes the world into the camera's frame, `x_camera = M x ~M`. Pixel coordinates `[u, v]`
+//! count from the centre of the top left pixel, u to the right and v down.
+//!
+//! ```
+//! use ga_runtime::cga3::Point;
+//! use ga_vision::camera::Intrinsics;
+//! use ga_vision::rig::StereoRig;
+//!
+//! // Two cameras side by side, 20 cm apart, looking the same way.
+//! let intrinsics = Intrinsics::new([800.0, 800.0], [320.0, 240.0])?;
+//! let identity = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+//! let rig = StereoRig::from_matrices(intrinsics, intrinsics, identity, [-0.2, 0.0, 0.0])?;
+//!
+//! let point = Point::new(0.1, -0.2, 3.0);
+//! let (left, right) = (rig.left.project(point)?, rig.right.project(point)?);
+//! let seen = rig.triangulate(left, right)?;
+//! assert!(seen.position.distance(point) < 1e-12 && seen.gap < 1e-12);
+//! assert!(seen.is_in_front());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+pub mod camera;
+pub mod observation;
+pub mod pose_error;
+pub mod rig;
+pub mod triangulation;
+mod vector;

@@ -1,0 +1,239 @@
+//! Pinhole cameras.
+
+use ga_runtime::cga3::{Direction, Line, Motor, Point};
+
+/// What a camera does between its frame and its picture: `u = f_x x/z + c_x`, `v = f_y y/z + c_y`, no skew.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Intrinsics {
+    focal: [f64; 2],
+    principal: [f64; 2],
+}
+
+/// A pinhole camera in the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// Focal lengths and principal point.
+    pub intrinsics: Intrinsics,
+    /// The motor that takes the world into the camera's frame.
+    pub world_to_camera: Motor<f64>,
+}
+
+/// The half line that a pixel looks along, in the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray {
+    /// The line `c∧d∧ei` through the camera's centre, its direction d of length 1 pointing away from the camera.
+    pub line: Line<f64>,
+    /// The camera's centre c.
+    pub centre: Point<f64>,
+}
+
+/// Why something is no camera, or a camera does not see something.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum CameraError {
+    /// A focal length is not positive and finite, or the principal point is not finite.
+    #[error("focal lengths {focal:?} and principal point {principal:?} make no camera: {problem}")]
+    Intrinsics {
+        /// The focal lengths in pixels.
+        focal: [f64; 2],
+        /// The principal point in pixels.
+        principal: [f64; 2],
+        /// Which of them is at fault.
+        problem: &'static str,
+    },
+    /// A calibration matrix is not upper triangular with a last row of 0, 0, 1 and no skew.
+    #[error("row {row}, column {column} of a calibration matrix is {found}, not {expected}")]
+    Matrix {
+        /// The row, from 0.
+        row: usize,
+        /// The column, from 0.
+        column: usize,
+        /// The entry.
+        found: f64,
+        /// What it must be.
+        expected: f64,
+    },
+    /// Rotation and translation are no rigid motion.
+    #[error("the pose {rotation:?}, {translation:?} is no rigid motion")]
+    Pose {
+        /// The matrix by rows.
+        rotation: [[f64; 3]; 3],
+        /// The translation.
+        translation: [f64; 3],
+    },
+    /// A point is in the plane of the camera's centre or behind it.
+    #[error("the point {point:?} is not in front of the camera: its depth is {depth} m")]
+    Behind {
+        /// The point in the world.
+        point: [f64; 3],
+        /// Its coordinate along the optical axis.
+        depth: f64,
+    },
+    /// A pixel or a point has a coordinate that is infinite or no number.
+    #[error("the coordinates {0:?} are not finite")]
+    NotFinite([f64; 3]),
+}
+
+impl Intrinsics {
+    /// Intrinsics from focal lengths and principal point in pixels.
+    ///
+    /// # Errors
+    /// [`CameraError::Intrinsics`] where a focal length is not positive or something is not finite.
+    pub fn new(focal: [f64; 2], principal: [f64; 2]) -> Result<Self, CameraError> {
+        let refuse = |problem| {
+            Err(CameraError::Intrinsics {
+                focal,
+                principal,
+                problem,
+            })
+        };
+        if !focal.iter().all(|f| f.is_finite() && *f > 0.0) {
+            return refuse("a focal length is not positive and finite");
+        }
+        if !principal.iter().all(|c| c.is_finite()) {
+            return refuse("the principal point is not finite");
+        }
+        Ok(Self { focal, principal })
+    }
+
+    /// Intrinsics from a calibration matrix K by rows.
+    ///
+    /// # Errors
+    /// [`CameraError::Matrix`] names an entry that must be 0 or 1 and is not; else as [`Intrinsics::new`].
+    pub fn from_matrix(matrix: [[f64; 3]; 3]) -> Result<Self, CameraError> {
+        let fixed = [
+            (0, 1, 0.0),
+            (1, 0, 0.0),
+            (2, 0, 0.0),
+            (2, 1, 0.0),
+            (2, 2, 1.0),
+        ];
+        for (row, column, expected) in fixed {
+            let found = matrix[row][column];
+            if found != expected {
+                return Err(CameraError::Matrix {
+                    row,
+                    column,
+                    found,
+                    expected,
+                });
+            }
+        }
+        Self::new([matrix[0][0], matrix[1][1]], [matrix[0][2], matrix[1][2]])
+    }
+
+    /// The calibration matrix K by rows.
+    #[must_use]
+    pub fn to_matrix(&self) -> [[f64; 3]; 3] {
+        let ([fx, fy], [cx, cy]) = (self.focal, self.principal);
+        [[fx, 0.0, cx], [0.0, fy, cy], [0.0, 0.0, 1.0]]
+    }
+
+    /// The focal lengths along u and v in pixels.
+    #[must_use]
+    pub fn focal(&self) -> [f64; 2] {
+        self.focal
+    }
+
+    /// The principal point in pixels.
+    #[must_use]
+    pub fn principal(&self) -> [f64; 2] {
+        self.principal
+    }
+}
+
+impl Camera {
+    /// A camera at a place, looking at another, upright with respect to a direction that is up. Where it looks along
+    /// that direction, or the places coincide, there is none.
+    #[must_use]
+    pub fn look_at(
+        intrinsics: Intrinsics,
+        eye: Point<f64>,
+        target: Point<f64>,
+        up: [f64; 3],
+    ) -> Option<Self> {
+        use crate::vector::{cross, difference, dot};
+        let unit = |v: [f64; 3]| {
+            let length = dot(v, v).sqrt();
+            (length.is_finite() && length > 0.0).then(|| v.map(|x| x / length))
+        };
+        let eye = eye.coordinates();
+        let forward = unit(difference(target.coordinates(), eye))?;
+        let right = unit(cross(forward, up))?;
+        let down = cross(forward, right);
+        let row = |axis: [f64; 3]| [axis[0], axis[1], axis[2], -dot(axis, eye)];
+        let world_to_camera = Motor::from_matrix([row(right), row(down), row(forward)])?;
+        Some(Self {
+            intrinsics,
+            world_to_camera,
+        })
+    }
+
+    /// The camera's centre in the world.
+    #[must_use]
+    pub fn centre(&self) -> Point<f64> {
+        self.world_to_camera.reverse().transform(Point::default())
+    }
+
+    /// The pixel at which the camera sees a point of the world.
+    ///
+    /// # Errors
+    /// [`CameraError::Behind`] for a point that is not in front, [`CameraError::NotFinite`] for a point or pixel that
+    /// is not finite.
+    pub fn project(&self, point: Point<f64>) -> Result<[f64; 2], CameraError> {
+        let [x, y, depth] = self.world_to_camera.transform(point).coordinates();
+        if !(x.is_finite() && y.is_finite() && depth.is_finite()) {
+            return Err(CameraError::NotFinite(point.coordinates()));
+        }
+        if depth <= 0.0 {
+            return Err(CameraError::Behind {
+                point: point.coordinates(),
+                depth,
+            });
+        }
+        let ([fx, fy], [cx, cy]) = (self.intrinsics.focal, self.intrinsics.principal);
+        let pixel = [fx * (x / depth) + cx, fy * (y / depth) + cy];
+        if pixel.iter().all(|u| u.is_finite()) {
+            Ok(pixel)
+        } else {
+            Err(CameraError::NotFinite(point.coordinates()))
+        }
+    }
+
+    /// The ray that a pixel looks along: in the camera's frame the line through the origin with the direction
+    /// `((u − c_x)/f_x, (v − c_y)/f_y, 1)`, moved into the world by the reverse of the pose.
+    ///
+    /// # Errors
+    /// [`CameraError::NotFinite`] for a pixel that is not finite.
+    pub fn ray(&self, pixel: [f64; 2]) -> Result<Ray, CameraError> {
+        let [u, v] = pixel;
+        let ([fx, fy], [cx, cy]) = (self.intrinsics.focal, self.intrinsics.principal);
+        let (x, y) = ((u - cx) / fx, (v - cy) / fy);
+        let length = (x * x + y * y + 1.0).sqrt();
+        if !length.is_finite() {
+            return Err(CameraError::NotFinite([u, v, 1.0]));
+        }
+        let camera_to_world = self.world_to_camera.reverse();
+        let direction = Direction::from_vector([x / length, y / length, 1.0 / length]);
+        let centre = self.centre();
+        let turned = camera_to_world.transform(direction).vector();
+        Ok(Ray {
+            line: Line::from_point_direction(centre, turned),
+            centre,
+        })
+    }
+}
+
+impl Ray {
+    /// The direction, of length 1.
+    #[must_use]
+    pub fn direction(&self) -> [f64; 3] {
+        self.line.direction()
+    }
+
+    /// How far along the ray a point is, in metres; negative behind the camera.
+    #[must_use]
+    pub fn depth(&self, point: Point<f64>) -> f64 {
+        let from_centre = crate::vector::difference(point.coordinates(), self.centre.coordinates());
+        crate::vector::dot(from_centre, self.direction())
+    }
+}
