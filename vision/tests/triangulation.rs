@@ -86,7 +86,7 @@ fn joint_errors_of_the_oracle() {
 }
 
 fn intrinsics() -> Intrinsics {
-    Intrinsics::new([900.0, 880.0], [320.5, 239.5]).unwrap()
+    Intrinsics::new([900.0, 880.0], [320.5, 239.5]).expect("a camera")
 }
 
 fn motor(axis: [f64; 3], angle: f64, displacement: [f64; 3]) -> Motor<f64> {
@@ -162,7 +162,7 @@ proptest! {
 
 fn side_by_side() -> StereoRig {
     let identity = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    StereoRig::from_matrices(intrinsics(), intrinsics(), identity, [-0.5, 0.0, 0.0]).unwrap()
+    StereoRig::from_matrices(intrinsics(), intrinsics(), identity, [-0.5, 0.0, 0.0]).expect("a rig")
 }
 
 #[test]
