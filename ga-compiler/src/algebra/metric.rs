@@ -1,5 +1,7 @@
 //! The inner products of the basis vectors, and the product of two basis blades that follows from them.
 
+use std::collections::BTreeMap;
+
 use super::{Blade, Ratio};
 
 /// A constant symmetric bilinear form on the basis vectors; it need not be diagonal nor regular.
@@ -48,14 +50,64 @@ impl Metric {
         self.entries[column * self.dimension + row] = value;
     }
 
+    /// Whether the coefficients of all products of basis blades fit 64 bits, by a bound.
+    ///
+    /// With the least common denominator d, d^n times such a coefficient is a whole number, and no larger than the product
+    /// of the sums of the rows, each at least d.
+    #[must_use]
+    pub fn products_fit(&self) -> bool {
+        let limit = f64::from(1_u32 << 31).powi(2);
+        let mut common = Ratio::ONE;
+        for entry in &self.entries {
+            // As d grows by the part of a denominator that it lacks, it stays a whole number.
+            let lacking = (common * *entry).denominator();
+            common = common * Ratio::integer(lacking);
+            if common.to_f64() > limit {
+                return false;
+            }
+        }
+        let rows = self.entries.chunks(self.dimension.max(1));
+        let bound: f64 = rows
+            .map(|row| row.iter().map(|entry| entry.to_f64().abs()).sum::<f64>())
+            .map(|sum| common.to_f64() * sum.max(1.0))
+            .product();
+        bound < limit
+    }
+
     /// The square of the pseudoscalar: (−1)^(n(n−1)/2) det G. Zero where the metric is degenerate.
     #[must_use]
     pub fn pseudoscalar_square(&self) -> Ratio {
-        let pseudoscalar = Blade::pseudoscalar(self.dimension);
-        self.geometric(pseudoscalar, pseudoscalar)
-            .into_iter()
-            .find(|(blade, _)| *blade == Blade::SCALAR)
-            .map_or(Ratio::ZERO, |(_, value)| value)
+        let determinant = self.determinant();
+        if Blade::pseudoscalar(self.dimension).reverse_is_negative() {
+            -determinant
+        } else {
+            determinant
+        }
+    }
+
+    /// By Gauss's elimination.
+    fn determinant(&self) -> Ratio {
+        let n = self.dimension;
+        let mut rows = self.entries.clone();
+        let mut determinant = Ratio::ONE;
+        for step in 0..n {
+            let Some(pivot) = (step..n).find(|&row| !rows[row * n + step].is_zero()) else {
+                return Ratio::ZERO;
+            };
+            if pivot != step {
+                (0..n).for_each(|column| rows.swap(pivot * n + column, step * n + column));
+                determinant = -determinant;
+            }
+            determinant = determinant * rows[step * n + step];
+            for row in step + 1..n {
+                let factor = rows[row * n + step] / rows[step * n + step];
+                for column in step..n {
+                    let change = factor * rows[step * n + column];
+                    rows[row * n + column] = rows[row * n + column] - change;
+                }
+            }
+        }
+        determinant
     }
 
     /// The geometric product of two basis blades, as a sum of basis blades.
@@ -66,10 +118,14 @@ impl Metric {
     /// blade, with a sign for every vector that it passes on the way.
     #[must_use]
     pub fn geometric(&self, left: Blade, right: Blade) -> Vec<(Blade, Ratio)> {
-        let mut terms = vec![(Blade::SCALAR, right, Ratio::ONE)];
+        let mut terms = BTreeMap::from([((Blade::SCALAR, right), Ratio::ONE)]);
         for vector in left.vectors().rev() {
-            let mut next = Vec::with_capacity(terms.len() * 2);
-            for (kept, rest, value) in terms {
+            let mut next = BTreeMap::new();
+            let mut add = |kept, rest, value: Ratio| {
+                let sum = next.entry((kept, rest)).or_insert(Ratio::ZERO);
+                *sum = *sum + value;
+            };
+            for ((kept, rest), value) in terms {
                 for partner in rest.vectors() {
                     let inner = self.get(vector, partner);
                     if inner.is_zero() {
@@ -77,14 +133,14 @@ impl Metric {
                     }
                     let passed = kept.grade() + rest.rank_of(partner);
                     let signed = if passed % 2 == 1 { -inner } else { inner };
-                    next.push((kept, rest.without(partner), value * signed));
+                    add(kept, rest.without(partner), value * signed);
                 }
-                next.push((Blade(kept.0 | 1 << vector), rest, value));
+                add(Blade(kept.0 | 1 << vector), rest, value);
             }
             terms = next;
         }
-        let mut result: Vec<(Blade, Ratio)> = Vec::new();
-        for (kept, rest, value) in terms {
+        let mut result: BTreeMap<Blade, Ratio> = BTreeMap::new();
+        for ((kept, rest), value) in terms {
             if kept.0 & rest.0 != 0 {
                 continue;
             }
@@ -93,15 +149,11 @@ impl Metric {
             } else {
                 value
             };
-            let blade = Blade(kept.0 | rest.0);
-            match result.iter_mut().find(|(other, _)| *other == blade) {
-                Some((_, sum)) => *sum = *sum + signed,
-                None => result.push((blade, signed)),
-            }
+            let sum = result.entry(Blade(kept.0 | rest.0)).or_insert(Ratio::ZERO);
+            *sum = *sum + signed;
         }
-        result.retain(|(_, value)| !value.is_zero());
-        result.sort_by_key(|(blade, _)| *blade);
-        result
+        result.retain(|_, value| !value.is_zero());
+        result.into_iter().collect()
     }
 }
 

@@ -77,6 +77,18 @@ impl Ratio {
         }
     }
 
+    /// The nearest floating-point number.
+    #[must_use]
+    pub fn to_f64(self) -> f64 {
+        self.numerator as f64 / self.denominator as f64
+    }
+
+    /// The larger of numerator and denominator.
+    #[must_use]
+    pub fn height(self) -> i128 {
+        self.numerator.abs().max(self.denominator)
+    }
+
     /// `1 / self`, or `None` for zero.
     #[must_use]
     pub fn recip(self) -> Option<Self> {

@@ -34,12 +34,9 @@ impl Polynomial {
             Expr::Group(inner) => Self::resolve(&inner.expr, lookup),
             Expr::Lit(literal) => match &literal.lit {
                 Lit::Int(number) => {
-                    let value: i128 = number.base10_parse()?;
-                    if value > LARGEST {
-                        let message = format!("numbers above {LARGEST} are not supported");
-                        return Err(Error::new_spanned(literal, message));
-                    }
-                    Ok(Self::Constant(Ratio::integer(value)))
+                    // What does not even fit is as much too large.
+                    let value = number.base10_parse().unwrap_or(i128::MAX);
+                    Self::of_constant(Ratio::integer(value), syntax)
                 }
                 other => Err(Error::new_spanned(
                     other,
@@ -56,24 +53,31 @@ impl Polynomial {
             Expr::Binary(binary) => {
                 let left = Self::resolve(&binary.left, lookup)?;
                 let right = Self::resolve(&binary.right, lookup)?;
-                match binary.op {
-                    BinOp::Add(_) => Ok(Self::Sum(Box::new(left), Box::new(right))),
-                    BinOp::Sub(_) => Ok(Self::Sum(Box::new(left), Box::new(right.negative()))),
-                    BinOp::Mul(_) => Ok(Self::Product(Box::new(left), Box::new(right))),
+                let joined = match binary.op {
+                    BinOp::Add(_) => Self::Sum(Box::new(left), Box::new(right)),
+                    BinOp::Sub(_) => Self::Sum(Box::new(left), Box::new(right.negative())),
+                    BinOp::Mul(_) => Self::Product(Box::new(left), Box::new(right)),
                     BinOp::Div(_) => match right.as_constant().and_then(Ratio::recip) {
-                        Some(inverse) => Ok(Self::Product(
-                            Box::new(left),
-                            Box::new(Self::Constant(inverse)),
-                        )),
-                        None => Err(Error::new_spanned(
-                            &binary.right,
-                            "only a constant other than zero may divide",
-                        )),
+                        Some(inverse) => {
+                            Self::Product(Box::new(left), Box::new(Self::Constant(inverse)))
+                        }
+                        None => {
+                            return Err(Error::new_spanned(
+                                &binary.right,
+                                "only a constant other than zero may divide",
+                            ));
+                        }
                     },
-                    operator => Err(Error::new_spanned(
-                        operator,
-                        "expected `+`, `-`, `*` or `/`",
-                    )),
+                    operator => {
+                        return Err(Error::new_spanned(
+                            operator,
+                            "expected `+`, `-`, `*` or `/`",
+                        ));
+                    }
+                };
+                match joined.as_constant() {
+                    Some(value) => Self::of_constant(value, syntax),
+                    None => Ok(joined),
                 }
             }
             other => Err(Error::new_spanned(
@@ -81,6 +85,15 @@ impl Polynomial {
                 "expected a polynomial in the stored blades of the type",
             )),
         }
+    }
+
+    fn of_constant(value: Ratio, syntax: &Expr) -> Result<Self> {
+        if value.numerator().abs() > LARGEST || value.denominator() > LARGEST {
+            let message =
+                format!("numbers above {LARGEST} are not supported, nor are fractions of them");
+            return Err(Error::new_spanned(syntax, message));
+        }
+        Ok(Self::Constant(value))
     }
 
     /// The number that the polynomial is, if no blade occurs in it.

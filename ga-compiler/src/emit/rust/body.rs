@@ -49,8 +49,13 @@ pub(super) fn body(kernel: &Kernel, runtime: &TokenStream, inputs: &[TokenStream
 
 /// A constant of the scalar type `S`.
 pub(super) fn constant(runtime: &TokenStream, value: Ratio) -> TokenStream {
-    let integer = |value: i128| Literal::i64_suffixed(i64::try_from(value).unwrap_or(i64::MAX));
-    let (numerator, denominator) = (integer(value.numerator()), integer(value.denominator()));
+    let integer = |value: i128| i64::try_from(value).map(Literal::i64_suffixed);
+    let (Ok(numerator), Ok(denominator)) =
+        (integer(value.numerator()), integer(value.denominator()))
+    else {
+        let message = format!("the constant {value} does not fit 64 bits");
+        return quote! { ::core::compile_error!(#message) };
+    };
     if !value.is_integer() {
         return quote! { <S as #runtime::scalar::Field>::from_ratio(#numerator, #denominator) };
     }
