@@ -1,6 +1,6 @@
 //! Errors with their places in the source, collected so that one run reports all of them.
 
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::Span;
 use quote::ToTokens;
 use syn::Error;
 
@@ -29,10 +29,12 @@ impl Diagnostics {
         }
     }
 
-    /// Whether nothing went wrong.
+    /// How many errors there are, so that it can be told whether a step of the checks added any.
     #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.errors.is_none()
+    pub fn count(&self) -> usize {
+        self.errors
+            .as_ref()
+            .map_or(0, |errors| errors.into_iter().count())
     }
 
     /// All errors as one, if there are any.
@@ -41,20 +43,5 @@ impl Diagnostics {
     /// Whatever was collected.
     pub fn into_result(self) -> syn::Result<()> {
         self.errors.map_or(Ok(()), Err)
-    }
-
-    /// One `compile_error!` for each error; nothing where there is none.
-    #[must_use]
-    pub fn to_compile_errors(&self) -> TokenStream {
-        self.errors
-            .as_ref()
-            .map_or_else(TokenStream::new, Error::to_compile_error)
-    }
-
-    /// The messages in the order in which they were found.
-    #[must_use]
-    pub fn messages(&self) -> Vec<String> {
-        let errors = self.errors.clone().into_iter().flatten();
-        errors.map(|error| error.to_string()).collect()
     }
 }

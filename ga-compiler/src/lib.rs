@@ -56,7 +56,6 @@ use proc_macro2::{Span, TokenStream};
 use syn::{Error, Result};
 
 use define::Definition;
-use diag::Diagnostics;
 use expression::Expression;
 use kernel::Kernel;
 
@@ -70,25 +69,19 @@ pub struct Compiled {
 
 /// Expands the declaration of an algebra, preceded by the path of ga-runtime in brackets: `[runtime] declaration`.
 ///
-/// On errors the result holds a `compile_error!` for each and stand-ins for the types, so that code which uses
-/// them adds no errors of its own.
+/// On errors the result holds a `compile_error!` for each and stand-ins for what would have been declared, so that code
+/// which uses it adds no errors of its own.
 #[must_use]
 pub fn expand_algebra(tokens: TokenStream) -> TokenStream {
-    let parsed = parse::parse_placed(tokens).and_then(|(runtime, source)| {
-        Ok((runtime, source.clone(), parse::parse_declaration(source)?))
-    });
-    let (runtime, source, syntax) = match parsed {
-        Ok(parsed) => parsed,
+    let (runtime, source) = match parse::parse_placed(tokens) {
+        Ok(placed) => placed,
         Err(error) => return error.into_compile_error(),
     };
-    let mut diagnostics = Diagnostics::default();
-    let definition = Definition::check(syntax, runtime, &mut diagnostics);
-    if diagnostics.is_empty() {
-        emit::rust::algebra(&definition, &source)
-    } else {
-        let mut output = diagnostics.to_compile_errors();
-        output.extend(emit::rust::stand_ins(&definition));
-        output
+    let checked = parse::parse_declaration(source.clone())
+        .and_then(|syntax| Definition::check(syntax, runtime));
+    match checked {
+        Ok(definition) => emit::rust::algebra(&definition, &source),
+        Err(errors) => emit::rust::stand_ins(&source, &errors.into_compile_error()),
     }
 }
 
@@ -98,10 +91,8 @@ pub fn expand_algebra(tokens: TokenStream) -> TokenStream {
 #[must_use]
 pub fn expand_product_tests(tokens: TokenStream) -> TokenStream {
     let expanded = parse::parse_handover(tokens).and_then(|handover| {
-        let mut diagnostics = Diagnostics::default();
         let syntax = parse::parse_declaration(handover.declaration)?;
-        let definition = Definition::check(syntax, handover.runtime, &mut diagnostics);
-        diagnostics.into_result()?;
+        let definition = Definition::check(syntax, handover.runtime)?;
         Ok(emit::rust::product_tests(&definition, &handover.input))
     });
     expanded.unwrap_or_else(Error::into_compile_error)
@@ -112,10 +103,8 @@ pub fn expand_product_tests(tokens: TokenStream) -> TokenStream {
 /// # Errors
 /// Every error of the declaration, or the first of the function.
 pub fn compile_function(declaration: TokenStream, function: TokenStream) -> Result<Compiled> {
-    let mut diagnostics = Diagnostics::default();
     let syntax = parse::parse_declaration(declaration)?;
-    let definition = Definition::check(syntax, TokenStream::new(), &mut diagnostics);
-    diagnostics.into_result()?;
+    let definition = Definition::check(syntax, TokenStream::new())?;
     let function = parse::parse_function(function)?;
     let find = |name: &syn::Ident| {
         let found = definition.type_named(&name.to_string());

@@ -1,20 +1,29 @@
 //! Checks the basis vectors and the metric.
 
-use syn::Expr;
+use syn::ext::IdentExt;
+use syn::{Error, Ident, Result};
 
 use super::polynomial::constant;
 use crate::algebra::{Algebra, MAX_DIMENSION, Metric, Ratio, SCALAR};
 use crate::diag::Diagnostics;
-use crate::parse::{BasisSyntax, MetricSyntax};
+use crate::parse::{BasisSyntax, MetricEntrySyntax, MetricSyntax};
 
+/// The algebra, with a metric of zeros where something is wrong with the one that is stated.
+///
+/// # Errors
+/// There are too many basis vectors, so that no blade can be read.
 pub(super) fn check(
     basis: &BasisSyntax,
     metric: &MetricSyntax,
     diagnostics: &mut Diagnostics,
-) -> Algebra {
+) -> Result<Algebra> {
+    if let Some(surplus) = basis.names.get(MAX_DIMENSION) {
+        let message = format!("at most {MAX_DIMENSION} basis vectors are supported");
+        return Err(Error::new(surplus.span(), message));
+    }
     let mut names: Vec<String> = Vec::new();
     for ident in &basis.names {
-        let name = ident.to_string();
+        let name = ident.unraw().to_string();
         if name == SCALAR {
             diagnostics.error(ident.span(), "`scalar` names the scalar coefficient");
         } else if names.contains(&name) {
@@ -22,10 +31,6 @@ pub(super) fn check(
                 ident.span(),
                 format!("basis vector `{name}` is listed twice"),
             );
-        } else if names.len() == MAX_DIMENSION {
-            let message = format!("at most {MAX_DIMENSION} basis vectors are supported");
-            diagnostics.error(ident.span(), message);
-            break;
         } else {
             names.push(name);
         }
@@ -37,30 +42,33 @@ pub(super) fn check(
             if sum == names.len() {
                 Metric::signature(counts[0], counts[1], counts[2])
             } else {
-                let message = format!(
-                    "the signature counts {sum} basis vectors, but {} are named",
-                    names.len()
-                );
-                diagnostics.error(*span, message);
+                let named = basis.names.len();
+                if sum != named {
+                    let message =
+                        format!("the signature counts {sum} basis vectors, but {named} are named");
+                    diagnostics.error(*span, message);
+                }
                 Metric::zero(names.len())
             }
         }
-        MetricSyntax::Entries(entries) => check_entries(&names, entries, diagnostics),
+        MetricSyntax::Entries(entries) => check_entries(&names, basis, entries, diagnostics),
     };
-    Algebra::new(&names, metric)
+    Ok(Algebra::new(&names, metric))
 }
 
 fn check_entries(
     names: &[String],
-    entries: &[(syn::Ident, syn::Ident, Expr)],
+    basis: &BasisSyntax,
+    entries: &[MetricEntrySyntax],
     diagnostics: &mut Diagnostics,
 ) -> Metric {
     let mut metric = Metric::zero(names.len());
     let mut stated: Vec<(usize, usize, Ratio)> = Vec::new();
-    for (left, right, value) in entries {
-        let mut place = |ident: &syn::Ident| {
-            let found = names.iter().position(|name| ident == name);
-            if found.is_none() {
+    for MetricEntrySyntax { left, right, value } in entries {
+        let mut place = |ident: &Ident| {
+            let found = names.iter().position(|name| ident.unraw() == name);
+            // What is wrong with a listed one was said there.
+            if found.is_none() && !basis.names.contains(ident) {
                 diagnostics.error(ident.span(), format!("unknown basis vector `{ident}`"));
             }
             found
@@ -76,9 +84,9 @@ fn check_entries(
         let (Some(row), Some(column)) = (row, column) else {
             continue;
         };
+        let entry = quote::quote!(#left * #right);
         if stated.iter().any(|&(r, c, _)| (r, c) == (row, column)) {
-            let message = format!("the product `{left} * {right}` is stated twice");
-            diagnostics.error(left.span(), message);
+            diagnostics.error_at(entry, format!("`{left} * {right}` is stated twice"));
             continue;
         }
         let mirrored = stated.iter().find(|&&(r, c, _)| (r, c) == (column, row));
@@ -88,11 +96,20 @@ fn check_entries(
             let message = format!(
                 "the metric is not symmetric: `{right} * {left}` is {other}, `{left} * {right}` is {value}"
             );
-            diagnostics.error(left.span(), message);
+            diagnostics.error_at(entry, message);
             continue;
         }
         stated.push((row, column, value));
         metric.set(row, column, value);
+    }
+    let height = |entry: &&MetricEntrySyntax| constant(&entry.value).map_or(0, Ratio::height);
+    if !metric.products_fit()
+        && let Some(largest) = entries.iter().max_by_key(height)
+    {
+        let message =
+            "the numbers of the metric are too large: products of blades would not fit 64 bits";
+        diagnostics.error_at(&largest.value, message);
+        return Metric::zero(names.len());
     }
     metric
 }

@@ -7,7 +7,7 @@ mod types;
 
 pub use polynomial::{Polynomial, PolynomialStep};
 pub use products::{Operation, ProductDefinition};
-pub use types::{Coefficient, Role, TypeDefinition};
+pub use types::{CONSTANTS, Coefficient, Role, TypeDefinition};
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -36,22 +36,20 @@ pub struct Definition {
 }
 
 impl Definition {
-    /// Checks a parsed declaration. Everything wrong with it goes to `diagnostics`; what comes back then is good
-    /// for emitting stand-ins of the types only.
-    #[must_use]
-    pub fn check(
-        syntax: DeclarationSyntax,
-        runtime: TokenStream,
-        diagnostics: &mut Diagnostics,
-    ) -> Self {
-        let algebra = basis::check(&syntax.basis, &syntax.metric, diagnostics);
-        let types = types::check(&algebra, &syntax.types, diagnostics);
-        let products = if diagnostics.is_empty() {
-            products::check(&algebra, &types, &syntax.products, diagnostics)
-        } else {
-            Vec::new()
-        };
-        Self {
+    /// Checks a parsed declaration. `runtime` is the path of ga-runtime, where the declaration does not say it.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the declaration, each error at its token. What depends on a faulty part is not
+    /// judged, so that no error merely follows from another.
+    pub fn check(syntax: DeclarationSyntax, runtime: TokenStream) -> syn::Result<Self> {
+        let mut diagnostics = Diagnostics::default();
+        let algebra = basis::check(&syntax.basis, &syntax.metric, &mut diagnostics)?;
+        let is_sound = diagnostics.count() == 0;
+        let (types, sound) = types::check(&algebra, is_sound, &syntax.types, &mut diagnostics);
+        let products =
+            products::check(&algebra, &types, &sound, &syntax.products, &mut diagnostics);
+        diagnostics.into_result()?;
+        Ok(Self {
             attributes: syntax.attributes,
             visibility: syntax.visibility,
             name: syntax.name,
@@ -59,7 +57,7 @@ impl Definition {
             algebra,
             types,
             products,
-        }
+        })
     }
 
     /// The type of that name.

@@ -74,6 +74,7 @@ impl Operation {
 pub(super) fn check(
     algebra: &Algebra,
     types: &[TypeDefinition],
+    sound: &[bool],
     syntax: &[ProductSyntax],
     diagnostics: &mut Diagnostics,
 ) -> Vec<ProductDefinition> {
@@ -85,16 +86,18 @@ pub(super) fn check(
             continue;
         };
         if line.operands.len() != operation.arity() {
+            let (wanted, found) = (operation.arity(), line.operands.len());
+            let plural = if wanted == 1 { "" } else { "s" };
             let message = format!(
-                "`{}` takes {} operands, not {}",
-                line.operation,
-                operation.arity(),
-                line.operands.len()
+                "`{}` takes {wanted} operand{plural}, not {found}",
+                line.operation
             );
             diagnostics.error(line.operation.span(), message);
             continue;
         }
-        let Some(choices) = resolve_operands(types, line, diagnostics) else {
+        let choices = resolve_operands(types, line, diagnostics);
+        let result = resolve_result(types, line.result.as_ref(), diagnostics);
+        let (Some(choices), Some(result)) = (choices, result) else {
             continue;
         };
         for operands in combinations(&choices) {
@@ -117,11 +120,12 @@ pub(super) fn check(
             let context = Context {
                 algebra,
                 types,
+                sound,
                 operation,
                 operands: &operands,
                 span: line.operation.span(),
             };
-            if let Some(result) = context.result(line.result.as_ref(), diagnostics) {
+            if let Some(result) = context.result(&result, diagnostics) {
                 products.push(ProductDefinition {
                     operation,
                     operands,
@@ -156,6 +160,37 @@ fn resolve_operands(
     complete.then_some(choices)
 }
 
+/// What a declaration says of a result.
+enum Stated<'a> {
+    /// Nothing: it is to be found.
+    Nothing,
+    /// The type of the last operand.
+    LastOperand(&'a Ident),
+    /// A type, or a scalar.
+    Type(&'a Ident, Option<usize>),
+}
+
+fn resolve_result<'a>(
+    types: &[TypeDefinition],
+    stated: Option<&'a Ident>,
+    diagnostics: &mut Diagnostics,
+) -> Option<Stated<'a>> {
+    let Some(name) = stated else {
+        return Some(Stated::Nothing);
+    };
+    if name == "Scalar" {
+        return Some(Stated::Type(name, None));
+    }
+    if name == "Self" {
+        return Some(Stated::LastOperand(name));
+    }
+    let place = types.iter().position(|kind| kind.name == *name);
+    if place.is_none() {
+        diagnostics.error(name.span(), format!("unknown type `{name}`"));
+    }
+    place.map(|place| Stated::Type(name, Some(place)))
+}
+
 fn combinations(choices: &[Vec<usize>]) -> Vec<Vec<usize>> {
     choices.iter().fold(vec![vec![]], |all, next| {
         all.iter()
@@ -174,6 +209,8 @@ fn combinations(choices: &[Vec<usize>]) -> Vec<Vec<usize>> {
 struct Context<'a> {
     algebra: &'a Algebra,
     types: &'a [TypeDefinition],
+    /// For each type whether something can be concluded from it.
+    sound: &'a [bool],
     operation: Operation,
     operands: &'a [usize],
     span: Span,
@@ -181,32 +218,23 @@ struct Context<'a> {
 
 impl Context<'_> {
     /// The type of the result: some index, none for a scalar; `None` where an error was reported.
-    fn result(
-        &self,
-        stated: Option<&Ident>,
-        diagnostics: &mut Diagnostics,
-    ) -> Option<Option<usize>> {
+    fn result(&self, stated: &Stated<'_>, diagnostics: &mut Diagnostics) -> Option<Option<usize>> {
+        if !self.operands.iter().all(|&o| self.sound[o]) {
+            return None;
+        }
         if self.operands.iter().all(|&o| self.types[o].is_constant()) {
             let message = "a product of constants alone has no scalar type to work in";
             diagnostics.error(self.span, message);
             return None;
         }
-        let Some(name) = stated else {
-            return self.infer(diagnostics);
+        let (name, place) = match *stated {
+            Stated::Nothing => return self.infer(diagnostics),
+            Stated::LastOperand(name) => (name, self.operands.last().copied()),
+            Stated::Type(name, place) => (name, place),
         };
-        let place = if name == "Scalar" {
-            None
-        } else if name == "Self" {
-            self.operands.last().copied()
-        } else {
-            match self.types.iter().position(|kind| kind.name == *name) {
-                Some(place) => Some(place),
-                None => {
-                    diagnostics.error(name.span(), format!("unknown type `{name}`"));
-                    return None;
-                }
-            }
-        };
+        if place.is_some_and(|place| !self.sound[place]) {
+            return None;
+        }
         if let Err(reasons) = self.fits(place) {
             let message = format!(
                 "{} does not lie in `{}`: {}",
@@ -231,6 +259,9 @@ impl Context<'_> {
     }
 
     fn infer(&self, diagnostics: &mut Diagnostics) -> Option<Option<usize>> {
+        if self.sound.contains(&false) {
+            return None;
+        }
         let operands: Vec<_> = self.operands.iter().map(|&o| &self.types[o]).collect();
         let blades = verify::result_blades(self.algebra, &operands, &self.operation.expression());
         let names: Vec<_> = blades

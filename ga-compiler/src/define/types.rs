@@ -1,16 +1,21 @@
 //! Checks the types: their blades, what is constant or derived, their facts and hulls.
 
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 
 use proc_macro2::Span;
+use syn::ext::IdentExt;
 use syn::{Attribute, Error, Ident};
 
 use super::polynomial::Polynomial;
-use crate::algebra::{Algebra, Blade, NameError, NamedBlade, Ratio, SCALAR};
+use crate::algebra::{Algebra, Blade, NameError, NamedBlade, Product, Ratio, SCALAR};
 use crate::diag::Diagnostics;
 use crate::ir::Facts;
 use crate::parse::{CoefficientSyntax, FactSyntax, TypeSyntax};
 use crate::verify;
+
+/// The names of the constants of every algebra.
+pub const CONSTANTS: [&str; 2] = ["BASIS", "METRIC"];
 
 /// A type of multivectors.
 #[derive(Clone)]
@@ -106,20 +111,27 @@ impl TypeDefinition {
     }
 }
 
+/// The types, and for each whether nothing is wrong with it, so that something can be concluded from it.
+/// `is_sound` says so of the algebra.
 pub(super) fn check(
     algebra: &Algebra,
+    is_sound: bool,
     syntax: &[TypeSyntax],
     diagnostics: &mut Diagnostics,
-) -> Vec<TypeDefinition> {
+) -> (Vec<TypeDefinition>, Vec<bool>) {
     let mut places: HashMap<String, usize> = HashMap::new();
-    let mut types = Vec::new();
+    let (mut types, mut sound) = (Vec::new(), Vec::new());
     for (index, kind) in syntax.iter().enumerate() {
-        let name = kind.name.to_string();
-        if name == "Scalar" {
-            diagnostics.error(kind.name.span(), "`Scalar` stands for the coefficients");
-        } else if places.insert(name, index).is_some() {
+        let before = diagnostics.count();
+        check_name(algebra, &kind.name, diagnostics);
+        if let Entry::Vacant(place) = places.entry(kind.name.to_string()) {
+            place.insert(index);
+        } else {
             let message = format!("type `{}` is declared twice", kind.name);
             diagnostics.error(kind.name.span(), message);
+        }
+        if kind.coefficients.is_empty() {
+            diagnostics.error(kind.name.span(), "a type lists at least one blade");
         }
         types.push(TypeDefinition {
             docs: kind.docs.clone(),
@@ -129,21 +141,43 @@ pub(super) fn check(
             facts_are_implied: true,
             hull: None,
         });
+        sound.push(diagnostics.count() == before);
     }
     for (index, kind) in syntax.iter().enumerate() {
-        check_hull(index, kind, &places, &mut types, diagnostics);
+        let before = diagnostics.count();
+        check_hull(index, kind, &places, &mut types, &sound, diagnostics);
+        sound[index] &= diagnostics.count() == before;
     }
-    if diagnostics.is_empty() {
-        for (kind, syntax) in types.iter_mut().zip(syntax) {
-            establish_facts(algebra, kind, &syntax.facts, diagnostics);
+    for (index, kind) in syntax.iter().enumerate() {
+        sound[index] &= is_sound;
+        if sound[index] {
+            let before = diagnostics.count();
+            establish_facts(algebra, &mut types[index], &kind.facts, diagnostics);
+            sound[index] = diagnostics.count() == before;
         }
     }
-    types
+    (types, sound)
+}
+
+/// Refuses names that mean something else in the emitted code.
+fn check_name(algebra: &Algebra, name: &Ident, diagnostics: &mut Diagnostics) {
+    let text = name.unraw().to_string();
+    let meaning = match text.as_str() {
+        "Scalar" => "stands for the coefficients",
+        "S" => "is the scalar parameter of every type",
+        constant if CONSTANTS.contains(&constant) => "is a constant of every algebra",
+        other if algebra.names().resolve(other).is_ok() => "is a blade",
+        _ => return,
+    };
+    diagnostics.error(
+        name.span(),
+        format!("`{name}` {meaning}: no type may be called that"),
+    );
 }
 
 /// Resolves the name of a blade, with an error that says what is wrong with it.
 pub(super) fn resolve_blade(algebra: &Algebra, name: &Ident) -> Result<NamedBlade, Error> {
-    let text = name.to_string();
+    let text = name.unraw().to_string();
     algebra.names().resolve(&text).map_err(|error| {
         let message = match error {
             NameError::Unknown => {
@@ -182,6 +216,12 @@ fn check_coefficients(
             );
             diagnostics.error(blade.span(), message);
             continue;
+        }
+        if is_method(&blade.unraw().to_string()) {
+            let message = format!(
+                "`{blade}` is the name of a method of every type: call the basis vectors otherwise"
+            );
+            diagnostics.error(blade.span(), message);
         }
         coefficients.push(Coefficient {
             name: blade.clone(),
@@ -223,6 +263,29 @@ fn check_coefficients(
     coefficients
 }
 
+/// Whether emitted code needs the name for something else than a blade.
+fn is_method(name: &str) -> bool {
+    let methods = [
+        "new",
+        "new_unchecked",
+        "try_new",
+        "tolerance",
+        "normalize",
+        "reverse",
+        "involute",
+        "conjugate",
+        "grade",
+        "norm_squared",
+        "inverse",
+        "try_inverse",
+        "dual",
+        "undual",
+        "sandwich",
+        "transform",
+    ];
+    methods.contains(&name) || Product::from_name(name).is_some()
+}
+
 fn check_facts(algebra: &Algebra, syntax: &[FactSyntax], diagnostics: &mut Diagnostics) -> Facts {
     let mut facts = Facts::default();
     for FactSyntax { name, blade } in syntax {
@@ -230,7 +293,17 @@ fn check_facts(algebra: &Algebra, syntax: &[FactSyntax], diagnostics: &mut Diagn
             ("unit_versor", None) => facts.unit_versor = true,
             ("null", None) => facts.null = true,
             ("blade", None) => facts.blade = true,
+            ("weight", Some(_)) if facts.weight.is_some() => {
+                diagnostics.error(name.span(), "a type has one weight");
+            }
             ("weight", Some(blade)) => match resolve_blade(algebra, blade) {
+                Ok(named) if named.is_negative => diagnostics.error(
+                    blade.span(),
+                    format!(
+                        "a weight is that of the blade in rising order, `{}`",
+                        algebra.names().name(named.blade)
+                    ),
+                ),
                 Ok(named) => facts.weight = Some(named.blade),
                 Err(error) => diagnostics.push(error),
             },
@@ -252,6 +325,7 @@ fn check_hull(
     syntax: &TypeSyntax,
     places: &HashMap<String, usize>,
     types: &mut [TypeDefinition],
+    sound: &[bool],
     diagnostics: &mut Diagnostics,
 ) {
     let name = &syntax.name;
@@ -269,6 +343,9 @@ fn check_hull(
         diagnostics.error(hull.span(), format!("unknown type `{hull}`"));
         return;
     };
+    if !sound[index] || !sound[place] {
+        return;
+    }
     if !types[place].is_linear() {
         let message = format!("the hull `{hull}` must store all its blades and state no facts");
         diagnostics.error(hull.span(), message);

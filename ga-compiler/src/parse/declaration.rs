@@ -12,10 +12,13 @@
 //! operands     = type | "{" type ("," type)* "}"
 //! ```
 
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
+use syn::parse::discouraged::Speculative;
 use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
 use syn::{Attribute, Error, Expr, Ident, LitInt, Path, Result, Token, Visibility, braced};
+
+use crate::diag::Diagnostics;
 
 mod keyword {
     syn::custom_keyword!(basis);
@@ -53,9 +56,19 @@ pub struct BasisSyntax {
 /// The inner products of the basis vectors.
 pub enum MetricSyntax {
     /// Entry by entry; what is not stated is zero.
-    Entries(Vec<(Ident, Ident, Expr)>),
+    Entries(Vec<MetricEntrySyntax>),
     /// Squares of 1, −1 and 0.
     Signature([usize; 3], Span),
+}
+
+/// One inner product.
+pub struct MetricEntrySyntax {
+    /// One basis vector.
+    pub left: Ident,
+    /// The other, or the same.
+    pub right: Ident,
+    /// Their inner product.
+    pub value: Expr,
 }
 
 /// One type.
@@ -121,18 +134,20 @@ impl Parse for DeclarationSyntax {
         let basis = body.parse()?;
         let metric = body.parse()?;
         let (mut types, mut products) = (Vec::new(), Vec::new());
+        let mut diagnostics = Diagnostics::default();
         while !body.is_empty() {
-            if body.peek(keyword::products) {
+            if body.peek(keyword::products) && body.peek2(syn::token::Brace) {
                 body.parse::<keyword::products>()?;
                 let lines;
                 braced!(lines in body);
                 while !lines.is_empty() {
-                    products.push(lines.parse()?);
+                    products.extend(parse_or_skip(&lines, &mut diagnostics));
                 }
             } else {
-                types.push(body.parse()?);
+                types.extend(parse_or_skip(&body, &mut diagnostics));
             }
         }
+        diagnostics.into_result()?;
         Ok(Self {
             attributes,
             visibility,
@@ -181,11 +196,12 @@ impl Parse for MetricSyntax {
         })?;
         let mut entries = Vec::new();
         while !input.peek(Token![;]) {
-            let row = input.parse()?;
+            let left = input.parse()?;
             input.parse::<Token![*]>()?;
-            let column = input.parse()?;
+            let right = input.parse()?;
             input.parse::<Token![=]>()?;
-            entries.push((row, column, input.parse()?));
+            let value = input.parse()?;
+            entries.push(MetricEntrySyntax { left, right, value });
             if !input.peek(Token![;]) {
                 input.parse::<Token![,]>()?;
             }
@@ -203,6 +219,9 @@ impl Parse for TypeSyntax {
             if path.is_ident("doc") {
                 docs.push(attribute);
             } else if path.is_ident("hull") {
+                if hull.is_some() {
+                    return Err(Error::new_spanned(path, "a type has one hull"));
+                }
                 hull = Some(attribute.parse_args()?);
             } else if path.is_ident("facts") {
                 let list = attribute
@@ -271,6 +290,9 @@ impl Parse for ProductSyntax {
                 let list;
                 braced!(list in body);
                 let names = Punctuated::<Ident, Token![,]>::parse_terminated(&list)?;
+                if names.is_empty() {
+                    return Err(list.error("expected a type"));
+                }
                 operands.push(names.into_iter().collect());
             } else {
                 operands.push(vec![body.parse()?]);
@@ -298,10 +320,35 @@ impl Parse for ProductSyntax {
     }
 }
 
+/// Reads an item; where it leaves the grammar, the error is kept and the item passed over.
+fn parse_or_skip<T: Parse>(input: ParseStream<'_>, diagnostics: &mut Diagnostics) -> Option<T> {
+    let attempt = input.fork();
+    match attempt.parse() {
+        Ok(item) => {
+            input.advance_to(&attempt);
+            Some(item)
+        }
+        Err(error) => {
+            diagnostics.push(error);
+            while let Ok(token) = input.parse::<TokenTree>() {
+                let is_end = match token {
+                    TokenTree::Group(group) => group.delimiter() == Delimiter::Brace,
+                    TokenTree::Punct(punct) => punct.as_char() == ';',
+                    _ => false,
+                };
+                if is_end {
+                    break;
+                }
+            }
+            None
+        }
+    }
+}
+
 /// Reads a declaration.
 ///
 /// # Errors
-/// The first place where the tokens leave the grammar.
+/// The places where the tokens leave the grammar: the first in the head, and the first in each type and product.
 pub fn parse_declaration(tokens: TokenStream) -> Result<DeclarationSyntax> {
     syn::parse2(tokens)
 }

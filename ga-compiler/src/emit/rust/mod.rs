@@ -16,7 +16,8 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 use syn::Visibility;
 
-use crate::define::Definition;
+use crate::define::{CONSTANTS, Definition};
+use crate::parse::{Outline, parse_outline};
 use context::Context;
 
 /// The module of an algebra and its macro. `source` are the tokens of the declaration.
@@ -38,39 +39,56 @@ pub fn algebra(definition: &Definition, source: &TokenStream) -> TokenStream {
     quote! { #module #handover }
 }
 
-/// Stand-ins for the types of a declaration with errors.
+/// Stand-ins for the module and the macro of a declaration with errors.
+///
+/// The compiler is silent about names that are imported from a module with a `compile_error!` in it, and about whatever is
+/// done with them. So the errors go into a module of their own, and all names are imported from there.
 #[must_use]
-pub fn stand_ins(definition: &Definition) -> TokenStream {
-    let types = definition.types.iter().map(|kind| {
-        let name = &kind.name;
-        if kind.is_constant() {
-            return quote! {
-                #[doc = ""] #[derive(::core::clone::Clone, ::core::marker::Copy)] pub struct #name;
-            };
+pub fn stand_ins(source: &TokenStream, errors: &TokenStream) -> TokenStream {
+    let Ok(Outline {
+        attributes,
+        visibility,
+        name,
+        types,
+    }) = parse_outline(source.clone())
+    else {
+        return errors.clone();
+    };
+    let attributes = attributes.iter().filter(|a| !a.path().is_ident("doc"));
+    let constants = CONSTANTS.map(|constant| format_ident!("{constant}"));
+    let mut names = types;
+    names.extend(constants);
+    names.sort();
+    names.dedup();
+    let handover = macro_of(
+        &name,
+        &visibility,
+        source,
+        &quote! { ($($input:tt)*) => {} },
+    );
+    quote! {
+        #(#attributes)*
+        #[doc(hidden)]
+        #[allow(unused_imports)]
+        #visibility mod #name {
+            mod __errors { #errors }
+            pub use self::__errors::{#(#names),*};
         }
-        quote! {
-            #[doc = ""]
-            #[derive(::core::clone::Clone, ::core::marker::Copy)]
-            pub struct #name<S>(::core::marker::PhantomData<S>);
-        }
-    });
-    module(definition, quote! { #(#types)* })
+        #handover
+    }
 }
 
 fn module(definition: &Definition, items: TokenStream) -> TokenStream {
-    let name = &definition.name;
-    // As inner attributes, so that links in the text find the types.
-    let docs = definition
-        .attributes
-        .iter()
-        .filter_map(|attribute| attribute.meta.require_name_value().ok())
-        .filter(|meta| meta.path.is_ident("doc"))
-        .map(|meta| &meta.value);
-    let attributes = definition
-        .attributes
-        .iter()
-        .filter(|attribute| !attribute.path().is_ident("doc"));
-    let visibility = &definition.visibility;
+    let (name, visibility) = (&definition.name, &definition.visibility);
+    let mut docs = Vec::new();
+    let mut attributes = Vec::new();
+    for attribute in &definition.attributes {
+        match attribute.meta.require_name_value() {
+            // As inner attributes, so that links in the text find the types.
+            Ok(meta) if meta.path.is_ident("doc") => docs.push(&meta.value),
+            _ => attributes.push(attribute),
+        }
+    }
     quote! {
         #(#attributes)*
         #[allow(clippy::all, clippy::pedantic, clippy::nursery, dead_code, unused_variables)]
@@ -103,22 +121,32 @@ fn constants(definition: &Definition) -> TokenStream {
 /// A macro of the algebra's name that passes the definition to another macro. Its own name is unique to the
 /// definition, so that two algebras of one name in two modules do not collide.
 fn handover(definition: &Definition, source: &TokenStream) -> TokenStream {
-    let (name, runtime) = (&definition.name, &definition.runtime);
+    let runtime = &definition.runtime;
+    let rule = quote! {
+        ([$($callback:tt)*] $($input:tt)*) => {
+            $($callback)* ! { [#runtime] { #source } $($input)* }
+        }
+    };
+    macro_of(&definition.name, &definition.visibility, source, &rule)
+}
+
+fn macro_of(
+    name: &Ident,
+    visibility: &Visibility,
+    source: &TokenStream,
+    rule: &TokenStream,
+) -> TokenStream {
     let unique = unique_name(name, source);
-    let is_public = matches!(definition.visibility, Visibility::Public(_));
+    let is_public = matches!(visibility, Visibility::Public(_));
     let export = is_public.then(|| quote! { #[macro_export] });
-    let visibility = match &definition.visibility {
+    let visibility = match visibility {
         Visibility::Inherited => quote! { pub(crate) },
         stated => stated.to_token_stream(),
     };
     quote! {
         #[doc(hidden)]
         #export
-        macro_rules! #unique {
-            ([$($callback:tt)*] $($input:tt)*) => {
-                $($callback)* ! { [#runtime] { #source } $($input)* }
-            };
-        }
+        macro_rules! #unique { #rule }
         #[doc(hidden)]
         #[allow(unused_imports)]
         #visibility use #unique as #name;

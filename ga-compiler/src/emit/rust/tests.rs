@@ -73,7 +73,7 @@ fn product_test(
         _ => reference,
     };
     quote! {
-        #[test]
+        #[::core::prelude::v1::test]
         fn #name() {
             let algebra = #runtime::testing::algebra_of(#path::METRIC);
             #runtime::testing::for_all((#(#strategies,)*), |(#(#locals,)*)| {
@@ -150,7 +150,7 @@ fn type_test(definition: &Definition, path: &TokenStream, kind: &TypeDefinition)
     let runtime = &definition.runtime;
     let (name, test) = (&kind.name, format_ident!("type_{}", snake_case(&kind.name)));
     quote! {
-        #[test]
+        #[::core::prelude::v1::test]
         fn #test() {
             let algebra = #runtime::testing::algebra_of(#path::METRIC);
             let operands = (

@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::body::{body, constant};
-use super::context::Context;
+use super::context::{Context, fields};
 use crate::algebra::{Blade, NamedBlade, Product, Ratio, Unary};
 use crate::define::{Role, TypeDefinition};
 use crate::expression::Expression;
@@ -87,7 +87,8 @@ fn try_new(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let blades = wanted(verify::result_blades(algebra, &[&candidate], &defect));
     let kernel = Kernel::of_blades(algebra, &[&candidate], &defect, &blades);
     let arguments: Vec<_> = kind.stored().map(|c| &c.name).collect();
-    let inputs: Vec<_> = arguments.iter().map(|name| quote! { #name }).collect();
+    // Read from the fields, since a variable of the code could have the name of a blade.
+    let inputs = fields(&[(kind, format_ident!("versor"))]);
     let code = body(&kernel, runtime, &inputs);
     let (statements, defects) = (code.statements, code.outputs);
     let (path, real) = (context.path(kind), quote! { #runtime::scalar::Real });
@@ -99,6 +100,7 @@ fn try_new(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
             pub fn try_new(
                 #(#arguments: S,)* tolerance: S
             ) -> ::core::option::Option<Self> {
+                let versor = Self { #(#arguments),* };
                 #statements
                 let defects = [#(#defects),*];
                 for defect in defects {
@@ -107,7 +109,7 @@ fn try_new(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
                         return ::core::option::Option::None;
                     }
                 }
-                ::core::option::Option::Some(Self { #(#arguments),* })
+                ::core::option::Option::Some(versor)
             }
         }
     }
