@@ -1,0 +1,12 @@
+//! There are more basis vectors than are supported.
+
+ga_runtime::algebra! {
+    mod vga3 {
+        basis x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17;
+        signature 17, 0, 0;
+
+        struct Vector { x1, x17 }
+    }
+}
+
+fn main() {}

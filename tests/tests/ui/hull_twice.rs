@@ -1,0 +1,15 @@
+//! A type names two hulls.
+
+ga_runtime::algebra! {
+    mod vga3 {
+        basis e1, e2, e3;
+        signature 3, 0, 0;
+
+        #[hull(Sums)]
+        #[hull(Sums)]
+        struct Point { e1, e2, e3 = 1 }
+        struct Sums { e1, e2, e3 }
+    }
+}
+
+fn main() {}

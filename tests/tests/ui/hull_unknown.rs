@@ -1,0 +1,13 @@
+//! A hull is not declared.
+
+ga_runtime::algebra! {
+    mod vga3 {
+        basis e1, e2, e3;
+        signature 3, 0, 0;
+
+        #[hull(Sums)]
+        struct Point { e1, e2, e3 = 1 }
+    }
+}
+
+fn main() {}

@@ -1,0 +1,12 @@
+//! An entry of the metric is no number.
+
+ga_runtime::algebra! {
+    mod vga3 {
+        basis e1, e2;
+        metric e1*e1 = 1, e2*e2 = 2*e1;
+
+        struct Vector { e1, e2 }
+    }
+}
+
+fn main() {}

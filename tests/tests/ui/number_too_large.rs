@@ -1,0 +1,14 @@
+//! A number is too large for exact arithmetic.
+
+ga_runtime::algebra! {
+    mod vga3 {
+        basis e1, e2, e3;
+        signature 3, 0, 0;
+
+        #[hull(Sums)]
+        struct Vector { e1, e2, e3 = 1000000*e1 + 1000*1001*e2 }
+        struct Sums { e1, e2, e3 }
+    }
+}
+
+fn main() {}

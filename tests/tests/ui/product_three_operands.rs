@@ -1,0 +1,17 @@
+//! A product has three operands.
+
+ga_runtime::algebra! {
+    mod vga3 {
+        basis e1, e2, e3;
+        signature 3, 0, 0;
+
+        struct Vector { e1, e2, e3 }
+        struct Bivector { e12, e13, e23 }
+
+        products {
+            wedge(Vector, Vector, Vector);
+        }
+    }
+}
+
+fn main() {}

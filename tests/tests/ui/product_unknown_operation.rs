@@ -1,0 +1,17 @@
+//! An operation is none that is known.
+
+ga_runtime::algebra! {
+    mod vga3 {
+        basis e1, e2, e3;
+        signature 3, 0, 0;
+
+        struct Vector { e1, e2, e3 }
+        struct Bivector { e12, e13, e23 }
+
+        products {
+            cross(Vector, Vector);
+        }
+    }
+}
+
+fn main() {}

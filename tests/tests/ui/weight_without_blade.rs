@@ -1,0 +1,15 @@
+//! A weight names no blade.
+
+ga_runtime::algebra! {
+    mod vga3 {
+        basis e1, e2, e3;
+        signature 3, 0, 0;
+
+        #[hull(Sums)]
+        #[facts(weight)]
+        struct Point { e1, e2, e3 = 1 }
+        struct Sums { e1, e2, e3 }
+    }
+}
+
+fn main() {}
