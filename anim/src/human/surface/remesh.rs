@@ -288,10 +288,12 @@ mod tests {
         );
         let mut rim = 0;
         for (a, b) in edges.keys() {
-            if !edges.contains_key(&(*b, *a)) {
+            let in_plane = [a, b].map(|v| surface.positions[*v as usize][0] == 0.0);
+            if edges.contains_key(&(*b, *a)) {
+                assert_ne!(in_plane, [true; 2], "an inner edge is its own mirror image");
+            } else {
                 rim += 1;
-                assert_eq!(surface.positions[*a as usize][0], 0.0);
-                assert_eq!(surface.positions[*b as usize][0], 0.0);
+                assert_eq!(in_plane, [true; 2], "the rim leaves the plane");
             }
         }
         let on_plane = surface.positions.iter().filter(|p| p[0] == 0.0).count();
@@ -333,6 +335,29 @@ mod tests {
                     (0.5..1.7).contains(&(length / wanted)),
                     "{length} of {wanted}"
                 );
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_thinner_than_an_edge_keeps_its_topology() {
+        // A finger to the side, two upright ones beside the plane, a slab in it.
+        let reach =
+            |p: Vector, axis: Vector| norm(sub(p, scale(axis, dot(p, axis).clamp(-0.9, 0.9))));
+        let solids: [&dyn Fn(Vector) -> f64; 3] = [
+            &|p| reach(p, [1.0, 0.0, 0.0]) - 0.1,
+            &|p| reach(p, [0.0, 1.0, 0.0]) - 0.1,
+            &|p| norm([6.0 * p[0], p[1], p[2]]) - 1.0,
+        ];
+        for distance in solids {
+            for wanted in [0.1, 0.15, 0.2, 0.3, 0.5] {
+                let grid = Grid {
+                    origin: [0.0, -1.25, -1.25],
+                    spacing: 0.05,
+                    cubes: [25, 50, 50],
+                };
+                let rough = march(grid, 6.0, |point, _| distance(point));
+                assert_half(&remesh(rough, 5, |_| wanted, distance));
             }
         }
     }
