@@ -1,6 +1,6 @@
 //! Rotors from axes, matrices and vectors, and back.
 
-use super::vector3::{cross, dot, normalized};
+use super::vector3::{cross, difference, dot, normalized};
 use crate::cga3::{Quaternion, Rotor};
 use crate::scalar::Real;
 
@@ -52,14 +52,21 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     #[must_use]
     pub fn between(from: [S; 3], to: [S; 3]) -> Option<Self> {
         let (a, b) = (normalized(from)?, normalized(to)?);
-        let (axis, cosine) = (cross(a, b), dot(a, b));
-        // Opposite up to rounding: the axis is lost, and any across will do.
-        if cosine.less_than(S::epsilon() - S::one()) {
-            let least = smallest_axis(a);
-            return Self::from_axis_angle(cross(a, least), S::from_f64(core::f64::consts::PI));
+        if !dot(a, b).less_than(S::zero()) {
+            return Self::between_close(a, b);
         }
-        let value = Quaternion::new(S::one() + cosine, -axis[2], axis[1], -axis[0]);
-        Self::normalize(value)
+        // More than a quarter: a half turn to −a about the same axis, and the rest of the way from there. The axis
+        // comes from a + b, which loses nothing however close b is to −a.
+        let back = a.map(|x| -x);
+        let axis = normalized(cross(a, difference(b, back)))
+            .or_else(|| normalized(cross(a, smallest_axis(a))))?;
+        let half_turn = Self::from_quaternion_unchecked(axis, S::zero());
+        let turn = Self::between_close(back, b)? * half_turn;
+        Some(if turn.scalar().less_than(S::zero()) {
+            -turn
+        } else {
+            turn
+        })
     }
 
     /// The rotor of a unit quaternion `w + x i + y j + z k`, given as `[x, y, z]` and w: i = −e23, j = e13, k = −e12.
@@ -156,6 +163,17 @@ impl<S: Real<Mask = bool>> Rotor<S> {
                 one - two * (x * x + y * y),
             ],
         ]
+    }
+
+    /// `(1 + b a)/|1 + b a|` for unit vectors less than a half turn apart.
+    fn between_close(a: [S; 3], b: [S; 3]) -> Option<Self> {
+        let axis = cross(a, b);
+        Self::normalize(Quaternion::new(
+            S::one() + dot(a, b),
+            -axis[2],
+            axis[1],
+            -axis[0],
+        ))
     }
 
     fn from_quaternion_unchecked([x, y, z]: [S; 3], w: S) -> Self {
