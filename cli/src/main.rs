@@ -1,2 +1,53 @@
-//! The nullcone command line.
-fn main() {}
+//! The `nullcone` program: animation and stereo vision on conformal geometric algebra.
+
+mod animate;
+mod checks;
+mod demo;
+mod failure;
+mod figure;
+mod model;
+mod output;
+mod pipeline;
+mod progress;
+mod recording;
+mod report;
+mod sheet;
+mod storyboard;
+mod summary;
+mod two_views;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Animation and stereo vision on conformal geometric algebra.
+#[derive(Parser)]
+#[command(version, propagate_version = true)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+    /// Print nothing but errors.
+    #[arg(short, long, global = true, display_order = 100)]
+    quiet: bool,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Demo(demo::Arguments),
+    Animate(animate::Arguments),
+}
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    let result = match &cli.command {
+        Command::Demo(arguments) => demo::run(arguments, cli.quiet),
+        Command::Animate(arguments) => animate::run(arguments, cli.quiet),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {}", failure::one_line(&error));
+            ExitCode::FAILURE
+        }
+    }
+}

@@ -1,0 +1,286 @@
+//! `nullcone animate`: a figure and a recorded motion from files.
+
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use anyhow::{Context, Result, bail, ensure};
+use ga_anim::bvh::{self, Bvh};
+use ga_anim::clip::Clip;
+use ga_anim::mesh::Mesh;
+use ga_anim::retarget::{Retarget, Soles};
+use ga_anim::{obj, rig};
+
+use crate::checks::distance;
+use crate::figure::Figure;
+use crate::pipeline::{self, OutputArguments, Performance, perform};
+use crate::progress::Progress;
+use crate::recording::begins_with_calibration;
+use crate::report::{Input, MotionInput};
+use crate::storyboard::{self, Numbering, Storyboard};
+
+/// Let a figure of your own move as a recorded person did.
+///
+/// Writes the same files as `demo`: model.obj (the mesh at rest), model.glb (mesh, skeleton, skin weights and the motion), sheet.png (key
+/// frames at four places of the range with three in-betweens after each, shaded and as depth) and report.json. Lengths are metres,
+/// y points up.
+///
+/// Motion and rig are matched by the names of their joints. They may differ in unit, in proportions and in how the arms and legs
+/// stand at rest.
+#[derive(Clone, Debug, clap::Args)]
+pub(crate) struct Arguments {
+    /// The mesh: Wavefront OBJ, y up, looking along +z, standing upright.
+    #[arg(long, value_name = "FILE.obj")]
+    mesh: PathBuf,
+    /// The skeleton: JSON as MakeHuman's rigs for Blender.
+    #[arg(long, value_name = "FILE.json")]
+    rig: PathBuf,
+    /// The skin weights: JSON as MakeHuman's, for all vertices of the mesh.
+    #[arg(long, value_name = "FILE.json")]
+    weights: PathBuf,
+    /// The motion: BVH, y up, in any unit.
+    #[arg(long, value_name = "FILE.bvh")]
+    motion: PathBuf,
+    /// The first frame of the motion, counted from 0.
+    ///
+    /// Without it, 0; or 1 where frame 0 is a calibration pose (such as a T) that the body leaves in a leap: more than three times as
+    /// far as it moves between any two later frames. The summary and the report tell when that is so.
+    #[arg(long, value_name = "F")]
+    from: Option<usize>,
+    /// The last frame of the motion; without it, its end.
+    #[arg(long, value_name = "F")]
+    to: Option<usize>,
+    /// Frames per second of the animation in model.glb, at most 1000. At 30, 23 seconds of 31 joints add 0.3 MB.
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 30.0,
+        allow_negative_numbers = true
+    )]
+    fps: f64,
+    /// The group of the mesh that is the figure; without it, `body` where there is such a group, else the whole mesh.
+    ///
+    /// Meshes made for modelling hold more than one wants to see: guides for clothes, cubes that mark joints.
+    #[arg(long, value_name = "NAME")]
+    group: Option<String>,
+    /// How many metres one unit of the mesh is. MakeHuman's unit is the decimetre.
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 0.1,
+        allow_negative_numbers = true
+    )]
+    metres_per_unit: f64,
+    #[command(flatten)]
+    output: OutputArguments,
+}
+
+/// The group that MakeHuman's meshes keep the person in.
+const BODY: &str = "body";
+
+pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+    let begin = Instant::now();
+    check_numbers(arguments)?;
+    arguments.output.check()?;
+    let progress = Progress::new(pipeline::STEPS + 3, quiet);
+    progress.step("reading the figure");
+    let (figure, group) = figure(arguments)?;
+    progress.step("reading the motion");
+    let motion = bvh::read(&arguments.motion)?;
+    progress.step("carrying the motion over");
+    let range = frames(arguments, &motion)?;
+    let retargeted = retarget(arguments, &figure, &motion, range)?;
+    let clip = retargeted
+        .clip
+        .resampled(arguments.fps)
+        .with_context(|| format!("--fps {}", arguments.fps))?;
+
+    let numbering = Numbering {
+        first: range.from,
+        per_frame: 1,
+    };
+    let spans = storyboard::spans_of_recording(&retargeted.clip);
+    let storyboard = Storyboard::new(&retargeted.clip, &spans, numbering);
+    let motion_name = file_name(&arguments.motion);
+    let input = Input {
+        mesh: file_name(&arguments.mesh),
+        rig: file_name(&arguments.rig),
+        weights: file_name(&arguments.weights),
+        motion: MotionInput {
+            name: motion_name.clone(),
+            joints: motion.joints().len(),
+            frames: motion.frame_count(),
+            frames_per_second: 1.0 / motion.frame_time(),
+            first_frame: range.from,
+            last_frame: range.to,
+            calibration_frame_left_out: range.calibration_left_out,
+            joints_without_counterpart: retargeted.unmatched,
+            metres_per_unit: retargeted.scale,
+        },
+    };
+    let performance = Performance {
+        command: "animate",
+        input,
+        in_between_deviation: Some(deviation(&figure, &retargeted.clip, &storyboard)?),
+        storyboard,
+        title: format!(
+            "{motion_name}, frames {} to {}: keys and 3 in-betweens after each by screw motion",
+            range.from, range.to
+        ),
+        figure,
+        group,
+        metres_per_unit: arguments.metres_per_unit,
+        clip,
+        clip_name: stem(&arguments.motion),
+    };
+    perform(&performance, &arguments.output, progress, begin, quiet)
+}
+
+fn check_numbers(arguments: &Arguments) -> Result<()> {
+    let fps = arguments.fps;
+    ensure!(
+        fps > 0.0 && fps <= 1000.0,
+        "--fps {fps}: a number of frames per second is more than 0 and at most 1000"
+    );
+    let unit = arguments.metres_per_unit;
+    ensure!(
+        unit > 0.0 && unit.is_finite(),
+        "--metres-per-unit {unit}: a unit is longer than 0"
+    );
+    if let (Some(from), Some(to)) = (arguments.from, arguments.to) {
+        ensure!(from <= to, "--from {from} comes after --to {to}");
+    }
+    Ok(())
+}
+
+/// The figure in metres, and the group of the mesh that it is.
+fn figure(arguments: &Arguments) -> Result<(Figure, Option<String>)> {
+    let unit = arguments.metres_per_unit;
+    let mesh = obj::read(&arguments.mesh)?;
+    let skeleton = rig::read(&arguments.rig)?;
+    let weights = rig::read_weights(&arguments.weights, &skeleton, mesh.vertex_count())?;
+    let in_metres = || format!("{} with {unit} metres a unit", arguments.mesh.display());
+    let scaled = mesh.scaled(unit).with_context(in_metres)?;
+    let skeleton = skeleton.scaled(unit).with_context(in_metres)?;
+    let name = stem(&arguments.mesh);
+    let group = group(arguments, &mesh)?;
+    let (mesh, weights) = match group.as_deref().and_then(|group| scaled.part(group)) {
+        Some(part) => {
+            let selected = weights.select(&part.vertices);
+            let weights = selected.context("the group has vertices that the mesh has not")?;
+            (part.mesh, weights)
+        }
+        None => (scaled, weights),
+    };
+    let figure = Figure {
+        name,
+        mesh,
+        skeleton,
+        weights,
+    };
+    Ok((figure, group))
+}
+
+fn group(arguments: &Arguments, mesh: &Mesh) -> Result<Option<String>> {
+    let Some(group) = &arguments.group else {
+        return Ok(mesh.group(BODY).map(|group| group.name.clone()));
+    };
+    if mesh.group(group).is_none() {
+        const SHOWN: usize = 8;
+        let groups = mesh.groups();
+        let mut names: Vec<&str> = groups.iter().map(|group| group.name.as_str()).collect();
+        names.truncate(SHOWN);
+        let more = groups.len().saturating_sub(SHOWN);
+        bail!(
+            "{} has no group {group:?}; its groups are: {}{}",
+            arguments.mesh.display(),
+            names.join(", "),
+            if more > 0 {
+                format!(" and {more} more")
+            } else {
+                String::new()
+            }
+        );
+    }
+    Ok(Some(group.clone()))
+}
+
+/// The frames of the motion that are meant, both included.
+#[derive(Clone, Copy)]
+struct Range {
+    from: usize,
+    to: usize,
+    calibration_left_out: bool,
+}
+
+fn frames(arguments: &Arguments, motion: &Bvh) -> Result<Range> {
+    let count = motion.frame_count();
+    let path = arguments.motion.display();
+    ensure!(count > 0, "{path}: the motion has no frames");
+    for (option, frame) in [("--from", arguments.from), ("--to", arguments.to)] {
+        if let Some(frame) = frame.filter(|&frame| frame >= count) {
+            let last = count - 1;
+            bail!("{option} {frame}: the frames of {path} are 0 to {last}");
+        }
+    }
+    let to = arguments.to.unwrap_or(count - 1);
+    let calibration_left_out =
+        arguments.from.is_none() && to > 0 && begins_with_calibration(motion);
+    Ok(Range {
+        from: arguments.from.unwrap_or(calibration_left_out.into()),
+        to,
+        calibration_left_out,
+    })
+}
+
+/// The motion on the figure.
+struct Retargeted {
+    clip: Clip,
+    unmatched: Vec<String>,
+    scale: f64,
+}
+
+fn retarget(
+    arguments: &Arguments,
+    figure: &Figure,
+    motion: &Bvh,
+    range: Range,
+) -> Result<Retargeted> {
+    let onto = || {
+        format!(
+            "{} cannot move {}",
+            arguments.motion.display(),
+            arguments.rig.display()
+        )
+    };
+    let soles = Soles::of_mesh(figure.mesh.positions(), &figure.weights).with_context(onto)?;
+    let retarget = Retarget::new(motion, &figure.skeleton, &soles).with_context(onto)?;
+    Ok(Retargeted {
+        clip: retarget.clip(range.from..=range.to).with_context(onto)?,
+        unmatched: retarget.unmatched().map(ToOwned::to_owned).collect(),
+        scale: retarget.scale(),
+    })
+}
+
+/// How far a joint of any moment of the storyboard is from where the recording has it at that time.
+fn deviation(figure: &Figure, recorded: &Clip, storyboard: &Storyboard) -> Result<f64> {
+    let mut greatest = 0.0f64;
+    for moment in &storyboard.moments {
+        let found = figure.joints(&moment.pose)?;
+        let truth = figure.joints(&recorded.sample(moment.time))?;
+        let distances = found.into_iter().zip(truth).map(|(a, b)| distance(a, b));
+        greatest = distances.fold(greatest, f64::max);
+    }
+    Ok(greatest)
+}
+
+/// The name of a file without its folders, which differ from machine to machine.
+fn file_name(path: &Path) -> String {
+    let name = path.file_name().unwrap_or(path.as_os_str());
+    name.to_string_lossy().into_owned()
+}
+
+/// The name of a file without folders and extension.
+fn stem(path: &Path) -> String {
+    let name = path.file_stem().unwrap_or(path.as_os_str());
+    name.to_string_lossy().into_owned()
+}

@@ -1,0 +1,83 @@
+//! `nullcone demo`: a figure and a walk that the program makes itself.
+
+use std::time::Instant;
+
+use anyhow::{Context, Result};
+use ga_anim::human::{Human, KEY_TIME, KEYS_PER_STRIDE, walk};
+
+use crate::figure::Figure;
+use crate::pipeline::{self, OutputArguments, Performance, perform};
+use crate::progress::Progress;
+use crate::report::{Input, MotionInput};
+use crate::storyboard::{self, Numbering, STEPS, Storyboard};
+
+/// Make a person and let it walk: no input needed.
+///
+/// Writes model.obj (the mesh at rest), model.glb (mesh, skeleton, skin weights and the walk), sheet.png (key frames with
+/// three in-betweens after each, shaded and as depth) and report.json. Lengths are metres, y points up.
+#[derive(Clone, Debug, clap::Args)]
+pub(crate) struct Arguments {
+    #[command(flatten)]
+    output: OutputArguments,
+}
+
+/// Two steps each.
+const STRIDES: u16 = 2;
+
+pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+    let begin = Instant::now();
+    arguments.output.check()?;
+    let progress = Progress::new(pipeline::STEPS + 1, quiet);
+    progress.step("making a person");
+    let Human {
+        mesh,
+        skeleton,
+        weights,
+    } = Human::new();
+    let keys = walk(STRIDES);
+    let clip = keys
+        .resampled(STEPS as f64 / KEY_TIME)
+        .context("the walk has no frames")?;
+
+    let made = || "made by nullcone".to_owned();
+    let input = Input {
+        mesh: made(),
+        rig: made(),
+        weights: made(),
+        motion: MotionInput {
+            name: "walk".to_owned(),
+            joints: skeleton.len(),
+            frames: keys.frames().len(),
+            frames_per_second: 1.0 / KEY_TIME,
+            first_frame: 0,
+            last_frame: keys.frames().len() - 1,
+            calibration_frame_left_out: false,
+            joints_without_counterpart: Vec::new(),
+            metres_per_unit: 1.0,
+        },
+    };
+    let numbering = Numbering {
+        first: 0,
+        per_frame: STEPS,
+    };
+    let performance = Performance {
+        command: "demo",
+        input,
+        storyboard: Storyboard::new(&keys, &storyboard::spans_of_keys(&keys), numbering),
+        figure: Figure {
+            name: "mannequin".to_owned(),
+            mesh,
+            skeleton,
+            weights,
+        },
+        group: None,
+        metres_per_unit: 1.0,
+        clip,
+        clip_name: "walk".to_owned(),
+        title: format!(
+            "Walk: {KEYS_PER_STRIDE} key poses a stride, 3 in-betweens after each by screw motion"
+        ),
+        in_between_deviation: None,
+    };
+    perform(&performance, &arguments.output, progress, begin, quiet)
+}

@@ -1,0 +1,39 @@
+//! How far the work is, on a terminal only.
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+/// A bar on standard error with the name of the present step. It shows nothing where standard error is no terminal,
+/// and is gone when it is dropped.
+pub(crate) struct Progress {
+    bar: ProgressBar,
+}
+
+impl Progress {
+    pub(crate) fn new(steps: u64, quiet: bool) -> Self {
+        if quiet {
+            let bar = ProgressBar::hidden();
+            return Self { bar };
+        }
+        let bar = ProgressBar::new(steps);
+        let template = "{bar:24} {msg}";
+        bar.set_style(
+            ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar()),
+        );
+        Self { bar }
+    }
+
+    /// Begins the next step.
+    pub(crate) fn step(&self, name: &'static str) {
+        if !self.bar.message().is_empty() {
+            self.bar.inc(1);
+        }
+        self.bar.set_message(name);
+        self.bar.tick();
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
+}

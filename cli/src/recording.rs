@@ -1,0 +1,58 @@
+//! Which part of a recording is meant.
+
+use ga_anim::bvh::Bvh;
+
+use crate::checks::distance;
+
+/// How many times as far as between any other two frames the body jumps from a calibration pose.
+const JUMP: f64 = 3.0;
+
+/// Whether the first frame is no part of the motion but a calibration pose, such as a T, that some converters put before it: from
+/// there to the second frame some joint goes more than three times as far as any does between two later frames.
+pub(crate) fn begins_with_calibration(motion: &Bvh) -> bool {
+    let mut steps = (1..motion.frame_count()).filter_map(|frame| {
+        let (before, after) = (
+            motion.joint_positions(frame - 1)?,
+            motion.joint_positions(frame)?,
+        );
+        let ways = before.into_iter().zip(after);
+        Some(ways.map(|(a, b)| distance(a, b)).fold(0.0, f64::max))
+    });
+    let Some(first) = steps.next() else {
+        return false;
+    };
+    // A recording of two frames tells nothing.
+    let greatest = steps.reduce(f64::max).unwrap_or(f64::INFINITY);
+    first > JUMP * greatest
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test may panic")]
+mod tests {
+    use super::*;
+
+    /// An arm of length 1 that is turned by these angles.
+    fn arm(degrees: &[f64]) -> Bvh {
+        let mut text = format!(
+            "HIERARCHY\nROOT arm\n{{\nOFFSET 0 0 0\nCHANNELS 1 Zrotation\nJOINT hand\n{{\nOFFSET 1 0 0\nCHANNELS 1 Xrotation\n\
+             End Site\n{{\nOFFSET 1 0 0\n}}\n}}\n}}\nMOTION\nFrames: {}\nFrame Time: 0.01\n",
+            degrees.len()
+        );
+        for angle in degrees {
+            text += &format!("{angle} 0\n");
+        }
+        ga_anim::bvh::parse(text.as_bytes()).unwrap()
+    }
+
+    #[test]
+    fn only_a_leap_at_the_beginning_is_a_calibration_pose() {
+        assert!(begins_with_calibration(&arm(&[90.0, 0.0, 1.0, 2.0])));
+        assert!(begins_with_calibration(&arm(&[90.0, 0.0, 0.0])));
+        assert!(!begins_with_calibration(&arm(&[0.0, 1.0, 2.0, 3.0])));
+        assert!(!begins_with_calibration(&arm(&[0.0, 1.0, 90.0, 91.0])));
+        assert!(!begins_with_calibration(&arm(&[0.0, 0.0, 0.0])));
+        assert!(!begins_with_calibration(&arm(&[90.0, 0.0])));
+        assert!(!begins_with_calibration(&arm(&[90.0])));
+        assert!(!begins_with_calibration(&arm(&[])));
+    }
+}

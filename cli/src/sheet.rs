@@ -1,0 +1,86 @@
+//! The contact sheet of a motion.
+
+use std::io::Cursor;
+
+use anyhow::{Context, Result};
+use ga_anim::render::{Style, ViewDirection};
+use ga_anim::sheet::{Frame, Layout, Options, contact_sheet};
+use ga_anim::skin::Method;
+use image::ImageFormat;
+
+use crate::figure::Figure;
+use crate::storyboard::Storyboard;
+
+/// From how far to its side the figure is seen, in radians; 0 would be from the front.
+const ASIDE: f64 = 0.9;
+
+/// How far above the horizon the camera stands, in radians.
+const ABOVE: f64 = 0.2;
+
+/// A contact sheet as a file.
+pub(crate) struct Sheet {
+    pub(crate) png: Vec<u8>,
+    pub(crate) width: u32,
+    pub(crate) height: u32,
+}
+
+/// Draws the moments, skinned by motors, and encodes the sheet.
+pub(crate) fn draw(figure: &Figure, storyboard: &Storyboard, title: &str) -> Result<Sheet> {
+    let moments = &storyboard.moments;
+    let positions = moments
+        .iter()
+        .map(|moment| figure.skinned(&moment.pose, Method::Motor))
+        .collect::<Result<Vec<_>, _>>()?;
+    let frames: Vec<Frame> = moments
+        .iter()
+        .zip(&positions)
+        .map(|(moment, positions)| Frame {
+            number: moment.number,
+            time: moment.time,
+            kind: moment.kind,
+            positions,
+            bones: &[],
+        })
+        .collect();
+    let options = Options {
+        title: title.to_owned(),
+        view: ViewDirection {
+            azimuth: heading(figure, storyboard)? + ASIDE,
+            elevation: ABOVE,
+        },
+        layout: Layout::Columns(storyboard.columns),
+        ground: Some(0.0),
+        style: Style {
+            width: 240,
+            height: 320,
+            supersampling: 3,
+            ..Style::default()
+        },
+        ..Options::default()
+    };
+    let image = contact_sheet(&frames, &figure.mesh.triangles(), &options)
+        .context("cannot draw the contact sheet")?
+        .image;
+    let mut png = Cursor::new(Vec::new());
+    image
+        .write_to(&mut png, ImageFormat::Png)
+        .context("cannot encode the contact sheet")?;
+    Ok(Sheet {
+        png: png.into_inner(),
+        width: image.width(),
+        height: image.height(),
+    })
+}
+
+/// The mean direction that the figure looks to, as an azimuth about the y axis from +z towards +x: at rest it looks along +z, and
+/// its root joint says how that has turned.
+fn heading(figure: &Figure, storyboard: &Storyboard) -> Result<f64> {
+    let (mut x, mut z) = (0.0, 0.0);
+    for moment in &storyboard.moments {
+        let motions = moment.pose.motions(&figure.skeleton)?;
+        let [across, _, along] = motions[0].to_matrix();
+        x += across[2];
+        z += along[2];
+    }
+    Ok(x.atan2(z))
+}

@@ -1,0 +1,157 @@
+//! Which moments of a motion are shown: key frames, and three in-betweens from each to the next.
+
+use ga_anim::clip::Clip;
+use ga_anim::pose::Pose;
+use ga_anim::sheet::Kind;
+
+/// Rows of the sheet, each from one key frame to the next.
+const ROWS: usize = 4;
+
+/// Steps from a key frame to the next, one more than there are in-betweens.
+pub(crate) const STEPS: usize = 4;
+
+/// What animators leave between the key poses of a walk, in seconds; between recorded frames taken as keys, too.
+const KEY_INTERVAL: f64 = 0.135;
+
+/// A moment to be shown.
+pub(crate) struct Moment {
+    /// The number that stands in its caption.
+    pub(crate) number: usize,
+    /// Seconds from the beginning of the clip.
+    pub(crate) time: f64,
+    pub(crate) kind: Kind,
+    pub(crate) pose: Pose,
+}
+
+/// The moments in rows of `columns`.
+pub(crate) struct Storyboard {
+    pub(crate) moments: Vec<Moment>,
+    pub(crate) columns: usize,
+}
+
+/// How the captions number the frames of a clip.
+#[derive(Clone, Copy)]
+pub(crate) struct Numbering {
+    /// The number of the clip's first frame.
+    pub(crate) first: usize,
+    /// What is counted from one frame of the clip to the next.
+    pub(crate) per_frame: usize,
+}
+
+impl Storyboard {
+    /// The rows of a clip for `spans` of its frames, each the first and the last of a row. In-betweens are found from these two
+    /// alone, along the screw from one to the other.
+    pub(crate) fn new(clip: &Clip, spans: &[[usize; 2]], numbering: Numbering) -> Self {
+        let frames = clip.frames();
+        let mut moments = Vec::new();
+        let mut columns = 1;
+        for &[from, to] in spans {
+            let last = if from == to { 0 } else { STEPS };
+            columns = last + 1;
+            for step in 0..=last {
+                let part = step as f64 / STEPS as f64;
+                let frame = from as f64 + part * (to - from) as f64;
+                let (kind, pose) = match step {
+                    0 => (Kind::Key, frames[from].clone()),
+                    STEPS => (Kind::Key, frames[to].clone()),
+                    _ => (
+                        Kind::InBetween { step, steps: STEPS },
+                        frames[from].interpolate(&frames[to], part),
+                    ),
+                };
+                moments.push(Moment {
+                    number: numbering.first + (frame * numbering.per_frame as f64).round() as usize,
+                    time: frame * clip.frame_time(),
+                    kind,
+                    pose,
+                });
+            }
+        }
+        Self { moments, columns }
+    }
+}
+
+/// The first rows of a clip whose frames are all key frames.
+pub(crate) fn spans_of_keys(clip: &Clip) -> Vec<[usize; 2]> {
+    let last = clip.frames().len() - 1;
+    match last {
+        0 => vec![[0, 0]],
+        _ => (0..last.min(ROWS)).map(|key| [key, key + 1]).collect(),
+    }
+}
+
+/// The rows of a recording, one after the other where they fill it, else evenly spread over it. Their length is a multiple of
+/// four frames where it can be, so that in-betweens fall on recorded frames.
+pub(crate) fn spans_of_recording(clip: &Clip) -> Vec<[usize; 2]> {
+    let last = clip.frames().len() - 1;
+    let fours = (KEY_INTERVAL / clip.frame_time() / STEPS as f64).round();
+    let long = (fours as usize).clamp(1, last.max(STEPS)) * STEPS;
+    if last == 0 {
+        vec![[0, 0]]
+    } else if last < ROWS * long {
+        let rows = last.min(ROWS);
+        let length = last / rows;
+        (0..rows)
+            .map(|row| [row * length, (row + 1) * length])
+            .collect()
+    } else {
+        let begin = |row: usize| row * (last - long) / (ROWS - 1);
+        (0..ROWS)
+            .map(|row| [begin(row), begin(row) + long])
+            .collect()
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test may panic")]
+mod tests {
+    use super::*;
+
+    fn still(frames: usize, rate: f64) -> Clip {
+        Clip::new(1.0 / rate, vec![Pose::rest(1); frames]).unwrap()
+    }
+
+    #[test]
+    fn a_long_recording_is_shown_at_its_beginning_and_its_end() {
+        assert_eq!(
+            spans_of_recording(&still(1001, 120.0)),
+            [[0, 16], [328, 344], [656, 672], [984, 1000]]
+        );
+    }
+
+    #[test]
+    fn a_short_recording_is_shown_whole() {
+        assert_eq!(
+            spans_of_recording(&still(41, 120.0)),
+            [[0, 10], [10, 20], [20, 30], [30, 40]]
+        );
+        assert_eq!(spans_of_recording(&still(3, 120.0)), [[0, 1], [1, 2]]);
+        assert_eq!(spans_of_recording(&still(1, 120.0)), [[0, 0]]);
+    }
+
+    #[test]
+    fn rows_stay_inside_at_any_rate_and_length() {
+        for rate in [1e-3, 1.0, 24.0, 30.0, 59.94, 120.0, 1e9] {
+            for frames in 1..200 {
+                for [from, to] in spans_of_recording(&still(frames, rate)) {
+                    assert!(from <= to && to < frames, "{frames} frames at {rate} Hz");
+                    assert!(from < to || frames == 1);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn in_betweens_are_counted_between_their_keys() {
+        let clip = still(5, 10.0);
+        let numbering = Numbering {
+            first: 0,
+            per_frame: 4,
+        };
+        let board = Storyboard::new(&clip, &spans_of_keys(&clip), numbering);
+        let numbers: Vec<usize> = board.moments.iter().map(|moment| moment.number).collect();
+        assert_eq!(numbers[..10], [0, 1, 2, 3, 4, 4, 5, 6, 7, 8]);
+        assert_eq!(board.moments[3].kind, Kind::InBetween { step: 3, steps: 4 });
+        assert!((board.moments[3].time - 0.075).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,127 @@
+//! What a person is told at the end.
+
+use std::fmt::Write as _;
+use std::io::{ErrorKind, Write as _};
+use std::path::Path;
+use std::time::Duration;
+
+use anyhow::{Context, Result};
+
+use crate::output::File;
+use crate::report::Report;
+
+/// Prints where everything was written and what is worth knowing of it. Whoever stops reading before the end is left alone.
+pub(crate) fn print(
+    report: &Report,
+    folder: &Path,
+    files: &[File],
+    elapsed: Duration,
+) -> Result<()> {
+    let text = text(report, folder, files, elapsed);
+    match std::io::stdout().lock().write_all(text.as_bytes()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(error).context("the files are written, but the summary cannot be printed")
+        }
+        _ => Ok(()),
+    }
+}
+
+fn text(report: &Report, folder: &Path, files: &[File], elapsed: Duration) -> String {
+    let mut text = String::new();
+    // Writing to a String cannot fail.
+    let _ = write_to(&mut text, report, folder, files, elapsed);
+    text
+}
+
+fn write_to(
+    text: &mut String,
+    report: &Report,
+    folder: &Path,
+    files: &[File],
+    elapsed: Duration,
+) -> std::fmt::Result {
+    let (figure, animation) = (&report.figure, &report.animation);
+    let (motion, checks, views) = (&report.input.motion, &animation.checks, &report.two_views);
+    let group = figure
+        .group
+        .as_ref()
+        .map(|group| format!(", group {group}"));
+    writeln!(
+        text,
+        "figure     {}{}: {:.3} m tall, {} vertices, {} triangles, {} joints, up to {} influences",
+        figure.name,
+        group.unwrap_or_default(),
+        figure.height_metres,
+        figure.vertices,
+        figure.triangles,
+        figure.joints,
+        figure.influences_max,
+    )?;
+    writeln!(
+        text,
+        "motion     {}: frames {} to {} of {}, {:.2} s, as {} frames at {:.2} Hz",
+        motion.name,
+        motion.first_frame,
+        motion.last_frame,
+        motion.frames,
+        animation.duration_seconds,
+        animation.frames,
+        animation.frames_per_second,
+    )?;
+    if motion.calibration_frame_left_out {
+        writeln!(
+            text,
+            "           frame 0 is a calibration pose and left out; --from 0 keeps it"
+        )?;
+    }
+    if !motion.joints_without_counterpart.is_empty() {
+        writeln!(
+            text,
+            "           not in the motion, so moved by their parents: {}",
+            motion.joints_without_counterpart.join(", ")
+        )?;
+    }
+    writeln!(
+        text,
+        "body       bones keep their length to {:.1e} m; lowest point {:+.1} to {:+.1} cm; trunk {:.0}° from upright on average, {:.0}° at most",
+        checks.bone_length_deviation_max_metres,
+        100.0 * checks.lowest_vertex_min_metres,
+        100.0 * checks.lowest_vertex_max_metres,
+        checks.trunk_from_upright_mean_degrees,
+        checks.trunk_from_upright_max_degrees,
+    )?;
+    writeln!(
+        text,
+        "skinning   linear and motor blend differ by {:.2} mm on average, {:.1} mm at most",
+        1000.0 * checks.linear_to_motor_blend_mean_metres,
+        1000.0 * checks.linear_to_motor_blend_max_metres,
+    )?;
+    writeln!(
+        text,
+        "two views  cameras {:.2} m apart find the joints to {:.1e} m without noise, {:.1} mm with 1 px of noise (MPJPE, seed {})",
+        views.baseline_metres,
+        views.noise_free.mean_per_joint_position_error_metres,
+        1000.0 * views.one_pixel_noise.mean_per_joint_position_error_metres,
+        views.seed,
+    )?;
+    for (index, file) in files.iter().enumerate() {
+        let label = if index == 0 { "wrote" } else { "" };
+        let path = folder.join(file.name);
+        writeln!(
+            text,
+            "{label:10} {}, {}",
+            path.display(),
+            size(file.contents.len())
+        )?;
+    }
+    writeln!(text, "took       {:.1} s", elapsed.as_secs_f64())
+}
+
+/// A size in bytes as a person reads it.
+fn size(bytes: usize) -> String {
+    match bytes as f64 {
+        few if few < 1e3 => format!("{bytes} bytes"),
+        some if some < 1e6 => format!("{:.0} kB", some / 1e3),
+        many => format!("{:.1} MB", many / 1e6),
+    }
+}

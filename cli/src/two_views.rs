@@ -1,0 +1,150 @@
+//! The joints of the moving figure, seen by two cameras and found again from what they saw.
+
+use anyhow::{Context, Result};
+use ga_anim::clip::Clip;
+use ga_runtime::cga3::Point;
+use ga_vision::camera::{Camera, Intrinsics};
+use ga_vision::observation::observe;
+use ga_vision::pose_error::mean_per_joint_position_error;
+use ga_vision::rig::StereoRig;
+use serde::Serialize;
+
+use crate::figure::Figure;
+
+/// A full-HD camera that sees 62° across.
+const PICTURE: [f64; 2] = [1920.0, 1080.0];
+const FOCAL_LENGTH: f64 = 1600.0;
+
+/// The angle between the directions that the two cameras look from.
+const ANGLE_DEGREES: f64 = 30.0;
+
+/// How much further away the cameras stand than they would have to.
+const ROOM: f64 = 1.1;
+
+/// What two cameras saw, and how well the joints were found from that.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct TwoViews {
+    pub(crate) picture_pixels: [f64; 2],
+    pub(crate) focal_length_pixels: f64,
+    /// How far the cameras are from each other.
+    pub(crate) baseline_metres: f64,
+    /// Where they stand, and what both look at.
+    pub(crate) left_camera_metres: [f64; 3],
+    pub(crate) right_camera_metres: [f64; 3],
+    pub(crate) target_metres: [f64; 3],
+    /// The angle between their optical axes.
+    pub(crate) angle_degrees: f64,
+    /// Joints in all frames together.
+    pub(crate) joints_seen: usize,
+    pub(crate) noise_free: Found,
+    pub(crate) one_pixel_noise: Found,
+    /// What the noise was made from.
+    pub(crate) seed: u64,
+}
+
+/// How well the joints were found.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct Found {
+    /// The mean distance from a joint to where it was found (MPJPE), and the greatest.
+    pub(crate) mean_per_joint_position_error_metres: f64,
+    pub(crate) joint_position_error_max_metres: f64,
+    /// The greatest distance between the two rays of a joint.
+    pub(crate) ray_gap_max_metres: f64,
+    /// Whether every joint was found in front of both cameras, and seen inside both pictures.
+    pub(crate) all_in_front_of_both_cameras: bool,
+    pub(crate) all_inside_both_pictures: bool,
+}
+
+impl TwoViews {
+    /// Sees the joints of every frame, exactly and with a standard deviation of 1 pixel in both directions, and triangulates them.
+    pub(crate) fn new(figure: &Figure, clip: &Clip, seed: u64) -> Result<Self> {
+        let mut joints: Vec<Point<f64>> = Vec::new();
+        for pose in clip.frames() {
+            joints.extend(figure.joints(pose)?.into_iter().map(Point::from));
+        }
+        let target = middle(&joints);
+        let rig = rig(&joints, target).context("there is no place for the cameras")?;
+        Ok(Self {
+            picture_pixels: PICTURE,
+            focal_length_pixels: FOCAL_LENGTH,
+            baseline_metres: rig.baseline(),
+            left_camera_metres: rig.left.centre().coordinates(),
+            right_camera_metres: rig.right.centre().coordinates(),
+            target_metres: target,
+            angle_degrees: ANGLE_DEGREES,
+            joints_seen: joints.len(),
+            noise_free: Found::new(&rig, &joints, 0.0, seed)?,
+            one_pixel_noise: Found::new(&rig, &joints, 1.0, seed)?,
+            seed,
+        })
+    }
+}
+
+impl Found {
+    fn new(rig: &StereoRig, joints: &[Point<f64>], noise: f64, seed: u64) -> Result<Self> {
+        let left = observe(&rig.left, joints, noise, seed).context("left camera")?;
+        // Noise of its own for each camera.
+        let right = observe(&rig.right, joints, noise, !seed).context("right camera")?;
+        let seen = rig.triangulate_all(&left, &right)?;
+        let places: Vec<Point<f64>> = seen.iter().map(|seen| seen.position).collect();
+        let errors = joints.iter().zip(&places).map(|(a, b)| a.distance(*b));
+        let is_inside = |pixel: &[f64; 2]| {
+            let axes = pixel.iter().zip(PICTURE);
+            // Pixel centres are whole numbers.
+            axes.into_iter()
+                .all(|(u, size)| (-0.5..size - 0.5).contains(u))
+        };
+        Ok(Self {
+            mean_per_joint_position_error_metres: mean_per_joint_position_error(joints, &places)?,
+            joint_position_error_max_metres: errors.fold(0.0, f64::max),
+            ray_gap_max_metres: seen.iter().map(|seen| seen.gap).fold(0.0, f64::max),
+            all_in_front_of_both_cameras: seen.iter().all(|seen| seen.is_in_front()),
+            all_inside_both_pictures: left.iter().chain(&right).all(is_inside),
+        })
+    }
+}
+
+/// The middle of the bounding box of some points.
+fn middle(points: &[Point<f64>]) -> [f64; 3] {
+    std::array::from_fn(|axis| {
+        let coordinates = points.iter().map(|point| point.coordinates()[axis]);
+        let low = coordinates.clone().fold(f64::INFINITY, f64::min);
+        0.5 * (low + coordinates.fold(f64::NEG_INFINITY, f64::max))
+    })
+}
+
+/// Two cameras that look at the middle from one height and one distance. A ball round the middle that holds all points fits
+/// into both pictures, and the cameras stand where the points spread across the picture rather than in depth.
+fn rig(points: &[Point<f64>], target: [f64; 3]) -> Option<StereoRig> {
+    let target = Point::from(target);
+    let radius = points
+        .iter()
+        .map(|point| point.distance(target))
+        .fold(0.0, f64::max);
+    let half_height = (0.5 * PICTURE[1]).atan2(FOCAL_LENGTH);
+    let distance = ROOM * radius / half_height.sin();
+
+    let spread = |axis: usize| {
+        let from_middle = points
+            .iter()
+            .map(|point| (point.coordinates()[axis] - target.coordinates()[axis]).abs());
+        from_middle.fold(0.0, f64::max)
+    };
+    let across = if spread(0) < spread(2) {
+        0.5 * std::f64::consts::PI
+    } else {
+        0.0
+    };
+    let principal = PICTURE.map(|size| 0.5 * (size - 1.0));
+    let intrinsics = Intrinsics::new([FOCAL_LENGTH; 2], principal).ok()?;
+    let camera = |aside: f64| {
+        let (sin, cos) = (across + aside.to_radians()).sin_cos();
+        let [x, y, z] = target.coordinates();
+        let eye = Point::new(x + distance * sin, y, z + distance * cos);
+        Camera::look_at(intrinsics, eye, target, [0.0, 1.0, 0.0])
+    };
+    Some(StereoRig {
+        left: camera(-0.5 * ANGLE_DEGREES)?,
+        right: camera(0.5 * ANGLE_DEGREES)?,
+    })
+}
