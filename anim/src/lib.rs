@@ -12,6 +12,7 @@
 //! | [`skin`] | moves a mesh, by the mean of matrices or of motors |
 //! | [`distance_weights`] | weights from the distance to the bones |
 //! | [`retarget`] | carries a recording over to another body |
+//! | [`leg`] | the paper's leg of hip, knee and ankle: from angles to places and back |
 //! | [`human`] | makes a body, its skeleton and a walk |
 //! | [`gltf`] | writes mesh, skin and motion as binary glTF |
 //! | [`render`], [`sheet`] | pictures of a frame, and contact sheets of a clip |
@@ -56,6 +57,7 @@ pub mod clip;
 pub mod distance_weights;
 pub mod gltf;
 pub mod human;
+pub mod leg;
 pub mod mesh;
 pub mod obj;
 pub mod pose;

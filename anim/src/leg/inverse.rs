@@ -1,0 +1,121 @@
+//! From the motors of the segments back to angles.
+
+use ga_runtime::cga3::{Motor, Point, Rotor};
+
+use super::{Leg, LegAngles, LegError, finite};
+
+impl Leg {
+    /// The inverse problem: hip and angles from the motors of thigh, calf and foot.
+    ///
+    /// The hip's angle about y comes back in [−π/2, π/2], the other angles in (−π, π]. Where it is ±π/2 the hip's two other axes
+    /// are one, and the whole turn about it is given to x. Angles come from atan2 of the parts of rotors and matrices, which is
+    /// accurate for all of them.
+    ///
+    /// # Errors
+    /// [`LegError::Apart`] where two segments do not meet within the tolerance in metres, and [`LegError::NotHinged`]
+    /// where knee or ankle turn about an axis that they do not have by more than the tolerance in radians.
+    pub fn inverse(
+        &self,
+        motions: &[Motor<f64>; 3],
+        tolerance: f64,
+    ) -> Result<(Point<f64>, LegAngles), LegError> {
+        let [hip, knee, ankle, _] = self.rest();
+        let [thigh, calf, foot] = *motions;
+        let place = thigh.transform(hip);
+        finite("hip", place)?;
+        meets(
+            "knee",
+            thigh.transform(knee),
+            calf.transform(knee),
+            tolerance,
+        )?;
+        meets(
+            "ankle",
+            calf.transform(ankle),
+            foot.transform(ankle),
+            tolerance,
+        )?;
+
+        let [hip_z, hip_y, hip_x] = turns_about_zyx(thigh.rotor().to_matrix());
+        // The knee turns about x alone: its rotor is cos ½δ − sin ½δ e23.
+        let at_knee = thigh.rotor().reverse() * calf.rotor();
+        let sideways = 2.0 * at_knee.e12().hypot(at_knee.e13());
+        hinged("knee", sideways, tolerance)?;
+        let knee = wrapped(2.0 * (-at_knee.e23()).atan2(at_knee.scalar()));
+        // At the ankle the matrix of Rx(ε) Rz(ζ) has no third entry in its first row.
+        let at_ankle = (calf.rotor().reverse() * foot.rotor()).to_matrix();
+        hinged("ankle", at_ankle[0][2], tolerance)?;
+        let ankle_x = (-at_ankle[1][2]).atan2(at_ankle[2][2]);
+        let ankle_z = (-at_ankle[0][1]).atan2(at_ankle[0][0]);
+        Ok((
+            place,
+            LegAngles {
+                hip_z,
+                hip_y,
+                hip_x,
+                knee,
+                ankle_x,
+                ankle_z,
+            },
+        ))
+    }
+}
+
+/// The angles α, β, γ of `Rz(α) Ry(β) Rx(γ)` from its matrix.
+pub(super) fn turns_about_zyx(matrix: [[f64; 3]; 3]) -> [f64; 3] {
+    let [first, second, third] = matrix;
+    let cosine = first[0].hypot(second[0]);
+    let about_y = (-third[0]).atan2(cosine);
+    if cosine < 1e-15 {
+        // Only the sum or difference of the other two is left; z gets none of it.
+        return [0.0, about_y, (-second[2]).atan2(second[1])];
+    }
+    [second[0].atan2(first[0]), about_y, third[1].atan2(third[2])]
+}
+
+/// The rotor whose matrix has these columns, if they are a right-handed frame.
+pub(super) fn frame(x: [f64; 3], y: [f64; 3], z: [f64; 3]) -> Option<Rotor<f64>> {
+    Rotor::from_matrix([0, 1, 2].map(|k| [x[k], y[k], z[k]]))
+}
+
+pub(super) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+fn meets(
+    joint: &'static str,
+    above: Point<f64>,
+    below: Point<f64>,
+    tolerance: f64,
+) -> Result<(), LegError> {
+    let gap = above.distance(below);
+    if gap.is_finite() && gap <= tolerance {
+        Ok(())
+    } else {
+        Err(LegError::Apart { joint, gap })
+    }
+}
+
+fn hinged(joint: &'static str, sine: f64, tolerance: f64) -> Result<(), LegError> {
+    if sine.is_finite() && sine.abs() <= tolerance {
+        Ok(())
+    } else {
+        Err(LegError::NotHinged { joint, angle: sine })
+    }
+}
+
+/// The same angle in (−π, π].
+fn wrapped(angle: f64) -> f64 {
+    use std::f64::consts::{PI, TAU};
+    if angle > PI {
+        angle - TAU
+    } else if angle <= -PI {
+        angle + TAU
+    } else {
+        angle
+    }
+}
