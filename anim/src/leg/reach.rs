@@ -84,7 +84,7 @@ impl Leg {
 /// The points of a real pair. With `P = p∧q` of any weight and `x = ei⌋P`, a multiple of p − q, the points are
 /// `−(P⌊x)/√P² ± x` up to weight.
 fn ends(pair: PointPair<f64>) -> Option<[Point<f64>; 2]> {
-    let square = pair | pair;
+    let square = pair.scalar_product(pair);
     if !square.is_finite() || square <= 0.0 {
         return None;
     }
