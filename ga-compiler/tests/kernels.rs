@@ -1,0 +1,240 @@
+//! Expressions through the whole compiler, with no macro involved.
+
+use ga_compiler::algebra::{Blade, Product};
+use ga_compiler::expression::Expression;
+use ga_compiler::kernel::{Kernel, wanted};
+use ga_compiler::lower::SandwichRule;
+use ga_compiler::{Compiled, compile_function};
+use proc_macro2::TokenStream;
+
+/// The declaration of cga3 as it ships.
+fn cga3() -> TokenStream {
+    let source = include_str!("../../ga-runtime/src/algebras/conformal.rs");
+    let start = source.find("algebra! {").map(|at| at + "algebra! {".len());
+    let end = source.rfind('}');
+    let (Some(start), Some(end)) = (start, end) else {
+        panic!("cga3 is declared by the macro")
+    };
+    source[start..end].parse().expect("tokens")
+}
+
+/// The types of cga3 that are counted, under other names and in another order of the basis.
+fn renamed() -> TokenStream {
+    quote::quote! {
+        pub mod conformal {
+            basis infinity, x, y, z, origin;
+            metric x*x = 1, y*y = 1, z*z = 1, infinity*origin = -1;
+            #[hull(Weighted)] #[facts(null)]
+            struct Place { x, y, z, origin = 1, infinity = (x*x + y*y + z*z)/2 }
+            struct Weighted { infinity, z, origin, x, y }
+            struct Flat { infinityxyz, infinityyxorigin, infinityxzorigin, infinityyzorigin }
+            struct Ball { xyzorigin, infinityxyz, infinityxyorigin, infinityxzorigin, infinityyzorigin }
+            struct Axis { infinityxy, infinityxz, infinityyz, infinityxorigin, infinityyorigin, infinityzorigin }
+            struct Ring {
+                xyz, xyorigin, xzorigin, yzorigin, infinityxy, infinityxz, infinityyz,
+                infinityxorigin, infinityyorigin, infinityzorigin
+            }
+            struct Pair {
+                xy, xz, yz, xorigin, yorigin, zorigin, infinityx, infinityy, infinityz, infinityorigin
+            }
+            struct Sum { zx, scalar, xy, yz, infinityxyz, infinityx, infinityy, infinityz }
+            #[hull(Sum)] #[facts(unit_versor)]
+            struct Motion { scalar, yx, xz, yz, infinityx, infinityy, infinityz, infinityxyz }
+        }
+    }
+}
+
+fn compile(declaration: &TokenStream, function: &str) -> Compiled {
+    let function = function.parse().expect("tokens");
+    match compile_function(declaration.clone(), function) {
+        Ok(compiled) => compiled,
+        Err(error) => panic!("{error}"),
+    }
+}
+
+/// Most multiplications and additions of each kernel.
+const COUNTS: [(&str, &str, &str, usize); 8] = [
+    ("sandwich(m, x)", "Point", "Place", 21 + 18),
+    ("sandwich(m, x)", "RoundVector", "Weighted", 40 + 28),
+    ("sandwich(m, x)", "Plane", "Flat", 32 + 21),
+    ("sandwich(m, x)", "Sphere", "Ball", 41 + 28),
+    ("sandwich(m, x)", "Line", "Axis", 51 + 39),
+    ("sandwich(m, x)", "Circle", "Ring", 94 + 61),
+    ("sandwich(m, x)", "PointPair", "Pair", 94 + 61),
+    ("m * x", "Motor", "Motion", 48 + 40),
+];
+
+#[test]
+fn kernels_cost_no_more_than_counted() {
+    let (ours, theirs) = (cga3(), renamed());
+    for (formula, name, other, most) in COUNTS {
+        let cost = |declaration, motor, kind| {
+            let function = format!("(m: {motor}, x: {kind}) -> {kind} {{ {formula} }}");
+            compile(declaration, &function).kernel.cost()
+        };
+        let plain = cost(&ours, "Motor", name);
+        assert!(
+            plain.multiplications + plain.additions <= most,
+            "{formula} of {name}: {plain:?}"
+        );
+        // Rules look at facts and structure, never at names or at the order of the basis.
+        let again = cost(&theirs, "Motion", other);
+        assert_eq!(
+            (plain.multiplications, plain.additions),
+            (again.multiplications, again.additions),
+            "{name} and {other}"
+        );
+    }
+}
+
+#[test]
+fn constants_and_derived_blades_are_folded() {
+    // Of the difference of two points only e1, e2, e3 and ei are left.
+    let difference = compile(&cga3(), "(p: Point, q: Point) -> RoundVector { p - q }").kernel;
+    assert_eq!(
+        difference
+            .outputs
+            .iter()
+            .filter(|value| value.is_zero())
+            .count(),
+        1
+    );
+    // Translators compose by adding: the products of their parts with ei vanish.
+    let shift = compile(
+        &cga3(),
+        "(s: Translator, t: Translator) -> Translator { s * t }",
+    )
+    .kernel;
+    assert_eq!(
+        (shift.cost().multiplications, shift.cost().additions),
+        (0, 3)
+    );
+}
+
+#[test]
+fn every_rule_keeps_the_meaning() {
+    let Compiled { definition, .. } = compile(&cga3(), "(m: Motor) -> Motor { m }");
+    let kind = |name| definition.type_named(name).expect("a type of cga3");
+    let expression = Expression::sandwich(Expression::Operand(0), Expression::Operand(1));
+    let operands = [
+        "Point",
+        "RoundVector",
+        "PointPair",
+        "Circle",
+        "Line",
+        "Sphere",
+        "Plane",
+        "Motor",
+    ];
+    for versor in ["Rotor", "Translator", "Motor", "Dilator", "Similarity"] {
+        for operand in operands {
+            if operand == "Motor" && ["Dilator", "Similarity"].contains(&versor) {
+                continue;
+            }
+            // A scaling takes a point to a weighted one.
+            let result = match (versor, operand) {
+                ("Dilator" | "Similarity", "Point") => kind("RoundVector"),
+                _ => kind(operand),
+            };
+            let types = [kind(versor), kind(operand)];
+            for rule in SandwichRule::ALL {
+                let blades = wanted(Some(result));
+                let kernel =
+                    Kernel::by_rule(&definition.algebra, &types, &expression, &blades, rule);
+                for seed in 0..3 {
+                    assert!(
+                        kernel.agrees(&definition.algebra, &types, &expression, Some(result), seed),
+                        "{rule:?} of {versor} on {operand}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_wrong_graph_is_noticed() {
+    let Compiled {
+        definition,
+        mut kernel,
+    } = compile(&cga3(), "(m: Motor, p: Point) -> Point { sandwich(m, p) }");
+    let types = ["Motor", "Point"].map(|name| definition.type_named(name).expect("declared"));
+    let expression = Expression::sandwich(Expression::Operand(0), Expression::Operand(1));
+    let agrees = |kernel: &Kernel| {
+        kernel.agrees(&definition.algebra, &types, &expression, Some(types[1]), 0)
+    };
+    assert!(agrees(&kernel));
+    kernel.outputs[2] = -kernel.outputs[2];
+    assert!(!agrees(&kernel));
+}
+
+#[test]
+fn unit_facts_are_needed_for_the_unit_rules() {
+    // Without the fact, M X ~M scales, and the rules that use it must stand aside.
+    let scaled = compile(
+        &cga3(),
+        "(m: DualQuaternion, p: RoundVector) -> Multivector { sandwich(m, p) }",
+    );
+    assert!([SandwichRule::LeftFirst, SandwichRule::RightFirst].contains(&scaled.kernel.rule));
+}
+
+#[test]
+fn errors_say_what_is_wrong() {
+    let message = |function: &str| {
+        let tokens = function.parse().expect("tokens");
+        match compile_function(cga3(), tokens) {
+            Ok(_) => panic!("{function} compiles"),
+            Err(error) => error.to_string(),
+        }
+    };
+    for (function, expected) in [
+        ("(p: Point) -> Scalar { p | q }", "unknown operand"),
+        (
+            "(p: Point) -> Scalar { p.cross(p) }",
+            "no operation `cross`",
+        ),
+        (
+            "(p: Point) -> Scalar { p.wedge() }",
+            "takes 2 operands, not 1",
+        ),
+        ("(p: Pont) -> Scalar { p | p }", "unknown type `Pont`"),
+        (
+            "(p: Point, q: Point) -> Line { p ^ q }",
+            "left over: e12, e13, e23",
+        ),
+        ("(p: Point, q: Point) -> Point { p + q }", "eo is not 1"),
+        (
+            "(p: Point, q: Point) -> RoundVector { p + q ^ p }",
+            "in parentheses",
+        ),
+        ("(p: Point) -> Point { p } extra", "unexpected token"),
+    ] {
+        let found = message(function);
+        assert!(found.contains(expected), "{function}: {found}");
+    }
+}
+
+#[test]
+fn products_of_blades_are_those_of_the_textbook() {
+    let Compiled { definition, .. } = compile(&cga3(), "(m: Motor) -> Motor { m }");
+    let blade = |name: &str| {
+        definition
+            .algebra
+            .names()
+            .resolve(name)
+            .expect("a blade")
+            .blade
+    };
+    let product = |product: Product, a: &str, b: &str| -> String {
+        let terms = product.of_blades(&definition.algebra, blade(a), blade(b));
+        let name = |blade: Blade| definition.algebra.names().name(blade);
+        terms
+            .iter()
+            .map(|(blade, factor)| format!("{factor} {} ", name(*blade)))
+            .collect()
+    };
+    assert_eq!(product(Product::Geometric, "eo", "ei"), "-1 scalar 1 eoi ");
+    assert_eq!(product(Product::Wedge, "e2", "e1"), "-1 e12 ");
+    assert_eq!(product(Product::LeftContraction, "ei", "e1oi"), "1 e1i ");
+    assert_eq!(product(Product::Vee, "e12oi", "e13oi"), "-1 e1oi ");
+}
