@@ -2,6 +2,7 @@
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
+use syn::ext::IdentExt;
 
 use super::body::{Body, body};
 use crate::define::{Definition, TypeDefinition};
@@ -133,7 +134,7 @@ pub(super) fn other() -> Ident {
 /// `RoundVector` as `round_vector`.
 pub(super) fn snake_case(name: &Ident) -> String {
     let mut text = String::new();
-    for letter in name.to_string().chars() {
+    for letter in name.unraw().to_string().chars() {
         if letter.is_uppercase() {
             if !text.is_empty() {
                 text.push('_');

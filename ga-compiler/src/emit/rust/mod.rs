@@ -15,6 +15,7 @@ pub use tests::product_tests;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 use syn::Visibility;
+use syn::ext::IdentExt;
 
 use crate::define::{CONSTANTS, Definition};
 use crate::parse::{Outline, parse_outline};
@@ -159,5 +160,6 @@ fn unique_name(name: &Ident, source: &TokenStream) -> Ident {
     let hash = text.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
     });
+    let name = name.unraw();
     format_ident!("__nullcone_{name}_{hash:016x}", span = Span::call_site())
 }
