@@ -1,0 +1,137 @@
+//! Uses ga-runtime as a crate outside would: as the only dependency, renamed, in edition 2021.
+
+use ga::cga3::{Motor, Point, Rotor, Translator};
+
+ga::algebra! {
+    /// The algebra of spacetime: one square of 1, three of −1.
+    pub mod sta {
+        basis g0, g1, g2, g3;
+        signature 1, 3;
+
+        /// An event or a momentum.
+        struct Vector { g0, g1, g2, g3 }
+        /// A boost or a turn, or the electromagnetic field.
+        struct Bivector { g01, g02, g03, g12, g13, g23 }
+        /// All of even grade.
+        struct Even { scalar, g01, g02, g03, g12, g13, g23, g0123 }
+        /// A Lorentz transformation.
+        #[hull(Even)]
+        #[facts(unit_versor)]
+        struct Rotor { scalar, g01, g02, g03, g12, g13, g23, g0123 }
+
+        products {
+            wedge(Vector, Vector);
+            left_contraction(Vector, Vector) -> Scalar;
+            left_contraction(Vector, Bivector) -> Vector;
+            geometric(Vector, Vector) -> Even;
+            geometric(Rotor, Rotor) -> Rotor;
+            geometric(Even, Even) -> Even;
+            sandwich(Rotor, {Vector, Bivector}) -> Self;
+            dual(Bivector) -> Bivector;
+        }
+    }
+}
+
+/// Two modules may declare algebras of one name, even in the same words.
+pub mod first {
+    ga::algebra! {
+        /// The plane.
+        pub mod plane {
+            basis e1, e2;
+            signature 2;
+            /// A vector.
+            struct Vector { e1, e2 }
+            /// An area.
+            struct Bivector { e12 }
+            products { wedge(Vector, Vector); }
+        }
+    }
+}
+
+/// The other of two algebras of one name.
+pub mod second {
+    ga::algebra! {
+        /// The plane.
+        pub mod plane {
+            basis e1, e2;
+            signature 2;
+            /// A vector.
+            struct Vector { e1, e2 }
+            /// An area.
+            struct Bivector { e12 }
+            products { wedge(Vector, Vector); }
+        }
+    }
+}
+
+/// Where the runtime is found may be said in the declaration.
+pub mod with_a_path {
+    pub use ga as engine;
+
+    ga::algebra! {
+        /// The complex numbers as the plane's even part.
+        pub mod complex {
+            crate = crate::with_a_path::engine;
+            basis e1, e2;
+            signature 2;
+            /// A complex number.
+            struct Complex { scalar, e12 }
+            products { geometric(Complex, Complex) -> Complex; }
+        }
+    }
+}
+
+/// A metric that is neither diagonal nor whole.
+pub mod skew {
+    ga::algebra! {
+        /// An oblique basis: the vectors are not at right angles, and have fractions for squares.
+        pub mod oblique {
+            basis a, b, c;
+            metric a*a = 1, b*b = 1/2, c*c = -2, a*b = 1/3, b*c = -1, a*c = 1/4;
+            /// A vector.
+            struct Vector { a, b, c }
+            /// A bivector, in an order of its own.
+            struct Bivector { ba, ac, bc }
+            /// A volume.
+            struct Volume { abc }
+            /// All.
+            struct Multivector { scalar, a, b, c, ab, ac, bc, abc }
+            products {
+                wedge(Vector, {Vector, Bivector});
+                left_contraction(Vector, Bivector) -> Vector;
+                vee(Bivector, Bivector) -> Vector;
+                geometric(Multivector, Multivector) -> Multivector;
+                dual(Vector) -> Bivector;
+                undual(Bivector) -> Vector;
+                commutator(Bivector, Bivector) -> Bivector;
+            }
+        }
+    }
+}
+
+/// An algebra may be declared where it is used: the area that two vectors span.
+#[must_use]
+pub fn area(a: [f64; 2], b: [f64; 2]) -> f64 {
+    ga::algebra! {
+        mod local {
+            basis e1, e2;
+            signature 2;
+            /// A vector.
+            struct Vector { e1, e2 }
+            /// An area.
+            struct Bivector { e12 }
+            products { wedge(Vector, Vector); }
+        }
+    }
+    let [a, b] = [a, b].map(|[x, y]| local::Vector::new(x, y));
+    (a ^ b).e12
+}
+
+/// The place of a point after a quarter turn about z and a step along x.
+#[must_use]
+pub fn moved(point: [f64; 3]) -> [f64; 3] {
+    let turn = Rotor::from_axis_angle([0.0, 0.0, 1.0], std::f64::consts::FRAC_PI_2);
+    let motor: Motor<f64> =
+        Translator::from_displacement([1.0, 0.0, 0.0]) * turn.unwrap_or_default();
+    motor.transform(Point::from(point)).coordinates()
+}
