@@ -132,6 +132,12 @@ pub enum LegError {
         /// The greatest distance.
         most: f64,
     },
+    /// The target is the hip, so that the thigh may point anywhere.
+    #[error("the target is {distance} m from the hip, so close that the thigh may point anywhere")]
+    Folded {
+        /// The distance of the target from the hip.
+        distance: f64,
+    },
     /// The pole is on the line from hip to target, so that it shows no side.
     #[error("the pole is on the line from the hip to the target")]
     Pole,

@@ -7,7 +7,7 @@ use super::{Leg, LegAngles, LegError, finite};
 impl Leg {
     /// The inverse problem: hip and angles from the motors of thigh, calf and foot.
     ///
-    /// The hip's angle about y comes back in [−π/2, π/2], the other angles in (−π, π]. Where it is ±π/2 the hip's two other axes
+    /// The hip's angle about y comes back in [−π/2, π/2], the other angles in [−π, π]. Where it is ±π/2 the hip's two other axes
     /// are one, and the whole turn about it is given to x. Angles come from atan2 of the parts of rotors and matrices, which is
     /// accurate for all of them.
     ///
@@ -39,12 +39,12 @@ impl Leg {
         let [hip_z, hip_y, hip_x] = turns_about_zyx(thigh.rotor().to_matrix());
         // The knee turns about x alone: its rotor is cos ½δ − sin ½δ e23.
         let at_knee = thigh.rotor().reverse() * calf.rotor();
-        let sideways = 2.0 * at_knee.e12().hypot(at_knee.e13());
+        let sideways = 2.0 * at_knee.e12().hypot(at_knee.e13()).min(1.0).asin();
         hinged("knee", sideways, tolerance)?;
         let knee = wrapped(2.0 * (-at_knee.e23()).atan2(at_knee.scalar()));
         // At the ankle the matrix of Rx(ε) Rz(ζ) has no third entry in its first row.
         let at_ankle = (calf.rotor().reverse() * foot.rotor()).to_matrix();
-        hinged("ankle", at_ankle[0][2], tolerance)?;
+        hinged("ankle", at_ankle[0][2].clamp(-1.0, 1.0).asin(), tolerance)?;
         let ankle_x = (-at_ankle[1][2]).atan2(at_ankle[2][2]);
         let ankle_z = (-at_ankle[0][1]).atan2(at_ankle[0][0]);
         Ok((
@@ -61,16 +61,20 @@ impl Leg {
     }
 }
 
-/// The angles α, β, γ of `Rz(α) Ry(β) Rx(γ)` from its matrix.
+/// The angles α, β, γ of `Rz(α) Ry(β) Rx(γ)` from its matrix. The turn about x is read off what is left after that about z, so
+/// that near the lock, where α is lost, the three still make the same turn together.
 pub(super) fn turns_about_zyx(matrix: [[f64; 3]; 3]) -> [f64; 3] {
     let [first, second, third] = matrix;
     let cosine = first[0].hypot(second[0]);
     let about_y = (-third[0]).atan2(cosine);
-    if cosine < 1e-15 {
-        // Only the sum or difference of the other two is left; z gets none of it.
-        return [0.0, about_y, (-second[2]).atan2(second[1])];
-    }
-    [second[0].atan2(first[0]), about_y, third[1].atan2(third[2])]
+    let about_z = if cosine < 1e-15 {
+        0.0
+    } else {
+        second[0].atan2(first[0])
+    };
+    let (s, c) = about_z.sin_cos();
+    let about_x = (s * first[2] - c * second[2]).atan2(c * second[1] - s * first[1]);
+    [about_z, about_y, about_x]
 }
 
 /// The rotor whose matrix has these columns, if they are a right-handed frame.
@@ -100,20 +104,20 @@ fn meets(
     }
 }
 
-fn hinged(joint: &'static str, sine: f64, tolerance: f64) -> Result<(), LegError> {
-    if sine.is_finite() && sine.abs() <= tolerance {
+fn hinged(joint: &'static str, angle: f64, tolerance: f64) -> Result<(), LegError> {
+    if angle.abs() <= tolerance {
         Ok(())
     } else {
-        Err(LegError::NotHinged { joint, angle: sine })
+        Err(LegError::NotHinged { joint, angle })
     }
 }
 
-/// The same angle in (−π, π].
+/// The same angle in [−π, π].
 fn wrapped(angle: f64) -> f64 {
     use std::f64::consts::{PI, TAU};
     if angle > PI {
         angle - TAU
-    } else if angle <= -PI {
+    } else if angle < -PI {
         angle + TAU
     } else {
         angle

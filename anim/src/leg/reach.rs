@@ -13,8 +13,8 @@ impl Leg {
     /// has its knee where the spheres touch.
     ///
     /// # Errors
-    /// [`LegError::Unreachable`] for a target that is too far or too near, [`LegError::Pole`] for a pole in line with hip and
-    /// target, [`LegError::Place`] for places that are not finite.
+    /// [`LegError::Unreachable`] for a target that is too far or too near, [`LegError::Folded`] for one at the hip itself, which any
+    /// direction of the thigh reaches, [`LegError::Pole`] for a pole in line with hip and target, [`LegError::Place`] for places that are not finite.
     ///
     /// ```
     /// use ga_anim::leg::Leg;
@@ -37,16 +37,30 @@ impl Leg {
         }
         let [thigh, calf, _] = self.lengths();
         let (distance, least, most) = (hip.distance(target), (thigh - calf).abs(), thigh + calf);
-        if !(least..=most).contains(&distance) || distance == 0.0 {
+        // As much as the places are rounded; a leg that is stretched out must still reach where it is.
+        let size = [hip, target, pole]
+            .iter()
+            .flat_map(|p| p.coordinates())
+            .fold(most, |m, x| m.max(x.abs()));
+        let rounding = 8.0 * f64::EPSILON * size;
+        if distance < least - rounding || distance > most + rounding {
             return Err(LegError::Unreachable {
                 distance,
                 least,
                 most,
             });
         }
+        if distance <= rounding {
+            return Err(LegError::Folded { distance });
+        }
         let axis = Line::through(hip, target);
         let foot = axis.foot(pole).ok_or(LegError::Pole)?;
         let aside = minus(pole, foot);
+        // The foot is off by the rounding of the axis, which grows with the pole's distance from it.
+        let lever = 1.0 + pole.distance(hip) / distance;
+        if dot(aside, aside).sqrt() <= rounding * lever {
+            return Err(LegError::Pole);
+        }
         let down = minus(target, hip).map(|x| x / distance);
         let hinge = unit(cross(aside, down)).ok_or(LegError::Pole)?;
 
