@@ -61,8 +61,10 @@ pub(super) fn sheet(
                 });
                 let corner = size.depth(column, row);
                 place(&mut sheet, &depth, corner, kind);
-                if column == 0 {
-                    let inside = corner.map(|c| c + INSET);
+                if (row, column) == (0, 0) {
+                    // At the bottom, where the figure leaves the corner free.
+                    let below = options.style.height.saturating_sub(INSET + LINE);
+                    let inside = [corner[0] + INSET, corner[1] + below];
                     let width = options.style.width.saturating_sub(2 * INSET);
                     text::write(
                         &mut sheet,
