@@ -99,6 +99,10 @@ macro_rules! implement_float {
                 <$type>::is_finite(self)
             }
             #[inline]
+            fn is_zero(self) -> bool {
+                self == 0.0
+            }
+            #[inline]
             fn select(mask: bool, if_true: Self, if_false: Self) -> Self {
                 if mask { if_true } else { if_false }
             }

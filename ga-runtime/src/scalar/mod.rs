@@ -8,14 +8,35 @@
 //!
 //! Generic code asks for the weakest step that it needs, so that the products run over integers and
 //! over a prime field as well as over floating point, and tests can demand exact equality.
+//!
+//! | scalar | is | implements |
+//! | --- | --- | --- |
+//! | `f32`, `f64` | floating point | [`Real`] |
+//! | `i64` | integers | [`Ring`] |
+//! | [`Prime61`] | the prime field modulo 2⁶¹ − 1, exact | [`Field`] |
+//! | [`Lanes<T, N>`](Lanes) | N scalars side by side, one vector register | what T does |
+//! | [`Dual<S, N>`](Dual) | a value with N derivatives | what S does |
+//! | `wide::f32x4`, `f32x8`, `f64x2`, `f64x4` (feature `wide`) | vector registers of that crate | [`Real`] |
+//!
+//! They nest: `Dual<Lanes<f64, 4>, 3>` carries the gradients of four numbers, `Dual<Dual<f64>>` second derivatives.
 
+mod dual;
 mod float;
 mod integer;
+mod lanes;
+mod mask;
 mod prime;
+#[cfg(feature = "wide")]
+mod wide;
 
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
+#[cfg(feature = "wide")]
+pub use self::wide::WideMask;
+pub use dual::Dual;
+pub use lanes::Lanes;
+pub use mask::{LaneMask, Mask};
 pub use prime::Prime61;
 
 /// A commutative ring with one: the least that a coefficient must be.
@@ -54,7 +75,10 @@ pub trait Ring:
     }
 }
 
-/// A ring in which every element but zero has an inverse.
+/// A ring with division, in which almost every element has an inverse.
+///
+/// In a field in the strict sense that is every element but zero. Lanes and dual numbers have more without one, so a guard
+/// of a division asks [`Field::is_invertible`] rather than comparing with zero.
 ///
 /// ```
 /// use ga_runtime::scalar::Field;
@@ -70,9 +94,22 @@ pub trait Field: Ring + Div<Output = Self> {
     fn recip(self) -> Self {
         Self::one() / self
     }
+
+    /// Whether there is an inverse: whether the number is not zero, in lanes whether none of them is, and for a dual number
+    /// whether its value has one.
+    ///
+    /// ```
+    /// use ga_runtime::scalar::{Field, Lanes};
+    /// assert!(2.0.is_invertible() && !0.0.is_invertible());
+    /// assert!(!Lanes::from_array([2.0, 0.0]).is_invertible());
+    /// ```
+    #[inline]
+    fn is_invertible(self) -> bool {
+        self != Self::zero()
+    }
 }
 
-/// A field with roots, angles and an order: floating point, alone or in lanes.
+/// A field with roots, angles and an order: floating point, alone, in lanes or with derivatives.
 ///
 /// Comparisons return a [`Real::Mask`], and [`Real::select`] chooses by it, so that the same code runs on one
 /// number and on lanes of them.
@@ -85,8 +122,8 @@ pub trait Field: Ring + Div<Output = Self> {
 /// assert_eq!(clamp_below(-1.0, 0.0), 0.0);
 /// ```
 pub trait Real: Field {
-    /// The outcome of a comparison.
-    type Mask: Copy + Debug;
+    /// The outcome of a comparison: `bool` for one number, one for each lane of several.
+    type Mask: Mask;
 
     /// The image of a constant of the program.
     fn from_f64(value: f64) -> Self;
@@ -104,10 +141,12 @@ pub trait Real: Field {
     fn exp(self) -> Self;
     /// The natural logarithm.
     fn ln(self) -> Self;
-    /// Whether `self < other`.
+    /// Whether `self < other`; false where either is NaN.
     fn less_than(self, other: Self) -> Self::Mask;
     /// Whether neither infinite nor NaN.
     fn is_finite(self) -> Self::Mask;
+    /// Whether equal to zero, with all its derivatives where it has any.
+    fn is_zero(self) -> Self::Mask;
     /// `if_true` where the mask is set, else `if_false`.
     fn select(mask: Self::Mask, if_true: Self, if_false: Self) -> Self;
 
@@ -121,12 +160,12 @@ pub trait Real: Field {
     fn cos(self) -> Self {
         self.sin_cos().1
     }
-    /// The larger of two numbers.
+    /// The larger of two numbers; `self` where they are equal or one is NaN.
     #[inline]
     fn max(self, other: Self) -> Self {
         Self::select(self.less_than(other), other, self)
     }
-    /// The smaller of two numbers.
+    /// The smaller of two numbers; `self` where they are equal or one is NaN.
     #[inline]
     fn min(self, other: Self) -> Self {
         Self::select(other.less_than(self), other, self)

@@ -1,0 +1,131 @@
+//! Outcomes of comparisons, for one number and for lanes.
+
+use core::fmt::Debug;
+use core::ops::{BitAnd, BitOr, Index, Not};
+
+/// The outcome of a comparison: `bool` for a single number, one bit for each lane of several.
+///
+/// Code on lanes cannot branch, since the lanes may differ. It computes both sides and chooses with
+/// [`Real::select`](super::Real::select); `any` and `all` serve to leave out work that no lane needs.
+///
+/// ```
+/// use ga_runtime::scalar::{Lanes, Mask, Real, Ring};
+/// /// The square root, and zero where there is none.
+/// fn root_or_zero<S: Real>(x: S) -> S {
+///     let is_negative = x.less_than(S::zero());
+///     let root = S::select(is_negative, S::zero(), x).sqrt();
+///     if is_negative.any() { S::select(is_negative, S::zero(), root) } else { root }
+/// }
+/// assert_eq!(root_or_zero(-4.0), 0.0);
+/// assert_eq!(root_or_zero(Lanes::from_array([4.0, -4.0])).to_array(), [2.0, 0.0]);
+/// ```
+pub trait Mask:
+    Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
+{
+    /// The same outcome in every lane.
+    fn splat(value: bool) -> Self;
+    /// Whether the mask is set in some lane.
+    fn any(self) -> bool;
+    /// Whether the mask is set in every lane.
+    fn all(self) -> bool;
+}
+
+impl Mask for bool {
+    #[inline(always)]
+    fn splat(value: bool) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn any(self) -> bool {
+        self
+    }
+    #[inline(always)]
+    fn all(self) -> bool {
+        self
+    }
+}
+
+/// The outcome of a comparison of [`Lanes`](super::Lanes).
+///
+/// ```
+/// use ga_runtime::scalar::{Lanes, Mask, Real};
+/// let mask = Lanes::from_array([1.0, f64::NAN, 3.0]).less_than(Lanes::splat(2.0));
+/// assert_eq!(mask.to_array(), [true, false, false]);
+/// assert!(mask.any() && !mask.all() && (!mask)[1]);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(transparent)]
+pub struct LaneMask<const N: usize>([bool; N]);
+
+impl<const N: usize> LaneMask<N> {
+    /// The mask with the given outcomes.
+    #[inline(always)]
+    #[must_use]
+    pub const fn from_array(lanes: [bool; N]) -> Self {
+        Self(lanes)
+    }
+
+    /// The outcome in each lane.
+    #[inline(always)]
+    #[must_use]
+    pub const fn to_array(self) -> [bool; N] {
+        self.0
+    }
+}
+
+impl<const N: usize> Mask for LaneMask<N> {
+    #[inline(always)]
+    fn splat(value: bool) -> Self {
+        Self([value; N])
+    }
+    #[inline(always)]
+    fn any(self) -> bool {
+        // Without a way out in the middle, which would keep it from becoming one instruction.
+        self.0.iter().fold(false, |any, &lane| any | lane)
+    }
+    #[inline(always)]
+    fn all(self) -> bool {
+        self.0.iter().fold(true, |all, &lane| all & lane)
+    }
+}
+
+impl<const N: usize> BitAnd for LaneMask<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn bitand(mut self, other: Self) -> Self {
+        for (lane, other) in self.0.iter_mut().zip(&other.0) {
+            *lane &= other;
+        }
+        self
+    }
+}
+
+impl<const N: usize> BitOr for LaneMask<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn bitor(mut self, other: Self) -> Self {
+        for (lane, other) in self.0.iter_mut().zip(&other.0) {
+            *lane |= other;
+        }
+        self
+    }
+}
+
+impl<const N: usize> Not for LaneMask<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn not(mut self) -> Self {
+        for lane in &mut self.0 {
+            *lane = !*lane;
+        }
+        self
+    }
+}
+
+impl<const N: usize> Index<usize> for LaneMask<N> {
+    type Output = bool;
+    #[inline(always)]
+    fn index(&self, lane: usize) -> &bool {
+        &self.0[lane]
+    }
+}

@@ -1,0 +1,190 @@
+//! Vector registers of the `wide` crate.
+
+use core::ops::{BitAnd, BitOr, Not};
+
+use wide::{f32x4, f32x8, f64x2, f64x4};
+
+use super::{Field, Mask, Real, Ring};
+
+/// The outcome of a comparison of vectors of the `wide` crate, with feature `wide`.
+///
+/// `wide` chooses its instructions when the program is built, by the target features of the whole build, and stays with
+/// those inside a function that asks for more; there [`Lanes`](super::Lanes) are the better choice.
+///
+/// Elementary functions take the polynomials of `wide` where those are good, and go lane by lane through the scalar functions
+/// as soon as one lane is beyond: huge angles, infinite and NaN arguments, logarithms of subnormal numbers. The polynomials are
+/// within 4 units in the last place of the scalar functions, sine and cosine within 2 ε absolutely. The rest is bit for
+/// bit as with a single number.
+///
+/// ```
+/// use ga_runtime::cga3::Point;
+/// use ga_runtime::scalar::{Mask, Real};
+/// use wide::f64x4;
+///
+/// let p = Point::new(f64x4::from([0.0, 3.0, 6.0, 9.0]), f64x4::splat(0.0), f64x4::splat(0.0));
+/// let q = Point::new(f64x4::splat(0.0), f64x4::from([0.0, 4.0, 8.0, 12.0]), f64x4::splat(0.0));
+/// let distance = p.distance_squared(q).sqrt();
+/// assert_eq!(distance, f64x4::from([0.0, 5.0, 10.0, 15.0]));
+/// assert!(distance.less_than(f64x4::splat(20.0)).all());
+/// ```
+#[derive(Clone, Copy, Debug)]
+#[repr(transparent)]
+pub struct WideMask<V>(V);
+
+macro_rules! implement_wide {
+    ($type:ident of $scalar:ident, largest angle $angle:literal, largest exponent $exponent:literal) => {
+        impl Ring for $type {
+            #[inline(always)]
+            fn zero() -> Self {
+                Self::ZERO
+            }
+            #[inline(always)]
+            fn one() -> Self {
+                Self::ONE
+            }
+            #[inline(always)]
+            fn from_integer(value: i64) -> Self {
+                Self::splat(value as $scalar)
+            }
+            #[inline(always)]
+            fn mul_add(self, factor: Self, summand: Self) -> Self {
+                Self::mul_add(self, factor, summand)
+            }
+        }
+
+        impl Field for $type {
+            #[inline(always)]
+            fn from_ratio(numerator: i64, denominator: i64) -> Self {
+                Self::splat(numerator as $scalar / denominator as $scalar)
+            }
+            // The reciprocal of `wide` itself has twelve bits.
+            #[inline(always)]
+            fn recip(self) -> Self {
+                Self::ONE / self
+            }
+            #[inline(always)]
+            fn is_invertible(self) -> bool {
+                !self.simd_eq(Self::ZERO).any()
+            }
+        }
+
+        impl Real for $type {
+            type Mask = WideMask<Self>;
+
+            #[inline(always)]
+            fn from_f64(value: f64) -> Self {
+                Self::splat(value as $scalar)
+            }
+            #[inline(always)]
+            fn epsilon() -> Self {
+                Self::splat($scalar::EPSILON)
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                Self::sqrt(self)
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                Self::abs(self)
+            }
+            #[inline]
+            fn sin_cos(self) -> (Self, Self) {
+                if self.abs().simd_le(Self::splat($angle)).all() {
+                    return Self::sin_cos(self);
+                }
+                let (mut sine, mut cosine) = (self.to_array(), self.to_array());
+                for (sine, cosine) in sine.iter_mut().zip(&mut cosine) {
+                    (*sine, *cosine) = Real::sin_cos(*sine);
+                }
+                (Self::new(sine), Self::new(cosine))
+            }
+            #[inline]
+            fn atan2(self, x: Self) -> Self {
+                if (Self::is_finite(self) & Self::is_finite(x)).all() {
+                    return Self::atan2(self, x);
+                }
+                let mut angle = self.to_array();
+                for (y, x) in angle.iter_mut().zip(x.to_array()) {
+                    *y = Real::atan2(*y, x);
+                }
+                Self::new(angle)
+            }
+            #[inline]
+            fn exp(self) -> Self {
+                if self.abs().simd_le(Self::splat($exponent)).all() {
+                    return Self::exp(self);
+                }
+                Self::new(self.to_array().map(Real::exp))
+            }
+            #[inline]
+            fn ln(self) -> Self {
+                let is_normal = self.simd_ge(Self::splat($scalar::MIN_POSITIVE));
+                if (is_normal & Self::is_finite(self)).all() {
+                    return Self::ln(self);
+                }
+                Self::new(self.to_array().map(Real::ln))
+            }
+            #[inline(always)]
+            fn less_than(self, other: Self) -> Self::Mask {
+                WideMask(self.simd_lt(other))
+            }
+            #[inline(always)]
+            fn is_finite(self) -> Self::Mask {
+                WideMask(Self::is_finite(self))
+            }
+            #[inline(always)]
+            fn is_zero(self) -> Self::Mask {
+                WideMask(self.simd_eq(Self::ZERO))
+            }
+            #[inline(always)]
+            fn select(mask: Self::Mask, if_true: Self, if_false: Self) -> Self {
+                mask.0.select(if_true, if_false)
+            }
+        }
+
+        impl Mask for WideMask<$type> {
+            #[inline(always)]
+            fn splat(value: bool) -> Self {
+                let bits = if value { !0 } else { 0 };
+                Self($type::splat($scalar::from_bits(bits)))
+            }
+            #[inline(always)]
+            fn any(self) -> bool {
+                self.0.any()
+            }
+            #[inline(always)]
+            fn all(self) -> bool {
+                self.0.all()
+            }
+        }
+
+        impl BitAnd for WideMask<$type> {
+            type Output = Self;
+            #[inline(always)]
+            fn bitand(self, other: Self) -> Self {
+                Self(self.0 & other.0)
+            }
+        }
+
+        impl BitOr for WideMask<$type> {
+            type Output = Self;
+            #[inline(always)]
+            fn bitor(self, other: Self) -> Self {
+                Self(self.0 | other.0)
+            }
+        }
+
+        impl Not for WideMask<$type> {
+            type Output = Self;
+            #[inline(always)]
+            fn not(self) -> Self {
+                Self(!self.0)
+            }
+        }
+    };
+}
+
+implement_wide!(f32x4 of f32, largest angle 1024.0, largest exponent 80.0);
+implement_wide!(f32x8 of f32, largest angle 1024.0, largest exponent 80.0);
+implement_wide!(f64x2 of f64, largest angle 1e5, largest exponent 700.0);
+implement_wide!(f64x4 of f64, largest angle 1e5, largest exponent 700.0);
