@@ -12,7 +12,7 @@ mod versors;
 
 pub use tests::product_tests;
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 use syn::Visibility;
 use syn::ext::IdentExt;
@@ -122,13 +122,45 @@ fn constants(definition: &Definition) -> TokenStream {
 /// A macro of the algebra's name that passes the definition to another macro. Its own name is unique to the
 /// definition, so that two algebras of one name in two modules do not collide.
 fn handover(definition: &Definition, source: &TokenStream) -> TokenStream {
-    let runtime = &definition.runtime;
+    let runtime = from_anywhere(&definition.runtime);
+    let declaration = without_runtime(source);
     let rule = quote! {
         ([$($callback:tt)*] $($input:tt)*) => {
-            $($callback)* ! { [#runtime] { #source } $($input)* }
+            $($callback)* ! { [#runtime] { #declaration } $($input)* }
         }
     };
     macro_of(&definition.name, &definition.visibility, source, &rule)
+}
+
+/// A path with `$crate` for a leading `crate`, so that a macro can pass it on to another crate.
+fn from_anywhere(path: &TokenStream) -> TokenStream {
+    let starts_here =
+        |token: &TokenTree| matches!(token, TokenTree::Ident(name) if name == "crate");
+    let dollar = path
+        .clone()
+        .into_iter()
+        .next()
+        .filter(starts_here)
+        .map(|_| quote! { $ });
+    quote! { #dollar #path }
+}
+
+/// A declaration without its `crate = path;`, which another crate would misread.
+fn without_runtime(source: &TokenStream) -> TokenStream {
+    let strip = |token| match token {
+        TokenTree::Group(body) if body.delimiter() == Delimiter::Brace => {
+            let mut tokens = body.stream().into_iter().peekable();
+            if tokens
+                .peek()
+                .is_some_and(|first| first.to_string() == "crate")
+            {
+                tokens.find(|token| token.to_string() == ";");
+            }
+            TokenTree::Group(Group::new(Delimiter::Brace, tokens.collect()))
+        }
+        token => token,
+    };
+    source.clone().into_iter().map(strip).collect()
 }
 
 fn macro_of(
