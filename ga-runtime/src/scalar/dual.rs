@@ -286,6 +286,7 @@ impl<S: Ring, const N: usize> Sub for Dual<S, N> {
     }
 }
 
+#[allow(clippy::suspicious_arithmetic_impl, reason = "the product rule adds")]
 impl<S: Ring, const N: usize> Mul for Dual<S, N> {
     type Output = Self;
     #[inline(always)]
@@ -296,6 +297,10 @@ impl<S: Ring, const N: usize> Mul for Dual<S, N> {
     }
 }
 
+#[allow(
+    clippy::suspicious_arithmetic_impl,
+    reason = "the quotient rule subtracts and multiplies"
+)]
 impl<S: Field, const N: usize> Div for Dual<S, N> {
     type Output = Self;
     #[inline(always)]
