@@ -19,6 +19,7 @@
 )]
 
 mod conformal;
+mod interface;
 mod metrics;
 mod places;
 mod same_text;

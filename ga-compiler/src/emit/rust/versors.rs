@@ -104,8 +104,10 @@ fn try_new(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
                 #statements
                 let defects = [#(#defects),*];
                 for defect in defects {
-                    let within = <S as #real>::abs(defect);
-                    if !<S as #real>::is_finite(within) || <S as #real>::less_than(tolerance, within) {
+                    let size = <S as #real>::abs(defect);
+                    // Asked so that no comparison with NaN lets anything pass.
+                    let is_within = <S as #real>::less_than(size, tolerance) || size == tolerance;
+                    if !<S as #real>::is_finite(size) || !is_within {
                         return ::core::option::Option::None;
                     }
                 }
