@@ -24,7 +24,7 @@
 //! # Features
 //!
 //! `std` (on by default) takes elementary functions from the standard library; without it, `libm` brings them. `testing`
-//! adds what tests need and brings proptest.
+//! adds what tests need and brings proptest. `wide` makes the vectors of that crate scalars.
 //!
 //! # What a type is
 //!

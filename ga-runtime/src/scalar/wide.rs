@@ -11,10 +11,10 @@ use super::{Field, Mask, Real, Ring};
 /// `wide` chooses its instructions when the program is built, by the target features of the whole build, and stays with
 /// those inside a function that asks for more; there [`Lanes`](super::Lanes) are the better choice.
 ///
-/// Elementary functions take the polynomials of `wide` where those are good, and go lane by lane through the scalar functions
-/// as soon as one lane is beyond: huge angles, infinite and NaN arguments, logarithms of subnormal numbers. The polynomials are
-/// within 4 units in the last place of the scalar functions, sine and cosine within 2 ε absolutely. The rest is bit for
-/// bit as with a single number.
+/// Elementary functions take the polynomials of `wide` where those are good, and go lane by lane through the scalar
+/// functions as soon as one lane is beyond: huge angles, infinite and NaN arguments, logarithms of subnormal numbers. The
+/// polynomials are within 4 units in the last place of the scalar functions, sine and cosine within 2 ε absolutely. The
+/// rest is bit for bit as with a single number.
 ///
 /// ```
 /// use ga_runtime::cga3::Point;

@@ -1,17 +1,22 @@
 //! Numbers with derivatives.
 
+mod real;
+
 use alloc::format;
 use core::fmt;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use super::{Field, Real, Ring};
+#[cfg(doc)]
+use super::Real;
+use super::{Field, Ring};
 
 /// A dual number: a value and its N derivatives, `x + x₁ ε₁ + … + x_N ε_N` with `ε_i ε_j = 0`.
 ///
 /// Arithmetic on dual numbers carries derivatives along by the chain rule, exactly and without differences of close
-/// values (forward-mode differentiation: Griewank and Walther, Evaluating Derivatives, 2008, chapter 3). So any function that is
-/// generic over its scalar differentiates: N = 3 gives the Jacobian by the coordinates of a point, N = 1, the default, one
-/// derivative, `Dual<Dual<f64>>` the second one. The value is, bit for bit, what the function gives without derivatives.
+/// values (forward-mode differentiation: Griewank and Walther, Evaluating Derivatives, 2008, chapter 3). So any
+/// function that is generic over its scalar differentiates: N = 3 gives the Jacobian by the coordinates of a point,
+/// N = 1, the default, one derivative, `Dual<Dual<f64>>` the second one. The value is, bit for bit, what the function
+/// gives without derivatives.
 ///
 /// ```
 /// use ga_runtime::scalar::{Dual, Real};
@@ -27,9 +32,11 @@ use super::{Field, Real, Ring};
 ///
 /// ```
 /// use ga_runtime::{cga3::Point, scalar::Dual};
-/// let p = Point::from(Dual::variables([4.0, 0.0, 3.0]));
+/// let p = Point::from(Dual::variables([4.0_f64, 0.0, 3.0]));
 /// let distance = p.distance(Point::from([0.0, 0.0, 0.0].map(Dual::constant)));
-/// assert_eq!(distance, Dual::new(5.0, [0.8, 0.0, 0.6]));
+/// let [x, y, z] = distance.derivatives;
+/// assert_eq!(distance.value, 5.0);
+/// assert!((x - 0.8).abs() < 1e-15 && y == 0.0 && (z - 0.6).abs() < 1e-15);
 /// ```
 ///
 /// # Rules
@@ -46,17 +53,17 @@ use super::{Field, Real, Ring};
 /// | `atan2(y, x)` | `(x y' − y x')/(x² + y²)` | `x = y = 0`: +∞, since the angle jumps there |
 /// | `max`, `min`, `select` | that of the number chosen | where both are equal, that of the first |
 ///
-/// In every function but the quotient a derivative of zero stays zero, even where the slope is infinite: what does not
-/// move has no derivative. So the length of a vector that is zero has the derivative zero, and a NaN comes only from
-/// a NaN, from a value that is NaN or infinite itself, or from the difference of two infinite derivatives. For second derivatives
-/// a number moves as soon as its own derivative does, so there `√x` at zero is NaN where x moves only to second order.
+/// In these elementary functions a derivative of zero stays zero, even where the slope is infinite: what does not move
+/// has no derivative. So the length of a vector that is zero has the derivative zero, and a NaN comes only from a NaN, from
+/// a value that is NaN or infinite itself, or from the difference of two infinite derivatives. For second derivatives
+/// a number moves as soon as its own derivative does: `√x` at zero is NaN where x moves only to second order.
 ///
 /// # Comparisons
 ///
-/// [`Real::less_than`] compares values, so that a program takes the branch that it takes without derivatives; at the border of a
-/// branch the derivative is that of the branch taken. [`Real::is_finite`] asks for the value and every derivative, and thus finds
-/// what singular points leave. `==` and [`Real::is_zero`] compare all of them too, so a guard against division by zero asks
-/// [`Field::is_invertible`], which looks at the value alone.
+/// [`Real::less_than`] compares values, so that a program takes the branch that it takes without derivatives; at the
+/// border of a branch the derivative is that of the branch taken. [`Real::is_finite`] asks for the value and every
+/// derivative, and thus finds what singular points leave. `==` and [`Real::is_zero`] compare all of them too, so
+/// a guard against division by zero asks [`Field::is_invertible`], which looks at the value alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(C)]
 pub struct Dual<S, const N: usize = 1> {
@@ -165,105 +172,6 @@ impl<S: Field, const N: usize> Field for Dual<S, N> {
     fn is_invertible(self) -> bool {
         self.value.is_invertible()
     }
-}
-
-impl<S: Real, const N: usize> Real for Dual<S, N> {
-    type Mask = S::Mask;
-
-    #[inline(always)]
-    fn from_f64(value: f64) -> Self {
-        Self::constant(S::from_f64(value))
-    }
-    #[inline(always)]
-    fn epsilon() -> Self {
-        Self::constant(S::epsilon())
-    }
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        let root = self.value.sqrt();
-        // Without the sign of √−0, which is −0.
-        self.chain(root, (root + root).abs().recip())
-    }
-    #[inline(always)]
-    fn abs(self) -> Self {
-        let x = self.value;
-        let one = S::one();
-        // Neither positive nor negative are zero and NaN. The product with zero keeps them apart.
-        let slope = S::select(S::zero().less_than(x), one, x * S::zero());
-        let slope = S::select(x.less_than(S::zero()), -one, slope);
-        self.chain(x.abs(), slope)
-    }
-    #[inline(always)]
-    fn sin_cos(self) -> (Self, Self) {
-        let (sine, cosine) = self.value.sin_cos();
-        (self.chain(sine, cosine), self.chain(cosine, -sine))
-    }
-    #[inline(always)]
-    fn atan2(self, x: Self) -> Self {
-        let y = self;
-        // Relative to the sum of magnitudes, whose square cannot overflow.
-        let size = y.value.abs() + x.value.abs();
-        let (sine, cosine) = (y.value / size, x.value / size);
-        let is_regular = S::zero().less_than(size) & size.is_finite();
-        let divisor = (sine * sine + cosine * cosine) * size;
-        let slope = S::select(is_regular, divisor, size).recip();
-        Self::with(y.value.atan2(x.value), |k| {
-            let (dy, dx) = (y.derivatives[k], x.derivatives[k]);
-            let rate = S::select(is_regular, cosine * dy - sine * dx, dy.abs() + dx.abs());
-            moved(slope, rate)
-        })
-    }
-    #[inline(always)]
-    fn exp(self) -> Self {
-        let value = self.value.exp();
-        self.chain(value, value)
-    }
-    #[inline(always)]
-    fn ln(self) -> Self {
-        let value = self.value.ln();
-        let slope = self.value.abs().recip();
-        // The logarithm of a negative number is NaN, and so is its slope.
-        self.chain(
-            value,
-            S::select(self.value.less_than(S::zero()), value, slope),
-        )
-    }
-    #[inline(always)]
-    fn less_than(self, other: Self) -> S::Mask {
-        self.value.less_than(other.value)
-    }
-    #[inline(always)]
-    fn is_finite(self) -> S::Mask {
-        self.derivatives
-            .iter()
-            .fold(self.value.is_finite(), |all, rate| all & rate.is_finite())
-    }
-    #[inline(always)]
-    fn is_zero(self) -> S::Mask {
-        self.derivatives
-            .iter()
-            .fold(self.value.is_zero(), |all, rate| all & rate.is_zero())
-    }
-    #[inline(always)]
-    fn select(mask: S::Mask, if_true: Self, if_false: Self) -> Self {
-        Self::with(S::select(mask, if_true.value, if_false.value), |k| {
-            S::select(mask, if_true.derivatives[k], if_false.derivatives[k])
-        })
-    }
-}
-
-impl<S: Real, const N: usize> Dual<S, N> {
-    /// A function of this number, given its value and its slope here.
-    #[inline(always)]
-    fn chain(self, value: S, slope: S) -> Self {
-        Self::with(value, |k| moved(slope, self.derivatives[k]))
-    }
-}
-
-/// `slope · rate`, and zero where the rate is zero, however steep the slope.
-#[inline(always)]
-fn moved<S: Real>(slope: S, rate: S) -> S {
-    S::select(rate.is_zero(), S::zero(), slope * rate)
 }
 
 impl<S: Ring, const N: usize> Add for Dual<S, N> {

@@ -1,0 +1,103 @@
+//! Elementary functions of dual numbers.
+
+use super::Dual;
+use crate::scalar::Real;
+
+impl<S: Real, const N: usize> Real for Dual<S, N> {
+    type Mask = S::Mask;
+
+    #[inline(always)]
+    fn from_f64(value: f64) -> Self {
+        Self::constant(S::from_f64(value))
+    }
+    #[inline(always)]
+    fn epsilon() -> Self {
+        Self::constant(S::epsilon())
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        let root = self.value.sqrt();
+        // Without the sign of √−0, which is −0.
+        self.chain(root, (root + root).abs().recip())
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        let x = self.value;
+        let one = S::one();
+        // Neither positive nor negative are zero and NaN. The product with zero keeps them apart.
+        let slope = S::select(S::zero().less_than(x), one, x * S::zero());
+        let slope = S::select(x.less_than(S::zero()), -one, slope);
+        self.chain(x.abs(), slope)
+    }
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        let (sine, cosine) = self.value.sin_cos();
+        (self.chain(sine, cosine), self.chain(cosine, -sine))
+    }
+    #[inline(always)]
+    fn atan2(self, x: Self) -> Self {
+        let y = self;
+        // Relative to the sum of magnitudes, whose square cannot overflow.
+        let size = y.value.abs() + x.value.abs();
+        let (sine, cosine) = (y.value / size, x.value / size);
+        let is_regular = S::zero().less_than(size) & size.is_finite();
+        let divisor = (sine * sine + cosine * cosine) * size;
+        let slope = S::select(is_regular, divisor, size).recip();
+        Self::with(y.value.atan2(x.value), |k| {
+            let (dy, dx) = (y.derivatives[k], x.derivatives[k]);
+            let rate = S::select(is_regular, cosine * dy - sine * dx, dy.abs() + dx.abs());
+            moved(slope, rate)
+        })
+    }
+    #[inline(always)]
+    fn exp(self) -> Self {
+        let value = self.value.exp();
+        self.chain(value, value)
+    }
+    #[inline(always)]
+    fn ln(self) -> Self {
+        let value = self.value.ln();
+        let slope = self.value.abs().recip();
+        // The logarithm of a negative number is NaN, and so is its slope.
+        self.chain(
+            value,
+            S::select(self.value.less_than(S::zero()), value, slope),
+        )
+    }
+    #[inline(always)]
+    fn less_than(self, other: Self) -> S::Mask {
+        self.value.less_than(other.value)
+    }
+    #[inline(always)]
+    fn is_finite(self) -> S::Mask {
+        self.derivatives
+            .iter()
+            .fold(self.value.is_finite(), |all, rate| all & rate.is_finite())
+    }
+    #[inline(always)]
+    fn is_zero(self) -> S::Mask {
+        self.derivatives
+            .iter()
+            .fold(self.value.is_zero(), |all, rate| all & rate.is_zero())
+    }
+    #[inline(always)]
+    fn select(mask: S::Mask, if_true: Self, if_false: Self) -> Self {
+        Self::with(S::select(mask, if_true.value, if_false.value), |k| {
+            S::select(mask, if_true.derivatives[k], if_false.derivatives[k])
+        })
+    }
+}
+
+impl<S: Real, const N: usize> Dual<S, N> {
+    /// A function of this number, given its value and its slope here.
+    #[inline(always)]
+    fn chain(self, value: S, slope: S) -> Self {
+        Self::with(value, |k| moved(slope, self.derivatives[k]))
+    }
+}
+
+/// `slope · rate`, and zero where the rate is zero, however steep the slope.
+#[inline(always)]
+fn moved<S: Real>(slope: S, rate: S) -> S {
+    S::select(rate.is_zero(), S::zero(), slope * rate)
+}
