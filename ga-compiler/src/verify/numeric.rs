@@ -92,10 +92,11 @@ pub(super) fn unary(algebra: &Algebra, operation: Unary, operand: &Numbers) -> N
 
 /// `M X ~M`, with the grade involution of X where M is odd.
 pub(super) fn sandwich(algebra: &Algebra, versor: &Numbers, operand: &Numbers) -> Numbers {
-    let is_odd = versor
+    let mut blades = versor
         .iter()
-        .find(|(_, value)| **value != Prime::ZERO)
-        .is_some_and(|(blade, _)| blade.involute_is_negative());
+        .filter(|(_, value)| **value != Prime::ZERO)
+        .peekable();
+    let is_odd = blades.peek().is_some() && blades.all(|(blade, _)| blade.involute_is_negative());
     let operand = if is_odd {
         unary(algebra, Unary::Involute, operand)
     } else {

@@ -68,14 +68,9 @@ impl<S: Field> FlatPoint<S> {
     #[inline]
     #[must_use]
     pub fn to_point(self) -> Option<Point<S>> {
-        if self.eoi == S::zero() {
-            return None;
-        }
-        let scale = self.eoi.recip();
-        Some(Point::new(
-            self.e1i * scale,
-            self.e2i * scale,
-            self.e3i * scale,
-        ))
+        let place = [self.e1i, self.e2i, self.e3i];
+        self.eoi
+            .is_invertible()
+            .then(|| Point::from(place.map(|x| x / self.eoi)))
     }
 }

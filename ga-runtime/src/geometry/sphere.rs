@@ -1,6 +1,6 @@
 //! Spheres, direct and dual.
 
-use super::vector3::{dot, scaled};
+use super::vector3::dot;
 use crate::cga3::{Point, RoundVector, Sphere};
 use crate::scalar::{Field, Real};
 
@@ -18,11 +18,10 @@ impl<S: Field> RoundVector<S> {
     #[inline]
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
-        if self.eo == S::zero() {
-            return None;
-        }
-        let scale = self.eo.recip();
-        Some(Point::from(scaled([self.e1, self.e2, self.e3], scale)))
+        let place = [self.e1, self.e2, self.e3];
+        self.eo
+            .is_invertible()
+            .then(|| Point::from(place.map(|x| x / self.eo)))
     }
 
     /// The squared radius, `σ²/(ei·σ)²`: zero for a point, negative for an imaginary sphere; `None` for a dual plane.

@@ -26,11 +26,12 @@ pub(super) fn difference<S: Ring>(a: [S; 3], b: [S; 3]) -> [S; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-/// The length, without overflow or underflow on the way.
+/// The length, without overflow or underflow on the way; NaN where a component is NaN.
 pub(super) fn length<S: Real<Mask = bool>>(a: [S; 3]) -> S {
     let largest = a[0].abs().max(a[1].abs()).max(a[2].abs());
     if !S::zero().less_than(largest) || !largest.is_finite() {
-        return largest;
+        // Zero, infinite or NaN, whichever the components are.
+        return a[0].abs() + a[1].abs() + a[2].abs();
     }
     let unit = a.map(|x| x / largest);
     dot(unit, unit).sqrt() * largest
