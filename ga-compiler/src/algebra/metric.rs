@@ -203,18 +203,51 @@ mod tests {
         );
     }
 
-    #[test]
-    fn product_is_associative_in_a_full_metric() {
-        let mut metric = Metric::zero(4);
-        for row in 0..4 {
-            for column in row..4 {
-                metric.set(
-                    row,
-                    column,
-                    Ratio::integer((row * 3 + column * 7) as i128 % 5 - 2),
-                );
+    /// A metric with few zeros.
+    fn full(dimension: usize) -> Metric {
+        let mut metric = Metric::zero(dimension);
+        for row in 0..dimension {
+            for column in row..dimension {
+                let numerator = (row * 3 + column * 7) as i128 % 5 - 2;
+                let denominator = (row + column) as i128 % 3 + 1;
+                metric.set(row, column, Ratio::new(numerator, denominator).unwrap());
             }
         }
+        metric
+    }
+
+    #[test]
+    fn determinant_is_the_product_of_pseudoscalars() {
+        for dimension in 0..=6 {
+            let metric = full(dimension);
+            let pseudoscalar = Blade::pseudoscalar(dimension);
+            let product = metric.geometric(pseudoscalar, pseudoscalar);
+            let square = metric.pseudoscalar_square();
+            let expected = if square.is_zero() {
+                vec![]
+            } else {
+                vec![(Blade::SCALAR, square)]
+            };
+            assert_eq!(product, expected);
+        }
+        assert_ne!(full(6).pseudoscalar_square(), Ratio::ZERO);
+    }
+
+    #[test]
+    fn the_bound_on_products_holds() {
+        assert!(null_basis().products_fit() && full(6).products_fit());
+        assert!(Metric::signature(9, 7, 0).products_fit());
+        let mut metric = Metric::zero(4);
+        (0..4).for_each(|index| metric.set(index, index, Ratio::integer(40_000)));
+        assert!(metric.products_fit(), "40000⁴ < 2⁶²");
+        metric.set(0, 1, Ratio::integer(40_000));
+        metric.set(2, 3, Ratio::new(1, 3).unwrap());
+        assert!(!metric.products_fit(), "(80000 · 40000 · 3²)² > 2⁶²");
+    }
+
+    #[test]
+    fn product_is_associative_in_a_full_metric() {
+        let metric = full(4);
         let multiply = |terms: &[(Blade, Ratio)], blade: Blade, on_left: bool| {
             let mut sums = vec![Ratio::ZERO; 16];
             for &(term, value) in terms {

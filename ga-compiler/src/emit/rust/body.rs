@@ -92,12 +92,48 @@ impl Writer<'_> {
         if value.factor == Ratio::ONE {
             return self.read(value.node);
         }
-        let node = self.operand(value.node);
         if value.factor == Ratio::integer(-1) {
-            return quote! { -#node };
+            return self.negative(value.node);
         }
+        let node = self.operand(value.node);
         let factor = self.constant(value.factor);
         quote! { #factor * #node }
+    }
+
+    /// The negative of a node; a difference that is read here only is turned round.
+    fn negative(&mut self, id: NodeId) -> TokenStream {
+        if let Node::Sum(terms) = self.arena.node(id)
+            && self.schedule.uses[id.index()] == 1
+            && let Some(first) = terms.iter().position(|term| term.factor.is_negative())
+        {
+            let mut turned: Vec<_> = terms.iter().map(|&term| -term).collect();
+            turned[..=first].rotate_right(1);
+            return self.sum(&turned);
+        }
+        let node = self.operand(id);
+        quote! { -#node }
+    }
+
+    /// A sum whose first term has a positive factor.
+    fn sum(&mut self, terms: &[Value]) -> TokenStream {
+        let mut tokens = TokenStream::new();
+        for (place, term) in terms.iter().enumerate() {
+            let size = Value {
+                factor: term.factor.abs(),
+                ..*term
+            };
+            let text = if size.factor == Ratio::ONE && term.node != Arena::ONE {
+                self.operand(term.node)
+            } else {
+                self.value(size)
+            };
+            match (place, term.factor.is_negative()) {
+                (0, _) => tokens.extend(text),
+                (_, false) => tokens.extend(quote! { + #text }),
+                (_, true) => tokens.extend(quote! { - #text }),
+            }
+        }
+        tokens
     }
 
     /// A node where it is read: its variable, or its expression where this is the only place.
@@ -146,27 +182,7 @@ impl Writer<'_> {
                 };
                 quote! { #dividend / #divisor }
             }
-            Node::Sum(terms) => {
-                let mut tokens = TokenStream::new();
-                for (place, term) in terms.iter().enumerate() {
-                    let size = Value {
-                        factor: term.factor.abs(),
-                        ..*term
-                    };
-                    let text = if size.factor == Ratio::ONE && term.node != Arena::ONE {
-                        self.operand(term.node)
-                    } else {
-                        self.value(size)
-                    };
-                    match (place, term.factor.is_negative()) {
-                        (0, false) => tokens.extend(text),
-                        (0, true) => tokens.extend(quote! { -#text }),
-                        (_, false) => tokens.extend(quote! { + #text }),
-                        (_, true) => tokens.extend(quote! { - #text }),
-                    }
-                }
-                tokens
-            }
+            Node::Sum(terms) => self.sum(&terms),
         }
     }
 }

@@ -1,0 +1,151 @@
+//! Declarations through the compiler, with no macro involved: what is accepted, what is refused, and what is emitted.
+
+use ga_compiler::define::Definition;
+use ga_compiler::{expand_algebra, parse};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+fn check(declaration: TokenStream) -> Result<Definition, Vec<String>> {
+    let messages = |errors: syn::Error| errors.into_iter().map(|e| e.to_string()).collect();
+    parse::parse_declaration(declaration)
+        .and_then(|syntax| Definition::check(syntax, quote!(::ga_runtime)))
+        .map_err(messages)
+}
+
+/// The code of a declaration as a person would read it.
+fn emitted(declaration: &TokenStream) -> String {
+    let code = expand_algebra(quote!([::ga_runtime] #declaration));
+    let file = syn::parse2(code).expect("items");
+    prettyplease::unparse(&file)
+}
+
+#[test]
+fn signatures_may_stop_early() {
+    for (signature, squares) in [
+        (quote!(3), ["1", "1", "1"]),
+        (quote!(2, 1), ["1", "1", "-1"]),
+        (quote!(1, 1, 1), ["1", "-1", "0"]),
+        (quote!(0, 0, 3), ["0", "0", "0"]),
+    ] {
+        let definition = check(quote! {
+            mod some { basis x, y, z; signature #signature; struct Vector { x, y, z } }
+        });
+        let metric = definition.expect("sound").algebra.metric().clone();
+        let found = [0, 1, 2].map(|k| metric.get(k, k).to_string());
+        assert_eq!(found, squares);
+    }
+}
+
+#[test]
+fn a_full_metric_of_many_dimensions_is_no_trouble() {
+    // There are 10¹⁴ ways to contract the pseudoscalar of these twelve vectors with itself.
+    let names: Vec<_> = (b'a'..=b'l')
+        .map(|letter| quote::format_ident!("{}", letter as char))
+        .collect();
+    let entries = names.iter().enumerate().flat_map(|(row, a)| {
+        names[row..].iter().map(move |b| {
+            if a == b {
+                quote!(#a * #b = 2)
+            } else {
+                quote!(#a * #b = 1)
+            }
+        })
+    });
+    let definition = check(quote! {
+        mod many {
+            basis #(#names),*;
+            metric #(#entries),*;
+            struct Vector { #(#names),* }
+            products { left_contraction(Vector, Vector) -> Scalar; }
+        }
+    });
+    let algebra = definition.expect("sound").algebra;
+    // The determinant of a matrix of ones plus the identity is n + 1.
+    assert!(!algebra.is_degenerate());
+    assert_eq!(algebra.metric().pseudoscalar_square().to_string(), "13");
+}
+
+#[test]
+fn every_fault_is_found_and_none_twice() {
+    let found = check(quote! {
+        mod some {
+            basis e1, e2, e2;
+            signature 3;
+            struct Vector { e1, e2, e3 }
+            struct Rotor { scalar, e12, e21 }
+            #[hull(Rotor)] #[facts(unit)] struct Unit { scalar, e12 }
+            products {
+                wedge({Vector, Unit}, {Vector, Unit}) -> Area;
+                geometric(Rotor, Rotor) -> Rotor;
+                join(Vector);
+            }
+        }
+    });
+    let expected = [
+        "basis vector `e2` is listed twice",
+        "unknown basis vector in `e3`; a blade is named by basis vectors joined after their common prefix",
+        "blade `e21` is listed twice, first as `e12`",
+        "unknown fact; known are `unit_versor`, `null`, `blade` and `weight(…)`",
+        "unknown type `Area`",
+        "unknown operation `join`",
+    ];
+    assert_eq!(found.err().expect("faulty"), expected);
+}
+
+#[test]
+fn faulty_declarations_leave_their_names() {
+    let code = emitted(&quote! {
+        pub(crate) mod some {
+            basis e1, e2;
+            signature 3;
+            struct Vector { e1, e2 }
+            struct Area { e12 }
+        }
+    });
+    assert_eq!(code.matches("compile_error!").count(), 1);
+    assert!(code.contains("pub(crate) mod some"), "{code}");
+    assert!(
+        code.contains("pub use self::__errors::{Area, BASIS, METRIC, Vector};"),
+        "{code}"
+    );
+    assert!(code.contains("pub(crate) use __nullcone_some_"), "{code}");
+}
+
+#[test]
+fn emitted_code_reads_like_written_code() {
+    let code = emitted(&quote! {
+        mod plane {
+            basis e1, e2, e0;
+            metric e1*e1 = 1, e2*e2 = 1;
+            struct Line { e1, e2, e0 }
+            #[hull(Sums)]
+            struct Point { e20, e01, e12 = 1 }
+            struct Sums { e20, e01, e12 }
+            products {
+                wedge(Line, Line) -> Sums;
+                vee(Point, Point) -> Line;
+            }
+        }
+    });
+    for body in [
+        "
+    fn bitxor(self, other: Line<S>) -> Sums<S> {
+        Sums {
+            e20: self.e2 * other.e0 - self.e0 * other.e2,
+            e01: self.e0 * other.e1 - self.e1 * other.e0,
+            e12: self.e1 * other.e2 - self.e2 * other.e1,
+        }
+    }",
+        "
+    fn bitand(self, other: Point<S>) -> Line<S> {
+        Line {
+            e1: self.e01 - other.e01,
+            e2: other.e20 - self.e20,
+            e0: self.e20 * other.e01 - self.e01 * other.e20,
+        }
+    }",
+    ] {
+        let body = body.replace("\n", "\n    ");
+        assert!(code.contains(&body), "{body}\nis not in\n{code}");
+    }
+}
