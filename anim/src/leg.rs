@@ -10,12 +10,14 @@
 //! G_foot  = G_calf  · turn about the ankle at rest by Rx(ε) Rz(ζ)
 //! ```
 //!
-//! and points of the skin follow these motors by weights. The *inverse* problem goes back, from motors to angles by
-//! [`Leg::inverse`], or from where the ankle shall be by [`Leg::reach`]. Angles are in radians, right-handed; a positive knee angle
+//! and points of the skin follow these motors by weights. The *inverse* problem goes back to angles: from motors by
+//! [`Leg::inverse`], from the places of the joints by [`Leg::inverse_of_points`], from where the ankle shall be by [`Leg::reach`]. Angles are in radians, right-handed; a positive knee angle
 //! bends the calf backwards, to −z.
 
 mod inverse;
+mod points;
 mod reach;
+mod vector;
 
 use ga_runtime::cga3::{Line, Motor, Point, Rotor, Translator};
 
@@ -103,6 +105,16 @@ pub enum LegError {
         place: &'static str,
         /// Its coordinates.
         coordinates: [f64; 3],
+    },
+    /// A bone is not as long between its joints as it should be.
+    #[error("the {segment} is {found} m long between its joints; it should be {expected} m")]
+    Bone {
+        /// The segment.
+        segment: &'static str,
+        /// Its length.
+        expected: f64,
+        /// The distance of the joints.
+        found: f64,
     },
     /// Two segments do not meet in their joint.
     #[error("the segments come apart by {gap} m at the {joint}")]
@@ -219,14 +231,13 @@ impl LegPose {
         ]
     }
 
-    /// The angle between thigh and calf at the knee, π for a straight leg, by the scalar and the bivector part of the product of
-    /// their directions; the arc cosine of the scalar part alone would lose half the digits there.
+    /// The angle between thigh and calf at the knee, π for a straight leg, by the bivector and the scalar part of the product of
+    /// the two lines; the arc cosine of the scalar part alone would lose half the digits there.
     #[must_use]
     pub fn knee_interior_angle(&self) -> f64 {
-        let [thigh, calf, _] = self.bones().map(Line::direction);
-        let cosine = -(0..3).map(|k| thigh[k] * calf[k]).sum::<f64>();
-        let [x, y, z] = inverse::cross(thigh, calf);
-        (x * x + y * y + z * z).sqrt().atan2(cosine)
+        let [thigh, calf, _] = self.bones();
+        let turn = thigh * calf;
+        turn.e12.hypot(turn.e13).hypot(turn.e23).atan2(-turn.scalar)
     }
 
     /// The distance from hip to ankle, `√(−2 P·Q)` (the paper's eq. 32, corrected).

@@ -1,6 +1,6 @@
 //! From the motors of the segments back to angles.
 
-use ga_runtime::cga3::{Motor, Point, Rotor};
+use ga_runtime::cga3::{Motor, Point};
 
 use super::{Leg, LegAngles, LegError, finite};
 
@@ -77,19 +77,6 @@ pub(super) fn turns_about_zyx(matrix: [[f64; 3]; 3]) -> [f64; 3] {
     [about_z, about_y, about_x]
 }
 
-/// The rotor whose matrix has these columns, if they are a right-handed frame.
-pub(super) fn frame(x: [f64; 3], y: [f64; 3], z: [f64; 3]) -> Option<Rotor<f64>> {
-    Rotor::from_matrix([0, 1, 2].map(|k| [x[k], y[k], z[k]]))
-}
-
-pub(super) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
 fn meets(
     joint: &'static str,
     above: Point<f64>,
@@ -104,7 +91,8 @@ fn meets(
     }
 }
 
-fn hinged(joint: &'static str, angle: f64, tolerance: f64) -> Result<(), LegError> {
+/// Whether a joint's turn about an axis that it does not have is small enough.
+pub(super) fn hinged(joint: &'static str, angle: f64, tolerance: f64) -> Result<(), LegError> {
     if angle.abs() <= tolerance {
         Ok(())
     } else {

@@ -1,8 +1,9 @@
 //! Angles that bring the ankle to a given place.
 
-use ga_runtime::cga3::{Infinity, Line, Plane, Point, PointPair, Sphere};
+use ga_runtime::cga3::{Infinity, Plane, Point, PointPair, Sphere};
 
-use super::inverse::{cross, frame, turns_about_zyx};
+use super::inverse::turns_about_zyx;
+use super::vector::{across, cross, dot, length, minus, rows, unit};
 use super::{Leg, LegAngles, LegError, finite};
 
 impl Leg {
@@ -14,7 +15,8 @@ impl Leg {
     ///
     /// # Errors
     /// [`LegError::Unreachable`] for a target that is too far or too near, [`LegError::Folded`] for one at the hip itself, which any
-    /// direction of the thigh reaches, [`LegError::Pole`] for a pole in line with hip and target, [`LegError::Place`] for places that are not finite.
+    /// direction of the thigh reaches, [`LegError::Pole`] for a pole in line with hip and target,
+    /// [`LegError::Place`] for places that are not finite.
     ///
     /// ```
     /// use ga_anim::leg::Leg;
@@ -53,27 +55,25 @@ impl Leg {
         if distance <= rounding {
             return Err(LegError::Folded { distance });
         }
-        let axis = Line::through(hip, target);
-        let foot = axis.foot(pole).ok_or(LegError::Pole)?;
-        let aside = minus(pole, foot);
-        // The foot is off by the rounding of the axis, which grows with the pole's distance from it.
+        // From here on with the hip at the origin and the stretched leg as the unit of length: spheres far from the origin, very
+        // large or very small would lose digits.
+        let scaled = |point| minus(point, hip).map(|x| x / most);
+        let target = Point::from(scaled(target));
+        let down = unit(target.coordinates()).ok_or(LegError::Folded { distance })?;
+        let aside = across(scaled(pole), down);
+        // The places' rounding moves the axis, the more the farther the pole is from the hip.
         let lever = 1.0 + pole.distance(hip) / distance;
-        if dot(aside, aside).sqrt() <= rounding * lever {
+        if length(aside) <= rounding / most * lever {
             return Err(LegError::Pole);
         }
-        let down = minus(target, hip).map(|x| x / distance);
-        let hinge = unit(cross(aside, down)).ok_or(LegError::Pole)?;
+        let aside = unit(across(unit(aside).ok_or(LegError::Pole)?, down)).ok_or(LegError::Pole)?;
+        let hinge = cross(aside, down);
 
-        let knee = self.knee(hip, target, pole).unwrap_or_else(|| {
-            // The spheres touch: the knee is on the axis.
-            let along = (distance * distance + thigh * thigh - calf * calf) / (2.0 * distance);
-            Point::from([0, 1, 2].map(|k| hip.coordinates()[k] + down[k] * along))
-        });
-        let (upper, lower) = (minus(knee, hip), minus(target, knee));
-        let up = unit(upper).ok_or(LegError::Pole)?.map(|x| -x);
-        let forward = cross(hinge, up);
-        let rotor = frame(hinge, up, forward).ok_or(LegError::Pole)?;
-        let [hip_z, hip_y, hip_x] = turns_about_zyx(rotor.to_matrix());
+        let knee = knee(thigh / most, calf / most, target, aside);
+        let upper = unit(knee.coordinates()).ok_or(LegError::Pole)?;
+        let lower = unit(minus(target, knee)).ok_or(LegError::Pole)?;
+        let up = upper.map(|x| -x);
+        let [hip_z, hip_y, hip_x] = turns_about_zyx(rows(hinge, up, cross(hinge, up)));
         let bend = dot(cross(upper, lower), hinge).atan2(dot(upper, lower));
         Ok(LegAngles {
             hip_z,
@@ -83,15 +83,24 @@ impl Leg {
             ..LegAngles::default()
         })
     }
+}
 
-    /// The knee on the pole's side; `None` where the spheres only touch.
-    fn knee(&self, hip: Point<f64>, target: Point<f64>, pole: Point<f64>) -> Option<Point<f64>> {
-        let [thigh, calf, _] = self.lengths();
-        let circle =
-            Sphere::from_centre_radius(hip, thigh) & Sphere::from_centre_radius(target, calf);
-        let [first, second] = ends(circle & Plane::through(hip, target, pole))?;
-        let is_first = first.distance_squared(pole) < second.distance_squared(pole);
-        Some(if is_first { first } else { second })
+/// The knee on the pole's side, for a hip at the origin: where the spheres of the two bones meet the plane in which the leg bends.
+/// Where the spheres only touch, it is on the line from hip to target.
+fn knee(thigh: f64, calf: f64, target: Point<f64>, aside: [f64; 3]) -> Point<f64> {
+    let hip = Point::default();
+    let circle = Sphere::from_centre_radius(hip, thigh) & Sphere::from_centre_radius(target, calf);
+    let plane = Plane::through(hip, target, Point::from(aside));
+    let Some(pair) = ends(circle & plane) else {
+        let square = dot(target.coordinates(), target.coordinates());
+        let part = (square + thigh * thigh - calf * calf) / (2.0 * square);
+        return Point::from(target.coordinates().map(|x| x * part));
+    };
+    let [first, second] = pair;
+    if dot(first.coordinates(), aside) > dot(second.coordinates(), aside) {
+        first
+    } else {
+        second
     }
 }
 
@@ -105,18 +114,4 @@ fn ends(pair: PointPair<f64>) -> Option<[Point<f64>; 2]> {
     let between = Infinity | pair;
     let sum = pair.right_contraction(between) / -square.sqrt();
     Some([(sum + between).centre()?, (sum - between).centre()?])
-}
-
-fn minus(a: Point<f64>, b: Point<f64>) -> [f64; 3] {
-    let (a, b) = (a.coordinates(), b.coordinates());
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn unit(a: [f64; 3]) -> Option<[f64; 3]> {
-    let length = dot(a, a).sqrt();
-    (length.is_finite() && length > 0.0).then(|| a.map(|x| x / length))
 }
