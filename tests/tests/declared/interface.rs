@@ -1,7 +1,10 @@
 //! What a declared type can do besides its products.
 
 #![allow(clippy::float_cmp, reason = "the examples are exact")]
-#![allow(clippy::default_constructed_unit_structs, reason = "that there is a default is tested")]
+#![allow(
+    clippy::default_constructed_unit_structs,
+    reason = "that there is a default is tested"
+)]
 
 use ga_runtime::Element;
 use ga_runtime::products::{Commutator, RightContraction, Sandwich, ScalarProduct};
