@@ -139,6 +139,7 @@ fn single() -> impl Strategy<Value = f32> {
     prop_oneof![
         1 => prop::num::f32::ANY,
         6 => -30.0_f32..30.0,
+        1 => -120.0_f32..120.0,
         1 => -2000.0_f32..2000.0,
         1 => prop::sample::select(&SPECIAL[..]),
     ]
@@ -158,6 +159,7 @@ fn double() -> impl Strategy<Value = f64> {
     prop_oneof![
         1 => prop::num::f64::ANY,
         6 => -30.0_f64..30.0,
+        1 => -800.0_f64..800.0,
         1 => -2e5_f64..2e5,
         1 => prop::sample::select(&SPECIAL[..]),
     ]

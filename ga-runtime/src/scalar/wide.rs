@@ -11,10 +11,11 @@ use super::{Field, Mask, Real, Ring};
 /// `wide` chooses its instructions when the program is built, by the target features of the whole build, and stays with
 /// those inside a function that asks for more; there [`Lanes`](super::Lanes) are the better choice.
 ///
-/// Elementary functions take the polynomials of `wide` where those are good, and go lane by lane through the scalar
-/// functions as soon as one lane is beyond: huge angles, infinite and NaN arguments, logarithms of subnormal numbers. The
-/// polynomials are within 4 units in the last place of the scalar functions, sine and cosine within 2 ε absolutely. The
-/// rest is bit for bit as with a single number.
+/// Elementary functions are the polynomials of `wide`. Where those fail, for angles beyond 10³ in `f32` and 10⁵ in
+/// `f64` and for logarithms of numbers that are not positive, normal and finite, all lanes go through the scalar
+/// functions instead.
+/// The polynomials are within 4 units in the last place of the scalar functions, sine and cosine within 2 ε absolutely.
+/// The rest is bit for bit as with a single number.
 ///
 /// ```
 /// use ga_runtime::cga3::Point;
@@ -32,7 +33,7 @@ use super::{Field, Mask, Real, Ring};
 pub struct WideMask<V>(V);
 
 macro_rules! implement_wide {
-    ($type:ident of $scalar:ident, largest angle $angle:literal, largest exponent $exponent:literal) => {
+    ($type:ident of $scalar:ident, largest angle $angle:literal) => {
         impl Ring for $type {
             #[inline(always)]
             fn zero() -> Self {
@@ -100,21 +101,11 @@ macro_rules! implement_wide {
             }
             #[inline]
             fn atan2(self, x: Self) -> Self {
-                if (Self::is_finite(self) & Self::is_finite(x)).all() {
-                    return Self::atan2(self, x);
-                }
-                let mut angle = self.to_array();
-                for (y, x) in angle.iter_mut().zip(x.to_array()) {
-                    *y = Real::atan2(*y, x);
-                }
-                Self::new(angle)
+                Self::atan2(self, x)
             }
             #[inline]
             fn exp(self) -> Self {
-                if self.abs().simd_le(Self::splat($exponent)).all() {
-                    return Self::exp(self);
-                }
-                Self::new(self.to_array().map(Real::exp))
+                Self::exp(self)
             }
             #[inline]
             fn ln(self) -> Self {
@@ -184,7 +175,7 @@ macro_rules! implement_wide {
     };
 }
 
-implement_wide!(f32x4 of f32, largest angle 1024.0, largest exponent 80.0);
-implement_wide!(f32x8 of f32, largest angle 1024.0, largest exponent 80.0);
-implement_wide!(f64x2 of f64, largest angle 1e5, largest exponent 700.0);
-implement_wide!(f64x4 of f64, largest angle 1e5, largest exponent 700.0);
+implement_wide!(f32x4 of f32, largest angle 1e3);
+implement_wide!(f32x8 of f32, largest angle 1e3);
+implement_wide!(f64x2 of f64, largest angle 1e5);
+implement_wide!(f64x4 of f64, largest angle 1e5);

@@ -5,13 +5,14 @@ use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt;
 
+use crate::Element;
 use crate::dense::Multivector;
 use crate::scalar::Ring;
 
 /// Asserts that two values agree up to rounding: that no two coefficients differ by more than the tolerance times the
 /// largest absolute value of all coefficients on either side.
 ///
-/// - `assert_close!(a, b)` takes [`Coefficients::TOLERANCE`] of the type: 10⁻¹² for `f64`, 10⁻⁵ for `f32`.
+/// - `assert_close!(a, b)` takes [`Coefficients::TOLERANCE`] of the type: 10⁻¹² over `f64`, 10⁻⁵ over `f32`.
 /// - `assert_close!(a, b, tolerance)` takes another.
 /// - `assert_close!(a, b, tolerance, scale)` measures relative to the given scale in place of the largest coefficient.
 ///   That is the form for results that should be zero, and `scale` is the size of what has cancelled.
@@ -25,6 +26,16 @@ use crate::scalar::Ring;
 /// assert_close!(0.1 + 0.2, 0.3);
 /// assert_close!([1.0, 1e-9], [1.0, 0.0], 1e-8);
 /// assert_close!(std::f64::consts::PI.sin(), 0.0, 1e-15, 1.0);
+/// ```
+///
+/// Elements of an algebra are compared in all blades of the algebra, so that a motor can be held against an even multivector:
+///
+/// ```
+/// use ga_runtime::cga3::{Even, Motor, Rotor};
+/// use ga_runtime::testing::assert_close;
+/// let third = Rotor::from_axis_angle([1.0, 1.0, 1.0], std::f64::consts::TAU / 3.0).unwrap();
+/// assert_close!(third * third * third, -Rotor::default());
+/// assert_close!(Motor::from(third), Even::from(third));
 /// ```
 ///
 /// ```should_panic
@@ -132,8 +143,8 @@ fn name_of(value: &(impl Coefficients + ?Sized), index: usize) -> String {
 
 /// What [`assert_close!`] compares: a value as a list of real numbers, each with a name.
 ///
-/// Numbers, references, arrays, slices and vectors of anything that has coefficients, nested as well, and dense
-/// multivectors have them. For a type of one's own, two methods do:
+/// Numbers have them, elements of an algebra, dense multivectors, and arrays, slices and vectors of all of these, nested as
+/// well. For a type of one's own, two methods do:
 ///
 /// ```
 /// use ga_runtime::testing::{Coefficients, assert_close};
@@ -259,18 +270,6 @@ macro_rules! implement_number {
 implement_number!(f64, 1e-12);
 implement_number!(f32, 1e-5);
 
-impl<T: Coefficients + ?Sized> Coefficients for &T {
-    const TOLERANCE: f64 = T::TOLERANCE;
-
-    fn append_to(&self, list: &mut Vec<f64>) {
-        (**self).append_to(list);
-    }
-
-    fn coefficient_name(&self, index: usize) -> String {
-        (**self).coefficient_name(index)
-    }
-}
-
 impl<T: Coefficients> Coefficients for [T] {
     const TOLERANCE: f64 = T::TOLERANCE;
 
@@ -331,5 +330,28 @@ impl<S: Ring + Coefficients> Coefficients for Multivector<S> {
 
     fn coefficient_name(&self, index: usize) -> String {
         self.algebra().blade_name(index)
+    }
+}
+
+/// All blades of the algebra in the order of their numbers, so that elements of different types can be compared.
+impl<T> Coefficients for T
+where
+    T: Element,
+    T::Scalar: Coefficients,
+{
+    const TOLERANCE: f64 = <T::Scalar as Coefficients>::TOLERANCE;
+
+    fn append_to(&self, list: &mut Vec<f64>) {
+        for blade in 0..1 << T::METRIC.len() {
+            self.coefficient(blade).append_to(list);
+        }
+    }
+
+    fn coefficient_name(&self, index: usize) -> String {
+        let vectors = T::METRIC.len();
+        format!(
+            "the coefficient of blade {index:#0width$b}",
+            width = vectors + 2
+        )
     }
 }
