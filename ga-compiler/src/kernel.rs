@@ -18,6 +18,8 @@ pub struct Kernel {
     pub outputs: Vec<Value>,
     /// The rule that won.
     pub rule: SandwichRule,
+    /// For each input, whether it stays the same over many calls. What depends on such inputs alone is the prologue.
+    pub uniform: Vec<bool>,
 }
 
 impl Kernel {
@@ -78,6 +80,7 @@ impl Kernel {
             })
             .collect();
         Self {
+            uniform: vec![false; arena.inputs()],
             arena,
             outputs,
             rule,

@@ -15,7 +15,7 @@
 //! - [`lower`]: formulas to the graph, by named rules.
 //! - [`ir`]: the graph, hash-consed, and multivectors over it.
 //! - [`passes`]: dead code, order, cost.
-//! - [`kernel`]: one compiled expression.
+//! - [`kernel`]: one compiled expression; [`function`]: one compiled function.
 //! - [`verify`]: evaluation over a prime field, which decides what a result is and checks the compiler's work.
 //! - [`emit`]: Rust code.
 //!
@@ -45,6 +45,7 @@ pub mod define;
 pub mod diag;
 pub mod emit;
 pub mod expression;
+pub mod function;
 pub mod ir;
 pub mod kernel;
 pub mod lower;

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::Prime;
+use super::{Function, Prime};
 use crate::algebra::Ratio;
 
 /// The place of a node in its arena. A node comes after everything that it refers to.
@@ -30,6 +30,8 @@ pub enum Node {
     Product(NodeId, NodeId),
     /// The first node divided by the second.
     Quotient(NodeId, NodeId),
+    /// A function of its arguments.
+    Function(Function, Box<[Value]>),
 }
 
 /// A node times a constant factor.
@@ -197,6 +199,18 @@ impl Arena {
         Value { factor, node }
     }
 
+    /// A function of values.
+    pub fn function(&mut self, function: Function, arguments: &[Value]) -> Value {
+        if let Some(known) = constant_value(function, arguments) {
+            return Value::constant(known);
+        }
+        let node = self.intern(Node::Function(function, arguments.into()));
+        Value {
+            factor: Ratio::ONE,
+            node,
+        }
+    }
+
     /// The difference of two values.
     pub fn difference(&mut self, left: Value, right: Value) -> Value {
         self.sum([left, -right])
@@ -212,7 +226,7 @@ impl Arena {
         id
     }
 
-    /// The values of all nodes for the given inputs, over the prime field.
+    /// The values of all nodes for the given inputs, over the prime field. A root that does not exist there is zero.
     #[must_use]
     pub fn evaluate(&self, inputs: &[Prime]) -> Vec<Prime> {
         let mut results = Vec::with_capacity(self.nodes.len());
@@ -225,10 +239,38 @@ impl Arena {
                 }),
                 Node::Product(a, b) => results_at(&results, *a) * results_at(&results, *b),
                 Node::Quotient(a, b) => results_at(&results, *a) * results_at(&results, *b).recip(),
+                Node::Function(function, arguments) => {
+                    let arguments: Vec<_> = arguments
+                        .iter()
+                        .map(|v| results_at(&results, v.node) * Prime::from_ratio(v.factor))
+                        .collect();
+                    function.evaluate(&arguments).unwrap_or(Prime::ZERO)
+                }
             };
             results.push(result);
         }
         results
+    }
+}
+
+/// What a function is at a constant, where that is a fraction.
+fn constant_value(function: Function, arguments: &[Value]) -> Option<Ratio> {
+    let x = arguments[0].as_constant()?;
+    match function {
+        Function::SquareRoot if x == Ratio::ONE || x.is_zero() => Some(x),
+        Function::Absolute => Some(x.abs()),
+        Function::Sine if x.is_zero() => Some(Ratio::ZERO),
+        Function::Cosine
+        | Function::Exponential
+        | Function::VersorCosine
+        | Function::VersorSine
+            if x.is_zero() =>
+        {
+            Some(Ratio::ONE)
+        }
+        Function::VersorSineSlope if x.is_zero() => Ratio::new(1, 6),
+        Function::NaturalLogarithm if x == Ratio::ONE => Some(Ratio::ZERO),
+        _ => None,
     }
 }
 

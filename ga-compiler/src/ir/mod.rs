@@ -11,10 +11,12 @@
 
 mod arena;
 mod facts;
+mod function;
 mod multivector;
 mod prime;
 
 pub use arena::{Arena, Node, NodeId, Value};
 pub use facts::Facts;
+pub use function::Function;
 pub use multivector::Multivector;
 pub use prime::{Prime, PrimeSequence};

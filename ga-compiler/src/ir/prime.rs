@@ -22,6 +22,26 @@ impl Prime {
         Self(value % MODULUS)
     }
 
+    /// The residue as a number below the modulus.
+    #[must_use]
+    pub const fn residue(self) -> u64 {
+        self.0
+    }
+
+    /// A root of a square; `None` for the other half of the residues.
+    #[must_use]
+    pub fn square_root(self) -> Option<Self> {
+        // The modulus is 3 modulo 4.
+        let root = self.power((MODULUS + 1) / 4);
+        (root * root == self).then_some(root)
+    }
+
+    /// The smaller of the residue and its negative.
+    #[must_use]
+    pub fn absolute(self) -> Self {
+        Self(self.0.min((MODULUS - self.0) % MODULUS))
+    }
+
     /// The image of a fraction. A denominator that the modulus divides gives zero.
     #[must_use]
     pub fn from_ratio(ratio: Ratio) -> Self {
@@ -38,7 +58,11 @@ impl Prime {
     /// The inverse; zero for zero.
     #[must_use]
     pub fn recip(self) -> Self {
-        let (mut power, mut base, mut exponent) = (Self::ONE, self, MODULUS - 2);
+        self.power(MODULUS - 2)
+    }
+
+    fn power(self, mut exponent: u64) -> Self {
+        let (mut power, mut base) = (Self::ONE, self);
         while exponent > 0 {
             if exponent & 1 == 1 {
                 power = power * base;

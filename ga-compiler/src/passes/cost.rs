@@ -2,7 +2,7 @@
 
 use super::schedule;
 use crate::algebra::Ratio;
-use crate::ir::{Arena, Node, Value};
+use crate::ir::{Arena, Function, Node, Value};
 
 /// Numbers of operations. A multiplication by 2 or ½ is one multiplication, a subtraction one addition.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -13,15 +13,19 @@ pub struct Cost {
     pub additions: usize,
     /// Divisions.
     pub divisions: usize,
+    /// Square roots.
+    pub roots: usize,
+    /// Other functions.
+    pub functions: usize,
     /// Negations that no other operation takes in.
     pub negations: usize,
 }
 
 impl Cost {
-    /// Multiplications, additions and divisions together, which is what decides between rules.
+    /// Everything but negations together, which is what decides between rules.
     #[must_use]
     pub const fn total(self) -> usize {
-        self.multiplications + self.additions + self.divisions
+        self.multiplications + self.additions + self.divisions + self.roots + self.functions
     }
 
     fn scale(&mut self, factor: Ratio) {
@@ -42,6 +46,15 @@ pub fn cost(arena: &Arena, outputs: &[Value]) -> Cost {
             Node::One | Node::Input(_) => {}
             Node::Product(..) => cost.multiplications += 1,
             Node::Quotient(..) => cost.divisions += 1,
+            Node::Function(function, arguments) => {
+                match function {
+                    Function::SquareRoot => cost.roots += 1,
+                    _ => cost.functions += 1,
+                }
+                for argument in arguments {
+                    cost.scale(argument.factor);
+                }
+            }
             Node::Sum(terms) => {
                 cost.additions += terms.len() - 1;
                 let scaled = terms

@@ -37,6 +37,11 @@ fn visit(arena: &Arena, id: NodeId, result: &mut Schedule) {
                 visit(arena, term.node, result);
             }
         }
+        Node::Function(_, arguments) => {
+            for argument in arguments {
+                visit(arena, argument.node, result);
+            }
+        }
         Node::Product(a, b) | Node::Quotient(a, b) => {
             visit(arena, *a, result);
             visit(arena, *b, result);

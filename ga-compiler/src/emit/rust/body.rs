@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::algebra::Ratio;
-use crate::ir::{Arena, Node, NodeId, Value};
+use crate::ir::{Arena, Function, Node, NodeId, Value};
 use crate::kernel::Kernel;
 use crate::passes::{Schedule, schedule};
 
@@ -16,6 +16,8 @@ pub(super) struct Body {
     pub(super) outputs: Vec<TokenStream>,
     /// Whether a fraction occurs, so that the scalar must be a field.
     pub(super) needs_field: bool,
+    /// Whether a function occurs, so that the scalar must be real.
+    pub(super) needs_real: bool,
 }
 
 /// Writes the code of a kernel; `inputs` are the expressions of its inputs.
@@ -26,10 +28,16 @@ pub(super) fn body(kernel: &Kernel, runtime: &TokenStream, inputs: &[TokenStream
         runtime,
         inputs,
         needs_field: false,
+        needs_real: false,
+        families: Vec::new(),
     };
     let mut statements = TokenStream::new();
     for id in writer.schedule.order.clone() {
-        if writer.schedule.uses[id.index()] > 1 {
+        if let Node::Function(function, arguments) = kernel.arena.node(id)
+            && function.family().len() > 1
+        {
+            statements.extend(writer.family(*function, arguments));
+        } else if writer.schedule.uses[id.index()] > 1 {
             let name = variable(id);
             let expression = writer.expression(id);
             statements.extend(quote! { let #name = #expression; });
@@ -44,6 +52,7 @@ pub(super) fn body(kernel: &Kernel, runtime: &TokenStream, inputs: &[TokenStream
         statements,
         outputs,
         needs_field: writer.needs_field,
+        needs_real: writer.needs_real,
     }
 }
 
@@ -76,12 +85,73 @@ struct Writer<'a> {
     runtime: &'a TokenStream,
     inputs: &'a [TokenStream],
     needs_field: bool,
+    needs_real: bool,
+    /// Functions of several results that have been called.
+    families: Vec<(Function, Box<[Value]>)>,
 }
 
 impl Writer<'_> {
     fn constant(&mut self, value: Ratio) -> TokenStream {
         self.needs_field |= !value.is_integer();
         constant(self.runtime, value)
+    }
+
+    /// The call that gives all results of a family of functions, unless it has been made.
+    fn family(&mut self, function: Function, arguments: &[Value]) -> TokenStream {
+        self.needs_real = true;
+        let family = function.family();
+        let key = (family[0], arguments.into());
+        if self.families.contains(&key) {
+            return TokenStream::new();
+        }
+        self.families.push(key);
+        let names: Vec<_> = family
+            .iter()
+            .map(|&member| {
+                let wanted = |id: &NodeId| match self.arena.node(*id) {
+                    Node::Function(other, others) => *other == member && **others == *arguments,
+                    _ => false,
+                };
+                match self.schedule.order.iter().find(|id| wanted(id)) {
+                    Some(&id) => variable(id),
+                    None => format_ident!("_"),
+                }
+            })
+            .collect();
+        let values: Vec<_> = arguments
+            .iter()
+            .map(|&argument| self.value(argument))
+            .collect();
+        let runtime = self.runtime;
+        let call = match family[0] {
+            Function::Sine => quote! { <S as #runtime::scalar::Real>::sin_cos },
+            Function::VersorCosine => quote! { #runtime::scalar::versor_exponential },
+            _ => quote! { #runtime::scalar::versor_logarithm },
+        };
+        quote! { let (#(#names),*) = #call(#(#values),*); }
+    }
+
+    /// A function of one result.
+    fn function(&mut self, function: Function, arguments: &[Value]) -> TokenStream {
+        self.needs_real = true;
+        let values: Vec<_> = arguments
+            .iter()
+            .map(|&argument| self.value(argument))
+            .collect();
+        let name = format_ident!(
+            "{}",
+            match function {
+                Function::SquareRoot => "sqrt",
+                Function::Absolute => "abs",
+                Function::ArcTangent => "atan2",
+                Function::Exponential => "exp",
+                Function::NaturalLogarithm => "ln",
+                Function::Sine => "sin",
+                _ => "cos",
+            }
+        );
+        let runtime = self.runtime;
+        quote! { <S as #runtime::scalar::Real>::#name(#(#values),*) }
     }
 
     /// A value with its factor.
@@ -140,7 +210,11 @@ impl Writer<'_> {
     fn read(&mut self, id: NodeId) -> TokenStream {
         match self.arena.node(id) {
             Node::Input(number) => self.inputs[*number].clone(),
-            Node::Sum(_) | Node::Product(..) | Node::Quotient(..)
+            Node::Function(function, _) if function.family().len() > 1 => {
+                let name = variable(id);
+                quote! { #name }
+            }
+            Node::Sum(_) | Node::Product(..) | Node::Quotient(..) | Node::Function(..)
                 if self.schedule.uses[id.index()] > 1 =>
             {
                 let name = variable(id);
@@ -183,6 +257,7 @@ impl Writer<'_> {
                 quote! { #dividend / #divisor }
             }
             Node::Sum(terms) => self.sum(&terms),
+            Node::Function(function, arguments) => self.function(function, &arguments),
         }
     }
 }

@@ -102,6 +102,7 @@ impl<'a> Context<'a> {
             statements,
             outputs,
             needs_field,
+            ..
         } = body(&kernel, self.runtime, &inputs);
         let built = self.build(result, &outputs);
         (quote! { #statements #built }, needs_field)

@@ -1,0 +1,169 @@
+//! Functions of scalars beyond arithmetic.
+
+use super::Prime;
+
+/// A function of scalars that is no arithmetic: the graph knows nothing of it but that equal arguments give equal results.
+///
+/// Over the prime field each has a stand-in that satisfies the equations that membership in a type may rest on: squares
+/// of roots, `sin² + cos² = 1`, and the like. What has no such equation is a random function of its arguments.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Function {
+    /// `√x`.
+    SquareRoot,
+    /// `|x|`.
+    Absolute,
+    /// `sin x`.
+    Sine,
+    /// `cos x`.
+    Cosine,
+    /// The angle of the point (second argument, first argument).
+    ArcTangent,
+    /// `eˣ`.
+    Exponential,
+    /// `ln x`.
+    NaturalLogarithm,
+    /// C(x) of `exp B = C(B²) + S(B²) B`: cos √−x or cosh √x.
+    VersorCosine,
+    /// S(x) of `exp B = C(B²) + S(B²) B`: sin √−x / √−x or sinh √x / √x.
+    VersorSine,
+    /// The derivative of S, `(C − S)/(2x)`.
+    VersorSineSlope,
+    /// 1/S(B²) from C(B²) and `S(B²)² B²`.
+    VersorAngle,
+    /// `−2 S′(B²)/S(B²)³` from the same.
+    VersorAngleSlope,
+}
+
+impl Function {
+    /// The number of arguments.
+    #[must_use]
+    pub const fn arity(self) -> usize {
+        match self {
+            Self::ArcTangent | Self::VersorAngle | Self::VersorAngleSlope => 2,
+            _ => 1,
+        }
+    }
+
+    /// The functions that come out of one computation with this one, itself among them.
+    #[must_use]
+    pub const fn family(self) -> &'static [Self] {
+        match self {
+            Self::SquareRoot => &[Self::SquareRoot],
+            Self::Absolute => &[Self::Absolute],
+            Self::Sine | Self::Cosine => &[Self::Sine, Self::Cosine],
+            Self::ArcTangent => &[Self::ArcTangent],
+            Self::Exponential => &[Self::Exponential],
+            Self::NaturalLogarithm => &[Self::NaturalLogarithm],
+            Self::VersorCosine | Self::VersorSine | Self::VersorSineSlope => {
+                &[Self::VersorCosine, Self::VersorSine, Self::VersorSineSlope]
+            }
+            Self::VersorAngle | Self::VersorAngleSlope => {
+                &[Self::VersorAngle, Self::VersorAngleSlope]
+            }
+        }
+    }
+
+    /// The stand-in over the prime field. `None` where the argument of a root has none, so that another point must be tried.
+    #[must_use]
+    pub fn evaluate(self, arguments: &[Prime]) -> Option<Prime> {
+        let x = arguments[0];
+        let two = Prime::new(2);
+        if let Some(exact) = self.at_constant(x) {
+            return Some(exact);
+        }
+        Some(match self {
+            Self::SquareRoot => return x.square_root(),
+            Self::Absolute => x.absolute(),
+            Self::Sine | Self::Cosine => {
+                // A point of the unit circle.
+                let t = random(Self::Sine, arguments);
+                let scale = (Prime::ONE + t * t).recip();
+                match self {
+                    Self::Sine => two * t * scale,
+                    _ => (Prime::ONE - t * t) * scale,
+                }
+            }
+            Self::VersorCosine | Self::VersorSine | Self::VersorSineSlope => {
+                // A point of the conic C² − x S² = 1.
+                let t = random(Self::VersorSine, arguments);
+                let scale = (Prime::ONE - x * t * t).recip();
+                let cosine = (Prime::ONE + x * t * t) * scale;
+                let sine = two * t * scale;
+                match self {
+                    Self::VersorCosine => cosine,
+                    Self::VersorSine => sine,
+                    _ => (cosine - sine) * (two * x).recip(),
+                }
+            }
+            Self::ArcTangent
+            | Self::Exponential
+            | Self::NaturalLogarithm
+            | Self::VersorAngle
+            | Self::VersorAngleSlope => random(self, arguments),
+        })
+    }
+
+    /// The value where the argument is so special that the graph folds it.
+    fn at_constant(self, x: Prime) -> Option<Prime> {
+        match self {
+            Self::Sine if x == Prime::ZERO => Some(Prime::ZERO),
+            Self::Cosine | Self::Exponential | Self::VersorCosine | Self::VersorSine
+                if x == Prime::ZERO =>
+            {
+                Some(Prime::ONE)
+            }
+            Self::VersorSineSlope if x == Prime::ZERO => Some(Prime::new(6).recip()),
+            Self::NaturalLogarithm if x == Prime::ONE => Some(Prime::ZERO),
+            _ => None,
+        }
+    }
+}
+
+/// A reproducible residue of a function and its arguments.
+fn random(function: Function, arguments: &[Prime]) -> Prime {
+    let start = Prime::new(0x9e37_79b9_7f4a_7c15 ^ function as u64);
+    arguments.iter().fold(start, |state, argument| {
+        super::PrimeSequence::new(state.residue() ^ argument.residue().rotate_left(17)).next_prime()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stand_ins_satisfy_their_equations() {
+        let mut sequence = super::super::PrimeSequence::new(5);
+        let mut roots = 0;
+        for _ in 0..64 {
+            let x = sequence.next_prime();
+            let value = |function: Function| function.evaluate(&[x]);
+            if let Some(root) = value(Function::SquareRoot) {
+                assert_eq!(root * root, x);
+                roots += 1;
+            }
+            let (Some(sine), Some(cosine)) = (value(Function::Sine), value(Function::Cosine))
+            else {
+                panic!("total")
+            };
+            assert_eq!(sine * sine + cosine * cosine, Prime::ONE);
+            let (Some(c), Some(s), Some(slope)) = (
+                value(Function::VersorCosine),
+                value(Function::VersorSine),
+                value(Function::VersorSineSlope),
+            ) else {
+                panic!("total")
+            };
+            assert_eq!(c * c - x * s * s, Prime::ONE);
+            assert_eq!(slope * Prime::new(2) * x, c - s);
+            assert_eq!(
+                value(Function::Absolute),
+                Function::Absolute.evaluate(&[-x])
+            );
+        }
+        assert!(
+            (16..48).contains(&roots),
+            "half of all residues are squares"
+        );
+    }
+}
