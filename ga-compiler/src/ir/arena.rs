@@ -24,7 +24,8 @@ pub enum Node {
     One,
     /// An input, by its number.
     Input(usize),
-    /// A sum of values whose nodes differ and rise, the first with a positive factor, the factors without a common divisor.
+    /// A sum of values whose nodes differ and rise, the first with a positive factor, the factors without a common divisor;
+    /// or a single value with a positive factor, see [`Arena::held`].
     Sum(Box<[Value]>),
     /// A product of two nodes in rising order.
     Product(NodeId, NodeId),
@@ -130,6 +131,11 @@ impl Arena {
         self.nodes.is_empty()
     }
 
+    /// The nodes, each after everything that it refers to.
+    pub fn ids(&self) -> impl DoubleEndedIterator<Item = NodeId> + use<> {
+        (0..u32::try_from(self.nodes.len()).unwrap_or(u32::MAX)).map(NodeId)
+    }
+
     /// The number of inputs so far.
     #[must_use]
     pub fn inputs(&self) -> usize {
@@ -208,6 +214,23 @@ impl Arena {
         Value {
             factor: Ratio::ONE,
             node,
+        }
+    }
+
+    /// A multiple as a node of its own, so that what several operations read is multiplied once: factors move outwards
+    /// otherwise, and `2 x` times `y` would be 2 times `x y`. The sign stays outside.
+    pub fn held(&mut self, value: Value) -> Value {
+        let size = value.factor.abs();
+        if size == Ratio::ONE || value.as_constant().is_some() {
+            return value;
+        }
+        let term = Value {
+            factor: size,
+            ..value
+        };
+        Value {
+            factor: value.factor / size,
+            node: self.intern(Node::Sum(Box::new([term]))),
         }
     }
 
