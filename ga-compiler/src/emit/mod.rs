@@ -1,3 +1,5 @@
 //! Back ends.
 
+#[cfg(feature = "count")]
+pub mod count;
 pub mod rust;
