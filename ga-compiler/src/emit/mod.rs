@@ -2,4 +2,8 @@
 
 #[cfg(feature = "count")]
 pub mod count;
+pub mod dot;
+pub mod formula;
 pub mod rust;
+mod stage;
+pub mod wgsl;

@@ -1,0 +1,185 @@
+//! The graph as a picture: text for Graphviz.
+//!
+//! Inputs are boxes named `operand.blade`, outputs boxes named by the blades of the result; between them are the
+//! operations, each once. An edge bears the factor by which its value is multiplied. What depends on uniform operands alone stands in a
+//! frame of its own.
+
+use std::fmt::Write;
+
+use super::formula;
+use super::stage::Stages;
+use crate::algebra::Ratio;
+use crate::define::Definition;
+use crate::function::CompiledFunction;
+use crate::ir::{Function, Node, NodeId, Value};
+
+/// A function as a directed graph in the language of Graphviz.
+#[must_use]
+pub fn function(definition: &Definition, function: &CompiledFunction) -> String {
+    let kernel = &function.kernel;
+    let arena = &kernel.arena;
+    let stages = Stages::new(kernel);
+    let inputs = formula::inputs(definition, &function.operands);
+    let headline = formula::headline(definition, function);
+    let name = match &function.name {
+        Some(name) => name.to_string(),
+        None => "closure".to_owned(),
+    };
+    let mut text = format!("digraph {} {{\n", quoted(&name));
+    let _ = writeln!(
+        text,
+        "    label={};\n    labelloc=t;\n    rankdir=LR;\n    ranksep=0.6;\n    nodesep=0.12;\n    \
+         fontname=\"Helvetica\";\n    node [fontname=\"Helvetica\", fontsize=12, height=0.3, margin=\"0.08,0.03\"];\n    \
+         edge [fontname=\"Helvetica\", fontsize=10, arrowsize=0.5, color=\"#555555\"];",
+        quoted(headline.trim_end())
+    );
+
+    let is_read = |id: NodeId| {
+        stages.inner.uses[id.index()] > 0 || stages.prologue.uses[id.index()] > 0
+    };
+    let (mut once, mut always) = (String::new(), String::new());
+    for id in arena.ids().filter(|&id| is_read(id)) {
+        if let Node::Input(number) = arena.node(id) {
+            let label = inputs.get(*number).map_or("?", |(name, _)| name.as_str());
+            let is_uniform = kernel.uniform.get(*number).copied().unwrap_or(false);
+            let part = if is_uniform { &mut once } else { &mut always };
+            let _ = writeln!(
+                part,
+                "n{} [label={}, shape=box, style=filled, fillcolor=\"#dbe9f6\"];",
+                id.index(),
+                quoted(label)
+            );
+        }
+    }
+    for (part, stage) in [(&mut once, &stages.prologue), (&mut always, &stages.inner)] {
+        for &id in &stage.order {
+            let shape = match arena.node(id) {
+                Node::Function(..) => "shape=ellipse, style=filled, fillcolor=\"#fdf1d5\"",
+                _ => "shape=circle, width=0.3, fixedsize=true",
+            };
+            let label = quoted(&operation(arena.node(id)));
+            let _ = writeln!(part, "n{} [label={label}, {shape}];", id.index());
+        }
+    }
+    if !once.is_empty() {
+        let _ = write!(
+            text,
+            "    subgraph cluster_uniform {{\n        label=\"uniform\";\n        style=\"rounded,dashed\";\n{}    }}\n",
+            indented(&once, 8)
+        );
+    }
+    text.push_str(&indented(&always, 4));
+
+    let mut drawn = Edges {
+        text: String::new(),
+        constants: 0,
+    };
+    for &id in stages.prologue.order.iter().chain(&stages.inner.order) {
+        match arena.node(id) {
+            Node::One | Node::Input(_) => {}
+            Node::Sum(terms) => {
+                for &term in terms {
+                    drawn.edge(term, id, "");
+                }
+            }
+            Node::Function(_, arguments) => {
+                for &argument in arguments {
+                    drawn.edge(argument, id, "");
+                }
+            }
+            Node::Product(a, b) => {
+                drawn.edge(whole(*a), id, "");
+                drawn.edge(whole(*b), id, "");
+            }
+            Node::Quotient(a, b) => {
+                drawn.edge(whole(*a), id, "");
+                drawn.edge(whole(*b), id, "divisor");
+            }
+        }
+    }
+    text.push_str(&indented(&drawn.text, 4));
+    let labels = formula::paths(definition, &function.result);
+    for (place, (output, label)) in kernel.outputs.iter().zip(labels).enumerate() {
+        let label = if label.is_empty() { "scalar" } else { &label };
+        let _ = writeln!(
+            text,
+            "    out{place} [label={}, shape=box, style=filled, fillcolor=\"#d9f0d8\"];",
+            quoted(label)
+        );
+        let mut last = Edges {
+            text: String::new(),
+            constants: drawn.constants,
+        };
+        last.edge_to(*output, &format!("out{place}"), "");
+        drawn.constants = last.constants;
+        text.push_str(&indented(&last.text, 4));
+    }
+    text.push_str("}\n");
+    text
+}
+
+/// The edges drawn so far.
+struct Edges {
+    text: String,
+    /// How many constants have been drawn; each has a node where it is read.
+    constants: usize,
+}
+
+impl Edges {
+    fn edge(&mut self, from: Value, to: NodeId, role: &str) {
+        self.edge_to(from, &format!("n{}", to.index()), role);
+    }
+
+    fn edge_to(&mut self, from: Value, to: &str, role: &str) {
+        if let Some(constant) = from.as_constant() {
+            let name = format!("c{}", self.constants);
+            self.constants += 1;
+            let _ = writeln!(
+                self.text,
+                "{name} [label=\"{constant}\", shape=plaintext];\n{name} -> {to};"
+            );
+            return;
+        }
+        let label = match (role, from.factor) {
+            (role, Ratio::ONE) => role.to_owned(),
+            (_, factor) if factor == Ratio::integer(-1) => "−".to_owned(),
+            (_, factor) => format!("×{factor}"),
+        };
+        let attributes = if label.is_empty() {
+            String::new()
+        } else {
+            format!(" [label={}]", quoted(&label))
+        };
+        let _ = writeln!(self.text, "n{} -> {to}{attributes};", from.node.index());
+    }
+}
+
+/// What a node does.
+fn operation(node: &Node) -> String {
+    match node {
+        Node::One => "1".to_owned(),
+        Node::Input(_) => String::new(),
+        Node::Sum(terms) if terms.len() == 1 => "=".to_owned(),
+        Node::Sum(_) => "+".to_owned(),
+        Node::Product(..) => "×".to_owned(),
+        Node::Quotient(..) => "÷".to_owned(),
+        Node::Function(Function::Absolute, _) => "|x|".to_owned(),
+        Node::Function(function, _) => formula::function_name(*function).to_owned(),
+    }
+}
+
+fn whole(node: NodeId) -> Value {
+    Value {
+        factor: Ratio::ONE,
+        node,
+    }
+}
+
+fn quoted(text: &str) -> String {
+    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
+}
+
+fn indented(text: &str, width: usize) -> String {
+    let line = |line: &str| format!("{:width$}{line}\n", "");
+    text.lines().map(line).collect()
+}

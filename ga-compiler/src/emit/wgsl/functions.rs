@@ -1,0 +1,112 @@
+//! Functions of scalars in WGSL: the built-in ones, and our own where there is none.
+
+use crate::ir::Function;
+
+/// The name of a function, before it is made safe where it is one of our own.
+pub(super) fn name(function: Function) -> &'static str {
+    match function {
+        Function::SquareRoot => "sqrt",
+        Function::Absolute => "abs",
+        Function::Sine => "sin",
+        Function::Cosine => "cos",
+        Function::ArcTangent => "atan2",
+        Function::Exponential => "exp",
+        Function::NaturalLogarithm => "log",
+        Function::VersorCosine => "versor_cosine",
+        Function::VersorSine => "versor_sine",
+        Function::VersorSineSlope => "versor_sine_slope",
+        Function::VersorAngle => "versor_angle",
+        Function::VersorAngleSlope => "versor_angle_slope",
+    }
+}
+
+/// The functions of our own that the declaration of another one calls.
+pub(super) fn needs(function: Function) -> &'static [Function] {
+    match function {
+        Function::VersorSineSlope => &[Function::VersorCosine, Function::VersorSine],
+        Function::VersorAngleSlope => &[Function::VersorAngle],
+        _ => &[],
+    }
+}
+
+/// Whether a function is declared by us.
+pub(super) fn is_own(function: Function) -> bool {
+    declaration(function, &|_| String::new()).is_some()
+}
+
+/// The declaration of a function of our own; `name` gives the names under which they are declared.
+///
+/// Near zero the closed forms divide rounding errors by small numbers, so their series are taken there, to the last term
+/// that single precision sees.
+pub(super) fn declaration(function: Function, name: &dyn Fn(Function) -> String) -> Option<String> {
+    let this = name(function);
+    let (cosine, sine) = (name(Function::VersorCosine), name(Function::VersorSine));
+    let angle = name(Function::VersorAngle);
+    Some(match function {
+        Function::VersorCosine => format!(
+            "\
+// C(x) of exp B = C(B²) + S(B²) B: cos √−x or cosh √x.
+fn {this}(x: f32) -> f32 {{
+    let root = sqrt(abs(x));
+    if x > 0.0 {{
+        return 0.5 * (exp(root) + exp(-root));
+    }}
+    return cos(root);
+}}
+"
+        ),
+        Function::VersorSine => format!(
+            "\
+// S(x) of exp B = C(B²) + S(B²) B: sin √−x / √−x or sinh √x / √x.
+fn {this}(x: f32) -> f32 {{
+    if abs(x) < 1.0 {{
+        return 1.0 + x * (1.0 / 6.0 + x * (1.0 / 120.0 + x * (1.0 / 5040.0 + x * (1.0 / 362880.0 + x / 39916800.0))));
+    }}
+    let root = sqrt(abs(x));
+    if x > 0.0 {{
+        return 0.5 * (exp(root) - exp(-root)) / root;
+    }}
+    return sin(root) / root;
+}}
+"
+        ),
+        Function::VersorSineSlope => format!(
+            "\
+// The derivative of S, (C − S)/(2x).
+fn {this}(x: f32) -> f32 {{
+    if abs(x) < 1.0 {{
+        return 1.0 / 6.0 + x * (1.0 / 60.0 + x * (1.0 / 1680.0 + x * (1.0 / 90720.0 + x / 7983360.0)));
+    }}
+    return ({cosine}(x) - {sine}(x)) / (2.0 * x);
+}}
+"
+        ),
+        Function::VersorAngle => format!(
+            "\
+// 1/S(B²) from C(B²) and S(B²)² B²: half the angle of a turn over its sine.
+fn {this}(cosine: f32, square: f32) -> f32 {{
+    if cosine > 0.0 && abs(square) < 0.0625 {{
+        return 1.0 + square * (-1.0 / 6.0 + square * (3.0 / 40.0 + square * (-5.0 / 112.0 + square * (35.0 / 1152.0 - square * 63.0 / 2816.0))));
+    }}
+    let sine = sqrt(abs(square));
+    if square > 0.0 {{
+        return log(cosine + sine) / sine;
+    }}
+    return atan2(sine, cosine) / sine;
+}}
+"
+        ),
+        Function::VersorAngleSlope => format!(
+            "\
+// −2 S′(B²)/S(B²)³ from C(B²) and S(B²)² B².
+fn {this}(cosine: f32, square: f32) -> f32 {{
+    if cosine > 0.0 && abs(square) < 0.0625 {{
+        return -1.0 / 3.0 + square * (2.0 / 15.0 + square * (-8.0 / 105.0 + square * (16.0 / 315.0 - square * 128.0 / 3465.0)));
+    }}
+    return (1.0 - cosine * {angle}(cosine, square)) / square;
+}}
+"
+        ),
+        _ => return None,
+    })
+}

@@ -1,0 +1,223 @@
+//! The types of WGSL: a structure for each type of the algebra, `f32`, arrays, and structures for tuples.
+
+use std::collections::{BTreeMap, HashMap};
+
+use syn::ext::IdentExt;
+
+use super::names::Names;
+use crate::define::{Definition, TypeDefinition};
+use crate::function::Shape;
+
+/// The structures of a module.
+pub(super) struct Shapes<'a> {
+    definition: &'a Definition,
+    /// The declared structures in the order of their first use.
+    structures: Vec<Structure>,
+    /// The structure of a type of the algebra, by its place in the declaration.
+    of_type: BTreeMap<usize, usize>,
+    /// The structure of a tuple, by its name before it was made safe.
+    of_tuple: HashMap<String, usize>,
+}
+
+/// A structure.
+struct Structure {
+    docs: String,
+    name: String,
+    /// Names and types of its members.
+    members: Vec<(String, String)>,
+}
+
+impl<'a> Shapes<'a> {
+    pub(super) fn new(definition: &'a Definition) -> Self {
+        Self {
+            definition,
+            structures: Vec::new(),
+            of_type: BTreeMap::new(),
+            of_tuple: HashMap::new(),
+        }
+    }
+
+    /// The name of a shape as a type. What it is made of is declared where it has not been.
+    pub(super) fn name(&mut self, shape: &Shape, names: &mut Names) -> String {
+        match shape {
+            Shape::Scalar => "f32".to_owned(),
+            Shape::Type(index) => {
+                let structure = self.structure_of_type(*index, names);
+                self.structures[structure].name.clone()
+            }
+            Shape::Array(element, count) if *count > 0 => {
+                let element = self.name(element, names);
+                format!("array<{element}, {count}>")
+            }
+            Shape::Array(..) | Shape::Tuple(_) => {
+                let structure = self.structure_of_parts(parts(shape), names);
+                self.structures[structure].name.clone()
+            }
+        }
+    }
+
+    /// The declarations of all structures.
+    pub(super) fn declarations(&self) -> String {
+        let declaration = |structure: &Structure| {
+            let members: Vec<_> = structure
+                .members
+                .iter()
+                .map(|(name, kind)| format!("    {name}: {kind},\n"))
+                .collect();
+            let (docs, name) = (&structure.docs, &structure.name);
+            format!("{docs}struct {name} {{\n{}}}\n\n", members.concat())
+        };
+        self.structures.iter().map(declaration).collect()
+    }
+
+    /// Expressions for the numbers stored in a shape, given one for the whole.
+    pub(super) fn read(&mut self, shape: &Shape, whole: &str, names: &mut Names) -> Vec<String> {
+        match shape {
+            Shape::Scalar => vec![whole.to_owned()],
+            Shape::Type(index) => {
+                let structure = self.structure_of_type(*index, names);
+                let stored = self.definition.types[*index].stored().count();
+                self.structures[structure].members[..stored]
+                    .iter()
+                    .map(|(member, _)| format!("{whole}.{member}"))
+                    .collect()
+            }
+            Shape::Array(element, count) => (0..*count)
+                .flat_map(|place| self.read(element, &format!("{whole}[{place}]"), names))
+                .collect(),
+            Shape::Tuple(parts) => parts
+                .iter()
+                .enumerate()
+                .flat_map(|(place, part)| {
+                    self.read(part, &format!("{whole}.{}", member(place)), names)
+                })
+                .collect(),
+        }
+    }
+
+    /// The expression that builds a shape of the numbers stored in it, which are taken from the front.
+    pub(super) fn build(
+        &mut self,
+        shape: &Shape,
+        numbers: &mut dyn Iterator<Item = String>,
+        names: &mut Names,
+    ) -> String {
+        let name = self.name(shape, names);
+        let mut values: Vec<String> = match shape {
+            Shape::Scalar => return numbers.next().unwrap_or_default(),
+            Shape::Type(index) => {
+                let stored = self.definition.types[*index].stored().count();
+                numbers.take(stored).collect()
+            }
+            Shape::Array(element, count) => (0..*count)
+                .map(|_| self.build(element, numbers, names))
+                .collect(),
+            Shape::Tuple(parts) => parts
+                .iter()
+                .map(|part| self.build(part, numbers, names))
+                .collect(),
+        };
+        if values.is_empty() {
+            values.push("0.0".to_owned());
+        }
+        call(&name, &values)
+    }
+
+    fn structure_of_type(&mut self, index: usize, names: &mut Names) -> usize {
+        if let Some(&known) = self.of_type.get(&index) {
+            return known;
+        }
+        let kind = &self.definition.types[index];
+        let mut taken = Names::default();
+        let mut members: Vec<_> = kind
+            .stored()
+            .map(|c| (taken.give(&c.name.to_string()), "f32".to_owned()))
+            .collect();
+        if members.is_empty() {
+            members.push(nothing());
+        }
+        self.structures.push(Structure {
+            docs: docs(kind),
+            name: names.give(&kind.name.unraw().to_string()),
+            members,
+        });
+        self.of_type.insert(index, self.structures.len() - 1);
+        self.structures.len() - 1
+    }
+
+    fn structure_of_parts(&mut self, parts: &[Shape], names: &mut Names) -> usize {
+        let wished = if parts.is_empty() {
+            "Nothing".to_owned()
+        } else {
+            let parts: Vec<_> = parts.iter().map(|part| self.word(part)).collect();
+            parts.join("And")
+        };
+        if let Some(&known) = self.of_tuple.get(&wished) {
+            return known;
+        }
+        let mut members: Vec<_> = parts
+            .iter()
+            .enumerate()
+            .map(|(place, part)| (member(place), self.name(part, names)))
+            .collect();
+        if members.is_empty() {
+            members.push(nothing());
+        }
+        self.structures.push(Structure {
+            docs: String::new(),
+            name: names.give(&wished),
+            members,
+        });
+        self.of_tuple.insert(wished, self.structures.len() - 1);
+        self.structures.len() - 1
+    }
+
+    /// A shape as a part of a name.
+    fn word(&self, shape: &Shape) -> String {
+        match shape {
+            Shape::Scalar => "Scalar".to_owned(),
+            Shape::Type(index) => self.definition.types[*index].name.unraw().to_string(),
+            Shape::Array(element, count) => format!("{}{count}", self.word(element)),
+            Shape::Tuple(parts) => {
+                let parts: Vec<_> = parts.iter().map(|part| self.word(part)).collect();
+                format!("{}End", parts.join("And"))
+            }
+        }
+    }
+}
+
+/// `name(value, …)`, over several lines where it is long.
+pub(super) fn call(name: &str, values: &[String]) -> String {
+    const WIDTH: usize = 100;
+    let length: usize = values.iter().map(|value| value.len() + 2).sum();
+    if name.len() + length <= WIDTH {
+        return format!("{name}({})", values.join(", "));
+    }
+    let lines: Vec<_> = values
+        .iter()
+        .map(|value| format!("    {},\n", value.replace('\n', "\n    ")))
+        .collect();
+    format!("{name}(\n{})", lines.concat())
+}
+
+/// The doc comment of a type.
+fn docs(kind: &TypeDefinition) -> String {
+    super::comment(&kind.docs)
+}
+
+/// The member of a tuple at a place.
+fn member(place: usize) -> String {
+    format!("value{place}")
+}
+
+/// The member of what stores nothing, for structures must have one.
+fn nothing() -> (String, String) {
+    ("nothing".to_owned(), "f32".to_owned())
+}
+
+fn parts(shape: &Shape) -> &[Shape] {
+    match shape {
+        Shape::Tuple(parts) => parts,
+        _ => &[],
+    }
+}
