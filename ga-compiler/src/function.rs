@@ -1,10 +1,12 @@
 //! A compiled function: what `ga!` makes of its source, before any code is written.
 
 use proc_macro2::Ident;
-use syn::{Attribute, Visibility};
+use syn::{Attribute, Error, Result, Visibility};
 
 use crate::define::{Definition, TypeDefinition};
 use crate::kernel::Kernel;
+use crate::parse::ShapeSyntax;
+use crate::program::nearest::nearest;
 
 /// A function in an algebra, compiled.
 #[derive(Clone)]
@@ -48,7 +50,39 @@ pub enum Shape {
     Tuple(Vec<Shape>),
 }
 
+/// The name of the type of plain numbers.
+pub const SCALAR_TYPE: &str = "Scalar";
+
 impl Shape {
+    /// The shape that a written type means.
+    ///
+    /// # Errors
+    /// The first type that the algebra does not have, at its name.
+    pub fn resolve(definition: &Definition, syntax: &ShapeSyntax) -> Result<Self> {
+        match syntax {
+            ShapeSyntax::Name(name) if name == SCALAR_TYPE => Ok(Self::Scalar),
+            ShapeSyntax::Name(name) => {
+                let types = &definition.types;
+                let found = types.iter().position(|kind| kind.name == *name);
+                found.map(Self::Type).ok_or_else(|| {
+                    let known = types.iter().map(|kind| kind.name.to_string());
+                    let known = known.chain([SCALAR_TYPE.to_owned()]);
+                    let near = nearest(&name.to_string(), known);
+                    Error::new(name.span(), format!("unknown type `{name}`{near}"))
+                })
+            }
+            ShapeSyntax::Array(element, count) => {
+                let element = Self::resolve(definition, element)?;
+                Ok(Self::Array(Box::new(element), *count))
+            }
+            ShapeSyntax::Tuple(parts) => parts
+                .iter()
+                .map(|part| Self::resolve(definition, part))
+                .collect::<Result<_>>()
+                .map(Self::Tuple),
+        }
+    }
+
     /// The types in it, one after the other; `None` for a plain number.
     #[must_use]
     pub fn leaves<'a>(&self, definition: &'a Definition) -> Vec<Option<&'a TypeDefinition>> {
@@ -76,7 +110,7 @@ impl Shape {
     #[must_use]
     pub fn to_text(&self, definition: &Definition) -> String {
         match self {
-            Self::Scalar => "Scalar".to_owned(),
+            Self::Scalar => SCALAR_TYPE.to_owned(),
             Self::Type(index) => definition.types[*index].name.to_string(),
             Self::Array(element, count) => format!("[{}; {count}]", element.to_text(definition)),
             Self::Tuple(parts) => {

@@ -1,11 +1,13 @@
 //! One compiled expression: the path from an expression over typed operands to a graph with chosen rules.
 
-use crate::algebra::{Algebra, Blade, NamedBlade};
+use crate::algebra::{Algebra, Blade, NamedBlade, Ratio, Unary};
 use crate::define::TypeDefinition;
+use crate::emit::stage::Stages;
 use crate::expression::Expression;
-use crate::ir::{Arena, Multivector, Prime, Value};
+use crate::ir::{Arena, Prime, Value};
 use crate::lower::{self, SandwichRule};
 use crate::passes::{self, Cost};
+use crate::program::{Program, Step, StepId, Witness};
 use crate::verify;
 
 /// A graph whose inputs are the stored coefficients of the operands, one after the other, and whose outputs are the
@@ -35,8 +37,6 @@ impl Kernel {
     }
 
     /// Compiles an expression, wanting the coefficients of the given blades.
-    ///
-    /// Each rule for sandwiches is tried, and the cheapest graph is kept; of equals the first.
     #[must_use]
     pub fn of_blades(
         algebra: &Algebra,
@@ -44,12 +44,28 @@ impl Kernel {
         expression: &Expression,
         wanted: &[NamedBlade],
     ) -> Self {
-        let by_rule = |rule| Self::by_rule(algebra, operands, expression, wanted, rule);
+        let (program, result) = Program::of_expression(operands, expression);
+        let uniform = vec![false; operands.len()];
+        Self::of_program(algebra, &program, &uniform, &[(result, wanted.to_vec())])
+    }
+
+    /// Compiles a program, wanting the given blades of some of its steps. `uniform` marks operands that stay the same over
+    /// many calls.
+    ///
+    /// Each rule for sandwiches is tried, and the cheapest graph is kept; of equals the first.
+    #[must_use]
+    pub fn of_program(
+        algebra: &Algebra,
+        program: &Program<'_>,
+        uniform: &[bool],
+        wanted: &[(StepId, Vec<NamedBlade>)],
+    ) -> Self {
+        let by_rule = |rule| Self::of_program_by_rule(algebra, program, uniform, wanted, rule);
         let mut best = by_rule(SandwichRule::LeftFirst);
-        if has_sandwich(expression) {
+        if has_sandwich(program) {
             for rule in SandwichRule::ALL {
                 let next = by_rule(rule);
-                if next.cost().total() < best.cost().total() {
+                if next.rank() < best.rank() {
                     best = next;
                 }
             }
@@ -57,7 +73,7 @@ impl Kernel {
         best
     }
 
-    /// Compiles with a given rule for sandwiches.
+    /// Compiles an expression with a given rule for sandwiches.
     #[must_use]
     pub fn by_rule(
         algebra: &Algebra,
@@ -66,25 +82,55 @@ impl Kernel {
         wanted: &[NamedBlade],
         rule: SandwichRule,
     ) -> Self {
+        let (program, result) = Program::of_expression(operands, expression);
+        let uniform = vec![false; operands.len()];
+        let wanted = [(result, wanted.to_vec())];
+        Self::of_program_by_rule(algebra, &program, &uniform, &wanted, rule)
+    }
+
+    fn of_program_by_rule(
+        algebra: &Algebra,
+        program: &Program<'_>,
+        uniform: &[bool],
+        wanted: &[(StepId, Vec<NamedBlade>)],
+        rule: SandwichRule,
+    ) -> Self {
         let mut arena = Arena::default();
-        let inputs: Vec<Multivector> = operands
-            .iter()
-            .map(|kind| lower::operand(&mut arena, kind))
-            .collect();
-        let value = lower::lower(&mut arena, algebra, expression, &inputs, rule);
-        let outputs = wanted
-            .iter()
-            .map(|named| {
+        let mut uniform_inputs = Vec::new();
+        let mut inputs = Vec::new();
+        for (kind, is_uniform) in program.operands.iter().zip(uniform) {
+            inputs.push(lower::operand(&mut arena, kind));
+            uniform_inputs.resize(arena.inputs(), *is_uniform);
+        }
+        let steps: Vec<StepId> = wanted.iter().map(|(step, _)| *step).collect();
+        let values = lower::lower(&mut arena, algebra, program, &inputs, &steps, rule);
+        let mut outputs = Vec::new();
+        for (value, (_, blades)) in values.iter().zip(wanted) {
+            for named in blades {
                 let found = value.coefficient(named.blade);
-                if named.is_negative { -found } else { found }
-            })
-            .collect();
+                outputs.push(if named.is_negative { -found } else { found });
+            }
+        }
         Self {
-            uniform: vec![false; arena.inputs()],
             arena,
             outputs,
             rule,
+            uniform: uniform_inputs,
         }
+    }
+
+    /// What decides between graphs: the operations of each call, then those of the prologue.
+    fn rank(&self) -> (usize, usize) {
+        let all = self.cost().total();
+        if !self.uniform.contains(&true) {
+            return (all, 0);
+        }
+        let handed = Stages::new(self).handed.into_iter().map(|node| Value {
+            factor: Ratio::ONE,
+            node,
+        });
+        let prologue = passes::cost(&self.arena, &handed.collect::<Vec<_>>()).total();
+        (all - prologue, prologue)
     }
 
     /// The number of operations.
@@ -119,18 +165,45 @@ impl Kernel {
             .map(|kind| verify::sample(algebra, kind, &mut sequence))
             .collect();
         let Some(members) = members else { return false };
-        let inputs: Vec<Prime> = operands
-            .iter()
-            .zip(&members)
-            .flat_map(|(kind, member)| verify::stored(kind, member))
-            .collect();
-        let meaning = verify::evaluate(algebra, expression, &members);
+        let Some(meaning) = verify::evaluate(algebra, operands, expression, &members) else {
+            return false;
+        };
         let expected = match result {
             None => vec![meaning.get(&Blade::SCALAR).copied().unwrap_or(Prime::ZERO)],
             Some(kind) => verify::stored(kind, &meaning),
         };
-        self.evaluate(&inputs) == expected
+        self.evaluate(&inputs_of(operands, &members)) == expected
     }
+
+    /// Whether the graph agrees with the plain meaning of a program at the points of its witness.
+    #[must_use]
+    pub fn agrees_with(
+        &self,
+        program: &Program<'_>,
+        witness: &Witness,
+        wanted: &[(StepId, Vec<NamedBlade>)],
+    ) -> bool {
+        witness.points().all(|(members, values)| {
+            let expected = wanted.iter().flat_map(|(step, blades)| {
+                let value = &values[step.index()];
+                blades.iter().map(|named| {
+                    let found = value.get(&named.blade).copied().unwrap_or(Prime::ZERO);
+                    if named.is_negative { -found } else { found }
+                })
+            });
+            let found = self.evaluate(&inputs_of(&program.operands, members));
+            found.into_iter().eq(expected)
+        })
+    }
+}
+
+/// The stored coefficients of some members, one after the other.
+fn inputs_of(operands: &[&TypeDefinition], members: &[verify::Numbers]) -> Vec<Prime> {
+    operands
+        .iter()
+        .zip(members)
+        .flat_map(|(kind, member)| verify::stored(kind, member))
+        .collect()
 }
 
 /// The stored blades of a type, or the scalar.
@@ -151,13 +224,9 @@ pub fn wanted(result: Option<&TypeDefinition>) -> Vec<NamedBlade> {
     result.map_or_else(|| vec![scalar], stored)
 }
 
-fn has_sandwich(expression: &Expression) -> bool {
-    match expression {
-        Expression::Operand(_) | Expression::Constant(_) => false,
-        Expression::Sandwich(..) => true,
-        Expression::Unary(_, a) | Expression::Negative(a) => has_sandwich(a),
-        Expression::Binary(_, a, b) | Expression::Sum(a, b) | Expression::Quotient(a, b) => {
-            has_sandwich(a) || has_sandwich(b)
-        }
-    }
+/// Whether a program has an action of a versor, or a product that may be one.
+fn has_sandwich(program: &Program<'_>) -> bool {
+    program
+        .steps()
+        .any(|(_, step)| matches!(step, Step::Sandwich(..) | Step::Unary(Unary::Reverse, _)))
 }

@@ -51,14 +51,16 @@ pub mod kernel;
 pub mod lower;
 pub mod parse;
 pub mod passes;
+pub mod program;
 pub mod verify;
 
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::TokenStream;
 use syn::{Error, Result};
 
 use define::Definition;
-use expression::Expression;
+use function::CompiledFunction;
 use kernel::Kernel;
+use parse::FunctionSyntax;
 
 /// A compiled function with the algebra it is written in.
 pub struct Compiled {
@@ -99,49 +101,119 @@ pub fn expand_product_tests(tokens: TokenStream) -> TokenStream {
     expanded.unwrap_or_else(Error::into_compile_error)
 }
 
+/// Expands functions of an algebra: what `ga!` stands for.
+///
+/// The tokens are what the algebra's own macro hands over: `[runtime] { declaration } [path] functions`.
+#[must_use]
+pub fn expand_functions(tokens: TokenStream) -> TokenStream {
+    let expanded = parse::parse_handover(tokens).and_then(|handover| {
+        let (path, source) = parse::parse_placed(handover.input)?;
+        let functions = parse::parse_functions(source)?;
+        let definition = check_types(handover.declaration, handover.runtime)?;
+        Ok(match compile_parsed(&definition, &functions) {
+            Ok(compiled) => emit::rust::functions(&definition, &path, &compiled),
+            Err(error) => {
+                let stand_ins = emit::rust::function_stand_ins(&definition, &path, &functions);
+                let error = error.into_compile_error();
+                match stand_ins {
+                    Some(stand_ins) => quote::quote! { #stand_ins #error },
+                    None => error,
+                }
+            }
+        })
+    });
+    expanded.unwrap_or_else(Error::into_compile_error)
+}
+
+/// The types of a declaration without its products, which a function has no use for.
+///
+/// # Errors
+/// Everything that is wrong with the declaration.
+pub fn check_types(declaration: TokenStream, runtime: TokenStream) -> Result<Definition> {
+    let mut syntax = parse::parse_declaration(declaration)?;
+    syntax.products.clear();
+    Definition::check(syntax, runtime)
+}
+
+/// Compiles functions of an algebra, written as in `ga!`, and checks each against its plain meaning.
+///
+/// ```
+/// use ga_compiler::{check_types, compile};
+///
+/// let declaration = quote::quote! {
+///     pub mod vga2 {
+///         basis e1, e2;
+///         signature 2, 0;
+///         struct Vector { e1, e2 }
+///     }
+/// };
+/// let definition = check_types(declaration, quote::quote! { ga_runtime })?;
+/// let functions = compile(&definition, quote::quote! {
+///     fn reflect(v: Vector, n: Vector) -> Vector { -n * v * inverse(n) }
+/// })?;
+/// assert_eq!(functions[0].kernel.cost().divisions, 2);
+/// # Ok::<(), syn::Error>(())
+/// ```
+///
+/// # Errors
+/// The first error of each function, at its token.
+pub fn compile(definition: &Definition, source: TokenStream) -> Result<Vec<CompiledFunction>> {
+    compile_parsed(definition, &parse::parse_functions(source)?)
+}
+
+fn compile_parsed(
+    definition: &Definition,
+    functions: &[FunctionSyntax],
+) -> Result<Vec<CompiledFunction>> {
+    let mut diagnostics = diag::Diagnostics::default();
+    let mut compiled = Vec::new();
+    for function in functions {
+        match compile_one(definition, function, functions) {
+            Ok(done) => compiled.push(done),
+            Err(error) => diagnostics.push(error),
+        }
+    }
+    diagnostics.into_result()?;
+    Ok(compiled)
+}
+
+fn compile_one(
+    definition: &Definition,
+    function: &FunctionSyntax,
+    others: &[FunctionSyntax],
+) -> Result<CompiledFunction> {
+    let resolved = program::resolve(definition, function, others)?;
+    let wanted: Vec<_> = resolved
+        .outputs
+        .iter()
+        .map(|(step, kind)| (*step, kernel::wanted(*kind)))
+        .collect();
+    let (algebra, program) = (&definition.algebra, &resolved.program);
+    let kernel = Kernel::of_program(algebra, program, &resolved.uniform, &wanted);
+    if !kernel.agrees_with(program, &resolved.witness, &wanted) {
+        let message = format!(
+            "rule {:?} changed the meaning of this function; this is a defect of the compiler",
+            kernel.rule
+        );
+        return Err(function.value.error(message));
+    }
+    Ok(CompiledFunction {
+        attributes: function.attributes.clone(),
+        visibility: function.visibility.clone(),
+        name: function.name.clone(),
+        operands: resolved.operands,
+        result: resolved.result,
+        kernel,
+    })
+}
+
 /// Compiles one function in an algebra, both given as tokens, and checks it against its plain meaning.
 ///
 /// # Errors
 /// Every error of the declaration, or the first of the function.
 pub fn compile_function(declaration: TokenStream, function: TokenStream) -> Result<Compiled> {
-    let syntax = parse::parse_declaration(declaration)?;
-    let definition = Definition::check(syntax, TokenStream::new())?;
+    let definition = check_types(declaration, TokenStream::new())?;
     let function = parse::parse_function(function)?;
-    let find = |name: &syn::Ident| {
-        let found = definition.type_named(&name.to_string());
-        found.ok_or_else(|| Error::new(name.span(), format!("unknown type `{name}`")))
-    };
-    let names: Vec<_> = function
-        .operands
-        .iter()
-        .map(|(name, _)| name.clone())
-        .collect();
-    let operands = function
-        .operands
-        .iter()
-        .map(|(_, kind)| find(kind))
-        .collect::<Result<Vec<_>>>()?;
-    let result = match function.result.to_string().as_str() {
-        "Scalar" => None,
-        _ => Some(find(&function.result)?),
-    };
-    let expression = Expression::resolve(&function.body, &names)?;
-    let algebra = &definition.algebra;
-    verify::result_fits(algebra, &operands, &expression, result).map_err(|reasons| {
-        let message = format!(
-            "the result is no `{}`: {}",
-            function.result,
-            reasons.join("; ")
-        );
-        Error::new(function.result.span(), message)
-    })?;
-    let kernel = Kernel::compile(algebra, &operands, &expression, result);
-    if !kernel.agrees(algebra, &operands, &expression, result, 1) {
-        let message = format!(
-            "rule {:?} changed the meaning of the expression",
-            kernel.rule
-        );
-        return Err(Error::new(Span::call_site(), message));
-    }
+    let CompiledFunction { kernel, .. } = compile_one(&definition, &function, &[])?;
     Ok(Compiled { definition, kernel })
 }

@@ -188,7 +188,7 @@ fn errors_say_what_is_wrong() {
         }
     };
     for (function, expected) in [
-        ("(p: Point) -> Scalar { p | q }", "unknown operand"),
+        ("(p: Point) -> Scalar { p | q }", "unknown name `q`"),
         (
             "(p: Point) -> Scalar { p.cross(p) }",
             "no operation `cross`",

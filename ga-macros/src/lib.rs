@@ -10,6 +10,12 @@ pub fn algebra(tokens: TokenStream) -> TokenStream {
     ga_compiler::expand_algebra(tokens.into()).into()
 }
 
+/// Compiles functions of an algebra; `ga_runtime::ga!` describes the grammar.
+#[proc_macro]
+pub fn functions(tokens: TokenStream) -> TokenStream {
+    ga_compiler::expand_functions(tokens.into()).into()
+}
+
 /// Tests every declared product of an algebra; see `ga_runtime::testing::product_tests!`.
 #[proc_macro]
 pub fn product_tests(tokens: TokenStream) -> TokenStream {

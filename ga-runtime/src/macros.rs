@@ -1,4 +1,4 @@
-//! The macros by which algebras are declared.
+//! The macros by which algebras are declared and functions in them compiled.
 
 /// Declares a geometric algebra: its basis, its types and the products between them.
 ///
@@ -88,5 +88,98 @@
 macro_rules! algebra {
     ($($declaration:tt)*) => {
         $crate::__private::macros::algebra! { [$crate] $($declaration)* }
+    };
+}
+
+/// Compiles functions written in an algebra, each as one piece.
+///
+/// A person writes textbook algebra and gets straight-line code: only the coefficients of the result are worked out,
+/// constants fold, common parts are shared, and the unit norm of a motor or the null square of a point is made use
+/// of. What the code does is checked against the plain meaning of the formula, exactly, before it is emitted.
+///
+/// ```
+/// use ga_runtime::cga3::{Motor, Plane, Point, Rotor};
+/// use ga_runtime::ga;
+///
+/// ga! { ga_runtime::cga3;
+///     /// The point moved: 21 multiplications and 18 additions.
+///     pub fn moved(m: Motor, p: Point) -> Point { m * p * reverse(m) }
+///
+///     /// The plane through three points, and its distance from a fourth times the size of the triangle's cross product.
+///     fn plane_and_height(p: Point, q: Point, r: Point, s: Point) -> (Plane, Scalar) {
+///         let plane = p ^ q ^ r ^ ei;
+///         (plane, dual(plane) | s)
+///     }
+/// }
+///
+/// # fn main() {
+/// let quarter = Rotor::from_axis_angle([0.0, 0.0, 1.0], std::f64::consts::FRAC_PI_2).unwrap();
+/// let p = moved(Motor::from(quarter), Point::new(1.0, 0.0, 2.0));
+/// assert!((p.e2() - 1.0).abs() < 1e-15 && p.e3() == 2.0);
+///
+/// let [p, q, r, s] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 3.0]].map(Point::from);
+/// let (plane, height): (Plane<f64>, f64) = plane_and_height(p, q, r, s);
+/// assert_eq!((plane.e123i, height.abs()), (0.0, 3.0));
+/// # }
+/// ```
+///
+/// # Functions
+///
+/// `ga! { path::of::algebra; functions… }` gives functions generic over the scalar, with the weakest bound that the
+/// body needs: [`Ring`](crate::scalar::Ring), [`Field`](crate::scalar::Field) or [`Real`](crate::scalar::Real). Types are those of the
+/// algebra by name, `Scalar`, arrays `[Point; 3]` and tuples. A body is a row of `let` statements, patterns included, and the formula of the result.
+/// Functions of one block may call each other; the calls are compiled as if they were written out. A closure,
+/// `ga! { cga3; |p: Point, q: Point| -> Scalar { p | q } }`, is an expression.
+///
+/// | written | means |
+/// | --- | --- |
+/// | `a * b`, `a ^ b`, <code>a &#124; b</code>, `a & b` | geometric product, wedge, left contraction, vee |
+/// | `a + b`, `a - b`, `-a`, `a / x` | sum, difference, negative, quotient by a scalar |
+/// | `geometric`, `wedge`, `left_contraction`, `right_contraction`, `scalar_product`, `commutator`, `vee` | the products by name |
+/// | `reverse` or `rev`, `involute`, `conjugate`, `dual`, `undual`, `grade(a, 2)` | linear operations |
+/// | `sandwich(m, x)` or `transform` | `m x ~m`, for odd m `m x̂ ~m` |
+/// | `norm_squared`, `norm`, `normalize`, `inverse` or `inv` | `⟨a ~a⟩₀`, its root, `a` with norm 1, `~a/(a ~a)` |
+/// | `exp`, `log` | of scalars; exp of bivectors, log of even unit versors, where B² is a scalar but for a null part |
+/// | `sqrt`, `abs`, `sin`, `cos`, `atan2(y, x)`, `ln`, `recip` | of scalars |
+/// | `2`, `0.5`, `e12`, `Infinity` | exact numbers, basis blades, constant types |
+/// | `a.e12`, `xs[0]`, `t.1` | a coefficient; an element of an array or tuple |
+///
+/// Each operation is a function and a method: `reverse(m)` is `m.reverse()`. Precedence is that of Rust, where `^ & |` bind looser
+/// than `+ - * /`; a mix of both without parentheses is an error that shows both readings.
+///
+/// # Types of results
+///
+/// A result is returned as a `Point` only if it is one, weight 1 and null; otherwise the error says what was found, and
+/// whether a division by the weight would do. `let x: Line = …` checks a value on the way.
+///
+/// Divisions by zero and roots of negative numbers follow the scalar: they give infinities or NaN over floats.
+///
+/// # Uniform operands
+///
+/// An operand marked `uniform` stays the same over many calls. The function then takes the uniform operands alone and
+/// gives a struct, called like the function in camel case, that holds all work done on them; its `apply` takes the rest. `map` changes the
+/// scalar, to lanes for instance.
+///
+/// ```
+/// use ga_runtime::cga3::{Motor, Point, Translator};
+///
+/// ga_runtime::ga! { ga_runtime::cga3;
+///     /// A motor becomes its 3×4 matrix once; each point takes 9 multiplications and 9 additions.
+///     fn moving(uniform m: Motor, p: Point) -> Point { m * p * reverse(m) }
+/// }
+///
+/// # fn main() {
+/// let moving = moving(Motor::from(Translator::from_displacement([1.0, 0.0, 0.0])));
+/// let moved = [[0.0; 3], [1.0, 2.0, 3.0]].map(|p| moving.apply(Point::from(p)).coordinates());
+/// assert_eq!(moved, [[1.0, 0.0, 0.0], [2.0, 2.0, 3.0]]);
+/// # }
+/// ```
+#[macro_export]
+macro_rules! ga {
+    ($($path:ident)::+ ; $($functions:tt)*) => {
+        $($path)::+ ! { [$crate::__private::macros::functions] [$($path)::+] $($functions)* }
+    };
+    (:: $($path:ident)::+ ; $($functions:tt)*) => {
+        :: $($path)::+ ! { [$crate::__private::macros::functions] [:: $($path)::+] $($functions)* }
     };
 }

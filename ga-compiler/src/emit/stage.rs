@@ -5,33 +5,31 @@ use crate::kernel::Kernel;
 use crate::passes::schedule;
 
 /// A kernel in two stages. Without uniform inputs the first is empty.
-pub(super) struct Stages {
+pub(crate) struct Stages {
     /// What is done once.
-    pub(super) prologue: Stage,
+    pub(crate) prologue: Stage,
     /// What is done in every call.
-    pub(super) inner: Stage,
+    pub(crate) inner: Stage,
     /// The nodes that the first stage hands to the second: uniform inputs and nodes that are read there, in rising order.
-    pub(super) handed: Vec<NodeId>,
+    pub(crate) handed: Vec<NodeId>,
 }
 
 /// The nodes of one stage.
-pub(super) struct Stage {
+pub(crate) struct Stage {
     /// The nodes other than inputs and the number 1, each after what it needs.
-    pub(super) order: Vec<NodeId>,
+    pub(crate) order: Vec<NodeId>,
     /// How often each node of the arena is read in this stage, by its index.
-    pub(super) uses: Vec<usize>,
+    pub(crate) uses: Vec<usize>,
 }
 
 impl Stages {
     /// Parts a kernel.
-    pub(super) fn new(kernel: &Kernel) -> Self {
+    pub(crate) fn new(kernel: &Kernel) -> Self {
         let arena = &kernel.arena;
         let live = schedule(arena, &kernel.outputs);
         let uniform = uniform_nodes(kernel);
-        let (first, second): (Vec<_>, Vec<_>) = live
-            .order
-            .into_iter()
-            .partition(|id| uniform[id.index()]);
+        let (first, second): (Vec<_>, Vec<_>) =
+            live.order.into_iter().partition(|id| uniform[id.index()]);
         let inner = Stage::new(arena, second, kernel.outputs.iter().map(|value| value.node));
         let handed: Vec<NodeId> = live_inputs(arena, &inner.uses)
             .chain(first.iter().copied())
@@ -62,7 +60,7 @@ impl Stage {
 }
 
 /// What a node reads, each as often as it is read.
-pub(super) fn children(node: &Node) -> Vec<NodeId> {
+pub(crate) fn children(node: &Node) -> Vec<NodeId> {
     let nodes = |values: &[Value]| values.iter().map(|value| value.node).collect();
     match node {
         Node::One | Node::Input(_) => Vec::new(),

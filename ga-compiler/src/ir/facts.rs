@@ -45,6 +45,17 @@ impl Facts {
         }
     }
 
+    /// What is known if both are.
+    #[must_use]
+    pub fn and(self, other: Self) -> Self {
+        Self {
+            unit_versor: self.unit_versor || other.unit_versor,
+            null: self.null || other.null,
+            blade: self.blade || other.blade,
+            weight: self.weight.or(other.weight),
+        }
+    }
+
     /// Whether everything in `other` is known here too.
     #[must_use]
     pub fn include(self, other: Self) -> bool {

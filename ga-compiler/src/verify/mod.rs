@@ -6,15 +6,18 @@
 //! tried at two points.
 
 mod member;
-mod numeric;
+pub(crate) mod numeric;
+mod reason;
 
 pub use member::{from_stored, sample, stored};
-pub use numeric::{Numbers, evaluate};
+pub use numeric::Numbers;
+pub use reason::Reason;
 
 use crate::algebra::{Algebra, Blade, Product, Unary};
 use crate::define::{Role, TypeDefinition};
 use crate::expression::Expression;
 use crate::ir::{Prime, PrimeSequence};
+use crate::program::{self, Program};
 
 /// How many random points are tried.
 const POINTS: u64 = 2;
@@ -57,6 +60,7 @@ pub fn result_fits(
             return Err(vec!["an operand has no members".to_owned()]);
         };
         for reason in membership(algebra, kind, &result) {
+            let reason = reason.to_string();
             if !reasons.contains(&reason) {
                 reasons.push(reason);
             }
@@ -100,7 +104,20 @@ fn at_random(
         .iter()
         .map(|kind| sample(algebra, kind, &mut sequence))
         .collect();
-    Some(evaluate(algebra, expression, &members?))
+    evaluate(algebra, operands, expression, &members?)
+}
+
+/// The value of an expression at given members of its operands' types; `None` where it divides by zero there.
+#[must_use]
+pub fn evaluate(
+    algebra: &Algebra,
+    operands: &[&TypeDefinition],
+    expression: &Expression,
+    members: &[Numbers],
+) -> Option<Numbers> {
+    let (program, result) = Program::of_expression(operands, expression);
+    let mut values = program::evaluate(algebra, &program, members)?;
+    Some(values.swap_remove(result.index()))
 }
 
 /// Why a multivector is no member of a type; nothing if it is one.
@@ -109,8 +126,7 @@ pub fn membership(
     algebra: &Algebra,
     kind: Option<&TypeDefinition>,
     value: &Numbers,
-) -> Vec<String> {
-    let name = |blade| algebra.names().name(blade);
+) -> Vec<Reason> {
     let mut reasons = Vec::new();
     let leftover: Vec<_> = value
         .iter()
@@ -118,10 +134,10 @@ pub fn membership(
             let wanted = kind.map_or(blade == Blade::SCALAR, |k| k.coefficient(blade).is_some());
             v != Prime::ZERO && !wanted
         })
-        .map(|(&blade, _)| name(blade))
+        .map(|(&blade, _)| (blade, algebra.names().name(blade)))
         .collect();
     if !leftover.is_empty() {
-        reasons.push(format!("left over: {}", leftover.join(", ")));
+        reasons.push(Reason::LeftOver(leftover));
     }
     let Some(kind) = kind else { return reasons };
     let member = from_stored(kind, &stored(kind, value));
@@ -130,34 +146,31 @@ pub fn membership(
         if found == numeric::coefficient(&member, coefficient.blade) {
             continue;
         }
+        let (blade, name) = (coefficient.blade, coefficient.name.to_string());
         reasons.push(match &coefficient.role {
-            Role::Constant(constant) => format!("{} is not {constant}", coefficient.name),
-            _ => format!("{} is not as derived", coefficient.name),
+            Role::Constant(constant) => Reason::NotConstant(blade, name, *constant),
+            _ => Reason::NotDerived(blade, name),
         });
     }
     if reasons.is_empty() {
         let broken = broken_facts(algebra, kind, &member);
-        reasons.extend(broken.iter().map(|fact| format!("not `{fact}`")));
+        reasons.extend(broken.into_iter().map(Reason::Fact));
     }
     reasons
 }
 
 fn broken_facts(algebra: &Algebra, kind: &TypeDefinition, value: &Numbers) -> Vec<&'static str> {
     let mut broken = Vec::new();
-    let members = std::slice::from_ref(value);
-    let operand = || Expression::Operand(0);
-    let reverse = || Expression::unary(Unary::Reverse, operand());
-    let norm = Expression::binary(Product::Geometric, operand(), reverse());
     if kind.facts.unit_versor {
-        let mut norm = evaluate(algebra, &norm, members);
+        let reverse = numeric::unary(algebra, Unary::Reverse, value);
+        let mut norm = numeric::product(algebra, Product::Geometric, value, &reverse);
         let scalar = norm.remove(&Blade::SCALAR).unwrap_or(Prime::ZERO);
         if scalar != Prime::ONE || norm.values().any(|&v| v != Prime::ZERO) {
             broken.push("unit_versor");
         }
     }
     if kind.facts.null {
-        let square = Expression::binary(Product::Geometric, operand(), operand());
-        let square = evaluate(algebra, &square, members);
+        let square = numeric::product(algebra, Product::Geometric, value, value);
         if square.values().any(|&v| v != Prime::ZERO) {
             broken.push("null");
         }

@@ -3,14 +3,13 @@
 use std::collections::BTreeMap;
 
 use crate::algebra::{Algebra, Blade, Product, Unary};
-use crate::expression::Expression;
 use crate::ir::Prime;
 
 /// A multivector over the prime field. Blades that are absent are zero.
 pub type Numbers = BTreeMap<Blade, Prime>;
 
 /// The coefficient of a blade.
-pub(super) fn coefficient(value: &Numbers, blade: Blade) -> Prime {
+pub(crate) fn coefficient(value: &Numbers, blade: Blade) -> Prime {
     value.get(&blade).copied().unwrap_or(Prime::ZERO)
 }
 
@@ -19,50 +18,24 @@ pub(super) fn signed(value: Prime, is_negative: bool) -> Prime {
     if is_negative { -value } else { value }
 }
 
-/// The value of an expression, operation by operation as it is written.
-#[must_use]
-pub fn evaluate(algebra: &Algebra, expression: &Expression, operands: &[Numbers]) -> Numbers {
-    match expression {
-        Expression::Operand(number) => operands[*number].clone(),
-        Expression::Constant(value) => Numbers::from([(Blade::SCALAR, Prime::from_ratio(*value))]),
-        Expression::Unary(operation, operand) => {
-            let operand = evaluate(algebra, operand, operands);
-            unary(algebra, *operation, &operand)
-        }
-        Expression::Binary(operation, left, right) => {
-            let left = evaluate(algebra, left, operands);
-            let right = evaluate(algebra, right, operands);
-            product(algebra, *operation, &left, &right)
-        }
-        Expression::Sandwich(versor, operand) => {
-            let versor = evaluate(algebra, versor, operands);
-            let operand = evaluate(algebra, operand, operands);
-            sandwich(algebra, &versor, &operand)
-        }
-        Expression::Sum(left, right) => {
-            let mut sum = evaluate(algebra, left, operands);
-            for (blade, value) in evaluate(algebra, right, operands) {
-                add(&mut sum, blade, value);
-            }
-            sum
-        }
-        Expression::Quotient(dividend, divisor) => {
-            let divisor = evaluate(algebra, divisor, operands);
-            let inverse = coefficient(&divisor, Blade::SCALAR).recip();
-            let dividend = evaluate(algebra, dividend, operands);
-            dividend
-                .into_iter()
-                .map(|(blade, value)| (blade, value * inverse))
-                .collect()
-        }
-        Expression::Negative(operand) => evaluate(algebra, operand, operands)
-            .into_iter()
-            .map(|(blade, value)| (blade, -value))
-            .collect(),
-    }
+/// The multiple of a multivector.
+pub(crate) fn scaled(value: &Numbers, factor: Prime) -> Numbers {
+    value
+        .iter()
+        .map(|(&blade, &number)| (blade, number * factor))
+        .collect()
 }
 
-pub(super) fn product(
+/// Whether two multivectors are the same; absent blades are zero.
+pub(crate) fn equal(a: &Numbers, b: &Numbers) -> bool {
+    let within = |one: &Numbers, other: &Numbers| {
+        one.iter()
+            .all(|(&blade, &number)| number == coefficient(other, blade))
+    };
+    within(a, b) && within(b, a)
+}
+
+pub(crate) fn product(
     algebra: &Algebra,
     operation: Product,
     left: &Numbers,
@@ -80,7 +53,7 @@ pub(super) fn product(
     result
 }
 
-pub(super) fn unary(algebra: &Algebra, operation: Unary, operand: &Numbers) -> Numbers {
+pub(crate) fn unary(algebra: &Algebra, operation: Unary, operand: &Numbers) -> Numbers {
     let mut result = Numbers::new();
     for (&blade, &value) in operand {
         for (image, factor) in operation.of_blade(algebra, blade) {
@@ -91,7 +64,7 @@ pub(super) fn unary(algebra: &Algebra, operation: Unary, operand: &Numbers) -> N
 }
 
 /// `M X ~M`, with the grade involution of X where M is odd.
-pub(super) fn sandwich(algebra: &Algebra, versor: &Numbers, operand: &Numbers) -> Numbers {
+pub(crate) fn sandwich(algebra: &Algebra, versor: &Numbers, operand: &Numbers) -> Numbers {
     let mut blades = versor
         .iter()
         .filter(|(_, value)| **value != Prime::ZERO)
@@ -141,7 +114,8 @@ pub(super) fn is_blade(algebra: &Algebra, value: &Numbers) -> bool {
         })
 }
 
-fn add(sums: &mut Numbers, blade: Blade, value: Prime) {
+/// Adds to the coefficient of a blade.
+pub(crate) fn add(sums: &mut Numbers, blade: Blade, value: Prime) {
     let sum = sums.entry(blade).or_insert(Prime::ZERO);
     *sum = *sum + value;
 }

@@ -26,6 +26,7 @@ mod integer;
 mod lanes;
 mod mask;
 mod prime;
+mod versor;
 #[cfg(feature = "wide")]
 mod wide;
 
@@ -38,6 +39,7 @@ pub use dual::Dual;
 pub use lanes::Lanes;
 pub use mask::{LaneMask, Mask};
 pub use prime::Prime61;
+pub use versor::{versor_exponential, versor_logarithm};
 
 /// A commutative ring with one: the least that a coefficient must be.
 ///

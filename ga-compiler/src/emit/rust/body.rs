@@ -1,12 +1,15 @@
 //! Function bodies: a graph as `let` statements and output expressions.
 
-use proc_macro2::{Literal, TokenStream};
+use std::collections::HashMap;
+
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::algebra::Ratio;
+use crate::emit::stage::Stage;
 use crate::ir::{Arena, Function, Node, NodeId, Value};
 use crate::kernel::Kernel;
-use crate::passes::{Schedule, schedule};
+use crate::passes::schedule;
 
 /// The code of a graph.
 pub(super) struct Body {
@@ -22,32 +25,60 @@ pub(super) struct Body {
 
 /// Writes the code of a kernel; `inputs` are the expressions of its inputs.
 pub(super) fn body(kernel: &Kernel, runtime: &TokenStream, inputs: &[TokenStream]) -> Body {
-    let mut writer = Writer {
-        arena: &kernel.arena,
-        schedule: schedule(&kernel.arena, &kernel.outputs),
+    let schedule = schedule(&kernel.arena, &kernel.outputs);
+    let stage = Stage {
+        order: schedule.order,
+        uses: schedule.uses,
+    };
+    let source = Source {
         runtime,
         inputs,
+        given: &HashMap::new(),
+        prefix: "t",
+    };
+    stage_body(&kernel.arena, stage, &kernel.outputs, &source)
+}
+
+/// Where a body finds what it reads.
+pub(super) struct Source<'a> {
+    /// The path of ga-runtime.
+    pub(super) runtime: &'a TokenStream,
+    /// The expressions of the inputs.
+    pub(super) inputs: &'a [TokenStream],
+    /// Nodes that an earlier stage has worked out.
+    pub(super) given: &'a HashMap<NodeId, TokenStream>,
+    /// How the names of variables begin.
+    pub(super) prefix: &'a str,
+}
+
+/// Writes the code of one stage of a kernel.
+pub(super) fn stage_body(
+    arena: &Arena,
+    stage: Stage,
+    outputs: &[Value],
+    source: &Source<'_>,
+) -> Body {
+    let mut writer = Writer {
+        arena,
+        stage,
+        source,
         needs_field: false,
         needs_real: false,
         families: Vec::new(),
     };
     let mut statements = TokenStream::new();
-    for id in writer.schedule.order.clone() {
-        if let Node::Function(function, arguments) = kernel.arena.node(id)
+    for id in writer.stage.order.clone() {
+        if let Node::Function(function, arguments) = arena.node(id)
             && function.family().len() > 1
         {
             statements.extend(writer.family(*function, arguments));
-        } else if writer.schedule.uses[id.index()] > 1 {
-            let name = variable(id);
+        } else if writer.stage.uses[id.index()] > 1 {
+            let name = writer.variable(id);
             let expression = writer.expression(id);
             statements.extend(quote! { let #name = #expression; });
         }
     }
-    let outputs = kernel
-        .outputs
-        .iter()
-        .map(|&output| writer.value(output))
-        .collect();
+    let outputs = outputs.iter().map(|&output| writer.value(output)).collect();
     Body {
         statements,
         outputs,
@@ -75,15 +106,10 @@ pub(super) fn constant(runtime: &TokenStream, value: Ratio) -> TokenStream {
     }
 }
 
-fn variable(id: NodeId) -> proc_macro2::Ident {
-    format_ident!("t{}", id.index())
-}
-
 struct Writer<'a> {
     arena: &'a Arena,
-    schedule: Schedule,
-    runtime: &'a TokenStream,
-    inputs: &'a [TokenStream],
+    stage: Stage,
+    source: &'a Source<'a>,
     needs_field: bool,
     needs_real: bool,
     /// Functions of several results that have been called.
@@ -91,9 +117,13 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
+    fn variable(&self, id: NodeId) -> Ident {
+        format_ident!("{}{}", self.source.prefix, id.index())
+    }
+
     fn constant(&mut self, value: Ratio) -> TokenStream {
         self.needs_field |= !value.is_integer();
-        constant(self.runtime, value)
+        constant(self.source.runtime, value)
     }
 
     /// The call that gives all results of a family of functions, unless it has been made.
@@ -112,8 +142,8 @@ impl Writer<'_> {
                     Node::Function(other, others) => *other == member && **others == *arguments,
                     _ => false,
                 };
-                match self.schedule.order.iter().find(|id| wanted(id)) {
-                    Some(&id) => variable(id),
+                match self.stage.order.iter().find(|id| wanted(id)) {
+                    Some(&id) => self.variable(id),
                     None => format_ident!("_"),
                 }
             })
@@ -122,7 +152,7 @@ impl Writer<'_> {
             .iter()
             .map(|&argument| self.value(argument))
             .collect();
-        let runtime = self.runtime;
+        let runtime = self.source.runtime;
         let call = match family[0] {
             Function::Sine => quote! { <S as #runtime::scalar::Real>::sin_cos },
             Function::VersorCosine => quote! { #runtime::scalar::versor_exponential },
@@ -150,7 +180,7 @@ impl Writer<'_> {
                 _ => "cos",
             }
         );
-        let runtime = self.runtime;
+        let runtime = self.source.runtime;
         quote! { <S as #runtime::scalar::Real>::#name(#(#values),*) }
     }
 
@@ -173,7 +203,8 @@ impl Writer<'_> {
     /// The negative of a node; a difference that is read here only is turned round.
     fn negative(&mut self, id: NodeId) -> TokenStream {
         if let Node::Sum(terms) = self.arena.node(id)
-            && self.schedule.uses[id.index()] == 1
+            && self.stage.uses[id.index()] == 1
+            && !self.source.given.contains_key(&id)
             && let Some(first) = terms.iter().position(|term| term.factor.is_negative())
         {
             let mut turned: Vec<_> = terms.iter().map(|&term| -term).collect();
@@ -208,16 +239,19 @@ impl Writer<'_> {
 
     /// A node where it is read: its variable, or its expression where this is the only place.
     fn read(&mut self, id: NodeId) -> TokenStream {
+        if let Some(given) = self.source.given.get(&id) {
+            return given.clone();
+        }
         match self.arena.node(id) {
-            Node::Input(number) => self.inputs[*number].clone(),
+            Node::Input(number) => self.source.inputs[*number].clone(),
             Node::Function(function, _) if function.family().len() > 1 => {
-                let name = variable(id);
+                let name = self.variable(id);
                 quote! { #name }
             }
             Node::Sum(_) | Node::Product(..) | Node::Quotient(..) | Node::Function(..)
-                if self.schedule.uses[id.index()] > 1 =>
+                if self.stage.uses[id.index()] > 1 =>
             {
-                let name = variable(id);
+                let name = self.variable(id);
                 quote! { #name }
             }
             _ => self.expression(id),
@@ -229,7 +263,7 @@ impl Writer<'_> {
         let read = self.read(id);
         // What binds no tighter than the product around it.
         let is_loose = matches!(self.arena.node(id), Node::Sum(_) | Node::Quotient(..));
-        if is_loose && self.schedule.uses[id.index()] == 1 {
+        if is_loose && !self.source.given.contains_key(&id) && self.stage.uses[id.index()] == 1 {
             quote! { (#read) }
         } else {
             read
@@ -239,7 +273,7 @@ impl Writer<'_> {
     fn expression(&mut self, id: NodeId) -> TokenStream {
         match self.arena.node(id).clone() {
             Node::One => self.constant(Ratio::ONE),
-            Node::Input(number) => self.inputs[number].clone(),
+            Node::Input(number) => self.source.inputs[number].clone(),
             Node::Product(a, b) => {
                 let (a, b) = (self.operand(a), self.operand(b));
                 quote! { #a * #b }

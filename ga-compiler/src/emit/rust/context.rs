@@ -132,6 +132,18 @@ pub(super) fn other() -> Ident {
     format_ident!("other")
 }
 
+/// `move_point` as `MovePoint`.
+pub(super) fn camel_case(name: &Ident) -> String {
+    let name = name.unraw().to_string();
+    let mut text = String::new();
+    for part in name.split('_') {
+        let mut letters = part.chars();
+        text.extend(letters.next().into_iter().flat_map(char::to_uppercase));
+        text.extend(letters);
+    }
+    text
+}
+
 /// `RoundVector` as `round_vector`.
 pub(super) fn snake_case(name: &Ident) -> String {
     let mut text = String::new();

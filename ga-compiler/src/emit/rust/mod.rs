@@ -4,12 +4,14 @@ mod arithmetic;
 mod body;
 mod context;
 mod conversions;
+mod functions;
 mod involutions;
 mod products;
 mod tests;
 mod types;
 mod versors;
 
+pub use functions::{function_stand_ins, functions};
 pub use tests::product_tests;
 
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};

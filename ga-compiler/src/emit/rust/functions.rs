@@ -1,0 +1,342 @@
+//! Functions: what `ga!` expands to.
+
+use std::collections::HashMap;
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+use syn::ext::IdentExt;
+
+use super::body::{Body, Source, stage_body};
+use super::context::camel_case;
+use crate::algebra::Ratio;
+use crate::define::{Definition, TypeDefinition};
+use crate::emit::stage::Stages;
+use crate::function::{CompiledFunction, Operand, Shape};
+use crate::ir::{NodeId, Value};
+use crate::parse::{FunctionSyntax, ShapeSyntax};
+
+/// The functions as items, or a single closure as an expression. `path` is where the module of the algebra is found.
+#[must_use]
+pub fn functions(
+    definition: &Definition,
+    path: &TokenStream,
+    functions: &[CompiledFunction],
+) -> TokenStream {
+    let emitter = Emitter {
+        definition,
+        path,
+        runtime: &definition.runtime,
+    };
+    if let [closure] = functions
+        && closure.name.is_none()
+    {
+        let name = format_ident!("closure");
+        let items = emitter.function(closure, &name);
+        return quote! { { #items #name } };
+    }
+    functions
+        .iter()
+        .map(|function| {
+            let name = function.name.clone();
+            emitter.function(function, &name.unwrap_or_else(|| format_ident!("closure")))
+        })
+        .collect()
+}
+
+/// Functions of the same signatures that never return, to stand in for those with errors, so that their callers add none.
+#[must_use]
+pub fn function_stand_ins(
+    definition: &Definition,
+    path: &TokenStream,
+    functions: &[FunctionSyntax],
+) -> Option<TokenStream> {
+    let emitter = Emitter {
+        definition,
+        path,
+        runtime: &definition.runtime,
+    };
+    let mut items = TokenStream::new();
+    for function in functions {
+        let name = function.name.as_ref()?;
+        let shape = |syntax: &ShapeSyntax| Shape::resolve(definition, syntax).ok();
+        if function.operands.iter().any(|operand| operand.is_uniform) {
+            return None;
+        }
+        let parameters: Option<Vec<_>> = function
+            .operands
+            .iter()
+            .map(|operand| {
+                let (name, path) = (&operand.name, emitter.shape_path(&shape(&operand.shape)?));
+                Some(quote! { #name: #path })
+            })
+            .collect();
+        let (parameters, result) = (parameters?, emitter.shape_path(&shape(&function.result)?));
+        let (visibility, runtime) = (&function.visibility, emitter.runtime);
+        items.extend(quote! {
+            #[doc(hidden)]
+            #[allow(clippy::all, clippy::pedantic, unused_variables, missing_docs)]
+            #visibility fn #name<S: #runtime::scalar::Ring>(#(#parameters),*) -> #result {
+                loop {}
+            }
+        });
+    }
+    Some(items)
+}
+
+struct Emitter<'a> {
+    definition: &'a Definition,
+    path: &'a TokenStream,
+    runtime: &'a TokenStream,
+}
+
+impl Emitter<'_> {
+    fn function(&self, function: &CompiledFunction, name: &Ident) -> TokenStream {
+        if function.operands.iter().any(|operand| operand.is_uniform) {
+            return self.staged(function, name);
+        }
+        let (attributes, visibility) = (&function.attributes, &function.visibility);
+        let inputs = self.inputs(&function.operands);
+        let parameters = self.parameters(function.operands.iter());
+        let result = self.shape_path(&function.result);
+        let stages = Stages::new(&function.kernel);
+        let source = Source {
+            runtime: self.runtime,
+            inputs: &inputs,
+            given: &HashMap::new(),
+            prefix: prefix(&function.operands),
+        };
+        let kernel = &function.kernel;
+        let body = stage_body(&kernel.arena, stages.inner, &kernel.outputs, &source);
+        let (bound, statements) = (self.bound(&body), &body.statements);
+        let built = self.build(&function.result, &mut body.outputs.iter());
+        quote! {
+            #(#attributes)*
+            #[inline]
+            #[allow(clippy::all, clippy::pedantic, unused_variables)]
+            #visibility fn #name<S: #bound>(#(#parameters),*) -> #result {
+                #statements
+                #built
+            }
+        }
+    }
+
+    /// A function of uniform operands that gives a struct with their part of the work done, and the rest as its method.
+    fn staged(&self, function: &CompiledFunction, name: &Ident) -> TokenStream {
+        let (attributes, visibility) = (&function.attributes, &function.visibility);
+        let inputs = self.inputs(&function.operands);
+        let prefix = prefix(&function.operands);
+        let kernel = &function.kernel;
+        let Stages {
+            prologue,
+            inner,
+            handed,
+        } = Stages::new(kernel);
+        let fields: Vec<_> = (0..handed.len()).map(|k| format_ident!("c{k}")).collect();
+        let handed_values: Vec<_> = handed
+            .iter()
+            .map(|&node| Value {
+                factor: Ratio::ONE,
+                node,
+            })
+            .collect();
+        let first = Source {
+            runtime: self.runtime,
+            inputs: &inputs,
+            given: &HashMap::new(),
+            prefix,
+        };
+        let first = stage_body(&kernel.arena, prologue, &handed_values, &first);
+        let given: HashMap<NodeId, TokenStream> = handed
+            .iter()
+            .zip(&fields)
+            .map(|(&node, field)| (node, quote! { self.#field }))
+            .collect();
+        let second = Source {
+            runtime: self.runtime,
+            inputs: &inputs,
+            given: &given,
+            prefix,
+        };
+        let second = stage_body(&kernel.arena, inner, &kernel.outputs, &second);
+        let uniform = self.parameters(function.operands.iter().filter(|o| o.is_uniform));
+        let varying = self.parameters(function.operands.iter().filter(|o| !o.is_uniform));
+        let result = self.shape_path(&function.result);
+        let prepared = format_ident!("{}", camel_case(name), span = name.span());
+        let (first_bound, second_bound) = (self.bound(&first), self.bound(&second));
+        let (statements, values) = (&first.statements, &first.outputs);
+        let inner_statements = &second.statements;
+        let built = self.build(&function.result, &mut second.outputs.iter());
+        let text = format!(
+            "What [`{}`] works out once of its uniform operands.",
+            name.unraw()
+        );
+        quote! {
+            #[doc = #text]
+            #[derive(
+                ::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq
+            )]
+            #visibility struct #prepared<S> { #(#fields: S),* }
+
+            #[allow(clippy::all, clippy::pedantic, unused_variables, dead_code)]
+            impl<S> #prepared<S> {
+                /// The same over another scalar, number by number: lanes of one number each, for instance.
+                #[inline(always)]
+                #[must_use]
+                #visibility fn map<T>(self, mut function: impl ::core::ops::FnMut(S) -> T) -> #prepared<T> {
+                    #prepared { #(#fields: function(self.#fields)),* }
+                }
+            }
+
+            #[allow(clippy::all, clippy::pedantic, unused_variables, dead_code)]
+            impl<S: #second_bound> #prepared<S> {
+                /// The function's value for the operands that are not uniform.
+                #[inline(always)]
+                #[must_use]
+                #visibility fn apply(&self, #(#varying),*) -> #result {
+                    #inner_statements
+                    #built
+                }
+            }
+
+            #(#attributes)*
+            #[inline]
+            #[must_use]
+            #[allow(clippy::all, clippy::pedantic, unused_variables)]
+            #visibility fn #name<S: #first_bound>(#(#uniform),*) -> #prepared<S> {
+                #statements
+                #prepared { #(#fields: #values),* }
+            }
+        }
+    }
+
+    fn bound(&self, body: &Body) -> TokenStream {
+        let runtime = self.runtime;
+        let name = match body {
+            Body {
+                needs_real: true, ..
+            } => format_ident!("Real"),
+            Body {
+                needs_field: true, ..
+            } => format_ident!("Field"),
+            _ => format_ident!("Ring"),
+        };
+        quote! { #runtime::scalar::#name }
+    }
+
+    fn parameters<'o>(&self, operands: impl Iterator<Item = &'o Operand>) -> Vec<TokenStream> {
+        operands
+            .map(|operand| {
+                let (name, path) = (&operand.name, self.shape_path(&operand.shape));
+                quote! { #name: #path }
+            })
+            .collect()
+    }
+
+    fn shape_path(&self, shape: &Shape) -> TokenStream {
+        match shape {
+            Shape::Scalar => quote! { S },
+            Shape::Type(index) => {
+                let kind = &self.definition.types[*index];
+                let (path, name) = (self.path, &kind.name);
+                let scalar = (!kind.is_constant()).then(|| quote! { <S> });
+                quote! { #path::#name #scalar }
+            }
+            Shape::Array(element, count) => {
+                let element = self.shape_path(element);
+                quote! { [#element; #count] }
+            }
+            Shape::Tuple(parts) => {
+                let parts = parts.iter().map(|part| self.shape_path(part));
+                quote! { (#(#parts,)*) }
+            }
+        }
+    }
+
+    /// The expressions of all stored coefficients of all operands.
+    fn inputs(&self, operands: &[Operand]) -> Vec<TokenStream> {
+        let mut inputs = Vec::new();
+        for operand in operands {
+            let name = &operand.name;
+            self.coefficients(&operand.shape, &quote! { #name }, &mut inputs);
+        }
+        inputs
+    }
+
+    fn coefficients(&self, shape: &Shape, value: &TokenStream, inputs: &mut Vec<TokenStream>) {
+        match shape {
+            Shape::Scalar => inputs.push(value.clone()),
+            Shape::Type(index) => {
+                let kind = &self.definition.types[*index];
+                let call = (!kind.is_linear()).then(|| quote! { () });
+                inputs.extend(kind.stored().map(|coefficient| {
+                    let field = &coefficient.name;
+                    quote! { #value.#field #call }
+                }));
+            }
+            Shape::Array(element, count) => {
+                for index in 0..*count {
+                    let index = proc_macro2::Literal::usize_unsuffixed(index);
+                    self.coefficients(element, &quote! { #value[#index] }, inputs);
+                }
+            }
+            Shape::Tuple(parts) => {
+                for (index, part) in parts.iter().enumerate() {
+                    let index = proc_macro2::Literal::usize_unsuffixed(index);
+                    self.coefficients(part, &quote! { #value.#index }, inputs);
+                }
+            }
+        }
+    }
+
+    /// The result from its coefficients.
+    fn build<'v>(
+        &self,
+        shape: &Shape,
+        values: &mut impl Iterator<Item = &'v TokenStream>,
+    ) -> TokenStream {
+        match shape {
+            Shape::Scalar => values.next().cloned().unwrap_or_default(),
+            Shape::Type(index) => self.member(&self.definition.types[*index], values),
+            Shape::Array(element, count) => {
+                let parts: Vec<_> = (0..*count).map(|_| self.build(element, values)).collect();
+                quote! { [#(#parts),*] }
+            }
+            Shape::Tuple(parts) => {
+                let parts: Vec<_> = parts.iter().map(|part| self.build(part, values)).collect();
+                quote! { (#(#parts,)*) }
+            }
+        }
+    }
+
+    fn member<'v>(
+        &self,
+        kind: &TypeDefinition,
+        values: &mut impl Iterator<Item = &'v TokenStream>,
+    ) -> TokenStream {
+        let (path, name) = (self.path, &kind.name);
+        if kind.is_constant() {
+            return quote! { #path::#name };
+        }
+        let fields: Vec<_> = values.take(kind.stored().count()).collect();
+        let constructor = if kind.facts_are_implied {
+            format_ident!("new")
+        } else {
+            format_ident!("new_unchecked")
+        };
+        quote! { #path::#name::#constructor(#(#fields),*) }
+    }
+}
+
+/// How variables are called so that no operand is in their way.
+fn prefix(operands: &[Operand]) -> &'static str {
+    let is_taken = |operand: &Operand| {
+        let name = operand.name.to_string();
+        let rest = name.strip_prefix('t');
+        rest.is_some_and(|rest| rest.bytes().all(|byte| byte.is_ascii_digit()))
+    };
+    if operands.iter().any(is_taken) {
+        "node"
+    } else {
+        "t"
+    }
+}

@@ -1,0 +1,215 @@
+//! Programs to graphs, one step at a time.
+
+use super::SandwichRule;
+use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
+use crate::ir::{Arena, Facts, Multivector, Value};
+use crate::program::{Program, Step, StepId};
+
+/// Lowers the wanted steps of a program over operands that are already in the arena, and what they need.
+#[must_use]
+pub fn lower(
+    arena: &mut Arena,
+    algebra: &Algebra,
+    program: &Program<'_>,
+    operands: &[Multivector],
+    wanted: &[StepId],
+    rule: SandwichRule,
+) -> Vec<Multivector> {
+    let mut uses = vec![0; program.len()];
+    for (_, step) in program.steps() {
+        for read in step.reads() {
+            uses[read.index()] += 1;
+        }
+    }
+    let mut lowering = Lowering {
+        arena,
+        algebra,
+        program,
+        operands,
+        rule,
+        values: vec![Multivector::default(); uses.len()],
+        uses,
+    };
+    let needed = lowering.needed(wanted);
+    for (id, step) in program.steps().filter(|(id, _)| needed[id.index()]) {
+        let value = lowering.step(id, step);
+        let facts = value.facts.and(program.stated(id));
+        lowering.values[id.index()] = value.with_facts(facts);
+    }
+    wanted
+        .iter()
+        .map(|id| lowering.values[id.index()].clone())
+        .collect()
+}
+
+struct Lowering<'a> {
+    arena: &'a mut Arena,
+    algebra: &'a Algebra,
+    program: &'a Program<'a>,
+    operands: &'a [Multivector],
+    rule: SandwichRule,
+    values: Vec<Multivector>,
+    /// How often each step is read.
+    uses: Vec<usize>,
+}
+
+impl Lowering<'_> {
+    fn needed(&self, wanted: &[StepId]) -> Vec<bool> {
+        let mut needed = vec![false; self.uses.len()];
+        for id in wanted {
+            needed[id.index()] = true;
+        }
+        for (id, step) in self.program.steps().rev() {
+            if !needed[id.index()] {
+                continue;
+            }
+            let reads = match step {
+                Step::Binary(Product::Geometric, ..) => self.factors(id),
+                _ => step.reads(),
+            };
+            for read in reads {
+                needed[read.index()] = true;
+            }
+        }
+        needed
+    }
+
+    fn step(&mut self, id: StepId, step: &Step) -> Multivector {
+        let value = |id: &StepId| self.values[id.index()].clone();
+        let scalar = |id: &StepId| self.values[id.index()].coefficient(Blade::SCALAR);
+        match step {
+            Step::Operand(number) => self.operands[*number].clone(),
+            Step::Constant(blade, factor) => {
+                Multivector::new(self.arena, [(*blade, Value::constant(*factor))])
+            }
+            Step::Unary(operation, a) => {
+                let a = value(a);
+                let facts = match operation {
+                    Unary::Reverse => a.facts.of_reverse(),
+                    _ => Facts::default(),
+                };
+                a.unary(self.arena, self.algebra, *operation)
+                    .with_facts(facts)
+            }
+            Step::Binary(Product::Geometric, ..) => {
+                let factors = self.factors(id);
+                self.chain(&factors)
+            }
+            Step::Binary(product, a, b) => {
+                let (a, b) = (value(a), value(b));
+                a.product(self.arena, self.algebra, *product, &b, |_| true)
+            }
+            Step::Sandwich(versor, operand) => {
+                let (versor, operand) = (value(versor), value(operand));
+                self.sandwich(&versor, &operand)
+            }
+            Step::Sum(a, b) => {
+                let (a, b) = (value(a), value(b));
+                a.sum(self.arena, &b)
+            }
+            Step::Quotient(a, b) => {
+                let (dividend, divisor) = (value(a), scalar(b));
+                let quotients: Vec<_> = dividend
+                    .terms()
+                    .iter()
+                    .filter_map(|&(blade, value)| {
+                        Some((blade, self.arena.quotient(value, divisor)?))
+                    })
+                    .collect();
+                Multivector::new(self.arena, quotients)
+            }
+            Step::Negative(a) => {
+                let a = value(a);
+                // −M moves as M does, and its norm is the same.
+                let facts = Facts {
+                    weight: None,
+                    ..a.facts
+                };
+                a.scaled(Ratio::integer(-1)).with_facts(facts)
+            }
+            Step::Coefficient(a, blade) => {
+                let coefficient = value(a).coefficient(*blade);
+                Multivector::new(self.arena, [(Blade::SCALAR, coefficient)])
+            }
+            Step::Function(function, arguments) => {
+                let arguments: Vec<_> = arguments.iter().map(scalar).collect();
+                let result = self.arena.function(*function, &arguments);
+                Multivector::new(self.arena, [(Blade::SCALAR, result)])
+            }
+        }
+    }
+
+    fn sandwich(&mut self, versor: &Multivector, operand: &Multivector) -> Multivector {
+        let plain = SandwichRule::LeftFirst;
+        self.rule
+            .lower(self.arena, self.algebra, versor, operand)
+            .or_else(|| plain.lower(self.arena, self.algebra, versor, operand))
+            .unwrap_or_default()
+    }
+
+    /// The factors of a geometric product from left to right: a product is associative. A product that is read elsewhere
+    /// too is one factor.
+    fn factors(&self, id: StepId) -> Vec<StepId> {
+        let mut factors = Vec::new();
+        if let Step::Binary(Product::Geometric, a, b) = self.program.step(id) {
+            for part in [*a, *b] {
+                let is_product = matches!(
+                    self.program.step(part),
+                    Step::Binary(Product::Geometric, ..)
+                );
+                if is_product && self.uses[part.index()] == 1 {
+                    factors.extend(self.factors(part));
+                } else {
+                    factors.push(part);
+                }
+            }
+        }
+        factors
+    }
+
+    /// A product of factors. `M … ~M` with an even M is the action of a versor.
+    fn chain(&mut self, factors: &[StepId]) -> Multivector {
+        if let [first, middle @ .., last] = factors
+            && !middle.is_empty()
+            && self.is_reverse_of(*first, *last)
+            && is_even(&self.values[first.index()])
+        {
+            let versor = self.values[first.index()].clone();
+            let operand = self.chain(middle);
+            return self.sandwich(&versor, &operand);
+        }
+        // The longest action inside, then the rest from left to right.
+        let (head, tail) = match factors {
+            [single] => return self.values[single.index()].clone(),
+            [head @ .., tail] => (head, tail),
+            [] => return Multivector::default(),
+        };
+        let start = (0..head.len().saturating_sub(1))
+            .find(|&start| self.is_reverse_of(head[start], *tail))
+            .filter(|&start| start > 0 && is_even(&self.values[head[start].index()]));
+        let (left, right) = match start {
+            Some(start) => (self.chain(&factors[..start]), self.chain(&factors[start..])),
+            None => (self.chain(head), self.values[tail.index()].clone()),
+        };
+        let facts = left.facts.of_product(right.facts);
+        left.product(self.arena, self.algebra, Product::Geometric, &right, |_| {
+            true
+        })
+        .with_facts(facts)
+    }
+
+    fn is_reverse_of(&self, a: StepId, b: StepId) -> bool {
+        let reversed = |id: StepId| match self.program.step(id) {
+            Step::Unary(Unary::Reverse, inner) => Some(*inner),
+            _ => None,
+        };
+        reversed(a) == Some(b) || reversed(b) == Some(a)
+    }
+}
+
+fn is_even(value: &Multivector) -> bool {
+    value
+        .terms()
+        .iter()
+        .all(|(blade, _)| !blade.involute_is_negative())
+}

@@ -1,0 +1,225 @@
+//! The grammar of functions in an algebra: `fn name(m: Motor, p: Point) -> Point { m * p * m.reverse() }`.
+//!
+//! Products are `*` geometric, `^` wedge, `|` left contraction and `&` vee; everything else is a method or a
+//! function of the same name: `reverse(m)`, `m.sandwich(p)`, `commutator(a, b)`. A closure, `|m: Motor, p: Point| -> Point { … }`, is a
+//! function without a name.
+
+use syn::ext::IdentExt;
+use syn::parse::{Parse, ParseStream};
+use syn::punctuated::Punctuated;
+use syn::{
+    Attribute, Ident, LitInt, Result, Token, Visibility, braced, bracketed, parenthesized, token,
+};
+
+use super::formula::Formula;
+
+/// A function: operands with their types, the type of the result, and the body.
+#[derive(Clone)]
+pub struct FunctionSyntax {
+    /// Doc comments and other attributes.
+    pub attributes: Vec<Attribute>,
+    /// The visibility.
+    pub visibility: Visibility,
+    /// The name; a closure has none.
+    pub name: Option<Ident>,
+    /// The operands.
+    pub operands: Vec<OperandSyntax>,
+    /// The type of the result.
+    pub result: ShapeSyntax,
+    /// The `let` statements.
+    pub statements: Vec<LetSyntax>,
+    /// What comes out.
+    pub value: Formula,
+}
+
+/// An operand.
+#[derive(Clone)]
+pub struct OperandSyntax {
+    /// Its name.
+    pub name: Ident,
+    /// Its type.
+    pub shape: ShapeSyntax,
+    /// Whether it is marked `uniform`.
+    pub is_uniform: bool,
+}
+
+/// A type: one of the algebra or `Scalar`, an array or a tuple.
+#[derive(Clone)]
+pub enum ShapeSyntax {
+    /// A name.
+    Name(Ident),
+    /// `[T; 3]`.
+    Array(Box<ShapeSyntax>, usize),
+    /// `(T, U)`.
+    Tuple(Vec<ShapeSyntax>),
+}
+
+/// `let pattern: Type = formula;`
+#[derive(Clone)]
+pub struct LetSyntax {
+    /// What is bound.
+    pub pattern: PatternSyntax,
+    /// The type that the value must have.
+    pub shape: Option<ShapeSyntax>,
+    /// The value.
+    pub value: Formula,
+}
+
+/// The left side of a `let`.
+#[derive(Clone)]
+pub enum PatternSyntax {
+    /// A name.
+    Name(Ident),
+    /// `_`.
+    Wildcard,
+    /// `(a, b)` or `[a, b]`.
+    Parts(proc_macro2::Span, Vec<PatternSyntax>),
+}
+
+/// Reads one function.
+///
+/// # Errors
+/// The first place where the tokens leave the grammar, or a mix of operators without parentheses.
+pub fn parse_function(tokens: proc_macro2::TokenStream) -> Result<FunctionSyntax> {
+    syn::parse2(tokens)
+}
+
+/// Reads any number of functions.
+///
+/// # Errors
+/// As for one; none at all is an error too.
+pub fn parse_functions(tokens: proc_macro2::TokenStream) -> Result<Vec<FunctionSyntax>> {
+    let parser = |input: ParseStream<'_>| {
+        let mut functions = vec![input.parse()?];
+        while !input.is_empty() {
+            functions.push(input.parse()?);
+        }
+        Ok(functions)
+    };
+    syn::parse::Parser::parse2(parser, tokens)
+}
+
+impl Parse for FunctionSyntax {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        let attributes = input.call(Attribute::parse_outer)?;
+        let visibility = input.parse()?;
+        let (name, operands) = if input.peek(Token![|]) {
+            input.parse::<Token![|]>()?;
+            let list = Punctuated::<_, Token![,]>::parse_separated_nonempty(input)?;
+            input.parse::<Token![|]>()?;
+            (None, list)
+        } else {
+            let name = if input.peek(token::Paren) {
+                None
+            } else {
+                input.parse::<Token![fn]>()?;
+                Some(input.parse()?)
+            };
+            let list;
+            parenthesized!(list in input);
+            (name, Punctuated::<_, Token![,]>::parse_terminated(&list)?)
+        };
+        input.parse::<Token![->]>()?;
+        let result = input.parse()?;
+        let block;
+        braced!(block in input);
+        let mut statements = Vec::new();
+        while block.peek(Token![let]) {
+            statements.push(block.parse()?);
+        }
+        if block.is_empty() {
+            return Err(block.error("the body ends with the formula of its result"));
+        }
+        let value = Formula::parse(&block)?;
+        if !block.is_empty() {
+            return Err(block.error("expected an operator or the end of the formula"));
+        }
+        Ok(Self {
+            attributes,
+            visibility,
+            name,
+            operands: operands.into_iter().collect(),
+            result,
+            statements,
+            value,
+        })
+    }
+}
+
+impl Parse for OperandSyntax {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        let first = input.call(Ident::parse_any)?;
+        let is_uniform = first == "uniform" && !input.peek(Token![:]);
+        let name = if is_uniform { input.parse()? } else { first };
+        input.parse::<Token![:]>()?;
+        Ok(Self {
+            name,
+            shape: input.parse()?,
+            is_uniform,
+        })
+    }
+}
+
+impl Parse for ShapeSyntax {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        if input.peek(token::Bracket) {
+            let inner;
+            bracketed!(inner in input);
+            let element = inner.parse()?;
+            inner.parse::<Token![;]>()?;
+            let count: LitInt = inner.parse()?;
+            return Ok(Self::Array(Box::new(element), count.base10_parse()?));
+        }
+        if input.peek(token::Paren) {
+            let inner;
+            parenthesized!(inner in input);
+            let parts = Punctuated::<_, Token![,]>::parse_terminated(&inner)?;
+            let parts: Punctuated<Self, Token![,]> = parts;
+            return Ok(Self::Tuple(parts.into_iter().collect()));
+        }
+        input.parse().map(Self::Name)
+    }
+}
+
+impl Parse for LetSyntax {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        input.parse::<Token![let]>()?;
+        let pattern = input.parse()?;
+        let shape = if input.peek(Token![:]) {
+            input.parse::<Token![:]>()?;
+            Some(input.parse()?)
+        } else {
+            None
+        };
+        input.parse::<Token![=]>()?;
+        let value = Formula::parse(input)?;
+        input.parse::<Token![;]>()?;
+        Ok(Self {
+            pattern,
+            shape,
+            value,
+        })
+    }
+}
+
+impl Parse for PatternSyntax {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        if input.peek(Token![_]) {
+            input.parse::<Token![_]>()?;
+            return Ok(Self::Wildcard);
+        }
+        if input.peek(Token![mut]) {
+            return Err(input.error("names are bound once here; leave out `mut`"));
+        }
+        let parts;
+        let span = if input.peek(token::Paren) {
+            parenthesized!(parts in input).span.join()
+        } else if input.peek(token::Bracket) {
+            bracketed!(parts in input).span.join()
+        } else {
+            return input.parse().map(Self::Name);
+        };
+        let list = Punctuated::<Self, Token![,]>::parse_terminated(&parts)?;
+        Ok(Self::Parts(span, list.into_iter().collect()))
+    }
+}

@@ -1,0 +1,233 @@
+//! Operations that are made of several steps: inverses, norms, exponentials and logarithms.
+//!
+//! Each asks the witness which form its operand allows, and says what is missing where there is none.
+
+use super::{Program, Step, StepId, Witness};
+use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
+use crate::function::Operand;
+use crate::ir::{Facts, Function};
+
+/// A program under construction, with its values at random points.
+#[derive(Clone)]
+pub(super) struct Builder<'a> {
+    pub(super) algebra: &'a Algebra,
+    pub(super) program: Program<'a>,
+    pub(super) witness: Witness,
+    /// The operands as they are declared, for messages.
+    pub(super) operands: Vec<Operand>,
+}
+
+/// Why an operation has no meaning here.
+pub(super) type Outcome = Result<StepId, String>;
+
+impl Builder<'_> {
+    /// A step that exists at random points.
+    pub(super) fn push(&mut self, step: Step) -> Outcome {
+        let is_quotient = matches!(step, Step::Quotient(..));
+        let id = self.program.push(step);
+        if self.witness.extend(self.algebra, &self.program) {
+            return Ok(id);
+        }
+        Err(if is_quotient {
+            "the divisor is always zero".to_owned()
+        } else {
+            "no operands were found for which this exists".to_owned()
+        })
+    }
+
+    pub(super) fn number(&mut self, value: Ratio) -> Outcome {
+        self.push(Step::Constant(Blade::SCALAR, value))
+    }
+
+    pub(super) fn geometric(&mut self, a: StepId, b: StepId) -> Outcome {
+        self.push(Step::Binary(Product::Geometric, a, b))
+    }
+
+    fn scaled(&mut self, a: StepId, numerator: i64, denominator: i64) -> Outcome {
+        let factor = Ratio::new(i128::from(numerator), i128::from(denominator));
+        let factor = self.number(factor.unwrap_or(Ratio::ZERO))?;
+        self.geometric(factor, a)
+    }
+
+    fn difference(&mut self, a: StepId, b: StepId) -> Outcome {
+        let negative = self.push(Step::Negative(b))?;
+        self.push(Step::Sum(a, negative))
+    }
+
+    fn scalar_of(&mut self, a: StepId) -> Outcome {
+        self.push(Step::Coefficient(a, Blade::SCALAR))
+    }
+
+    fn reverse(&mut self, a: StepId) -> Outcome {
+        self.push(Step::Unary(Unary::Reverse, a))
+    }
+
+    pub(super) fn function(&mut self, function: Function, arguments: &[StepId]) -> Outcome {
+        for &argument in arguments {
+            if !self.witness.is_scalar(argument) {
+                let found = self.blade_names(argument);
+                return Err(format!("takes a scalar, and this has {found}"));
+            }
+        }
+        self.push(Step::Function(function, arguments.to_vec()))
+    }
+
+    /// The blades of a step, for messages.
+    pub(super) fn blade_names(&self, id: StepId) -> String {
+        let blades = self.witness.blades(id);
+        if blades.is_empty() {
+            return "no blade, it is zero".to_owned();
+        }
+        let names: Vec<_> = blades
+            .iter()
+            .map(|&blade| self.algebra.names().name(blade))
+            .collect();
+        names.join(", ")
+    }
+
+    /// The scalar part of `a ~a`.
+    pub(super) fn norm_squared(&mut self, a: StepId) -> Outcome {
+        let reverse = self.reverse(a)?;
+        self.push(Step::Binary(Product::ScalarProduct, a, reverse))
+    }
+
+    /// `√|⟨a ~a⟩₀|`.
+    pub(super) fn norm(&mut self, a: StepId) -> Outcome {
+        let square = self.norm_squared(a)?;
+        let size = self.function(Function::Absolute, &[square])?;
+        self.function(Function::SquareRoot, &[size])
+    }
+
+    /// `~a/(a ~a)` where `a ~a` is a scalar.
+    pub(super) fn inverse(&mut self, a: StepId) -> Outcome {
+        let reverse = self.reverse(a)?;
+        if self.witness.is_unit_versor(self.algebra, a) {
+            return Ok(reverse);
+        }
+        let norm = self.geometric(a, reverse)?;
+        if !self.witness.is_scalar(norm) {
+            let found = self.blade_names(norm);
+            return Err(format!(
+                "takes a blade or a versor, for which a ~a is a scalar; here it has {found}"
+            ));
+        }
+        let norm = self.scalar_of(norm)?;
+        self.push(Step::Quotient(reverse, norm))
+    }
+
+    /// `a (a ~a)^(−1/2)`, where `a ~a` is a scalar n, or a scalar and a part p that commutes with everything here and has
+    /// `p² = 0`: then `(n + p)^(−1/2) = n^(−1/2) (1 − p/2n)`.
+    pub(super) fn normalize(&mut self, a: StepId) -> Outcome {
+        if self.witness.is_unit_versor(self.algebra, a) {
+            return Ok(a);
+        }
+        let reverse = self.reverse(a)?;
+        let norm = self.geometric(a, reverse)?;
+        let scalar = self.scalar_of(norm)?;
+        let root = self.function(Function::SquareRoot, &[scalar])?;
+        let unit = self.push(Step::Quotient(a, root))?;
+        if self.witness.is_scalar(norm) {
+            return Ok(unit);
+        }
+        let rest = self.difference(norm, scalar)?;
+        self.check_null_part(rest, a, "a ~a")?;
+        let double = self.push(Step::Sum(scalar, scalar))?;
+        let relative = self.push(Step::Quotient(rest, double))?;
+        let change = self.geometric(relative, unit)?;
+        self.difference(unit, change)
+    }
+
+    /// The versor `exp B = C(B²) + S(B²) B` with C(x) = cos √−x, S(x) = sin √−x / √−x (cosh and sinh for x > 0), where B² is a
+    /// scalar a, or a scalar and a part p as above: then `C(a + p) = C + ½ S p` and `S(a + p) = S + S′ p`.
+    pub(super) fn exponential(&mut self, b: StepId) -> Outcome {
+        if self.witness.is_scalar(b) {
+            return self.function(Function::Exponential, &[b]);
+        }
+        let blades = self.witness.blades(b);
+        if blades.iter().any(|blade| blade.grade() != 2) {
+            let found = self.blade_names(b);
+            return Err(format!(
+                "takes a scalar or a bivector, and this has {found}"
+            ));
+        }
+        let square = self.geometric(b, b)?;
+        let scalar = self.scalar_of(square)?;
+        let [cosine, sine, slope] = [
+            Function::VersorCosine,
+            Function::VersorSine,
+            Function::VersorSineSlope,
+        ]
+        .map(|function| self.function(function, &[scalar]));
+        let (cosine, sine) = (cosine?, sine?);
+        let result = if self.witness.is_scalar(square) {
+            let part = self.geometric(sine, b)?;
+            self.push(Step::Sum(cosine, part))?
+        } else {
+            let rest = self.difference(square, scalar)?;
+            self.check_null_part(rest, b, "B²")?;
+            let half = self.scaled(sine, 1, 2)?;
+            let first = self.geometric(half, rest)?;
+            let even = self.push(Step::Sum(cosine, first))?;
+            let change = self.geometric(slope?, rest)?;
+            let factor = self.push(Step::Sum(sine, change))?;
+            let odd = self.geometric(factor, b)?;
+            self.push(Step::Sum(even, odd))?
+        };
+        self.unit_versor(result)
+    }
+
+    /// The bivector B with `exp B = M`: `⟨M⟩₂ = S(B²) B`, and what is of grade 4 changes B² as above.
+    pub(super) fn logarithm(&mut self, m: StepId) -> Outcome {
+        if self.witness.is_scalar(m) && !self.witness.is_unit_versor(self.algebra, m) {
+            return self.function(Function::NaturalLogarithm, &[m]);
+        }
+        let is_even = self
+            .witness
+            .blades(m)
+            .iter()
+            .all(|b| [0, 2, 4].contains(&b.grade()));
+        if !is_even || !self.witness.is_unit_versor(self.algebra, m) {
+            return Err(
+                "takes a scalar or an even versor with M ~M = 1; `normalize` makes one".to_owned(),
+            );
+        }
+        let scalar = self.scalar_of(m)?;
+        let part = self.push(Step::Unary(Unary::Grade(2), m))?;
+        let square = self.push(Step::Binary(Product::ScalarProduct, part, part))?;
+        let angle = self.function(Function::VersorAngle, &[scalar, square])?;
+        let first = self.geometric(angle, part)?;
+        let rest = self.push(Step::Unary(Unary::Grade(4), m))?;
+        if self.witness.is_zero(rest) {
+            return Ok(first);
+        }
+        self.check_null_part(rest, m, "the part of grade 4")?;
+        let slope = self.function(Function::VersorAngleSlope, &[scalar, square])?;
+        let scaled = self.geometric(slope, rest)?;
+        let change = self.geometric(scaled, part)?;
+        self.push(Step::Sum(first, change))
+    }
+
+    /// Checks that a part squares to zero and commutes with what it comes from.
+    fn check_null_part(&mut self, part: StepId, with: StepId, what: &str) -> Result<(), String> {
+        let square = self.geometric(part, part)?;
+        let commutator = self.push(Step::Binary(Product::Commutator, part, with))?;
+        if self.witness.is_zero(square) && self.witness.is_zero(commutator) {
+            return Ok(());
+        }
+        let found = self.blade_names(part);
+        Err(format!(
+            "is known here where {what} is a scalar but for a commuting part of square zero; that part has {found}"
+        ))
+    }
+
+    /// States that a step is a unit versor, if it is.
+    pub(super) fn unit_versor(&mut self, id: StepId) -> Outcome {
+        let unit_versor = self.witness.is_unit_versor(self.algebra, id);
+        let facts = Facts {
+            unit_versor,
+            ..Facts::default()
+        };
+        self.program.state(id, facts);
+        Ok(id)
+    }
+}

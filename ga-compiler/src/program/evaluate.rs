@@ -1,0 +1,62 @@
+//! The plain meaning of a program, over the prime field.
+
+use super::{Program, Step, StepId};
+use crate::algebra::{Algebra, Blade};
+use crate::ir::Prime;
+use crate::verify::numeric::{self, Numbers};
+
+/// The value of every step for given members of the operands' types, operation by operation as they are written: no
+/// identity, no fact, no graph. `None` where a root does not exist or a divisor is zero at this point.
+#[must_use]
+pub fn evaluate(
+    algebra: &Algebra,
+    program: &Program<'_>,
+    members: &[Numbers],
+) -> Option<Vec<Numbers>> {
+    let mut values = Vec::with_capacity(program.steps.len());
+    for (_, step) in program.steps() {
+        let value = evaluate_step(algebra, step, members, &values)?;
+        values.push(value);
+    }
+    Some(values)
+}
+
+/// The value of one step, from those of the steps before it.
+pub(super) fn evaluate_step(
+    algebra: &Algebra,
+    step: &Step,
+    members: &[Numbers],
+    values: &[Numbers],
+) -> Option<Numbers> {
+    let value = |id: StepId| &values[id.index()];
+    let scalar = |id: StepId| numeric::coefficient(value(id), Blade::SCALAR);
+    Some(match step {
+        Step::Operand(number) => members[*number].clone(),
+        Step::Constant(blade, factor) => Numbers::from([(*blade, Prime::from_ratio(*factor))]),
+        Step::Unary(operation, a) => numeric::unary(algebra, *operation, value(*a)),
+        Step::Binary(product, a, b) => numeric::product(algebra, *product, value(*a), value(*b)),
+        Step::Sandwich(m, x) => numeric::sandwich(algebra, value(*m), value(*x)),
+        Step::Sum(a, b) => {
+            let mut sum = value(*a).clone();
+            for (&blade, &number) in value(*b) {
+                numeric::add(&mut sum, blade, number);
+            }
+            sum
+        }
+        Step::Quotient(a, b) => {
+            let divisor = scalar(*b);
+            if divisor == Prime::ZERO {
+                return None;
+            }
+            numeric::scaled(value(*a), divisor.recip())
+        }
+        Step::Negative(a) => numeric::scaled(value(*a), -Prime::ONE),
+        Step::Coefficient(a, blade) => {
+            Numbers::from([(Blade::SCALAR, numeric::coefficient(value(*a), *blade))])
+        }
+        Step::Function(function, arguments) => {
+            let arguments: Vec<_> = arguments.iter().map(|&id| scalar(id)).collect();
+            Numbers::from([(Blade::SCALAR, function.evaluate(&arguments)?)])
+        }
+    })
+}

@@ -1,0 +1,32 @@
+//! Why a value is no member of a type.
+
+use std::fmt;
+
+use crate::algebra::{Blade, Ratio};
+
+/// One reason.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// These blades are there, and the type has them not.
+    LeftOver(Vec<(Blade, String)>),
+    /// The coefficient of the blade of that name is not the constant that it is in the type.
+    NotConstant(Blade, String, Ratio),
+    /// The coefficient of the blade of that name does not follow from the others as it does in the type.
+    NotDerived(Blade, String),
+    /// A fact of the type does not hold.
+    Fact(&'static str),
+}
+
+impl fmt::Display for Reason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::LeftOver(blades) => {
+                let names: Vec<_> = blades.iter().map(|(_, name)| name.as_str()).collect();
+                write!(f, "left over: {}", names.join(", "))
+            }
+            Self::NotConstant(_, name, constant) => write!(f, "{name} is not {constant}"),
+            Self::NotDerived(_, name) => write!(f, "{name} is not as derived"),
+            Self::Fact(fact) => write!(f, "not `{fact}`"),
+        }
+    }
+}
