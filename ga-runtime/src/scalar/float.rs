@@ -43,6 +43,14 @@ macro_rules! implement_float {
                     self * factor + summand
                 }
             }
+            #[inline]
+            fn mul_sub(self, factor: Self, subtrahend: Self) -> Self {
+                Ring::mul_add(self, factor, -subtrahend)
+            }
+            #[inline]
+            fn neg_mul_add(self, factor: Self, summand: Self) -> Self {
+                Ring::mul_add(-self, factor, summand)
+            }
         }
 
         impl Field for $type {

@@ -122,6 +122,20 @@ impl<T: Ring, const N: usize> Ring for Lanes<T, N> {
         }
         self
     }
+    #[inline(always)]
+    fn mul_sub(mut self, factor: Self, subtrahend: Self) -> Self {
+        for ((lane, factor), subtrahend) in self.0.iter_mut().zip(&factor.0).zip(&subtrahend.0) {
+            *lane = lane.mul_sub(*factor, *subtrahend);
+        }
+        self
+    }
+    #[inline(always)]
+    fn neg_mul_add(mut self, factor: Self, summand: Self) -> Self {
+        for ((lane, factor), summand) in self.0.iter_mut().zip(&factor.0).zip(&summand.0) {
+            *lane = lane.neg_mul_add(*factor, *summand);
+        }
+        self
+    }
 }
 
 impl<T: Field, const N: usize> Field for Lanes<T, N> {

@@ -75,6 +75,18 @@ pub trait Ring:
     fn mul_add(self, factor: Self, summand: Self) -> Self {
         self * factor + summand
     }
+
+    /// `self · factor − subtrahend`, rounded like [`mul_add`](Self::mul_add).
+    #[inline]
+    fn mul_sub(self, factor: Self, subtrahend: Self) -> Self {
+        self * factor - subtrahend
+    }
+
+    /// `summand − self · factor`, rounded like [`mul_add`](Self::mul_add).
+    #[inline]
+    fn neg_mul_add(self, factor: Self, summand: Self) -> Self {
+        summand - self * factor
+    }
 }
 
 /// A ring with division, in which almost every element has an inverse.

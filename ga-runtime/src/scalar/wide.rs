@@ -51,6 +51,14 @@ macro_rules! implement_wide {
             fn mul_add(self, factor: Self, summand: Self) -> Self {
                 Self::mul_add(self, factor, summand)
             }
+            #[inline(always)]
+            fn mul_sub(self, factor: Self, subtrahend: Self) -> Self {
+                Self::mul_sub(self, factor, subtrahend)
+            }
+            #[inline(always)]
+            fn neg_mul_add(self, factor: Self, summand: Self) -> Self {
+                Self::mul_neg_add(self, factor, summand)
+            }
         }
 
         impl Field for $type {

@@ -215,26 +215,84 @@ impl Writer<'_> {
         quote! { -#node }
     }
 
-    /// A sum whose first term has a positive factor.
+    /// A sum whose first term has a positive factor. A product that is read here only is fused with the addition.
     fn sum(&mut self, terms: &[Value]) -> TokenStream {
+        // A product and a plain term make one fused operation if the product comes second.
+        let mut terms = terms.to_vec();
+        if let [first, second, ..] = terms.as_mut_slice()
+            && self.fused(*first).is_some()
+            && self.fused(*second).is_none()
+            && !second.factor.is_negative()
+        {
+            std::mem::swap(first, second);
+        }
         let mut tokens = TokenStream::new();
-        for (place, term) in terms.iter().enumerate() {
+        for (place, term) in terms.into_iter().enumerate() {
             let size = Value {
                 factor: term.factor.abs(),
-                ..*term
+                ..term
             };
+            let is_negative = term.factor.is_negative();
+            if place > 0
+                && let Some((left, right)) = self.fused(term)
+            {
+                let method = if is_negative {
+                    "neg_mul_add"
+                } else {
+                    "mul_add"
+                };
+                let method = format_ident!("{method}");
+                tokens = quote! { #left.#method(#right, #tokens) };
+                continue;
+            }
             let text = if size.factor == Ratio::ONE && term.node != Arena::ONE {
                 self.operand(term.node)
             } else {
                 self.value(size)
             };
-            match (place, term.factor.is_negative()) {
-                (0, _) => tokens.extend(text),
-                (_, false) => tokens.extend(quote! { + #text }),
-                (_, true) => tokens.extend(quote! { - #text }),
-            }
+            tokens = match (place, is_negative) {
+                (0, _) => text,
+                (_, false) => quote! { #tokens + #text },
+                (_, true) => quote! { #tokens - #text },
+            };
         }
         tokens
+    }
+
+    /// The factors of a term that is a product and read here only: the receiver of a method, and its argument.
+    fn fused(&mut self, term: Value) -> Option<(TokenStream, TokenStream)> {
+        let size = term.factor.abs();
+        if term.node == Arena::ONE {
+            return None;
+        }
+        if size != Ratio::ONE {
+            let (factor, node) = (self.constant(size), self.receiver(term.node));
+            return Some((node, factor));
+        }
+        if self.stage.uses[term.node.index()] > 1 || self.source.given.contains_key(&term.node) {
+            return None;
+        }
+        match *self.arena.node(term.node) {
+            Node::Product(a, b) => {
+                let (receiver, argument) = (self.receiver(a), self.read(b));
+                Some((receiver, argument))
+            }
+            _ => None,
+        }
+    }
+
+    /// A node as the receiver of a method.
+    fn receiver(&mut self, id: NodeId) -> TokenStream {
+        let read = self.read(id);
+        let is_compound = matches!(
+            self.arena.node(id),
+            Node::Sum(_) | Node::Product(..) | Node::Quotient(..)
+        );
+        if is_compound && !self.source.given.contains_key(&id) && self.stage.uses[id.index()] == 1 {
+            quote! { (#read) }
+        } else {
+            read
+        }
     }
 
     /// A node where it is read: its variable, or its expression where this is the only place.
