@@ -1,0 +1,103 @@
+//! The passes together.
+
+use super::rate::Rates;
+use super::rewrite::Graph;
+use super::{cost, factor, flatten, reduce, scale, schedule, share, substitute};
+use crate::ir::{Arena, Node, Value};
+
+/// Rewrites a graph to an equal one that costs no more.
+///
+/// `uniform` marks inputs that are the same for all elements of a batch; those beyond its end vary. What depends on uniform inputs
+/// only counts after the rest. `relations` are values of the arena that are known to be zero.
+#[must_use]
+pub fn optimise(arena: Arena, outputs: Vec<Value>, uniform: &[bool], relations: &[Value]) -> Graph {
+    let mut starts = Vec::new();
+    starts.extend(reduced(&arena, &outputs, relations));
+    starts.push(flatten(&arena, &outputs).unwrap_or_else(|| (arena.clone(), outputs.clone())));
+    let mut best = Candidate::new((arena, outputs), uniform);
+    let orders: [&[Pass]; 2] = [&[Pass::Factor, Pass::Share], &[Pass::Share, Pass::Factor]];
+    for start in &starts {
+        for order in orders {
+            let mut graph = start.clone();
+            for pass in order {
+                graph = pass.apply(graph, uniform);
+            }
+            graph = apply(graph, substitute);
+            graph = Pass::Scale.apply(graph, uniform);
+            let next = Candidate::new(graph, uniform);
+            if next.price < best.price {
+                best = next;
+            }
+        }
+    }
+    best.graph
+}
+
+/// The graph flattened and reduced, if the relations serve.
+fn reduced(arena: &Arena, outputs: &[Value], relations: &[Value]) -> Option<Graph> {
+    if relations.is_empty() {
+        return None;
+    }
+    // The relations come along as outputs, so that their terms are those of the flattened graph.
+    let all: Vec<Value> = outputs.iter().chain(relations).copied().collect();
+    let (arena, mut all) = flatten(arena, &all).unwrap_or_else(|| (arena.clone(), all));
+    let relations = all.split_off(outputs.len());
+    let reduced = reduce(&arena, &all, &relations)?;
+    Some(apply(reduced, flatten))
+}
+
+#[derive(Clone, Copy)]
+enum Pass {
+    Factor,
+    Share,
+    Scale,
+}
+
+impl Pass {
+    fn apply(self, graph: Graph, uniform: &[bool]) -> Graph {
+        apply(graph, |arena, outputs| match self {
+            Self::Factor => factor(arena, outputs, uniform),
+            Self::Share => share(arena, outputs),
+            Self::Scale => scale(arena, outputs, uniform),
+        })
+    }
+}
+
+fn apply(graph: Graph, pass: impl Fn(&Arena, &[Value]) -> Option<Graph>) -> Graph {
+    pass(&graph.0, &graph.1).unwrap_or(graph)
+}
+
+/// A graph with what it costs: first what varies, then the whole, then negations.
+struct Candidate {
+    graph: Graph,
+    price: (usize, usize, usize),
+}
+
+impl Candidate {
+    fn new(graph: Graph, uniform: &[bool]) -> Self {
+        let (arena, outputs) = &graph;
+        let whole = cost(arena, outputs);
+        let varying = if uniform.contains(&true) {
+            varying_cost(arena, outputs, uniform)
+        } else {
+            whole.total()
+        };
+        let price = (varying, whole.total(), whole.negations);
+        Self { graph, price }
+    }
+}
+
+/// The cost without the nodes that are uniform.
+fn varying_cost(arena: &Arena, outputs: &[Value], uniform: &[bool]) -> usize {
+    let mut rates = Rates::new(uniform);
+    let live = schedule(arena, outputs).order;
+    let uniform_nodes: Vec<Value> = live
+        .into_iter()
+        .filter(|&id| rates.is_uniform(arena, id) && !matches!(arena.node(id), Node::One))
+        .map(|node| Value {
+            factor: crate::algebra::Ratio::ONE,
+            node,
+        })
+        .collect();
+    cost(arena, outputs).total() - cost(arena, &uniform_nodes).total()
+}

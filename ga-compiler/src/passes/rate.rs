@@ -1,0 +1,40 @@
+//! Which nodes are uniform: the same for every element of a batch.
+
+use crate::ir::{Arena, Node, NodeId};
+
+/// The rates of the nodes of a growing arena.
+#[derive(Clone, Debug)]
+pub(super) struct Rates<'a> {
+    uniform: &'a [bool],
+    known: Vec<bool>,
+}
+
+impl<'a> Rates<'a> {
+    /// With the inputs that are marked uniform; those beyond the end of the list vary.
+    #[must_use]
+    pub(super) fn new(uniform: &'a [bool]) -> Self {
+        Self {
+            uniform,
+            known: Vec::new(),
+        }
+    }
+
+    /// Whether a node depends on uniform inputs only. Where no input is marked this says no of every node but
+    /// constants.
+    pub(super) fn is_uniform(&mut self, arena: &Arena, id: NodeId) -> bool {
+        for next in arena.ids().skip(self.known.len()) {
+            let known = &self.known;
+            let is_uniform = match arena.node(next) {
+                Node::One => true,
+                Node::Input(number) => self.uniform.get(*number).copied().unwrap_or(false),
+                node => {
+                    let mut all = true;
+                    super::rewrite::for_each_operand(node, |operand| all &= known[operand.index()]);
+                    all
+                }
+            };
+            self.known.push(is_uniform);
+        }
+        self.known[id.index()]
+    }
+}

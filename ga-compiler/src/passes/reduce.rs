@@ -1,0 +1,119 @@
+//! Reduction by relations between values.
+//!
+//! What is known of operands says that some sums are zero: of a unit rotor `s² + a² + b² + c² − 1`, of a unit motor also the
+//! scalar and pseudoscalar of `M ~M − 1` with its null part (the Study condition). A multiple of such a sum may be added to any
+//! sum, and is where the result is cheaper: `s² + a² − b² − c²` becomes `1 − 2 (b² + c²)`.
+//!
+//! It is right wherever the relations hold, which is on the members of the operands' types.
+
+use super::flatten::{collected, price};
+use super::rewrite::{Graph, image, reads, rewrite};
+use crate::algebra::{Algebra, Blade, Product, Unary};
+use crate::ir::{Arena, Multivector, Node, Value};
+
+/// What is zero for an operand by its facts: the coefficients of `M ~M − 1` for a unit versor, of `X²` for a null X, of
+/// `X ∧ X` for a blade.
+///
+/// They are of use to what is built in the arena after them.
+pub fn relations(arena: &mut Arena, algebra: &Algebra, operand: &Multivector) -> Vec<Value> {
+    let mut zero = Vec::new();
+    if operand.facts.unit_versor {
+        let reverse = operand.unary(arena, algebra, Unary::Reverse);
+        let square = operand.product(arena, algebra, Product::Geometric, &reverse, |_| true);
+        let one = Multivector::new(arena, [(Blade::SCALAR, -Value::ONE)]);
+        zero.push(square.sum(arena, &one));
+    }
+    if operand.facts.null {
+        zero.push(operand.product(arena, algebra, Product::Geometric, operand, |_| true));
+    }
+    if operand.facts.blade {
+        zero.push(operand.product(arena, algebra, Product::Wedge, operand, |_| true));
+    }
+    let coefficients = zero.iter().flat_map(Multivector::terms);
+    coefficients.map(|(_, value)| *value).collect()
+}
+
+/// Reduces sums by values of the same arena that are known to be zero; `None` where nothing gets cheaper.
+#[must_use]
+pub fn reduce(arena: &Arena, outputs: &[Value], relations: &[Value]) -> Option<Graph> {
+    let known: Vec<&[Value]> = relations
+        .iter()
+        .filter_map(|relation| match arena.node(relation.node) {
+            Node::Sum(terms) => Some(&**terms),
+            _ => None,
+        })
+        .collect();
+    if known.is_empty() {
+        return None;
+    }
+    let reads = reads(arena, outputs);
+    let mut reduced: Vec<Option<Vec<Value>>> = vec![None; arena.len()];
+    for id in arena.ids() {
+        if let Node::Sum(terms) = arena.node(id)
+            && reads[id.index()] > 0
+        {
+            // A sum can only take in nodes that come before it.
+            let earlier: Vec<&[Value]> = known
+                .iter()
+                .copied()
+                .filter(|relation| relation.iter().all(|term| term.node < id))
+                .collect();
+            reduced[id.index()] = cheaper(arena, terms, &earlier, &reads);
+        }
+    }
+    if reduced.iter().all(Option::is_none) {
+        return None;
+    }
+    // The relations may bring in nodes that nothing read before.
+    let everything = vec![1; arena.len()];
+    rewrite(arena, outputs, &everything, |copy, id, images| {
+        let terms = reduced[id.index()].as_ref()?;
+        Some(copy.sum(terms.iter().map(|&term| image(images, term))))
+    })
+}
+
+/// The terms of a sum reduced as often as it gets cheaper, if it does.
+fn cheaper(
+    arena: &Arena,
+    terms: &[Value],
+    known: &[&[Value]],
+    reads: &[usize],
+) -> Option<Vec<Value>> {
+    // Factors come last: the next passes often find a place for them where they cost nothing.
+    let full_price = |terms: &[Value]| {
+        let own = terms.iter().filter(|term| {
+            reads[term.node.index()] <= 1
+                && matches!(
+                    arena.node(term.node),
+                    Node::Product(..) | Node::Quotient(..)
+                )
+        });
+        (own.count() + terms.len(), price(terms))
+    };
+    let mut best = (full_price(terms), terms.to_vec());
+    let mut improved = false;
+    loop {
+        let current = best.1.clone();
+        for relation in known {
+            for shared in *relation {
+                let Some(term) = current.iter().find(|term| term.node == shared.node) else {
+                    continue;
+                };
+                if shared.node == Arena::ONE {
+                    continue;
+                }
+                let factor = -(term.factor / shared.factor);
+                let added = relation.iter().map(|value| value.scaled(factor));
+                let next = collected(current.iter().copied().chain(added));
+                let price = full_price(&next);
+                if price < best.0 {
+                    best = (price, next);
+                    improved = true;
+                }
+            }
+        }
+        if best.1 == current {
+            return improved.then_some(best.1);
+        }
+    }
+}

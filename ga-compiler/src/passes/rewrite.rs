@@ -1,0 +1,84 @@
+//! Copying a graph while some of its nodes change.
+
+use crate::ir::{Arena, Node, NodeId, Value};
+
+/// A graph and what is wanted of it.
+pub type Graph = (Arena, Vec<Value>);
+
+/// How often each node is read by what the outputs need; zero for a dead node.
+pub(super) fn reads(arena: &Arena, outputs: &[Value]) -> Vec<usize> {
+    let mut reads = vec![0; arena.len()];
+    for output in outputs.iter().filter(|value| !value.is_zero()) {
+        reads[output.node.index()] += 1;
+    }
+    for id in arena.ids().rev() {
+        if reads[id.index()] > 0 {
+            for_each_operand(arena.node(id), |operand| reads[operand.index()] += 1);
+        }
+    }
+    reads
+}
+
+/// Calls back for every node that a node reads, as often as it reads it.
+pub(super) fn for_each_operand(node: &Node, mut call: impl FnMut(NodeId)) {
+    match node {
+        Node::One | Node::Input(_) => {}
+        Node::Sum(terms) => terms.iter().for_each(|term| call(term.node)),
+        Node::Function(_, arguments) => arguments.iter().for_each(|value| call(value.node)),
+        Node::Product(a, b) | Node::Quotient(a, b) => {
+            call(*a);
+            call(*b);
+        }
+    }
+}
+
+/// Copies the live nodes of a graph. `change` may give another value for a node, built in the copy from the images of
+/// earlier nodes; where it gives none the node is copied.
+///
+/// `None` where a divisor turned out to be zero.
+pub(super) fn rewrite(
+    arena: &Arena,
+    outputs: &[Value],
+    reads: &[usize],
+    mut change: impl FnMut(&mut Arena, NodeId, &[Value]) -> Option<Value>,
+) -> Option<Graph> {
+    let mut copy = Arena::default();
+    let inputs: Vec<Value> = (0..arena.inputs()).map(|_| copy.input()).collect();
+    let mut images = vec![Value::ZERO; arena.len()];
+    for id in arena.ids() {
+        if reads[id.index()] == 0 {
+            continue;
+        }
+        let image = match arena.node(id) {
+            Node::Input(number) => inputs[*number],
+            node => match change(&mut copy, id, &images) {
+                Some(changed) => changed,
+                None => copied(&mut copy, node, &images)?,
+            },
+        };
+        images[id.index()] = image;
+    }
+    let outputs = outputs.iter().map(|&value| image(&images, value)).collect();
+    Some((copy, outputs))
+}
+
+/// What a value of the source is in the copy.
+pub(super) fn image(images: &[Value], value: Value) -> Value {
+    images[value.node.index()].scaled(value.factor)
+}
+
+fn copied(copy: &mut Arena, node: &Node, images: &[Value]) -> Option<Value> {
+    match node {
+        Node::One | Node::Input(_) => Some(Value::ONE),
+        Node::Sum(terms) => match &**terms {
+            [single] => Some(copy.held(image(images, *single))),
+            _ => Some(copy.sum(terms.iter().map(|&term| image(images, term)))),
+        },
+        Node::Product(a, b) => Some(copy.product(images[a.index()], images[b.index()])),
+        Node::Quotient(a, b) => copy.quotient(images[a.index()], images[b.index()]),
+        Node::Function(function, arguments) => {
+            let arguments: Vec<Value> = arguments.iter().map(|&v| image(images, v)).collect();
+            Some(copy.function(*function, &arguments))
+        }
+    }
+}

@@ -1,0 +1,405 @@
+//! The passes on graphs at random and on graphs whose least cost is known.
+
+use ga_compiler::algebra::{Algebra, Ratio};
+use ga_compiler::compile_function;
+use ga_compiler::ir::{Arena, Function, Node, Prime, PrimeSequence, Value};
+use ga_compiler::passes::{
+    Cost, Graph, cost, factor, flatten, optimise, reduce, scale, schedule, share, substitute,
+};
+use proptest::prelude::*;
+
+/// One step of building a graph: what to do, with which earlier values and which factors.
+type Step = (u8, [prop::sample::Index; 3], [i8; 3]);
+
+const INPUTS: usize = 5;
+
+fn steps() -> impl Strategy<Value = Vec<Step>> {
+    let factor = prop::sample::select(vec![-4, -2, -1, -1, 1, 1, 2, 3]);
+    let step = (
+        0_u8..12,
+        any::<[prop::sample::Index; 3]>(),
+        [factor.clone(), factor.clone(), factor],
+    );
+    prop::collection::vec(step, 1..40)
+}
+
+/// A graph of sums and products over the inputs, with some quotients, roots and held multiples; the last values are wanted.
+fn build(arena: &mut Arena, inputs: &[Value], steps: &[Step]) -> Vec<Value> {
+    let mut values = inputs.to_vec();
+    values.push(Value::ONE);
+    for (kind, places, factors) in steps {
+        let [a, b, c] = [0, 1, 2].map(|n: usize| {
+            values[places[n].index(values.len())].scaled(Ratio::integer(factors[n].into()))
+        });
+        let next = match kind {
+            0..=3 => arena.sum([a, b, c]),
+            4 => arena.sum([a, b]),
+            5 => arena.sum([a.scaled(Ratio::new(1, 2).expect("a half")), b]),
+            6 => arena.held(a),
+            7 if !b.is_zero() => arena.quotient(a, b).unwrap_or(Value::ZERO),
+            8 => arena.function(Function::SquareRoot, &[a]),
+            _ => arena.product(a, b),
+        };
+        values.push(next);
+    }
+    values.split_off(values.len().saturating_sub(6).max(INPUTS + 1))
+}
+
+fn random_graph(steps: &[Step]) -> Graph {
+    let mut arena = Arena::default();
+    let inputs: Vec<Value> = (0..INPUTS).map(|_| arena.input()).collect();
+    let outputs = build(&mut arena, &inputs, steps);
+    (arena, outputs)
+}
+
+fn evaluate((arena, outputs): &Graph, inputs: &[Prime]) -> Vec<Prime> {
+    let values = arena.evaluate(inputs);
+    let value = |output: &Value| values[output.node.index()] * Prime::from_ratio(output.factor);
+    outputs.iter().map(value).collect()
+}
+
+fn point(seed: u64, count: usize) -> Vec<Prime> {
+    let mut sequence = PrimeSequence::new(seed);
+    (0..count).map(|_| sequence.next_prime()).collect()
+}
+
+fn count(graph: &Graph) -> Cost {
+    cost(&graph.0, &graph.1)
+}
+
+fn total(graph: &Graph) -> usize {
+    count(graph).total()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(512))]
+
+    #[test]
+    fn every_pass_keeps_the_values(
+        steps in steps(),
+        uniform in prop::collection::vec(any::<bool>(), 0..=INPUTS),
+        seed: u64,
+    ) {
+        let graph = random_graph(&steps);
+        let inputs = point(seed, INPUTS);
+        let expected = evaluate(&graph, &inputs);
+        let (arena, outputs) = &graph;
+        let passes = [
+            ("flatten", flatten(arena, outputs)),
+            ("factor", factor(arena, outputs, &uniform)),
+            ("share", share(arena, outputs)),
+            ("substitute", substitute(arena, outputs)),
+            ("scale", scale(arena, outputs, &uniform)),
+        ];
+        for (name, result) in passes {
+            if let Some(result) = result {
+                prop_assert_eq!(&evaluate(&result, &inputs), &expected, "{}", name);
+            }
+        }
+        let all = optimise(arena.clone(), outputs.clone(), &uniform, &[]);
+        prop_assert_eq!(evaluate(&all, &inputs), expected);
+    }
+
+    #[test]
+    fn what_is_flat_is_factored_shared_and_scaled_right(steps in steps(), seed: u64) {
+        let mut graph = random_graph(&steps);
+        let inputs = point(seed, INPUTS);
+        let expected = evaluate(&graph, &inputs);
+        type Pass = fn(&Arena, &[Value]) -> Option<Graph>;
+        let passes: [(&str, Pass); 6] = [
+            ("flatten", flatten),
+            ("factor", |arena, outputs| factor(arena, outputs, &[])),
+            ("share", share),
+            ("substitute", substitute),
+            ("scale", |arena, outputs| scale(arena, outputs, &[])),
+            ("flatten again", flatten),
+        ];
+        for (name, pass) in passes {
+            if let Some(next) = pass(&graph.0, &graph.1) {
+                graph = next;
+                prop_assert_eq!(&evaluate(&graph, &inputs), &expected, "{}", name);
+            }
+        }
+    }
+
+    #[test]
+    fn no_graph_gets_dearer(steps in steps()) {
+        let (arena, outputs) = random_graph(&steps);
+        let before = cost(&arena, &outputs).total();
+        let after = optimise(arena, outputs, &[], &[]);
+        prop_assert!(total(&after) <= before, "{} from {before}", total(&after));
+    }
+
+    /// The last input is worked out from the others, so that a relation holds, and is known to the pass.
+    #[test]
+    fn reduction_keeps_the_values_where_the_relations_hold(
+        steps in steps(),
+        factors in prop::array::uniform3(-2_i8..=2),
+        seed: u64,
+    ) {
+        let mut arena = Arena::default();
+        let inputs: Vec<Value> = (0..INPUTS).map(|_| arena.input()).collect();
+        let terms: Vec<Value> = (0..3)
+            .map(|n| {
+                let product = arena.product(inputs[n], inputs[(n + 1) % 3]);
+                product.scaled(Ratio::integer(factors[n].into()))
+            })
+            .chain([-inputs[4]])
+            .collect();
+        let relation = arena.sum(terms.iter().copied());
+        // Sums with the relation in them, so that there is something to reduce.
+        let mut starts = inputs.clone();
+        starts.push(arena.sum([terms[0], terms[1], terms[2], inputs[3]]));
+        starts.push(arena.sum([terms[0], -terms[1], terms[2]]));
+        let outputs = build(&mut arena, &starts, &steps);
+        let mut point = point(seed, INPUTS);
+        let values = arena.evaluate(&point);
+        point[4] = terms[..3].iter().fold(Prime::ZERO, |sum, term| {
+            sum + values[term.node.index()] * Prime::from_ratio(term.factor)
+        });
+        let graph = (arena, outputs);
+        let expected = evaluate(&graph, &point);
+        if let Some(reduced) = reduce(&graph.0, &graph.1, &[relation]) {
+            prop_assert_eq!(&evaluate(&reduced, &point), &expected);
+        }
+        let before = total(&graph);
+        let all = optimise(graph.0, graph.1, &[], &[relation]);
+        prop_assert_eq!(evaluate(&all, &point), expected);
+        prop_assert!(total(&all) <= before);
+    }
+
+    #[test]
+    fn an_order_computes_before_it_reads(steps in steps()) {
+        let (arena, outputs) = random_graph(&steps);
+        let found = schedule(&arena, &outputs);
+        let place = |id| found.order.iter().position(|other| *other == id);
+        for (here, id) in found.order.iter().enumerate() {
+            prop_assert_eq!(place(*id), Some(here), "twice");
+            let operands: Vec<_> = match arena.node(*id) {
+                Node::Sum(values) | Node::Function(_, values) => {
+                    values.iter().map(|value| value.node).collect()
+                }
+                Node::Product(a, b) | Node::Quotient(a, b) => vec![*a, *b],
+                Node::One | Node::Input(_) => vec![],
+            };
+            for operand in operands {
+                if !matches!(arena.node(operand), Node::One | Node::Input(_)) {
+                    prop_assert!(place(operand) < Some(here) && place(operand).is_some());
+                }
+            }
+        }
+        prop_assert_eq!(&found.order, &schedule(&arena, &outputs).order);
+    }
+}
+
+/// The inputs of a graph by name, and what is wanted of them.
+fn graph<const N: usize>(make: impl FnOnce(&mut Arena, [Value; N]) -> Vec<Value>) -> Graph {
+    let mut arena = Arena::default();
+    let inputs = std::array::from_fn(|_| arena.input());
+    let outputs = make(&mut arena, inputs);
+    (arena, outputs)
+}
+
+fn operations(cost: Cost) -> (usize, usize) {
+    (cost.multiplications, cost.additions)
+}
+
+fn optimised(graph: &Graph) -> (usize, usize) {
+    operations(count(&optimise(graph.0.clone(), graph.1.clone(), &[], &[])))
+}
+
+fn twice(value: Value) -> Value {
+    value.scaled(Ratio::integer(2))
+}
+
+#[test]
+fn sums_that_cancel_vanish() {
+    let norm = graph(|arena, [x, y, z]| {
+        let squares = [x, y, z].map(|v| arena.product(v, v));
+        let norm = arena.sum(squares);
+        let [a, b, _] = squares;
+        // The norm is wanted itself, too: it is merged although it is read elsewhere.
+        vec![
+            norm,
+            arena.sum([a, b, squares[2], -norm, x]),
+            arena.sum([norm, -a, -b]),
+        ]
+    });
+    let flat = flatten(&norm.0, &norm.1).expect("something cancels");
+    assert_eq!(operations(count(&flat)), (3, 2));
+}
+
+#[test]
+fn a_common_factor_is_taken_out() {
+    let products = graph(|arena, [a, b, c, d]| {
+        let terms = [b, c, d].map(|v| arena.product(a, v));
+        vec![arena.sum(terms)]
+    });
+    assert_eq!(operations(count(&products)), (3, 2));
+    assert_eq!(optimised(&products), (1, 2));
+    let constants = graph(|arena, [a, b, c]| vec![arena.sum([a, twice(b), twice(c)])]);
+    assert_eq!(operations(count(&constants)), (2, 2));
+    assert_eq!(optimised(&constants), (1, 2));
+}
+
+#[test]
+fn a_sum_at_hand_decides_which_factor_is_taken_out() {
+    // Of a b + a c + b d, the sum b + c or the sum a + d; b + c is wanted anyway.
+    for other in [false, true] {
+        let sums = graph(|arena, [a, b, c, d]| {
+            let at_hand = if other {
+                arena.sum([a, d])
+            } else {
+                arena.sum([b, c])
+            };
+            let (ab, ac, bd) = (
+                arena.product(a, b),
+                arena.product(a, c),
+                arena.product(b, d),
+            );
+            vec![at_hand, arena.sum([ab, ac, bd])]
+        });
+        let found = factor(&sums.0, &sums.1, &[]).expect("a factor");
+        assert_eq!(operations(count(&found)), (2, 2), "{other}");
+    }
+}
+
+#[test]
+fn a_common_part_is_shared_up_to_its_factor() {
+    let sums = graph(|arena, [x, y, z, a, b, c]| {
+        vec![
+            arena.sum([x, -y, z, a]),
+            arena.sum([x, -y, z, b]),
+            arena.sum([-x, y, -z, c]),
+            arena.sum([twice(x), twice(-y), a]),
+        ]
+    });
+    // x − y; with z; three sums with it, and one with twice the first.
+    assert_eq!(optimised(&sums), (1, 6));
+}
+
+#[test]
+fn a_doubling_is_an_addition_where_half_of_it_is_at_hand() {
+    let sums = graph(|arena, [x, d]| {
+        vec![
+            arena.sum([x, d]),
+            arena.sum([x, twice(d)]),
+            arena.sum([x, d.scaled(Ratio::integer(3))]),
+        ]
+    });
+    assert_eq!(optimised(&sums), (0, 3));
+    let sums = graph(|arena, [x, d]| vec![arena.sum([x, d]), arena.sum([x, twice(d)])]);
+    assert_eq!(optimised(&sums), (0, 2));
+}
+
+#[test]
+fn a_doubled_operand_is_doubled_once() {
+    let sums = graph(|arena, [b, x, y, z, p, q, r]| {
+        [(x, p), (y, q), (z, r)]
+            .map(|(place, factor)| {
+                let product = arena.product(b, factor);
+                arena.sum([place, twice(product)])
+            })
+            .to_vec()
+    });
+    assert_eq!(operations(count(&sums)), (6, 3));
+    assert_eq!(optimised(&sums), (4, 3));
+}
+
+#[test]
+fn a_factor_of_a_result_goes_where_it_costs_nothing() {
+    // ½ (2 a + b) and a c: halves of b are wanted anyway.
+    let half = |value: Value| value.scaled(Ratio::new(1, 2).expect("a half"));
+    let sums = graph(|arena, [a, b]| {
+        let held = arena.held(half(b));
+        let square = arena.product(held, a);
+        vec![arena.sum([a, half(b)]), arena.sum([square, a])]
+    });
+    assert_eq!(optimised(&sums), (2, 2));
+}
+
+/// The map of a rotor with coefficients w, x, y, z and `w² + x² + y² + z² = 1`.
+fn rotor_map(is_homogeneous: bool) -> (Graph, Value) {
+    let mut relation = Value::ZERO;
+    let map = graph(|arena, [w, x, y, z]| {
+        let squares = [w, x, y, z].map(|v| arena.product(v, v));
+        relation = arena.sum(squares.into_iter().chain([-Value::ONE]));
+        let mut entries = Vec::new();
+        let axes = [x, y, z];
+        for n in 0..3 {
+            let (next, last) = (axes[(n + 1) % 3], axes[(n + 2) % 3]);
+            let others = [squares[1 + (n + 1) % 3], squares[1 + (n + 2) % 3]];
+            entries.push(if is_homogeneous {
+                arena.sum([squares[0], squares[n + 1], -others[0], -others[1]])
+            } else {
+                let pair = arena.sum(others);
+                arena.sum([Value::ONE, twice(-pair)])
+            });
+            let (product, turned) = (arena.product(next, last), arena.product(w, axes[n]));
+            let (sum, difference) = (
+                arena.sum([product, turned]),
+                arena.difference(product, turned),
+            );
+            entries.extend([twice(sum), twice(difference)]);
+        }
+        entries
+    });
+    (map, relation)
+}
+
+#[test]
+fn the_map_of_a_rotor_takes_twenty_four_operations() {
+    let (map, _) = rotor_map(false);
+    assert!(total(&map) > 24);
+    let best = optimise(map.0.clone(), map.1.clone(), &[], &[]);
+    assert!(total(&best) <= 24, "{:?}", count(&best));
+}
+
+#[test]
+fn the_norm_of_a_rotor_reduces_its_map() {
+    let (map, relation) = rotor_map(true);
+    let plain = optimise(map.0.clone(), map.1.clone(), &[], &[]);
+    let best = optimise(map.0.clone(), map.1.clone(), &[], &[relation]);
+    assert!(total(&best) < total(&plain), "{:?}", count(&plain));
+    assert!(total(&best) <= 24, "{:?}", count(&best));
+    // On a rotor both maps agree.
+    let unit = [
+        Ratio::new(1, 3),
+        Ratio::new(2, 3),
+        Ratio::new(-2, 3),
+        Some(Ratio::ZERO),
+    ];
+    let unit = unit.map(|v| Prime::from_ratio(v.expect("a fraction")));
+    assert_eq!(evaluate(&best, &unit), evaluate(&map, &unit));
+    assert_eq!(evaluate(&best, &unit), evaluate(&rotor_map(false).0, &unit));
+}
+
+#[test]
+fn uniform_terms_are_added_apart_from_the_rest() {
+    // u v + w v costs one multiplication for each v where u and w are uniform.
+    let sums = graph(|arena, [u, w, v]| {
+        let terms = [arena.product(u, v), arena.product(w, v)];
+        vec![arena.sum(terms)]
+    });
+    let (arena, outputs) = factor(&sums.0, &sums.1, &[true, true, false]).expect("v is common");
+    assert!(matches!(arena.node(outputs[0].node), Node::Product(..)));
+    assert_eq!(total(&(arena, outputs)), 2);
+}
+
+#[test]
+fn the_square_of_a_point_is_the_constant_zero() {
+    let source = include_str!("../../ga-runtime/src/algebras/conformal.rs");
+    let start = source.find("algebra! {").map(|at| at + "algebra! {".len());
+    let (Some(start), Some(end)) = (start, source.rfind('}')) else {
+        panic!("cga3 is declared by the macro")
+    };
+    let declaration = source[start..end].parse().expect("tokens");
+    let function = "(p: Point) -> Scalar { p * p }".parse().expect("tokens");
+    let Ok(compiled) = compile_function(declaration, function) else {
+        panic!("a product of points compiles")
+    };
+    let kernel = compiled.kernel;
+    let (_, outputs) = optimise(kernel.arena, kernel.outputs, &[], &[]);
+    assert_eq!(outputs, [Value::ZERO]);
+    let _: &Algebra = &compiled.definition.algebra;
+}
