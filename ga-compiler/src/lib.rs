@@ -60,7 +60,7 @@ use syn::{Error, Result};
 use define::Definition;
 use function::CompiledFunction;
 use kernel::Kernel;
-use parse::FunctionSyntax;
+use parse::{Block, FunctionSyntax};
 
 /// A compiled function with the algebra it is written in.
 pub struct Compiled {
@@ -103,24 +103,48 @@ pub fn expand_product_tests(tokens: TokenStream) -> TokenStream {
 
 /// Expands functions of an algebra: what `ga!` stands for.
 ///
-/// The tokens are what the algebra's own macro hands over: `[runtime] { declaration } [path] functions`.
+/// The tokens are what the algebra's own macro hands over: `[runtime] { declaration } [path] functions`. A leading `use` of a
+/// function of another block becomes a call of that block's macro, which calls back through [`expand_import`].
 #[must_use]
 pub fn expand_functions(tokens: TokenStream) -> TokenStream {
-    let expanded = parse::parse_handover(tokens).and_then(|handover| {
-        let (path, source) = parse::parse_placed(handover.input)?;
-        let functions = parse::parse_functions(source)?;
-        let definition = check_types(handover.declaration, handover.runtime)?;
-        Ok(match compile_parsed(&definition, &functions) {
-            Ok(compiled) => emit::rust::functions(&definition, &path, &compiled),
+    let expanded = parse::parse_pending(tokens).and_then(|pending| {
+        let (first, source) = parse::parse_use(pending.source.clone())?;
+        if let Some(import) = first {
+            return Ok(emit::rust::ask_for_import(&pending, &import, &source));
+        }
+        let (imports, path) = (&pending.imports, &pending.path);
+        let whole = quote::quote! { [#imports] #source };
+        let block: Block = syn::parse2(whole.clone())?;
+        let definition = check_types(pending.declaration, pending.runtime)?;
+        Ok(match compile_block(&definition, &block) {
+            Ok(compiled) => {
+                let functions = emit::rust::functions(&definition, path, &compiled);
+                let handover = emit::rust::block_handover(&block, &whole);
+                quote::quote! { #functions #handover }
+            }
             Err(error) => {
-                let stand_ins = emit::rust::function_stand_ins(&definition, &path, &functions);
                 let error = error.into_compile_error();
-                match stand_ins {
+                match emit::rust::function_stand_ins(&definition, path, &block.functions) {
                     Some(stand_ins) => quote::quote! { #stand_ins #error },
                     None => error,
                 }
             }
         })
+    });
+    expanded.unwrap_or_else(Error::into_compile_error)
+}
+
+/// Takes in a block that was asked for, and goes on: `{ block } (name original) pending`.
+#[must_use]
+pub fn expand_import(tokens: TokenStream) -> TokenStream {
+    let expanded = parse::parse_import(tokens).and_then(|(block, names, rest)| {
+        let pending = parse::parse_pending(rest)?;
+        let imports = &pending.imports;
+        let imports = quote::quote! { #imports (#names { #block }) };
+        Ok(expand_functions(emit::rust::pending(&parse::Pending {
+            imports,
+            ..pending
+        })))
     });
     expanded.unwrap_or_else(Error::into_compile_error)
 }
@@ -158,17 +182,19 @@ pub fn check_types(declaration: TokenStream, runtime: TokenStream) -> Result<Def
 /// # Errors
 /// The first error of each function, at its token.
 pub fn compile(definition: &Definition, source: TokenStream) -> Result<Vec<CompiledFunction>> {
-    compile_parsed(definition, &parse::parse_functions(source)?)
+    let functions = parse::parse_functions(source)?;
+    let block = Block {
+        functions,
+        imports: Vec::new(),
+    };
+    compile_block(definition, &block)
 }
 
-fn compile_parsed(
-    definition: &Definition,
-    functions: &[FunctionSyntax],
-) -> Result<Vec<CompiledFunction>> {
+fn compile_block(definition: &Definition, block: &Block) -> Result<Vec<CompiledFunction>> {
     let mut diagnostics = diag::Diagnostics::default();
     let mut compiled = Vec::new();
-    for function in functions {
-        match compile_one(definition, function, functions) {
+    for function in &block.functions {
+        match compile_one(definition, function, block) {
             Ok(done) => compiled.push(done),
             Err(error) => diagnostics.push(error),
         }
@@ -180,9 +206,9 @@ fn compile_parsed(
 fn compile_one(
     definition: &Definition,
     function: &FunctionSyntax,
-    others: &[FunctionSyntax],
+    block: &Block,
 ) -> Result<CompiledFunction> {
-    let resolved = program::resolve(definition, function, others)?;
+    let resolved = program::resolve(definition, function, block)?;
     let wanted: Vec<_> = resolved
         .outputs
         .iter()
@@ -214,6 +240,6 @@ fn compile_one(
 pub fn compile_function(declaration: TokenStream, function: TokenStream) -> Result<Compiled> {
     let definition = check_types(declaration, TokenStream::new())?;
     let function = parse::parse_function(function)?;
-    let CompiledFunction { kernel, .. } = compile_one(&definition, &function, &[])?;
+    let CompiledFunction { kernel, .. } = compile_one(&definition, &function, &Block::default())?;
     Ok(Compiled { definition, kernel })
 }

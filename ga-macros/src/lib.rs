@@ -16,6 +16,12 @@ pub fn functions(tokens: TokenStream) -> TokenStream {
     ga_compiler::expand_functions(tokens.into()).into()
 }
 
+/// Takes in a function of another block, and goes on with those that use it.
+#[proc_macro]
+pub fn import(tokens: TokenStream) -> TokenStream {
+    ga_compiler::expand_import(tokens.into()).into()
+}
+
 /// Tests every declared product of an algebra; see `ga_runtime::testing::product_tests!`.
 #[proc_macro]
 pub fn product_tests(tokens: TokenStream) -> TokenStream {

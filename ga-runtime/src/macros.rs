@@ -128,7 +128,8 @@ macro_rules! algebra {
 /// `ga! { path::of::algebra; functions… }` gives functions generic over the scalar, with the weakest bound that the
 /// body needs: [`Ring`](crate::scalar::Ring), [`Field`](crate::scalar::Field) or [`Real`](crate::scalar::Real). Types are those of the
 /// algebra by name, `Scalar`, arrays `[Point; 3]` and tuples. A body is a row of `let` statements, patterns included, and the formula of the result.
-/// Functions of one block may call each other; the calls are compiled as if they were written out. A closure,
+/// Functions of one block may call each other, and with `use path::of::function;` at its start those of another; the calls are
+/// compiled as if they were written out. A closure,
 /// `ga! { cga3; |p: Point, q: Point| -> Scalar { p | q } }`, is an expression.
 ///
 /// | written | means |
@@ -153,6 +154,23 @@ macro_rules! algebra {
 /// whether a division by the weight would do. `let x: Line = …` checks a value on the way.
 ///
 /// Divisions by zero and roots of negative numbers follow the scalar: they give infinities or NaN over floats.
+///
+/// ```
+/// mod kernels {
+///     ga_runtime::ga! { ga_runtime::cga3;
+///         /// The reflection of a point in a plane.
+///         pub fn reflected(p: Point, plane: Plane) -> RoundVector { sandwich(dual(plane), p) }
+///     }
+/// }
+/// ga_runtime::ga! { ga_runtime::cga3;
+///     use crate::kernels::reflected;
+///     /// Two reflections: a motion. Nothing of the point between them is worked out that does not count.
+///     pub fn reflected_twice(p: Point, a: Plane, b: Plane) -> Scalar {
+///         ei | sandwich(dual(b), reflected(p, a))
+///     }
+/// }
+/// # fn main() {}
+/// ```
 ///
 /// # Uniform operands
 ///

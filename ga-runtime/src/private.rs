@@ -5,7 +5,7 @@ use core::fmt::{Display, Formatter, Result};
 
 /// The procedural macros behind the macros of this crate.
 pub mod macros {
-    pub use ga_macros::{algebra, functions, product_tests};
+    pub use ga_macros::{algebra, functions, import, product_tests};
 }
 
 /// Writes a sum of blades such as `1 + 2 e12 - 0.5 e1i`; blades with the coefficient zero are left out.

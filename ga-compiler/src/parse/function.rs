@@ -84,6 +84,127 @@ pub fn parse_function(tokens: proc_macro2::TokenStream) -> Result<FunctionSyntax
     syn::parse2(tokens)
 }
 
+/// Functions that may call each other, and others that they use.
+#[derive(Clone, Default)]
+pub struct Block {
+    /// The functions.
+    pub functions: Vec<FunctionSyntax>,
+    /// Functions of other blocks.
+    pub imports: Vec<Import>,
+}
+
+/// A function of another block.
+#[derive(Clone)]
+pub struct Import {
+    /// Its name here.
+    pub name: Ident,
+    /// Its name there.
+    pub original: Ident,
+    /// The block that it stands in.
+    pub block: Block,
+}
+
+impl Block {
+    /// The function of that name, here or imported, and the block in which its own names have their meaning.
+    #[must_use]
+    pub fn function(&self, name: &str) -> Option<(&FunctionSyntax, &Self)> {
+        let named = |block: &'_ Self, name: &str| {
+            let is_named =
+                |function: &FunctionSyntax| function.name.as_ref().is_some_and(|n| n == name);
+            block.functions.iter().position(is_named)
+        };
+        if let Some(place) = named(self, name) {
+            return Some((&self.functions[place], self));
+        }
+        let import = self.imports.iter().find(|import| import.name == name)?;
+        let place = named(&import.block, &import.original.to_string())?;
+        Some((&import.block.functions[place], &import.block))
+    }
+
+    /// The names of all functions that may be called here.
+    pub fn names(&self) -> impl Iterator<Item = String> {
+        let own = self
+            .functions
+            .iter()
+            .filter_map(|function| function.name.as_ref());
+        let imported = self.imports.iter().map(|import| &import.name);
+        own.chain(imported).map(ToString::to_string)
+    }
+}
+
+/// Reads a block as its macro hands it over: imports in brackets, `(name original { block })` each, then the functions.
+impl Parse for Block {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        let mut imports = Vec::new();
+        if input.peek(token::Bracket) {
+            let list;
+            bracketed!(list in input);
+            while !list.is_empty() {
+                let (import, block);
+                parenthesized!(import in list);
+                let (name, original) = (import.parse()?, import.parse()?);
+                braced!(block in import);
+                imports.push(Import {
+                    name,
+                    original,
+                    block: block.parse()?,
+                });
+            }
+        }
+        Ok(Self {
+            imports,
+            functions: parse_functions(input.parse()?)?,
+        })
+    }
+}
+
+/// `use path::of::function as name;`
+pub struct UseSyntax {
+    /// The path, whose macro hands the function over.
+    pub path: syn::Path,
+    /// The name of the function there.
+    pub original: Ident,
+    /// Its name here.
+    pub name: Ident,
+}
+
+impl Parse for UseSyntax {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        input.parse::<Token![use]>()?;
+        let path = input.call(syn::Path::parse_mod_style)?;
+        let Some(last) = path.segments.last() else {
+            return Err(input.error("expected the path of a function"));
+        };
+        let original = last.ident.clone();
+        let name = if input.peek(Token![as]) {
+            input.parse::<Token![as]>()?;
+            input.parse()?
+        } else {
+            original.clone()
+        };
+        input.parse::<Token![;]>()?;
+        Ok(Self {
+            path,
+            original,
+            name,
+        })
+    }
+}
+
+/// Reads a leading `use`, if there is one, and gives what follows it.
+///
+/// # Errors
+/// The tokens start with `use` and go on in another way.
+pub fn parse_use(
+    tokens: proc_macro2::TokenStream,
+) -> Result<(Option<UseSyntax>, proc_macro2::TokenStream)> {
+    let parser = |input: ParseStream<'_>| {
+        let first = input.peek(Token![use]).then(|| input.parse());
+        Ok((first.transpose()?, input.parse()?))
+    };
+    syn::parse::Parser::parse2(parser, tokens)
+}
+
 /// Reads any number of functions.
 ///
 /// # Errors
@@ -92,6 +213,9 @@ pub fn parse_functions(tokens: proc_macro2::TokenStream) -> Result<Vec<FunctionS
     let parser = |input: ParseStream<'_>| {
         let mut functions = vec![input.parse()?];
         while !input.is_empty() {
+            if input.peek(Token![use]) {
+                return Err(input.error("`use` comes before the functions"));
+            }
             functions.push(input.parse()?);
         }
         Ok(functions)

@@ -46,3 +46,61 @@ fn runtime(input: ParseStream<'_>) -> Result<TokenStream> {
     bracketed!(path in input);
     path.parse()
 }
+
+/// Functions on their way to being compiled: what has been handed over so far.
+pub struct Pending {
+    /// The path of ga-runtime.
+    pub runtime: TokenStream,
+    /// The tokens of the declaration.
+    pub declaration: TokenStream,
+    /// Where the module of the algebra is found.
+    pub path: TokenStream,
+    /// Functions of other blocks, as [`Block`](super::Block) reads them.
+    pub imports: TokenStream,
+    /// The functions, `use` included.
+    pub source: TokenStream,
+}
+
+/// Reads `[runtime] { declaration } [path] [imports] source`, the imports being left out at first.
+///
+/// # Errors
+/// The tokens have another shape.
+pub fn parse_pending(tokens: TokenStream) -> Result<Pending> {
+    let Handover {
+        runtime,
+        declaration,
+        input,
+    } = parse_handover(tokens)?;
+    let (path, rest) = parse_placed(input)?;
+    let parser = |input: ParseStream<'_>| {
+        let mut imports = TokenStream::new();
+        if input.peek(syn::token::Bracket) {
+            let list;
+            bracketed!(list in input);
+            imports = list.parse()?;
+        }
+        Ok((imports, input.parse()?))
+    };
+    let (imports, source) = parser.parse2(rest)?;
+    Ok(Pending {
+        runtime,
+        declaration,
+        path,
+        imports,
+        source,
+    })
+}
+
+/// Reads `{ block } (name original) rest`, which is how the macro of a block hands it over.
+///
+/// # Errors
+/// The tokens have another shape.
+pub fn parse_import(tokens: TokenStream) -> Result<(TokenStream, TokenStream, TokenStream)> {
+    let parser = |input: ParseStream<'_>| {
+        let (block, names);
+        braced!(block in input);
+        syn::parenthesized!(names in input);
+        Ok((block.parse()?, names.parse()?, input.parse()?))
+    };
+    parser.parse2(tokens)
+}

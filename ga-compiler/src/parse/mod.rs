@@ -12,8 +12,8 @@ pub use declaration::{
 };
 pub use formula::{Formula, FormulaKind, Operator};
 pub use function::{
-    FunctionSyntax, LetSyntax, OperandSyntax, PatternSyntax, ShapeSyntax, parse_function,
-    parse_functions,
+    Block, FunctionSyntax, Import, LetSyntax, OperandSyntax, PatternSyntax, ShapeSyntax, UseSyntax,
+    parse_function, parse_functions, parse_use,
 };
-pub use handover::{Handover, parse_handover, parse_placed};
+pub use handover::{Handover, Pending, parse_handover, parse_import, parse_pending, parse_placed};
 pub use outline::{Outline, parse_outline};

@@ -1,7 +1,5 @@
 //! From syntax to programs: names get their meaning here, and what has none is refused at its token.
 
-use std::collections::HashMap;
-
 use proc_macro2::Span;
 use syn::{Error, Ident, Result};
 
@@ -13,7 +11,7 @@ use crate::define::{Definition, Role, TypeDefinition};
 use crate::function::{Operand, SCALAR_TYPE, Shape};
 use crate::ir::Function;
 use crate::parse::{
-    Formula, FormulaKind, FunctionSyntax, LetSyntax, Operator, PatternSyntax, ShapeSyntax,
+    Block, Formula, FormulaKind, FunctionSyntax, LetSyntax, Operator, PatternSyntax, ShapeSyntax,
 };
 
 /// How deep calls of other functions may go.
@@ -42,19 +40,15 @@ enum Bound {
     Parts(Vec<Bound>),
 }
 
-/// Resolves a function; `others` are the functions that it may call.
+/// Resolves a function; `block` holds the functions that it may call.
 ///
 /// # Errors
 /// The first name, type or operation that has no meaning, at its token; a result that is no member of its type.
 pub fn resolve<'a>(
     definition: &'a Definition,
     function: &FunctionSyntax,
-    others: &[FunctionSyntax],
+    block: &Block,
 ) -> Result<Resolved<'a>> {
-    let others = others
-        .iter()
-        .filter_map(|other| Some((other.name.as_ref()?.to_string(), other)))
-        .collect();
     let mut resolver = Resolver {
         definition,
         builder: Builder {
@@ -63,7 +57,7 @@ pub fn resolve<'a>(
             witness: Witness::default(),
             operands: Vec::new(),
         },
-        others,
+        block,
         scope: Vec::new(),
         depth: 0,
     };
@@ -121,7 +115,7 @@ fn scalar_type() -> &'static TypeDefinition {
 struct Resolver<'a, 's> {
     definition: &'a Definition,
     builder: Builder<'a>,
-    others: HashMap<String, &'s FunctionSyntax>,
+    block: &'s Block,
     scope: Vec<(Ident, Bound)>,
     depth: usize,
 }
@@ -148,7 +142,7 @@ impl<'a, 's> Resolver<'a, 's> {
     }
 
     fn bind(&mut self, name: &Ident, bound: Bound) -> Result<()> {
-        let is_taken = self.depth == 0 && self.others.get(&name.to_string()).is_some();
+        let is_taken = self.depth == 0 && self.block.function(&name.to_string()).is_some();
         if is_taken {
             let message = format!("`{name}` is a function of this block");
             return Err(Error::new(name.span(), message));
@@ -431,8 +425,8 @@ impl<'a, 's> Resolver<'a, 's> {
 
     fn call(&mut self, formula: &Formula, name: &Ident, arguments: &[Formula]) -> Result<Bound> {
         let text = name.to_string();
-        if let Some(&function) = self.others.get(&text) {
-            return self.inline(formula, name, function, arguments);
+        if let Some(callee) = self.block.function(&text) {
+            return self.inline(formula, name, callee, arguments);
         }
         let Some(operation) = Operation::from_name(&text) else {
             if let [operand] = arguments
@@ -441,7 +435,7 @@ impl<'a, 's> Resolver<'a, 's> {
                 let value = self.single(operand)?;
                 return self.coefficient(operand, value, name);
             }
-            let known = self.others.keys().cloned();
+            let known = self.block.names();
             let known = known.chain(Operation::names().map(str::to_owned));
             let near = nearest(&text, known);
             let message = format!(
@@ -483,7 +477,7 @@ impl<'a, 's> Resolver<'a, 's> {
         &mut self,
         formula: &Formula,
         name: &Ident,
-        function: &'s FunctionSyntax,
+        (function, block): (&'s FunctionSyntax, &'s Block),
         arguments: &[Formula],
     ) -> Result<Bound> {
         if self.depth == MAX_DEPTH {
@@ -508,9 +502,11 @@ impl<'a, 's> Resolver<'a, 's> {
             scope.push((operand.name.clone(), value));
         }
         std::mem::swap(&mut self.scope, &mut scope);
+        let caller = std::mem::replace(&mut self.block, block);
         self.depth += 1;
         let value = self.body(function);
         self.depth -= 1;
+        self.block = caller;
         self.scope = scope;
         let value = value?;
         let shape = self.shape(&function.result)?;

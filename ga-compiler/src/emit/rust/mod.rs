@@ -1,6 +1,7 @@
 //! Rust code: a module with the types, and a macro that hands the definition on.
 
 mod arithmetic;
+mod blocks;
 mod body;
 mod context;
 mod conversions;
@@ -11,6 +12,7 @@ mod tests;
 mod types;
 mod versors;
 
+pub use blocks::{ask_for_import, block_handover, pending};
 pub use functions::{function_stand_ins, functions};
 pub use tests::product_tests;
 
