@@ -24,6 +24,10 @@ pub struct Kernel {
     pub uniform: Vec<bool>,
 }
 
+/// The number of operations from which a graph is left as it was built: passes take time, and nobody waits gladly for the product
+/// of two multivectors of 32 blades.
+const LARGEST: usize = 400;
+
 impl Kernel {
     /// Compiles an expression, wanting the stored coefficients of a type, or the scalar.
     #[must_use]
@@ -111,6 +115,19 @@ impl Kernel {
                 outputs.push(if named.is_negative { -found } else { found });
             }
         }
+        if passes::cost(&arena, &outputs).total() > LARGEST {
+            return Self {
+                arena,
+                outputs,
+                rule,
+                uniform: uniform_inputs,
+            };
+        }
+        let mut relations = Vec::new();
+        for input in &inputs {
+            relations.extend(passes::relations(&mut arena, algebra, input));
+        }
+        let (arena, outputs) = passes::optimise(arena, outputs, &uniform_inputs, &relations);
         Self {
             arena,
             outputs,
