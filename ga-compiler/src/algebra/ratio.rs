@@ -111,6 +111,9 @@ fn reduced(numerator: i128, denominator: i128) -> Ratio {
 impl Add for Ratio {
     type Output = Self;
     fn add(self, other: Self) -> Self {
+        if self.is_integer() && other.is_integer() {
+            return Self::integer(self.numerator + other.numerator);
+        }
         reduced(
             self.numerator * other.denominator + other.numerator * self.denominator,
             self.denominator * other.denominator,
@@ -128,6 +131,9 @@ impl Sub for Ratio {
 impl Mul for Ratio {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
+        if self.is_integer() && other.is_integer() {
+            return Self::integer(self.numerator * other.numerator);
+        }
         reduced(
             self.numerator * other.numerator,
             self.denominator * other.denominator,
@@ -139,6 +145,9 @@ impl Div for Ratio {
     type Output = Self;
     /// The caller has excluded a divisor of zero; zero comes back for it.
     fn div(self, other: Self) -> Self {
+        if other == Self::ONE {
+            return self;
+        }
         reduced(
             self.numerator * other.denominator,
             self.denominator * other.numerator,

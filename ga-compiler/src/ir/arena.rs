@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use super::mixer::MixerBuilder;
 use super::{Function, Prime};
 use crate::algebra::Ratio;
 
@@ -95,7 +96,7 @@ impl std::ops::Neg for Value {
 #[derive(Clone, Debug)]
 pub struct Arena {
     nodes: Vec<Node>,
-    known: HashMap<Node, NodeId>,
+    known: HashMap<Node, NodeId, MixerBuilder>,
     inputs: usize,
 }
 
@@ -103,7 +104,7 @@ impl Default for Arena {
     fn default() -> Self {
         Self {
             nodes: vec![Node::One],
-            known: HashMap::from([(Node::One, Self::ONE)]),
+            known: [(Node::One, Self::ONE)].into_iter().collect(),
             inputs: 0,
         }
     }
@@ -303,6 +304,12 @@ fn results_at(results: &[Prime], id: NodeId) -> Prime {
 
 /// The factor that leaves coprime integers, the first of them positive.
 fn common_factor(terms: &[Value]) -> Ratio {
+    let is_whole = |term: &Value| term.factor.is_integer();
+    let is_unit = |term: &Value| term.factor.abs() == Ratio::ONE;
+    if terms.iter().all(is_whole) && terms.iter().any(is_unit) {
+        let is_negative = terms[0].factor.is_negative();
+        return Ratio::integer(if is_negative { -1 } else { 1 });
+    }
     let divide = |mut a: i128, mut b: i128| {
         while b != 0 {
             (a, b) = (b, a % b);

@@ -12,6 +12,7 @@
 mod arena;
 mod facts;
 mod function;
+mod mixer;
 mod multivector;
 mod prime;
 
