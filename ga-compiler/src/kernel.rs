@@ -64,11 +64,26 @@ impl Kernel {
         uniform: &[bool],
         wanted: &[(StepId, Vec<NamedBlade>)],
     ) -> Self {
-        let by_rule = |rule| Self::of_program_by_rule(algebra, program, uniform, wanted, rule);
-        let mut best = by_rule(SandwichRule::LeftFirst);
-        if has_sandwich(program) {
-            for rule in SandwichRule::ALL {
-                let next = by_rule(rule);
+        let by_rule = |rule, rederive| {
+            Self::of_program_by_rule(algebra, program, uniform, wanted, rule, rederive)
+        };
+        let mut best = by_rule(SandwichRule::LeftFirst, false);
+        let rules: &[_] = if has_sandwich(program) {
+            &SandwichRule::ALL
+        } else {
+            &[SandwichRule::LeftFirst]
+        };
+        let rederivations: &[_] = if program.has_kinds() {
+            &[false, true]
+        } else {
+            &[false]
+        };
+        for &rederive in rederivations {
+            for &rule in rules {
+                if (rule, rederive) == (SandwichRule::LeftFirst, false) {
+                    continue;
+                }
+                let next = by_rule(rule, rederive);
                 if next.rank() < best.rank() {
                     best = next;
                 }
@@ -89,7 +104,7 @@ impl Kernel {
         let (program, result) = Program::of_expression(operands, expression);
         let uniform = vec![false; operands.len()];
         let wanted = [(result, wanted.to_vec())];
-        Self::of_program_by_rule(algebra, &program, &uniform, &wanted, rule)
+        Self::of_program_by_rule(algebra, &program, &uniform, &wanted, rule, false)
     }
 
     fn of_program_by_rule(
@@ -98,6 +113,7 @@ impl Kernel {
         uniform: &[bool],
         wanted: &[(StepId, Vec<NamedBlade>)],
         rule: SandwichRule,
+        rederive: bool,
     ) -> Self {
         let mut arena = Arena::default();
         let mut uniform_inputs = Vec::new();
@@ -107,7 +123,9 @@ impl Kernel {
             uniform_inputs.resize(arena.inputs(), *is_uniform);
         }
         let steps: Vec<StepId> = wanted.iter().map(|(step, _)| *step).collect();
-        let values = lower::lower(&mut arena, algebra, program, &inputs, &steps, rule);
+        let values = lower::lower(
+            &mut arena, algebra, program, &inputs, &steps, rule, rederive,
+        );
         let mut outputs = Vec::new();
         for (value, (_, blades)) in values.iter().zip(wanted) {
             for named in blades {
@@ -127,7 +145,8 @@ impl Kernel {
         for input in &inputs {
             relations.extend(passes::relations(&mut arena, algebra, input));
         }
-        let (arena, outputs) = passes::optimise(arena, outputs, &uniform_inputs, &relations);
+        let graph = passes::optimise(arena, outputs, &uniform_inputs, &relations);
+        let (arena, outputs) = passes::reciprocal(&graph.0, &graph.1).unwrap_or(graph);
         Self {
             arena,
             outputs,

@@ -18,6 +18,27 @@ pub fn operand(arena: &mut Arena, kind: &TypeDefinition) -> Multivector {
     complete(arena, kind, &written)
 }
 
+/// A value that is known to be a member of a type, with its constant coefficients as constants and its derived ones worked out
+/// from the stored ones: nothing else of what led to them is needed any more.
+pub(super) fn rederived(
+    arena: &mut Arena,
+    kind: &TypeDefinition,
+    value: &Multivector,
+) -> Multivector {
+    let written: Vec<Value> = kind
+        .coefficients
+        .iter()
+        .map(|c| match &c.role {
+            Role::Stored if c.is_negative => -value.coefficient(c.blade),
+            Role::Stored => value.coefficient(c.blade),
+            Role::Constant(constant) => Value::constant(*constant),
+            Role::Derived(_) => Value::ZERO,
+        })
+        .collect();
+    let facts = value.facts.and(kind.facts);
+    complete(arena, kind, &written).with_facts(facts)
+}
+
 /// A member of a type from its coefficients as written, the derived ones of which are worked out here.
 fn complete(arena: &mut Arena, kind: &TypeDefinition, written: &[Value]) -> Multivector {
     let mut terms = Vec::with_capacity(written.len());

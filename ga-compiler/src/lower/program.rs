@@ -1,11 +1,15 @@
 //! Programs to graphs, one step at a time.
 
 use super::SandwichRule;
+use super::operand::rederived;
 use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
 use crate::ir::{Arena, Facts, Multivector, Value};
 use crate::program::{Program, Step, StepId};
 
 /// Lowers the wanted steps of a program over operands that are already in the arena, and what they need.
+///
+/// With `rederive`, constant and derived coefficients of steps that are known members of a type are taken from the type: a
+/// moved point has weight 1 again, and its coefficient of infinity is half its square.
 #[must_use]
 pub fn lower(
     arena: &mut Arena,
@@ -14,6 +18,7 @@ pub fn lower(
     operands: &[Multivector],
     wanted: &[StepId],
     rule: SandwichRule,
+    rederive: bool,
 ) -> Vec<Multivector> {
     let mut uses = vec![0; program.len()];
     for (_, step) in program.steps() {
@@ -34,7 +39,11 @@ pub fn lower(
     for (id, step) in program.steps().filter(|(id, _)| needed[id.index()]) {
         let value = lowering.step(id, step);
         let facts = value.facts.and(program.stated(id));
-        lowering.values[id.index()] = value.with_facts(facts);
+        let value = value.with_facts(facts);
+        lowering.values[id.index()] = match program.kind(id) {
+            Some(kind) if rederive => rederived(lowering.arena, kind, &value),
+            _ => value,
+        };
     }
     wanted
         .iter()

@@ -9,7 +9,7 @@
 //!
 //! It is right by the distributive law.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use super::flatten;
 use super::rate::Rates;
@@ -30,10 +30,7 @@ pub fn factor(arena: &Arena, outputs: &[Value], uniform: &[bool]) -> Option<Grap
     if !arena.ids().any(is_candidate) {
         return None;
     }
-    let mut search = Search {
-        rates: Rates::new(uniform),
-        tried: BTreeSet::new(),
-    };
+    let mut rates = Rates::new(uniform);
     rewrite(arena, outputs, &reads, |copy, id, images| {
         let Node::Sum(terms) = arena.node(id) else {
             return None;
@@ -48,17 +45,10 @@ pub fn factor(arena: &Arena, outputs: &[Value], uniform: &[bool]) -> Option<Grap
                 is_only_here: reads[term.node.index()] == 1,
             })
             .collect();
-        let terms = with_variables_taken_out(copy, terms, &mut search);
+        let terms = with_variables_taken_out(copy, &terms, &mut rates);
         let terms = with_constants_taken_out(copy, &terms);
         Some(copy.sum(terms))
     })
-}
-
-/// What is known while the sums of a graph are gone through.
-struct Search<'a> {
-    rates: Rates<'a>,
-    /// Sums that were built to look at them, and are not at hand therefore.
-    tried: BTreeSet<NodeId>,
 }
 
 /// A term of a sum.
@@ -95,94 +85,111 @@ fn has_common_constant(terms: &[Value]) -> bool {
     })
 }
 
-fn with_variables_taken_out(
-    copy: &mut Arena,
-    mut terms: Vec<Term>,
-    search: &mut Search<'_>,
-) -> Vec<Value> {
-    while let Some(common) = best_factor(copy, &terms, search) {
-        let mut inside = Vec::new();
-        let mut outside = Vec::with_capacity(terms.len());
-        for term in terms {
-            match cofactor(copy, term.value.node, common) {
-                Some(node) if term.is_only_here => inside.push(Value {
-                    factor: term.value.factor,
-                    node,
-                }),
-                _ => outside.push(term),
-            }
-        }
-        let (shared, plain): (Vec<Value>, Vec<Value>) = inside
+fn with_variables_taken_out(copy: &mut Arena, terms: &[Term], rates: &mut Rates<'_>) -> Vec<Value> {
+    let mut terms = Products::new(copy, terms);
+    while let Some(common) = terms.best(copy, rates) {
+        let cofactors: Vec<Value> = terms.take(common);
+        let (shared, plain): (Vec<Value>, Vec<Value>) = cofactors
             .into_iter()
             .partition(|value| matches!(copy.node(value.node), Node::Sum(_)));
         let bracket = flatten::sum(copy, &plain, &shared);
-        search.tried.remove(&bracket.node);
         let factor = Value {
             factor: Ratio::ONE,
             node: common,
         };
-        let value = copy.product(factor, bracket);
-        outside.push(Term {
-            value,
-            is_only_here: true,
-        });
-        terms = outside;
+        let product = copy.product(factor, bracket);
+        terms.push(copy, product);
     }
-    terms.into_iter().map(|term| term.value).collect()
+    terms.values.into_iter().flatten().collect()
 }
 
-/// The other factor of a product, if one is as given.
-fn cofactor(arena: &Arena, node: NodeId, factor: NodeId) -> Option<NodeId> {
-    match arena.node(node) {
-        Node::Product(a, b) if *a == factor => Some(*b),
-        Node::Product(a, b) if *b == factor => Some(*a),
-        _ => None,
-    }
+/// The terms of a sum, by the factors of those that are products.
+struct Products {
+    /// The terms; none where one was taken.
+    values: Vec<Option<Value>>,
+    /// For each factor the places of the products that have it, with what they have besides.
+    groups: BTreeMap<NodeId, Group>,
 }
 
-/// The factor that saves most: first of what varies, then of all; of equals the earliest node.
-fn best_factor(copy: &mut Arena, terms: &[Term], search: &mut Search<'_>) -> Option<NodeId> {
-    let mut groups: BTreeMap<NodeId, Vec<Value>> = BTreeMap::new();
-    for term in terms.iter().filter(|term| term.is_only_here) {
-        if let &Node::Product(a, b) = copy.node(term.value.node) {
-            let cofactor = |node| Value {
-                factor: term.value.factor,
-                node,
-            };
-            groups.entry(a).or_default().push(cofactor(b));
-            if a != b {
-                groups.entry(b).or_default().push(cofactor(a));
+#[derive(Default)]
+struct Group {
+    members: Vec<(usize, Value)>,
+    /// Whether the sum of what the products have besides is at hand; unknown until looked for.
+    is_at_hand: Option<bool>,
+}
+
+impl Products {
+    fn new(arena: &Arena, terms: &[Term]) -> Self {
+        let mut result = Self {
+            values: Vec::with_capacity(terms.len()),
+            groups: BTreeMap::new(),
+        };
+        for term in terms {
+            if term.is_only_here {
+                result.push(arena, term.value);
+            } else {
+                result.values.push(Some(term.value));
+            }
+        }
+        result
+    }
+
+    fn push(&mut self, arena: &Arena, value: Value) {
+        let place = self.values.len();
+        self.values.push(Some(value));
+        if let &Node::Product(a, b) = arena.node(value.node) {
+            let both = [(a, b), (b, a)];
+            for (common, node) in &both[..if a == b { 1 } else { 2 }] {
+                let group = self.groups.entry(*common).or_default();
+                let cofactor = Value {
+                    factor: value.factor,
+                    node: *node,
+                };
+                group.members.push((place, cofactor));
+                group.is_at_hand = None;
             }
         }
     }
-    let mut best = None;
-    for (common, cofactors) in groups {
-        if cofactors.len() < 2 {
-            continue;
+
+    /// The factor that saves most: first of what varies, then of all; of equals the earliest node.
+    fn best(&mut self, arena: &Arena, rates: &mut Rates<'_>) -> Option<NodeId> {
+        let mut best = None;
+        for (common, group) in &mut self.groups {
+            if group.members.len() < 2 {
+                continue;
+            }
+            let fewer = group.members.len() - 1;
+            let members = group.members.iter();
+            let is_at_hand = *group.is_at_hand.get_or_insert_with(|| {
+                let sum = arena.known_sum(members.clone().map(|(_, cofactor)| *cofactor));
+                sum.is_some()
+            });
+            // Unlike the products, a sum in brackets is uniform where all of its terms are.
+            let is_moved = !rates.is_uniform(arena, *common)
+                && members
+                    .clone()
+                    .all(|(_, c)| rates.is_uniform(arena, c.node));
+            let saved = if is_at_hand { 2 * fewer } else { fewer };
+            let gain = (if is_moved { saved + fewer } else { saved }, saved);
+            if best.is_none_or(|(most, _)| gain > most) {
+                best = Some((gain, *common));
+            }
         }
-        let mut saved = cofactors.len() - 1;
-        let before = copy.len();
-        let bracket = copy.sum(cofactors.iter().copied());
-        if copy.len() > before {
-            search.tried.insert(bracket.node);
-        }
-        if !search.tried.contains(&bracket.node) {
-            saved += cofactors.len() - 1;
-        }
-        // Unlike the products, a sum in brackets is uniform where all of its terms are.
-        let moved = if search.rates.is_uniform(copy, common)
-            || !search.rates.is_uniform(copy, bracket.node)
-        {
-            0
-        } else {
-            cofactors.len() - 1
-        };
-        let gain = (saved + moved, saved);
-        if best.is_none_or(|(most, _)| gain > most) {
-            best = Some((gain, common));
-        }
+        best.map(|(_, common)| common)
     }
-    best.map(|(_, common)| common)
+
+    /// Takes away the products with a factor; gives what they have besides.
+    fn take(&mut self, common: NodeId) -> Vec<Value> {
+        let taken = self.groups.remove(&common).unwrap_or_default().members;
+        for (place, cofactor) in &taken {
+            self.values[*place] = None;
+            if let Some(group) = self.groups.get_mut(&cofactor.node) {
+                group.members.retain(|(other, _)| other != place);
+                group.is_at_hand = None;
+            }
+        }
+        taken.into_iter().map(|(_, cofactor)| cofactor).collect()
+    }
 }
 
 fn with_constants_taken_out(copy: &mut Arena, terms: &[Value]) -> Vec<Value> {

@@ -15,15 +15,10 @@ pub fn optimise(arena: Arena, outputs: Vec<Value>, uniform: &[bool], relations: 
     starts.extend(reduced(&arena, &outputs, relations));
     starts.push(flatten(&arena, &outputs).unwrap_or_else(|| (arena.clone(), outputs.clone())));
     let mut best = Candidate::new((arena, outputs), uniform);
-    let orders: [&[Pass]; 2] = [&[Pass::Factor, Pass::Share], &[Pass::Share, Pass::Factor]];
     for start in &starts {
-        for order in orders {
-            let mut graph = start.clone();
-            for pass in order {
-                graph = pass.apply(graph, uniform);
-            }
-            graph = apply(graph, substitute);
-            graph = Pass::Scale.apply(graph, uniform);
+        for graph in restructured(start, uniform) {
+            let graph = apply(graph, substitute);
+            let graph = apply(graph, |arena, outputs| scale(arena, outputs, uniform));
             let next = Candidate::new(graph, uniform);
             if next.price < best.price {
                 best = next;
@@ -46,21 +41,19 @@ fn reduced(arena: &Arena, outputs: &[Value], relations: &[Value]) -> Option<Grap
     Some(apply(reduced, flatten))
 }
 
-#[derive(Clone, Copy)]
-enum Pass {
-    Factor,
-    Share,
-    Scale,
-}
-
-impl Pass {
-    fn apply(self, graph: Graph, uniform: &[bool]) -> Graph {
-        apply(graph, |arena, outputs| match self {
-            Self::Factor => factor(arena, outputs, uniform),
-            Self::Share => share(arena, outputs),
-            Self::Scale => scale(arena, outputs, uniform),
-        })
+/// The graph factored and shared, in both orders where they may differ.
+fn restructured(start: &Graph, uniform: &[bool]) -> Vec<Graph> {
+    let take_out = |arena: &Arena, outputs: &[Value]| factor(arena, outputs, uniform);
+    let factored = take_out(&start.0, &start.1);
+    let shared = share(&start.0, &start.1);
+    let is_same = factored.is_none() && shared.is_none();
+    let mut results = Vec::new();
+    results.extend(factored.map(|graph| apply(graph, share)));
+    results.extend(shared.map(|graph| apply(graph, take_out)));
+    if is_same {
+        results.push(start.clone());
     }
+    results
 }
 
 fn apply(graph: Graph, pass: impl Fn(&Arena, &[Value]) -> Option<Graph>) -> Graph {

@@ -6,6 +6,7 @@ use crate::ir::{Arena, Node, NodeId};
 #[derive(Clone, Debug)]
 pub(super) struct Rates<'a> {
     uniform: &'a [bool],
+    has_uniform: bool,
     known: Vec<bool>,
 }
 
@@ -15,6 +16,7 @@ impl<'a> Rates<'a> {
     pub(super) fn new(uniform: &'a [bool]) -> Self {
         Self {
             uniform,
+            has_uniform: uniform.contains(&true),
             known: Vec::new(),
         }
     }
@@ -22,7 +24,10 @@ impl<'a> Rates<'a> {
     /// Whether a node depends on uniform inputs only. Where no input is marked this says no of every node but
     /// constants.
     pub(super) fn is_uniform(&mut self, arena: &Arena, id: NodeId) -> bool {
-        for next in arena.ids().skip(self.known.len()) {
+        if !self.has_uniform {
+            return id == Arena::ONE;
+        }
+        for next in arena.ids_from(self.known.len()) {
             let known = &self.known;
             let is_uniform = match arena.node(next) {
                 Node::One => true,

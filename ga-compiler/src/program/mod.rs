@@ -83,6 +83,7 @@ pub struct Program<'a> {
     steps: Vec<Step>,
     known: HashMap<Step, StepId>,
     facts: HashMap<StepId, Facts>,
+    kinds: HashMap<StepId, &'a TypeDefinition>,
 }
 
 impl<'a> Program<'a> {
@@ -159,6 +160,23 @@ impl<'a> Program<'a> {
     #[must_use]
     pub fn stated(&self, id: StepId) -> Facts {
         self.facts.get(&id).copied().unwrap_or_default()
+    }
+
+    /// States that a step is always a member of a type.
+    pub fn state_kind(&mut self, id: StepId, kind: &'a TypeDefinition) {
+        self.kinds.insert(id, kind);
+    }
+
+    /// The type that a step was stated to be a member of.
+    #[must_use]
+    pub fn kind(&self, id: StepId) -> Option<&'a TypeDefinition> {
+        self.kinds.get(&id).copied()
+    }
+
+    /// Whether the type of some step is known.
+    #[must_use]
+    pub fn has_kinds(&self) -> bool {
+        !self.kinds.is_empty()
     }
 
     /// The steps of an expression over the operands; the last one is its value.

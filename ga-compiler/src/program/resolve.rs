@@ -88,6 +88,7 @@ pub fn resolve<'a>(
     let value = resolver.body(function)?;
     let mut outputs = Vec::new();
     resolver.fit(&function.value, &value, &result, "the result", &mut outputs)?;
+    state_kinds(definition, &mut resolver.builder);
     let Builder {
         program,
         witness,
@@ -102,6 +103,35 @@ pub fn resolve<'a>(
         result,
         outputs,
     })
+}
+
+/// States which steps are members of a type with derived coefficients: points that have been moved, for instance.
+fn state_kinds<'a>(definition: &'a Definition, builder: &mut Builder<'a>) {
+    let is_derived = |kind: &&TypeDefinition| {
+        let mut roles = kind.coefficients.iter().map(|c| &c.role);
+        roles.any(|role| matches!(role, Role::Derived(_)))
+    };
+    let kinds: Vec<_> = definition.types.iter().filter(is_derived).collect();
+    let products: Vec<StepId> = builder
+        .program
+        .steps()
+        .filter(|(_, step)| {
+            matches!(
+                step,
+                Step::Binary(Product::Geometric, ..) | Step::Sandwich(..) | Step::Quotient(..)
+            )
+        })
+        .map(|(id, _)| id)
+        .collect();
+    for id in products {
+        let is_member = |kind: &&&TypeDefinition| {
+            let reasons = builder.witness.reasons(builder.algebra, id, Some(kind));
+            reasons.is_empty()
+        };
+        if let Some(kind) = kinds.iter().find(is_member) {
+            builder.program.state_kind(id, kind);
+        }
+    }
 }
 
 /// The type of plain numbers, which every algebra shares.

@@ -1,0 +1,67 @@
+//! Several quotients by one divisor become products with its reciprocal.
+//!
+//! `a/d, b/d, c/d → r = 1/d; a r, b r, c r`: a division takes as long as several multiplications, and cannot be pipelined as
+//! well. Two quotients stay, each with one rounding.
+
+use super::rewrite::{Graph, reads, rewrite};
+use crate::ir::{Arena, Node, Value};
+
+/// From how many quotients on it pays.
+const LEAST: usize = 3;
+
+/// Rewrites the quotients of a graph; `None` where no divisor occurs often enough.
+#[must_use]
+pub fn reciprocal(arena: &Arena, outputs: &[Value]) -> Option<Graph> {
+    let reads = reads(arena, outputs);
+    let mut counts = vec![0; arena.len()];
+    for id in arena.ids().filter(|id| reads[id.index()] > 0) {
+        if let Node::Quotient(_, divisor) = arena.node(id) {
+            counts[divisor.index()] += 1;
+        }
+    }
+    if counts.iter().all(|&count| count < LEAST) {
+        return None;
+    }
+    rewrite(arena, outputs, &reads, |copy, id, images| {
+        match arena.node(id) {
+            Node::Quotient(dividend, divisor) if counts[divisor.index()] >= LEAST => {
+                let inverse = copy.quotient(Value::ONE, images[divisor.index()])?;
+                Some(copy.product(images[dividend.index()], inverse))
+            }
+            _ => None,
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ir::Prime;
+    use crate::passes::cost;
+
+    #[test]
+    fn three_quotients_share_one_division() {
+        let mut arena = Arena::default();
+        let [a, b, c, d] = [(); 4].map(|()| arena.input());
+        let outputs: Vec<Value> = [a, b, c]
+            .iter()
+            .filter_map(|&x| arena.quotient(x, d))
+            .collect();
+        let Some((new, found)) = reciprocal(&arena, &outputs) else {
+            panic!("it pays")
+        };
+        assert_eq!(
+            (
+                cost(&new, &found).divisions,
+                cost(&new, &found).multiplications
+            ),
+            (1, 3)
+        );
+        let inputs = [5, 7, 11, 13].map(Prime::new);
+        let (before, after) = (arena.evaluate(&inputs), new.evaluate(&inputs));
+        for (old, new) in outputs.iter().zip(&found) {
+            assert_eq!(before[old.node.index()], after[new.node.index()]);
+        }
+        assert!(reciprocal(&arena, &outputs[..2]).is_none());
+    }
+}
