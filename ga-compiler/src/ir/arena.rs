@@ -134,7 +134,13 @@ impl Arena {
 
     /// The nodes, each after everything that it refers to.
     pub fn ids(&self) -> impl DoubleEndedIterator<Item = NodeId> + use<> {
-        (0..u32::try_from(self.nodes.len()).unwrap_or(u32::MAX)).map(NodeId)
+        self.ids_from(0)
+    }
+
+    /// The nodes from a place on.
+    pub fn ids_from(&self, place: usize) -> impl DoubleEndedIterator<Item = NodeId> + use<> {
+        let index = |place: usize| u32::try_from(place).unwrap_or(u32::MAX);
+        (index(place)..index(self.nodes.len())).map(NodeId)
     }
 
     /// The number of inputs so far.
@@ -183,27 +189,25 @@ impl Arena {
 
     /// The sum of any number of values: equal nodes are collected, and the common factor moves outwards.
     pub fn sum(&mut self, values: impl IntoIterator<Item = Value>) -> Value {
-        let mut terms: Vec<Value> = values.into_iter().filter(|v| !v.is_zero()).collect();
-        terms.sort_by_key(|value| value.node);
-        terms.dedup_by(|next, kept| {
-            let same = next.node == kept.node;
-            if same {
-                kept.factor = kept.factor + next.factor;
+        match normal_sum(values) {
+            Ok(value) => value,
+            Err((factor, terms)) => {
+                let node = self.intern(Node::Sum(terms));
+                Value { factor, node }
             }
-            same
-        });
-        terms.retain(|value| !value.is_zero());
-        match terms.as_slice() {
-            [] => return Value::ZERO,
-            [single] => return *single,
-            _ => {}
         }
-        let factor = common_factor(&terms);
-        for term in &mut terms {
-            term.factor = term.factor / factor;
+    }
+
+    /// The sum of some values, if it is there already.
+    #[must_use]
+    pub fn known_sum(&self, values: impl IntoIterator<Item = Value>) -> Option<Value> {
+        match normal_sum(values) {
+            Ok(value) => Some(value),
+            Err((factor, terms)) => {
+                let node = *self.known.get(&Node::Sum(terms))?;
+                Some(Value { factor, node })
+            }
         }
-        let node = self.intern(Node::Sum(terms.into()));
-        Value { factor, node }
     }
 
     /// A function of values.
@@ -296,6 +300,30 @@ fn constant_value(function: Function, arguments: &[Value]) -> Option<Ratio> {
         Function::NaturalLogarithm if x == Ratio::ONE => Some(Ratio::ZERO),
         _ => None,
     }
+}
+
+/// The value that a sum is without a node of its own, or else its factor and the terms of its node.
+fn normal_sum(values: impl IntoIterator<Item = Value>) -> Result<Value, (Ratio, Box<[Value]>)> {
+    let mut terms: Vec<Value> = values.into_iter().filter(|v| !v.is_zero()).collect();
+    terms.sort_by_key(|value| value.node);
+    terms.dedup_by(|next, kept| {
+        let same = next.node == kept.node;
+        if same {
+            kept.factor = kept.factor + next.factor;
+        }
+        same
+    });
+    terms.retain(|value| !value.is_zero());
+    match terms.as_slice() {
+        [] => return Ok(Value::ZERO),
+        [single] => return Ok(*single),
+        _ => {}
+    }
+    let factor = common_factor(&terms);
+    for term in &mut terms {
+        term.factor = term.factor / factor;
+    }
+    Err((factor, terms.into()))
 }
 
 fn results_at(results: &[Prime], id: NodeId) -> Prime {

@@ -13,6 +13,8 @@
 //! The first two steps are left out as an alternative, and the cheaper result stands. It is right because what a
 //! node's scale divides out is multiplied in again wherever the node is read.
 
+use std::collections::BTreeMap;
+
 use super::rate::Rates;
 use super::rewrite::{Graph, reads, rewrite};
 use crate::algebra::Ratio;
@@ -87,14 +89,11 @@ impl<'a> Scales<'a> {
             total: 0,
         };
         for id in scales.live.clone() {
-            match arena.node(id) {
-                Node::Product(a, b) => {
-                    scales.products[a.index()].push(id);
-                    if a != b {
-                        scales.products[b.index()].push(id);
-                    }
+            if let Node::Product(a, b) = arena.node(id) {
+                scales.products[a.index()].push(id);
+                if a != b {
+                    scales.products[b.index()].push(id);
                 }
-                _ => {}
             }
             scales.want_operands(id, true);
         }
@@ -209,16 +208,14 @@ impl<'a> Scales<'a> {
         loop {
             let mut best: Option<(usize, NodeId, Ratio)> = None;
             let before = self.total;
-            for id in self.live.clone() {
-                for multiple in self.candidates(id) {
-                    let undo = self.serve(id, multiple);
-                    let after = self.total;
-                    for (product, sides) in undo.into_iter().rev() {
-                        self.set_product(product, sides);
-                    }
-                    if after < best.map_or(before, |(least, ..)| least) {
-                        best = Some((after, id, multiple));
-                    }
+            for (id, multiple) in self.candidates() {
+                let undo = self.serve(id, multiple);
+                let after = self.total;
+                for (product, sides) in undo.into_iter().rev() {
+                    self.set_product(product, sides);
+                }
+                if after < best.map_or(before, |(least, ..)| least) {
+                    best = Some((after, id, multiple));
                 }
             }
             let Some((_, id, multiple)) = best else {
@@ -228,19 +225,31 @@ impl<'a> Scales<'a> {
         }
     }
 
-    /// By what the products that read a node miss what is read of them.
-    fn candidates(&self, id: NodeId) -> Vec<Ratio> {
-        let mut found = Vec::new();
-        for product in &self.products[id.index()] {
-            let scale = self.scales[product.index()];
-            for (multiple, _) in &self.wanted[product.index()] {
-                let missing = *multiple / scale;
-                if missing != Ratio::ONE && !found.contains(&missing) {
-                    found.push(missing);
+    /// Operands with the factors that products miss which read them. One product alone gains nothing by a multiple
+    /// that is not read yet.
+    fn candidates(&self) -> Vec<(NodeId, Ratio)> {
+        let mut found: BTreeMap<(NodeId, Ratio), bool> = BTreeMap::new();
+        for &id in &self.live {
+            let &Node::Product(a, b) = self.arena.node(id) else {
+                continue;
+            };
+            let scale = self.scales[id.index()];
+            for &(multiple, _) in &self.wanted[id.index()] {
+                if multiple == scale {
+                    continue;
+                }
+                let missing = multiple / scale;
+                for (operand, side) in [a, b].into_iter().zip(self.sides[id.index()]) {
+                    let is_read = self.count(operand, side * missing) > 0;
+                    found
+                        .entry((operand, missing))
+                        .and_modify(|serves| *serves = true)
+                        .or_insert(is_read);
                 }
             }
         }
-        found
+        let useful = found.into_iter().filter(|(_, serves)| *serves);
+        useful.map(|(candidate, _)| candidate).collect()
     }
 
     /// Lets every product that gains by it read another multiple of a node; gives what was before.
@@ -277,6 +286,8 @@ impl<'a> Scales<'a> {
                 for term in terms {
                     tried.push(self.scales[term.node.index()] / term.factor.abs());
                 }
+                tried.sort_unstable();
+                tried.dedup();
                 let mut best = (self.total, current);
                 for scale in tried {
                     if scale != current {
