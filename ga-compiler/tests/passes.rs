@@ -243,6 +243,29 @@ fn a_common_factor_is_taken_out() {
 }
 
 #[test]
+fn factors_are_found_in_products_of_products() {
+    // d (a x) + e (a y) + f (z a) is a (d x + e y + f z), whatever was multiplied first.
+    let products = graph(|arena, [a, d, e, f, x, y, z]| {
+        let inner = [(a, x, d), (a, y, e), (z, a, f)];
+        let terms = inner.map(|(first, second, last)| {
+            let inner = arena.product(first, second);
+            arena.product(last, inner)
+        });
+        vec![arena.sum(terms)]
+    });
+    assert_eq!(operations(count(&products)), (6, 2));
+    assert_eq!(optimised(&products), (4, 2));
+    // a b x + a b y + c: two factors come out together.
+    let products = graph(|arena, [a, b, c, x, y]| {
+        let (ax, bx) = (arena.product(a, x), arena.product(b, y));
+        let terms = [arena.product(ax, b), arena.product(bx, a), c];
+        vec![arena.sum(terms)]
+    });
+    assert_eq!(operations(count(&products)), (4, 2));
+    assert_eq!(optimised(&products), (2, 2));
+}
+
+#[test]
 fn a_sum_at_hand_decides_which_factor_is_taken_out() {
     // Of a b + a c + b d, the sum b + c or the sum a + d; b + c is wanted anyway.
     for other in [false, true] {

@@ -7,6 +7,8 @@
 //! Where some inputs are uniform, what saves most of the rest comes first: of `u v + w v` with uniform u and w the
 //! sum `u + w` moves to the uniform part.
 //!
+//! Products of products that nothing else reads count with all of their factors: `a (b c) + d (b e)` becomes `b (a c + d e)`.
+//!
 //! It is right by the distributive law.
 
 use std::collections::BTreeMap;
@@ -40,35 +42,60 @@ pub fn factor(arena: &Arena, outputs: &[Value], uniform: &[bool]) -> Option<Grap
         }
         let terms: Vec<Term> = terms
             .iter()
-            .map(|&term| Term {
-                value: image(images, term),
-                is_only_here: reads[term.node.index()] == 1,
-            })
+            .map(|&term| Term::new(arena, &reads, images, term))
             .collect();
-        let terms = with_variables_taken_out(copy, &terms, &mut rates);
+        let terms = with_variables_taken_out(copy, terms, &mut rates);
         let terms = with_constants_taken_out(copy, &terms);
         Some(copy.sum(terms))
     })
 }
 
-/// A term of a sum.
-#[derive(Clone, Copy)]
+/// A term of a sum, in the copy.
 struct Term {
     value: Value,
-    /// Whether no other operation reads the term's node, so that it is saved if the term goes.
-    is_only_here: bool,
+    /// The factors of a product that nothing else reads, so that it is saved if the term goes; none for another term.
+    factors: Vec<NodeId>,
+}
+
+impl Term {
+    fn new(arena: &Arena, reads: &[usize], images: &[Value], term: Value) -> Self {
+        let value = image(images, term);
+        let mut leaves = Vec::new();
+        collect_factors(arena, reads, term.node, &mut leaves);
+        let product = leaves.iter().map(|leaf| images[leaf.index()]);
+        let factors =
+            if leaves.len() < 2 || product.clone().any(|leaf| leaf.as_constant().is_some()) {
+                Vec::new()
+            } else {
+                product.map(|leaf| leaf.node).collect()
+            };
+        Self { value, factors }
+    }
+}
+
+/// The factors of a product, those of products in it that nothing else reads instead of these. A node that others read
+/// stands for itself.
+fn collect_factors(arena: &Arena, reads: &[usize], id: NodeId, factors: &mut Vec<NodeId>) {
+    match arena.node(id) {
+        Node::Product(a, b) if reads[id.index()] == 1 => {
+            collect_factors(arena, reads, *a, factors);
+            collect_factors(arena, reads, *b, factors);
+        }
+        _ => factors.push(id),
+    }
 }
 
 fn has_common_factor(arena: &Arena, terms: &[Value], reads: &[usize]) -> bool {
     let mut seen: Vec<NodeId> = Vec::with_capacity(2 * terms.len());
+    let mut factors = Vec::new();
     for term in terms {
-        if let Node::Product(a, b) = arena.node(term.node) {
-            if seen.contains(a) || seen.contains(b) {
+        factors.clear();
+        collect_factors(arena, reads, term.node, &mut factors);
+        if factors.len() > 1 {
+            if factors.iter().any(|factor| seen.contains(factor)) {
                 return true;
             }
-            if reads[term.node.index()] == 1 {
-                seen.extend([*a, *b]);
-            }
+            seen.extend(&factors);
         }
     }
     false
@@ -85,11 +112,27 @@ fn has_common_constant(terms: &[Value]) -> bool {
     })
 }
 
-fn with_variables_taken_out(copy: &mut Arena, terms: &[Term], rates: &mut Rates<'_>) -> Vec<Value> {
-    let mut terms = Products::new(copy, terms);
+fn with_variables_taken_out(
+    copy: &mut Arena,
+    terms: Vec<Term>,
+    rates: &mut Rates<'_>,
+) -> Vec<Value> {
+    let mut terms = Products::new(terms);
     while let Some(common) = terms.best(copy, rates) {
-        let cofactors: Vec<Value> = terms.take(common);
-        let (shared, plain): (Vec<Value>, Vec<Value>) = cofactors
+        let rest: Vec<Term> = terms
+            .take(common)
+            .into_iter()
+            .map(|(factor, factors)| Term {
+                value: product(copy, &factors, rates).scaled(factor),
+                factors: if factors.len() > 1 {
+                    factors
+                } else {
+                    Vec::new()
+                },
+            })
+            .collect();
+        let rest = with_variables_taken_out(copy, rest, rates);
+        let (shared, plain): (Vec<Value>, Vec<Value>) = rest
             .into_iter()
             .partition(|value| matches!(copy.node(value.node), Node::Sum(_)));
         let bracket = flatten::sum(copy, &plain, &shared);
@@ -97,57 +140,83 @@ fn with_variables_taken_out(copy: &mut Arena, terms: &[Term], rates: &mut Rates<
             factor: Ratio::ONE,
             node: common,
         };
-        let product = copy.product(factor, bracket);
-        terms.push(copy, product);
+        let whole = copy.product(factor, bracket);
+        terms.push(Term {
+            value: whole,
+            factors: match copy.node(whole.node) {
+                Node::Product(a, b) => vec![*a, *b],
+                _ => Vec::new(),
+            },
+        });
     }
     terms.values.into_iter().flatten().collect()
+}
+
+/// The product of some nodes, what is uniform first.
+fn product(copy: &mut Arena, factors: &[NodeId], rates: &mut Rates<'_>) -> Value {
+    let (first, second): (Vec<NodeId>, Vec<NodeId>) =
+        factors.iter().partition(|id| rates.is_uniform(copy, **id));
+    let mut whole = Value::ONE;
+    for node in first.into_iter().chain(second) {
+        let factor = Value {
+            factor: Ratio::ONE,
+            node,
+        };
+        whole = copy.product(whole, factor);
+    }
+    whole
 }
 
 /// The terms of a sum, by the factors of those that are products.
 struct Products {
     /// The terms; none where one was taken.
     values: Vec<Option<Value>>,
-    /// For each factor the places of the products that have it, with what they have besides.
+    /// For each factor the products that have it.
     groups: BTreeMap<NodeId, Group>,
 }
 
 #[derive(Default)]
 struct Group {
-    members: Vec<(usize, Value)>,
+    members: Vec<Member>,
     /// Whether the sum of what the products have besides is at hand; unknown until looked for.
     is_at_hand: Option<bool>,
 }
 
+/// A product without one of its factors.
+struct Member {
+    place: usize,
+    factor: Ratio,
+    rest: Vec<NodeId>,
+}
+
 impl Products {
-    fn new(arena: &Arena, terms: &[Term]) -> Self {
+    fn new(terms: Vec<Term>) -> Self {
         let mut result = Self {
             values: Vec::with_capacity(terms.len()),
             groups: BTreeMap::new(),
         };
         for term in terms {
-            if term.is_only_here {
-                result.push(arena, term.value);
-            } else {
-                result.values.push(Some(term.value));
-            }
+            result.push(term);
         }
         result
     }
 
-    fn push(&mut self, arena: &Arena, value: Value) {
+    fn push(&mut self, term: Term) {
         let place = self.values.len();
-        self.values.push(Some(value));
-        if let &Node::Product(a, b) = arena.node(value.node) {
-            let both = [(a, b), (b, a)];
-            for (common, node) in &both[..if a == b { 1 } else { 2 }] {
-                let group = self.groups.entry(*common).or_default();
-                let cofactor = Value {
-                    factor: value.factor,
-                    node: *node,
-                };
-                group.members.push((place, cofactor));
-                group.is_at_hand = None;
+        self.values.push(Some(term.value));
+        for (number, common) in term.factors.iter().enumerate() {
+            if term.factors[..number].contains(common) {
+                continue;
             }
+            let mut rest = term.factors.clone();
+            rest.remove(number);
+            let group = self.groups.entry(*common).or_default();
+            group.is_at_hand = None;
+            group.members.push(Member {
+                place,
+                factor: term.value.factor,
+                rest,
+            });
         }
     }
 
@@ -159,16 +228,24 @@ impl Products {
                 continue;
             }
             let fewer = group.members.len() - 1;
-            let members = group.members.iter();
+            let members = &group.members;
             let is_at_hand = *group.is_at_hand.get_or_insert_with(|| {
-                let sum = arena.known_sum(members.clone().map(|(_, cofactor)| *cofactor));
-                sum.is_some()
+                let single = |member: &Member| match *member.rest {
+                    [node] => Some(Value {
+                        factor: member.factor,
+                        node,
+                    }),
+                    _ => None,
+                };
+                let terms: Option<Vec<Value>> = members.iter().map(single).collect();
+                terms.is_some_and(|terms| arena.known_sum(terms).is_some())
             });
             // Unlike the products, a sum in brackets is uniform where all of its terms are.
             let is_moved = !rates.is_uniform(arena, *common)
-                && members
-                    .clone()
-                    .all(|(_, c)| rates.is_uniform(arena, c.node));
+                && members.iter().all(|member| {
+                    let mut rest = member.rest.iter();
+                    rest.all(|node| rates.is_uniform(arena, *node))
+                });
             let saved = if is_at_hand { 2 * fewer } else { fewer };
             let gain = (if is_moved { saved + fewer } else { saved }, saved);
             if best.is_none_or(|(most, _)| gain > most) {
@@ -179,16 +256,19 @@ impl Products {
     }
 
     /// Takes away the products with a factor; gives what they have besides.
-    fn take(&mut self, common: NodeId) -> Vec<Value> {
+    fn take(&mut self, common: NodeId) -> Vec<(Ratio, Vec<NodeId>)> {
         let taken = self.groups.remove(&common).unwrap_or_default().members;
-        for (place, cofactor) in &taken {
-            self.values[*place] = None;
-            if let Some(group) = self.groups.get_mut(&cofactor.node) {
-                group.members.retain(|(other, _)| other != place);
-                group.is_at_hand = None;
+        for member in &taken {
+            self.values[member.place] = None;
+            for node in &member.rest {
+                if let Some(group) = self.groups.get_mut(node) {
+                    group.members.retain(|other| other.place != member.place);
+                    group.is_at_hand = None;
+                }
             }
         }
-        taken.into_iter().map(|(_, cofactor)| cofactor).collect()
+        let parts = taken.into_iter();
+        parts.map(|member| (member.factor, member.rest)).collect()
     }
 }
 
