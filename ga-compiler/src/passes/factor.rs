@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 
 use super::flatten;
 use super::rate::Rates;
-use super::rewrite::{Graph, image, reads, rewrite};
+use super::rewrite::{Graph, collect_factors, image, reads, rewrite};
 use crate::algebra::Ratio;
 use crate::ir::{Arena, Node, NodeId, Value};
 
@@ -70,18 +70,6 @@ impl Term {
                 product.map(|leaf| leaf.node).collect()
             };
         Self { value, factors }
-    }
-}
-
-/// The factors of a product, those of products in it that nothing else reads instead of these. A node that others read
-/// stands for itself.
-fn collect_factors(arena: &Arena, reads: &[usize], id: NodeId, factors: &mut Vec<NodeId>) {
-    match arena.node(id) {
-        Node::Product(a, b) if reads[id.index()] == 1 => {
-            collect_factors(arena, reads, *a, factors);
-            collect_factors(arena, reads, *b, factors);
-        }
-        _ => factors.push(id),
     }
 }
 

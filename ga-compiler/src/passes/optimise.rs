@@ -1,8 +1,8 @@
 //! The passes together.
 
 use super::rate::Rates;
-use super::rewrite::Graph;
-use super::{cost, factor, flatten, reduce, scale, schedule, share, substitute};
+use super::rewrite::{Graph, with_first};
+use super::{cost, factor, flatten, part, reduce, scale, schedule, share, substitute};
 use crate::ir::{Arena, Node, Value};
 
 /// Rewrites a graph to an equal one that costs no more.
@@ -18,6 +18,7 @@ pub fn optimise(arena: Arena, outputs: Vec<Value>, uniform: &[bool], relations: 
     for start in &starts {
         for graph in restructured(start, uniform) {
             let graph = apply(graph, substitute);
+            let graph = apply(graph, |arena, outputs| part(arena, outputs, uniform));
             let graph = apply(graph, |arena, outputs| scale(arena, outputs, uniform));
             let next = Candidate::new(graph, uniform);
             if next.price < best.price {
@@ -33,9 +34,10 @@ fn reduced(arena: &Arena, outputs: &[Value], relations: &[Value]) -> Option<Grap
     if relations.is_empty() {
         return None;
     }
-    // The relations come along as outputs, so that their terms are those of the flattened graph.
-    let all: Vec<Value> = outputs.iter().chain(relations).copied().collect();
-    let (arena, mut all) = flatten(arena, &all).unwrap_or_else(|| (arena.clone(), all));
+    // The relations come first, so that every sum can take them in, and are flattened along with the graph.
+    let ((arena, outputs), relations) = with_first(arena, outputs, relations)?;
+    let all: Vec<Value> = outputs.iter().chain(&relations).copied().collect();
+    let (arena, mut all) = flatten(&arena, &all).unwrap_or((arena, all));
     let relations = all.split_off(outputs.len());
     let reduced = reduce(&arena, &all, &relations)?;
     Some(apply(reduced, flatten))

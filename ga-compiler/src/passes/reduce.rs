@@ -13,8 +13,6 @@ use crate::ir::{Arena, Multivector, Node, Value};
 
 /// What is zero for an operand by its facts: the coefficients of `M ~M − 1` for a unit versor, of `X²` for a null X, of
 /// `X ∧ X` for a blade.
-///
-/// They are of use to what is built in the arena after them.
 pub fn relations(arena: &mut Arena, algebra: &Algebra, operand: &Multivector) -> Vec<Value> {
     let mut zero = Vec::new();
     if operand.facts.unit_versor {
@@ -33,7 +31,8 @@ pub fn relations(arena: &mut Arena, algebra: &Algebra, operand: &Multivector) ->
     coefficients.map(|(_, value)| *value).collect()
 }
 
-/// Reduces sums by values of the same arena that are known to be zero; `None` where nothing gets cheaper.
+/// Reduces sums by values of the same arena that are known to be zero; `None` where nothing gets cheaper. A relation serves
+/// the sums that come after its terms.
 #[must_use]
 pub fn reduce(arena: &Arena, outputs: &[Value], relations: &[Value]) -> Option<Graph> {
     let known: Vec<&[Value]> = relations

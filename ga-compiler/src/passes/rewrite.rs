@@ -32,6 +32,23 @@ pub(super) fn for_each_operand(node: &Node, mut call: impl FnMut(NodeId)) {
     }
 }
 
+/// The factors of a product, those of products in it that nothing else reads instead of these. A node that others read
+/// stands for itself.
+pub(super) fn collect_factors(
+    arena: &Arena,
+    reads: &[usize],
+    id: NodeId,
+    factors: &mut Vec<NodeId>,
+) {
+    match arena.node(id) {
+        Node::Product(a, b) if reads[id.index()] == 1 => {
+            collect_factors(arena, reads, *a, factors);
+            collect_factors(arena, reads, *b, factors);
+        }
+        _ => factors.push(id),
+    }
+}
+
 /// Copies the live nodes of a graph. `change` may give another value for a node, built in the copy from the images of
 /// earlier nodes; where it gives none the node is copied.
 ///
@@ -40,15 +57,39 @@ pub(super) fn rewrite(
     arena: &Arena,
     outputs: &[Value],
     reads: &[usize],
+    change: impl FnMut(&mut Arena, NodeId, &[Value]) -> Option<Value>,
+) -> Option<Graph> {
+    rewrite_in_order(arena, outputs, arena.ids(), reads, change)
+}
+
+/// Copies a graph so that what some values need comes before all else. Gives these values in the copy, too.
+pub(super) fn with_first(
+    arena: &Arena,
+    outputs: &[Value],
+    first: &[Value],
+) -> Option<(Graph, Vec<Value>)> {
+    let before = reads(arena, first);
+    let all: Vec<Value> = outputs.iter().chain(first).copied().collect();
+    let live = reads(arena, &all);
+    let (early, late): (Vec<NodeId>, Vec<NodeId>) =
+        arena.ids().partition(|id| before[id.index()] > 0);
+    let order = early.into_iter().chain(late);
+    let (copy, mut all) = rewrite_in_order(arena, &all, order, &live, |_, _, _| None)?;
+    let first = all.split_off(outputs.len());
+    Some(((copy, all), first))
+}
+
+fn rewrite_in_order(
+    arena: &Arena,
+    outputs: &[Value],
+    order: impl Iterator<Item = NodeId>,
+    reads: &[usize],
     mut change: impl FnMut(&mut Arena, NodeId, &[Value]) -> Option<Value>,
 ) -> Option<Graph> {
     let mut copy = Arena::default();
     let inputs: Vec<Value> = (0..arena.inputs()).map(|_| copy.input()).collect();
     let mut images = vec![Value::ZERO; arena.len()];
-    for id in arena.ids() {
-        if reads[id.index()] == 0 {
-            continue;
-        }
+    for id in order.filter(|id| reads[id.index()] > 0) {
         let image = match arena.node(id) {
             Node::Input(number) => inputs[*number],
             node => match change(&mut copy, id, &images) {

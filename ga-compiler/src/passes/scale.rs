@@ -46,7 +46,9 @@ pub fn scale(arena: &Arena, outputs: &[Value], uniform: &[bool]) -> Option<Graph
     } else {
         plain
     };
-    (best.total < start.total).then(|| best.build(outputs, &reads))?
+    // A uniform multiple is better held even where it is read once.
+    let is_better = best.total < start.total || uniform.contains(&true);
+    is_better.then(|| best.build(outputs, &reads))?
 }
 
 /// Scales of the nodes and the multiples that are read of them.

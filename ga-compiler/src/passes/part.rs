@@ -1,0 +1,54 @@
+//! Uniform parts of sums and products, apart from the rest.
+//!
+//! Where some inputs are uniform, `u + w + v` with uniform u and w is one addition for each v if u + w is a node of its own,
+//! and `u (w v)` one multiplication as `(u w) v`.
+//!
+//! It is right because addition and multiplication are associative and commutative.
+
+use super::rate::Rates;
+use super::rewrite::{Graph, collect_factors, image, reads, rewrite};
+use crate::ir::{Arena, Node, NodeId, Value};
+
+/// Parts what is uniform from the rest; `None` where there is nothing to part.
+#[must_use]
+pub fn part(arena: &Arena, outputs: &[Value], uniform: &[bool]) -> Option<Graph> {
+    if !uniform.contains(&true) {
+        return None;
+    }
+    let reads = reads(arena, outputs);
+    let mut rates = Rates::new(uniform);
+    let mut changed = false;
+    let graph = rewrite(arena, outputs, &reads, |copy, id, images| {
+        let mut is_uniform = |id: NodeId| rates.is_uniform(arena, id);
+        let (first, second): (Vec<Value>, Vec<Value>) = match arena.node(id) {
+            Node::Sum(terms) => terms.iter().partition(|term| is_uniform(term.node)),
+            Node::Product(a, b) if !is_uniform(*a) || !is_uniform(*b) => {
+                let mut factors = Vec::new();
+                collect_factors(arena, &reads, *a, &mut factors);
+                collect_factors(arena, &reads, *b, &mut factors);
+                let factors = factors.into_iter().map(|node| Value { node, ..Value::ONE });
+                factors.partition(|factor| is_uniform(factor.node))
+            }
+            _ => return None,
+        };
+        if first.len() < 2 || second.is_empty() {
+            return None;
+        }
+        changed = true;
+        let values = |parts: Vec<Value>| -> Vec<Value> {
+            parts.into_iter().map(|part| image(images, part)).collect()
+        };
+        let (first, second) = (values(first), values(second));
+        Some(match arena.node(id) {
+            Node::Sum(_) => {
+                let constant = copy.sum(first);
+                copy.sum(second.into_iter().chain([constant]))
+            }
+            _ => first
+                .into_iter()
+                .chain(second)
+                .fold(Value::ONE, |whole, next| copy.product(whole, next)),
+        })
+    })?;
+    changed.then_some(graph)
+}
