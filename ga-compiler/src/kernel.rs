@@ -1,11 +1,13 @@
 //! One compiled expression: the path from an expression over typed operands to a graph with chosen rules.
 
-use crate::algebra::{Algebra, Blade, NamedBlade, Ratio, Unary};
+use std::cmp::Ordering;
+
+use crate::algebra::{Algebra, Blade, NamedBlade, Product, Ratio, Unary};
 use crate::define::TypeDefinition;
 use crate::emit::stage::Stages;
 use crate::expression::Expression;
 use crate::ir::{Arena, Prime, Value};
-use crate::lower::{self, SandwichRule};
+use crate::lower::{self, Choice, InnerRule, JoinRule, SandwichRule};
 use crate::passes::{self, Cost};
 use crate::program::{Program, Step, StepId, Witness};
 use crate::verify;
@@ -18,8 +20,8 @@ pub struct Kernel {
     pub arena: Arena,
     /// The outputs.
     pub outputs: Vec<Value>,
-    /// The rule that won.
-    pub rule: SandwichRule,
+    /// The rules that won.
+    pub choice: Choice,
     /// For each input, whether it stays the same over many calls. What depends on such inputs alone is the prologue.
     pub uniform: Vec<bool>,
 }
@@ -56,7 +58,7 @@ impl Kernel {
     /// Compiles a program, wanting the given blades of some of its steps. `uniform` marks operands that stay the same over
     /// many calls.
     ///
-    /// Each rule for sandwiches is tried, and the cheapest graph is kept; of equals the first.
+    /// The rules are tried, and the cheapest graph is kept; of equals the first.
     #[must_use]
     pub fn of_program(
         algebra: &Algebra,
@@ -64,56 +66,107 @@ impl Kernel {
         uniform: &[bool],
         wanted: &[(StepId, Vec<NamedBlade>)],
     ) -> Self {
-        let by_rule = |rule, rederive| {
-            Self::of_program_by_rule(algebra, program, uniform, wanted, rule, rederive)
-        };
-        let mut best = by_rule(SandwichRule::LeftFirst, false);
-        let rules: &[_] = if has_sandwich(program) {
-            &SandwichRule::ALL
-        } else {
-            &[SandwichRule::LeftFirst]
-        };
-        let rederivations: &[_] = if program.has_kinds() {
-            &[false, true]
-        } else {
-            &[false]
-        };
-        for &rederive in rederivations {
-            for &rule in rules {
-                if (rule, rederive) == (SandwichRule::LeftFirst, false) {
-                    continue;
-                }
-                let next = by_rule(rule, rederive);
-                if next.rank() < best.rank() {
-                    best = next;
-                }
+        let by_choice =
+            |choice| Self::of_program_by_choice(algebra, program, uniform, wanted, choice);
+        let mut best = by_choice(Choice::default());
+        // One kind of rule after the other: all combinations would be too many.
+        if has_sandwich(program) {
+            for sandwich in SandwichRule::ALL {
+                best.improve(
+                    Choice {
+                        sandwich,
+                        ..best.choice
+                    },
+                    &by_choice,
+                );
+            }
+        }
+        if has_product(program, &[Product::Wedge]) {
+            for join in JoinRule::ALL {
+                best.improve(
+                    Choice {
+                        join,
+                        ..best.choice
+                    },
+                    &by_choice,
+                );
+            }
+        }
+        let inner = [
+            Product::LeftContraction,
+            Product::RightContraction,
+            Product::ScalarProduct,
+        ];
+        if has_product(program, &inner) {
+            for inner in InnerRule::ALL {
+                best.improve(
+                    Choice {
+                        inner,
+                        ..best.choice
+                    },
+                    &by_choice,
+                );
+            }
+        }
+        if program.has_kinds() {
+            let rederived = Choice {
+                rederive: true,
+                ..best.choice
+            };
+            best.improve(rederived, &by_choice);
+            for sandwich in SandwichRule::ALL {
+                let choice = Choice {
+                    sandwich,
+                    ..rederived
+                };
+                best.improve(choice, &by_choice);
             }
         }
         best
     }
 
-    /// Compiles an expression with a given rule for sandwiches.
+    /// Takes other rules if they make a cheaper graph. Of equals the one by differences stands, which rounds less.
+    fn improve(&mut self, choice: Choice, by_choice: &impl Fn(Choice) -> Self) {
+        if choice == self.choice {
+            return;
+        }
+        let next = by_choice(choice);
+        let is_exacter = |choice: Choice| {
+            choice.inner == InnerRule::Distance || choice.join == JoinRule::Difference
+        };
+        let is_better = match next.rank().cmp(&self.rank()) {
+            Ordering::Less => true,
+            Ordering::Equal => is_exacter(choice) && !is_exacter(self.choice),
+            Ordering::Greater => false,
+        };
+        if is_better {
+            *self = next;
+        }
+    }
+
+    /// Compiles an expression with given rules.
     #[must_use]
-    pub fn by_rule(
+    pub fn by_choice(
         algebra: &Algebra,
         operands: &[&TypeDefinition],
         expression: &Expression,
         wanted: &[NamedBlade],
-        rule: SandwichRule,
+        choice: Choice,
     ) -> Self {
         let (program, result) = Program::of_expression(operands, expression);
         let uniform = vec![false; operands.len()];
         let wanted = [(result, wanted.to_vec())];
-        Self::of_program_by_rule(algebra, &program, &uniform, &wanted, rule, false)
+        Self::of_program_by_choice(algebra, &program, &uniform, &wanted, choice)
     }
 
-    fn of_program_by_rule(
+    /// Compiles a program with given rules.
+    #[must_use]
+    pub fn of_program_by_choice(
         algebra: &Algebra,
         program: &Program<'_>,
         uniform: &[bool],
         wanted: &[(StepId, Vec<NamedBlade>)],
-        rule: SandwichRule,
-        rederive: bool,
+        choice: Choice,
     ) -> Self {
         let mut arena = Arena::default();
         let mut uniform_inputs = Vec::new();
@@ -123,9 +176,7 @@ impl Kernel {
             uniform_inputs.resize(arena.inputs(), *is_uniform);
         }
         let steps: Vec<StepId> = wanted.iter().map(|(step, _)| *step).collect();
-        let values = lower::lower(
-            &mut arena, algebra, program, &inputs, &steps, rule, rederive,
-        );
+        let values = lower::lower(&mut arena, algebra, program, &inputs, &steps, choice);
         let mut outputs = Vec::new();
         for (value, (_, blades)) in values.iter().zip(wanted) {
             for named in blades {
@@ -137,7 +188,7 @@ impl Kernel {
             return Self {
                 arena,
                 outputs,
-                rule,
+                choice,
                 uniform: uniform_inputs,
             };
         }
@@ -150,7 +201,7 @@ impl Kernel {
         Self {
             arena,
             outputs,
-            rule,
+            choice,
             uniform: uniform_inputs,
         }
     }
@@ -265,4 +316,11 @@ fn has_sandwich(program: &Program<'_>) -> bool {
     program
         .steps()
         .any(|(_, step)| matches!(step, Step::Sandwich(..) | Step::Unary(Unary::Reverse, _)))
+}
+
+/// Whether a program has one of some products.
+fn has_product(program: &Program<'_>, products: &[Product]) -> bool {
+    program
+        .steps()
+        .any(|(_, step)| matches!(step, Step::Binary(product, ..) if products.contains(product)))
 }

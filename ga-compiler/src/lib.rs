@@ -218,8 +218,8 @@ fn compile_one(
     let kernel = Kernel::of_program(algebra, program, &resolved.uniform, &wanted);
     if !kernel.agrees_with(program, &resolved.witness, &wanted) {
         let message = format!(
-            "rule {:?} changed the meaning of this function; this is a defect of the compiler",
-            kernel.rule
+            "the rules {:?} changed the meaning of this function; this is a defect of the compiler",
+            kernel.choice.names()
         );
         return Err(function.value.error(message));
     }

@@ -139,8 +139,13 @@ fn every_rule_keeps_the_meaning() {
             let types = [kind(versor), kind(operand)];
             for rule in SandwichRule::ALL {
                 let blades = wanted(Some(result));
-                let kernel =
-                    Kernel::by_rule(&definition.algebra, &types, &expression, &blades, rule);
+                let kernel = Kernel::by_choice(
+                    &definition.algebra,
+                    &types,
+                    &expression,
+                    &blades,
+                    rule.into(),
+                );
                 for seed in 0..3 {
                     assert!(
                         kernel.agrees(&definition.algebra, &types, &expression, Some(result), seed),
@@ -175,7 +180,10 @@ fn unit_facts_are_needed_for_the_unit_rules() {
         &cga3(),
         "(m: DualQuaternion, p: RoundVector) -> Multivector { sandwich(m, p) }",
     );
-    assert!([SandwichRule::LeftFirst, SandwichRule::RightFirst].contains(&scaled.kernel.rule));
+    assert!(
+        [SandwichRule::LeftFirst, SandwichRule::RightFirst]
+            .contains(&scaled.kernel.choice.sandwich)
+    );
 }
 
 #[test]

@@ -6,14 +6,19 @@
 //! each one *other*. Reading, naming and building cost nothing. Anything that is not known here is an error, so that no
 //! operation is overlooked.
 
+use std::collections::{HashMap, HashSet};
 use std::fmt;
 use std::ops::AddAssign;
 
 use proc_macro2::TokenStream;
-use quote::ToTokens;
+use quote::{ToTokens, format_ident};
 use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
 use syn::{BinOp, Block, Error, Expr, Item, ItemFn, Pat, Result, Stmt, UnOp};
+
+use super::rust;
+use crate::define::{Definition, Role};
+use crate::function::CompiledFunction;
 
 /// Numbers of operations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -67,6 +72,49 @@ impl fmt::Display for Operations {
     }
 }
 
+/// The operations of a compiled function.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct FunctionCount {
+    /// What is done in every call.
+    pub call: Operations,
+    /// What is done once for the uniform operands.
+    pub uniform: Operations,
+}
+
+/// Emits a function as Rust and counts the operations in its code. `path` is where that code finds the algebra.
+///
+/// # Errors
+/// The code holds a construct that is not counted; the error names it.
+pub fn function(
+    definition: &Definition,
+    path: &TokenStream,
+    function: &CompiledFunction,
+) -> Result<FunctionCount> {
+    // A closure stands inside an expression; under a name it is an item.
+    let mut named = function.clone();
+    named.name.get_or_insert_with(|| format_ident!("closure"));
+    let is_staged = named.operands.iter().any(|operand| operand.is_uniform);
+    let code = rust::functions(definition, path, std::slice::from_ref(&named));
+    let counter = Counter::new(definition, &named);
+    let mut count = FunctionCount::default();
+    for (name, block) in bodies(code)? {
+        let operations = |block| counter.block(block);
+        match (is_staged, name.split_once("::").map(|(_, method)| method)) {
+            (false, None) | (true, Some("apply")) => count.call += operations(&block)?,
+            (true, None) => count.uniform += operations(&block)?,
+            // It takes every number to another scalar by a function of the caller's.
+            (true, Some("map")) => {}
+            _ => {
+                return Err(unknown(
+                    "the function",
+                    &format_ident!("{}", name.replace("::", "_")),
+                ));
+            }
+        }
+    }
+    Ok(count)
+}
+
 /// The functions of some code with the operations of each, in order; methods come as `Type::method`.
 ///
 /// # Errors
@@ -80,22 +128,34 @@ impl fmt::Display for Operations {
 /// # Ok::<(), syn::Error>(())
 /// ```
 pub fn functions(code: TokenStream) -> Result<Vec<(String, Operations)>> {
+    let counter = Counter::default();
+    let counted = |(name, block)| Ok((name, counter.block(&block)?));
+    bodies(code)?.into_iter().map(counted).collect()
+}
+
+/// The operations of an expression.
+///
+/// # Errors
+/// A construct that is not counted; the error names it.
+pub fn expression(code: TokenStream) -> Result<Operations> {
+    Counter::default().expression(&syn::parse2(code)?)
+}
+
+/// The bodies of all functions in a list of items.
+fn bodies(code: TokenStream) -> Result<Vec<(String, Block)>> {
     let mut found = Vec::new();
     for item in syn::parse2::<syn::File>(code)?.items {
         match item {
-            Item::Fn(ItemFn { sig, block, .. }) => {
-                found.push((sig.ident.to_string(), of_block(&block)?));
-            }
+            Item::Fn(ItemFn { sig, block, .. }) => found.push((sig.ident.to_string(), *block)),
             Item::Impl(implementation) => {
                 let owner = owner(&implementation.self_ty);
-                for item in &implementation.items {
+                for item in implementation.items {
                     match item {
                         syn::ImplItem::Fn(method) => {
-                            let name = format!("{owner}::{}", method.sig.ident);
-                            found.push((name, of_block(&method.block)?));
+                            found.push((format!("{owner}::{}", method.sig.ident), method.block));
                         }
                         syn::ImplItem::Type(_) => {}
-                        other => return Err(unknown("this part of an implementation", other)),
+                        other => return Err(unknown("this part of an implementation", &other)),
                     }
                 }
             }
@@ -104,14 +164,6 @@ pub fn functions(code: TokenStream) -> Result<Vec<(String, Operations)>> {
         }
     }
     Ok(found)
-}
-
-/// The operations of an expression.
-///
-/// # Errors
-/// A construct that is not counted; the error names it.
-pub fn expression(code: TokenStream) -> Result<Operations> {
-    of_expression(&syn::parse2(code)?)
 }
 
 /// The name of the type of an implementation, without its parameters.
@@ -125,24 +177,166 @@ fn owner(kind: &syn::Type) -> String {
     }
 }
 
-fn of_block(block: &Block) -> Result<Operations> {
-    let mut count = Operations::default();
-    for statement in &block.stmts {
-        match statement {
-            Stmt::Local(local) => {
-                check_pattern(&local.pat)?;
-                if let Some(init) = &local.init {
-                    if let Some((_, diverge)) = &init.diverge {
-                        return Err(unknown("`let … else`", diverge));
-                    }
-                    count += of_expression(&init.expr)?;
+/// Knows what costs nothing besides what the language itself has: reading and building members of types.
+#[derive(Default)]
+struct Counter {
+    /// The names under which methods give a stored coefficient.
+    accessors: HashSet<String>,
+    /// The types that are built of as many coefficients.
+    types: HashMap<String, usize>,
+}
+
+impl Counter {
+    fn new(definition: &Definition, function: &CompiledFunction) -> Self {
+        let mut counter = Self::default();
+        let (mut stored, mut others) = (HashSet::new(), HashSet::new());
+        for operand in &function.operands {
+            for kind in operand.shape.leaves(definition).into_iter().flatten() {
+                for coefficient in &kind.coefficients {
+                    let names = match coefficient.role {
+                        Role::Stored => &mut stored,
+                        _ => &mut others,
+                    };
+                    names.insert(coefficient.name.to_string());
                 }
             }
-            Stmt::Expr(expression, _) => count += of_expression(expression)?,
-            Stmt::Item(Item::Use(_)) => {}
-            Stmt::Item(item) => return Err(unknown("an item inside a function", item)),
-            Stmt::Macro(call) => return Err(unknown("a call of a macro", call)),
         }
+        // Where one operand stores what another works out, the name does not tell which is read.
+        counter.accessors = stored.difference(&others).cloned().collect();
+        for kind in &definition.types {
+            counter
+                .types
+                .insert(kind.name.to_string(), kind.stored().count());
+        }
+        counter
+    }
+
+    fn block(&self, block: &Block) -> Result<Operations> {
+        let mut count = Operations::default();
+        for statement in &block.stmts {
+            match statement {
+                Stmt::Local(local) => {
+                    check_pattern(&local.pat)?;
+                    if let Some(init) = &local.init {
+                        if let Some((_, diverge)) = &init.diverge {
+                            return Err(unknown("`let … else`", diverge));
+                        }
+                        count += self.expression(&init.expr)?;
+                    }
+                }
+                Stmt::Expr(expression, _) => count += self.expression(expression)?,
+                Stmt::Item(Item::Use(_)) => {}
+                Stmt::Item(item) => return Err(unknown("an item inside a function", item)),
+                Stmt::Macro(call) => return Err(unknown("a call of a macro", call)),
+            }
+        }
+        Ok(count)
+    }
+
+    fn expression(&self, expression: &Expr) -> Result<Operations> {
+        match expression {
+            Expr::Path(_) | Expr::Lit(_) => Ok(Operations::default()),
+            Expr::Paren(inner) => self.expression(&inner.expr),
+            Expr::Group(inner) => self.expression(&inner.expr),
+            Expr::Block(inner) if inner.label.is_none() => self.block(&inner.block),
+            Expr::Field(field) => self.expression(&field.base),
+            Expr::Index(index) if matches!(*index.index, Expr::Lit(_)) => {
+                self.expression(&index.expr)
+            }
+            Expr::Reference(inner) => self.expression(&inner.expr),
+            Expr::Unary(unary) => match unary.op {
+                UnOp::Deref(_) => self.expression(&unary.expr),
+                UnOp::Neg(_) if matches!(*unary.expr, Expr::Lit(_)) => Ok(Operations::default()),
+                UnOp::Neg(_) => {
+                    let mut count = self.expression(&unary.expr)?;
+                    count.others += 1;
+                    Ok(count)
+                }
+                other => Err(unknown("the operator", &other)),
+            },
+            Expr::Binary(binary) => {
+                let mut count = self.expression(&binary.left)?;
+                count += self.expression(&binary.right)?;
+                match binary.op {
+                    BinOp::Mul(_) => count.multiplications += 1,
+                    BinOp::Add(_) | BinOp::Sub(_) => count.additions += 1,
+                    BinOp::Div(_) => count.divisions += 1,
+                    other => return Err(unknown("the operator", &other)),
+                }
+                Ok(count)
+            }
+            Expr::Tuple(tuple) => self.all(&tuple.elems),
+            Expr::Array(array) => self.all(&array.elems),
+            Expr::Struct(literal) if literal.rest.is_none() => {
+                let mut count = Operations::default();
+                for field in &literal.fields {
+                    count += self.expression(&field.expr)?;
+                }
+                Ok(count)
+            }
+            Expr::Call(call) => {
+                let Expr::Path(path) = &*call.func else {
+                    return Err(unknown("a call of", &call.func));
+                };
+                let mut count = self.all(&call.args)?;
+                if !self.is_constructor(&path.path, call.args.len()) {
+                    let name = path.path.segments.last().map(|last| last.ident.to_string());
+                    count += of_call(&name.unwrap_or_default(), call.args.len(), path)?;
+                }
+                Ok(count)
+            }
+            Expr::MethodCall(call) => {
+                let mut count = self.expression(&call.receiver)?;
+                count += self.all(&call.args)?;
+                let name = call.method.to_string();
+                if !(call.args.is_empty() && self.accessors.contains(&name)) {
+                    count += of_call(&name, call.args.len() + 1, &call.method)?;
+                }
+                Ok(count)
+            }
+            other => Err(unknown("the expression", other)),
+        }
+    }
+
+    fn all<P>(&self, expressions: &Punctuated<Expr, P>) -> Result<Operations> {
+        let mut count = Operations::default();
+        for expression in expressions {
+            count += self.expression(expression)?;
+        }
+        Ok(count)
+    }
+
+    /// Whether a path is that of a function which puts a type together from its coefficients.
+    fn is_constructor(&self, path: &syn::Path, arguments: usize) -> bool {
+        let mut last = path
+            .segments
+            .iter()
+            .rev()
+            .map(|segment| segment.ident.to_string());
+        let (Some(name), Some(kind)) = (last.next(), last.next()) else {
+            return false;
+        };
+        ["new", "new_unchecked"].contains(&name.as_str())
+            && self.types.get(&kind) == Some(&arguments)
+    }
+}
+
+/// What a call costs beyond its arguments.
+fn of_call(name: &str, arguments: usize, place: &(impl ToTokens + Spanned)) -> Result<Operations> {
+    let mut count = Operations::default();
+    match (name, arguments) {
+        // Constants.
+        ("zero" | "one", 0) | ("from_integer" | "from_f64", 1) | ("from_ratio", 2) => {}
+        ("mul_add" | "mul_sub" | "neg_mul_add", 3) => {
+            count.multiplications += 1;
+            count.additions += 1;
+        }
+        ("recip", 1) => count.divisions += 1,
+        ("sqrt", 1) => count.roots += 1,
+        ("abs" | "sin" | "cos" | "sin_cos" | "exp" | "ln", 1)
+        | ("versor_exponential", 1)
+        | ("atan2" | "versor_logarithm", 2) => count.others += 1,
+        _ => return Err(unknown("a call of", place)),
     }
     Ok(count)
 }
@@ -164,96 +358,6 @@ fn check_pattern(pattern: &Pat) -> Result<()> {
         Pat::Rest(_) => Ok(()),
         other => Err(unknown("this pattern", other)),
     }
-}
-
-fn of_expression(expression: &Expr) -> Result<Operations> {
-    match expression {
-        Expr::Path(_) | Expr::Lit(_) => Ok(Operations::default()),
-        Expr::Paren(inner) => of_expression(&inner.expr),
-        Expr::Group(inner) => of_expression(&inner.expr),
-        Expr::Block(inner) if inner.label.is_none() => of_block(&inner.block),
-        Expr::Field(field) => of_expression(&field.base),
-        Expr::Index(index) if matches!(*index.index, Expr::Lit(_)) => of_expression(&index.expr),
-        Expr::Reference(inner) => of_expression(&inner.expr),
-        Expr::Unary(unary) => match unary.op {
-            UnOp::Deref(_) => of_expression(&unary.expr),
-            UnOp::Neg(_) if matches!(*unary.expr, Expr::Lit(_)) => Ok(Operations::default()),
-            UnOp::Neg(_) => {
-                let mut count = of_expression(&unary.expr)?;
-                count.others += 1;
-                Ok(count)
-            }
-            other => Err(unknown("the operator", &other)),
-        },
-        Expr::Binary(binary) => {
-            let mut count = of_expression(&binary.left)?;
-            count += of_expression(&binary.right)?;
-            match binary.op {
-                BinOp::Mul(_) => count.multiplications += 1,
-                BinOp::Add(_) | BinOp::Sub(_) => count.additions += 1,
-                BinOp::Div(_) => count.divisions += 1,
-                other => return Err(unknown("the operator", &other)),
-            }
-            Ok(count)
-        }
-        Expr::Tuple(tuple) => all(&tuple.elems),
-        Expr::Array(array) => all(&array.elems),
-        Expr::Struct(literal) if literal.rest.is_none() => {
-            let mut count = Operations::default();
-            for field in &literal.fields {
-                count += of_expression(&field.expr)?;
-            }
-            Ok(count)
-        }
-        Expr::Call(call) => {
-            let name = match &*call.func {
-                Expr::Path(path) => path.path.segments.last().map(|last| last.ident.to_string()),
-                _ => None,
-            };
-            let Some(name) = name else {
-                return Err(unknown("a call of", &call.func));
-            };
-            let mut count = all(&call.args)?;
-            count += of_call(&name, call.args.len(), &call.func)?;
-            Ok(count)
-        }
-        Expr::MethodCall(call) => {
-            let mut count = of_expression(&call.receiver)?;
-            count += all(&call.args)?;
-            count += of_call(&call.method.to_string(), call.args.len() + 1, &call.method)?;
-            Ok(count)
-        }
-        other => Err(unknown("the expression", other)),
-    }
-}
-
-fn all<P>(expressions: &Punctuated<Expr, P>) -> Result<Operations> {
-    let mut count = Operations::default();
-    for expression in expressions {
-        count += of_expression(expression)?;
-    }
-    Ok(count)
-}
-
-/// What a call costs beyond its arguments.
-fn of_call(name: &str, arguments: usize, place: &impl ToTokens) -> Result<Operations> {
-    let mut count = Operations::default();
-    match (name, arguments) {
-        // Constants, and types put together.
-        ("zero" | "one", 0) | ("from_integer" | "from_f64", 1) | ("from_ratio", 2) => {}
-        ("new_unchecked", _) => {}
-        ("mul_add" | "mul_sub" | "neg_mul_add", 3) => {
-            count.multiplications += 1;
-            count.additions += 1;
-        }
-        ("recip", 1) => count.divisions += 1,
-        ("sqrt", 1) => count.roots += 1,
-        ("abs" | "sin" | "cos" | "sin_cos" | "exp" | "ln", 1)
-        | ("versor_exponential", 1)
-        | ("atan2" | "versor_logarithm", 2) => count.others += 1,
-        _ => return Err(unknown("a call of", place)),
-    }
-    Ok(count)
 }
 
 fn unknown(what: &str, place: &(impl ToTokens + Spanned)) -> Error {

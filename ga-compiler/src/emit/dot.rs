@@ -34,9 +34,8 @@ pub fn function(definition: &Definition, function: &CompiledFunction) -> String 
         quoted(headline.trim_end())
     );
 
-    let is_read = |id: NodeId| {
-        stages.inner.uses[id.index()] > 0 || stages.prologue.uses[id.index()] > 0
-    };
+    let is_read =
+        |id: NodeId| stages.inner.uses[id.index()] > 0 || stages.prologue.uses[id.index()] > 0;
     let (mut once, mut always) = (String::new(), String::new());
     for id in arena.ids().filter(|&id| is_read(id)) {
         if let Node::Input(number) = arena.node(id) {
@@ -143,7 +142,7 @@ impl Edges {
         let label = match (role, from.factor) {
             (role, Ratio::ONE) => role.to_owned(),
             (_, factor) if factor == Ratio::integer(-1) => "−".to_owned(),
-            (_, factor) => format!("×{factor}"),
+            (_, factor) => format!("×{factor}").replace('-', "−"),
         };
         let attributes = if label.is_empty() {
             String::new()

@@ -5,5 +5,5 @@ pub mod count;
 pub mod dot;
 pub mod formula;
 pub mod rust;
-mod stage;
+pub(crate) mod stage;
 pub mod wgsl;

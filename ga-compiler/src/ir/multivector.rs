@@ -53,6 +53,16 @@ impl Multivector {
         self
     }
 
+    /// The multivector with a wrong sign in its last coefficient that is no constant: a fault on purpose.
+    #[must_use]
+    pub(crate) fn with_last_negated(mut self) -> Self {
+        let is_open = |(_, value): &&mut (Blade, Value)| value.as_constant().is_none();
+        if let Some((_, value)) = self.terms.iter_mut().rev().find(is_open) {
+            *value = -*value;
+        }
+        self
+    }
+
     /// The part whose blades satisfy a condition, nothing known of it.
     #[must_use]
     pub fn filtered(&self, keep: impl Fn(Blade) -> bool) -> Self {

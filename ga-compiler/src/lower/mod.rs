@@ -1,10 +1,16 @@
-//! From expressions to the graph: operands become inputs, products become sums of products.
+//! From programs to the graph: operands become inputs, products become sums of products.
 
+mod choice;
+mod inner;
+mod join;
 mod operand;
 mod program;
 mod sandwich;
 pub mod split;
 
+pub use choice::{Choice, Rule};
+pub use inner::InnerRule;
+pub use join::JoinRule;
 pub use operand::operand;
 pub use program::lower;
 pub use sandwich::SandwichRule;

@@ -1,15 +1,12 @@
 //! Programs to graphs, one step at a time.
 
-use super::SandwichRule;
 use super::operand::rederived;
+use super::{Choice, InnerRule, JoinRule, Rule, SandwichRule};
 use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
 use crate::ir::{Arena, Facts, Multivector, Value};
 use crate::program::{Program, Step, StepId};
 
 /// Lowers the wanted steps of a program over operands that are already in the arena, and what they need.
-///
-/// With `rederive`, constant and derived coefficients of steps that are known members of a type are taken from the type: a
-/// moved point has weight 1 again, and its coefficient of infinity is half its square.
 #[must_use]
 pub fn lower(
     arena: &mut Arena,
@@ -17,8 +14,7 @@ pub fn lower(
     program: &Program<'_>,
     operands: &[Multivector],
     wanted: &[StepId],
-    rule: SandwichRule,
-    rederive: bool,
+    choice: Choice,
 ) -> Vec<Multivector> {
     let mut uses = vec![0; program.len()];
     for (_, step) in program.steps() {
@@ -31,7 +27,7 @@ pub fn lower(
         algebra,
         program,
         operands,
-        rule,
+        choice,
         values: vec![Multivector::default(); uses.len()],
         uses,
     };
@@ -41,7 +37,10 @@ pub fn lower(
         let facts = value.facts.and(program.stated(id));
         let value = value.with_facts(facts);
         lowering.values[id.index()] = match program.kind(id) {
-            Some(kind) if rederive => rederived(lowering.arena, kind, &value),
+            Some(kind) if choice.rederive => {
+                let value = rederived(lowering.arena, kind, &value);
+                lowering.applied(Rule::Rederive, value)
+            }
             _ => value,
         };
     }
@@ -56,7 +55,7 @@ struct Lowering<'a> {
     algebra: &'a Algebra,
     program: &'a Program<'a>,
     operands: &'a [Multivector],
-    rule: SandwichRule,
+    choice: Choice,
     values: Vec<Multivector>,
     /// How often each step is read.
     uses: Vec<usize>,
@@ -73,7 +72,9 @@ impl Lowering<'_> {
                 continue;
             }
             let reads = match step {
-                Step::Binary(Product::Geometric, ..) => self.factors(id),
+                Step::Binary(product @ (Product::Geometric | Product::Wedge), ..) => {
+                    self.factors(id, *product)
+                }
                 _ => step.reads(),
             };
             for read in reads {
@@ -101,12 +102,17 @@ impl Lowering<'_> {
                     .with_facts(facts)
             }
             Step::Binary(Product::Geometric, ..) => {
-                let factors = self.factors(id);
+                let factors = self.factors(id, Product::Geometric);
                 self.chain(&factors)
+            }
+            Step::Binary(Product::Wedge, ..) => {
+                let factors = self.factors(id, Product::Wedge);
+                let factors: Vec<_> = factors.iter().map(value).collect();
+                self.join(&factors)
             }
             Step::Binary(product, a, b) => {
                 let (a, b) = (value(a), value(b));
-                a.product(self.arena, self.algebra, *product, &b, |_| true)
+                self.product(*product, &a, &b)
             }
             Step::Sandwich(versor, operand) => {
                 let (versor, operand) = (value(versor), value(operand));
@@ -149,25 +155,64 @@ impl Lowering<'_> {
     }
 
     fn sandwich(&mut self, versor: &Multivector, operand: &Multivector) -> Multivector {
-        let plain = SandwichRule::LeftFirst;
-        self.rule
-            .lower(self.arena, self.algebra, versor, operand)
-            .or_else(|| plain.lower(self.arena, self.algebra, versor, operand))
-            .unwrap_or_default()
+        let rule = self.choice.sandwich;
+        match rule.lower(self.arena, self.algebra, versor, operand) {
+            Some(value) => self.applied(Rule::Sandwich(rule), value),
+            None => SandwichRule::LeftFirst
+                .lower(self.arena, self.algebra, versor, operand)
+                .unwrap_or_default(),
+        }
     }
 
-    /// The factors of a geometric product from left to right: a product is associative. A product that is read elsewhere
-    /// too is one factor.
-    fn factors(&self, id: StepId) -> Vec<StepId> {
+    fn join(&mut self, factors: &[Multivector]) -> Multivector {
+        let rule = self.choice.join;
+        match rule.lower(self.arena, self.algebra, factors) {
+            Some(value) => self.applied(Rule::Join(rule), value),
+            None => JoinRule::LeftFirst
+                .lower(self.arena, self.algebra, factors)
+                .unwrap_or_default(),
+        }
+    }
+
+    fn product(
+        &mut self,
+        product: Product,
+        left: &Multivector,
+        right: &Multivector,
+    ) -> Multivector {
+        let rule = self.choice.inner;
+        let is_inner = matches!(
+            product,
+            Product::LeftContraction | Product::RightContraction | Product::ScalarProduct
+        );
+        if is_inner
+            && rule != InnerRule::Plain
+            && let Some(value) = rule.lower(self.arena, self.algebra, left, right)
+        {
+            return self.applied(Rule::Inner(rule), value);
+        }
+        left.product(self.arena, self.algebra, product, right, |_| true)
+    }
+
+    /// What a rule gives; spoiled where the rule is to go wrong, by a sign in its last coefficient that is no constant.
+    fn applied(&self, rule: Rule, value: Multivector) -> Multivector {
+        if self.choice.broken != Some(rule) {
+            return value;
+        }
+        value.with_last_negated()
+    }
+
+    /// The factors of an associative product from left to right. A product that is read elsewhere too is one factor.
+    fn factors(&self, id: StepId, product: Product) -> Vec<StepId> {
         let mut factors = Vec::new();
-        if let Step::Binary(Product::Geometric, a, b) = self.program.step(id) {
+        if let Step::Binary(_, a, b) = self.program.step(id) {
             for part in [*a, *b] {
                 let is_product = matches!(
                     self.program.step(part),
-                    Step::Binary(Product::Geometric, ..)
+                    Step::Binary(other, ..) if *other == product
                 );
                 if is_product && self.uses[part.index()] == 1 {
-                    factors.extend(self.factors(part));
+                    factors.extend(self.factors(part, product));
                 } else {
                     factors.push(part);
                 }

@@ -18,8 +18,8 @@ use crate::function::{CompiledFunction, Operand, Shape};
 use crate::ir::{Arena, Node, NodeId, Value};
 use expand::Expander;
 use polynomial::Polynomial;
-pub(super) use print::name as function_name;
 use print::Printer;
+pub(super) use print::name as function_name;
 
 /// A function as text: a line for the function, then one for each blade of its result, `e1: …`. The blades of an array's
 /// elements are `[0].e1`, those of a tuple's `.0.e1`; a plain number is `scalar`.
@@ -30,7 +30,10 @@ pub fn function(definition: &Definition, function: &CompiledFunction) -> String 
     let mut best: Option<String> = None;
     for most_terms in MOST_TERMS {
         let text = with_terms(definition, function, &inputs, most_terms);
-        if text.lines().all(|line| line.chars().count() <= LONGEST_LINE) {
+        if text
+            .lines()
+            .all(|line| line.chars().count() <= LONGEST_LINE)
+        {
             return text;
         }
         if best.as_ref().is_none_or(|best| text.len() < best.len()) {
@@ -132,7 +135,11 @@ pub(super) fn paths(definition: &Definition, shape: &Shape) -> Vec<String> {
             .collect(),
         Shape::Array(element, count) => {
             let inner = paths(definition, element);
-            let of_place = |place| inner.iter().map(move |path| behind(format!("[{place}]"), path));
+            let of_place = |place| {
+                inner
+                    .iter()
+                    .map(move |path| behind(format!("[{place}]"), path))
+            };
             (0..*count).flat_map(of_place).collect()
         }
         Shape::Tuple(parts) => parts
@@ -140,7 +147,9 @@ pub(super) fn paths(definition: &Definition, shape: &Shape) -> Vec<String> {
             .enumerate()
             .flat_map(|(place, part)| {
                 let inner = paths(definition, part);
-                inner.into_iter().map(move |path| behind(format!(".{place}"), &path))
+                inner
+                    .into_iter()
+                    .map(move |path| behind(format!(".{place}"), &path))
             })
             .collect(),
     }
@@ -240,11 +249,7 @@ fn derived(kind: &TypeDefinition, polynomial: &crate::define::Polynomial) -> Str
     printer(&arena, &names, MOST_TERMS[0]).whole(&value)
 }
 
-fn printer<'a>(
-    arena: &'a Arena,
-    inputs: &'a [(String, usize)],
-    most_terms: usize,
-) -> Printer<'a> {
+fn printer<'a>(arena: &'a Arena, inputs: &'a [(String, usize)], most_terms: usize) -> Printer<'a> {
     Printer {
         arena,
         expander: Expander::new(arena, most_terms),
@@ -276,7 +281,10 @@ fn bind(printer: &mut Printer<'_>, values: &[Value]) -> Vec<Polynomial> {
     let taken: Vec<_> = printer.inputs.iter().map(|(name, _)| name).collect();
     let names = (1..).map(|number| format!("t{number}"));
     let mut free = names.filter(|name| !taken.contains(&name));
-    printer.bound = shared.into_iter().filter_map(|node| Some((node, free.next()?))).collect();
+    printer.bound = shared
+        .into_iter()
+        .filter_map(|node| Some((node, free.next()?)))
+        .collect();
     expanded
 }
 

@@ -63,7 +63,11 @@ impl Printer<'_> {
             });
             text.push_str(term);
         }
-        if text.is_empty() { "0".to_owned() } else { text }
+        if text.is_empty() {
+            "0".to_owned()
+        } else {
+            text
+        }
     }
 
     /// A polynomial as a sum whose common factor is drawn out.

@@ -115,7 +115,9 @@ impl Writer<'_> {
         let name = self.names.give(&wished);
         let is_staged = function.operands.iter().any(|operand| operand.is_uniform);
         let prepare_names = is_staged.then(|| {
-            let structure = self.names.give(&format!("{}Prepared", pascal_case(&wished)));
+            let structure = self
+                .names
+                .give(&format!("{}Prepared", pascal_case(&wished)));
             (self.names.give(&format!("{wished}_prepare")), structure)
         });
         let mut scope = self.names.clone();
@@ -145,7 +147,10 @@ impl Writer<'_> {
             let operands = self.parameters(&function.operands, &parameters, true);
             let built = call(structure, &non_empty(written.values, "0.0"));
             let body = returning(&written.statements, &built);
-            let _ = write!(text, "fn {prepare}({operands}) -> {structure} {{\n{body}}}\n\n");
+            let _ = write!(
+                text,
+                "fn {prepare}({operands}) -> {structure} {{\n{body}}}\n\n"
+            );
             for (id, member) in stages.handed.iter().zip(&members) {
                 known.insert(*id, format!("{prepared}.{member}"));
             }
@@ -290,7 +295,10 @@ fn whole(node: NodeId) -> Value {
 
 /// Statements and what is returned, indented.
 fn returning(statements: &str, value: &str) -> String {
-    format!("{statements}    return {};\n", value.replace('\n', "\n    "))
+    format!(
+        "{statements}    return {};\n",
+        value.replace('\n', "\n    ")
+    )
 }
 
 /// `move_point` as `MovePoint`.

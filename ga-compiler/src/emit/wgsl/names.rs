@@ -31,7 +31,8 @@ fn is_reserved(name: &str) -> bool {
 }
 
 /// The keywords of the language.
-const KEYWORDS: &str = "alias break case const const_assert continue continuing default diagnostic discard else enable
+const KEYWORDS: &str =
+    "alias break case const const_assert continue continuing default diagnostic discard else enable
     false fn for if let loop override requires return struct switch true var while";
 
 /// The words that the language keeps for later.

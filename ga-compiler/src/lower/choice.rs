@@ -1,0 +1,80 @@
+//! Which rules a lowering uses.
+
+use super::{InnerRule, JoinRule, SandwichRule};
+
+/// A rule for each kind of step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Choice {
+    /// For the action of a versor.
+    pub sandwich: SandwichRule,
+    /// For outer products of vectors.
+    pub join: JoinRule,
+    /// For inner products of vectors.
+    pub inner: InnerRule,
+    /// Whether constant and derived coefficients of steps that are known members of a type are taken from the type: a
+    /// moved point has weight 1 again, and its coefficient of infinity is half its square.
+    pub rederive: bool,
+    /// A rule that is to go wrong, so that it can be seen that the check of expansions notices.
+    pub broken: Option<Rule>,
+}
+
+/// The named identities by which the compiler departs from the plain meaning of a formula. Each is stated and proved
+/// where it is implemented.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rule {
+    /// A [`SandwichRule`].
+    Sandwich(SandwichRule),
+    /// A [`JoinRule`].
+    Join(JoinRule),
+    /// An [`InnerRule`].
+    Inner(InnerRule),
+    /// [`Choice::rederive`].
+    Rederive,
+}
+
+impl Default for Choice {
+    fn default() -> Self {
+        Self {
+            sandwich: SandwichRule::LeftFirst,
+            join: JoinRule::LeftFirst,
+            inner: InnerRule::Plain,
+            rederive: false,
+            broken: None,
+        }
+    }
+}
+
+impl From<SandwichRule> for Choice {
+    fn from(sandwich: SandwichRule) -> Self {
+        Self {
+            sandwich,
+            ..Self::default()
+        }
+    }
+}
+
+impl Choice {
+    /// The rules in words, the plain ones left out.
+    #[must_use]
+    pub fn names(&self) -> Vec<&'static str> {
+        let sandwich = match self.sandwich {
+            SandwichRule::LeftFirst => None,
+            SandwichRule::RightFirst => Some("right first"),
+            SandwichRule::UnitCommutator => Some("unit commutator"),
+            SandwichRule::LinearMap => Some("linear map"),
+            SandwichRule::Split => Some("split"),
+        };
+        let join = match self.join {
+            JoinRule::LeftFirst => None,
+            JoinRule::RightFirst => Some("join right first"),
+            JoinRule::Minors => Some("shared minors"),
+            JoinRule::Difference => Some("difference"),
+        };
+        let inner = (self.inner == InnerRule::Distance).then_some("distance");
+        let rederive = self.rederive.then_some("rederived coefficients");
+        [sandwich, join, inner, rederive]
+            .into_iter()
+            .flatten()
+            .collect()
+    }
+}

@@ -1,0 +1,44 @@
+//! Inner products of two vectors, by one of two rules.
+
+use crate::algebra::{Algebra, Product, Ratio};
+use crate::ir::{Arena, Multivector};
+
+/// How `a · b` of two vectors is worked out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum InnerRule {
+    /// By coefficients.
+    #[default]
+    Plain,
+    /// `a·b = −½ (a − b)²` for `a² = b² = 0`, since `(a − b)² = a² − 2 a·b + b²`. Of two points of weight 1 it is −½ times
+    /// their squared distance: differences before squares, so that nothing large cancels.
+    Distance,
+}
+
+impl InnerRule {
+    /// Every rule, in the order in which they are tried.
+    pub const ALL: [Self; 2] = [Self::Plain, Self::Distance];
+
+    /// Lowers the inner product of two multivectors; `None` where the rule does not apply.
+    #[must_use]
+    pub fn lower(
+        self,
+        arena: &mut Arena,
+        algebra: &Algebra,
+        left: &Multivector,
+        right: &Multivector,
+    ) -> Option<Multivector> {
+        let is_vector =
+            |value: &Multivector| value.terms().iter().all(|(blade, _)| blade.grade() == 1);
+        if self == Self::Plain
+            || !(is_vector(left) && is_vector(right) && left.facts.null && right.facts.null)
+        {
+            return None;
+        }
+        let difference = left.sum(arena, &right.scaled(Ratio::integer(-1)));
+        let square =
+            difference.product(arena, algebra, Product::ScalarProduct, &difference, |_| {
+                true
+            });
+        Some(square.scaled(-Ratio::ONE / Ratio::integer(2)))
+    }
+}

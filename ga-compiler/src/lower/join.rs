@@ -1,0 +1,123 @@
+//! Outer products of vectors, by one of several rules that agree everywhere.
+
+use crate::algebra::{Algebra, Blade, Product, Ratio};
+use crate::ir::{Arena, Multivector};
+
+/// How `v₁ ∧ v₂ ∧ … ∧ vₖ` is worked out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum JoinRule {
+    /// From left to right, as it is written.
+    #[default]
+    LeftFirst,
+    /// From right to left, equal by associativity.
+    RightFirst,
+    /// The first two and the rest apart, so that both are made of 2×2 minors: `(v₁ ∧ v₂) ∧ (v₃ ∧ v₄)`, equal by
+    /// associativity (Laplace's expansion of determinants).
+    Minors,
+    /// `v₁ ∧ (v₂ − λ₂ v₁) ∧ … `, equal since `v₁ ∧ v₁ = 0`. With λ the quotient of constant coefficients of one blade, that blade is
+    /// gone from all factors but the first: of points of weight 1 only differences are left. The differences are multiplied
+    /// first.
+    Difference,
+}
+
+impl JoinRule {
+    /// Every rule, in the order in which they are tried.
+    pub const ALL: [Self; 4] = [
+        Self::LeftFirst,
+        Self::RightFirst,
+        Self::Minors,
+        Self::Difference,
+    ];
+
+    /// Lowers the outer product of some factors; `None` where the rule does not apply.
+    #[must_use]
+    pub fn lower(
+        self,
+        arena: &mut Arena,
+        algebra: &Algebra,
+        factors: &[Multivector],
+    ) -> Option<Multivector> {
+        match self {
+            Self::LeftFirst => Some(left_first(arena, algebra, factors)),
+            Self::RightFirst => right_first(arena, algebra, factors),
+            Self::Minors => {
+                let (head, tail) = factors.split_at_checked(2)?;
+                if tail.len() < 2 {
+                    return None;
+                }
+                let head = left_first(arena, algebra, head);
+                let tail = left_first(arena, algebra, tail);
+                Some(wedge(arena, algebra, &head, &tail))
+            }
+            Self::Difference => difference(arena, algebra, factors),
+        }
+    }
+}
+
+fn wedge(
+    arena: &mut Arena,
+    algebra: &Algebra,
+    left: &Multivector,
+    right: &Multivector,
+) -> Multivector {
+    left.product(arena, algebra, Product::Wedge, right, |_| true)
+}
+
+fn left_first(arena: &mut Arena, algebra: &Algebra, factors: &[Multivector]) -> Multivector {
+    let mut factors = factors.iter();
+    let first = factors.next().cloned().unwrap_or_default();
+    factors.fold(first, |product, factor| {
+        wedge(arena, algebra, &product, factor)
+    })
+}
+
+fn right_first(
+    arena: &mut Arena,
+    algebra: &Algebra,
+    factors: &[Multivector],
+) -> Option<Multivector> {
+    let mut factors = factors.iter().rev();
+    let last = factors.next().cloned()?;
+    Some(factors.fold(last, |product, factor| {
+        wedge(arena, algebra, factor, &product)
+    }))
+}
+
+fn difference(
+    arena: &mut Arena,
+    algebra: &Algebra,
+    factors: &[Multivector],
+) -> Option<Multivector> {
+    let [first, rest @ ..] = factors else {
+        return None;
+    };
+    let weight = first
+        .terms()
+        .iter()
+        .filter_map(|(blade, value)| Some((*blade, value.as_constant()?)))
+        .find(|(blade, _)| {
+            let is_vector = |factor: &Multivector| constant(factor, *blade).is_some();
+            is_vectors(factors) && rest.iter().any(is_vector)
+        });
+    let (blade, weight) = weight?;
+    let differences: Vec<Multivector> = rest
+        .iter()
+        .map(|factor| match constant(factor, blade) {
+            Some(other) => factor.sum(arena, &first.scaled(-(other / weight))),
+            None => factor.clone(),
+        })
+        .collect();
+    let rest = left_first(arena, algebra, &differences);
+    Some(wedge(arena, algebra, first, &rest))
+}
+
+/// The coefficient of a blade where it is a constant other than zero.
+fn constant(factor: &Multivector, blade: Blade) -> Option<Ratio> {
+    let value = factor.coefficient(blade).as_constant()?;
+    (!value.is_zero()).then_some(value)
+}
+
+fn is_vectors(factors: &[Multivector]) -> bool {
+    let mut blades = factors.iter().flat_map(Multivector::terms);
+    blades.all(|(blade, _)| blade.grade() == 1)
+}
