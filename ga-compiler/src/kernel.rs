@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use crate::algebra::{Algebra, Blade, NamedBlade, Product, Ratio, Unary};
-use crate::define::TypeDefinition;
+use crate::define::{Role, TypeDefinition};
 use crate::emit::stage::Stages;
 use crate::expression::Expression;
 use crate::ir::{Arena, Prime, Value};
@@ -122,6 +122,17 @@ impl Kernel {
                 best.improve(choice, &by_choice);
             }
         }
+        let is_derived = |kind: &&TypeDefinition| {
+            let mut roles = kind.coefficients.iter().map(|c| &c.role);
+            roles.any(|role| matches!(role, Role::Derived(_)))
+        };
+        if program.operands.iter().any(is_derived) {
+            let held = Choice {
+                held: true,
+                ..best.choice
+            };
+            best.improve(held, &by_choice);
+        }
         best
     }
 
@@ -172,7 +183,7 @@ impl Kernel {
         let mut uniform_inputs = Vec::new();
         let mut inputs = Vec::new();
         for (kind, is_uniform) in program.operands.iter().zip(uniform) {
-            inputs.push(lower::operand(&mut arena, kind));
+            inputs.push(lower::operand(&mut arena, kind, choice.held));
             uniform_inputs.resize(arena.inputs(), *is_uniform);
         }
         let steps: Vec<StepId> = wanted.iter().map(|(step, _)| *step).collect();

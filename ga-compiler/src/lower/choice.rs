@@ -14,6 +14,8 @@ pub struct Choice {
     /// Whether constant and derived coefficients of steps that are known members of a type are taken from the type: a
     /// moved point has weight 1 again, and its coefficient of infinity is half its square.
     pub rederive: bool,
+    /// Whether derived coefficients of operands keep their constant factors instead of passing them on.
+    pub held: bool,
     /// A rule that is to go wrong, so that it can be seen that the check of expansions notices.
     pub broken: Option<Rule>,
 }
@@ -39,6 +41,7 @@ impl Default for Choice {
             join: JoinRule::LeftFirst,
             inner: InnerRule::Plain,
             rederive: false,
+            held: false,
             broken: None,
         }
     }
@@ -72,7 +75,8 @@ impl Choice {
         };
         let inner = (self.inner == InnerRule::Distance).then_some("distance");
         let rederive = self.rederive.then_some("rederived coefficients");
-        [sandwich, join, inner, rederive]
+        let held = self.held.then_some("held factors");
+        [sandwich, join, inner, rederive, held]
             .into_iter()
             .flatten()
             .collect()

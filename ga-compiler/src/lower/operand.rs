@@ -4,8 +4,9 @@ use crate::define::{PolynomialStep, Role, TypeDefinition};
 use crate::ir::{Arena, Multivector, Value};
 
 /// An operand of a type. Its stored coefficients become the next inputs of the arena, in the order of the
-/// declaration and as they are written there.
-pub fn operand(arena: &mut Arena, kind: &TypeDefinition) -> Multivector {
+/// declaration and as they are written there. `held` derived coefficients keep their constant factors, the ½ of ½x² for
+/// instance, which pays where many products read them.
+pub fn operand(arena: &mut Arena, kind: &TypeDefinition, held: bool) -> Multivector {
     let written: Vec<Value> = kind
         .coefficients
         .iter()
@@ -15,7 +16,7 @@ pub fn operand(arena: &mut Arena, kind: &TypeDefinition) -> Multivector {
             Role::Derived(_) => Value::ZERO,
         })
         .collect();
-    complete(arena, kind, &written)
+    complete(arena, kind, &written, held)
 }
 
 /// A value that is known to be a member of a type, with its constant coefficients as constants and its derived ones worked out
@@ -36,11 +37,16 @@ pub(super) fn rederived(
         })
         .collect();
     let facts = value.facts.and(kind.facts);
-    complete(arena, kind, &written).with_facts(facts)
+    complete(arena, kind, &written, false).with_facts(facts)
 }
 
 /// A member of a type from its coefficients as written, the derived ones of which are worked out here.
-fn complete(arena: &mut Arena, kind: &TypeDefinition, written: &[Value]) -> Multivector {
+fn complete(
+    arena: &mut Arena,
+    kind: &TypeDefinition,
+    written: &[Value],
+    held: bool,
+) -> Multivector {
     let mut terms = Vec::with_capacity(written.len());
     for (index, coefficient) in kind.coefficients.iter().enumerate() {
         let value = match &coefficient.role {
@@ -54,6 +60,8 @@ fn complete(arena: &mut Arena, kind: &TypeDefinition, written: &[Value]) -> Mult
             ),
             _ => written[index],
         };
+        let is_held = held && matches!(coefficient.role, Role::Derived(_));
+        let value = if is_held { arena.held(value) } else { value };
         let value = if coefficient.is_negative {
             -value
         } else {

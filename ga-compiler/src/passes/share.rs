@@ -6,7 +6,8 @@
 //!
 //! It is right because addition is associative and commutative.
 
-use std::collections::BTreeMap;
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BinaryHeap};
 
 use super::rewrite::{Graph, image, reads, rewrite};
 use crate::algebra::Ratio;
@@ -22,6 +23,7 @@ pub fn share(arena: &Arena, outputs: &[Value]) -> Option<Graph> {
     let mut search = Search {
         sums: vec![Vec::new(); arena.len()],
         pairs: BTreeMap::new(),
+        queue: BinaryHeap::new(),
         found: Vec::new(),
         nodes: arena.len(),
     };
@@ -69,6 +71,8 @@ struct Search {
     sums: Vec<Vec<Term>>,
     /// The pairs, with the sums in which they stand and what factors out of them there.
     pairs: BTreeMap<Pair, Vec<(usize, Ratio)>>,
+    /// Pairs with what they saved when they were last looked at.
+    queue: BinaryHeap<(usize, Reverse<Pair>)>,
     found: Vec<Pair>,
     nodes: usize,
 }
@@ -94,7 +98,12 @@ impl Search {
     fn enter(&mut self, sum: usize, first: Term, second: Term) {
         if first.can_pair && second.can_pair {
             let (pair, factor) = paired(first, second);
-            self.pairs.entry(pair).or_default().push((sum, factor));
+            let places = self.pairs.entry(pair).or_default();
+            places.push((sum, factor));
+            if places.len() > 1 {
+                let saved = self.saved(&pair);
+                self.queue.push((saved, Reverse(pair)));
+            }
         }
     }
 
@@ -107,25 +116,39 @@ impl Search {
         }
     }
 
-    /// Takes out the pair that saves most, of equals the first.
-    fn take_out_best(&mut self) -> bool {
-        let mut best: Option<(usize, Pair)> = None;
-        for (pair, places) in &self.pairs {
-            if places.len() < 2 {
-                continue;
+    /// How many operations it saves to take out a pair.
+    fn saved(&self, pair: &Pair) -> usize {
+        let places = self.pairs.get(pair).map_or(&[][..], Vec::as_slice);
+        if places.len() < 2 {
+            return 0;
+        }
+        let [(_, p), (_, q)] = *pair;
+        let before = |f: Ratio| 1 + cost(p * f) + cost(q * f);
+        let before: usize = places.iter().map(|(_, f)| before(*f)).sum();
+        let after: usize = places.iter().map(|(_, f)| cost(*f)).sum();
+        before.saturating_sub(after + 1 + cost(p) + cost(q))
+    }
+
+    /// The pair that saves most, of equals the first. What pairs save only falls while others are taken out, so an entry
+    /// of the queue that is still right is the best.
+    fn best(&mut self) -> Option<Pair> {
+        while let Some((promised, Reverse(pair))) = self.queue.pop() {
+            let saved = self.saved(&pair);
+            if saved > 0 && saved == promised {
+                return Some(pair);
             }
-            let inside = cost(pair[0].1) + cost(pair[1].1);
-            let before: usize = places
-                .iter()
-                .map(|(_, f)| 1 + cost(pair[0].1 * *f) + cost(pair[1].1 * *f))
-                .sum();
-            let after: usize = places.iter().map(|(_, f)| cost(*f)).sum::<usize>() + 1 + inside;
-            let saved = before.saturating_sub(after);
-            if saved > 0 && best.is_none_or(|(most, _)| saved > most) {
-                best = Some((saved, *pair));
+            if saved > 0 {
+                self.queue.push((saved, Reverse(pair)));
             }
         }
-        let Some((_, pair)) = best else { return false };
+        None
+    }
+
+    /// Takes out the best pair, if there is one.
+    fn take_out_best(&mut self) -> bool {
+        let Some(pair) = self.best() else {
+            return false;
+        };
         let place = self.nodes + self.found.len();
         self.found.push(pair);
         for (sum, factor) in self.pairs.remove(&pair).unwrap_or_default() {
