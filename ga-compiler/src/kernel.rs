@@ -209,6 +209,15 @@ impl Kernel {
         }
         let graph = passes::optimise(arena, outputs, &uniform_inputs, &relations);
         let (arena, outputs) = passes::reciprocal(&graph.0, &graph.1).unwrap_or(graph);
+        let (arena, outputs) = match passes::orient(&arena, &outputs) {
+            Some(turned)
+                if passes::cost(&turned.0, &turned.1).rank()
+                    < passes::cost(&arena, &outputs).rank() =>
+            {
+                turned
+            }
+            _ => (arena, outputs),
+        };
         Self {
             arena,
             outputs,

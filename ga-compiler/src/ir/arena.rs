@@ -239,6 +239,16 @@ impl Arena {
         }
     }
 
+    /// A sum with its terms as they are, the first of them positive: for the last pass, after which no equal sums are
+    /// looked for.
+    pub(crate) fn ordered_sum(&mut self, terms: Vec<Value>) -> Value {
+        let node = self.intern(Node::Sum(terms.into()));
+        Value {
+            factor: Ratio::ONE,
+            node,
+        }
+    }
+
     /// The difference of two values.
     pub fn difference(&mut self, left: Value, right: Value) -> Value {
         self.sum([left, -right])

@@ -1,6 +1,6 @@
 //! What a graph costs: multiplications and additions of the code that it becomes.
 
-use super::schedule;
+use super::rewrite::reads;
 use crate::algebra::Ratio;
 use crate::ir::{Arena, Function, Node, Value};
 
@@ -28,6 +28,12 @@ impl Cost {
         self.multiplications + self.additions + self.divisions + self.roots + self.functions
     }
 
+    /// The total, then negations.
+    #[must_use]
+    pub const fn rank(self) -> (usize, usize) {
+        (self.total(), self.negations)
+    }
+
     fn scale(&mut self, factor: Ratio) {
         if factor.abs() != Ratio::ONE {
             self.multiplications += 1;
@@ -41,7 +47,8 @@ impl Cost {
 #[must_use]
 pub fn cost(arena: &Arena, outputs: &[Value]) -> Cost {
     let mut cost = Cost::default();
-    for id in schedule(arena, outputs).order {
+    let reads = reads(arena, outputs);
+    for id in arena.ids().filter(|id| reads[id.index()] > 0) {
         match arena.node(id) {
             Node::One | Node::Input(_) => {}
             Node::Product(..) => cost.multiplications += 1,

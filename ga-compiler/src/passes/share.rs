@@ -129,8 +129,8 @@ impl Search {
         before.saturating_sub(after + 1 + cost(p) + cost(q))
     }
 
-    /// The pair that saves most, of equals the first. What pairs save only falls while others are taken out, so an entry
-    /// of the queue that is still right is the best.
+    /// The pair that saves most, of equals the first. What a pair saves falls while others are taken out, and where it rises
+    /// the pair is queued again, so an entry that is still right is the best.
     fn best(&mut self) -> Option<Pair> {
         while let Some((promised, Reverse(pair))) = self.queue.pop() {
             let saved = self.saved(&pair);
