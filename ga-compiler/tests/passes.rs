@@ -198,6 +198,26 @@ proptest! {
     }
 }
 
+#[test]
+fn what_needs_most_registers_comes_first() {
+    // a b + (c d + (a d + (b c + (a c)(b d)))), the deepest part written last: as written, a product waits at each level.
+    let nested = graph(|arena, [a, b, c, d]| {
+        let pairs = [(a, b), (c, d), (a, d), (b, c)];
+        // The products come first in the arena, so that each sum reads its product before the rest.
+        let products = pairs.map(|(x, y)| arena.product(x, y));
+        let mut whole = arena.product(a, c);
+        for product in products.into_iter().rev() {
+            let inner = arena.sum([whole, product]);
+            whole = arena.product(inner, inner);
+        }
+        vec![whole]
+    });
+    let (arena, outputs) = &nested;
+    let found = schedule(arena, outputs);
+    assert_eq!(found.pressure(arena), 2);
+    assert_eq!(found.order.len(), 13);
+}
+
 /// The inputs of a graph by name, and what is wanted of them.
 fn graph<const N: usize>(make: impl FnOnce(&mut Arena, [Value; N]) -> Vec<Value>) -> Graph {
     let mut arena = Arena::default();

@@ -96,7 +96,9 @@ fn registers(arena: &Arena, uses: &[usize]) -> Vec<usize> {
             continue;
         }
         needs.clear();
-        for_each_operand(arena.node(id), |operand| needs.push(registers[operand.index()]));
+        for_each_operand(arena.node(id), |operand| {
+            needs.push(registers[operand.index()])
+        });
         needs.sort_unstable_by_key(|need| std::cmp::Reverse(*need));
         let waiting = needs.iter().enumerate().map(|(before, need)| match need {
             0 => 1,

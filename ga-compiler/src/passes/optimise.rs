@@ -1,9 +1,9 @@
 //! The passes together.
 
 use super::rate::Rates;
-use super::rewrite::{Graph, with_first};
-use super::{cost, factor, flatten, part, reduce, scale, schedule, share, substitute};
-use crate::ir::{Arena, Node, Value};
+use super::rewrite::{Graph, reads, with_first};
+use super::{cost, factor, flatten, part, reduce, scale, share, substitute};
+use crate::ir::{Arena, Value};
 
 /// Rewrites a graph to an equal one that costs no more.
 ///
@@ -84,15 +84,12 @@ impl Candidate {
 
 /// The cost without the nodes that are uniform.
 fn varying_cost(arena: &Arena, outputs: &[Value], uniform: &[bool]) -> usize {
+    let reads = reads(arena, outputs);
     let mut rates = Rates::new(uniform);
-    let live = schedule(arena, outputs).order;
-    let uniform_nodes: Vec<Value> = live
-        .into_iter()
-        .filter(|&id| rates.is_uniform(arena, id) && !matches!(arena.node(id), Node::One))
-        .map(|node| Value {
-            factor: crate::algebra::Ratio::ONE,
-            node,
-        })
+    let uniform_nodes: Vec<Value> = arena
+        .ids()
+        .filter(|&id| reads[id.index()] > 0 && rates.is_uniform(arena, id))
+        .map(|node| Value { node, ..Value::ONE })
         .collect();
     cost(arena, outputs).total() - cost(arena, &uniform_nodes).total()
 }
