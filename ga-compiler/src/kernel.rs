@@ -1,15 +1,14 @@
 //! One compiled expression: the path from an expression over typed operands to a graph with chosen rules.
 
-use std::cmp::Ordering;
-
-use crate::algebra::{Algebra, Blade, NamedBlade, Product, Ratio, Unary};
-use crate::define::{Role, TypeDefinition};
+use crate::algebra::{Algebra, Blade, NamedBlade, Ratio};
+use crate::define::TypeDefinition;
 use crate::emit::stage::Stages;
 use crate::expression::Expression;
 use crate::ir::{Arena, Prime, Value};
-use crate::lower::{self, Choice, InnerRule, JoinRule, SandwichRule};
+use crate::lower::{self, Choice, Choices, Lowered};
 use crate::passes::{self, Cost};
-use crate::program::{Program, Step, StepId, Witness};
+use crate::program::{Program, StepId, Witness};
+use crate::search;
 use crate::verify;
 
 /// A graph whose inputs are the stored coefficients of the operands, one after the other, and whose outputs are the
@@ -21,7 +20,7 @@ pub struct Kernel {
     /// The outputs.
     pub outputs: Vec<Value>,
     /// The rules that won.
-    pub choice: Choice,
+    pub choices: Choices,
     /// For each input, whether it stays the same over many calls. What depends on such inputs alone is the prologue.
     pub uniform: Vec<bool>,
 }
@@ -58,7 +57,7 @@ impl Kernel {
     /// Compiles a program, wanting the given blades of some of its steps. `uniform` marks operands that stay the same over
     /// many calls.
     ///
-    /// The rules are tried, and the cheapest graph is kept; of equals the first.
+    /// The rules are tried, and the cheapest graph is kept.
     #[must_use]
     pub fn of_program(
         algebra: &Algebra,
@@ -66,93 +65,12 @@ impl Kernel {
         uniform: &[bool],
         wanted: &[(StepId, Vec<NamedBlade>)],
     ) -> Self {
-        let by_choice =
-            |choice| Self::of_program_by_choice(algebra, program, uniform, wanted, choice);
-        let mut best = by_choice(Choice::default());
-        // One kind of rule after the other: all combinations would be too many.
-        if has_sandwich(program) {
-            for sandwich in SandwichRule::ALL {
-                best.improve(
-                    Choice {
-                        sandwich,
-                        ..best.choice
-                    },
-                    &by_choice,
-                );
-            }
-        }
-        if has_product(program, &[Product::Wedge]) {
-            for join in JoinRule::ALL {
-                best.improve(
-                    Choice {
-                        join,
-                        ..best.choice
-                    },
-                    &by_choice,
-                );
-            }
-        }
-        let inner = [
-            Product::LeftContraction,
-            Product::RightContraction,
-            Product::ScalarProduct,
-        ];
-        if has_product(program, &inner) {
-            for inner in InnerRule::ALL {
-                best.improve(
-                    Choice {
-                        inner,
-                        ..best.choice
-                    },
-                    &by_choice,
-                );
-            }
-        }
-        if program.has_kinds() {
-            let rederived = Choice {
-                rederive: true,
-                ..best.choice
-            };
-            best.improve(rederived, &by_choice);
-            for sandwich in SandwichRule::ALL {
-                let choice = Choice {
-                    sandwich,
-                    ..rederived
-                };
-                best.improve(choice, &by_choice);
-            }
-        }
-        let is_derived = |kind: &&TypeDefinition| {
-            let mut roles = kind.coefficients.iter().map(|c| &c.role);
-            roles.any(|role| matches!(role, Role::Derived(_)))
-        };
-        if program.operands.iter().any(is_derived) {
-            let held = Choice {
-                held: true,
-                ..best.choice
-            };
-            best.improve(held, &by_choice);
-        }
-        best
-    }
-
-    /// Takes other rules if they make a cheaper graph. Of equals the one by differences stands, which rounds less.
-    fn improve(&mut self, choice: Choice, by_choice: &impl Fn(Choice) -> Self) {
-        if choice == self.choice {
-            return;
-        }
-        let next = by_choice(choice);
-        let is_exacter = |choice: Choice| {
-            choice.inner == InnerRule::Distance || choice.join == JoinRule::Difference
-        };
-        let is_better = match next.rank().cmp(&self.rank()) {
-            Ordering::Less => true,
-            Ordering::Equal => is_exacter(choice) && !is_exacter(self.choice),
-            Ordering::Greater => false,
-        };
-        if is_better {
-            *self = next;
-        }
+        search::cheapest(&Task {
+            algebra,
+            program,
+            uniform,
+            wanted,
+        })
     }
 
     /// Compiles an expression with given rules.
@@ -167,67 +85,17 @@ impl Kernel {
         let (program, result) = Program::of_expression(operands, expression);
         let uniform = vec![false; operands.len()];
         let wanted = [(result, wanted.to_vec())];
-        Self::of_program_by_choice(algebra, &program, &uniform, &wanted, choice)
-    }
-
-    /// Compiles a program with given rules.
-    #[must_use]
-    pub fn of_program_by_choice(
-        algebra: &Algebra,
-        program: &Program<'_>,
-        uniform: &[bool],
-        wanted: &[(StepId, Vec<NamedBlade>)],
-        choice: Choice,
-    ) -> Self {
-        let mut arena = Arena::default();
-        let mut uniform_inputs = Vec::new();
-        let mut inputs = Vec::new();
-        for (kind, is_uniform) in program.operands.iter().zip(uniform) {
-            inputs.push(lower::operand(&mut arena, kind, choice.held));
-            uniform_inputs.resize(arena.inputs(), *is_uniform);
-        }
-        let steps: Vec<StepId> = wanted.iter().map(|(step, _)| *step).collect();
-        let values = lower::lower(&mut arena, algebra, program, &inputs, &steps, choice);
-        let mut outputs = Vec::new();
-        for (value, (_, blades)) in values.iter().zip(wanted) {
-            for named in blades {
-                let found = value.coefficient(named.blade);
-                outputs.push(if named.is_negative { -found } else { found });
-            }
-        }
-        if passes::cost(&arena, &outputs).total() > LARGEST {
-            return Self {
-                arena,
-                outputs,
-                choice,
-                uniform: uniform_inputs,
-            };
-        }
-        let mut relations = Vec::new();
-        for input in &inputs {
-            relations.extend(passes::relations(&mut arena, algebra, input));
-        }
-        let graph = passes::optimise(arena, outputs, &uniform_inputs, &relations);
-        let (arena, outputs) = passes::reciprocal(&graph.0, &graph.1).unwrap_or(graph);
-        let (arena, outputs) = match passes::orient(&arena, &outputs) {
-            Some(turned)
-                if passes::cost(&turned.0, &turned.1).rank()
-                    < passes::cost(&arena, &outputs).rank() =>
-            {
-                turned
-            }
-            _ => (arena, outputs),
+        let task = Task {
+            algebra,
+            program: &program,
+            uniform: &uniform,
+            wanted: &wanted,
         };
-        Self {
-            arena,
-            outputs,
-            choice,
-            uniform: uniform_inputs,
-        }
+        task.compile(&choice.into()).0
     }
 
     /// What decides between graphs: the operations of each call, then those of the prologue.
-    fn rank(&self) -> (usize, usize) {
+    pub(crate) fn rank(&self) -> (usize, usize) {
         let all = self.cost().total();
         if !self.uniform.contains(&true) {
             return (all, 0);
@@ -304,6 +172,69 @@ impl Kernel {
     }
 }
 
+/// A program and what is wanted of it.
+pub(crate) struct Task<'a> {
+    pub(crate) algebra: &'a Algebra,
+    pub(crate) program: &'a Program<'a>,
+    pub(crate) uniform: &'a [bool],
+    pub(crate) wanted: &'a [(StepId, Vec<NamedBlade>)],
+}
+
+impl Task<'_> {
+    /// The kernel by given rules, and the steps in which versors act.
+    pub(crate) fn compile(&self, choices: &Choices) -> (Kernel, Vec<StepId>) {
+        let mut arena = Arena::default();
+        let mut uniform = Vec::new();
+        let mut inputs = Vec::new();
+        for (kind, is_uniform) in self.program.operands.iter().zip(self.uniform) {
+            inputs.push(lower::operand(&mut arena, kind, choices.all.held));
+            uniform.resize(arena.inputs(), *is_uniform);
+        }
+        let steps: Vec<StepId> = self.wanted.iter().map(|(step, _)| *step).collect();
+        let Lowered { values, acted } = lower::lower(
+            &mut arena,
+            self.algebra,
+            self.program,
+            &inputs,
+            &steps,
+            choices,
+        );
+        let mut outputs = Vec::new();
+        for (value, (_, blades)) in values.iter().zip(self.wanted) {
+            for named in blades {
+                let found = value.coefficient(named.blade);
+                outputs.push(if named.is_negative { -found } else { found });
+            }
+        }
+        let (arena, outputs) = if passes::cost(&arena, &outputs).total() > LARGEST {
+            (arena, outputs)
+        } else {
+            let mut relations = Vec::new();
+            for input in &inputs {
+                relations.extend(passes::relations(&mut arena, self.algebra, input));
+            }
+            let graph = passes::optimise(arena, outputs, &uniform, &relations);
+            finished(passes::reciprocal(&graph.0, &graph.1).unwrap_or(graph))
+        };
+        let kernel = Kernel {
+            arena,
+            outputs,
+            choices: choices.clone(),
+            uniform,
+        };
+        (kernel, acted)
+    }
+}
+
+/// The graph with its differences the right way round.
+fn finished(graph: passes::Graph) -> passes::Graph {
+    let rank = |graph: &passes::Graph| passes::cost(&graph.0, &graph.1).rank();
+    match passes::orient(&graph.0, &graph.1) {
+        Some(turned) if rank(&turned) < rank(&graph) => turned,
+        _ => graph,
+    }
+}
+
 /// The stored coefficients of some members, one after the other.
 fn inputs_of(operands: &[&TypeDefinition], members: &[verify::Numbers]) -> Vec<Prime> {
     operands
@@ -329,18 +260,4 @@ pub fn wanted(result: Option<&TypeDefinition>) -> Vec<NamedBlade> {
             .collect()
     };
     result.map_or_else(|| vec![scalar], stored)
-}
-
-/// Whether a program has an action of a versor, or a product that may be one.
-fn has_sandwich(program: &Program<'_>) -> bool {
-    program
-        .steps()
-        .any(|(_, step)| matches!(step, Step::Sandwich(..) | Step::Unary(Unary::Reverse, _)))
-}
-
-/// Whether a program has one of some products.
-fn has_product(program: &Program<'_>, products: &[Product]) -> bool {
-    program
-        .steps()
-        .any(|(_, step)| matches!(step, Step::Binary(product, ..) if products.contains(product)))
 }

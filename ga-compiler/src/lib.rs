@@ -52,6 +52,7 @@ pub mod lower;
 pub mod parse;
 pub mod passes;
 pub mod program;
+mod search;
 pub mod verify;
 
 use proc_macro2::TokenStream;
@@ -219,7 +220,7 @@ fn compile_one(
     if !kernel.agrees_with(program, &resolved.witness, &wanted) {
         let message = format!(
             "the rules {:?} changed the meaning of this function; this is a defect of the compiler",
-            kernel.choice.names()
+            kernel.choices.names()
         );
         return Err(function.value.error(message));
     }

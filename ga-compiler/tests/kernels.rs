@@ -279,7 +279,7 @@ fn unit_facts_are_needed_for_the_unit_rules() {
     );
     assert!(
         [SandwichRule::LeftFirst, SandwichRule::RightFirst]
-            .contains(&scaled.kernel.choice.sandwich)
+            .contains(&scaled.kernel.choices.all.sandwich)
     );
 }
 

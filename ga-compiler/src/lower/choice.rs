@@ -1,6 +1,7 @@
 //! Which rules a lowering uses.
 
 use super::{InnerRule, JoinRule, SandwichRule};
+use crate::program::StepId;
 
 /// A rule for each kind of step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,6 +19,24 @@ pub struct Choice {
     pub held: bool,
     /// A rule that is to go wrong, so that it can be seen that the check of expansions notices.
     pub broken: Option<Rule>,
+}
+
+/// The rules of a program: one choice for all its steps, and steps in which versors act by other rules.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Choices {
+    /// What holds where nothing else is said.
+    pub all: Choice,
+    /// Steps with rules of their own.
+    pub sites: Vec<(StepId, SandwichRule)>,
+}
+
+impl From<Choice> for Choices {
+    fn from(all: Choice) -> Self {
+        Self {
+            all,
+            sites: Vec::new(),
+        }
+    }
 }
 
 /// The named identities by which the compiler departs from the plain meaning of a formula. Each is stated and proved
@@ -56,17 +75,39 @@ impl From<SandwichRule> for Choice {
     }
 }
 
+impl Choices {
+    /// The rules in words, the plain ones left out.
+    #[must_use]
+    pub fn names(&self) -> Vec<&'static str> {
+        let mut names = self.all.names();
+        let own = self
+            .sites
+            .iter()
+            .filter_map(|(_, rule)| sandwich_name(*rule));
+        for name in own {
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        names
+    }
+}
+
+fn sandwich_name(rule: SandwichRule) -> Option<&'static str> {
+    match rule {
+        SandwichRule::LeftFirst => None,
+        SandwichRule::RightFirst => Some("right first"),
+        SandwichRule::UnitCommutator => Some("unit commutator"),
+        SandwichRule::LinearMap => Some("linear map"),
+        SandwichRule::Split => Some("split"),
+    }
+}
+
 impl Choice {
     /// The rules in words, the plain ones left out.
     #[must_use]
     pub fn names(&self) -> Vec<&'static str> {
-        let sandwich = match self.sandwich {
-            SandwichRule::LeftFirst => None,
-            SandwichRule::RightFirst => Some("right first"),
-            SandwichRule::UnitCommutator => Some("unit commutator"),
-            SandwichRule::LinearMap => Some("linear map"),
-            SandwichRule::Split => Some("split"),
-        };
+        let sandwich = sandwich_name(self.sandwich);
         let join = match self.join {
             JoinRule::LeftFirst => None,
             JoinRule::RightFirst => Some("join right first"),

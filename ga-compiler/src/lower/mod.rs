@@ -8,9 +8,9 @@ mod program;
 mod sandwich;
 pub mod split;
 
-pub use choice::{Choice, Rule};
+pub use choice::{Choice, Choices, Rule};
 pub use inner::InnerRule;
 pub use join::JoinRule;
 pub use operand::operand;
-pub use program::lower;
+pub use program::{Lowered, lower};
 pub use sandwich::SandwichRule;

@@ -1,7 +1,7 @@
 //! Programs to graphs, one step at a time.
 
 use super::operand::rederived;
-use super::{Choice, InnerRule, JoinRule, Rule, SandwichRule};
+use super::{Choice, Choices, InnerRule, JoinRule, Rule, SandwichRule};
 use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
 use crate::ir::{Arena, Facts, Multivector, Value};
 use crate::program::{Program, Step, StepId};
@@ -14,8 +14,8 @@ pub fn lower(
     program: &Program<'_>,
     operands: &[Multivector],
     wanted: &[StepId],
-    choice: Choice,
-) -> Vec<Multivector> {
+    choices: &Choices,
+) -> Lowered {
     let mut uses = vec![0; program.len()];
     for (_, step) in program.steps() {
         for read in step.reads() {
@@ -27,27 +27,40 @@ pub fn lower(
         algebra,
         program,
         operands,
-        choice,
+        choice: choices.all,
+        sites: &choices.sites,
+        site: None,
+        acted: Vec::new(),
         values: vec![Multivector::default(); uses.len()],
         uses,
     };
     let needed = lowering.needed(wanted);
     for (id, step) in program.steps().filter(|(id, _)| needed[id.index()]) {
+        lowering.site = Some(id);
         let value = lowering.step(id, step);
         let facts = value.facts.and(program.stated(id));
         let value = value.with_facts(facts);
         lowering.values[id.index()] = match program.kind(id) {
-            Some(kind) if choice.rederive => {
+            Some(kind) if choices.all.rederive => {
                 let value = rederived(lowering.arena, kind, &value);
                 lowering.applied(Rule::Rederive, value)
             }
             _ => value,
         };
     }
-    wanted
-        .iter()
-        .map(|id| lowering.values[id.index()].clone())
-        .collect()
+    let value = |id: &StepId| lowering.values[id.index()].clone();
+    Lowered {
+        values: wanted.iter().map(value).collect(),
+        acted: lowering.acted,
+    }
+}
+
+/// What became of a program.
+pub struct Lowered {
+    /// The wanted steps.
+    pub values: Vec<Multivector>,
+    /// The steps in which a versor acts.
+    pub acted: Vec<StepId>,
 }
 
 struct Lowering<'a> {
@@ -56,6 +69,11 @@ struct Lowering<'a> {
     program: &'a Program<'a>,
     operands: &'a [Multivector],
     choice: Choice,
+    sites: &'a [(StepId, SandwichRule)],
+    /// The step at work.
+    site: Option<StepId>,
+    /// The steps in which a versor acts.
+    acted: Vec<StepId>,
     values: Vec<Multivector>,
     /// How often each step is read.
     uses: Vec<usize>,
@@ -155,7 +173,13 @@ impl Lowering<'_> {
     }
 
     fn sandwich(&mut self, versor: &Multivector, operand: &Multivector) -> Multivector {
-        let rule = self.choice.sandwich;
+        let own = self.sites.iter().find(|(site, _)| Some(*site) == self.site);
+        let rule = own.map_or(self.choice.sandwich, |(_, rule)| *rule);
+        if let Some(site) = self.site
+            && !self.acted.contains(&site)
+        {
+            self.acted.push(site);
+        }
         match rule.lower(self.arena, self.algebra, versor, operand) {
             Some(value) => self.applied(Rule::Sandwich(rule), value),
             None => SandwichRule::LeftFirst

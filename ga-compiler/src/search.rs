@@ -1,0 +1,124 @@
+//! Which rules make the cheapest graph.
+//!
+//! One kind of rule is tried after the other, each with the best of those before it: all combinations would be too many. Then each
+//! step in which a versor acts may have a rule of its own.
+
+use std::cmp::Ordering;
+
+use crate::algebra::{Product, Unary};
+use crate::define::{Role, TypeDefinition};
+use crate::kernel::{Kernel, Task};
+use crate::lower::{Choice, Choices, InnerRule, JoinRule, SandwichRule};
+use crate::program::{Program, Step, StepId};
+
+/// Up to how many actions of versors are given rules of their own.
+const MOST_SITES: usize = 8;
+
+/// The kernel of fewest operations that the rules give; of equals the first, or the one that works with differences.
+pub(crate) fn cheapest(task: &Task<'_>) -> Kernel {
+    let (best, acted) = task.compile(&Choices::default());
+    let mut search = Search { task, best, acted };
+    let program = task.program;
+    if has_sandwich(program) {
+        for sandwich in SandwichRule::ALL {
+            search.improve(|choice| choice.sandwich = sandwich);
+        }
+    }
+    if has_product(program, &[Product::Wedge]) {
+        for join in JoinRule::ALL {
+            search.improve(|choice| choice.join = join);
+        }
+    }
+    let inner = [
+        Product::LeftContraction,
+        Product::RightContraction,
+        Product::ScalarProduct,
+    ];
+    if has_product(program, &inner) {
+        for inner in InnerRule::ALL {
+            search.improve(|choice| choice.inner = inner);
+        }
+    }
+    if program.has_kinds() {
+        search.improve(|choice| choice.rederive = true);
+        for sandwich in SandwichRule::ALL {
+            search.improve(|choice| {
+                choice.rederive = true;
+                choice.sandwich = sandwich;
+            });
+        }
+    }
+    if program.operands.iter().any(is_derived) {
+        search.improve(|choice| choice.held = true);
+    }
+    search.improve_sites();
+    search.best
+}
+
+struct Search<'a> {
+    task: &'a Task<'a>,
+    best: Kernel,
+    acted: Vec<StepId>,
+}
+
+impl Search<'_> {
+    fn improve(&mut self, change: impl Fn(&mut Choice)) {
+        let mut choices = self.best.choices.clone();
+        change(&mut choices.all);
+        self.try_choices(&choices);
+    }
+
+    fn improve_sites(&mut self) {
+        if !(2..=MOST_SITES).contains(&self.acted.len()) {
+            return;
+        }
+        for site in self.acted.clone() {
+            for rule in SandwichRule::ALL {
+                let mut choices = self.best.choices.clone();
+                choices.sites.retain(|(other, _)| *other != site);
+                if rule != choices.all.sandwich {
+                    choices.sites.push((site, rule));
+                }
+                self.try_choices(&choices);
+            }
+        }
+    }
+
+    /// Takes other rules if they make a cheaper graph. Of equals the one by differences stands, which rounds less.
+    fn try_choices(&mut self, choices: &Choices) {
+        if *choices == self.best.choices {
+            return;
+        }
+        let (next, acted) = self.task.compile(choices);
+        let is_exacter = |choice: Choice| {
+            choice.inner == InnerRule::Distance || choice.join == JoinRule::Difference
+        };
+        let is_better = match next.rank().cmp(&self.best.rank()) {
+            Ordering::Less => true,
+            Ordering::Equal => is_exacter(choices.all) && !is_exacter(self.best.choices.all),
+            Ordering::Greater => false,
+        };
+        if is_better {
+            (self.best, self.acted) = (next, acted);
+        }
+    }
+}
+
+/// Whether a program has an action of a versor, or a product that may be one.
+fn has_sandwich(program: &Program<'_>) -> bool {
+    program
+        .steps()
+        .any(|(_, step)| matches!(step, Step::Sandwich(..) | Step::Unary(Unary::Reverse, _)))
+}
+
+/// Whether a program has one of some products.
+fn has_product(program: &Program<'_>, products: &[Product]) -> bool {
+    program
+        .steps()
+        .any(|(_, step)| matches!(step, Step::Binary(product, ..) if products.contains(product)))
+}
+
+fn is_derived(kind: &&TypeDefinition) -> bool {
+    let mut roles = kind.coefficients.iter().map(|c| &c.role);
+    roles.any(|role| matches!(role, Role::Derived(_)))
+}
