@@ -73,6 +73,24 @@ impl Kernel {
         })
     }
 
+    /// Compiles a program with given rules.
+    #[must_use]
+    pub fn of_program_by_choices(
+        algebra: &Algebra,
+        program: &Program<'_>,
+        uniform: &[bool],
+        wanted: &[(StepId, Vec<NamedBlade>)],
+        choices: &Choices,
+    ) -> Self {
+        let task = Task {
+            algebra,
+            program,
+            uniform,
+            wanted,
+        };
+        task.compile(choices).0
+    }
+
     /// Compiles an expression with given rules.
     #[must_use]
     pub fn by_choice(

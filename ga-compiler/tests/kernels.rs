@@ -1,22 +1,14 @@
 //! Expressions through the whole compiler, with no macro involved.
 
+mod algebras;
+
+use algebras::cga3_tokens as cga3;
 use ga_compiler::algebra::{Blade, Product};
 use ga_compiler::expression::Expression;
 use ga_compiler::kernel::{Kernel, wanted};
 use ga_compiler::lower::SandwichRule;
 use ga_compiler::{Compiled, compile_function};
 use proc_macro2::TokenStream;
-
-/// The declaration of cga3 as it ships.
-fn cga3() -> TokenStream {
-    let source = include_str!("../../ga-runtime/src/algebras/conformal.rs");
-    let start = source.find("algebra! {").map(|at| at + "algebra! {".len());
-    let end = source.rfind('}');
-    let (Some(start), Some(end)) = (start, end) else {
-        panic!("cga3 is declared by the macro")
-    };
-    source[start..end].parse().expect("tokens")
-}
 
 /// The types of cga3 that are counted, under other names and in another order of the basis.
 fn renamed() -> TokenStream {

@@ -1,0 +1,48 @@
+//! Algebras that several tests compile in.
+
+use ga_compiler::check_types;
+use ga_compiler::define::Definition;
+use proc_macro2::TokenStream;
+
+/// The declaration of cga3 as it ships.
+pub(crate) fn cga3_tokens() -> TokenStream {
+    let source = include_str!("../../../ga-runtime/src/algebras/conformal.rs");
+    let start = source.find("algebra! {").map(|at| at + "algebra! {".len());
+    let end = source.rfind('}');
+    let (Some(start), Some(end)) = (start, end) else {
+        panic!("cga3 is declared by the macro")
+    };
+    source[start..end].parse().expect("tokens")
+}
+
+/// The types of cga3.
+#[allow(dead_code)]
+pub(crate) fn cga3() -> Definition {
+    check(cga3_tokens())
+}
+
+/// A plane of space and time: nothing in it is conformal.
+#[allow(dead_code)]
+pub(crate) fn minkowski() -> Definition {
+    check(quote::quote! {
+        pub mod minkowski {
+            basis t, x, y, w;
+            signature 1, 2, 1;
+            struct Vector { t, x, y, w }
+            /// Vectors of one weight, as points are.
+            #[hull(Vector)]
+            struct Event { t, x, y, w = 2 }
+            struct Bivector { tx, ty, xy, tw, xw, yw }
+            struct Even { scalar, tx, ty, xy, tw, xw, yw, txyw }
+            #[hull(Even)] #[facts(unit_versor)]
+            struct Boost { scalar, tx, ty, xy, tw, xw, yw, txyw }
+        }
+    })
+}
+
+fn check(declaration: TokenStream) -> Definition {
+    match check_types(declaration, TokenStream::new()) {
+        Ok(definition) => definition,
+        Err(error) => panic!("{error}"),
+    }
+}

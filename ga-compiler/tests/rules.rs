@@ -1,0 +1,275 @@
+//! The named identities: that each keeps the meaning of what it is applied to, and that one gone wrong is refused.
+
+mod algebras;
+
+use algebras::{cga3, minkowski};
+use ga_compiler::algebra::Product;
+use ga_compiler::define::{Definition, TypeDefinition};
+use ga_compiler::expression::Expression;
+use ga_compiler::kernel::{Kernel, wanted};
+use ga_compiler::lower::{Choice, InnerRule, JoinRule, Rule, SandwichRule};
+use ga_compiler::parse::{Block, parse_functions};
+use ga_compiler::program::resolve;
+use ga_compiler::verify;
+
+/// An expression with the types of its operands and of its result.
+struct Case<'a> {
+    definition: &'a Definition,
+    operands: Vec<&'a TypeDefinition>,
+    expression: Expression,
+    result: Option<&'a TypeDefinition>,
+}
+
+impl<'a> Case<'a> {
+    fn new(
+        definition: &'a Definition,
+        operands: &[&str],
+        expression: Expression,
+        result: &str,
+    ) -> Self {
+        let kind = |name: &str| definition.type_named(name).expect("a declared type");
+        Self {
+            definition,
+            operands: operands.iter().map(|name| kind(name)).collect(),
+            expression,
+            result: (result != "Scalar").then(|| kind(result)),
+        }
+    }
+
+    fn compile(&self, choice: Choice) -> Kernel {
+        let blades = wanted(self.result);
+        let algebra = &self.definition.algebra;
+        Kernel::by_choice(algebra, &self.operands, &self.expression, &blades, choice)
+    }
+
+    /// Whether the kernel agrees with the plain meaning at random members of the operands' types.
+    fn agrees(&self, kernel: &Kernel) -> bool {
+        let algebra = &self.definition.algebra;
+        (0..4)
+            .all(|seed| kernel.agrees(algebra, &self.operands, &self.expression, self.result, seed))
+    }
+}
+
+fn operand(number: usize) -> Expression {
+    Expression::Operand(number)
+}
+
+fn wedge(factors: usize) -> Expression {
+    (1..factors).fold(operand(0), |product, next| {
+        Expression::binary(Product::Wedge, product, operand(next))
+    })
+}
+
+fn sandwich() -> Expression {
+    Expression::sandwich(operand(0), operand(1))
+}
+
+/// Every rule that departs from the plain meaning.
+fn rules() -> Vec<(Choice, Rule)> {
+    let sandwiches = SandwichRule::ALL.map(|rule| (rule.into(), Rule::Sandwich(rule)));
+    let joins = JoinRule::ALL.map(|join| {
+        let choice = Choice {
+            join,
+            ..Choice::default()
+        };
+        (choice, Rule::Join(join))
+    });
+    let distance = Choice {
+        inner: InnerRule::Distance,
+        ..Choice::default()
+    };
+    let mut rules: Vec<_> = sandwiches.into_iter().chain(joins).collect();
+    rules.push((distance, Rule::Inner(InnerRule::Distance)));
+    rules
+}
+
+/// Cases in which every rule applies somewhere.
+fn cases<'a>(cga3: &'a Definition, minkowski: &'a Definition) -> Vec<Case<'a>> {
+    let mut cases = Vec::new();
+    let moved = [
+        "Point",
+        "RoundVector",
+        "DualPlane",
+        "PointPair",
+        "FlatPoint",
+        "Direction",
+        "MotorGenerator",
+        "Circle",
+        "Line",
+        "Sphere",
+        "Plane",
+    ];
+    for versor in ["Rotor", "Translator", "Motor"] {
+        for kind in moved.into_iter().chain(["Motor"]) {
+            cases.push(Case::new(cga3, &[versor, kind], sandwich(), kind));
+        }
+    }
+    for versor in ["Dilator", "Similarity"] {
+        for kind in &moved[1..] {
+            cases.push(Case::new(cga3, &[versor, kind], sandwich(), kind));
+        }
+    }
+    for kind in ["RoundVector", "PointPair", "Circle", "Sphere"] {
+        cases.push(Case::new(cga3, &["RoundVector", kind], sandwich(), kind));
+    }
+    let joined = ["PointPair", "Circle", "Sphere", "Pseudoscalar"];
+    for (result, factors) in joined.into_iter().zip(2..) {
+        for kind in ["Point", "RoundVector"] {
+            let operands = vec![kind; factors];
+            cases.push(Case::new(cga3, &operands, wedge(factors), result));
+        }
+        let mut mixed = vec!["Point"; factors];
+        mixed[factors / 2] = "RoundVector";
+        cases.push(Case::new(cga3, &mixed, wedge(factors), result));
+    }
+    cases.push(Case::new(
+        cga3,
+        &["Point", "Point", "Infinity"],
+        wedge(3),
+        "Line",
+    ));
+    cases.push(Case::new(
+        cga3,
+        &["Infinity", "Point", "Point", "Point"],
+        wedge(4),
+        "Plane",
+    ));
+    for product in [
+        Product::LeftContraction,
+        Product::RightContraction,
+        Product::ScalarProduct,
+    ] {
+        let inner = Expression::binary(product, operand(0), operand(1));
+        for pair in [
+            ["Point", "Point"],
+            ["Point", "RoundVector"],
+            ["DualPlane", "Point"],
+        ] {
+            cases.push(Case::new(cga3, &pair, inner.clone(), "Scalar"));
+        }
+    }
+    for kind in ["Vector", "Bivector", "Boost"] {
+        cases.push(Case::new(minkowski, &["Boost", kind], sandwich(), kind));
+    }
+    cases.push(Case::new(
+        minkowski,
+        &["Event", "Event"],
+        wedge(2),
+        "Bivector",
+    ));
+    cases
+}
+
+#[test]
+fn both_sides_of_every_rule_agree() {
+    let (cga3, minkowski) = (cga3(), minkowski());
+    for (number, case) in cases(&cga3, &minkowski).iter().enumerate() {
+        for (choice, rule) in rules() {
+            let kernel = case.compile(choice);
+            assert!(case.agrees(&kernel), "{rule:?} in case {number}");
+        }
+        for held in [false, true] {
+            let choice = Choice {
+                held,
+                ..Choice::default()
+            };
+            assert!(
+                case.agrees(&case.compile(choice)),
+                "held {held} in case {number}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_broken_rule_is_refused() {
+    let (cga3, minkowski) = (cga3(), minkowski());
+    let cases = cases(&cga3, &minkowski);
+    for (choice, rule) in rules() {
+        let broken = Choice {
+            broken: Some(rule),
+            ..choice
+        };
+        let mut refused = 0;
+        for (number, case) in cases.iter().enumerate() {
+            let (sound, spoiled) = (case.compile(choice), case.compile(broken));
+            let is_changed = spoiled.cost() != sound.cost()
+                || evaluate(case, &spoiled) != evaluate(case, &sound);
+            // A sign that no wanted coefficient sees is no fault.
+            if is_changed && evaluate(case, &spoiled) != evaluate(case, &sound) {
+                assert!(!case.agrees(&spoiled), "{rule:?} in case {number}");
+                refused += 1;
+            }
+        }
+        assert!(refused > 0, "{rule:?} was never applied");
+    }
+}
+
+/// Functions as they are written, where the types of steps are known.
+#[test]
+fn a_broken_rule_is_refused_in_functions() {
+    let cga3 = cga3();
+    for (source, choice, rule) in [
+        (
+            "fn moved(m: Motor, p: Point) -> RoundVector { m * p * rev(m) }",
+            Choice {
+                rederive: true,
+                ..Choice::default()
+            },
+            Rule::Rederive,
+        ),
+        (
+            "fn distance(m: Motor, p: Point, q: Point) -> Scalar { sqrt(-2 * (sandwich(m, p) | q)) }",
+            Choice {
+                inner: InnerRule::Distance,
+                ..SandwichRule::UnitCommutator.into()
+            },
+            Rule::Inner(InnerRule::Distance),
+        ),
+        (
+            "fn twice(a: Motor, b: Motor, l: Line) -> Line { a * b * l * rev(b) * rev(a) }",
+            SandwichRule::Split.into(),
+            Rule::Sandwich(SandwichRule::Split),
+        ),
+    ] {
+        let functions = parse_functions(source.parse().expect("tokens")).expect("a function");
+        let block = Block {
+            functions,
+            imports: Vec::new(),
+        };
+        let resolved = resolve(&cga3, &block.functions[0], &block).expect("names have a meaning");
+        let outputs: Vec<_> = resolved
+            .outputs
+            .iter()
+            .map(|(step, kind)| (*step, wanted(*kind)))
+            .collect();
+        let (program, uniform) = (&resolved.program, &resolved.uniform);
+        let agrees = |choice: Choice| {
+            let choices = choice.into();
+            Kernel::of_program_by_choices(&cga3.algebra, program, uniform, &outputs, &choices)
+                .agrees_with(program, &resolved.witness, &outputs)
+        };
+        assert!(agrees(choice), "{source}");
+        assert!(
+            !agrees(Choice {
+                broken: Some(rule),
+                ..choice
+            }),
+            "{rule:?} in {source}"
+        );
+    }
+}
+
+/// The outputs at a random point that the check does not use.
+fn evaluate(case: &Case<'_>, kernel: &Kernel) -> Vec<ga_compiler::ir::Prime> {
+    let mut sequence = verify::sequence(99);
+    let inputs: Vec<_> = case
+        .operands
+        .iter()
+        .flat_map(|kind| {
+            let member = verify::sample(&case.definition.algebra, kind, &mut sequence);
+            verify::stored(kind, &member.expect("a member"))
+        })
+        .collect();
+    kernel.evaluate(&inputs)
+}
