@@ -1,5 +1,7 @@
 //! A compiled function: what `ga!` makes of its source, before any code is written.
 
+use std::fmt;
+
 use proc_macro2::Ident;
 use syn::{Attribute, Error, Result, Visibility};
 
@@ -26,8 +28,19 @@ pub struct CompiledFunction {
     pub kernel: Kernel,
 }
 
+impl fmt::Debug for CompiledFunction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("CompiledFunction")
+            .field("name", &self.name)
+            .field("operands", &self.operands)
+            .field("result", &self.result)
+            .field("kernel", &self.kernel)
+            .finish_non_exhaustive()
+    }
+}
+
 /// An operand of a function.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub struct Operand {
     /// The name.
     pub name: Ident,
