@@ -4,20 +4,21 @@
 //! so that tools can parse, simplify, evaluate and count without any macro:
 //!
 //! ```text
-//! tokens → parse → define → expression → lower → ir → passes → emit
-//!                     └────────────── verify ──────────────┘
+//! tokens → parse → define ┐
+//!          parse → program ┴→ lower → passes → emit
+//!                     └── verify ─────────┘
 //! ```
 //!
 //! - [`parse`]: grammars; names are still names.
 //! - [`define`]: a checked declaration; every error is found here, at its token.
 //! - [`algebra`]: blades, metric, and the products of basis blades.
-//! - [`expression`]: formulas over typed operands.
-//! - [`lower`]: formulas to the graph, by named rules.
+//! - [`program`]: the steps of a function, on whole multivectors; [`expression`]: formulas as trees.
+//! - [`lower`]: steps to the graph, by named rules.
 //! - [`ir`]: the graph, hash-consed, and multivectors over it.
-//! - [`passes`]: dead code, order, cost.
-//! - [`kernel`]: one compiled expression; [`function`]: one compiled function.
+//! - [`passes`]: rewriting of graphs, order, cost.
+//! - [`kernel`]: one compiled graph, by the rules that make it cheapest; [`function`]: one compiled function.
 //! - [`verify`]: evaluation over a prime field, which decides what a result is and checks the compiler's work.
-//! - [`emit`]: Rust code.
+//! - [`emit`]: Rust, WGSL, formulas, graphs, and counts of operations.
 //!
 //! # Example
 //!
