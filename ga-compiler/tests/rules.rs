@@ -6,9 +6,11 @@ use algebras::{cga3, minkowski};
 use ga_compiler::algebra::Product;
 use ga_compiler::define::{Definition, TypeDefinition};
 use ga_compiler::expression::Expression;
+use ga_compiler::ir::{Arena, Node, NodeId, Value};
 use ga_compiler::kernel::{Kernel, wanted};
 use ga_compiler::lower::{Choice, InnerRule, JoinRule, Rule, SandwichRule};
 use ga_compiler::parse::{Block, parse_functions};
+use ga_compiler::passes::schedule;
 use ga_compiler::program::resolve;
 use ga_compiler::verify;
 
@@ -258,6 +260,60 @@ fn a_broken_rule_is_refused_in_functions() {
             "{rule:?} in {source}"
         );
     }
+}
+
+/// Passes rewrite graphs; whatever they might do wrong shows as a wrong node.
+#[test]
+fn a_wrong_node_anywhere_is_refused() {
+    let cga3 = cga3();
+    let mut faults = 0;
+    for case in [
+        Case::new(&cga3, &["Motor", "Point"], sandwich(), "Point"),
+        Case::new(&cga3, &["Motor", "Circle"], sandwich(), "Circle"),
+        Case::new(&cga3, &["Point", "Point", "Point"], wedge(3), "Circle"),
+    ] {
+        let blades = wanted(case.result);
+        let algebra = &cga3.algebra;
+        let kernel = Kernel::of_blades(algebra, &case.operands, &case.expression, &blades);
+        assert!(case.agrees(&kernel));
+        for wrong in schedule(&kernel.arena, &kernel.outputs).order {
+            let (arena, outputs) = with_negated(&kernel, wrong);
+            let spoiled = Kernel {
+                arena,
+                outputs,
+                ..kernel.clone()
+            };
+            assert!(!case.agrees(&spoiled), "{wrong:?}");
+            faults += 1;
+        }
+    }
+    assert!(faults > 200, "{faults}");
+}
+
+/// The graph of a kernel with one node negated.
+fn with_negated(kernel: &Kernel, wrong: NodeId) -> (Arena, Vec<Value>) {
+    let mut copy = Arena::default();
+    let inputs: Vec<Value> = (0..kernel.arena.inputs()).map(|_| copy.input()).collect();
+    let mut images: Vec<Value> = Vec::new();
+    let image = |images: &[Value], value: Value| images[value.node.index()].scaled(value.factor);
+    for id in kernel.arena.ids() {
+        let value = match kernel.arena.node(id) {
+            Node::One => Value::ONE,
+            Node::Input(number) => inputs[*number],
+            Node::Sum(terms) => copy.sum(terms.iter().map(|&term| image(&images, term))),
+            Node::Product(a, b) => copy.product(images[a.index()], images[b.index()]),
+            Node::Quotient(a, b) => copy
+                .quotient(images[a.index()], images[b.index()])
+                .expect("a divisor"),
+            Node::Function(function, arguments) => {
+                let arguments: Vec<_> = arguments.iter().map(|&v| image(&images, v)).collect();
+                copy.function(*function, &arguments)
+            }
+        };
+        images.push(if id == wrong { -value } else { value });
+    }
+    let outputs = kernel.outputs.iter().map(|&v| image(&images, v)).collect();
+    (copy, outputs)
 }
 
 /// The outputs at a random point that the check does not use.
