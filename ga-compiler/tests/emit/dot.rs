@@ -1,0 +1,157 @@
+//! Graphs for Graphviz, read back from their text and evaluated over the prime field.
+
+use std::collections::HashMap;
+
+use ga_compiler::algebra::Ratio;
+use ga_compiler::define::Definition;
+use ga_compiler::emit::{dot, formula};
+use ga_compiler::function::CompiledFunction;
+use ga_compiler::ir::{Function, Prime};
+use proptest::prelude::*;
+
+use crate::{random, source};
+
+/// What is known of a picture.
+#[derive(Default)]
+struct Picture {
+    labels: HashMap<String, String>,
+    /// Where each edge comes from, and its label, by where it goes.
+    edges: HashMap<String, Vec<(String, String)>>,
+    /// The outputs in order.
+    outputs: Vec<String>,
+    /// The nodes in the frame of what is uniform.
+    uniform: Vec<String>,
+}
+
+fn read(text: &str) -> Picture {
+    let mut picture = Picture::default();
+    let mut is_uniform = false;
+    for line in text.lines().map(str::trim) {
+        if line.starts_with("subgraph cluster_uniform") {
+            is_uniform = true;
+        }
+        if line == "}" {
+            is_uniform = false;
+        }
+        let label = line
+            .split_once("label=\"")
+            .and_then(|(_, rest)| rest.split_once('"'))
+            .map_or(String::new(), |(label, _)| label.to_owned());
+        let (name, rest) = line.split_once(' ').unwrap_or((line, ""));
+        if let Some(to) = rest.strip_prefix("-> ") {
+            let end = to.find([' ', ';']).expect("an end");
+            let edges = picture.edges.entry(to[..end].to_owned()).or_default();
+            edges.push((name.to_owned(), label));
+        } else if rest.starts_with("[label=") {
+            if name.starts_with("out") {
+                picture.outputs.push(name.to_owned());
+            }
+            if is_uniform {
+                picture.uniform.push(name.to_owned());
+            }
+            picture.labels.insert(name.to_owned(), label);
+        }
+    }
+    picture
+}
+
+fn factor(label: &str) -> Prime {
+    let number = label.replace('−', "-");
+    match number.trim_start_matches('×') {
+        "" | "divisor" => Prime::ONE,
+        "-" => -Prime::ONE,
+        number => {
+            let (numerator, denominator) = number.split_once('/').unwrap_or((number, "1"));
+            let part = |text: &str| text.parse().expect("a number");
+            let ratio = Ratio::new(part(numerator), part(denominator));
+            Prime::from_ratio(ratio.expect("a fraction"))
+        }
+    }
+}
+
+impl Picture {
+    fn value(&self, node: &str, known: &mut HashMap<String, Prime>) -> Prime {
+        if let Some(&value) = known.get(node) {
+            return value;
+        }
+        let mut operands = Vec::new();
+        for (from, label) in self.edges.get(node).into_iter().flatten() {
+            operands.push(self.value(from, known) * factor(label));
+        }
+        let sum = |operands: &[Prime]| operands.iter().fold(Prime::ZERO, |sum, &x| sum + x);
+        let value = match self.labels[node].as_str() {
+            "+" | "=" => sum(&operands),
+            "×" => operands[0] * operands[1],
+            "÷" => {
+                let edges = &self.edges[node];
+                assert_eq!(edges[1].1, "divisor");
+                operands[0] * operands[1].recip()
+            }
+            "√" => Function::SquareRoot
+                .evaluate(&operands)
+                .unwrap_or(Prime::ZERO),
+            "atan2" => Function::ArcTangent.evaluate(&operands).expect("total"),
+            _ if node.starts_with("out") => sum(&operands),
+            constant => factor(constant),
+        };
+        known.insert(node.to_owned(), value);
+        value
+    }
+}
+
+#[track_caller]
+fn assert_picture_agrees(definition: &Definition, function: &CompiledFunction) {
+    let text = dot::function(definition, function);
+    let picture = read(&text);
+    let Some(inputs) = random::inputs(function, 4) else {
+        return;
+    };
+    let names = formula::inputs(definition, &function.operands);
+    let values: HashMap<_, _> = names.iter().map(|(name, _)| name).zip(&inputs).collect();
+    let mut known = HashMap::new();
+    for (node, label) in &picture.labels {
+        if let Some(&&value) = values.get(label).filter(|_| node.starts_with('n')) {
+            known.insert(node.clone(), value);
+        }
+    }
+    // The frame holds what depends on uniform operands alone.
+    for node in &picture.uniform {
+        for (from, _) in picture.edges.get(node).into_iter().flatten() {
+            assert!(
+                picture.uniform.contains(from) || from.starts_with('c'),
+                "{text}"
+            );
+        }
+    }
+    let found: Vec<_> = picture
+        .outputs
+        .iter()
+        .map(|output| picture.value(output, &mut known))
+        .collect();
+    assert_eq!(found, function.kernel.evaluate(&inputs), "{text}");
+}
+
+proptest! {
+    #[test]
+    fn pictures_mean_what_the_graph_does(recipe in random::functions(false)) {
+        assert_picture_agrees(&source::cga3(), &recipe.build());
+    }
+
+    #[test]
+    fn pictures_of_two_stages_mean_what_the_graph_does(recipe in random::functions(true)) {
+        assert_picture_agrees(&source::cga3(), &recipe.build());
+    }
+}
+
+#[test]
+fn pictures_of_kernels_mean_what_the_graph_does() {
+    let definition = source::cga3();
+    for function in source::kernels(&definition) {
+        assert_picture_agrees(&definition, &function);
+    }
+    let once = source::compile(
+        &definition,
+        "fn once(uniform m: Motor, p: Point) -> Point { sandwich(m, p) }",
+    );
+    assert!(!read(&dot::function(&definition, &once)).uniform.is_empty());
+}

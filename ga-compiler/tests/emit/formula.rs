@@ -1,0 +1,216 @@
+//! Formulas, read back from their text and evaluated over the prime field.
+
+use std::collections::HashMap;
+
+use ga_compiler::define::Definition;
+use ga_compiler::emit::formula;
+use ga_compiler::function::CompiledFunction;
+use ga_compiler::ir::{Function, Prime};
+use proptest::prelude::*;
+
+use crate::{random, source};
+
+/// Evaluates the text of a function: what stands after each label.
+fn evaluate(text: &str, names: &[(String, usize)], inputs: &[Prime]) -> Vec<(String, Prime)> {
+    let mut known: HashMap<String, Prime> = names
+        .iter()
+        .zip(inputs)
+        .map(|((name, _), &value)| (name.clone(), value))
+        .collect();
+    let mut results = Vec::new();
+    // Named parts may read each other in any order.
+    let mut definitions: HashMap<String, String> = HashMap::new();
+    for line in text.lines().skip(1) {
+        if let Some((name, definition)) = line
+            .split_once(" = ")
+            .filter(|_| !line.starts_with("where"))
+        {
+            definitions.insert(name.to_owned(), definition.to_owned());
+        } else if let Some((label, expression)) = line.split_once(": ") {
+            let value = Reader::value(expression, &mut known, &definitions);
+            results.push((label.to_owned(), value));
+            // Derived blades are written in those before them, without the way to them.
+            let blade = label.rsplit('.').next().unwrap_or(label);
+            known.insert(blade.to_owned(), value);
+        }
+    }
+    results
+}
+
+/// A recursive descent through one expression.
+struct Reader<'a> {
+    rest: &'a str,
+    known: &'a mut HashMap<String, Prime>,
+    definitions: &'a HashMap<String, String>,
+}
+
+impl Reader<'_> {
+    fn value(
+        text: &str,
+        known: &mut HashMap<String, Prime>,
+        definitions: &HashMap<String, String>,
+    ) -> Prime {
+        let mut reader = Reader {
+            rest: text,
+            known,
+            definitions,
+        };
+        let value = reader.sum();
+        assert_eq!(reader.rest, "", "of {text}");
+        value
+    }
+
+    fn take(&mut self, start: &str) -> bool {
+        match self.rest.strip_prefix(start) {
+            Some(rest) => {
+                self.rest = rest;
+                true
+            }
+            None => false,
+        }
+    }
+
+    fn sum(&mut self) -> Prime {
+        let mut sum = if self.take("-") {
+            -self.term()
+        } else {
+            self.term()
+        };
+        loop {
+            if self.take(" + ") {
+                sum = sum + self.term();
+            } else if self.take(" - ") {
+                sum = sum - self.term();
+            } else {
+                return sum;
+            }
+        }
+    }
+
+    fn term(&mut self) -> Prime {
+        let mut product = self.power();
+        loop {
+            if self.take(" / ") {
+                product = product * self.power().recip();
+            } else if self.rest.starts_with(' ')
+                && !self.rest.starts_with(" + ")
+                && !self.rest.starts_with(" - ")
+            {
+                self.rest = &self.rest[1..];
+                product = product * self.power();
+            } else {
+                return product;
+            }
+        }
+    }
+
+    fn power(&mut self) -> Prime {
+        let base = self.atom();
+        let digits = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+        let mut exponent = 0;
+        while let Some(next) = self.rest.chars().next()
+            && let Some(digit) = digits.chars().position(|digit| digit == next)
+        {
+            exponent = 10 * exponent + digit;
+            self.rest = &self.rest[next.len_utf8()..];
+        }
+        (0..exponent.max(1)).fold(Prime::ONE, |power, _| power * base)
+    }
+
+    fn atom(&mut self) -> Prime {
+        if self.take("(") {
+            let value = self.sum();
+            assert!(self.take(")"), "at {}", self.rest);
+            return value;
+        }
+        if self.take("√(") {
+            return self.call(Function::SquareRoot);
+        }
+        if self.take("atan2(") {
+            return self.call(Function::ArcTangent);
+        }
+        let end = self
+            .rest
+            .find(|c: char| !(c.is_ascii_alphanumeric() || "._[]".contains(c)))
+            .unwrap_or(self.rest.len());
+        let (word, rest) = self.rest.split_at(end);
+        let word = word.to_owned();
+        self.rest = rest;
+        if let Ok(number) = word.parse::<u64>() {
+            return Prime::new(number);
+        }
+        if let Some(definition) = self.definitions.get(&word)
+            && !self.known.contains_key(&word)
+        {
+            let value = Self::value(definition, self.known, self.definitions);
+            self.known.insert(word.clone(), value);
+        }
+        match self.known.get(&word) {
+            Some(&value) => value,
+            None => panic!("unknown {word:?} before {:?}", self.rest),
+        }
+    }
+
+    fn call(&mut self, function: Function) -> Prime {
+        let mut arguments = vec![self.sum()];
+        while self.take(", ") {
+            arguments.push(self.sum());
+        }
+        assert!(self.take(")"), "at {}", self.rest);
+        function.evaluate(&arguments).unwrap_or(Prime::ZERO)
+    }
+}
+
+#[track_caller]
+fn assert_formula_agrees(definition: &Definition, function: &CompiledFunction) {
+    let text = formula::function(definition, function);
+    let names = formula::inputs(definition, &function.operands);
+    let Some(inputs) = random::inputs(function, 3) else {
+        return;
+    };
+    let found = evaluate(&text, &names, &inputs);
+    let expected = function.kernel.evaluate(&inputs);
+    // Points know eo and ei without storing them.
+    let result = function.result.to_text(definition);
+    let is_of_points = result == "Point" || result.starts_with("[Point;");
+    let is_stored =
+        |label: &str| !(is_of_points && (label.ends_with("eo") || label.ends_with("ei")));
+    let stored: Vec<_> = found
+        .iter()
+        .filter(|(label, _)| is_stored(label))
+        .map(|&(_, value)| value)
+        .collect();
+    assert_eq!(stored, expected, "{text}");
+}
+
+proptest! {
+    #[test]
+    fn formulas_mean_what_the_graph_does(recipe in random::functions(false)) {
+        assert_formula_agrees(&source::cga3(), &recipe.build());
+    }
+}
+
+#[test]
+fn formulas_of_kernels_mean_what_the_graph_does() {
+    let definition = source::cga3();
+    for function in source::kernels(&definition) {
+        assert_formula_agrees(&definition, &function);
+    }
+}
+
+#[test]
+fn formulas_read_as_in_a_textbook() {
+    let definition = source::cga3();
+    let text = |function| formula::function(&definition, &source::compile(&definition, function));
+    assert_eq!(
+        text("fn f(p: Point, q: Point) -> Point { p }"),
+        "f(p: Point, q: Point) -> Point\ne1: p.e1\ne2: p.e2\ne3: p.e3\neo: 1\nei: (e1² + e2² + e3²) / 2\n"
+    );
+    assert_eq!(
+        text("fn f(a: Direction, b: Rotor) -> Direction { sandwich(b, a) }"),
+        "f(a: Direction, b: Rotor) -> Direction\n\
+         e1i: (1 - 2 b.e12² - 2 b.e13²) a.e1i + 2 (b.scalar b.e12 - b.e13 b.e23) a.e2i + 2 (b.scalar b.e13 + b.e12 b.e23) a.e3i\n\
+         e2i: (1 - 2 b.e12² - 2 b.e23²) a.e2i - 2 (b.scalar b.e12 + b.e13 b.e23) a.e1i + 2 (b.scalar b.e23 - b.e12 b.e13) a.e3i\n\
+         e3i: 2 (b.e12 b.e23 - b.scalar b.e13) a.e1i - 2 (b.scalar b.e23 + b.e12 b.e13) a.e2i + (1 - 2 b.e13² - 2 b.e23²) a.e3i\n"
+    );
+}

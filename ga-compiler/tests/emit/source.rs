@@ -1,0 +1,45 @@
+//! Functions in cga3 from their text.
+
+use ga_compiler::define::Definition;
+use ga_compiler::function::CompiledFunction;
+use proc_macro2::TokenStream;
+
+/// The algebra as it ships.
+pub(crate) fn cga3() -> Definition {
+    let source = include_str!("../../../ga-runtime/src/algebras/conformal.rs");
+    let start = source.find("algebra! {").expect("the macro") + "algebra! {".len();
+    let end = source.rfind('}').expect("the macro");
+    let declaration: TokenStream = source[start..end].parse().expect("tokens");
+    match ga_compiler::check_types(declaration, quote::quote! { ga_runtime }) {
+        Ok(definition) => definition,
+        Err(error) => panic!("{error}"),
+    }
+}
+
+/// One function.
+#[track_caller]
+pub(crate) fn compile(definition: &Definition, text: &str) -> CompiledFunction {
+    match ga_compiler::compile(definition, text.parse().expect("tokens")) {
+        Ok(mut functions) => functions.remove(0),
+        Err(error) => panic!("{text}: {error}"),
+    }
+}
+
+/// Functions of every kind.
+pub(crate) fn kernels(definition: &Definition) -> Vec<CompiledFunction> {
+    [
+        "fn moved(m: Motor, p: Point) -> Point { m * p * reverse(m) }",
+        "fn moved_line(m: Motor, x: Line) -> Line { sandwich(m, x) }",
+        "fn moved_circle(m: Motor, x: Circle) -> Circle { sandwich(m, x) }",
+        "fn product(m: Motor, n: Motor) -> Motor { m * n }",
+        "fn sphere(p: Point, q: Point, r: Point, s: Point) -> Sphere { p ^ q ^ r ^ s }",
+        "fn meet(a: Sphere, b: Sphere) -> Circle { a & b }",
+        "fn difference(p: Point, q: Point) -> RoundVector { p - q }",
+        "fn distance(p: Point, q: Point) -> Scalar { sqrt(-2 * (p | q)) }",
+        "fn both(m: Motor, x: [Point; 2]) -> [Point; 2] { [sandwich(m, x[0]), sandwich(m, x[1])] }",
+        "fn two(p: Point, q: Point, t: Scalar) -> (Scalar, RoundVector) { (t * (p | q), p - q) }",
+        "fn once(uniform m: Motor, p: Point) -> Point { sandwich(m, p) }",
+    ]
+    .map(|text| compile(definition, text))
+    .into()
+}
