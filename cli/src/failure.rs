@@ -2,9 +2,19 @@
 
 use anyhow::Error;
 
+use crate::expand::SourceError;
+
+/// An error in source text with the line that it is in; any other in one line.
+pub(crate) fn text(error: &Error) -> String {
+    match error.downcast_ref::<SourceError>() {
+        Some(error) => error.to_string(),
+        None => one_line(error),
+    }
+}
+
 /// What went wrong and why, outermost first, in one line. A cause that the message before it has told already is left
 /// out.
-pub(crate) fn one_line(error: &Error) -> String {
+fn one_line(error: &Error) -> String {
     let mut line = String::new();
     for cause in error.chain().map(ToString::to_string) {
         if line.is_empty() {

@@ -1,8 +1,9 @@
-//! The `nullcone` program: animation and stereo vision on conformal geometric algebra.
+//! The `nullcone` program: animation and stereo vision on conformal geometric algebra, and a look into its compiler.
 
 mod animate;
 mod checks;
 mod demo;
+mod expand;
 mod failure;
 mod figure;
 mod model;
@@ -35,6 +36,7 @@ struct Cli {
 enum Command {
     Demo(demo::Arguments),
     Animate(animate::Arguments),
+    Expand(expand::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -42,11 +44,12 @@ fn main() -> ExitCode {
     let result = match &cli.command {
         Command::Demo(arguments) => demo::run(arguments, cli.quiet),
         Command::Animate(arguments) => animate::run(arguments, cli.quiet),
+        Command::Expand(arguments) => expand::run(arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("error: {}", failure::one_line(&error));
+            eprintln!("error: {}", failure::text(&error));
             ExitCode::FAILURE
         }
     }

@@ -80,7 +80,11 @@ impl Body<'_> {
                 (_, true) => text.push_str(" - "),
             }
             let term = if size.factor == Ratio::ONE && term.node != Arena::ONE {
-                self.operand(term.node)
+                // What comes first needs no parentheses.
+                match place {
+                    0 => self.read(term.node),
+                    _ => self.operand(term.node),
+                }
             } else {
                 self.value(size)
             };

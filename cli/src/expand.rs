@@ -1,0 +1,136 @@
+//! `nullcone expand`: what the compiler makes of functions in an algebra.
+
+mod algebra;
+mod diagnostic;
+mod operations;
+mod source;
+
+use std::io::{ErrorKind, Write};
+use std::path::PathBuf;
+
+use anyhow::{Context, Result, bail};
+use clap::ValueEnum;
+use ga_compiler::define::Definition;
+use ga_compiler::emit::{dot, formula, rust, wgsl};
+use ga_compiler::function::CompiledFunction;
+
+use algebra::Algebra;
+pub(crate) use diagnostic::SourceError;
+use source::Source;
+
+/// Print what the compiler makes of functions in an algebra: Rust, a shader, formulas, a graph or the number of operations.
+///
+/// The functions stand as they do in `ga! { … }`, for instance
+/// `fn f(m: Motor, p: Point) -> Point { m * p * rev(m) }`. They come from --expr, from a file or, where the file is `-`, from
+/// standard input. A Rust file may be given as it is: the contents of every `ga! { … }` in it are taken.
+#[derive(Clone, Debug, clap::Args)]
+pub(crate) struct Arguments {
+    /// A file with the functions; `-` for standard input.
+    #[arg(
+        value_name = "FILE",
+        required_unless_present = "expr",
+        conflicts_with = "expr"
+    )]
+    file: Option<PathBuf>,
+    /// The functions themselves.
+    #[arg(long, value_name = "TEXT")]
+    expr: Option<String>,
+    /// The algebra: cga3, pga3, or a file with an `algebra! { … }` of your own.
+    ///
+    /// Without it, the one that `ga! { … }` names in the functions' file, where that is cga3, pga3 or declared in the same file; otherwise
+    /// cga3.
+    #[arg(long, value_name = "NAME or FILE")]
+    algebra: Option<String>,
+    /// What to print.
+    #[arg(long, value_name = "FORM", value_enum, default_value_t = Form::Rust)]
+    emit: Form,
+    /// With --emit ops: print {"mul", "add", "div", "sqrt", "other", "uniform": {…}} as JSON.
+    ///
+    /// `uniform` counts what is done once for the uniform operands, the rest what is done in every call. For several functions it is one
+    /// object with the functions' names as keys.
+    #[arg(long)]
+    json: bool,
+}
+
+/// What is printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Form {
+    /// The Rust code that `ga!` expands to.
+    Rust,
+    /// The functions for shaders in WGSL, with their structures.
+    Wgsl,
+    /// One expression for each blade of the result.
+    Formula,
+    /// The graph of operations, for Graphviz.
+    Dot,
+    /// The number of operations in the Rust code.
+    Ops,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<()> {
+    if arguments.json && arguments.emit != Form::Ops {
+        bail!("--json goes with --emit ops");
+    }
+    let source = match (&arguments.expr, &arguments.file) {
+        (Some(text), _) => Source::of_text("--expr", text)?,
+        (None, Some(file)) => Source::read(file)?,
+        (None, None) => bail!("there is nothing to expand: give --expr or a file"),
+    };
+    let algebra = Algebra::find(arguments.algebra.as_deref(), &source)?;
+    let mut functions =
+        source.explain(|tokens| ga_compiler::compile(&algebra.definition, tokens))?;
+    if functions.is_empty() {
+        bail!("{} holds no function", source.name());
+    }
+    for function in &mut functions {
+        // A closure is shown as a function of that name.
+        function
+            .name
+            .get_or_insert_with(|| quote::format_ident!("closure"));
+    }
+    let text = written(arguments, &algebra, &functions)?;
+    match std::io::stdout().lock().write_all(text.as_bytes()) {
+        // Whoever reads has seen enough.
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+        other => other.context("cannot write to standard output"),
+    }
+}
+
+fn written(
+    arguments: &Arguments,
+    algebra: &Algebra,
+    functions: &[CompiledFunction],
+) -> Result<String> {
+    let definition = &algebra.definition;
+    Ok(match arguments.emit {
+        Form::Rust => {
+            let tokens = rust::functions(definition, &algebra.path, functions);
+            let file = syn::parse2(tokens).context("the emitted code is no Rust")?;
+            prettyplease::unparse(&file)
+        }
+        Form::Wgsl => wgsl::module(definition, functions),
+        Form::Formula => joined(definition, functions, formula::function),
+        Form::Dot => joined(definition, functions, dot::function),
+        Form::Ops => {
+            let counts = operations::count(algebra, functions)?;
+            if arguments.json {
+                operations::json(&counts)?
+            } else {
+                operations::table(&counts)
+            }
+        }
+    })
+}
+
+/// The texts of all functions, with an empty line between them.
+fn joined(
+    definition: &Definition,
+    functions: &[CompiledFunction],
+    write: fn(&Definition, &CompiledFunction) -> String,
+) -> String {
+    let texts: Vec<_> = functions
+        .iter()
+        .map(|function| write(definition, function))
+        .collect();
+    texts.join("\n")
+}

@@ -1,0 +1,293 @@
+//! `nullcone expand`: what it prints in each form, and how it tells what is wrong.
+
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+mod common;
+
+use std::io::Write;
+use std::path::Path;
+use std::process::{Output, Stdio};
+
+use common::{assert_success, nullcone, program, text};
+use serde_json::{Value, json};
+use tempfile::tempdir;
+
+const MOVED: &str = "fn moved(m: Motor, p: Point) -> Point { m * p * rev(m) }";
+
+/// What is printed for functions given as text.
+#[track_caller]
+fn expanded(functions: &str, options: &[&str]) -> String {
+    let mut arguments = vec!["expand", "--expr", functions];
+    arguments.extend(options);
+    let output = nullcone(Path::new("."), arguments);
+    assert_success(&output);
+    assert!(output.stderr.is_empty());
+    text(&output.stdout).to_owned()
+}
+
+/// Fails unless the program ended with status 1 and exactly these lines on standard error.
+#[track_caller]
+fn assert_lines(output: &Output, lines: &[&str]) {
+    assert_eq!(output.status.code(), Some(1));
+    assert!(output.stdout.is_empty());
+    let found: Vec<_> = text(&output.stderr).lines().collect();
+    assert_eq!(found, lines);
+}
+
+fn operations(mul: usize, add: usize, others: [usize; 3]) -> Value {
+    let [div, sqrt, other] = others;
+    json!({"mul": mul, "add": add, "div": div, "sqrt": sqrt, "other": other})
+}
+
+#[test]
+fn operations_as_json() {
+    let whole = |call: Value, uniform: Value| {
+        let mut call = call;
+        call["uniform"] = uniform;
+        call
+    };
+    let none = || operations(0, 0, [0; 3]);
+    let of = |functions| -> Value {
+        let printed = expanded(functions, &["--emit", "ops", "--json"]);
+        assert_eq!(printed.lines().count(), 1);
+        serde_json::from_str(&printed).unwrap()
+    };
+    assert_eq!(of(MOVED), whole(operations(21, 18, [0; 3]), none()));
+    // Keys come in the order in which they are documented.
+    assert_eq!(
+        expanded(
+            "fn f(t: Scalar) -> Scalar { sqrt(t) / t }",
+            &["--emit", "ops", "--json"]
+        ),
+        "{\"mul\":0,\"add\":0,\"div\":1,\"sqrt\":1,\"other\":0,\
+         \"uniform\":{\"mul\":0,\"add\":0,\"div\":0,\"sqrt\":0,\"other\":0}}\n"
+    );
+    // One motor over many points is a matrix, worked out once.
+    let staged = of("fn f(uniform m: Motor, p: Point) -> Point { m * p * rev(m) }");
+    assert_eq!((&staged["mul"], &staged["add"]), (&json!(9), &json!(9)));
+    assert!(staged["uniform"]["mul"].as_u64().unwrap() > 0);
+    // Several functions come under their names, in their order.
+    let two = "fn b(s: Scalar, t: Scalar) -> Scalar { s * t } fn a(s: Scalar, t: Scalar) -> Scalar { s + t }";
+    let expected = json!({
+        "b": whole(operations(1, 0, [0; 3]), none()),
+        "a": whole(operations(0, 1, [0; 3]), none()),
+    });
+    assert_eq!(of(two), expected);
+    assert!(expanded(two, &["--emit", "ops", "--json"]).starts_with("{\"b\":"));
+}
+
+#[test]
+fn operations_for_people() {
+    assert_eq!(
+        expanded(MOVED, &["--emit", "ops"]),
+        "moved: 21 mul, 18 add\n"
+    );
+    let staged = expanded(
+        "fn f(uniform m: Motor, p: Point) -> Point { m * p * rev(m) }",
+        &["--emit", "ops"],
+    );
+    assert!(
+        staged.starts_with("f: 9 mul, 9 add\nf, once for its uniform operands: "),
+        "{staged}"
+    );
+}
+
+#[test]
+fn rust_is_formatted_code_of_that_name() {
+    let printed = expanded(MOVED, &[]);
+    let file: syn::File = syn::parse_str(&printed).unwrap();
+    let [syn::Item::Fn(function)] = &file.items[..] else {
+        panic!("{printed}")
+    };
+    assert_eq!(function.sig.ident, "moved");
+    assert!(
+        printed.contains("m: ga_runtime::cga3::Motor<S>,\n"),
+        "{printed}"
+    );
+    let closure = expanded(
+        "|p: Point, q: Point| -> Scalar { p | q }",
+        &["--emit", "rust"],
+    );
+    assert!(closure.contains("fn closure"), "{closure}");
+}
+
+#[test]
+fn shaders() {
+    let printed = expanded(MOVED, &["--emit", "wgsl"]);
+    assert!(printed.contains("struct Point {\n    e1: f32,\n    e2: f32,\n    e3: f32,\n}\n"));
+    assert!(printed.contains("\nfn moved(m: Motor, p: Point) -> Point {\n"));
+}
+
+#[test]
+fn formulas() {
+    assert_eq!(
+        expanded(
+            "fn f(p: Point, q: Point) -> Scalar { p | q }",
+            &["--emit", "formula"]
+        ),
+        "f(p: Point, q: Point) -> Scalar\n\
+         scalar: (2 p.e1 q.e1 - p.e1² + 2 p.e2 q.e2 - p.e2² + 2 p.e3 q.e3 - p.e3² - q.e1² - q.e2² - q.e3²) / 2\n"
+    );
+    let printed = expanded(MOVED, &["--emit", "formula"]);
+    let labels: Vec<_> = printed
+        .lines()
+        .skip(1)
+        .map(|line| line.split(':').next().unwrap())
+        .collect();
+    assert_eq!(labels, ["e1", "e2", "e3", "eo", "ei"]);
+}
+
+#[test]
+fn graphs() {
+    let printed = expanded(MOVED, &["--emit", "dot"]);
+    assert!(printed.starts_with("digraph \"moved\" {\n") && printed.ends_with("}\n"));
+    assert_eq!(printed.matches("label=\"m.e12\"").count(), 1);
+    assert_eq!(printed.matches("label=\"×\"").count(), 18);
+}
+
+#[test]
+fn functions_from_files_and_standard_input() {
+    let folder = tempdir().unwrap();
+    let run = |arguments: &[&str]| {
+        let output = nullcone(folder.path(), [&["expand"], arguments].concat());
+        assert_success(&output);
+        text(&output.stdout).to_owned()
+    };
+    std::fs::write(folder.path().join("bare"), MOVED).unwrap();
+    assert_eq!(run(&["bare", "--emit", "ops"]), "moved: 21 mul, 18 add\n");
+
+    // A Rust file as it is: with an algebra of its own and two calls of the macro, one of them nested.
+    let source = "
+        use ga_runtime::{algebra, ga};
+        algebra! {
+            pub mod plane {
+                basis e1, e2;
+                signature 2, 0;
+                struct Vector { e1, e2 }
+                struct Bivector { e12 }
+            }
+        }
+        ga! { plane; pub fn area(a: Vector, b: Vector) -> Bivector { a ^ b } }
+        mod inner {
+            ga_runtime::ga! { super::plane; fn square(a: Vector) -> Scalar { a | a } }
+        }
+        fn other() {}
+    ";
+    std::fs::write(folder.path().join("plane.rs"), source).unwrap();
+    let both = "area: 2 mul, 1 add\nsquare: 2 mul, 1 add\n";
+    assert_eq!(run(&["plane.rs", "--emit", "ops"]), both);
+    // The same algebra for functions from elsewhere.
+    let elsewhere = run(&[
+        "--algebra",
+        "plane.rs",
+        "--expr",
+        "fn f(a: Vector, b: Vector) -> Bivector { a ^ b }",
+        "--emit",
+        "formula",
+    ]);
+    assert_eq!(
+        elsewhere,
+        "f(a: Vector, b: Vector) -> Bivector\ne12: a.e1 b.e2 - a.e2 b.e1\n"
+    );
+
+    let mut child = program(folder.path())
+        .args(["expand", "-", "--emit", "ops"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    child
+        .stdin
+        .take()
+        .unwrap()
+        .write_all(MOVED.as_bytes())
+        .unwrap();
+    let output = child.wait_with_output().unwrap();
+    assert_success(&output);
+    assert_eq!(text(&output.stdout), "moved: 21 mul, 18 add\n");
+}
+
+#[test]
+fn the_algebra_is_the_one_that_is_named() {
+    let projective = "fn f(m: Motor, p: Plane) -> Plane { m * p * rev(m) }";
+    let printed = expanded(projective, &["--algebra", "pga3", "--emit", "formula"]);
+    assert!(printed.contains("\ne0: "), "{printed}");
+    let named = expanded(
+        &format!("ga! {{ ga_runtime::pga3; {projective} }}"),
+        &["--emit", "formula"],
+    );
+    assert_eq!(named, printed);
+}
+
+#[test]
+fn errors_show_the_line() {
+    let folder = tempdir().unwrap();
+    let source = "fn f(m: Motor,\n\tp: Pont) -> Point {\n    m * p * rev(m)\n}\n";
+    std::fs::write(folder.path().join("f.txt"), source).unwrap();
+    assert_lines(
+        &nullcone(folder.path(), ["expand", "f.txt"]),
+        &[
+            "error: unknown type `Pont`; did you mean `Point`?",
+            " --> f.txt:2:5",
+            "  |",
+            "2 |  p: Pont) -> Point {",
+            "  |     ^^^^",
+        ],
+    );
+    let text_of = |functions| {
+        let output = nullcone(folder.path(), ["expand", "--expr", functions]);
+        assert_eq!(output.status.code(), Some(1));
+        assert!(output.stdout.is_empty());
+        text(&output.stderr).to_owned()
+    };
+    for (functions, parts) in [
+        ("fn f(p: Point) -> Point { q }", ["`q`", "--expr:1:27"]),
+        ("fn f(p: Point) -> Sphere { p }", ["Sphere", "--expr:1:"]),
+        ("fn f(p: Point", ["no tokens of Rust", "--expr:1:5"]),
+        ("fn f(p: Point) -> Point { p # }", ["expected", "--expr:1:"]),
+        ("", ["", "--expr"]),
+        ("hello", ["expected", "--expr:1:1"]),
+    ] {
+        let message = text_of(functions);
+        assert!(message.starts_with("error: "), "{message}");
+        for part in parts {
+            assert!(message.contains(part), "{functions}: {message}");
+        }
+    }
+    // Each error of each function is told.
+    let two = text_of("fn f(p: A) -> A { p } fn g(p: B) -> B { p }");
+    assert_eq!(two.matches("error: ").count(), 2, "{two}");
+}
+
+#[test]
+fn what_cannot_be_read_is_told_in_one_line() {
+    let folder = tempdir().unwrap();
+    std::fs::write(folder.path().join("empty.rs"), "").unwrap();
+    for (arguments, parts) in [
+        (vec!["expand", "nowhere.rs"], vec!["nowhere.rs"]),
+        (
+            vec!["expand", "--expr", MOVED, "--algebra", "cga9"],
+            vec!["cga9"],
+        ),
+        (
+            vec!["expand", "--expr", MOVED, "--json"],
+            vec!["--emit ops"],
+        ),
+        (
+            vec![
+                "expand",
+                "--expr",
+                "ga! { other; fn f(p: Point) -> Point { p } }",
+            ],
+            vec!["other", "--algebra"],
+        ),
+    ] {
+        common::assert_failure(&nullcone(folder.path(), arguments), &parts);
+    }
+    let broken = nullcone(
+        folder.path(),
+        ["expand", "--expr", MOVED, "--algebra", "empty.rs"],
+    );
+    assert_eq!(broken.status.code(), Some(1));
+    assert!(text(&broken.stderr).contains("empty.rs"));
+}
