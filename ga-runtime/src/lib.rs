@@ -38,6 +38,7 @@ extern crate alloc;
 #[path = "private.rs"]
 pub mod __private;
 mod algebras;
+pub mod batch;
 pub mod dense;
 mod element;
 mod geometry;
