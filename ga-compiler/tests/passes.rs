@@ -483,6 +483,21 @@ fn relations_serve_sums_that_were_built_before_them() {
 }
 
 #[test]
+fn a_sum_that_is_part_of_a_relation_is_its_value() {
+    // n = a² + b² is 1, and stands in the relation as one node, since others read it.
+    let mut relation = Value::ZERO;
+    let sums = graph(|arena, [a, b, c]| {
+        let squares = [arena.product(a, a), arena.product(b, b)];
+        let norm = arena.sum(squares);
+        relation = arena.sum([norm, -Value::ONE]);
+        vec![norm, arena.product(norm, c), arena.sum([norm, c])]
+    });
+    let (arena, outputs) = optimise(sums.0, sums.1, &[], &[relation]);
+    assert_eq!(outputs[0], Value::ONE);
+    assert_eq!(operations(cost(&arena, &outputs)), (0, 1));
+}
+
+#[test]
 fn held_multiples_outlast_later_passes() {
     let graph = graph(|arena, [b, x, y, z]| {
         let doubled = arena.held(twice(b));

@@ -35,12 +35,10 @@ pub fn relations(arena: &mut Arena, algebra: &Algebra, operand: &Multivector) ->
 /// the sums that come after its terms.
 #[must_use]
 pub fn reduce(arena: &Arena, outputs: &[Value], relations: &[Value]) -> Option<Graph> {
-    let known: Vec<&[Value]> = relations
+    let known: Vec<Vec<Value>> = relations
         .iter()
-        .filter_map(|relation| match arena.node(relation.node) {
-            Node::Sum(terms) => Some(&**terms),
-            _ => None,
-        })
+        .map(|&relation| collected(without_sums(arena, relation)))
+        .filter(|terms| terms.len() > 1)
         .collect();
     if known.is_empty() {
         return None;
@@ -54,7 +52,7 @@ pub fn reduce(arena: &Arena, outputs: &[Value], relations: &[Value]) -> Option<G
             // A sum can only take in nodes that come before it.
             let earlier: Vec<&[Value]> = known
                 .iter()
-                .copied()
+                .map(Vec::as_slice)
                 .filter(|relation| relation.iter().all(|term| term.node < id))
                 .collect();
             reduced[id.index()] = cheaper(arena, terms, &earlier, &reads);
@@ -69,6 +67,17 @@ pub fn reduce(arena: &Arena, outputs: &[Value], relations: &[Value]) -> Option<G
         let terms = reduced[id.index()].as_ref()?;
         Some(copy.sum(terms.iter().map(|&term| image(images, term))))
     })
+}
+
+/// The terms of a value, those of sums in it instead of these.
+fn without_sums(arena: &Arena, value: Value) -> Vec<Value> {
+    match arena.node(value.node) {
+        Node::Sum(terms) => terms
+            .iter()
+            .flat_map(|term| without_sums(arena, term.scaled(value.factor)))
+            .collect(),
+        _ => vec![value],
+    }
 }
 
 /// The terms of a sum reduced as often as it gets cheaper, if it does.

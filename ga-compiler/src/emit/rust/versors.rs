@@ -154,6 +154,8 @@ fn normalize_body(
         Some(candidate),
     );
     let operand = [(candidate, value)];
+    // The norm as of a candidate: by the facts of the type it would be 1.
+    let (norm, _) = context.compile(&operand, &norm(), None);
     let (nearest, _) =
         context.compile_scaled(&operand, &scalars, &scaled(repaired, 2), Some(candidate));
     let (path, whole, runtime) = (context.path(candidate), context.path(hull), context.runtime);
@@ -171,7 +173,7 @@ fn normalize_body(
             #[must_use]
             pub fn normalize(value: #whole) -> ::core::option::Option<Self> {
                 let value: Self = { #taken };
-                let norm = value.norm_squared();
+                let norm = { #norm };
                 if !<S as #real>::less_than(#zero, norm) || !<S as #real>::is_finite(norm) {
                     return ::core::option::Option::None;
                 }
