@@ -99,7 +99,7 @@ fn weighted_mean<S: Real<Mask = bool>>(
             + reference.e13() * motor.e13()
             + reference.e23() * motor.e23();
         let signed = S::select(along.less_than(S::zero()), -weight, weight);
-        sum = sum + *motor * signed;
+        sum += *motor * signed;
     }
     sum.normalize()
 }
