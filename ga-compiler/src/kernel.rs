@@ -27,7 +27,7 @@ pub struct Kernel {
 
 /// The number of operations from which a graph is left as it was built: passes take time, and nobody waits gladly for the product
 /// of two multivectors of 32 blades.
-const LARGEST: usize = 400;
+const LARGEST: usize = 600;
 
 impl Kernel {
     /// Compiles an expression, wanting the stored coefficients of a type, or the scalar.

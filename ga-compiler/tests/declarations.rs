@@ -131,9 +131,9 @@ fn emitted_code_reads_like_written_code() {
         "
     fn bitxor(self, other: Line<S>) -> Sums<S> {
         Sums {
-            e20: self.e2 * other.e0 - self.e0 * other.e2,
-            e01: self.e0 * other.e1 - self.e1 * other.e0,
-            e12: self.e1 * other.e2 - self.e2 * other.e1,
+            e20: self.e0.neg_mul_add(other.e2, self.e2 * other.e0),
+            e01: self.e1.neg_mul_add(other.e0, self.e0 * other.e1),
+            e12: self.e2.neg_mul_add(other.e1, self.e1 * other.e2),
         }
     }",
         "
@@ -141,7 +141,7 @@ fn emitted_code_reads_like_written_code() {
         Line {
             e1: self.e01 - other.e01,
             e2: other.e20 - self.e20,
-            e0: self.e20 * other.e01 - self.e01 * other.e20,
+            e0: self.e01.neg_mul_add(other.e20, self.e20 * other.e01),
         }
     }",
     ] {

@@ -217,25 +217,11 @@ impl Writer<'_> {
 
     /// A sum whose first term has a positive factor. A product that is read here only is fused with the addition.
     fn sum(&mut self, terms: &[Value]) -> TokenStream {
-        // A product and a plain term make one fused operation if the product comes second.
-        let mut terms = terms.to_vec();
-        if let [first, second, ..] = terms.as_mut_slice()
-            && self.fused(*first).is_some()
-            && self.fused(*second).is_none()
-            && !second.factor.is_negative()
-        {
-            std::mem::swap(first, second);
-        }
         let mut tokens = TokenStream::new();
-        for (place, term) in terms.into_iter().enumerate() {
-            let size = Value {
-                factor: term.factor.abs(),
-                ..term
-            };
+        for (place, term) in self.ordered(terms).into_iter().enumerate() {
             let is_negative = term.factor.is_negative();
-            if place > 0
-                && let Some((left, right)) = self.fused(term)
-            {
+            if place > 0 && self.is_fused(term) {
+                let (left, right) = self.factors(term);
                 let method = if is_negative {
                     "neg_mul_add"
                 } else {
@@ -245,6 +231,10 @@ impl Writer<'_> {
                 tokens = quote! { #left.#method(#right, #tokens) };
                 continue;
             }
+            let size = Value {
+                factor: term.factor.abs(),
+                ..term
+            };
             let text = if size.factor == Ratio::ONE && term.node != Arena::ONE {
                 self.operand(term.node)
             } else {
@@ -259,36 +249,64 @@ impl Writer<'_> {
         tokens
     }
 
-    /// The factors of a term that is a product and read here only: the receiver of a method, and its argument.
-    fn fused(&mut self, term: Value) -> Option<(TokenStream, TokenStream)> {
-        let size = term.factor.abs();
+    /// The terms of a sum in the order in which they are added: a product and a plain term make one fused operation if
+    /// the product comes second.
+    fn ordered(&self, terms: &[Value]) -> Vec<Value> {
+        let mut terms = terms.to_vec();
+        if let [first, second, ..] = terms.as_mut_slice()
+            && self.is_fused(*first)
+            && !self.is_fused(*second)
+            && !second.factor.is_negative()
+        {
+            std::mem::swap(first, second);
+        }
+        terms
+    }
+
+    /// Whether a term is a product that is worked out here, so that it can be fused with the addition.
+    fn is_fused(&self, term: Value) -> bool {
         if term.node == Arena::ONE {
-            return None;
+            return false;
         }
-        if size != Ratio::ONE {
-            let (factor, node) = (self.constant(size), self.receiver(term.node));
-            return Some((node, factor));
-        }
-        if self.stage.uses[term.node.index()] > 1 || self.source.given.contains_key(&term.node) {
-            return None;
-        }
+        let is_product = matches!(self.arena.node(term.node), Node::Product(..));
+        term.factor.abs() != Ratio::ONE || (is_product && self.is_here(term.node))
+    }
+
+    /// The factors of such a term: the receiver of a method, and its argument.
+    fn factors(&mut self, term: Value) -> (TokenStream, TokenStream) {
+        let size = term.factor.abs();
         match *self.arena.node(term.node) {
-            Node::Product(a, b) => {
-                let (receiver, argument) = (self.receiver(a), self.read(b));
-                Some((receiver, argument))
+            Node::Product(a, b) if size == Ratio::ONE => (self.receiver(a), self.read(b)),
+            _ => {
+                let factor = self.constant(size);
+                (self.receiver(term.node), factor)
             }
-            _ => None,
         }
+    }
+
+    /// Whether a node is written out where it is read.
+    fn is_here(&self, id: NodeId) -> bool {
+        self.stage.uses[id.index()] == 1 && !self.source.given.contains_key(&id)
+    }
+
+    /// Whether a node is written as something that binds no tighter than a sum.
+    fn is_loose(&self, id: NodeId) -> bool {
+        self.is_here(id)
+            && match self.arena.node(id) {
+                Node::Sum(terms) => match self.ordered(terms).as_slice() {
+                    [_] => true,
+                    ordered => !ordered.last().is_some_and(|&last| self.is_fused(last)),
+                },
+                Node::Quotient(..) => true,
+                _ => false,
+            }
     }
 
     /// A node as the receiver of a method.
     fn receiver(&mut self, id: NodeId) -> TokenStream {
         let read = self.read(id);
-        let is_compound = matches!(
-            self.arena.node(id),
-            Node::Sum(_) | Node::Product(..) | Node::Quotient(..)
-        );
-        if is_compound && !self.source.given.contains_key(&id) && self.stage.uses[id.index()] == 1 {
+        let is_product = matches!(self.arena.node(id), Node::Product(..)) && self.is_here(id);
+        if is_product || self.is_loose(id) {
             quote! { (#read) }
         } else {
             read
@@ -319,9 +337,7 @@ impl Writer<'_> {
     /// A node as the operand of a multiplication or negation.
     fn operand(&mut self, id: NodeId) -> TokenStream {
         let read = self.read(id);
-        // What binds no tighter than the product around it.
-        let is_loose = matches!(self.arena.node(id), Node::Sum(_) | Node::Quotient(..));
-        if is_loose && !self.source.given.contains_key(&id) && self.stage.uses[id.index()] == 1 {
+        if self.is_loose(id) {
             quote! { (#read) }
         } else {
             read

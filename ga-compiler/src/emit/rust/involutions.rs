@@ -7,6 +7,7 @@ use super::context::{Context, receiver};
 use crate::algebra::{Product, Unary};
 use crate::define::TypeDefinition;
 use crate::expression::Expression;
+use crate::ir::Facts;
 use crate::verify;
 
 pub(super) fn emit(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
@@ -104,7 +105,12 @@ fn grade(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
 fn norm_squared(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let reverse = Expression::unary(Unary::Reverse, Expression::Operand(0));
     let norm = Expression::binary(Product::ScalarProduct, Expression::Operand(0), reverse);
-    let (body, needs_field) = context.compile(&[(kind, receiver())], &norm, None);
+    // The facts of a versor say 1, and whoever asks wants to know how far rounding has led from it.
+    let without_facts = TypeDefinition {
+        facts: Facts::default(),
+        ..kind.clone()
+    };
+    let (body, needs_field) = context.compile(&[(&without_facts, receiver())], &norm, None);
     let (path, bound) = (context.path(kind), context.bound(needs_field));
     quote! {
         impl<S: #bound> #path {
