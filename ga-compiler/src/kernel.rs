@@ -114,16 +114,21 @@ impl Kernel {
 
     /// What decides between graphs: the operations of each call, then those of the prologue.
     pub(crate) fn rank(&self) -> (usize, usize) {
-        let all = self.cost().total();
+        let prologue = self.prologue_cost().total();
+        (self.cost().total() - prologue, prologue)
+    }
+
+    /// The number of operations on uniform inputs alone, which are done once for many calls.
+    #[must_use]
+    pub fn prologue_cost(&self) -> Cost {
         if !self.uniform.contains(&true) {
-            return (all, 0);
+            return Cost::default();
         }
         let handed = Stages::new(self).handed.into_iter().map(|node| Value {
             factor: Ratio::ONE,
             node,
         });
-        let prologue = passes::cost(&self.arena, &handed.collect::<Vec<_>>()).total();
-        (all - prologue, prologue)
+        passes::cost(&self.arena, &handed.collect::<Vec<_>>())
     }
 
     /// The number of operations.

@@ -177,6 +177,21 @@ fn kernels_cost_no_more_than_counted() {
 }
 
 #[test]
+fn uniform_motors_are_linear_maps() {
+    for (name, most) in [
+        ("Point", 9 + 9),
+        ("Direction", 9 + 6),
+        ("Line", 24 + 18),
+        ("Plane", 12 + 9),
+    ] {
+        let function = format!("(uniform m: Motor, x: {name}) -> {name} {{ m * x * rev(m) }}");
+        let kernel = compile(&cga3(), &function).kernel;
+        let each = kernel.cost().total() - kernel.prologue_cost().total();
+        assert!(each <= most, "{name}: {each}");
+    }
+}
+
+#[test]
 fn constants_and_derived_blades_are_folded() {
     // Of the difference of two points only e1, e2, e3 and ei are left.
     let difference = compile(&cga3(), "(p: Point, q: Point) -> RoundVector { p - q }").kernel;
