@@ -8,7 +8,7 @@ use crate::emit::formula;
 use crate::kernel::Kernel;
 use crate::verify::Reason;
 
-/// How long a coefficient may be written out in a message.
+/// How long a coefficient may be written out where several are listed.
 const LONGEST: usize = 100;
 
 /// The reasons with what was found, and types or divisions that help.
@@ -48,16 +48,15 @@ fn explain_reason(
             let blades: Vec<_> = blades
                 .iter()
                 .map(|(blade, name)| match found(*blade) {
-                    Some(text) if blades.len() <= 3 => format!("{name} = {text}"),
+                    text if blades.len() <= 3 && text.len() <= LONGEST => {
+                        format!("{name} = {text}")
+                    }
                     _ => name.clone(),
                 })
                 .collect();
             format!("left over: {}", blades.join(", "))
         }
-        Reason::NotConstant(blade, ..) => match found(*blade) {
-            Some(text) => format!("{reason}, it is {text}"),
-            None => reason.to_string(),
-        },
+        Reason::NotConstant(blade, ..) => format!("{reason}, it is {}", found(*blade)),
         _ => reason.to_string(),
     }
 }
@@ -68,7 +67,7 @@ fn coefficient_text(
     definition: &Definition,
     id: StepId,
     blade: Blade,
-) -> Option<String> {
+) -> String {
     let wanted = [NamedBlade {
         blade,
         is_negative: false,
@@ -76,13 +75,8 @@ fn coefficient_text(
     let program = &builder.program;
     let uniform = vec![false; program.operands.len()];
     let kernel = Kernel::of_program(builder.algebra, program, &uniform, &[(id, wanted.to_vec())]);
-    let text = formula::of_value(
-        definition,
-        &builder.operands,
-        &kernel.arena,
-        kernel.outputs[0],
-    );
-    (text.len() <= LONGEST).then_some(text)
+    let (arena, value) = (&kernel.arena, kernel.outputs[0]);
+    formula::of_value(definition, &builder.operands, arena, value)
 }
 
 /// A division that makes a constant coefficient what the type says, if that is all that is missing.
