@@ -3,6 +3,8 @@
 //! - [`cga3`]: points, spheres, planes, circles, lines and the motions between them, with what each is as geometry.
 //!   [`pga3`] is the projective algebra of planes, lines and points.
 //! - [`algebra!`]: declares an algebra of your own, with any signature or constant symmetric metric.
+//! - [`ga!`]: compiles functions written in an algebra, each as one piece.
+//! - [`batch`]: the same on slices, by the best instructions that the processor has.
 //! - [`scalar`]: what a coefficient must be able to do, and the scalars that can.
 //! - [`Element`] and [`products`]: traits for code that works with any type.
 //! - [`dense`]: the reference algebra that tests compare with; it is meant to be right, not fast.
