@@ -23,6 +23,27 @@ pub(super) use print::name as function_name;
 
 /// A function as text: a line for the function, then one for each blade of its result, `e1: …`. The blades of an array's
 /// elements are `[0].e1`, those of a tuple's `.0.e1`; a plain number is `scalar`.
+///
+/// ```
+/// use ga_compiler::emit::formula;
+///
+/// let declaration = quote::quote! {
+///     pub mod vga2 {
+///         basis e1, e2;
+///         signature 2, 0;
+///         struct Vector { e1, e2 }
+///         struct Bivector { e12 }
+///     }
+/// };
+/// let definition = ga_compiler::check_types(declaration, quote::quote! { ga_runtime })?;
+/// let source = quote::quote! { fn area(a: Vector, b: Vector) -> Bivector { a ^ b } };
+/// let functions = ga_compiler::compile(&definition, source)?;
+/// assert_eq!(
+///     formula::function(&definition, &functions[0]),
+///     "area(a: Vector, b: Vector) -> Bivector\ne12: a.e1 b.e2 - a.e2 b.e1\n"
+/// );
+/// # Ok::<(), syn::Error>(())
+/// ```
 #[must_use]
 pub fn function(definition: &Definition, function: &CompiledFunction) -> String {
     let inputs = inputs(definition, &function.operands);

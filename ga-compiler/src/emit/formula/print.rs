@@ -97,10 +97,7 @@ impl Printer<'_> {
                 let (by, rest): (Monomial, Monomial) = monomial
                     .iter()
                     .partition(|(node, _)| operand(*node) == Some(chosen));
-                is_linear &= match by.as_slice() {
-                    [] | [(_, 1)] => true,
-                    _ => false,
-                };
+                is_linear &= matches!(by.as_slice(), [] | [(_, 1)]);
                 let group = groups.entry(by).or_default();
                 group.add_scaled(&Polynomial::term(rest, factor), Ratio::ONE);
             }

@@ -85,12 +85,16 @@ fn {this}(x: f32) -> f32 {{
             "\
 // 1/S(B²) from C(B²) and S(B²)² B²: half the angle of a turn over its sine.
 fn {this}(cosine: f32, square: f32) -> f32 {{
-    if cosine > 0.0 && abs(square) < 0.0625 {{
-        return 1.0 + square * (-1.0 / 6.0 + square * (3.0 / 40.0 + square * (-5.0 / 112.0 + square * (35.0 / 1152.0 - square * 63.0 / 2816.0))));
+    // At cosine −1 no bivector is told from another; what grows has no logarithm where the cosine is negative, but its negative has.
+    let is_negative = cosine < 0.0 && square > 0.0;
+    if abs(square) < 0.0625 && (cosine > 0.0 || square >= 0.0) {{
+        let series = 1.0 + square * (-1.0 / 6.0 + square * (3.0 / 40.0 + square * (-5.0 / 112.0 + square * (35.0 / 1152.0 - square * 63.0 / 2816.0))));
+        return select(series, -series, is_negative);
     }}
     let sine = sqrt(abs(square));
     if square > 0.0 {{
-        return log(cosine + sine) / sine;
+        let ratio = log(sine + sqrt(1.0 + square)) / sine;
+        return select(ratio, -ratio, is_negative);
     }}
     return atan2(sine, cosine) / sine;
 }}
@@ -100,7 +104,7 @@ fn {this}(cosine: f32, square: f32) -> f32 {{
             "\
 // −2 S′(B²)/S(B²)³ from C(B²) and S(B²)² B².
 fn {this}(cosine: f32, square: f32) -> f32 {{
-    if cosine > 0.0 && abs(square) < 0.0625 {{
+    if abs(square) < 0.0625 && (cosine > 0.0 || square >= 0.0) {{
         return -1.0 / 3.0 + square * (2.0 / 15.0 + square * (-8.0 / 105.0 + square * (16.0 / 315.0 - square * 128.0 / 3465.0)));
     }}
     return (1.0 - cosine * {angle}(cosine, square)) / square;

@@ -31,6 +31,26 @@ use names::Names;
 use shapes::{Shapes, call};
 
 /// The functions with everything that they need, as a part of a WGSL module.
+///
+/// ```
+/// use ga_compiler::emit::wgsl;
+///
+/// let declaration = quote::quote! {
+///     pub mod vga2 {
+///         basis e1, e2;
+///         signature 2, 0;
+///         struct Vector { e1, e2 }
+///         struct Bivector { e12 }
+///     }
+/// };
+/// let definition = ga_compiler::check_types(declaration, quote::quote! { ga_runtime })?;
+/// let source = quote::quote! { fn area(a: Vector, b: Vector) -> Bivector { a ^ b } };
+/// let functions = ga_compiler::compile(&definition, source)?;
+/// let text = wgsl::module(&definition, &functions);
+/// assert!(text.contains("fn area(a: Vector, b: Vector) -> Bivector {"));
+/// assert!(text.contains("return Bivector(a.e1 * b.e2 - a.e2 * b.e1);"));
+/// # Ok::<(), syn::Error>(())
+/// ```
 #[must_use]
 pub fn module(definition: &Definition, functions: &[CompiledFunction]) -> String {
     let mut writer = Writer {

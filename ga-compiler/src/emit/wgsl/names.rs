@@ -42,7 +42,7 @@ const RESERVED: &str = "NULL Self abstract active alignas alignof as asm asm_fra
     explicit export extends extern external fallthrough filter final finally friend from fxgroup get goto groupshared highp
     impl implements import inline instanceof interface layout lowp macro macro_rules match mediump meta mod module move mut
     mutable namespace new nil noexcept noinline nointerpolation non_coherent noncoherent noperspective null nullptr of
-    operator package packoffset partial pass patch pixelfragment precise precision premerge priv protected pub public
+    operator package packoffset partial partition pass patch pixelfragment precise precision premerge priv protected pub public
     readonly ref regardless register reinterpret_cast require resource restrict self set shared sizeof smooth snorm static
     static_assert static_cast std subroutine super target template this thread_local throw trait try type typedef typeid
     typename typeof union unless unorm unsafe unsized use using varying virtual volatile wgsl where with writeonly yield";
@@ -55,7 +55,7 @@ const TYPES: &str = "array atomic bool f16 f32 f64 i32 i64 u32 u64 ptr sampler s
     texture_multisampled_2d texture_depth_multisampled_2d texture_external texture_storage_1d texture_storage_2d
     texture_storage_2d_array texture_storage_3d texture_depth_2d texture_depth_2d_array texture_depth_cube
     texture_depth_cube_array acceleration_structure ray_query read write read_write function private workgroup uniform
-    storage handle immediate";
+    storage handle immediate push_constant";
 
 /// The predeclared functions. They might be redefined, but code around ours would miss them.
 const FUNCTIONS: &str = "bitcast all any select arrayLength abs acos acosh asin asinh atan atanh atan2 ceil clamp cos cosh
@@ -71,7 +71,8 @@ const FUNCTIONS: &str = "bitcast all any select arrayLength abs acos acosh asin 
     unpack4xU8 unpack2x16snorm unpack2x16unorm unpack2x16float storageBarrier textureBarrier workgroupBarrier
     workgroupUniformLoad subgroupAdd subgroupAll subgroupAnd subgroupAny subgroupBallot subgroupBarrier subgroupBroadcast
     subgroupElect subgroupMax subgroupMin subgroupMul subgroupOr subgroupShuffle subgroupXor quadBroadcast quadSwapX
-    quadSwapY";
+    quadSwapY quadSwapDiagonal subgroupBroadcastFirst subgroupExclusiveAdd subgroupExclusiveMul subgroupInclusiveAdd
+    subgroupInclusiveMul subgroupShuffleDown subgroupShuffleUp subgroupShuffleXor";
 
 #[cfg(test)]
 mod tests {
