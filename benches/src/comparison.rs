@@ -71,6 +71,20 @@ impl<'a> Comparison<'a> {
         });
     }
 
+    /// Times an operation that takes a list of inputs and fills a list of results by itself.
+    pub fn whole<A, R: Clone>(
+        &mut self,
+        contender: &str,
+        inputs: &[A],
+        results: &[R],
+        operation: impl Fn(&[A], &mut [R]),
+    ) {
+        let mut results = results.to_vec();
+        self.group.bench_function(contender, |bencher| {
+            bencher.iter(|| operation(black_box(inputs), black_box(results.as_mut_slice())));
+        });
+    }
+
     /// Times an operation whose every operand and result is opaque to the compiler, so that each is done by itself.
     pub fn one_by_one<A, B, R>(
         &mut self,

@@ -8,4 +8,5 @@ pub mod dense;
 pub mod functions;
 pub mod inputs;
 pub mod precision;
+pub mod results;
 pub mod rivals;

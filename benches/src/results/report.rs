@@ -1,0 +1,333 @@
+//! The tables themselves.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::fs::Permissions;
+use std::io::{self, Write as _};
+use std::path::Path;
+
+use super::measurements::median;
+use super::targets::{TOLERANCE, target};
+use super::{Group, Measurements, Record, ResultsError};
+
+/// All that a report is made from.
+#[derive(Debug)]
+pub struct Report {
+    /// The day of the measurement.
+    pub date: String,
+    /// The processor's name.
+    pub processor: String,
+    /// Times, for each setting of the compiler.
+    pub settings: Vec<Setting>,
+    /// Instructions by kernel and contender.
+    pub instructions: Vec<Record>,
+    /// Build times: what, the limit in words, the figure.
+    pub build_times: Vec<Record>,
+}
+
+/// The times under one setting of the compiler.
+#[derive(Debug)]
+pub struct Setting {
+    /// The flags given to rustc; empty for none.
+    pub flags: String,
+    /// What criterion measured.
+    pub measurements: Measurements,
+}
+
+/// Writes a report as Markdown, whole or not at all.
+///
+/// # Errors
+/// [`ResultsError::Write`]; an earlier file of the name then stays as it was.
+pub fn write(path: &Path, report: &Report) -> Result<(), ResultsError> {
+    replace(path, report.to_markdown().as_bytes()).map_err(|source| ResultsError::Write {
+        path: path.to_path_buf(),
+        source,
+    })
+}
+
+impl Report {
+    /// The report as Markdown.
+    #[must_use]
+    pub fn to_markdown(&self) -> String {
+        let mut text = String::from("# Results\n\n");
+        line(
+            &mut text,
+            &format!(
+                "Measured on {}, {}. [METHODOLOGY.md](METHODOLOGY.md) says how.",
+                self.date, self.processor
+            ),
+        );
+        line(
+            &mut text,
+            "Times are nanoseconds for one operation, medians of the runs. A ratio is our time over the rival's within one run: the \
+             median over the runs, and the range. Compare ratios, not times.",
+        );
+        for setting in &self.settings {
+            let flags = if setting.flags.is_empty() {
+                "none"
+            } else {
+                &setting.flags
+            };
+            line(&mut text, &format!("\n## Flags: `{flags}`"));
+            for (family, groups) in families(&setting.measurements) {
+                line(&mut text, &format!("\n### {family}\n"));
+                if groups.iter().any(|(_, group)| group.ours().is_some()) {
+                    comparisons(&mut text, &groups);
+                } else {
+                    times(&mut text, &groups);
+                }
+            }
+        }
+        if !self.instructions.is_empty() {
+            line(&mut text, "\n## Instructions for one operation\n");
+            line(
+                &mut text,
+                "Counted by callgrind, `-C target-cpu=x86-64-v3`.\n",
+            );
+            instructions(&mut text, &self.instructions);
+        }
+        if !self.build_times.is_empty() {
+            line(&mut text, "\n## Build times\n");
+            line(
+                &mut text,
+                "| what | measured | at most |\n| --- | --- | --- |",
+            );
+            for Record {
+                name,
+                contender,
+                value,
+            } in &self.build_times
+            {
+                line(&mut text, &format!("| {name} | {value} | {contender} |"));
+            }
+        }
+        text
+    }
+}
+
+fn line(text: &mut String, line: &str) {
+    let _ = writeln!(text, "{line}");
+}
+
+/// Groups by what stands before the slash in their names.
+fn families(measurements: &Measurements) -> BTreeMap<&str, Vec<(&str, &Group)>> {
+    let mut families: BTreeMap<&str, Vec<_>> = BTreeMap::new();
+    for (name, group) in &measurements.groups {
+        let family = name.split('/').next().unwrap_or(name);
+        families.entry(family).or_default().push((name.as_str(), group));
+    }
+    families
+}
+
+fn comparisons(text: &mut String, groups: &[(&str, &Group)]) {
+    line(
+        text,
+        "| operation | ours, ns | beside | its time, ns | ratio | range | at most |",
+    );
+    line(text, "| --- | ---: | --- | ---: | ---: | --- | --- |");
+    for (name, group) in groups {
+        let Some(ours) = group.ours() else { continue };
+        let own = group.median(ours).map(number).unwrap_or_default();
+        let operation = name
+            .split_once('/')
+            .map_or(*name, |(_, operation)| operation);
+        for rival in group.contenders.keys().filter(|rival| *rival != ours) {
+            let ratios = group.ratios(ours, rival);
+            let (Some(ratio), Some(time)) = (median(ratios.clone()), group.median(rival)) else {
+                continue;
+            };
+            let range = match ratios[..] {
+                [first, .., last] => format!("{}–{}", number(first), number(last)),
+                _ => String::new(),
+            };
+            let (ratio_text, time) = (number(ratio), number(time));
+            let goal = target(name, rival)
+                .map(|goal| judged(ratio, goal))
+                .unwrap_or_default();
+            line(
+                text,
+                &format!(
+                    "| {operation} | {own} | {rival} | {time} | {ratio_text} | {range} | {goal} |"
+                ),
+            );
+        }
+    }
+}
+
+fn judged(ratio: f64, goal: f64) -> String {
+    let verdict = if ratio <= goal * (1.0 + TOLERANCE) {
+        "reached"
+    } else {
+        "missed"
+    };
+    format!("{goal}, {verdict}")
+}
+
+fn times(text: &mut String, groups: &[(&str, &Group)]) {
+    line(text, "| what | time |\n| --- | ---: |");
+    for (name, group) in groups {
+        let operation = name
+            .split_once('/')
+            .map_or(*name, |(_, operation)| operation);
+        for contender in group.contenders.keys() {
+            let Some(time) = group.median(contender) else {
+                continue;
+            };
+            line(
+                text,
+                &format!("| {operation} {contender} | {} ms |", number(time / 1e6)),
+            );
+        }
+    }
+}
+
+fn instructions(text: &mut String, records: &[Record]) {
+    line(
+        text,
+        "| operation | ours | beside | its count | ratio |\n| --- | ---: | --- | ---: | ---: |",
+    );
+    let mut own: Option<&Record> = None;
+    let mut pending = false;
+    for record in records {
+        if record.contender == "nullcone" {
+            flush(text, own.filter(|_| pending));
+            (own, pending) = (Some(record), true);
+            continue;
+        }
+        let Some(ours) = own.filter(|ours| ours.name == record.name) else {
+            continue;
+        };
+        pending = false;
+        let ratio = number(ours.value / record.value);
+        let (name, rival) = (&record.name, &record.contender);
+        let (a, b) = (number(ours.value), number(record.value));
+        line(text, &format!("| {name} | {a} | {rival} | {b} | {ratio} |"));
+    }
+    flush(text, own.filter(|_| pending));
+}
+
+/// A kernel that nobody is compared with.
+fn flush(text: &mut String, alone: Option<&Record>) {
+    if let Some(Record { name, value, .. }) = alone {
+        line(text, &format!("| {name} | {} | | | |", number(*value)));
+    }
+}
+
+/// Three significant digits, or all before the point.
+fn number(value: f64) -> String {
+    let digits = if value >= 99.95 {
+        0
+    } else if value >= 9.995 {
+        1
+    } else if value >= 0.0995 {
+        2
+    } else {
+        3
+    };
+    format!("{value:.digits$}")
+}
+
+fn replace(path: &Path, contents: &[u8]) -> io::Result<()> {
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let mut builder = tempfile::Builder::new();
+    if let Some(permissions) = ordinary_permissions() {
+        builder.permissions(permissions);
+    }
+    let mut file = builder.prefix(".results-").tempfile_in(folder)?;
+    file.write_all(contents)?;
+    file.as_file().sync_all()?;
+    file.persist(path)?;
+    Ok(())
+}
+
+/// Temporary files are private to their owner by default; a report obeys the umask like any other file.
+#[cfg(unix)]
+fn ordinary_permissions() -> Option<Permissions> {
+    use std::os::unix::fs::PermissionsExt;
+    Some(Permissions::from_mode(0o666))
+}
+
+#[cfg(not(unix))]
+fn ordinary_permissions() -> Option<Permissions> {
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn runs(times: &[f64]) -> BTreeMap<String, f64> {
+        let named = times
+            .iter()
+            .enumerate()
+            .map(|(run, time)| (format!("run-{run}"), *time));
+        named.collect()
+    }
+
+    fn report() -> Report {
+        let mut group = Group::default();
+        group
+            .contenders
+            .insert("nullcone".to_owned(), runs(&[0.9, 1.0, 1.1]));
+        group
+            .contenders
+            .insert("glam Mat4".to_owned(), runs(&[1.0, 1.0, 1.0]));
+        group
+            .contenders
+            .insert("clifford".to_owned(), runs(&[5.0, 5.0, 5.0]));
+        let mut measurements = Measurements::default();
+        measurements
+            .groups
+            .insert("sandwich/motor-point-f32".to_owned(), group);
+        let record = |contender: &str, value| Record {
+            name: "motor-point".to_owned(),
+            contender: contender.to_owned(),
+            value,
+        };
+        Report {
+            date: "2026-01-02".to_owned(),
+            processor: "a processor".to_owned(),
+            settings: vec![Setting {
+                flags: String::new(),
+                measurements,
+            }],
+            instructions: vec![record("nullcone", 30.0), record("glam Mat4", 40.0)],
+            build_times: vec![record("0.1 s", 0.05)],
+        }
+    }
+
+    #[test]
+    fn a_report_judges_ratios_by_their_targets() {
+        let text = report().to_markdown();
+        for expected in [
+            "| motor-point-f32 | 1.00 | glam Mat4 | 1.00 | 1.00 | 0.90–1.10 | 1, reached |",
+            "| motor-point-f32 | 1.00 | clifford | 5.00 | 0.20 | 0.18–0.22 | 0.1, missed |",
+            "| motor-point | 30.0 | glam Mat4 | 40.0 | 0.75 |",
+            "| motor-point | 0.05 | 0.1 s |",
+        ] {
+            assert!(
+                text.lines().any(|line| line == expected),
+                "{expected} in\n{text}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_report_replaces_the_last_one_or_names_the_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("RESULTS.md");
+        std::fs::write(&path, "old").unwrap();
+        write(&path, &report()).unwrap();
+        assert_eq!(
+            std::fs::read_to_string(&path).unwrap(),
+            report().to_markdown()
+        );
+        let missing = folder.path().join("missing/RESULTS.md");
+        let error = write(&missing, &report()).unwrap_err();
+        assert!(error.to_string().contains("missing"), "{error}");
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+}
