@@ -227,7 +227,10 @@ impl Parse for FunctionSyntax {
     fn parse(input: ParseStream<'_>) -> Result<Self> {
         let attributes = input.call(Attribute::parse_outer)?;
         let visibility = input.parse()?;
-        let (name, operands) = if input.peek(Token![|]) {
+        let (name, operands) = if input.peek(Token![||]) {
+            input.parse::<Token![||]>()?;
+            (None, Punctuated::new())
+        } else if input.peek(Token![|]) {
             input.parse::<Token![|]>()?;
             let list = Punctuated::<_, Token![,]>::parse_separated_nonempty(input)?;
             input.parse::<Token![|]>()?;

@@ -67,7 +67,12 @@ pub fn resolve<'a>(
         let shape = resolver.shape(&operand.shape)?;
         let bound = resolver.operand(&shape, scalar);
         uniform.resize(resolver.builder.program.operands.len(), operand.is_uniform);
-        resolver.bind(&operand.name, bound)?;
+        let is_taken = resolver.scope.iter().any(|(name, _)| *name == operand.name);
+        if is_taken {
+            let message = format!("`{}` is an operand already", operand.name);
+            return Err(Error::new(operand.name.span(), message));
+        }
+        resolver.bind(&operand.name, bound);
         resolver.builder.operands.push(Operand {
             name: operand.name.clone(),
             shape,
@@ -171,14 +176,9 @@ impl<'a, 's> Resolver<'a, 's> {
         Bound::One(self.builder.program.operand(kind))
     }
 
-    fn bind(&mut self, name: &Ident, bound: Bound) -> Result<()> {
-        let is_taken = self.depth == 0 && self.block.function(&name.to_string()).is_some();
-        if is_taken {
-            let message = format!("`{name}` is a function of this block");
-            return Err(Error::new(name.span(), message));
-        }
+    /// Names of values and of functions are kept apart, so that a value may be called like a function.
+    fn bind(&mut self, name: &Ident, bound: Bound) {
         self.scope.push((name.clone(), bound));
-        Ok(())
     }
 
     fn body(&mut self, function: &FunctionSyntax) -> Result<Bound> {
@@ -199,7 +199,10 @@ impl<'a, 's> Resolver<'a, 's> {
 
     fn destructure(&mut self, pattern: &PatternSyntax, value: Bound) -> Result<()> {
         match (pattern, value) {
-            (PatternSyntax::Name(name), value) => self.bind(name, value),
+            (PatternSyntax::Name(name), value) => {
+                self.bind(name, value);
+                Ok(())
+            }
             (PatternSyntax::Wildcard, _) => Ok(()),
             (PatternSyntax::Parts(_, patterns), Bound::Parts(parts))
                 if patterns.len() == parts.len() =>
