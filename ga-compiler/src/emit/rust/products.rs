@@ -80,6 +80,7 @@ fn binary(context: &Context<'_>, product: &ProductDefinition, face: &Face) -> To
     );
     let (bound, name) = (context.bound(needs_field), &face.path);
     let method = format_ident!("{}", face.method);
+    let inline = inline(&[left, right]);
     let text = format!(
         "`{}`: {}, {} → {}.",
         face.formula,
@@ -91,9 +92,24 @@ fn binary(context: &Context<'_>, product: &ProductDefinition, face: &Face) -> To
         #[doc = #text]
         impl<S: #bound> #name<#argument> for #path {
             type Output = #output;
-            #[inline]
+            #inline
             fn #method(self, other: #argument) -> #output { #body }
         }
+    }
+}
+
+/// A product becomes part of its caller, and so is compiled for the instructions that the caller may use: a loop over lanes
+/// in a function with `#[target_feature]` would else call one that is not. Products of the largest types stay apart, since each copy of them
+/// is long.
+fn inline(operands: &[&TypeDefinition]) -> TokenStream {
+    const LARGEST: usize = 12;
+    let is_small = operands
+        .iter()
+        .all(|kind| kind.coefficients.len() <= LARGEST);
+    if is_small {
+        quote! { #[inline(always)] }
+    } else {
+        quote! { #[inline] }
     }
 }
 
@@ -152,7 +168,7 @@ fn methods(context: &Context<'_>, index: usize, kind: &TypeDefinition) -> TokenS
         let text = method_text(operation, formula, kind);
         methods.extend(quote! {
             #[doc = #text]
-            #[inline]
+            #[inline(always)]
             #[must_use]
             pub fn #name<B>(self, other: B) -> <Self as #path<B>>::Output
             where
@@ -164,7 +180,7 @@ fn methods(context: &Context<'_>, index: usize, kind: &TypeDefinition) -> TokenS
         if operation == Operation::Sandwich && kind.facts.unit_versor {
             methods.extend(quote! {
                 /// Moves another element by this versor, `x ↦ M x ~M`; the same as [`sandwich`](Self::sandwich).
-                #[inline]
+                #[inline(always)]
                 #[must_use]
                 pub fn transform<B>(self, other: B) -> <Self as #path<B>>::Output
                 where
