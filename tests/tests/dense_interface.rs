@@ -1,7 +1,7 @@
 //! Building, reading and writing multivectors of the dense reference, and the errors on the way.
 
 use ga_runtime::dense::{Algebra, DenseError};
-use ga_runtime::scalar::Prime61;
+use ga_runtime::scalar::{Dual, Prime61};
 
 type Result = std::result::Result<(), DenseError>;
 
@@ -233,4 +233,15 @@ fn sixteen_dimensions() -> Result {
     assert_eq!(&all * &all, algebra.one());
     assert_eq!(algebra.determinant(), 1);
     Ok(())
+}
+
+/// A determinant whose value is zero divides nothing, though its derivative may not be.
+#[test]
+fn duals_where_a_determinant_has_no_inverse() {
+    let metric = vec![vec![Dual::<f64>::variable(0.0)]];
+    let line = Algebra::new(metric).expect("a metric");
+    let vector = line.blade(0b1).expect("a blade");
+    assert_eq!(vector.dual(), line.one(), "the complement");
+    assert_eq!(line.one().undual(), vector, "the complement");
+    assert_eq!(vector.dual().undual(), vector);
 }

@@ -42,7 +42,7 @@ impl<S: Field> Multivector<S> {
     /// The dual a I⁻¹, or the right complement if the metric is singular.
     pub fn dual(&self) -> Self {
         let determinant = self.algebra().determinant();
-        if determinant == S::zero() {
+        if !determinant.is_invertible() {
             self.right_complement()
         } else {
             // I⁻¹ = ~I / det, as I ~I is the determinant of the metric.
@@ -53,7 +53,7 @@ impl<S: Field> Multivector<S> {
 
     /// The inverse of [`dual`](Self::dual): a I, or the left complement if the metric is singular.
     pub fn undual(&self) -> Self {
-        if self.algebra().determinant() == S::zero() {
+        if !self.algebra().determinant().is_invertible() {
             self.left_complement()
         } else {
             self.geometric(&self.algebra().pseudoscalar())

@@ -23,3 +23,4 @@ mod interface;
 mod metrics;
 mod places;
 mod same_text;
+mod versors;

@@ -34,13 +34,23 @@ fn norm() -> Expression {
 }
 
 fn inverse(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
-    let (path, ring) = (context.path(kind), context.bound(false));
+    let algebra = &context.definition.algebra;
+    let reverse = Expression::unary(Unary::Reverse, Expression::Operand(0));
+    // A constant blade of a grade that reversing negates takes the reverse out of the type.
+    let stays = verify::result_fits(algebra, &[kind], &reverse, Some(kind)).is_ok();
+    let result = if stays { kind } else { context.hull(kind) };
+    let (code, needs_field) = context.compile(&[(kind, receiver())], &reverse, Some(result));
+    let (path, output, bound) = (
+        context.path(kind),
+        context.path(result),
+        context.bound(needs_field),
+    );
     quote! {
-        impl<S: #ring> #path {
+        impl<S: #bound> #path {
             /// The inverse, which is the reverse for a unit versor.
             #[inline]
             #[must_use]
-            pub fn inverse(self) -> Self { self.reverse() }
+            pub fn inverse(self) -> #output { #code }
         }
     }
 }
@@ -54,15 +64,15 @@ fn try_inverse(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     }
     let hull = context.hull(kind);
     let (path, output) = (context.path(kind), context.path(hull));
-    let (field, zero) = (context.bound(true), constant(context.runtime, Ratio::ZERO));
+    let field = context.bound(true);
     quote! {
         impl<S: #field> #path {
-            /// The inverse `~x / (x ~x)`, or `None` where `x ~x` is zero.
+            /// The inverse `~x / (x ~x)`, or `None` where `x ~x` is zero, in lanes where one of them is.
             #[inline]
             #[must_use]
             pub fn try_inverse(self) -> ::core::option::Option<#output> {
                 let norm = self.norm_squared();
-                if norm == #zero {
+                if !<S as #field>::is_invertible(norm) {
                     return ::core::option::Option::None;
                 }
                 ::core::option::Option::Some(self.reverse() / norm)

@@ -1,0 +1,44 @@
+//! Inverses in a declared algebra.
+
+use ga_runtime::scalar::Lanes;
+use plane::Vector;
+
+ga_runtime::algebra! {
+    /// The Euclidean plane, with its lines as vectors.
+    mod plane {
+        basis e1, e2, e0;
+        signature 2, 0, 1;
+
+        /// The line `a x + b y + c = 0` as `a e1 + b e2 + c e0`.
+        struct Vector { e1, e2, e0 }
+        /// A reflection.
+        #[hull(Vector)]
+        #[facts(unit_versor)]
+        struct Mirror { e1, e2, e0 }        /// A turn about the origin.
+        #[hull(Even)]
+        #[facts(unit_versor)]
+        struct Turn { scalar, e12 }
+        /// All of even grade.
+        struct Even { scalar, e12, e10, e20 }
+
+        products {
+            geometric(Mirror, Mirror) -> Even;
+            sandwich(Mirror, Vector) -> Self;
+        }
+    }
+}
+
+mod products {
+    ga_runtime::testing::product_tests!(super::plane);
+}
+
+#[test]
+fn what_has_no_inverse_in_a_lane_has_none() {
+    let lanes = |first, second| Lanes::from_array([first, second]);
+    let vector = |length| Vector::new(length, lanes(0.0, 0.0), lanes(0.0, 0.0));
+    assert_eq!(vector(lanes(2.0, 0.0)).try_inverse(), None);
+    assert_eq!(
+        vector(lanes(2.0, 4.0)).try_inverse(),
+        Some(vector(lanes(0.5, 0.25)))
+    );
+}
