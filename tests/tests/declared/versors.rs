@@ -1,7 +1,8 @@
 //! Inverses in a declared algebra.
 
 use ga_runtime::scalar::Lanes;
-use plane::Vector;
+use ga_runtime::testing::{for_all, strategy};
+use plane::{Even, HalfTurn, Vector};
 
 ga_runtime::algebra! {
     /// The Euclidean plane, with its lines as vectors.
@@ -14,7 +15,12 @@ ga_runtime::algebra! {
         /// A reflection.
         #[hull(Vector)]
         #[facts(unit_versor)]
-        struct Mirror { e1, e2, e0 }        /// A turn about the origin.
+        struct Mirror { e1, e2, e0 }
+        /// The half turn about a point.
+        #[hull(Even)]
+        #[facts(unit_versor)]
+        struct HalfTurn { e12 = 1, e10, e20 }
+        /// A turn about the origin.
         #[hull(Even)]
         #[facts(unit_versor)]
         struct Turn { scalar, e12 }
@@ -22,6 +28,7 @@ ga_runtime::algebra! {
         struct Even { scalar, e12, e10, e20 }
 
         products {
+            geometric(HalfTurn, {HalfTurn, Even}) -> Even;
             geometric(Mirror, Mirror) -> Even;
             sandwich(Mirror, Vector) -> Self;
         }
@@ -30,6 +37,18 @@ ga_runtime::algebra! {
 
 mod products {
     ga_runtime::testing::product_tests!(super::plane);
+}
+
+#[test]
+fn inverses_leave_a_type_that_reversing_leaves() {
+    for_all((strategy::prime(), strategy::prime()), |(e10, e20)| {
+        let turn = HalfTurn::new(e10, e20);
+        let inverse: Even<_> = turn.inverse();
+        assert_eq!(
+            turn * inverse,
+            Even::new(1.into(), 0.into(), 0.into(), 0.into())
+        );
+    });
 }
 
 #[test]

@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::body::{body, constant};
-use super::context::{Context, fields};
+use super::context::{Context, fields, receiver};
 use crate::algebra::{Blade, NamedBlade, Product, Ratio, Unary};
 use crate::define::{Role, TypeDefinition};
 use crate::expression::Expression;
