@@ -1,8 +1,10 @@
-//! Inverses in a declared algebra.
+//! Inverses and defaults of types that hold no identity.
+
+use std::marker::PhantomData;
 
 use ga_runtime::scalar::Lanes;
 use ga_runtime::testing::{for_all, strategy};
-use plane::{Even, HalfTurn, Vector};
+use plane::{Even, HalfTurn, Mirror, Turn, Vector};
 
 ga_runtime::algebra! {
     /// The Euclidean plane, with its lines as vectors.
@@ -37,6 +39,32 @@ ga_runtime::algebra! {
 
 mod products {
     ga_runtime::testing::product_tests!(super::plane);
+}
+
+/// Tells whether a type has a default: the inherent constant hides that of the trait where its bound holds.
+struct Probe<T>(PhantomData<T>);
+
+trait HasNoDefault {
+    const HAS_DEFAULT: bool = false;
+}
+
+impl<T> HasNoDefault for Probe<T> {}
+
+impl<T: Default> Probe<T> {
+    const HAS_DEFAULT: bool = true;
+}
+
+#[test]
+fn defaults_are_members() {
+    let defaults = [
+        Probe::<Mirror<f64>>::HAS_DEFAULT,
+        Probe::<HalfTurn<f64>>::HAS_DEFAULT,
+        Probe::<Turn<f64>>::HAS_DEFAULT,
+        Probe::<Vector<f64>>::HAS_DEFAULT,
+    ];
+    assert_eq!(defaults, [false, true, true, true]);
+    assert_eq!(Turn::default(), Turn::new_unchecked(1, 0));
+    assert_eq!(HalfTurn::default(), HalfTurn::new(0, 0));
 }
 
 #[test]

@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use super::body::{body, constant};
 use super::context::{Context, receiver};
 use crate::algebra::{Blade, NamedBlade, Ratio};
-use crate::define::{Coefficient, Role, TypeDefinition};
+use crate::define::{Coefficient, PolynomialStep, Role, TypeDefinition};
 use crate::expression::Expression;
 use crate::kernel::Kernel;
 
@@ -163,17 +163,21 @@ fn coefficient_body(
     (quote! { #statements #output }, body.needs_field)
 }
 
-/// The identity where the type has a scalar, else zero in all that is stored: the origin for a point.
+/// The identity for unit versors with a scalar, else zero in all that is stored: the origin for a point. A type of which
+/// neither is a member has no default.
 fn default(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
-    let path = context.path(kind);
-    let ring = context.bound(false);
+    let stored = |c: &Coefficient| {
+        let is_identity = kind.facts.unit_versor && c.blade == Blade::SCALAR;
+        if is_identity { Ratio::ONE } else { Ratio::ZERO }
+    };
+    let is_member = kind.facts_are_implied || is_identity(kind, &stored);
+    if !is_member {
+        return TokenStream::new();
+    }
+    let (path, ring) = (context.path(kind), context.bound(false));
     let values: Vec<_> = kind
         .stored()
-        .map(|c| {
-            let is_identity = kind.facts.unit_versor && c.blade == Blade::SCALAR;
-            let value = if is_identity { Ratio::ONE } else { Ratio::ZERO };
-            constant(context.runtime, value)
-        })
+        .map(|c| constant(context.runtime, stored(c)))
         .collect();
     let built = context.build(Some(kind), &values);
     quote! {
@@ -182,6 +186,28 @@ fn default(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
             fn default() -> Self { #built }
         }
     }
+}
+
+/// Whether the member with these stored coefficients is 1.
+fn is_identity(kind: &TypeDefinition, stored: &dyn Fn(&Coefficient) -> Ratio) -> bool {
+    let value = |c: &Coefficient| match &c.role {
+        Role::Stored => stored(c),
+        Role::Constant(value) => *value,
+        Role::Derived(polynomial) => polynomial.evaluate(
+            &mut |value| value,
+            &mut |index| stored(&kind.coefficients[index]),
+            &mut |step, a, b| match step {
+                PolynomialStep::Sum => a + b,
+                PolynomialStep::Product => a * b,
+            },
+        ),
+    };
+    let has_scalar = kind.coefficients.iter().any(|c| c.blade == Blade::SCALAR);
+    let is_expected = |c: &Coefficient| match c.blade {
+        Blade::SCALAR => value(c) == Ratio::ONE,
+        _ => value(c).is_zero(),
+    };
+    has_scalar && kind.coefficients.iter().all(is_expected)
 }
 
 fn display(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
