@@ -69,8 +69,17 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         })
     }
 
-    /// The rotor of a unit quaternion `w + x i + y j + z k`, given as `[x, y, z]` and w: i = −e23, j = e13, k = −e12.
-    /// `None` where the quaternion is zero or not finite; else it is normalised.
+    /// The rotor of the turn of a quaternion `w + x i + y j + z k`, given as `[x, y, z]` and w: i = −e23, j = e13, k = −e12.
+    /// The quaternion need not have length 1, and may be as large or small as numbers are; `None` where it is zero or
+    /// not finite.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::Rotor;
+    /// let rotor = Rotor::from_quaternion([0.0_f64, 3e200, 0.0], 4e200).unwrap();
+    /// let ([_, y, _], w) = rotor.to_quaternion();
+    /// assert!((y - 0.6).abs() < 1e-15 && (w - 0.8).abs() < 1e-15);
+    /// assert_eq!(Rotor::from_quaternion([0.0; 3], 0.0), None);
+    /// ```
     #[must_use]
     pub fn from_quaternion(vector: [S; 3], scalar: S) -> Option<Self> {
         let [x, y, z] = vector;

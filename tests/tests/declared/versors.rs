@@ -1,4 +1,4 @@
-//! Inverses and defaults of types that hold no identity.
+//! Inverses and defaults of types that hold no identity, and the normalisation of large and small elements.
 
 use std::marker::PhantomData;
 
@@ -88,4 +88,22 @@ fn what_has_no_inverse_in_a_lane_has_none() {
         vector(lanes(2.0, 4.0)).try_inverse(),
         Some(vector(lanes(0.5, 0.25)))
     );
+}
+
+#[test]
+fn sizes_do_not_matter_to_normalisation() {
+    for exponent in -300..=300 {
+        let size = 10_f64.powi(exponent);
+        let mirror = Mirror::normalize(Vector::new(3.0 * size, -4.0 * size, 7.0 * size));
+        let mirror = mirror.expect("a direction");
+        let expected = [0.6, -0.8, 1.4];
+        let found = [mirror.e1(), mirror.e2(), mirror.e0()];
+        for (found, expected) in found.into_iter().zip(expected) {
+            let deviation: f64 = found - expected;
+            assert!(
+                deviation.abs() <= 1e-15 * expected.abs(),
+                "1e{exponent}: {found}"
+            );
+        }
+    }
 }

@@ -1,12 +1,12 @@
 //! Inverses, and for types of unit versors the ways in that check or repair.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::body::{body, constant};
 use super::context::{Context, fields, receiver};
 use crate::algebra::{Blade, NamedBlade, Product, Ratio, Unary};
-use crate::define::{Role, TypeDefinition};
+use crate::define::{Coefficient, Role, TypeDefinition};
 use crate::expression::Expression;
 use crate::ir::Facts;
 use crate::kernel::Kernel;
@@ -172,9 +172,16 @@ fn normalize_body(
     let real = quote! { #runtime::scalar::Real };
     let field = quote! { #runtime::scalar::Field };
     let zero = constant(runtime, Ratio::ZERO);
+    let (least, most) = (
+        constant(runtime, Ratio::ONE / Ratio::integer(16)),
+        constant(runtime, Ratio::integer(16)),
+    );
+    let fields: Vec<_> = candidate.stored().map(|c| &c.name).collect();
+    let measured = in_norm(context, candidate);
     let text = format!(
         "The unit versor nearest to an element of the hull: with `M ~M = n + P`, n the scalar, it is `(M − M P/(2n))/√n`. \
-         `None` where n is not positive or not finite. Blades that `{}` does not have are ignored.",
+         `None` where n is not positive, or a coefficient of the element or of the versor is not finite. Large and small \
+         elements lose nothing. Blades that `{}` does not have are ignored.",
         candidate.name
     );
     quote! {
@@ -182,17 +189,44 @@ fn normalize_body(
             #[doc = #text]
             #[must_use]
             pub fn normalize(value: #whole) -> ::core::option::Option<Self> {
-                let value: Self = { #taken };
-                let norm = { #norm };
-                if !<S as #real>::less_than(#zero, norm) || !<S as #real>::is_finite(norm) {
+                let mut value: Self = { #taken };
+                let mut norm = { #norm };
+                if !<S as #real>::less_than(#least, norm) || !<S as #real>::less_than(norm, #most) {
+                    // The squares may have left the range of S; those of coefficients up to one do not.
+                    let mut largest = #zero;
+                    #(largest = <S as #real>::max(largest, <S as #real>::abs(value.#measured));)*
+                    if !<S as #real>::less_than(#zero, largest) || !<S as #real>::is_finite(largest) {
+                        return ::core::option::Option::None;
+                    }
+                    value = Self { #(#fields: value.#fields / largest),* };
+                    norm = { #norm };
+                }
+                if !<S as #real>::less_than(#zero, norm) {
                     return ::core::option::Option::None;
                 }
                 let scale = <S as #field>::recip(<S as #real>::sqrt(norm));
                 let half = <S as #field>::recip(norm + norm);
-                ::core::option::Option::Some({ #nearest })
+                let versor: Self = { #nearest };
+                let is_finite = #(<S as #real>::is_finite(versor.#fields))&&*;
+                if is_finite {
+                    ::core::option::Option::Some(versor)
+                } else {
+                    ::core::option::Option::None
+                }
             }
         }
     }
+}
+
+/// The stored coefficients that `⟨x ~x⟩₀` depends on.
+fn in_norm<'a>(context: &Context<'_>, kind: &'a TypeDefinition) -> Vec<&'a Ident> {
+    let algebra = &context.definition.algebra;
+    let gives_scalar = |a: Blade, b: Blade| {
+        let product = algebra.geometric(a, b);
+        product.iter().any(|(blade, _)| *blade == Blade::SCALAR)
+    };
+    let matters = |a: &&Coefficient| kind.stored().any(|b| gives_scalar(a.blade, b.blade));
+    kind.stored().filter(matters).map(|c| &c.name).collect()
 }
 
 fn wanted(blades: Vec<Blade>) -> Vec<NamedBlade> {
