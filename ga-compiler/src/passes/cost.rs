@@ -58,7 +58,7 @@ pub fn cost(arena: &Arena, outputs: &[Value]) -> Cost {
                     Function::SquareRoot => cost.roots += 1,
                     _ => cost.functions += 1,
                 }
-                for argument in arguments {
+                for argument in arguments.iter().filter(|v| v.as_constant().is_none()) {
                     cost.scale(argument.factor);
                 }
             }

@@ -75,7 +75,8 @@ pub fn versor_logarithm<S: Real>(c: S, q: S) -> (S, S) {
     ratio = S::select(is_zero, one, ratio);
     let x = q * ratio * ratio;
     let is_tiny = is_tiny(x);
-    let cube = ratio * ratio * ratio;
+    // The slope belongs to a product of two parts that change sign together.
+    let cube = ratio.abs() * ratio * ratio;
     let slope = S::select(
         is_tiny,
         -(slope_series(x) + slope_series(x)) * cube,

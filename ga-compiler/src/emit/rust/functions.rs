@@ -167,7 +167,7 @@ impl Emitter<'_> {
         let inner_statements = &second.statements;
         let built = self.build(&function.result, &mut second.outputs.iter());
         let text = format!(
-            "What [`{}`] works out once of its uniform operands.",
+            " What [`{}`] works out once of its uniform operands.",
             name.unraw()
         );
         quote! {
