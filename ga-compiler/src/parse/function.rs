@@ -216,7 +216,16 @@ pub fn parse_functions(tokens: proc_macro2::TokenStream) -> Result<Vec<FunctionS
             if input.peek(Token![use]) {
                 return Err(input.error("`use` comes before the functions"));
             }
-            functions.push(input.parse()?);
+            let function: FunctionSyntax = input.parse()?;
+            if let Some(name) = &function.name
+                && functions
+                    .iter()
+                    .any(|other: &FunctionSyntax| other.name.as_ref() == Some(name))
+            {
+                let message = format!("`{name}` is a function of this block already");
+                return Err(syn::Error::new(name.span(), message));
+            }
+            functions.push(function);
         }
         Ok(functions)
     };
@@ -258,6 +267,9 @@ impl Parse for FunctionSyntax {
             return Err(block.error("the body ends with the formula of its result"));
         }
         let value = Formula::parse(&block)?;
+        if block.peek(Token![;]) {
+            return Err(block.error("the formula of the result comes last, without `;`; what comes before are `let` statements"));
+        }
         if !block.is_empty() {
             return Err(block.error("expected an operator or the end of the formula"));
         }

@@ -44,6 +44,7 @@ pub fn reduce(arena: &Arena, outputs: &[Value], relations: &[Value]) -> Option<G
         return None;
     }
     let reads = reads(arena, outputs);
+    let is_sensitive = sensitive(arena);
     let mut reduced: Vec<Option<Vec<Value>>> = vec![None; arena.len()];
     for id in arena.ids() {
         if let Node::Sum(terms) = arena.node(id)
@@ -55,7 +56,12 @@ pub fn reduce(arena: &Arena, outputs: &[Value], relations: &[Value]) -> Option<G
                 .map(Vec::as_slice)
                 .filter(|relation| relation.iter().all(|term| term.node < id))
                 .collect();
-            reduced[id.index()] = cheaper(arena, terms, &earlier, &reads);
+            let next = cheaper(arena, terms, &earlier, &reads);
+            let is_kept = is_sensitive[id.index()]
+                && next
+                    .as_ref()
+                    .is_some_and(|next| gains_a_number(terms, next));
+            reduced[id.index()] = next.filter(|_| !is_kept);
         }
     }
     if reduced.iter().all(Option::is_none) {
@@ -67,6 +73,30 @@ pub fn reduce(arena: &Arena, outputs: &[Value], relations: &[Value]) -> Option<G
         let terms = reduced[id.index()].as_ref()?;
         Some(copy.sum(terms.iter().map(|&term| image(images, term))))
     })
+}
+
+/// Which nodes are divisors or arguments of functions: where their value is small, what it has lost to cancellation is
+/// all that counts. The sine of a small half angle is `√(a² + b² + c²)`, but not `√(1 − s²)`.
+fn sensitive(arena: &Arena) -> Vec<bool> {
+    let mut is_sensitive = vec![false; arena.len()];
+    for id in arena.ids() {
+        match arena.node(id) {
+            Node::Quotient(_, divisor) => is_sensitive[divisor.index()] = true,
+            Node::Function(_, arguments) => {
+                for argument in arguments {
+                    is_sensitive[argument.node.index()] = true;
+                }
+            }
+            _ => {}
+        }
+    }
+    is_sensitive
+}
+
+/// Whether a sum becomes the difference of a number and something.
+fn gains_a_number(before: &[Value], after: &[Value]) -> bool {
+    let has_number = |terms: &[Value]| terms.iter().any(|term| term.node == Arena::ONE);
+    after.len() > 1 && has_number(after) && !has_number(before)
 }
 
 /// The terms of a value, those of sums in it instead of these.

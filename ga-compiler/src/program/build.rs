@@ -115,7 +115,7 @@ impl Builder<'_> {
         self.push(Step::Quotient(reverse, norm))
     }
 
-    /// `a (a ~a)^(−1/2)`, where `a ~a` is a scalar n, or a scalar and a part p that commutes with everything here and has
+    /// `a |a ~a|^(−1/2)` for a blade, whose norm may have either sign; for others `a (a ~a)^(−1/2)`, where `a ~a` is a scalar n, or a scalar and a part p that commutes with everything here and has
     /// `p² = 0`: then `(n + p)^(−1/2) = n^(−1/2) (1 − p/2n)`.
     pub(super) fn normalize(&mut self, a: StepId) -> Outcome {
         if self.witness.is_unit_versor(self.algebra, a) {
@@ -124,7 +124,12 @@ impl Builder<'_> {
         let reverse = self.reverse(a)?;
         let norm = self.geometric(a, reverse)?;
         let scalar = self.scalar_of(norm)?;
-        let root = self.function(Function::SquareRoot, &[scalar])?;
+        let size = if self.witness.is_scalar(norm) && self.may_be_negative(a) {
+            self.function(Function::Absolute, &[scalar])?
+        } else {
+            scalar
+        };
+        let root = self.function(Function::SquareRoot, &[size])?;
         let unit = self.push(Step::Quotient(a, root))?;
         if self.witness.is_scalar(norm) {
             return Ok(unit);
@@ -135,6 +140,29 @@ impl Builder<'_> {
         let relative = self.push(Step::Quotient(rest, double))?;
         let change = self.geometric(relative, unit)?;
         self.difference(unit, change)
+    }
+
+    /// Whether `a ~a` of something of one grade may be negative. A versor of several grades that is no multiple of a unit
+    /// versor has no normal form, so the sign is no matter of choice there.
+    fn may_be_negative(&self, a: StepId) -> bool {
+        let blades = self.witness.blades(a);
+        if blades
+            .windows(2)
+            .any(|pair| pair[0].grade() != pair[1].grade())
+        {
+            return false;
+        }
+        let is_harmless = |left: Blade, right: Blade| {
+            let is_turned = right.reverse_is_negative();
+            Product::ScalarProduct
+                .of_blades(self.algebra, left, right)
+                .iter()
+                .all(|(_, value)| left == right && value.is_negative() == is_turned)
+        };
+        let mut pairs = blades
+            .iter()
+            .flat_map(|&left| blades.iter().map(move |&right| (left, right)));
+        !pairs.all(|(left, right)| is_harmless(left, right))
     }
 
     /// The versor `exp B = C(B²) + S(B²) B` with C(x) = cos √−x, S(x) = sin √−x / √−x (cosh and sinh for x > 0), where B² is a

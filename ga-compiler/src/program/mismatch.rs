@@ -30,7 +30,7 @@ pub(super) fn explain(
     } else {
         let fitting = fitting(builder, definition, id);
         if !fitting.is_empty() {
-            text.push(format!("it is a {}", fitting.join(" or ")));
+            text.push(format!("it fits {}", fitting.join(" or ")));
         }
     }
     text.join("; ")

@@ -67,11 +67,6 @@ pub fn resolve<'a>(
         let shape = resolver.shape(&operand.shape)?;
         let bound = resolver.operand(&shape, scalar);
         uniform.resize(resolver.builder.program.operands.len(), operand.is_uniform);
-        let is_taken = resolver.scope.iter().any(|(name, _)| *name == operand.name);
-        if is_taken {
-            let message = format!("`{}` is an operand already", operand.name);
-            return Err(Error::new(operand.name.span(), message));
-        }
         resolver.bind(&operand.name, bound);
         resolver.builder.operands.push(Operand {
             name: operand.name.clone(),
@@ -502,7 +497,10 @@ impl<'a, 's> Resolver<'a, 's> {
         operation
             .apply(&mut self.builder, &operands?)
             .map(Bound::One)
-            .map_err(|message| formula.error(format!("`{text}` {message}")))
+            .map_err(|message| {
+                let link = if message.starts_with("the ") { ":" } else { "" };
+                formula.error(format!("`{text}`{link} {message}"))
+            })
     }
 
     /// A call of another function: its body in place of the call.
