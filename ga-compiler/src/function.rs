@@ -80,7 +80,10 @@ impl Shape {
                 found.map(Self::Type).ok_or_else(|| {
                     let known = types.iter().map(|kind| kind.name.to_string());
                     let known = known.chain([SCALAR_TYPE.to_owned()]);
-                    let near = nearest(&name.to_string(), known);
+                    let near = match name.to_string().as_str() {
+                        "f32" | "f64" | "i64" | "S" => "; plain numbers are `Scalar`".to_owned(),
+                        text => nearest(text, known),
+                    };
                     Error::new(name.span(), format!("unknown type `{name}`{near}"))
                 })
             }

@@ -135,6 +135,31 @@ mod shadowed_call_site {
     }
 
     ::ga_runtime::testing::product_tests!(self::vga3);
+
+    ::ga_runtime::ga! { self::vga3;
+        fn functions(m: Rotor, v: Vector, uniform_: Scalar) -> (Vector, [Scalar; 2]) {
+            let moved = m * v * reverse(m);
+            (moved + v / 3, [sqrt(v | moved) + exp(uniform_), abs(uniform_) * atan2(uniform_, 2)])
+        }
+        fn staged(uniform m: Rotor, v: Vector) -> Vector { m * v * reverse(m) }
+        fn turned(b: Bivector, v: Vector) -> Vector { grade(sandwich(reverse(b), v), 1) / norm_squared(b) }
+    }
+
+    #[::core::prelude::v1::test]
+    fn functions_mean_what_they_say() {
+        let rotor = vga3::Rotor::new_unchecked(1.0, 0.0, 0.0, 0.0);
+        let v = vga3::Vector::new(3.0, 6.0, 9.0);
+        let (moved, [root, product]) = functions(rotor, v, 0.0);
+        ::core::assert_eq!(moved, vga3::Vector::new(4.0, 8.0, 12.0));
+        // 9 + 36 + 81/2.
+        ::core::assert_eq!((root, product), (85.5_f64.sqrt() + 1.0, 0.0));
+        ::core::assert_eq!(staged(rotor).apply(v), v);
+        ::core::assert_eq!(staged(rotor).map(|x| x + 0.0).apply(v), v);
+        let turned = turned(vga3::Bivector::new(2.0, 0.0, 0.0), v);
+        ::core::assert_eq!(turned, vga3::Vector::new(-3.0, -6.0, 9.0));
+        let closure = ::ga_runtime::ga! { vga3; |v: Vector| -> Scalar { v | v } };
+        ::core::assert_eq!(closure(v), 85.5);
+    }
 }
 
 /// Types that bear the names of what emitted code uses.
@@ -364,4 +389,10 @@ mod without_prelude {
     }
 
     ::ga_runtime::testing::product_tests!(self::plane);
+
+    ::ga_runtime::ga! { self::plane;
+        fn boosted(b: Boost, v: Vector) -> (Vector, Scalar) { (sandwich(b, v), sqrt(abs(v | v)) / 2) }
+        fn staged(uniform b: Boost, v: [Vector; 2]) -> [Vector; 2] { [sandwich(b, v[0]), b * v[1] * rev(b)] }
+        fn generated(x: Scalar) -> Boost { exp(log(exp(x * e12))) }
+    }
 }

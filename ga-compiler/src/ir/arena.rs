@@ -296,7 +296,8 @@ fn constant_value(function: Function, arguments: &[Value]) -> Option<Ratio> {
     let x = arguments[0].as_constant()?;
     match function {
         Function::SquareRoot if x == Ratio::ONE || x.is_zero() => Some(x),
-        Function::Absolute => Some(x.abs()),
+        // That of other numbers has another stand-in in the prime field.
+        Function::Absolute if x.is_zero() => Some(x),
         Function::Sine if x.is_zero() => Some(Ratio::ZERO),
         Function::Cosine
         | Function::Exponential

@@ -36,10 +36,15 @@ impl Prime {
         (root * root == self).then_some(root)
     }
 
-    /// The smaller of the residue and its negative.
+    /// The one of the residue and its negative that is a square: as of real numbers, it has a root, and that of a product is
+    /// the product of those of its factors.
     #[must_use]
     pub fn absolute(self) -> Self {
-        Self(self.0.min((MODULUS - self.0) % MODULUS))
+        if self.square_root().is_some() {
+            self
+        } else {
+            -self
+        }
     }
 
     /// The image of a fraction. A denominator that the modulus divides gives zero.

@@ -94,7 +94,11 @@ impl Builder<'_> {
     /// `√|⟨a ~a⟩₀|`.
     pub(super) fn norm(&mut self, a: StepId) -> Outcome {
         let square = self.norm_squared(a)?;
-        let size = self.function(Function::Absolute, &[square])?;
+        let size = if self.has_definite_norm(a) {
+            square
+        } else {
+            self.function(Function::Absolute, &[square])?
+        };
         self.function(Function::SquareRoot, &[size])
     }
 
@@ -124,7 +128,8 @@ impl Builder<'_> {
         let reverse = self.reverse(a)?;
         let norm = self.geometric(a, reverse)?;
         let scalar = self.scalar_of(norm)?;
-        let size = if self.witness.is_scalar(norm) && self.may_be_negative(a) {
+        let is_blade = self.witness.is_scalar(norm) && self.is_of_one_grade(a);
+        let size = if is_blade && !self.has_definite_norm(a) {
             self.function(Function::Absolute, &[scalar])?
         } else {
             scalar
@@ -142,17 +147,10 @@ impl Builder<'_> {
         self.difference(unit, change)
     }
 
-    /// Whether `a ~a` of something of one grade may be negative. A versor of several grades that is no multiple of a unit
-    /// versor has no normal form, so the sign is no matter of choice there.
-    fn may_be_negative(&self, a: StepId) -> bool {
+    /// Whether the scalar part of `a ~a` is a sum of squares.
+    fn has_definite_norm(&self, a: StepId) -> bool {
         let blades = self.witness.blades(a);
-        if blades
-            .windows(2)
-            .any(|pair| pair[0].grade() != pair[1].grade())
-        {
-            return false;
-        }
-        let is_harmless = |left: Blade, right: Blade| {
+        let is_square = |left: Blade, right: Blade| {
             let is_turned = right.reverse_is_negative();
             Product::ScalarProduct
                 .of_blades(self.algebra, left, right)
@@ -162,7 +160,14 @@ impl Builder<'_> {
         let mut pairs = blades
             .iter()
             .flat_map(|&left| blades.iter().map(move |&right| (left, right)));
-        !pairs.all(|(left, right)| is_harmless(left, right))
+        pairs.all(|(left, right)| is_square(left, right))
+    }
+
+    fn is_of_one_grade(&self, a: StepId) -> bool {
+        let blades = self.witness.blades(a);
+        blades
+            .windows(2)
+            .all(|pair| pair[0].grade() == pair[1].grade())
     }
 
     /// The versor `exp B = C(B²) + S(B²) B` with C(x) = cos √−x, S(x) = sin √−x / √−x (cosh and sinh for x > 0), where B² is a

@@ -1,16 +1,20 @@
 //! What a program's steps are at random points: the ground on which types are checked while names are resolved.
 
 use super::evaluate::evaluate_step;
-use super::{Program, StepId, evaluate};
+use super::{Program, Step, StepId};
 use crate::algebra::{Algebra, Blade, Product, Unary};
 use crate::define::TypeDefinition;
-use crate::ir::{Facts, Prime};
+use crate::ir::{Facts, Function, Prime};
 use crate::verify::{self, numeric, numeric::Numbers};
 
 /// How many points are looked for before a program is given up.
 const TRIES: u64 = 4096;
 
-/// A program's values at two random points of the operands' types.
+/// How many points tell what is always so. Where absolute values are taken, a sign is right at half of them by chance.
+const POINTS: usize = 2;
+const POINTS_WITH_SIGNS: usize = 16;
+
+/// A program's values at random points of the operands' types.
 #[derive(Clone, Debug, Default)]
 pub struct Witness {
     points: Vec<Point>,
@@ -27,37 +31,65 @@ impl Witness {
     /// Evaluates the steps that were added since the last time. `false` where no point is found at which all of them
     /// exist: something is divided by zero everywhere.
     pub fn extend(&mut self, algebra: &Algebra, program: &Program<'_>) -> bool {
-        for point in &mut self.points {
-            if !point.extend(algebra, program) {
-                point.values.clear();
-            }
-        }
-        let length = program.steps.len();
-        self.points.retain(|point| point.values.len() == length);
-        while self.points.len() < 2 {
-            let Some(point) = self.search(algebra, program) else {
+        let is_sign = |step: &Step| matches!(step, Step::Function(Function::Absolute, _));
+        let wanted = if program.steps.iter().any(is_sign) {
+            POINTS_WITH_SIGNS
+        } else {
+            POINTS
+        };
+        let mut points = std::mem::take(&mut self.points);
+        points.retain(|point| point.members.len() == program.operands.len());
+        points.truncate(wanted);
+        for place in 0..wanted {
+            let start = if place < points.len() {
+                Some(points.remove(0))
+            } else {
+                self.start(algebra, program)
+            };
+            let Some(point) = start.and_then(|start| self.settle(algebra, program, start)) else {
                 return false;
             };
-            self.points.push(point);
+            points.push(point);
         }
+        self.points = points;
         true
     }
 
-    fn search(&mut self, algebra: &Algebra, program: &Program<'_>) -> Option<Point> {
-        while self.tried < TRIES {
-            let mut sequence = verify::sequence(self.tried);
-            self.tried += 1;
-            let members: Option<Vec<_>> = program
-                .operands
-                .iter()
-                .map(|kind| verify::sample(algebra, kind, &mut sequence))
-                .collect();
-            let members = members?;
-            if let Some(values) = evaluate(algebra, program, &members) {
-                return Some(Point { members, values });
+    fn start(&mut self, algebra: &Algebra, program: &Program<'_>) -> Option<Point> {
+        let mut sequence = verify::sequence(self.tried);
+        self.tried += 1;
+        let members = program.operands.iter();
+        let members: Option<Vec<_>> = members
+            .map(|kind| verify::sample(algebra, kind, &mut sequence))
+            .collect();
+        members.map(|members| Point {
+            members,
+            values: Vec::new(),
+        })
+    }
+
+    /// Evaluates the steps that a point lacks. Where one does not exist, the operands that it reads are drawn anew, without
+    /// those that earlier roots read: these have been settled.
+    fn settle(
+        &mut self,
+        algebra: &Algebra,
+        program: &Program<'_>,
+        mut point: Point,
+    ) -> Option<Point> {
+        while let Err(failed) = point.extend(algebra, program) {
+            if self.tried >= TRIES {
+                return None;
+            }
+            let other = self.start(algebra, program)?;
+            let free = free_operands(program, failed);
+            point.values.clear();
+            for (operand, member) in other.members.into_iter().enumerate() {
+                if free.is_empty() || free.contains(&operand) {
+                    point.members[operand] = member;
+                }
             }
         }
-        None
+        Some(point)
     }
 
     /// The values of a step.
@@ -165,13 +197,39 @@ impl Witness {
 }
 
 impl Point {
-    fn extend(&mut self, algebra: &Algebra, program: &Program<'_>) -> bool {
-        let done = self.values.len();
-        let members = program.operands.len() == self.members.len();
-        members
-            && program.steps().skip(done).all(|(_, step)| {
-                let value = evaluate_step(algebra, step, &self.members, &self.values);
-                value.map(|value| self.values.push(value)).is_some()
-            })
+    /// Evaluates what is missing, up to the first step that does not exist here.
+    fn extend(&mut self, algebra: &Algebra, program: &Program<'_>) -> Result<(), StepId> {
+        for (id, step) in program.steps().skip(self.values.len()) {
+            let value = evaluate_step(algebra, step, &self.members, &self.values);
+            self.values.push(value.ok_or(id)?);
+        }
+        Ok(())
     }
+}
+
+/// The operands that a step depends on and no root before it does.
+fn free_operands(program: &Program<'_>, failed: StepId) -> Vec<usize> {
+    let mut read: Vec<Vec<usize>> = Vec::new();
+    let mut settled = Vec::new();
+    for (id, step) in program.steps() {
+        let mut operands: Vec<usize> = match step {
+            Step::Operand(number) => vec![*number],
+            _ => step
+                .reads()
+                .iter()
+                .flat_map(|part| read[part.index()].clone())
+                .collect(),
+        };
+        operands.sort_unstable();
+        operands.dedup();
+        if id == failed {
+            operands.retain(|operand| !settled.contains(operand));
+            return operands;
+        }
+        if matches!(step, Step::Function(Function::SquareRoot, _)) {
+            settled.extend(&operands);
+        }
+        read.push(operands);
+    }
+    Vec::new()
 }

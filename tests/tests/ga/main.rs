@@ -7,3 +7,4 @@ mod places;
 mod real;
 mod scalars;
 mod uniform;
+mod witness;

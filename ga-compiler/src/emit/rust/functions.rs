@@ -267,10 +267,15 @@ impl Emitter<'_> {
             Shape::Scalar => inputs.push(value.clone()),
             Shape::Type(index) => {
                 let kind = &self.definition.types[*index];
-                let call = (!kind.is_linear()).then(|| quote! { () });
+                let (path, name) = (self.path, &kind.name);
                 inputs.extend(kind.stored().map(|coefficient| {
                     let field = &coefficient.name;
-                    quote! { #value.#field #call }
+                    if kind.is_linear() {
+                        quote! { #value.#field }
+                    } else {
+                        // Named in full, since a trait of the call site may have a method of that name.
+                        quote! { #path::#name::#field(&#value) }
+                    }
                 }));
             }
             Shape::Array(element, count) => {

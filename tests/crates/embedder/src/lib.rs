@@ -135,3 +135,51 @@ pub fn moved(point: [f64; 3]) -> [f64; 3] {
         Translator::from_displacement([1.0, 0.0, 0.0]) * turn.unwrap_or_default();
     motor.transform(Point::from(point)).coordinates()
 }
+
+/// Functions compiled in an algebra of this crate.
+pub mod functions {
+    #![deny(
+        warnings,
+        missing_docs,
+        unreachable_pub,
+        missing_debug_implementations,
+        clippy::all,
+        clippy::pedantic
+    )]
+
+    ga::ga! { crate::sta;
+        /// A momentum in the frame of another observer.
+        pub fn observed(r: Rotor, p: Vector) -> Vector { reverse(r) * p * r }
+
+        /// The boost of a rapidity along the first axis.
+        #[must_use]
+        pub fn boost(rapidity: Scalar) -> Rotor { exp(-rapidity / 2 * g01) }
+
+        /// What a frame sees of many momenta.
+        pub fn observing(uniform r: Rotor, p: Vector) -> Vector { observed(r, p) }
+    }
+
+    ga::ga! { ga::cga3;
+        /// The power of a point with regard to a sphere through four others, up to the sphere's weight.
+        #[must_use]
+        pub fn power(p: Point, corners: [Point; 4]) -> Scalar {
+            let [a, b, c, d] = corners;
+            dual(a ^ b ^ c ^ d) | p
+        }
+    }
+
+    ga::ga! { super::skew::oblique;
+        /// A volume and its half.
+        #[must_use]
+        pub fn volumes(x: Vector, y: Vector, z: Vector) -> (Volume, Volume) {
+            let volume = x ^ y ^ z;
+            (volume, volume / 2)
+        }
+    }
+
+    ga::ga! { crate::with_a_path::complex;
+        /// A complex number times itself.
+        #[must_use]
+        pub fn square(z: Complex) -> Complex { z * z }
+    }
+}
