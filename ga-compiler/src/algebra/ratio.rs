@@ -4,6 +4,9 @@ use std::fmt;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// An exact fraction in lowest terms with a positive denominator.
+///
+/// What would need more than 128 bits is [out of range](Self::is_out_of_range), and so is all that is worked out from
+/// it, except for zero times it: no number is ever wrong, and code is refused that would need one out of range.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Ratio {
     numerator: i128,
@@ -15,6 +18,7 @@ impl Ratio {
     pub const ZERO: Self = Self::integer(0);
     /// One.
     pub const ONE: Self = Self::integer(1);
+    const OUT_OF_RANGE: Self = Self::integer(i128::MAX);
 
     /// A whole number.
     #[must_use]
@@ -31,11 +35,20 @@ impl Ratio {
         if denominator == 0 {
             return None;
         }
+        if is_limit(numerator) || is_limit(denominator) {
+            return Some(Self::OUT_OF_RANGE);
+        }
         let divisor = greatest_common_divisor(numerator, denominator) * denominator.signum();
         Some(Self {
             numerator: numerator / divisor,
             denominator: denominator / divisor,
         })
+    }
+
+    /// Whether this stands for a number that 128 bits do not hold.
+    #[must_use]
+    pub const fn is_out_of_range(self) -> bool {
+        is_limit(self.numerator)
     }
 
     /// The numerator, which carries the sign.
@@ -72,7 +85,7 @@ impl Ratio {
     #[must_use]
     pub const fn abs(self) -> Self {
         Self {
-            numerator: self.numerator.abs(),
+            numerator: self.numerator.saturating_abs(),
             denominator: self.denominator,
         }
     }
@@ -86,7 +99,7 @@ impl Ratio {
     /// The larger of numerator and denominator.
     #[must_use]
     pub fn height(self) -> i128 {
-        self.numerator.abs().max(self.denominator)
+        self.numerator.saturating_abs().max(self.denominator)
     }
 
     /// `1 / self`, or `None` for zero.
@@ -104,19 +117,45 @@ fn greatest_common_divisor(a: i128, b: i128) -> i128 {
     a.max(1)
 }
 
-fn reduced(numerator: i128, denominator: i128) -> Ratio {
-    Ratio::new(numerator, denominator).unwrap_or(Ratio::ZERO)
+/// Whether a number is at the end of the range, where its negative may be beyond it.
+const fn is_limit(value: i128) -> bool {
+    value == i128::MAX || value == i128::MIN
+}
+
+/// A whole number, unless it has overflowed.
+fn whole(value: Option<i128>) -> Ratio {
+    match value {
+        Some(value) if !is_limit(value) => Ratio::integer(value),
+        _ => Ratio::OUT_OF_RANGE,
+    }
+}
+
+/// The fraction of two numbers, unless one of them has overflowed.
+fn reduced(numerator: Option<i128>, denominator: Option<i128>) -> Ratio {
+    match (numerator, denominator) {
+        (Some(numerator), Some(denominator)) => {
+            Ratio::new(numerator, denominator).unwrap_or(Ratio::ZERO)
+        }
+        _ => Ratio::OUT_OF_RANGE,
+    }
 }
 
 impl Add for Ratio {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        if self.is_integer() && other.is_integer() {
-            return Self::integer(self.numerator + other.numerator);
+        if self.is_out_of_range() || other.is_out_of_range() {
+            return Self::OUT_OF_RANGE;
         }
+        if self.is_integer() && other.is_integer() {
+            return whole(self.numerator.checked_add(other.numerator));
+        }
+        let times = i128::checked_mul;
+        let left = times(self.numerator, other.denominator);
+        let right = times(other.numerator, self.denominator);
         reduced(
-            self.numerator * other.denominator + other.numerator * self.denominator,
-            self.denominator * other.denominator,
+            left.zip(right)
+                .and_then(|(left, right)| left.checked_add(right)),
+            times(self.denominator, other.denominator),
         )
     }
 }
@@ -131,12 +170,18 @@ impl Sub for Ratio {
 impl Mul for Ratio {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
+        if self.is_zero() || other.is_zero() {
+            return Self::ZERO;
+        }
+        if self.is_out_of_range() || other.is_out_of_range() {
+            return Self::OUT_OF_RANGE;
+        }
         if self.is_integer() && other.is_integer() {
-            return Self::integer(self.numerator * other.numerator);
+            return whole(self.numerator.checked_mul(other.numerator));
         }
         reduced(
-            self.numerator * other.numerator,
-            self.denominator * other.denominator,
+            self.numerator.checked_mul(other.numerator),
+            self.denominator.checked_mul(other.denominator),
         )
     }
 }
@@ -148,9 +193,15 @@ impl Div for Ratio {
         if other == Self::ONE {
             return self;
         }
+        if self.is_zero() || other.is_zero() {
+            return Self::ZERO;
+        }
+        if self.is_out_of_range() || other.is_out_of_range() {
+            return Self::OUT_OF_RANGE;
+        }
         reduced(
-            self.numerator * other.denominator,
-            self.denominator * other.numerator,
+            self.numerator.checked_mul(other.denominator),
+            self.denominator.checked_mul(other.numerator),
         )
     }
 }
@@ -158,6 +209,9 @@ impl Div for Ratio {
 impl Neg for Ratio {
     type Output = Self;
     fn neg(self) -> Self {
+        if self.is_out_of_range() {
+            return self;
+        }
         Self {
             numerator: -self.numerator,
             denominator: self.denominator,
@@ -174,6 +228,7 @@ impl From<i128> for Ratio {
 impl fmt::Display for Ratio {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.denominator {
+            _ if self.is_out_of_range() => write!(f, "beyond 128 bits"),
             1 => write!(f, "{}", self.numerator),
             denominator => write!(f, "{}/{denominator}", self.numerator),
         }
@@ -197,5 +252,35 @@ mod tests {
         assert_eq!(sixth + Ratio::new(1, 3).unwrap(), Ratio::new(1, 2).unwrap());
         assert_eq!(sixth * Ratio::integer(6), Ratio::ONE);
         assert_eq!(Ratio::new(1, 0), None);
+    }
+    #[test]
+    fn nothing_wraps_round() {
+        let large = Ratio::integer(1 << 100);
+        let tiny = Ratio::new(1, 1 << 100).unwrap();
+        let beyond = large * large;
+        let cases = [
+            beyond,
+            -beyond,
+            beyond + Ratio::ONE,
+            Ratio::ONE - beyond,
+            beyond - beyond,
+            beyond / beyond,
+            beyond.recip().unwrap(),
+            beyond * tiny,
+            tiny * tiny,
+            tiny + Ratio::new(1, (1 << 100) + 1).unwrap(),
+            large / tiny,
+            Ratio::integer(i128::MAX - 1) + Ratio::ONE,
+            Ratio::integer(-i128::MAX) - Ratio::ONE,
+            Ratio::integer(i128::MIN).abs(),
+            Ratio::new(i128::MIN, -1).unwrap(),
+            Ratio::new(1, i128::MIN).unwrap(),
+        ];
+        for case in cases {
+            assert!(case.is_out_of_range(), "{case}");
+        }
+        assert_eq!(beyond * Ratio::ZERO, Ratio::ZERO);
+        assert_eq!(large * tiny, Ratio::ONE);
+        assert_eq!(-(large - large), Ratio::ZERO);
     }
 }

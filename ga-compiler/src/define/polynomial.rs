@@ -36,7 +36,7 @@ impl Polynomial {
                 Lit::Int(number) => {
                     // What does not even fit is as much too large.
                     let value = number.base10_parse().unwrap_or(i128::MAX);
-                    Self::of_constant(Ratio::integer(value), syntax)
+                    Self::Constant(Ratio::integer(value)).within_bounds(syntax)
                 }
                 other => Err(Error::new_spanned(
                     other,
@@ -75,10 +75,7 @@ impl Polynomial {
                         ));
                     }
                 };
-                match joined.as_constant() {
-                    Some(value) => Self::of_constant(value, syntax),
-                    None => Ok(joined),
-                }
+                joined.within_bounds(syntax)
             }
             other => Err(Error::new_spanned(
                 other,
@@ -87,13 +84,43 @@ impl Polynomial {
         }
     }
 
-    fn of_constant(value: Ratio, syntax: &Expr) -> Result<Self> {
-        if value.numerator().abs() > LARGEST || value.denominator() > LARGEST {
-            let message =
-                format!("numbers above {LARGEST} are not supported, nor are fractions of them");
+    /// The polynomial, a constant as one number, unless its numbers are too large; those of its parts are not.
+    fn within_bounds(self, syntax: &Expr) -> Result<Self> {
+        let folded = self.as_constant().map_or(self, Self::Constant);
+        let (numerator, denominator) = folded.size();
+        if numerator > LARGEST || denominator > LARGEST {
+            let message = if folded.as_constant().is_some() {
+                format!("numbers above {LARGEST} are not supported, nor are fractions of them")
+            } else {
+                format!(
+                    "the factors of this polynomial multiply to numbers above {LARGEST}, or to fractions of them"
+                )
+            };
             return Err(Error::new_spanned(syntax, message));
         }
-        Ok(Self::Constant(value))
+        Ok(folded)
+    }
+
+    /// A bound on the sum of the absolute values of all factors after expansion, over their common denominator. It bounds
+    /// every constant that comes from putting the polynomial for a coefficient.
+    fn size(&self) -> (i128, i128) {
+        self.evaluate(
+            &mut |value| (value.abs().numerator(), value.denominator()),
+            &mut |_| (1, 1),
+            &mut |step, (a, below_a), (b, below_b)| match step {
+                PolynomialStep::Sum => {
+                    // In lowest terms the one denominator is what the other lacks of their common multiple.
+                    let lacking = Ratio::new(below_a, below_b).map_or(1, Ratio::denominator);
+                    let common = below_a.saturating_mul(lacking);
+                    let (a, b) = (
+                        a.saturating_mul(lacking),
+                        b.saturating_mul(common / below_b),
+                    );
+                    (a.saturating_add(b), common)
+                }
+                PolynomialStep::Product => (a.saturating_mul(b), below_a.saturating_mul(below_b)),
+            },
+        )
     }
 
     /// The number that the polynomial is, if no blade occurs in it.
