@@ -184,6 +184,8 @@ struct Counter {
     accessors: HashSet<String>,
     /// The types that are built of as many coefficients.
     types: HashMap<String, usize>,
+    /// The types with the coefficients that they store and have readers for.
+    readers: HashSet<(String, String)>,
 }
 
 impl Counter {
@@ -207,6 +209,12 @@ impl Counter {
             counter
                 .types
                 .insert(kind.name.to_string(), kind.stored().count());
+            let readers = kind
+                .stored()
+                .map(|coefficient| coefficient.name.to_string());
+            counter
+                .readers
+                .extend(readers.map(|reader| (kind.name.to_string(), reader)));
         }
         counter
     }
@@ -279,7 +287,7 @@ impl Counter {
                     return Err(unknown("a call of", &call.func));
                 };
                 let mut count = self.all(&call.args)?;
-                if !self.is_constructor(&path.path, call.args.len()) {
+                if !self.is_free(&path.path, call.args.len()) {
                     let name = path.path.segments.last().map(|last| last.ident.to_string());
                     count += of_call(&name.unwrap_or_default(), call.args.len(), path)?;
                 }
@@ -306,8 +314,8 @@ impl Counter {
         Ok(count)
     }
 
-    /// Whether a path is that of a function which puts a type together from its coefficients.
-    fn is_constructor(&self, path: &syn::Path, arguments: usize) -> bool {
+    /// Whether a path is that of a function which puts a type together from its coefficients or reads one of them.
+    fn is_free(&self, path: &syn::Path, arguments: usize) -> bool {
         let mut last = path
             .segments
             .iter()
@@ -316,8 +324,9 @@ impl Counter {
         let (Some(name), Some(kind)) = (last.next(), last.next()) else {
             return false;
         };
-        ["new", "new_unchecked"].contains(&name.as_str())
-            && self.types.get(&kind) == Some(&arguments)
+        let is_constructor = ["new", "new_unchecked"].contains(&name.as_str())
+            && self.types.get(&kind) == Some(&arguments);
+        is_constructor || (arguments == 1 && self.readers.contains(&(kind, name)))
     }
 }
 
