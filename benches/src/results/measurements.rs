@@ -100,11 +100,16 @@ impl Measurements {
 }
 
 impl Group {
-    /// The contender that others are compared with: ours, by its plain name if it has one.
-    #[must_use]
-    pub fn ours(&self) -> Option<&str> {
-        let mut names = self.contenders.keys().map(String::as_str);
-        names.find(|name| name.starts_with("nullcone"))
+    /// Our own contenders: all whose names begin with ours.
+    pub fn ours(&self) -> impl Iterator<Item = &str> {
+        let names = self.contenders.keys().map(String::as_str);
+        names.filter(|name| is_ours(name))
+    }
+
+    /// Everyone else.
+    pub fn rivals(&self) -> impl Iterator<Item = &str> {
+        let names = self.contenders.keys().map(String::as_str);
+        names.filter(|name| !is_ours(name))
     }
 
     /// The median time of a contender, in nanoseconds.
@@ -127,6 +132,10 @@ impl Group {
         ratios.sort_by(f64::total_cmp);
         ratios
     }
+}
+
+fn is_ours(contender: &str) -> bool {
+    contender.starts_with("nullcone")
 }
 
 /// Reads lines of name, contender and number, separated by tabs.
@@ -229,7 +238,7 @@ mod tests {
         benchmark(folder.path(), "nullcone", "new", 1000.0);
         let measurements = Measurements::read(folder.path(), "run-").unwrap();
         let group = &measurements.groups["sandwich/motor-point-f32"];
-        assert_eq!(group.ours(), Some("nullcone"));
+        assert!(group.ours().eq(["nullcone"]) && group.rivals().eq(["glam Mat4"]));
         assert_eq!(group.median("nullcone"), Some(1.1));
         assert_eq!(group.ratios("nullcone", "glam Mat4"), [0.5, 0.5, 0.55]);
     }

@@ -71,8 +71,11 @@ impl Report {
             line(&mut text, &format!("\n## Flags: `{flags}`"));
             for (family, groups) in families(&setting.measurements) {
                 line(&mut text, &format!("\n### {family}\n"));
-                if groups.iter().any(|(_, group)| group.ours().is_some()) {
-                    comparisons(&mut text, &groups);
+                if groups
+                    .iter()
+                    .any(|(_, group)| group.ours().next().is_some())
+                {
+                    comparisons(&mut text, &setting.flags, &groups);
                 } else {
                     times(&mut text, &groups);
                 }
@@ -114,44 +117,55 @@ fn families(measurements: &Measurements) -> BTreeMap<&str, Vec<(&str, &Group)>> 
     let mut families: BTreeMap<&str, Vec<_>> = BTreeMap::new();
     for (name, group) in &measurements.groups {
         let family = name.split('/').next().unwrap_or(name);
-        families.entry(family).or_default().push((name.as_str(), group));
+        families
+            .entry(family)
+            .or_default()
+            .push((name.as_str(), group));
     }
     families
 }
 
-fn comparisons(text: &mut String, groups: &[(&str, &Group)]) {
+fn comparisons(text: &mut String, flags: &str, groups: &[(&str, &Group)]) {
     line(
         text,
-        "| operation | ours, ns | beside | its time, ns | ratio | range | at most |",
+        "| operation | ours | its time, ns | beside | its time, ns | ratio | range | at most |",
     );
-    line(text, "| --- | ---: | --- | ---: | ---: | --- | --- |");
+    line(text, "| --- | --- | ---: | --- | ---: | ---: | --- | --- |");
     for (name, group) in groups {
-        let Some(ours) = group.ours() else { continue };
-        let own = group.median(ours).map(number).unwrap_or_default();
         let operation = name
             .split_once('/')
             .map_or(*name, |(_, operation)| operation);
-        for rival in group.contenders.keys().filter(|rival| *rival != ours) {
-            let ratios = group.ratios(ours, rival);
-            let (Some(ratio), Some(time)) = (median(ratios.clone()), group.median(rival)) else {
+        for ours in group.ours() {
+            let Some(own) = group.median(ours).map(number) else {
                 continue;
             };
-            let range = match ratios[..] {
-                [first, .., last] => format!("{}–{}", number(first), number(last)),
-                _ => String::new(),
-            };
-            let (ratio_text, time) = (number(ratio), number(time));
-            let goal = target(name, rival)
-                .map(|goal| judged(ratio, goal))
-                .unwrap_or_default();
-            line(
-                text,
-                &format!(
-                    "| {operation} | {own} | {rival} | {time} | {ratio_text} | {range} | {goal} |"
-                ),
-            );
+            let start = format!("| {operation} | {ours} | {own} |");
+            if group.rivals().next().is_none() {
+                line(text, &format!("{start} | | | | |"));
+            }
+            for rival in group.rivals() {
+                let goal = target(flags, name, ours, rival);
+                if let Some(rest) = compared(group, ours, rival, goal) {
+                    line(text, &format!("{start} {rest}"));
+                }
+            }
         }
     }
+}
+
+/// The cells of a rival: name, time, ratio, range of ratios, verdict.
+fn compared(group: &Group, ours: &str, rival: &str, goal: Option<f64>) -> Option<String> {
+    let ratios = group.ratios(ours, rival);
+    let ratio = median(ratios.clone())?;
+    let range = match ratios[..] {
+        [first, .., last] => format!("{}–{}", number(first), number(last)),
+        _ => String::new(),
+    };
+    let verdict = goal.map(|goal| judged(ratio, goal)).unwrap_or_default();
+    let (time, ratio) = (number(group.median(rival)?), number(ratio));
+    Some(format!(
+        "{rival} | {time} | {ratio} | {range} | {verdict} |"
+    ))
 }
 
 fn judged(ratio: f64, goal: f64) -> String {
@@ -303,8 +317,8 @@ mod tests {
     fn a_report_judges_ratios_by_their_targets() {
         let text = report().to_markdown();
         for expected in [
-            "| motor-point-f32 | 1.00 | glam Mat4 | 1.00 | 1.00 | 0.90–1.10 | 1, reached |",
-            "| motor-point-f32 | 1.00 | clifford | 5.00 | 0.20 | 0.18–0.22 | 0.1, missed |",
+            "| motor-point-f32 | nullcone | 1.00 | glam Mat4 | 1.00 | 1.00 | 0.90–1.10 | 1, reached |",
+            "| motor-point-f32 | nullcone | 1.00 | clifford | 5.00 | 0.20 | 0.18–0.22 | 0.1, missed |",
             "| motor-point | 30.0 | glam Mat4 | 40.0 | 0.75 |",
             "| motor-point | 0.05 | 0.1 s |",
         ] {
