@@ -4,7 +4,7 @@ use crate::algebra::{Algebra, Blade, NamedBlade, Ratio};
 use crate::define::TypeDefinition;
 use crate::emit::stage::Stages;
 use crate::expression::Expression;
-use crate::ir::{Arena, Prime, Value};
+use crate::ir::{Arena, Node, Prime, Value};
 use crate::lower::{self, Choice, Choices, Lowered};
 use crate::passes::{self, Cost};
 use crate::program::{Program, StepId, Witness};
@@ -135,6 +135,17 @@ impl Kernel {
     #[must_use]
     pub fn cost(&self) -> Cost {
         passes::cost(&self.arena, &self.outputs)
+    }
+
+    /// Whether some constant in it is beyond what is worked out exactly.
+    #[must_use]
+    pub fn is_out_of_range(&self) -> bool {
+        let is_beyond = |value: &Value| value.factor.is_out_of_range();
+        let in_graph = self.arena.ids().any(|id| match self.arena.node(id) {
+            Node::Sum(values) | Node::Function(_, values) => values.iter().any(is_beyond),
+            _ => false,
+        });
+        in_graph || self.outputs.iter().any(is_beyond)
     }
 
     /// The outputs for given inputs over the prime field.

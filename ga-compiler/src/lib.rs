@@ -218,6 +218,11 @@ fn compile_one(
         .collect();
     let (algebra, program) = (&definition.algebra, &resolved.program);
     let kernel = Kernel::of_program(algebra, program, &resolved.uniform, &wanted);
+    if kernel.is_out_of_range() {
+        let message = "the numbers in this function have too many digits together: what is worked out of them \
+                       beforehand needs more than 128 bits; make one of them an operand";
+        return Err(function.value.error(message));
+    }
     if !kernel.agrees_with(program, &resolved.witness, &wanted) {
         let message = format!(
             "the rules {:?} changed the meaning of this function; this is a defect of the compiler",

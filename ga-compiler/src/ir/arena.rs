@@ -264,7 +264,8 @@ impl Arena {
         id
     }
 
-    /// The values of all nodes for the given inputs, over the prime field. A root that does not exist there is zero.
+    /// The values of all nodes for the given inputs, over the prime field. A root that does not exist there is a residue of which
+    /// nothing is known.
     #[must_use]
     pub fn evaluate(&self, inputs: &[Prime]) -> Vec<Prime> {
         let mut results = Vec::with_capacity(self.nodes.len());
@@ -282,7 +283,8 @@ impl Arena {
                         .iter()
                         .map(|v| results_at(&results, v.node) * Prime::from_ratio(v.factor))
                         .collect();
-                    function.evaluate(&arguments).unwrap_or(Prime::ZERO)
+                    let value = function.evaluate(&arguments);
+                    value.unwrap_or_else(|| function.stand_in(&arguments))
                 }
             };
             results.push(result);

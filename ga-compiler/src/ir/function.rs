@@ -103,6 +103,13 @@ impl Function {
         })
     }
 
+    /// What stands for a root of a constant that has none in the prime field: a residue of which nothing is known, not even
+    /// its square.
+    #[must_use]
+    pub fn stand_in(self, arguments: &[Prime]) -> Prime {
+        random(self, arguments)
+    }
+
     /// The value where the argument is so special that the graph folds it.
     fn at_constant(self, x: Prime) -> Option<Prime> {
         match self {

@@ -14,8 +14,8 @@ pub fn evaluate(
     members: &[Numbers],
 ) -> Option<Vec<Numbers>> {
     let mut values = Vec::with_capacity(program.steps.len());
-    for (_, step) in program.steps() {
-        let value = evaluate_step(algebra, step, members, &values)?;
+    for (id, _) in program.steps() {
+        let value = evaluate_step(algebra, program, id, members, &values)?;
         values.push(value);
     }
     Some(values)
@@ -24,13 +24,14 @@ pub fn evaluate(
 /// The value of one step, from those of the steps before it.
 pub(super) fn evaluate_step(
     algebra: &Algebra,
-    step: &Step,
+    program: &Program<'_>,
+    id: StepId,
     members: &[Numbers],
     values: &[Numbers],
 ) -> Option<Numbers> {
     let value = |id: StepId| &values[id.index()];
     let scalar = |id: StepId| numeric::coefficient(value(id), Blade::SCALAR);
-    Some(match step {
+    Some(match program.step(id) {
         Step::Operand(number) => members[*number].clone(),
         Step::Constant(blade, factor) => Numbers::from([(*blade, Prime::from_ratio(*factor))]),
         Step::Unary(operation, a) => numeric::unary(algebra, *operation, value(*a)),
@@ -56,7 +57,10 @@ pub(super) fn evaluate_step(
         }
         Step::Function(function, arguments) => {
             let arguments: Vec<_> = arguments.iter().map(|&id| scalar(id)).collect();
-            Numbers::from([(Blade::SCALAR, function.evaluate(&arguments)?)])
+            let result = function.evaluate(&arguments);
+            let is_constant = program.is_constant(id);
+            let result = result.or_else(|| is_constant.then(|| function.stand_in(&arguments)));
+            Numbers::from([(Blade::SCALAR, result?)])
         }
     })
 }

@@ -81,6 +81,7 @@ pub struct Program<'a> {
     /// The types of the operands; a plain number is [`TypeDefinition::scalar`].
     pub operands: Vec<&'a TypeDefinition>,
     steps: Vec<Step>,
+    constant: Vec<bool>,
     known: HashMap<Step, StepId>,
     facts: HashMap<StepId, Facts>,
     kinds: HashMap<StepId, &'a TypeDefinition>,
@@ -121,6 +122,9 @@ impl<'a> Program<'a> {
             return id;
         }
         let id = StepId(u32::try_from(self.steps.len()).unwrap_or(u32::MAX));
+        let is_constant = !matches!(step, Step::Operand(_))
+            && step.reads().iter().all(|read| self.is_constant(*read));
+        self.constant.push(is_constant);
         self.steps.push(step.clone());
         self.known.insert(step, id);
         id
@@ -130,6 +134,12 @@ impl<'a> Program<'a> {
     #[must_use]
     pub fn step(&self, id: StepId) -> &Step {
         &self.steps[id.index()]
+    }
+
+    /// Whether a step has one value, whatever the operands.
+    #[must_use]
+    pub fn is_constant(&self, id: StepId) -> bool {
+        self.constant[id.index()]
     }
 
     /// All steps in order.

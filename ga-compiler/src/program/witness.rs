@@ -199,8 +199,8 @@ impl Witness {
 impl Point {
     /// Evaluates what is missing, up to the first step that does not exist here.
     fn extend(&mut self, algebra: &Algebra, program: &Program<'_>) -> Result<(), StepId> {
-        for (id, step) in program.steps().skip(self.values.len()) {
-            let value = evaluate_step(algebra, step, &self.members, &self.values);
+        for (id, _) in program.steps().skip(self.values.len()) {
+            let value = evaluate_step(algebra, program, id, &self.members, &self.values);
             self.values.push(value.ok_or(id)?);
         }
         Ok(())

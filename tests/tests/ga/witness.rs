@@ -21,6 +21,8 @@ mod compiled {
         pub fn by_the_norm(q: Quaternion) -> Rotor { q / norm(q) }
         pub fn by_the_root(q: Quaternion) -> Rotor { q / sqrt(q.scalar * q.scalar - (grade(q, 2) | grade(q, 2))) }
 
+        /// 3 and −2 have no roots among the residues.
+        pub fn roots(a: Scalar) -> Scalar { a * sqrt(3) + sqrt(abs(-2)) }
         pub fn constants(a: Scalar) -> Scalar { a * abs(-0.5) + abs(3 - 10) * norm(2 * e12) + abs(0 * a) + sqrt(4) }
     }
 }
@@ -47,4 +49,9 @@ fn quaternions_over_their_norm_are_rotors() {
 #[test]
 fn functions_of_constants() {
     assert_eq!(compiled::constants(3.0), 1.5 + 14.0 + 2.0);
+    assert_close!(
+        compiled::roots(2.0),
+        2.0 * 3.0_f64.sqrt() + 2.0_f64.sqrt(),
+        1e-15
+    );
 }
