@@ -1,6 +1,7 @@
 //! Circles.
 
-use super::vector3::{cross, dot, length, normalized, scaled, sum};
+use super::vector3::{are_numbers, cross, dot, is_number, length, normalized, scaled, sum};
+use crate::Element;
 use crate::cga3::{Circle, DualPlane, Infinity, Plane, Point, RoundVector};
 use crate::scalar::{Field, Real};
 
@@ -32,7 +33,7 @@ impl<S: Field> Circle<S> {
 
 impl<S: Real<Mask = bool>> Circle<S> {
     /// The circle about a centre in the plane across a normal, which need not have length 1. `None` where the normal is
-    /// zero or not finite.
+    /// zero or not finite, or a coefficient of the circle would not be.
     #[must_use]
     pub fn from_centre_normal_radius(centre: Point<S>, normal: [S; 3], radius: S) -> Option<Self> {
         let normal = normalized(normal)?;
@@ -40,7 +41,10 @@ impl<S: Real<Mask = bool>> Circle<S> {
         let plane = DualPlane::from_normal_distance(normal, distance);
         // Sphere and plane meet in the circle; in this order its normal is the plane's.
         let sphere = RoundVector::dual_sphere(centre, radius);
-        Some((RoundVector::from(plane) ^ sphere).dual())
+        let circle = (RoundVector::from(plane) ^ sphere).dual();
+        let mut blades = Self::BLADES.iter();
+        let is_finite = blades.all(|&blade| is_number(circle.coefficient(blade)));
+        is_finite.then_some(circle)
     }
 
     /// The normal of the circle's plane, of length 1; `None` for a circle of weight zero, such as a line.
@@ -50,13 +54,13 @@ impl<S: Real<Mask = bool>> Circle<S> {
         self.carrier().unit_normal()
     }
 
-    /// The centre; `None` for a line.
+    /// The centre; `None` for a line, or where it or the squared radius is beyond the range of the scalar.
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
         Some(self.parts()?.0)
     }
 
-    /// The squared radius, negative for an imaginary circle; `None` for a line.
+    /// The squared radius, negative for an imaginary circle; `None` where there is no [centre](Self::centre).
     #[must_use]
     pub fn radius_squared(self) -> Option<S> {
         Some(self.parts()?.1)
@@ -87,6 +91,7 @@ impl<S: Real<Mask = bool>> Circle<S> {
         let infinite = scaled([dual.e1i, dual.e2i, dual.e3i], scale);
         let beta = distance * distance - dot(normal, infinite);
         let radius_squared = dot(centre, centre) - (beta + beta);
-        Some((Point::from(centre), radius_squared))
+        let is_finite = are_numbers(centre) && is_number(radius_squared);
+        is_finite.then(|| (Point::from(centre), radius_squared))
     }
 }

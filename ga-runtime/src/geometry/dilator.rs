@@ -28,11 +28,16 @@ impl<S: Real<Mask = bool>> Dilator<S> {
         ))
     }
 
-    /// The factor s.
+    /// The factor s, `(cosh + sinh)²` or `1/(cosh − sinh)²`, whichever does not cancel.
     #[inline]
     #[must_use]
     pub fn factor(self) -> S {
-        let root = self.scalar() + self.eoi();
-        root * root
+        let root = self.scalar() + self.eoi().abs();
+        let squared = root * root;
+        if self.eoi().less_than(S::zero()) {
+            squared.recip()
+        } else {
+            squared
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! Lines.
 
-use super::vector3::{cross, difference, dot, length, normalized, scaled, sum};
+use super::vector3::{are_numbers, cross, difference, dot, length, normalized, scaled, sum};
 use crate::cga3::{Direction, Line, Point};
 use crate::scalar::{Real, Ring};
 
@@ -53,13 +53,15 @@ impl<S: Real<Mask = bool>> Line<S> {
         normalized(self.direction())
     }
 
-    /// The line with a direction of length 1; `None` for a line of weight zero.
+    /// The line with a direction of length 1; `None` for a line of weight zero, or with a moment beyond the range of the
+    /// scalar.
     #[inline]
     #[must_use]
     pub fn normalized(self) -> Option<Self> {
         let weight = length(self.direction());
         let usable = S::zero().less_than(weight) && weight.is_finite();
-        usable.then(|| self / weight)
+        let line = usable.then(|| self / weight)?;
+        are_numbers(line.moment()).then_some(line)
     }
 
     /// The point of the line that is nearest to the origin, `d × m / d²`; `None` for a line of weight zero.
@@ -67,7 +69,8 @@ impl<S: Real<Mask = bool>> Line<S> {
     #[must_use]
     pub fn support(self) -> Option<Point<S>> {
         let line = self.normalized()?;
-        Some(Point::from(cross(line.direction(), line.moment())))
+        let place = cross(line.direction(), line.moment());
+        are_numbers(place).then(|| Point::from(place))
     }
 
     /// The foot of the perpendicular from a point; `None` for a line of weight zero.
@@ -83,7 +86,8 @@ impl<S: Real<Mask = bool>> Line<S> {
     pub fn foot(self, point: Point<S>) -> Option<Point<S>> {
         let (direction, support) = (self.unit_direction()?, self.support()?.coordinates());
         let along = dot(difference(point.coordinates(), support), direction);
-        Some(Point::from(sum(support, scaled(direction, along))))
+        let place = sum(support, scaled(direction, along));
+        are_numbers(place).then(|| Point::from(place))
     }
 
     /// The distance of a point; `None` for a line of weight zero.

@@ -64,15 +64,14 @@ impl<S: Real<Mask = bool>> Plane<S> {
         normalized(self.normal())
     }
 
-    /// The distance of a point, positive on the side of the normal; `None` for a plane of weight zero.
+    /// The distance of a point, positive on the side of the normal; `None` for a plane of weight zero, or beyond the range
+    /// of the scalar.
     #[inline]
     #[must_use]
     pub fn signed_distance(self, point: Point<S>) -> Option<S> {
         let dual = self.dual();
-        let weight = length(dual.normal());
-        if !S::zero().less_than(weight) || !weight.is_finite() {
-            return None;
-        }
-        Some((dot(dual.normal(), point.coordinates()) - dual.ei) / weight)
+        let (normal, weight) = (normalized(dual.normal())?, length(dual.normal()));
+        let distance = dot(normal, point.coordinates()) - dual.ei / weight;
+        distance.is_finite().then_some(distance)
     }
 }

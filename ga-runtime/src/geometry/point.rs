@@ -1,6 +1,6 @@
 //! Points.
 
-use super::vector3::{difference, dot, length};
+use super::vector3::{are_numbers, difference, dot, length};
 use crate::cga3::{FlatPoint, Point};
 use crate::scalar::{Field, Real, Ring};
 
@@ -58,7 +58,7 @@ impl<S: Ring> From<Point<S>> for [S; 3] {
 }
 
 impl<S: Field> FlatPoint<S> {
-    /// The point of `p∧ei`; `None` for a direction, whose weight eoi is zero.
+    /// The point of `p∧ei`; `None` for a direction, whose weight eoi is zero, or beyond the range of the scalar.
     ///
     /// ```
     /// use ga_runtime::cga3::{Infinity, Point};
@@ -69,8 +69,10 @@ impl<S: Field> FlatPoint<S> {
     #[must_use]
     pub fn to_point(self) -> Option<Point<S>> {
         let place = [self.e1i, self.e2i, self.e3i];
-        self.eoi
-            .is_invertible()
-            .then(|| Point::from(place.map(|x| x / self.eoi)))
+        if !self.eoi.is_invertible() {
+            return None;
+        }
+        let place = place.map(|x| x / self.eoi);
+        are_numbers(place).then(|| Point::from(place))
     }
 }

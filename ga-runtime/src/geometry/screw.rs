@@ -28,11 +28,17 @@ impl<S: Real<Mask = bool>> MotorGenerator<S> {
         } else {
             S::one()
         };
-        let inner = dot(g, h);
-        let slope = inner * sine_ratio_slope(angle, cosine, ratio);
         let q = scaled(g, ratio);
-        let d = [0, 1, 2].map(|k| h[k] * ratio + g[k] * slope);
-        assemble(cosine, q, -(inner * ratio), d)
+        // By the unit axis where the square of a large angle would leave the range of the scalar.
+        let (axis, along, change) = if S::one().less_than(angle) {
+            let axis = g.map(|x| x / angle);
+            (axis, dot(axis, h), cosine - ratio)
+        } else {
+            (g, dot(g, h), sine_ratio_slope(angle, cosine, ratio))
+        };
+        let d = [0, 1, 2].map(|k| h[k] * ratio + axis[k] * along * change);
+        let d0 = -dot(q, h);
+        assemble(cosine, q, d0, d)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Spheres, direct and dual.
 
-use super::vector3::dot;
+use super::vector3::{are_numbers, dot, is_number};
 use crate::cga3::{Point, RoundVector, Sphere};
 use crate::scalar::{Field, Real};
 
@@ -14,23 +14,27 @@ impl<S: Field> RoundVector<S> {
         vector
     }
 
-    /// The centre of a dual sphere; `None` for a dual plane, whose weight eo is zero.
+    /// The centre of a dual sphere; `None` for a dual plane, whose weight eo is zero, or beyond the range of the scalar.
     #[inline]
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
         let place = [self.e1, self.e2, self.e3];
-        self.eo
-            .is_invertible()
-            .then(|| Point::from(place.map(|x| x / self.eo)))
+        if !self.eo.is_invertible() {
+            return None;
+        }
+        let place = place.map(|x| x / self.eo);
+        are_numbers(place).then(|| Point::from(place))
     }
 
-    /// The squared radius, `σ²/(ei·σ)²`: zero for a point, negative for an imaginary sphere; `None` for a dual plane.
+    /// The squared radius, `σ²/(ei·σ)²`: zero for a point, negative for an imaginary sphere; `None` for a dual plane, or
+    /// beyond the range of the scalar.
     #[inline]
     #[must_use]
     pub fn radius_squared(self) -> Option<S> {
         let centre = self.centre()?.coordinates();
         let twice = self.ei + self.ei;
-        Some(dot(centre, centre) - twice / self.eo)
+        let squared = dot(centre, centre) - twice / self.eo;
+        is_number(squared).then_some(squared)
     }
 }
 

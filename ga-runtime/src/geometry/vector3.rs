@@ -26,6 +26,16 @@ pub(super) fn difference<S: Ring>(a: [S; 3], b: [S; 3]) -> [S; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
+/// Whether a number is finite, in a ring that has others: zero times infinity is not a number, and that equals nothing.
+pub(super) fn is_number<S: Ring>(x: S) -> bool {
+    x * S::zero() == S::zero()
+}
+
+/// Whether all components are finite.
+pub(super) fn are_numbers<S: Ring>(a: [S; 3]) -> bool {
+    a.into_iter().all(is_number)
+}
+
 /// The length, without overflow or underflow on the way; NaN where a component is NaN.
 pub(super) fn length<S: Real<Mask = bool>>(a: [S; 3]) -> S {
     let largest = a[0].abs().max(a[1].abs()).max(a[2].abs());
