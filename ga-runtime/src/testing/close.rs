@@ -34,7 +34,7 @@ use crate::scalar::Ring;
 /// use ga_runtime::cga3::{Even, Motor, Rotor};
 /// use ga_runtime::testing::assert_close;
 /// let third = Rotor::from_axis_angle([1.0, 1.0, 1.0], std::f64::consts::TAU / 3.0).unwrap();
-/// assert_close!(third * third * third, -Rotor::default());
+/// assert_close!(third * third * third, -Rotor::<f64>::default());
 /// assert_close!(Motor::from(third), Even::from(third));
 /// ```
 ///
