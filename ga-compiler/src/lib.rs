@@ -117,11 +117,12 @@ pub fn expand_functions(tokens: TokenStream) -> TokenStream {
         let (imports, path) = (&pending.imports, &pending.path);
         let whole = quote::quote! { [#imports] #source };
         let block: Block = syn::parse2(whole.clone())?;
+        let algebra = fingerprint(&pending.declaration);
         let definition = check_types(pending.declaration, pending.runtime)?;
         Ok(match compile_block(&definition, &block) {
             Ok(compiled) => {
                 let functions = emit::rust::functions(&definition, path, &compiled);
-                let handover = emit::rust::block_handover(&block, &whole);
+                let handover = emit::rust::block_handover(&block, algebra, &whole);
                 quote::quote! { #functions #handover }
             }
             Err(error) => {
@@ -136,11 +137,22 @@ pub fn expand_functions(tokens: TokenStream) -> TokenStream {
     expanded.unwrap_or_else(Error::into_compile_error)
 }
 
-/// Takes in a block that was asked for, and goes on: `{ block } (name original) pending`.
+/// Takes in a block that was asked for, and goes on: `{ algebra block } (name original) pending`.
 #[must_use]
 pub fn expand_import(tokens: TokenStream) -> TokenStream {
-    let expanded = parse::parse_import(tokens).and_then(|(block, names, rest)| {
+    let expanded = parse::parse_import(tokens).and_then(|import| {
+        let parse::Imported {
+            algebra,
+            block,
+            names,
+            rest,
+        } = import;
         let pending = parse::parse_pending(rest)?;
+        if algebra != fingerprint(&pending.declaration) {
+            let message =
+                "this is a function of another algebra: its types have other meanings here";
+            return Err(Error::new_spanned(names, message));
+        }
         let imports = &pending.imports;
         let imports = quote::quote! { #imports (#names { #block }) };
         Ok(expand_functions(emit::rust::pending(&parse::Pending {
@@ -149,6 +161,14 @@ pub fn expand_import(tokens: TokenStream) -> TokenStream {
         })))
     });
     expanded.unwrap_or_else(Error::into_compile_error)
+}
+
+/// A number by which declarations are told apart (FNV-1a over their text).
+fn fingerprint(declaration: &TokenStream) -> u64 {
+    let text = declaration.to_string();
+    text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    })
 }
 
 /// The types of a declaration without its products, which a function has no use for.

@@ -357,13 +357,18 @@ fn common_factor(terms: &[Value]) -> Ratio {
         }
         a.abs()
     };
-    let (mut numerator, mut denominator) = (0, 1);
+    let (mut numerator, mut denominator) = (0, Some(1_i128));
     for Value { factor, .. } in terms {
         numerator = divide(numerator, factor.numerator());
-        let shared = divide(denominator, factor.denominator());
-        denominator = denominator / shared * factor.denominator();
+        denominator = denominator.and_then(|below| {
+            let shared = divide(below, factor.denominator());
+            (below / shared).checked_mul(factor.denominator())
+        });
     }
-    let size = Ratio::integer(numerator) / Ratio::integer(denominator);
+    // Terms without a common denominator in range keep their factors.
+    let size = denominator.map_or(Ratio::ONE, |below| {
+        Ratio::integer(numerator) / Ratio::integer(below)
+    });
     match terms.first() {
         Some(first) if first.factor.is_negative() => -size,
         _ => size,

@@ -17,9 +17,17 @@ pub fn lower(
     choices: &Choices,
 ) -> Lowered {
     let mut uses = vec![0; program.len()];
-    for (_, step) in program.steps() {
-        for read in step.reads() {
-            uses[read.index()] += 1;
+    // Steps that nothing wanted needs are no readers: checks on the way have left some behind.
+    let mut is_live = vec![false; program.len()];
+    for id in wanted {
+        is_live[id.index()] = true;
+    }
+    for (id, step) in program.steps().rev() {
+        if is_live[id.index()] {
+            for read in step.reads() {
+                is_live[read.index()] = true;
+                uses[read.index()] += 1;
+            }
         }
     }
     let mut lowering = Lowering {

@@ -91,16 +91,34 @@ pub fn parse_pending(tokens: TokenStream) -> Result<Pending> {
     })
 }
 
-/// Reads `{ block } (name original) rest`, which is how the macro of a block hands it over.
+/// What the macro of a block hands over to those that use a function of it.
+pub struct Imported {
+    /// The number of the algebra that the block is written in.
+    pub algebra: u64,
+    /// The tokens of the block.
+    pub block: TokenStream,
+    /// The name of the function here and there.
+    pub names: TokenStream,
+    /// What was pending.
+    pub rest: TokenStream,
+}
+
+/// Reads `{ algebra block } (name original) rest`.
 ///
 /// # Errors
 /// The tokens have another shape.
-pub fn parse_import(tokens: TokenStream) -> Result<(TokenStream, TokenStream, TokenStream)> {
+pub fn parse_import(tokens: TokenStream) -> Result<Imported> {
     let parser = |input: ParseStream<'_>| {
         let (block, names);
         braced!(block in input);
         syn::parenthesized!(names in input);
-        Ok((block.parse()?, names.parse()?, input.parse()?))
+        let algebra: syn::LitInt = block.parse()?;
+        Ok(Imported {
+            algebra: algebra.base10_parse()?,
+            block: block.parse()?,
+            names: names.parse()?,
+            rest: input.parse()?,
+        })
     };
     parser.parse2(tokens)
 }

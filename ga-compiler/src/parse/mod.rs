@@ -15,5 +15,7 @@ pub use function::{
     Block, FunctionSyntax, Import, LetSyntax, OperandSyntax, PatternSyntax, ShapeSyntax, UseSyntax,
     parse_function, parse_functions, parse_use,
 };
-pub use handover::{Handover, Pending, parse_handover, parse_import, parse_pending, parse_placed};
+pub use handover::{
+    Handover, Imported, Pending, parse_handover, parse_import, parse_pending, parse_placed,
+};
 pub use outline::{Outline, parse_outline};

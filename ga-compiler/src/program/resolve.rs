@@ -17,6 +17,9 @@ use crate::parse::{
 /// How deep calls of other functions may go.
 const MAX_DEPTH: usize = 64;
 
+/// How many calls of other functions may be copied into one.
+const MAX_CALLS: usize = 4096;
+
 /// A function whose names have their meaning.
 pub struct Resolved<'a> {
     /// The steps.
@@ -60,6 +63,7 @@ pub fn resolve<'a>(
         block,
         scope: Vec::new(),
         depth: 0,
+        calls: 0,
     };
     let mut uniform = Vec::new();
     let scalar = scalar_type();
@@ -148,6 +152,7 @@ struct Resolver<'a, 's> {
     block: &'s Block,
     scope: Vec<(Ident, Bound)>,
     depth: usize,
+    calls: usize,
 }
 
 impl<'a, 's> Resolver<'a, 's> {
@@ -511,6 +516,13 @@ impl<'a, 's> Resolver<'a, 's> {
         (function, block): (&'s FunctionSyntax, &'s Block),
         arguments: &[Formula],
     ) -> Result<Bound> {
+        self.calls += 1;
+        if self.calls > MAX_CALLS {
+            let message = format!(
+                "more than {MAX_CALLS} calls are copied into this function; bind results that are used twice with `let`"
+            );
+            return Err(Error::new(name.span(), message));
+        }
         if self.depth == MAX_DEPTH {
             let message =
                 format!("`{name}` calls itself; functions are copied in where they are called");

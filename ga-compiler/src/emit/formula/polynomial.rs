@@ -72,12 +72,16 @@ impl Polynomial {
 
     /// The positive factor that leaves integers without a common divisor, and what it leaves.
     pub(super) fn split_content(&self) -> (Ratio, Self) {
-        let (mut numerator, mut denominator) = (0, 1);
+        let (mut numerator, mut denominator) = (0, Some(1_i128));
         for factor in self.terms.values() {
             numerator = divisor(numerator, factor.numerator());
-            denominator *= factor.denominator() / divisor(denominator, factor.denominator());
+            denominator = denominator.and_then(|below| {
+                below.checked_mul(factor.denominator() / divisor(below, factor.denominator()))
+            });
         }
-        let content = Ratio::new(numerator, denominator).filter(|content| !content.is_zero());
+        let content = denominator
+            .and_then(|below| Ratio::new(numerator, below))
+            .filter(|content| !content.is_zero());
         let Some((content, inverse)) = content.and_then(|c| Some((c, c.recip()?))) else {
             return (Ratio::ONE, self.clone());
         };

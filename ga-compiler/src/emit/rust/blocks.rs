@@ -43,9 +43,10 @@ pub fn ask_for_import(all: &Pending, import: &UseSyntax, rest: &TokenStream) -> 
     }
 }
 
-/// The macro that hands a block on, under the names of its functions. `source` are the tokens of the block.
+/// The macro that hands a block on, under the names of its functions. `algebra` tells its algebra from others, `source`
+/// are the tokens of the block.
 #[must_use]
-pub fn block_handover(block: &Block, source: &TokenStream) -> TokenStream {
+pub fn block_handover(block: &Block, algebra: u64, source: &TokenStream) -> TokenStream {
     let Some(first) = block
         .functions
         .iter()
@@ -75,7 +76,7 @@ pub fn block_handover(block: &Block, source: &TokenStream) -> TokenStream {
         #export
         macro_rules! #unique {
             ([$($callback:tt)*] $($input:tt)*) => {
-                $($callback)* ! { { #source } $($input)* }
+                $($callback)* ! { { #algebra #source } $($input)* }
             }
         }
         #(#names)*
