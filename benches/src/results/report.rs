@@ -235,8 +235,10 @@ fn number(value: f64) -> String {
         1
     } else if value >= 0.0995 {
         2
-    } else {
+    } else if value >= 0.00995 {
         3
+    } else {
+        5
     };
     format!("{value:.digits$}")
 }
