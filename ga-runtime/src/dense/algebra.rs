@@ -50,7 +50,7 @@ impl<S: Ring> Algebra<S> {
 
     /// The algebra in which `metric[i][j]` is the inner product of the basis vectors i and j, named e1, e2 and so on.
     ///
-    /// Whether the metric is singular, and so what dual means, is decided by comparing its determinant to zero; with
+    /// Whether the metric is singular, and so what dual means, is decided by whether its determinant has an inverse; with
     /// floating-point scalars the entries should therefore be small integers or fractions of powers of two.
     ///
     /// # Errors
