@@ -7,6 +7,7 @@
 //! - [`batch`]: the same on slices, by the best instructions that the processor has.
 //! - [`scalar`]: what a coefficient must be able to do, and the scalars that can.
 //! - [`Element`] and [`products`]: traits for code that works with any type.
+//! - [`interop`]: conversions from and to other crates, each behind its feature.
 //! - [`dense`]: the reference algebra that tests compare with; it is meant to be right, not fast.
 //! - `testing` (feature of that name): strategies, the exact scalar, and tests written from declarations.
 //!
@@ -27,6 +28,7 @@
 //!
 //! `std` (on by default) takes elementary functions from the standard library; without it, `libm` brings them. `testing`
 //! adds what tests need and brings proptest. `wide` makes the vectors of that crate scalars.
+//! [`interop`] lists the features that convert from and to other crates.
 //!
 //! # What a type is
 //!
@@ -44,6 +46,7 @@ pub mod batch;
 pub mod dense;
 mod element;
 mod geometry;
+pub mod interop;
 mod macros;
 pub mod products;
 pub mod scalar;

@@ -1,0 +1,68 @@
+//! mint 0.5: the types that mathematics crates exchange.
+//!
+//! ```
+//! use ga_runtime::cga3::{Point, Rotor};
+//! let p = Point::from(mint_05::Point3 { x: 1.0, y: 2.0, z: 3.0 });
+//! assert_eq!(mint_05::Point3::from(p), mint_05::Point3 { x: 1.0, y: 2.0, z: 3.0 });
+//! let zero = mint_05::Quaternion { v: mint_05::Vector3 { x: 0.0, y: 0.0, z: 0.0 }, s: 0.0 };
+//! assert!(Rotor::try_from(zero).is_err());
+//! ```
+
+use mint_05::{Point3, Quaternion, Vector3};
+
+use super::NotRigid;
+use crate::cga3::{Direction, Point, Rotor};
+use crate::scalar::{Real, Ring};
+
+impl<S> From<Point3<S>> for Point<S> {
+    #[inline]
+    fn from(Point3 { x, y, z }: Point3<S>) -> Self {
+        Self::new(x, y, z)
+    }
+}
+
+impl<S: Ring> From<Point<S>> for Point3<S> {
+    #[inline]
+    fn from(point: Point<S>) -> Self {
+        point.coordinates().into()
+    }
+}
+
+impl<S> From<Vector3<S>> for Direction<S> {
+    #[inline]
+    fn from(Vector3 { x, y, z }: Vector3<S>) -> Self {
+        Self::new(x, y, z)
+    }
+}
+
+impl<S> From<Direction<S>> for Vector3<S> {
+    #[inline]
+    fn from(direction: Direction<S>) -> Self {
+        Self {
+            x: direction.e1i,
+            y: direction.e2i,
+            z: direction.e3i,
+        }
+    }
+}
+
+/// The rotor of the quaternion's direction; its size is left out.
+impl<S: Real<Mask = bool>> TryFrom<Quaternion<S>> for Rotor<S> {
+    type Error = NotRigid;
+
+    #[inline]
+    fn try_from(Quaternion { v, s }: Quaternion<S>) -> Result<Self, NotRigid> {
+        Self::from_quaternion([v.x, v.y, v.z], s).ok_or(NotRigid::Quaternion)
+    }
+}
+
+impl<S: Real<Mask = bool>> From<Rotor<S>> for Quaternion<S> {
+    #[inline]
+    fn from(rotor: Rotor<S>) -> Self {
+        let (vector, s) = rotor.to_quaternion();
+        Self {
+            v: vector.into(),
+            s,
+        }
+    }
+}
