@@ -1,4 +1,4 @@
-//! The choice of instructions when the program runs, and the only unsafe code of the crate.
+//! The choice of instructions when the program runs, which takes unsafe code.
 
 #![allow(unsafe_code)]
 
