@@ -13,6 +13,9 @@ use syn::{
 
 use super::formula::Formula;
 
+/// The longest array.
+const MAX_LENGTH: usize = 1024;
+
 /// A function: operands with their types, the type of the result, and the body.
 #[derive(Clone)]
 pub struct FunctionSyntax {
@@ -307,7 +310,14 @@ impl Parse for ShapeSyntax {
             let element = inner.parse()?;
             inner.parse::<Token![;]>()?;
             let count: LitInt = inner.parse()?;
-            return Ok(Self::Array(Box::new(element), count.base10_parse()?));
+            let length: usize = count.base10_parse()?;
+            if length > MAX_LENGTH {
+                let message = format!(
+                    "every element is compiled by itself; arrays have at most {MAX_LENGTH}"
+                );
+                return Err(syn::Error::new(count.span(), message));
+            }
+            return Ok(Self::Array(Box::new(element), length));
         }
         if input.peek(token::Paren) {
             let inner;

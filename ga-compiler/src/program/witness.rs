@@ -31,7 +31,13 @@ impl Witness {
     /// Evaluates the steps that were added since the last time. `false` where no point is found at which all of them
     /// exist: something is divided by zero everywhere.
     pub fn extend(&mut self, algebra: &Algebra, program: &Program<'_>) -> bool {
-        let is_sign = |step: &Step| matches!(step, Step::Function(Function::Absolute, _));
+        // The root of a square is its absolute value.
+        let is_sign = |step: &Step| {
+            matches!(
+                step,
+                Step::Function(Function::Absolute | Function::SquareRoot, _)
+            )
+        };
         let wanted = if program.steps.iter().any(is_sign) {
             POINTS_WITH_SIGNS
         } else {

@@ -56,7 +56,7 @@ pub fn versor_exponential<S: Real>(x: S) -> (S, S, S) {
 pub fn versor_logarithm<S: Real>(c: S, q: S) -> (S, S) {
     let (zero, one) = (S::zero(), S::one());
     let sine = q.abs().sqrt();
-    let is_zero = !zero_less(sine);
+    let is_zero = sine.is_zero();
     let divisor = S::select(is_zero, one, sine);
     let mut ratio = sine.atan2(c) / divisor;
     let is_growing = zero.less_than(q);
@@ -72,7 +72,8 @@ pub fn versor_logarithm<S: Real>(c: S, q: S) -> (S, S) {
         let signed = S::select(c.less_than(zero), -length, length);
         ratio = S::select(is_growing, signed / divisor, ratio);
     }
-    ratio = S::select(is_zero, one, ratio);
+    // A cosine that is not a number must not pass for one.
+    ratio = S::select(is_zero, one + (c - c), ratio);
     let x = q * ratio * ratio;
     let is_tiny = is_tiny(x);
     // The slope belongs to a product of two parts that change sign together.

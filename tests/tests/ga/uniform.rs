@@ -92,3 +92,18 @@ fn a_stage_is_copied_compared_and_shown() {
         assert!(format!("{copy:?}").starts_with("Moving"));
     });
 }
+
+mod without_work {
+    ga_runtime::ga! { ga_runtime::cga3;
+        /// The shift leaves a direction as it is, so that nothing is left to do before the call.
+        pub fn unmoved(uniform t: Translator, d: Direction) -> Direction { sandwich(t, d) }
+    }
+}
+
+#[test]
+fn uniform_operands_may_leave_no_work() {
+    use ga_runtime::cga3::{Direction, Translator};
+    let unmoved = without_work::unmoved(Translator::from_displacement([1.0, 2.0, 3.0]));
+    let direction = Direction::new(1.0, -1.0, 0.5);
+    assert_eq!(unmoved.apply(direction), direction);
+}

@@ -170,20 +170,27 @@ impl Emitter<'_> {
             " What [`{}`] works out once of its uniform operands.",
             name.unraw()
         );
+        // Where the uniform operands leave no work, the scalar type must still occur.
+        let marker = handed
+            .is_empty()
+            .then(|| quote! { scalar: ::core::marker::PhantomData<S> });
+        let marked = handed
+            .is_empty()
+            .then(|| quote! { scalar: ::core::marker::PhantomData });
         quote! {
             #[doc = #text]
             #[derive(
                 ::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq
             )]
-            #visibility struct #prepared<S> { #(#fields: S),* }
+            #visibility struct #prepared<S> { #(#fields: S,)* #marker }
 
             #[allow(clippy::all, clippy::pedantic, unused_variables, dead_code)]
             impl<S> #prepared<S> {
                 /// The same over another scalar, number by number: lanes of one number each, for instance.
                 #[inline(always)]
                 #[must_use]
-                #visibility fn map<T>(self, mut function: impl ::core::ops::FnMut(S) -> T) -> #prepared<T> {
-                    #prepared { #(#fields: function(self.#fields)),* }
+                #visibility fn map<T>(self, #[allow(unused_mut)] mut function: impl ::core::ops::FnMut(S) -> T) -> #prepared<T> {
+                    #prepared { #(#fields: function(self.#fields),)* #marked }
                 }
             }
 
@@ -204,7 +211,7 @@ impl Emitter<'_> {
             #[allow(clippy::all, clippy::pedantic, unused_variables)]
             #visibility fn #name<S: #first_bound>(#(#uniform),*) -> #prepared<S> {
                 #statements
-                #prepared { #(#fields: #values),* }
+                #prepared { #(#fields: #values,)* #marked }
             }
         }
     }
