@@ -73,7 +73,7 @@ pub fn versor_logarithm<S: Real>(c: S, q: S) -> (S, S) {
         ratio = S::select(is_growing, signed / divisor, ratio);
     }
     // A cosine that is not a number must not pass for one.
-    ratio = S::select(is_zero, one + (c - c), ratio);
+    ratio = S::select(is_zero, one + c * zero, ratio);
     let x = q * ratio * ratio;
     let is_tiny = is_tiny(x);
     // The slope belongs to a product of two parts that change sign together.
