@@ -98,11 +98,3 @@ fn what_is_not_rigid_is_refused() {
         assert_eq!(Motor::try_from(matrix), Err(NotRigid::Matrix), "{matrix}");
     }
 }
-
-#[test]
-fn bytes_are_the_stored_coefficients() {
-    let motors = [Motor::new_unchecked(1.0_f32, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0); 2];
-    let numbers = bytemuck::cast_slice::<_, f32>(&motors);
-    assert_eq!(numbers[8..], [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]);
-    assert_eq!(bytemuck::cast_slice::<_, Motor<f32>>(numbers), motors);
-}

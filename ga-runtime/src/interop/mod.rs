@@ -4,14 +4,11 @@
 //! | --- | --- | --- |
 //! | `glam-034` | glam 0.34 | points, directions, rotors, translators and motors in `f32` and `f64` |
 //! | `mint-05` | mint 0.5 | points, directions and rotors in any scalar |
-//! | `bytemuck` | bytemuck 1 | every type of `cga3` and `pga3` as plain bytes |
 //!
 //! `From` stands where every value has a counterpart. Where one may have none, as a matrix that shears is no motor, it is
 //! `TryFrom` with the error [`NotRigid`]. Quaternions are `w + x i + y j + z k` and turn by `q v q*` in all these crates; the rotor of
 //! the same turn is `w − x e23 + y e13 − z e12`.
 
-#[cfg(feature = "bytemuck")]
-pub mod bytemuck;
 #[cfg(feature = "glam-034")]
 pub mod glam;
 #[cfg(feature = "mint-05")]
