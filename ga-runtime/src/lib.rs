@@ -45,7 +45,7 @@ mod algebras;
 pub mod batch;
 pub mod dense;
 mod element;
-mod geometry;
+pub mod geometry;
 pub mod interop;
 mod macros;
 pub mod products;

@@ -11,19 +11,26 @@ crate::algebra! {
     ///
     /// # Types
     ///
-    /// An object X in *direct* form holds the points x with `x ∧ X = 0`; in *dual* form those with `x·X = 0`.
+    /// An object X in *direct* form, an outer product of its points, holds the points x with `x ∧ X = 0`; in *dual* form,
+    /// `X I⁻¹`, those with `x·X = 0`. The form is part of the type: [`Circle`] is direct, [`DualCircle`] dual; `dual` and
+    /// `undual` go over and back. Conversions by `From` keep the coefficients as they are.
     /// A versor moves by `x' = M x ~M`, the right factor of a product first.
     ///
     /// | type | blades | grade | as geometry | as a transformation |
     /// | --- | --- | --- | --- | --- |
     /// | [`Point`] | e1 e2 e3, eo = 1, ei = ½x² | 1 | the point x | |
-    /// | [`RoundVector`] | e1 e2 e3 eo ei | 1 | dual sphere or plane, weighted point | inversion, reflection |
+    /// | [`RoundVector`] | e1 e2 e3 eo ei | 1 | any vector: weighted point, dual sphere or plane | inversion, reflection |
+    /// | [`DualSphere`] | e1 e2 e3 eo ei | 1 | dual sphere `c − ½r² ei` | inversion |
     /// | [`DualPlane`] | e1 e2 e3 ei | 1 | dual plane `n + d ei` | reflection in the plane |
-    /// | [`PointPair`] | all ten of two vectors | 2 | two points `p∧q`; dual circle | |
+    /// | [`PointPair`] | all ten of two vectors | 2 | two points `p∧q` | |
+    /// | [`DualCircle`] | all ten of two vectors | 2 | circle as the meet of two dual spheres `σ∧τ` | |
     /// | [`FlatPoint`] | e1i e2i e3i eoi | 2 | point and infinity `p∧ei` | |
     /// | [`Direction`] | e1i e2i e3i | 2 | free vector `v∧ei` | |
-    /// | [`MotorGenerator`] | e12 e13 e23 e1i e2i e3i | 2 | dual line | velocity of a motion; log of a motor |
+    /// | [`MotorGenerator`] | e12 e13 e23 e1i e2i e3i | 2 | dual line `π∧ρ` of two dual planes | velocity of a motion; log of a motor |
     /// | [`Circle`] | all ten of three vectors | 3 | circle `p∧q∧r` | |
+    /// | [`DualPointPair`] | all ten of three vectors | 3 | two points as the meet of three dual spheres `σ∧τ∧υ` | |
+    /// | [`DualFlatPoint`] | e123 e12i e13i e23i | 3 | flat point as the meet of three dual planes | |
+    /// | [`DualDirection`] | e12i e13i e23i | 3 | free bivector `B∧ei`, attitude of planes and circles | |
     /// | [`Line`] | e12i e13i e23i e1oi e2oi e3oi | 3 | line `p∧q∧ei` | |
     /// | [`Sphere`] | all five of four vectors | 4 | sphere `p∧q∧r∧s` | |
     /// | [`Plane`] | e12oi e13oi e23oi e123i | 4 | plane `p∧q∧r∧ei` | |
@@ -81,14 +88,22 @@ crate::algebra! {
         #[facts(null, weight(eo))]
         struct Point { e1, e2, e3, eo = 1, ei = (e1*e1 + e2*e2 + e3*e3)/2 }
 
-        /// A vector of the algebra: a dual sphere `c − ½r² ei` about the point c, a dual plane, a weighted point.
+        /// A vector of the algebra: a weighted point, a dual sphere `c − ½r² ei` about the point c, a dual plane.
         struct RoundVector { e1, e2, e3, eo, ei }
+
+        /// The dual sphere `c − ½r² ei` about the point c, or a multiple of it: the points x with `x·σ = 0`. Of radius 0 it is a
+        /// point; imaginary for r² < 0; a dual plane where eo has no part in it.
+        struct DualSphere { e1, e2, e3, eo, ei }
 
         /// The dual plane `n + d ei`: the points x with `n·x = d`, where n is the normal.
         struct DualPlane { e1, e2, e3, ei }
 
         /// Two points, `p∧q`; real, coinciding or imaginary as its square is positive, zero or negative.
         struct PointPair { e12, e13, e23, e1o, e2o, e3o, e1i, e2i, e3i, eoi }
+
+        /// A circle in dual form, the meet `σ∧τ` of two dual spheres or planes that hold it. Its square is negative where the
+        /// circle is real.
+        struct DualCircle { e12, e13, e23, e1o, e2o, e3o, e1i, e2i, e3i, eoi }
 
         /// A point without extent and infinity, `p∧ei`: where a line meets a plane.
         struct FlatPoint { e1i, e2i, e3i, eoi }
@@ -102,6 +117,15 @@ crate::algebra! {
 
         /// A circle, `p∧q∧r` for three of its points; a line where one of them is infinity.
         struct Circle { e123, e12o, e13o, e23o, e12i, e13i, e23i, e1oi, e2oi, e3oi }
+
+        /// A point pair in dual form, the meet `σ∧τ∧υ` of three dual spheres or planes.
+        struct DualPointPair { e123, e12o, e13o, e23o, e12i, e13i, e23i, e1oi, e2oi, e3oi }
+
+        /// A flat point in dual form, the meet `π∧ρ∧σ` of three dual planes.
+        struct DualFlatPoint { e123, e12i, e13i, e23i }
+
+        /// A free bivector `B∧ei`: the attitude of a plane or circle; the dual form of a direction, that of its normal.
+        struct DualDirection { e12i, e13i, e23i }
 
         /// A line, `p∧q∧ei` for two of its points: direction `q − p` in minus the coefficients of e1oi, e2oi, e3oi, moment `p∧q`
         /// in those of e12i, e13i, e23i.
@@ -185,7 +209,6 @@ crate::algebra! {
             wedge({Line, PointPair}, FlatPoint) -> Plane;
             wedge(Line, {Point, RoundVector}) -> Plane;
             wedge({Point, RoundVector}, Line) -> Plane;
-            wedge(DualPlane, DualPlane) -> MotorGenerator;
             wedge({Point, RoundVector}, Infinity) -> FlatPoint;
             wedge(PointPair, Infinity) -> Line;
             wedge(Circle, Infinity) -> Plane;
@@ -218,8 +241,17 @@ crate::algebra! {
             vee({Sphere, Plane}, {Point, RoundVector}) -> Scalar;
             vee({Point, RoundVector}, {Sphere, Plane}) -> Scalar;
 
+            // Meeting in dual form.
+            wedge(DualPlane, DualPlane) -> MotorGenerator;
+            wedge(DualSphere, {DualSphere, DualPlane}) -> DualCircle;
+            wedge(DualPlane, DualSphere) -> DualCircle;
+            wedge(DualCircle, {DualSphere, DualPlane}) -> DualPointPair;
+            wedge(MotorGenerator, DualSphere) -> DualPointPair;
+            wedge(MotorGenerator, DualPlane) -> DualFlatPoint;
+
             // Measuring: inner products and contractions.
             left_contraction({Point, RoundVector, DualPlane}, {Point, RoundVector, DualPlane}) -> Scalar;
+            left_contraction({Point, DualSphere}, DualSphere) -> Scalar;
             left_contraction({Point, RoundVector, DualPlane}, PointPair) -> RoundVector;
             left_contraction({Point, RoundVector, DualPlane}, {Circle, Line}) -> PointPair;
             left_contraction({Point, RoundVector, DualPlane}, {Sphere, Plane}) -> Circle;
@@ -254,16 +286,20 @@ crate::algebra! {
             undual({Point, RoundVector}) -> Sphere;
             dual(DualPlane) -> Plane;
             undual(DualPlane) -> Plane;
-            dual({PointPair, FlatPoint}) -> Circle;
-            undual({PointPair, FlatPoint}) -> Circle;
+            dual(PointPair) -> DualPointPair;
+            undual(DualPointPair) -> PointPair;
+            dual(FlatPoint) -> DualFlatPoint;
+            undual(DualFlatPoint) -> FlatPoint;
+            dual(Direction) -> DualDirection;
+            undual(DualDirection) -> Direction;
             dual(MotorGenerator) -> Line;
             undual(MotorGenerator) -> Line;
-            dual(Circle) -> PointPair;
-            undual(Circle) -> PointPair;
+            dual(Circle) -> DualCircle;
+            undual(DualCircle) -> Circle;
             dual(Line) -> MotorGenerator;
             undual(Line) -> MotorGenerator;
-            dual(Sphere) -> RoundVector;
-            undual(Sphere) -> RoundVector;
+            dual(Sphere) -> DualSphere;
+            undual(DualSphere) -> Sphere;
             dual(Plane) -> DualPlane;
             undual(Plane) -> DualPlane;
             dual(Pseudoscalar) -> Scalar;

@@ -1,8 +1,9 @@
 //! Circles.
 
-use super::vector3::{are_numbers, cross, dot, is_number, length, normalized, scaled, sum};
+use super::round::{RoundBivector, real_radius};
+use super::vector3::{dot, is_number, normalized};
 use crate::Element;
-use crate::cga3::{Circle, DualPlane, Infinity, Plane, Point, RoundVector};
+use crate::cga3::{Circle, DualDirection, Infinity, Line, Plane, Point, Sphere};
 use crate::scalar::{Field, Real};
 
 impl<S: Field> Circle<S> {
@@ -29,6 +30,13 @@ impl<S: Field> Circle<S> {
     pub fn carrier(self) -> Plane<S> {
         self ^ Infinity
     }
+
+    /// The attitude `B∧ei`, B being the bivector of the circle's plane.
+    #[inline]
+    #[must_use]
+    pub fn attitude(self) -> DualDirection<S> {
+        self.carrier().attitude()
+    }
 }
 
 impl<S: Real<Mask = bool>> Circle<S> {
@@ -36,15 +44,42 @@ impl<S: Real<Mask = bool>> Circle<S> {
     /// zero or not finite, or a coefficient of the circle would not be.
     #[must_use]
     pub fn from_centre_normal_radius(centre: Point<S>, normal: [S; 3], radius: S) -> Option<Self> {
-        let normal = normalized(normal)?;
-        let distance = dot(normal, centre.coordinates());
-        let plane = DualPlane::from_normal_distance(normal, distance);
-        // Sphere and plane meet in the circle; in this order its normal is the plane's.
-        let sphere = RoundVector::dual_sphere(centre, radius);
-        let circle = (RoundVector::from(plane) ^ sphere).dual();
+        Self::from_centre_normal_radius_squared(centre, normal, radius * radius)
+    }
+
+    /// The same by the squared radius, which may be zero, for a [tangent](Self::tangent), and negative, for an imaginary
+    /// circle: the undual form of `σ∧π`, where σ is the dual sphere `c − ½r² ei` and π the dual plane `n + (n·c) ei`, n having length 1.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Circle, Point};
+    /// let normal = [0.0, 0.0, 5.0];
+    /// let circle = Circle::from_centre_normal_radius_squared(Point::new(1.0, 0.0, 2.0), normal, -4.0).unwrap();
+    /// assert_eq!((circle.radius_squared(), circle.radius()), (Some(-4.0), None));
+    /// ```
+    #[must_use]
+    pub fn from_centre_normal_radius_squared(
+        centre: Point<S>,
+        normal: [S; 3],
+        radius_squared: S,
+    ) -> Option<Self> {
+        let (centre, axis) = (centre.coordinates(), normalized(normal)?);
+        let infinite = (dot(centre, centre) - radius_squared) * S::from_ratio(1, 2);
+        let round = RoundBivector {
+            centre,
+            axis,
+            infinite,
+        };
+        let circle = round.to_bivector().undual();
         let mut blades = Self::BLADES.iter();
         let is_finite = blades.all(|&blade| is_number(circle.coefficient(blade)));
         is_finite.then_some(circle)
+    }
+
+    /// The tangent element at a point across a normal: a circle of radius zero, a point with a plane through it. `None`
+    /// where the normal is zero, or something is not finite.
+    #[must_use]
+    pub fn tangent(point: Point<S>, normal: [S; 3]) -> Option<Self> {
+        Self::from_centre_normal_radius_squared(point, normal, S::zero())
     }
 
     /// The normal of the circle's plane, of length 1; `None` for a circle of weight zero, such as a line.
@@ -57,41 +92,47 @@ impl<S: Real<Mask = bool>> Circle<S> {
     /// The centre; `None` for a line, or where it or the squared radius is beyond the range of the scalar.
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
-        Some(self.parts()?.0)
+        let round = self.parts()?;
+        round.signed_square()?;
+        Some(round.centre())
     }
 
     /// The squared radius, negative for an imaginary circle; `None` where there is no [centre](Self::centre).
     #[must_use]
     pub fn radius_squared(self) -> Option<S> {
-        Some(self.parts()?.1)
+        Some(-self.parts()?.signed_square()?)
     }
 
     /// The radius; `None` for a line and for an imaginary circle.
     #[must_use]
     pub fn radius(self) -> Option<S> {
-        let squared = self.radius_squared()?;
-        let is_real = squared.is_finite() && !squared.less_than(S::zero());
-        is_real.then(|| squared.sqrt())
+        real_radius(self.radius_squared()?)
     }
 
-    /// Centre and squared radius. The dual of the circle is a multiple of `(c + eo + β ei) ∧ (n + d ei)` with the centre c,
-    /// `β = ½(c² − r²)` and the plane n·x = d, and each is read off its coefficients.
-    fn parts(self) -> Option<(Point<S>, S)> {
-        let dual = self.dual();
-        let normal = [-dual.e1o, -dual.e2o, -dual.e3o];
-        let weight = length(normal);
-        if !S::zero().less_than(weight) || !weight.is_finite() {
-            return None;
-        }
-        let scale = weight.recip();
-        let normal = scaled(normal, scale);
-        let distance = dual.eoi * scale;
-        let moment = scaled([dual.e23, -dual.e13, dual.e12], scale);
-        let centre = sum(scaled(normal, distance), cross(normal, moment));
-        let infinite = scaled([dual.e1i, dual.e2i, dual.e3i], scale);
-        let beta = distance * distance - dot(normal, infinite);
-        let radius_squared = dot(centre, centre) - (beta + beta);
-        let is_finite = are_numbers(centre) && is_number(radius_squared);
-        is_finite.then(|| (Point::from(centre), radius_squared))
+    /// The line through the centre across the circle's plane, along its normal; `None` where there is no [centre](Self::centre).
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Circle, Line, Point};
+    /// let centre = Point::new(1.0, 2.0, 0.0);
+    /// let circle = Circle::from_centre_normal_radius(centre, [0.0, 0.0, 1.0], 3.0).unwrap();
+    /// assert_eq!(circle.axis(), Some(Line::from_point_direction(centre, [0.0, 0.0, 1.0])));
+    /// ```
+    #[must_use]
+    pub fn axis(self) -> Option<Line<S>> {
+        let round = self.parts()?;
+        Some(Line::from_point_direction(round.centre(), round.axis))
+    }
+
+    /// The smallest sphere that holds the circle, about the same centre with the same squared radius. `None` where there
+    /// is no [centre](Self::centre).
+    #[must_use]
+    pub fn container(self) -> Option<Sphere<S>> {
+        let round = self.parts()?;
+        let squared = -round.signed_square()?;
+        Some(Sphere::from_centre_radius_squared(round.centre(), squared))
+    }
+
+    fn parts(self) -> Option<RoundBivector<S>> {
+        RoundBivector::of(self.dual())
     }
 }

@@ -37,6 +37,13 @@ impl<S: Ring> Line<S> {
         [-self.e1oi, -self.e2oi, -self.e3oi]
     }
 
+    /// The attitude `d∧ei`: the direction as a free vector, `−ei⌋L`.
+    #[inline]
+    #[must_use]
+    pub fn attitude(self) -> Direction<S> {
+        Direction::from_vector(self.direction())
+    }
+
     /// The moment `p × d` about the origin, for any point p of the line: the coefficients of e23i, −e13i, e12i.
     #[inline]
     #[must_use]
@@ -46,6 +53,22 @@ impl<S: Ring> Line<S> {
 }
 
 impl<S: Real<Mask = bool>> Line<S> {
+    /// The line with a direction d and the moment `p × d` of its points p: Plücker's coordinates. The part of the moment
+    /// along d, which no line has, is left out. `None` where d is zero, or something is not finite.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Line, Point};
+    /// let line = Line::from_direction_moment([0.0, 0.0, 2.0], [2.0, -2.0, 7.0]).unwrap();
+    /// assert_eq!(line, Line::from_point_direction(Point::new(1.0, 1.0, 0.0), [0.0, 0.0, 2.0]));
+    /// ```
+    #[must_use]
+    pub fn from_direction_moment(direction: [S; 3], moment: [S; 3]) -> Option<Self> {
+        let unit = normalized(direction)?;
+        let [m1, m2, m3] = difference(moment, scaled(unit, dot(unit, moment)));
+        let [d1, d2, d3] = direction;
+        are_numbers([m1, m2, m3]).then(|| Self::new(m3, -m2, m1, -d1, -d2, -d3))
+    }
+
     /// The direction with length 1; `None` for a line of weight zero.
     #[inline]
     #[must_use]
@@ -95,21 +118,5 @@ impl<S: Real<Mask = bool>> Line<S> {
     #[must_use]
     pub fn distance(self, point: Point<S>) -> Option<S> {
         Some(self.foot(point)?.distance(point))
-    }
-}
-
-impl<S: Ring> Direction<S> {
-    /// The free vector v as `v∧ei`.
-    #[inline]
-    #[must_use]
-    pub fn from_vector([x, y, z]: [S; 3]) -> Self {
-        Self::new(x, y, z)
-    }
-
-    /// The free vector v of `v∧ei`.
-    #[inline]
-    #[must_use]
-    pub fn vector(self) -> [S; 3] {
-        [self.e1i, self.e2i, self.e3i]
     }
 }

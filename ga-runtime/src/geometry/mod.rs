@@ -6,12 +6,21 @@
 
 mod circle;
 mod dilator;
+mod direction;
+mod dual_motion;
+mod dual_round;
+mod flat_point;
+mod kind;
 mod line;
 mod motor;
 mod plane;
 mod point;
+mod point_pair;
 mod rotor;
+mod round;
 mod screw;
 mod sphere;
 mod translator;
 mod vector3;
+
+pub use kind::Kind;

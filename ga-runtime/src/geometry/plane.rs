@@ -1,7 +1,7 @@
 //! Planes, direct and dual.
 
-use super::vector3::{cross, difference, dot, length, normalized};
-use crate::cga3::{DualPlane, Plane, Point};
+use super::vector3::{are_numbers, cross, difference, dot, length, normalized, scaled};
+use crate::cga3::{DualDirection, DualPlane, Plane, Point};
 use crate::scalar::{Field, Real, Ring};
 
 impl<S: Ring> DualPlane<S> {
@@ -54,6 +54,13 @@ impl<S: Field> Plane<S> {
     pub fn normal(self) -> [S; 3] {
         self.dual().normal()
     }
+
+    /// The attitude `B∧ei`, B being the bivector of the plane: `−ei⌋Π`. The normal is that of B by the right hand.
+    #[inline]
+    #[must_use]
+    pub fn attitude(self) -> DualDirection<S> {
+        DualDirection::from_normal(self.normal())
+    }
 }
 
 impl<S: Real<Mask = bool>> Plane<S> {
@@ -62,6 +69,22 @@ impl<S: Real<Mask = bool>> Plane<S> {
     #[must_use]
     pub fn unit_normal(self) -> Option<[S; 3]> {
         normalized(self.normal())
+    }
+
+    /// The point of the plane that is nearest to the origin; `None` for a plane of weight zero, or beyond the range of the
+    /// scalar.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Plane, Point};
+    /// let plane = Plane::from_point_normal(Point::new(5.0, 7.0, 3.0), [0.0, 0.0, 2.0]);
+    /// assert_eq!(plane.support(), Some(Point::new(0.0, 0.0, 3.0)));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn support(self) -> Option<Point<S>> {
+        let normal = self.unit_normal()?;
+        let place = scaled(normal, -self.signed_distance(Point::default())?);
+        are_numbers(place).then(|| Point::from(place))
     }
 
     /// The distance of a point, positive on the side of the normal; `None` for a plane of weight zero, or beyond the range

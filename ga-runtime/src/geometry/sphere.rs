@@ -1,42 +1,8 @@
-//! Spheres, direct and dual.
+//! Spheres.
 
-use super::vector3::{are_numbers, dot, is_number};
-use crate::cga3::{Point, RoundVector, Sphere};
+use super::round::real_radius;
+use crate::cga3::{DualSphere, Point, Sphere};
 use crate::scalar::{Field, Real};
-
-impl<S: Field> RoundVector<S> {
-    /// The dual sphere `c − ½r² ei` about a centre, c being its conformal point.
-    #[inline]
-    #[must_use]
-    pub fn dual_sphere(centre: Point<S>, radius: S) -> Self {
-        let mut vector = Self::from(centre);
-        vector.ei -= radius * radius * S::from_ratio(1, 2);
-        vector
-    }
-
-    /// The centre of a dual sphere; `None` for a dual plane, whose weight eo is zero, or beyond the range of the scalar.
-    #[inline]
-    #[must_use]
-    pub fn centre(self) -> Option<Point<S>> {
-        let place = [self.e1, self.e2, self.e3];
-        if !self.eo.is_invertible() {
-            return None;
-        }
-        let place = place.map(|x| x / self.eo);
-        are_numbers(place).then(|| Point::from(place))
-    }
-
-    /// The squared radius, `σ²/(ei·σ)²`: zero for a point, negative for an imaginary sphere; `None` for a dual plane, or
-    /// beyond the range of the scalar.
-    #[inline]
-    #[must_use]
-    pub fn radius_squared(self) -> Option<S> {
-        let centre = self.centre()?.coordinates();
-        let twice = self.ei + self.ei;
-        let squared = dot(centre, centre) - twice / self.eo;
-        is_number(squared).then_some(squared)
-    }
-}
 
 impl<S: Field> Sphere<S> {
     /// The sphere through four points, `p∧q∧r∧s`; a plane where they are in one plane, zero where they are on one circle.
@@ -59,7 +25,15 @@ impl<S: Field> Sphere<S> {
     #[inline]
     #[must_use]
     pub fn from_centre_radius(centre: Point<S>, radius: S) -> Self {
-        RoundVector::dual_sphere(centre, radius).undual()
+        DualSphere::from_centre_radius(centre, radius).undual()
+    }
+
+    /// The sphere about a centre by its squared radius, which may be zero, for a point, and negative, for an imaginary
+    /// sphere.
+    #[inline]
+    #[must_use]
+    pub fn from_centre_radius_squared(centre: Point<S>, radius_squared: S) -> Self {
+        DualSphere::from_centre_radius_squared(centre, radius_squared).undual()
     }
 
     /// The centre; `None` for a plane.
@@ -82,8 +56,6 @@ impl<S: Real<Mask = bool>> Sphere<S> {
     #[inline]
     #[must_use]
     pub fn radius(self) -> Option<S> {
-        let squared = self.radius_squared()?;
-        let is_real = squared.is_finite() && !squared.less_than(S::zero());
-        is_real.then(|| squared.sqrt())
+        real_radius(self.radius_squared()?)
     }
 }

@@ -1,0 +1,51 @@
+//! Versors acting on dual forms.
+//!
+//! A versor acts on the blades of a grade, whatever they stand for, so a dual form moves as the direct form with the same
+//! blades does, and no code of its own is needed.
+
+use crate::cga3::{
+    Circle, Dilator, Direction, DualCircle, DualDirection, DualFlatPoint, DualPlane, DualPointPair,
+    DualSphere, FlatPoint, Motor, PointPair, Rotor, RoundVector, Similarity, Translator,
+};
+use crate::products::Sandwich;
+use crate::scalar::Ring;
+
+macro_rules! with_the_blades_of {
+    ($($Versor:ident)*; $Dual:ident, $Direct:ident) => {$(
+        impl<S: Ring> Sandwich<$Dual<S>> for $Versor<S>
+        where
+            Self: Sandwich<$Direct<S>, Output = $Direct<S>>,
+        {
+            type Output = $Dual<S>;
+
+            #[inline]
+            fn sandwich(self, other: $Dual<S>) -> $Dual<S> {
+                $Dual::from(Sandwich::sandwich(self, $Direct::from(other)))
+            }
+        }
+    )*};
+}
+
+with_the_blades_of!(Rotor Translator Motor Dilator Similarity DualPlane RoundVector; DualSphere, RoundVector);
+with_the_blades_of!(Rotor Translator Motor Dilator Similarity DualPlane RoundVector; DualCircle, PointPair);
+with_the_blades_of!(Rotor Translator Motor Dilator Similarity DualPlane RoundVector; DualPointPair, Circle);
+
+/// Even versors leave the pseudoscalar alone, so that the dual of the image is the image of the dual.
+macro_rules! through_the_direct_form {
+    ($($Versor:ident)*; $Dual:ident, $Direct:ident) => {$(
+        impl<S: Ring> Sandwich<$Dual<S>> for $Versor<S>
+        where
+            Self: Sandwich<$Direct<S>, Output = $Direct<S>>,
+        {
+            type Output = $Dual<S>;
+
+            #[inline]
+            fn sandwich(self, other: $Dual<S>) -> $Dual<S> {
+                Sandwich::sandwich(self, other.undual()).dual()
+            }
+        }
+    )*};
+}
+
+through_the_direct_form!(Rotor Translator Motor Dilator Similarity; DualFlatPoint, FlatPoint);
+through_the_direct_form!(Rotor Translator Motor Dilator Similarity; DualDirection, Direction);

@@ -1,0 +1,148 @@
+//! Spheres, circles and point pairs in dual form.
+
+use super::round::real_radius;
+use super::vector3::{are_numbers, dot, is_number};
+use crate::cga3::{DualCircle, DualPointPair, DualSphere, Point, RoundVector};
+use crate::scalar::{Field, Real};
+
+impl<S: Field> DualSphere<S> {
+    /// The dual sphere `c − ½r² ei` about a centre, c being its conformal point.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{DualSphere, Point};
+    /// let sphere = DualSphere::from_centre_radius(Point::new(1.0, 0.0, 0.0), 2.0);
+    /// // x·σ is half of r² − d², d being the distance from the centre: positive inside, zero on the sphere.
+    /// assert_eq!((Point::new(3.0, 0.0, 0.0) | sphere, Point::new(1.0, 0.0, 0.0) | sphere), (0.0, 2.0));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn from_centre_radius(centre: Point<S>, radius: S) -> Self {
+        Self::from_centre_radius_squared(centre, radius * radius)
+    }
+
+    /// The dual sphere about a centre by its squared radius, which may be negative.
+    #[inline]
+    #[must_use]
+    pub fn from_centre_radius_squared(centre: Point<S>, radius_squared: S) -> Self {
+        let mut sphere = Self::from(centre);
+        sphere.ei -= radius_squared * S::from_ratio(1, 2);
+        sphere
+    }
+
+    /// The centre; `None` for a dual plane, whose weight eo is zero, or beyond the range of the scalar.
+    #[inline]
+    #[must_use]
+    pub fn centre(self) -> Option<Point<S>> {
+        RoundVector::from(self).centre()
+    }
+
+    /// The squared radius, `σ²/(ei·σ)²`: zero for a point, negative for an imaginary sphere; `None` for a dual plane, or
+    /// beyond the range of the scalar.
+    #[inline]
+    #[must_use]
+    pub fn radius_squared(self) -> Option<S> {
+        let centre = self.centre()?.coordinates();
+        let twice = self.ei + self.ei;
+        let squared = dot(centre, centre) - twice / self.eo;
+        is_number(squared).then_some(squared)
+    }
+}
+
+impl<S: Real<Mask = bool>> DualSphere<S> {
+    /// The radius; `None` for a dual plane and for an imaginary sphere.
+    #[inline]
+    #[must_use]
+    pub fn radius(self) -> Option<S> {
+        real_radius(self.radius_squared()?)
+    }
+}
+
+impl<S: Field> RoundVector<S> {
+    /// The dual sphere `c − ½r² ei` as a vector; see [`DualSphere::from_centre_radius`].
+    #[inline]
+    #[must_use]
+    pub fn dual_sphere(centre: Point<S>, radius: S) -> Self {
+        DualSphere::from_centre_radius(centre, radius).into()
+    }
+
+    /// The point of a weighted point, the centre of a dual sphere: the coefficients of e1, e2, e3 over that of eo. `None` where
+    /// that is zero, as in a dual plane, or the result is beyond the range of the scalar.
+    #[inline]
+    #[must_use]
+    pub fn centre(self) -> Option<Point<S>> {
+        let place = [self.e1, self.e2, self.e3];
+        if !self.eo.is_invertible() {
+            return None;
+        }
+        let place = place.map(|x| x / self.eo);
+        are_numbers(place).then(|| Point::from(place))
+    }
+
+    /// The squared radius of a dual sphere; see [`DualSphere::radius_squared`].
+    #[inline]
+    #[must_use]
+    pub fn radius_squared(self) -> Option<S> {
+        DualSphere::from(self).radius_squared()
+    }
+}
+
+impl<S: Real<Mask = bool>> DualCircle<S> {
+    /// The centre; see [`Circle::centre`](crate::cga3::Circle::centre).
+    #[must_use]
+    pub fn centre(self) -> Option<Point<S>> {
+        self.undual().centre()
+    }
+
+    /// The squared radius, negative for an imaginary circle.
+    #[must_use]
+    pub fn radius_squared(self) -> Option<S> {
+        self.undual().radius_squared()
+    }
+
+    /// The radius; `None` for a dual line and for an imaginary circle.
+    #[must_use]
+    pub fn radius(self) -> Option<S> {
+        self.undual().radius()
+    }
+
+    /// The normal of the circle's plane, of length 1: for `σ∧π` that of the dual plane π.
+    #[must_use]
+    pub fn unit_normal(self) -> Option<[S; 3]> {
+        self.undual().unit_normal()
+    }
+}
+
+impl<S: Real<Mask = bool>> DualPointPair<S> {
+    /// The middle of the two points; see [`PointPair::centre`](crate::cga3::PointPair::centre).
+    #[must_use]
+    pub fn centre(self) -> Option<Point<S>> {
+        self.undual().centre()
+    }
+
+    /// The square of half the distance of the points; negative for an imaginary pair.
+    #[must_use]
+    pub fn radius_squared(self) -> Option<S> {
+        self.undual().radius_squared()
+    }
+
+    /// Half the distance of the points; `None` for an imaginary pair.
+    #[must_use]
+    pub fn radius(self) -> Option<S> {
+        self.undual().radius()
+    }
+
+    /// The two points; see [`PointPair::endpoints`](crate::cga3::PointPair::endpoints).
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{DualPlane, DualSphere, Point};
+    /// // A sphere and two planes through its centre meet in two points.
+    /// let sphere = DualSphere::from_centre_radius(Point::new(0.0_f64, 0.0, 0.0), 2.0);
+    /// let (x, y) = (DualPlane::new(1.0, 0.0, 0.0, 0.0), DualPlane::new(0.0, 1.0, 0.0, 0.0));
+    /// let [p, q] = (sphere ^ x ^ y).endpoints().unwrap();
+    /// assert_eq!([p.e3().abs(), q.e3().abs(), p.distance(q)], [2.0, 2.0, 4.0]);
+    /// ```
+    #[must_use]
+    pub fn endpoints(self) -> Option<[Point<S>; 2]> {
+        self.undual().endpoints()
+    }
+}

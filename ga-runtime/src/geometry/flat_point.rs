@@ -1,0 +1,33 @@
+//! Flat points.
+
+use super::vector3::are_numbers;
+use crate::cga3::{FlatPoint, Infinity, Point};
+use crate::scalar::{Field, Ring};
+
+impl<S: Ring> From<Point<S>> for FlatPoint<S> {
+    /// The flat point `p∧ei`.
+    #[inline]
+    fn from(point: Point<S>) -> Self {
+        point ^ Infinity
+    }
+}
+
+impl<S: Field> FlatPoint<S> {
+    /// The point of `p∧ei`; `None` for a direction, whose weight eoi is zero, or beyond the range of the scalar.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Infinity, Point};
+    /// let p = Point::new(1.0, 2.0, 3.0);
+    /// assert_eq!((p ^ Infinity).to_point(), Some(p));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn to_point(self) -> Option<Point<S>> {
+        let place = [self.e1i, self.e2i, self.e3i];
+        if !self.eoi.is_invertible() {
+            return None;
+        }
+        let place = place.map(|x| x / self.eoi);
+        are_numbers(place).then(|| Point::from(place))
+    }
+}

@@ -1,0 +1,154 @@
+//! Point pairs.
+
+use super::round::{RoundBivector, real_radius};
+use super::vector3::{are_numbers, difference, dot, is_number, normalized, scaled, sum};
+use crate::Element;
+use crate::cga3::{Direction, DualCircle, Infinity, Line, Point, PointPair, Sphere};
+use crate::scalar::{Field, Real, Ring};
+
+impl<S: Field> PointPair<S> {
+    /// The pair of two points, `p∧q`. Zero where they coincide; see [`tangent`](Self::tangent) for the limit with a
+    /// direction.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Point, PointPair};
+    /// let (p, q) = (Point::new(1.0_f64, 0.0, 2.0), Point::new(5.0, 0.0, 2.0));
+    /// let pair = PointPair::through(p, q);
+    /// assert_eq!(pair.endpoints().unwrap(), [p, q]);
+    /// assert_eq!(pair.centre().unwrap().coordinates(), [3.0, 0.0, 2.0]);
+    /// assert_eq!(pair.radius_squared(), Some(4.0));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn through(p: Point<S>, q: Point<S>) -> Self {
+        p ^ q
+    }
+
+    /// The line that carries the pair, `P∧ei`, from the first point to the second.
+    #[inline]
+    #[must_use]
+    pub fn carrier(self) -> Line<S> {
+        self ^ Infinity
+    }
+
+    /// The attitude `v∧ei`: for `p∧q` the free vector `v = q − p`.
+    #[inline]
+    #[must_use]
+    pub fn attitude(self) -> Direction<S> {
+        self.carrier().attitude()
+    }
+}
+
+impl<S: Real<Mask = bool>> PointPair<S> {
+    /// The two points at a distance r from a centre, along an axis and against it: `(c + eo + ½(c² + r²) ei) ∧ (d + (c·d) ei)`
+    /// with the unit vector d. It is given by r², which may be zero, for a [tangent](Self::tangent), and negative, for an
+    /// imaginary pair. The axis need not have length 1; `None` where it is zero, or something is not finite.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Point, PointPair};
+    /// let pair =
+    ///     PointPair::from_centre_axis_radius_squared(Point::new(1.0, 0.0, 0.0), [0.0, 2.0, 0.0], 9.0).unwrap();
+    /// assert_eq!(pair.endpoints().unwrap().map(|p| p.coordinates()), [[1.0, -3.0, 0.0], [1.0, 3.0, 0.0]]);
+    /// ```
+    #[must_use]
+    pub fn from_centre_axis_radius_squared(
+        centre: Point<S>,
+        axis: [S; 3],
+        radius_squared: S,
+    ) -> Option<Self> {
+        let (centre, axis) = (centre.coordinates(), normalized(axis)?);
+        let infinite = (dot(centre, centre) + radius_squared) * S::from_ratio(1, 2);
+        let round = RoundBivector {
+            centre,
+            axis,
+            infinite,
+        };
+        let pair = Self::from(round.to_bivector());
+        let mut blades = Self::BLADES.iter();
+        let is_finite = blades.all(|&blade| is_number(pair.coefficient(blade)));
+        is_finite.then_some(pair)
+    }
+
+    /// The tangent element at a point p in a direction: two points that coincide, with the direction in which they met. Its
+    /// square is zero. `None` where the direction is zero, or something is not finite.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Point, PointPair};
+    /// use ga_runtime::geometry::Kind;
+    /// let tangent = PointPair::tangent(Point::new(1.0_f64, 2.0, 0.0), [0.0, 3.0, 4.0]).unwrap();
+    /// assert_eq!(tangent.kind(1e-12), Kind::Tangent);
+    /// let [_, y, z] = tangent.unit_direction().unwrap();
+    /// assert!((y - 0.6).abs() < 1e-15 && (z - 0.8).abs() < 1e-15);
+    /// ```
+    #[must_use]
+    pub fn tangent(point: Point<S>, direction: [S; 3]) -> Option<Self> {
+        Self::from_centre_axis_radius_squared(point, direction, S::zero())
+    }
+
+    /// The direction from the first point to the second, with length 1; `None` for a pair of weight zero, such as a flat
+    /// point.
+    #[inline]
+    #[must_use]
+    pub fn unit_direction(self) -> Option<[S; 3]> {
+        normalized(self.carrier().direction())
+    }
+
+    /// The middle of the two points; `None` for a pair of weight zero, or beyond the range of the scalar.
+    #[must_use]
+    pub fn centre(self) -> Option<Point<S>> {
+        Some(self.parts()?.centre())
+    }
+
+    /// The square of half the distance of the points, `P²/(ei⌋P)²`: zero for a tangent, negative for an imaginary pair; `None`
+    /// where there is no [centre](Self::centre).
+    #[must_use]
+    pub fn radius_squared(self) -> Option<S> {
+        self.parts()?.signed_square()
+    }
+
+    /// Half the distance of the points; `None` for an imaginary pair and one of weight zero.
+    #[must_use]
+    pub fn radius(self) -> Option<S> {
+        real_radius(self.radius_squared()?)
+    }
+
+    /// The two points, in the order of `p∧q`, where its weight is positive. `None` for an imaginary pair and one of weight
+    /// zero.
+    ///
+    /// The points are exact up to rounding of the squared radius, so that where they all but coincide only half of the
+    /// digits of their distance are known. [`Kind`](crate::geometry::Kind) tells a tangent with a tolerance.
+    #[must_use]
+    pub fn endpoints(self) -> Option<[Point<S>; 2]> {
+        let round = self.parts()?;
+        let radius = real_radius(round.signed_square()?)?;
+        let reach = scaled(round.axis, radius);
+        let places = [difference(round.centre, reach), sum(round.centre, reach)];
+        let is_finite = places.into_iter().all(are_numbers);
+        is_finite.then(|| places.map(Point::from))
+    }
+
+    /// The smallest sphere that holds the pair, about the same centre with the same squared radius: the dual sphere
+    /// `P (P∧ei)⁻¹` up to scale. `None` where there is no [centre](Self::centre).
+    #[must_use]
+    pub fn container(self) -> Option<Sphere<S>> {
+        let round = self.parts()?;
+        Some(Sphere::from_centre_radius_squared(
+            round.centre(),
+            round.signed_square()?,
+        ))
+    }
+
+    fn parts(self) -> Option<RoundBivector<S>> {
+        RoundBivector::of(DualCircle::from(self))
+    }
+}
+
+impl<S: Ring> PointPair<S> {
+    /// `P²`, a scalar for every pair that is a blade: for `p∧q` it is `(p·q)²`, a quarter of the fourth power of the distance.
+    /// Its sign tells real, tangent and imaginary.
+    #[inline]
+    #[must_use]
+    pub fn square(self) -> S {
+        self.scalar_product(self)
+    }
+}

@@ -1,0 +1,72 @@
+//! What point pairs and circles share: both are, in one of their forms, a bivector `(c + eo + β ei) ∧ (d + (c·d) ei)`.
+//!
+//! c is the centre. A point pair `p∧q` has that form with its axis d and `β = ½(c² + r²)`; the dual of a circle has it with the
+//! normal d of its plane and `β = ½(c² − r²)`.
+
+use super::vector3::{are_numbers, cross, dot, is_number, length, scaled, sum};
+use crate::cga3::{DualCircle, Point};
+use crate::scalar::{Field, Real};
+
+/// Such a bivector, taken apart.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RoundBivector<S> {
+    pub(super) centre: [S; 3],
+    /// d, of length 1.
+    pub(super) axis: [S; 3],
+    /// β.
+    pub(super) infinite: S,
+}
+
+impl<S: Field> RoundBivector<S> {
+    /// The coefficients, with weight 1 for an axis of length 1.
+    pub(super) fn to_bivector(self) -> DualCircle<S> {
+        let (c, d) = (self.centre, self.axis);
+        let along = dot(c, d);
+        let [m1, m2, m3] = cross(c, d);
+        let [x1, x2, x3] = [0, 1, 2].map(|k| c[k] * along - d[k] * self.infinite);
+        let [d1, d2, d3] = d;
+        DualCircle::new(m3, -m2, m1, -d1, -d2, -d3, x1, x2, x3, along)
+    }
+}
+
+impl<S: Real<Mask = bool>> RoundBivector<S> {
+    /// `None` for a flat one, where d vanishes, or where centre or β are beyond the range of the scalar.
+    pub(super) fn of(bivector: DualCircle<S>) -> Option<Self> {
+        let b = bivector;
+        let direction = [-b.e1o, -b.e2o, -b.e3o];
+        let weight = length(direction);
+        if !S::zero().less_than(weight) || !weight.is_finite() {
+            return None;
+        }
+        let scale = weight.recip();
+        let axis = scaled(direction, scale);
+        let along = b.eoi * scale;
+        let moment = scaled([b.e23, -b.e13, b.e12], scale);
+        let centre = sum(scaled(axis, along), cross(axis, moment));
+        let last = scaled([b.e1i, b.e2i, b.e3i], scale);
+        let infinite = along * along - dot(axis, last);
+        let is_finite = are_numbers(centre) && is_number(infinite);
+        is_finite.then_some(Self {
+            centre,
+            axis,
+            infinite,
+        })
+    }
+
+    /// The centre as a point.
+    pub(super) fn centre(self) -> Point<S> {
+        Point::from(self.centre)
+    }
+
+    /// `2β − c²`: the squared radius of a point pair, minus that of a dual circle. `None` beyond the range of the scalar.
+    pub(super) fn signed_square(self) -> Option<S> {
+        let square = self.infinite + self.infinite - dot(self.centre, self.centre);
+        is_number(square).then_some(square)
+    }
+}
+
+/// The root of a squared radius; `None` for an imaginary one.
+pub(super) fn real_radius<S: Real<Mask = bool>>(squared: S) -> Option<S> {
+    let is_real = squared.is_finite() && !squared.less_than(S::zero());
+    is_real.then(|| squared.sqrt())
+}
