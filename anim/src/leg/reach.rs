@@ -1,6 +1,6 @@
 //! Angles that bring the ankle to a given place.
 
-use ga_runtime::cga3::{Infinity, Plane, Point, PointPair, Sphere};
+use ga_runtime::cga3::{Plane, Point, Sphere};
 
 use super::inverse::turns_about_zyx;
 use super::vector::{across, cross, dot, length, minus, rows, unit};
@@ -91,27 +91,14 @@ fn knee(thigh: f64, calf: f64, target: Point<f64>, aside: [f64; 3]) -> Point<f64
     let hip = Point::default();
     let circle = Sphere::from_centre_radius(hip, thigh) & Sphere::from_centre_radius(target, calf);
     let plane = Plane::through(hip, target, Point::from(aside));
-    let Some(pair) = ends(circle & plane) else {
+    let Some([first, second]) = (circle & plane).endpoints() else {
         let square = dot(target.coordinates(), target.coordinates());
         let part = (square + thigh * thigh - calf * calf) / (2.0 * square);
         return Point::from(target.coordinates().map(|x| x * part));
     };
-    let [first, second] = pair;
     if dot(first.coordinates(), aside) > dot(second.coordinates(), aside) {
         first
     } else {
         second
     }
-}
-
-/// The points of a real pair. With `P = p∧q` of any weight and `x = ei⌋P`, a multiple of p − q, the points are
-/// `−(P⌊x)/√P² ± x` up to weight.
-fn ends(pair: PointPair<f64>) -> Option<[Point<f64>; 2]> {
-    let square = pair.scalar_product(pair);
-    if !square.is_finite() || square <= 0.0 {
-        return None;
-    }
-    let between = Infinity | pair;
-    let sum = pair.right_contraction(between) / -square.sqrt();
-    Some([(sum + between).centre()?, (sum - between).centre()?])
 }
