@@ -32,23 +32,19 @@ impl<S: Field> RoundBivector<S> {
 impl<S: Real<Mask = bool>> RoundBivector<S> {
     /// `None` for a flat one, where d vanishes, or where centre or β are beyond the range of the scalar.
     pub(super) fn of(bivector: DualCircle<S>) -> Option<Self> {
-        let b = bivector;
+        let b = bivector / scale(bivector)?;
         let direction = [-b.e1o, -b.e2o, -b.e3o];
-        let weight = length(direction);
-        if !S::zero().less_than(weight) || !weight.is_finite() {
-            return None;
-        }
-        let scale = weight.recip();
-        let axis = scaled(direction, scale);
-        let along = b.eoi * scale;
-        let moment = scaled([b.e23, -b.e13, b.e12], scale);
-        let centre = sum(scaled(axis, along), cross(axis, moment));
-        let last = scaled([b.e1i, b.e2i, b.e3i], scale);
-        let infinite = along * along - dot(axis, last);
+        // Divided by d² once, so that what is exact stays so.
+        let square = dot(direction, direction);
+        let moment = [b.e23, -b.e13, b.e12];
+        let centre = sum(scaled(direction, b.eoi), cross(direction, moment)).map(|x| x / square);
+        let last = dot(direction, [b.e1i, b.e2i, b.e3i]);
+        let infinite = (b.eoi * b.eoi - last) / square;
+        let length = square.sqrt();
         let is_finite = are_numbers(centre) && is_number(infinite);
-        is_finite.then_some(Self {
+        is_finite.then(|| Self {
             centre,
-            axis,
+            axis: direction.map(|x| x / length),
             infinite,
         })
     }
@@ -69,4 +65,16 @@ impl<S: Real<Mask = bool>> RoundBivector<S> {
 pub(super) fn real_radius<S: Real<Mask = bool>>(squared: S) -> Option<S> {
     let is_real = squared.is_finite() && !squared.less_than(S::zero());
     is_real.then(|| squared.sqrt())
+}
+
+/// What to divide by so that d² is in range: 1 wherever possible. `None` where d is zero or not finite.
+fn scale<S: Real<Mask = bool>>(b: DualCircle<S>) -> Option<S> {
+    let direction = [b.e1o, b.e2o, b.e3o];
+    let square = dot(direction, direction);
+    let (least, most) = (S::from_f64(1e-30), S::from_f64(1e30));
+    if least.less_than(square) && square.less_than(most) {
+        return Some(S::one());
+    }
+    let length = length(direction);
+    (S::zero().less_than(length) && length.is_finite()).then_some(length)
 }
