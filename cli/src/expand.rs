@@ -35,9 +35,9 @@ pub(crate) struct Arguments {
     /// The functions themselves.
     #[arg(long, value_name = "TEXT")]
     expr: Option<String>,
-    /// The algebra: cga3, pga3, or a file with an `algebra! { … }` of your own.
+    /// The algebra: cga3, pga3 or a file with an `algebra! { … }` of your own.
     ///
-    /// Without it, the one that `ga! { … }` names in the functions' file, where that is cga3, pga3 or declared in the same file; otherwise
+    /// Without it, the one that `ga! { … }` names in the functions' file, where that ships with ga-runtime or is declared in the same file; otherwise
     /// cga3.
     #[arg(long, value_name = "NAME or FILE")]
     algebra: Option<String>,

@@ -22,5 +22,7 @@ pub mod testing;
 #[doc = include_str!("../docs/translation.md")]
 pub mod translation {}
 
-pub use algebras::{cga3, pga3};
+pub use algebras::cga3;
+#[cfg(feature = "pga3")]
+pub use algebras::pga3;
 pub use element::Element;

@@ -38,7 +38,8 @@ impl Algebra {
                 return Ok(found);
             }
             if !Path::new(wanted).exists() {
-                bail!("--algebra {wanted}: neither cga3 nor pga3 nor a file");
+                let names = SHIPPED.map(|(name, _)| name).join(", ");
+                bail!("--algebra {wanted}: neither one of {names} nor a file");
             }
             let source = Source::read(Path::new(wanted))?;
             return Self::declared(&source, named.as_deref());
