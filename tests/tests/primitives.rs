@@ -138,6 +138,11 @@ proptest! {
         prop_assert_eq!(Circle::from(Line::from_point_direction(point, n)).kind(1e-12), Kind::Flat);
         prop_assert_eq!(Circle::from(DualPointPair::from(DualDirection::from_normal(n))).kind(1e-12), Kind::Free);
         prop_assert_eq!(Sphere::from(Plane::from_point_normal(point, n)).kind(1e-12), Kind::Flat);
+        prop_assert_eq!((Line::from_point_direction(point, n) * weight).kind(1e-12), Kind::Flat);
+        prop_assert_eq!((Line::from_point_direction(point, n) * weight).dual().kind(1e-12), Kind::Flat);
+        prop_assert_eq!((Plane::from_point_normal(point, n) * -weight).kind(1e-12), Kind::Flat);
+        prop_assert_eq!((Plane::from_point_normal(point, n) * -weight).dual().kind(1e-12), Kind::Flat);
+        prop_assert_eq!(FlatPoint::from(point).kind(1e-12), Kind::Flat);
     }
 
     #[test]
@@ -256,6 +261,22 @@ fn degenerate_blades_are_named() {
     assert_eq!(pair.kind(1e-12), Kind::NotABlade);
     assert_eq!(DualCircle::from(pair).kind(1e-12), Kind::NotABlade);
     assert_eq!(pair.undual_as_circle().kind(1e-12), Kind::NotABlade);
+    // Flats whose place is at infinity, and a sum of two skew lines.
+    assert_eq!(FlatPoint::new(1.0, 2.0, 3.0, 0.0).kind(1e-12), Kind::Free);
+    assert_eq!(
+        Line::new(1.0, 2.0, 3.0, 0.0, 0.0, 0.0).kind(1e-12),
+        Kind::Free
+    );
+    assert_eq!(Plane::new(2.0, 0.0, 0.0, 0.0).kind(1e-12), Kind::Free);
+    assert_eq!(
+        (Plane::from_point_normal(p, [0.0, 0.0, 1.0])
+            & Plane::from_point_normal(q, [0.0, 0.0, 1.0]))
+        .kind(1e-12),
+        Kind::Free
+    );
+    let skew = Line::from_point_direction(Point::default(), [1.0, 0.0, 0.0])
+        + Line::from_point_direction(Point::new(0.0, 0.0, 1.0), [0.0, 1.0, 0.0]);
+    assert_eq!(skew.kind(1e-12), Kind::NotABlade);
     assert_eq!(FlatPoint::from(p).to_point(), Some(p));
     assert_eq!(
         DualPlane::new(0.0, 0.0, 2.0, 6.0).undual().support(),

@@ -3,7 +3,10 @@
 use super::round::RoundBivector;
 use super::vector3::dot;
 use crate::Element;
-use crate::cga3::{Circle, DualCircle, DualPointPair, DualSphere, PointPair, Sphere};
+use crate::cga3::{
+    Circle, DualCircle, DualPlane, DualPointPair, DualSphere, FlatPoint, Line, MotorGenerator,
+    Plane, PointPair, Sphere,
+};
 use crate::scalar::Real;
 
 /// What a blade stands for, up to a tolerance.
@@ -99,12 +102,25 @@ impl<S: Real<Mask = bool>> DualSphere<S> {
     }
 }
 
-impl<S: Real<Mask = bool>> Sphere<S> {
-    /// What the sphere is, up to a [tolerance](Kind#tolerance).
-    #[must_use]
-    pub fn kind(self, tolerance: S) -> Kind {
-        self.dual().kind(tolerance)
-    }
+macro_rules! kinds_through {
+    ($($Type:ident: $what:literal, $larger:expr;)*) => {$(
+        impl<S: Real<Mask = bool>> $Type<S> {
+            #[doc = concat!("What the ", $what, " is, up to a [tolerance](Kind#tolerance).")]
+            #[must_use]
+            pub fn kind(self, tolerance: S) -> Kind {
+                $larger(self).kind(tolerance)
+            }
+        }
+    )*};
+}
+
+kinds_through! {
+    Sphere: "sphere", |sphere: Self| sphere.dual();
+    Plane: "plane, flat, or free where it is infinity itself,", Sphere::from;
+    DualPlane: "plane, flat, or free where it is infinity itself,", DualSphere::from;
+    Line: "line, flat, or free where its direction vanishes,", Circle::from;
+    MotorGenerator: "dual line, flat, or free where it is the generator of a shift,", DualCircle::from;
+    FlatPoint: "flat point, flat, or free where its weight vanishes,", PointPair::from;
 }
 
 fn of_bivector<S: Real<Mask = bool>>(bivector: DualCircle<S>, sign: i64, tolerance: S) -> Kind {

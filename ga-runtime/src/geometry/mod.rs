@@ -1,8 +1,24 @@
-//! Euclidean geometry in cga3: what each type is built from, and what can be read back from it.
+//! Euclidean geometry in cga3: what each type is built from, what can be read back from it, and how two of them lie to each other.
 //!
-//! Everything here is an inherent method of a type of [`cga3`](crate::cga3). Coordinates are arrays `[x, y, z]`, angles are in
+//! Nearly everything here is an inherent method of a type of [`cga3`](crate::cga3). Coordinates are arrays `[x, y, z]`, angles are in
 //! radians and right-handed. What may not exist comes back as an `Option`, and so does what may be beyond the range of the scalar: what is read back is
 //! finite or `None`. What is built holds products of up to three coordinates, which very large ones take beyond the range.
+//!
+//! # Primitives
+//!
+//! | type | formula | built by | read by |
+//! | --- | --- | --- | --- |
+//! | `Point` | `x + eo + ½x² ei` | `new`, `from([x, y, z])` | `coordinates` |
+//! | `FlatPoint` | `p∧ei` | `p ^ Infinity`, `from(p)` | `to_point` |
+//! | `Direction` | `v∧ei` | `from_vector` | `vector` |
+//! | `PointPair` | `p∧q` | `through`, `tangent`, `from_centre_axis_radius_squared` | `endpoints`, `centre`, `radius`, `radius_squared`, `unit_direction`, `attitude`, `carrier`, `container` |
+//! | `Circle` | `p∧q∧r` | `through`, `tangent`, `from_centre_normal_radius`, `…_radius_squared` | `centre`, `radius`, `radius_squared`, `unit_normal`, `attitude`, `axis`, `carrier`, `container` |
+//! | `Sphere` | `p∧q∧r∧s` | `through`, `from_centre_radius`, `…_radius_squared` | `centre`, `radius`, `radius_squared` |
+//! | `Line` | `p∧q∧ei` | `through`, `from_point_direction`, `from_direction_moment` | `direction`, `unit_direction`, `moment`, `attitude`, `support`, `foot` |
+//! | `Plane` | `p∧q∧r∧ei` | `through`, `from_point_normal` | `normal`, `unit_normal`, `attitude`, `support`, `signed_distance` |
+//!
+//! The dual forms `DualSphere`, `DualPlane`, `DualCircle`, `DualPointPair`, `DualFlatPoint`, `DualDirection` and, for lines, `MotorGenerator` come from `dual` and go
+//! back by `undual`; they meet by `^`. [`Kind`] says at run time whether a round is real, imaginary or a tangent, and whether a blade is a round at all.
 
 mod circle;
 mod dilator;
