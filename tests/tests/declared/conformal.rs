@@ -291,7 +291,7 @@ agrees! {
     spheres_meet: |a: Sphere as Globe, b: Sphere as Globe| a & b => Circle as Hoop;
     planes_and_lines_meet: |a: Plane as Sheet, b: Line as Axis| a & b => FlatPoint as Flat;
     lines_commute: |a: Line as Axis, b: Line as Axis| a.commutator(b) => MotorGenerator as Twist;
-    duals_agree: |a: Circle as Hoop, _b: Line as Axis| a.dual().into() => PointPair as Pair;
+    duals_agree: |a: Line as Axis, _b: Circle as Hoop| a.dual() => MotorGenerator as Twist;
     motions_add: |a: Motor as Motion, b: Motor as Motion| a + b => DualQuaternion as MotionSum;
     points_subtract: |p: Point as Place, q: Point as Place| p - q => RoundVector as Ball;
     everything_multiplies: |a: Multivector as Whole, b: Multivector as Whole| a * b => Multivector as Whole;
