@@ -1,7 +1,10 @@
 //! The means by which Nullcone tests itself, for the tests of crates that build on it.
 //!
 //! - [`assert_close!`] compares floating-point results, [`Coefficients`] being what it can compare.
-//! - [`strategy`] holds proptest strategies for scalars and for multivectors of any algebra.
+//! - [`strategy`] holds proptest strategies for scalars and for multivectors of any algebra, [`member`] one for every declared type,
+//!   [`cga3`] those for geometry, special positions included. [`sample`] draws values of any of them, the same ones for the same seed.
+//! - [`product_tests!`] writes the tests of an algebra's products from its declaration.
+//! - [`bench_product!`] registers a criterion group for products of an algebra of one's own.
 //! - [`Prime61`] is the scalar of exact tests, [`dense`] the reference to test against.
 //!
 //! A test of an identity, exact and in an algebra of one's own choice:
@@ -21,13 +24,20 @@
 //! # }
 //! ```
 
+mod bench;
+pub mod cga3;
 mod close;
 mod declared;
+mod sample;
 pub mod strategy;
 
+pub use crate::__bench_product as bench_product;
 pub use crate::__product_tests as product_tests;
 pub use crate::assert_close;
 pub use crate::dense;
 pub use crate::scalar::Prime61;
+#[doc(hidden)]
+pub use bench::{OPERANDS, operand, pass};
 pub use close::{Coefficients, Deviation, check_close};
 pub use declared::{algebra_of, constant_to_dense, exact_member, for_all, member, only, to_dense};
+pub use sample::sample;

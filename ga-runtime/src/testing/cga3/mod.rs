@@ -1,0 +1,36 @@
+//! Strategies for the objects and motions of [`cga3`](crate::cga3), special positions included.
+//!
+//! [`member`](super::member) draws coefficients: right for algebraic identities, but a random `Circle` of ten coefficients is
+//! no circle. The strategies here draw geometry, and mix in what breaks geometric code: coinciding points, half turns,
+//! angles near zero, parallel lines, tangent spheres. About half of the cases are ordinary, so that a test of a hundred cases meets
+//! every special one. Each page says which there are.
+//!
+//! `size` is the largest absolute value of a coordinate and must be positive and finite; a strategy panics when it draws from an empty
+//! or infinite range. Every strategy is generic over the scalar: numbers are drawn in `f64` and then rounded, so that "on one line" and
+//! "tangent" hold up to rounding.
+//!
+//! ```
+//! use ga_runtime::cga3::{Line, Motor, Point};
+//! use ga_runtime::testing::{assert_close, cga3};
+//! use proptest::prelude::*;
+//!
+//! // A motion keeps the distance of a point from a line.
+//! proptest!(|(motor in cga3::motors(10.0), line in cga3::lines(10.0), point in cga3::points(10.0))| {
+//!     let (motor, line, point): (Motor<f64>, Line<f64>, Point<f64>) = (motor, line, point);
+//!     let before = line.distance(point).unwrap();
+//!     let after = motor.transform(line).distance(motor.transform(point)).unwrap();
+//!     assert_close!(before, after, 1e-12, 100.0);
+//! });
+//! ```
+
+mod flats;
+mod numbers;
+mod points;
+mod rounds;
+mod versors;
+
+pub use flats::{flat_points, lines, pairs_of_lines, pairs_of_planes, planes};
+pub use numbers::{angles, directions, weights};
+pub use points::{point_configurations, points};
+pub use rounds::{circles, pairs_of_spheres, point_pairs, spheres};
+pub use versors::{dilators, motors, rotors, similarities, translators};

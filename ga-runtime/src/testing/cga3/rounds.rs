@@ -1,0 +1,74 @@
+//! Spheres, circles and point pairs.
+
+use proptest::prelude::*;
+
+use super::numbers::{directions, lengths, places, scaled, sum, unit_vectors, weights};
+use super::points::to_point;
+use crate::cga3::{Circle, Point, PointPair, Sphere};
+use crate::scalar::Real;
+
+/// Real spheres about one of the [`points`](super::points), times one of the [`weights`](super::weights).
+///
+/// Of the radii three in four are drawn evenly from a hundredth of `size` to `size`, one in eight is `size`, and one in eight
+/// 10⁻² to 10⁻⁶ of it. One sphere in eight goes through the origin.
+pub fn spheres<S: Real>(size: f64) -> impl Strategy<Value = Sphere<S>> + Clone {
+    let through_origin = (unit_vectors(), lengths(size))
+        .prop_map(|(direction, radius)| (scaled(direction, radius), radius));
+    let balls = prop_oneof![7 => (places(size), lengths(size)), 1 => through_origin];
+    (balls, weights::<S>())
+        .prop_map(|((centre, radius), weight)| to_sphere(centre, radius) * weight)
+}
+
+/// Real circles about one of the [`points`](super::points) with one of the [`directions`](super::directions) as normal,
+/// times one of the [`weights`](super::weights). Radii are those of [`spheres`].
+pub fn circles<S: Real<Mask = bool>>(size: f64) -> impl Strategy<Value = Circle<S>> + Clone {
+    let parts = (places(size), directions(), lengths(size), weights::<S>());
+    parts.prop_filter_map("a circle within the range of the scalar", |parts| {
+        let (centre, normal, radius, weight) = parts;
+        let radius = S::from_f64(radius);
+        let circle = Circle::from_centre_normal_radius(to_point(centre), normal, radius)?;
+        Some(circle * weight)
+    })
+}
+
+/// Real point pairs `p∧q`, times one of the [`weights`](super::weights). The centre is one of the [`points`](super::points), the axis one
+/// of the [`directions`](super::directions); half the distance of the two is drawn as the radii of [`spheres`] are.
+pub fn point_pairs<S: Real>(size: f64) -> impl Strategy<Value = PointPair<S>> + Clone {
+    let parts = (places(size), unit_vectors(), lengths(size), weights::<S>());
+    parts.prop_map(|(centre, direction, length, weight)| {
+        let p: Point<S> = to_point(sum(centre, scaled(direction, -length)));
+        let q: Point<S> = to_point(sum(centre, scaled(direction, length)));
+        (p ^ q) * weight
+    })
+}
+
+/// Two real spheres in any position to each other, with weights.
+///
+/// Three in ten are independent. Otherwise, one in ten each: the same sphere; concentric; tangent from outside; tangent
+/// from inside; crossing at a right angle; crossing; apart.
+pub fn pairs_of_spheres<S: Real>(size: f64) -> impl Strategy<Value = [Sphere<S>; 2]> + Clone {
+    let frame = (places(size), unit_vectors(), lengths(size), lengths(size));
+    let beside = |centre, direction, distance| sum(centre, scaled(direction, distance));
+    let pairs = prop_oneof![
+        3 => (frame.clone(), places(size)).prop_map(|((c, _, r, s), d)| [(c, r), (d, s)]),
+        1 => frame.clone().prop_map(|(c, _, r, _)| [(c, r), (c, r)]),
+        1 => frame.clone().prop_map(|(c, _, r, s)| [(c, r), (c, s)]),
+        1 => frame.clone().prop_map(move |(c, u, r, s)| [(c, r), (beside(c, u, r + s), s)]),
+        1 => frame.clone().prop_map(move |(c, u, r, s)| [(c, r), (beside(c, u, r - s), s)]),
+        1 => frame.clone().prop_map(move |(c, u, r, s)| [(c, r), (beside(c, u, r.hypot(s)), s)]),
+        1 => (frame.clone(), 0.0..1.0_f64).prop_map(move |((c, u, r, s), t)| {
+            let distance = (r - s).abs() * (1.0 - t) + (r + s) * t;
+            [(c, r), (beside(c, u, distance), s)]
+        }),
+        1 => (frame, 0.01..1.0_f64).prop_map(move |((c, u, r, s), t)| {
+            [(c, r), (beside(c, u, (r + s) * (1.0 + t)), s)]
+        }),
+    ];
+    (pairs, weights::<S>(), weights::<S>()).prop_map(|([(c, r), (d, s)], first, second)| {
+        [to_sphere(c, r) * first, to_sphere(d, s) * second]
+    })
+}
+
+fn to_sphere<S: Real>(centre: [f64; 3], radius: f64) -> Sphere<S> {
+    Sphere::from_centre_radius(to_point(centre), S::from_f64(radius))
+}

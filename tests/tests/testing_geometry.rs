@@ -1,0 +1,500 @@
+//! The strategies for cga3: what they draw is what they say, and every special position comes up. Checked in plain coordinates.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use ga_runtime::cga3::{Dilator, FlatPoint, Line, Motor, Plane, Point, Rotor, Sphere, Translator};
+use ga_runtime::testing::{assert_close, cga3, sample};
+use proptest::strategy::Strategy;
+
+const SIZE: f64 = 10.0;
+const CASES: usize = 4000;
+
+fn drawn<V: Strategy>(strategy: V) -> Vec<V::Value> {
+    sample(&strategy, CASES, 1)
+}
+
+/// The share of cases for which a predicate holds.
+fn share<T>(cases: &[T], mut predicate: impl FnMut(&T) -> bool) -> f64 {
+    cases.iter().filter(|case| predicate(case)).count() as f64 / cases.len() as f64
+}
+
+/// A share of the cases, give or take three standard deviations and a bit.
+#[track_caller]
+fn assert_share<T>(cases: &[T], expected: f64, predicate: impl FnMut(&T) -> bool) {
+    let found = share(cases, predicate);
+    let tolerance = 3.5 * (expected * (1.0 - expected) / cases.len() as f64).sqrt();
+    assert!(
+        (found - expected).abs() <= tolerance,
+        "{found} of the cases, where {expected} is expected"
+    );
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+fn length(a: [f64; 3]) -> f64 {
+    dot(a, a).sqrt()
+}
+
+fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+fn unit(a: [f64; 3]) -> [f64; 3] {
+    a.map(|x| x / length(a))
+}
+
+#[test]
+fn angles_include_their_landmarks() {
+    let angles: Vec<f64> = drawn(cga3::angles());
+    assert!(angles.iter().all(|angle| (0.0..=TAU).contains(angle)));
+    for landmark in [0.0, FRAC_PI_2, PI, PI + FRAC_PI_2, TAU] {
+        assert_share(&angles, 0.125 / 5.0, |&angle| angle == landmark);
+    }
+    assert_share(&angles, 1.0 / 16.0, |&angle| {
+        angle > 0.0 && angle * angle == 0.0
+    });
+    let is_beside = |angle: f64, place: f64| (1e-13..2e-6).contains(&(angle - place).abs());
+    assert_share(&angles, 0.1875 * 2.0 / 3.0, |&angle| is_beside(angle, PI));
+    assert_share(&angles, 0.1875 / 3.0, |&angle| is_beside(angle, TAU));
+    assert!(share(&angles, |angle| (PI - 2e-6..PI).contains(angle)) > 0.04);
+    let singles: Vec<f32> = drawn(cga3::angles());
+    assert!(
+        singles
+            .iter()
+            .zip(&angles)
+            .all(|(single, double)| *single == *double as f32)
+    );
+}
+
+#[test]
+fn directions_are_unit_vectors_all_around() {
+    let directions: Vec<[f64; 3]> = drawn(cga3::directions());
+    assert!(directions.iter().all(|&u| (length(u) - 1.0).abs() < 1e-15));
+    assert_share(&directions, 0.125, |u| {
+        u.iter().filter(|x| **x == 0.0).count() == 2
+    });
+    let is_beside_an_axis = |u: &[f64; 3]| {
+        let across = u
+            .iter()
+            .filter(|x| x.abs() < 1.001e-3 && **x != 0.0)
+            .count();
+        across == 2 && u.iter().any(|x| x.abs() > 0.999)
+    };
+    assert!(share(&directions, is_beside_an_axis) > 0.1);
+    // Over a sphere, and over the basis vectors too, the mean of x xᵀ is a third of 1.
+    for row in 0..3 {
+        for column in 0..3 {
+            let mean = directions.iter().map(|u| u[row] * u[column]).sum::<f64>() / CASES as f64;
+            let expected = if row == column { 1.0 / 3.0 } else { 0.0 };
+            assert!((mean - expected).abs() < 0.025, "{mean} at {row}, {column}");
+        }
+    }
+}
+
+#[test]
+fn points_are_in_the_cube() {
+    let points: Vec<Point<f64>> = drawn(cga3::points(SIZE));
+    assert!(
+        points
+            .iter()
+            .flat_map(|p| p.coordinates())
+            .all(|x| x.abs() <= SIZE)
+    );
+    let any = |p: &Point<f64>, test: &dyn Fn(f64) -> bool| p.coordinates().into_iter().any(test);
+    let one_of_three = |chance: f64| 1.0 - (1.0 - chance).powi(3);
+    assert_share(&points, one_of_three(1.0 / 24.0), |p| any(p, &|x| x == 0.0));
+    assert_share(&points, one_of_three(1.0 / 24.0), |p| {
+        any(p, &|x| x == SIZE)
+    });
+    assert!(share(&points, |p| any(p, &|x| x != 0.0 && x.abs() < 1e-6)) > 0.1);
+}
+
+/// Whether points in plain coordinates are on one line; in one plane; in one plane and on one circle; on one sphere.
+fn positions(points: &[[f64; 3]; 5]) -> [bool; 4] {
+    let edges = [1, 2, 3, 4].map(|k| minus(points[k], points[0]));
+    let span = edges.iter().map(|&e| length(e)).fold(1e-300, f64::max);
+    let [a, b, c, d] = edges.map(|edge| edge.map(|x| x / span));
+    let pairs = [(a, b), (a, c), (a, d), (b, c), (b, d), (c, d)];
+    let on_line = pairs.iter().all(|(u, v)| length(cross(*u, *v)) < 1e-9);
+    let triples = [(a, b, c), (a, b, d), (a, c, d), (b, c, d)];
+    let in_plane = triples
+        .iter()
+        .all(|(u, v, w)| dot(cross(*u, *v), *w).abs() < 1e-9);
+    // With squares as fourth coordinates, spheres become planes.
+    let rows = [a, b, c, d].map(|[x, y, z]| [x, y, z, x * x + y * y + z * z]);
+    let on_sphere = determinant(rows).abs() < 1e-9;
+    // In a plane, Ptolemy's theorem tells four points on a circle, here for the first four and for the last with three of them.
+    let on_circle = in_plane && is_cyclic([[0.0; 3], a, b, c]) && is_cyclic([[0.0; 3], a, b, d]);
+    [on_line, in_plane, on_circle, on_sphere]
+}
+
+fn is_cyclic(p: [[f64; 3]; 4]) -> bool {
+    let between = |i: usize, j: usize| length(minus(p[i], p[j]));
+    let [x, y, z] = [
+        between(0, 1) * between(2, 3),
+        between(0, 2) * between(1, 3),
+        between(0, 3) * between(1, 2),
+    ];
+    let largest = x.max(y).max(z);
+    (x + y + z - 2.0 * largest).abs() < 1e-9
+}
+
+fn determinant<const N: usize>(mut rows: [[f64; N]; N]) -> f64 {
+    let mut product = 1.0;
+    for k in 0..N {
+        let pivot = (k..N).fold(k, |best, i| {
+            if rows[i][k].abs() > rows[best][k].abs() {
+                i
+            } else {
+                best
+            }
+        });
+        rows.swap(k, pivot);
+        product *= if pivot == k { rows[k][k] } else { -rows[k][k] };
+        if rows[k][k] == 0.0 {
+            return 0.0;
+        }
+        let pivot_row = rows[k];
+        for row in &mut rows[k + 1..] {
+            let factor = row[k] / pivot_row[k];
+            for (entry, above) in row.iter_mut().zip(pivot_row) {
+                *entry -= factor * above;
+            }
+        }
+    }
+    product
+}
+
+#[test]
+fn point_configurations_take_every_position() {
+    let cases: Vec<[[f64; 3]; 5]> = drawn(cga3::point_configurations::<f64, 5>(SIZE))
+        .into_iter()
+        .map(|points| points.map(Point::coordinates))
+        .collect();
+    assert!(
+        cases
+            .iter()
+            .flatten()
+            .flatten()
+            .all(|x| x.abs() <= SIZE * (1.0 + 1e-9))
+    );
+    let coincide = |case: &[[f64; 3]; 5]| case.iter().all(|place| *place == case[0]);
+    assert_share(&cases, 0.1, coincide);
+    assert_share(&cases, 0.1, |case| case[0] == case[1] && !coincide(case));
+    let near = |case: &[[f64; 3]; 5]| {
+        let distance = length(minus(case[0], case[1]));
+        distance > 0.0 && distance < 1.001e-3 * SIZE && !positions(case)[1]
+    };
+    assert!(share(&cases, near) > 0.06);
+    let found: Vec<_> = cases
+        .iter()
+        .filter(|case| case[0] != case[1])
+        .map(positions)
+        .collect();
+    let rate = |predicate: fn(&[bool; 4]) -> bool| share(&found, predicate);
+    assert!(rate(|[on_line, ..]| *on_line) > 0.08);
+    assert!(rate(|[on_line, in_plane, on_circle, _]| *in_plane && !on_line && !on_circle) > 0.08);
+    assert!(rate(|[on_line, _, on_circle, _]| *on_circle && !on_line) > 0.08);
+    assert!(rate(|[_, in_plane, _, on_sphere]| *on_sphere && !in_plane) > 0.08);
+    assert!(rate(|[_, in_plane, _, on_sphere]| !on_sphere && !in_plane) > 0.2);
+
+    // Of one point, and of none, nothing can coincide.
+    let alone = drawn(cga3::point_configurations::<f32, 1>(SIZE));
+    assert!(
+        alone
+            .iter()
+            .all(|[p]| p.coordinates().iter().all(|x| x.is_finite()))
+    );
+    assert_eq!(
+        drawn(cga3::point_configurations::<f64, 0>(SIZE)).len(),
+        CASES
+    );
+}
+
+/// How far the square of a motor's norm is from 1, by its coefficients: `⟨M ~M⟩ = 1` and the Study condition.
+fn off_unit(m: &Motor<f64>) -> f64 {
+    let norm = m.scalar().powi(2) + m.e12().powi(2) + m.e13().powi(2) + m.e23().powi(2);
+    let study = m.scalar() * m.e123i() - m.e12() * m.e3i() + m.e13() * m.e2i() - m.e23() * m.e1i();
+    (norm - 1.0).abs().max(study.abs() / SIZE)
+}
+
+#[test]
+fn rotors_turn_every_way() {
+    let rotors: Vec<Rotor<f64>> = drawn(cga3::rotors());
+    assert!(rotors.iter().all(|&r| off_unit(&r.into()) < 1e-14));
+    let still = Rotor::default();
+    // 0, and what is so small that its cosine is 1 and its square is zero.
+    assert!(share(&rotors, |r| *r == still) > 0.02);
+    assert!(share(&rotors, |r| *r != still && r.scalar() == 1.0) > 0.1);
+    assert!(share(&rotors, |r| r.scalar() == -1.0) > 0.02);
+    assert!(share(&rotors, |r| r.scalar().abs() < 1e-16) > 0.02);
+    assert!(share(&rotors, |r| (1e-14..1e-6).contains(&r.scalar().abs())) > 0.08);
+    assert!(share(&rotors, |r| r.scalar() < -0.1) > 0.2);
+    let singles: Vec<Rotor<f32>> = drawn(cga3::rotors());
+    assert!(singles.iter().all(|r| off_unit(&r.map_to_f64()) < 1e-6));
+}
+
+trait MapToF64 {
+    fn map_to_f64(&self) -> Motor<f64>;
+}
+
+impl MapToF64 for Rotor<f32> {
+    fn map_to_f64(&self) -> Motor<f64> {
+        let [s, a, b, c] = [self.scalar(), self.e12(), self.e13(), self.e23()].map(f64::from);
+        Motor::new_unchecked(s, a, b, c, 0.0, 0.0, 0.0, 0.0)
+    }
+}
+
+#[test]
+fn translators_shift_within_the_cube() {
+    let shifts: Vec<Translator<f64>> = drawn(cga3::translators(SIZE));
+    assert!(
+        shifts
+            .iter()
+            .flat_map(|t| t.displacement())
+            .all(|x| x.abs() <= SIZE)
+    );
+    assert!(share(&shifts, |t| t.displacement() == [0.0; 3]) > 0.1);
+}
+
+#[test]
+fn motors_are_of_every_kind() {
+    let motors: Vec<Motor<f64>> = drawn(cga3::motors(SIZE));
+    let worst = motors.iter().map(off_unit).fold(0.0, f64::max);
+    assert!(worst < 1e-14, "a motor is off by {worst}");
+    let bivector = |m: &Motor<f64>| length([m.e12(), m.e13(), m.e23()]);
+    let shift = |m: &Motor<f64>| length([m.e1i(), m.e2i(), m.e3i()]);
+    for sign in [1.0, -1.0] {
+        let is_sign = |m: &Motor<f64>| m.scalar() == sign && bivector(m) == 0.0 && shift(m) == 0.0;
+        assert!(share(&motors, is_sign) > 0.05);
+        let is_shift = |m: &Motor<f64>| m.scalar() == sign && bivector(m) == 0.0 && shift(m) > 0.0;
+        assert!(share(&motors, is_shift) > 0.05);
+    }
+    let turns = |m: &Motor<f64>| bivector(m) > 1e-3;
+    let slides = |m: &Motor<f64>| m.e123i().abs() > 1e-9;
+    assert!(share(&motors, |m| turns(m) && shift(m) > 1e-3 && !slides(m)) > 0.05);
+    assert!(share(&motors, |m| turns(m) && slides(m)) > 0.3);
+    // The distances of points stay what they are.
+    let points: Vec<[Point<f64>; 2]> = drawn(cga3::point_configurations(SIZE));
+    for (motor, [p, q]) in motors.iter().zip(points) {
+        let after = motor.transform(p).distance(motor.transform(q));
+        assert_close!(p.distance(q), after, 1e-13, 4.0 * SIZE);
+    }
+}
+
+#[test]
+fn dilators_and_similarities_scale() {
+    let dilators: Vec<Dilator<f64>> = drawn(cga3::dilators(100.0));
+    assert!(
+        dilators
+            .iter()
+            .all(|d| (0.00999..100.001).contains(&d.factor()))
+    );
+    assert_share(&dilators, 1.0 / 24.0, |d| d.factor() == 1.0);
+    assert_share(&dilators, 1.0 / 24.0, |d| d.factor() > 99.999);
+    assert_share(&dilators, 1.0 / 24.0, |d| d.factor() < 0.01001);
+    assert_share(&dilators, 0.125, |d| {
+        (d.factor() - 1.0).abs() < 2e-9 && d.factor() != 1.0
+    });
+
+    // All distances grow by one factor.
+    let similarities = drawn(cga3::similarities::<f64>(SIZE, 100.0));
+    let mut grown = Vec::new();
+    for similarity in similarities {
+        let corners = [[0.0; 3], [3.0, 0.0, 0.0], [0.0, 0.0, 4.0]].map(Point::from);
+        let [p, q, r] = corners.map(|p| {
+            similarity
+                .transform(p)
+                .centre()
+                .expect("a point has a weight")
+        });
+        let factor = p.distance(q) / 3.0;
+        assert!((0.0099..101.0).contains(&factor));
+        assert_close!(q.distance(r), 5.0 * factor, 1e-10, 10.0 + factor);
+        grown.push(factor);
+    }
+    assert!(
+        share(&grown, |factor| *factor > 2.0) > 0.2 && share(&grown, |factor| *factor < 0.5) > 0.2
+    );
+}
+
+#[test]
+fn flats_are_near_the_cube() {
+    let reach = SIZE * 3.0_f64.sqrt() * (1.0 + 1e-12);
+    let lines: Vec<Line<f64>> = drawn(cga3::lines(SIZE));
+    for line in &lines {
+        let (direction, moment) = (line.direction(), line.moment());
+        let weight = length(direction);
+        assert!((0.0099..=101.0).contains(&weight));
+        assert!(dot(direction, moment).abs() <= 1e-14 * weight * weight * reach);
+        assert!(length(moment) <= weight * reach);
+    }
+    assert!(share(&lines, |line| (length(line.direction()) - 1.0).abs() > 1e-3) > 0.4);
+    let planes: Vec<Plane<f64>> = drawn(cga3::planes(SIZE));
+    for plane in &planes {
+        let from_origin = plane
+            .signed_distance(Point::default())
+            .expect("a plane has a weight");
+        assert!(from_origin.abs() <= reach);
+    }
+    let through_origin = |plane: &Plane<f64>| plane.signed_distance(Point::default()) == Some(0.0);
+    assert!(share(&planes, through_origin) > 0.005);
+    let flat_points: Vec<FlatPoint<f64>> = drawn(cga3::flat_points(SIZE));
+    for flat_point in flat_points {
+        let place = flat_point
+            .to_point()
+            .expect("a flat point has a weight")
+            .coordinates();
+        assert!(place.iter().all(|x| x.abs() <= SIZE * (1.0 + 1e-15)));
+    }
+}
+
+#[test]
+fn rounds_are_real() {
+    let radii = |radius: f64| radius > 0.9e-6 * SIZE && radius < 1.0001 * SIZE;
+    let spheres: Vec<Sphere<f64>> = drawn(cga3::spheres(SIZE));
+    let parts = |sphere: &Sphere<f64>| {
+        (
+            sphere.centre().expect("a centre"),
+            sphere.radius_squared().expect("a radius"),
+        )
+    };
+    for sphere in &spheres {
+        let (centre, squared) = parts(sphere);
+        // The square of a small radius is a difference of large numbers.
+        assert!(squared < 1.001 * SIZE * SIZE && squared > -1e-12 * SIZE * SIZE);
+        assert!(
+            centre
+                .coordinates()
+                .iter()
+                .all(|x| x.abs() <= 1.0001 * SIZE)
+        );
+    }
+    assert_share(&spheres, 0.125, |sphere| {
+        let (centre, squared) = parts(sphere);
+        let distance = dot(centre.coordinates(), centre.coordinates());
+        (distance - squared).abs() < 1e-13 * SIZE * SIZE
+    });
+    assert!(share(&spheres, |sphere| parts(sphere).1 < 1e-4 * SIZE * SIZE) > 0.1);
+
+    let circles = drawn(cga3::circles::<f64>(SIZE));
+    assert!(share(&circles, |circle| circle.radius().is_some_and(radii)) > 0.95);
+    let pairs = drawn(cga3::point_pairs::<f64>(SIZE));
+    assert!(share(&pairs, |pair| pair.radius().is_some_and(radii)) > 0.95);
+    let is_ordinary = |x: f32| x.is_finite();
+    let singles = drawn(cga3::circles::<f32>(SIZE));
+    assert!(
+        singles
+            .iter()
+            .all(|circle| circle.radius_squared().is_some_and(is_ordinary))
+    );
+}
+
+#[test]
+fn pairs_of_lines_take_every_position() {
+    let pairs: Vec<[Line<f64>; 2]> = drawn(cga3::pairs_of_lines(SIZE));
+    /// The sine of the angle, the moment of each line about the other, and the distance of the nearest points to the origin.
+    struct Position {
+        sine: f64,
+        cosine: f64,
+        crossing: f64,
+        offset: f64,
+    }
+    let position = |[a, b]: &[Line<f64>; 2]| {
+        let [(u, m), (v, n)] = [a, b].map(|line| {
+            let weight = length(line.direction());
+            let unit = |v: [f64; 3]| v.map(|x| x / weight);
+            (unit(line.direction()), unit(line.moment()))
+        });
+        Position {
+            sine: length(cross(u, v)),
+            cosine: dot(u, v),
+            crossing: dot(u, n) + dot(v, m),
+            offset: length(minus(cross(u, m), cross(v, n))),
+        }
+    };
+    let found: Vec<_> = pairs.iter().map(position).collect();
+    let is_parallel = |p: &Position| p.sine < 1e-14;
+    // Weights turn lines round, so that the same line and its reverse are told apart by half of the cases each.
+    assert!(
+        share(&found, |p| is_parallel(p)
+            && p.offset < 1e-12
+            && p.cosine > 0.0)
+            > 0.08
+    );
+    assert!(
+        share(&found, |p| is_parallel(p)
+            && p.offset < 1e-12
+            && p.cosine < 0.0)
+            > 0.08
+    );
+    assert!(share(&found, |p| is_parallel(p) && p.offset > 1e-3) > 0.08);
+    assert!(share(&found, |p| (1e-13..1.1e-3).contains(&p.sine)) > 0.08);
+    assert!(share(&found, |p| p.sine > 1e-3 && p.crossing.abs() < 1e-13) > 0.08);
+    assert!(share(&found, |p| p.sine > 1e-3 && p.crossing.abs() > 1e-3) > 0.25);
+}
+
+#[test]
+fn pairs_of_planes_take_every_position() {
+    let pairs: Vec<[Plane<f64>; 2]> = drawn(cga3::pairs_of_planes(SIZE));
+    let position = |[a, b]: &[Plane<f64>; 2]| {
+        let (m, n) = (unit(a.normal()), unit(b.normal()));
+        let offsets =
+            [a, b].map(|plane| plane.signed_distance(Point::default()).expect("a weight"));
+        let same_side = dot(m, n).signum();
+        (
+            length(cross(m, n)),
+            dot(m, n),
+            (offsets[0] - same_side * offsets[1]).abs(),
+        )
+    };
+    let found: Vec<_> = pairs.iter().map(position).collect();
+    assert!(share(&found, |(sine, _, gap)| *sine < 1e-14 && *gap < 1e-12) > 0.08);
+    assert!(share(&found, |(sine, _, gap)| *sine < 1e-14 && *gap > 1e-3) > 0.08);
+    assert!(share(&found, |(sine, ..)| (1e-13..1.1e-3).contains(sine)) > 0.08);
+    assert!(share(&found, |(_, cosine, _)| cosine.abs() < 1e-14) > 0.1);
+    assert!(
+        share(&found, |(sine, cosine, _)| *sine > 1e-2
+            && cosine.abs() > 1e-2)
+            > 0.3
+    );
+}
+
+#[test]
+fn pairs_of_spheres_take_every_position() {
+    let pairs: Vec<[Sphere<f64>; 2]> = drawn(cga3::pairs_of_spheres(SIZE));
+    let position = |[a, b]: &[Sphere<f64>; 2]| {
+        let centre = |sphere: &Sphere<f64>| sphere.centre().expect("a centre");
+        let radius =
+            |sphere: &Sphere<f64>| sphere.radius_squared().expect("a radius").max(0.0).sqrt();
+        (centre(a).distance(centre(b)), radius(a), radius(b))
+    };
+    // Where both are large enough for their radii to be read back to ten digits.
+    let found: Vec<_> = pairs
+        .iter()
+        .map(position)
+        .filter(|(_, r, s)| r.min(*s) > 0.01 * SIZE)
+        .collect();
+    assert!(found.len() > CASES / 2);
+    let near = |x: f64, y: f64| (x - y).abs() < 1e-8;
+    let rate =
+        |predicate: &dyn Fn(f64, f64, f64) -> bool| share(&found, |&(d, r, s)| predicate(d, r, s));
+    assert!(rate(&|d, r, s| near(d, 0.0) && near(r, s)) > 0.08);
+    assert!(rate(&|d, r, s| near(d, 0.0) && !near(r, s)) > 0.05);
+    assert!(rate(&|d, r, s| near(d, r + s)) > 0.05);
+    assert!(rate(&|d, r, s| near(d, (r - s).abs()) && !near(d, 0.0)) > 0.05);
+    assert!(rate(&|d, r, s| near(d, r.hypot(s))) > 0.05);
+    let crosses = |d: f64, r: f64, s: f64| d > (r - s).abs() + 1e-3 && d < r + s - 1e-3;
+    assert!(rate(&|d, r, s| crosses(d, r, s) && !near(d, r.hypot(s))) > 0.05);
+    assert!(rate(&|d, r, s| d > r + s + 1e-3) > 0.08);
+}
