@@ -1,0 +1,73 @@
+//! Derivatives without a formula for them: when does a point that moves along a screw come to a sphere?
+//!
+//! The question is put once, as a function that is generic over its scalar. Asked with dual numbers, the function also answers how
+//! fast its value changes, and that is what Newton's method needs.
+//!
+//! Run it with `cargo run -p ga-runtime --example derivatives`.
+
+use ga_runtime::cga3::{DualSphere, Motor, MotorGenerator, Point};
+use ga_runtime::scalar::{Dual, Real};
+
+ga_runtime::ga! { ga_runtime::cga3;
+    /// The inner product of the moved point and a dual sphere: `½(r² − d²)` for a point at the distance d from the centre, so zero on
+    /// the sphere.
+    fn inside(motor: Motor, point: Point, sphere: DualSphere) -> Scalar {
+        (motor * point * reverse(motor)) | sphere
+    }
+}
+
+const START: [f64; 3] = [2.0, 0.0, 0.0];
+const CENTRE: [f64; 3] = [-2.0, 0.5, 1.5];
+const RADIUS: f64 = 1.0;
+/// Each second the screw turns by TURN radians about the z axis and slides by SLIDE along it.
+const TURN: f64 = 0.8;
+const SLIDE: f64 = 0.4;
+
+/// The motion after a time: the exponential of the time times the generator `−½ TURN e12 − ½ SLIDE e3∧ei`.
+fn motion<S: Real<Mask = bool>>(time: S) -> Motor<S> {
+    let [turn, slide] = [TURN, SLIDE].map(|x| time * S::from_f64(-0.5 * x));
+    let zero = S::zero();
+    MotorGenerator::new(turn, zero, zero, zero, zero, slide).exp()
+}
+
+/// How far inside the sphere the point is at a time. Nothing here mentions derivatives.
+fn depth<S: Real<Mask = bool>>(time: S) -> S {
+    let point = Point::from(START.map(S::from_f64));
+    let centre = Point::from(CENTRE.map(S::from_f64));
+    let sphere: DualSphere<S> = DualSphere::from_centre_radius(centre, S::from_f64(RADIUS));
+    inside(motion(time), point, sphere)
+}
+
+fn main() {
+    let mut time = 2.5;
+    println!("step      time           depth       its derivative");
+    for step in 0..8 {
+        // A variable has the derivative 1; everything worked out from it carries its own.
+        let depth = depth(Dual::variable(time));
+        println!(
+            "{step:4}  {time:.12}  {:12.3e}  {:10.6}",
+            depth.value,
+            depth.derivative()
+        );
+
+        // The derivative in plain coordinates: minus the way to the centre times the velocity ω × x + v.
+        let [x, y, z] = motion(time).transform(Point::from(START)).coordinates();
+        let velocity = [-TURN * y, TURN * x, SLIDE];
+        let by_hand: f64 = (0..3)
+            .map(|k| (CENTRE[k] - [x, y, z][k]) * velocity[k])
+            .sum();
+        assert!((depth.derivative() - by_hand).abs() < 1e-12);
+
+        if depth.value.abs() < 1e-14 {
+            break;
+        }
+        time -= depth.value / depth.derivative();
+    }
+
+    let place = motion(time).transform(Point::from(START));
+    println!(
+        "after {time:.6} seconds the point is on the sphere, at {:.6?}",
+        place.coordinates()
+    );
+    assert!((place.distance(Point::from(CENTRE)) - RADIUS).abs() < 1e-12);
+}
