@@ -19,6 +19,8 @@
 //!
 //! The dual forms `DualSphere`, `DualPlane`, `DualCircle`, `DualPointPair`, `DualFlatPoint`, `DualDirection` and, for lines, `MotorGenerator` come from `dual` and go
 //! back by `undual`; they meet by `^`. [`Kind`] says at run time whether a round is real, imaginary or a tangent, and whether a blade is a round at all.
+//!
+//! What two of them have to do with each other, distances and angles among it, is in [`relation`].
 
 mod circle;
 mod dilator;
@@ -32,6 +34,7 @@ mod motor;
 mod plane;
 mod point;
 mod point_pair;
+pub mod relation;
 mod rotor;
 mod round;
 mod screw;

@@ -1,0 +1,168 @@
+//! Primitives as plain Euclidean figures.
+
+use crate::cga3::{Circle, FlatPoint, Line, Plane, Point, PointPair, Sphere};
+use crate::geometry::round::real_radius;
+use crate::geometry::vector3::{are_numbers, length};
+use crate::scalar::Real;
+
+/// A primitive as a set of points of space, by plain vectors. All numbers are finite, directions and normals have length 1, radii are not
+/// negative.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Figure<S> {
+    /// One point.
+    Point([S; 3]),
+    /// The two points of a pair, as in `p∧q`.
+    PointPair([[S; 3]; 2]),
+    /// A line.
+    Line {
+        /// Its point that is nearest to the origin.
+        point: [S; 3],
+        /// Its direction.
+        direction: [S; 3],
+    },
+    /// The plane of the points x with `n·x = d`.
+    Plane {
+        /// The normal n.
+        normal: [S; 3],
+        /// The distance d.
+        distance: S,
+    },
+    /// A circle.
+    Circle {
+        /// Its centre.
+        centre: [S; 3],
+        /// The normal of its plane, from whose tip it turns counterclockwise.
+        normal: [S; 3],
+        /// Its radius.
+        radius: S,
+    },
+    /// A sphere.
+    Sphere {
+        /// Its centre.
+        centre: [S; 3],
+        /// Its radius.
+        radius: S,
+    },
+}
+
+/// A primitive of space that can be read as a [`Figure`].
+pub trait Primitive<S>: Copy {
+    /// The figure; `None` for weight zero, imaginary points or radii, and numbers that are not finite.
+    ///
+    /// A round whose weight is exactly zero is read as the flat that it then is: a sphere as a plane, a circle as a line, a pair as
+    /// its finite point.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Line, Point};
+    /// use ga_runtime::geometry::relation::{Figure, Primitive};
+    /// let line = Line::through(Point::new(1.0, 2.0, 0.0), Point::new(5.0, 2.0, 0.0));
+    /// let figure = Figure::Line { point: [0.0, 2.0, 0.0], direction: [1.0, 0.0, 0.0] };
+    /// assert_eq!(line.figure(), Some(figure));
+    /// ```
+    fn figure(self) -> Option<Figure<S>>;
+}
+
+impl<S: Real<Mask = bool>> Primitive<S> for Point<S> {
+    #[inline]
+    fn figure(self) -> Option<Figure<S>> {
+        let place = self.coordinates();
+        are_numbers(place).then_some(Figure::Point(place))
+    }
+}
+
+impl<S: Real<Mask = bool>> Primitive<S> for FlatPoint<S> {
+    #[inline]
+    fn figure(self) -> Option<Figure<S>> {
+        self.to_point()?.figure()
+    }
+}
+
+impl<S: Real<Mask = bool>> Primitive<S> for PointPair<S> {
+    fn figure(self) -> Option<Figure<S>> {
+        if [self.e1o, self.e2o, self.e3o] == [S::zero(); 3] {
+            // p∧ei, as far as p is finite.
+            return FlatPoint::new(self.e1i, self.e2i, self.e3i, self.eoi).figure();
+        }
+        let [p, q] = self.endpoints()?.map(Point::coordinates);
+        Some(if p == q {
+            Figure::Point(p)
+        } else {
+            Figure::PointPair([p, q])
+        })
+    }
+}
+
+impl<S: Real<Mask = bool>> Primitive<S> for Line<S> {
+    #[inline]
+    fn figure(self) -> Option<Figure<S>> {
+        let (point, direction) = (self.support()?.coordinates(), self.unit_direction()?);
+        Some(Figure::Line { point, direction })
+    }
+}
+
+impl<S: Real<Mask = bool>> Primitive<S> for Plane<S> {
+    #[inline]
+    fn figure(self) -> Option<Figure<S>> {
+        let normal = self.unit_normal()?;
+        let dual = self.dual();
+        let distance = dual.ei / length(dual.normal());
+        let figure = Figure::Plane { normal, distance };
+        distance.is_finite().then_some(figure)
+    }
+}
+
+impl<S: Real<Mask = bool>> Primitive<S> for Circle<S> {
+    fn figure(self) -> Option<Figure<S>> {
+        if [self.e123, self.e12o, self.e13o, self.e23o] == [S::zero(); 4] {
+            let Self {
+                e12i,
+                e13i,
+                e23i,
+                e1oi,
+                e2oi,
+                e3oi,
+                ..
+            } = self;
+            return Line::new(e12i, e13i, e23i, e1oi, e2oi, e3oi).figure();
+        }
+        let (centre, normal, squared) = circle_parts(self)?;
+        let radius = real_radius(squared)?;
+        Some(Figure::Circle {
+            centre,
+            normal,
+            radius,
+        })
+    }
+}
+
+impl<S: Real<Mask = bool>> Primitive<S> for Sphere<S> {
+    fn figure(self) -> Option<Figure<S>> {
+        if self.e123o == S::zero() {
+            let Self {
+                e123i,
+                e12oi,
+                e13oi,
+                e23oi,
+                ..
+            } = self;
+            return Plane::new(e123i, e12oi, e13oi, e23oi).figure();
+        }
+        let (centre, squared) = sphere_parts(self)?;
+        let radius = real_radius(squared)?;
+        Some(Figure::Sphere { centre, radius })
+    }
+}
+
+/// Centre, unit normal and squared radius, negative for an imaginary circle.
+pub(super) fn circle_parts<S: Real<Mask = bool>>(circle: Circle<S>) -> Option<([S; 3], [S; 3], S)> {
+    let (centre, normal) = (circle.centre()?.coordinates(), circle.unit_normal()?);
+    let squared = circle.radius_squared()?;
+    squared.is_finite().then_some((centre, normal, squared))
+}
+
+/// Centre and squared radius, negative for an imaginary sphere.
+pub(super) fn sphere_parts<S: Real<Mask = bool>>(sphere: Sphere<S>) -> Option<([S; 3], S)> {
+    let (centre, squared) = (sphere.centre()?.coordinates(), sphere.radius_squared()?);
+    let finite = are_numbers(centre) && squared.is_finite();
+    finite.then_some((centre, squared))
+}

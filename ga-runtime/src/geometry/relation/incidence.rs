@@ -1,0 +1,181 @@
+//! Incidence: what lies on what, within a tolerance.
+//!
+//! `a.is_on(b, tolerance)` asks whether every point of a is a point of b. In blades a point x is on a direct X where `x∧X = 0`; here the
+//! distance is measured, so that the tolerance has the units of the coordinates whatever the weights of the blades.
+//!
+//! | a | on b | within the tolerance must be |
+//! | --- | --- | --- |
+//! | point | anything | the distance |
+//! | point pair | anything | the distance of both points |
+//! | line | line, plane | the angle, and the distance at the point of a nearest to the origin |
+//! | plane | plane | the angle, and the distance at the point of a nearest to the origin |
+//! | circle | plane, sphere | the distance of its farthest point |
+//! | circle | circle | the distance of the centres, the difference of the radii, and the tilt times the radius |
+//! | sphere | sphere | the distance of the centres and the difference of the radii |
+//!
+//! All others are never on each other, but for a circle or a sphere whose radius is within the tolerance, which counts as its
+//! centre. What is no [`Figure`] is on nothing, and nothing is on it.
+//!
+//! ```
+//! use ga_runtime::cga3::{Circle, Plane, Point, Sphere};
+//! use ga_runtime::geometry::relation::Tolerance;
+//!
+//! let tolerance = Tolerance::default();
+//! let [p, q, r] = [[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [-2.0, 0.0, 0.0]].map(Point::from);
+//! let circle = Circle::through(p, q, r);
+//! let sphere = Sphere::from_centre_radius(Point::new(0.0, 0.0, 1.5), 2.5);
+//! assert!(p.is_on(circle, tolerance));
+//! assert!(circle.is_on(sphere, tolerance) && circle.is_on(Plane::through(p, q, r), tolerance));
+//! assert!(!circle.is_on(Sphere::from_centre_radius(p, 2.0), tolerance));
+//! ```
+
+use super::distance::{distance, from_sphere};
+use super::tolerance::within;
+use super::{Figure, Primitive, Tolerance};
+use crate::cga3::{Circle, FlatPoint, Line, Plane, Point, PointPair, Sphere};
+use crate::geometry::vector3::{cross, difference, dot, length, scaled};
+use crate::scalar::Real;
+
+/// A primitive with a direction: a line, a plane by its normal, a circle by the normal of its plane.
+pub trait Directed<S>: Primitive<S> {}
+
+impl<S: Real<Mask = bool>> Directed<S> for Line<S> {}
+impl<S: Real<Mask = bool>> Directed<S> for Plane<S> {}
+impl<S: Real<Mask = bool>> Directed<S> for Circle<S> {}
+
+macro_rules! incidence {
+    ($($Primitive:ident)*) => {$(
+        impl<S: Real<Mask = bool>> $Primitive<S> {
+            /// Whether every point of this is a point of the other, within the tolerance; see
+            /// [`incidence`](crate::geometry::relation::incidence). False where either is no figure.
+            #[must_use]
+            pub fn is_on<T: Primitive<S>>(self, other: T, tolerance: Tolerance<S>) -> bool {
+                match (self.figure(), other.figure()) {
+                    (Some(a), Some(b)) => is_on(a, b, tolerance),
+                    _ => false,
+                }
+            }
+
+            /// Whether this and the other are the same set of points, each [on](Self::is_on) the other; orientation and weight do not
+            /// count. False where either is no figure.
+            #[must_use]
+            pub fn coincides_with<T: Primitive<S>>(self, other: T, tolerance: Tolerance<S>) -> bool {
+                match (self.figure(), other.figure()) {
+                    (Some(a), Some(b)) => is_on(a, b, tolerance) && is_on(b, a, tolerance),
+                    _ => false,
+                }
+            }
+        }
+    )*};
+}
+
+macro_rules! attitude {
+    ($($Primitive:ident)*) => {$(
+        impl<S: Real<Mask = bool>> $Primitive<S> {
+            /// Whether the angle to the other is zero within `tolerance.angle`, orientation left aside. Lines, planes and the planes of
+            /// circles are compared; what coincides is parallel too. False where either is no figure.
+            #[must_use]
+            pub fn is_parallel_to<T: Directed<S>>(self, other: T, tolerance: Tolerance<S>) -> bool {
+                let slope = self.figure().zip(other.figure()).and_then(|(a, b)| slope(a, b));
+                slope.is_some_and(|[sine, cosine]| within(sine.atan2(cosine), tolerance.angle))
+            }
+
+            /// Whether the angle to the other is a right one within `tolerance.angle`. Lines, planes and the planes of circles are compared;
+            /// they need not meet. False where either is no figure.
+            #[must_use]
+            pub fn is_perpendicular_to<T: Directed<S>>(self, other: T, tolerance: Tolerance<S>) -> bool {
+                let slope = self.figure().zip(other.figure()).and_then(|(a, b)| slope(a, b));
+                slope.is_some_and(|[sine, cosine]| within(cosine.atan2(sine), tolerance.angle))
+            }
+        }
+    )*};
+}
+
+incidence!(Point FlatPoint PointPair Line Plane Circle Sphere);
+attitude!(Line Plane Circle);
+
+/// Sine and cosine, neither negative, of the acute angle between two directed figures.
+fn slope<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<[S; 2]> {
+    let (u, u_is_normal) = direction(a)?;
+    let (v, v_is_normal) = direction(b)?;
+    let [sine, cosine] = [length(cross(u, v)), dot(u, v).abs()];
+    Some(if u_is_normal == v_is_normal {
+        [sine, cosine]
+    } else {
+        [cosine, sine]
+    })
+}
+
+/// The direction of a figure, and whether it is a normal.
+fn direction<S>(figure: Figure<S>) -> Option<([S; 3], bool)> {
+    match figure {
+        Figure::Line { direction, .. } => Some((direction, false)),
+        Figure::Plane { normal, .. } | Figure::Circle { normal, .. } => Some((normal, true)),
+        Figure::Point(_) | Figure::PointPair(_) | Figure::Sphere { .. } => None,
+    }
+}
+
+fn is_on<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>, tolerance: Tolerance<S>) -> bool {
+    let near = |x: S| within(x, tolerance.distance);
+    let point_is_on = |p: [S; 3], b| distance(Figure::Point(p), b).is_some_and(near);
+    let turned =
+        |u: [S; 3], v: [S; 3]| within(length(cross(u, v)).atan2(dot(u, v).abs()), tolerance.angle);
+    match (a, b) {
+        (Figure::Point(p), b) => point_is_on(p, b),
+        (Figure::Circle { centre, radius, .. } | Figure::Sphere { centre, radius }, b)
+            if near(radius) =>
+        {
+            point_is_on(centre, b)
+        }
+        (Figure::PointPair([p, q]), b) => point_is_on(p, b) && point_is_on(q, b),
+        (Figure::Line { point, direction }, Figure::Line { direction: e, .. }) => {
+            turned(direction, e) && point_is_on(point, b)
+        }
+        (Figure::Line { point, direction }, Figure::Plane { normal, .. }) => {
+            let [sine, cosine] = [
+                dot(direction, normal).abs(),
+                length(cross(direction, normal)),
+            ];
+            within(sine.atan2(cosine), tolerance.angle) && point_is_on(point, b)
+        }
+        (Figure::Plane { normal, distance }, Figure::Plane { normal: m, .. }) => {
+            turned(normal, m) && point_is_on(scaled(normal, distance), b)
+        }
+        (
+            Figure::Sphere { centre, radius },
+            Figure::Sphere {
+                centre: c,
+                radius: r,
+            },
+        ) => near(length(difference(centre, c))) && near(radius - r),
+        (
+            Figure::Circle {
+                centre,
+                normal,
+                radius,
+            },
+            Figure::Plane {
+                normal: m,
+                distance,
+            },
+        ) => near((dot(centre, m) - distance).abs() + length(cross(normal, m)) * radius),
+        (Figure::Circle { .. }, Figure::Sphere { centre, radius }) => from_sphere(a, centre)
+            .is_some_and(|[least, most]| near(least - radius) && near(most - radius)),
+        (
+            Figure::Circle {
+                centre,
+                normal,
+                radius,
+            },
+            Figure::Circle {
+                centre: c,
+                normal: m,
+                radius: r,
+            },
+        ) => {
+            let tilt = length(cross(normal, m)) * radius;
+            near(length(difference(centre, c))) && near(radius - r) && near(tilt)
+        }
+        _ => false,
+    }
+}

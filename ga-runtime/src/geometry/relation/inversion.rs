@@ -1,0 +1,140 @@
+//! Inversion in a sphere.
+//!
+//! A point at x goes to `c + r² (x − c)/∣x − c∣²`. With the dual sphere `σ = c − ½r² ei` it is the versor action `σ X̂ σ⁻¹`, X̂ the grade
+//! involution, so that every blade is moved point by point, with orientation. Rounds and flats become each other: what passes the
+//! centre becomes flat, and a flat that does not becomes round through the centre.
+//!
+//! | element | becomes | flat where |
+//! | --- | --- | --- |
+//! | point | point; `None` for the centre, which goes to infinity | |
+//! | point pair, flat point | [`RoundOrFlat`] of point pair and flat point | a point of it is the centre |
+//! | circle, line | [`RoundOrFlat`] of circle and line | it passes the centre |
+//! | sphere, plane | [`RoundOrFlat`] of sphere and plane | it passes the centre |
+//!
+//! Whether the centre is on it is decided within `tolerance.distance`, and the flat result is then exact in its kind: its blades with eo and
+//! without ei are left out. Points at or nearer than that to the centre have no image.
+//!
+//! ```
+//! use ga_runtime::cga3::{Plane, Point, Sphere};
+//! use ga_runtime::geometry::relation::{RoundOrFlat, Tolerance};
+//!
+//! let tolerance = Tolerance::default();
+//! let unit = Sphere::from_centre_radius(Point::default(), 1.0);
+//! assert_eq!(Point::new(2.0, 0.0, 0.0).invert_in(unit, tolerance), Some(Point::new(0.5, 0.0, 0.0)));
+//! let plane = Plane::from_point_normal(Point::new(0.0, 0.0, 2.0), [0.0, 0.0, 1.0]);
+//! match plane.invert_in(unit, tolerance) {
+//!     Some(RoundOrFlat::Round(sphere)) => assert_eq!(sphere.radius(), Some(0.25)),
+//!     other => panic!("{other:?}"),
+//! }
+//! // A sphere through the centre becomes a plane.
+//! let through = Sphere::from_centre_radius(Point::new(0.0, 0.0, 0.25), 0.25);
+//! assert!(matches!(through.invert_in(unit, tolerance), Some(RoundOrFlat::Flat(_))));
+//! ```
+
+use super::distance::distance;
+use super::figure::sphere_parts;
+use super::tolerance::within;
+use super::{Figure, Primitive, Tolerance};
+use crate::Element;
+use crate::cga3::{Circle, FlatPoint, Line, Plane, Point, PointPair, Sphere, Translator};
+use crate::geometry::vector3::{are_numbers, difference, length, scaled, sum};
+use crate::products::Sandwich;
+use crate::scalar::{Field, Real};
+
+/// A round element, or the flat one that it has become.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum RoundOrFlat<R, F> {
+    /// The round element.
+    Round(R),
+    /// The flat element.
+    Flat(F),
+}
+
+impl<S: Real<Mask = bool>> Point<S> {
+    /// The image under inversion in a sphere, `c + r² (x − c)/∣x − c∣²`; see [`inversion`](crate::geometry::relation::inversion). `None`
+    /// for the centre within the tolerance, and where the sphere has radius zero, is imaginary or no sphere.
+    #[must_use]
+    pub fn invert_in(self, sphere: Sphere<S>, tolerance: Tolerance<S>) -> Option<Self> {
+        let (centre, radius) = mirror(sphere)?;
+        let arm = difference(self.coordinates(), centre);
+        let away = length(arm);
+        if within(away, tolerance.distance) || !S::zero().less_than(away) {
+            return None;
+        }
+        let stretch = radius / away;
+        let place = sum(centre, scaled(scaled(arm, stretch), stretch));
+        are_numbers(place).then(|| Point::from(place))
+    }
+}
+
+macro_rules! inversions {
+    ($($Element:ident: $Round:ident or $Flat:ident;)*) => {$(
+        impl<S: Real<Mask = bool>> $Element<S> {
+            /// The image under inversion in a sphere, `σ X̂ σ⁻¹` with the dual sphere σ; see [`inversion`](crate::geometry::relation::inversion). Flat
+            /// where the centre is on it within `tolerance.distance`. `None` where the sphere has radius zero, is imaginary or no sphere, this
+            /// is no figure, or the image is beyond the range of the scalar.
+            #[must_use]
+            pub fn invert_in(
+                self,
+                sphere: Sphere<S>,
+                tolerance: Tolerance<S>,
+            ) -> Option<RoundOrFlat<$Round<S>, $Flat<S>>> {
+                let (centre, radius) = mirror(sphere)?;
+                let away = distance(Figure::Point(centre), self.figure()?)?;
+                let image = inverted::<_, $Round<S>>(self, centre, radius)?;
+                Some(if within(away, tolerance.distance) {
+                    RoundOrFlat::Flat(recast(image))
+                } else {
+                    RoundOrFlat::Round(image)
+                })
+            }
+        }
+    )*};
+}
+
+inversions! {
+    PointPair: PointPair or FlatPoint;
+    FlatPoint: PointPair or FlatPoint;
+    Circle: Circle or Line;
+    Line: Circle or Line;
+    Sphere: Sphere or Plane;
+    Plane: Sphere or Plane;
+}
+
+/// Centre and radius of a sphere to invert in.
+fn mirror<S: Real<Mask = bool>>(sphere: Sphere<S>) -> Option<([S; 3], S)> {
+    let (centre, squared) = sphere_parts(sphere)?;
+    S::zero()
+        .less_than(squared)
+        .then(|| (centre, squared.sqrt()))
+}
+
+/// The image of an element, in the round type that holds it. With the centre brought to the origin the inversion exchanges eo and ei but for a
+/// factor, `eo → ½r² ei` and `ei → 2/r² eo`, and keeps e1, e2, e3.
+fn inverted<T, R>(element: T, centre: [R::Scalar; 3], radius: R::Scalar) -> Option<R>
+where
+    T: Element<Scalar = R::Scalar>,
+    R: Element<Scalar: Real<Mask = bool>>,
+    Translator<R::Scalar>: Sandwich<R, Output = R>,
+{
+    const ORIGIN: usize = 0b01000;
+    const INFINITY: usize = 0b10000;
+    let there = Translator::from_displacement(centre);
+    let moved = there.reverse().sandwich(recast::<T, R>(element));
+    let half_square = radius * radius * R::Scalar::from_ratio(1, 2);
+    let exchanged =
+        R::from_coefficients_unchecked(&mut |blade| match blade & (ORIGIN | INFINITY) {
+            0 => moved.coefficient(blade),
+            ORIGIN => moved.coefficient(blade ^ ORIGIN ^ INFINITY) / half_square,
+            INFINITY => moved.coefficient(blade ^ ORIGIN ^ INFINITY) * half_square,
+            _ => -moved.coefficient(blade),
+        });
+    let image = there.sandwich(exchanged);
+    let is_finite = |&blade: &usize| image.coefficient(blade).is_finite();
+    R::BLADES.iter().all(is_finite).then_some(image)
+}
+
+/// The coefficients that another type has too.
+fn recast<T: Element, U: Element<Scalar = T::Scalar>>(element: T) -> U {
+    U::from_coefficients_unchecked(&mut |blade| element.coefficient(blade))
+}

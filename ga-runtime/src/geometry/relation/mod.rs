@@ -1,0 +1,45 @@
+//! Relations between primitives: incidence, nearest points, reflection, inversion, distance and angle.
+//!
+//! Everything here is an inherent method of [`Point`](crate::cga3::Point), [`FlatPoint`](crate::cga3::FlatPoint),
+//! [`PointPair`](crate::cga3::PointPair), [`Line`](crate::cga3::Line), [`Plane`](crate::cga3::Plane),
+//! [`Circle`](crate::cga3::Circle) and [`Sphere`](crate::cga3::Sphere) in direct form; this module holds the traits that these
+//! methods are generic over and the types that they return.
+//!
+//! | method | gives | page |
+//! | --- | --- | --- |
+//! | `a.is_on(b, tolerance)`, `a.coincides_with(b, tolerance)` | whether a is part of b, whether both are one | [`incidence`] |
+//! | `a.is_parallel_to(b, tolerance)`, `a.is_perpendicular_to(b, tolerance)` | the same for directions | [`incidence`] |
+//! | `a.project_onto(b)`, `a.reject_from(b)` | the nearest point of b, and what is left of a | [`projection`] |
+//! | `a.reflect_in(mirror)` | the image in a plane, a line or a point | [`reflection`] |
+//! | `a.invert_in(sphere, tolerance)` | the image under inversion | [`inversion`] |
+//! | `a.distance_to(b)`, `a.signed_distance_to(b)` | the least distance, in the units of the coordinates | [`distance`] |
+//! | `a.angle_to(b)`, `a.inversive_distance_to(b)` | the angle in radians | [`angle`] |
+//! | `a.common_perpendicular(b, tolerance)` | the shortest way between two lines | [`common_perpendicular`] |
+//!
+//! Measures and tests read each primitive as a plain Euclidean [`Figure`] first and never take the root of an inner product that has
+//! cancelled, so that they hold up far from the origin. What is decided by comparing takes a [`Tolerance`]. A primitive
+//! that is no figure, because its weight is zero, it is imaginary or not finite, gives `None`, and `false` in a test.
+
+pub mod angle;
+pub mod common_perpendicular;
+pub mod distance;
+mod figure;
+pub mod incidence;
+pub mod inversion;
+mod least;
+pub mod projection;
+pub mod reflection;
+mod tolerance;
+
+pub use angle::Extended;
+pub use common_perpendicular::CommonPerpendicular;
+pub use figure::{Figure, Primitive};
+pub use incidence::Directed;
+pub use inversion::RoundOrFlat;
+pub use reflection::Mirror;
+pub use tolerance::Tolerance;
+
+/// Directions whose sine differs from zero by less count as parallel where no tolerance is given: 16 ε.
+fn parallel<S: crate::scalar::Real>() -> S {
+    S::epsilon() * S::from_integer(16)
+}

@@ -1,0 +1,276 @@
+//! Projection and rejection: the nearest point of a primitive, and what is left.
+//!
+//! `a.project_onto(b)` is the part of a in b, `a.reject_from(b)` what leads from there to a.
+//!
+//! | a | b | projection | in blades |
+//! | --- | --- | --- | --- |
+//! | point | line, plane | the foot of the perpendicular | the centre of `(P⌋B) B⁻¹` |
+//! | point | sphere about c | the end of the radius through the point | the nearer point of `(c∧P∧ei) ∨ S` |
+//! | point | circle | the nearest point | the same with the sphere about c through the circle and the foot of P in its plane |
+//! | point | point, point pair | the nearer point | |
+//! | direction | line, plane, circle | `(v·d) d`, `v − (v·n) n` | `(V⌋B) B⁻¹` |
+//! | line | plane | the line of the feet | `(L⌋Π) Π⁻¹` |
+//! | line | sphere | the great circle below the line | `S ∨ (c∧L)`, c the centre |
+//!
+//! `None` where the nearest point is not unique: a sphere's centre, the axis of a circle, the plane midway between two points; a line
+//! across a plane, whose image is a point; a line through the centre of a sphere. Also where one of the two is no [`Figure`].
+//!
+//! ```
+//! use ga_runtime::cga3::{Circle, Line, Plane, Point, Sphere};
+//!
+//! let p = Point::new(3.0, 4.0, 2.0);
+//! let ground = Plane::from_point_normal(Point::default(), [0.0, 0.0, 1.0]);
+//! assert_eq!(p.project_onto(ground), Some(Point::new(3.0, 4.0, 0.0)));
+//! assert_eq!(p.reject_from(ground).unwrap().vector(), [0.0, 0.0, 2.0]);
+//!
+//! let ring = Circle::from_centre_normal_radius(Point::default(), [0.0, 0.0, 1.0], 1.0).unwrap();
+//! assert_eq!(p.project_onto(ring), Some(Point::new(0.6, 0.8, 0.0)));
+//! // All points of a sphere are as near to its centre.
+//! assert_eq!(p.project_onto(Sphere::from_centre_radius(p, 1.0)), None);
+//!
+//! let line = Line::from_point_direction(p, [1.0, 0.0, 1.0]);
+//! assert_eq!(line.project_onto(ground).unwrap().unit_direction(), Some([1.0, 0.0, 0.0]));
+//! ```
+
+use super::distance::across;
+use super::incidence::Directed;
+use super::{Figure, Primitive, parallel};
+use crate::cga3::{Circle, Direction, FlatPoint, Line, Plane, Point, Sphere};
+use crate::geometry::vector3::{
+    are_numbers, cross, difference, dot, length, normalized, scaled, sum,
+};
+use crate::scalar::Real;
+
+impl<S: Real<Mask = bool>> Point<S> {
+    /// The point of the other primitive that is nearest to this one; see [`projection`](crate::geometry::relation::projection). `None`
+    /// where several are, or the other is no figure.
+    #[must_use]
+    pub fn project_onto<T: Primitive<S>>(self, other: T) -> Option<Self> {
+        let place = nearest(self.coordinates(), other.figure()?)?;
+        are_numbers(place).then(|| Point::from(place))
+    }
+
+    /// The free vector that leads here from the [nearest point](Self::project_onto) of the other primitive: `p − p'`, as
+    /// long as the distance. `None` where there is no nearest point.
+    #[must_use]
+    pub fn reject_from<T: Primitive<S>>(self, other: T) -> Option<Direction<S>> {
+        let foot = self.project_onto(other)?.coordinates();
+        let way = difference(self.coordinates(), foot);
+        are_numbers(way).then(|| Direction::from_vector(way))
+    }
+}
+
+impl<S: Real<Mask = bool>> FlatPoint<S> {
+    /// The projection of its [point](Self::to_point); see [`Point::project_onto`].
+    #[must_use]
+    pub fn project_onto<T: Primitive<S>>(self, other: T) -> Option<Point<S>> {
+        self.to_point()?.project_onto(other)
+    }
+
+    /// The rejection of its [point](Self::to_point); see [`Point::reject_from`].
+    #[must_use]
+    pub fn reject_from<T: Primitive<S>>(self, other: T) -> Option<Direction<S>> {
+        self.to_point()?.reject_from(other)
+    }
+}
+
+impl<S: Real<Mask = bool>> Direction<S> {
+    /// The part along a line or in a plane, which for a circle is its own: `(v·d) d` or `v − (v·n) n`. It may be zero. `None` where
+    /// this is not finite or the other is no figure.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Direction, Line, Point};
+    /// let line = Line::from_point_direction(Point::new(7.0, 8.0, 9.0), [0.0, 2.0, 0.0]);
+    /// let v = Direction::from_vector([1.0, 2.0, 3.0]);
+    /// assert_eq!(v.project_onto(line).unwrap().vector(), [0.0, 2.0, 0.0]);
+    /// assert_eq!(v.reject_from(line).unwrap().vector(), [1.0, 0.0, 3.0]);
+    /// ```
+    #[must_use]
+    pub fn project_onto<T: Directed<S>>(self, other: T) -> Option<Self> {
+        Some(self.parts(other.figure()?)?[0])
+    }
+
+    /// What the [projection](Self::project_onto) leaves: `v − v'`, at right angles to it.
+    #[must_use]
+    pub fn reject_from<T: Directed<S>>(self, other: T) -> Option<Self> {
+        Some(self.parts(other.figure()?)?[1])
+    }
+
+    /// Projection and rejection.
+    fn parts(self, figure: Figure<S>) -> Option<[Self; 2]> {
+        let vector = self.vector();
+        let along = |unit| scaled(unit, dot(vector, unit));
+        let parts = match figure {
+            Figure::Line { direction, .. } => [along(direction), across(vector, direction)],
+            Figure::Plane { normal, .. } | Figure::Circle { normal, .. } => {
+                [across(vector, normal), along(normal)]
+            }
+            Figure::Point(_) | Figure::PointPair(_) | Figure::Sphere { .. } => return None,
+        };
+        let finite = are_numbers(parts[0]) && are_numbers(parts[1]);
+        finite.then(|| parts.map(Direction::from_vector))
+    }
+}
+
+impl<S: Real<Mask = bool>> Line<S> {
+    /// The line of the feet of this line's points in a plane: `(L⌋Π) Π⁻¹`, its direction of length 1. `None` where the line stands
+    /// across the plane, or either is no figure.
+    #[must_use]
+    pub fn project_onto(self, plane: Plane<S>) -> Option<Self> {
+        let LineAndPlane {
+            point,
+            direction,
+            normal,
+            distance,
+        } = line_and_plane(self, plane)?;
+        let flat = across(direction, normal);
+        if length(flat).less_than(parallel()) {
+            return None;
+        }
+        let foot = difference(point, scaled(normal, dot(point, normal) - distance));
+        line(foot, normalized(flat)?)
+    }
+
+    /// What the [projection](Self::project_onto) onto a plane leaves of this line, `L − (L⌋Π) Π⁻¹`: the normal of the plane
+    /// through the point where the line crosses it, its direction of length 1 and on the side that the line leaves to. `None` where they
+    /// are parallel, or either is no figure.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Line, Plane, Point};
+    /// let ground = Plane::from_point_normal(Point::default(), [0.0, 0.0, 1.0]);
+    /// let line = Line::from_point_direction(Point::new(2.0, 0.0, 1.0), [1.0, 0.0, -1.0]);
+    /// let upright = line.reject_from(ground).unwrap();
+    /// assert_eq!(upright.direction(), [0.0, 0.0, -1.0]);
+    /// let off: f64 = upright.distance(Point::new(3.0, 0.0, 0.0)).unwrap();
+    /// assert!(off < 1e-15);
+    /// ```
+    #[must_use]
+    pub fn reject_from(self, plane: Plane<S>) -> Option<Self> {
+        let LineAndPlane {
+            point,
+            direction,
+            normal,
+            distance,
+        } = line_and_plane(self, plane)?;
+        let slope = dot(direction, normal);
+        if slope.abs().less_than(parallel()) {
+            return None;
+        }
+        let crossing = sum(
+            point,
+            scaled(direction, (distance - dot(point, normal)) / slope),
+        );
+        let upright = if slope.less_than(S::zero()) {
+            normal.map(|x| -x)
+        } else {
+            normal
+        };
+        line(crossing, upright)
+    }
+
+    /// The great circle of a sphere below this line: that of the plane `c∧L` through the centre c, turning as the line passes. Its
+    /// half on the side of the line holds the points of the sphere nearest to those of the line. `None` where the line passes the centre within 16 ε
+    /// of its distance from the origin, or either is no figure.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Line, Point, Sphere};
+    /// let line = Line::from_point_direction(Point::new(0.0, 5.0, 0.0), [1.0, 0.0, 0.0]);
+    /// let below = line.great_circle_on(Sphere::from_centre_radius(Point::default(), 2.0)).unwrap();
+    /// assert_eq!(below.radius(), Some(2.0));
+    /// assert_eq!(below.unit_normal(), Some([0.0, 0.0, -1.0]));
+    /// ```
+    #[must_use]
+    pub fn great_circle_on(self, sphere: Sphere<S>) -> Option<Circle<S>> {
+        let Figure::Line { point, direction } = self.figure()? else {
+            return None;
+        };
+        let Figure::Sphere { centre, radius } = sphere.figure()? else {
+            return None;
+        };
+        let arm = across(difference(point, centre), direction);
+        let least = length(point).max(length(centre)) * parallel();
+        if !least.less_than(length(arm)) {
+            return None;
+        }
+        let normal = normalized(cross(arm, direction))?;
+        Circle::from_centre_normal_radius(Point::from(centre), normal, radius)
+    }
+}
+
+/// The nearest point of a figure.
+fn nearest<S: Real<Mask = bool>>(p: [S; 3], figure: Figure<S>) -> Option<[S; 3]> {
+    if !are_numbers(p) {
+        return None;
+    }
+    match figure {
+        Figure::Point(q) => Some(q),
+        Figure::PointPair([a, b]) => {
+            let [to_a, to_b] = [a, b].map(|q| length(difference(p, q)));
+            if to_a.less_than(to_b) {
+                Some(a)
+            } else {
+                to_b.less_than(to_a).then_some(b)
+            }
+        }
+        Figure::Line { point, direction } => Some(sum(
+            point,
+            scaled(direction, dot(difference(p, point), direction)),
+        )),
+        Figure::Plane { normal, distance } => {
+            Some(difference(p, scaled(normal, dot(p, normal) - distance)))
+        }
+        Figure::Sphere { centre, radius } => radius_towards(centre, difference(p, centre), radius),
+        Figure::Circle {
+            centre,
+            normal,
+            radius,
+        } => {
+            let from = difference(p, centre);
+            let flat = across(from, normal);
+            // What is left of a vector along the normal is rounding, and has no direction.
+            let noise = length(from) * parallel();
+            let flat = if noise.less_than(length(flat)) {
+                flat
+            } else {
+                [S::zero(); 3]
+            };
+            radius_towards(centre, flat, radius)
+        }
+    }
+}
+
+/// The end of a radius in a direction; the centre itself where the radius is zero.
+fn radius_towards<S: Real<Mask = bool>>(centre: [S; 3], way: [S; 3], radius: S) -> Option<[S; 3]> {
+    if radius == S::zero() {
+        return Some(centre);
+    }
+    Some(sum(centre, scaled(normalized(way)?, radius)))
+}
+
+/// A line and a plane as plain vectors.
+struct LineAndPlane<S> {
+    point: [S; 3],
+    direction: [S; 3],
+    normal: [S; 3],
+    distance: S,
+}
+
+fn line_and_plane<S: Real<Mask = bool>>(line: Line<S>, plane: Plane<S>) -> Option<LineAndPlane<S>> {
+    match (line.figure()?, plane.figure()?) {
+        (Figure::Line { point, direction }, Figure::Plane { normal, distance }) => {
+            Some(LineAndPlane {
+                point,
+                direction,
+                normal,
+                distance,
+            })
+        }
+        _ => None,
+    }
+}
+
+/// The line through a point, where it is finite.
+fn line<S: Real<Mask = bool>>(point: [S; 3], direction: [S; 3]) -> Option<Line<S>> {
+    let line = Line::from_point_direction(Point::from(point), direction);
+    are_numbers(line.moment()).then_some(line)
+}

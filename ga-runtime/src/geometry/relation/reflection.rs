@@ -1,0 +1,113 @@
+//! Reflection in a plane, in a line and in a point.
+//!
+//! `x.reflect_in(mirror)` is a versor action, for any element x in direct or dual form:
+//!
+//! | mirror | versor V | image | a point goes to |
+//! | --- | --- | --- | --- |
+//! | plane | `π = dual(Π)/∣Π∣ = n + d ei` | `π X̂ π` | `x − 2 (n·x − d) n` |
+//! | line | `ℓ = dual(L)/∣L∣`, a half turn | `ℓ X ~ℓ` | `2 f − x`, f its foot on the line |
+//! | point p | `dual(p∧ei)`, of grade 3 | `V X̂ V⁻¹` | `2 p − x` |
+//!
+//! X̂ is the grade involution, −X for odd grades. So what goes in is moved point by point, with weight and orientation: `p∧q∧r∧ei` becomes
+//! `p'∧q'∧r'∧ei`. Twice gives X again. It is worked out as a motor, after the change of sign of all coordinates where the
+//! versor is odd: a reflection in a plane is that in the origin, a half turn about the normal, and a shift.
+//!
+//! `None` where the mirror is no [`Figure`], or beyond the range of the scalar.
+//!
+//! ```
+//! use ga_runtime::cga3::{Line, Plane, Point};
+//!
+//! let p = Point::new(1.0, 2.0, 3.0);
+//! let wall = Plane::from_point_normal(Point::new(4.0, 0.0, 0.0), [1.0, 0.0, 0.0]);
+//! assert_eq!(p.reflect_in(wall), Some(Point::new(7.0, 2.0, 3.0)));
+//! assert_eq!(p.reflect_in(Point::default()), Some(Point::new(-1.0, -2.0, -3.0)));
+//! let ray = Line::from_point_direction(p, [1.0, 0.0, 1.0]);
+//! assert_eq!(ray.reflect_in(wall).unwrap().direction(), [-1.0, 0.0, 1.0]);
+//! ```
+
+use super::{Figure, Primitive};
+use crate::Element;
+use crate::cga3::{
+    Circle, Direction, DualPlane, FlatPoint, Line, Motor, MotorGenerator, Plane, Point, PointPair,
+    Rotor, RoundVector, Sphere, Translator,
+};
+use crate::geometry::vector3::{are_numbers, scaled};
+use crate::scalar::Real;
+
+/// What can be reflected in: a plane, a line, a point.
+pub trait Mirror<S> {
+    /// The motor that makes the reflection, and whether all coordinates change sign before; `None` where the mirror is no
+    /// figure.
+    fn reflection(self) -> Option<(Motor<S>, bool)>;
+}
+
+impl<S: Real<Mask = bool>> Mirror<S> for Plane<S> {
+    fn reflection(self) -> Option<(Motor<S>, bool)> {
+        let Figure::Plane { normal, distance } = self.figure()? else {
+            return None;
+        };
+        let shift = shift(scaled(normal, distance + distance))?;
+        Some((shift * half_turn(normal), true))
+    }
+}
+
+impl<S: Real<Mask = bool>> Mirror<S> for Line<S> {
+    fn reflection(self) -> Option<(Motor<S>, bool)> {
+        let Figure::Line { point, direction } = self.figure()? else {
+            return None;
+        };
+        // The point nearest to the origin is across the direction: a half turn about the origin makes it its negative.
+        let shift = shift(scaled(point, S::from_integer(2)))?;
+        Some((shift * half_turn(direction), false))
+    }
+}
+
+impl<S: Real<Mask = bool>> Mirror<S> for Point<S> {
+    fn reflection(self) -> Option<(Motor<S>, bool)> {
+        let shift = shift(scaled(self.coordinates(), S::from_integer(2)))?;
+        Some((shift.into(), true))
+    }
+}
+
+impl<S: Real<Mask = bool>> Mirror<S> for FlatPoint<S> {
+    fn reflection(self) -> Option<(Motor<S>, bool)> {
+        self.to_point()?.reflection()
+    }
+}
+
+macro_rules! reflections {
+    ($($Element:ident)*) => {$(
+        impl<S: Real<Mask = bool>> $Element<S> {
+            /// The image under reflection in a plane, a line or a point; see [`reflection`](crate::geometry::relation::reflection). `None` where
+            /// the mirror is no figure.
+            #[must_use]
+            pub fn reflect_in<M: Mirror<S>>(self, mirror: M) -> Option<Self> {
+                let (motor, is_odd) = mirror.reflection()?;
+                Some(motor.transform(if is_odd { through_origin(self) } else { self }))
+            }
+        }
+    )*};
+}
+
+reflections!(Point RoundVector DualPlane MotorGenerator PointPair FlatPoint Direction Circle Line Sphere Plane);
+
+/// The half turn about a unit axis through the origin.
+fn half_turn<S: Real>([x, y, z]: [S; 3]) -> Rotor<S> {
+    Rotor::new_unchecked(S::zero(), -z, y, -x)
+}
+
+fn shift<S: Real<Mask = bool>>(displacement: [S; 3]) -> Option<Translator<S>> {
+    are_numbers(displacement).then(|| Translator::from_displacement(displacement))
+}
+
+/// The image under the change of sign of e1, e2 and e3.
+fn through_origin<T: Element<Scalar: Real>>(element: T) -> T {
+    T::from_coefficients_unchecked(&mut |blade| {
+        let coefficient = element.coefficient(blade);
+        if (blade & 0b111).count_ones() % 2 == 1 {
+            -coefficient
+        } else {
+            coefficient
+        }
+    })
+}

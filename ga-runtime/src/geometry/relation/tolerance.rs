@@ -1,0 +1,63 @@
+//! How far off still counts as the same.
+
+use crate::scalar::Real;
+
+/// How far off still counts: a distance in the units of the coordinates and an angle in radians, both bounds included.
+///
+/// Results of a few operations on coordinates of size 1 are off by some ε, the spacing of the scalar at 1. The default allows
+/// 1024 ε of distance and of angle, which is 2.3·10⁻¹³ in `f64` and 1.2·10⁻⁴ in `f32`. For coordinates of another size take
+/// [`for_size`](Self::for_size). A bound that is negative or NaN holds for nothing.
+///
+/// ```
+/// use ga_runtime::cga3::{Line, Point};
+/// use ga_runtime::geometry::relation::Tolerance;
+///
+/// let axis = Line::from_point_direction(Point::default(), [1.0, 0.0, 0.0]);
+/// let p = Point::new(5.0, 0.0, 1e-6);
+/// assert!(!p.is_on(axis, Tolerance::default()));
+/// assert!(p.is_on(axis, Tolerance::new(1e-5, 1e-9)));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tolerance<S> {
+    /// The largest distance that counts as none, in the units of the coordinates.
+    pub distance: S,
+    /// The largest angle that counts as none, in radians.
+    pub angle: S,
+}
+
+impl<S> Tolerance<S> {
+    /// A tolerance of this distance, in the units of the coordinates, and this angle, in radians.
+    #[inline]
+    #[must_use]
+    pub const fn new(distance: S, angle: S) -> Self {
+        Self { distance, angle }
+    }
+}
+
+impl<S: Real> Tolerance<S> {
+    /// The default for coordinates up to a size: 1024 ε times the size as distance, 1024 ε as angle.
+    ///
+    /// ```
+    /// use ga_runtime::geometry::relation::Tolerance;
+    /// assert_eq!(Tolerance::for_size(100.0_f64).distance, 102_400.0 * f64::EPSILON);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn for_size(size: S) -> Self {
+        let angle = S::epsilon() * S::from_integer(1024);
+        Self::new(angle * size, angle)
+    }
+}
+
+impl<S: Real> Default for Tolerance<S> {
+    /// 1024 ε of distance and of angle.
+    #[inline]
+    fn default() -> Self {
+        Self::for_size(S::one())
+    }
+}
+
+/// Whether a number is at most as large as a bound; false where either is NaN.
+pub(super) fn within<S: Real<Mask = bool>>(x: S, bound: S) -> bool {
+    x.abs().less_than(bound) || x.abs() == bound
+}
