@@ -1,7 +1,7 @@
 //! Casts rays from a camera at a sphere and a disc, and draws what they hit in letters.
 //!
-//! A ray is a line. `sphere & line` are the two points where it goes in and out, `plane & line` the one where it goes through. A disc is a
-//! circle with its inside.
+//! A ray is a line. `sphere & line` are the two points where it goes in and out, `plane & line` the one where it goes
+//! through. A disc is a circle with its inside.
 //!
 //! Run it with `cargo run -p ga-runtime --example camera_ray`.
 

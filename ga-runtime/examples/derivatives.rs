@@ -1,7 +1,7 @@
 //! Derivatives without a formula for them: when does a point that moves along a screw come to a sphere?
 //!
-//! The question is put once, as a function that is generic over its scalar. Asked with dual numbers, the function also answers how
-//! fast its value changes, and that is what Newton's method needs.
+//! The question is put once, as a function that is generic over its scalar. Asked with dual numbers, the function also
+//! answers how fast its value changes, and that is what Newton's method needs.
 //!
 //! Run it with `cargo run -p ga-runtime --example derivatives`.
 
@@ -9,8 +9,8 @@ use ga_runtime::cga3::{DualSphere, Motor, MotorGenerator, Point};
 use ga_runtime::scalar::{Dual, Real};
 
 ga_runtime::ga! { ga_runtime::cga3;
-    /// The inner product of the moved point and a dual sphere: `½(r² − d²)` for a point at the distance d from the centre, so zero on
-    /// the sphere.
+    /// The inner product of the moved point and a dual sphere: `½(r² − d²)` for a point at the distance d from the
+    /// centre, so zero on the sphere.
     fn inside(motor: Motor, point: Point, sphere: DualSphere) -> Scalar {
         (motor * point * reverse(motor)) | sphere
     }

@@ -1,7 +1,8 @@
 //! Eight drops of rain at once: the same code on one number and on eight side by side.
 //!
-//! A function that is generic over its scalar runs on `Lanes<f32, 8>` as it does on `f32`, and the compiler turns each operation into a
-//! vector instruction. The one thing to give up is the branch, since lanes may differ: compute both outcomes, then select.
+//! A function that is generic over its scalar runs on `Lanes<f32, 8>` as it does on `f32`, and the compiler turns each
+//! operation into a vector instruction. The one thing to give up is the branch, since lanes may differ: compute both
+//! outcomes, then select.
 //!
 //! Run it with `cargo run -p ga-runtime --example lanes`.
 

@@ -1,7 +1,9 @@
-//! An algebra of one's own: that of a hexagonal crystal, whose basis vectors are neither of length 1 nor at right angles.
+//! An algebra of one's own: that of a hexagonal crystal, whose basis vectors are neither of length 1 nor at right
+//! angles.
 //!
-//! The metric goes into the declaration, and from then on nobody has to think of it: lengths, angles and rotations come out right in the
-//! coordinates that crystallographers use. The crystal is the closest packing of balls that magnesium and zinc resemble.
+//! The metric goes into the declaration, and from then on nobody has to think of it: lengths, angles and rotations come
+//! out right in the coordinates that crystallographers use. The crystal is the closest packing of balls that magnesium
+//! and zinc resemble.
 //!
 //! Run it with `cargo run -p ga-runtime --example own_algebra`.
 

@@ -1,7 +1,7 @@
 //! Inverse kinematics of an arm with two bones: where is the elbow when the hand is to be at a given place?
 //!
-//! The elbow is on a sphere around the shoulder and on another around the hand. The two meet in a circle, and the plane in which the arm
-//! is to bend meets that circle in two points. Three products, no trigonometry.
+//! The elbow is on a sphere around the shoulder and on another around the hand. The two meet in a circle, and the plane
+//! in which the arm is to bend meets that circle in two points. Three products, no trigonometry.
 //!
 //! Run it with `cargo run -p ga-runtime --example two_bone_arm`.
 
@@ -32,11 +32,9 @@ impl Arm {
     }
 }
 
-/// The motion that takes a bone from its rest, along the x axis from the origin, to a joint and a direction.
-fn pose(joint: Point<f64>, end: Point<f64>) -> Option<Motor<f64>> {
-    let ([x, y, z], [u, v, w]) = (joint.coordinates(), end.coordinates());
-    let turn = Rotor::between([1.0, 0.0, 0.0], [u - x, v - y, w - z])?;
-    Some(Translator::from_displacement([x, y, z]) * turn)
+fn from_to(start: Point<f64>, end: Point<f64>) -> [f64; 3] {
+    let (start, end) = (start.coordinates(), end.coordinates());
+    [0, 1, 2].map(|k| end[k] - start[k])
 }
 
 fn main() {
@@ -51,8 +49,7 @@ fn main() {
     println!("       target              elbow        bend at the elbow");
     for step in 0..7 {
         // The hand goes along a line, at first within reach.
-        let t = f64::from(step);
-        let target = Point::new(0.15 + 0.1 * t, 0.1, 1.4);
+        let target = Point::new(0.15 + 0.1 * f64::from(step), 0.1, 1.4);
         let [x, y, z] = target.coordinates();
         print!("{x:6.2} {y:5.2} {z:5.2}   ");
 
@@ -62,33 +59,33 @@ fn main() {
             assert!(distance > arm.upper + arm.lower);
             continue;
         };
-        let bones = [(arm.shoulder, elbow), (elbow, target)].map(|(from, to)| pose(from, to));
-        let [Some(upper), Some(lower)] = bones else {
-            panic!("a bone has no direction")
-        };
-        // The angle between the bones, from the turn that leads from one to the other.
-        let (_, bend) = (upper.reverse() * lower).rotor().to_axis_angle();
+
+        // The motors of the bones. At rest both lie along the x axis, the upper one with its end at the origin.
+        let (along_upper, along_lower) = (from_to(arm.shoulder, elbow), from_to(elbow, target));
+        let at_shoulder =
+            Rotor::between([1.0, 0.0, 0.0], along_upper).expect("the bone has a length");
+        let at_elbow = Rotor::between(along_upper, along_lower).expect("the bone has a length");
+        let upper: Motor<f64> =
+            Translator::from_displacement(arm.shoulder.coordinates()) * at_shoulder;
+        // The lower bone follows the upper one and then turns about the elbow.
+        let lower = Motor::about(elbow, at_elbow) * upper;
+
+        let (_, bend) = at_elbow.to_axis_angle();
         let [x, y, z] = elbow.coordinates();
         println!("{x:6.3} {y:6.3} {z:6.3}   {:6.1}°", bend.to_degrees());
 
-        // The bones are as long as before, and the hand is where it should be.
-        assert!((arm.shoulder.distance(elbow) - arm.upper).abs() < 1e-12);
-        let hand = lower.transform(Point::new(arm.lower, 0.0, 0.0));
-        assert!(hand.distance(target) < 1e-12);
-        // The law of cosines gives the same distance from the shoulder.
-        let squares = arm.upper.powi(2) + arm.lower.powi(2);
-        let between = direction_cosine(upper, lower);
-        assert!((distance.powi(2) - squares - 2.0 * arm.upper * arm.lower * between).abs() < 1e-12);
+        // The motors bring the ends of the bones to the elbow and to the target, …
+        let ends = [
+            (upper, arm.upper, elbow),
+            (lower, arm.upper + arm.lower, target),
+        ];
+        for (motor, at_rest, expected) in ends {
+            let end = motor.transform(Point::new(at_rest, 0.0, 0.0));
+            assert!(end.distance(expected) < 1e-12);
+        }
+        // … and the bend is that of the law of cosines.
+        let product = 2.0 * arm.upper * arm.lower * bend.cos();
+        let squared = arm.upper.powi(2) + arm.lower.powi(2) + product;
+        assert!((distance.powi(2) - squared).abs() < 1e-12);
     }
-}
-
-/// The cosine of the angle between two bones, from their directions.
-fn direction_cosine(a: Motor<f64>, b: Motor<f64>) -> f64 {
-    let [a, b] = [a, b].map(|motor| {
-        motor
-            .rotor()
-            .transform(Point::new(1.0, 0.0, 0.0))
-            .coordinates()
-    });
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
 }

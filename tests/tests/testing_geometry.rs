@@ -1,8 +1,11 @@
-//! The strategies for cga3: what they draw is what they say, and every special position comes up. Checked in plain coordinates.
+//! The strategies for cga3: what they draw is what they say, and every special position comes up. Checked in plain
+//! coordinates.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use ga_runtime::cga3::{Dilator, FlatPoint, Line, Motor, Plane, Point, Rotor, Sphere, Translator};
+use ga_runtime::cga3::{
+    Circle, Dilator, FlatPoint, Line, Motor, Plane, Point, PointPair, Rotor, Sphere, Translator,
+};
 use ga_runtime::testing::{assert_close, cga3, sample};
 use proptest::strategy::Strategy;
 
@@ -133,7 +136,8 @@ fn positions(points: &[[f64; 3]; 5]) -> [bool; 4] {
     // With squares as fourth coordinates, spheres become planes.
     let rows = [a, b, c, d].map(|[x, y, z]| [x, y, z, x * x + y * y + z * z]);
     let on_sphere = determinant(rows).abs() < 1e-9;
-    // In a plane, Ptolemy's theorem tells four points on a circle, here for the first four and for the last with three of them.
+    // In a plane, Ptolemy's theorem tells four points on a circle, here for the first four and for the last with three
+    // of them.
     let on_circle = in_plane && is_cyclic([[0.0; 3], a, b, c]) && is_cyclic([[0.0; 3], a, b, d]);
     [on_line, in_plane, on_circle, on_sphere]
 }
@@ -401,9 +405,37 @@ fn rounds_are_real() {
 }
 
 #[test]
+fn rounds_of_any_kind_are_of_every_kind() {
+    let squared: [Vec<Option<f64>>; 3] = [
+        drawn(cga3::spheres_of_any_kind(SIZE))
+            .iter()
+            .map(|x: &Sphere<f64>| x.radius_squared())
+            .collect(),
+        drawn(cga3::circles_of_any_kind(SIZE))
+            .iter()
+            .map(|x: &Circle<f64>| x.radius_squared())
+            .collect(),
+        drawn(cga3::point_pairs_of_any_kind(SIZE))
+            .iter()
+            .map(|x: &PointPair<f64>| x.radius_squared())
+            .collect(),
+    ];
+    // One radius in eight is small, and its square may be lost in that of the centre.
+    for squared in squared {
+        let squared: Vec<f64> = squared.into_iter().map(|x| x.expect("a radius")).collect();
+        let small = 1e-4 * SIZE * SIZE;
+        assert_share(&squared, 0.25, |x| x.abs() < 1e-12 * SIZE * SIZE);
+        assert_share(&squared, 0.5 * 0.875, |x| *x >= 0.99 * small);
+        assert_share(&squared, 0.25 * 0.875, |x| *x <= -0.99 * small);
+        assert!(squared.iter().all(|x| x.abs() < 1.001 * SIZE * SIZE));
+    }
+}
+
+#[test]
 fn pairs_of_lines_take_every_position() {
     let pairs: Vec<[Line<f64>; 2]> = drawn(cga3::pairs_of_lines(SIZE));
-    /// The sine of the angle, the moment of each line about the other, and the distance of the nearest points to the origin.
+    /// The sine of the angle, the moment of each line about the other, and the distance of the nearest points to the
+    /// origin.
     struct Position {
         sine: f64,
         cosine: f64,

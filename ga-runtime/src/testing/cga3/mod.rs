@@ -1,13 +1,13 @@
 //! Strategies for the objects and motions of [`cga3`](crate::cga3), special positions included.
 //!
-//! [`member`](super::member) draws coefficients: right for algebraic identities, but a random `Circle` of ten coefficients is
-//! no circle. The strategies here draw geometry, and mix in what breaks geometric code: coinciding points, half turns,
-//! angles near zero, parallel lines, tangent spheres. About half of the cases are ordinary, so that a test of a hundred cases meets
-//! every special one. Each page says which there are.
+//! [`member`](super::member) draws coefficients: right for algebraic identities, but a random `Circle` of ten
+//! coefficients is no circle. The strategies here draw geometry, and mix in what breaks geometric code: coinciding
+//! points, half turns, angles near zero, parallel lines, tangent spheres. About half of the cases are ordinary, so that
+//! a test of a few hundred cases meets every special one. Each page says which there are.
 //!
-//! `size` is the largest absolute value of a coordinate and must be positive and finite; a strategy panics when it draws from an empty
-//! or infinite range. Every strategy is generic over the scalar: numbers are drawn in `f64` and then rounded, so that "on one line" and
-//! "tangent" hold up to rounding.
+//! `size` is the largest absolute value of a coordinate and must be positive and finite; a strategy panics when it
+//! draws from an empty or infinite range. Every strategy is generic over the scalar: numbers are drawn in `f64` and
+//! then rounded, so that "on one line" and "tangent" hold up to rounding.
 //!
 //! ```
 //! use ga_runtime::cga3::{Line, Motor, Point};
@@ -32,5 +32,8 @@ mod versors;
 pub use flats::{flat_points, lines, pairs_of_lines, pairs_of_planes, planes};
 pub use numbers::{angles, directions, weights};
 pub use points::{point_configurations, points};
-pub use rounds::{circles, pairs_of_spheres, point_pairs, spheres};
+pub use rounds::{
+    circles, circles_of_any_kind, pairs_of_spheres, point_pairs, point_pairs_of_any_kind, spheres,
+    spheres_of_any_kind,
+};
 pub use versors::{dilators, motors, rotors, similarities, translators};

@@ -9,8 +9,8 @@ use crate::scalar::Real;
 
 /// Real spheres about one of the [`points`](super::points), times one of the [`weights`](super::weights).
 ///
-/// Of the radii three in four are drawn evenly from a hundredth of `size` to `size`, one in eight is `size`, and one in eight
-/// 10⁻² to 10⁻⁶ of it. One sphere in eight goes through the origin.
+/// Of the radii three in four are drawn evenly from a hundredth of `size` to `size`, one in eight is `size`, and one in
+/// eight 10⁻² to 10⁻⁶ of it. One sphere in eight goes through the origin.
 pub fn spheres<S: Real>(size: f64) -> impl Strategy<Value = Sphere<S>> + Clone {
     let through_origin = (unit_vectors(), lengths(size))
         .prop_map(|(direction, radius)| (scaled(direction, radius), radius));
@@ -31,8 +31,9 @@ pub fn circles<S: Real<Mask = bool>>(size: f64) -> impl Strategy<Value = Circle<
     })
 }
 
-/// Real point pairs `p∧q`, times one of the [`weights`](super::weights). The centre is one of the [`points`](super::points), the axis one
-/// of the [`directions`](super::directions); half the distance of the two is drawn as the radii of [`spheres`] are.
+/// Real point pairs `p∧q`, times one of the [`weights`](super::weights). The centre is one of the
+/// [`points`](super::points), the axis one of the [`directions`](super::directions); half the distance of the two is
+/// drawn as the radii of [`spheres`] are.
 pub fn point_pairs<S: Real>(size: f64) -> impl Strategy<Value = PointPair<S>> + Clone {
     let parts = (places(size), unit_vectors(), lengths(size), weights::<S>());
     parts.prop_map(|(centre, direction, length, weight)| {
@@ -67,6 +68,61 @@ pub fn pairs_of_spheres<S: Real>(size: f64) -> impl Strategy<Value = [Sphere<S>;
     (pairs, weights::<S>(), weights::<S>()).prop_map(|([(c, r), (d, s)], first, second)| {
         [to_sphere(c, r) * first, to_sphere(d, s) * second]
     })
+}
+
+/// Spheres, half of them real, a quarter with radius zero and a quarter imaginary, times one of the
+/// [`weights`](super::weights). Centres, and the sizes of radii, are those of [`spheres`].
+pub fn spheres_of_any_kind<S: Real>(size: f64) -> impl Strategy<Value = Sphere<S>> + Clone {
+    let parts = (places(size), squared_radii(size), weights::<S>());
+    parts.prop_map(|(centre, squared, weight)| {
+        Sphere::from_centre_radius_squared(to_point(centre), S::from_f64(squared)) * weight
+    })
+}
+
+/// Circles, half of them real, a quarter tangent elements and a quarter imaginary, times one of the
+/// [`weights`](super::weights). Centres, normals and the sizes of radii are those of [`circles`].
+pub fn circles_of_any_kind<S: Real<Mask = bool>>(
+    size: f64,
+) -> impl Strategy<Value = Circle<S>> + Clone {
+    let parts = (
+        places(size),
+        directions(),
+        squared_radii(size),
+        weights::<S>(),
+    );
+    parts.prop_filter_map("a circle within the range of the scalar", |parts| {
+        let (centre, normal, squared, weight) = parts;
+        let squared = S::from_f64(squared);
+        let circle = Circle::from_centre_normal_radius_squared(to_point(centre), normal, squared)?;
+        Some(circle * weight)
+    })
+}
+
+/// Point pairs, half of them real, a quarter tangent elements and a quarter imaginary, times one of the
+/// [`weights`](super::weights). Centres, axes and the sizes of radii are those of [`point_pairs`].
+pub fn point_pairs_of_any_kind<S: Real<Mask = bool>>(
+    size: f64,
+) -> impl Strategy<Value = PointPair<S>> + Clone {
+    let parts = (
+        places(size),
+        directions(),
+        squared_radii(size),
+        weights::<S>(),
+    );
+    parts.prop_filter_map("a point pair within the range of the scalar", |parts| {
+        let (centre, axis, squared, weight) = parts;
+        let squared = S::from_f64(squared);
+        let pair = PointPair::from_centre_axis_radius_squared(to_point(centre), axis, squared)?;
+        Some(pair * weight)
+    })
+}
+
+fn squared_radii(size: f64) -> impl Strategy<Value = f64> + Clone {
+    prop_oneof![
+        2 => lengths(size).prop_map(|radius| radius * radius),
+        1 => Just(0.0),
+        1 => lengths(size).prop_map(|radius| -radius * radius),
+    ]
 }
 
 fn to_sphere<S: Real>(centre: [f64; 3], radius: f64) -> Sphere<S> {
