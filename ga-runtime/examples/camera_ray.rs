@@ -103,3 +103,8 @@ fn difference(a: Point<f64>, b: Point<f64>) -> [f64; 3] {
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
+
+#[test]
+fn it_runs() {
+    main();
+}

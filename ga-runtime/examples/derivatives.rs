@@ -71,3 +71,8 @@ fn main() {
     );
     assert!((place.distance(Point::from(CENTRE)) - RADIUS).abs() < 1e-12);
 }
+
+#[test]
+fn it_runs() {
+    main();
+}

@@ -91,3 +91,8 @@ fn main() {
     }
     println!("each is where it is when it falls alone");
 }
+
+#[test]
+fn it_runs() {
+    main();
+}

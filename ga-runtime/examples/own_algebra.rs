@@ -109,3 +109,8 @@ fn main() {
     }
     println!("it takes the {} neighbours to each other", neighbours.len());
 }
+
+#[test]
+fn it_runs() {
+    main();
+}

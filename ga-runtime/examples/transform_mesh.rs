@@ -101,3 +101,8 @@ fn main() {
     let axis = middle.unit_normal().expect("the circle has a radius");
     println!("the torus is where its circle is, and its axis is {axis:.2?}");
 }
+
+#[test]
+fn it_runs() {
+    main();
+}

@@ -89,3 +89,8 @@ fn main() {
         assert!((distance.powi(2) - squared).abs() < 1e-12);
     }
 }
+
+#[test]
+fn it_runs() {
+    main();
+}

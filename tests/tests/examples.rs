@@ -1,4 +1,4 @@
-//! The examples of ga-runtime are run by `cargo test` as the programs that they are; here is checked that none is left out.
+//! `cargo test` runs the examples of ga-runtime, each by a test of its own; here is checked that none is left out.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -41,6 +41,22 @@ fn every_program_is_run() {
             run,
             programs(folder),
             "programs that `cargo test` runs, and those there are"
+        );
+    }
+}
+
+#[test]
+fn every_example_has_a_test() {
+    for name in programs("examples") {
+        let path = runtime().join(format!("examples/{name}.rs"));
+        let program = fs::read_to_string(path).expect("a program");
+        let tests = [
+            "\n#[test]\nfn it_runs() {\n    main();\n}\n",
+            "\n#[cfg_attr(test, test)]\n",
+        ];
+        assert!(
+            tests.iter().any(|test| program.contains(test)),
+            "{name} has no test"
         );
     }
 }
