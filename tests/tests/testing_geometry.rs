@@ -3,6 +3,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
+use ga_runtime::Element;
 use ga_runtime::cga3::{
     Circle, Dilator, FlatPoint, Line, Motor, Plane, Point, PointPair, Rotor, Sphere, Translator,
 };
@@ -529,4 +530,39 @@ fn pairs_of_spheres_take_every_position() {
     let crosses = |d: f64, r: f64, s: f64| d > (r - s).abs() + 1e-3 && d < r + s - 1e-3;
     assert!(rate(&|d, r, s| crosses(d, r, s) && !near(d, r.hypot(s))) > 0.05);
     assert!(rate(&|d, r, s| d > r + s + 1e-3) > 0.08);
+}
+
+/// Whether the coefficients of all that is drawn are finite and some are not zero.
+#[track_caller]
+fn assert_finite<T: Element<Scalar = f32>>(strategy: impl Strategy<Value = T>) {
+    for element in sample(&strategy, 300, 1) {
+        let blades = T::BLADES.iter();
+        let coefficients: Vec<f32> = blades.map(|&blade| element.coefficient(blade)).collect();
+        assert!(coefficients.iter().all(|x| x.is_finite()));
+        assert!(coefficients.iter().any(|x| *x != 0.0));
+    }
+}
+
+#[test]
+fn single_precision_is_finite_near_and_far() {
+    for size in [1e-3, 1.0, 1e4] {
+        assert_finite(cga3::points(size));
+        assert_finite(cga3::flat_points(size));
+        assert_finite(cga3::lines(size));
+        assert_finite(cga3::planes(size));
+        assert_finite(cga3::point_pairs(size));
+        assert_finite(cga3::point_pairs_of_any_kind(size));
+        assert_finite(cga3::circles(size));
+        assert_finite(cga3::circles_of_any_kind(size));
+        assert_finite(cga3::spheres(size));
+        assert_finite(cga3::spheres_of_any_kind(size));
+        assert_finite(cga3::translators(size));
+        assert_finite(cga3::motors(size));
+        assert_finite(cga3::similarities(size, 100.0));
+        assert_finite(cga3::pairs_of_lines(size).prop_map(|[a, _]| a));
+        assert_finite(cga3::pairs_of_planes(size).prop_map(|[_, b]| b));
+        assert_finite(cga3::pairs_of_spheres(size).prop_map(|[_, b]| b));
+    }
+    assert_finite(cga3::rotors());
+    assert_finite(cga3::dilators(100.0));
 }
