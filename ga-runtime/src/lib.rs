@@ -22,7 +22,17 @@ pub mod testing;
 #[doc = include_str!("../docs/translation.md")]
 pub mod translation {}
 
+#[cfg(feature = "cga2")]
+pub use algebras::cga2;
 pub use algebras::cga3;
+#[cfg(feature = "pga2")]
+pub use algebras::pga2;
 #[cfg(feature = "pga3")]
 pub use algebras::pga3;
+#[cfg(feature = "sta")]
+pub use algebras::sta;
+#[cfg(feature = "vga2")]
+pub use algebras::vga2;
+#[cfg(feature = "vga3")]
+pub use algebras::vga3;
 pub use element::Element;

@@ -24,9 +24,14 @@ macro_rules! declaration {
 }
 
 /// The algebras that ship, with their declarations.
-const SHIPPED: [(&str, &str); 2] = [
+const SHIPPED: [(&str, &str); 7] = [
+    ("cga2", ga_runtime::cga2! { [declaration] }),
     ("cga3", ga_runtime::cga3! { [declaration] }),
+    ("pga2", ga_runtime::pga2! { [declaration] }),
     ("pga3", ga_runtime::pga3! { [declaration] }),
+    ("sta", ga_runtime::sta! { [declaration] }),
+    ("vga2", ga_runtime::vga2! { [declaration] }),
+    ("vga3", ga_runtime::vga3! { [declaration] }),
 ];
 
 impl Algebra {

@@ -31,6 +31,8 @@ mod flat_point;
 mod kind;
 mod line;
 mod motor;
+#[cfg(feature = "pga3")]
+mod pga3;
 mod plane;
 mod point;
 mod point_pair;
@@ -40,6 +42,12 @@ mod round;
 mod screw;
 mod sphere;
 mod translator;
+#[cfg(any(feature = "cga2", feature = "pga2", feature = "vga2"))]
+mod vector2;
 mod vector3;
+#[cfg(feature = "vga2")]
+mod vga2;
+#[cfg(feature = "vga3")]
+mod vga3;
 
 pub use kind::Kind;

@@ -1,0 +1,100 @@
+//! Geometric algebra of space.
+
+crate::algebra! {
+    /// Geometric algebra of space: vectors, oriented areas and volumes, and the rotors and quaternions that turn them.
+    ///
+    /// # Basis
+    ///
+    /// e1, e2, e3 span space, right-handed, `e1² = e2² = e3² = 1`. `I = e123`, `I² = −1`, `dual(a) = a I⁻¹ = −a I`, `undual(a) = a I`,
+    /// `a ∨ b = undual(dual a ∧ dual b)`. The dual of a plane's bivector is its right-handed normal: `dual(e12) = e3`,
+    /// `dual(e13) = −e2`, `dual(e23) = e1`, so that `a × b = dual(a ∧ b)`.
+    ///
+    /// # Types
+    ///
+    /// A rotor turns by `x' = R x ~R`, the right factor of a product first.
+    ///
+    /// | type | blades | grade | as geometry | as a transformation |
+    /// | --- | --- | --- | --- | --- |
+    /// | [`Vector`] | e1 e2 e3 | 1 | direction with length | reflection in the plane across it |
+    /// | [`Bivector`] | e12 e13 e23 | 2 | oriented area | generator of a turn |
+    /// | [`Trivector`] | e123 | 3 | oriented volume | |
+    /// | [`Rotor`] | scalar e12 e13 e23 | even | axis through the origin | turn, `exp(−½θB)` |
+    /// | [`Quaternion`] | scalar e12 e13 e23 | even | sums of rotors | turn with scaling |
+    /// | [`Multivector`] | all 8 | all | | |
+    ///
+    /// # Products
+    ///
+    /// `a * b` geometric, `a ^ b` wedge, `a | b` left contraction, `a & b` vee; [`Rotor::transform`] turns.
+    ///
+    /// The quaternion `w + x i + y j + z k` of a turn is the rotor `w − x e23 + y e13 − z e12`: `i = −e23`, `j = e13`, `k = −e12`, which
+    /// satisfy `ij = k`, and `q v q*` turns as `R x ~R` does.
+    ///
+    /// ```
+    /// use ga_runtime::vga3::{Rotor, Vector};
+    ///
+    /// let (a, b) = (Vector::new(1.0, 0.0, 0.0), Vector::new(0.0, 2.0, 0.0));
+    /// assert_eq!((a ^ b).dual(), Vector::new(0.0, 0.0, 2.0));
+    /// assert_eq!(a.cross(b), (a ^ b).dual());
+    ///
+    /// let rotor: Rotor<f64> = Rotor::between(a, b).unwrap();
+    /// let turned = rotor.transform(a);
+    /// assert!(turned.e1.abs() < 1e-15 && (turned.e2 - 1.0).abs() < 1e-15);
+    /// ```
+    pub mod vga3 {
+        basis e1, e2, e3;
+        signature 3, 0, 0;
+
+        /// A vector of space.
+        struct Vector { e1, e2, e3 }
+        /// An oriented area: the plane that two vectors span, with its size.
+        struct Bivector { e12, e13, e23 }
+        /// An oriented volume, a multiple of I = e123.
+        struct Trivector { e123 }
+        /// A turn about an axis through the origin: `R = exp(−½θB) = cos ½θ − sin ½θ B`.
+        #[hull(Quaternion)]
+        #[facts(unit_versor)]
+        struct Rotor { scalar, e12, e13, e23 }
+        /// Sums and multiples of rotors: the quaternions.
+        struct Quaternion { scalar, e12, e13, e23 }
+        /// All 8 blades.
+        struct Multivector { scalar, e1, e2, e3, e12, e13, e23, e123 }
+
+        products {
+            wedge(Vector, Vector) -> Bivector;
+            wedge(Vector, Bivector) -> Trivector;
+            wedge(Bivector, Vector) -> Trivector;
+            vee(Bivector, Bivector) -> Vector;
+            vee(Bivector, Vector) -> Scalar;
+            vee(Vector, Bivector) -> Scalar;
+            left_contraction(Vector, Vector) -> Scalar;
+            left_contraction(Vector, Bivector) -> Vector;
+            left_contraction(Vector, Trivector) -> Bivector;
+            left_contraction(Bivector, Bivector) -> Scalar;
+            left_contraction(Bivector, Trivector) -> Vector;
+            left_contraction(Trivector, Trivector) -> Scalar;
+            right_contraction(Bivector, Vector) -> Vector;
+            dual(Vector) -> Bivector;
+            undual(Vector) -> Bivector;
+            dual(Bivector) -> Vector;
+            undual(Bivector) -> Vector;
+            dual(Trivector) -> Scalar;
+            undual(Trivector) -> Scalar;
+            geometric(Vector, Vector) -> Quaternion;
+            geometric(Bivector, Bivector) -> Quaternion;
+            geometric(Rotor, Rotor) -> Rotor;
+            geometric(Quaternion, Quaternion) -> Quaternion;
+            geometric(Multivector, Multivector) -> Multivector;
+            commutator(Bivector, Bivector) -> Bivector;
+            sandwich(Rotor, {Vector, Bivector, Rotor}) -> Self;
+            sandwich(Vector, {Vector, Bivector}) -> Self;
+            wedge(Multivector, Multivector) -> Multivector;
+            vee(Multivector, Multivector) -> Multivector;
+            left_contraction(Multivector, Multivector) -> Multivector;
+            right_contraction(Multivector, Multivector) -> Multivector;
+            scalar_product(Multivector, Multivector) -> Scalar;
+            commutator(Multivector, Multivector) -> Multivector;
+            dual(Multivector) -> Multivector;
+            undual(Multivector) -> Multivector;
+        }
+    }
+}

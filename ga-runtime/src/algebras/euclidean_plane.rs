@@ -1,0 +1,86 @@
+//! Geometric algebra of the plane.
+
+crate::algebra! {
+    /// Geometric algebra of the plane: vectors, oriented areas, and the complex numbers that turn.
+    ///
+    /// # Basis
+    ///
+    /// e1, e2 span the plane, `e1² = e2² = 1`. `I = e12`, `I² = −1`, `dual(a) = a I⁻¹ = −a I`, `undual(a) = a I`: `undual` turns a
+    /// vector by 90° from e1 towards e2, `dual` back. `a ∨ b = undual(dual a ∧ dual b)`.
+    ///
+    /// # Types
+    ///
+    /// A rotor turns by `x' = R x ~R`, the right factor of a product first.
+    ///
+    /// | type | blades | grade | as geometry | as a transformation |
+    /// | --- | --- | --- | --- | --- |
+    /// | [`Vector`] | e1 e2 | 1 | direction with length | reflection |
+    /// | [`Bivector`] | e12 | 2 | oriented area | generator of a turn |
+    /// | [`Rotor`] | scalar e12 | even | | turn by θ, `exp(−½θ e12)` |
+    /// | [`Complex`] | scalar e12 | even | complex number `re + im e12` | turn with scaling |
+    /// | [`Multivector`] | all 4 | all | | |
+    ///
+    /// # Products
+    ///
+    /// `a * b` geometric, `a ^ b` wedge, `a | b` left contraction; [`Rotor::transform`] turns. A turn by θ has the *half* angle
+    /// in its rotor and the minus sign of `−½θ`; as a complex number it is `cos θ + sin θ e12`, see [`Rotor::to_complex`].
+    ///
+    /// ```
+    /// use ga_runtime::vga2::{Bivector, Complex, Rotor, Vector};
+    ///
+    /// let (a, b) = (Vector::new(3.0, 0.0), Vector::new(1.0, 2.0));
+    /// assert_eq!(a | b, 3.0);
+    /// assert_eq!(a ^ b, Bivector::new(6.0));
+    /// // Both at once: the complex number from a to b, times |a|².
+    /// assert_eq!(a * b, Complex::new(3.0, 6.0));
+    ///
+    /// let quarter = Rotor::from_angle(std::f64::consts::FRAC_PI_2).unwrap();
+    /// let turned = quarter.transform(a);
+    /// assert!(turned.e1.abs() < 1e-15 && (turned.e2 - 3.0).abs() < 1e-15);
+    /// ```
+    pub mod vga2 {
+        basis e1, e2;
+        signature 2, 0, 0;
+
+        /// A vector of the plane.
+        struct Vector { e1, e2 }
+        /// An oriented area: positive from e1 towards e2.
+        struct Bivector { e12 }
+        /// A turn about the origin: `R = exp(−½θ e12) = cos ½θ − sin ½θ e12`.
+        #[hull(Complex)]
+        #[facts(unit_versor)]
+        struct Rotor { scalar, e12 }
+        /// The complex number `re + im e12`; `e12² = −1`. Sums and multiples of rotors are such numbers.
+        struct Complex { scalar, e12 }
+        /// All 4 blades.
+        struct Multivector { scalar, e1, e2, e12 }
+
+        products {
+            wedge(Vector, Vector) -> Bivector;
+            left_contraction(Vector, Vector) -> Scalar;
+            left_contraction(Vector, Bivector) -> Vector;
+            left_contraction(Bivector, Bivector) -> Scalar;
+            right_contraction(Bivector, Vector) -> Vector;
+            vee(Vector, Vector) -> Scalar;
+            dual(Vector) -> Vector;
+            undual(Vector) -> Vector;
+            dual(Bivector) -> Scalar;
+            undual(Bivector) -> Scalar;
+            geometric(Vector, Vector) -> Complex;
+            geometric({Rotor, Complex}, Vector) -> Vector;
+            geometric(Vector, {Rotor, Complex}) -> Vector;
+            geometric(Rotor, Rotor) -> Rotor;
+            geometric(Complex, Complex) -> Complex;
+            geometric(Multivector, Multivector) -> Multivector;
+            sandwich({Rotor, Vector}, Vector) -> Self;
+            wedge(Multivector, Multivector) -> Multivector;
+            vee(Multivector, Multivector) -> Multivector;
+            left_contraction(Multivector, Multivector) -> Multivector;
+            right_contraction(Multivector, Multivector) -> Multivector;
+            scalar_product(Multivector, Multivector) -> Scalar;
+            commutator(Multivector, Multivector) -> Multivector;
+            dual(Multivector) -> Multivector;
+            undual(Multivector) -> Multivector;
+        }
+    }
+}

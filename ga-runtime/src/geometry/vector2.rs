@@ -1,0 +1,37 @@
+//! Plain vectors of the plane, for what is read back.
+
+use super::vector3;
+use crate::scalar::{Real, Ring};
+
+pub(super) fn dot<S: Ring>(a: [S; 2], b: [S; 2]) -> S {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+/// The oriented area of two vectors, positive where the way from a to b is counterclockwise.
+pub(super) fn area<S: Ring>(a: [S; 2], b: [S; 2]) -> S {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+pub(super) fn scaled<S: Ring>(a: [S; 2], factor: S) -> [S; 2] {
+    a.map(|x| x * factor)
+}
+
+pub(super) fn difference<S: Ring>(a: [S; 2], b: [S; 2]) -> [S; 2] {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+/// Whether all components are finite.
+pub(super) fn are_numbers<S: Ring>(a: [S; 2]) -> bool {
+    a.into_iter().all(vector3::is_number)
+}
+
+/// The length, without overflow or underflow on the way; NaN where a component is NaN.
+pub(super) fn length<S: Real<Mask = bool>>([x, y]: [S; 2]) -> S {
+    vector3::length([x, y, S::zero()])
+}
+
+/// The vector of length 1 in the same direction; `None` for zero, infinity and NaN.
+pub(super) fn normalized<S: Real<Mask = bool>>([x, y]: [S; 2]) -> Option<[S; 2]> {
+    let [x, y, _] = vector3::normalized([x, y, S::zero()])?;
+    Some([x, y])
+}

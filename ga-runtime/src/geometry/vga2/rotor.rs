@@ -1,0 +1,99 @@
+//! Rotors of vga2.
+
+use crate::geometry::vector2::normalized;
+use crate::scalar::{Field, Real};
+use crate::vga2::{Bivector, Complex, Rotor, Vector};
+
+impl<S: Field> Rotor<S> {
+    /// The complex number of the turn, `cos θ + sin θ e12`: the square of the reverse. It turns the complex numbers of vectors by
+    /// one product, as a rotor turns vectors by two.
+    #[inline]
+    #[must_use]
+    pub fn to_complex(self) -> Complex<S> {
+        let (c, s) = (self.scalar(), self.e12());
+        let cs = c * s;
+        Complex::new(c * c - s * s, -(cs + cs))
+    }
+
+    /// The rotation matrix by rows: `x' = matrix · x`.
+    #[inline]
+    #[must_use]
+    pub fn to_matrix(self) -> [[S; 2]; 2] {
+        let z = self.to_complex();
+        [[z.scalar, -z.e12], [z.e12, z.scalar]]
+    }
+}
+
+impl<S: Real<Mask = bool>> Rotor<S> {
+    /// The turn by an angle in radians, positive from e1 towards e2: `R = cos ½θ − sin ½θ e12`. `None` where the angle is not finite.
+    ///
+    /// ```
+    /// use ga_runtime::vga2::{Rotor, Vector};
+    /// let quarter = Rotor::from_angle(std::f64::consts::FRAC_PI_2).unwrap();
+    /// let turned = quarter.transform(Vector::new(1.0, 0.0));
+    /// assert!(turned.e1.abs() < 1e-15 && (turned.e2 - 1.0).abs() < 1e-15);
+    /// ```
+    #[must_use]
+    pub fn from_angle(angle: S) -> Option<Self> {
+        if !angle.is_finite() {
+            return None;
+        }
+        let (sine, cosine) = (angle * S::from_ratio(1, 2)).sin_cos();
+        Some(Self::new_unchecked(cosine, -sine))
+    }
+
+    /// The angle in [−2π, 2π]; a rotor and its negative turn to the same place, and differ by 2π.
+    #[must_use]
+    pub fn angle(self) -> S {
+        let half = (-self.e12()).atan2(self.scalar());
+        half + half
+    }
+
+    /// The turn by the short way from the direction of one vector to that of another; counterclockwise where they are opposite. `None` where one is zero
+    /// or not finite.
+    #[must_use]
+    pub fn between(from: Vector<S>, to: Vector<S>) -> Option<Self> {
+        let (a, b) = (
+            normalized(from.coordinates())?,
+            normalized(to.coordinates())?,
+        );
+        Self::from_complex(Vector::from(a) * Vector::from(b))
+    }
+
+    /// The turn by the argument of a complex number, in (−π, π]; `None` for zero and what is not finite.
+    ///
+    /// ```
+    /// use ga_runtime::vga2::{Complex, Rotor, Vector};
+    /// let quarter = Rotor::from_complex(Complex::new(0.0_f64, 3.0)).unwrap();
+    /// assert!((quarter.angle() - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
+    /// ```
+    #[must_use]
+    pub fn from_complex(number: Complex<S>) -> Option<Self> {
+        let [cosine, sine] = normalized([number.scalar, number.e12])?;
+        // 1 + z has half the argument, and i (1 − z) too; the larger loses nothing.
+        let half = if !cosine.less_than(S::zero()) {
+            [S::one() + cosine, sine]
+        } else if sine.less_than(S::zero()) {
+            [-sine, cosine - S::one()]
+        } else {
+            [sine, S::one() - cosine]
+        };
+        let [cosine, sine] = normalized(half)?;
+        Some(Self::new_unchecked(cosine, -sine))
+    }
+
+    /// The bivector B with `exp(B) = R`: `−½θ e12` for the turn by θ, with its coefficient in [−π, π].
+    #[must_use]
+    pub fn log(self) -> Bivector<S> {
+        Bivector::new(self.e12().atan2(self.scalar()))
+    }
+}
+
+impl<S: Real<Mask = bool>> Bivector<S> {
+    /// The rotor `exp(B)`: for `B = −½θ e12` the turn by θ. What is not a number stays so.
+    #[must_use]
+    pub fn exp(self) -> Rotor<S> {
+        let (sine, cosine) = self.e12.sin_cos();
+        Rotor::new_unchecked(cosine, sine)
+    }
+}
