@@ -31,7 +31,11 @@ crate::algebra! {
     ///
     /// // The lines x = 1 and y = 2 meet in the point (1, 2).
     /// let meet = Line::new(1.0, 0.0, -1.0) ^ Line::new(0.0, 1.0, -2.0);
-    /// assert_eq!(meet, Point::new(1.0, 1.0, 2.0));
+    /// assert_eq!(meet, Point::from_coordinates([1.0, 2.0]));
+    /// // Two points join in a line that holds both.
+    /// let join = meet & Point::from_coordinates([4.0, 6.0]);
+    /// assert_eq!(join ^ meet, Default::default());
+    /// assert_eq!(join.signed_distance(Point::from_coordinates([1.0, 7.0])), Some(3.0));
     /// ```
     pub mod pga2 {
         basis e1, e2, e0;

@@ -26,11 +26,14 @@ mod circle;
 mod dilator;
 mod direction;
 mod dual_motion;
+mod dual_quaternion;
 mod dual_round;
 mod flat_point;
 mod kind;
 mod line;
 mod motor;
+#[cfg(feature = "pga2")]
+mod pga2;
 #[cfg(feature = "pga3")]
 mod pga3;
 mod plane;
@@ -50,4 +53,5 @@ mod vga2;
 #[cfg(feature = "vga3")]
 mod vga3;
 
+pub use dual_quaternion::{DualQuaternionParts, NotUnit};
 pub use kind::Kind;
