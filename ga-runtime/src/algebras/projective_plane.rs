@@ -33,9 +33,9 @@ crate::algebra! {
     /// let meet = Line::new(1.0, 0.0, -1.0) ^ Line::new(0.0, 1.0, -2.0);
     /// assert_eq!(meet, Point::from_coordinates([1.0, 2.0]));
     /// // Two points join in a line that holds both.
-    /// let join = meet & Point::from_coordinates([4.0, 6.0]);
+    /// let join = meet & Point::from_coordinates([4.0, 2.0]);
     /// assert_eq!(join ^ meet, Default::default());
-    /// assert_eq!(join.signed_distance(Point::from_coordinates([1.0, 7.0])), Some(3.0));
+    /// assert_eq!(join.signed_distance(Point::from_coordinates([1.0, 5.0])), Some(3.0));
     /// ```
     pub mod pga2 {
         basis e1, e2, e0;
