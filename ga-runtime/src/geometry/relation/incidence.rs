@@ -115,7 +115,11 @@ fn direction<S>(figure: Figure<S>) -> Option<([S; 3], bool)> {
     }
 }
 
-fn is_on<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>, tolerance: Tolerance<S>) -> bool {
+pub(super) fn is_on<S: Real<Mask = bool>>(
+    a: Figure<S>,
+    b: Figure<S>,
+    tolerance: Tolerance<S>,
+) -> bool {
     let near = |x: S| within(x, tolerance.distance);
     let point_is_on = |p: [S; 3], b| distance(Figure::Point(p), b).is_some_and(near);
     let turned =

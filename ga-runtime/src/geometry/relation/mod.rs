@@ -1,4 +1,4 @@
-//! Relations between primitives: incidence, nearest points, reflection, inversion, distance and angle.
+//! Relations between primitives: incidence, nearest points, reflection, inversion, distance, angle, meet and join.
 //!
 //! Everything here is an inherent method of [`Point`](crate::cga3::Point), [`FlatPoint`](crate::cga3::FlatPoint),
 //! [`PointPair`](crate::cga3::PointPair), [`Line`](crate::cga3::Line), [`Plane`](crate::cga3::Plane),
@@ -15,6 +15,8 @@
 //! | `a.distance_to(b)`, `a.signed_distance_to(b)` | the least distance, in the units of the coordinates | [`distance`] |
 //! | `a.angle_to(b)`, `a.inversive_distance_to(b)` | the angle in radians | [`angle`] |
 //! | `a.common_perpendicular(b, tolerance)` | the shortest way between two lines | [`common_perpendicular`] |
+//! | `a.meet(b, tolerance)` | what both share, by cases | [`meet`] |
+//! | `a.join(b, tolerance)` | the least primitive that holds both | [`join`] |
 //!
 //! Measures and tests read each primitive as a plain Euclidean [`Figure`] first and never take the root of an inner product that has
 //! cancelled, so that they hold up far from the origin. What is decided by comparing takes a [`Tolerance`]. A primitive
@@ -26,7 +28,9 @@ pub mod distance;
 mod figure;
 pub mod incidence;
 pub mod inversion;
+pub mod join;
 mod least;
+pub mod meet;
 pub mod projection;
 pub mod reflection;
 mod tolerance;
@@ -36,6 +40,8 @@ pub use common_perpendicular::CommonPerpendicular;
 pub use figure::{Figure, Primitive};
 pub use incidence::Directed;
 pub use inversion::RoundOrFlat;
+pub use join::Join;
+pub use meet::Meet;
 pub use reflection::Mirror;
 pub use tolerance::Tolerance;
 

@@ -1,0 +1,441 @@
+//! Joins: the least primitive that holds two others.
+//!
+//! In blades the join of two that share nothing is their outer product, `p∧q∧ei` for the line through two points, `p∧L` for the plane of a point and a line, `C∧p`
+//! for a sphere; where they share something it vanishes or leaves out what is shared once, and what is shared once is found by the cases here.
+//!
+//! | | point | point pair | line | circle | plane, sphere |
+//! | --- | --- | --- | --- | --- | --- |
+//! | point | line; point | circle; line; pair | plane; line | sphere; plane; circle | all; itself |
+//! | point pair | | sphere; plane; circle; line; pair | plane; line; all | sphere; plane; circle; all | all; itself |
+//! | line | | | plane; line; all | plane; all | all; plane |
+//! | circle | | | | sphere; plane; circle; all | all; itself |
+//!
+//! First comes what two in general position span, then what is left for less: coplanar points of a circle and off it give a plane, collinear ones a line, and
+//! where one holds the other, that one. *All* is all of space: skew lines, a line and a circle in no common plane, circles on no common
+//! sphere. Two surfaces join to all of space unless they coincide.
+//!
+//! The tolerance decides by distance what lies on what, as in [`incidence`](super::incidence), and by angle which lines are parallel. A pair, a
+//! circle or a sphere that is no larger counts as its centre.
+//!
+//! What comes out has weight 1. Where the outer product of both does not vanish, with infinity for two points, the outcome is a positive multiple of
+//! it, in the order of the call; otherwise it is oriented as the operand that it is or, for lines and circles of one plane, as the first of them.
+//!
+//! `None` where one of the two is no [`Figure`], or the outcome is beyond the range of the scalar.
+//!
+//! ```
+//! use ga_runtime::cga3::{Circle, Line, Point};
+//! use ga_runtime::geometry::relation::{Tolerance, join::Join};
+//!
+//! let tolerance = Tolerance::default();
+//! let [p, q, r] = [[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [-2.0, 0.0, 0.0]].map(Point::from);
+//! assert!(matches!(p.join(q, tolerance), Some(Join::Line(_))));
+//! assert_eq!(p.join(p, tolerance), Some(Join::Point(p)));
+//!
+//! let circle = Circle::through(p, q, r);
+//! match circle.join(Point::new(0.0, 0.0, 4.0), tolerance) {
+//!     Some(Join::Sphere(sphere)) => assert_eq!(sphere.radius(), Some(2.5)),
+//!     other => panic!("{other:?}"),
+//! }
+//! assert!(matches!(circle.join(Point::default(), tolerance), Some(Join::Plane(_))));
+//! let axis = Line::from_point_direction(p, [0.0, 0.0, 1.0]);
+//! assert_eq!(axis.join(circle, tolerance), Some(Join::Space));
+//! ```
+
+use super::distance::{across, distance};
+use super::incidence::is_on;
+use super::least::frame;
+use super::tolerance::within;
+use super::{Figure, Primitive, Tolerance, parallel};
+use crate::cga3::{Circle, FlatPoint, Line, Plane, Point, PointPair, Sphere};
+use crate::geometry::vector3::{
+    are_numbers, cross, difference, dot, length, normalized, scaled, sum,
+};
+use crate::scalar::Real;
+
+/// The least primitive that holds two others.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Join<S> {
+    /// A point: both are it.
+    Point(Point<S>),
+    /// A point pair, which holds the other.
+    PointPair(PointPair<S>),
+    /// A line.
+    Line(Line<S>),
+    /// A circle.
+    Circle(Circle<S>),
+    /// A plane.
+    Plane(Plane<S>),
+    /// A sphere.
+    Sphere(Sphere<S>),
+    /// All of space: nothing less holds both.
+    Space,
+}
+
+macro_rules! joins {
+    ($($Primitive:ident)*) => {$(
+        impl<S: Real<Mask = bool>> $Primitive<S> {
+            /// The least primitive that holds this and the other; see [`join`](crate::geometry::relation::join). `None` where one is
+            /// no figure or the outcome is beyond the range of the scalar.
+            #[must_use]
+            pub fn join<T: Primitive<S>>(self, other: T, tolerance: Tolerance<S>) -> Option<Join<S>> {
+                join(self.figure()?, other.figure()?, tolerance)
+            }
+        }
+    )*};
+}
+
+joins!(Point FlatPoint PointPair Line Plane Circle Sphere);
+
+/// What a figure has in the order point, pair, line, circle, plane, sphere.
+fn rank<S>(figure: Figure<S>) -> usize {
+    match figure {
+        Figure::Point(_) => 0,
+        Figure::PointPair(_) => 1,
+        Figure::Line { .. } => 2,
+        Figure::Circle { .. } => 3,
+        Figure::Plane { .. } => 4,
+        Figure::Sphere { .. } => 5,
+    }
+}
+
+/// A figure, or its centre where it is no larger than the tolerance.
+fn reduced<S: Real<Mask = bool>>(figure: Figure<S>, tolerance: Tolerance<S>) -> Figure<S> {
+    match figure {
+        Figure::PointPair([p, q]) if within(length(difference(q, p)), tolerance.distance) => {
+            Figure::Point(middle(p, q))
+        }
+        Figure::Circle { centre, radius, .. } | Figure::Sphere { centre, radius }
+            if within(radius, tolerance.distance) =>
+        {
+            Figure::Point(centre)
+        }
+        _ => figure,
+    }
+}
+
+fn join<S: Real<Mask = bool>>(
+    a: Figure<S>,
+    b: Figure<S>,
+    tolerance: Tolerance<S>,
+) -> Option<Join<S>> {
+    let [a, b] = [a, b].map(|figure| reduced(figure, tolerance));
+    // What holds the other is the join; of two that are the same the first.
+    if is_on(b, a, tolerance) {
+        return itself(a);
+    }
+    if is_on(a, b, tolerance) {
+        return itself(b);
+    }
+    let (one, minus) = (S::one(), -S::one());
+    if rank(b) < rank(a) {
+        // The outer product changes sign where both grades are odd: point and line, point and circle.
+        let sign = match b {
+            Figure::Point(_) => minus,
+            _ => one,
+        };
+        return span(b, a, tolerance, sign);
+    }
+    span(a, b, tolerance, one)
+}
+
+/// The join of two figures in the order of their ranks, neither of which is on the other. The sign is that of the order against the outer product.
+fn span<S: Real<Mask = bool>>(
+    a: Figure<S>,
+    b: Figure<S>,
+    tolerance: Tolerance<S>,
+    sign: S,
+) -> Option<Join<S>> {
+    let near = |x: S| within(x, tolerance.distance);
+    match (a, b) {
+        (Figure::Point(p), Figure::Point(q)) => line(p, difference(q, p)),
+        (Figure::Point(p), Figure::PointPair([q, r])) => three_points([q, r, p], tolerance),
+        (Figure::Point(p), Figure::Line { point, direction }) => {
+            plane(p, scaled(cross(difference(point, p), direction), sign))
+        }
+        (
+            Figure::Point(p),
+            Figure::Circle {
+                centre,
+                normal,
+                radius,
+            },
+        ) => {
+            if near(dot(difference(p, centre), normal)) {
+                return plane(centre, normal);
+            }
+            let above = Above::new(centre, normal, radius, p);
+            above.to_sphere(-sign)
+        }
+        (Figure::PointPair(first), Figure::PointPair(second)) => {
+            four_points(first, second, tolerance)
+        }
+        (Figure::PointPair([p, q]), Figure::Line { point, direction }) => {
+            let arm = |x| across(difference(x, point), direction);
+            let [p_arm, q_arm] = [p, q].map(arm);
+            let (farther, other) = if length(p_arm).less_than(length(q_arm)) {
+                (q_arm, p)
+            } else {
+                (p_arm, q)
+            };
+            let normal = normalized(cross(direction, farther))?;
+            if near(dot(difference(other, point), normal)) {
+                plane(point, normal)
+            } else {
+                Some(Join::Space)
+            }
+        }
+        (
+            Figure::PointPair([p, q]),
+            Figure::Circle {
+                centre,
+                normal,
+                radius,
+            },
+        ) => {
+            let height = |x| dot(difference(x, centre), normal).abs();
+            let (farther, other) = if height(p).less_than(height(q)) {
+                (q, p)
+            } else {
+                (p, q)
+            };
+            if near(height(farther)) {
+                return plane(centre, normal);
+            }
+            Above::new(centre, normal, radius, farther).holding(Figure::Point(other), tolerance)
+        }
+        (
+            Figure::Line {
+                point,
+                direction: d,
+            },
+            Figure::Line {
+                point: q,
+                direction: e,
+            },
+        ) => {
+            let normal = cross(d, e);
+            if within(length(normal).atan2(dot(d, e).abs()), tolerance.angle) {
+                plane(point, cross(d, difference(q, point)))
+            } else if near(distance(a, b)?) {
+                // Midway between the two.
+                plane(
+                    middle(point, sum(point, along(difference(q, point), normal))),
+                    normal,
+                )
+            } else {
+                Some(Join::Space)
+            }
+        }
+        (Figure::Line { .. }, Figure::Circle { centre, normal, .. }) => {
+            let distance = dot(normal, centre);
+            if is_on(a, Figure::Plane { normal, distance }, tolerance) {
+                plane(centre, normal)
+            } else {
+                Some(Join::Space)
+            }
+        }
+        (
+            Figure::Circle {
+                centre,
+                normal,
+                radius,
+            },
+            Figure::Circle {
+                centre: c,
+                normal: m,
+                radius: r,
+            },
+        ) => {
+            // The point of the second that is farthest from the plane of the first: up or down its steepest radius, any one in
+            // parallel planes.
+            let tilt = across(normal, m);
+            let steepest = if length(tilt).less_than(parallel()) {
+                frame(m)[0]
+            } else {
+                // Once more, for what rounding has left along the normal.
+                normalized(across(normalized(tilt)?, m))?
+            };
+            let height = |x| dot(difference(x, centre), normal);
+            let [up, down] = [r, -r].map(|r| sum(c, scaled(steepest, r)));
+            let farthest = if height(up).abs().less_than(height(down).abs()) {
+                down
+            } else {
+                up
+            };
+            if near(height(farthest)) {
+                return plane(centre, normal);
+            }
+            Above::new(centre, normal, radius, farthest).holding(b, tolerance)
+        }
+        _ => Some(Join::Space),
+    }
+}
+
+/// The sphere through a circle and a point off its plane.
+struct Above<S> {
+    centre: [S; 3],
+    radius: S,
+    /// The height of the point above the plane of the circle, for the orientation.
+    height: S,
+}
+
+impl<S: Real<Mask = bool>> Above<S> {
+    fn new(centre: [S; 3], normal: [S; 3], radius: S, point: [S; 3]) -> Self {
+        let from = difference(point, centre);
+        let height = dot(from, normal);
+        // The centre of the sphere is t above that of the circle, where w² − 2 t h = r² with w from there to the point.
+        let reach = length(across(from, normal));
+        let up = (height + (reach - radius) * ((reach + radius) / height)) * S::from_ratio(1, 2);
+        Self {
+            centre: sum(centre, scaled(normal, up)),
+            radius: length([up, radius, S::zero()]),
+            height,
+        }
+    }
+
+    /// A positive multiple of circle∧point, or by the sign a negative one.
+    fn to_sphere(&self, sign: S) -> Option<Join<S>> {
+        sphere(self.centre, self.radius, self.height * sign)
+    }
+
+    /// The sphere about its centre if it holds a figure.
+    fn holding(&self, figure: Figure<S>, tolerance: Tolerance<S>) -> Option<Join<S>> {
+        let Self { centre, radius, .. } = *self;
+        if is_on(figure, Figure::Sphere { centre, radius }, tolerance) {
+            sphere(centre, radius, S::one())
+        } else {
+            Some(Join::Space)
+        }
+    }
+}
+
+fn three_points<S: Real<Mask = bool>>(
+    [p, q, r]: [[S; 3]; 3],
+    tolerance: Tolerance<S>,
+) -> Option<Join<S>> {
+    match through([p, q, r], tolerance)? {
+        Some(Figure::Circle {
+            centre,
+            normal,
+            radius,
+        }) => circle(centre, normal, radius),
+        _ => line(p, difference(q, p)),
+    }
+}
+
+fn four_points<S: Real<Mask = bool>>(
+    [p, q]: [[S; 3]; 2],
+    [r, s]: [[S; 3]; 2],
+    tolerance: Tolerance<S>,
+) -> Option<Join<S>> {
+    let direction = normalized(difference(q, p))?;
+    let off = |x| length(across(difference(x, p), direction));
+    // Of the second pair the point that makes the better triangle comes first; to exchange both changes the sign.
+    let (third, fourth, sign) = if off(r).less_than(off(s)) {
+        (s, r, -S::one())
+    } else {
+        (r, s, S::one())
+    };
+    let Some(found) = through([p, q, third], tolerance)? else {
+        return line(p, direction);
+    };
+    let Figure::Circle {
+        centre,
+        normal,
+        radius,
+    } = found
+    else {
+        return None;
+    };
+    let near = |x: S| within(x, tolerance.distance);
+    if near(distance(Figure::Point(fourth), found)?) {
+        circle(centre, normal, radius)
+    } else if near(dot(difference(fourth, centre), normal)) {
+        plane(centre, normal)
+    } else {
+        Above::new(centre, normal, radius, fourth).to_sphere(sign)
+    }
+}
+
+/// The circle through three points, or none where the third is on the line through the others.
+fn through<S: Real<Mask = bool>>(
+    [p, q, r]: [[S; 3]; 3],
+    tolerance: Tolerance<S>,
+) -> Option<Option<Figure<S>>> {
+    let (u, v) = (difference(q, p), difference(r, p));
+    let direction = normalized(u)?;
+    if within(length(across(v, direction)), tolerance.distance) {
+        return Some(None);
+    }
+    let normal = normalized(cross(u, v))?;
+    // In the plane of both: half along the first, and up to equal distance from the third.
+    let side = cross(normal, direction);
+    let (x, y) = (dot(v, direction), dot(v, side));
+    let half = dot(u, direction) * S::from_ratio(1, 2);
+    let up = (y + x * ((x - half - half) / y)) * S::from_ratio(1, 2);
+    let centre = sum(p, sum(scaled(direction, half), scaled(side, up)));
+    let radius = length([half, up, S::zero()]);
+    let circle = Figure::Circle {
+        centre,
+        normal,
+        radius,
+    };
+    let finite = are_numbers(centre) && radius.is_finite();
+    finite.then_some(Some(circle))
+}
+
+fn middle<S: Real>(p: [S; 3], q: [S; 3]) -> [S; 3] {
+    sum(p, scaled(difference(q, p), S::from_ratio(1, 2)))
+}
+
+/// The part of a vector along another one that is not zero.
+fn along<S: Real<Mask = bool>>(v: [S; 3], other: [S; 3]) -> [S; 3] {
+    normalized(other).map_or(other, |unit| scaled(unit, dot(v, unit)))
+}
+
+/// The element that a figure is.
+fn itself<S: Real<Mask = bool>>(figure: Figure<S>) -> Option<Join<S>> {
+    match figure {
+        Figure::Point(p) => Some(Join::Point(Point::from(p))),
+        Figure::PointPair([p, q]) => {
+            let half = length(difference(q, p)) * S::from_ratio(1, 2);
+            let centre = Point::from(middle(p, q));
+            let pair =
+                PointPair::from_centre_axis_radius_squared(centre, difference(q, p), half * half);
+            pair.map(Join::PointPair)
+        }
+        Figure::Line { point, direction } => line(point, direction),
+        Figure::Circle {
+            centre,
+            normal,
+            radius,
+        } => circle(centre, normal, radius),
+        Figure::Plane { normal, distance } => plane(scaled(normal, distance), normal),
+        Figure::Sphere { centre, radius } => sphere(centre, radius, S::one()),
+    }
+}
+
+fn line<S: Real<Mask = bool>>(point: [S; 3], direction: [S; 3]) -> Option<Join<S>> {
+    let line = Line::from_point_direction(Point::from(point), normalized(direction)?);
+    are_numbers(line.moment()).then_some(Join::Line(line))
+}
+
+fn circle<S: Real<Mask = bool>>(centre: [S; 3], normal: [S; 3], radius: S) -> Option<Join<S>> {
+    Circle::from_centre_normal_radius(Point::from(centre), normal, radius).map(Join::Circle)
+}
+
+fn plane<S: Real<Mask = bool>>(point: [S; 3], normal: [S; 3]) -> Option<Join<S>> {
+    let plane = Plane::from_point_normal(Point::from(point), normalized(normal)?);
+    plane.figure().map(|_| Join::Plane(plane))
+}
+
+/// The sphere about a centre, or minus it.
+fn sphere<S: Real<Mask = bool>>(centre: [S; 3], radius: S, sign: S) -> Option<Join<S>> {
+    let sphere = Sphere::from_centre_radius(Point::from(centre), radius);
+    let oriented = if sign.less_than(S::zero()) {
+        -sphere
+    } else {
+        sphere
+    };
+    oriented.figure().map(|_| Join::Sphere(oriented))
+}

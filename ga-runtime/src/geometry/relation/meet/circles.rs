@@ -1,0 +1,325 @@
+//! Meets of circles with lines, planes, spheres and each other.
+
+use super::spheres::{power_plane, same_radius, touch};
+use super::{Meet, finite_point, less_square, line_parts, pair, plane_parts, radius};
+use crate::cga3::{Circle, Line, Plane, Point, PointPair, Sphere};
+use crate::geometry::relation::distance::{across, distance, from_sphere};
+use crate::geometry::relation::figure::{circle_parts, sphere_parts};
+use crate::geometry::relation::tolerance::within;
+use crate::geometry::relation::{Figure, Tolerance};
+use crate::geometry::vector3::{cross, difference, dot, length, normalized, scaled, sum};
+use crate::scalar::Real;
+
+/// How a line and a circle meet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum LineAndCircle<S> {
+    /// In two points, in the order in which the line passes them. They are in one plane.
+    Points(PointPair<S>),
+    /// The line touches the circle in its plane, or passes a circle of radius zero in its plane.
+    Tangent {
+        /// The point of the line nearest to the centre.
+        point: Point<S>,
+        /// The unit direction of the line.
+        direction: [S; 3],
+    },
+    /// The line crosses the plane of the circle in a point of the circle.
+    Point(Point<S>),
+    /// They are in one plane and do not meet: the imaginary pair about the point of the line nearest to the centre.
+    Imaginary(PointPair<S>),
+    /// They are in no common plane and do not meet.
+    Apart,
+}
+
+/// How a plane and a circle meet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PlaneAndCircle<S> {
+    /// In two points. From the first to the second it goes along `m × n`, with the normal n of the circle and m of the plane.
+    Points(PointPair<S>),
+    /// The plane touches the circle.
+    Tangent {
+        /// The point where they touch.
+        point: Point<S>,
+        /// The unit direction of the tangent, as the pair would have it.
+        direction: [S; 3],
+    },
+    /// The planes of both cross off the circle: the imaginary pair about the point of that line nearest to the centre.
+    Imaginary(PointPair<S>),
+    /// The plane of the circle is parallel to the plane.
+    Parallel {
+        /// The height of the circle above the plane.
+        distance: S,
+    },
+    /// The circle lies in the plane, be its radius zero.
+    Contained(Circle<S>),
+}
+
+/// How a sphere and a circle meet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SphereAndCircle<S> {
+    /// In two points. From the first to the second it goes along `w × n`, where w leads from the centre of the circle to that of the sphere and n is the
+    /// normal of the circle.
+    Points(PointPair<S>),
+    /// They touch: the nearest or the farthest point of the circle from the centre is on the sphere.
+    Tangent {
+        /// The point where they touch.
+        point: Point<S>,
+        /// The unit direction of the tangent, as the pair would have it.
+        direction: [S; 3],
+    },
+    /// They do not meet: the imaginary pair on the line of equal power in the plane of the circle.
+    Imaginary(PointPair<S>),
+    /// The axis of the circle passes the centre of the sphere, and they meet nowhere, not even at infinity.
+    Concentric,
+    /// The circle lies on the sphere, be its radius zero.
+    Contained(Circle<S>),
+}
+
+/// How two circles meet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum CircleAndCircle<S> {
+    /// In two points, in one plane or in two. In one plane it goes from the first to the second along `w × n`, where w leads from the first centre to the
+    /// second and n is the first normal; in two planes along `m × n` with the first normal n and the second m.
+    Points(PointPair<S>),
+    /// They touch in a point, where they have one tangent, in one plane or in two.
+    Tangent {
+        /// The point where they touch.
+        point: Point<S>,
+        /// The unit direction of the tangent, as the pair would have it.
+        direction: [S; 3],
+    },
+    /// They cross in one point, in two planes, or one of radius zero is on the other.
+    Point(Point<S>),
+    /// They are in one plane and do not meet: the imaginary pair on the line of equal power.
+    Imaginary(PointPair<S>),
+    /// They are in two planes and do not meet.
+    Apart,
+    /// They have one centre, one plane and two radii.
+    Concentric,
+    /// They are one circle: the first.
+    Coincident(Circle<S>),
+}
+
+impl<S: Real<Mask = bool>> Meet<Circle<S>> for Line<S> {
+    type Scalar = S;
+    type Outcome = LineAndCircle<S>;
+    fn meet(self, circle: Circle<S>, tolerance: Tolerance<S>) -> Option<LineAndCircle<S>> {
+        let ((start, direction), (centre, normal, squared)) =
+            (line_parts(self)?, circle_parts(circle)?);
+        let near = |x: S| within(x, tolerance.distance);
+        let off = across(difference(centre, start), direction);
+        let foot = difference(centre, off);
+        let slope = dot(direction, normal);
+        let angle = slope.abs().atan2(length(cross(direction, normal)));
+        let is_flat = within(angle, tolerance.angle);
+        if is_flat && near(dot(off, normal)) {
+            let distance = length(off);
+            if radius(squared, tolerance).is_some_and(|r| near(distance - r)) {
+                let point = finite_point(foot)?;
+                return Some(LineAndCircle::Tangent { point, direction });
+            }
+            let half_squared = less_square(squared, distance);
+            let pair = pair(foot, direction, half_squared)?;
+            return Some(if half_squared.less_than(S::zero()) {
+                LineAndCircle::Imaginary(pair)
+            } else {
+                LineAndCircle::Points(pair)
+            });
+        }
+        let real = radius(squared, tolerance);
+        if is_flat || real.is_none() {
+            return Some(LineAndCircle::Apart);
+        }
+        let place = sum(foot, scaled(direction, dot(off, normal) / slope));
+        let point = finite_point(place)?;
+        let away = length(difference(place, centre));
+        Some(if real.is_some_and(|r| near(away - r)) {
+            LineAndCircle::Point(point)
+        } else {
+            LineAndCircle::Apart
+        })
+    }
+}
+
+impl<S: Real<Mask = bool>> Meet<Circle<S>> for Plane<S> {
+    type Scalar = S;
+    type Outcome = PlaneAndCircle<S>;
+    fn meet(self, circle: Circle<S>, tolerance: Tolerance<S>) -> Option<PlaneAndCircle<S>> {
+        let ((m, distance), (centre, normal, squared)) =
+            (plane_parts(self)?, circle_parts(circle)?);
+        let near = |x: S| within(x, tolerance.distance);
+        let height = dot(centre, m) - distance;
+        let along = cross(m, normal);
+        let sine = length(along);
+        let real = radius(squared, tolerance);
+        if real.is_some_and(|r| near(height.abs() + sine * r)) {
+            return Some(PlaneAndCircle::Contained(circle));
+        }
+        if within(sine.atan2(dot(normal, m).abs()), tolerance.angle) {
+            return Some(if near(height) {
+                PlaneAndCircle::Contained(circle)
+            } else {
+                PlaneAndCircle::Parallel { distance: height }
+            });
+        }
+        // Where the circle comes nearest to the plane, or farthest: down its steepest radius.
+        let direction = along.map(|x| x / sine);
+        let descent = cross(normal, direction);
+        let reach = height / sine;
+        let foot = difference(centre, scaled(descent, reach));
+        let touches = |r: S| near(height.abs() - r * sine);
+        if real.is_some_and(touches) {
+            let point = finite_point(foot)?;
+            return Some(PlaneAndCircle::Tangent { point, direction });
+        }
+        let half_squared = less_square(squared, reach.abs());
+        let pair = pair(foot, direction, half_squared)?;
+        Some(if half_squared.less_than(S::zero()) {
+            PlaneAndCircle::Imaginary(pair)
+        } else {
+            PlaneAndCircle::Points(pair)
+        })
+    }
+}
+
+impl<S: Real<Mask = bool>> Meet<Circle<S>> for Sphere<S> {
+    type Scalar = S;
+    type Outcome = SphereAndCircle<S>;
+    fn meet(self, circle: Circle<S>, tolerance: Tolerance<S>) -> Option<SphereAndCircle<S>> {
+        let ((c, sphere_squared), (centre, normal, squared)) =
+            (sphere_parts(self)?, circle_parts(circle)?);
+        let near = |x: S| within(x, tolerance.distance);
+        let from = difference(c, centre);
+        let flat = across(from, normal);
+        let off = length(flat);
+        let radii = radius(squared, tolerance).zip(radius(sphere_squared, tolerance));
+        // How far the nearest and the farthest point of the circle are from the sphere.
+        let gaps = radii.and_then(|(r, s)| {
+            let figure = Figure::Circle {
+                centre,
+                normal,
+                radius: r,
+            };
+            Some(from_sphere(figure, c)?.map(|x| x - s))
+        });
+        if gaps.is_some_and(|[least, most]| near(least) && near(most)) {
+            return Some(SphereAndCircle::Contained(circle));
+        }
+        if near(off) || off == S::zero() {
+            return Some(SphereAndCircle::Concentric);
+        }
+        let out = flat.map(|x| x / off);
+        let direction = cross(out, normal);
+        if let Some(([least, most], (r, _))) = gaps.zip(radii)
+            && (near(least) || near(most))
+        {
+            let reach = if near(least) { r } else { -r };
+            let point = finite_point(sum(centre, scaled(out, reach)))?;
+            return Some(SphereAndCircle::Tangent { point, direction });
+        }
+        let cut = less_square(sphere_squared, dot(from, normal).abs());
+        let along = power_plane(off, squared, cut);
+        let half_squared = less_square(squared, along.abs());
+        let pair = pair(sum(centre, scaled(out, along)), direction, half_squared)?;
+        Some(if half_squared.less_than(S::zero()) {
+            SphereAndCircle::Imaginary(pair)
+        } else {
+            SphereAndCircle::Points(pair)
+        })
+    }
+}
+
+impl<S: Real<Mask = bool>> Meet<Circle<S>> for Circle<S> {
+    type Scalar = S;
+    type Outcome = CircleAndCircle<S>;
+    fn meet(self, other: Self, tolerance: Tolerance<S>) -> Option<CircleAndCircle<S>> {
+        let (a, n, a_squared) = circle_parts(self)?;
+        let (b, m, b_squared) = circle_parts(other)?;
+        let near = |x: S| within(x, tolerance.distance);
+        let from = difference(b, a);
+        let sine = length(cross(n, m));
+        let is_flat = within(sine.atan2(dot(n, m).abs()), tolerance.angle)
+            || near(sine * a_squared.max(b_squared).max(S::zero()).sqrt());
+        if !is_flat {
+            return in_two_planes(self, other, tolerance);
+        }
+        if !near(dot(from, n)) {
+            return Some(CircleAndCircle::Apart);
+        }
+        let flat = across(from, n);
+        let off = length(flat);
+        if near(off) || off == S::zero() {
+            return Some(if same_radius(a_squared, b_squared, tolerance) {
+                CircleAndCircle::Coincident(self)
+            } else {
+                CircleAndCircle::Concentric
+            });
+        }
+        let out = flat.map(|x| x / off);
+        let direction = cross(out, n);
+        let along = power_plane(off, a_squared, b_squared);
+        let place = sum(a, scaled(out, along));
+        if touch(off, a_squared, b_squared, tolerance) {
+            let point = finite_point(place)?;
+            return Some(CircleAndCircle::Tangent { point, direction });
+        }
+        let half_squared = less_square(a_squared, along.abs());
+        let pair = pair(place, direction, half_squared)?;
+        Some(if half_squared.less_than(S::zero()) {
+            CircleAndCircle::Imaginary(pair)
+        } else {
+            CircleAndCircle::Points(pair)
+        })
+    }
+}
+
+/// The points of the first circle in the plane of the second, as far as they are on the second.
+fn in_two_planes<S: Real<Mask = bool>>(
+    first: Circle<S>,
+    second: Circle<S>,
+    tolerance: Tolerance<S>,
+) -> Option<CircleAndCircle<S>> {
+    let (b, m, squared) = circle_parts(second)?;
+    let Some(r) = radius(squared, tolerance) else {
+        return Some(CircleAndCircle::Apart);
+    };
+    let plane = Plane::from_point_normal(Point::from(b), m);
+    let figure = Figure::Circle {
+        centre: b,
+        normal: m,
+        radius: r,
+    };
+    let is_on = |p: Point<S>| {
+        let distance = distance(Figure::Point(p.coordinates()), figure);
+        distance.is_some_and(|x| within(x, tolerance.distance))
+    };
+    Some(match plane.meet(first, tolerance)? {
+        PlaneAndCircle::Points(pair) => {
+            let [p, q] = pair.endpoints()?;
+            match (is_on(p), is_on(q)) {
+                (true, true) => CircleAndCircle::Points(pair),
+                (true, false) => CircleAndCircle::Point(p),
+                (false, true) => CircleAndCircle::Point(q),
+                (false, false) => CircleAndCircle::Apart,
+            }
+        }
+        PlaneAndCircle::Tangent { point, direction } if is_on(point) => {
+            // The tangents are one where that of the first, which is in both planes, is across the radius of the second.
+            let arm = normalized(difference(point.coordinates(), b));
+            let lean = arm.map(|arm| {
+                dot(arm, direction)
+                    .abs()
+                    .atan2(length(cross(arm, direction)))
+            });
+            if lean.is_none_or(|lean| within(lean, tolerance.angle)) {
+                CircleAndCircle::Tangent { point, direction }
+            } else {
+                CircleAndCircle::Point(point)
+            }
+        }
+        // A circle of radius zero.
+        PlaneAndCircle::Contained(_) if is_on(first.centre()?) => {
+            CircleAndCircle::Point(first.centre()?)
+        }
+        _ => CircleAndCircle::Apart,
+    })
+}

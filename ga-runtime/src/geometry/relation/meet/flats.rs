@@ -1,0 +1,141 @@
+//! Meets of lines and planes.
+
+use super::{Meet, finite_point, line_parts, plane_parts};
+use crate::cga3::{Direction, DualDirection, Line, Plane, Point};
+use crate::geometry::relation::distance::across;
+use crate::geometry::relation::tolerance::within;
+use crate::geometry::relation::{CommonPerpendicular, Tolerance};
+use crate::geometry::vector3::{are_numbers, cross, difference, dot, length, scaled, sum};
+use crate::scalar::Real;
+
+/// How two lines meet. Their vee product is zero unless they are skew, and then a scalar times ei; nothing here is oriented by it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum LineAndLine<S> {
+    /// They cross in a point, midway between the feet of their common perpendicular.
+    Point(Point<S>),
+    /// They are parallel and meet at infinity.
+    Parallel {
+        /// The unit direction of the first line: their common point at infinity.
+        direction: Direction<S>,
+        /// The distance of the lines.
+        distance: S,
+    },
+    /// They pass each other.
+    Skew(CommonPerpendicular<S>),
+    /// They are one line: the first.
+    Coincident(Line<S>),
+}
+
+/// How a line and a plane meet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum LineAndPlane<S> {
+    /// The line crosses the plane in a point.
+    Point(Point<S>),
+    /// They are parallel and meet at infinity.
+    Parallel {
+        /// The unit direction of the line: their common point at infinity.
+        direction: Direction<S>,
+        /// The distance of the line, positive on the side of the normal.
+        distance: S,
+    },
+    /// The line lies in the plane.
+    Contained(Line<S>),
+}
+
+/// How two planes meet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PlaneAndPlane<S> {
+    /// They cross in a line.
+    Line(Line<S>),
+    /// They are parallel and meet at infinity.
+    Parallel {
+        /// Their common line at infinity, as the free bivector across the unit normal of the first plane.
+        attitude: DualDirection<S>,
+        /// Where the second plane lies along the normal of the first.
+        distance: S,
+    },
+    /// They are one plane: the first.
+    Coincident(Plane<S>),
+}
+
+impl<S: Real<Mask = bool>> Meet<Line<S>> for Line<S> {
+    type Scalar = S;
+    type Outcome = LineAndLine<S>;
+    fn meet(self, other: Self, tolerance: Tolerance<S>) -> Option<LineAndLine<S>> {
+        let ((p, d), (q, e)) = (line_parts(self)?, line_parts(other)?);
+        let angle = length(cross(d, e)).atan2(dot(d, e).abs());
+        if within(angle, tolerance.angle) {
+            let distance = length(across(difference(q, p), d));
+            if !distance.is_finite() {
+                return None;
+            }
+            return Some(if within(distance, tolerance.distance) {
+                LineAndLine::Coincident(self)
+            } else {
+                let direction = Direction::from_vector(d);
+                LineAndLine::Parallel {
+                    direction,
+                    distance,
+                }
+            });
+        }
+        let between = self.common_perpendicular(other, tolerance)?;
+        if !within(between.distance, tolerance.distance) {
+            return Some(LineAndLine::Skew(between));
+        }
+        let [a, b] = between.feet.map(Point::coordinates);
+        let middle = sum(a, scaled(difference(b, a), S::from_ratio(1, 2)));
+        finite_point(middle).map(LineAndLine::Point)
+    }
+}
+
+impl<S: Real<Mask = bool>> Meet<Plane<S>> for Line<S> {
+    type Scalar = S;
+    type Outcome = LineAndPlane<S>;
+    fn meet(self, plane: Plane<S>, tolerance: Tolerance<S>) -> Option<LineAndPlane<S>> {
+        let ((point, direction), (normal, distance)) = (line_parts(self)?, plane_parts(plane)?);
+        let slope = dot(direction, normal);
+        let height = dot(point, normal) - distance;
+        let angle = slope.abs().atan2(length(cross(direction, normal)));
+        if !within(angle, tolerance.angle) {
+            let place = difference(point, scaled(direction, height / slope));
+            return finite_point(place).map(LineAndPlane::Point);
+        }
+        if within(height, tolerance.distance) {
+            return Some(LineAndPlane::Contained(self));
+        }
+        let direction = Direction::from_vector(direction);
+        let outcome = LineAndPlane::Parallel {
+            direction,
+            distance: height,
+        };
+        height.is_finite().then_some(outcome)
+    }
+}
+
+impl<S: Real<Mask = bool>> Meet<Plane<S>> for Plane<S> {
+    type Scalar = S;
+    type Outcome = PlaneAndPlane<S>;
+    fn meet(self, other: Self, tolerance: Tolerance<S>) -> Option<PlaneAndPlane<S>> {
+        let ((n, d), (m, e)) = (plane_parts(self)?, plane_parts(other)?);
+        let along = cross(n, m);
+        let sine = length(along);
+        if within(sine.atan2(dot(n, m).abs()), tolerance.angle) {
+            let distance = dot(n, scaled(m, e)) - d;
+            if within(distance, tolerance.distance) {
+                return Some(PlaneAndPlane::Coincident(self));
+            }
+            let attitude = DualDirection::from_normal(n);
+            let outcome = PlaneAndPlane::Parallel { attitude, distance };
+            return distance.is_finite().then_some(outcome);
+        }
+        let direction = along.map(|x| x / sine);
+        // The point of the line nearest to the origin: (d m × u + e u × n) / sin with u the direction.
+        let place = sum(
+            scaled(cross(m, direction), d),
+            scaled(cross(direction, n), e),
+        );
+        let line = Line::from_point_direction(Point::from(place.map(|x| x / sine)), direction);
+        are_numbers(line.moment()).then_some(PlaneAndPlane::Line(line))
+    }
+}

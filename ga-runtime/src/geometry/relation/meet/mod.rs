@@ -1,0 +1,157 @@
+//! Meets: what two of line, plane, circle and sphere share, by cases.
+//!
+//! In blades the meet is the vee product `A ∨ B = undual(dual A ∧ dual B)`, where both together span space. One blade then stands for a crossing, a
+//! touch or an imaginary figure, and zero for all that is left; here each case has its name.
+//!
+//! | | line | plane | sphere | circle |
+//! | --- | --- | --- | --- | --- |
+//! | line | [`LineAndLine`] | [`LineAndPlane`] | [`LineAndSphere`] | [`LineAndCircle`] |
+//! | plane | | [`PlaneAndPlane`] | [`PlaneAndSphere`] | [`PlaneAndCircle`] |
+//! | sphere | | | [`SphereAndSphere`] | [`SphereAndCircle`] |
+//! | circle | | | | [`CircleAndCircle`] |
+//!
+//! `a.meet(b, tolerance)` and `b.meet(a, tolerance)` have one type. Lines, pairs and circles that come out have weight 1, real or imaginary, and are
+//! oriented as the vee product in the order of the call, of which they are positive multiples; but a line gives its points in the order in which it passes
+//! them. Where the product vanishes, as for figures of one plane, the page of the outcome says how.
+//!
+//! The tolerance decides as follows. Angles up to `tolerance.angle` are parallel. Figures that come as near as `tolerance.distance` touch, and
+//! those that would have to be moved farther to touch are real or imaginary; the tests are made on distances in space, not on coefficients. A
+//! radius whose square is negative by less than `tolerance.distance` squared counts as zero.
+//!
+//! `None` where one of the two is none of its kind, as a sphere of weight zero is no sphere, is not finite, or the outcome is beyond the
+//! range of the scalar. Imaginary circles and spheres are welcome.
+//!
+//! ```
+//! use ga_runtime::cga3::{Line, Plane, Point, Sphere};
+//! use ga_runtime::geometry::relation::Tolerance;
+//! use ga_runtime::geometry::relation::meet::{LineAndSphere, PlaneAndSphere};
+//!
+//! let tolerance = Tolerance::default();
+//! let sphere = Sphere::from_centre_radius(Point::default(), 5.0);
+//! let line = |height: f64| Line::from_point_direction(Point::new(0.0, 0.0, height), [1.0, 0.0, 0.0]);
+//! let Some(LineAndSphere::Points(pair)) = line(3.0).meet(sphere, tolerance) else { panic!() };
+//! let ends = pair.endpoints().unwrap().map(|p| p.coordinates());
+//! assert_eq!(ends, [[-4.0, 0.0, 3.0], [4.0, 0.0, 3.0]]);
+//! let touch = line(5.0).meet(sphere, tolerance);
+//! let point = Point::new(0.0, 0.0, 5.0);
+//! assert_eq!(touch, Some(LineAndSphere::Tangent { point, direction: [1.0, 0.0, 0.0] }));
+//! assert!(matches!(line(6.0).meet(sphere, tolerance), Some(LineAndSphere::Imaginary(_))));
+//!
+//! let plane = Plane::from_point_normal(Point::new(0.0, 0.0, 4.0), [0.0, 0.0, 1.0]);
+//! let Some(PlaneAndSphere::Circle(circle)) = plane.meet(sphere, tolerance) else { panic!() };
+//! assert!((circle.radius().unwrap() - 3.0).abs() < 1e-14);
+//! ```
+
+mod circles;
+mod flats;
+mod spheres;
+
+pub use circles::{CircleAndCircle, LineAndCircle, PlaneAndCircle, SphereAndCircle};
+pub use flats::{LineAndLine, LineAndPlane, PlaneAndPlane};
+pub use spheres::{LineAndSphere, PlaneAndSphere, SphereAndSphere};
+
+use super::{Figure, Primitive, Tolerance};
+use crate::cga3::{Circle, Line, Plane, Point, PointPair, Sphere};
+use crate::geometry::vector3::are_numbers;
+use crate::scalar::Real;
+
+/// A primitive that can meet another.
+pub trait Meet<B>: Sized {
+    /// The scalar of both.
+    type Scalar;
+    /// The cases that there are.
+    type Outcome;
+    /// What both share; see [`meet`](crate::geometry::relation::meet). `None` where one is none of its kind or the outcome is beyond the
+    /// range of the scalar.
+    fn meet(self, other: B, tolerance: Tolerance<Self::Scalar>) -> Option<Self::Outcome>;
+}
+
+macro_rules! meets {
+    ($($Primitive:ident)*) => {$(
+        impl<S: Real<Mask = bool>> $Primitive<S> {
+            /// What this and the other share, by cases; see [`meet`](crate::geometry::relation::meet). `None` where one is none of its kind or
+            /// the outcome is beyond the range of the scalar.
+            #[must_use]
+            pub fn meet<B>(self, other: B, tolerance: Tolerance<S>) -> Option<<Self as Meet<B>>::Outcome>
+            where
+                Self: Meet<B, Scalar = S>,
+            {
+                Meet::meet(self, other, tolerance)
+            }
+        }
+    )*};
+}
+
+meets!(Line Plane Circle Sphere);
+
+/// Implements a meet for the other order too, where the vee product is the same.
+macro_rules! either_way {
+    ($($A:ident, $B:ident;)*) => {$(
+        impl<S: Real<Mask = bool>> Meet<$B<S>> for $A<S> {
+            type Scalar = S;
+            type Outcome = <$B<S> as Meet<$A<S>>>::Outcome;
+            fn meet(self, other: $B<S>, tolerance: Tolerance<S>) -> Option<Self::Outcome> {
+                Meet::meet(other, self, tolerance)
+            }
+        }
+    )*};
+}
+
+either_way! {
+    Plane, Line;
+    Sphere, Line;
+    Circle, Line;
+    Circle, Plane;
+    Circle, Sphere;
+}
+
+/// The point nearest to the origin and the unit direction of a line.
+fn line_parts<S: Real<Mask = bool>>(line: Line<S>) -> Option<([S; 3], [S; 3])> {
+    match line.figure()? {
+        Figure::Line { point, direction } => Some((point, direction)),
+        _ => None,
+    }
+}
+
+/// The unit normal and the distance of a plane.
+fn plane_parts<S: Real<Mask = bool>>(plane: Plane<S>) -> Option<([S; 3], S)> {
+    match plane.figure()? {
+        Figure::Plane { normal, distance } => Some((normal, distance)),
+        _ => None,
+    }
+}
+
+/// The radius for a squared one; zero where the square is negative within the tolerance, `None` where it is imaginary.
+fn radius<S: Real<Mask = bool>>(squared: S, tolerance: Tolerance<S>) -> Option<S> {
+    if squared.less_than(S::zero()) {
+        let is_zero = S::zero().less_than(tolerance.distance)
+            && !(tolerance.distance * tolerance.distance).less_than(-squared);
+        return is_zero.then(S::zero);
+    }
+    Some(squared.sqrt())
+}
+
+/// `x² − y²` without cancelling more than it must, where x² is the square that is given and y a length.
+fn less_square<S: Real<Mask = bool>>(squared: S, y: S) -> S {
+    if squared.less_than(S::zero()) {
+        return squared - y * y;
+    }
+    let x = squared.sqrt();
+    (x - y) * (x + y)
+}
+
+fn finite_point<S: Real<Mask = bool>>(place: [S; 3]) -> Option<Point<S>> {
+    are_numbers(place).then(|| Point::from(place))
+}
+
+fn pair<S: Real<Mask = bool>>(
+    centre: [S; 3],
+    direction: [S; 3],
+    squared: S,
+) -> Option<PointPair<S>> {
+    PointPair::from_centre_axis_radius_squared(Point::from(centre), direction, squared)
+}
+
+fn circle<S: Real<Mask = bool>>(centre: [S; 3], normal: [S; 3], squared: S) -> Option<Circle<S>> {
+    Circle::from_centre_normal_radius_squared(Point::from(centre), normal, squared)
+}

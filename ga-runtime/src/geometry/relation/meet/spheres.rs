@@ -1,0 +1,184 @@
+//! Meets of spheres with lines, planes and each other.
+
+use super::{Meet, circle, finite_point, less_square, line_parts, pair, plane_parts, radius};
+use crate::cga3::{Circle, Line, Plane, Point, PointPair, Sphere};
+use crate::geometry::relation::Tolerance;
+use crate::geometry::relation::distance::across;
+use crate::geometry::relation::figure::sphere_parts;
+use crate::geometry::relation::tolerance::within;
+use crate::geometry::vector3::{difference, dot, length, scaled, sum};
+use crate::scalar::Real;
+
+/// How a line and a sphere meet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum LineAndSphere<S> {
+    /// In two points, in the order in which the line passes them: a negative multiple of `L ∨ S`.
+    Points(PointPair<S>),
+    /// The line touches the sphere, or passes a sphere of radius zero.
+    Tangent {
+        /// The point of the line nearest to the centre.
+        point: Point<S>,
+        /// The unit direction of the line.
+        direction: [S; 3],
+    },
+    /// They do not meet: the imaginary pair about the point of the line nearest to the centre.
+    Imaginary(PointPair<S>),
+}
+
+/// How a plane and a sphere meet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PlaneAndSphere<S> {
+    /// In a circle. Its normal is that of the plane for `sphere.meet(plane)`, the opposite for `plane.meet(sphere)`.
+    Circle(Circle<S>),
+    /// The plane touches the sphere, or holds a sphere of radius zero.
+    Tangent {
+        /// The point of the plane nearest to the centre.
+        point: Point<S>,
+        /// The unit normal, as that of the circle would be.
+        normal: [S; 3],
+    },
+    /// They do not meet: the imaginary circle about the point of the plane nearest to the centre.
+    Imaginary(Circle<S>),
+}
+
+/// How two spheres meet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SphereAndSphere<S> {
+    /// In a circle. Its normal leads from the centre of the first to that of the second.
+    Circle(Circle<S>),
+    /// They touch, from within or from without.
+    Tangent {
+        /// The point where they touch, on the plane that the circle would be in.
+        point: Point<S>,
+        /// The unit normal of both, as that of the circle would be.
+        normal: [S; 3],
+    },
+    /// They do not meet: the imaginary circle of all spheres through both, in the plane of points with equal power.
+    Imaginary(Circle<S>),
+    /// They have one centre and two radii, and meet nowhere, not even at infinity.
+    Concentric,
+    /// They are one sphere: the first.
+    Coincident(Sphere<S>),
+}
+
+impl<S: Real<Mask = bool>> Meet<Sphere<S>> for Line<S> {
+    type Scalar = S;
+    type Outcome = LineAndSphere<S>;
+    fn meet(self, sphere: Sphere<S>, tolerance: Tolerance<S>) -> Option<LineAndSphere<S>> {
+        let ((start, direction), (centre, squared)) = (line_parts(self)?, sphere_parts(sphere)?);
+        let off = across(difference(centre, start), direction);
+        let foot = difference(centre, off);
+        let distance = length(off);
+        let is_tangent = |r: S| within(distance - r, tolerance.distance);
+        if radius(squared, tolerance).is_some_and(is_tangent) {
+            let point = finite_point(foot)?;
+            return Some(LineAndSphere::Tangent { point, direction });
+        }
+        let half_squared = less_square(squared, distance);
+        let pair = pair(foot, direction, half_squared)?;
+        Some(if half_squared.less_than(S::zero()) {
+            LineAndSphere::Imaginary(pair)
+        } else {
+            LineAndSphere::Points(pair)
+        })
+    }
+}
+
+impl<S: Real<Mask = bool>> Meet<Sphere<S>> for Plane<S> {
+    type Scalar = S;
+    type Outcome = PlaneAndSphere<S>;
+    fn meet(self, sphere: Sphere<S>, tolerance: Tolerance<S>) -> Option<PlaneAndSphere<S>> {
+        plane_and_sphere(self, sphere, tolerance, -S::one())
+    }
+}
+
+impl<S: Real<Mask = bool>> Meet<Plane<S>> for Sphere<S> {
+    type Scalar = S;
+    type Outcome = PlaneAndSphere<S>;
+    fn meet(self, plane: Plane<S>, tolerance: Tolerance<S>) -> Option<PlaneAndSphere<S>> {
+        plane_and_sphere(plane, self, tolerance, S::one())
+    }
+}
+
+fn plane_and_sphere<S: Real<Mask = bool>>(
+    plane: Plane<S>,
+    sphere: Sphere<S>,
+    tolerance: Tolerance<S>,
+    sign: S,
+) -> Option<PlaneAndSphere<S>> {
+    let ((normal, distance), (centre, squared)) = (plane_parts(plane)?, sphere_parts(sphere)?);
+    let height = dot(centre, normal) - distance;
+    let foot = difference(centre, scaled(normal, height));
+    let normal = scaled(normal, sign);
+    let is_tangent = |r: S| within(height.abs() - r, tolerance.distance);
+    if radius(squared, tolerance).is_some_and(is_tangent) {
+        let point = finite_point(foot)?;
+        return Some(PlaneAndSphere::Tangent { point, normal });
+    }
+    let circle_squared = less_square(squared, height.abs());
+    let circle = circle(foot, normal, circle_squared)?;
+    Some(if circle_squared.less_than(S::zero()) {
+        PlaneAndSphere::Imaginary(circle)
+    } else {
+        PlaneAndSphere::Circle(circle)
+    })
+}
+
+impl<S: Real<Mask = bool>> Meet<Sphere<S>> for Sphere<S> {
+    type Scalar = S;
+    type Outcome = SphereAndSphere<S>;
+    fn meet(self, other: Self, tolerance: Tolerance<S>) -> Option<SphereAndSphere<S>> {
+        let ((a, a_squared), (b, b_squared)) = (sphere_parts(self)?, sphere_parts(other)?);
+        let way = difference(b, a);
+        let distance = length(way);
+        if within(distance, tolerance.distance) || distance == S::zero() {
+            return Some(if same_radius(a_squared, b_squared, tolerance) {
+                SphereAndSphere::Coincident(self)
+            } else {
+                SphereAndSphere::Concentric
+            });
+        }
+        let way = way.map(|x| x / distance);
+        let along = power_plane(distance, a_squared, b_squared);
+        let place = sum(a, scaled(way, along));
+        if touch(distance, a_squared, b_squared, tolerance) {
+            let point = finite_point(place)?;
+            return Some(SphereAndSphere::Tangent { point, normal: way });
+        }
+        let squared = less_square(a_squared, along.abs());
+        let circle = circle(place, way, squared)?;
+        Some(if squared.less_than(S::zero()) {
+            SphereAndSphere::Imaginary(circle)
+        } else {
+            SphereAndSphere::Circle(circle)
+        })
+    }
+}
+
+/// How far from the first of two centres, towards the second, the points of equal power are: `(d² + r² − s²)/(2 d)`.
+pub(super) fn power_plane<S: Real<Mask = bool>>(distance: S, squared: S, other_squared: S) -> S {
+    (distance + (squared - other_squared) / distance) * S::from_ratio(1, 2)
+}
+
+/// Whether two radii are the same within the tolerance, both real or both imaginary.
+pub(super) fn same_radius<S: Real<Mask = bool>>(a: S, b: S, tolerance: Tolerance<S>) -> bool {
+    match (radius(a, tolerance), radius(b, tolerance)) {
+        (Some(r), Some(s)) => within(r - s, tolerance.distance),
+        (None, None) => within((-a).sqrt() - (-b).sqrt(), tolerance.distance),
+        _ => false,
+    }
+}
+
+/// Whether two spheres, or circles in one plane, touch from within or from without.
+pub(super) fn touch<S: Real<Mask = bool>>(
+    distance: S,
+    squared: S,
+    other_squared: S,
+    tolerance: Tolerance<S>,
+) -> bool {
+    let radii = radius(squared, tolerance).zip(radius(other_squared, tolerance));
+    radii.is_some_and(|(r, s)| {
+        within(distance - (r + s), tolerance.distance)
+            || within(distance - (r - s).abs(), tolerance.distance)
+    })
+}
