@@ -21,6 +21,7 @@ fn exponentials<S: Rivals>(criterion: &mut Criterion) {
     });
     let mut group = Comparison::new(criterion, &format!("versor/exp-{}", S::NAME));
     group.map("nullcone", &generators, |generator| generator.exp());
+    moved_points(&mut group);
     S::exponential(&mut group);
 }
 
@@ -28,6 +29,7 @@ fn logarithms<S: Rivals>(criterion: &mut Criterion) {
     let motors = inputs::list(1, Numbers::motor::<S>);
     let mut group = Comparison::new(criterion, &format!("versor/log-{}", S::NAME));
     group.map("nullcone", &motors, |motor| motor.log());
+    moved_points(&mut group);
     S::logarithm(&mut group);
 }
 
@@ -54,6 +56,18 @@ fn interpolations<S: Rivals>(criterion: &mut Criterion) {
     let slerp = format!("{} slerp, turns alone", S::QUATERNION);
     group.map(&slerp, &quaternions, |(a, b, t)| S::slerp(a, b, *t));
     S::interpolation(&mut group);
+}
+
+/// A point moved by a matrix, as a measure of the machine: the figures are multiples of it.
+fn moved_points(group: &mut Comparison<'_>) {
+    let moves = inputs::list(1, |numbers| {
+        let matrix = f32::matrix(numbers.motor::<f32>().to_matrix());
+        (matrix, f32::vector(numbers.numbers()))
+    });
+    let name = format!("{} of a point", f32::MATRIX);
+    group.map(&name, &moves, |(matrix, point)| {
+        f32::by_matrix(matrix, point)
+    });
 }
 
 fn unit_interval<S: Precision>(numbers: &mut Numbers) -> S {

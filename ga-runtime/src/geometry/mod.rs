@@ -31,6 +31,7 @@ mod dual_round;
 mod flat_point;
 mod kind;
 mod line;
+mod logarithm;
 mod motor;
 #[cfg(feature = "pga2")]
 mod pga2;
@@ -39,10 +40,10 @@ mod pga3;
 mod plane;
 mod point;
 mod point_pair;
+mod power;
 pub mod relation;
 mod rotor;
 mod round;
-mod screw;
 mod sphere;
 mod translator;
 #[cfg(any(feature = "cga2", feature = "pga2", feature = "vga2"))]

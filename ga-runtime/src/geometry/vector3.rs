@@ -37,14 +37,13 @@ pub(super) fn are_numbers<S: Ring>(a: [S; 3]) -> bool {
 }
 
 /// The length, without overflow or underflow on the way; NaN where a component is NaN.
-pub(super) fn length<S: Real<Mask = bool>>(a: [S; 3]) -> S {
+pub(super) fn length<S: Real>(a: [S; 3]) -> S {
     let largest = a[0].abs().max(a[1].abs()).max(a[2].abs());
-    if !S::zero().less_than(largest) || !largest.is_finite() {
-        // Zero, infinite or NaN, whichever the components are.
-        return a[0].abs() + a[1].abs() + a[2].abs();
-    }
-    let unit = a.map(|x| x / largest);
-    dot(unit, unit).sqrt() * largest
+    let is_regular = S::zero().less_than(largest) & largest.is_finite();
+    // Zero, infinity and NaN stay what they are.
+    let size = S::select(is_regular, largest, S::one());
+    let unit = a.map(|x| x / size);
+    dot(unit, unit).sqrt() * size
 }
 
 /// The vector of length 1 in the same direction; `None` for zero, infinity and NaN.

@@ -1,6 +1,6 @@
 //! `f32` and `f64`.
 
-use super::{Field, Real, Ring};
+use super::{Field, Real, Ring, turn};
 
 /// Elementary functions of `f64`, from whichever library the features name.
 #[cfg(feature = "std")]
@@ -89,6 +89,16 @@ macro_rules! implement_float {
             #[inline]
             fn atan2(self, x: Self) -> Self {
                 elementary!($type, atan2, $atan2, self, x)
+            }
+            #[inline(always)]
+            fn sine_by_angle(self) -> (Self, Self, Self) {
+                let (cosine, ratio, slope) = turn::sine_by_angle(f64::from(self));
+                (cosine as Self, ratio as Self, slope as Self)
+            }
+            #[inline(always)]
+            fn angle_by_sine(self) -> (Self, Self) {
+                let (ratio, slope) = turn::angle_by_sine(f64::from(self));
+                (ratio as Self, slope as Self)
             }
             #[inline]
             fn exp(self) -> Self {

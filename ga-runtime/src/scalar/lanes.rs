@@ -185,6 +185,22 @@ impl<T: Real<Mask = bool>, const N: usize> Real for Lanes<T, N> {
         self.zip(x, T::atan2)
     }
     #[inline(always)]
+    fn sine_by_angle(self) -> (Self, Self, Self) {
+        let (mut cosine, mut ratio, mut slope) = (self, self, self);
+        for lane in 0..N {
+            (cosine.0[lane], ratio.0[lane], slope.0[lane]) = self.0[lane].sine_by_angle();
+        }
+        (cosine, ratio, slope)
+    }
+    #[inline(always)]
+    fn angle_by_sine(self) -> (Self, Self) {
+        let (mut ratio, mut slope) = (self, self);
+        for (ratio, slope) in ratio.0.iter_mut().zip(&mut slope.0) {
+            (*ratio, *slope) = ratio.angle_by_sine();
+        }
+        (ratio, slope)
+    }
+    #[inline(always)]
     fn exp(self) -> Self {
         self.map(T::exp)
     }

@@ -1,7 +1,7 @@
 //! Elementary functions of dual numbers.
 
 use super::Dual;
-use crate::scalar::Real;
+use crate::scalar::{Real, turn};
 
 impl<S: Real, const N: usize> Real for Dual<S, N> {
     type Mask = S::Mask;
@@ -33,6 +33,19 @@ impl<S: Real, const N: usize> Real for Dual<S, N> {
     fn sin_cos(self) -> (Self, Self) {
         let (sine, cosine) = self.value.sin_cos();
         (self.chain(sine, cosine), self.chain(cosine, -sine))
+    }
+    // The polynomials have the slopes of the functions as well.
+    #[inline(always)]
+    fn sine_by_angle(self) -> (Self, Self, Self) {
+        let (cosine, ratio, slope) = self.value.sine_by_angle();
+        let (a, b, c) = turn::sine_by_angle(self);
+        (a.at_value(cosine), b.at_value(ratio), c.at_value(slope))
+    }
+    #[inline(always)]
+    fn angle_by_sine(self) -> (Self, Self) {
+        let (ratio, slope) = self.value.angle_by_sine();
+        let (a, b) = turn::angle_by_sine(self);
+        (a.at_value(ratio), b.at_value(slope))
     }
     #[inline(always)]
     fn atan2(self, x: Self) -> Self {
@@ -89,6 +102,12 @@ impl<S: Real, const N: usize> Real for Dual<S, N> {
 }
 
 impl<S: Real, const N: usize> Dual<S, N> {
+    /// These derivatives at a value rounded in another way.
+    #[inline(always)]
+    fn at_value(self, value: S) -> Self {
+        Self::with(value, |k| self.derivatives[k])
+    }
+
     /// A function of this number, given its value and its slope here.
     #[inline(always)]
     fn chain(self, value: S, slope: S) -> Self {

@@ -1,0 +1,247 @@
+//! Exponential and logarithm of rigid motions.
+//!
+//! The element `ω = e123i` commutes with every motor and squares to zero, so a motor is `Q + ω D` with two elements
+//! Q, D of the span of 1, e12, e13, e23, and a generator is `g + ω h` with two bivectors g, h of space. Since
+//! `(g + ω h)² = −φ̂²` with the dual number `φ̂² = φ² + 2 ω g·h`, φ = |g|, the exponential is that of a complex number,
+//! `cos φ̂ + (g + ω h) sin φ̂/φ̂`, with both functions taken of a dual number (Selig, Geometric Fundamentals of Robotics, 2005).
+//!
+//! Written out, with `c + q` and `d0 + d` for the parts of the motor,
+//!
+//! ```text
+//! exp   c = cos φ           q = A g   d0 = −g·h A   d = A h + g (g·h) B       A = sin φ/φ,  B = (cos φ − A)/φ²
+//! log   φ = atan2(|q|, c)   g = A q                 h = A d + q (q·d B − d0)  A = φ/sin φ,  B = (c − A)/sin² φ
+//! ```
+//!
+//! A and B are smooth at φ = 0 and come from [`Real::sine_by_angle`] and [`Real::angle_by_sine`], so that nothing branches on the
+//! angle. Numbers for which this would leave the range of the scalar take a careful way.
+
+use core::f64::consts::{FRAC_PI_2, PI};
+
+use super::vector3::{difference, dot, length, scaled, sum};
+use crate::cga3::{Motor, MotorGenerator};
+use crate::scalar::{Field, Mask, Real};
+
+impl<S: Real> MotorGenerator<S> {
+    /// The motor `exp(G)`: for `G = −½θB` a turn by θ in the plane B, for `G = −½ t ei` a shift by t.
+    ///
+    /// Any finite generator has one. A coefficient beyond the range of the scalar is infinite; NaN or infinity in G gives
+    /// NaN.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{MotorGenerator, Translator};
+    /// let shift = MotorGenerator::new(0.0, 0.0, 0.0, -0.5, -1.0, -1.5).exp();
+    /// assert_eq!(shift, Translator::from_displacement([1.0, 2.0, 3.0]).into());
+    /// ```
+    #[inline(always)]
+    #[must_use]
+    pub fn exp(self) -> Motor<S> {
+        let (g, h) = parts(self);
+        let square = dot(g, g);
+        let (cosine, ratio, slope) = square.sine_by_angle();
+        let q = scaled(g, ratio);
+        let d0 = -dot(q, h);
+        let along = dot(g, h);
+        let d = sum(scaled(h, ratio), scaled(g, along * slope));
+        let motor = assemble(cosine, q, d0, d);
+        // Zero, and NaN where a product with h may have left the range.
+        let overflow = along * S::from_integer(8) * S::zero();
+        let is_regular = (square + overflow).less_than(largest_square());
+        if is_regular.all() {
+            return motor;
+        }
+        select_motor(is_regular, motor, exponential_of_any(generator(g, h)))
+    }
+}
+
+impl<S: Real> Motor<S> {
+    /// The generator G with `exp(G) = M`, for a turn by θ in [0, 2π], so that the sign of M comes back too.
+    ///
+    /// `−1` is taken as a whole turn in the plane e12, and minus a translator as one about the axis of its shift; so is
+    /// what differs from them by less than ε, where half the angle rounds to π. Close to these the axis is known no better than the
+    /// sine of half the angle: the error of `exp(log M)` is that of M divided by it.
+    ///
+    /// A coefficient beyond the range of the scalar is infinite; NaN or infinity in M gives NaN.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Rotor, Translator};
+    /// let motor = Translator::from_displacement([1.0_f64, 2.0, 3.0])
+    ///     * Rotor::from_axis_angle([0.0, 1.0, 0.0], 2.0).unwrap();
+    /// let again = motor.log().exp();
+    /// assert!((again.e1i() - motor.e1i()).abs() < 1e-15);
+    /// ```
+    #[inline(always)]
+    #[must_use]
+    pub fn log(self) -> MotorGenerator<S> {
+        let Halves { c, q, d0, d } = Halves::of(self);
+        let square = dot(q, q);
+        let tiny = S::epsilon() * S::epsilon();
+        let (ratio, slope) = c.abs().angle_by_sine();
+        // Past the quarter turn φ = π − φ′ with φ′ that of −M.
+        let inverse = square.max(tiny).sqrt().recip();
+        let is_past = c.less_than(S::zero());
+        let sign = S::select(is_past, -S::one(), S::one());
+        let rest = (S::one() - sign) * S::from_f64(FRAC_PI_2) * inverse;
+        let ratio = ratio.mul_add(sign, rest);
+        let slope = slope.mul_sub(sign, rest * inverse * inverse);
+        let g = scaled(q, ratio);
+        let h = sum(scaled(d, ratio), scaled(q, dot(q, d) * slope - d0));
+        let deviation = (c * c + square - S::one()).abs();
+        // Zero, and NaN where a product with d may have left the range.
+        let overflow = (dot(d, d) + d0 * d0) * S::zero();
+        let is_regular =
+            (deviation + overflow).less_than(S::from_ratio(1, 16)) & tiny.less_than(square.max(c));
+        if is_regular.all() {
+            return generator(g, h);
+        }
+        let (careful_g, careful_h) = logarithm_of_any(assemble(c, q, d0, d));
+        generator(
+            select_vector(is_regular, g, careful_g),
+            select_vector(is_regular, h, careful_h),
+        )
+    }
+}
+
+/// A motor as `(c + q) + ω (d0 + d)`.
+pub(super) struct Halves<S> {
+    pub(super) c: S,
+    pub(super) q: [S; 3],
+    pub(super) d0: S,
+    pub(super) d: [S; 3],
+}
+
+impl<S: Field> Halves<S> {
+    pub(super) fn of(motor: Motor<S>) -> Self {
+        Self {
+            c: motor.scalar(),
+            q: [motor.e12(), motor.e13(), motor.e23()],
+            d0: motor.e123i(),
+            d: [-motor.e3i(), motor.e2i(), -motor.e1i()],
+        }
+    }
+}
+
+/// `(q0 + q) + ω (d0 + d)` by blades.
+pub(super) fn assemble<S: Field>(q0: S, q: [S; 3], d0: S, d: [S; 3]) -> Motor<S> {
+    Motor::new_unchecked(q0, q[0], q[1], q[2], -d[2], d[1], -d[0], d0)
+}
+
+/// Up to where φ² is that of the polynomials.
+fn largest_square<S: Real>() -> S {
+    S::from_ratio(995, 100)
+}
+
+#[inline(always)]
+pub(super) fn select_motor<S: Real>(mask: S::Mask, a: Motor<S>, b: Motor<S>) -> Motor<S> {
+    let (a, b) = (Halves::of(a), Halves::of(b));
+    assemble(
+        S::select(mask, a.c, b.c),
+        select_vector(mask, a.q, b.q),
+        S::select(mask, a.d0, b.d0),
+        select_vector(mask, a.d, b.d),
+    )
+}
+
+#[inline(always)]
+fn select_vector<S: Real>(mask: S::Mask, a: [S; 3], b: [S; 3]) -> [S; 3] {
+    core::array::from_fn(|k| S::select(mask, a[k], b[k]))
+}
+
+/// The exponential at any size of g and h: by the unit axis, with h scaled down until the last step.
+#[cold]
+#[inline(never)]
+fn exponential_of_any<S: Real>(any: MotorGenerator<S>) -> Motor<S> {
+    let (g, h) = parts(any);
+    let (angle, axis) = length_and_direction(g);
+    // Where the angle is beyond all numbers, by that of its half.
+    let half = S::from_ratio(1, 2);
+    let is_beyond = !angle.is_finite() & dot(axis, axis).is_finite();
+    let (sine, cosine) = S::select(is_beyond, length(scaled(g, half)), angle).sin_cos();
+    let (double_sine, double_cosine) = (sine * cosine, cosine * cosine - sine * sine);
+    let sine = S::select(is_beyond, double_sine + double_sine, sine);
+    let cosine = S::select(is_beyond, double_cosine, cosine);
+
+    let (zero, one) = (S::zero(), S::one());
+    let is_zero = angle.is_zero();
+    let ratio = S::select(is_zero, one, sine / S::select(is_zero, one, angle));
+    let ratio = S::select(is_beyond, zero, ratio);
+    let h = scaled(h, S::from_ratio(1, 8));
+    let along = dot(axis, h);
+    let eight = S::from_integer(8);
+    let d = sum(scaled(h, ratio), scaled(axis, along * (cosine - ratio)));
+    let d0 = -(along * sine);
+    assemble(cosine, scaled(axis, sine), d0 * eight, scaled(d, eight))
+}
+
+/// The logarithm at any size, as g and h: of the motor divided by its length, by the unit axis, with the size of d set aside until the last
+/// step.
+#[cold]
+#[inline(never)]
+fn logarithm_of_any<S: Real>(motor: Motor<S>) -> ([S; 3], [S; 3]) {
+    let (zero, one) = (S::zero(), S::one());
+    // So that the length is no larger than numbers are.
+    let quarter = S::from_ratio(1, 4);
+    let Halves { c, q, d0, d } = Halves::of(motor);
+    let largest = c.abs().max(q[0].abs()).max(q[1].abs()).max(q[2].abs());
+    let scale = S::select(one.less_than(largest), quarter, one);
+    let (c, q) = (c * scale, scaled(q, scale));
+    let (d0, d) = (d0 * scale, scaled(d, scale));
+    let size = length([length(q), c, zero]);
+    let size = S::select(size.is_zero(), one, size);
+    let (c, q) = (c / size, q.map(|x| x / size));
+    let largest = d0.abs().max(d[0].abs()).max(d[1].abs()).max(d[2].abs());
+    let is_regular = zero.less_than(largest) & largest.is_finite();
+    let largest = S::select(is_regular, largest, one);
+    let (d0, d) = (d0 / largest, d.map(|x| x / largest));
+
+    let (sine, axis) = length_and_direction(q);
+    let angle = sine.atan2(c);
+    let is_zero = sine.is_zero();
+    let ratio = S::select(is_zero, one, angle / S::select(is_zero, one, sine));
+    let along = dot(axis, d);
+    let across = difference(d, scaled(axis, along));
+    let advance = c * along - sine * d0;
+    let g = scaled(q, ratio);
+    let h = sum(scaled(across, ratio), scaled(axis, advance));
+
+    let is_whole = sine.less_than(S::epsilon()) & c.less_than(zero);
+    let pi = S::from_f64(PI);
+    let (shift, direction) = length_and_direction(d);
+    let (_, turned) = length_and_direction(q);
+    let plane = select_vector(is_zero, [one, zero, zero], turned);
+    let plane = select_vector(shift.is_zero(), plane, direction);
+    // The part that a whole turn leaves out must not hide what is not a number.
+    let whole_h = d.map(|x| d0 * zero - x);
+    (
+        select_vector(is_whole, scaled(plane, pi), g),
+        select_vector(is_whole, whole_h, h).map(|x| x / size.max(one) * largest / size.min(one)),
+    )
+}
+
+/// The length and the unit vector of the same direction, zero for zero.
+pub(super) fn length_and_direction<S: Real>(a: [S; 3]) -> (S, [S; 3]) {
+    let largest = a[0].abs().max(a[1].abs()).max(a[2].abs());
+    let is_regular = S::zero().less_than(largest) & largest.is_finite();
+    let size = S::select(is_regular, largest, S::one());
+    let unit = a.map(|x| x / size);
+    let relative = dot(unit, unit).sqrt();
+    let divisor = S::select(relative.is_zero(), S::one(), relative);
+    (relative * size, unit.map(|x| x / divisor))
+}
+
+/// A generator as g and h of `g + ω h`.
+fn parts<S: Field>(generator: MotorGenerator<S>) -> ([S; 3], [S; 3]) {
+    let MotorGenerator {
+        e12,
+        e13,
+        e23,
+        e1i,
+        e2i,
+        e3i,
+    } = generator;
+    ([e12, e13, e23], [-e3i, e2i, -e1i])
+}
+
+/// `g + ω h` by blades.
+fn generator<S: Field>(g: [S; 3], h: [S; 3]) -> MotorGenerator<S> {
+    MotorGenerator::new(g[0], g[1], g[2], -h[2], h[1], -h[0])
+}
