@@ -35,9 +35,12 @@ crate::algebra! {
     /// | [`Multivector`] | all 16 | all | | |
     ///
     /// ```
-    /// use ga_runtime::cga2::Point;
+    /// use ga_runtime::cga2::{Circle, Point};
     ///
-    /// let (p, r) = (Point::new(1.0, 0.0), Point::new(-1.0, 0.0));
+    /// let [p, q, r] = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]].map(Point::from);
+    /// let circle: Circle<f64> = p ^ q ^ r;
+    /// assert_eq!(circle.centre().unwrap().coordinates(), [0.0, 0.0]);
+    /// assert_eq!(circle.radius(), Some(1.0));
     /// // The inner product of two points is −½ times their squared distance.
     /// assert_eq!(p | r, -2.0);
     /// ```

@@ -22,6 +22,8 @@
 //!
 //! What two of them have to do with each other, distances and angles among it, is in [`relation`].
 
+#[cfg(feature = "cga2")]
+mod cga2;
 mod circle;
 mod dilator;
 mod direction;

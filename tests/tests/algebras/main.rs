@@ -1,5 +1,6 @@
 //! The geometry of the algebras beside cga3, compared with plain coordinates, matrices and the dense reference.
 
+mod cga2;
 mod pga2;
 mod pga3;
 mod vga2;

@@ -172,6 +172,7 @@ fn what_is_ideal_or_not_finite_comes_back_as_none() {
         assert_eq!(Point::from([bad, 0.0]).coordinates(), None);
         assert_eq!(Rotor::from_angle(bad), None);
         assert_eq!(Motor::new_unchecked(bad, 0.0, 0.0, 0.0).log(), None);
+        assert_eq!(Motor::new_unchecked(-bad, 0.0, 0.0, 0.0).log(), None);
         assert_eq!(Motor::new_unchecked(1.0, bad, 0.0, 0.0).log(), None);
         assert_eq!(Motor::new_unchecked(1.0, 0.0, bad, 0.0).log(), None);
         assert_eq!(Motor::from_matrix([[1.0, 0.0, bad], [0.0, 1.0, 0.0]]), None);

@@ -104,6 +104,9 @@ impl<S: Real<Mask = bool>> Motor<S> {
         let (cosine, sine) = (self.scalar(), self.e12());
         let shift = [self.e20(), self.e01()];
         let weight = sine.atan2(cosine);
+        if !are_numbers([cosine, sine]) {
+            return None;
+        }
         if sine == S::zero() && cosine.less_than(S::zero()) {
             let is_still = shift == [S::zero(); 2];
             let pi = S::from_f64(core::f64::consts::PI);
@@ -115,8 +118,7 @@ impl<S: Real<Mask = bool>> Motor<S> {
             weight / sine
         };
         let ends = scaled(shift, ratio);
-        let usable = are_numbers([cosine, sine]) && are_numbers(ends);
-        usable.then(|| Point::from_homogeneous(ends, weight))
+        are_numbers(ends).then(|| Point::from_homogeneous(ends, weight))
     }
 
     /// The motion on the way from `self` at t = 0 to `other` at t = 1 with constant speed about one point, by the short way

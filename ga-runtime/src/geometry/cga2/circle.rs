@@ -1,0 +1,94 @@
+//! Circles of cga2, and vectors as their duals.
+
+use crate::cga2::{Circle, Point, RoundVector};
+use crate::geometry::vector2::{are_numbers, dot};
+use crate::geometry::vector3::is_number;
+use crate::scalar::{Field, Real};
+
+impl<S: Field> RoundVector<S> {
+    /// The dual circle `c − ½r² ei` about the point c; imaginary where r² is negative, the point itself where it is zero.
+    #[inline]
+    #[must_use]
+    pub fn dual_circle(centre: Point<S>, radius_squared: S) -> Self {
+        Self::new(
+            centre.e1(),
+            centre.e2(),
+            S::one(),
+            centre.ei() - radius_squared * S::from_ratio(1, 2),
+        )
+    }
+
+    /// The centre of a dual circle, or the place of a weighted point; `None` for a line, which has weight zero, or beyond the range of the
+    /// scalar.
+    #[must_use]
+    pub fn centre(self) -> Option<Point<S>> {
+        if !self.eo.is_invertible() {
+            return None;
+        }
+        let place = [self.e1 / self.eo, self.e2 / self.eo];
+        are_numbers(place).then(|| Point::from(place))
+    }
+
+    /// The squared radius of a dual circle, `V²/(V·ei)²`; negative for an imaginary one. `None` as in [`centre`](Self::centre).
+    #[must_use]
+    pub fn radius_squared(self) -> Option<S> {
+        let centre = self.centre()?.coordinates();
+        let infinite = self.ei / self.eo;
+        let radius_squared = dot(centre, centre) - (infinite + infinite);
+        is_number(radius_squared).then_some(radius_squared)
+    }
+}
+
+impl<S: Field> Circle<S> {
+    /// The circle through three points, `p∧q∧r`, with twice the area of their triangle as its weight: positive where they turn
+    /// counterclockwise. A line where they are on one.
+    ///
+    /// ```
+    /// use ga_runtime::cga2::{Circle, Point};
+    /// let [p, q, r] = [[3.0, 0.0], [0.0, 1.0], [-3.0, 0.0]].map(Point::from);
+    /// let circle = Circle::through(p, q, r);
+    /// assert_eq!(circle, p ^ q ^ r);
+    /// assert_eq!(circle.centre(), Some(Point::new(0.0, -4.0)));
+    /// assert_eq!(circle.radius(), Some(5.0));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn through(p: Point<S>, q: Point<S>, r: Point<S>) -> Self {
+        p ^ q ^ r
+    }
+
+    /// The circle about a point, `undual(c − ½r² ei)`, counterclockwise with weight 1.
+    #[inline]
+    #[must_use]
+    pub fn from_centre_radius(centre: Point<S>, radius: S) -> Self {
+        Self::from_centre_radius_squared(centre, radius * radius)
+    }
+
+    /// The circle about a point by its squared radius; imaginary where that is negative.
+    #[inline]
+    #[must_use]
+    pub fn from_centre_radius_squared(centre: Point<S>, radius_squared: S) -> Self {
+        RoundVector::dual_circle(centre, radius_squared).undual()
+    }
+
+    /// The centre; `None` for a line, which has weight zero, or beyond the range of the scalar.
+    #[must_use]
+    pub fn centre(self) -> Option<Point<S>> {
+        self.dual().centre()
+    }
+
+    /// The squared radius, negative for an imaginary circle; `None` as in [`centre`](Self::centre).
+    #[must_use]
+    pub fn radius_squared(self) -> Option<S> {
+        self.dual().radius_squared()
+    }
+}
+
+impl<S: Real<Mask = bool>> Circle<S> {
+    /// The radius; `None` for an imaginary circle, and as in [`centre`](Self::centre).
+    #[must_use]
+    pub fn radius(self) -> Option<S> {
+        let radius_squared = self.radius_squared()?;
+        (!radius_squared.less_than(S::zero())).then(|| radius_squared.sqrt())
+    }
+}

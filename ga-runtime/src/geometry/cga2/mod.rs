@@ -1,0 +1,8 @@
+//! Euclidean geometry in cga2, as in cga3 without the third axis.
+
+mod circle;
+mod line;
+mod motor;
+mod point;
+mod point_pair;
+mod similarity;

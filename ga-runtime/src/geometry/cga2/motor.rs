@@ -1,0 +1,126 @@
+//! Rotors, translators and motors of cga2.
+
+use crate::cga2::{Motor, MotorGenerator, Point, Rotor, Translator};
+use crate::geometry::vector2::{are_numbers, difference, scaled};
+use crate::scalar::{Field, Real};
+
+impl<S: Real<Mask = bool>> Rotor<S> {
+    /// The turn about the origin by an angle in radians, counterclockwise: `R = cos ½θ − sin ½θ e12`. `None` where the angle is not
+    /// finite.
+    #[must_use]
+    pub fn from_angle(angle: S) -> Option<Self> {
+        if !angle.is_finite() {
+            return None;
+        }
+        let (sine, cosine) = (angle * S::from_ratio(1, 2)).sin_cos();
+        Some(Self::new_unchecked(cosine, -sine))
+    }
+
+    /// The angle in [−2π, 2π]; a rotor and its negative turn to the same place, and differ by 2π.
+    #[must_use]
+    pub fn angle(self) -> S {
+        let half = (-self.e12()).atan2(self.scalar());
+        half + half
+    }
+}
+
+impl<S: Field> Translator<S> {
+    /// The shift by t: `T = 1 − ½ t ei`.
+    ///
+    /// ```
+    /// use ga_runtime::cga2::{Point, Translator};
+    /// let shift = Translator::from_displacement([1.0, 2.0]);
+    /// assert_eq!(shift.transform(Point::new(3.0, 3.0)), Point::new(4.0, 5.0));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn from_displacement(displacement: [S; 2]) -> Self {
+        let [x, y] = scaled(displacement, S::from_ratio(-1, 2));
+        Self::new(x, y)
+    }
+
+    /// The displacement t.
+    #[inline]
+    #[must_use]
+    pub fn displacement(self) -> [S; 2] {
+        scaled([self.e1i(), self.e2i()], S::from_integer(-2))
+    }
+}
+
+impl<S: Field> Motor<S> {
+    /// The turn R of `M = T R`, which comes first.
+    #[inline]
+    #[must_use]
+    pub fn rotor(self) -> Rotor<S> {
+        Rotor::new_unchecked(self.scalar(), self.e12())
+    }
+
+    /// The shift T of `M = T R`, which comes second: that of the origin.
+    #[inline]
+    #[must_use]
+    pub fn translator(self) -> Translator<S> {
+        Translator::from_displacement(self.transform(Point::default()).coordinates())
+    }
+}
+
+impl<S: Real<Mask = bool>> Motor<S> {
+    /// The turn by a rotor about a point instead of the origin, `T(p) R T(−p)`.
+    ///
+    /// ```
+    /// use ga_runtime::cga2::{Motor, Point, Rotor};
+    /// let half_turn = Rotor::from_angle(std::f64::consts::PI).unwrap();
+    /// let moved = Motor::about(Point::new(1.0, 0.0), half_turn).transform(Point::new(3.0, 0.0));
+    /// assert!(moved.distance(Point::new(-1.0, 0.0)) < 1e-15);
+    /// ```
+    #[must_use]
+    pub fn about(point: Point<S>, rotor: Rotor<S>) -> Self {
+        let turned = rotor.transform(point).coordinates();
+        Translator::from_displacement(difference(point.coordinates(), turned)) * rotor
+    }
+
+    /// The point that stays where it is, about which the motor turns; `None` for a shift, or where it is beyond the range of the scalar.
+    #[must_use]
+    pub fn centre(self) -> Option<Point<S>> {
+        let place = [-self.e2i() / self.e12(), self.e1i() / self.e12()];
+        are_numbers(place).then(|| Point::from(place))
+    }
+
+    /// The generator G with `exp(G) = M` and the coefficient of e12 in [−π, π]. `None` for minus a shift that is not minus
+    /// one, which is no exponential, and where a number is not finite. The logarithm of −1 is `π e12`.
+    #[must_use]
+    pub fn log(self) -> Option<MotorGenerator<S>> {
+        let (cosine, sine) = (self.scalar(), self.e12());
+        let [x, y] = [self.e1i(), self.e2i()];
+        if !are_numbers([cosine, sine]) {
+            return None;
+        }
+        if sine == S::zero() && cosine.less_than(S::zero()) {
+            let is_still = [x, y] == [S::zero(); 2];
+            let pi = S::from_f64(core::f64::consts::PI);
+            return is_still.then(|| MotorGenerator::new(pi, x, y));
+        }
+        let angle = sine.atan2(cosine);
+        let ratio = if sine == S::zero() {
+            S::one()
+        } else {
+            angle / sine
+        };
+        let ends = [x * ratio, y * ratio];
+        are_numbers(ends).then(|| MotorGenerator::new(angle, ends[0], ends[1]))
+    }
+}
+
+impl<S: Real<Mask = bool>> MotorGenerator<S> {
+    /// The motor `exp(G)`: for `−½θ e12` a turn by θ about the origin, for `−½ t ei` a shift by t, for a dual point
+    /// a turn about that. What is not a number stays so.
+    #[must_use]
+    pub fn exp(self) -> Motor<S> {
+        let (sine, cosine) = self.e12.sin_cos();
+        let ratio = if self.e12 == S::zero() {
+            S::one()
+        } else {
+            sine / self.e12
+        };
+        Motor::new_unchecked(cosine, sine, self.e1i * ratio, self.e2i * ratio)
+    }
+}
