@@ -20,8 +20,10 @@
 //! The dual forms `DualSphere`, `DualPlane`, `DualCircle`, `DualPointPair`, `DualFlatPoint`, `DualDirection` and, for lines, `MotorGenerator` come from `dual` and go
 //! back by `undual`; they meet by `^`. [`Kind`] says at run time whether a round is real, imaginary or a tangent, and whether a blade is a round at all.
 //!
-//! What two of them have to do with each other, distances and angles among it, is in [`relation`].
+//! What two of them have to do with each other, distances and angles among it, is in [`relation`]. 4×4 matrices are in [`homogeneous`], maps that are not
+//! conformal in [`Affine`].
 
+pub(crate) mod affine;
 #[cfg(feature = "cga2")]
 mod cga2;
 mod circle;
@@ -31,6 +33,7 @@ mod dual_motion;
 mod dual_quaternion;
 mod dual_round;
 mod flat_point;
+pub mod homogeneous;
 mod kind;
 mod line;
 mod logarithm;
@@ -56,5 +59,6 @@ mod vga2;
 #[cfg(feature = "vga3")]
 mod vga3;
 
+pub use affine::{Affine, NotConformal};
 pub use dual_quaternion::{DualQuaternionParts, NotUnit};
 pub use kind::Kind;

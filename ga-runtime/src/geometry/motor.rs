@@ -26,16 +26,6 @@ impl<S: Field> Motor<S> {
     pub fn translator(self) -> Translator<S> {
         Translator::from_displacement(self.transform(Point::default()).coordinates())
     }
-}
-
-impl<S: Real<Mask = bool>> Motor<S> {
-    /// The turn by a rotor about a point instead of the origin, `T(p) R T(−p)`.
-    #[inline]
-    #[must_use]
-    pub fn about(point: Point<S>, rotor: Rotor<S>) -> Self {
-        let turned = rotor.transform(point).coordinates();
-        Translator::from_displacement(difference(point.coordinates(), turned)) * rotor
-    }
 
     /// The matrix `[R | t]` by rows: `x' = R x + t`.
     #[must_use]
@@ -47,6 +37,16 @@ impl<S: Real<Mask = bool>> Motor<S> {
             [r1[0], r1[1], r1[2], y],
             [r2[0], r2[1], r2[2], z],
         ]
+    }
+}
+
+impl<S: Real<Mask = bool>> Motor<S> {
+    /// The turn by a rotor about a point instead of the origin, `T(p) R T(−p)`.
+    #[inline]
+    #[must_use]
+    pub fn about(point: Point<S>, rotor: Rotor<S>) -> Self {
+        let turned = rotor.transform(point).coordinates();
+        Translator::from_displacement(difference(point.coordinates(), turned)) * rotor
     }
 
     /// The motor of a matrix `[R | t]` by rows; `None` where R is no rotation within √ε, or t is not finite.

@@ -2,7 +2,40 @@
 
 use super::vector3::{cross, difference, dot, normalized};
 use crate::cga3::{Quaternion, Rotor};
-use crate::scalar::Real;
+use crate::scalar::{Real, Ring};
+
+impl<S: Ring> Rotor<S> {
+    /// The unit quaternion of the same turn, `[x, y, z]` and w.
+    #[inline]
+    #[must_use]
+    pub fn to_quaternion(self) -> ([S; 3], S) {
+        ([-self.e23(), self.e13(), -self.e12()], self.scalar())
+    }
+
+    /// The rotation matrix by rows: `x' = matrix · x`.
+    #[must_use]
+    pub fn to_matrix(self) -> [[S; 3]; 3] {
+        let ([x, y, z], w) = self.to_quaternion();
+        let (one, two) = (S::one(), S::from_integer(2));
+        [
+            [
+                one - two * (y * y + z * z),
+                two * (x * y - w * z),
+                two * (x * z + w * y),
+            ],
+            [
+                two * (x * y + w * z),
+                one - two * (x * x + z * z),
+                two * (y * z - w * x),
+            ],
+            [
+                two * (x * z - w * y),
+                two * (y * z + w * x),
+                one - two * (x * x + y * y),
+            ],
+        ]
+    }
+}
 
 impl<S: Real<Mask = bool>> Rotor<S> {
     /// The turn by an angle in radians about an axis through the origin, right-handed:
@@ -86,13 +119,6 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         Self::normalize(Quaternion::new(scalar, -z, y, -x))
     }
 
-    /// The unit quaternion of the same turn, `[x, y, z]` and w.
-    #[inline]
-    #[must_use]
-    pub fn to_quaternion(self) -> ([S; 3], S) {
-        ([-self.e23(), self.e13(), -self.e12()], self.scalar())
-    }
-
     /// The rotor of a rotation matrix given by rows, by the paper's eq. 25 as corrected: of the four quotients that give
     /// the rotor the one with the largest divisor is taken, so that half turns are no special case. `None` where the matrix is
     /// no rotation within √ε.
@@ -148,30 +174,6 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         }
         let (vector, scalar) = candidates[best];
         Self::from_quaternion(vector, scalar)
-    }
-
-    /// The rotation matrix by rows: `x' = matrix · x`.
-    #[must_use]
-    pub fn to_matrix(self) -> [[S; 3]; 3] {
-        let ([x, y, z], w) = self.to_quaternion();
-        let (one, two) = (S::one(), S::from_integer(2));
-        [
-            [
-                one - two * (y * y + z * z),
-                two * (x * y - w * z),
-                two * (x * z + w * y),
-            ],
-            [
-                two * (x * y + w * z),
-                one - two * (x * x + z * z),
-                two * (y * z - w * x),
-            ],
-            [
-                two * (x * z - w * y),
-                two * (y * z + w * x),
-                one - two * (x * x + y * y),
-            ],
-        ]
     }
 
     /// `(1 + b a)/|1 + b a|` for unit vectors less than a half turn apart.

@@ -1,0 +1,436 @@
+//! Affine maps: what is left where a map is not conformal.
+
+use core::fmt::{Display, Formatter, Result as FormatResult};
+use core::ops::Mul;
+
+use super::vector3::{are_numbers, cross, dot, is_number, scaled, sum};
+use crate::cga3::{
+    Dilator, Direction, DualPlane, Line, Motor, Plane, Point, Rotor, Similarity, Translator,
+};
+use crate::scalar::{Field, Real, Ring};
+
+/// An affine map of space, `x' = L x + t`.
+///
+/// Motions and similarities are affine, and so are maps that no versor does: those that shear, or scale by another factor along each axis.
+/// These turn a sphere into an ellipsoid and are not conformal. Points, directions, lines and planes go through them, and
+/// nothing round does.
+///
+/// `a * b` does b first. Each versor of motions and scalings converts to its map, and a map that is one of them back:
+///
+/// ```
+/// use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
+/// use ga_runtime::geometry::{Affine, NotConformal};
+///
+/// let stretch = Affine::scaling([1.0, 2.0, 3.0]);
+/// assert_eq!(stretch.transform(Point::new(1.0, 1.0, 1.0)), Point::new(1.0, 2.0, 3.0));
+/// assert_eq!(Motor::try_from(stretch), Err(NotConformal::Shears));
+///
+/// let quarter = Rotor::from_axis_angle([0.0, 0.0, 1.0], std::f64::consts::FRAC_PI_2).unwrap();
+/// let motor = Translator::from_displacement([1.0, 0.0, 0.0]) * quarter;
+/// let both = Affine::from(motor) * stretch;
+/// let [x, y, z]: [f64; 3] = both.transform(Point::new(1.0, 1.0, 1.0)).coordinates();
+/// assert!((x + 1.0).abs() < 1e-15 && (y - 1.0).abs() < 1e-15 && z == 3.0);
+/// let back = both.inverse().unwrap().transform(Point::new(x, y, z));
+/// assert!(back.distance(Point::new(1.0, 1.0, 1.0)) < 1e-15);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct Affine<S> {
+    /// L by rows. Its columns are the images of e1, e2 and e3 as directions.
+    pub linear: [[S; 3]; 3],
+    /// t, the image of the origin.
+    pub translation: [S; 3],
+}
+
+impl<S: Ring> Affine<S> {
+    /// The map with this linear part, by rows, and this image of the origin.
+    #[inline]
+    #[must_use]
+    pub const fn new(linear: [[S; 3]; 3], translation: [S; 3]) -> Self {
+        Self {
+            linear,
+            translation,
+        }
+    }
+
+    /// The shift by t.
+    #[inline]
+    #[must_use]
+    pub fn from_translation(translation: [S; 3]) -> Self {
+        Self::new(diagonal([S::one(); 3]), translation)
+    }
+
+    /// The scaling by a factor along each axis, about the origin (the paper's eqs. 10 and 11). It is conformal only if the factors are equal up to
+    /// sign, and a similarity without mirroring only if they are equal and positive: see [`Dilator`].
+    #[inline]
+    #[must_use]
+    pub fn scaling(factors: [S; 3]) -> Self {
+        Self::new(diagonal(factors), [S::zero(); 3])
+    }
+
+    /// The scaling by a factor along each axis, about a point c: `x' = c + s (x − c)` in each coordinate.
+    ///
+    /// ```
+    /// use ga_runtime::{cga3::Point, geometry::Affine};
+    /// let flatten = Affine::scaling_about(Point::new(0.0, 0.0, 5.0), [1.0, 1.0, 0.0]);
+    /// assert_eq!(flatten.transform(Point::new(1.0, 2.0, 3.0)), Point::new(1.0, 2.0, 5.0));
+    /// assert_eq!(flatten.inverse(), None);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn scaling_about(centre: Point<S>, factors: [S; 3]) -> Self {
+        let ([x, y, z], one) = (centre.coordinates(), S::one());
+        let rest = [
+            (one - factors[0]) * x,
+            (one - factors[1]) * y,
+            (one - factors[2]) * z,
+        ];
+        Self::new(diagonal(factors), rest)
+    }
+
+    /// The determinant of L: by what volumes are multiplied, negative where the map mirrors.
+    #[inline]
+    #[must_use]
+    pub fn determinant(self) -> S {
+        let [a, b, c] = self.linear;
+        dot(a, cross(b, c))
+    }
+
+    /// The image of a point, `L x + t`.
+    #[inline]
+    #[must_use]
+    pub fn transform(self, point: Point<S>) -> Point<S> {
+        Point::from(sum(
+            apply(self.linear, point.coordinates()),
+            self.translation,
+        ))
+    }
+
+    /// The image of a direction, `L v`: what is shifted along stays the same.
+    #[inline]
+    #[must_use]
+    pub fn transform_direction(self, direction: Direction<S>) -> Direction<S> {
+        let [x, y, z] = apply(self.linear, [direction.e1i, direction.e2i, direction.e3i]);
+        Direction::new(x, y, z)
+    }
+
+    /// The image of a line: that through the images of the points by which it is spanned, weight and all. Zero where L makes a point of it.
+    #[inline]
+    #[must_use]
+    pub fn transform_line(self, line: Line<S>) -> Line<S> {
+        let direction = [-line.e1oi, -line.e2oi, -line.e3oi];
+        let moment = [line.e23i, -line.e13i, line.e12i];
+        let [x, y, z] = apply(self.linear, direction);
+        let [a, b, c] = sum(
+            apply(cofactors(self.linear), moment),
+            cross(self.translation, [x, y, z]),
+        );
+        Line::new(c, -b, a, -x, -y, -z)
+    }
+
+    /// The image of a plane: that through the images of the points by which it is spanned, weight and all. Its normal is the cofactor matrix of L,
+    /// `det L` times the inverse transpose, applied to the normal; so a map that mirrors turns it over. Zero where L makes
+    /// a line or point of the plane.
+    ///
+    /// ```
+    /// use ga_runtime::{cga3::{Plane, Point}, geometry::Affine};
+    /// let map = Affine::new([[1.0, 0.5, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 3.0]], [4.0, 5.0, 6.0]);
+    /// let points = [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Point::from);
+    /// let [p, q, r] = points.map(|p| map.transform(p));
+    /// let [a, b, c] = points;
+    /// assert_eq!(map.transform_plane(Plane::through(a, b, c)), Plane::through(p, q, r));
+    /// ```
+    #[must_use]
+    pub fn transform_plane(self, plane: Plane<S>) -> Plane<S>
+    where
+        S: Field,
+    {
+        let dual = plane.dual();
+        let normal = apply(cofactors(self.linear), dual.normal());
+        let distance = self.determinant() * dual.ei + dot(normal, self.translation);
+        DualPlane::from_normal_distance(normal, distance).undual()
+    }
+
+    /// The 4×4 matrix `[L t; 0 1]` by rows, for columns of homogeneous coordinates: `(x', 1) = M (x, 1)`.
+    #[inline]
+    #[must_use]
+    pub fn to_homogeneous(self) -> [[S; 4]; 4] {
+        let ([a, b, c], [x, y, z]) = (self.linear, self.translation);
+        let (zero, one) = (S::zero(), S::one());
+        [
+            [a[0], a[1], a[2], x],
+            [b[0], b[1], b[2], y],
+            [c[0], c[1], c[2], z],
+            [zero, zero, zero, one],
+        ]
+    }
+
+    /// The map of a 4×4 matrix by rows, `(x', 1) = M (x, 1)`.
+    ///
+    /// # Errors
+    /// The last row is not 0 0 0 1, or an entry is not finite.
+    pub fn from_homogeneous(rows: [[S; 4]; 4]) -> Result<Self, NotConformal> {
+        let [a, b, c, last] = rows;
+        let (zero, one) = (S::zero(), S::one());
+        if !rows.into_iter().flatten().all(is_number) {
+            return Err(NotConformal::NotFinite);
+        }
+        if last != [zero, zero, zero, one] {
+            return Err(NotConformal::Projective);
+        }
+        let linear = [a, b, c].map(|[x, y, z, _]| [x, y, z]);
+        Ok(Self::new(linear, [a[3], b[3], c[3]]))
+    }
+}
+
+impl<S: Real<Mask = bool>> Affine<S> {
+    /// The map that undoes this one; `None` where L is singular, or the inverse is beyond the range of the scalar. It is worked out from cofactors,
+    /// with an error of about ε times the condition number of L.
+    #[must_use]
+    pub fn inverse(self) -> Option<Self> {
+        // Scaled to entries up to 1, so that the products of three stay within the range.
+        let largest = largest(self.linear);
+        if !S::zero().less_than(largest) {
+            return None;
+        }
+        let unit = Self::new(
+            self.linear.map(|row| row.map(|x| x / largest)),
+            self.translation,
+        );
+        let determinant = unit.determinant();
+        if !determinant.is_invertible() {
+            return None;
+        }
+        let linear =
+            transposed(cofactors(unit.linear)).map(|row| row.map(|x| x / determinant / largest));
+        let translation = apply(linear, self.translation).map(|x| -x);
+        let is_finite = linear.into_iter().all(are_numbers) && are_numbers(translation);
+        is_finite.then(|| Self::new(linear, translation))
+    }
+
+    /// The turn of L and its factor: `L = s R`.
+    pub(crate) fn turn_and_factor(self) -> Result<(Rotor<S>, S), NotConformal> {
+        if !(self.linear.into_iter().all(are_numbers) && are_numbers(self.translation)) {
+            return Err(NotConformal::NotFinite);
+        }
+        let largest = largest(self.linear);
+        if !S::zero().less_than(largest) {
+            return Err(NotConformal::Singular);
+        }
+        let unit = self.linear.map(|row| row.map(|x| x / largest));
+        let [a, b, c] = unit;
+        let mean_square = (dot(a, a) + dot(b, b) + dot(c, c)) / S::from_integer(3);
+        let size = mean_square.sqrt();
+        let rows = unit.map(|row| row.map(|x| x / size));
+        if let Some(rotor) = Rotor::from_matrix(rows) {
+            return Ok((rotor, size * largest));
+        }
+        let mirrored = rows.map(|row| row.map(|x| -x));
+        Err(if Rotor::from_matrix(mirrored).is_some() {
+            NotConformal::Mirrors
+        } else if dot(a, cross(b, c)) == S::zero() {
+            NotConformal::Singular
+        } else {
+            NotConformal::Shears
+        })
+    }
+}
+
+/// The identity.
+impl<S: Ring> Default for Affine<S> {
+    #[inline]
+    fn default() -> Self {
+        Self::scaling([S::one(); 3])
+    }
+}
+
+/// One map after the other, the right one first.
+impl<S: Ring> Mul for Affine<S> {
+    type Output = Self;
+
+    #[inline]
+    fn mul(self, first: Self) -> Self {
+        let columns = transposed(first.linear).map(|column| apply(self.linear, column));
+        let translation = sum(apply(self.linear, first.translation), self.translation);
+        Self::new(transposed(columns), translation)
+    }
+}
+
+impl<S: Field> From<Translator<S>> for Affine<S> {
+    #[inline]
+    fn from(translator: Translator<S>) -> Self {
+        Self::from_translation(translator.displacement())
+    }
+}
+
+impl<S: Ring> From<Rotor<S>> for Affine<S> {
+    #[inline]
+    fn from(rotor: Rotor<S>) -> Self {
+        Self::new(rotor.to_matrix(), [S::zero(); 3])
+    }
+}
+
+impl<S: Field> From<Motor<S>> for Affine<S> {
+    #[inline]
+    fn from(motor: Motor<S>) -> Self {
+        let displacement = motor.translator().displacement();
+        Self::new(motor.rotor().to_matrix(), displacement)
+    }
+}
+
+impl<S: Real<Mask = bool>> From<Dilator<S>> for Affine<S> {
+    #[inline]
+    fn from(dilator: Dilator<S>) -> Self {
+        Self::scaling([dilator.factor(); 3])
+    }
+}
+
+/// With `M = T R D` and `D = c + s eo∧ei`, the blades without eo hold c R, those of eo∧ei hold s R, and the rest is `−½ (c − s) t R ei`. The factor is
+/// `(c + s)²` and `1/(c − s)²`; the sum is taken that does not cancel.
+impl<S: Real> From<Similarity<S>> for Affine<S> {
+    fn from(m: Similarity<S>) -> Self {
+        let turn = [m.scalar(), m.e12(), m.e13(), m.e23()];
+        let scaling = [m.eoi(), m.e12oi(), m.e13oi(), m.e23oi()];
+        let product = |k: usize| turn[k] * scaling[k];
+        let shrinks = (product(0) + product(1) + product(2) + product(3)).less_than(S::zero());
+        let add = |k: usize| S::select(shrinks, turn[k] - scaling[k], turn[k] + scaling[k]);
+        let [w, xy, xz, yz] = [add(0), add(1), add(2), add(3)];
+        let square = w * w + xy * xy + xz * xz + yz * yz;
+        let inverse = S::select(shrinks, square.recip(), S::one());
+        let factor = S::select(shrinks, inverse, square);
+        // R = (w + xy e12 + …)/√square, so that its matrix has no root in it.
+        let two = S::from_integer(2) / square;
+        let (x, y, z, one) = (-yz, xz, -xy, S::one());
+        let linear = [
+            [
+                one - two * (y * y + z * z),
+                two * (x * y - w * z),
+                two * (x * z + w * y),
+            ],
+            [
+                two * (x * y + w * z),
+                one - two * (x * x + z * z),
+                two * (y * z - w * x),
+            ],
+            [
+                two * (x * z - w * y),
+                two * (y * z + w * x),
+                one - two * (x * x + y * y),
+            ],
+        ];
+        let (a, volume) = ([m.e1i(), m.e2i(), m.e3i()], m.e123i());
+        let shift = [
+            w * a[0] + xy * a[1] + xz * a[2] + yz * volume,
+            w * a[1] - xy * a[0] + yz * a[2] - xz * volume,
+            w * a[2] - xz * a[0] - yz * a[1] + xy * volume,
+        ];
+        Self::new(
+            linear.map(|row| scaled(row, factor)),
+            scaled(shift, -(inverse + inverse)),
+        )
+    }
+}
+
+/// `L` must be a rotation within √ε.
+impl<S: Real<Mask = bool>> TryFrom<Affine<S>> for Motor<S> {
+    type Error = NotConformal;
+
+    fn try_from(map: Affine<S>) -> Result<Self, NotConformal> {
+        let (rotor, factor) = map.turn_and_factor()?;
+        if S::epsilon().sqrt().less_than((factor - S::one()).abs()) {
+            return Err(NotConformal::Scales);
+        }
+        Ok(Translator::from_displacement(map.translation) * rotor)
+    }
+}
+
+/// `L` must be a multiple of a rotation within √ε, relative to its size.
+impl<S: Real<Mask = bool>> TryFrom<Affine<S>> for Similarity<S> {
+    type Error = NotConformal;
+
+    fn try_from(map: Affine<S>) -> Result<Self, NotConformal> {
+        let (rotor, factor) = map.turn_and_factor()?;
+        similarity(rotor, factor, map.translation)
+    }
+}
+
+/// Why a matrix or an affine map is not the map of the versor that is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum NotConformal {
+    /// An entry is infinite or not a number, or beyond the range of what is made of it.
+    NotFinite,
+    /// The last row of a 4×4 matrix is not 0 0 0 1.
+    Projective,
+    /// The linear part is singular.
+    Singular,
+    /// The linear part shears, or scales by different factors along different axes.
+    Shears,
+    /// The linear part mirrors.
+    Mirrors,
+    /// The linear part scales, which no motion does.
+    Scales,
+    /// The linear part turns, which no translator and no dilator does.
+    Turns,
+    /// The map moves the origin, which no rotor and no dilator does.
+    Shifts,
+}
+
+impl Display for NotConformal {
+    fn fmt(&self, f: &mut Formatter<'_>) -> FormatResult {
+        f.write_str(match self {
+            Self::NotFinite => "an entry of the matrix is not finite or out of range",
+            Self::Projective => "the last row of the matrix is not 0 0 0 1",
+            Self::Singular => "the linear part of the map is singular",
+            Self::Shears => {
+                "the linear part of the map shears or scales by different factors along different axes"
+            }
+            Self::Mirrors => "the linear part of the map mirrors",
+            Self::Scales => "the linear part of the map scales",
+            Self::Turns => "the linear part of the map turns",
+            Self::Shifts => "the map moves the origin",
+        })
+    }
+}
+
+impl core::error::Error for NotConformal {}
+
+/// The similarity `T R D`. Its blades with ei hold `(c − s) t` for `D = c + s eo∧ei`, and as `D T(t/factor) R` they hold `(c + s) t/factor`: the sum is
+/// taken that does not cancel.
+pub(crate) fn similarity<S: Real<Mask = bool>>(
+    rotor: Rotor<S>,
+    factor: S,
+    translation: [S; 3],
+) -> Result<Similarity<S>, NotConformal> {
+    let dilator = Dilator::from_factor(factor).ok_or(NotConformal::NotFinite)?;
+    let shift = |translation| Translator::from_displacement(translation) * rotor;
+    Ok(if factor.less_than(S::one()) {
+        shift(translation) * dilator
+    } else {
+        dilator * shift(translation.map(|x| x / factor))
+    })
+}
+
+fn diagonal<S: Ring>([x, y, z]: [S; 3]) -> [[S; 3]; 3] {
+    let zero = S::zero();
+    [[x, zero, zero], [zero, y, zero], [zero, zero, z]]
+}
+
+fn transposed<S: Copy>([a, b, c]: [[S; 3]; 3]) -> [[S; 3]; 3] {
+    [[a[0], b[0], c[0]], [a[1], b[1], c[1]], [a[2], b[2], c[2]]]
+}
+
+fn apply<S: Ring>(rows: [[S; 3]; 3], vector: [S; 3]) -> [S; 3] {
+    rows.map(|row| dot(row, vector))
+}
+
+/// `det L` times the inverse transpose: it takes cross products to those of the images.
+fn cofactors<S: Ring>([a, b, c]: [[S; 3]; 3]) -> [[S; 3]; 3] {
+    [cross(b, c), cross(c, a), cross(a, b)]
+}
+
+/// The largest absolute value of the entries.
+fn largest<S: Real<Mask = bool>>(rows: [[S; 3]; 3]) -> S {
+    let entries = rows.into_iter().flatten();
+    entries.fold(S::zero(), |largest, x| largest.max(x.abs()))
+}

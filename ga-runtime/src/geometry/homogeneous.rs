@@ -1,0 +1,373 @@
+//! The transformations of homogeneous coordinates, as 4×4 matrices and as versors.
+//!
+//! A point x is the column `(x, y, z, 1)`, a matrix is an array of rows, and `x' = M x`; so the matrix of a transformation after another is the
+//! product of theirs, the first to act on the right, as with versors. These are the paper's equations 3 to 11:
+//!
+//! | transformation | equations | matrix | versor |
+//! | --- | --- | --- | --- |
+//! | shift by t | 3, 4 | [`translation`] | [`Translator::from_displacement`] |
+//! | turn about the x, y or z axis | 5 to 8 | [`rotation_about_x`], [`rotation_about_y`], [`rotation_about_z`] | [`Rotor::about_x`], [`Rotor::about_y`], [`Rotor::about_z`] |
+//! | turn about an axis through the origin | 9 | [`rotation`] | [`Rotor::from_axis_angle`] |
+//! | turn about an axis through a point | | [`rotation_about_axis`] | [`Motor::about_axis`] |
+//! | scaling about the origin by one factor | 10, 11 | [`scaling`] | [`Dilator::from_factor`] |
+//! | scaling about a point by one factor | | [`scaling_about`] | [`Dilator::about`] |
+//! | scaling by a factor for each axis | 10, 11 | [`scaling`], [`scaling_about`] | none |
+//!
+//! Equation 9 holds for an axis of length 1; here the axis may have any length and is brought to 1. The last line has no versor because it is
+//! no conformal map: it takes spheres to ellipsoids and changes angles. [`Affine`] is the type for it, and for all else that
+//! these matrices can do.
+//!
+//! `to_homogeneous` and `from_homogeneous` go from [`Translator`], [`Rotor`], [`Motor`], [`Dilator`] and [`Similarity`] to the matrix and back. A matrix
+//! does not tell a versor from its negative; what comes back has the scalar, or where that is zero another coefficient, positive.
+//!
+//! ```
+//! use ga_runtime::cga3::{Motor, Point, Translator, Rotor};
+//! use ga_runtime::geometry::homogeneous::{product, rotation_about_z, transform, translation};
+//!
+//! let angle = 0.3;
+//! let matrix = product(translation([1.0, 2.0, 3.0]), rotation_about_z(angle).unwrap());
+//! let motor: Motor<f64> = Translator::from_displacement([1.0, 2.0, 3.0]) * Rotor::about_z(angle).unwrap();
+//!
+//! let p = Point::new(0.5, -1.0, 2.0);
+//! assert!(transform(matrix, p).unwrap().distance(motor.transform(p)) < 1e-15);
+//! assert!((Motor::from_homogeneous(matrix).unwrap().e12() - motor.e12()).abs() < 1e-15);
+//! ```
+
+use super::affine::{Affine, NotConformal};
+use super::vector3::{are_numbers, normalized};
+use crate::cga3::{Dilator, Motor, Point, Rotor, Similarity, Translator};
+use crate::scalar::{Field, Real, Ring};
+
+/// A 4×4 matrix by rows.
+pub type Matrix<S> = [[S; 4]; 4];
+
+/// The matrix of the shift by t (eq. 4).
+#[inline]
+#[must_use]
+pub fn translation<S: Ring>(displacement: [S; 3]) -> Matrix<S> {
+    Affine::from_translation(displacement).to_homogeneous()
+}
+
+/// The matrix of the turn about the x axis, right-handed, by an angle in radians (eq. 6): from y to z. `None` where the angle is not finite.
+#[must_use]
+pub fn rotation_about_x<S: Real<Mask = bool>>(angle: S) -> Option<Matrix<S>> {
+    let (sine, cosine) = sine_and_cosine(angle)?;
+    let (zero, one) = (S::zero(), S::one());
+    Some(linear([
+        [one, zero, zero],
+        [zero, cosine, -sine],
+        [zero, sine, cosine],
+    ]))
+}
+
+/// The matrix of the turn about the y axis, right-handed, by an angle in radians (eq. 7): from z to x. `None` where the angle is not finite.
+#[must_use]
+pub fn rotation_about_y<S: Real<Mask = bool>>(angle: S) -> Option<Matrix<S>> {
+    let (sine, cosine) = sine_and_cosine(angle)?;
+    let (zero, one) = (S::zero(), S::one());
+    Some(linear([
+        [cosine, zero, sine],
+        [zero, one, zero],
+        [-sine, zero, cosine],
+    ]))
+}
+
+/// The matrix of the turn about the z axis, right-handed, by an angle in radians (eq. 8): from x to y. `None` where the angle is not finite.
+#[must_use]
+pub fn rotation_about_z<S: Real<Mask = bool>>(angle: S) -> Option<Matrix<S>> {
+    let (sine, cosine) = sine_and_cosine(angle)?;
+    let (zero, one) = (S::zero(), S::one());
+    Some(linear([
+        [cosine, -sine, zero],
+        [sine, cosine, zero],
+        [zero, zero, one],
+    ]))
+}
+
+/// The matrix of the turn about an axis through the origin, right-handed, by an angle in radians (eq. 9). `None` where the axis is zero, or the axis or
+/// the angle is not finite.
+///
+/// ```
+/// use ga_runtime::geometry::homogeneous::rotation;
+/// // The third of a turn about the diagonal takes x to y, y to z and z to x.
+/// let [x, y, z, _] = rotation([1.0, 1.0, 1.0], std::f64::consts::TAU / 3.0).unwrap();
+/// assert!((y[0] - 1.0).abs() < 1e-15 && (z[1] - 1.0).abs() < 1e-15 && (x[2] - 1.0).abs() < 1e-15);
+/// assert_eq!(rotation([0.0; 3], 0.7), None);
+/// ```
+#[must_use]
+pub fn rotation<S: Real<Mask = bool>>(axis: [S; 3], angle: S) -> Option<Matrix<S>> {
+    let [x, y, z] = normalized(axis)?;
+    let (sine, cosine) = sine_and_cosine(angle)?;
+    let rest = S::one() - cosine;
+    Some(linear([
+        [
+            x * x * rest + cosine,
+            x * y * rest - z * sine,
+            x * z * rest + y * sine,
+        ],
+        [
+            x * y * rest + z * sine,
+            y * y * rest + cosine,
+            y * z * rest - x * sine,
+        ],
+        [
+            x * z * rest - y * sine,
+            y * z * rest + x * sine,
+            z * z * rest + cosine,
+        ],
+    ]))
+}
+
+/// The matrix of the turn about an axis through a point p, `T(p) R T(−p)`: `x' = p + R (x − p)`. `None` as for [`rotation`], and where the point is
+/// not finite.
+#[must_use]
+pub fn rotation_about_axis<S: Real<Mask = bool>>(
+    point: Point<S>,
+    axis: [S; 3],
+    angle: S,
+) -> Option<Matrix<S>> {
+    let (there, back) = (point.coordinates(), point.coordinates().map(|x| -x));
+    if !are_numbers(there) {
+        return None;
+    }
+    let turned = product(rotation(axis, angle)?, translation(back));
+    Some(product(translation(there), turned))
+}
+
+/// The matrix of the scaling by a factor along each axis about the origin (eq. 11).
+#[inline]
+#[must_use]
+pub fn scaling<S: Ring>(factors: [S; 3]) -> Matrix<S> {
+    Affine::scaling(factors).to_homogeneous()
+}
+
+/// The matrix of the scaling by a factor along each axis about a point p: `x' = p + s (x − p)` in each coordinate.
+#[inline]
+#[must_use]
+pub fn scaling_about<S: Ring>(point: Point<S>, factors: [S; 3]) -> Matrix<S> {
+    Affine::scaling_about(point, factors).to_homogeneous()
+}
+
+/// The matrix product: the transformation `second` after `first`.
+#[must_use]
+pub fn product<S: Ring>(second: Matrix<S>, first: Matrix<S>) -> Matrix<S> {
+    second.map(|[a, b, c, d]| {
+        core::array::from_fn(|k| {
+            a * first[0][k] + b * first[1][k] + c * first[2][k] + d * first[3][k]
+        })
+    })
+}
+
+/// The image of a point: `M (x, 1)` divided by its last coordinate, which is 1 for all matrices here but may not be for others. `None` where that is zero
+/// or the image is not finite.
+#[must_use]
+pub fn transform<S: Field>(matrix: Matrix<S>, point: Point<S>) -> Option<Point<S>> {
+    let [x, y, z] = point.coordinates();
+    let [a, b, c, weight] = matrix.map(|[a, b, c, d]| a * x + b * y + c * z + d);
+    if !weight.is_invertible() {
+        return None;
+    }
+    let image = [a / weight, b / weight, c / weight];
+    are_numbers(image).then(|| Point::from(image))
+}
+
+impl<S: Real<Mask = bool>> Rotor<S> {
+    /// The turn about the x axis, right-handed, by an angle in radians: `cos ½θ − sin ½θ e23`. `None` where the angle is not finite.
+    #[inline]
+    #[must_use]
+    pub fn about_x(angle: S) -> Option<Self> {
+        let (sine, cosine) = half(angle)?;
+        let zero = S::zero();
+        Some(Self::new_unchecked(cosine, zero, zero, -sine))
+    }
+
+    /// The turn about the y axis, right-handed, by an angle in radians: `cos ½θ + sin ½θ e13`. `None` where the angle is not finite.
+    #[inline]
+    #[must_use]
+    pub fn about_y(angle: S) -> Option<Self> {
+        let (sine, cosine) = half(angle)?;
+        let zero = S::zero();
+        Some(Self::new_unchecked(cosine, zero, sine, zero))
+    }
+
+    /// The turn about the z axis, right-handed, by an angle in radians: `cos ½θ − sin ½θ e12`. `None` where the angle is not finite.
+    #[inline]
+    #[must_use]
+    pub fn about_z(angle: S) -> Option<Self> {
+        let (sine, cosine) = half(angle)?;
+        let zero = S::zero();
+        Some(Self::new_unchecked(cosine, -sine, zero, zero))
+    }
+
+    /// The rotor of a 4×4 matrix by rows.
+    ///
+    /// # Errors
+    /// The matrix does anything but turn about an axis through the origin, within √ε in its entries; the last column and row must be exact.
+    pub fn from_homogeneous(rows: Matrix<S>) -> Result<Self, NotConformal> {
+        let motor = Motor::from_homogeneous(rows)?;
+        if has_translation(rows) {
+            return Err(NotConformal::Shifts);
+        }
+        Ok(motor.rotor())
+    }
+}
+
+impl<S: Ring> Rotor<S> {
+    /// The 4×4 matrix by rows: `(x', 1) = M (x, 1)`.
+    #[inline]
+    #[must_use]
+    pub fn to_homogeneous(self) -> Matrix<S> {
+        Affine::from(self).to_homogeneous()
+    }
+}
+
+impl<S: Field> Translator<S> {
+    /// The 4×4 matrix by rows: `(x', 1) = M (x, 1)`. Over floating point it is exact, and so is the way back.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::Translator;
+    /// let shift = Translator::from_displacement([1.0, 2.0, 0.1]);
+    /// assert_eq!(Translator::from_homogeneous(shift.to_homogeneous()), Ok(shift));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn to_homogeneous(self) -> Matrix<S> {
+        Affine::from(self).to_homogeneous()
+    }
+}
+
+impl<S: Real<Mask = bool>> Translator<S> {
+    /// The translator of a 4×4 matrix by rows.
+    ///
+    /// # Errors
+    /// The matrix does anything but shift, within √ε in its entries; the last row must be exact.
+    pub fn from_homogeneous(rows: Matrix<S>) -> Result<Self, NotConformal> {
+        let map = Affine::from_homogeneous(rows)?;
+        Motor::try_from(map)?;
+        if turns(map.linear, S::one()) {
+            return Err(NotConformal::Turns);
+        }
+        Ok(Self::from_displacement(map.translation))
+    }
+}
+
+impl<S: Field> Motor<S> {
+    /// The 4×4 matrix by rows: `(x', 1) = M (x, 1)`.
+    #[inline]
+    #[must_use]
+    pub fn to_homogeneous(self) -> Matrix<S> {
+        Affine::from(self).to_homogeneous()
+    }
+}
+
+impl<S: Real<Mask = bool>> Motor<S> {
+    /// The turn about an axis through a point p, right-handed, by an angle in radians: `T(p) R T(−p)`. The axis need not have length 1; `None` where it
+    /// is zero, or a number is not finite.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Motor, Point};
+    /// let half_turn = Motor::about_axis(Point::new(1.0, 0.0, 0.0), [0.0, 0.0, 1.0], std::f64::consts::PI).unwrap();
+    /// assert!(half_turn.transform(Point::new(3.0, 0.0, 5.0)).distance(Point::new(-1.0, 0.0, 5.0)) < 1e-15);
+    /// ```
+    #[must_use]
+    pub fn about_axis(point: Point<S>, axis: [S; 3], angle: S) -> Option<Self> {
+        if !are_numbers(point.coordinates()) {
+            return None;
+        }
+        Some(Self::about(point, Rotor::from_axis_angle(axis, angle)?))
+    }
+
+    /// The motor of a 4×4 matrix by rows.
+    ///
+    /// # Errors
+    /// The matrix is no rigid motion within √ε in its entries; the last row must be exact.
+    pub fn from_homogeneous(rows: Matrix<S>) -> Result<Self, NotConformal> {
+        Affine::from_homogeneous(rows)?.try_into()
+    }
+}
+
+impl<S: Real<Mask = bool>> Dilator<S> {
+    /// The scaling about a point p instead of the origin: `T(p) D T(−p) = D + s p ei` for `D = c + s eo∧ei`.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Dilator, Point};
+    /// let double = Dilator::from_factor(4.0).unwrap().about(Point::new(1.0, 0.0, 0.0));
+    /// let image = double.transform(Point::new(2.0, 0.0, 0.0)).centre().unwrap();
+    /// assert_eq!(image, Point::new(5.0, 0.0, 0.0));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn about(self, point: Point<S>) -> Similarity<S> {
+        let (scalar, eoi, zero) = (self.scalar(), self.eoi(), S::zero());
+        let [x, y, z] = point.coordinates().map(|x| x * eoi);
+        Similarity::new_unchecked(
+            scalar, zero, zero, zero, x, y, z, zero, eoi, zero, zero, zero,
+        )
+    }
+
+    /// The 4×4 matrix by rows: `(x', 1) = M (x, 1)`.
+    #[inline]
+    #[must_use]
+    pub fn to_homogeneous(self) -> Matrix<S> {
+        Affine::from(self).to_homogeneous()
+    }
+
+    /// The dilator of a 4×4 matrix by rows.
+    ///
+    /// # Errors
+    /// The matrix does anything but scale by one positive factor about the origin, within √ε of it in its entries; the last column and row must be exact.
+    pub fn from_homogeneous(rows: Matrix<S>) -> Result<Self, NotConformal> {
+        let map = Affine::from_homogeneous(rows)?;
+        let (_, factor) = map.turn_and_factor()?;
+        if has_translation(rows) {
+            return Err(NotConformal::Shifts);
+        }
+        if turns(map.linear, factor) {
+            return Err(NotConformal::Turns);
+        }
+        Self::from_factor(factor).ok_or(NotConformal::NotFinite)
+    }
+}
+
+impl<S: Real<Mask = bool>> Similarity<S> {
+    /// The 4×4 matrix by rows: `(x', 1) = M (x, 1)`.
+    #[inline]
+    #[must_use]
+    pub fn to_homogeneous(self) -> Matrix<S> {
+        Affine::from(self).to_homogeneous()
+    }
+
+    /// The similarity of a 4×4 matrix by rows.
+    ///
+    /// # Errors
+    /// The matrix is no motion with a scaling by one positive factor, within √ε of it in its entries; the last row must be exact.
+    pub fn from_homogeneous(rows: Matrix<S>) -> Result<Self, NotConformal> {
+        Affine::from_homogeneous(rows)?.try_into()
+    }
+}
+
+fn sine_and_cosine<S: Real<Mask = bool>>(angle: S) -> Option<(S, S)> {
+    angle.is_finite().then(|| angle.sin_cos())
+}
+
+fn half<S: Real<Mask = bool>>(angle: S) -> Option<(S, S)> {
+    sine_and_cosine(angle * S::from_ratio(1, 2))
+}
+
+fn linear<S: Ring>(rows: [[S; 3]; 3]) -> Matrix<S> {
+    Affine::new(rows, [S::zero(); 3]).to_homogeneous()
+}
+
+fn has_translation<S: Ring>(rows: Matrix<S>) -> bool {
+    rows[..3].iter().any(|row| row[3] != S::zero())
+}
+
+/// Whether a multiple of a rotation is more than √ε away from that multiple of the identity.
+fn turns<S: Real<Mask = bool>>(rows: [[S; 3]; 3], factor: S) -> bool {
+    let tolerance = S::epsilon().sqrt() * factor;
+    (0..9).any(|k| {
+        let (row, column) = (k / 3, k % 3);
+        let expected = if row == column { factor } else { S::zero() };
+        tolerance.less_than((rows[row][column] - expected).abs())
+    })
+}
