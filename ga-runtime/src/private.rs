@@ -8,6 +8,17 @@ pub mod macros {
     pub use ga_macros::{algebra, functions, import, product_tests};
 }
 
+/// Traits of other crates for a declared type.
+pub use crate::__interoperate as interoperate;
+#[cfg(feature = "serde-1")]
+pub use crate::interop::serde::coefficients;
+#[cfg(feature = "approx-05")]
+pub use approx_05 as approx;
+#[cfg(feature = "num-traits-02")]
+pub use num_traits_02 as num_traits;
+#[cfg(feature = "serde-1")]
+pub use serde_1 as serde;
+
 /// Writes a sum of blades such as `1 + 2 e12 - 0.5 e1i`; blades with the coefficient zero are left out.
 pub fn write_blades(f: &mut Formatter<'_>, blades: &[(&str, &dyn Display)]) -> Result {
     let mut is_first = true;

@@ -1,8 +1,11 @@
 //! glam and mint against the action of motors: glam's own transforms and quaternion products are the truth.
 
-use ga_runtime::cga3::{Direction, Motor, Point, Rotor, Translator};
+use ga_runtime::cga3::{Dilator, Direction, Motor, Point, Rotor, Similarity, Translator};
+use ga_runtime::geometry::{Affine, NotConformal};
 use ga_runtime::interop::NotRigid;
-use glam_034::{Affine3A, DAffine3, DMat4, DQuat, DVec3, Mat4, Quat, Vec3};
+use glam_034::{
+    Affine3, Affine3A, DAffine3, DMat3, DMat4, DQuat, DVec3, Mat3, Mat3A, Mat4, Quat, Vec3, Vec3A,
+};
 use proptest::prelude::*;
 
 fn vector() -> impl Strategy<Value = DVec3> {
@@ -36,6 +39,14 @@ proptest! {
         let tolerance = 8.0 * f32::EPSILON * (p.length() + t.length());
         prop_assert!(Vec3::from(motor.transform(Point::from(p))).abs_diff_eq(truth, tolerance));
         prop_assert!(Affine3A::from(motor).transform_point3(p).abs_diff_eq(truth, tolerance));
+        prop_assert!(Affine3::from(motor).transform_point3(p).abs_diff_eq(truth, tolerance));
+        prop_assert!(Vec3A::from(motor.transform(Point::from(Vec3A::from(p)))).abs_diff_eq(truth.into(), tolerance));
+        for found in [
+            Motor::try_from(Affine3A::from(motor)), Motor::try_from(Affine3::from(motor)), Motor::try_from(Mat4::from(motor)),
+        ] {
+            let image = Vec3::from(found.unwrap().transform(Point::from(p)));
+            prop_assert!(image.abs_diff_eq(truth, 2.0 * tolerance));
+        }
         prop_assert!(Mat4::from(motor).transform_point3(p).abs_diff_eq(truth, tolerance));
     }
 
@@ -46,6 +57,72 @@ proptest! {
         prop_assert!(turn.abs_diff_eq(q, 1e-15) && shift.abs_diff_eq(t, 2e-14));
         // A matrix does not tell q from −q.
         for found in [Motor::try_from(DAffine3::from(motor)), Motor::try_from(DMat4::from(motor))] {
+            let (turn, shift) = <(DQuat, DVec3)>::from(found.unwrap());
+            prop_assert!(turn.dot(q).abs() > 1.0 - 1e-15 && shift.abs_diff_eq(t, 2e-14));
+        }
+    }
+
+    #[test]
+    fn rotation_matrices_turn_as_quaternions_do(q in rotation(), v in vector()) {
+        let rotor = Rotor::try_from(q).unwrap();
+        prop_assert!((DMat3::from(rotor) * v).abs_diff_eq(q * v, 8.0 * f64::EPSILON * v.length()));
+        let found = DQuat::from(Rotor::try_from(DMat3::from_quat(q)).unwrap());
+        prop_assert!(found.dot(q).abs() > 1.0 - 1e-15);
+        let (q, v) = (q.as_quat(), v.as_vec3());
+        let rotor = Rotor::try_from(q).unwrap();
+        let tolerance = 8.0 * f32::EPSILON * v.length();
+        prop_assert!((Mat3::from(rotor) * v).abs_diff_eq(q * v, tolerance));
+        prop_assert!((Mat3A::from(rotor) * v).abs_diff_eq(q * v, tolerance));
+        for found in [Rotor::try_from(Mat3::from_quat(q)), Rotor::try_from(Mat3A::from_quat(q))] {
+            prop_assert!(Quat::from(found.unwrap()).dot(q).abs() > 1.0 - 4.0 * f32::EPSILON);
+        }
+    }
+
+    #[test]
+    fn similarities_act_as_matrices_do(q in rotation(), t in vector(), exponent in -3.0..3.0_f64, p in vector()) {
+        let factor = 10.0_f64.powf(exponent);
+        let turn = Rotor::try_from(q).unwrap();
+        let similarity = Translator::from(t) * turn * Dilator::from_factor(factor).unwrap();
+        let truth = DAffine3::from_scale_rotation_translation(DVec3::splat(factor), q, t);
+        let image = truth.transform_point3(p);
+        let tolerance = 32.0 * f64::EPSILON * (factor * p.length() + t.length());
+        prop_assert!(DAffine3::from(similarity).transform_point3(p).abs_diff_eq(image, tolerance));
+        prop_assert!(DMat4::from(similarity).transform_point3(p).abs_diff_eq(image, tolerance));
+        for found in [Similarity::try_from(truth), Similarity::try_from(DMat4::from(truth))] {
+            let found = DAffine3::from(found.unwrap()).transform_point3(p);
+            prop_assert!(found.abs_diff_eq(image, tolerance));
+        }
+    }
+
+    #[test]
+    fn affine_maps_come_back(columns in [vector(), vector(), vector()], t in vector(), p in vector()) {
+        let [a, b, c] = columns;
+        let glam = DAffine3::from_cols(a, b, c, t);
+        let map = Affine::from(glam);
+        prop_assert_eq!(DAffine3::from(map), glam);
+        prop_assert_eq!(Affine::try_from(DMat4::from(glam)), Ok(map));
+        prop_assert_eq!(DMat4::from(map), DMat4::from(glam));
+        let image = DVec3::from(map.transform(Point::from(p)));
+        prop_assert!(image.abs_diff_eq(glam.transform_point3(p), 1e-12));
+        let single = Affine3::from_cols(a.as_vec3(), b.as_vec3(), c.as_vec3(), t.as_vec3());
+        prop_assert_eq!(Affine3::from(Affine::from(single)), single);
+        prop_assert_eq!(Affine3A::from(Affine::from(single)), Affine3A::from(single));
+
+        let rows = mint_05::RowMatrix4::from(map);
+        let columns = mint_05::ColumnMatrix4::from(map);
+        prop_assert_eq!([columns.y.x, columns.y.y, columns.y.z, columns.y.w], [b.x, b.y, b.z, 0.0]);
+        prop_assert_eq!([columns.w.x, columns.w.y, columns.w.z, columns.w.w], [t.x, t.y, t.z, 1.0]);
+        prop_assert_eq!([rows.x.x, rows.x.y, rows.x.z, rows.x.w], [a.x, b.x, c.x, t.x]);
+        prop_assert_eq!(Affine::try_from(rows), Ok(map));
+        prop_assert_eq!(Affine::try_from(mint_05::ColumnMatrix4::from(map)), Ok(map));
+    }
+
+    #[test]
+    fn motors_go_through_mint(q in rotation(), t in vector()) {
+        let motor = Motor::try_from((q, t)).unwrap();
+        for found in [
+            Motor::try_from(mint_05::RowMatrix4::from(motor)), Motor::try_from(mint_05::ColumnMatrix4::from(motor)),
+        ] {
             let (turn, shift) = <(DQuat, DVec3)>::from(found.unwrap());
             prop_assert!(turn.dot(q).abs() > 1.0 - 1e-15 && shift.abs_diff_eq(t, 2e-14));
         }
@@ -97,4 +174,28 @@ fn what_is_not_rigid_is_refused() {
     for matrix in matrices {
         assert_eq!(Motor::try_from(matrix), Err(NotRigid::Matrix), "{matrix}");
     }
+}
+
+#[test]
+fn what_is_not_conformal_is_refused() {
+    let matrices = [
+        (
+            DMat4::from_scale(DVec3::new(1.0, 1.0, 1.01)),
+            NotConformal::Shears,
+        ),
+        (DMat4::from_scale(DVec3::splat(-1.0)), NotConformal::Mirrors),
+        (
+            DMat4::from_translation(DVec3::X).transpose(),
+            NotConformal::Projective,
+        ),
+        (
+            DMat4::from_translation(DVec3::new(f64::NAN, 0.0, 0.0)),
+            NotConformal::NotFinite,
+        ),
+        (DMat4::from_scale(DVec3::ZERO), NotConformal::Singular),
+    ];
+    for (matrix, reason) in matrices {
+        assert_eq!(Similarity::try_from(matrix), Err(reason), "{matrix}");
+    }
+    assert!(Rotor::try_from(Mat3::from_diagonal(Vec3::new(1.0, 1.0, -1.0))).is_err());
 }

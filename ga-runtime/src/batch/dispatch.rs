@@ -1,4 +1,4 @@
-//! The choice of instructions when the program runs, which takes unsafe code.
+//! All unsafe code: the choice of instructions when the program runs, and types as plain memory.
 
 #![allow(unsafe_code)]
 
@@ -66,3 +66,28 @@ pub(super) fn run(path: Path, work: impl Work) {
 fn run_with_avx2(work: impl Work) {
     work.run();
 }
+
+/// Plain memory by the traits of bytemuck. It is here because it takes unsafe code, and all of that stays in one file;
+/// `interop::bytemuck` documents it and lists the types.
+#[cfg(feature = "bytemuck-1")]
+macro_rules! plain_memory {
+    ($module:ident { $($name:ident $count:literal),* }) => { $(
+        // SAFETY: what `algebra!` declares is `repr(C)` with one field of type S for each stored coefficient, so that its
+        // size is a multiple of its alignment, which is that of S, and there is no padding. The assertion shows that the fields are those and
+        // no others. Any values of them are a valid value: facts are no matter of memory safety.
+        unsafe impl<S: bytemuck_1::Zeroable> bytemuck_1::Zeroable for crate::$module::$name<S> {}
+        // SAFETY: the same.
+        unsafe impl<S: bytemuck_1::Pod> bytemuck_1::Pod for crate::$module::$name<S> {}
+        const _: () = {
+            assert!(size_of::<crate::$module::$name<u8>>() == $count);
+            assert!(align_of::<crate::$module::$name<u8>>() == align_of::<u8>());
+            assert!(size_of::<crate::$module::$name<f32>>() == $count * size_of::<f32>());
+            assert!(align_of::<crate::$module::$name<f32>>() == align_of::<f32>());
+            assert!(size_of::<crate::$module::$name<f64>>() == $count * size_of::<f64>());
+            assert!(align_of::<crate::$module::$name<f64>>() == align_of::<f64>());
+        };
+    )* };
+}
+
+#[cfg(feature = "bytemuck-1")]
+crate::interop::bytemuck::declared_types!(plain_memory);

@@ -1,5 +1,16 @@
 //! glam 0.34, in both of its precisions.
 //!
+//! | here | glam | |
+//! | --- | --- | --- |
+//! | [`Point`], [`Direction`], [`Translator`] | `Vec3`, `Vec3A`, `DVec3` | both ways |
+//! | [`Rotor`] | `Quat`, `DQuat`; `Mat3`, `Mat3A`, `DMat3` | to; from is checked |
+//! | [`Motor`] | `(Quat, Vec3)`, `(DQuat, DVec3)`; `Affine3`, `Affine3A`, `DAffine3`; `Mat4`, `DMat4` | to; from is checked |
+//! | [`Similarity`] | `Affine3`, `Affine3A`, `DAffine3`; `Mat4`, `DMat4` | to; from is checked |
+//! | [`Affine`] | `Affine3`, `Affine3A`, `DAffine3` | both ways |
+//! | [`Affine`] | `Mat4`, `DMat4` | to; from is checked |
+//!
+//! glam has no type of quaternions that must have length 1; a quaternion is brought to it, and one that cannot be is an error.
+//!
 //! ```
 //! use ga_runtime::cga3::{Motor, Point, Rotor};
 //! use glam_034::{DAffine3, DQuat, DVec3};
@@ -14,14 +25,15 @@
 //! ```
 
 use glam_034::{
-    Affine3A, DAffine3, DMat3, DMat4, DQuat, DVec3, DVec4, Mat3, Mat4, Quat, Vec3, Vec4,
+    Affine3, Affine3A, DAffine3, DMat3, DMat4, DQuat, DVec3, Mat3, Mat3A, Mat4, Quat, Vec3, Vec3A,
 };
 
 use super::NotRigid;
-use crate::cga3::{Direction, Motor, Point, Rotor, Translator};
+use crate::cga3::{Direction, Motor, Point, Rotor, Similarity, Translator};
+use crate::geometry::{Affine, NotConformal};
 
-macro_rules! conversions {
-    ($S:ty, $Vec3:ident, $Vec4:ident, $Quat:ident, $Mat3:ident, $Mat4:ident, $Affine:ident) => {
+macro_rules! vectors {
+    ($S:ty, $Vec3:ident) => {
         impl From<$Vec3> for Point<$S> {
             #[inline]
             fn from(v: $Vec3) -> Self {
@@ -65,7 +77,87 @@ macro_rules! conversions {
                 translator.displacement().into()
             }
         }
+    };
+}
 
+macro_rules! rotations {
+    ($S:ty, $Mat3:ident) => {
+        impl From<Rotor<$S>> for $Mat3 {
+            #[inline]
+            fn from(rotor: Rotor<$S>) -> Self {
+                let rows = rotor.to_matrix().map(Into::into);
+                Self::from_cols(rows[0], rows[1], rows[2]).transpose()
+            }
+        }
+
+        impl TryFrom<$Mat3> for Rotor<$S> {
+            type Error = NotRigid;
+
+            #[inline]
+            fn try_from(matrix: $Mat3) -> Result<Self, NotRigid> {
+                let rows = [0, 1, 2].map(|k| matrix.row(k).to_array());
+                Self::from_matrix(rows).ok_or(NotRigid::Matrix)
+            }
+        }
+    };
+}
+
+macro_rules! affine_maps {
+    ($S:ty, $Mat4:ident, $Affine:ident) => {
+        impl From<Affine<$S>> for $Affine {
+            #[inline]
+            fn from(map: Affine<$S>) -> Self {
+                let [a, b, c] = map.linear;
+                let column = |k: usize| [a[k], b[k], c[k]].into();
+                Self::from_cols(column(0), column(1), column(2), map.translation.into())
+            }
+        }
+
+        impl From<$Affine> for Affine<$S> {
+            #[inline]
+            fn from(map: $Affine) -> Self {
+                let [a, b, c, d] = map.to_cols_array_2d();
+                let row = |k: usize| [a[k], b[k], c[k]];
+                Self::new([row(0), row(1), row(2)], d)
+            }
+        }
+
+        impl From<Motor<$S>> for $Affine {
+            #[inline]
+            fn from(motor: Motor<$S>) -> Self {
+                Affine::from(motor).into()
+            }
+        }
+
+        impl TryFrom<$Affine> for Motor<$S> {
+            type Error = NotRigid;
+
+            #[inline]
+            fn try_from(map: $Affine) -> Result<Self, NotRigid> {
+                $Mat4::from(map).try_into()
+            }
+        }
+
+        impl From<Similarity<$S>> for $Affine {
+            #[inline]
+            fn from(similarity: Similarity<$S>) -> Self {
+                Affine::from(similarity).into()
+            }
+        }
+
+        impl TryFrom<$Affine> for Similarity<$S> {
+            type Error = NotConformal;
+
+            #[inline]
+            fn try_from(map: $Affine) -> Result<Self, NotConformal> {
+                Affine::from(map).try_into()
+            }
+        }
+    };
+}
+
+macro_rules! conversions {
+    ($S:ty, $Vec3:ident, $Quat:ident, $Mat4:ident) => {
         /// The rotor of the quaternion's direction; its size is left out.
         impl TryFrom<$Quat> for Rotor<$S> {
             type Error = NotRigid;
@@ -106,29 +198,27 @@ macro_rules! conversions {
             }
         }
 
-        impl From<Motor<$S>> for $Affine {
+        impl From<Affine<$S>> for $Mat4 {
             #[inline]
-            fn from(motor: Motor<$S>) -> Self {
-                let [a, b, c] = motor.to_matrix();
-                let column = |k: usize| $Vec3::new(a[k], b[k], c[k]);
-                let rotation = $Mat3::from_cols(column(0), column(1), column(2));
-                Self::from_mat3_translation(rotation, column(3))
+            fn from(map: Affine<$S>) -> Self {
+                Self::from_cols_array_2d(&map.to_homogeneous()).transpose()
+            }
+        }
+
+        /// The last row must be 0 0 0 1.
+        impl TryFrom<$Mat4> for Affine<$S> {
+            type Error = NotConformal;
+
+            #[inline]
+            fn try_from(matrix: $Mat4) -> Result<Self, NotConformal> {
+                Self::from_homogeneous(matrix.transpose().to_cols_array_2d())
             }
         }
 
         impl From<Motor<$S>> for $Mat4 {
             #[inline]
             fn from(motor: Motor<$S>) -> Self {
-                $Affine::from(motor).into()
-            }
-        }
-
-        impl TryFrom<$Affine> for Motor<$S> {
-            type Error = NotRigid;
-
-            #[inline]
-            fn try_from(affine: $Affine) -> Result<Self, NotRigid> {
-                $Mat4::from(affine).try_into()
+                Affine::from(motor).into()
             }
         }
 
@@ -138,15 +228,38 @@ macro_rules! conversions {
 
             #[inline]
             fn try_from(matrix: $Mat4) -> Result<Self, NotRigid> {
-                if matrix.row(3) != $Vec4::W {
-                    return Err(NotRigid::Matrix);
-                }
-                let rows = [0, 1, 2].map(|k| matrix.row(k).to_array());
-                Self::from_matrix(rows).ok_or(NotRigid::Matrix)
+                let map = Affine::try_from(matrix).map_err(|_| NotRigid::Matrix)?;
+                map.try_into().map_err(|_| NotRigid::Matrix)
+            }
+        }
+
+        impl From<Similarity<$S>> for $Mat4 {
+            #[inline]
+            fn from(similarity: Similarity<$S>) -> Self {
+                Affine::from(similarity).into()
+            }
+        }
+
+        /// The last row must be 0 0 0 1 to the bit.
+        impl TryFrom<$Mat4> for Similarity<$S> {
+            type Error = NotConformal;
+
+            #[inline]
+            fn try_from(matrix: $Mat4) -> Result<Self, NotConformal> {
+                Affine::try_from(matrix)?.try_into()
             }
         }
     };
 }
 
-conversions!(f32, Vec3, Vec4, Quat, Mat3, Mat4, Affine3A);
-conversions!(f64, DVec3, DVec4, DQuat, DMat3, DMat4, DAffine3);
+vectors!(f32, Vec3);
+vectors!(f32, Vec3A);
+vectors!(f64, DVec3);
+rotations!(f32, Mat3);
+rotations!(f32, Mat3A);
+rotations!(f64, DMat3);
+affine_maps!(f32, Mat4, Affine3);
+affine_maps!(f32, Mat4, Affine3A);
+affine_maps!(f64, DMat4, DAffine3);
+conversions!(f32, Vec3, Quat, Mat4);
+conversions!(f64, DVec3, DQuat, DMat4);

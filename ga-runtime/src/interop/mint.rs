@@ -8,11 +8,12 @@
 //! assert!(Rotor::try_from(zero).is_err());
 //! ```
 
-use mint_05::{Point3, Quaternion, Vector3};
+use mint_05::{ColumnMatrix4, Point3, Quaternion, RowMatrix4, Vector3, Vector4};
 
 use super::NotRigid;
-use crate::cga3::{Direction, Point, Rotor};
-use crate::scalar::{Real, Ring};
+use crate::cga3::{Direction, Motor, Point, Rotor};
+use crate::geometry::{Affine, NotConformal};
+use crate::scalar::{Field, Real, Ring};
 
 impl<S> From<Point3<S>> for Point<S> {
     #[inline]
@@ -56,7 +57,7 @@ impl<S: Real<Mask = bool>> TryFrom<Quaternion<S>> for Rotor<S> {
     }
 }
 
-impl<S: Real<Mask = bool>> From<Rotor<S>> for Quaternion<S> {
+impl<S: Ring> From<Rotor<S>> for Quaternion<S> {
     #[inline]
     fn from(rotor: Rotor<S>) -> Self {
         let (vector, s) = rotor.to_quaternion();
@@ -65,4 +66,69 @@ impl<S: Real<Mask = bool>> From<Rotor<S>> for Quaternion<S> {
             s,
         }
     }
+}
+
+impl<S: Ring> From<Affine<S>> for RowMatrix4<S> {
+    #[inline]
+    fn from(map: Affine<S>) -> Self {
+        let [x, y, z, w] = map.to_homogeneous().map(Vector4::from);
+        Self { x, y, z, w }
+    }
+}
+
+/// The last row must be 0 0 0 1.
+impl<S: Ring> TryFrom<RowMatrix4<S>> for Affine<S> {
+    type Error = NotConformal;
+
+    #[inline]
+    fn try_from(matrix: RowMatrix4<S>) -> Result<Self, NotConformal> {
+        let RowMatrix4 { x, y, z, w } = matrix;
+        Self::from_homogeneous([x, y, z, w].map(Into::into))
+    }
+}
+
+impl<S: Ring> From<Affine<S>> for ColumnMatrix4<S> {
+    #[inline]
+    fn from(map: Affine<S>) -> Self {
+        let [x, y, z, w] = transposed(map.to_homogeneous()).map(Vector4::from);
+        Self { x, y, z, w }
+    }
+}
+
+/// The last row must be 0 0 0 1.
+impl<S: Ring> TryFrom<ColumnMatrix4<S>> for Affine<S> {
+    type Error = NotConformal;
+
+    #[inline]
+    fn try_from(matrix: ColumnMatrix4<S>) -> Result<Self, NotConformal> {
+        let ColumnMatrix4 { x, y, z, w } = matrix;
+        Self::from_homogeneous(transposed([x, y, z, w].map(Into::into)))
+    }
+}
+
+macro_rules! motors {
+    ($($Matrix:ident),*) => { $(
+        impl<S: Field> From<Motor<S>> for $Matrix<S> {
+            #[inline]
+            fn from(motor: Motor<S>) -> Self {
+                Affine::from(motor).into()
+            }
+        }
+
+        /// A rotation within √ε and a shift; the last row must be 0 0 0 1.
+        impl<S: Real<Mask = bool>> TryFrom<$Matrix<S>> for Motor<S> {
+            type Error = NotConformal;
+
+            #[inline]
+            fn try_from(matrix: $Matrix<S>) -> Result<Self, NotConformal> {
+                Affine::try_from(matrix)?.try_into()
+            }
+        }
+    )* };
+}
+
+motors!(RowMatrix4, ColumnMatrix4);
+
+fn transposed<S: Copy>(rows: [[S; 4]; 4]) -> [[S; 4]; 4] {
+    [0, 1, 2, 3].map(|k| rows.map(|row| row[k]))
 }

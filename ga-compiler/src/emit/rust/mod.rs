@@ -6,6 +6,7 @@ mod body;
 mod context;
 mod conversions;
 mod functions;
+mod interoperation;
 mod involutions;
 mod products;
 mod tests;
@@ -37,6 +38,7 @@ pub fn algebra(definition: &Definition, source: &TokenStream) -> TokenStream {
         items.extend(involutions::emit(&context, kind));
         items.extend(versors::emit(&context, kind));
         items.extend(conversions::emit(&context, kind));
+        items.extend(interoperation::emit(&context, kind));
     }
     items.extend(products::emit(&context));
     let module = module(definition, items);

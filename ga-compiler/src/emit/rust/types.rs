@@ -189,7 +189,7 @@ fn default(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
 }
 
 /// Whether the member with these stored coefficients is 1.
-fn is_identity(kind: &TypeDefinition, stored: &dyn Fn(&Coefficient) -> Ratio) -> bool {
+pub(super) fn is_identity(kind: &TypeDefinition, stored: &dyn Fn(&Coefficient) -> Ratio) -> bool {
     let value = |c: &Coefficient| match &c.role {
         Role::Stored => stored(c),
         Role::Constant(value) => *value,

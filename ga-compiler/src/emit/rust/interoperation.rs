@@ -1,0 +1,67 @@
+//! What the traits of other crates need to know of a type.
+//!
+//! The description goes to a macro of ga-runtime, whose features choose the traits: nothing comes of it where all are off,
+//! and a crate that declares an algebra needs no features of its own.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+use syn::ext::IdentExt;
+
+use super::context::Context;
+use super::types::is_identity;
+use crate::algebra::{Blade, Product, Ratio};
+use crate::define::{Coefficient, Operation, TypeDefinition};
+
+pub(super) fn emit(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+    let (runtime, name) = (context.runtime, &kind.name);
+    let text = name.unraw().to_string();
+    if kind.is_constant() {
+        return quote! { #runtime::__private::interoperate! { constant #name #text } };
+    }
+    let role = format_ident!(
+        "{}",
+        if !kind.facts_are_implied {
+            "checked"
+        } else if kind.is_linear() {
+            "linear"
+        } else {
+            "free"
+        }
+    );
+    let fields = kind.stored().enumerate().map(|(place, c)| {
+        let (field, place) = (&c.name, Literal::usize_unsuffixed(place));
+        let text = field.unraw().to_string();
+        quote! { #field #place #text }
+    });
+    let one = one(context, kind);
+    quote! {
+        #runtime::__private::interoperate! { #role #name #text { #(#fields),* } [#(#one),*] }
+    }
+}
+
+/// The stored coefficients of 1, where it is a member and members multiply to members.
+fn one(context: &Context<'_>, kind: &TypeDefinition) -> Vec<TokenStream> {
+    let is_kind = |index: usize| context.kind(index).name == kind.name;
+    let multiplies = context.definition.products.iter().any(|product| {
+        product.operation == Operation::Product(Product::Geometric)
+            && product.operands.iter().all(|&operand| is_kind(operand))
+            && product.result.is_some_and(is_kind)
+    });
+    let is_scalar = |c: &Coefficient| c.blade == Blade::SCALAR;
+    let stored = |c: &Coefficient| {
+        if is_scalar(c) {
+            Ratio::ONE
+        } else {
+            Ratio::ZERO
+        }
+    };
+    if !multiplies || !is_identity(kind, &stored) {
+        return Vec::new();
+    }
+    let entry = |c: &Coefficient| {
+        let value = format_ident!("{}", if is_scalar(c) { "one" } else { "zero" });
+        let field = &c.name;
+        quote! { #field #value }
+    };
+    kind.stored().map(entry).collect()
+}

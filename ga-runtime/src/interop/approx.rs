@@ -1,0 +1,95 @@
+//! approx 0.5: every type, those of your own algebras included, compares with a tolerance.
+//!
+//! [`AbsDiffEq`](approx_05::AbsDiffEq), [`RelativeEq`](approx_05::RelativeEq) and [`UlpsEq`](approx_05::UlpsEq) compare each stored coefficient with its
+//! counterpart, by the scalar's own trait and with its defaults; two values are close where all coefficients are. So a tolerance is one for
+//! coefficients: for a [`Point`](crate::cga3::Point) that is for coordinates, for a [`Rotor`](crate::cga3::Rotor) for the
+//! cosine and sine of half the angle. A versor and its negative move things to the same places and are not close to one another; no more are
+//! multiples of one blade, which stand for the same object. Constant types have one member and no such traits.
+//!
+//! ```
+//! use approx_05::{assert_abs_diff_eq, assert_abs_diff_ne, assert_relative_eq};
+//! use ga_runtime::cga3::{Point, Rotor};
+//!
+//! let third = Rotor::from_axis_angle([1.0, 1.0, 1.0], std::f64::consts::TAU / 3.0).unwrap();
+//! assert_abs_diff_eq!(third * third * third, -Rotor::default(), epsilon = 1e-15);
+//! assert_abs_diff_ne!(third * third * third, Rotor::default());
+//! assert_relative_eq!(third.transform(Point::new(1e9, 0.0, 0.0)), Point::new(0.0, 1e9, 0.0), epsilon = 1e-6);
+//! ```
+
+/// Emits the traits of approx for a declared type.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __approximate {
+    (constant $($description:tt)*) => {};
+    ($role:ident $name:ident $text:literal { $($field:ident $place:tt $blade:literal),* } $one:tt) => {
+        impl<S> $crate::__private::approx::AbsDiffEq for $name<S>
+        where
+            S: $crate::__private::approx::AbsDiffEq,
+            S::Epsilon: ::core::clone::Clone,
+        {
+            type Epsilon = S::Epsilon;
+            #[inline]
+            fn default_epsilon() -> S::Epsilon {
+                S::default_epsilon()
+            }
+            #[inline]
+            fn abs_diff_eq(&self, other: &Self, epsilon: S::Epsilon) -> ::core::primitive::bool {
+                $(<S as $crate::__private::approx::AbsDiffEq>::abs_diff_eq(
+                    &self.$field,
+                    &other.$field,
+                    ::core::clone::Clone::clone(&epsilon),
+                ))&&*
+            }
+        }
+
+        impl<S> $crate::__private::approx::RelativeEq for $name<S>
+        where
+            S: $crate::__private::approx::RelativeEq,
+            S::Epsilon: ::core::clone::Clone,
+        {
+            #[inline]
+            fn default_max_relative() -> S::Epsilon {
+                S::default_max_relative()
+            }
+            #[inline]
+            fn relative_eq(
+                &self,
+                other: &Self,
+                epsilon: S::Epsilon,
+                max_relative: S::Epsilon,
+            ) -> ::core::primitive::bool {
+                $(<S as $crate::__private::approx::RelativeEq>::relative_eq(
+                    &self.$field,
+                    &other.$field,
+                    ::core::clone::Clone::clone(&epsilon),
+                    ::core::clone::Clone::clone(&max_relative),
+                ))&&*
+            }
+        }
+
+        impl<S> $crate::__private::approx::UlpsEq for $name<S>
+        where
+            S: $crate::__private::approx::UlpsEq,
+            S::Epsilon: ::core::clone::Clone,
+        {
+            #[inline]
+            fn default_max_ulps() -> ::core::primitive::u32 {
+                S::default_max_ulps()
+            }
+            #[inline]
+            fn ulps_eq(
+                &self,
+                other: &Self,
+                epsilon: S::Epsilon,
+                max_ulps: ::core::primitive::u32,
+            ) -> ::core::primitive::bool {
+                $(<S as $crate::__private::approx::UlpsEq>::ulps_eq(
+                    &self.$field,
+                    &other.$field,
+                    ::core::clone::Clone::clone(&epsilon),
+                    max_ulps,
+                ))&&*
+            }
+        }
+    };
+}

@@ -1,0 +1,128 @@
+//! serde 1: every type is read and written, those of your own algebras included.
+//!
+//! # The form
+//!
+//! Formats for people, such as JSON, get a map from the names of the stored blades to their coefficients; blades that are
+//! constant or derived are not written. Other formats get a tuple of the same numbers in the order of the declaration, without a length or names:
+//! 12 bytes for a [`Point`](crate::cga3::Point) in `f32`. Types without stored blades, as [`Infinity`](crate::cga3::Infinity), are units.
+//!
+//! ```
+//! use ga_runtime::cga3::{Point, Quaternion, Rotor};
+//!
+//! let p = Point::new(1.0, 2.0, 3.0);
+//! assert_eq!(serde_json::to_string(&p).unwrap(), r#"{"e1":1.0,"e2":2.0,"e3":3.0}"#);
+//! assert_eq!(serde_json::from_str::<Point<f64>>(r#"{"e3": 3, "e1": 1, "e2": 2}"#).unwrap(), p);
+//!
+//! let error = serde_json::from_str::<Point<f64>>(r#"{"e1": 1, "e2": 2}"#).unwrap_err();
+//! assert!(error.to_string().contains("`e3`"));
+//!
+//! // Half the identity is no rotor. The type of sums of rotors takes it, and normalises.
+//! let half = r#"{"scalar": 0.5, "e12": 0, "e13": 0, "e23": 0}"#;
+//! let error = serde_json::from_str::<Rotor<f64>>(half).unwrap_err();
+//! assert!(error.to_string().contains("no `Rotor`"));
+//! let sum: Quaternion<f64> = serde_json::from_str(half).unwrap();
+//! assert_eq!(Rotor::normalize(sum), Some(Rotor::default()));
+//! ```
+//!
+//! # What is refused
+//!
+//! - In a map, a blade that the type does not store, one that is missing and one that comes twice. The error names it. In a tuple, too few or too many
+//!   numbers.
+//! - Coefficients that break the facts of the type. A unit versor is read where every coefficient of `M ~M − 1` is within √ε of
+//!   zero, ε being [`Real::epsilon`](crate::scalar::Real::epsilon) of the scalar. Where the products of which such a coefficient is the sum are large, as
+//!   in the Study condition of a motor far from the origin, that is relative to half the sum of their sizes. Nothing is changed on the
+//!   way. What has been rounded to fewer digits, as from `f32` to `f64`, is read as the hull, a [`Rotor`](crate::cga3::Rotor) as a
+//!   [`Quaternion`](crate::cga3::Quaternion), and normalised.
+//! - Infinities and NaN in a type whose facts restrict it. Other types take what the format and the scalar take: JSON has neither, binary formats
+//!   have both.
+
+#[doc(hidden)]
+pub mod coefficients;
+mod relative;
+
+pub use relative::Relative;
+
+/// Emits reading and writing for a declared type.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __serialize {
+    (constant $name:ident $text:literal) => {
+        impl $crate::__private::serde::Serialize for $name {
+            fn serialize<Z: $crate::__private::serde::Serializer>(
+                &self,
+                serializer: Z,
+            ) -> ::core::result::Result<Z::Ok, Z::Error> {
+                <Z as $crate::__private::serde::Serializer>::serialize_unit_struct(serializer, $text)
+            }
+        }
+
+        impl<'de> $crate::__private::serde::Deserialize<'de> for $name {
+            fn deserialize<D: $crate::__private::serde::Deserializer<'de>>(
+                deserializer: D,
+            ) -> ::core::result::Result<Self, D::Error> {
+                match $crate::__private::coefficients::deserialize_unit(deserializer, $text) {
+                    ::core::result::Result::Ok(()) => ::core::result::Result::Ok($name),
+                    ::core::result::Result::Err(error) => ::core::result::Result::Err(error),
+                }
+            }
+        }
+    };
+    (checked $name:ident $text:literal { $($field:ident $place:tt $blade:literal),* } $one:tt) => {
+        $crate::__serialize! { write $name $text { $($field $blade),* } }
+
+        impl<'de, S> $crate::__private::serde::Deserialize<'de> for $name<S>
+        where
+            S: $crate::__private::serde::Deserialize<'de>
+                + $crate::scalar::Real<Mask = ::core::primitive::bool>,
+        {
+            fn deserialize<D: $crate::__private::serde::Deserializer<'de>>(
+                deserializer: D,
+            ) -> ::core::result::Result<Self, D::Error> {
+                $crate::__private::coefficients::deserialize_checked(
+                    deserializer,
+                    $text,
+                    &[$($blade),*],
+                    |values, tolerance| {
+                        $name::<$crate::interop::serde::Relative<S>>::try_new(
+                            $(values[$place],)* tolerance
+                        ).is_some()
+                    },
+                    |values| $name { $($field: values[$place]),* },
+                )
+            }
+        }
+    };
+    (write $name:ident $text:literal { $($field:ident $blade:literal),* }) => {
+        impl<S: $crate::__private::serde::Serialize> $crate::__private::serde::Serialize for $name<S> {
+            fn serialize<Z: $crate::__private::serde::Serializer>(
+                &self,
+                serializer: Z,
+            ) -> ::core::result::Result<Z::Ok, Z::Error> {
+                $crate::__private::coefficients::serialize(
+                    serializer,
+                    $text,
+                    &[$(($blade, &self.$field)),*],
+                )
+            }
+        }
+    };
+    ($role:ident $name:ident $text:literal { $($field:ident $place:tt $blade:literal),* } $one:tt) => {
+        $crate::__serialize! { write $name $text { $($field $blade),* } }
+
+        impl<'de, S> $crate::__private::serde::Deserialize<'de> for $name<S>
+        where
+            S: $crate::__private::serde::Deserialize<'de> + ::core::marker::Copy,
+        {
+            fn deserialize<D: $crate::__private::serde::Deserializer<'de>>(
+                deserializer: D,
+            ) -> ::core::result::Result<Self, D::Error> {
+                $crate::__private::coefficients::deserialize(
+                    deserializer,
+                    $text,
+                    &[$($blade),*],
+                    |values| $name { $($field: values[$place]),* },
+                )
+            }
+        }
+    };
+}

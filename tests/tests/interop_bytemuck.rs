@@ -1,0 +1,124 @@
+//! bytemuck: elements are their stored coefficients in memory, in the order of the declaration.
+
+mod every_type;
+
+use every_type::every_type;
+
+use bytemuck_1::{Pod, Zeroable};
+use ga_runtime::Element;
+use ga_runtime::{cga2, cga3, pga2, pga3, sta, vga2, vga3};
+
+/// An element whose stored coefficients are 1, 2, 3, … is those numbers in memory.
+fn is_its_coefficients<T, U>(scalar: fn(u8) -> T::Scalar)
+where
+    T: Element<Scalar = U> + Pod + PartialEq + core::fmt::Debug,
+    U: Pod + PartialEq + core::fmt::Debug + core::ops::Neg<Output = U>,
+{
+    let mut count = 0;
+    let value = T::from_coefficients_unchecked(&mut |_| {
+        count += 1;
+        scalar(count)
+    });
+    // A blade such as e31 is stored with the other sign.
+    let numbers = bytemuck_1::cast_slice::<T, U>(&[value]).to_vec();
+    for (place, &number) in (1..=count).zip(&numbers) {
+        assert!(
+            number == scalar(place) || number == -scalar(place),
+            "{value:?}"
+        );
+    }
+    assert_eq!(numbers.len(), usize::from(count));
+    assert_eq!(bytemuck_1::cast_slice::<U, T>(&numbers), [value]);
+    assert_eq!(
+        bytemuck_1::bytes_of(&value).len(),
+        usize::from(count) * size_of::<U>()
+    );
+    let zeros = vec![scalar(0); usize::from(count)];
+    assert_eq!(bytemuck_1::cast_slice::<T, U>(&[T::zeroed()]), zeros);
+}
+
+macro_rules! check {
+    ($($module:ident { $($name:ident),* }),*) => { $( $(
+        is_its_coefficients::<$module::$name<f32>, f32>(f32::from);
+        is_its_coefficients::<$module::$name<f64>, f64>(f64::from);
+    )* )* };
+}
+
+#[test]
+fn types_are_their_coefficients() {
+    every_type!(check);
+}
+
+#[test]
+fn slices_are_cast_in_place() {
+    let mut points = [cga3::Point::new(1.0_f32, 2.0, 3.0); 4];
+    for (k, x) in bytemuck_1::cast_slice_mut::<_, f32>(&mut points)
+        .iter_mut()
+        .enumerate()
+    {
+        *x = k as f32;
+    }
+    assert_eq!(points[2], cga3::Point::new(6.0, 7.0, 8.0));
+    let motor = cga3::Motor::new_unchecked(1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0);
+    assert_eq!(
+        bytemuck_1::cast::<_, [f64; 8]>(motor),
+        [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]
+    );
+    assert_eq!(
+        bytemuck_1::cast::<_, [f64; 3]>(vga3::Bivector::new(1.0, 2.0, 3.0)),
+        [1.0, 2.0, 3.0]
+    );
+    let bytes: &[u8] = bytemuck_1::cast_slice(&points);
+    assert_eq!(bytes.len(), 48);
+    // A part of an element is none.
+    assert!(bytemuck_1::try_cast_slice::<u8, cga3::Point<f32>>(&bytes[..13]).is_err());
+    // Any bytes are members, zero included, and facts are not checked.
+    assert_eq!(cga3::Rotor::<f64>::zeroed().scalar(), 0.0);
+}
+
+/// Every type that a declaration has is in the list of plain memory, with as many numbers as it stores, and in that of these tests; constants have
+/// none.
+#[test]
+fn no_declared_type_is_left_out() {
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+    let read = |path: &str| std::fs::read_to_string(format!("{root}/{path}")).expect(path);
+    let lists = [
+        read("ga-runtime/src/interop/bytemuck.rs"),
+        read("tests/tests/every_type/mod.rs"),
+    ];
+    let mut count = 0;
+    for entry in std::fs::read_dir(format!("{root}/ga-runtime/src/algebras")).unwrap() {
+        let text = std::fs::read_to_string(entry.unwrap().path()).unwrap();
+        let Some((_, declaration)) = text.split_once("    pub mod ") else {
+            continue;
+        };
+        let (module, declaration) = declaration.split_once(" {").unwrap();
+        let (types, _) = declaration.split_once("products {").unwrap();
+        let [memory, tests] = lists.each_ref().map(|list| listed(list, module));
+        for kind in types.split("        struct ").skip(1) {
+            let (name, rest) = kind.split_once(" {").unwrap();
+            let (blades, _) = rest.split_once('}').unwrap();
+            let blades = blades
+                .split(',')
+                .map(str::trim)
+                .filter(|blade| !blade.is_empty());
+            let stored = blades.filter(|blade| !blade.contains('=')).count();
+            if stored > 0 {
+                let entry = format!("{name} {stored}");
+                assert!(memory.contains(&entry.as_str()), "{module}: {entry}");
+                assert!(tests.contains(&name), "{module}: {name}");
+                count += 1;
+            }
+        }
+    }
+    assert!(count > 60, "the declarations were found");
+}
+
+/// What a list has in the braces after the name of a module.
+fn listed<'a>(list: &'a str, module: &str) -> Vec<&'a str> {
+    let (_, rest) = list
+        .split_once(&format!(" {module} {{"))
+        .unwrap_or_else(|| panic!("no types of {module}"));
+    let (names, _) = rest.split_once('}').expect("a closing brace");
+    names.split(',').map(str::trim).collect()
+}
