@@ -32,6 +32,10 @@ macro_rules! check_signed {
     }};
 }
 
+fn place(p: Option<Point<f64>>) -> Vector {
+    p.expect("a point").coordinates()
+}
+
 fn point_line(p: Vector, q: Vector, d: Vector) -> f64 {
     length(cross(minus(p, q), d)) / length(d)
 }
@@ -133,6 +137,29 @@ proptest! {
         prop_assume!(length(cross(tangent, m)) > 0.05);
         let touching = circle(along(x, s, other), cross(tangent, other), s);
         check!(circle(centre(n, r), n, r), touching, 0.0, 2e-12);
+    }
+
+    /// Circles that all but touch come close twice, a little less in one place than in the other; circles with nearly one axis are
+    /// nearly as far all round. The least of the two is found, and nothing below it.
+    #[test]
+    fn circles_that_all_but_touch(n in unit(), m in unit(), t in unit(), s in 0.3..1.5_f64, digits in 0.0..12.0_f64, more in 0.0..12.0_f64) {
+        prop_assume!(length(cross(n, t)) > 0.05 && length(cross(m, t)) > 0.05);
+        let [tilt, off] = [digits, more].map(|digits| 10.0_f64.powf(-digits));
+        let (a, b) = (unit_of(cross(n, t)), unit_of(cross(m, t)));
+        let (n, m) = (cross(a, t), cross(b, t));
+        let touching = (a, unit_of(n), along(b.map(|x| s * x), off, m), unit_of(m));
+        let one_axis = (O, a, b.map(|x| off * x), unit_of(along(a, tilt, b)));
+        for (c, n, d, m) in [touching, one_axis] {
+            let (first, second) = (circle(c, n, 1.0), circle(d, m, s));
+            // The circles as they are stored.
+            let read = |c: Circle<f64>| (place(c.centre()), c.unit_normal().unwrap(), c.radius().unwrap());
+            let ((c, n, r), (d, m, s)) = (read(first), read(second));
+            let sampled = least_by_sampling(720, |t| point_circle(on_circle(d, m, s, t), c, n, r));
+            let found = first.distance_to(second).unwrap();
+            prop_assert!(found <= sampled + 4e-15, "{found:e} is above {sampled:e}");
+            // Sampling finds one of the two places, which differ as the fourth power of their distance.
+            prop_assert!(found >= sampled - 1e-4 * off.max(1e-12) - 4e-15, "{found:e} is below {sampled:e}");
+        }
     }
 
     #[test]

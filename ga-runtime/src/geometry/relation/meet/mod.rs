@@ -50,6 +50,7 @@ pub use circles::{CircleAndCircle, LineAndCircle, PlaneAndCircle, SphereAndCircl
 pub use flats::{LineAndLine, LineAndPlane, PlaneAndPlane};
 pub use spheres::{LineAndSphere, PlaneAndSphere, SphereAndSphere};
 
+use super::tolerance::within;
 use super::{Figure, Primitive, Tolerance};
 use crate::cga3::{Circle, Line, Plane, Point, PointPair, Sphere};
 use crate::geometry::vector3::are_numbers;
@@ -124,8 +125,7 @@ fn plane_parts<S: Real<Mask = bool>>(plane: Plane<S>) -> Option<([S; 3], S)> {
 /// The radius for a squared one; zero where the square is negative within the tolerance, `None` where it is imaginary.
 fn radius<S: Real<Mask = bool>>(squared: S, tolerance: Tolerance<S>) -> Option<S> {
     if squared.less_than(S::zero()) {
-        let is_zero = S::zero().less_than(tolerance.distance)
-            && !(tolerance.distance * tolerance.distance).less_than(-squared);
+        let is_zero = within(squared, tolerance.distance * tolerance.distance);
         return is_zero.then(S::zero);
     }
     Some(squared.sqrt())
