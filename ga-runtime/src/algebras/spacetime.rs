@@ -37,10 +37,18 @@ crate::algebra! {
     /// for timelike, negative for spacelike vectors.
     ///
     /// ```
-    /// use ga_runtime::sta::Vector;
+    /// use ga_runtime::sta::{Bivector, Rotor, Vector};
     ///
-    /// let event = Vector::new(5.0, 3.0, 0.0, 0.0);
-    /// assert_eq!(event | event, 16.0);
+    /// // A clock moving with 3/5 of the speed of light along g1: γ = 5/4.
+    /// let boost: Rotor<f64> = Rotor::from_velocity([0.6, 0.0, 0.0]).unwrap();
+    /// let clock = boost.transform(Vector::new(1.0, 0.0, 0.0, 0.0));
+    /// assert!((clock.g0 - 1.25).abs() < 1e-15 && (clock.g1 - 0.75).abs() < 1e-15);
+    /// assert!(((clock | clock) - 1.0).abs() < 1e-15);
+    ///
+    /// // The force of a field on a unit charge with proper velocity u is F·u, the commutator; on one at rest it is E.
+    /// let field = Bivector::from_fields([1.0, 2.0, 3.0], [4.0, 5.0, 6.0]);
+    /// let force = field.commutator(Vector::new(1.0, 0.0, 0.0, 0.0));
+    /// assert_eq!(force, Vector::new(0.0, 1.0, 2.0, 3.0));
     /// ```
     pub mod sta {
         basis g0, g1, g2, g3;

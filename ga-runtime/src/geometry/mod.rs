@@ -50,6 +50,8 @@ pub mod relation;
 mod rotor;
 mod round;
 mod sphere;
+#[cfg(feature = "sta")]
+mod sta;
 mod translator;
 #[cfg(any(feature = "cga2", feature = "pga2", feature = "vga2"))]
 mod vector2;
@@ -62,3 +64,5 @@ mod vga3;
 pub use affine::{Affine, NotConformal};
 pub use dual_quaternion::{DualQuaternionParts, NotUnit};
 pub use kind::Kind;
+#[cfg(feature = "sta")]
+pub use sta::{NotSlowerThanLight, relative_velocity, velocity_sum};

@@ -62,7 +62,7 @@ proptest! {
         let again = Rotor::from_matrix(rotor.to_matrix()).unwrap();
         assert_near(again.transform(V::from(x)).into(), expected, 1e-13);
         let generator = Bivector::from_normal(times(axis, -0.5 * angle));
-        assert_near(coefficients(generator.exp()), coefficients(rotor), 1e-15);
+        assert_near(coefficients(generator.exp()), coefficients(rotor), 3e-15);
         prop_assert_eq!(Rotor::from(cga3::Rotor::from(rotor)), rotor);
     }
 

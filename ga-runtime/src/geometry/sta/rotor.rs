@@ -1,0 +1,173 @@
+//! Lorentz transformations of spacetime as rotors.
+
+use super::complex::{Complex, sinh_cosh};
+use super::velocity::{NotSlowerThanLight, lorentz_factor};
+use crate::geometry::vector3::{are_numbers, length, normalized, scaled};
+use crate::scalar::{Real, Ring};
+use crate::sta::{Bivector, Rotor, Vector};
+
+impl<S: Ring> Rotor<S> {
+    /// The matrix of the transformation by rows, for vectors `[t, x, y, z]`: `x' = matrix · x`.
+    #[must_use]
+    pub fn to_matrix(self) -> [[S; 4]; 4] {
+        let columns = [0, 1, 2, 3].map(|axis| {
+            let mut unit = [S::zero(); 4];
+            unit[axis] = S::one();
+            let [t, x, y, z] = unit;
+            let image = self.transform(Vector::new(t, x, y, z));
+            [image.g0, image.g1, image.g2, image.g3]
+        });
+        [0, 1, 2, 3].map(|row| columns.map(|column| column[row]))
+    }
+}
+
+impl<S: Real<Mask = bool>> Rotor<S> {
+    /// The boost that sets into motion what rests: it takes g0 to the proper velocity `γ (g0 + v)`. Along v it is
+    /// `cosh ½φ + sinh ½φ σ` with the rapidity `φ = artanh |v|`.
+    ///
+    /// # Errors
+    ///
+    /// [`NotSlowerThanLight`] where v is not below 1 in size, or not a number.
+    ///
+    /// ```
+    /// use ga_runtime::sta::{Rotor, Vector};
+    /// let boost = Rotor::from_velocity([0.0, 0.8, 0.0]).unwrap();
+    /// let moved = boost.transform(Vector::from_time_place(3.0, [0.0; 3]));
+    /// assert!((moved.g0 - 5.0_f64).abs() < 1e-14 && (moved.g2 - 4.0).abs() < 1e-14);
+    /// assert!(Rotor::from_velocity([0.8, 0.8, 0.0]).is_err());
+    /// ```
+    pub fn from_velocity(velocity: [S; 3]) -> Result<Self, NotSlowerThanLight<S>> {
+        let gamma = lorentz_factor(velocity).ok_or(NotSlowerThanLight { velocity })?;
+        let half = S::from_ratio(1, 2);
+        // cosh ½φ = √(½(γ + 1)), and sinh ½φ = ½ sinh φ / cosh ½φ with sinh φ = γ|v|.
+        let cosh = ((gamma + S::one()) * half).sqrt();
+        let sinh = scaled(velocity, gamma * half / cosh);
+        Ok(Self::boost(cosh, sinh))
+    }
+
+    /// The boost by a rapidity in a direction, which need not have length 1; rapidities in one direction add. `None` where the direction is zero or
+    /// not finite, or the rapidity not finite or beyond the range of the scalar.
+    ///
+    /// ```
+    /// use ga_runtime::sta::Rotor;
+    /// let boost = Rotor::from_rapidity([0.0, 0.0, 2.0], 1.5).unwrap();
+    /// let [_, _, z]: [f64; 3] = boost.velocity();
+    /// assert!((z - 1.5_f64.tanh()).abs() < 1e-15);
+    /// ```
+    #[must_use]
+    pub fn from_rapidity(direction: [S; 3], rapidity: S) -> Option<Self> {
+        let axis = normalized(direction)?;
+        let (sinh, cosh) = sinh_cosh(rapidity * S::from_ratio(1, 2));
+        let sinh = scaled(axis, sinh);
+        let usable = cosh.is_finite() && are_numbers(sinh);
+        usable.then(|| Self::boost(cosh, sinh))
+    }
+
+    /// The turn of space by an angle in radians about an axis, right-handed: `cos ½θ − sin ½θ I n`. The axis need not have length 1; `None` where
+    /// it is zero or not finite, or the angle not finite.
+    #[must_use]
+    pub fn from_axis_angle(axis: [S; 3], angle: S) -> Option<Self> {
+        if !angle.is_finite() {
+            return None;
+        }
+        let (sine, cosine) = (angle * S::from_ratio(1, 2)).sin_cos();
+        let axis = scaled(normalized(axis)?, -sine);
+        Some(Self::turn(cosine, axis))
+    }
+
+    /// The velocity that what rested has afterwards, that of `R g0 ~R`. For very large rapidities it is rounded to size 1.
+    #[must_use]
+    pub fn velocity(self) -> [S; 3] {
+        let one = Vector::new(S::one(), S::zero(), S::zero(), S::zero());
+        let image = self.transform(one);
+        image.place().map(|x| x / image.time())
+    }
+
+    /// The turn U and the boost L with `R = L U`: first the turn, then the boost by [`velocity`](Self::velocity).
+    ///
+    /// The product of two boosts in different directions contains a turn, that of Wigner and Thomas.
+    ///
+    /// ```
+    /// use ga_runtime::sta::Rotor;
+    /// let (a, b) = ([0.6, 0.0, 0.0], [0.0, 0.6, 0.0]);
+    /// let both = Rotor::from_velocity(a).unwrap() * Rotor::from_velocity(b).unwrap();
+    /// let (boost, turn): (Rotor<f64>, Rotor<f64>) = both.boost_and_turn();
+    /// // tan ½θ = sinh ½φ sinh ½χ / (cosh ½φ cosh ½χ) for boosts across each other.
+    /// assert!(((turn.g21() / turn.scalar()).abs() - 1.0 / 9.0).abs() < 1e-15);
+    /// assert!(((boost * turn).g0123() - both.g0123()).abs() < 1e-15);
+    /// ```
+    #[must_use]
+    pub fn boost_and_turn(self) -> (Self, Self) {
+        // With L = c + s n the part of R that commutes with g0 is c U.
+        let vector = [self.g32(), self.g13(), self.g21()];
+        let cosh = length([length(vector), self.scalar(), S::zero()]);
+        let turn = Self::turn(self.scalar() / cosh, vector.map(|x| x / cosh));
+        let boost = self * turn.reverse();
+        (
+            Self::boost(cosh, [boost.g10(), boost.g20(), boost.g30()]),
+            turn,
+        )
+    }
+
+    /// A bivector F with `exp(F) = R`, so that the sign of R comes back too. The logarithm of −1 is `π g21`. `None` for minus the
+    /// exponential of a null bivector, which has none, and where a number is not finite; null means here that `|F²|` is below `8 ε |F|²`.
+    ///
+    /// ```
+    /// use ga_runtime::sta::{Bivector, Rotor};
+    /// let field = Bivector::from_fields([0.3_f64, 0.2, 0.0], [0.0, 0.5, 1.0]);
+    /// let again = field.exp().unwrap().log().unwrap();
+    /// assert!((again.g10 - 0.3).abs() < 1e-15 && (again.g21 - 1.0).abs() < 1e-15);
+    /// ```
+    #[must_use]
+    pub fn log(self) -> Option<Bivector<S>> {
+        let cosine = Complex::new(self.scalar(), self.g0123());
+        let whole = Bivector::from_fields(
+            [self.g10(), self.g20(), self.g30()],
+            [self.g32(), self.g13(), self.g21()],
+        );
+        let size = length([
+            length(whole.electric()),
+            length(whole.magnetic()),
+            S::zero(),
+        ]);
+        if !size.is_finite() || !cosine.modulus().is_finite() {
+            return None;
+        }
+        let is_negative = cosine.real.less_than(S::zero());
+        if !S::zero().less_than(size) {
+            let pi = S::from_f64(core::f64::consts::PI);
+            let turn = if is_negative { pi } else { S::zero() };
+            return Some(Bivector::from_fields(
+                [S::zero(); 3],
+                [S::zero(), S::zero(), turn],
+            ));
+        }
+        // Scaled, so that no square leaves the range of the scalar.
+        let unit = whole / size;
+        let square = unit.square();
+        let least = S::epsilon() * S::from_integer(8);
+        if is_negative && square.modulus().less_than(least) {
+            return None;
+        }
+        let root = square.root();
+        let mut sine = Complex::new(root.real * size, root.imaginary * size);
+        // The sign for which |C + w| is at least one.
+        if (cosine.real * sine.real + cosine.imaginary * sine.imaginary).less_than(S::zero()) {
+            sine = sine.negative();
+        }
+        let ratio = cosine.arcosh_over_sinh(sine);
+        let log = whole.times(ratio);
+        let usable = are_numbers(log.electric()) && are_numbers(log.magnetic());
+        usable.then_some(log)
+    }
+
+    fn boost(cosh: S, [x, y, z]: [S; 3]) -> Self {
+        let zero = S::zero();
+        Self::new_unchecked(cosh, x, y, z, zero, zero, zero, zero)
+    }
+
+    fn turn(cosine: S, [x, y, z]: [S; 3]) -> Self {
+        let zero = S::zero();
+        Self::new_unchecked(cosine, zero, zero, zero, x, y, z, zero)
+    }
+}

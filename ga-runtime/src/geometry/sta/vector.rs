@@ -1,0 +1,140 @@
+//! Vectors of spacetime: events, velocities, momenta.
+
+use super::velocity::{NotSlowerThanLight, lorentz_factor};
+use crate::geometry::vector3::{are_numbers, dot, is_number, length};
+use crate::scalar::{Real, Ring};
+use crate::sta::Vector;
+
+impl<S: Ring> Vector<S> {
+    /// The event at a time and a place, `t g0 + x g1 + y g2 + z g3`, as the observer g0 sees it.
+    #[inline]
+    #[must_use]
+    pub fn from_time_place(time: S, [x, y, z]: [S; 3]) -> Self {
+        Self::new(time, x, y, z)
+    }
+
+    /// The time, the coefficient of g0.
+    #[inline]
+    #[must_use]
+    pub fn time(self) -> S {
+        self.g0
+    }
+
+    /// The place, the coefficients of g1, g2, g3: those of the relative vector `x∧g0`.
+    #[inline]
+    #[must_use]
+    pub fn place(self) -> [S; 3] {
+        [self.g1, self.g2, self.g3]
+    }
+
+    /// The squared interval `x² = t² − r²`: positive for timelike vectors, zero on the light cone, negative for spacelike
+    /// ones.
+    ///
+    /// ```
+    /// use ga_runtime::sta::Vector;
+    /// let event = Vector::from_time_place(5.0, [0.0, 3.0, 0.0]);
+    /// assert_eq!(event.interval_squared(), 16.0);
+    /// assert_eq!(event.interval_squared(), event | event);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn interval_squared(self) -> S {
+        self.g0 * self.g0 - dot(self.place(), self.place())
+    }
+}
+
+impl<S: Real<Mask = bool>> Vector<S> {
+    /// The time that a clock shows which moves straight along a timelike vector, `√(t² − r²)`; negative where it leads to the
+    /// past. `None` for spacelike vectors, and where a number is not finite.
+    ///
+    /// Worked out from `(|t| − r)(|t| + r)`, which loses nothing close to the light cone.
+    ///
+    /// ```
+    /// use ga_runtime::sta::Vector;
+    /// assert_eq!(Vector::from_time_place(5.0, [3.0, 0.0, 0.0]).proper_time(), Some(4.0));
+    /// assert_eq!(Vector::from_time_place(1.0, [3.0, 0.0, 0.0]).proper_time(), None);
+    /// ```
+    #[must_use]
+    pub fn proper_time(self) -> Option<S> {
+        let (time, distance) = (self.time().abs(), length(self.place()));
+        if time.less_than(distance) || !time.is_finite() || !distance.is_finite() {
+            return None;
+        }
+        let proper = root_of_difference(time, distance);
+        let proper = if self.time().less_than(S::zero()) {
+            -proper
+        } else {
+            proper
+        };
+        Some(proper)
+    }
+
+    /// The length of a spacelike vector for the observer to whom its ends are simultaneous, `√(r² − t²)`. `None` for timelike
+    /// vectors, and where a number is not finite.
+    #[must_use]
+    pub fn proper_distance(self) -> Option<S> {
+        let (time, distance) = (self.time().abs(), length(self.place()));
+        if distance.less_than(time) || !time.is_finite() || !distance.is_finite() {
+            return None;
+        }
+        Some(root_of_difference(distance, time))
+    }
+
+    /// The velocity `r/t` that the observer g0 sees, of size 1 for light; `None` for what is not timelike or lightlike, or not finite.
+    #[must_use]
+    pub fn velocity(self) -> Option<[S; 3]> {
+        let (time, distance) = (self.time(), length(self.place()));
+        if time.abs().less_than(distance) || !time.is_finite() {
+            return None;
+        }
+        let velocity = self.place().map(|x| x / time);
+        are_numbers(velocity).then_some(velocity)
+    }
+
+    /// The proper velocity `γ (g0 + v)` of what moves with a velocity v, a vector with square 1.
+    ///
+    /// # Errors
+    ///
+    /// [`NotSlowerThanLight`] where v is not below 1 in size, or not a number.
+    ///
+    /// ```
+    /// use ga_runtime::sta::Vector;
+    /// let u = Vector::from_velocity([0.6_f64, 0.0, 0.0]).unwrap();
+    /// assert!((u.g0 - 1.25).abs() < 1e-15 && (u.g1 - 0.75).abs() < 1e-15);
+    /// assert!(Vector::from_velocity([1.0, 0.0, 0.0]).is_err());
+    /// ```
+    pub fn from_velocity(velocity: [S; 3]) -> Result<Self, NotSlowerThanLight<S>> {
+        let gamma = lorentz_factor(velocity).ok_or(NotSlowerThanLight { velocity })?;
+        Ok(Self::from_time_place(gamma, velocity.map(|v| v * gamma)))
+    }
+
+    /// The mass of a momentum `E g0 + p`, `√(E² − p²)`: the same as [`proper_time`](Self::proper_time) of an event.
+    #[must_use]
+    pub fn mass(self) -> Option<S> {
+        self.proper_time()
+    }
+
+    /// The rapidity, `artanh |v|`; `None` for what is not timelike.
+    #[must_use]
+    pub fn rapidity(self) -> Option<S> {
+        let (time, distance) = (self.time().abs(), length(self.place()));
+        let proper = self.proper_time()?.abs();
+        if !S::zero().less_than(proper) {
+            return None;
+        }
+        // artanh v = ln((t + r)/√(t² − r²)), and for small r by arsinh.
+        let sine = distance / proper;
+        let cosine = time / proper;
+        let rapidity = super::complex::arsinh(sine, cosine);
+        is_number(rapidity).then_some(rapidity)
+    }
+}
+
+/// `√(a² − b²)` for a ≥ b ≥ 0, without overflow or underflow on the way.
+fn root_of_difference<S: Real<Mask = bool>>(a: S, b: S) -> S {
+    if !S::zero().less_than(a) {
+        return S::zero();
+    }
+    let ratio = b / a;
+    a * ((a - b) / a * (S::one() + ratio)).sqrt()
+}

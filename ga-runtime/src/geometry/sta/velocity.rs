@@ -1,0 +1,81 @@
+//! Velocities as an observer sees them, below the speed of light, which is 1.
+
+use core::fmt::{Display, Formatter, Result as FormatResult};
+
+use crate::geometry::vector3::{dot, length, scaled, sum};
+use crate::scalar::Real;
+
+/// A velocity that no body has: of size 1 or more, or not a number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NotSlowerThanLight<S> {
+    /// The velocity.
+    pub velocity: [S; 3],
+}
+
+impl<S: Display> Display for NotSlowerThanLight<S> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> FormatResult {
+        let [x, y, z] = &self.velocity;
+        write!(
+            f,
+            "the velocity [{x}, {y}, {z}] is not slower than light, which has velocity 1"
+        )
+    }
+}
+
+impl<S: core::fmt::Debug + Display> core::error::Error for NotSlowerThanLight<S> {}
+
+/// The velocity, seen by the observer, of what moves with v for somebody who moves with u:
+/// `(u + v_∥ + v_⊥/γ(u)) / (1 + u·v)`. Also the velocity of the boost by u after that by v; in the other order the size is the same and the
+/// direction another.
+///
+/// # Errors
+///
+/// [`NotSlowerThanLight`] with the velocity that is not below 1 in size.
+///
+/// ```
+/// use ga_runtime::geometry::velocity_sum;
+/// let [x, _, _] = velocity_sum([0.5_f64, 0.0, 0.0], [0.5, 0.0, 0.0]).unwrap();
+/// assert!((x - 0.8).abs() < 1e-15);
+/// assert!(velocity_sum([0.5, 0.0, 0.0], [0.0, 1.0, 0.0]).is_err());
+/// ```
+pub fn velocity_sum<S: Real<Mask = bool>>(
+    u: [S; 3],
+    v: [S; 3],
+) -> Result<[S; 3], NotSlowerThanLight<S>> {
+    let gamma = lorentz_factor(u).ok_or(NotSlowerThanLight { velocity: u })?;
+    lorentz_factor(v).ok_or(NotSlowerThanLight { velocity: v })?;
+    // v_∥ + v_⊥/γ = v/γ + (1 − 1/γ) v_∥, and (1 − 1/γ)/u² = γ/(1 + γ).
+    let along = dot(u, v);
+    let share = S::one() + gamma / (S::one() + gamma) * along;
+    let total = sum(scaled(u, share), v.map(|x| x / gamma));
+    Ok(total.map(|x| x / (S::one() + along)))
+}
+
+/// The velocity that somebody who moves with u finds for what the observer sees moving with v: the [`velocity_sum`] of −u and
+/// v.
+///
+/// # Errors
+///
+/// [`NotSlowerThanLight`] with the velocity that is not below 1 in size.
+///
+/// ```
+/// use ga_runtime::geometry::relative_velocity;
+/// let [x, _, _] = relative_velocity([0.5_f64, 0.0, 0.0], [0.8, 0.0, 0.0]).unwrap();
+/// assert!((x - 0.5).abs() < 1e-15);
+/// ```
+pub fn relative_velocity<S: Real<Mask = bool>>(
+    u: [S; 3],
+    v: [S; 3],
+) -> Result<[S; 3], NotSlowerThanLight<S>> {
+    match velocity_sum(u.map(|x| -x), v) {
+        Err(_) if lorentz_factor(u).is_none() => Err(NotSlowerThanLight { velocity: u }),
+        other => other,
+    }
+}
+
+/// γ = 1/√(1 − v²); `None` where v is not below 1 in size.
+pub(super) fn lorentz_factor<S: Real<Mask = bool>>(velocity: [S; 3]) -> Option<S> {
+    let speed = length(velocity);
+    let rest = (S::one() - speed) * (S::one() + speed);
+    S::zero().less_than(rest).then(|| rest.sqrt().recip())
+}
