@@ -21,7 +21,7 @@
 //! back by `undual`; they meet by `^`. [`Kind`] says at run time whether a round is real, imaginary or a tangent, and whether a blade is a round at all.
 //!
 //! What two of them have to do with each other, distances and angles among it, is in [`relation`]. 4×4 matrices are in [`homogeneous`], maps that are not
-//! conformal in [`Affine`].
+//! conformal in [`Affine`]. Means of many motions, curves through them and motions that fit points are in [`motion`].
 
 pub(crate) mod affine;
 #[cfg(feature = "cga2")]
@@ -37,6 +37,7 @@ pub mod homogeneous;
 mod kind;
 mod line;
 mod logarithm;
+pub mod motion;
 mod motor;
 #[cfg(feature = "pga2")]
 mod pga2;

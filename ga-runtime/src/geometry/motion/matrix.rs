@@ -1,0 +1,118 @@
+//! Small linear systems and symmetric eigenproblems.
+
+use crate::scalar::{Field, Real, Ring};
+
+pub(super) type Matrix<S, const N: usize> = [[S; N]; N];
+
+/// The matrix that is zero but for ones on the diagonal.
+pub(super) fn identity<S: Ring, const N: usize>() -> Matrix<S, N> {
+    core::array::from_fn(|row| {
+        core::array::from_fn(|column| if row == column { S::one() } else { S::zero() })
+    })
+}
+
+/// The solution x of `A x = b` by elimination with the largest pivot of each column; `None` where a pivot is zero or not finite.
+pub(super) fn solve<S: Real<Mask = bool>, const N: usize>(
+    mut a: Matrix<S, N>,
+    mut b: [S; N],
+) -> Option<[S; N]> {
+    for column in 0..N {
+        let mut pivot = column;
+        for row in column + 1..N {
+            if a[pivot][column].abs().less_than(a[row][column].abs()) {
+                pivot = row;
+            }
+        }
+        a.swap(column, pivot);
+        b.swap(column, pivot);
+        let (upper, divided) = (a[column], b[column]);
+        if upper[column].is_zero() || !upper[column].is_finite() {
+            return None;
+        }
+        for row in column + 1..N {
+            let factor = a[row][column] / upper[column];
+            for place in column..N {
+                a[row][place] = upper[place].neg_mul_add(factor, a[row][place]);
+            }
+            b[row] = divided.neg_mul_add(factor, b[row]);
+        }
+    }
+    for row in (0..N).rev() {
+        let known = (row + 1..N).fold(S::zero(), |sum, k| a[row][k].mul_add(b[k], sum));
+        b[row] = (b[row] - known) / a[row][row];
+    }
+    Some(b)
+}
+
+/// The eigenvalues of a symmetric matrix and their eigenvectors of length 1, the largest eigenvalue first.
+///
+/// By the cyclic method of Jacobi (Golub and Van Loan, Matrix Computations, 2013, section 8.5): each step makes one entry
+/// beside the diagonal zero by a turn in its plane.
+pub(super) fn symmetric_eigen<S: Real<Mask = bool>, const N: usize>(
+    mut a: Matrix<S, N>,
+) -> [(S, [S; N]); N] {
+    // Sweeps converge quadratically; in small matrices six are many.
+    const MOST_SWEEPS: usize = 40;
+    let mut vectors = identity::<S, N>();
+    let entries = a.iter().flatten();
+    let size = entries.fold(S::zero(), |most, x| most.max(x.abs()));
+    let negligible = size * S::epsilon() * S::epsilon();
+    for _ in 0..MOST_SWEEPS {
+        let mut is_diagonal = true;
+        for p in 0..N {
+            for q in p + 1..N {
+                if negligible.less_than(a[p][q].abs()) {
+                    is_diagonal = false;
+                    turn(&mut a, &mut vectors, p, q);
+                }
+            }
+        }
+        if is_diagonal {
+            break;
+        }
+    }
+    let mut pairs: [(S, [S; N]); N] = core::array::from_fn(|k| (a[k][k], vectors[k]));
+    for end in (1..N).rev() {
+        for k in 0..end {
+            if pairs[k].0.less_than(pairs[k + 1].0) {
+                pairs.swap(k, k + 1);
+            }
+        }
+    }
+    pairs
+}
+
+/// One step: the turn in the plane of two axes p < q that makes their common entry zero. The eigenvectors are rows.
+fn turn<S: Real<Mask = bool>, const N: usize>(
+    a: &mut Matrix<S, N>,
+    vectors: &mut Matrix<S, N>,
+    p: usize,
+    q: usize,
+) {
+    let slope = (a[q][q] - a[p][p]) / (a[p][q] + a[p][q]);
+    let root = slope.mul_add(slope, S::one()).sqrt();
+    let tangent = (slope.abs() + root).recip();
+    let tangent = S::select(slope.less_than(S::zero()), -tangent, tangent);
+    let cosine = tangent.mul_add(tangent, S::one()).sqrt().recip();
+    let sine = tangent * cosine;
+    let mixed = |x: S, y: S| (cosine * x - sine * y, sine * x + cosine * y);
+    for row in a.iter_mut() {
+        (row[p], row[q]) = mixed(row[p], row[q]);
+    }
+    turn_rows(a, p, q, mixed);
+    turn_rows(vectors, p, q, mixed);
+    // Zero by construction, but for rounding.
+    (a[p][q], a[q][p]) = (S::zero(), S::zero());
+}
+
+fn turn_rows<S: Field, const N: usize>(
+    matrix: &mut Matrix<S, N>,
+    p: usize,
+    q: usize,
+    mixed: impl Fn(S, S) -> (S, S),
+) {
+    let (head, tail) = matrix.split_at_mut(q);
+    for (x, y) in head[p].iter_mut().zip(&mut tail[0]) {
+        (*x, *y) = mixed(*x, *y);
+    }
+}

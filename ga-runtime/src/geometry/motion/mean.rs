@@ -1,0 +1,333 @@
+//! The intrinsic mean of motions.
+
+use alloc::vec::Vec;
+use core::fmt::{Debug, Display, Formatter, Result as FmtResult};
+
+use super::blend::{BlendError, aligned, coordinates, is_finite, strongest};
+use super::enclosing::lie_in_quarter_ball;
+use super::matrix::{Matrix, solve};
+use crate::cga3::{DualQuaternion, Motor, MotorGenerator, Rotor, Translator};
+use crate::geometry::vector3::length;
+use crate::scalar::Real;
+
+/// More steps than any motions need that have one mean.
+const MOST_STEPS: usize = 25;
+
+/// A mean, and how well it is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mean<V, S> {
+    /// The motion of which the others are, on average, neither to the one side nor to the other.
+    pub mean: V,
+    /// What is left of the condition on the mean.
+    pub residual: Residual<S>,
+    /// The number of steps from the blend to the mean.
+    pub steps: usize,
+}
+
+/// The weighted mean of the logarithms `log(~M Mᵢ)`, which is zero for the mean M.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Residual<S> {
+    /// The length of its rotation vector, in radians.
+    pub angle: S,
+    /// The length of its displacement, as long as the unit of length is.
+    pub displacement: S,
+}
+
+/// Motions that have no mean, or none that could be found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum MeanError<S> {
+    /// The motions have no blend either.
+    Blend(BlendError<S>),
+    /// No rotation is within a quarter turn of all of them, or they are at two places half a turn apart: there may be several means.
+    NotUnique {
+        /// Which of the motions turns farthest away from the blend, from 0.
+        index: usize,
+        /// The angle from the blend, in radians.
+        angle: S,
+    },
+    /// The iteration did not come to rest.
+    NotConverged {
+        /// The number of steps taken.
+        steps: usize,
+        /// What is left of the condition on the mean.
+        residual: Residual<S>,
+    },
+}
+
+impl<S: Debug> Display for MeanError<S> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> FmtResult {
+        match self {
+            Self::Blend(error) => Display::fmt(error, f),
+            Self::NotUnique { index, angle } => write!(
+                f,
+                "no rotation is within a quarter turn of all; motion {index} turns {angle:?} rad from the blend"
+            ),
+            Self::NotConverged { steps, residual } => write!(
+                f,
+                "after {steps} steps {:?} rad and a displacement of {:?} are left",
+                residual.angle, residual.displacement
+            ),
+        }
+    }
+}
+
+impl<S: Debug + 'static> core::error::Error for MeanError<S> {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        match self {
+            Self::Blend(error) => Some(error),
+            _ => None,
+        }
+    }
+}
+
+impl<S> From<BlendError<S>> for MeanError<S> {
+    fn from(error: BlendError<S>) -> Self {
+        Self::Blend(error)
+    }
+}
+
+impl<S: Real<Mask = bool>> Motor<S> {
+    /// The weighted intrinsic mean of motors: the M with `Σ wᵢ log(~M Mᵢ) = 0`.
+    ///
+    /// Its turn is the Karcher mean of the turns, where the weighted sum of squared angles is least (Moakher, Means and
+    /// averaging in the group of rotations, SIAM Journal on Matrix Analysis 24, 2002). The whole is the exponential
+    /// barycentre of Pennec and Arsigny (in Matrix Information Geometry, 2012): it goes along with any change of frames on
+    /// either side, `mean(A Mᵢ B) = A mean(Mᵢ) B`, which no least sum of squared distances of motions does. Of two motors it
+    /// is on the screw from one to the other, at the fraction of the weights. Weights count by their ratios, and the sign is
+    /// that of the motor with the largest, as in
+    /// [`Motor::blend`], from where the iteration starts.
+    ///
+    /// The mean is unique where all turns are within a quarter turn of some common one, whichever that is (Kendall,
+    /// Probability, convexity, and harmonic maps, Proceedings of the London Mathematical Society 61, 1990; Afsari,
+    /// Riemannian Lᵖ center of mass, Proceedings of the American Mathematical Society 139, 2011), but for turns at just two
+    /// places half a turn apart. Other motors are refused; that there is no such common turn is certain then, up to 64ε.
+    ///
+    /// # Method
+    ///
+    /// With turns of half-angle φᵢ about uᵢ in the logarithms, the sum of squares has the second derivative
+    /// `H = Σ wᵢ (uᵢuᵢᵀ + φᵢ cot φᵢ (1 − uᵢuᵢᵀ))`, so a step by `H⁻¹` instead of the plain `1/Σw` is one of Newton. At the
+    /// mean of the turns the displacements obey a linear system with that very H, and the same step solves it. Three steps
+    /// are usual, four where the turns are a quarter turn away; what is left is left by rounding.
+    ///
+    /// # Errors
+    /// Those of [`Motor::blend`]; turns that are not all within a quarter turn of a common one; no rest after 25 steps.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Motor, Rotor, Translator};
+    /// use ga_runtime::geometry::motion::MeanError;
+    /// let turn = |angle: f64| Motor::from(Rotor::from_axis_angle([0.0, 0.0, 1.0], angle).unwrap());
+    /// let lift = Motor::from(Translator::from_displacement([0.0, 0.0, 6.0]));
+    /// let found = Motor::mean(&[(1.0, turn(0.0)), (1.0, turn(0.3)), (1.0, lift * turn(0.6))]).unwrap();
+    /// let [x, y, z] = found.mean.translator().displacement();
+    /// assert!(x.abs() < 1e-15 && y.abs() < 1e-15 && (z - 2.0).abs() < 1e-15);
+    /// assert!((found.mean.rotor().to_axis_angle().1 - 0.3).abs() < 1e-15 && found.residual.angle < 1e-15);
+    /// // Thirds of a turn have no mean: each of the three would do as well.
+    /// let thirds = [0.0, 2.0, 4.0].map(|k| (1.0, turn(k * std::f64::consts::PI / 3.0)));
+    /// assert!(matches!(Motor::mean(&thirds), Err(MeanError::NotUnique { .. })));
+    /// ```
+    pub fn mean(weighted: &[(S, Self)]) -> Result<Mean<Self, S>, MeanError<S>> {
+        let strongest = strongest(weighted)?;
+        let terms: Vec<_> = aligned(weighted, strongest).collect();
+        let blend = Self::blend(weighted)?;
+        let rotors: Vec<_> = terms.iter().map(|&(_, motor)| coordinates(motor)).collect();
+        if !lie_in_quarter_ball(&rotors, coordinates(blend)) {
+            let (index, angle) = farthest(weighted, blend);
+            return Err(MeanError::NotUnique { index, angle });
+        }
+        let found = iterate(&terms, blend)?;
+        let mean = DualQuaternion::from(found.mean).normalize();
+        match mean.filter(|&mean| is_finite(mean)) {
+            Some(mean) => Ok(Mean { mean, ..found }),
+            None => Err(BlendError::OutOfRange.into()),
+        }
+    }
+}
+
+impl<S: Real<Mask = bool>> Rotor<S> {
+    /// The weighted intrinsic mean of rotors, the R with `Σ wᵢ log(~R Rᵢ) = 0`; see [`Motor::mean`]. The residual has no displacement.
+    ///
+    /// # Errors
+    /// Those of [`Motor::mean`].
+    ///
+    /// ```
+    /// use ga_runtime::cga3::Rotor;
+    /// let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    /// let turns = axes.map(|axis| (1.0, Rotor::from_axis_angle(axis, 1.0_f64).unwrap()));
+    /// let found = Rotor::mean(&turns).unwrap();
+    /// let (axis, _) = found.mean.to_axis_angle();
+    /// assert!(axis.iter().all(|x| (x - 1.0 / 3.0_f64.sqrt()).abs() < 1e-15));
+    /// ```
+    pub fn mean(weighted: &[(S, Self)]) -> Result<Mean<Self, S>, MeanError<S>> {
+        let motors: Vec<_> = weighted
+            .iter()
+            .map(|&(weight, rotor)| (weight, Motor::from(rotor)))
+            .collect();
+        let found = Motor::mean(&motors)?;
+        Ok(Mean {
+            mean: found.mean.rotor(),
+            residual: found.residual,
+            steps: found.steps,
+        })
+    }
+}
+
+fn iterate<S: Real<Mask = bool>>(
+    terms: &[(S, Motor<S>)],
+    start: Motor<S>,
+) -> Result<Mean<Motor<S>, S>, MeanError<S>> {
+    let epsilon = |multiple| S::epsilon() * S::from_integer(multiple);
+    // Displacements cannot be told more closely than the largest of them is stored.
+    let reach = terms.iter().fold(S::zero(), |most, (_, motor)| {
+        most.max(length(motor.translator().displacement()))
+    });
+    let (mut mean, mut here) = (start, Deviation::from(start, terms));
+    let mut before = None;
+    let mut steps = 0;
+    loop {
+        let residual = here.residual();
+        let level = residual.angle.max(if S::zero().less_than(reach) {
+            residual.displacement / reach
+        } else {
+            S::zero()
+        });
+        if !level.is_finite() || !residual.displacement.is_finite() {
+            return Err(BlendError::OutOfRange.into());
+        }
+        // At rest, or as near to it as rounding lets it come.
+        let is_stalled = before.is_some_and(|before: S| !(level + level).less_than(before));
+        if !epsilon(4).less_than(level) || is_stalled && level.less_than(epsilon(256)) {
+            return Ok(Mean {
+                mean,
+                residual,
+                steps,
+            });
+        }
+        if steps == MOST_STEPS {
+            return Err(MeanError::NotConverged { steps, residual });
+        }
+        steps += 1;
+        before = Some(level);
+        mean = mean * here.step();
+        here = Deviation::from(mean, terms);
+    }
+}
+
+/// How motors deviate from one: weighted means over `log(~M Mᵢ)`.
+struct Deviation<S> {
+    /// Half the rotation vector.
+    turn: [S; 3],
+    displacement: [S; 3],
+    /// The second derivative H of half the sum of squares of half-angles.
+    curvature: Matrix<S, 3>,
+}
+
+impl<S: Real<Mask = bool>> Deviation<S> {
+    fn from(mean: Motor<S>, terms: &[(S, Motor<S>)]) -> Self {
+        let (zero, one) = (S::zero(), S::one());
+        let [mut turn, mut displacement] = [[Sum::default(); 3]; 2];
+        let mut curvature = [[Sum::default(); 3]; 3];
+        let mut total = Sum::default();
+        for &(weight, motor) in terms {
+            let mut between = mean.reverse() * motor;
+            if between.scalar().less_than(zero) {
+                between = -between;
+            }
+            let log = between.log();
+            let half = [-log.e23, log.e13, -log.e12];
+            let angle = length(half);
+            let sine = length([between.e12(), between.e13(), between.e23()]);
+            // φ cot φ
+            let across = if zero.less_than(sine) {
+                angle * between.scalar() / sine
+            } else {
+                one
+            };
+            let axis = if zero.less_than(angle) {
+                half.map(|x| x / angle)
+            } else {
+                [zero; 3]
+            };
+            let shift = [log.e1i, log.e2i, log.e3i];
+            for k in 0..3 {
+                turn[k].add(half[k] * weight);
+                displacement[k].add(-(shift[k] + shift[k]) * weight);
+                curvature[k][k].add(across * weight);
+                for j in 0..3 {
+                    curvature[k][j].add((one - across) * axis[k] * axis[j] * weight);
+                }
+            }
+            total.add(weight);
+        }
+        let total = total.value();
+        let mean_of = |sum: Sum<S>| sum.value() / total;
+        Self {
+            turn: turn.map(mean_of),
+            displacement: displacement.map(mean_of),
+            curvature: curvature.map(|row| row.map(mean_of)),
+        }
+    }
+
+    fn residual(&self) -> Residual<S> {
+        Residual {
+            angle: length(self.turn) * S::from_integer(2),
+            displacement: length(self.displacement),
+        }
+    }
+
+    /// The motion by `H⁻¹` times the deviation; by the deviation itself where H has no inverse.
+    fn step(&self) -> Motor<S> {
+        let divided = |vector| solve(self.curvature, vector).unwrap_or(vector);
+        let [x, y, z] = divided(self.turn);
+        let zero = S::zero();
+        let turn = MotorGenerator::new(-z, y, -x, zero, zero, zero).exp();
+        Translator::from_displacement(divided(self.displacement)) * turn.rotor()
+    }
+}
+
+/// A sum that keeps what rounding takes from it (Neumaier, Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen,
+/// Zeitschrift für Angewandte Mathematik und Mechanik 54, 1974).
+#[derive(Clone, Copy)]
+struct Sum<S> {
+    rounded: S,
+    lost: S,
+}
+
+impl<S: Real<Mask = bool>> Default for Sum<S> {
+    fn default() -> Self {
+        Self {
+            rounded: S::zero(),
+            lost: S::zero(),
+        }
+    }
+}
+
+impl<S: Real<Mask = bool>> Sum<S> {
+    fn add(&mut self, term: S) {
+        let sum = self.rounded + term;
+        self.lost += if term.abs().less_than(self.rounded.abs()) {
+            (self.rounded - sum) + term
+        } else {
+            (term - sum) + self.rounded
+        };
+        self.rounded = sum;
+    }
+
+    fn value(self) -> S {
+        self.rounded + self.lost
+    }
+}
+
+/// Which motor turns farthest away from another, and by which angle in [0, π].
+fn farthest<S: Real<Mask = bool>>(weighted: &[(S, Motor<S>)], from: Motor<S>) -> (usize, S) {
+    let mut most = (0, S::zero());
+    for (index, &(weight, motor)) in weighted.iter().enumerate() {
+        let between = from.rotor().reverse() * motor.rotor();
+        let sine = length([between.e12(), between.e13(), between.e23()]);
+        let half = sine.atan2(between.scalar().abs());
+        if S::zero().less_than(weight) && most.1.less_than(half) {
+            most = (index, half);
+        }
+    }
+    (most.0, most.1 + most.1)
+}

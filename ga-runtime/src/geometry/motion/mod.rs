@@ -1,0 +1,39 @@
+//! Many motions at once: blends and means, curves through them, and the motion that fits measured points.
+//!
+//! | to get | use |
+//! | --- | --- |
+//! | a cheap average, as in skinning | [`Motor::blend`], [`Rotor::blend`] |
+//! | the average that no choice of frames changes | [`Motor::mean`], [`Rotor::mean`] |
+//! | a smooth motion through keys | [`MotorSpline`], [`RotorSpline`] |
+//! | one curve by its control motions | [`Motor::bezier`], [`Motor::squad`] and the same of rotors |
+//! | the motion that carries points to points | [`Motor::from_point_pairs`], [`Similarity::from_point_pairs`] |
+//! | the turn that carries directions to directions | [`Rotor::from_direction_pairs`] |
+//!
+//! A motor and its negative are the same motion. All of these take the motions for what they do, and do not depend on the signs that
+//! come in. Sums run in the order of the input, so the same input gives the same result to the last bit.
+//!
+//! [`Motor::blend`]: crate::cga3::Motor::blend
+//! [`Rotor::blend`]: crate::cga3::Rotor::blend
+//! [`Motor::mean`]: crate::cga3::Motor::mean
+//! [`Rotor::mean`]: crate::cga3::Rotor::mean
+//! [`Motor::bezier`]: crate::cga3::Motor::bezier
+//! [`Motor::squad`]: crate::cga3::Motor::squad
+//! [`Motor::from_point_pairs`]: crate::cga3::Motor::from_point_pairs
+//! [`Similarity::from_point_pairs`]: crate::cga3::Similarity::from_point_pairs
+//! [`Rotor::from_direction_pairs`]: crate::cga3::Rotor::from_direction_pairs
+
+mod blend;
+mod curve;
+mod enclosing;
+mod fit;
+mod matrix;
+mod mean;
+mod registration;
+mod spline;
+mod weight;
+
+pub use blend::BlendError;
+pub use fit::{Fit, FitError};
+pub use mean::{Mean, MeanError, Residual};
+pub use spline::{MotorSpline, RotorSpline, SplineError};
+pub use weight::WeightError;

@@ -1,0 +1,180 @@
+//! The turn that carries vectors to vectors, by least squares.
+
+use super::fit::FitError;
+use super::matrix::{Matrix, solve, symmetric_eigen};
+use crate::cga3::{MotorGenerator, Point, Rotor};
+use crate::geometry::vector3::{cross, difference, dot, length, scaled};
+use crate::scalar::Real;
+
+/// Two vectors of which one is to be turned to the other.
+pub(super) struct Pair<S> {
+    pub(super) weight: S,
+    pub(super) from: [S; 3],
+    pub(super) to: [S; 3],
+}
+
+/// How long the longest vectors of both sides are.
+#[derive(Clone, Copy)]
+pub(super) struct Sides<S> {
+    pub(super) extents: [S; 2],
+}
+
+impl<S: Real<Mask = bool>> Sides<S> {
+    /// Measures vectors, given the largest numbers from whose differences they come; an error where those of a side
+    /// all vanish or lie on a line.
+    pub(super) fn measured(pairs: &[Pair<S>], largest: [S; 2]) -> Result<Self, FitError<S>> {
+        let side = |of: fn(&Pair<S>) -> [S; 3], largest: S| {
+            let rounding = largest * S::epsilon() * S::from_integer(4);
+            let longest = pairs
+                .iter()
+                .map(of)
+                .map(|vector| (vector, length(vector)))
+                .reduce(|most, next| if most.1.less_than(next.1) { next } else { most });
+            let Some((vector, extent)) = longest.filter(|(_, extent)| rounding.less_than(*extent))
+            else {
+                return Err(FitError::Coincident);
+            };
+            let along = vector.map(|x| x / extent);
+            let width = pairs.iter().fold(S::zero(), |most, pair| {
+                let unit = of(pair).map(|x| x / extent);
+                most.max(length(cross(along, unit)))
+            });
+            let thinnest = S::epsilon().sqrt() * S::from_integer(8) + rounding / extent;
+            if !thinnest.less_than(width) {
+                return Err(FitError::Collinear);
+            }
+            Ok(extent)
+        };
+        let extents = [
+            side(|pair| pair.from, largest[0])?,
+            side(|pair| pair.to, largest[1])?,
+        ];
+        Ok(Self { extents })
+    }
+}
+
+/// The rotor R for which `Σ w |y − R x|²` is least, or `Σ w y·R x` largest.
+pub(super) fn fixed_rotation<S: Real<Mask = bool>>(
+    pairs: &[Pair<S>],
+    sides: Sides<S>,
+) -> Result<Rotor<S>, FitError<S>> {
+    // Of lengths up to one, so that products stay in range; the factors change nothing.
+    let [from, to] = sides.extents;
+    let units = || {
+        pairs.iter().map(move |pair| {
+            let (x, y) = (pair.from.map(|x| x / from), pair.to.map(|y| y / to));
+            (pair.weight, x, y)
+        })
+    };
+    let mut moments = [[S::zero(); 3]; 3];
+    let mut squares = [S::zero(); 2];
+    for (weight, x, y) in units() {
+        add_products(&mut moments, weight, x, y);
+        squares[0] += dot(x, x) * weight;
+        squares[1] += dot(y, y) * weight;
+    }
+    let [(first, quaternion), (second, _), ..] = symmetric_eigen(horn(moments));
+    let rounding = (squares[0] * squares[1]).sqrt() * S::epsilon() * S::from_integer(16);
+    if !rounding.less_than(first - second) {
+        return Err(FitError::NotUnique);
+    }
+    let [w, x, y, z] = quaternion;
+    let mut rotor = Rotor::from_quaternion([x, y, z], w).ok_or(FitError::OutOfRange)?;
+    for _ in 0..2 {
+        rotor = improved(rotor, units());
+    }
+    Ok(if rotor.scalar().less_than(S::zero()) {
+        -rotor
+    } else {
+        rotor
+    })
+}
+
+/// Horn's symmetric matrix of the moments `Σ w x yᵀ`: `Σ w y·R x` is its quadratic form of the quaternion (w, x, y, z) of R.
+fn horn<S: Real>(moments: Matrix<S, 3>) -> Matrix<S, 4> {
+    let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = moments;
+    [
+        [xx + yy + zz, yz - zy, zx - xz, xy - yx],
+        [yz - zy, xx - yy - zz, xy + yx, zx + xz],
+        [zx - xz, xy + yx, yy - xx - zz, yz + zy],
+        [xy - yx, zx + xz, yz + zy, zz - xx - yy],
+    ]
+}
+
+/// A step of Newton. With `p = R x` a turn by δ changes `Σ w y·p` by `δ·τ − ½ δᵀ(tr K − K)δ`, where `τ = Σ w p × y` and K is
+/// the symmetric part of `Σ w p yᵀ`. The torque τ is taken of differences, so that little of it is lost where the fit is
+/// good.
+fn improved<S: Real<Mask = bool>>(
+    rotor: Rotor<S>,
+    units: impl Iterator<Item = (S, [S; 3], [S; 3])> + Clone,
+) -> Rotor<S> {
+    let turned =
+        units.map(|(weight, x, y)| (weight, rotor.transform(Point::from(x)).coordinates(), y));
+    let mut moments = [[S::zero(); 3]; 3];
+    let mut square = S::zero();
+    for (weight, p, y) in turned.clone() {
+        add_products(&mut moments, weight, p, y);
+        square += dot(p, p) * weight;
+    }
+    let trace = moments[0][0] + moments[1][1] + moments[2][2];
+    let scale = trace / square;
+    let mut torque = [S::zero(); 3];
+    for (weight, p, y) in turned {
+        let part = cross(p, difference(y, scaled(p, scale)));
+        torque = core::array::from_fn(|k| part[k].mul_add(weight, torque[k]));
+    }
+    let half = S::from_ratio(1, 2);
+    let stiffness: Matrix<S, 3> = core::array::from_fn(|row| {
+        core::array::from_fn(|column| {
+            let symmetric = (moments[row][column] + moments[column][row]) * half;
+            if row == column {
+                trace - symmetric
+            } else {
+                -symmetric
+            }
+        })
+    });
+    let step = solve(stiffness, torque).unwrap_or([S::zero(); 3]);
+    // A larger step is none of a good start, but one of a stiffness lost in rounding.
+    if !length(step).less_than(S::from_ratio(1, 4)) {
+        return rotor;
+    }
+    let [x, y, z] = scaled(step, half);
+    let zero = S::zero();
+    let turn = MotorGenerator::new(-z, y, -x, zero, zero, zero).exp();
+    turn.rotor() * rotor
+}
+
+fn add_products<S: Real>(moments: &mut Matrix<S, 3>, weight: S, x: [S; 3], y: [S; 3]) {
+    for (row, &a) in moments.iter_mut().zip(&x) {
+        for (entry, &b) in row.iter_mut().zip(&y) {
+            *entry = (a * weight).mul_add(b, *entry);
+        }
+    }
+}
+
+/// `√(Σ w |y − s R x|² / Σ w)`.
+pub(super) fn root_mean_square<S: Real<Mask = bool>>(
+    pairs: &[Pair<S>],
+    rotor: Rotor<S>,
+    factor: S,
+) -> S {
+    let left = |pair: &Pair<S>| {
+        let image = rotor.transform(Point::from(scaled(pair.from, factor)));
+        length(difference(pair.to, image.coordinates()))
+    };
+    let largest = pairs
+        .iter()
+        .fold(S::zero(), |most, pair| most.max(left(pair)));
+    if !S::zero().less_than(largest) {
+        return largest;
+    }
+    let (sum, total) = pairs
+        .iter()
+        .fold([S::zero(); 2], |[sum, total], pair| {
+            let part = left(pair) / largest;
+            [sum + part * part * pair.weight, total + pair.weight]
+        })
+        .into();
+    (sum / total).sqrt() * largest
+}

@@ -1,0 +1,500 @@
+//! Motions fitted to points and directions, against planted motions and another library.
+
+use core::f64::consts::{FRAC_PI_2, PI};
+use std::path::Path;
+
+use ga_runtime::cga3::{Motor, Point, Rotor, Similarity, Translator};
+use ga_runtime::geometry::motion::{FitError, WeightError};
+use ga_runtime::testing::assert_close;
+use proptest::prelude::*;
+use serde_json::Value;
+
+type Vector = [f64; 3];
+type Pairs = Vec<(Point<f64>, Point<f64>)>;
+
+fn dot(a: Vector, b: Vector) -> f64 {
+    (0..3).map(|k| a[k] * b[k]).sum()
+}
+
+fn cross(a: Vector, b: Vector) -> Vector {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+fn plus(a: Vector, b: Vector) -> Vector {
+    std::array::from_fn(|k| a[k] + b[k])
+}
+
+fn minus(a: Vector, b: Vector) -> Vector {
+    std::array::from_fn(|k| a[k] - b[k])
+}
+
+fn length(a: Vector) -> f64 {
+    dot(a, a).sqrt()
+}
+
+/// Rodrigues' formula: the turn of x by an angle about a unit axis.
+fn rodrigues(axis: Vector, angle: f64, x: Vector) -> Vector {
+    let (sine, cosine) = angle.sin_cos();
+    let side = cross(axis, x);
+    let along = dot(axis, x) * (1.0 - cosine);
+    std::array::from_fn(|k| x[k] * cosine + side[k] * sine + axis[k] * along)
+}
+
+fn vector(size: f64) -> impl Strategy<Value = Vector> + Clone {
+    prop::array::uniform3(-size..size)
+}
+
+fn unit() -> impl Strategy<Value = Vector> + Clone {
+    vector(1.0).prop_filter_map("too short to have a direction", |v| {
+        let size = length(v);
+        (size > 0.1).then(|| v.map(|x| x / size))
+    })
+}
+
+/// Four points that span space well, and more.
+fn points() -> impl Strategy<Value = Vec<Vector>> + Clone {
+    prop::collection::vec(vector(3.0), 0..12).prop_map(|mut more| {
+        more.extend([[0.0; 3], [4.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 2.0]]);
+        more
+    })
+}
+
+fn paired(from: &[Vector], to: &[Vector]) -> Pairs {
+    let pairs = from.iter().zip(to);
+    pairs
+        .map(|(&x, &y)| (Point::from(x), Point::from(y)))
+        .collect()
+}
+
+fn image(rows: [[f64; 4]; 3], x: Vector) -> Vector {
+    rows.map(|[a, b, c, t]| dot([a, b, c], x) + t)
+}
+
+fn mean_square(rows: [[f64; 4]; 3], weighted: &[(f64, Vector, Vector)]) -> f64 {
+    let total: f64 = weighted.iter().map(|(w, ..)| w).sum();
+    let square = |x, y| {
+        let left = minus(y, image(rows, x));
+        dot(left, left)
+    };
+    weighted
+        .iter()
+        .map(|&(w, x, y)| w * square(x, y))
+        .sum::<f64>()
+        / total
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2000))]
+
+    #[test]
+    fn exact_motions_come_back(
+        from in points(), axis in unit(), angle in prop_oneof![-PI..PI, Just(PI), Just(0.0), -1e-9..1e-9], t in vector(10.0)
+    ) {
+        let to: Vec<_> = from.iter().map(|&x| plus(rodrigues(axis, angle, x), t)).collect();
+        let fit = Motor::from_point_pairs(&paired(&from, &to)).unwrap();
+        let rows = fit.motion.to_matrix();
+        for column in 0..3 {
+            let mut e = [0.0; 3];
+            e[column] = 1.0;
+            assert_close!(rows.map(|row| row[column]), rodrigues(axis, angle, e), 1e-13, 1.0);
+        }
+        assert_close!(rows.map(|row| row[3]), t, 1e-13, 10.0);
+        prop_assert!(fit.residual < 1e-14 && fit.motion.scalar() >= 0.0);
+        // With any weights.
+        let weighted: Vec<_> = paired(&from, &to).into_iter().enumerate()
+            .map(|(k, (x, y))| (1.0 / (1.0 + k as f64), x, y)).collect();
+        let again = Motor::from_weighted_point_pairs(&weighted).unwrap();
+        assert_close!(again.motion.to_matrix().map(|row| row.to_vec()).to_vec(), rows.map(|row| row.to_vec()).to_vec(), 1e-13);
+        // And a scaling on top of it.
+        let larger: Vec<_> = to.iter().map(|y| y.map(|c| c * 0.3)).collect();
+        let fit = Similarity::from_point_pairs(&paired(&from, &larger)).unwrap();
+        for (&x, &y) in from.iter().zip(&larger) {
+            let place = fit.motion.transform(Point::from(x)).centre().unwrap().coordinates();
+            assert_close!(place, y, 1e-13, 10.0);
+        }
+        prop_assert!(fit.residual < 1e-14);
+    }
+
+    #[test]
+    fn nothing_near_or_far_fits_better(
+        from in points(), noise in prop::collection::vec((vector(2.0), 0.01..5.0), 16), axis in unit(), angle in -PI..PI,
+        mirrored in any::<bool>(), others in prop::collection::vec((unit(), -PI..PI), 40)
+    ) {
+        let weighted: Vec<_> = from.iter().zip(&noise).map(|(&x, &(n, w))| {
+            let [a, b, c] = x;
+            let y = rodrigues(axis, angle, if mirrored { [a, b, -c] } else { x });
+            (w, x, plus(y, n))
+        }).collect();
+        let pairs: Vec<_> = weighted.iter().map(|&(w, x, y)| (w, Point::from(x), Point::from(y))).collect();
+        let fit = Motor::from_weighted_point_pairs(&pairs).unwrap();
+        let rows = fit.motion.to_matrix();
+        let least = mean_square(rows, &weighted);
+        prop_assert!((least.sqrt() - fit.residual).abs() < 1e-13 * (1.0 + fit.residual));
+        // The torque and the force of the distances left vanish, and the rows are a rotation.
+        let (mut force, mut torque) = ([0.0; 3], [0.0; 3]);
+        for &(w, x, y) in &weighted {
+            let p = image(rows, x);
+            let pull = minus(y, p).map(|c| c * w);
+            force = plus(force, pull);
+            torque = plus(torque, cross(p, pull));
+        }
+        prop_assert!(length(force) < 1e-12 && length(torque) < 1e-11, "{force:?} {torque:?}");
+        let r = rows.map(|[a, b, c, _]| [a, b, c]);
+        prop_assert!((dot(cross(r[0], r[1]), r[2]) - 1.0).abs() < 1e-14);
+        // Turned on a little or by a lot about its own centroid, it fits worse.
+        let total: f64 = weighted.iter().map(|(w, ..)| w).sum();
+        let centroid = weighted.iter().fold([0.0; 3], |sum, &(w, _, y)| plus(sum, y.map(|c| c * w / total)));
+        for (axis, angle) in others {
+            for angle in [angle, angle * 1e-3] {
+                let moved = |x: Vector| plus(centroid, rodrigues(axis, angle, minus(image(rows, x), centroid)));
+                let origin = moved([0.0; 3]);
+                let e = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|e| minus(moved(e), origin));
+                let rows = [0, 1, 2].map(|k| [e[0][k], e[1][k], e[2][k], origin[k]]);
+                prop_assert!(mean_square(rows, &weighted) > least - 1e-13);
+            }
+        }
+    }
+
+    #[test]
+    fn directions_come_back(axis in unit(), angle in -PI..PI, a in unit(), b in unit(), sizes in prop::array::uniform4(1e-3..1e3)) {
+        let apart = length(cross(a, b));
+        prop_assume!(apart > 1e-3);
+        let turned = |x: Vector, size: f64| rodrigues(axis, angle, x).map(|c| c * size);
+        let [p, q, r, s] = sizes;
+        let pairs = [(a.map(|c| c * p), turned(a, q)), (b.map(|c| c * r), turned(b, s))];
+        let fit = Rotor::from_direction_pairs(&pairs).unwrap();
+        let expected = Rotor::from_axis_angle(axis, angle).unwrap();
+        let error = (fit.motion.reverse() * expected).to_axis_angle().1;
+        prop_assert!(error.min(2.0 * PI - error) < 1e-14 / apart, "{error} at {apart}");
+        prop_assert!(fit.residual < 1e-14);
+    }
+
+    #[test]
+    fn thin_sets_lose_no_more_than_they_must(axis in unit(), angle in -PI..PI, thickness in 2.0..6.0_f64, along in unit()) {
+        // A rod, with points off its axis by a small part of its length.
+        let side = {
+            let e = if along[0].abs() < 0.7 { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
+            let n = cross(along, e);
+            n.map(|c| c / length(n))
+        };
+        let thin = 10.0_f64.powf(-thickness);
+        let from: Vec<_> = [(-1.0, 0.0), (0.0, thin), (1.0, 0.0), (0.5, -thin)]
+            .map(|(s, t)| plus(along.map(|c| c * s), side.map(|c| c * t))).to_vec();
+        let to: Vec<_> = from.iter().map(|&x| rodrigues(axis, angle, x)).collect();
+        let fit = Motor::from_point_pairs(&paired(&from, &to)).unwrap();
+        let expected = Rotor::from_axis_angle(axis, angle).unwrap();
+        let error = (fit.motion.rotor().reverse() * expected).to_axis_angle().1;
+        prop_assert!(error.min(2.0 * PI - error) < 2e-15 / thin, "{error} at {thin}");
+    }
+}
+
+fn numbers<const N: usize>(value: &Value) -> [f64; N] {
+    let list = value.as_array().expect("a list");
+    std::array::from_fn(|k| list[k].as_f64().expect("a number"))
+}
+
+fn vectors(value: &Value) -> Vec<Vector> {
+    let list = value.as_array().expect("a list");
+    list.iter().map(numbers).collect()
+}
+
+fn mean_distance(pairs: &Pairs, moved: impl Fn(Point<f64>) -> Point<f64>) -> f64 {
+    let sum: f64 = pairs.iter().map(|&(x, y)| moved(x).distance(y)).sum();
+    sum / pairs.len() as f64
+}
+
+#[test]
+fn another_library_fits_alike() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("data/anim/procrustes.json");
+    let text = std::fs::read_to_string(path).unwrap();
+    let vectors_file: Value = serde_json::from_str(&text).unwrap();
+    let cases = vectors_file["cases"].as_array().unwrap();
+    assert_eq!(cases.len(), 4);
+    for case in cases {
+        let pairs = paired(&vectors(&case["predicted"]), &vectors(&case["target"]));
+        let similarity = Similarity::from_point_pairs(&pairs).unwrap();
+        let known = &case["similarity"];
+        let (rotation, scale) = (vectors(&known["R"]), known["scale"].as_f64().unwrap());
+        let shift: Vector = numbers(&known["t"]);
+        let moved = |x: Point<f64>| similarity.motion.transform(x).centre().unwrap();
+        for (x, _) in &pairs {
+            let expected: Vector =
+                std::array::from_fn(|k| scale * dot(rotation[k], x.coordinates()) + shift[k]);
+            assert_close!(moved(*x).coordinates(), expected, 1e-13);
+        }
+        let left = mean_distance(&pairs, moved);
+        assert_close!(left, case["pa_mpjpe"].as_f64().unwrap(), 1e-13);
+        if let Some(expected) = case["rms_similarity"].as_f64() {
+            assert_close!(similarity.residual, expected, 1e-13);
+        }
+        // The turn is the same without scaling; of the mirror image too, where it is no mirroring.
+        let rigid = Motor::from_point_pairs(&pairs).unwrap();
+        let rows = rigid.motion.to_matrix();
+        for (row, expected) in rows.iter().zip(&rotation) {
+            assert_close!([row[0], row[1], row[2]], *expected, 1e-13, 1.0);
+        }
+        if let Some(expected) = case["rigid_mpjpe"].as_f64() {
+            let shift: Vector = numbers(&case["rigid"]["t"]);
+            assert_close!(rows.map(|row| row[3]), shift, 1e-13);
+            let left = mean_distance(&pairs, |x| rigid.motion.transform(x));
+            assert_close!(left, expected, 1e-13);
+        }
+    }
+}
+
+#[test]
+fn mirror_images_give_the_best_proper_motion() {
+    // Mirrored along the axis of least extent: nothing but to leave it as it is, and the extent there is what remains.
+    let from: Vec<_> = [[3.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0]]
+        .into_iter()
+        .flat_map(|x| [x, x.map(|c: f64| -c)])
+        .collect();
+    let to: Vec<_> = from.iter().map(|&[x, y, z]| [x, y, -z]).collect();
+    let fit = Motor::from_point_pairs(&paired(&from, &to)).unwrap();
+    assert_close!(fit.motion, Motor::from(Rotor::<f64>::default()), 1e-15);
+    // Two of six points are off by 2.
+    assert_close!(fit.residual, (8.0_f64 / 6.0).sqrt(), 1e-15);
+    // Mirrored along the longest: a half turn about the shortest and the rest stays as wrong as before.
+    let to: Vec<_> = from.iter().map(|&[x, y, z]| [-x, y, z]).collect();
+    let fit = Motor::from_point_pairs(&paired(&from, &to)).unwrap();
+    assert_close!(
+        fit.motion,
+        Motor::from(Rotor::from_axis_angle([0.0, 1.0, 0.0], PI).unwrap()),
+        1e-15
+    );
+    assert_close!(fit.residual, (8.0_f64 / 6.0).sqrt(), 1e-15);
+    // A flat set is its own mirror image.
+    let flat = [
+        [0.0, 0.0, 0.0],
+        [2.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [3.0, 3.0, 0.0],
+    ];
+    let to = flat.map(|[x, y, _]| [-x, y, 0.0]);
+    let fit = Motor::from_point_pairs(&paired(&flat, &to)).unwrap();
+    assert!(fit.residual < 1e-15);
+    assert_close!(
+        fit.motion,
+        Motor::from(Rotor::from_axis_angle([0.0, 1.0, 0.0], PI).unwrap()),
+        1e-15
+    );
+}
+
+#[test]
+fn what_fixes_no_motion_is_refused() {
+    let corner = [
+        [0.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [0.0, 0.0, 1.0],
+    ];
+    let line = [0.1, 0.3, 0.7, 1.3].map(|s| [s, 2.0 * s, 3.0 - s]);
+    let heap = [[0.1, 0.2, 0.3]; 4];
+    let both = |a: &[Vector], b: &[Vector], expected: FitError<f64>| {
+        for pairs in [paired(a, b), paired(b, a)] {
+            assert_eq!(Motor::from_point_pairs(&pairs), Err(expected));
+            assert_eq!(Similarity::from_point_pairs(&pairs).unwrap_err(), expected);
+        }
+    };
+    both(&line, &corner, FitError::Collinear);
+    both(&line, &line, FitError::Collinear);
+    both(&heap, &corner, FitError::Coincident);
+    both(&heap, &heap, FitError::Coincident);
+    // Two places make a line, however often they are given, and wherever.
+    let two = [
+        [1e6, 0.3, 0.0],
+        [1e6, 0.7, 0.1],
+        [1e6, 0.3, 0.0],
+        [1e6, 0.7, 0.1],
+    ];
+    both(&two, &corner, FitError::Collinear);
+    let far = line.map(|x| plus(x, [1e8, -1e8, 1e8]));
+    both(&far, &corner, FitError::Collinear);
+    // Large, and as far apart as a large number lets be told.
+    both(
+        &line.map(|x| x.map(|c| c * 1e200)),
+        &corner,
+        FitError::Collinear,
+    );
+    let rounded = [[1e16, 0.0, 0.0], [1e16 + 2.0, 0.0, 0.0], [1e16, 1e-3, 0.0]];
+    both(&rounded, &corner[..3], FitError::Coincident);
+    // A regular tetrahedron against its mirror image, and a body that is its own against that.
+    let regular = [
+        [1.0, 1.0, 1.0],
+        [1.0, -1.0, -1.0],
+        [-1.0, 1.0, -1.0],
+        [-1.0, -1.0, 1.0],
+    ];
+    both(
+        &regular,
+        &regular.map(|x| x.map(|c| -c)),
+        FitError::NotUnique,
+    );
+    // Too few.
+    for found in 0..3 {
+        let pairs = paired(&corner[..found], &corner[..found]);
+        assert_eq!(
+            Motor::from_point_pairs(&pairs),
+            Err(FitError::TooFewPairs { found, needed: 3 })
+        );
+    }
+    let weighted = [1.0, 1.0, 0.0].into_iter().zip(corner);
+    let weighted: Vec<_> = weighted
+        .map(|(w, x)| (w, Point::from(x), Point::from(x)))
+        .collect();
+    let too_few = FitError::TooFewPairs {
+        found: 2,
+        needed: 3,
+    };
+    assert_eq!(Motor::from_weighted_point_pairs(&weighted), Err(too_few));
+    assert_eq!(
+        too_few.to_string(),
+        "3 pairs with a weight above zero are needed, not 2"
+    );
+}
+
+#[test]
+fn directions_that_fix_no_turn_are_refused() {
+    let (x, y) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
+    let back = [-2.0, 0.0, 0.0];
+    let refused = |pairs: &[(Vector, Vector)]| Rotor::from_direction_pairs(pairs).unwrap_err();
+    assert_eq!(refused(&[(x, y), (x, x)]), FitError::Collinear);
+    assert_eq!(refused(&[(x, y), (back, x)]), FitError::Collinear);
+    assert_eq!(refused(&[(x, x), (y, back)]), FitError::Collinear);
+    assert_eq!(
+        refused(&[(x, x), (y, [0.0; 3])]),
+        FitError::NoDirection { index: 1 }
+    );
+    assert_eq!(
+        refused(&[(x, x)]),
+        FitError::TooFewPairs {
+            found: 1,
+            needed: 2
+        }
+    );
+    assert_eq!(
+        refused(&[]),
+        FitError::TooFewPairs {
+            found: 0,
+            needed: 2
+        }
+    );
+    assert_eq!(
+        refused(&[(x, x), (y, y), (x, [f64::NAN, 0.0, 0.0])]),
+        FitError::NotFinite { index: 2 }
+    );
+    // Inverted in all axes, any half turn does as well.
+    let z = [0.0, 0.0, 1.0];
+    let inverted = [x, y, z].map(|d| (d, d.map(|c| -c)));
+    assert_eq!(refused(&inverted), FitError::NotUnique);
+    // The angle between the directions of one side differs: each gives way by the same.
+    let fit = Rotor::from_direction_pairs(&[(x, x), (y, [0.6, 0.8, 0.0])]).unwrap();
+    let excess = FRAC_PI_2 - (0.6_f64).acos();
+    let (axis, angle) = fit.motion.to_axis_angle();
+    assert_close!(angle, excess / 2.0, 1e-15);
+    assert_close!(axis, [0.0, 0.0, -1.0], 1e-15);
+    assert_close!(fit.residual, 2.0 * (excess / 4.0).sin(), 1e-15);
+    // With more weight the first gives way less: w₁ sin δ₁ = w₂ sin δ₂.
+    let weighted = [(3.0, x, x), (1.0, y, [0.6, 0.8, 0.0])];
+    let (_, angle) = Rotor::from_weighted_direction_pairs(&weighted)
+        .unwrap()
+        .motion
+        .to_axis_angle();
+    assert_close!(3.0 * angle.sin(), (excess - angle).sin(), 1e-15);
+}
+
+#[test]
+fn bad_numbers_are_named() {
+    let corner = [
+        [0.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [0.0, 0.0, 1.0],
+    ];
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for index in 0..4 {
+            for place in 0..3 {
+                let mut spoilt = corner;
+                spoilt[index][place] = bad;
+                let named = Err(FitError::NotFinite { index });
+                assert_eq!(Motor::from_point_pairs(&paired(&spoilt, &corner)), named);
+                assert_eq!(Motor::from_point_pairs(&paired(&corner, &spoilt)), named);
+            }
+        }
+    }
+    let weighted = |w: f64| corner.map(|x| (w, Point::from(x), Point::from(x)));
+    for bad in [-1.0, f64::NAN, f64::INFINITY] {
+        let mut pairs = weighted(1.0);
+        pairs[2].0 = bad;
+        let Err(FitError::Weight(WeightError::Invalid { index: 2, weight })) =
+            Motor::from_weighted_point_pairs(&pairs)
+        else {
+            panic!("{bad} is a weight");
+        };
+        assert_eq!(weight.to_bits(), bad.to_bits());
+    }
+    let none = Motor::from_weighted_point_pairs(&weighted(0.0));
+    assert_eq!(none, Err(FitError::Weight(WeightError::AllZero)));
+    // Differences beyond the range of the scalar.
+    let huge = corner.map(|x| x.map(|c| (c - 0.5) * f64::MAX * 2.0));
+    let lost = Motor::from_point_pairs(&paired(&huge, &corner));
+    assert_eq!(lost, Err(FitError::OutOfRange));
+}
+
+#[test]
+fn size_and_place_cost_no_figures_but_their_own() {
+    let from = [
+        [0.0, 0.0, 0.0],
+        [3.0, 0.0, 0.0],
+        [0.0, 2.0, 0.0],
+        [1.0, 1.0, 1.0],
+    ];
+    let (axis, angle) = ([0.0, 0.6, 0.8], 2.5);
+    let expected = Rotor::from_axis_angle(axis, angle).unwrap();
+    for size in [1e-300, 1e-100, 1e-12, 1e12, 1e100, 1e300] {
+        let from = from.map(|x| x.map(|c| c * size));
+        let to = from.map(|x| rodrigues(axis, angle, x));
+        let fit = Motor::from_point_pairs(&paired(&from, &to)).unwrap();
+        assert_close!(fit.motion.rotor(), expected, 1e-14);
+        assert!(fit.residual < 1e-14 * size, "{size}: {}", fit.residual);
+        // Twice as long as at size one, a quarter turn about e3: cos 45° cosh(½ ln s).
+        let to = [[0.0; 3], [0.0, 6.0, 0.0], [-4.0, 0.0, 0.0]];
+        let scaled = Similarity::from_point_pairs(&paired(&from[..3], &to)).unwrap();
+        let root = (2.0 / size).sqrt();
+        let expected = (0.5_f64).sqrt() * (root + 1.0 / root) / 2.0;
+        assert_close!(scaled.motion.scalar(), expected, 1e-14);
+    }
+    // A million away, coordinates are known to 1e-10, and so is the turn.
+    let far = [1e6, -2e6, 5e5];
+    let to = from.map(|x| plus(rodrigues(axis, angle, x), far));
+    let fit = Motor::from_point_pairs(&paired(&from, &to)).unwrap();
+    assert_close!(fit.motion.rotor(), expected, 1e-9);
+    assert!(fit.residual < 1e-9);
+}
+
+#[test]
+fn single_precision_fits_too() {
+    let (axis, angle) = ([0.0, 0.6, 0.8], 2.5);
+    let from = [
+        [0.0, 0.0, 0.0],
+        [3.0, 0.0, 0.0],
+        [0.0, 2.0, 0.0],
+        [1.0, 1.0, 1.0],
+    ];
+    let narrow = |x: Vector| Point::from(x.map(|c| c as f32));
+    let pairs = from.map(|x| {
+        (
+            narrow(x),
+            narrow(plus(rodrigues(axis, angle, x), [1.0, 2.0, 3.0])),
+        )
+    });
+    let fit = Motor::from_point_pairs(&pairs).unwrap();
+    let expected = Translator::from_displacement([1.0_f32, 2.0, 3.0])
+        * Rotor::from_axis_angle([0.0, 0.6, 0.8], 2.5).unwrap();
+    assert_close!(fit.motion, expected, 1e-6);
+    assert!(fit.residual < 1e-6);
+}

@@ -1,0 +1,681 @@
+//! Blends and means of motions, against planted means and plain matrices.
+
+use core::f64::consts::{FRAC_PI_2, PI};
+
+use ga_runtime::cga3::{Motor, MotorGenerator, Rotor, Translator};
+use ga_runtime::geometry::motion::{BlendError, MeanError, WeightError};
+use ga_runtime::testing::assert_close;
+
+type Matrix = [[f64; 4]; 4];
+
+/// Numbers that only a seed decides (Steele, Lea and Flood's SplitMix64).
+struct Random(u64);
+
+impl Random {
+    fn unit(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut bits = self.0;
+        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((bits ^ (bits >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    fn below(&mut self, size: f64) -> f64 {
+        (2.0 * self.unit() - 1.0) * size
+    }
+
+    fn vector(&mut self, size: f64) -> [f64; 3] {
+        [(); 3].map(|()| self.below(size))
+    }
+
+    fn axis(&mut self) -> [f64; 3] {
+        loop {
+            let v = self.vector(1.0);
+            let size = length(v);
+            if 0.1 < size && size < 1.0 {
+                return v.map(|x| x / size);
+            }
+        }
+    }
+
+    fn motor(&mut self, angle: f64, size: f64) -> Motor<f64> {
+        let rotor = Rotor::from_axis_angle(self.axis(), angle).expect("an axis");
+        Translator::from_displacement(self.vector(size)) * rotor
+    }
+
+    fn weight(&mut self) -> f64 {
+        match (self.unit() * 4.0) as usize {
+            0 => 1.0,
+            1 => 10.0_f64.powf(self.below(3.0)),
+            2 => 0.0,
+            _ => self.unit(),
+        }
+    }
+
+    fn sign(&mut self, motor: Motor<f64>) -> Motor<f64> {
+        if self.unit() < 0.5 { -motor } else { motor }
+    }
+}
+
+fn length(v: [f64; 3]) -> f64 {
+    v.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+fn shift(t: [f64; 3]) -> Motor<f64> {
+    Translator::from_displacement(t).into()
+}
+
+fn turn(axis: [f64; 3], angle: f64) -> Motor<f64> {
+    Rotor::from_axis_angle(axis, angle).expect("an axis").into()
+}
+
+fn coefficients(m: Motor<f64>) -> [f64; 8] {
+    let (s, [a, b, c]) = (m.scalar(), [m.e12(), m.e13(), m.e23()]);
+    [s, a, b, c, m.e1i(), m.e2i(), m.e3i(), m.e123i()]
+}
+
+/// The largest difference of coefficients of two motors, whatever their signs, relative to the size of the displacements.
+fn deviation(a: Motor<f64>, b: Motor<f64>) -> f64 {
+    let size = 1.0 + length(b.translator().displacement());
+    let apart = |b: Motor<f64>| {
+        let pairs = coefficients(a).into_iter().zip(coefficients(b));
+        pairs.fold(0.0, |most: f64, (x, y)| {
+            assert!(x.is_finite() && y.is_finite());
+            most.max((x - y).abs())
+        })
+    };
+    apart(b).min(apart(-b)) / size
+}
+
+fn product(a: &Matrix, b: &Matrix) -> Matrix {
+    std::array::from_fn(|i| std::array::from_fn(|j| (0..4).map(|k| a[i][k] * b[k][j]).sum()))
+}
+
+/// The motion of a rotation vector and a velocity held for a unit of time, as the exponential series of its matrix.
+fn matrix_exponential(rotation: [f64; 3], velocity: [f64; 3]) -> Matrix {
+    let [x, y, z] = rotation;
+    let [u, v, w] = velocity;
+    let generator = [[0.0, -z, y, u], [z, 0.0, -x, v], [-y, x, 0.0, w], [0.0; 4]];
+    let one: Matrix = std::array::from_fn(|i| std::array::from_fn(|j| f64::from(i == j)));
+    let (mut sum, mut term) = (one, one);
+    for k in 1..40 {
+        term = product(&term, &generator).map(|row| row.map(|x| x / f64::from(k)));
+        sum = std::array::from_fn(|i| std::array::from_fn(|j| sum[i][j] + term[i][j]));
+    }
+    sum
+}
+
+fn of_matrix([a, b, c, _]: Matrix) -> Motor<f64> {
+    Motor::from_matrix([a, b, c]).expect("a rotation")
+}
+
+/// Motors whose logarithms from a centre have the weighted sum zero, with their weights; all rotations within an angle of
+/// the centre.
+fn planted(random: &mut Random, centre: Motor<f64>, angle: f64) -> Vec<(f64, Motor<f64>)> {
+    let count = 1 + (random.unit() * 12.0) as usize;
+    let mut sums = [[0.0; 3]; 2];
+    let mut cloud = Vec::new();
+    let mut most = 0.0;
+    for _ in 0..count {
+        let (weight, far) = (random.weight(), random.unit() * angle);
+        let rotation = random.axis().map(|x| x * far);
+        let velocity = random.vector(5.0);
+        for k in 0..3 {
+            sums[0][k] += weight * rotation[k];
+            sums[1][k] += weight * velocity[k];
+        }
+        most += weight * angle;
+        cloud.push((weight, rotation, velocity));
+    }
+    // The last makes up for the others.
+    let weight = (1.0 + random.unit()) * (most / angle).max(0.1);
+    cloud.push((
+        weight,
+        sums[0].map(|x| -x / weight),
+        sums[1].map(|x| -x / weight),
+    ));
+    let mut moved: Vec<_> = cloud
+        .into_iter()
+        .map(|(weight, rotation, velocity)| {
+            let motor = centre * of_matrix(matrix_exponential(rotation, velocity));
+            (weight, random.sign(motor))
+        })
+        .collect();
+    let middle = moved.len() / 2;
+    moved.rotate_left(middle);
+    moved
+}
+
+#[test]
+fn planted_means_are_found() {
+    for (angle, most_steps) in [(30.0_f64, 4), (90.0, 6)] {
+        for seed in 0..2000 {
+            let mut random = Random(seed);
+            let turned = random.below(PI);
+            let centre = random.motor(turned, 10.0);
+            let cloud = planted(&mut random, centre, angle.to_radians());
+            let found = Motor::mean(&cloud)
+                .unwrap_or_else(|error| panic!("{angle}°, seed {seed}: {error}"));
+            let error = deviation(found.mean, centre);
+            assert!(error < 1e-13, "{angle}°, seed {seed}: {error}");
+            assert!(
+                found.steps <= most_steps,
+                "{angle}°, seed {seed}: {found:?}"
+            );
+            assert!(found.residual.angle < 1e-13 && found.residual.displacement < 1e-12);
+        }
+    }
+}
+
+/// Clouds as uneven as they come: any number, any weights, all within an angle of some motor.
+fn cloud(random: &mut Random, angle: f64) -> Vec<(f64, Motor<f64>)> {
+    let turned = random.below(PI);
+    let centre = random.motor(turned, 10.0);
+    let count = 1 + (random.unit() * 30.0) as usize;
+    let is_at_the_edge = random.unit() < 0.3;
+    let mut cloud: Vec<_> = (0..count)
+        .map(|_| {
+            let far = if is_at_the_edge { 1.0 } else { random.unit() };
+            let motor = centre * random.motor(far * angle, 5.0);
+            (random.weight(), random.sign(motor))
+        })
+        .collect();
+    cloud[0].0 += 0.1;
+    cloud
+}
+
+/// The largest of rotation and displacement in the weighted mean of `log(M⁻¹ Mᵢ)`, by matrices and the formulas of Rodrigues.
+fn left_over(mean: Motor<f64>, cloud: &[(f64, Motor<f64>)]) -> f64 {
+    let (mut sums, mut total) = ([[0.0; 3]; 2], 0.0);
+    for &(weight, motor) in cloud {
+        let (m, n) = (mean.to_matrix(), motor.to_matrix());
+        let column = |matrix: [[f64; 4]; 3], k: usize| matrix.map(|row| row[k]);
+        let dot = |a: [f64; 3], b: [f64; 3]| (0..3).map(|k| a[k] * b[k]).sum::<f64>();
+        let r: [[f64; 3]; 3] =
+            std::array::from_fn(|i| std::array::from_fn(|j| dot(column(m, i), column(n, j))));
+        let apart = std::array::from_fn(|k| n[k][3] - m[k][3]);
+        let u: [f64; 3] = std::array::from_fn(|i| dot(column(m, i), apart));
+        let twice_sine = [r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1]];
+        let angle = length(twice_sine).atan2(r[0][0] + r[1][1] + r[2][2] - 1.0);
+        let factor = if angle < 1e-9 {
+            0.5
+        } else {
+            angle / length(twice_sine)
+        };
+        let rotation = twice_sine.map(|x| x * factor);
+        let cross = |a: [f64; 3], b: [f64; 3]| {
+            [
+                a[1] * b[2] - a[2] * b[1],
+                a[2] * b[0] - a[0] * b[2],
+                a[0] * b[1] - a[1] * b[0],
+            ]
+        };
+        let once = cross(rotation, u);
+        let twice = cross(rotation, once);
+        let change = if angle < 1e-4 {
+            1.0 / 12.0
+        } else {
+            (1.0 - 0.5 * angle / (0.5 * angle).tan()) / (angle * angle)
+        };
+        for k in 0..3 {
+            sums[0][k] += weight * rotation[k];
+            sums[1][k] += weight * (u[k] - 0.5 * once[k] + change * twice[k]);
+        }
+        total += weight;
+    }
+    length(sums[0]).max(length(sums[1])) / total
+}
+
+#[test]
+fn uneven_clouds_come_to_rest_in_few_steps() {
+    for (angle, most_steps) in [(30.0_f64, 4), (60.0, 5), (90.0, 6)] {
+        let mut worst = 0;
+        for seed in 0..2000 {
+            let cloud = cloud(&mut Random(seed), angle.to_radians());
+            let found = Motor::mean(&cloud)
+                .unwrap_or_else(|error| panic!("{angle}°, seed {seed}: {error}"));
+            worst = worst.max(found.steps);
+            let left = left_over(found.mean, &cloud);
+            // Near half turns the matrices tell angles less well.
+            assert!(left < 1e-11, "{angle}°, seed {seed}: {left}");
+            assert!(found.residual.angle < 1e-13 && found.residual.displacement < 1e-12);
+        }
+        println!("{angle}°: at most {worst} steps");
+        assert!(worst <= most_steps, "{angle}°: {worst} steps");
+    }
+}
+
+#[test]
+fn means_go_along_with_changes_of_frames() {
+    for seed in 0..500 {
+        let mut random = Random(seed);
+        let cloud = cloud(&mut random, 80.0_f64.to_radians());
+        let (before, after) = (random.motor(2.0, 3.0), random.motor(-1.0, 3.0));
+        let moved: Vec<_> = cloud
+            .iter()
+            .map(|&(weight, motor)| (weight * 3.0, before * motor * after))
+            .collect();
+        let mean = Motor::mean(&cloud).unwrap().mean;
+        let error = deviation(Motor::mean(&moved).unwrap().mean, before * mean * after);
+        assert!(error < 1e-13, "seed {seed}: {error}");
+        // The inverse motions have the inverse mean.
+        let inverse: Vec<_> = cloud.iter().map(|&(w, m)| (w, m.reverse())).collect();
+        let error = deviation(Motor::mean(&inverse).unwrap().mean, mean.reverse());
+        assert!(error < 1e-13, "seed {seed}: {error}");
+    }
+}
+
+#[test]
+fn the_mean_of_two_is_on_their_screw() {
+    for seed in 0..500 {
+        let mut random = Random(seed);
+        let (turned, angle) = (random.below(PI), random.below(3.1));
+        let (from, screw) = (random.motor(turned, 5.0), random.motor(angle, 5.0));
+        let share = random.unit();
+        let to = from * screw;
+        let mean = Motor::mean(&[(1.0 - share, from), (share, random.sign(to))]).unwrap();
+        let expected = from.interpolate(to, share);
+        assert!(deviation(mean.mean, expected) < 1e-13, "seed {seed}");
+        let middle = Motor::blend(&[(2.0, from), (2.0, to)]).unwrap();
+        assert!(
+            deviation(middle, from.interpolate(to, 0.5)) < 1e-13,
+            "seed {seed}"
+        );
+    }
+}
+
+#[test]
+fn powers_of_a_screw_have_its_mean_power() {
+    let screw = MotorGenerator::new(-0.1, 0.05, 0.02, 0.4, -0.3, 0.2);
+    let powers = [-2.0, 0.5, 1.0, 3.5, 6.0].map(|t| (t + 3.0, (screw * t).exp()));
+    let (sum, total) = powers
+        .iter()
+        .zip([-2.0, 0.5, 1.0, 3.5, 6.0])
+        .fold((0.0, 0.0), |(sum, total), ((weight, _), t)| {
+            (sum + weight * t, total + weight)
+        });
+    let found = Motor::mean(&powers).unwrap();
+    assert_close!(found.mean, (screw * (sum / total)).exp(), 1e-14);
+}
+
+#[test]
+fn shifts_have_the_mean_of_their_displacements() {
+    let shifts = [[1.0, 0.0, 2.0], [3.0, 4.0, -2.0], [1e6, 0.0, 0.0]];
+    let weighted = [1.0, 2.0, 5.0].map(|w| w / 8.0);
+    let terms: Vec<_> = weighted.into_iter().zip(shifts.map(shift)).collect();
+    let expected = shift([(7.0 + 5e6) / 8.0, 1.0, -0.25]);
+    assert_close!(Motor::mean(&terms).unwrap().mean, expected, 1e-15);
+    assert_close!(Motor::blend(&terms).unwrap(), expected, 1e-15);
+}
+
+#[test]
+fn rotors_have_the_mean_of_their_motors() {
+    for seed in 0..300 {
+        let mut random = Random(seed);
+        let cloud = cloud(&mut random, FRAC_PI_2);
+        let turns: Vec<_> = cloud.iter().map(|&(w, m)| (w, m.rotor())).collect();
+        let (mean, whole) = (Rotor::mean(&turns).unwrap(), Motor::mean(&cloud).unwrap());
+        assert!(
+            deviation(mean.mean.into(), whole.mean.rotor().into()) < 1e-13,
+            "seed {seed}"
+        );
+        assert_eq!(mean.residual.displacement, 0.0);
+        let blend = Motor::blend(&cloud).unwrap().rotor();
+        assert!(deviation(Rotor::blend(&turns).unwrap().into(), blend.into()) < 1e-14);
+    }
+}
+
+#[test]
+fn blends_are_normalised_sums() {
+    for seed in 0..500 {
+        let mut random = Random(seed);
+        let cloud = cloud(&mut random, 1.0);
+        let blend = Motor::blend(&cloud).unwrap();
+        // The rotor part is the normalised sum of the rotor parts, by plain numbers.
+        let strongest = cloud.iter().fold(0.0, |most: f64, (w, _)| most.max(*w));
+        let (_, guide) = cloud.iter().find(|(w, _)| *w == strongest).unwrap();
+        let rotor = |m: &Motor<f64>| [m.scalar(), m.e12(), m.e13(), m.e23()];
+        let along =
+            |m: &Motor<f64>| -> f64 { rotor(m).iter().zip(rotor(guide)).map(|(a, b)| a * b).sum() };
+        let mut sum = [0.0; 4];
+        for (weight, motor) in &cloud {
+            let signed = weight * along(motor).signum();
+            sum = std::array::from_fn(|k| sum[k] + signed * rotor(motor)[k]);
+        }
+        let size = sum.iter().map(|x| x * x).sum::<f64>().sqrt();
+        assert_close!(
+            rotor(&blend).to_vec(),
+            sum.map(|x| x / size).to_vec(),
+            1e-14
+        );
+        // And the whole is a motor: of norm 1, with the Study condition.
+        let study = blend.scalar() * blend.e123i() - blend.e12() * blend.e3i()
+            + blend.e13() * blend.e2i()
+            - blend.e23() * blend.e1i();
+        assert!(study.abs() < 1e-14, "seed {seed}: {study}");
+    }
+}
+
+#[test]
+fn signs_and_scale_of_weights_change_nothing() {
+    let motors = [
+        turn([0.0, 0.0, 1.0], 0.4),
+        shift([1.0, 2.0, 3.0]),
+        turn([0.6, 0.8, 0.0], -0.9),
+    ];
+    let plain = motors.map(|m| (1.0, m));
+    let mean = Motor::mean(&plain).unwrap().mean;
+    for scale in [5e-324, 1e-300, 1e300, f64::MAX] {
+        let scaled = motors.map(|m| (scale, m));
+        assert_eq!(Motor::mean(&scaled).unwrap().mean, mean);
+    }
+    // The sign is that of the first of the heaviest, the others may come as they like.
+    let [a, b, c] = motors;
+    assert_eq!(
+        Motor::mean(&[(1.0, a), (1.0, -b), (1.0, -c)]).unwrap().mean,
+        mean
+    );
+    assert_eq!(
+        Motor::mean(&[(1.0, -a), (1.0, -b), (1.0, c)]).unwrap().mean,
+        -mean
+    );
+    // A weight of zero is as if it were not there, even opposite to the rest.
+    let with_none = [
+        (0.0, turn([1.0, 0.0, 0.0], PI)),
+        plain[0],
+        plain[1],
+        plain[2],
+    ];
+    assert_eq!(Motor::mean(&with_none).unwrap().mean, mean);
+}
+
+#[test]
+fn one_motor_is_its_own_mean() {
+    for motor in [
+        shift([1e12, -3.0, 0.0]),
+        turn([0.0, 1.0, 0.0], PI),
+        -shift([0.0; 3]),
+    ] {
+        let found = Motor::mean(&[(2.0, motor), (1.0, -motor), (1.0, motor)]).unwrap();
+        assert_close!(found.mean, motor, 1e-15);
+        assert!(found.steps <= 1);
+        assert_eq!(Motor::blend(&[(0.3, motor)]).unwrap(), motor);
+    }
+}
+
+#[test]
+fn rotations_all_around_have_no_mean() {
+    let z = [0.0, 0.0, 1.0];
+    // Opposite to each other, at thirds and quarters of a turn, and half turns about three axes.
+    let all_around: [Vec<Motor<f64>>; 6] = [
+        vec![turn(z, 0.3), turn(z, 0.3 + PI), -turn(z, 0.3)],
+        [0.0, 2.0, 4.0].map(|k| turn(z, k * PI / 3.0)).to_vec(),
+        [0.0, 1.0, 2.0, 3.0]
+            .map(|k| turn(z, k * FRAC_PI_2))
+            .to_vec(),
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], z]
+            .map(|axis| turn(axis, PI))
+            .to_vec(),
+        vec![turn(z, 0.0), turn([0.6, 0.0, 0.8], PI)],
+        vec![turn(z, -1.58), turn(z, 0.0), turn(z, 1.58)],
+    ];
+    for motors in all_around {
+        let weighted: Vec<_> = motors.iter().map(|&m| (1.0, m)).collect();
+        let Err(MeanError::NotUnique { index, angle }) = Motor::mean(&weighted) else {
+            panic!("{motors:?} have a mean");
+        };
+        assert!(index < motors.len() && angle > 1.5 && angle <= PI);
+    }
+    // With a third beside them, two rotations half a turn apart have a mean.
+    let beside = [0.0, FRAC_PI_2, PI].map(|angle| (1.0, turn(z, angle)));
+    assert_close!(
+        Motor::mean(&beside).unwrap().mean,
+        turn(z, FRAC_PI_2),
+        1e-14
+    );
+    // A hair less than half a turn apart they have one.
+    let apart = [-1.0, 1.0].map(|side| (1.0, turn(z, side * (FRAC_PI_2 - 1e-6))));
+    assert_close!(Motor::mean(&apart).unwrap().mean, shift([0.0; 3]), 1e-15);
+}
+
+#[test]
+fn fans_over_half_a_turn_have_their_middle_as_mean() {
+    for seed in 0..400 {
+        let mut random = Random(seed);
+        let (axis, turned) = (random.axis(), random.below(PI));
+        let start = random.motor(turned, 1.0);
+        let count = 3 + 2 * (random.unit() * 5.0) as i32;
+        let fan: Vec<_> = (0..count)
+            .map(|k| start * turn(axis, PI * f64::from(k) / f64::from(count - 1)))
+            // The ends are half a turn apart, and have the largest weight.
+            .map(|motor| (1.0, random.sign(motor)))
+            .enumerate()
+            .map(|(k, (w, m))| {
+                (
+                    if k == 0 || k + 1 == count as usize {
+                        2.0
+                    } else {
+                        w
+                    },
+                    m,
+                )
+            })
+            .collect();
+        let found = Motor::mean(&fan).unwrap_or_else(|error| panic!("seed {seed}: {error}"));
+        let error = deviation(found.mean, start * turn(axis, FRAC_PI_2));
+        assert!(error < 1e-13, "seed {seed}: {error}");
+    }
+}
+
+#[test]
+fn clouds_that_just_fit_have_a_mean() {
+    // All a quarter turn from a centre, two of them as good as opposite, with weights from one to a million.
+    for seed in 0..4000 {
+        let mut random = Random(seed);
+        let centre = random.motor(2.0, 1.0);
+        let axis = random.axis();
+        let off = 10.0_f64.powf(-1.0 - 8.0 * random.unit());
+        let near = random.vector(off);
+        let near = std::array::from_fn(|k| near[k] - axis[k]);
+        let mut motors = vec![turn(axis, FRAC_PI_2), turn(near, FRAC_PI_2)];
+        for _ in 0..1 + (random.unit() * 4.0) as usize {
+            motors.push(random.motor(FRAC_PI_2, 1.0));
+        }
+        let cloud: Vec<_> = motors
+            .into_iter()
+            .map(|motor| {
+                (
+                    10.0_f64.powf(random.below(3.0)),
+                    random.sign(centre * motor),
+                )
+            })
+            .collect();
+        let found = Motor::mean(&cloud).unwrap_or_else(|error| panic!("seed {seed}: {error}"));
+        assert!(found.steps <= 6, "seed {seed}: {found:?}");
+        assert!(found.residual.angle < 1e-13 && found.residual.displacement < 1e-12);
+    }
+}
+
+#[test]
+fn a_ball_is_found_wherever_its_centre_is() {
+    // Nearly all weight at one end of the ball, so that the other end is far beyond a quarter turn from the mean.
+    let z = [0.0, 0.0, 1.0];
+    let found = Motor::mean(&[
+        (1e6, turn(z, 1.5)),
+        (1.0, turn(z, -1.5)),
+        (1.0, turn([1.0, 0.0, 0.0], 1.5)),
+    ]);
+    assert!((found.unwrap().mean.rotor().to_axis_angle().1 - 1.5).abs() < 1e-5);
+    // Random rotations: the best of many centres tells that there is a ball, the refusal that no centre shows one.
+    let mut refused = 0;
+    for seed in 0..400 {
+        let mut random = Random(seed);
+        let spread = 1.2 + 0.8 * random.unit();
+        let motors: Vec<_> = (0..6)
+            .map(|_| {
+                let angle = spread * random.unit().cbrt();
+                random.motor(angle, 1.0)
+            })
+            .collect();
+        let weighted: Vec<_> = motors.iter().map(|&m| (random.unit() + 0.01, m)).collect();
+        let nearest = |centre: Motor<f64>| {
+            let cosine = |m: &Motor<f64>| (centre.reverse() * *m).scalar().abs();
+            motors.iter().map(cosine).fold(1.0, f64::min)
+        };
+        // A climb by shrinking steps from the identity.
+        let (mut centre, mut best) = (Motor::default(), 0.0);
+        let mut step = 0.5;
+        while step > 1e-6 {
+            let mut is_better = false;
+            for _ in 0..60 {
+                let tried = centre * random.motor(step, 0.0);
+                if nearest(tried) > best {
+                    (centre, best, is_better) = (tried, nearest(tried), true);
+                }
+            }
+            if !is_better {
+                step *= 0.5;
+            }
+        }
+        let edge = (0.5_f64).sqrt();
+        match Motor::mean(&weighted) {
+            Ok(_) => assert!(best > edge - 1e-4, "seed {seed}: {best}"),
+            Err(MeanError::NotUnique { .. }) => {
+                refused += 1;
+                assert!(best < edge, "seed {seed}: {best}");
+            }
+            Err(error) => panic!("seed {seed}: {error}"),
+        }
+    }
+    assert!((50..350).contains(&refused), "{refused} refused");
+}
+
+#[test]
+fn bad_input_is_named() {
+    let one = Motor::<f64>::default();
+    assert_eq!(Motor::<f64>::blend(&[]), Err(BlendError::Empty));
+    assert_eq!(
+        Motor::<f64>::mean(&[]),
+        Err(MeanError::Blend(BlendError::Empty))
+    );
+    for bad in [-1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let Err(BlendError::Weight(WeightError::Invalid { index, weight })) =
+            Motor::blend(&[(1.0, one), (bad, one)])
+        else {
+            panic!("{bad} is a weight");
+        };
+        assert!(index == 1 && weight.to_bits() == bad.to_bits());
+        let error = Motor::mean(&[(bad, one)]).unwrap_err();
+        assert!(error.to_string().starts_with("weight 0 is "), "{error}");
+        let coefficient = bad * f64::INFINITY;
+        let lost = Motor::new_unchecked(1.0, 0.0, 0.0, 0.0, coefficient, 0.0, 0.0, 0.0);
+        let named = BlendError::NotFinite { index: 2 };
+        let motors = [(1.0, one), (1.0, one), (0.0, lost)];
+        assert_eq!(Motor::blend(&motors), Err(named));
+        let lost = Rotor::new_unchecked(coefficient, 0.0, 0.0, 0.0);
+        let rotors = [(1.0, one.rotor()), (1.0, one.rotor()), (1.0, lost)];
+        assert_eq!(Rotor::blend(&rotors), Err(named));
+    }
+    let none = Motor::blend(&[(0.0, one), (0.0, one)]);
+    assert_eq!(none, Err(BlendError::Weight(WeightError::AllZero)));
+    assert_eq!(none.unwrap_err().to_string(), "all weights are zero");
+    // Displacements whose sum is beyond the range, though each is within.
+    let far = shift([f64::MAX, 0.0, 0.0]);
+    let far = Motor::blend(&[(1.0, far), (1.0, far), (1.0, far)]);
+    assert_eq!(far, Err(BlendError::OutOfRange));
+}
+
+#[test]
+fn far_displacements_keep_their_figures() {
+    for size in [1e-12, 1e6, 1e12, 1e100] {
+        let motors = [[1.0, 0.5, 0.0], [-0.5, 2.0, 1.0], [0.25, 0.0, -3.0]]
+            .map(|t| t.map(|x| x * size))
+            .into_iter()
+            .zip([0.1, -0.7, 0.9]);
+        let weighted: Vec<_> = motors
+            .map(|(t, angle)| (1.0, shift(t) * turn([0.0, 0.6, 0.8], angle)))
+            .collect();
+        let found = Motor::mean(&weighted).unwrap();
+        assert!(
+            found.residual.displacement <= 1e-14 * size,
+            "{size}: {found:?}"
+        );
+        let scaled: Vec<_> = weighted
+            .iter()
+            .map(|(w, m)| {
+                (
+                    *w,
+                    shift(m.translator().displacement().map(|x| x / size)) * m.rotor(),
+                )
+            })
+            .collect();
+        let plain = Motor::mean(&scaled)
+            .unwrap()
+            .mean
+            .translator()
+            .displacement();
+        let found = found.mean.translator().displacement().map(|x| x / size);
+        assert_close!(found.to_vec(), plain.to_vec(), 1e-13);
+    }
+}
+
+#[test]
+fn single_precision_comes_to_rest_too() {
+    for seed in 0..1000 {
+        let mut random = Random(seed);
+        let turned = random.below(PI);
+        let centre = random.motor(turned, 10.0);
+        let narrow = |m: Motor<f64>| {
+            let [a, b, c, d, e, f, g, h] = coefficients(m).map(|x| x as f32);
+            Motor::new_unchecked(a, b, c, d, e, f, g, h)
+        };
+        let cloud: Vec<_> = planted(&mut random, centre, FRAC_PI_2 - 0.01)
+            .into_iter()
+            .map(|(w, m)| (w as f32, narrow(m)))
+            .collect();
+        let found = Motor::mean(&cloud).unwrap_or_else(|error| panic!("seed {seed}: {error}"));
+        assert!(found.steps <= 25);
+        let mean = found.mean;
+        let wide = Motor::new_unchecked(
+            f64::from(mean.scalar()),
+            f64::from(mean.e12()),
+            f64::from(mean.e13()),
+            f64::from(mean.e23()),
+            f64::from(mean.e1i()),
+            f64::from(mean.e2i()),
+            f64::from(mean.e3i()),
+            f64::from(mean.e123i()),
+        );
+        assert!(
+            deviation(wide, centre) < 2e-5,
+            "seed {seed}: {}",
+            deviation(wide, centre)
+        );
+    }
+}
+
+#[test]
+fn long_sums_keep_their_figures() {
+    // First all motors of one side, then all of the other, so that sums grow large before they vanish.
+    let mut random = Random(1);
+    let centre = random.motor(1.0, 1.0);
+    let sides: Vec<_> = (0..20_000)
+        .map(|_| (random.axis().map(|x| x.abs()), 0.5 + 0.2 * random.unit()))
+        .collect();
+    let narrow = |m: Motor<f64>| {
+        let [a, b, c, d, e, f, g, h] = coefficients(m).map(|x| x as f32);
+        (1.0_f32, Motor::new_unchecked(a, b, c, d, e, f, g, h))
+    };
+    let moved = |sign: f64| {
+        let moved = move |&(axis, angle): &([f64; 3], f64)| {
+            let step = axis.map(|x| x * sign);
+            centre * of_matrix(matrix_exponential(step.map(|x| x * angle), step))
+        };
+        sides.iter().map(moved).map(narrow).collect::<Vec<_>>()
+    };
+    let cloud = [moved(1.0), moved(-1.0)].concat();
+    let found = Motor::mean(&cloud).unwrap();
+    let (_, expected) = narrow(centre);
+    assert_close!(found.mean, expected, 3e-7);
+    assert!(found.steps <= 4);
+}
