@@ -1,4 +1,4 @@
-//! Traits of other crates for every declared type, that of users too: `algebra!` hands each to this macro.
+//! Traits of other crates for every declared type, that of users too: `algebra!` hands all to this macro, each in braces.
 //!
 //! ```text
 //! constant Infinity "Infinity"
@@ -10,15 +10,24 @@
 //! In braces stand the stored coefficients; `linear` says that sums and multiples stay in the type, `checked` that its facts
 //! restrict the coefficients. In brackets stand those of 1, where it is a member and members multiply to members.
 
-/// Emits what the features ask for.
+/// Emits nothing: the features are off.
+#[cfg(not(any(feature = "approx-05", feature = "num-traits-02", feature = "serde-1")))]
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __interoperate {
-    ($($description:tt)*) => {
+    ($($description:tt)*) => {};
+}
+
+/// Emits what the features ask for.
+#[cfg(any(feature = "approx-05", feature = "num-traits-02", feature = "serde-1"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __interoperate {
+    ($({ $($description:tt)* })*) => { $(
         $crate::__approximate! { $($description)* }
         $crate::__count! { $($description)* }
         $crate::__serialize! { $($description)* }
-    };
+    )* };
 }
 
 /// Emits nothing: the feature is off.

@@ -1,6 +1,6 @@
-//! What the traits of other crates need to know of a type.
+//! What the traits of other crates need to know of the types.
 //!
-//! The description goes to a macro of ga-runtime, whose features choose the traits: nothing comes of it where all are off,
+//! The descriptions go to a macro of ga-runtime, whose features choose the traits: nothing comes of them where all are off,
 //! and a crate that declares an algebra needs no features of its own.
 
 use proc_macro2::{Literal, TokenStream};
@@ -12,11 +12,19 @@ use super::types::is_identity;
 use crate::algebra::{Blade, Product, Ratio};
 use crate::define::{Coefficient, Operation, TypeDefinition};
 
-pub(super) fn emit(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
-    let (runtime, name) = (context.runtime, &kind.name);
+/// One invocation for all types, since each costs the compiler a search for its macro.
+pub(super) fn emit(context: &Context<'_>) -> TokenStream {
+    let runtime = context.runtime;
+    let types = context.definition.types.iter();
+    let descriptions = types.map(|kind| description(context, kind));
+    quote! { #runtime::__private::interoperate! { #({ #descriptions })* } }
+}
+
+fn description(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+    let name = &kind.name;
     let text = name.unraw().to_string();
     if kind.is_constant() {
-        return quote! { #runtime::__private::interoperate! { constant #name #text } };
+        return quote! { constant #name #text };
     }
     let role = format_ident!(
         "{}",
@@ -34,9 +42,7 @@ pub(super) fn emit(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream 
         quote! { #field #place #text }
     });
     let one = one(context, kind);
-    quote! {
-        #runtime::__private::interoperate! { #role #name #text { #(#fields),* } [#(#one),*] }
-    }
+    quote! { #role #name #text { #(#fields),* } [#(#one),*] }
 }
 
 /// The stored coefficients of 1, where it is a member and members multiply to members.

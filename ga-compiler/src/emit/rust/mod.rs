@@ -38,9 +38,9 @@ pub fn algebra(definition: &Definition, source: &TokenStream) -> TokenStream {
         items.extend(involutions::emit(&context, kind));
         items.extend(versors::emit(&context, kind));
         items.extend(conversions::emit(&context, kind));
-        items.extend(interoperation::emit(&context, kind));
     }
     items.extend(products::emit(&context));
+    items.extend(interoperation::emit(&context));
     let module = module(definition, items);
     let handover = handover(definition, source);
     quote! { #module #handover }
