@@ -440,6 +440,29 @@ fn a_curve_of_one_control_is_that() {
 }
 
 #[test]
+fn what_is_no_time_gives_no_motion() {
+    let keys = [0.0, 1.0, 1.5, 2.0].map(turn);
+    let [a, b, c, d] = keys;
+    for t in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for motor in [
+            Motor::bezier(keys, t),
+            Motor::bezier([a, b], t),
+            a.squad(b, c, d, t),
+        ] {
+            assert!(
+                coefficients(motor).iter().any(|x| !x.is_finite()),
+                "{t}: {motor}"
+            );
+        }
+    }
+    // Beyond its ends a curve goes on: here by the same screw.
+    for t in [-1.0, 2.5] {
+        let found = Motor::bezier([0.0, 0.5, 1.0, 1.5].map(turn), t);
+        assert!(deviation(found, turn(1.5 * t)) < 1e-14);
+    }
+}
+
+#[test]
 fn single_precision_goes_the_same_way() {
     let screw = |t: f32| {
         Translator::from_displacement([0.0, 0.0, t])

@@ -14,7 +14,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// speed. Neighbours should be well within half a turn of each other: each segment takes the short way, and the curve
     /// jumps where that changes.
     ///
-    /// A single control motor is the curve; none does not compile.
+    /// A single control motor is the curve; none does not compile. Outside [0, 1] the curve goes on. A t that is not finite gives
+    /// a motor with coefficients that are not, for two controls and more.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Translator};
@@ -40,7 +41,7 @@ impl<S: Real<Mask = bool>> Motor<S> {
     ///
     /// It starts with the speed `log(~M N) + 2 log(~M A)` as seen from the moved body, so with the controls of
     /// [`Motor::squad_control`] pieces of equal duration follow each other without a jump of speed. For keys at any times take
-    /// [`MotorSpline`](crate::geometry::motion::MotorSpline).
+    /// [`MotorSpline`](crate::geometry::motion::MotorSpline). A t that is not finite gives a motor with coefficients that are not.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Rotor};
