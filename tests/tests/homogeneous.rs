@@ -491,3 +491,30 @@ fn points_at_infinity_are_none() {
         None
     );
 }
+
+/// Where nothing is checked, what is not finite does not get lost.
+#[test]
+fn numbers_that_are_not_finite_go_on() {
+    for odd in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let shifted =
+            Affine::from_translation([odd, 0.0, 0.0]).transform(Point::new(1.0, 2.0, 3.0));
+        assert_eq!(shifted.e1().to_bits(), (odd + 1.0).to_bits());
+        assert_eq!((shifted.e2(), shifted.e3()), (2.0, 3.0));
+        assert!(
+            !Affine::default()
+                .transform(Point::new(odd, 2.0, 3.0))
+                .e1()
+                .is_finite()
+        );
+        assert_eq!(translation([0.0, odd, 0.0])[1][3].to_bits(), odd.to_bits());
+        assert_eq!(scaling([1.0, odd, 1.0])[1][1].to_bits(), odd.to_bits());
+        let far = Dilator::from_factor(2.0)
+            .unwrap()
+            .about(Point::new(odd, 0.0, 0.0));
+        assert!(!far.e1i().is_finite());
+        assert_eq!(
+            Similarity::from_homogeneous(far.to_homogeneous()),
+            Err(NotConformal::NotFinite)
+        );
+    }
+}

@@ -15,6 +15,8 @@ use crate::scalar::{Field, Real, Ring};
 /// These turn a sphere into an ellipsoid and are not conformal. Points, directions, lines and planes go through them, and
 /// nothing round does.
 ///
+/// Any numbers make a map; an infinity or NaN in one, or in what it is applied to, goes on into the image. What becomes a versor or an inverse is checked.
+///
 /// `a * b` does b first. Each versor of motions and scalings converts to its map, and a map that is one of them back:
 ///
 /// ```

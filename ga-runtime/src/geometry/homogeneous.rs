@@ -41,7 +41,7 @@ use crate::scalar::{Field, Real, Ring};
 /// A 4×4 matrix by rows.
 pub type Matrix<S> = [[S; 4]; 4];
 
-/// The matrix of the shift by t (eq. 4).
+/// The matrix of the shift by t (eq. 4). A number that is not finite stands in the matrix, as in all matrices here that are not an `Option`.
 #[inline]
 #[must_use]
 pub fn translation<S: Ring>(displacement: [S; 3]) -> Matrix<S> {
@@ -287,7 +287,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
 }
 
 impl<S: Real<Mask = bool>> Dilator<S> {
-    /// The scaling about a point p instead of the origin: `T(p) D T(−p) = D + s p ei` for `D = c + s eo∧ei`.
+    /// The scaling about a point p instead of the origin: `T(p) D T(−p) = D + s p ei` for `D = c + s eo∧ei`. A coordinate that is not finite goes on into
+    /// the coefficients.
     ///
     /// ```
     /// use ga_runtime::cga3::{Dilator, Point};
