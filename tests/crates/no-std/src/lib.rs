@@ -1,4 +1,4 @@
-//! ga-runtime without the standard library: its types, compiled functions and batches.
+//! ga-runtime without the standard library: its types, compiled functions and batches, and what it knows of other crates.
 #![no_std]
 
 use ga_runtime::batch::{Batch, Path};
@@ -26,4 +26,31 @@ pub fn part(motor: Motor<f64>, t: f64) -> Motor<f64> {
 /// Moves all points by the instructions that every processor has.
 pub fn move_all(motor: &Motor<f32>, points: &mut [Point<f32>]) {
     Batch::on(Path::Baseline).transform(motor, points);
+}
+
+/// The motion of a vector and quaternion of glam, taken through nalgebra; `None` where the quaternion is zero or a number is not finite.
+#[must_use]
+pub fn through_others(turn: glam_034::Quat, shift: glam_034::Vec3) -> Option<Motor<f32>> {
+    let motor = Motor::try_from((turn, shift)).ok()?;
+    Some(nalgebra_035::Isometry3::from(motor).into())
+}
+
+/// The bytes of points, for a vertex buffer.
+#[must_use]
+pub fn bytes(points: &[Point<f32>]) -> &[u8] {
+    bytemuck_1::cast_slice(points)
+}
+
+/// Whether a motion does nothing, up to rounding.
+#[must_use]
+pub fn is_identity(motor: &Motor<f64>) -> bool {
+    approx_05::abs_diff_eq!(*motor, num_traits_02::One::one())
+}
+
+/// Writes a motion.
+///
+/// # Errors
+/// Those of the serializer.
+pub fn write<S: serde_1::Serializer>(motor: &Motor<f64>, to: S) -> Result<S::Ok, S::Error> {
+    serde_1::Serialize::serialize(motor, to)
 }
