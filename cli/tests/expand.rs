@@ -220,6 +220,51 @@ fn the_algebra_is_the_one_that_is_named() {
 }
 
 #[test]
+fn every_algebra_that_ships_is_known_by_name() {
+    for (algebra, function) in [
+        (
+            "cga2",
+            "fn f(m: Motor, p: Point) -> Point { m * p * rev(m) }",
+        ),
+        (
+            "cga3",
+            "fn f(m: Motor, p: Point) -> Point { m * p * rev(m) }",
+        ),
+        ("pga2", "fn f(p: Point, q: Point) -> Line { p & q }"),
+        ("pga3", "fn f(p: Point, q: Point) -> Line { p & q }"),
+        (
+            "sta",
+            "fn f(r: Rotor, x: Vector) -> Vector { r * x * rev(r) }",
+        ),
+        ("vga2", "fn f(a: Vector, b: Vector) -> Complex { a * b }"),
+        (
+            "vga3",
+            "fn f(r: Rotor, x: Vector) -> Vector { r * x * rev(r) }",
+        ),
+    ] {
+        let printed = expanded(function, &["--algebra", algebra, "--emit", "ops"]);
+        assert!(printed.starts_with("f: "), "{algebra}: {printed}");
+        let named = expanded(
+            &format!("ga! {{ ga_runtime::{algebra}; {function} }}"),
+            &["--emit", "ops"],
+        );
+        assert_eq!(named, printed);
+    }
+}
+
+#[test]
+fn an_algebra_of_no_name_is_told_with_those_that_are() {
+    let folder = tempdir().unwrap();
+    let arguments = ["expand", "--expr", MOVED, "--algebra", "pga4"];
+    assert_lines(
+        &nullcone(folder.path(), arguments),
+        &[
+            "error: --algebra pga4: neither one of cga2, cga3, pga2, pga3, sta, vga2, vga3 nor a file",
+        ],
+    );
+}
+
+#[test]
 fn errors_show_the_line() {
     let folder = tempdir().unwrap();
     let source = "fn f(m: Motor,\n\tp: Pont) -> Point {\n    m * p * rev(m)\n}\n";

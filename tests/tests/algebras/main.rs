@@ -3,6 +3,7 @@
 mod cga2;
 mod pga2;
 mod pga3;
+mod single;
 mod sta;
 mod vga2;
 mod vga3;
