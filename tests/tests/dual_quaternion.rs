@@ -144,6 +144,10 @@ fn what_is_no_motion_says_why() {
     assert_eq!(from(zero, zero), Err(NotUnit::NoRotation));
     assert_eq!(from(zero, one), Err(NotUnit::NoRotation));
     assert_eq!(from(one, one), Err(NotUnit::NotPerpendicular));
+    let (little, much) = ([1e-9, 0.0, 0.0, 1e-9], [1e9, 0.0, 0.0, 1e3]);
+    assert!(from(one, little).is_ok());
+    assert_eq!(from(one, much), Err(NotUnit::NotPerpendicular));
+    assert!(from(one, [1e9, 0.0, 0.0, 1.0]).is_ok());
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         for place in 0..4 {
             let mut broken = one;

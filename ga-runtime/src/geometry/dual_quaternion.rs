@@ -30,8 +30,8 @@ pub enum NotUnit {
     NotFinite,
     /// The real quaternion is zero and has no direction.
     NoRotation,
-    /// The quaternions are not perpendicular, `q·d ≠ 0` within √ε of their lengths: the Study condition fails, and no motion is
-    /// meant exactly.
+    /// The quaternions are not perpendicular, `|q·d| > √ε |q| max(|q|, |d|)`: the Study condition fails by more than rounding, and
+    /// no motion is meant.
     NotPerpendicular,
 }
 
@@ -118,7 +118,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
         if S::zero().less_than(dual_size) {
             let (q, d) = (real.map(|x| x / size), dual.map(|x| x / dual_size));
             let along = dot(q, d) + (w / size) * (dw / dual_size);
-            if S::epsilon().sqrt().less_than(along.abs()) {
+            let weight = (dual_size / size).min(S::one());
+            if S::epsilon().sqrt().less_than(along.abs() * weight) {
                 return Err(NotUnit::NotPerpendicular);
             }
         }
