@@ -53,6 +53,13 @@ fn interpolations<S: Rivals>(criterion: &mut Criterion) {
         .collect();
     let mut group = Comparison::new(criterion, &format!("versor/interpolate-{}", S::NAME));
     group.map("nullcone", &motors, |(a, b, t)| a.interpolate(*b, *t));
+    let rotors: Vec<_> = motors
+        .iter()
+        .map(|(a, b, t)| (a.rotor(), b.rotor(), *t))
+        .collect();
+    group.map("nullcone, turns alone", &rotors, |(a, b, t)| {
+        a.interpolate(*b, *t)
+    });
     let slerp = format!("{} slerp, turns alone", S::QUATERNION);
     group.map(&slerp, &quaternions, |(a, b, t)| S::slerp(a, b, *t));
     S::interpolation(&mut group);

@@ -1,7 +1,7 @@
 //! Exponential and logarithm of rigid motions: against closed forms in plain coordinates, there and back at every angle and size,
 //! and what comes back for numbers that are no motion.
 //!
-//! The loops over random motions take [`COUNT`] of them, ten times as many in a release build.
+//! The loops over random motions take [`COUNT`] of them, fewer in a debug build.
 
 use std::f64::consts::PI;
 
@@ -10,7 +10,7 @@ use ga_runtime::scalar::{Dual, Lanes, Real};
 use proptest::prelude::*;
 
 const COUNT: usize = if cfg!(debug_assertions) {
-    100_000
+    40_000
 } else {
     1_000_000
 };
@@ -169,7 +169,7 @@ fn closed_forms() {
         let error = deviation(found, generator) / size(&generator) / conditioning;
         worst[1] = worst[1].max(error);
     }
-    assert!(worst[0] <= 1e-15, "exp is off by {:e}", worst[0]);
+    assert!(worst[0] <= 2e-15, "exp is off by {:e}", worst[0]);
     assert!(worst[1] <= 4e-15, "log is off by {:e}", worst[1]);
 }
 

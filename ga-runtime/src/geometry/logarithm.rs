@@ -18,7 +18,7 @@
 use core::f64::consts::{FRAC_PI_2, PI};
 
 use super::vector3::{difference, dot, length, scaled, sum};
-use crate::cga3::{Motor, MotorGenerator};
+use crate::cga3::{Motor, MotorGenerator, Rotor};
 use crate::scalar::{Field, Mask, Real};
 
 impl<S: Real> MotorGenerator<S> {
@@ -74,22 +74,12 @@ impl<S: Real> Motor<S> {
     pub fn log(self) -> MotorGenerator<S> {
         let Halves { c, q, d0, d } = Halves::of(self);
         let square = dot(q, q);
-        let tiny = S::epsilon() * S::epsilon();
-        let (ratio, slope) = c.abs().angle_by_sine();
-        // Past the quarter turn φ = π − φ′ with φ′ that of −M.
-        let inverse = square.max(tiny).sqrt().recip();
-        let is_past = c.less_than(S::zero());
-        let sign = S::select(is_past, -S::one(), S::one());
-        let rest = (S::one() - sign) * S::from_f64(FRAC_PI_2) * inverse;
-        let ratio = ratio.mul_add(sign, rest);
-        let slope = slope.mul_sub(sign, rest * inverse * inverse);
+        let (ratio, slope) = angle_by_sine(c, square);
         let g = scaled(q, ratio);
         let h = sum(scaled(d, ratio), scaled(q, dot(q, d) * slope - d0));
-        let deviation = (c * c + square - S::one()).abs();
         // Zero, and NaN where a product with d may have left the range.
         let overflow = (dot(d, d) + d0 * d0) * S::zero();
-        let is_regular =
-            (deviation + overflow).less_than(S::from_ratio(1, 16)) & tiny.less_than(square.max(c));
+        let is_regular = is_regular_turn(c, square, overflow);
         if is_regular.all() {
             return generator(g, h);
         }
@@ -99,6 +89,79 @@ impl<S: Real> Motor<S> {
             select_vector(is_regular, h, careful_h),
         )
     }
+}
+
+impl<S: Real> Rotor<S> {
+    /// The generator G with `exp(G) = R`, for a turn by θ in [0, 2π]: `−½θB` in the plane B of the turn, without a shift.
+    ///
+    /// `−1` is taken as a whole turn in the plane e12, and so is what differs from it by less than ε, in its own plane.
+    /// [`MotorGenerator::exp`] leads back, as a motor. NaN or infinity in R gives NaN.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Motor, MotorGenerator, Rotor};
+    /// let turn = Rotor::from_axis_angle([0.0, 0.0, 1.0_f64], 0.5).unwrap();
+    /// let generator = turn.log();
+    /// assert!((generator.e12 + 0.25).abs() < 1e-16);
+    /// assert_eq!((-Rotor::<f64>::default()).log().e12, std::f64::consts::PI);
+    /// ```
+    #[inline(always)]
+    #[must_use]
+    pub fn log(self) -> MotorGenerator<S> {
+        let (c, q) = (self.scalar(), [self.e12(), self.e13(), self.e23()]);
+        let zero = [S::zero(); 3];
+        let square = dot(q, q);
+        let (ratio, _) = angle_by_sine(c, square);
+        let g = scaled(q, ratio);
+        let is_regular = is_regular_turn(c, square, S::zero());
+        if is_regular.all() {
+            return generator(g, zero);
+        }
+        let (careful_g, _) = logarithm_of_any(assemble(c, q, S::zero(), zero));
+        generator(select_vector(is_regular, g, careful_g), zero)
+    }
+}
+
+/// `φ/sin φ` and `(cos φ − φ/sin φ)/sin² φ` by cos φ and sin² φ, for φ in [0, π].
+#[inline(always)]
+fn angle_by_sine<S: Real>(c: S, square: S) -> (S, S) {
+    let (ratio, slope) = c.abs().angle_by_sine();
+    // Past the quarter turn φ = π − φ′ with φ′ that of −c.
+    let inverse = square.max(tiny_square()).sqrt().recip();
+    let sign = S::select(c.less_than(S::zero()), -S::one(), S::one());
+    let rest = (S::one() - sign) * S::from_f64(FRAC_PI_2) * inverse;
+    (
+        ratio.mul_add(sign, rest),
+        slope.mul_sub(sign, rest * inverse * inverse),
+    )
+}
+
+/// Whether these are about the cosine and the squared sine of an angle, not that of a whole turn to within ε, and
+/// `overflow` is zero instead of NaN.
+#[inline(always)]
+fn is_regular_turn<S: Real>(c: S, square: S, overflow: S) -> S::Mask {
+    let deviation = (c * c + square - S::one()).abs() + overflow;
+    deviation.less_than(S::from_ratio(1, 16)) & tiny_square::<S>().less_than(square.max(c))
+}
+
+/// The square of the sine below which half the angle rounds to π.
+#[inline(always)]
+fn tiny_square<S: Real>() -> S {
+    S::epsilon() * S::epsilon()
+}
+
+/// The rotor `exp(g)`.
+#[inline(always)]
+pub(super) fn turn_exponential<S: Real>(g: [S; 3]) -> Rotor<S> {
+    let square = dot(g, g);
+    let (cosine, ratio, _) = square.sine_by_angle();
+    let q = scaled(g, ratio);
+    let is_regular = square.less_than(largest_square());
+    if is_regular.all() {
+        return Rotor::new_unchecked(cosine, q[0], q[1], q[2]);
+    }
+    let careful = Halves::of(exponential_of_any(generator(g, [S::zero(); 3])));
+    let q = select_vector(is_regular, q, careful.q);
+    Rotor::new_unchecked(S::select(is_regular, cosine, careful.c), q[0], q[1], q[2])
 }
 
 /// A motor as `(c + q) + ω (d0 + d)`.

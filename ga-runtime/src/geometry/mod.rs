@@ -48,8 +48,10 @@ mod point;
 mod point_pair;
 mod power;
 pub mod relation;
+mod rotation_path;
 mod rotor;
 mod round;
+mod screw;
 mod sphere;
 #[cfg(feature = "sta")]
 mod sta;
@@ -65,5 +67,7 @@ mod vga3;
 pub use affine::{Affine, NotConformal};
 pub use dual_quaternion::{DualQuaternionParts, NotUnit};
 pub use kind::Kind;
+pub use rotation_path::RotationPath;
+pub use screw::Screw;
 #[cfg(feature = "sta")]
 pub use sta::{NotSlowerThanLight, relative_velocity, velocity_sum};

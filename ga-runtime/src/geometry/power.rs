@@ -1,14 +1,104 @@
-//! Powers of rigid motions, and motion at constant speed from one to another.
+//! Powers and square roots of turns and rigid motions, and motion at constant speed from one to another.
 
-use super::logarithm::{Halves, assemble};
-use super::vector3::scaled;
-use crate::cga3::Motor;
-use crate::scalar::Real;
+use super::RotationPath;
+use super::logarithm::{Halves, assemble, length_and_direction, select_motor, turn_exponential};
+use super::vector3::{difference, scaled};
+use crate::cga3::{Motor, Rotor};
+use crate::scalar::{Mask, Real};
+
+impl<S: Real> Rotor<S> {
+    /// The part t of the turn, `Rᵗ = exp(t log R)`: by tθ in the same plane, for θ in [0, 2π]. Part of `−R` goes the other way
+    /// round; see [`along`](Self::along). `−1` is taken as a whole turn in the plane e12. NaN and infinity give NaN.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::Rotor;
+    /// let turn = Rotor::from_axis_angle([0.0, 3.0, 4.0], 1.5_f64).unwrap();
+    /// let third = Rotor::from_axis_angle([0.0, 3.0, 4.0], 0.5).unwrap();
+    /// assert!((turn.powf(1.0 / 3.0).e12() - third.e12()).abs() < 1e-15);
+    /// ```
+    #[inline(always)]
+    #[must_use]
+    pub fn powf(self, t: S) -> Self {
+        let turn = self.log();
+        turn_exponential([turn.e12 * t, turn.e13 * t, turn.e23 * t])
+    }
+
+    /// The turn half way, by ½θ in the same plane for θ in [0, 2π]: `(1 + R)/|1 + R|`, for more than a half turn in a form that does
+    /// not cancel. The root of `−1` is a half turn in the plane e12, `e12`.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::Rotor;
+    /// let quarter = Rotor::from_axis_angle([0.0, 0.0, 1.0], std::f64::consts::FRAC_PI_2).unwrap();
+    /// let eighth = quarter.sqrt();
+    /// assert!((eighth.scalar() - (std::f64::consts::PI / 8.0).cos()).abs() < 1e-15);
+    /// let minus_one = -Rotor::<f64>::default();
+    /// assert_eq!(minus_one.sqrt(), Rotor::new_unchecked(0.0, 1.0, 0.0, 0.0));
+    /// ```
+    #[must_use]
+    pub fn sqrt(self) -> Self {
+        let c = self.scalar();
+        let q = [self.e12(), self.e13(), self.e23()];
+        // |1 ± R|² = 2 (1 + |c|), the larger of the two.
+        let more = S::one() + c.abs();
+        let scale = (more + more).sqrt().recip();
+        let is_past = c.less_than(S::zero());
+        let near = (more * scale, scaled(q, scale));
+        if !is_past.any() {
+            return Self::from_halves(near);
+        }
+        let (sine, axis) = length_and_direction(q);
+        let first = S::select(sine.is_zero(), S::one(), axis[0]);
+        let axis = [first, axis[1], axis[2]];
+        let past = (sine * scale, scaled(axis, more * scale));
+        Self::from_halves((
+            S::select(is_past, past.0, near.0),
+            core::array::from_fn(|k| S::select(is_past, past.1[k], near.1[k])),
+        ))
+    }
+
+    /// The turn on the way from `self` at t = 0 to `other` at t = 1 at constant speed, by the short way round: `R (~R R′)ᵗ`, with
+    /// `−R′` for R′ where that is nearer.
+    ///
+    /// This is the slerp of the paper's eqs 18 to 22, `(sin (1 − t)φ R + sin tφ R′)/sin φ` with φ half the angle between them, in a form
+    /// that needs no case where φ is close to 0 or π. t may lie outside of [0, 1].
+    ///
+    /// ```
+    /// use ga_runtime::cga3::Rotor;
+    /// let (start, end) = (Rotor::<f64>::default(), Rotor::from_axis_angle([0.0, 0.0, 1.0], 1.0).unwrap());
+    /// let (_, angle) = start.interpolate(end, 0.25).to_axis_angle();
+    /// assert!((angle - 0.25).abs() < 1e-15);
+    /// ```
+    #[inline(always)]
+    #[must_use]
+    pub fn interpolate(self, other: Self, t: S) -> Self {
+        self.interpolate_along(other, t, RotationPath::Short)
+    }
+
+    /// As [`interpolate`](Self::interpolate), by the short or the long way round. The long way between two that are equal is a whole
+    /// turn in the plane e12 of `self`.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::Rotor;
+    /// use ga_runtime::geometry::RotationPath;
+    /// let (start, end) = (Rotor::<f64>::default(), Rotor::from_axis_angle([0.0, 0.0, 1.0], 1.0).unwrap());
+    /// let (axis, angle) = start.interpolate_along(end, 0.25, RotationPath::Long).to_axis_angle();
+    /// assert!(axis[2] < -0.9 && (angle - 0.25 * (2.0 * std::f64::consts::PI - 1.0)).abs() < 1e-15);
+    /// ```
+    #[inline(always)]
+    #[must_use]
+    pub fn interpolate_along(self, other: Self, t: S, path: RotationPath) -> Self {
+        self * (self.reverse() * other).along(path).powf(t)
+    }
+
+    fn from_halves((scalar, [e12, e13, e23]): (S, [S; 3])) -> Self {
+        Self::new_unchecked(scalar, e12, e13, e23)
+    }
+}
 
 impl<S: Real> Motor<S> {
     /// The part t of the motion along its screw, `Mᵗ = exp(t log M)`: a turn by tθ about the same axis with t times the shift
-    /// along it, for θ in [0, 2π]. Half of `−M` is therefore not half of M but goes the other way round; see [`log`](Self::log)
-    /// for `−1` and minus a translator.
+    /// along it, for θ in [0, 2π]. Part of `−M` goes the other way round; see [`along`](Self::along), and [`log`](Self::log)
+    /// for `−1` and minus a translator. NaN and infinity give NaN.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Rotor, Translator};
@@ -26,8 +116,38 @@ impl<S: Real> Motor<S> {
         (self.log() * t).exp()
     }
 
+    /// The motion half way along the screw, for a turn by θ in [0, 2π]: `(1 + M)/|1 + M|` up to a half turn, `exp(½ log M)` beyond.
+    ///
+    /// `|1 + M|² = (1 + M)(1 + ~M)` is the dual number `2 (1 + c) + 2 d0 e123i`, c and d0 being the coefficients of 1 and e123i. The root of
+    /// `−1` is `e12`, that of minus a translator a half turn about the axis of its shift with half of the shift.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Motor, Translator};
+    /// let shift = Motor::from(Translator::from_displacement([2.0, 4.0, -6.0]));
+    /// assert_eq!(shift.sqrt(), Translator::from_displacement([1.0, 2.0, -3.0]).into());
+    /// ```
+    #[must_use]
+    pub fn sqrt(self) -> Self {
+        let Halves { c, q, d0, d } = Halves::of(self);
+        let half = S::from_ratio(1, 2);
+        let more = S::one() + c;
+        let scale = (more + more).sqrt().recip();
+        let change = half * d0 / more;
+        let root = assemble(
+            more * scale,
+            scaled(q, scale),
+            half * d0 * scale,
+            scaled(difference(d, scaled(q, change)), scale),
+        );
+        let is_past = c.less_than(S::zero());
+        if !is_past.any() {
+            return root;
+        }
+        select_motor(!is_past, root, self.powf(half))
+    }
+
     /// The motion on the way from `self` at t = 0 to `other` at t = 1 along a screw of constant speed, by the short way
-    /// round: `M (~M N)ᵗ`, with `−N` for N where that is nearer.
+    /// round: `M (~M N)ᵗ`, with `−N` for N where that is nearer. t may lie outside of [0, 1].
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Point, Rotor};
@@ -39,10 +159,23 @@ impl<S: Real> Motor<S> {
     #[inline(always)]
     #[must_use]
     pub fn interpolate(self, other: Self, t: S) -> Self {
-        let between = self.reverse() * other;
-        let Halves { c, q, d0, d } = Halves::of(between);
-        let one = S::one();
-        let sign = S::select(c.less_than(S::zero()), -one, one);
-        self * assemble(c * sign, scaled(q, sign), d0 * sign, scaled(d, sign)).powf(t)
+        self.interpolate_along(other, t, RotationPath::Short)
+    }
+
+    /// As [`interpolate`](Self::interpolate), by the short or the long way round. The long way between two that differ by a shift is
+    /// a whole turn about the axis of the shift, in the plane e12 of `self` where they are equal.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Motor, Point, Rotor};
+    /// use ga_runtime::geometry::RotationPath;
+    /// let quarter = Rotor::from_axis_angle([0.0, 0.0, 1.0], std::f64::consts::FRAC_PI_2).unwrap();
+    /// let middle = Motor::default().interpolate_along(quarter.into(), 0.5, RotationPath::Long);
+    /// let [x, y, _]: [f64; 3] = middle.transform(Point::new(1.0, 0.0, 0.0)).coordinates();
+    /// assert!((x + 0.5_f64.sqrt()).abs() < 1e-15 && (y + 0.5_f64.sqrt()).abs() < 1e-15);
+    /// ```
+    #[inline(always)]
+    #[must_use]
+    pub fn interpolate_along(self, other: Self, t: S, path: RotationPath) -> Self {
+        self * (self.reverse() * other).along(path).powf(t)
     }
 }

@@ -1,6 +1,7 @@
 //! Rotors from axes, matrices and vectors, and back.
 
-use super::vector3::{cross, difference, dot, normalized};
+use super::logarithm::turn_exponential;
+use super::vector3::{cross, difference, dot, normalized, scaled};
 use crate::cga3::{Quaternion, Rotor};
 use crate::scalar::{Real, Ring};
 
@@ -69,6 +70,30 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         let half_angle = super::vector3::length(vector).atan2(scalar);
         let axis = normalized(vector).unwrap_or([S::zero(), S::zero(), S::one()]);
         (axis, half_angle + half_angle)
+    }
+
+    /// The turn by |v| radians about the direction of v, right-handed: `exp(−½ (v1 e23 − v2 e13 + v3 e12))`. The identity for
+    /// zero; `None` where v is not finite.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::Rotor;
+    /// let turn = Rotor::from_rotation_vector([0.0, 0.0, 1.5_f64]).unwrap();
+    /// let same = Rotor::from_axis_angle([0.0, 0.0, 1.0], 1.5).unwrap();
+    /// assert!((turn.scalar() - same.scalar()).abs() < 1e-15 && (turn.e12() - same.e12()).abs() < 1e-15);
+    /// assert!((turn.to_rotation_vector()[2] - 1.5).abs() < 1e-15);
+    /// ```
+    #[must_use]
+    pub fn from_rotation_vector([x, y, z]: [S; 3]) -> Option<Self> {
+        let half = S::from_ratio(1, 2);
+        let is_finite = x.is_finite() && y.is_finite() && z.is_finite();
+        is_finite.then(|| turn_exponential([-(half * z), half * y, -(half * x)]))
+    }
+
+    /// The axis of the turn, as long as its angle in [0, 2π]: minus twice the coefficients of [`log`](Self::log).
+    #[must_use]
+    pub fn to_rotation_vector(self) -> [S; 3] {
+        let turn = self.log();
+        scaled([-turn.e23, turn.e13, -turn.e12], S::from_integer(2))
     }
 
     /// The turn by the shortest way from one direction to another. Opposite directions are joined by a half turn about

@@ -1,7 +1,7 @@
 //! Translators.
 
 use super::vector3::scaled;
-use crate::cga3::Translator;
+use crate::cga3::{MotorGenerator, Translator};
 use crate::scalar::Field;
 
 impl<S: Field> Translator<S> {
@@ -24,5 +24,47 @@ impl<S: Field> Translator<S> {
     #[must_use]
     pub fn displacement(self) -> [S; 3] {
         scaled([self.e1i(), self.e2i(), self.e3i()], S::from_integer(-2))
+    }
+
+    /// The generator `−½ t ei`, whose [`exp`](MotorGenerator::exp) is this shift.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::Translator;
+    /// let shift = Translator::from_displacement([1.0, 2.0, 3.0]);
+    /// assert_eq!(shift.log().exp(), shift.into());
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn log(self) -> MotorGenerator<S> {
+        let zero = S::zero();
+        MotorGenerator::new(zero, zero, zero, self.e1i(), self.e2i(), self.e3i())
+    }
+
+    /// The shift by so many times the displacement, `1 − ½ s t ei`.
+    #[inline]
+    #[must_use]
+    pub fn powf(self, exponent: S) -> Self {
+        let [x, y, z] = scaled([self.e1i(), self.e2i(), self.e3i()], exponent);
+        Self::new(x, y, z)
+    }
+
+    /// The shift half way.
+    #[inline]
+    #[must_use]
+    pub fn sqrt(self) -> Self {
+        self.powf(S::from_ratio(1, 2))
+    }
+
+    /// The shift on the way from `self` at t = 0 to `other` at t = 1, along a straight line at constant speed.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::Translator;
+    /// let [a, b] = [[0.0, 0.0, 1.0], [4.0, 0.0, 1.0]].map(Translator::from_displacement);
+    /// assert_eq!(a.interpolate(b, 0.25).displacement(), [1.0, 0.0, 1.0]);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn interpolate(self, other: Self, t: S) -> Self {
+        self * (self.reverse() * other).powf(t)
     }
 }

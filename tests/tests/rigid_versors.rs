@@ -1,0 +1,559 @@
+//! Roots, powers, ways round and screws of rigid versors, against closed forms in plain coordinates.
+
+use std::f64::consts::PI;
+
+use ga_runtime::cga3::{
+    Dilator, DualQuaternion, Line, Motor, MotorGenerator, Point, Rotor, Translator,
+};
+use ga_runtime::geometry::{RotationPath, Screw};
+use ga_runtime::scalar::{Lanes, Real};
+use proptest::prelude::*;
+
+type Vector = [f64; 3];
+
+fn dot(a: Vector, b: Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: Vector, b: Vector) -> Vector {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+fn times(a: Vector, factor: f64) -> Vector {
+    a.map(|x| x * factor)
+}
+
+fn length(a: Vector) -> f64 {
+    dot(a, a).sqrt()
+}
+
+fn apart<const N: usize>(a: [f64; N], b: [f64; N]) -> f64 {
+    a.into_iter().zip(b).fold(0.0, |most: f64, (x, y)| {
+        let difference = (x - y).abs();
+        if difference <= most { most } else { difference }
+    })
+}
+
+fn rotor_parts<S: Real>(r: Rotor<S>) -> [S; 4] {
+    [r.scalar(), r.e12(), r.e13(), r.e23()]
+}
+
+fn parts<S: Real>(m: Motor<S>) -> [S; 8] {
+    [
+        m.scalar(),
+        m.e12(),
+        m.e13(),
+        m.e23(),
+        m.e1i(),
+        m.e2i(),
+        m.e3i(),
+        m.e123i(),
+    ]
+}
+
+fn motor([s, a, b, c, d, e, f, g]: [f64; 8]) -> Motor<f64> {
+    Motor::new_unchecked(s, a, b, c, d, e, f, g)
+}
+
+/// The turn by θ about n, as a rotor's coefficients.
+fn turn(n: Vector, angle: f64) -> [f64; 4] {
+    let (sine, cosine) = (0.5 * angle).sin_cos();
+    [cosine, -sine * n[2], sine * n[1], -sine * n[0]]
+}
+
+/// The turn by θ about the axis through p along n with an advance along it, as a motor's coefficients: with a the advance and m = p × n
+/// the part with ei is `−½ a cos ½θ n − sin ½θ m`, and `½ a sin ½θ` that of e123i.
+fn screw(p: Vector, n: Vector, angle: f64, advance: f64) -> [f64; 8] {
+    let (sine, cosine) = (0.5 * angle).sin_cos();
+    let m = cross(p, n);
+    let [c, e12, e13, e23] = turn(n, angle);
+    let shift = |k: usize| -0.5 * advance * cosine * n[k] - sine * m[k];
+    let e123i = 0.5 * advance * sine;
+    [c, e12, e13, e23, shift(0), shift(1), shift(2), e123i]
+}
+
+fn unit() -> impl Strategy<Value = Vector> {
+    prop::array::uniform3(-1.0..1.0_f64)
+        .prop_filter("too short", |v| length(*v) > 0.1)
+        .prop_map(|v| times(v, 1.0 / length(v)))
+}
+
+fn place(size: f64) -> impl Strategy<Value = Vector> {
+    prop::array::uniform3(-size..size)
+}
+
+/// Close to a whole turn the axis is known to the sine of half the angle.
+fn conditioning(angle: f64) -> f64 {
+    if angle < PI {
+        1.0
+    } else {
+        1.0 / (0.5 * angle).sin()
+    }
+}
+
+proptest! {
+    #[test]
+    fn powers_turn_by_a_part(n in unit(), p in place(5.0), angle in 0.0..6.2_f64, advance in -5.0..5.0_f64, t in -2.0..2.0_f64) {
+        let tolerance = 2e-14 * conditioning(angle);
+        let power = motor(screw(p, n, angle, advance)).powf(t);
+        let expected = screw(p, n, t * angle, t * advance);
+        prop_assert!(apart(parts(power), expected) <= 4.0 * tolerance);
+        let [c, e12, e13, e23] = turn(n, angle);
+        let rotor = Rotor::new_unchecked(c, e12, e13, e23);
+        prop_assert!(apart(rotor_parts(rotor.powf(t)), turn(n, t * angle)) <= tolerance);
+        let [x, y, z] = rotor.to_rotation_vector();
+        prop_assert!(apart([x, y, z], times(n, angle)) <= tolerance);
+        let again = Rotor::from_rotation_vector([x, y, z]).expect("finite");
+        prop_assert!(apart(rotor_parts(again), rotor_parts(rotor)) <= tolerance);
+        let log = rotor.log();
+        prop_assert_eq!([log.e1i, log.e2i, log.e3i], [0.0; 3]);
+        prop_assert!(apart(parts(log.exp()), parts(rotor.into())) <= tolerance);
+    }
+
+    #[test]
+    fn roots_go_half_the_way(n in unit(), p in place(5.0), angle in 0.0..6.2_f64, advance in -5.0..5.0_f64) {
+        let tolerance = 1e-14 * conditioning(angle);
+        let root = motor(screw(p, n, angle, advance)).sqrt();
+        prop_assert!(apart(parts(root), screw(p, n, 0.5 * angle, 0.5 * advance)) <= tolerance);
+        let [c, e12, e13, e23] = turn(n, angle);
+        let root = Rotor::new_unchecked(c, e12, e13, e23).sqrt();
+        prop_assert!(apart(rotor_parts(root), turn(n, 0.5 * angle)) <= tolerance);
+    }
+
+    #[test]
+    fn shifts_and_scalings_have_powers(shift in place(100.0), factor in 1e-3..1e3_f64, t in -3.0..3.0_f64) {
+        let translator = Translator::from_displacement(shift);
+        prop_assert!(apart(translator.powf(t).displacement(), times(shift, t)) <= 1e-13);
+        prop_assert!(apart(translator.sqrt().displacement(), times(shift, 0.5)) <= 1e-14);
+        prop_assert_eq!(translator.log().exp(), translator.into());
+        let dilator = Dilator::from_factor(factor).expect("positive");
+        prop_assert!((dilator.log() - 0.5 * factor.ln()).abs() <= 1e-15 * factor.ln().abs().max(1.0));
+        let power = dilator.powf(t).expect("of moderate size").factor();
+        prop_assert!((power / factor.powf(t) - 1.0).abs() <= 1e-14);
+        prop_assert!((dilator.sqrt().factor() / factor.sqrt() - 1.0).abs() <= 1e-15);
+        prop_assert!(((-dilator).sqrt().factor() / factor.sqrt() - 1.0).abs() <= 1e-15);
+        prop_assert_eq!((-dilator).log(), dilator.log());
+    }
+
+    /// `sin (1 − t)φ/sin φ · a + sin tφ/sin φ · b` for unit quaternions.
+    #[test]
+    fn rotors_go_by_slerp(a in unit(), b in unit(), angles in prop::array::uniform2(0.0..6.2_f64), t in -0.5..1.5_f64) {
+        let [from, to] = [turn(a, angles[0]), turn(b, angles[1])];
+        let cosine: f64 = from.iter().zip(to).map(|(x, y)| x * y).sum();
+        prop_assume!(cosine.abs() < 0.999_9 && cosine.abs() > 1e-9);
+        let [start, end] = [from, to].map(|[c, x, y, z]| Rotor::new_unchecked(c, x, y, z));
+        for path in [RotationPath::Short, RotationPath::Long] {
+            let sign = if (cosine > 0.0) == (path == RotationPath::Short) { 1.0 } else { -1.0 };
+            let half = (sign * cosine).acos();
+            let expected: [f64; 4] = std::array::from_fn(|k| {
+                (((1.0 - t) * half).sin() * from[k] + (t * half).sin() * sign * to[k]) / half.sin()
+            });
+            let found = rotor_parts(start.interpolate_along(end, t, path));
+            prop_assert!(apart(found, expected) <= 1e-12, "{path:?}");
+        }
+        prop_assert_eq!(start.interpolate(end, t), start.interpolate_along(end, t, RotationPath::Short));
+    }
+
+    #[test]
+    fn motors_go_either_way(n in unit(), p in place(5.0), angle in 0.1..3.0_f64, advance in -5.0..5.0_f64, t in 0.0..1.0_f64, start in unit(), shift in place(5.0)) {
+        let from = Translator::from_displacement(shift) * Rotor::from_axis_angle(start, 4.0).expect("an axis");
+        let between = screw(p, n, angle, advance);
+        let to = from * motor(between);
+        let short = from * motor(screw(p, n, t * angle, t * advance));
+        // The other way round the same axis, with the same shift along it.
+        let long = from * motor(screw(p, n, t * (angle - 2.0 * PI), t * advance));
+        for end in [to, -to] {
+            let found = from.interpolate(end, t);
+            prop_assert!(apart(parts(found), parts(short)) <= 1e-12);
+            let found = from.interpolate_along(end, t, RotationPath::Long);
+            prop_assert!(apart(parts(found), parts(long)) <= 1e-11 / angle);
+        }
+    }
+
+    #[test]
+    fn a_versor_and_its_negative_are_the_two_ways(n in unit(), p in place(5.0), angle in 0.0..6.2_f64, x in place(3.0)) {
+        let any = motor(screw(p, n, angle, 1.0));
+        let path = if angle <= PI { RotationPath::Short } else { RotationPath::Long };
+        prop_assert_eq!(any.path(), path);
+        let (short, long) = (any.along(RotationPath::Short), any.along(RotationPath::Long));
+        prop_assert_eq!(short, -long);
+        prop_assert!(short == any || long == any);
+        prop_assert!(short.scalar() >= 0.0 && long.scalar() <= 0.0);
+        let x = Point::from(x);
+        prop_assert!(short.transform(x).distance(long.transform(x)) <= 1e-14);
+        let rotor = any.rotor();
+        prop_assert_eq!(rotor.path(), path);
+        prop_assert_eq!(Motor::from(rotor.along(RotationPath::Long)), Motor::from(rotor).along(RotationPath::Long));
+    }
+
+    #[test]
+    fn vectors_are_joined_either_way(a in unit(), b in unit()) {
+        let short = Rotor::between(a, b).expect("directions");
+        prop_assert_eq!(Rotor::between_along(a, b, RotationPath::Short), Some(short));
+        let long = Rotor::between_along(a, b, RotationPath::Long).expect("directions");
+        let image = long.transform(Point::from(a)).coordinates();
+        prop_assert!(apart(image, b) <= 1e-14);
+        let ((n, small), (m, large)) = (short.to_axis_angle(), long.to_axis_angle());
+        prop_assert!((small + large - 2.0 * PI).abs() <= 1e-14 && large >= PI - 1e-14);
+        prop_assert!(small < 1e-6 || apart(n, times(m, -1.0)) <= 1e-14);
+        // Eq. 24: −R = exp(½ (2π − θ) I) with I the unit bivector from a to b.
+        let sine = length(cross(a, b));
+        prop_assume!(sine > 1e-3);
+        let [x, y, z] = times(cross(a, b), 0.5 * large / sine);
+        let by_exponential = MotorGenerator::new(z, -y, x, 0.0, 0.0, 0.0).exp();
+        prop_assert!(apart(parts(by_exponential), parts(long.into())) <= 1e-14 / sine);
+    }
+
+    #[test]
+    fn screws_are_found_and_built(n in unit(), p in place(5.0), angle in 0.01..6.2_f64, advance in -5.0..5.0_f64) {
+        let given = screw(p, n, angle, advance);
+        let found = motor(given).screw().expect("finite");
+        let worst = 1.0 / (0.5 * angle).sin();
+        let tolerance = 1e-13 * worst;
+        prop_assert!((found.angle - angle).abs() <= tolerance);
+        prop_assert!((found.displacement - advance).abs() <= tolerance * worst);
+        prop_assert!(apart(found.axis.direction(), n) <= tolerance);
+        prop_assert!(found.axis.distance(Point::from(p)).expect("a line") <= tolerance);
+        prop_assert!((found.pitch().expect("a turn") - advance / angle).abs() <= 10.0 * tolerance * worst);
+        prop_assert!(apart(parts(found.to_motor().expect("finite")), given) <= tolerance);
+        let generator = found.generator().expect("finite");
+        let log = motor(given).log();
+        prop_assert!(apart([generator.e12, generator.e1i, generator.e3i], [log.e12, log.e1i, log.e3i]) <= tolerance);
+        // Of any weight, and a part of it.
+        let heavy = Screw { axis: Line::from_point_direction(Point::from(p), times(n, 3.0)), angle, displacement: advance };
+        prop_assert!(apart(parts(heavy.to_motor().expect("finite")), given) <= 1e-14);
+        let half = heavy.part(0.5).to_motor().expect("finite");
+        prop_assert!(apart(parts(half), screw(p, n, 0.5 * angle, 0.5 * advance)) <= 1e-14);
+    }
+
+    /// The nearest motor to `q + ω d` is `q/|q|` with the part of d along q left out.
+    #[test]
+    fn normalising_repairs_length_and_study_condition(n in unit(), p in place(5.0), angle in 0.0..6.2_f64, size in 0.1..10.0_f64, noise in prop::array::uniform8(-0.1..0.1_f64)) {
+        let exact = screw(p, n, angle, 1.0);
+        let off: [f64; 8] = std::array::from_fn(|k| size * (exact[k] + noise[k]));
+        let [s, e12, e13, e23, e1i, e2i, e3i, e123i] = off;
+        let found = Motor::normalize(DualQuaternion::new(s, e12, e13, e23, e1i, e2i, e3i, e123i));
+        let found = parts(found.expect("not zero"));
+        // ω = e123i takes 1, e12, e13, e23 to e123i, −e3i, e2i, −e1i.
+        let (q, d) = ([s, e12, e13, e23], [e123i, -e3i, e2i, -e1i]);
+        let product = |a: [f64; 4], b: [f64; 4]| -> f64 { a.iter().zip(b).map(|(x, y)| x * y).sum() };
+        let norm = product(q, q).sqrt();
+        let along = product(q, d) / (norm * norm);
+        let [x0, x3, x2, x1]: [f64; 4] = std::array::from_fn(|k| (d[k] - along * q[k]) / norm);
+        let expected = [s / norm, e12 / norm, e13 / norm, e23 / norm, -x1, x2, -x3, x0];
+        prop_assert!(apart(found, expected) <= 1e-14);
+        // Length one and the Study condition, and what has them already stays.
+        let (q, d) = ([found[0], found[1], found[2], found[3]], [found[7], -found[6], found[5], -found[4]]);
+        prop_assert!((product(q, q) - 1.0).abs() <= 1e-15 && product(q, d).abs() <= 1e-14);
+        let [s, e12, e13, e23, e1i, e2i, e3i, e123i] = exact;
+        let same = Motor::normalize(DualQuaternion::new(s, e12, e13, e23, e1i, e2i, e3i, e123i));
+        prop_assert!(apart(parts(same.expect("not zero")), exact) <= 1e-14);
+    }
+}
+
+#[test]
+fn slerp_is_stable_where_rotors_agree_or_oppose() {
+    let n = [0.0, 0.6, 0.8];
+    for off in [0.0, 1e-300, 1e-160, 1e-16, 1e-12, 1e-8, 1e-4] {
+        // From no turn to a turn by `off` and, its negative, by 2π − `off`: the short way goes by parts of `off`.
+        let [c, x, y, z] = turn(n, off);
+        for end in [
+            Rotor::new_unchecked(c, x, y, z),
+            Rotor::new_unchecked(-c, -x, -y, -z),
+        ] {
+            for t in [0.0, 0.25, 0.5, 1.0] {
+                let found = rotor_parts(Rotor::default().interpolate(end, t));
+                let expected = turn(n, t * off);
+                assert!(apart(found, expected) <= 1e-15, "{off:e}");
+                assert!(
+                    (found[1] - expected[1]).abs() <= 1e-15 * expected[1].abs(),
+                    "{off:e}"
+                );
+            }
+        }
+        // To almost a half turn on either side of it, where one way becomes the other.
+        let [c, x, y, z] = turn(n, PI - off);
+        let found =
+            rotor_parts(Rotor::default().interpolate(Rotor::new_unchecked(c, x, y, z), 0.5));
+        assert!(apart(found, turn(n, 0.5 * (PI - off))) <= 1e-15, "{off:e}");
+    }
+    // The long way between equal rotors is a whole turn in e12.
+    let one = Rotor::<f64>::default();
+    let half = one.interpolate_along(one, 0.5, RotationPath::Long);
+    assert!(apart(rotor_parts(half), [0.0, 1.0, 0.0, 0.0]) <= 1e-15);
+}
+
+#[test]
+fn roots_of_whole_turns() {
+    let minus_one = -Motor::<f64>::default();
+    assert!(
+        apart(
+            parts(minus_one.sqrt()),
+            [0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+        ) <= 1e-15
+    );
+    assert_eq!(
+        (-Rotor::<f64>::default()).sqrt(),
+        Rotor::new_unchecked(0.0, 1.0, 0.0, 0.0)
+    );
+    // Minus a shift: squared it is there again.
+    let shift = -Motor::from(Translator::from_displacement([2.0, -4.0, 4.0]));
+    let root = shift.sqrt();
+    assert!(apart(parts(root * root), parts(shift)) <= 1e-14);
+    assert!(root.scalar().abs() <= 1e-15);
+    // Half turns go by a quarter, in the direction of their sign.
+    let half = Rotor::new_unchecked(0.0, 0.0, 0.0, -1.0);
+    assert!(
+        apart(
+            rotor_parts(half.sqrt()),
+            [0.5_f64.sqrt(), 0.0, 0.0, -(0.5_f64.sqrt())]
+        ) <= 1e-15
+    );
+    // Near a whole turn the root keeps the plane, however little the rotor differs from −1.
+    for sine in [1e-3, 1e-8, 1e-16, 1e-100, 1e-300] {
+        let root =
+            Rotor::new_unchecked(-(1.0 - sine * sine).sqrt(), 0.0, 0.6 * sine, 0.8 * sine).sqrt();
+        let expected = [0.5 * sine, 0.0, 0.6, 0.8];
+        assert!(
+            apart(rotor_parts(root), expected) <= sine * sine + 1e-15,
+            "{sine:e}"
+        );
+        assert!(
+            (root.scalar() / expected[0] - 1.0).abs() <= sine * sine + 1e-15,
+            "{sine:e}"
+        );
+    }
+}
+
+#[test]
+fn powers_of_whole_turns() {
+    let quarter = (-Motor::<f64>::default()).powf(0.5);
+    assert!(apart(parts(quarter), [0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]) <= 1e-15);
+    let shift = -Motor::from(Translator::from_displacement([0.0, 0.0, 6.0]));
+    // A third of the whole turn about the axis of the shift, with a third of the shift along it.
+    let third = shift
+        .powf(1.0 / 3.0)
+        .transform(Point::new(1.0, 0.0, 0.0))
+        .coordinates();
+    assert!((third[2] - 2.0).abs() <= 1e-14 && (third[0] + 0.5).abs() <= 1e-14);
+}
+
+#[test]
+fn screws_of_special_motions() {
+    let origin = Point::<f64>::default();
+    let check = |motor: Motor<f64>, direction: Vector, angle: f64, displacement: f64| {
+        let found = motor.screw().expect("finite");
+        let error = apart(found.axis.direction(), direction);
+        assert!(error <= 1e-15, "{motor}: {found:?}");
+        assert!(
+            found.axis.distance(origin).expect("a line") <= 1e-15,
+            "{motor}: {found:?}"
+        );
+        assert!((found.angle - angle).abs() <= 1e-15, "{motor}: {found:?}");
+        assert!(
+            (found.displacement - displacement).abs() <= 1e-15,
+            "{motor}: {found:?}"
+        );
+        let again = found.to_motor().expect("finite");
+        assert!(
+            apart(parts(again), parts(motor)) <= 1e-15 * (1.0 + displacement.abs()),
+            "{motor}"
+        );
+    };
+    let one = Motor::<f64>::default();
+    let shift = Motor::from(Translator::from_displacement([0.0, 3.0, 4.0]));
+    check(one, [0.0, 0.0, 1.0], 0.0, 0.0);
+    check(shift, [0.0, 0.6, 0.8], 0.0, 5.0);
+    check(-one, [0.0, 0.0, -1.0], 2.0 * PI, 0.0);
+    let half = Rotor::from_axis_angle([0.0, 0.0, 1.0], PI).expect("an axis");
+    check(half.into(), [0.0, 0.0, 1.0], PI, 0.0);
+    check(-Motor::from(half), [0.0, 0.0, -1.0], PI, 0.0);
+    // Minus a shift: about its axis, in one direction or the other.
+    let found = (-shift).screw().expect("finite");
+    assert!((found.displacement.abs() - 5.0).abs() <= 1e-14);
+    assert!(
+        (found.angle - 2.0 * PI).abs() <= 1e-15
+            && found.axis.distance(origin).expect("a line") <= 1e-15
+    );
+    assert!(apart(parts(found.to_motor().expect("finite")), parts(-shift)) <= 1e-14);
+    // Almost a whole turn, about an axis away from the origin.
+    let almost = screw([1.0, 2.0, 0.0], [0.0, 0.0, 1.0], 2.0 * PI - 1e-6, 0.5);
+    let found = motor(almost).screw().expect("finite");
+    let support = found.axis.support().expect("a line").coordinates();
+    assert!(apart(support, [1.0, 2.0, 0.0]) <= 1e-9 && (found.displacement - 0.5).abs() <= 1e-9);
+    assert!(apart(parts(found.to_motor().expect("finite")), almost) <= 1e-9);
+    // Small turns about near and far axes; so far that no number tells, they are shifts.
+    for angle in [1e-3, 1e-8, 1e-100, 1e-200] {
+        for far in [1.0, 1e8, 1e100] {
+            let given = screw([far, 0.0, 0.0], [0.0, 0.0, 1.0], angle, 1.0);
+            let found = motor(given).screw().expect("finite");
+            let support = found.axis.support().expect("a line").coordinates();
+            // The shift along the axis rounds off what is much smaller across it.
+            if far * angle > 1e-8 {
+                assert!((support[0] / far - 1.0).abs() <= 1e-7, "{angle:e}, {far:e}");
+            }
+        }
+    }
+    let beyond = Motor::new_unchecked(1.0, 0.0, 0.0, 1e-300, 0.0, 1e100, 0.0, 0.0);
+    let found = beyond.screw().expect("finite");
+    assert_eq!((found.angle, found.displacement), (0.0, 2e100));
+}
+
+#[test]
+fn what_is_no_screw_is_none() {
+    let base = screw([1.0, 2.0, 3.0], [0.6, 0.0, 0.8], 1.0, 0.5);
+    for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for place in 0..8 {
+            let mut given = base;
+            given[place] = wrong;
+            assert_eq!(motor(given).screw(), None, "{wrong} at {place}");
+        }
+        let axis = Line::from_point_direction(Point::default(), [0.0, 0.0, 1.0]);
+        let bent = Line::from_point_direction(Point::default(), [0.0, wrong, 1.0]);
+        for (axis, angle, displacement) in
+            [(axis, wrong, 1.0), (axis, 1.0, wrong), (bent, 1.0, 1.0)]
+        {
+            let screw = Screw {
+                axis,
+                angle,
+                displacement,
+            };
+            assert_eq!((screw.to_motor(), screw.generator()), (None, None));
+        }
+        assert_eq!(Rotor::from_rotation_vector([0.0, wrong, 1.0]), None);
+        assert_eq!(
+            (Dilator::exp(wrong), Dilator::default().powf(wrong)),
+            (None, None)
+        );
+    }
+    let nowhere = Line::new(1.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    let screw = Screw {
+        axis: nowhere,
+        angle: 1.0,
+        displacement: 1.0,
+    };
+    assert_eq!((screw.to_motor(), screw.generator()), (None, None));
+    assert_eq!(
+        Screw {
+            angle: 0.0,
+            ..screw
+        }
+        .pitch(),
+        None
+    );
+    assert_eq!((Dilator::exp(711.0), Dilator::exp(-711.0)), (None, None));
+    let large = Dilator::from_factor(1e300).expect("positive");
+    assert_eq!(large.powf(3.0), None);
+}
+
+#[test]
+fn nan_does_not_vanish_from_roots_and_powers() {
+    for base in [
+        screw([1.0, 2.0, 3.0], [0.6, 0.0, 0.8], 1.0, 0.5),
+        screw([1.0, 2.0, 3.0], [0.6, 0.0, 0.8], 4.0, 0.5),
+        parts(-Motor::default()),
+    ] {
+        for place in 0..8 {
+            let mut given = base;
+            given[place] = f64::NAN;
+            for result in [motor(given).sqrt(), motor(given).powf(0.3)] {
+                assert!(
+                    parts(result).iter().any(|x| x.is_nan()),
+                    "{given:?}: {result}"
+                );
+            }
+            if place < 4 {
+                let rotor = Rotor::new_unchecked(given[0], given[1], given[2], given[3]);
+                for result in [rotor.sqrt(), rotor.powf(0.3)] {
+                    assert!(
+                        rotor_parts(result).iter().any(|x| x.is_nan()),
+                        "{rotor}: {result}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn small_scalings_keep_their_figures() {
+    for small in [1e-300_f64, 1e-20, 1e-12, 1e-6, 1e-2] {
+        let dilator = Dilator::exp(small).expect("finite");
+        assert!((dilator.eoi() / small.sinh() - 1.0).abs() <= 1e-15);
+        assert!((dilator.log() / small - 1.0).abs() <= 1e-15, "{small:e}");
+        assert!(
+            (dilator.sqrt().log() / (0.5 * small) - 1.0).abs() <= 1e-15,
+            "{small:e}"
+        );
+    }
+    for exponent in [-300, -100, 100, 300] {
+        let factor = 10_f64.powi(exponent);
+        let dilator = Dilator::from_factor(factor).expect("positive");
+        assert!((dilator.log() / (0.5 * factor.ln()) - 1.0).abs() <= 1e-15);
+        assert!((dilator.sqrt().factor() / factor.sqrt() - 1.0).abs() <= 1e-15);
+    }
+}
+
+#[test]
+fn single_precision() {
+    let n = [0.0_f32, 0.6, 0.8];
+    for angle in [0.0_f32, 1e-20, 0.1, 1.0, 3.0, std::f32::consts::PI, 5.0] {
+        let rotor = Rotor::from_axis_angle(n, angle).expect("an axis");
+        let half = Rotor::from_axis_angle(n, 0.5 * angle).expect("an axis");
+        for found in [rotor.sqrt(), rotor.powf(0.5)] {
+            let error = apart(
+                rotor_parts(found).map(f64::from),
+                rotor_parts(half).map(f64::from),
+            );
+            assert!(error <= 5e-7, "{angle}: {error:e}");
+        }
+        let motor = Translator::from_displacement([1.0, 2.0, 3.0]) * rotor;
+        let again = motor.screw().expect("finite").to_motor().expect("finite");
+        let error = apart(parts(again).map(f64::from), parts(motor).map(f64::from));
+        assert!(error <= 4e-6, "{angle}: {error:e}");
+    }
+}
+
+#[test]
+fn lanes_are_singles_side_by_side() {
+    let n = [0.0, 0.6, 0.8];
+    // A root of each form side by side.
+    let rotors = [
+        turn(n, 1.0),
+        turn(n, 5.0),
+        [-1.0, 0.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0, 0.0],
+    ];
+    let [c, x, y, z] = std::array::from_fn(|k| Lanes::from_array(rotors.map(|r| r[k])));
+    let together = Rotor::new_unchecked(c, x, y, z);
+    let t = Lanes::from_array([0.5, 0.25, 0.125, 3.0]);
+    for (lane, [c, x, y, z]) in rotors.into_iter().enumerate() {
+        let alone = Rotor::new_unchecked(c, x, y, z);
+        assert_eq!(
+            rotor_parts(together.sqrt()).map(|x| x[lane]),
+            rotor_parts(alone.sqrt())
+        );
+        assert_eq!(
+            rotor_parts(together.powf(t)).map(|x| x[lane]),
+            rotor_parts(alone.powf(t[lane]))
+        );
+        let along = rotor_parts(together.along(RotationPath::Long)).map(|x| x[lane]);
+        assert_eq!(along, rotor_parts(alone.along(RotationPath::Long)));
+    }
+    let motors = [
+        screw([1.0, 0.0, 2.0], n, 1.0, 3.0),
+        screw([1.0, 0.0, 2.0], n, 5.0, 3.0),
+    ];
+    let [s, a, b, c, d, e, f, g] = std::array::from_fn(|k| Lanes::from_array(motors.map(|m| m[k])));
+    let together = Motor::new_unchecked(s, a, b, c, d, e, f, g);
+    for (lane, alone) in motors.into_iter().enumerate() {
+        assert_eq!(
+            parts(together.sqrt()).map(|x| x[lane]),
+            parts(motor(alone).sqrt())
+        );
+    }
+}
