@@ -22,6 +22,9 @@
 //!
 //! What two of them have to do with each other, distances and angles among it, is in [`relation`]. 4×4 matrices are in [`homogeneous`], maps that are not
 //! conformal in [`Affine`]. Means of many motions, curves through them and motions that fit points are in [`motion`].
+//!
+//! The other algebras have their geometry as inherent methods of their types too, behind the features of their names; coordinates of the plane are
+//! `[x, y]`. [`DualQuaternionParts`] are a motor as others write it, two quaternions.
 
 pub(crate) mod affine;
 #[cfg(feature = "cga2")]
