@@ -2,9 +2,10 @@
 
 use ga_runtime::Element;
 use ga_runtime::cga3::{
-    Circle, Dilator, Direction, DualPlane, DualQuaternion, Even, FlatPoint, Line, Motor,
-    MotorGenerator, Multivector, Plane, Point, PointPair, Pseudoscalar, Quaternion, Rotor,
-    RoundVector, Similarity, Sphere, Translator,
+    Circle, Dilator, Direction, DualPlane, DualQuaternion, Even, EvenVersor, FlatPoint, Line,
+    Motor, MotorGenerator, Multivector, Odd, OddVersor, Plane, Point, PointPair, Pseudoscalar,
+    Quaternion, Rotor, RoundVector, Similarity, SimilarityGenerator, Sphere, Translator,
+    Transversor,
 };
 use ga_runtime::testing::{
     algebra_of, assert_close, check_close, for_all, member, strategy, to_dense,
@@ -98,9 +99,14 @@ fn every_type_has_random_members() {
         Motor,
         Dilator,
         Similarity,
+        SimilarityGenerator,
+        Transversor,
+        EvenVersor,
+        OddVersor,
         Quaternion,
         DualQuaternion,
         Even,
+        Odd,
         Multivector,
     );
 }

@@ -51,7 +51,7 @@ pub fn stored(kind: &TypeDefinition, value: &Numbers) -> Vec<Prime> {
 ///
 /// Where the stored coefficients are free they are drawn at random. Unit versors are products of
 /// `(1 + αb)²/(1 − α²b²)` over the 2-blades b that the type has or that its vectors span, with random α; for a type of
-/// vectors that product acts on a basis vector of square 1.
+/// odd blades such a product times a basis vector of square 1, or acting on it where the type has vectors alone.
 #[must_use]
 pub fn sample(
     algebra: &Algebra,
@@ -74,12 +74,17 @@ pub fn sample(
         let factor = unit_factor(algebra, plane, sequence.next_prime());
         versor = product(algebra, Product::Geometric, &versor, &factor);
     }
-    let candidate = if blades.iter().all(|b| b.grade() == 1) {
+    let candidate = if blades.iter().all(|b| b.grade() % 2 == 1) {
         let unit = vectors.iter().find(|b| {
             let square = algebra.geometric(**b, **b);
             *square == [(Blade::SCALAR, Ratio::ONE)]
         })?;
-        sandwich(algebra, &versor, &Numbers::from([(*unit, Prime::ONE)]))
+        let unit = Numbers::from([(*unit, Prime::ONE)]);
+        if vectors.len() == blades.len() {
+            sandwich(algebra, &versor, &unit)
+        } else {
+            product(algebra, Product::Geometric, &versor, &unit)
+        }
     } else {
         versor
     };

@@ -40,8 +40,12 @@ crate::algebra! {
     /// | [`Motor`] | scalar e12 e13 e23 e1i e2i e3i e123i | even | screw axis | rigid motion `T R` |
     /// | [`Dilator`] | scalar eoi | even | | scaling about the origin |
     /// | [`Similarity`] | Motor and eoi e12oi e13oi e23oi | even | | motion and scaling |
+    /// | [`Transversor`] | scalar = 1, e1o e2o e3o | even | | special conformal map `1 − k eo` |
+    /// | [`EvenVersor`] | all sixteen of even grade | even | | any conformal map that keeps handedness |
+    /// | [`OddVersor`] | all sixteen of odd grade | odd | | any conformal map that mirrors: reflection, inversion |
+    /// | [`SimilarityGenerator`] | MotorGenerator and eoi | 2 | | log of a similarity |
     /// | [`Quaternion`], [`DualQuaternion`] | those of Rotor, Motor | even | sums of rotors, of motors | |
-    /// | [`Even`] | all sixteen of even grade | even | | any even versor |
+    /// | [`Even`], [`Odd`] | all sixteen of even, of odd grade | | | sums of versors |
     /// | [`Multivector`] | all 32 | all | | |
     ///
     /// [`E1`], [`E2`], [`E3`], [`Origin`] and [`Infinity`] are the basis vectors as types of no size, so that
@@ -167,6 +171,34 @@ crate::algebra! {
             scalar, e12, e13, e23, e1i, e2i, e3i, e123i, eoi, e12oi, e13oi, e23oi
         }
 
+        /// The special conformal map `K = 1 − k eo`: inversion in the unit sphere about the origin, shift by k, inversion
+        /// again. It keeps the origin, and takes x to `(x + k x²)/(1 + 2 k·x + k² x²)`.
+        #[hull(Even)]
+        #[facts(unit_versor)]
+        struct Transversor { scalar = 1, e1o, e2o, e3o }
+
+        /// Any conformal map of space that keeps handedness, `V ~V = 1` in every grade.
+        #[hull(Even)]
+        #[facts(unit_versor)]
+        struct EvenVersor {
+            scalar,
+            e12, e13, e23, e1o, e2o, e3o, e1i, e2i, e3i, eoi,
+            e123o, e123i, e12oi, e13oi, e23oi
+        }
+
+        /// Any conformal map of space that mirrors, `V ~V = 1` in every grade: a reflection in a plane, an inversion in a
+        /// real sphere, or one of them and then an [`EvenVersor`].
+        #[hull(Odd)]
+        #[facts(unit_versor)]
+        struct OddVersor {
+            e1, e2, e3, eo, ei,
+            e123, e12o, e13o, e23o, e12i, e13i, e23i, e1oi, e2oi, e3oi,
+            e123oi
+        }
+
+        /// The generator of a similarity: that of a motion and `½ ln s · eo∧ei` for a scaling by s.
+        struct SimilarityGenerator { e12, e13, e23, e1i, e2i, e3i, eoi }
+
         /// Sums and multiples of rotors: the quaternions.
         struct Quaternion { scalar, e12, e13, e23 }
 
@@ -178,6 +210,13 @@ crate::algebra! {
             scalar,
             e12, e13, e23, e1o, e2o, e3o, e1i, e2i, e3i, eoi,
             e123o, e123i, e12oi, e13oi, e23oi
+        }
+
+        /// All blades of odd grade.
+        struct Odd {
+            e1, e2, e3, eo, ei,
+            e123, e12o, e13o, e23o, e12i, e13i, e23i, e1oi, e2oi, e3oi,
+            e123oi
         }
 
         /// All 32 blades.
@@ -319,6 +358,7 @@ crate::algebra! {
             geometric(Dilator, {Rotor, Translator, Motor}) -> Similarity;
             geometric(Similarity, {Rotor, Translator, Motor, Dilator, Similarity}) -> Similarity;
             geometric({Rotor, Translator, Motor, Dilator}, Similarity) -> Similarity;
+            geometric(Transversor, Transversor) -> Transversor;
             geometric(Quaternion, Quaternion) -> Quaternion;
             geometric(DualQuaternion, DualQuaternion) -> DualQuaternion;
             geometric(DualPlane, DualPlane) -> DualQuaternion;
@@ -355,6 +395,7 @@ crate::algebra! {
                 }
             ) -> Self;
             sandwich({Dilator, Similarity}, Point) -> RoundVector;
+            sandwich(Transversor, {Point, RoundVector}) -> RoundVector;
             sandwich(Even, RoundVector) -> Multivector;
             // Reflections and inversions.
             sandwich(DualPlane, {RoundVector, DualPlane, PointPair, FlatPoint, Circle, Line, Sphere, Plane}) -> Self;

@@ -1,6 +1,6 @@
 //! Dilators.
 
-use crate::cga3::Dilator;
+use crate::cga3::{Dilator, Point};
 use crate::scalar::{Real, versor_exponential, versor_logarithm};
 
 impl<S: Real<Mask = bool>> Dilator<S> {
@@ -89,5 +89,13 @@ impl<S: Real<Mask = bool>> Dilator<S> {
         let sine = half * self.eoi() / cosine;
         let is_negative = self.scalar().less_than(S::zero());
         Self::new_unchecked(cosine, S::select(is_negative, -sine, sine))
+    }
+
+    /// The image of a point, divided by its weight: `s x`.
+    #[inline]
+    #[must_use]
+    pub fn transform_point(self, point: Point<S>) -> Point<S> {
+        let factor = self.factor();
+        Point::from(point.coordinates().map(|x| x * factor))
     }
 }

@@ -30,11 +30,14 @@ pub(crate) mod affine;
 #[cfg(feature = "cga2")]
 mod cga2;
 mod circle;
+mod conformal_exponential;
+mod conformal_logarithm;
 mod dilator;
 mod direction;
 mod dual_motion;
 mod dual_quaternion;
 mod dual_round;
+mod even_versor;
 mod flat_point;
 pub mod homogeneous;
 mod kind;
@@ -42,6 +45,8 @@ mod line;
 mod logarithm;
 pub mod motion;
 mod motor;
+mod number_pair;
+mod odd_versor;
 #[cfg(feature = "pga2")]
 mod pga2;
 #[cfg(feature = "pga3")]
@@ -55,13 +60,16 @@ mod rotation_path;
 mod rotor;
 mod round;
 mod screw;
+mod similarity;
 mod sphere;
 #[cfg(feature = "sta")]
 mod sta;
 mod translator;
+mod transversor;
 #[cfg(any(feature = "cga2", feature = "pga2", feature = "vga2"))]
 mod vector2;
 mod vector3;
+mod versor_action;
 #[cfg(feature = "vga2")]
 mod vga2;
 #[cfg(feature = "vga3")]

@@ -52,8 +52,9 @@ macro_rules! declared_types {
         $callback! { cga3 {
             Point 3, RoundVector 5, DualSphere 5, DualPlane 4, PointPair 10, DualCircle 10, FlatPoint 4, Direction 3,
             MotorGenerator 6, Circle 10, DualPointPair 10, DualFlatPoint 4, DualDirection 3, Line 6, Sphere 5,
-            Plane 4, Pseudoscalar 1, Rotor 4, Translator 3, Motor 8, Dilator 2, Similarity 12, Quaternion 4,
-            DualQuaternion 8, Even 16, Multivector 32
+            Plane 4, Pseudoscalar 1, Rotor 4, Translator 3, Motor 8, Dilator 2, Similarity 12, Transversor 3,
+            EvenVersor 16, OddVersor 16, SimilarityGenerator 7, Quaternion 4, DualQuaternion 8, Even 16, Odd 16,
+            Multivector 32
         } }
         #[cfg(feature = "cga2")]
         $callback! { cga2 {

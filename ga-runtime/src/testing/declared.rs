@@ -210,12 +210,19 @@ where
         let (scalar, bivector) = ((one + square) / norm, (alpha + alpha) / norm);
         versor = versor.scale(scalar) + versor.geometric(&plane.blade.scale(bivector));
     }
-    if T::BLADES.iter().any(|blade| blade.count_ones() != 1) {
+    if T::BLADES
+        .iter()
+        .any(|blade| blade.count_ones().is_multiple_of(2))
+    {
         return Some(versor);
     }
     let unit = T::BLADES
         .iter()
         .filter_map(|&blade| algebra.blade(blade).ok())
         .find(|vector| vector.scalar_product(vector) == one)?;
-    Some(versor.sandwich(&unit))
+    Some(if T::BLADES.iter().all(|blade| blade.count_ones() == 1) {
+        versor.sandwich(&unit)
+    } else {
+        versor.geometric(&unit)
+    })
 }

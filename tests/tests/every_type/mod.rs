@@ -7,8 +7,8 @@ macro_rules! every_type {
             cga3 {
                 Point, RoundVector, DualSphere, DualPlane, PointPair, DualCircle, FlatPoint, Direction,
                 MotorGenerator, Circle, DualPointPair, DualFlatPoint, DualDirection, Line, Sphere, Plane,
-                Pseudoscalar, Rotor, Translator, Motor, Dilator, Similarity, Quaternion, DualQuaternion, Even,
-                Multivector
+                Pseudoscalar, Rotor, Translator, Motor, Dilator, Similarity, Transversor, EvenVersor, OddVersor,
+                SimilarityGenerator, Quaternion, DualQuaternion, Even, Odd, Multivector
             },
             cga2 {
                 Point, RoundVector, DualLine, PointPair, FlatPoint, Direction, MotorGenerator, Circle, Line,

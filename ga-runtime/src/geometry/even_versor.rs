@@ -1,0 +1,133 @@
+//! Even versors: normalisation, roots, powers and the way between two of them.
+
+use core::ops::Mul;
+
+use super::conformal_exponential::{coefficients, is_finite};
+use super::conformal_logarithm::parts;
+use crate::cga3::{Even, EvenVersor, Point, RoundVector};
+use crate::scalar::{Real, Ring};
+
+impl<S: Real<Mask = bool>> EvenVersor<S> {
+    /// The versor `N^(−½) X` nearest to a sum of even versors, with `N = X ~X`, a scalar and a 4-vector (the polar
+    /// decomposition of Dorst and Valkenburg, 2011). What is a multiple of a versor comes back as that versor.
+    ///
+    /// `None` where N has no such root: X is zero, not finite, or not invertible within rounding; or it mirrors, `X ~X < 0`.
+    /// Such an X is the pseudoscalar times an [`OddVersor`](crate::cga3::OddVersor).
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Even, EvenVersor, Transversor};
+    /// let a = Even::from(Transversor::from_vector([0.0_f64, 0.2, 0.0]));
+    /// let middle = EvenVersor::normalize(a + Even::from(EvenVersor::default())).unwrap();
+    /// assert!((middle.e2o() + 0.1).abs() < 1e-15);
+    /// assert_eq!(EvenVersor::normalize(Even::default() - a), EvenVersor::normalize(a).map(|v| -v));
+    /// ```
+    #[must_use]
+    pub fn normalize(sum: Even<S>) -> Option<Self> {
+        let largest = coefficients(sum)
+            .into_iter()
+            .fold(S::zero(), |most, x| most.max(x.abs()));
+        if !is_finite(sum) || !S::zero().less_than(largest) {
+            return None;
+        }
+        let sum = sum / largest;
+        let norm = sum * sum.reverse();
+        let (scalar, rest) = (norm.scalar, norm.extract_sphere());
+        let square = rest.scalar_product(rest);
+        let root_squared = scalar * scalar - square;
+        let root = root_squared.max(S::zero()).sqrt();
+        // scalar + root, which cancels for a negative scalar.
+        let divisor = if scalar.less_than(S::zero()) {
+            -square / (root - scalar)
+        } else {
+            scalar + root
+        };
+        let size = coefficients(sum)
+            .into_iter()
+            .fold(S::zero(), |total, x| total + x * x);
+        let least = S::epsilon() * size;
+        if !least.less_than(root) || !least.less_than(divisor) {
+            return None;
+        }
+        // N^(−½) = (scalar + root − rest)/(root √(2 (scalar + root)))
+        let factor = (root * (divisor + divisor).sqrt()).recip();
+        let inverse_root = Even {
+            scalar: divisor * factor,
+            ..Even::from(rest * -factor)
+        };
+        let versor = from_even(inverse_root * sum);
+        is_finite(versor.into()).then_some(versor)
+    }
+
+    /// The versor R with `R R = V` and half the logarithm, `(1 + V)` normalised where that is well off zero. `None` only
+    /// where V is not finite, or so large that its root is not found.
+    #[must_use]
+    pub fn sqrt(self) -> Option<Self> {
+        let (scalar, _, rest) = parts(self);
+        let square = rest.scalar_product(rest);
+        let least = S::one() + scalar - square.max(S::zero()).sqrt();
+        if S::from_ratio(1, 2).less_than(least) {
+            let even = Even::from(self);
+            return Self::normalize(Even {
+                scalar: even.scalar + S::one(),
+                ..even
+            });
+        }
+        self.powf(S::from_ratio(1, 2))
+    }
+
+    /// The power `exp(t log V)`. `None` where t or V is not finite, or the power is beyond the range of the scalar.
+    #[must_use]
+    pub fn powf(self, t: S) -> Option<Self> {
+        (self.log() * t).exp()
+    }
+
+    /// The map on the way from `self` at t = 0 to `other` at t = 1, `V exp(t log(~V W))`, with W or −W, whichever leaves the
+    /// smaller turn. `None` as for [`powf`](Self::powf).
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{EvenVersor, Transversor};
+    /// let [a, b] = [[1.0_f64, 0.0, 0.0], [3.0, 2.0, 0.0]].map(|k| EvenVersor::from(Transversor::from_vector(k)));
+    /// let middle = a.interpolate(b, 0.5).unwrap();
+    /// assert!((middle.e1o() + 2.0).abs() < 1e-15 && (middle.e2o() + 1.0).abs() < 1e-15);
+    /// ```
+    #[must_use]
+    pub fn interpolate(self, other: Self, t: S) -> Option<Self> {
+        let between = self.reverse() * other;
+        let between = if between.scalar().less_than(S::zero()) {
+            -between
+        } else {
+            between
+        };
+        Some(self * between.powf(t)?)
+    }
+
+    /// The image of a point; `None` where it is at infinity, or beyond the range of the scalar.
+    #[must_use]
+    pub fn transform_point(self, point: Point<S>) -> Option<Point<S>> {
+        image_point(self.transform(point))
+    }
+}
+
+/// The point of a null vector.
+pub(super) fn image_point<S: Real<Mask = bool>>(image: RoundVector<S>) -> Option<Point<S>> {
+    let [x, y, z] = [image.e1, image.e2, image.e3].map(|x| x / image.eo);
+    let is_place = x.is_finite() && y.is_finite() && z.is_finite();
+    is_place.then(|| Point::new(x, y, z))
+}
+
+pub(super) fn from_even<S: Ring>(e: Even<S>) -> EvenVersor<S> {
+    EvenVersor::new_unchecked(
+        e.scalar, e.e12, e.e13, e.e23, e.e1o, e.e2o, e.e3o, e.e1i, e.e2i, e.e3i, e.eoi, e.e123o,
+        e.e123i, e.e12oi, e.e13oi, e.e23oi,
+    )
+}
+
+impl<S: Ring> Mul for EvenVersor<S> {
+    type Output = Self;
+
+    /// The right one first, then the left one.
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        from_even(Even::from(self) * Even::from(other))
+    }
+}

@@ -1,0 +1,607 @@
+//! General conformal versors: exponential and logarithm, roots and powers, reflections and inversions, how they act.
+
+use std::f64::consts::PI;
+use std::path::Path;
+
+use ga_runtime::Element;
+use ga_runtime::cga3::{
+    Circle, Dilator, DualCircle, DualPlane, DualPointPair, DualSphere, Even, EvenVersor,
+    MotorGenerator, Multivector, Odd, OddVersor, Point, PointPair, Rotor, RoundVector, Sphere,
+    Translator, Transversor,
+};
+use ga_runtime::dense;
+use ga_runtime::testing::{algebra_of, assert_close, exact_member, for_all, to_dense};
+use proptest::prelude::*;
+use serde_json::Value;
+
+/// What a series gives: `exp b` by scaling, 24 terms and squaring in the reference algebra.
+fn series(bivector: &PointPair<f64>) -> dense::Multivector<f64> {
+    let algebra = algebra_of(PointPair::<f64>::METRIC);
+    let bivector = to_dense(&algebra, bivector);
+    let size = bivector
+        .coefficients()
+        .iter()
+        .fold(0.0_f64, |m, x| m.max(x.abs()));
+    let halvings = (size.max(1.0).log2().ceil() as i32) + 3;
+    let small = bivector.scale(0.5_f64.powi(halvings));
+    let mut sum = algebra.one();
+    for n in (1..=24).rev() {
+        sum = algebra.one() + small.scale(1.0 / f64::from(n)).geometric(&sum);
+    }
+    for _ in 0..halvings {
+        sum = sum.geometric(&sum);
+    }
+    sum
+}
+
+fn numbers<T: Element<Scalar = f64>>(element: &T) -> Vec<f64> {
+    T::BLADES.iter().map(|&b| element.coefficient(b)).collect()
+}
+
+fn size<T: Element<Scalar = f64>>(element: &T) -> f64 {
+    numbers(element).iter().fold(0.0, |m, x| m.max(x.abs()))
+}
+
+/// The largest difference of two coefficients, relative to the largest coefficient.
+fn deviation<T: Element<Scalar = f64>>(found: &T, expected: &T) -> f64 {
+    let (a, b) = (numbers(found), numbers(expected));
+    let difference = a.iter().zip(&b).map(|(a, b)| (a - b).abs());
+    // No NaN gets lost.
+    let worst = difference.fold(0.0, |m, x| if x <= m { m } else { x });
+    let scale = size(expected);
+    if worst == 0.0 { 0.0 } else { worst / scale }
+}
+
+fn bivector(c: [f64; 10]) -> PointPair<f64> {
+    let [a, b, c, d, e, f, g, h, i, j] = c;
+    PointPair::new(a, b, c, d, e, f, g, h, i, j)
+}
+
+/// Numbers in [−1, 1), the same in every run (Steele, Lea and Flood's splitmix64).
+struct Numbers(u64);
+
+impl Numbers {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+
+    fn vector(&mut self) -> [f64; 3] {
+        [self.next(), self.next(), self.next()]
+    }
+
+    fn bivector(&mut self) -> PointPair<f64> {
+        bivector([(); 10].map(|()| self.next()))
+    }
+}
+
+/// The distance of a bivector from the edge of the branch, where the sum of the half angles of its turns is π.
+fn room(b: PointPair<f64>) -> f64 {
+    let wedge = b.wedge(b);
+    let (s, square) = (b.scalar_product(b), wedge.scalar_product(wedge));
+    let turn = if square > 0.0 {
+        s - square.sqrt()
+    } else {
+        (s - (s * s - square).sqrt()) / 2.0
+    };
+    PI - (-turn).max(0.0).sqrt()
+}
+
+/// Bivectors of all kinds: of any size, those of the special versors, and such as are nearly of a special kind.
+fn family(kind: usize, n: &mut Numbers) -> PointPair<f64> {
+    let spread = 10_f64.powf(-3.0 * n.next().abs());
+    let angle = 3.0 * n.next();
+    let [x, y, z] = n.vector();
+    let turn = MotorGenerator::new(x * angle, y * angle, z * angle, 0.0, 0.0, 0.0);
+    let [x, y, z] = n.vector().map(|x| 10.0 * x);
+    let shift = MotorGenerator::new(0.0, 0.0, 0.0, x, y, z);
+    let scaling = bivector([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 3.0 * n.next()]);
+    let bend = Transversor::from_vector(n.vector()).log();
+    // Turns by equal angles in e12 and in the plane of e3 and the timelike vector's complement.
+    let equal = bivector([
+        angle / 2.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        angle / 2.0,
+        0.0,
+        0.0,
+        angle / 4.0,
+        0.0,
+    ]);
+    match kind {
+        0 => n.bivector(),
+        1 => n.bivector() * 3.0,
+        2 => n.bivector() * 6.0,
+        3 => n.bivector() * 10_f64.powf(-150.0 + 150.0 * n.next()),
+        4 => turn.into(),
+        5 => shift.into(),
+        6 => scaling,
+        7 => bend,
+        8 => PointPair::from(turn + shift),
+        9 => PointPair::from(turn + shift) + scaling,
+        10 => PointPair::from(turn) + bend,
+        11 => equal,
+        12 => PointPair::from(turn) + n.bivector() * spread,
+        13 => PointPair::from(shift) + n.bivector() * spread,
+        14 => scaling + n.bivector() * spread,
+        15 => bend + n.bivector() * spread,
+        16 => equal + n.bivector() * spread,
+        17 => PointPair::from(turn + shift) + n.bivector() * (spread * 1e-6),
+        _ => equal + n.bivector() * (spread * 1e-8),
+    }
+}
+
+const KINDS: usize = 19;
+
+#[test]
+fn exponentials_and_logarithms_undo_each_other() {
+    let mut n = Numbers(1);
+    for k in 0..100_000 {
+        let kind = k % KINDS;
+        let b = family(kind, &mut n);
+        let versor = b.exp().expect("in range");
+        let log = versor.log();
+        let again = log.exp().expect("in range");
+        // At the edge of the branch a small change of V changes the plane of the turn.
+        let conditioning = 1.0 / room(log).min(1.0);
+        let found = deviation(&again, &versor);
+        assert!(
+            found <= 1e-12 * conditioning,
+            "exp log, {kind}: {found:e} for {b:?}"
+        );
+        let conditioning = 1.0 / room(b).min(1.0);
+        if room(b) > 1e-3 {
+            let found = deviation(&log, &b);
+            assert!(
+                found <= 1e-13 * conditioning,
+                "log exp, {kind}: {found:e} for {b:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn exponentials_are_those_of_the_series() {
+    let algebra = algebra_of(PointPair::<f64>::METRIC);
+    let mut n = Numbers(2);
+    for k in 0..20 * KINDS {
+        let b = family(k % KINDS, &mut n);
+        let versor = b.exp().expect("in range");
+        let expected = series(&b);
+        let scale = size(&versor);
+        let difference = to_dense(&algebra, &versor) - expected;
+        let worst = difference
+            .coefficients()
+            .iter()
+            .fold(0.0_f64, |m, x| m.max(x.abs()));
+        assert!(worst <= 1e-12 * scale, "{}: {worst:e} for {b:?}", k % KINDS);
+    }
+}
+
+fn sources() -> Vec<Value> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let read = |path: std::path::PathBuf| {
+        let text = std::fs::read_to_string(path).ok()?;
+        Some(serde_json::from_str::<Value>(&text).expect("JSON"))
+    };
+    let mut sources = vec![read(root.join("data/ga/geometry.json")).expect("the extract")];
+    match read(root.join("../../shared/oracle/ga/cga3_seed1.json")) {
+        Some(all) => sources.push(all["geometry"].clone()),
+        None => println!("the complete vectors are not there; only the extract is tested"),
+    }
+    sources
+}
+
+fn element<T: Element<Scalar = f64>>(value: &Value) -> T {
+    let list = value.as_array().expect("a list of coefficients");
+    T::from_coefficients_unchecked(&mut |blade| list[blade].as_f64().expect("a number"))
+}
+
+#[test]
+fn versors_of_another_library() {
+    for source in sources() {
+        for record in source["versors"].as_array().expect("records") {
+            let versor: EvenVersor<f64> = element(&record["versor"]);
+            let b: PointPair<f64> = element(&record["bivector"]);
+            assert!(deviation(&b.exp().expect("in range"), &versor) <= 1e-14);
+            assert!(deviation(&versor.log().exp().expect("in range"), &versor) <= 1e-13);
+            assert!(deviation(&versor.log(), &b) <= 1e-13 / room(b).min(1.0));
+            let list = record["point"].as_array().expect("a point");
+            let [x, y, z] = [0, 1, 2].map(|k| list[k].as_f64().expect("a number"));
+            let image = versor.transform(Point::new(x, y, z));
+            assert!(deviation(&image, &element(&record["image"])) <= 1e-13);
+            let circle: Circle<f64> = element(&record["circle"]);
+            let image = versor.transform(circle);
+            assert!(deviation(&image, &element(&record["circle_image"])) <= 1e-12);
+        }
+    }
+}
+
+#[test]
+fn rigid_motions_have_the_logarithm_that_they_have_as_motors() {
+    let mut n = Numbers(3);
+    for _ in 0..1000 {
+        let turn = Rotor::from_axis_angle(n.vector(), PI * (1.0 + n.next())).expect("an axis");
+        let motor = Translator::from_displacement(n.vector().map(|x| 5.0 * x)) * turn;
+        let expected = PointPair::from(motor.log());
+        let found = EvenVersor::from(motor).log();
+        let conditioning = 1.0 / room(expected).min(1.0);
+        let found = deviation(&found, &expected);
+        assert!(found <= 1e-12 * conditioning, "{found:e} for {motor:?}");
+    }
+}
+
+#[test]
+fn tiny_bivectors_keep_their_digits() {
+    let mut n = Numbers(4);
+    for exponent in (8..=300).step_by(4) {
+        let b = n.bivector() * 10_f64.powi(-exponent);
+        let log = b.exp().expect("in range").log();
+        assert!(deviation(&log, &b) <= 1e-15, "1e-{exponent}");
+    }
+}
+
+/// Versors that take everything to itself or whose whole turns can be about anything.
+fn on_the_edge() -> Vec<(&'static str, EvenVersor<f64>)> {
+    let one = EvenVersor::<f64>::default();
+    let shift = Translator::from_displacement([3.0, -4.0, 0.5]);
+    let bend = Transversor::from_vector([0.3, 0.5, -0.7]);
+    let growth = Dilator::from_factor(5.0).expect("positive");
+    let half = PI / 2.0;
+    // Half turns in e12 and in the plane of e3 and eo − ½ei, which has a positive square.
+    let both = bivector([half, 0.0, 0.0, 0.0, 0.0, half, 0.0, 0.0, -half / 2.0, 0.0]);
+    let other = bivector([half, 0.0, 0.0, 0.0, 0.0, -half, 0.0, 0.0, half / 2.0, 0.0]);
+    vec![
+        ("−1", -one),
+        ("minus a shift", -EvenVersor::from(shift)),
+        ("minus a bend", -EvenVersor::from(bend)),
+        ("minus a scaling", -EvenVersor::from(growth)),
+        (
+            "minus a shift and scaling",
+            -EvenVersor::from(shift * growth),
+        ),
+        ("two half turns", both.exp().expect("in range")),
+        (
+            "two half turns the other way",
+            other.exp().expect("in range"),
+        ),
+    ]
+}
+
+#[test]
+fn whole_turns_have_logarithms() {
+    let log = (-EvenVersor::<f64>::default()).log();
+    assert_eq!(
+        log,
+        PointPair {
+            e12: PI,
+            ..PointPair::default()
+        }
+    );
+    let mut n = Numbers(5);
+    for (what, versor) in on_the_edge() {
+        for k in 0..500 {
+            let frame = if k == 0 {
+                EvenVersor::default()
+            } else {
+                n.bivector().exp().expect("in range")
+            };
+            let moved = frame * versor * frame.reverse();
+            let again = moved.log().exp().expect("in range");
+            let found = deviation(&again, &moved);
+            let bound = if k == 0 { 1e-15 } else { 1e-11 };
+            assert!(found <= bound, "{what}, {k}: {found:e}, {moved:?}");
+        }
+    }
+}
+
+#[test]
+fn what_is_not_finite_has_no_exponential() {
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e200] {
+        for place in 0..10 {
+            let b = bivector(
+                [0, 1, 2, 3, 4, 5, 6, 7, 8, 9].map(|k| if k == place { bad } else { 0.25 }),
+            );
+            assert_eq!(b.exp(), None, "{bad} at {place}");
+        }
+    }
+    // cosh 800 is beyond the range, a shift by 1e300 is not.
+    assert_eq!(
+        bivector([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 800.0]).exp(),
+        None
+    );
+    let far = Translator::from_displacement([1e300, 0.0, 0.0]);
+    let generator = bivector([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.5e300, 0.0, 0.0, 0.0]);
+    assert_eq!(generator.exp(), Some(far.into()));
+    let versor = EvenVersor::from(far);
+    assert_eq!(versor.log(), generator);
+    assert_eq!(versor.powf(f64::NAN), None);
+    assert_eq!(EvenVersor::default().powf(f64::INFINITY), None);
+}
+
+#[test]
+fn single_precision() {
+    let mut n = Numbers(6);
+    for k in 0..2000 {
+        let b = family(k % KINDS, &mut n);
+        let narrow = |b: PointPair<f64>| {
+            PointPair::<f32>::from_coefficients_unchecked(&mut |blade| b.coefficient(blade) as f32)
+        };
+        if k % KINDS == 2 || room(b) < 0.3 {
+            continue;
+        }
+        let b = narrow(b);
+        let log = b.exp().expect("in range").log();
+        let wide = |b: PointPair<f32>| {
+            PointPair::<f64>::from_coefficients_unchecked(&mut |blade| b.coefficient(blade).into())
+        };
+        let found = deviation(&wide(log), &wide(b));
+        assert!(found <= 5e-5, "{}: {found:e} for {b:?}", k % KINDS);
+    }
+}
+
+#[test]
+fn roots_powers_and_the_way_between() {
+    let mut n = Numbers(7);
+    for k in 0..50 * KINDS {
+        let b = family(k % KINDS, &mut n);
+        if room(b) < 0.1 || k % KINDS == 2 {
+            continue;
+        }
+        let versor = b.exp().expect("in range");
+        let root = versor.sqrt().expect("in range");
+        assert!(deviation(&(root * root), &versor) <= 1e-12);
+        assert!(deviation(&root, &(b * 0.5).exp().expect("in range")) <= 1e-12);
+        let third = versor.powf(1.0 / 3.0).expect("in range");
+        assert!(deviation(&(third * third * third), &versor) <= 1e-12);
+        let backwards = versor.powf(-1.0).expect("in range");
+        assert!(deviation(&backwards, &versor.inverse()) <= 1e-12);
+
+        let start = n.bivector().exp().expect("in range");
+        let end = start * (b * 0.5).exp().expect("in range");
+        let quarter = start.interpolate(end, 0.25).expect("in range");
+        let expected = start * (b * 0.125).exp().expect("in range");
+        // The short way has half turns at most.
+        if room(b * 0.5) > PI / 2.0 {
+            assert!(deviation(&quarter, &expected) <= 1e-11);
+            assert!(
+                deviation(&start.interpolate(-end, 0.25).expect("in range"), &expected) <= 1e-11
+            );
+        }
+        assert!(deviation(&start.interpolate(end, 0.0).expect("in range"), &start) <= 1e-15);
+    }
+}
+
+/// `X ~X` and `X ~V` of a sum and the versor nearest to it.
+#[test]
+fn sums_have_nearest_versors() {
+    let mut n = Numbers(8);
+    for _ in 0..2000 {
+        let (a, b) = (
+            n.bivector().exp().expect("in range"),
+            n.bivector().exp().expect("in range"),
+        );
+        let sum = Even::from(a) * 0.7 + Even::from(b) * 0.3;
+        let norm = sum * sum.reverse();
+        let rest = norm.extract_sphere();
+        let square: f64 = rest.scalar_product(rest);
+        let smallest = norm.scalar - square.max(0.0).sqrt();
+        let Some(versor) = EvenVersor::normalize(sum) else {
+            assert!(smallest < 1e-12, "{smallest}");
+            continue;
+        };
+        if square > 0.0 && smallest < 1e-3 {
+            continue;
+        }
+        let unit = Even::from(versor) * Even::from(versor.reverse());
+        assert!(deviation(&unit, &Even::from(EvenVersor::default())) <= 1e-11);
+        // X = √N V with a root of N, a scalar and a 4-vector.
+        let root = sum * Even::from(versor.reverse());
+        assert!(size(&root.extract_point_pair()) <= 1e-11 * size(&root));
+        assert!(root.scalar > 0.0);
+        assert!(deviation(&(root * root), &norm) <= 1e-11);
+        for factor in [1e-300, 1e-10, 3.0, 1e300] {
+            let again = EvenVersor::normalize(Even::from(a) * factor).expect("a versor");
+            assert!(deviation(&again, &a) <= 1e-12);
+            let odd =
+                OddVersor::reflection(DualPlane::new(0.0, 1.0, 0.0, 2.0)).expect("a plane") * a;
+            let again = OddVersor::normalize(Odd::from(odd) * factor).expect("a versor");
+            assert!(deviation(&again, &odd) <= 1e-12);
+        }
+    }
+}
+
+#[test]
+fn what_has_no_nearest_versor_is_none() {
+    let none = |sum: Even<f64>| assert_eq!(EvenVersor::normalize(sum), None);
+    let one = Even::from(EvenVersor::<f64>::default());
+    none(Even::default());
+    none(one * f64::NAN);
+    none(Even {
+        e1i: f64::INFINITY,
+        ..one
+    });
+    // The product of two vectors of which one is a point, and of one with a negative square.
+    let point = RoundVector::from(Point::new(1.0, 2.0, 3.0));
+    none(point * RoundVector::new(1.0, 0.0, 0.0, 0.0, 0.0));
+    let imaginary = RoundVector::new(0.0, 0.0, 0.0, 1.0, 0.5);
+    none(imaginary * RoundVector::new(1.0, 0.0, 0.0, 0.0, 0.0));
+    // The same times the pseudoscalar.
+    assert_eq!(OddVersor::<f64>::normalize(Odd::default()), None);
+    assert_eq!(OddVersor::normalize(Odd::from(imaginary)), None);
+    assert_eq!(
+        OddVersor::normalize(Odd {
+            eo: f64::NAN,
+            ..Odd::default()
+        }),
+        None
+    );
+}
+
+/// Every product and action of general versors is that of the reference, exactly.
+#[test]
+fn products_and_actions_are_exact() {
+    let versors = (
+        exact_member::<EvenVersor<_>>(),
+        exact_member::<EvenVersor<_>>(),
+        exact_member::<OddVersor<_>>(),
+        exact_member::<OddVersor<_>>(),
+        exact_member::<Transversor<_>>(),
+    );
+    for_all(versors, |(a, b, v, w, k)| {
+        let algebra = algebra_of(Multivector::<ga_runtime::testing::Prime61>::METRIC);
+        let dense = |x: Multivector<_>| to_dense(&algebra, &x);
+        let product = |x: Multivector<_>, y: Multivector<_>| dense(x).geometric(&dense(y));
+        assert_eq!(dense((a * b).into()), product(a.into(), b.into()));
+        assert_eq!(dense((a * v).into()), product(a.into(), v.into()));
+        assert_eq!(dense((v * a).into()), product(v.into(), a.into()));
+        assert_eq!(dense((v * w).into()), product(v.into(), w.into()));
+        assert_eq!(dense((k * k).into()), product(k.into(), k.into()));
+        assert_eq!(product(v.into(), v.inverse().into()), algebra.one());
+    });
+    macro_rules! actions {
+        ($($Blade:ident)*) => {$(
+            let operands = (
+                exact_member::<EvenVersor<_>>(),
+                exact_member::<OddVersor<_>>(),
+                exact_member::<Transversor<_>>(),
+                exact_member::<$Blade<_>>(),
+            );
+            for_all(operands, |(a, v, k, x)| {
+                let algebra = algebra_of(Multivector::<ga_runtime::testing::Prime61>::METRIC);
+                let check = |versor: Multivector<_>, image: Multivector<_>| {
+                    let versor = to_dense(&algebra, &versor);
+                    let expected = versor.transform(&to_dense(&algebra, &x)).expect("a versor");
+                    assert_eq!(to_dense(&algebra, &image), expected);
+                };
+                check(a.into(), a.transform(x).into());
+                check(v.into(), v.transform(x).into());
+                check(k.into(), k.transform(x).into());
+            });
+        )*};
+    }
+    actions!(Point RoundVector DualSphere PointPair DualCircle Circle DualPointPair Sphere);
+    for_all(
+        (
+            exact_member::<EvenVersor<_>>(),
+            exact_member::<OddVersor<_>>(),
+            exact_member::<DualPlane<_>>(),
+        ),
+        |(a, v, x)| {
+            assert_eq!(
+                a.transform(x),
+                DualSphere::from(a.transform(RoundVector::from(x)))
+            );
+            assert_eq!(
+                v.transform(x),
+                DualSphere::from(v.transform(RoundVector::from(x)))
+            );
+        },
+    );
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn along(a: [f64; 3], t: f64, b: [f64; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|k| a[k] + t * b[k])
+}
+
+fn place() -> impl Strategy<Value = [f64; 3]> {
+    prop::array::uniform3(-3.0..3.0)
+}
+
+proptest! {
+    #[test]
+    fn inversions_in_spheres(x in place(), c in place(), r in 0.1..3.0) {
+        let from_centre = along(x, -1.0, c);
+        let squared = dot(from_centre, from_centre);
+        prop_assume!(squared > 1e-2);
+        let sphere = DualSphere::from_centre_radius(Point::from(c), r) * -2.5;
+        let inversion = OddVersor::inversion(sphere).expect("real");
+        let image = inversion.transform_point(Point::from(x)).expect("a point");
+        assert_close!(image.coordinates(), along(c, r * r / squared, from_centre), 1e-11, 100.0);
+        // In the imaginary sphere the point comes out on the other side, and handedness stays.
+        let imaginary = DualSphere::from_centre_radius_squared(Point::from(c), -r * r);
+        let even = Multivector::from(imaginary).dual().extract_even();
+        let versor = EvenVersor::normalize(even).expect("a versor");
+        let image = versor.transform_point(Point::from(x)).expect("a point");
+        assert_close!(image.coordinates(), along(c, -r * r / squared, from_centre), 1e-11, 100.0);
+        prop_assert_eq!(OddVersor::inversion(imaginary), None);
+    }
+
+    #[test]
+    fn reflections_in_planes(x in place(), n in place(), d in -3.0..3.0) {
+        let squared = dot(n, n);
+        prop_assume!(squared > 1e-2);
+        let mirror = OddVersor::reflection(DualPlane::new(n[0], n[1], n[2], d)).expect("a plane");
+        let image = mirror.transform_point(Point::from(x)).expect("a point");
+        let expected = along(x, 2.0 * (d - dot(n, x)) / squared, n);
+        assert_close!(image.coordinates(), expected, 1e-12, 100.0);
+        // Two reflections are a motion.
+        let other = OddVersor::reflection(DualPlane::new(1.0, 0.0, 0.0, 0.5)).expect("a plane");
+        let motion = other * mirror;
+        prop_assert_eq!([motion.e1o(), motion.e2o(), motion.e3o(), motion.eoi()], [0.0; 4]);
+    }
+
+    #[test]
+    fn transversors_are_special_conformal_maps(x in place(), k in place(), t in -2.0..2.0) {
+        let (square, inner) = (dot(x, x), dot(k, x));
+        let divisor = 1.0 + 2.0 * inner + dot(k, k) * square;
+        prop_assume!(divisor > 1e-2);
+        let bend = Transversor::from_vector(k);
+        let image = bend.transform_point(Point::from(x)).expect("a point");
+        let expected = along(x, square, k).map(|x| x / divisor);
+        assert_close!(image.coordinates(), expected, 1e-11, 100.0);
+        prop_assert_eq!(bend.vector(), k);
+        // Inversion, shift, inversion.
+        let unit = OddVersor::inversion(DualSphere::new(0.0, 0.0, 0.0, 1.0, -0.5)).expect("real");
+        let shift = EvenVersor::from(Translator::from_displacement(k));
+        assert_close!(unit * (shift * unit), EvenVersor::from(bend), 1e-15);
+        assert_close!(
+            EvenVersor::from(bend.powf(t)),
+            EvenVersor::from(bend).powf(t).expect("in range"),
+            1e-14
+        );
+        prop_assert_eq!(bend.log().exp(), Some(bend.into()));
+    }
+}
+
+#[test]
+fn vectors_without_a_reflection() {
+    assert_eq!(
+        OddVersor::reflection(DualPlane::new(0.0, 0.0, 0.0, 1.0)),
+        None
+    );
+    assert_eq!(
+        OddVersor::reflection(DualPlane::new(f64::NAN, 0.0, 0.0, 1.0)),
+        None
+    );
+    assert_eq!(
+        OddVersor::reflection(DualPlane::new(1.0, 0.0, 0.0, f64::INFINITY)),
+        None
+    );
+    let point = DualSphere::from(Point::new(1.0, 2.0, 3.0));
+    assert_eq!(OddVersor::inversion(point), None);
+    assert_eq!(OddVersor::<f64>::inversion(DualSphere::default()), None);
+    // Only the square of what is small or large leaves the range.
+    for factor in [1e-200, 1e200] {
+        let mirror = OddVersor::reflection(DualPlane::new(0.0, factor, 0.0, 0.0));
+        assert_eq!(
+            mirror,
+            OddVersor::reflection(DualPlane::new(0.0, 1.0, 0.0, 0.0))
+        );
+    }
+    let bend = Transversor::from_vector([1.0, 0.0, 0.0]);
+    assert_eq!(bend.transform_point(Point::new(f64::NAN, 0.0, 0.0)), None);
+    assert_eq!(
+        EvenVersor::from(bend).transform_point(Point::new(-1.0, 0.0, 0.0)),
+        None
+    );
+}
