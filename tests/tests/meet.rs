@@ -364,9 +364,20 @@ proptest! {
 /// What other libraries computed: the meet of a sphere with a plane and with a line.
 #[test]
 fn vectors_of_other_libraries() {
-    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("data/ga/geometry.json");
-    let text = std::fs::read_to_string(path).expect("the extract");
-    let all: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    let read = |path: &str| -> Option<serde_json::Value> {
+        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
+        let text = std::fs::read_to_string(path).ok()?;
+        Some(serde_json::from_str(&text).expect("JSON"))
+    };
+    check_vectors(&read("data/ga/geometry.json").expect("the extract"), 12);
+    match read("../../shared/oracle/ga/cga3_seed1.json") {
+        Some(all) => check_vectors(&all["geometry"], 120),
+        None => println!("the complete vectors are not there; only the extract is tested"),
+    }
+}
+
+/// Checks all records, of which there are so many.
+fn check_vectors(all: &serde_json::Value, count: usize) {
     let number = |v: &serde_json::Value| v.as_f64().expect("a number");
     let triple = |v: &serde_json::Value| -> Vector { std::array::from_fn(|k| number(&v[k])) };
     let mut cases = 0;
@@ -404,5 +415,5 @@ fn vectors_of_other_libraries() {
         }
         cases += 1;
     }
-    assert_eq!(cases, 12);
+    assert_eq!(cases, count);
 }

@@ -13,7 +13,7 @@
 //!
 //! A pair counts as its two points. The stationary points of the distance from a line to a circle are roots of a quartic, those from circle to
 //! circle of a polynomial of degree 8 (Vranek, Journal of Graphics Tools 7 (2002); Eberly, Distance to Circles in 3D); the least one is found by
-//! bisection with a proven lower bound instead, to the accuracy of the scalar. Directions whose sine is below 16 ε count as parallel.
+//! halving under a proven bound instead, to the accuracy of the scalar. Directions whose sine is below 16 ε count as parallel.
 //!
 //! `a.signed_distance_to(b)` has a sign where there is a side to tell:
 //!
