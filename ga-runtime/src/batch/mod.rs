@@ -202,7 +202,7 @@ pub fn blend<S: Real<Mask = bool>, const K: usize>(
 ///
 /// # Errors
 /// The slices have different lengths.
-pub fn log<S: Real<Mask = bool>>(
+pub fn log<S: Real>(
     motors: &[Motor<S>],
     generators: &mut [MotorGenerator<S>],
 ) -> Result<(), LengthMismatch> {
@@ -213,7 +213,7 @@ pub fn log<S: Real<Mask = bool>>(
 ///
 /// # Errors
 /// The slices have different lengths.
-pub fn exp<S: Real<Mask = bool>>(
+pub fn exp<S: Real>(
     generators: &[MotorGenerator<S>],
     motors: &mut [Motor<S>],
 ) -> Result<(), LengthMismatch> {

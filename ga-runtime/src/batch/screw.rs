@@ -1,5 +1,6 @@
-//! Logarithms and exponentials of slices. Their time goes into elementary functions, which no path makes faster.
+//! Logarithms and exponentials of slices.
 
+use super::dispatch::{Work, run};
 use super::{Batch, LengthMismatch, same_length};
 use crate::cga3::{Motor, MotorGenerator};
 use crate::scalar::Real;
@@ -9,15 +10,13 @@ impl Batch {
     ///
     /// # Errors
     /// The slices have different lengths.
-    pub fn log<S: Real<Mask = bool>>(
+    pub fn log<S: Real>(
         self,
         motors: &[Motor<S>],
         generators: &mut [MotorGenerator<S>],
     ) -> Result<(), LengthMismatch> {
         same_length(motors.len(), generators.len())?;
-        for (motor, generator) in motors.iter().zip(generators) {
-            *generator = motor.log();
-        }
+        run(self.path, Logarithms { motors, generators });
         Ok(())
     }
 
@@ -25,15 +24,41 @@ impl Batch {
     ///
     /// # Errors
     /// The slices have different lengths.
-    pub fn exp<S: Real<Mask = bool>>(
+    pub fn exp<S: Real>(
         self,
         generators: &[MotorGenerator<S>],
         motors: &mut [Motor<S>],
     ) -> Result<(), LengthMismatch> {
         same_length(generators.len(), motors.len())?;
-        for (generator, motor) in generators.iter().zip(motors) {
+        run(self.path, Exponentials { generators, motors });
+        Ok(())
+    }
+}
+
+struct Logarithms<'a, S> {
+    motors: &'a [Motor<S>],
+    generators: &'a mut [MotorGenerator<S>],
+}
+
+impl<S: Real> Work for Logarithms<'_, S> {
+    #[inline(always)]
+    fn run(self) {
+        for (motor, generator) in self.motors.iter().zip(self.generators) {
+            *generator = motor.log();
+        }
+    }
+}
+
+struct Exponentials<'a, S> {
+    generators: &'a [MotorGenerator<S>],
+    motors: &'a mut [Motor<S>],
+}
+
+impl<S: Real> Work for Exponentials<'_, S> {
+    #[inline(always)]
+    fn run(self) {
+        for (generator, motor) in self.generators.iter().zip(self.motors) {
             *motor = generator.exp();
         }
-        Ok(())
     }
 }

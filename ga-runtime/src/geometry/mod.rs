@@ -20,6 +20,18 @@
 //! The dual forms `DualSphere`, `DualPlane`, `DualCircle`, `DualPointPair`, `DualFlatPoint`, `DualDirection` and, for lines, `MotorGenerator` come from `dual` and go
 //! back by `undual`; they meet by `^`. [`Kind`] says at run time whether a round is real, imaginary or a tangent, and whether a blade is a round at all.
 //!
+//! # Rigid versors and scalings
+//!
+//! | type | formula | built by | read by | along the way |
+//! | --- | --- | --- | --- | --- |
+//! | `Rotor` | `exp(−½θB)` | `from_axis_angle`, `from_rotation_vector`, `between`, `from_matrix`, `from_quaternion` | `to_axis_angle`, `to_rotation_vector`, `to_matrix`, `to_quaternion`, `path` | `log`, `powf`, `sqrt`, `interpolate`, `along` |
+//! | `Translator` | `1 − ½ t ei` | `from_displacement` | `displacement` | `log`, `powf`, `sqrt`, `interpolate` |
+//! | `Motor` | `T R` | `translator * rotor`, `about`, `from_matrix`, [`Screw::to_motor`] | `rotor`, `translator`, `to_matrix`, `screw`, `path` | `log`, `powf`, `sqrt`, `interpolate`, `along` |
+//! | `MotorGenerator` | `−½θB − ½ t ei` | `Motor::log`, [`Screw::generator`] | `screw` | `exp` |
+//! | `Dilator` | `exp(½ ln s eo∧ei)` | `from_factor`, `exp` | `factor` | `log`, `powf`, `sqrt` |
+//!
+//! A rotor or motor and its negative are the short and the long way to one place: see [`RotationPath`].
+//!
 //! What two of them have to do with each other, distances and angles among it, is in [`relation`]. 4×4 matrices are in [`homogeneous`], maps that are not
 //! conformal in [`Affine`]. Means of many motions, curves through them and motions that fit points are in [`motion`].
 //!
