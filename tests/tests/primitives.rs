@@ -74,7 +74,8 @@ proptest! {
         assert_close!(pair.centre().expect("a centre").coordinates(), c, 1e-12, 5.0);
         assert_close!(pair.radius_squared().expect("a pair"), squared, 1e-12, 100.0);
         assert_close!(pair.unit_direction().expect("an axis"), d, 1e-14, 1.0);
-        prop_assert_eq!(pair.endpoints().is_some(), squared >= 0.0 || pair.radius_squared() >= Some(0.0));
+        prop_assume!(squared.abs() > 1e-12);
+        prop_assert_eq!(pair.endpoints().is_some(), squared > 0.0);
         if squared > 1e-6 {
             // The blade of the two points, up to their distance.
             let r = squared.sqrt();
@@ -143,6 +144,48 @@ proptest! {
         prop_assert_eq!((Plane::from_point_normal(point, n) * -weight).kind(1e-12), Kind::Flat);
         prop_assert_eq!((Plane::from_point_normal(point, n) * -weight).dual().kind(1e-12), Kind::Flat);
         prop_assert_eq!(FlatPoint::from(point).kind(1e-12), Kind::Flat);
+    }
+
+    #[test]
+    fn what_touches_has_radius_zero(c in place(100.0), n in unit(), r in 0.1..10.0_f64, weight in 0.1..10.0_f64) {
+        let point = Point::from(c);
+        let tangent = PointPair::tangent(point, n).expect("a direction") * weight;
+        let ends = tangent.endpoints().expect("a real pair");
+        prop_assert_eq!(ends[0], ends[1]);
+        assert_close!(ends[0].coordinates(), c, 1e-13, 100.0);
+        prop_assert_eq!((Circle::tangent(point, n).expect("a normal") * weight).radius(), Some(0.0));
+        prop_assert_eq!((Sphere::from_centre_radius(point, 0.0) * weight).radius(), Some(0.0));
+        // Products that touch: a sphere and its tangent plane and line, two spheres from outside.
+        let sphere = Sphere::from_centre_radius(point, r) * weight;
+        let foot = Point::from(along(c, r, n));
+        let circle = sphere & Plane::from_point_normal(foot, n);
+        prop_assert_eq!(circle.radius(), Some(0.0));
+        assert_close!(circle.centre().expect("a circle").coordinates(), foot.coordinates(), 1e-12, 100.0);
+        let pair = sphere & Line::from_point_direction(foot, some_across(n));
+        prop_assert_eq!(pair.radius(), Some(0.0));
+        let other = Sphere::from_centre_radius(Point::from(along(c, 3.0 * r, n)), 2.0 * r);
+        prop_assert_eq!((sphere & other).radius(), Some(0.0));
+    }
+
+    #[test]
+    fn kinds_are_told_far_away_and_in_single_precision(n in unit(), exponent in -2.0..4.0_f64, ratio in 0.1..0.9_f64) {
+        let distance = 10_f64.powf(exponent);
+        let c = n.map(|x| x * distance);
+        let across = some_across(n);
+        fn check<S: ga_runtime::scalar::Real<Mask = bool>>(c: [f64; 3], n: [f64; 3], r: f64, tolerance: f64) {
+            let of = |v: [f64; 3]| v.map(S::from_f64);
+            let (point, r, tolerance) = (Point::from(of(c)), S::from_f64(r), S::from_f64(tolerance));
+            assert_eq!(Sphere::from_centre_radius(point, r).kind(tolerance), Kind::Real);
+            let circle = Circle::from_centre_normal_radius(point, of(n), r).expect("a circle");
+            assert_eq!(circle.kind(tolerance), Kind::Real);
+            let pair = PointPair::from_centre_axis_radius_squared(point, of(n), r * r).expect("a pair");
+            assert_eq!(pair.kind(tolerance), Kind::Real);
+            assert_eq!(Line::from_point_direction(point, of(n)).kind(tolerance), Kind::Flat);
+            assert_eq!(Plane::from_point_normal(point, of(n)).kind(tolerance), Kind::Flat);
+            assert_eq!(FlatPoint::from(point).kind(tolerance), Kind::Flat);
+        }
+        check::<f32>(c, across, ratio * distance, 1e-5);
+        check::<f64>(c.map(|x| x * 1e3), across, ratio * distance * 1e3, 1e-12);
     }
 
     #[test]
@@ -292,6 +335,24 @@ trait UndualAsCircle {
 impl UndualAsCircle for PointPair<f64> {
     fn undual_as_circle(self) -> Circle<f64> {
         DualCircle::from(self).undual()
+    }
+}
+
+#[test]
+fn a_tolerance_that_is_no_number_holds_for_nothing() {
+    let sphere = Sphere::from_centre_radius(Point::new(0.0, 0.0, 0.0), 1.0);
+    assert_eq!(sphere.kind(f64::NAN), Kind::Real);
+    let circle = Circle::from_centre_normal_radius(Point::default(), [0.0, 0.0, 1.0], 1.0);
+    assert_eq!(circle.expect("a circle").kind(f64::NAN), Kind::NotABlade);
+}
+
+#[test]
+fn small_rounds_in_single_precision_keep_their_radius() {
+    for size in [1e-3_f32, 1e-5, 1e-7, 1e-8] {
+        let [p, q, r] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0]];
+        let [p, q, r] = [p, q, r].map(|x: [f32; 3]| Point::from(x.map(|x| x * size)));
+        let radius = Circle::through(p, q, r).radius().expect("a circle");
+        assert!((radius / size - 1.0).abs() < 1e-6, "{size}: {radius}");
     }
 }
 

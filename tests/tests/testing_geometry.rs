@@ -396,13 +396,25 @@ fn rounds_are_real() {
     assert!(share(&circles, |circle| circle.radius().is_some_and(radii)) > 0.95);
     let pairs = drawn(cga3::point_pairs::<f64>(SIZE));
     assert!(share(&pairs, |pair| pair.radius().is_some_and(radii)) > 0.95);
-    let is_ordinary = |x: f32| x.is_finite();
-    let singles = drawn(cga3::circles::<f32>(SIZE));
-    assert!(
-        singles
-            .iter()
-            .all(|circle| circle.radius_squared().is_some_and(is_ordinary))
-    );
+    // In single precision too, all are real.
+    let is_real = |radius: Option<f32>| radius.is_some_and(|radius| radius > 0.0);
+    for size in [1.0, SIZE, 1e4] {
+        assert!(
+            drawn(cga3::spheres::<f32>(size))
+                .iter()
+                .all(|x| is_real(x.radius()))
+        );
+        assert!(
+            drawn(cga3::circles::<f32>(size))
+                .iter()
+                .all(|x| is_real(x.radius()))
+        );
+        assert!(
+            drawn(cga3::point_pairs::<f32>(size))
+                .iter()
+                .all(|x| is_real(x.radius()))
+        );
+    }
 }
 
 #[test]

@@ -103,10 +103,12 @@ impl<S: Real<Mask = bool>> Circle<S> {
         Some(-self.parts()?.signed_square()?)
     }
 
-    /// The radius; `None` for a line and for an imaginary circle.
+    /// The radius; `None` for a line and for an imaginary circle. The circle knows r² only up to rounding of the squared distance of
+    /// the centre from the origin: where `|r²| ≤ 32 ε (2c² + r²)` the radius is zero.
     #[must_use]
     pub fn radius(self) -> Option<S> {
-        real_radius(self.radius_squared()?)
+        let [a, b] = self.parts()?.squares();
+        real_radius([b, a])
     }
 
     /// The line through the centre across the circle's plane, along its normal; `None` where there is no [centre](Self::centre).
@@ -120,6 +122,7 @@ impl<S: Real<Mask = bool>> Circle<S> {
     #[must_use]
     pub fn axis(self) -> Option<Line<S>> {
         let round = self.parts()?;
+        round.signed_square()?;
         Some(Line::from_point_direction(round.centre(), round.axis))
     }
 

@@ -41,19 +41,24 @@ impl<S: Field> DualSphere<S> {
     #[inline]
     #[must_use]
     pub fn radius_squared(self) -> Option<S> {
+        let [a, b] = self.squares()?;
+        is_number(a - b).then_some(a - b)
+    }
+
+    /// c² and `c² − r²`.
+    fn squares(self) -> Option<[S; 2]> {
         let centre = self.centre()?.coordinates();
-        let twice = self.ei + self.ei;
-        let squared = dot(centre, centre) - twice / self.eo;
-        is_number(squared).then_some(squared)
+        Some([dot(centre, centre), (self.ei + self.ei) / self.eo])
     }
 }
 
 impl<S: Real<Mask = bool>> DualSphere<S> {
-    /// The radius; `None` for a dual plane and for an imaginary sphere.
+    /// The radius; `None` for a dual plane and for an imaginary sphere. Zero up to rounding counts as zero; see
+    /// [`Sphere::radius`](crate::cga3::Sphere::radius).
     #[inline]
     #[must_use]
     pub fn radius(self) -> Option<S> {
-        real_radius(self.radius_squared()?)
+        real_radius(self.squares()?)
     }
 }
 

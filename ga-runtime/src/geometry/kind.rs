@@ -17,10 +17,16 @@ use crate::scalar::Real;
 ///
 /// # Tolerance
 ///
-/// The tolerance τ has no unit. Coefficients count as zero where they are at most τ times the largest of all, so coordinates should
-/// be such that the scene has a size of about 1. A squared radius counts as zero where it is at most τ times the numbers from whose
-/// difference it comes, `|r²| ≤ τ (c² + |c² ± r²|)`: less than that no blade can tell. In f64, 1e-12 is a good choice for results of a few
-/// products, in f32 1e-4.
+/// The tolerance τ has no unit, and coordinates should be such that the scene has a size of about 1.
+///
+/// - A round is a flat where its centre is 1/τ away or more, a flat is free where it is; so is a round about the origin with
+///   a radius of √(2/τ) or more, which cannot be told from infinity.
+/// - A squared radius counts as zero where it is at most τ times the numbers from whose difference it comes, `|r²| ≤ τ (c² + |c² − r²|)` for a
+///   circle or sphere: less than that no blade can tell.
+/// - A sum is no blade where its outer product with itself exceeds τ times the product of its coefficients.
+///
+/// In f64, 1e-12 is a good choice for results of a few products, in f32 1e-5. A tolerance that is negative or NaN holds for
+/// nothing.
 ///
 /// ```
 /// use ga_runtime::cga3::{Plane, Point, Sphere};
@@ -89,16 +95,18 @@ impl<S: Real<Mask = bool>> DualSphere<S> {
             return without_size(self);
         };
         let normal = [sphere.e1, sphere.e2, sphere.e3];
-        if is_at_most(sphere.eo, tolerance) {
-            let is_free = normal.into_iter().all(|x| is_at_most(x, tolerance));
-            return if is_free { Kind::Free } else { Kind::Flat };
-        }
-        let centre = normal.map(|x| x / sphere.eo);
-        of_difference(
-            dot(centre, centre),
-            (sphere.ei + sphere.ei) / sphere.eo,
+        match shape(
+            [sphere.eo.abs(), largest(normal), sphere.ei.abs()],
             tolerance,
-        )
+        ) {
+            Shape::Free => Kind::Free,
+            Shape::Flat => Kind::Flat,
+            Shape::Round => {
+                let centre = normal.map(|x| x / sphere.eo);
+                let twice = (sphere.ei + sphere.ei) / sphere.eo;
+                of_difference(dot(centre, centre), twice, tolerance)
+            }
+        }
     }
 }
 
@@ -127,36 +135,57 @@ fn of_bivector<S: Real<Mask = bool>>(bivector: DualCircle<S>, sign: i64, toleran
     let Some(b) = scaled_to_one(bivector) else {
         return without_size(bivector);
     };
-    let two = S::from_integer(2);
+    let weight = largest([b.e1o, b.e2o, b.e3o]);
+    let middle = largest([b.e12, b.e13, b.e23]).max(b.eoi.abs());
+    let last = largest([b.e1i, b.e2i, b.e3i]);
     // B is a blade where B∧B vanishes: five numbers.
+    let (near, far) = (weight.max(middle), last.max(middle));
     let outer = [
-        b.e12 * b.e3o - b.e13 * b.e2o + b.e23 * b.e1o,
-        b.e12 * b.e3i - b.e13 * b.e2i + b.e23 * b.e1i,
-        b.e12 * b.eoi - b.e1o * b.e2i + b.e1i * b.e2o,
-        b.e13 * b.eoi - b.e1o * b.e3i + b.e1i * b.e3o,
-        b.e23 * b.eoi - b.e2o * b.e3i + b.e2i * b.e3o,
+        (b.e12 * b.e3o - b.e13 * b.e2o + b.e23 * b.e1o, middle * near),
+        (b.e12 * b.e3i - b.e13 * b.e2i + b.e23 * b.e1i, middle * far),
+        (b.e12 * b.eoi - b.e1o * b.e2i + b.e1i * b.e2o, near * far),
+        (b.e13 * b.eoi - b.e1o * b.e3i + b.e1i * b.e3o, near * far),
+        (b.e23 * b.eoi - b.e2o * b.e3i + b.e2i * b.e3o, near * far),
     ];
-    if !outer.into_iter().all(|x| is_at_most(two * x, tolerance)) {
+    if !outer
+        .into_iter()
+        .all(|(x, size)| is_at_most(x, tolerance * size))
+    {
         return Kind::NotABlade;
     }
-    let are_small = |list: [S; 3]| list.into_iter().all(|x| is_at_most(x, tolerance));
-    if are_small([b.e1o, b.e2o, b.e3o]) {
-        // Of a dual line the directions e12, e13, e23 are left, of a flat point eoi.
-        let has_place = !is_at_most(b.eoi, tolerance) || !are_small([b.e12, b.e13, b.e23]);
-        return if has_place { Kind::Flat } else { Kind::Free };
+    match shape([weight, middle, last], tolerance) {
+        Shape::Free => return Kind::Free,
+        Shape::Flat => return Kind::Flat,
+        Shape::Round => {}
     }
-    let Some(round) = RoundBivector::of(b) else {
-        return Kind::NotABlade;
-    };
-    let (square, twice) = (
-        dot(round.centre, round.centre),
-        round.infinite + round.infinite,
-    );
-    if sign < 0 {
-        of_difference(square, twice, tolerance)
+    match RoundBivector::of(b).map(RoundBivector::squares) {
+        None => Kind::NotABlade,
+        Some([a, b]) if sign < 0 => of_difference(b, a, tolerance),
+        Some([a, b]) => of_difference(a, b, tolerance),
+    }
+}
+
+enum Shape {
+    Round,
+    Flat,
+    Free,
+}
+
+/// What the sizes of the coefficients tell, which grow with the first and second power of the distance: those with eo, those with neither eo
+/// nor ei or with both, those with ei.
+fn shape<S: Real<Mask = bool>>([weight, middle, last]: [S; 3], tolerance: S) -> Shape {
+    let is_free = |x: S| is_at_most(x, tolerance * last);
+    if is_free(weight) && is_free(middle) {
+        Shape::Free
+    } else if is_at_most(weight, tolerance * middle) {
+        Shape::Flat
     } else {
-        of_difference(twice, square, tolerance)
+        Shape::Round
     }
+}
+
+fn largest<S: Real<Mask = bool>>([x, y, z]: [S; 3]) -> S {
+    x.abs().max(y.abs()).max(z.abs())
 }
 
 /// The kind of a round with r² = a − b.
@@ -164,7 +193,7 @@ fn of_difference<S: Real<Mask = bool>>(a: S, b: S, tolerance: S) -> Kind {
     let squared = a - b;
     if !squared.is_finite() {
         Kind::NotABlade
-    } else if !(tolerance * (a.abs() + b.abs())).less_than(squared.abs()) {
+    } else if is_at_most(squared, tolerance * (a.abs() + b.abs())) {
         Kind::Tangent
     } else if squared.less_than(S::zero()) {
         Kind::Imaginary
@@ -173,8 +202,8 @@ fn of_difference<S: Real<Mask = bool>>(a: S, b: S, tolerance: S) -> Kind {
     }
 }
 
-fn is_at_most<S: Real<Mask = bool>>(x: S, tolerance: S) -> bool {
-    !tolerance.less_than(x.abs())
+fn is_at_most<S: Real<Mask = bool>>(x: S, bound: S) -> bool {
+    x.abs().less_than(bound) || x.abs() == bound
 }
 
 /// The same with its largest coefficient 1 or −1; `None` where that is zero or not finite.

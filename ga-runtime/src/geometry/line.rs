@@ -113,10 +113,11 @@ impl<S: Real<Mask = bool>> Line<S> {
         are_numbers(place).then(|| Point::from(place))
     }
 
-    /// The distance of a point; `None` for a line of weight zero.
+    /// The distance of a point; `None` for a line of weight zero, or beyond the range of the scalar.
     #[inline]
     #[must_use]
     pub fn distance(self, point: Point<S>) -> Option<S> {
-        Some(self.foot(point)?.distance(point))
+        let distance = self.foot(point)?.distance(point);
+        distance.is_finite().then_some(distance)
     }
 }

@@ -106,21 +106,23 @@ impl<S: Real<Mask = bool>> PointPair<S> {
         self.parts()?.signed_square()
     }
 
-    /// Half the distance of the points; `None` for an imaginary pair and one of weight zero.
+    /// Half the distance of the points; `None` for an imaginary pair and one of weight zero. A square that is zero up to rounding, as for
+    /// [`endpoints`](Self::endpoints), counts as zero.
     #[must_use]
     pub fn radius(self) -> Option<S> {
-        real_radius(self.radius_squared()?)
+        real_radius(self.parts()?.squares())
     }
 
     /// The two points, in the order of `p∧q`, where its weight is positive. `None` for an imaginary pair and one of weight
     /// zero.
     ///
-    /// The points are exact up to rounding of the squared radius, so that where they all but coincide only half of the
-    /// digits of their distance are known. [`Kind`](crate::geometry::Kind) tells a tangent with a tolerance.
+    /// The pair knows the squared radius r² only up to rounding of the squared distance of the centre from the origin, c², so that of
+    /// points that all but coincide only half of the digits of their distance are known. Where `|r²| ≤ 32 ε (2c² + r²)` both points
+    /// are the centre, and [`Kind`](crate::geometry::Kind) tells a tangent with a tolerance of your own.
     #[must_use]
     pub fn endpoints(self) -> Option<[Point<S>; 2]> {
         let round = self.parts()?;
-        let radius = real_radius(round.signed_square()?)?;
+        let radius = real_radius(round.squares())?;
         let reach = scaled(round.axis, radius);
         let places = [difference(round.centre, reach), sum(round.centre, reach)];
         let is_finite = places.into_iter().all(are_numbers);

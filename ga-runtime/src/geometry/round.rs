@@ -54,24 +54,39 @@ impl<S: Real<Mask = bool>> RoundBivector<S> {
         Point::from(self.centre)
     }
 
-    /// `2β − c²`: the squared radius of a point pair, minus that of a dual circle. `None` beyond the range of the scalar.
+    /// `2β` and `c²`: their difference is the squared radius of a point pair, minus that of a dual circle.
+    pub(super) fn squares(self) -> [S; 2] {
+        [self.infinite + self.infinite, dot(self.centre, self.centre)]
+    }
+
+    /// `2β − c²`. `None` beyond the range of the scalar.
     pub(super) fn signed_square(self) -> Option<S> {
-        let square = self.infinite + self.infinite - dot(self.centre, self.centre);
-        is_number(square).then_some(square)
+        let [a, b] = self.squares();
+        is_number(a - b).then_some(a - b)
     }
 }
 
-/// The root of a squared radius; `None` for an imaginary one.
-pub(super) fn real_radius<S: Real<Mask = bool>>(squared: S) -> Option<S> {
-    let is_real = squared.is_finite() && !squared.less_than(S::zero());
-    is_real.then(|| squared.sqrt())
+/// The root of `r² = a − b`; `None` where it is negative or not finite.
+///
+/// The coefficients of a round know r² only as a difference of squared lengths, so that less than 32 ε (|a| + |b|) is rounding, and
+/// counts as zero: what touches has a radius, whichever way it was rounded.
+pub(super) fn real_radius<S: Real<Mask = bool>>([a, b]: [S; 2]) -> Option<S> {
+    let squared = a - b;
+    let rounding = S::epsilon() * S::from_integer(32) * (a.abs() + b.abs());
+    if !squared.is_finite() {
+        None
+    } else if !rounding.less_than(squared.abs()) {
+        Some(S::zero())
+    } else {
+        S::zero().less_than(squared).then(|| squared.sqrt())
+    }
 }
 
 /// What to divide by so that d² is in range: 1 wherever possible. `None` where d is zero or not finite.
 fn scale<S: Real<Mask = bool>>(b: DualCircle<S>) -> Option<S> {
     let direction = [b.e1o, b.e2o, b.e3o];
     let square = dot(direction, direction);
-    let (least, most) = (S::from_f64(1e-30), S::from_f64(1e30));
+    let (least, most) = (S::from_f64(1e-12), S::from_f64(1e12));
     if least.less_than(square) && square.less_than(most) {
         return Some(S::one());
     }

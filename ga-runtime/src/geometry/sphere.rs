@@ -1,6 +1,5 @@
 //! Spheres.
 
-use super::round::real_radius;
 use crate::cga3::{DualSphere, Point, Sphere};
 use crate::scalar::{Field, Real};
 
@@ -52,10 +51,11 @@ impl<S: Field> Sphere<S> {
 }
 
 impl<S: Real<Mask = bool>> Sphere<S> {
-    /// The radius; `None` for a plane and for an imaginary sphere.
+    /// The radius; `None` for a plane and for an imaginary sphere. The sphere knows r² only up to rounding of the squared distance of
+    /// the centre from the origin: where `|r²| ≤ 32 ε (2c² + r²)` the radius is zero.
     #[inline]
     #[must_use]
     pub fn radius(self) -> Option<S> {
-        real_radius(self.radius_squared()?)
+        self.dual().radius()
     }
 }

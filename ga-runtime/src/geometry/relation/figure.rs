@@ -1,7 +1,6 @@
 //! Primitives as plain Euclidean figures.
 
 use crate::cga3::{Circle, FlatPoint, Line, Plane, Point, PointPair, Sphere};
-use crate::geometry::round::real_radius;
 use crate::geometry::vector3::{are_numbers, length};
 use crate::scalar::Real;
 
@@ -125,8 +124,8 @@ impl<S: Real<Mask = bool>> Primitive<S> for Circle<S> {
             } = self;
             return Line::new(e12i, e13i, e23i, e1oi, e2oi, e3oi).figure();
         }
-        let (centre, normal, squared) = circle_parts(self)?;
-        let radius = real_radius(squared)?;
+        let (centre, normal, _) = circle_parts(self)?;
+        let radius = self.radius()?;
         Some(Figure::Circle {
             centre,
             normal,
@@ -147,8 +146,8 @@ impl<S: Real<Mask = bool>> Primitive<S> for Sphere<S> {
             } = self;
             return Plane::new(e123i, e12oi, e13oi, e23oi).figure();
         }
-        let (centre, squared) = sphere_parts(self)?;
-        let radius = real_radius(squared)?;
+        let (centre, _) = sphere_parts(self)?;
+        let radius = self.radius()?;
         Some(Figure::Sphere { centre, radius })
     }
 }

@@ -5,7 +5,7 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use proptest::prelude::*;
 use proptest::sample::select;
 
-use crate::scalar::Real;
+use crate::scalar::{Mask, Real};
 
 /// Angles in [0, 2π].
 ///
@@ -80,10 +80,21 @@ pub(super) fn unit_vectors() -> impl Strategy<Value = [f64; 3]> + Clone {
 /// A length: three in four drawn evenly up to `size`, at least a hundredth of it; one in eight `size`; one in eight
 /// 10⁻² to 10⁻⁶ of it.
 pub(super) fn lengths(size: f64) -> impl Strategy<Value = f64> + Clone {
+    lengths_from(1e-6, size)
+}
+
+/// A radius that a round about one of the [`places`] can tell from zero: as [`lengths`], but at least 6·10⁻³ of `size` for
+/// scalars such as `f32`.
+pub(super) fn radii<S: Real>(size: f64) -> impl Strategy<Value = f64> + Clone {
+    let is_coarse = S::from_f64(1e-14).less_than(S::epsilon()).any();
+    lengths_from(if is_coarse { 6e-3 } else { 1e-6 }, size)
+}
+
+fn lengths_from(least: f64, size: f64) -> impl Strategy<Value = f64> + Clone {
     prop_oneof![
         6 => 0.01 * size..=size,
         1 => Just(size),
-        1 => power_of_ten(-6.0, -2.0).prop_map(move |factor| factor * size),
+        1 => power_of_ten(least.log10(), -2.0).prop_map(move |factor| factor * size),
     ]
 }
 

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 
-use super::numbers::{directions, lengths, places, scaled, sum, unit_vectors, weights};
+use super::numbers::{directions, places, radii, scaled, sum, unit_vectors, weights};
 use super::points::to_point;
 use crate::cga3::{Circle, Point, PointPair, Sphere};
 use crate::scalar::Real;
@@ -10,11 +10,11 @@ use crate::scalar::Real;
 /// Real spheres about one of the [`points`](super::points), times one of the [`weights`](super::weights).
 ///
 /// Of the radii three in four are drawn evenly from a hundredth of `size` to `size`, one in eight is `size`, and one in
-/// eight 10⁻² to 10⁻⁶ of it. One sphere in eight goes through the origin.
+/// eight 10⁻² to 10⁻⁶ of it, to 6·10⁻³ in `f32`, where less cannot be told from zero. One sphere in eight goes through the origin.
 pub fn spheres<S: Real>(size: f64) -> impl Strategy<Value = Sphere<S>> + Clone {
-    let through_origin = (unit_vectors(), lengths(size))
+    let through_origin = (unit_vectors(), radii::<S>(size))
         .prop_map(|(direction, radius)| (scaled(direction, radius), radius));
-    let balls = prop_oneof![7 => (places(size), lengths(size)), 1 => through_origin];
+    let balls = prop_oneof![7 => (places(size), radii::<S>(size)), 1 => through_origin];
     (balls, weights::<S>())
         .prop_map(|((centre, radius), weight)| to_sphere(centre, radius) * weight)
 }
@@ -22,7 +22,7 @@ pub fn spheres<S: Real>(size: f64) -> impl Strategy<Value = Sphere<S>> + Clone {
 /// Real circles about one of the [`points`](super::points) with one of the [`directions`](super::directions) as normal,
 /// times one of the [`weights`](super::weights). Radii are those of [`spheres`].
 pub fn circles<S: Real<Mask = bool>>(size: f64) -> impl Strategy<Value = Circle<S>> + Clone {
-    let parts = (places(size), directions(), lengths(size), weights::<S>());
+    let parts = (places(size), directions(), radii::<S>(size), weights::<S>());
     parts.prop_filter_map("a circle within the range of the scalar", |parts| {
         let (centre, normal, radius, weight) = parts;
         let radius = S::from_f64(radius);
@@ -35,7 +35,12 @@ pub fn circles<S: Real<Mask = bool>>(size: f64) -> impl Strategy<Value = Circle<
 /// [`points`](super::points), the axis one of the [`directions`](super::directions); half the distance of the two is
 /// drawn as the radii of [`spheres`] are.
 pub fn point_pairs<S: Real>(size: f64) -> impl Strategy<Value = PointPair<S>> + Clone {
-    let parts = (places(size), unit_vectors(), lengths(size), weights::<S>());
+    let parts = (
+        places(size),
+        unit_vectors(),
+        radii::<S>(size),
+        weights::<S>(),
+    );
     parts.prop_map(|(centre, direction, length, weight)| {
         let p: Point<S> = to_point(sum(centre, scaled(direction, -length)));
         let q: Point<S> = to_point(sum(centre, scaled(direction, length)));
@@ -48,7 +53,12 @@ pub fn point_pairs<S: Real>(size: f64) -> impl Strategy<Value = PointPair<S>> + 
 /// Three in ten are independent. Otherwise, one in ten each: the same sphere; concentric; tangent from outside; tangent
 /// from inside; crossing at a right angle; crossing; apart.
 pub fn pairs_of_spheres<S: Real>(size: f64) -> impl Strategy<Value = [Sphere<S>; 2]> + Clone {
-    let frame = (places(size), unit_vectors(), lengths(size), lengths(size));
+    let frame = (
+        places(size),
+        unit_vectors(),
+        radii::<S>(size),
+        radii::<S>(size),
+    );
     let beside = |centre, direction, distance| sum(centre, scaled(direction, distance));
     let pairs = prop_oneof![
         3 => (frame.clone(), places(size)).prop_map(|((c, _, r, s), d)| [(c, r), (d, s)]),
@@ -73,7 +83,7 @@ pub fn pairs_of_spheres<S: Real>(size: f64) -> impl Strategy<Value = [Sphere<S>;
 /// Spheres, half of them real, a quarter with radius zero and a quarter imaginary, times one of the
 /// [`weights`](super::weights). Centres, and the sizes of radii, are those of [`spheres`].
 pub fn spheres_of_any_kind<S: Real>(size: f64) -> impl Strategy<Value = Sphere<S>> + Clone {
-    let parts = (places(size), squared_radii(size), weights::<S>());
+    let parts = (places(size), squared_radii::<S>(size), weights::<S>());
     parts.prop_map(|(centre, squared, weight)| {
         Sphere::from_centre_radius_squared(to_point(centre), S::from_f64(squared)) * weight
     })
@@ -87,7 +97,7 @@ pub fn circles_of_any_kind<S: Real<Mask = bool>>(
     let parts = (
         places(size),
         directions(),
-        squared_radii(size),
+        squared_radii::<S>(size),
         weights::<S>(),
     );
     parts.prop_filter_map("a circle within the range of the scalar", |parts| {
@@ -106,7 +116,7 @@ pub fn point_pairs_of_any_kind<S: Real<Mask = bool>>(
     let parts = (
         places(size),
         directions(),
-        squared_radii(size),
+        squared_radii::<S>(size),
         weights::<S>(),
     );
     parts.prop_filter_map("a point pair within the range of the scalar", |parts| {
@@ -117,11 +127,11 @@ pub fn point_pairs_of_any_kind<S: Real<Mask = bool>>(
     })
 }
 
-fn squared_radii(size: f64) -> impl Strategy<Value = f64> + Clone {
+fn squared_radii<S: Real>(size: f64) -> impl Strategy<Value = f64> + Clone {
     prop_oneof![
-        2 => lengths(size).prop_map(|radius| radius * radius),
+        2 => radii::<S>(size).prop_map(|radius| radius * radius),
         1 => Just(0.0),
-        1 => lengths(size).prop_map(|radius| -radius * radius),
+        1 => radii::<S>(size).prop_map(|radius| -radius * radius),
     ]
 }
 
