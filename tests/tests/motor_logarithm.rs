@@ -197,6 +197,25 @@ fn random_motions_come_back() {
 }
 
 #[test]
+fn random_generators_come_back() {
+    let mut numbers = Numbers(9);
+    let mut worst = 0.0_f64;
+    for _ in 0..COUNT {
+        let (n, p) = (numbers.axis(), numbers.vector(10.0));
+        let (angle, advance) = (numbers.unit() * 6.2, numbers.vector(10.0)[0]);
+        let (generator, _) = turn_about(p, n, angle, advance);
+        let again = entries(from_entries(generator).exp().log());
+        let conditioning = if angle < PI {
+            1.0
+        } else {
+            1.0 / (0.5 * angle).sin()
+        };
+        worst = worst.max(deviation(again, generator) / size(&generator) / conditioning);
+    }
+    assert!(worst <= 5e-15, "off by {worst:e}");
+}
+
+#[test]
 fn every_angle_and_size_comes_back() {
     let mut numbers = Numbers(3);
     let angles = [
