@@ -322,6 +322,22 @@ fn what_is_not_finite_has_no_exponential() {
     assert_eq!(versor.log(), generator);
     assert_eq!(versor.powf(f64::NAN), None);
     assert_eq!(EvenVersor::default().powf(f64::INFINITY), None);
+    for bad in [f64::NAN, f64::INFINITY] {
+        for place in EvenVersor::<f64>::BLADES {
+            let versor = EvenVersor::from_coefficients_unchecked(&mut |blade| {
+                if blade == *place { bad } else { 0.0 }
+            });
+            assert!(numbers(&versor.log()).iter().all(|x| x.is_nan()));
+            assert_eq!(
+                [
+                    versor.sqrt(),
+                    versor.powf(0.5),
+                    versor.interpolate(versor, 0.5)
+                ],
+                [None; 3]
+            );
+        }
+    }
 }
 
 #[test]
@@ -570,6 +586,7 @@ proptest! {
             1e-14
         );
         prop_assert_eq!(bend.log().exp(), Some(bend.into()));
+        assert_close!(EvenVersor::from(bend.sqrt() * bend.sqrt()), EvenVersor::from(bend), 1e-15);
     }
 }
 

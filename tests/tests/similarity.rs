@@ -115,7 +115,7 @@ proptest! {
         let log = similarity.log();
         prop_assert!(deviation(log.exp().expect("in range"), similarity) < 1e-13);
         // The generator of the turn and of the scaling can be read off.
-        assert_close!(log.eoi, s.ln() / 2.0, 1e-13);
+        assert_close!(log.eoi, s.ln() / 2.0, 1e-13, 1.0);
         assert_close!(dot([log.e23, -log.e13, log.e12], n), -angle / 2.0, 1e-12);
         let root = similarity.sqrt().expect("in range");
         prop_assert!(deviation(root * root, similarity) < 1e-13);

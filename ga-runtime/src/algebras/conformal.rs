@@ -178,6 +178,8 @@ crate::algebra! {
         struct Transversor { scalar = 1, e1o, e2o, e3o }
 
         /// Any conformal map of space that keeps handedness, `V ~V = 1` in every grade.
+        ///
+        /// An even versor with `V ~V = −1` is the pseudoscalar I times an [`OddVersor`] and mirrors as that does, so it is no member.
         #[hull(Even)]
         #[facts(unit_versor)]
         struct EvenVersor {
@@ -187,7 +189,10 @@ crate::algebra! {
         }
 
         /// Any conformal map of space that mirrors, `V ~V = 1` in every grade: a reflection in a plane, an inversion in a
-        /// real sphere, or one of them and then an [`EvenVersor`].
+        /// real sphere, or one of them and then an [`EvenVersor`]. It acts as `x' = V x̂ ~V` with the grade involution x̂.
+        ///
+        /// An odd versor with `V ~V = −1`, such as a dual sphere of negative square, is I times an [`EvenVersor`] and keeps
+        /// handedness as that does, so it is no member.
         #[hull(Odd)]
         #[facts(unit_versor)]
         struct OddVersor {

@@ -8,7 +8,7 @@
 //! Every even versor with `V ~V = 1` has a logarithm: where V is minus a scaling or minus a shift, a whole turn that
 //! commutes with it gives the sign.
 
-use super::conformal_exponential::{coefficients, times};
+use super::conformal_exponential::{coefficients, is_finite, times};
 use super::number_pair::{arsinh_ratio, arsinh_ratio_factors, nested_series};
 use crate::cga3::{
     Circle, Even, EvenVersor, PointPair, RoundVector, Similarity, SimilarityGenerator, Sphere,
@@ -16,7 +16,8 @@ use crate::cga3::{
 use crate::scalar::Real;
 
 impl<S: Real<Mask = bool>> EvenVersor<S> {
-    /// A bivector B with `exp(B) = V`. Every even versor with `V ~V = 1` has one; with NaN in V, B has NaN.
+    /// A bivector B with `exp(B) = V`. Every even versor with `V ~V = 1` has one. Of a V that is
+    /// not finite all coefficients are NaN.
     ///
     /// The angles of the turns are on the branch of [`Motor::log`](crate::cga3::Motor::log): a turn is by θ in [0, 2π], so that the sign of V comes back
     /// too, and of two commuting turns by angles `θ ≥ φ ≥ 0` the sum is at most 2π. Where `V`
@@ -38,6 +39,10 @@ impl<S: Real<Mask = bool>> EvenVersor<S> {
     pub fn log(self) -> PointPair<S> {
         let (zero, one) = (S::zero(), S::one());
         let (scalar, sine, rest) = parts(self);
+        if !is_finite(self.into()) {
+            let nan = S::from_f64(f64::NAN);
+            return PointPair::new(nan, nan, nan, nan, nan, nan, nan, nan, nan, nan);
+        }
         let pi = S::from_f64(core::f64::consts::PI);
         let still = Even {
             scalar: zero,

@@ -32,7 +32,22 @@
 //!
 //! A rotor or motor and its negative are the short and the long way to one place: see [`RotationPath`].
 //!
-//! What two of them have to do with each other, distances and angles among it, is in [`relation`]. 4×4 matrices are in [`homogeneous`], maps that are not
+//! # Conformal versors
+//!
+//! | type | formula | built by | read by | along the way |
+//! | --- | --- | --- | --- | --- |
+//! | `Similarity` | `T R D` | products, `from_parts`, `Dilator::about` | `motor`, `rotor`, `displacement`, `factor`, `fixed_point` | `log`, `powf`, `sqrt`, `interpolate` |
+//! | `SimilarityGenerator` | `−½θB − ½ t ei + ½ ln s eo∧ei` | `Similarity::log` | | `exp` |
+//! | `Transversor` | `1 − k eo` | `from_vector` | `vector` | `log`, `powf`, `sqrt` |
+//! | `EvenVersor` | `V ~V = 1` | products, `From` of the others, `normalize` | | `log`, `powf`, `sqrt`, `interpolate` |
+//! | `PointPair` | any bivector | `EvenVersor::log`, `From` of the other generators | | `exp` |
+//! | `OddVersor` | `V ~V = 1` | `reflection`, `inversion`, products, `normalize` | | |
+//!
+//! Where the image of a point may have a weight, `transform_point` divides by it.
+//!
+//! # Relations and other maps
+//!
+//! What two primitives have to do with each other, distances and angles among it, is in [`relation`]. 4×4 matrices are in [`homogeneous`], maps that are not
 //! conformal in [`Affine`]. Means of many motions, curves through them and motions that fit points are in [`motion`].
 //!
 //! The other algebras have their geometry as inherent methods of their types too, behind the features of their names; coordinates of the plane are

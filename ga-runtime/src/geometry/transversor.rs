@@ -53,6 +53,13 @@ impl<S: Real<Mask = bool>> Transversor<S> {
         Self::from_vector(scaled(self.vector(), t))
     }
 
+    /// The transversor of half of k.
+    #[inline]
+    #[must_use]
+    pub fn sqrt(self) -> Self {
+        self.powf(S::from_ratio(1, 2))
+    }
+
     /// The image of a point; `None` where it is at infinity, which is so for `−k/k²`, or beyond the range of the scalar.
     #[must_use]
     pub fn transform_point(self, point: Point<S>) -> Option<Point<S>> {
