@@ -12,7 +12,7 @@
 //! | sphere, sphere | 0 to π | both inward normals where they meet: `cos θ = (r² + s² − d²)/(2 r s)` |
 //! | sphere and line or circle | 0 to ½π | the curve and the tangent plane where they meet |
 //!
-//! The acute angle of two directions is `min(θ, π − θ)`. In blades, for unit directions, `cos θ` is the scalar product `A ~B` of two lines or two planes in
+//! The acute angle of two directions is `min(θ, π − θ)`. In blades, for unit directions, `cos θ` is minus the scalar product `A ~B` of two lines or two planes in
 //! direct form, and `σ·τ / √(σ² τ²)` of two dual spheres or planes.
 //!
 //! `None` where a sphere and the other do not meet, a sphere has radius zero, or one of the two is no
@@ -39,7 +39,7 @@
 
 use super::distance::across;
 use super::{Figure, Primitive, parallel};
-use crate::cga3::{Circle, Line, Plane, Sphere};
+use crate::cga3::{Circle, DualCircle, DualPlane, DualSphere, Line, MotorGenerator, Plane, Sphere};
 use crate::geometry::vector3::{cross, difference, dot, length};
 use crate::scalar::Real;
 
@@ -50,12 +50,16 @@ impl<S: Real<Mask = bool>> Extended<S> for Line<S> {}
 impl<S: Real<Mask = bool>> Extended<S> for Plane<S> {}
 impl<S: Real<Mask = bool>> Extended<S> for Circle<S> {}
 impl<S: Real<Mask = bool>> Extended<S> for Sphere<S> {}
+impl<S: Real<Mask = bool>> Extended<S> for MotorGenerator<S> {}
+impl<S: Real<Mask = bool>> Extended<S> for DualPlane<S> {}
+impl<S: Real<Mask = bool>> Extended<S> for DualCircle<S> {}
+impl<S: Real<Mask = bool>> Extended<S> for DualSphere<S> {}
 
 macro_rules! angles {
     ($($Primitive:ident)*) => {$(
         impl<S: Real<Mask = bool>> $Primitive<S> {
             /// The angle to the other primitive in radians; see [`angle`](crate::geometry::relation::angle) for all pairs. `None` where
-            /// a sphere and the other do not meet, or either is no figure.
+            /// a sphere and the other do not meet, by more than rounding, or either is no figure.
             #[must_use]
             pub fn angle_to<T: Extended<S>>(self, other: T) -> Option<S> {
                 angle(self.figure()?, other.figure()?)
@@ -64,13 +68,15 @@ macro_rules! angles {
     )*};
 }
 
-angles!(Line Plane Circle Sphere);
+angles!(Line Plane Circle Sphere MotorGenerator DualPlane DualCircle DualSphere);
 
 macro_rules! inversive_distances {
     ($($Primitive:ident)*) => {$(
         impl<S: Real<Mask = bool>> $Primitive<S> {
-            /// The invariant `σ·τ / √(σ² τ²)` of two dual spheres or planes, which inversions keep: `(r² + s² − d²)/(2 r s)` of spheres with radii r, s and
-            /// centres d apart, `h/r` of a sphere and a plane that its centre is h above, `n·m` of planes.
+            /// The invariant `σ·τ / √(σ² τ²)` of two dual spheres or planes: `(r² + s² − d²)/(2 r s)` of spheres with radii r, s and
+            /// centres d apart, `h/r` of a sphere and a plane that its centre is h above, `n·m` of planes. Spheres count as of positive weight, by
+            /// their inward normals, planes by their normals as oriented. Conformal maps keep it up to sign: an inversion may turn a sphere
+            /// inside out.
             ///
             /// It is the cosine of the [angle](Self::angle_to) where they meet, 1 or −1 where they touch from within or from without, above 1 for
             /// a sphere inside another or on the side of a plane's normal, and below −1 for two that are apart. Coxeter's inversive distance (Annali di
@@ -93,7 +99,7 @@ macro_rules! inversive_distances {
     )*};
 }
 
-inversive_distances!(Plane Sphere);
+inversive_distances!(Plane Sphere DualPlane DualSphere);
 
 fn angle<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<S> {
     use Figure::{Circle, Line, Plane, Sphere};
@@ -111,13 +117,13 @@ fn angle<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<S> {
         (Sphere { centre, radius }, Plane { normal, distance })
         | (Plane { normal, distance }, Sphere { centre, radius }) => {
             let height = dot(centre, normal) - distance;
-            let chord = half_chord(height, radius)?;
+            let chord = half_chord(height, radius, rounding(centre, radius))?;
             chord.atan2(height)
         }
         (Sphere { centre, radius }, Line { point, direction })
         | (Line { point, direction }, Sphere { centre, radius }) => {
             let height = length(across(difference(centre, point), direction));
-            let chord = half_chord(height, radius)?;
+            let chord = half_chord(height, radius, rounding(centre, radius))?;
             chord.atan2(height)
         }
         (
@@ -128,7 +134,7 @@ fn angle<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<S> {
             Sphere { centre, radius },
         ) => {
             let sides = [length(difference(centre, c)), r, radius];
-            let area = heron(sides)?;
+            let area = heron(sides, rounding(c, r) + rounding(centre, radius))?;
             let unit = sides[0].max(r).max(radius);
             if !S::zero().less_than(r) || !S::zero().less_than(radius) {
                 return None;
@@ -161,10 +167,11 @@ fn angle<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<S> {
             let from = difference(c, centre);
             let height = dot(from, normal);
             // The plane of the circle cuts the sphere in a circle of this radius, and the two circles meet.
-            let cut = half_chord(height, r)?;
+            let rounded = rounding(c, r) + rounding(centre, radius);
+            let cut = half_chord(height, r, rounded)?;
             let between = length(across(from, normal));
             let sides = [between, radius, cut];
-            let area = heron(sides)?;
+            let area = heron(sides, rounded)?;
             let unit = between.max(radius).max(cut);
             if !S::zero().less_than(radius) {
                 return None;
@@ -204,23 +211,30 @@ fn inversive_distance<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Optio
     found.is_finite().then_some(found)
 }
 
+/// The length whose ε bounds by how much a radius and a centre are rounded: a blade knows the radius by its square beside that of the
+/// centre's distance from the origin.
+fn rounding<S: Real<Mask = bool>>(centre: [S; 3], radius: S) -> S {
+    let distance = length(centre);
+    radius + distance + distance * (distance / radius)
+}
+
 /// Half the chord that a sphere cuts off at a height from its centre; `None` where it does not reach so far, or has no radius.
-fn half_chord<S: Real<Mask = bool>>(height: S, radius: S) -> Option<S> {
-    let short = slack(radius - height.abs(), radius)?;
+fn half_chord<S: Real<Mask = bool>>(height: S, radius: S, rounding: S) -> Option<S> {
+    let short = slack(radius - height.abs(), rounding)?;
     let usable = S::zero().less_than(radius);
     usable.then(|| short.sqrt() * (radius + height.abs()).sqrt())
 }
 
 /// Four times the area of a triangle in units of its longest side squared, by Heron's formula; `None` where the sides make none, or two of them
 /// vanish.
-fn heron<S: Real<Mask = bool>>(sides: [S; 3]) -> Option<S> {
+fn heron<S: Real<Mask = bool>>(sides: [S; 3], rounding: S) -> Option<S> {
     let unit = sides[0].max(sides[1]).max(sides[2]);
     if !S::zero().less_than(unit) {
         return None;
     }
     let [a, b, c] = sides.map(|x| x / unit);
-    let one = S::one();
-    let product = slack(b + c - a, one)? * slack(c + a - b, one)? * slack(a + b - c, one)?;
+    let size = S::one() + rounding / unit;
+    let product = slack(b + c - a, size)? * slack(c + a - b, size)? * slack(a + b - c, size)?;
     Some((product * (a + b + c)).sqrt())
 }
 

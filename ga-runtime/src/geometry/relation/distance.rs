@@ -47,7 +47,10 @@
 
 use super::least::{circle_to_circle, line_to_circle};
 use super::{Figure, Primitive, parallel};
-use crate::cga3::{Circle, FlatPoint, Line, Plane, Point, PointPair, Sphere};
+use crate::cga3::{
+    Circle, DualCircle, DualFlatPoint, DualPlane, DualPointPair, DualSphere, FlatPoint, Line,
+    MotorGenerator, Plane, Point, PointPair, Sphere,
+};
 use crate::geometry::vector3::{cross, difference, dot, length, scaled};
 use crate::scalar::Real;
 
@@ -72,7 +75,10 @@ macro_rules! distances {
     )*};
 }
 
-distances!(Point FlatPoint PointPair Line Plane Circle Sphere);
+distances! {
+    Point FlatPoint PointPair Line Plane Circle Sphere
+    DualFlatPoint DualPointPair MotorGenerator DualPlane DualCircle DualSphere
+}
 
 pub(super) fn distance<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<S> {
     let zero = S::zero();

@@ -1,6 +1,9 @@
 //! Primitives as plain Euclidean figures.
 
-use crate::cga3::{Circle, FlatPoint, Line, Plane, Point, PointPair, Sphere};
+use crate::cga3::{
+    Circle, DualCircle, DualFlatPoint, DualPlane, DualPointPair, DualSphere, FlatPoint, Line,
+    MotorGenerator, Plane, Point, PointPair, Sphere,
+};
 use crate::geometry::vector3::{are_numbers, length};
 use crate::scalar::Real;
 
@@ -151,6 +154,19 @@ impl<S: Real<Mask = bool>> Primitive<S> for Sphere<S> {
         Some(Figure::Sphere { centre, radius })
     }
 }
+
+macro_rules! by_the_direct_form {
+    ($($Dual:ident)*) => {$(
+        impl<S: Real<Mask = bool>> Primitive<S> for $Dual<S> {
+            #[inline]
+            fn figure(self) -> Option<Figure<S>> {
+                self.undual().figure()
+            }
+        }
+    )*};
+}
+
+by_the_direct_form!(DualFlatPoint DualPointPair MotorGenerator DualPlane DualCircle DualSphere);
 
 /// Centre, unit normal and squared radius, negative for an imaginary circle.
 pub(super) fn circle_parts<S: Real<Mask = bool>>(circle: Circle<S>) -> Option<([S; 3], [S; 3], S)> {

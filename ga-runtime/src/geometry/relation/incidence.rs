@@ -32,7 +32,10 @@
 use super::distance::{distance, from_sphere};
 use super::tolerance::within;
 use super::{Figure, Primitive, Tolerance};
-use crate::cga3::{Circle, FlatPoint, Line, Plane, Point, PointPair, Sphere};
+use crate::cga3::{
+    Circle, DualCircle, DualFlatPoint, DualPlane, DualPointPair, DualSphere, FlatPoint, Line,
+    MotorGenerator, Plane, Point, PointPair, Sphere,
+};
 use crate::geometry::vector3::{cross, difference, dot, length, scaled};
 use crate::scalar::Real;
 
@@ -42,6 +45,9 @@ pub trait Directed<S>: Primitive<S> {}
 impl<S: Real<Mask = bool>> Directed<S> for Line<S> {}
 impl<S: Real<Mask = bool>> Directed<S> for Plane<S> {}
 impl<S: Real<Mask = bool>> Directed<S> for Circle<S> {}
+impl<S: Real<Mask = bool>> Directed<S> for MotorGenerator<S> {}
+impl<S: Real<Mask = bool>> Directed<S> for DualPlane<S> {}
+impl<S: Real<Mask = bool>> Directed<S> for DualCircle<S> {}
 
 macro_rules! incidence {
     ($($Primitive:ident)*) => {$(
@@ -91,8 +97,11 @@ macro_rules! attitude {
     )*};
 }
 
-incidence!(Point FlatPoint PointPair Line Plane Circle Sphere);
-attitude!(Line Plane Circle);
+incidence! {
+    Point FlatPoint PointPair Line Plane Circle Sphere
+    DualFlatPoint DualPointPair MotorGenerator DualPlane DualCircle DualSphere
+}
+attitude!(Line Plane Circle MotorGenerator DualPlane DualCircle);
 
 /// Sine and cosine, neither negative, of the acute angle between two directed figures.
 fn slope<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<[S; 2]> {

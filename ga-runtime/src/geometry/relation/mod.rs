@@ -2,7 +2,7 @@
 //!
 //! Everything here is an inherent method of [`Point`](crate::cga3::Point), [`FlatPoint`](crate::cga3::FlatPoint),
 //! [`PointPair`](crate::cga3::PointPair), [`Line`](crate::cga3::Line), [`Plane`](crate::cga3::Plane),
-//! [`Circle`](crate::cga3::Circle) and [`Sphere`](crate::cga3::Sphere) in direct form; this module holds the traits that these
+//! [`Circle`](crate::cga3::Circle) and [`Sphere`](crate::cga3::Sphere) in direct form and, but for meet and join, of their dual forms; this module holds the traits that these
 //! methods are generic over and the types that they return.
 //!
 //! | method | gives | page |
@@ -18,8 +18,9 @@
 //! | `a.meet(b, tolerance)` | what both share, by cases | [`meet`] |
 //! | `a.join(b, tolerance)` | the least primitive that holds both | [`join`] |
 //!
-//! Measures and tests read each primitive as a plain Euclidean [`Figure`] first and never take the root of an inner product that has
-//! cancelled, so that they hold up far from the origin. What is decided by comparing takes a [`Tolerance`]. A primitive
+//! Measures and tests read each primitive as a plain Euclidean [`Figure`] first and take differences of places before squares, so that
+//! points and flats hold up far from the origin. The radius of a round is known only as its blade knows it, r² to within some ε of the
+//! centre's squared distance from the origin. What is decided by comparing takes a [`Tolerance`]. A primitive
 //! that is no figure, because its weight is zero, it is imaginary or not finite, gives `None`, and `false` in a test.
 
 pub mod angle;

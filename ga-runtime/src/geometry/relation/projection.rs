@@ -8,9 +8,9 @@
 //! | point | sphere about c | the end of the radius through the point | the nearer point of `(c∧P∧ei) ∨ S` |
 //! | point | circle | the nearest point | the same with the sphere about c through the circle and the foot of P in its plane |
 //! | point | point, point pair | the nearer point | |
-//! | direction | line, plane, circle | `(v·d) d`, `v − (v·n) n` | `(V⌋B) B⁻¹` |
+//! | direction | line, plane, circle | `(v·d) d`, `v − (v·n) n` | `(V⌋B) B⁻¹`, for a circle with its plane `C∧ei` |
 //! | line | plane | the line of the feet | `(L⌋Π) Π⁻¹` |
-//! | line | sphere | the great circle below the line | `S ∨ (c∧L)`, c the centre |
+//! | line | sphere | the great circle below the line, [`great_circle_on`](crate::cga3::Line::great_circle_on) | `S ∨ (c∧L)`, c the centre |
 //!
 //! `None` where the nearest point is not unique: a sphere's centre, the axis of a circle, the plane midway between two points; a line
 //! across a plane, whose image is a point; a line through the centre of a sphere. Also where one of the two is no [`Figure`].

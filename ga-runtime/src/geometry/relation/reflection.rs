@@ -9,7 +9,8 @@
 //! | point p | `dual(p∧ei)`, of grade 3 | `V X̂ V⁻¹` | `2 p − x` |
 //!
 //! X̂ is the grade involution, −X for odd grades. So what goes in is moved point by point, with weight and orientation: `p∧q∧r∧ei` becomes
-//! `p'∧q'∧r'∧ei`. Twice gives X again. It is worked out as a motor, after the change of sign of all coordinates where the
+//! `p'∧q'∧r'∧ei`. Of a dual form the orientation is reversed by planes and points as mirrors: I is odd under them, so that the dual of
+//! the image is minus the image of the dual. Twice gives X again. It is worked out as a motor, after the change of sign of all coordinates where the
 //! versor is odd: a reflection in a plane is that in the origin, a half turn about the normal, and a shift.
 //!
 //! `None` where the mirror is no [`Figure`], or beyond the range of the scalar.
@@ -28,8 +29,9 @@
 use super::{Figure, Primitive};
 use crate::Element;
 use crate::cga3::{
-    Circle, Direction, DualPlane, FlatPoint, Line, Motor, MotorGenerator, Plane, Point, PointPair,
-    Rotor, RoundVector, Sphere, Translator,
+    Circle, Direction, DualCircle, DualDirection, DualFlatPoint, DualPlane, DualPointPair,
+    DualSphere, FlatPoint, Line, Motor, MotorGenerator, Plane, Point, PointPair, Rotor,
+    RoundVector, Sphere, Translator,
 };
 use crate::geometry::vector3::{are_numbers, scaled};
 use crate::scalar::Real;
@@ -75,21 +77,43 @@ impl<S: Real<Mask = bool>> Mirror<S> for FlatPoint<S> {
     }
 }
 
+impl<S: Real<Mask = bool>> Mirror<S> for DualPlane<S> {
+    fn reflection(self) -> Option<(Motor<S>, bool)> {
+        self.undual().reflection()
+    }
+}
+
+impl<S: Real<Mask = bool>> Mirror<S> for MotorGenerator<S> {
+    fn reflection(self) -> Option<(Motor<S>, bool)> {
+        self.undual().reflection()
+    }
+}
+
 macro_rules! reflections {
     ($($Element:ident)*) => {$(
         impl<S: Real<Mask = bool>> $Element<S> {
             /// The image under reflection in a plane, a line or a point; see [`reflection`](crate::geometry::relation::reflection). `None` where
-            /// the mirror is no figure.
+            /// the mirror is no figure, or the image is not finite.
             #[must_use]
             pub fn reflect_in<M: Mirror<S>>(self, mirror: M) -> Option<Self> {
                 let (motor, is_odd) = mirror.reflection()?;
-                Some(motor.transform(if is_odd { through_origin(self) } else { self }))
+                finite(motor.transform(if is_odd { through_origin(self) } else { self }))
             }
         }
     )*};
 }
 
-reflections!(Point RoundVector DualPlane MotorGenerator PointPair FlatPoint Direction Circle Line Sphere Plane);
+reflections! {
+    Point RoundVector PointPair FlatPoint Direction Circle Line Sphere Plane
+    DualSphere DualPlane DualPointPair DualFlatPoint DualDirection DualCircle MotorGenerator
+}
+
+/// The element, where all its coefficients are finite.
+fn finite<T: Element<Scalar: Real<Mask = bool>>>(element: T) -> Option<T> {
+    let mut blades = T::BLADES.iter();
+    let is_finite = blades.all(|&blade| element.coefficient(blade).is_finite());
+    is_finite.then_some(element)
+}
 
 /// The half turn about a unit axis through the origin.
 fn half_turn<S: Real>([x, y, z]: [S; 3]) -> Rotor<S> {
