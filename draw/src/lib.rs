@@ -1,0 +1,21 @@
+//! Draws conformal geometric algebra.
+
+mod camera;
+mod escape;
+mod extent;
+mod label;
+mod page;
+mod picture;
+mod scene;
+mod shape;
+mod stroke;
+mod style;
+mod surface;
+mod svg;
+mod vector3;
+mod view;
+
+pub use scene::Scene;
+pub use shape::{Drawable, NotDrawable, Shape, Trajectory};
+pub use style::{Colour, NotAColour, PALETTE, Style};
+pub use view::{Projection, Up, View};

@@ -1,0 +1,91 @@
+//! A page that is complete in itself.
+
+use serde::Serialize;
+
+use crate::escape::{escaped, in_script};
+use crate::picture::Picture;
+use crate::scene::Scene;
+use crate::style::Colour;
+use crate::view::{Projection, Up};
+
+const SHEET: &str = include_str!("page/page.css");
+const SCRIPT: &str = include_str!("page/page.js");
+
+/// What the script draws from.
+#[derive(Serialize)]
+struct Data<'a> {
+    picture: Picture,
+    elements: Vec<Entry<'a>>,
+    azimuth: f64,
+    elevation: f64,
+    zoom: f64,
+    perspective: bool,
+    axes: [[f64; 3]; 3],
+}
+
+/// A line of the legend.
+#[derive(Serialize)]
+struct Entry<'a> {
+    label: Option<&'a str>,
+    kind: &'static str,
+    colour: Colour,
+}
+
+/// Writes a scene.
+pub(crate) fn write(scene: &Scene) -> String {
+    let view = scene.view;
+    let sensible = |value: f64, default| if value.is_finite() { value } else { default };
+    let data = Data {
+        picture: Picture::of(scene),
+        elements: scene
+            .elements()
+            .iter()
+            .map(|element| Entry {
+                label: element.label.as_deref().filter(|_| scene.legend),
+                kind: element.shape.kind(),
+                colour: element.colour,
+            })
+            .collect(),
+        azimuth: sensible(view.azimuth % 360.0, 0.0),
+        elevation: sensible(view.elevation, 0.0).clamp(-90.0, 90.0),
+        zoom: sensible(view.zoom, 1.0).clamp(0.1, 20.0),
+        perspective: view.projection == Projection::Perspective,
+        axes: Up::axes(view.up),
+    };
+    // Nothing in it can fail: all keys are text, and numbers that are not finite are written as null.
+    let json = serde_json::to_string(&data).unwrap_or_default();
+    let title = escaped(&scene.title);
+    let description = escaped(&scene.told());
+    let picture = scene.to_svg();
+    let json = in_script(&json);
+    format!(
+        r#"<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:">
+<meta name="color-scheme" content="light dark">
+<meta name="generator" content="nullcone draw">
+<link rel="icon" href="data:,">
+<title>{title}</title>
+<style>
+{SHEET}</style>
+</head>
+<body>
+<main>
+<header><h1>{title}</h1><p id="description">{description}</p></header>
+<ul id="legend" aria-label="Elements; press one to hide or show it" hidden></ul>
+<div id="still">
+{picture}</div>
+<canvas id="stage" tabindex="0" role="img" aria-label="{title}" aria-describedby="description" hidden></canvas>
+<footer hidden>Drag or arrow keys turn · wheel, two fingers or + − zoom · double click or 0 resets</footer>
+</main>
+<script type="application/json" id="scene">{json}</script>
+<script>
+{SCRIPT}</script>
+</body>
+</html>
+"#
+    )
+}

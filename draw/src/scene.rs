@@ -1,0 +1,139 @@
+//! Elements to be drawn together.
+
+use crate::shape::{Drawable, NotDrawable, Shape};
+use crate::style::{Colour, PALETTE, Style};
+use crate::view::View;
+
+/// Elements to be drawn together, and how they are looked at.
+///
+/// The scene is framed by its finite elements; lines and planes are cut off around them.
+///
+/// ```
+/// use ga_draw::{Scene, Style};
+/// use ga_runtime::cga3::{Line, Point, Sphere};
+/// let mut scene = Scene::new("A line meets a sphere");
+/// let sphere = Sphere::from_centre_radius(Point::new(0.0, 0.0, 0.0), 1.0);
+/// let line = Line::through(Point::new(-2.0, 0.0, 0.5), Point::new(2.0, 0.5, 0.5));
+/// scene.add(sphere, Style::labelled("S"))?;
+/// scene.add(line, Style::labelled("l"))?;
+/// scene.add(sphere & line, Style::labelled("S ∨ l"))?;
+/// assert!(scene.to_svg().starts_with("<svg "));
+/// assert!(scene.to_html().starts_with("<!DOCTYPE html>"));
+/// # Ok::<(), ga_draw::NotDrawable>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// What the scene shows, in a few words.
+    pub title: String,
+    /// What the scene shows, for those who cannot see it. Where it is empty the elements are listed.
+    pub description: String,
+    /// Where it is looked at from.
+    pub view: View,
+    /// Width and height of the picture in pixels, each from 64 to 8192; others are taken as the nearest of these.
+    pub size: [u32; 2],
+    /// Whether the coordinate axes are drawn.
+    pub axes: bool,
+    /// Whether a grid is drawn in the horizontal plane through the origin.
+    pub grid: bool,
+    /// Whether the elements with a label are listed.
+    pub legend: bool,
+    elements: Vec<Element>,
+}
+
+/// An element with everything about its look but its place settled.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Element {
+    pub(crate) shape: Shape,
+    pub(crate) label: Option<String>,
+    pub(crate) colour: Colour,
+    pub(crate) width: f64,
+    pub(crate) opacity: f64,
+}
+
+impl Scene {
+    /// An empty scene.
+    #[must_use]
+    pub fn new(title: impl Into<String>) -> Self {
+        Self {
+            title: title.into(),
+            description: String::new(),
+            view: View::default(),
+            size: [800, 600],
+            axes: false,
+            grid: false,
+            legend: true,
+            elements: Vec::new(),
+        }
+    }
+
+    /// Adds an element. Widths and opacities that make no sense are taken as the nearest that do: widths from 0.25 to 20
+    /// pixels, opacities from 0 to 1, and what is no number as not given.
+    ///
+    /// # Errors
+    ///
+    /// [`NotDrawable`] where the element has no place, or numbers that cannot be drawn. The scene stays as it was.
+    pub fn add(&mut self, element: impl Drawable, style: Style) -> Result<&mut Self, NotDrawable> {
+        let shape = element.shape()?;
+        let next = PALETTE[self.elements.len() % PALETTE.len()];
+        let within = |value: Option<f64>, low, high, default| match value {
+            Some(value) if !value.is_nan() => value.clamp(low, high),
+            _ => default,
+        };
+        let opacity = match shape {
+            Shape::Plane { .. } => 0.16,
+            _ => 0.3,
+        };
+        self.elements.push(Element {
+            shape,
+            label: style.label.filter(|label| !label.trim().is_empty()),
+            colour: style.colour.unwrap_or(next),
+            width: within(style.width, 0.25, 20.0, 2.0),
+            opacity: within(style.opacity, 0.0, 1.0, opacity),
+        });
+        Ok(self)
+    }
+
+    /// What was added, in its order.
+    pub fn shapes(&self) -> impl Iterator<Item = &Shape> {
+        self.elements.iter().map(|element| &element.shape)
+    }
+
+    /// The scene as a picture in Scalable Vector Graphics, of the size and from the view that it names.
+    ///
+    /// It has a title and a description for screen readers, and follows the reader's preference for a light or a dark ground.
+    /// The same scene always gives the same text.
+    #[must_use]
+    pub fn to_svg(&self) -> String {
+        crate::svg::draw(self)
+    }
+
+    /// The scene as a page that is complete in itself: it needs no network and no other file.
+    ///
+    /// Dragging with mouse or finger turns it, as arrow keys do; the wheel, two fingers, `+` and `-` zoom; a double click,
+    /// `0` or Home goes back. A fragment such as `#turn=40,20&zoom=1.5` sets azimuth and elevation in degrees and the zoom. Without
+    /// scripts the page shows the picture of [`to_svg`](Self::to_svg).
+    #[must_use]
+    pub fn to_html(&self) -> String {
+        crate::page::write(self)
+    }
+
+    pub(crate) fn elements(&self) -> &[Element] {
+        &self.elements
+    }
+
+    /// The description, or a list of the elements.
+    pub(crate) fn told(&self) -> String {
+        if !self.description.trim().is_empty() {
+            return self.description.clone();
+        }
+        let tell = |element: &Element| match &element.label {
+            Some(label) => format!("{} {label}", element.shape.kind()),
+            None => element.shape.kind().to_owned(),
+        };
+        let list: Vec<String> = self.elements.iter().map(tell).collect();
+        match list.len() {
+            0 => "An empty scene.".to_owned(),
+            _ => format!("Shown are: {}.", list.join(", ")),
+        }
+    }
+}

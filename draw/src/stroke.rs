@@ -1,0 +1,203 @@
+//! Curves cut where they pass behind something.
+
+use std::f64::consts::TAU;
+
+use crate::camera::{Camera, Pixel};
+use crate::picture::{Curve, Picture, heading};
+use crate::surface::{Piece, Surface, horizon_circle};
+use crate::vector3::{Vector3, along, difference, on_circle};
+
+/// How many points a visible part of a curve has at most, so that parts of crossing curves can be painted by depth.
+const LONGEST: usize = 24;
+
+/// A part of a curve, all of it visible or all hidden.
+#[derive(Clone, Debug)]
+pub(crate) struct Stroke {
+    pub(crate) points: Vec<Pixel>,
+    /// The place in the order of pieces before which it is painted; `None` where nothing hides it.
+    pub(crate) before: Option<usize>,
+    pub(crate) depth: f64,
+    /// Which curve it is a part of; those after the picture's own are the outlines of balls.
+    pub(crate) curve: usize,
+    /// Where the head of an arrow points to.
+    pub(crate) head: Option<[Pixel; 2]>,
+}
+
+/// The curves of a picture with the outlines of its balls.
+pub(crate) fn all_curves(picture: &Picture, camera: &Camera) -> Vec<Curve> {
+    let outlines = picture.balls.iter().map(|ball| {
+        let (centre, basis, radius) = horizon_circle(ball, camera);
+        let angle = |k: u32| TAU * f64::from(k % 96) / 96.0;
+        Curve {
+            element: ball.element,
+            colour: ball.colour,
+            points: (0..=96)
+                .map(|k| on_circle(centre, basis, radius, angle(k)))
+                .collect(),
+            width: ball.width,
+            opacity: 1.0,
+            dashed: ball.imaginary,
+            arrow: false,
+        }
+    });
+    picture.curves.iter().cloned().chain(outlines).collect()
+}
+
+/// What hides places of a picture.
+pub(crate) struct Hiding<'a> {
+    picture: &'a Picture,
+    camera: &'a Camera,
+    /// Where each surface first comes in the order of pieces.
+    first: Vec<(Surface, usize)>,
+}
+
+impl<'a> Hiding<'a> {
+    pub(crate) fn new(picture: &'a Picture, camera: &'a Camera, pieces: &[Piece]) -> Self {
+        let mut first: Vec<(Surface, usize)> = Vec::new();
+        for (place, piece) in pieces.iter().enumerate() {
+            let known = first.iter().any(|(surface, _)| *surface == piece.surface);
+            let hides = match piece.surface {
+                Surface::Ball(index) => {
+                    !picture.balls[index].imaginary && picture.balls[index].opacity > 0.02
+                }
+                Surface::Patch(index) => picture.patches[index].opacity > 0.02,
+            };
+            if hides && !known {
+                first.push((piece.surface, place));
+            }
+        }
+        Self {
+            picture,
+            camera,
+            first,
+        }
+    }
+
+    /// The place in the order of pieces before which a point is painted; `None` where nothing hides it.
+    pub(crate) fn before(&self, point: Vector3) -> Option<usize> {
+        let hiding = self.first.iter().find(|(surface, _)| match *surface {
+            Surface::Ball(index) => self
+                .camera
+                .is_behind_ball(point, &self.picture.balls[index]),
+            Surface::Patch(index) => self
+                .camera
+                .is_behind_patch(point, &self.picture.patches[index]),
+        });
+        hiding.map(|(_, place)| *place)
+    }
+
+    /// The parts of a curve.
+    pub(crate) fn strokes(&self, index: usize, curve: &Curve) -> Vec<Stroke> {
+        let mut strokes = Vec::new();
+        let mut state = self.before(curve.points[0]);
+        let mut part = vec![curve.points[0]];
+        let finish = |part: &mut Vec<Vector3>, state, strokes: &mut Vec<Stroke>| {
+            if part.len() > 1 {
+                strokes.push(self.stroke(index, part, state));
+            }
+            part.clear();
+        };
+        for pair in curve.points.windows(2) {
+            let next = self.before(pair[1]);
+            if next != state {
+                let between = self.border(pair[0], pair[1], state);
+                part.push(between);
+                finish(&mut part, state, &mut strokes);
+                part.push(between);
+                state = next;
+            } else if state.is_none() && !curve.dashed && part.len() >= LONGEST {
+                let last = part[part.len() - 1];
+                finish(&mut part, state, &mut strokes);
+                part.push(last);
+            }
+            part.push(pair[1]);
+        }
+        finish(&mut part, state, &mut strokes);
+        if let (true, Some(last), Some(direction)) =
+            (curve.arrow, strokes.last_mut(), heading(&curve.points))
+        {
+            let tip = curve.points[curve.points.len() - 1];
+            let behind = along(tip, direction, -0.05);
+            last.head = Some([behind, tip].map(|point| self.camera.project(point)));
+        }
+        strokes
+    }
+
+    fn stroke(&self, curve: usize, part: &[Vector3], before: Option<usize>) -> Stroke {
+        let depths = part.iter().map(|point| self.camera.depth(*point));
+        let points: Vec<Pixel> = part
+            .iter()
+            .map(|point| self.camera.project(*point))
+            .collect();
+        Stroke {
+            points: simplified(&points),
+            before,
+            depth: depths.sum::<f64>() / part.len() as f64,
+            curve,
+            head: None,
+        }
+    }
+
+    /// Where on the way from a point to the next the first ceases to be in the state that it is in.
+    fn border(&self, from: Vector3, to: Vector3, state: Option<usize>) -> Vector3 {
+        let (mut low, mut high) = (0.0, 1.0);
+        let at = |t| along(from, difference(to, from), t);
+        for _ in 0..10 {
+            let middle = 0.5 * (low + high);
+            if self.before(at(middle)) == state {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        at(high)
+    }
+}
+
+/// The same line without points that are on it anyway, to a twentieth of a pixel (Douglas and Peucker, 1973).
+fn simplified(points: &[Pixel]) -> Vec<Pixel> {
+    let mut keep = vec![false; points.len()];
+    let last = points.len() - 1;
+    (keep[0], keep[last]) = (true, true);
+    let mut open = vec![(0, last)];
+    while let Some((from, to)) = open.pop() {
+        let farthest = (from + 1..to)
+            .map(|k| (k, distance(points[k], points[from], points[to])))
+            .fold(
+                (0, 0.05),
+                |best, this| if this.1 > best.1 { this } else { best },
+            );
+        if farthest.0 > 0 {
+            keep[farthest.0] = true;
+            open.extend([(from, farthest.0), (farthest.0, to)]);
+        }
+    }
+    let kept = points.iter().zip(keep).filter(|(_, keep)| *keep);
+    kept.map(|(point, _)| *point).collect()
+}
+
+/// The distance of a point from a segment.
+fn distance(point: Pixel, from: Pixel, to: Pixel) -> f64 {
+    let [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+    let [x, y] = [point[0] - from[0], point[1] - from[1]];
+    let square = dx * dx + dy * dy;
+    let t = if square > 0.0 {
+        ((x * dx + y * dy) / square).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
+    (x - t * dx).hypot(y - t * dy)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_on_a_line_are_left_out() {
+        let line: Vec<Pixel> = (0..9).map(|k| [f64::from(k), 2.0 * f64::from(k)]).collect();
+        assert_eq!(simplified(&line), [[0.0, 0.0], [8.0, 16.0]]);
+        let corner = [[0.0, 0.0], [4.0, 0.01], [8.0, 0.0], [8.0, 8.0]];
+        assert_eq!(simplified(&corner), [[0.0, 0.0], [8.0, 0.0], [8.0, 8.0]]);
+    }
+}
