@@ -3,6 +3,7 @@
 mod animate;
 mod checks;
 mod demo;
+mod draw;
 mod expand;
 mod failure;
 mod figure;
@@ -37,6 +38,7 @@ enum Command {
     Demo(demo::Arguments),
     Animate(animate::Arguments),
     Expand(expand::Arguments),
+    Draw(draw::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -45,6 +47,7 @@ fn main() -> ExitCode {
         Command::Demo(arguments) => demo::run(arguments, cli.quiet),
         Command::Animate(arguments) => animate::run(arguments, cli.quiet),
         Command::Expand(arguments) => expand::run(arguments),
+        Command::Draw(arguments) => draw::run(arguments, cli.quiet),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

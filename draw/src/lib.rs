@@ -3,6 +3,7 @@
 mod camera;
 mod escape;
 mod extent;
+mod file;
 mod label;
 mod page;
 mod picture;
@@ -15,6 +16,7 @@ mod svg;
 mod vector3;
 mod view;
 
+pub use file::{ElementError, SceneError};
 pub use scene::Scene;
 pub use shape::{Drawable, NotDrawable, Shape, Trajectory};
 pub use style::{Colour, NotAColour, PALETTE, Style};

@@ -6,6 +6,7 @@ mod multivector;
 mod round;
 
 pub use motion::Trajectory;
+pub(crate) use multivector::whole;
 pub(crate) use round::ends;
 
 use crate::vector3::Vector3;
@@ -175,7 +176,10 @@ impl Shape {
                 }
             }
         }
-        match numbers.into_iter().find(|x| x.is_nan() || x.abs() > LARGEST) {
+        match numbers
+            .into_iter()
+            .find(|x| x.is_nan() || x.abs() > LARGEST)
+        {
             Some(number) if number.is_finite() => Err(NotDrawable::TooLarge(number)),
             Some(number) => Err(NotDrawable::NotFinite(number)),
             None => Ok(self),

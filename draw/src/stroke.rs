@@ -56,13 +56,14 @@ impl<'a> Hiding<'a> {
         let mut first: Vec<(Surface, usize)> = Vec::new();
         for (place, piece) in pieces.iter().enumerate() {
             let known = first.iter().any(|(surface, _)| *surface == piece.surface);
-            let hides = match piece.surface {
-                Surface::Ball(index) => {
-                    !picture.balls[index].imaginary && picture.balls[index].opacity > 0.02
-                }
-                Surface::Patch(index) => picture.patches[index].opacity > 0.02,
+            let opacity = match piece.surface {
+                Surface::Ball(index) if picture.balls[index].imaginary => 0.0,
+                Surface::Ball(index) => picture.balls[index].opacity,
+                Surface::Patch(index) => picture.patches[index].opacity,
             };
-            if hides && !known {
+            // What shines through is painted over the surfaces, so that it keeps its colour.
+            let place = if opacity > 0.9 { place } else { pieces.len() };
+            if opacity > 0.02 && !known {
                 first.push((piece.surface, place));
             }
         }
@@ -75,7 +76,7 @@ impl<'a> Hiding<'a> {
 
     /// The place in the order of pieces before which a point is painted; `None` where nothing hides it.
     pub(crate) fn before(&self, point: Vector3) -> Option<usize> {
-        let hiding = self.first.iter().find(|(surface, _)| match *surface {
+        let hiding = self.first.iter().filter(|(surface, _)| match *surface {
             Surface::Ball(index) => self
                 .camera
                 .is_behind_ball(point, &self.picture.balls[index]),
@@ -83,7 +84,7 @@ impl<'a> Hiding<'a> {
                 .camera
                 .is_behind_patch(point, &self.picture.patches[index]),
         });
-        hiding.map(|(_, place)| *place)
+        hiding.map(|(_, place)| *place).min()
     }
 
     /// The parts of a curve.

@@ -188,14 +188,16 @@ impl Writer<'_> {
             .map(|dot| hiding.before(dot.at))
             .collect();
         let mut defined = vec![false; picture.balls.len()];
-        for (place, piece) in pieces.iter().enumerate() {
+        for place in 0..=pieces.len() {
             for stroke in strokes.iter().filter(|stroke| stroke.before == Some(place)) {
                 self.stroke(&curves[stroke.curve], stroke);
             }
             for dot in (0..dots.len()).filter(|dot| dots[*dot] == Some(place)) {
                 self.dot(dot, camera, true);
             }
-            self.piece(piece, &mut defined);
+            if let Some(piece) = pieces.get(place) {
+                self.piece(piece, &mut defined);
+            }
         }
         let mut visible: Vec<(f64, Visible<'_>)> = Vec::new();
         let free = strokes.iter().filter(|stroke| stroke.before.is_none());
@@ -276,7 +278,7 @@ impl Writer<'_> {
     fn stroke(&mut self, curve: &Curve, stroke: &Stroke) {
         let hidden = stroke.before.is_some();
         let (opacity, width) = if hidden {
-            (0.55 * curve.opacity, 0.8 * curve.width)
+            (0.7 * curve.opacity, 0.8 * curve.width)
         } else {
             (curve.opacity, curve.width)
         };
@@ -315,7 +317,7 @@ impl Writer<'_> {
         let dot = &self.picture.dots[index];
         let [x, y] = camera.project(dot.at);
         let r = dot.radius;
-        let opacity = if hidden { " opacity=\"0.55\"" } else { "" };
+        let opacity = if hidden { " opacity=\"0.75\"" } else { "" };
         let colour = dot.colour;
         let _ = match dot.form {
             Form::Full => writeln!(

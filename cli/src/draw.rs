@@ -1,0 +1,49 @@
+//! `nullcone draw`: a scene of geometric elements as a picture or a page.
+
+use std::path::PathBuf;
+
+use anyhow::{Context, Result, bail};
+use ga_anim::atomic_write;
+use ga_draw::Scene;
+
+/// Draw a scene of points, spheres, circles, lines, planes and motions.
+///
+/// The scene is JSON with a list of elements, each of one kind: point, flat_point, point_pair, circle, sphere, line, plane, direction, motor,
+/// trajectory, blade (coefficients by the names of blades), meet or join (the names of two earlier elements) or moved. For instance
+///
+/// {"title": "A line meets a sphere", "elements": [
+///   {"name": "S", "sphere": {"centre": [0, 0, 0], "radius": 1}},
+///   {"name": "l", "line": {"through": [[-2, 0, 0], [2, 0, 0.5]]}},
+///   {"name": "S ∨ l", "meet": ["S", "l"]}]}
+///
+/// The page of the crate ga-draw describes the format in full.
+#[derive(Clone, Debug, clap::Args)]
+#[command(verbatim_doc_comment)]
+pub(crate) struct Arguments {
+    /// The scene, as JSON.
+    #[arg(value_name = "FILE.json")]
+    file: PathBuf,
+    /// The file to be written: a picture where it ends in .svg, a page that turns under the mouse where it ends in .html.
+    #[arg(long, value_name = "FILE.html or FILE.svg")]
+    out: PathBuf,
+}
+
+pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+    let Arguments { file, out } = arguments;
+    let ending = out.extension().and_then(|ending| ending.to_str());
+    let write = match ending {
+        Some("svg") => Scene::to_svg,
+        Some("html" | "htm") => Scene::to_html,
+        _ => bail!(
+            "--out {}: its name must end in .svg or .html",
+            out.display()
+        ),
+    };
+    let bytes = std::fs::read(file).with_context(|| format!("cannot read {}", file.display()))?;
+    let scene = Scene::from_json(&bytes).with_context(|| file.display().to_string())?;
+    atomic_write::write(out, write(&scene).as_bytes())?;
+    if !quiet {
+        println!("wrote {}", out.display());
+    }
+    Ok(())
+}
