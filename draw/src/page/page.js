@@ -41,7 +41,7 @@
     const right = along(scaled(aside, ca), ahead, -sa);
     const toward = along(scaled(out, ce), up, se);
     const upward = cross(toward, right);
-    const scale = view.zoom * Math.min(width, height - 40) / 2.45;
+    const scale = view.zoom * Math.min(width, height - 40) / 2.05;
     const depth = (p) => dot(p, toward);
     const ray = (p) => {
       if (!data.perspective) return [toward, Infinity];
