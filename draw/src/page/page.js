@@ -41,7 +41,9 @@
     const right = along(scaled(aside, ca), ahead, -sa);
     const toward = along(scaled(out, ce), up, se);
     const upward = cross(toward, right);
-    const scale = view.zoom * Math.min(width, height - 40) / 2.05;
+    // Patches reach beyond the ball that holds the rest.
+    const room = picture.patches.length ? 2.8 : 2.05;
+    const scale = (view.zoom * Math.min(width, height - 40)) / room;
     const depth = (p) => dot(p, toward);
     const ray = (p) => {
       if (!data.perspective) return [toward, Infinity];
