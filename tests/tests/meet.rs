@@ -389,9 +389,9 @@ fn check_vectors(all: &serde_json::Value, count: usize) {
             record["circle_radius"].as_f64(),
         ) {
             (PlaneAndSphere::Circle(circle), Some(radius)) => {
-                near(circle.radius().unwrap(), radius, 1e-11);
+                near(circle.radius().expect("finite"), radius, 1e-11);
                 near_vector(
-                    place(circle.centre().unwrap()),
+                    place(circle.centre().expect("finite")),
                     triple(&record["circle_center"]),
                     1e-12,
                 );
