@@ -475,3 +475,25 @@ proptest! {
         prop_assert!(!scene.to_html().contains("null,null"));
     }
 }
+
+#[test]
+fn dual_forms_look_as_what_they_stand_for() {
+    let at = Point::new(1.0, -2.0, 3.0);
+    let normal = [0.0, 3.0, 4.0];
+    for squared in [4.0, 0.0, -1.0] {
+        let sphere = Sphere::from_centre_radius_squared(at, squared);
+        let circle = Circle::from_centre_normal_radius_squared(at, normal, squared).unwrap();
+        let pair = PointPair::from_centre_axis_radius_squared(at, normal, squared).unwrap();
+        assert_eq!(sphere.dual().shape(), sphere.shape());
+        assert_eq!(circle.dual().shape(), circle.shape());
+        assert_eq!(pair.dual().shape(), pair.shape());
+    }
+    let flat = at ^ Infinity;
+    assert_eq!(flat.dual().shape(), flat.shape());
+    assert_eq!(
+        flat.shape(),
+        Ok(Shape::FlatPoint {
+            at: [1.0, -2.0, 3.0]
+        })
+    );
+}

@@ -1,9 +1,12 @@
 //! Points, point pairs, circles and spheres.
 
-use ga_runtime::cga3::{Circle, FlatPoint, Line, Plane, Point, PointPair, RoundVector, Sphere};
+use ga_runtime::cga3::{
+    Circle, DualCircle, DualFlatPoint, DualPointPair, DualSphere, FlatPoint, Line, Plane, Point,
+    PointPair, RoundVector, Sphere,
+};
 
 use super::{Drawable, NotDrawable, Radius, Shape, balanced};
-use crate::vector3::{along, cross, dot, length, normalized, scaled, sum};
+use crate::vector3::along;
 
 impl Drawable for Point<f64> {
     fn shape(&self) -> Result<Shape, NotDrawable> {
@@ -74,25 +77,15 @@ impl Drawable for Circle<f64> {
 }
 
 impl Drawable for PointPair<f64> {
-    /// `p∧q` holds `q − p` in minus e1o, e2o, e3o, the moment `p × q` in e23, −e13, e12, `½(q² − p²)` in eoi and
-    /// `½(p q² − q p²)` in e1i, e2i, e3i; centre and squared radius follow.
     fn shape(&self) -> Result<Shape, NotDrawable> {
         let pair = balanced(self)?;
-        let difference = [-pair.e1o, -pair.e2o, -pair.e3o];
-        let moment = [pair.e23, -pair.e13, pair.e12];
-        if difference == [0.0; 3] && moment == [0.0; 3] {
+        if [pair.e1o, pair.e2o, pair.e3o, pair.e12, pair.e13, pair.e23] == [0.0; 6] {
             // Unbalanced, since the length of a free vector is part of it.
             return FlatPoint::new(self.e1i, self.e2i, self.e3i, self.eoi).shape();
         }
-        let direction = normalized(difference).ok_or(NotDrawable::NoWeight)?;
-        let scale = length(difference).recip();
-        let height = pair.eoi * scale;
-        let centre = sum(
-            scaled(direction, height),
-            scaled(cross(direction, moment), scale),
-        );
-        let infinite = scaled([pair.e1i, pair.e2i, pair.e3i], scale);
-        let squared = 2.0 * (height * height - dot(infinite, direction)) - dot(centre, centre);
+        let direction = pair.unit_direction().ok_or(NotDrawable::NoWeight)?;
+        let centre = pair.centre().ok_or(NotDrawable::NoWeight)?.coordinates();
+        let squared = pair.radius_squared().ok_or(NotDrawable::NoWeight)?;
         let (radius, imaginary) = match Radius::new(squared, centre) {
             Radius::Zero => {
                 return Shape::TangentVector {
@@ -113,6 +106,18 @@ impl Drawable for PointPair<f64> {
         .checked()
     }
 }
+
+macro_rules! by_the_direct_form {
+    ($($Dual:ident)*) => {$(
+        impl Drawable for $Dual<f64> {
+            fn shape(&self) -> Result<Shape, NotDrawable> {
+                balanced(self)?.undual().shape()
+            }
+        }
+    )*};
+}
+
+by_the_direct_form!(DualFlatPoint DualPointPair DualCircle DualSphere);
 
 /// The two points of a pair, the first of the outer product first.
 pub(crate) fn ends(centre: [f64; 3], direction: [f64; 3], radius: f64) -> [[f64; 3]; 2] {
