@@ -118,7 +118,8 @@ impl<S: Real<Mask = bool>> PointPair<S> {
     ///
     /// The pair knows the squared radius r² only up to rounding of the squared distance of the centre from the origin, c², so that of
     /// points that all but coincide only half of the digits of their distance are known. Where `|r²| ≤ 32 ε (2c² + r²)` both points
-    /// are the centre, and [`Kind`](crate::geometry::Kind) tells a tangent with a tolerance of your own.
+    /// are the centre. A product may have lost more, by the size of its operands: [`Kind`](crate::geometry::Kind) tells a tangent with a tolerance of
+    /// your own, and [`meet`](crate::geometry::relation::meet) with distances in space.
     #[must_use]
     pub fn endpoints(self) -> Option<[Point<S>; 2]> {
         let round = self.parts()?;
