@@ -188,23 +188,19 @@ impl<S: Ring> Affine<S> {
 impl<S: Real<Mask = bool>> Affine<S> {
     /// The map that undoes this one; `None` where L is singular, or the inverse is beyond the range of the scalar. It is worked out from cofactors,
     /// with an error of about ε times the condition number of L.
+    ///
+    /// L counts as singular where the determinant is at most 16 ε after rows and columns have been scaled to entries up to 1: that
+    /// much comes from rounding.
     #[must_use]
     pub fn inverse(self) -> Option<Self> {
-        // Scaled to entries up to 1, so that the products of three stay within the range.
-        let largest = largest(self.linear);
-        if !S::zero().less_than(largest) {
+        let (unit, [rows, columns]) = balanced(self.linear)?;
+        let determinant = Self::new(unit, self.translation).determinant();
+        if !is_regular(determinant) {
             return None;
         }
-        let unit = Self::new(
-            self.linear.map(|row| row.map(|x| x / largest)),
-            self.translation,
-        );
-        let determinant = unit.determinant();
-        if !determinant.is_invertible() {
-            return None;
-        }
-        let linear =
-            transposed(cofactors(unit.linear)).map(|row| row.map(|x| x / determinant / largest));
+        let inverse = transposed(cofactors(unit));
+        let linear = [0, 1, 2]
+            .map(|j| [0, 1, 2].map(|i| inverse[j][i] / determinant / rows[i] / columns[j]));
         let translation = apply(linear, self.translation).map(|x| -x);
         let is_finite = linear.into_iter().all(are_numbers) && are_numbers(translation);
         is_finite.then(|| Self::new(linear, translation))
@@ -230,12 +226,41 @@ impl<S: Real<Mask = bool>> Affine<S> {
         let mirrored = rows.map(|row| row.map(|x| -x));
         Err(if Rotor::from_matrix(mirrored).is_some() {
             NotConformal::Mirrors
-        } else if dot(a, cross(b, c)) == S::zero() {
+        } else if !balanced(rows).is_some_and(|([a, b, c], _)| is_regular(dot(a, cross(b, c)))) {
             NotConformal::Singular
         } else {
             NotConformal::Shears
         })
     }
+}
+
+type Matrix<S> = [[S; 3]; 3];
+
+/// The matrix with its rows and then its columns divided by their largest entries, and those; `None` where one vanishes.
+fn balanced<S: Real<Mask = bool>>(linear: Matrix<S>) -> Option<(Matrix<S>, [[S; 3]; 2])> {
+    let size = |row: [S; 3]| row[0].abs().max(row[1].abs()).max(row[2].abs());
+    let divided =
+        |matrix: [[S; 3]; 3], sizes: [S; 3]| [0, 1, 2].map(|k| matrix[k].map(|x| x / sizes[k]));
+    let are_usable = |sizes: [S; 3]| {
+        sizes
+            .into_iter()
+            .all(|x| S::zero().less_than(x) && x.is_finite())
+    };
+    let rows = linear.map(size);
+    if !are_usable(rows) {
+        return None;
+    }
+    let turned = transposed(divided(linear, rows));
+    let columns = turned.map(size);
+    if !are_usable(columns) {
+        return None;
+    }
+    Some((transposed(divided(turned, columns)), [rows, columns]))
+}
+
+/// Whether the determinant of a [`balanced`] matrix is more than rounding.
+fn is_regular<S: Real<Mask = bool>>(determinant: S) -> bool {
+    (S::from_integer(16) * S::epsilon()).less_than(determinant.abs())
 }
 
 /// The identity.

@@ -65,6 +65,8 @@ impl<S: Real<Mask = bool>> EvenVersor<S> {
             let [h, k] = nested_series(number, square, arsinh_ratio_factors());
             return sine * h + times(sine, rest) * k;
         }
+        // A coefficient is rounded to the size of the largest, whatever its own.
+        let error = error + size * largest(sine.into());
         if !is_ahead && is_negligible(-difference, error) && is_rounding(rest.into(), size) {
             return -sine * arsinh_ratio(difference.max(zero)) + whole_turn(sine) * pi;
         }
@@ -79,7 +81,7 @@ impl<S: Real<Mask = bool>> EvenVersor<S> {
             (part * part + other * other).sqrt() * scale
         };
         if zero.less_than(square) && gap.less_than(difference.abs() * half) {
-            return isoclinic(scalar, sine, rest, square.sqrt());
+            return isoclinic(scalar, sine, rest, [square.sqrt(), size]);
         }
         // The squares of sinh x and of sin y: the one that does not cancel comes first.
         let (growth, turn) = if difference.less_than(zero) {
@@ -186,12 +188,12 @@ fn is_negligible<S: Real<Mask = bool>>(square: S, terms: S) -> bool {
 }
 
 /// Two turns by nearly the same angle: where the unit 4-vector J is 1 they turn by the difference of their angles, where
-/// it is −1 by the sum.
+/// it is −1 by the sum. The sizes are those of the 4-vector and of the largest coefficient.
 fn isoclinic<S: Real<Mask = bool>>(
     scalar: S,
     sine: PointPair<S>,
     rest: Sphere<S>,
-    size: S,
+    [size, whole]: [S; 2],
 ) -> PointPair<S> {
     let (zero, half) = (S::zero(), S::from_ratio(1, 2));
     let turned = times(sine, rest) * size.recip();
@@ -201,8 +203,8 @@ fn isoclinic<S: Real<Mask = bool>>(
         let cosine = scalar + sign * size;
         let (square, terms) = bivector_square(part);
         let sine_squared = (-(square + square)).max(zero);
-        let is_still = is_negligible(sine_squared, terms + terms)
-            || is_rounding(part.into(), largest(rest.into()));
+        let is_still = is_negligible(sine_squared, terms + terms + whole * largest(part.into()))
+            || is_rounding(part.into(), whole);
         log += if is_still && cosine.less_than(zero) {
             half_of_whole_turn(rest, size, sign) * S::from_f64(core::f64::consts::PI)
         } else if is_still {
@@ -251,8 +253,28 @@ fn whole_turn<S: Real<Mask = bool>>(generator: PointPair<S>) -> PointPair<S> {
         let found = -square / terms;
         if quality.less_than(found) {
             quality = found;
-            best = blade * (-square).sqrt().recip();
+            best = blade;
         }
     }
-    best
+    unit_plane(best)
+}
+
+/// The unit 2-blade that turns nearest to a bivector: the outer product of two vectors of its plane, since the bivector may be a
+/// blade up to rounding only, and a whole turn needs one.
+fn unit_plane<S: Real<Mask = bool>>(bivector: PointPair<S>) -> PointPair<S> {
+    let (zero, one) = (S::zero(), S::one());
+    let (mut first, mut quality) = (RoundVector::default(), zero);
+    for place in 0..5 {
+        let [x, y, z, o, i] = [0, 1, 2, 3, 4].map(|k| if k == place { one } else { zero });
+        let vector = RoundVector::new(x, y, z, o, i) | bivector;
+        let flat = vector.e1 * vector.e1 + vector.e2 * vector.e2 + vector.e3 * vector.e3;
+        let size = flat + vector.eo * vector.eo + vector.ei * vector.ei;
+        let found = vector.scalar_product(vector) / size;
+        if quality.less_than(found) {
+            (first, quality) = (vector, found);
+        }
+    }
+    let second = first | bivector;
+    let blade = second ^ first;
+    blade * (-(blade.scalar_product(blade))).sqrt().recip()
 }

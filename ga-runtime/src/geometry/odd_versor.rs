@@ -54,7 +54,9 @@ impl<S: Real<Mask = bool>> OddVersor<S> {
         if !S::zero().less_than(largest) || !coefficients.into_iter().all(S::is_finite) {
             return None;
         }
-        let vector = vector * largest.recip();
+        // Each by itself, since the reciprocal of the least numbers is out of range.
+        let [e1, e2, e3, eo, ei] = coefficients.map(|x| x / largest);
+        let vector = RoundVector::new(e1, e2, e3, eo, ei);
         let square = vector.scalar_product(vector);
         let unit = vector * square.sqrt().recip();
         let is_real = S::zero().less_than(square) && unit.ei.is_finite() && unit.eo.is_finite();

@@ -198,7 +198,12 @@ impl<S: Real<Mask = bool>> Rotor<S> {
             }
         }
         let (vector, scalar) = candidates[best];
-        Self::from_quaternion(vector, scalar)
+        let rotor = Self::from_quaternion(vector, scalar)?;
+        Some(if rotor.scalar().less_than(S::zero()) {
+            -rotor
+        } else {
+            rotor
+        })
     }
 
     /// `(1 + b a)/|1 + b a|` for unit vectors less than a half turn apart.

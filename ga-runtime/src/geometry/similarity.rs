@@ -3,8 +3,9 @@
 //! Matrices are in [`homogeneous`](super::homogeneous).
 
 use super::affine::{self, Affine};
-use super::vector3::{are_numbers, cross, dot, length};
-use crate::cga3::{Motor, Point, Quaternion, Rotor, Similarity, Translator};
+use super::vector3::{are_numbers, cross, difference, dot, length, normalized, scaled};
+use crate::Element;
+use crate::cga3::{Even, EvenVersor, Motor, Point, Quaternion, Rotor, Similarity, Translator};
 use crate::scalar::Real;
 
 impl<S: Real<Mask = bool>> Similarity<S> {
@@ -39,6 +40,25 @@ impl<S: Real<Mask = bool>> Similarity<S> {
         let size = quaternion_length(turn);
         let square = size * size;
         if is_growth { square } else { square.recip() }
+    }
+
+    /// The similarity nearest to a sum of similarities, or to one that has lost its norm in a long chain of products: `V (V ~V)^(−½)`, as
+    /// for [`EvenVersor::normalize`]. Blades that no similarity has are left out. `None` where there is none, as for zero, or a coefficient is
+    /// not finite.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Even, Rotor, Similarity};
+    /// let similarity = Similarity::from_parts([1.0, 2.0, 3.0], Rotor::default(), 4.0_f64).unwrap();
+    /// let again = Similarity::normalize(Even::from(similarity) * 1.5).unwrap();
+    /// assert!((again.factor() - 4.0).abs() < 1e-14);
+    /// ```
+    #[must_use]
+    pub fn normalize(sum: Even<S>) -> Option<Self> {
+        let part = |element: Even<S>| -> Self {
+            Self::from_coefficients_unchecked(&mut |blade| element.coefficient(blade))
+        };
+        let unit = EvenVersor::normalize(Even::from(part(sum)))?;
+        Some(part(unit.into()))
     }
 
     /// The motion `T R` of `T R D`, which comes after the scaling about the origin.
@@ -80,24 +100,31 @@ impl<S: Real<Mask = bool>> Similarity<S> {
     /// ```
     #[must_use]
     pub fn fixed_point(self) -> Option<Point<S>> {
-        // (1 − s R) c = t. Along the axis n of R that is (1 − s) (n·c) = n·t, across it the solution with complex numbers.
-        let (factor, one) = (self.factor(), S::one());
-        let ([x, y, z], w) = self.rotor().to_quaternion();
-        let (axis, t) = ([x, y, z], self.displacement());
-        let sine_squared = dot(axis, axis);
+        // (1 − s R) c = t. Along the axis n of R that is (1 − s) (n·c) = n·t; across it R is a complex number of size 1.
+        let (factor, zero, one) = (self.factor(), S::zero(), S::one());
+        let (vector, w) = self.rotor().to_quaternion();
+        let t = self.displacement();
         let shrunk = one - factor;
-        // With R v = v + 2 w (a × v) + 2 a × (a × v): across the axis 1 − s cos θ and s sin θ.
+        if shrunk.is_zero() {
+            return None;
+        }
+        let half_sine = length(vector);
+        let axis = normalized(vector).unwrap_or([zero, zero, one]);
+        let along = dot(axis, t);
+        let rest = difference(t, scaled(axis, along));
+        let along = if along.is_zero() {
+            zero
+        } else {
+            along / shrunk
+        };
+        // 1 − s cos θ, which does not cancel, and s sin θ.
         let two = one + one;
-        let real = shrunk + two * factor * sine_squared;
-        let size = real * real + two * two * factor * factor * w * w * sine_squared;
-        let turned = cross(axis, t);
-        let twice = cross(axis, turned);
-        let coordinates = [0, 1, 2].map(|k| {
-            let along = t[k] / shrunk;
-            let correction =
-                two * factor * (w * turned[k] + twice[k] * (shrunk + two * factor) / shrunk) / size;
-            along + correction
-        });
+        let real = shrunk + two * factor * half_sine * half_sine;
+        let imaginary = two * factor * w * half_sine;
+        let size = real * real + imaginary * imaginary;
+        let turned = cross(axis, rest);
+        let coordinates =
+            [0, 1, 2].map(|k| axis[k] * along + (real * rest[k] + imaginary * turned[k]) / size);
         are_numbers(coordinates).then(|| Point::from(coordinates))
     }
 

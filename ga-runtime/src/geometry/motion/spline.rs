@@ -235,7 +235,8 @@ impl<S: Real<Mask = bool>> MotorSpline<S> {
                 (rest, arrival) = (-rest, -arrival);
             }
             let parts = [first, rest.log(), last];
-            if !duration.is_finite() || !parts.into_iter().all(is_number) {
+            let is_usable = duration.is_finite() && duration.recip().is_finite();
+            if !is_usable || !parts.into_iter().all(is_number) {
                 return Err(SplineError::OutOfRange { index });
             }
             pieces.push(Piece {
@@ -318,8 +319,11 @@ impl<S: Real<Mask = bool>> Leg<S> {
 
     /// The velocity at the key between this leg and the next.
     fn slope_to(&self, next: &Self) -> MotorGenerator<S> {
-        let both = self.duration + next.duration;
-        self.slope() * (next.duration / both) + next.slope() * (self.duration / both)
+        // By halves, so that the sum of the durations stays within the range.
+        let half = S::from_ratio(1, 2);
+        let both = self.duration * half + next.duration * half;
+        let share = |duration: S| duration * half / both;
+        self.slope() * share(next.duration) + next.slope() * share(self.duration)
     }
 }
 

@@ -90,13 +90,15 @@ impl<S: Real<Mask = bool>> Plane<S> {
     }
 
     /// The projection of a line, with its weight times the cosine of the angle between both; `None` where the line is
-    /// perpendicular to the plane, which leaves a point, or one of them is ideal.
+    /// perpendicular to the plane within 8 ε, which leaves a point, or one of them is ideal.
     #[must_use]
     pub fn project(self, line: Line<S>) -> Option<Line<S>> {
         let normal = self.unit_normal()?;
         let direction = line.direction();
         let within = difference(direction, scaled(normal, dot(direction, normal)));
-        if !S::zero().less_than(length(within)) {
+        // What is left of a perpendicular direction is rounding.
+        let least = S::from_integer(8) * S::epsilon() * length(direction);
+        if !least.less_than(length(within)) {
             return None;
         }
         let foot = self.foot(line.support()?)?.coordinates()?;

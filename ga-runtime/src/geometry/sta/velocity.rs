@@ -26,7 +26,7 @@ impl<S: core::fmt::Debug + Display> core::error::Error for NotSlowerThanLight<S>
 
 /// The velocity, seen by the observer, of what moves with v for somebody who moves with u:
 /// `(u + v_∥ + v_⊥/γ(u)) / (1 + u·v)`. Also the velocity of the boost by u after that by v; in the other order the size is the same and the
-/// direction another.
+/// direction another. What would round to the speed of light, or above it, comes out a few ε below.
 ///
 /// # Errors
 ///
@@ -48,7 +48,13 @@ pub fn velocity_sum<S: Real<Mask = bool>>(
     let along = dot(u, v);
     let share = S::one() + gamma / (S::one() + gamma) * along;
     let total = sum(scaled(u, share), v.map(|x| x / gamma));
-    Ok(total.map(|x| x / (S::one() + along)))
+    let sum = total.map(|x| x / (S::one() + along));
+    if lorentz_factor(sum).is_some() {
+        return Ok(sum);
+    }
+    // Slower than light in truth, and rounded up to it.
+    let scale = (S::one() - S::epsilon() * S::from_integer(4)) / length(sum);
+    Ok(scaled(sum, scale))
 }
 
 /// The velocity that somebody who moves with u finds for what the observer sees moving with v: the [`velocity_sum`] of −u and

@@ -1,6 +1,7 @@
 //! Bivectors of vga3.
 
-use crate::geometry::vector3::{length, normalized, scaled};
+use crate::cga3::MotorGenerator;
+use crate::geometry::vector3::{length, normalized};
 use crate::scalar::{Real, Ring};
 use crate::vga3::{Bivector, Rotor, Vector};
 
@@ -51,15 +52,10 @@ impl<S: Real<Mask = bool>> Bivector<S> {
     /// ```
     #[must_use]
     pub fn exp(self) -> Rotor<S> {
-        let angle = self.area();
-        let (sine, cosine) = angle.sin_cos();
-        let ratio = if S::zero().less_than(angle) {
-            sine / angle
-        } else {
-            // One for zero, and not a number for what is none.
-            S::one() + angle
-        };
-        let [x, y, z] = scaled([self.e12, self.e13, self.e23], ratio);
-        Rotor::new_unchecked(cosine, x, y, z)
+        let zero = S::zero();
+        MotorGenerator::new(self.e12, self.e13, self.e23, zero, zero, zero)
+            .exp()
+            .rotor()
+            .into()
     }
 }

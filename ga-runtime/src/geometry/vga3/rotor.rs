@@ -85,11 +85,11 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     /// ```
     /// use ga_runtime::vga3::{Rotor, Vector};
     /// let quarter = Rotor::between(Vector::new(1.0, 0.0, 0.0), Vector::new(0.0, 1.0, 0.0)).unwrap();
-    /// let (_, angle) = Rotor::default().slerp(quarter, 0.5).to_axis_angle();
+    /// let (_, angle) = Rotor::default().interpolate(quarter, 0.5).to_axis_angle();
     /// assert!((angle - std::f64::consts::FRAC_PI_4).abs() < 1e-15);
     /// ```
     #[must_use]
-    pub fn slerp(self, other: Self, t: S) -> Self {
+    pub fn interpolate(self, other: Self, t: S) -> Self {
         let mut between = self.reverse() * other;
         if between.scalar().less_than(S::zero()) {
             between = -between;
