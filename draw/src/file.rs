@@ -68,8 +68,8 @@ pub enum ElementError {
     /// A direction of length zero.
     #[error("`{0}` is zero and has no direction")]
     NoDirection(&'static str),
-    /// Two elements that have no point in common, not even an imaginary or infinite one.
-    #[error("`{0}` and `{1}` have nothing in common that could be drawn")]
+    /// Two elements that do not meet, not even in imaginary points.
+    #[error("`{0}` and `{1}` do not meet: they have nothing in common that could be drawn")]
     NoMeet(String, String),
     /// Not the name of a colour.
     #[error(transparent)]

@@ -44,7 +44,7 @@
 //! | --- | --- |
 //! | `point`, `flat_point` | a place |
 //! | `point_pair` | two places |
-//! | `circle` | `{"through": three places}` or `{"centre", "normal", "radius"}` |
+//! | `circle` | `{"through": three places}`, a line where they are on one, or `{"centre", "normal", "radius"}` |
 //! | `sphere` | `{"through": four places}` or `{"centre", "radius"}` |
 //! | `line` | `{"through": two places}` or `{"point", "direction"}` |
 //! | `plane` | `{"through": three places}`, `{"point", "normal"}` or `{"normal", "distance"}`, the distance along the normal from the origin |
@@ -52,7 +52,7 @@
 //! | `motor` | `{"axis", "through", "degrees", "translation"}`: a turn about an axis through a place, then a shift; drawn as a frame |
 //! | `trajectory` | `{"points": places}`, `{"motors": list}` or `{"screw": {"axis", "through", "degrees", "shift"}}`; the last two take `steps`, the `point` that is carried, and the number of `frames` to be shown |
 //! | `blade` | coefficients by blade, as `{"e123o": 1, "e123i": 0.5}`; drawn as what it is |
-//! | `meet` | the names of two elements: `a ∨ b` |
+//! | `meet` | the names of two elements: `a ∨ b`, for two lines or circles also where they lie in one plane |
 //! | `join` | the names of two elements: `a ∧ b` |
 //! | `moved` | `{"element": name, "by": motor}` |
 //!

@@ -497,3 +497,39 @@ fn dual_forms_look_as_what_they_stand_for() {
         })
     );
 }
+
+#[test]
+fn curves_of_one_plane_meet() {
+    let x = r#"{"name": "x", "line": {"through": [[0, 0, 0], [1, 0, 0]]}}"#;
+    let y = r#"{"name": "y", "line": {"through": [[2, -1, 0], [2, 1, 0]]}}"#;
+    let skew = r#"{"name": "s", "line": {"through": [[0, 0, 1], [0, 1, 1]]}}"#;
+    let c = r#"{"name": "c", "circle": {"centre": [0, 0, 0], "normal": [0, 0, 1], "radius": 1}}"#;
+    let d = r#"{"name": "d", "circle": {"centre": [1, 0, 0], "normal": [0, 0, 1], "radius": 1}}"#;
+    let meet = |a: &str, b: &str, names: &str| {
+        parsed(&format!("{a}, {b}, {{\"name\": \"m\", \"meet\": {names}}}"))
+    };
+    let last = |scene: Scene| scene.shapes().last().unwrap().clone();
+    let crossing = last(meet(x, y, r#"["x", "y"]"#).unwrap());
+    assert_eq!(
+        crossing,
+        Shape::FlatPoint {
+            at: [2.0, 0.0, 0.0]
+        }
+    );
+    for (a, b, names, middle) in [
+        (x, c, r#"["x", "c"]"#, [0.0; 3]),
+        (c, x, r#"["c", "x"]"#, [0.0; 3]),
+        (c, d, r#"["c", "d"]"#, [0.5, 0.0, 0.0]),
+    ] {
+        match last(meet(a, b, names).unwrap()) {
+            Shape::PointPair {
+                centre,
+                imaginary: false,
+                ..
+            } => assert!(close(centre, middle)),
+            other => panic!("{other:?}"),
+        }
+    }
+    let error = meet(x, skew, r#"["x", "s"]"#).unwrap_err().to_string();
+    assert!(error.contains("do not meet"), "{error}");
+}

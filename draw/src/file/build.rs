@@ -4,9 +4,11 @@ use std::collections::BTreeMap;
 
 use ga_runtime::Element;
 use ga_runtime::cga3::{
-    Circle, Direction, Infinity, Line, Motor, MotorGenerator, Multivector, Plane, Point, Rotor,
-    Sphere, Translator,
+    Circle, Direction, Infinity, Line, Motor, MotorGenerator, Multivector, Plane, Point, PointPair,
+    Rotor, Sphere, Translator,
 };
+use ga_runtime::geometry::relation::Tolerance;
+use ga_runtime::geometry::relation::meet::{CircleAndCircle, LineAndCircle, LineAndLine};
 
 use super::format::{
     CircleText, ElementText, LineText, MotorText, Place, PlaneText, SceneText, SphereText,
@@ -369,7 +371,11 @@ fn known(name: &str, named: &Named) -> Result<Multivector<f64>, ElementError> {
 }
 
 fn meet([a, b]: [String; 2], named: &Named) -> Result<Made, ElementError> {
-    let meet = known(&a, named)? & known(&b, named)?;
+    let (first, second) = (known(&a, named)?, known(&b, named)?);
+    if let Some(found) = curves_meet(first, second) {
+        return found.map_or(Err(ElementError::NoMeet(a, b)), general);
+    }
+    let meet = first & second;
     let is_null = |vector: &Multivector<f64>| {
         let square = vector.e1 * vector.e1 + vector.e2 * vector.e2 + vector.e3 * vector.e3
             - 2.0 * vector.eo * vector.ei;
@@ -386,6 +392,57 @@ fn meet([a, b]: [String; 2], named: &Named) -> Result<Made, ElementError> {
         }
         other => other,
     }
+}
+
+/// What two lines or circles share; `None` for other elements. The product of two that lie in one plane vanishes, although they may cross.
+fn curves_meet(a: Multivector<f64>, b: Multivector<f64>) -> Option<Option<Multivector<f64>>> {
+    let [a, b] = [curve(a)?, curve(b)?];
+    let tolerance = Tolerance::new(1e-9, 1e-9);
+    let line = |c: Circle<f64>| {
+        is_flat(c).then(|| Line::new(c.e12i, c.e13i, c.e23i, c.e1oi, c.e2oi, c.e3oi))
+    };
+    let point = |p: Point<f64>| Some(Multivector::from(p));
+    let tangent = |p, direction| PointPair::tangent(p, direction).map(Multivector::from);
+    Some(match (line(a), line(b)) {
+        (Some(l), Some(m)) => match l.meet(m, tolerance)? {
+            LineAndLine::Point(p) => Some(Multivector::from(p ^ Infinity)),
+            LineAndLine::Coincident(line) => Some(line.into()),
+            LineAndLine::Parallel { .. } | LineAndLine::Skew(_) => None,
+        },
+        (Some(line), None) | (None, Some(line)) => {
+            let circle = if is_flat(a) { b } else { a };
+            match line.meet(circle, tolerance)? {
+                LineAndCircle::Points(pair) | LineAndCircle::Imaginary(pair) => Some(pair.into()),
+                LineAndCircle::Tangent {
+                    point: p,
+                    direction,
+                } => tangent(p, direction),
+                LineAndCircle::Point(p) => point(p),
+                LineAndCircle::Apart => None,
+            }
+        }
+        (None, None) => match a.meet(b, tolerance)? {
+            CircleAndCircle::Points(pair) | CircleAndCircle::Imaginary(pair) => Some(pair.into()),
+            CircleAndCircle::Tangent {
+                point: p,
+                direction,
+            } => tangent(p, direction),
+            CircleAndCircle::Point(p) => point(p),
+            CircleAndCircle::Coincident(circle) => Some(circle.into()),
+            CircleAndCircle::Apart | CircleAndCircle::Concentric => None,
+        },
+    })
+}
+
+/// A line or circle, as a circle; `None` for what has blades of another grade.
+fn curve(element: Multivector<f64>) -> Option<Circle<f64>> {
+    let is_other = |blade: usize| blade.count_ones() != 3 && element.coefficient(blade) != 0.0;
+    let circle = Circle::from_coefficients_unchecked(&mut |blade| element.coefficient(blade));
+    (!(0..32).any(is_other) && circle != Circle::default()).then_some(circle)
+}
+
+fn is_flat(c: Circle<f64>) -> bool {
+    [c.e123, c.e12o, c.e13o, c.e23o] == [0.0; 4]
 }
 
 /// Moved as the type that it is, so that what is flat stays so.
