@@ -22,7 +22,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-/// Animation and stereo vision on conformal geometric algebra.
+/// Animation, stereo vision and pictures on conformal geometric algebra.
 #[derive(Parser)]
 #[command(version, propagate_version = true)]
 struct Cli {

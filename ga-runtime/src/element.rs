@@ -29,6 +29,22 @@ pub trait Element: Copy {
     /// The coefficient of a blade; zero for one that the type does not have.
     fn coefficient(&self, blade: usize) -> Self::Scalar;
 
+    /// The same element over another scalar, each coefficient by itself: as `f32` for drawing, in lanes, as constants of dual
+    /// numbers. The target is the same type with the other scalar. A unit versor is one up to rounding of the new scalar.
+    ///
+    /// ```
+    /// use ga_runtime::{Element, cga3::Point};
+    /// let p: Point<f32> = Element::map(Point::new(1.0_f64, 2.0, 0.1), |x| x as f32);
+    /// assert_eq!(p.coordinates(), [1.0, 2.0, 0.1]);
+    /// ```
+    #[inline]
+    fn map<U: Element>(self, mut scalar: impl FnMut(Self::Scalar) -> U::Scalar) -> U
+    where
+        Self: Sized,
+    {
+        U::from_coefficients_unchecked(&mut |blade| scalar(self.coefficient(blade)))
+    }
+
     /// The member whose stored coefficients the function gives. The caller vouches that constant and derived blades and
     /// the facts of the type agree with it.
     fn from_coefficients_unchecked(coefficient: &mut dyn FnMut(usize) -> Self::Scalar) -> Self;

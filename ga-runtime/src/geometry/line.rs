@@ -113,7 +113,8 @@ impl<S: Real<Mask = bool>> Line<S> {
         are_numbers(place).then(|| Point::from(place))
     }
 
-    /// The distance of a point; `None` for a line of weight zero, or beyond the range of the scalar.
+    /// The distance of a point; `None` for a line of weight zero, or beyond the range of the scalar. Of any primitive:
+    /// [`distance_to`](Self::distance_to).
     #[inline]
     #[must_use]
     pub fn distance(self, point: Point<S>) -> Option<S> {

@@ -28,7 +28,8 @@ impl<S: Ring> Point<S> {
 }
 
 impl<S: Real<Mask = bool>> Point<S> {
-    /// The distance of two points, `√(−2 P·Q)` (the paper's eq. 32, corrected).
+    /// The distance of two points, `√(−2 P·Q)` (the paper's eq. 32, corrected). Of any two primitives:
+    /// [`distance_to`](Self::distance_to).
     ///
     /// ```
     /// use ga_runtime::cga3::Point;

@@ -52,6 +52,11 @@ pub use versor::{versor_exponential, versor_logarithm};
 /// assert_eq!(square(3_i64), 9);
 /// assert_eq!(square(0.5_f32), 0.25);
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no scalar",
+    note = "`*` with a scalar scales; a versor moves an element by `versor.transform(element)`",
+    note = "products that an algebra does not declare are written in `ga!`, or take `Multivector`s"
+)]
 pub trait Ring:
     Copy
     + Debug

@@ -25,6 +25,9 @@
 //! # }
 //! ```
 
+/// The crate behind the strategies, in the version that they are written for.
+pub use proptest;
+
 mod bench;
 pub mod cga3;
 mod close;

@@ -2,8 +2,8 @@
 //!
 //! | to get | use |
 //! | --- | --- |
-//! | a cheap average, as in skinning | [`Motor::blend`], [`Rotor::blend`] |
-//! | the average that no choice of frames changes | [`Motor::mean`], [`Rotor::mean`] |
+//! | a cheap weighted average, as in skinning | [`Motor::blend`], [`Rotor::blend`] |
+//! | the weighted average that no choice of frames changes | [`Motor::mean`], [`Rotor::mean`] |
 //! | a smooth motion through keys | [`MotorSpline`], [`RotorSpline`] |
 //! | one curve by its control motions | [`Motor::bezier`], [`Motor::squad`] and the same of rotors |
 //! | the motion that carries points to points | [`Motor::from_point_pairs`], [`Similarity::from_point_pairs`] |

@@ -24,6 +24,8 @@
 //! assert_eq!(Rotor::normalize(sum), Some(Rotor::default()));
 //! ```
 //!
+//! serde_json reads numbers to within their last digit, unless its feature `float_roundtrip` makes it exact.
+//!
 //! # What is refused
 //!
 //! - In a map, a blade that the type does not store, one that is missing and one that comes twice. The error names it. In a tuple, too few or too many

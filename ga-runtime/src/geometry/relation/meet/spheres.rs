@@ -12,7 +12,8 @@ use crate::scalar::Real;
 /// How a line and a sphere meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LineAndSphere<S> {
-    /// In two points, in the order in which the line passes them: a negative multiple of `L ∨ S`.
+    /// In two points, in the order in which the line passes them: a negative multiple of `L ∨ S`. A line goes both ways; of a ray take the
+    /// points that are ahead.
     Points(PointPair<S>),
     /// The line touches the sphere, or passes a sphere of radius zero.
     Tangent {
