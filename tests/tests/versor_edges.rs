@@ -7,7 +7,7 @@ use ga_runtime::cga3::{
 };
 use ga_runtime::geometry::motion::{MotorSpline, SplineError};
 use ga_runtime::geometry::{Affine, NotConformal, RotationPath, velocity_sum};
-use ga_runtime::{pga3, vga3};
+use ga_runtime::{pga3, sta, vga3};
 use proptest::prelude::*;
 
 /// The largest difference of coefficients, relative to the largest of the second but at least 1.
@@ -188,6 +188,45 @@ proptest! {
             return Ok(());
         };
         prop_assert!(velocity_sum(sum, [0.0; 3]).is_ok(), "{sum:?}");
+    }
+}
+
+#[test]
+fn null_bivectors_of_spacetime_come_back() {
+    for size in [1e-3_f64, 1.0, 1e2, 1e4, 1e6, 1e7] {
+        // Electric and magnetic parts across each other and of one size: a plane wave. Powers of two keep it null exactly.
+        let size = 2_f64.powi(size.log2().round() as i32);
+        let (e, b) = ([size, 0.0, 0.0], [0.0, size, 0.0]);
+        let wave = sta::Bivector::from_fields(e, b);
+        let rotor = sta::Rotor::new_unchecked(
+            1.0, wave.g10, wave.g20, wave.g30, wave.g32, wave.g13, wave.g21, 0.0,
+        );
+        let log = rotor.log().expect("a logarithm");
+        for (found, expected) in [(log.electric(), e), (log.magnetic(), b)] {
+            for (x, y) in found.into_iter().zip(expected) {
+                assert!((x - y).abs() <= 1e-12 * size, "{size}: {x} is not {y}");
+            }
+        }
+    }
+    // The same with coefficients that round.
+    for size in [1e4_f64, 1e6, 1e7] {
+        let (n, m) = (
+            [0.6 * size, 0.8 * size, 0.0],
+            [-0.8 * size, 0.6 * size, 0.0],
+        );
+        let wave = sta::Bivector::from_fields(n, m);
+        let rotor = sta::Rotor::new_unchecked(
+            1.0, wave.g10, wave.g20, wave.g30, wave.g32, wave.g13, wave.g21, 0.0,
+        );
+        let log = rotor.log().expect("a logarithm");
+        for (x, y) in log
+            .electric()
+            .into_iter()
+            .chain(log.magnetic())
+            .zip(n.into_iter().chain(m))
+        {
+            assert!((x - y).abs() <= 1e-12 * size, "{size}: {x} is not {y}");
+        }
     }
 }
 

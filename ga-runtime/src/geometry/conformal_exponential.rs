@@ -16,7 +16,7 @@ impl<S: Real<Mask = bool>> PointPair<S> {
     /// is the dual, for `−½ t ei` a shift by t, for `½ ln s · eo∧ei` a scaling by s, for `−k eo` a [`Transversor`], for a
     /// sum the flow of all of them together. Other generators embed by `From`.
     ///
-    /// `None` where a coefficient is not finite or the versor is beyond the range of the scalar.
+    /// `None` where a coefficient is not finite, or the versor or the square of B is beyond the range of the scalar.
     ///
     /// [`Transversor`]: crate::cga3::Transversor
     ///

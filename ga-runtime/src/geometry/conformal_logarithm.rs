@@ -17,7 +17,7 @@ use crate::scalar::Real;
 
 impl<S: Real<Mask = bool>> EvenVersor<S> {
     /// A bivector B with `exp(B) = V`. Every even versor with `V ~V = 1` has one. Of a V that is
-    /// not finite all coefficients are NaN.
+    /// not finite all coefficients are NaN; so are some of one with coefficients whose squares are beyond the range of the scalar.
     ///
     /// The angles of the turns are on the branch of [`Motor::log`](crate::cga3::Motor::log): a turn is by θ in [0, 2π], so that the sign of V comes back
     /// too, and of two commuting turns by angles `θ ≥ φ ≥ 0` the sum is at most 2π. Where `V`

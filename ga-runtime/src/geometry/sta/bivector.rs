@@ -70,7 +70,8 @@ impl<S: Real<Mask = bool>> Bivector<S> {
     /// The rotor `exp(F)`: `½φσ` with a unit relative vector σ boosts by the rapidity φ, `−½θ Iσ` turns by θ about σ, and every other F does both
     /// in planes that commute, or is null. `None` where a number is not finite, or the boost beyond the range of the scalar.
     ///
-    /// F² is a number `a + b I`, so that `exp(F) = cosh z + (sinh z/z) F` with `z² = F²`.
+    /// F² is a number `a + b I`, so that `exp(F) = cosh z + (sinh z/z) F` with `z² = F²`. Of a null F, in which the square cancels, the error grows
+    /// with |F|².
     ///
     /// ```
     /// use ga_runtime::sta::Bivector;

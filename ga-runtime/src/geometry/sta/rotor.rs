@@ -149,8 +149,16 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         if is_negative && square.modulus().less_than(least) {
             return None;
         }
-        let root = square.root();
-        let mut sine = Complex::new(root.real * size, root.imaginary * size);
+        // w² is F² without its scale and also C² − 1; of both the one that rounds less, which for a null F is the second.
+        let (one, modulus) = (S::one(), cosine.modulus());
+        let mut sine = if (one + modulus * (modulus + size)).less_than(size * size) {
+            let below = Complex::new(cosine.real - one, cosine.imaginary);
+            let above = Complex::new(cosine.real + one, cosine.imaginary);
+            below.times(above).root()
+        } else {
+            let root = square.root();
+            Complex::new(root.real * size, root.imaginary * size)
+        };
         // The sign for which |C + w| is at least one.
         if (cosine.real * sine.real + cosine.imaginary * sine.imaginary).less_than(S::zero()) {
             sine = sine.negative();
