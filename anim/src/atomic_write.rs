@@ -1,7 +1,8 @@
 //! Files that appear whole or not at all.
 //!
-//! A reader never sees a half-written file, and a failed write leaves the folder as it was: the bytes go to a
-//! temporary file beside the target, which takes the target's name only once it is complete.
+//! A reader never sees a half-written file, and a failed write leaves the folder as it was: the
+//! bytes go to a temporary file beside the target, which takes the target's name only once it is
+//! complete.
 
 use std::fs::Permissions;
 use std::io::{self, Write};
@@ -23,8 +24,9 @@ pub struct WriteError {
 ///
 /// # Errors
 ///
-/// [`WriteError`] when a folder or the file cannot be made, the disk is full, or `path` is a folder. The temporary
-/// file is removed and an earlier file at `path` stays as it was; folders that were made stay.
+/// [`WriteError`] when a folder or the file cannot be made, the disk is full, or `path` is a
+/// folder. The temporary file is removed and an earlier file at `path` stays as it was; folders
+/// that were made stay.
 ///
 /// # Examples
 ///
@@ -61,7 +63,8 @@ fn replace(path: &Path, contents: &[u8]) -> io::Result<()> {
     Ok(())
 }
 
-/// Temporary files are private to their owner by default; an output file obeys the umask like any other.
+/// Temporary files are private to their owner by default; an output file obeys the umask like any
+/// other.
 #[cfg(unix)]
 fn ordinary_permissions() -> Option<Permissions> {
     use std::os::unix::fs::PermissionsExt;

@@ -1,20 +1,23 @@
-//! BVH (Biovision hierarchy): motion capture as text, a skeleton and then its channels frame by frame.
+//! BVH (Biovision hierarchy): motion capture as text, a skeleton and then its channels frame by
+//! frame.
 //!
-//! Every joint says which channels it has and in which order; the order may differ from joint to joint and is obeyed. A joint's motion
-//! relative to its parent is
+//! Every joint says which channels it has and in which order; the order may differ from joint to
+//! joint and is obeyed. A joint's motion relative to its parent is
 //!
 //! ```text
 //! M = T(offset + position) R₁ R₂ R₃
 //! ```
 //!
-//! with the rotations about the fixed axes x, y, z in the order in which the channels stand, so that the last one acts on a point first,
-//! and with the position channels added to the offset. Angles are degrees in the file. Lengths have the file's unit, which it does not state,
-//! and by custom y points up.
+//! with the rotations about the fixed axes x, y, z in the order in which the channels stand, so
+//! that the last one acts on a point first, and with the position channels added to the offset.
+//! Angles are degrees in the file. Lengths have the file's unit, which it does not state, and by
+//! custom y points up.
 //!
-//! The reader is strict: an error names the line, a frame has exactly one number for each channel, and the number of frames
-//! is the one announced.
+//! The reader is strict: an error names the line, a frame has exactly one number for each channel,
+//! and the number of frames is the one announced.
 //!
-//! Source: the description by the Motion Capture Web Group, University of Wisconsin, on which readers agree.
+//! Source: the description by the Motion Capture Web Group, University of Wisconsin, on which
+//! readers agree.
 
 mod kinematics;
 mod parser;

@@ -78,8 +78,8 @@ impl Clip {
         (self.frames.len() - 1) as f64 * self.frame_time
     }
 
-    /// The pose at a time in seconds: the frame there, or in between by [`Pose::interpolate`]. Before the first
-    /// frame and after the last one it is that frame.
+    /// The pose at a time in seconds: the frame there, or in between by [`Pose::interpolate`].
+    /// Before the first frame and after the last one it is that frame.
     ///
     /// # Examples
     ///
@@ -107,7 +107,8 @@ impl Clip {
         }
     }
 
-    /// The same motion at `rate` frames per second, from the first frame as far as whole steps reach.
+    /// The same motion at `rate` frames per second, from the first frame as far as whole steps
+    /// reach.
     ///
     /// # Errors
     ///

@@ -1,16 +1,17 @@
 //! Skin weights from the distance to the bones.
 //!
-//! A point follows the n nearest bones, each the less the further away it is. With L the distance from the point to the
-//! bone as a segment and m the rate at which influence falls off,
+//! A point follows the n nearest bones, each the less the further away it is. With L the distance
+//! from the point to the bone as a segment and m the rate at which influence falls off,
 //!
 //! ```text
 //! wᵢ = Lᵢ⁻ᵐ / Σₖ Lₖ⁻ᵐ,   k over the n nearest bones
 //! ```
 //!
-//! which is inverse distance weighting (D. Shepard, "A two-dimensional interpolation function for irregularly-spaced
-//! data", ACM National Conference 1968) as eq. 33 of Y. Cui, "Geometric algebra-based modeling techniques for 3D animation
-//! and their application to visual communication" has it. Distance goes straight through the air: the left leg also follows
-//! the right thigh where the two are close. [`human`](crate::human) shows a way round that.
+//! which is inverse distance weighting (D. Shepard, "A two-dimensional interpolation function for
+//! irregularly-spaced data", ACM National Conference 1968) as eq. 33 of Y. Cui, "Geometric
+//! algebra-based modeling techniques for 3D animation and their application to visual
+//! communication" has it. Distance goes straight through the air: the left leg also follows the
+//! right thigh where the two are close. [`human`](crate::human) shows a way round that.
 
 use crate::weights::{SkinWeights, WeightsError};
 
@@ -50,11 +51,13 @@ pub enum DistanceWeightsError {
     Weights(#[from] WeightsError),
 }
 
-/// The weights of points with respect to bones, given by head and tail in the order of their joints.
+/// The weights of points with respect to bones, given by head and tail in the order of their
+/// joints.
 ///
-/// Each point follows the `influences` nearest bones (all, if there are fewer), nearest first and between equals the one
-/// listed first, with the weights of the formula above for m = `exponent`. A point on a bone follows that bone alone; one
-/// that lies on several, at a joint, follows them equally.
+/// Each point follows the `influences` nearest bones (all, if there are fewer), nearest first and
+/// between equals the one listed first, with the weights of the formula above for m = `exponent`. A
+/// point on a bone follows that bone alone; one that lies on several, at a joint, follows them
+/// equally.
 ///
 /// # Errors
 ///
@@ -123,7 +126,8 @@ pub fn distance_weights(
     Ok(SkinWeights::new(bones.len(), rows)?)
 }
 
-/// The distance from a point to a bone, the segment from head to tail. A bone without length is a point.
+/// The distance from a point to a bone, the segment from head to tail. A bone without length is a
+/// point.
 #[must_use]
 pub fn distance_to_bone(point: [f64; 3], [head, tail]: [[f64; 3]; 2]) -> f64 {
     let axis: [f64; 3] = std::array::from_fn(|k| tail[k] - head[k]);

@@ -1,13 +1,14 @@
 //! Skinned, animated meshes as binary glTF 2.0.
 //!
-//! [`to_glb`] writes what the Khronos *glTF 2.0 Specification* calls a GLB file: a mesh with normals and one material, a
-//! skin with any number of joints and of influences on a vertex, and animations that turn and move the joints. The
-//! file is made to pass the Khronos validator without errors or warnings. [`JointNode::from_skeleton`] and
-//! [`Animation::from_clip`] make the input from the types of this crate.
+//! [`to_glb`] writes what the Khronos *glTF 2.0 Specification* calls a GLB file: a mesh with
+//! normals and one material, a skin with any number of joints and of influences on a vertex, and
+//! animations that turn and move the joints. The file is made to pass the Khronos validator without
+//! errors or warnings. [`JointNode::from_skeleton`] and [`Animation::from_clip`] make the input
+//! from the types of this crate.
 //!
-//! glTF is right-handed with *y* up and metres, as is everything here, so coordinates are written as they are, in
-//! single precision. Quaternions are *(x, y, z, w)*: a turn by the angle α about the unit axis *n* is
-//! *(n sin(α/2), cos(α/2))*.
+//! glTF is right-handed with *y* up and metres, as is everything here, so coordinates are written
+//! as they are, in single precision. Quaternions are *(x, y, z, w)*: a turn by the angle α about
+//! the unit axis *n* is *(n sin(α/2), cos(α/2))*.
 //!
 //! ```
 //! use ga_anim::gltf::{Material, Model, to_glb};
@@ -47,11 +48,11 @@ pub struct Model<'a> {
     pub name: &'a str,
     /// One point for each vertex, in metres.
     pub positions: &'a [[f64; 3]],
-    /// One direction for each vertex, of any length; a zero vector, as for a vertex that no triangle uses, is written
-    /// as straight up.
+    /// One direction for each vertex, of any length; a zero vector, as for a vertex that no
+    /// triangle uses, is written as straight up.
     pub normals: &'a [[f64; 3]],
-    /// Three vertex indices for each triangle, counter-clockwise seen from outside. Triangles that name a vertex twice
-    /// are left out.
+    /// Three vertex indices for each triangle, counter-clockwise seen from outside. Triangles that
+    /// name a vertex twice are left out.
     pub triangles: &'a [[u32; 3]],
     /// The look of the whole surface.
     pub material: Material<'a>,
@@ -133,7 +134,8 @@ pub struct Animation {
     pub tracks: Vec<Track>,
 }
 
-/// The motion of one joint. Viewers interpolate between keys, translations linearly and rotations by slerp.
+/// The motion of one joint. Viewers interpolate between keys, translations linearly and rotations
+/// by slerp.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Track {
     /// The joint, as an index into the skin's joints.
@@ -144,11 +146,11 @@ pub struct Track {
 
 /// The bytes of a GLB file with the model in it.
 ///
-/// The mesh stands at the root of the scene beside the joints. Influences are written four to a `JOINTS_n`/`WEIGHTS_n`
-/// pair, the greatest first, so that viewers that know one pair only show the best they can. Quaternions are
-/// normalised, and of a key's two signs the one nearer to the key before is written, so that viewers that forget to
-/// choose still turn the short way. A translation or rotation that stays within 10⁻⁷ of rest in every key gets no
-/// channel.
+/// The mesh stands at the root of the scene beside the joints. Influences are written four to a
+/// `JOINTS_n`/`WEIGHTS_n` pair, the greatest first, so that viewers that know one pair only show
+/// the best they can. Quaternions are normalised, and of a key's two signs the one nearer to the
+/// key before is written, so that viewers that forget to choose still turn the short way. A
+/// translation or rotation that stays within 10⁻⁷ of rest in every key gets no channel.
 ///
 /// # Errors
 ///

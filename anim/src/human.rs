@@ -1,8 +1,9 @@
 //! A person made by formulas: a closed mesh, a skeleton, skin weights and a walk.
 //!
-//! Nothing is read from a file, so whoever has the library has something to animate. The person is an adult without sex, age or
-//! clothes, like an artist's mannequin: 1.75 m tall, facing +z with y up and the left side at +x, in metres. At rest it
-//! stands with its feet on the plane y = 0 and its arms half way down.
+//! Nothing is read from a file, so whoever has the library has something to animate. The person is
+//! an adult without sex, age or clothes, like an artist's mannequin: 1.75 m tall, facing +z with y
+//! up and the left side at +x, in metres. At rest it stands with its feet on the plane y = 0 and
+//! its arms half way down.
 //!
 //! | step | how |
 //! | --- | --- |
@@ -53,8 +54,9 @@ pub const STATURE: f64 = landmarks::STATURE;
 pub struct Human {
     /// The skin, about 18,000 vertices in triangles. The left half comes first.
     pub mesh: Mesh,
-    /// 21 joints: `Hips`, `Spine`, `Chest`, `Neck` and `Head`, and on either side, after `Left` or `Right`, `Shoulder`,
-    /// `UpperArm`, `LowerArm` and `Hand`, `UpperLeg`, `LowerLeg`, `Foot` and `Toe`.
+    /// 21 joints: `Hips`, `Spine`, `Chest`, `Neck` and `Head`, and on either side, after `Left` or
+    /// `Right`, `Shoulder`, `UpperArm`, `LowerArm` and `Hand`, `UpperLeg`, `LowerLeg`, `Foot` and
+    /// `Toe`.
     pub skeleton: Skeleton,
     /// Up to four joints for each vertex.
     pub weights: SkinWeights,

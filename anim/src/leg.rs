@@ -1,8 +1,9 @@
 //! The leg of hip, knee and ankle (the paper's §2.3.3): points joined by bones that are lines.
 //!
-//! At rest the leg hangs straight down from the origin: the knee at (0, −a, 0), the ankle at (0, −a − b, 0) and the tip of the foot at
-//! (0, −a − b, c), with the lengths a of the thigh, b of the calf and c of the foot. The *forward* problem goes from angles to
-//! places: each segment has a motor from rest to the pose,
+//! At rest the leg hangs straight down from the origin: the knee at (0, −a, 0), the ankle at (0, −a
+//! − b, 0) and the tip of the foot at (0, −a − b, c), with the lengths a of the thigh, b of the
+//! calf and c of the foot. The *forward* problem goes from angles to places: each segment has a
+//! motor from rest to the pose,
 //!
 //! ```text
 //! G_thigh = T(hip) Rz(α) Ry(β) Rx(γ)
@@ -10,9 +11,10 @@
 //! G_foot  = G_calf  · turn about the ankle at rest by Rx(ε) Rz(ζ)
 //! ```
 //!
-//! and points of the skin follow these motors by weights. The *inverse* problem goes back to angles: from motors by
-//! [`Leg::inverse`], from the places of the joints by [`Leg::inverse_of_points`], from where the ankle shall be by [`Leg::reach`]. Angles are in radians, right-handed; a positive knee angle
-//! bends the calf backwards, to −z.
+//! and points of the skin follow these motors by weights. The *inverse* problem goes back to
+//! angles: from motors by [`Leg::inverse`], from the places of the joints by
+//! [`Leg::inverse_of_points`], from where the ankle shall be by [`Leg::reach`]. Angles are in
+//! radians, right-handed; a positive knee angle bends the calf backwards, to −z.
 
 mod inverse;
 mod points;
@@ -46,8 +48,8 @@ pub struct Leg {
     foot: f64,
 }
 
-/// The angles of a leg's joints in radians. The turns are about axes that have turned along (intrinsic), in the order z, y, x at
-/// the hip and x, z at the ankle.
+/// The angles of a leg's joints in radians. The turns are about axes that have turned along
+/// (intrinsic), in the order z, y, x at the hip and x, z at the ankle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LegAngles {
     /// α: about z, swings the leg sideways.
@@ -231,8 +233,9 @@ impl LegPose {
         ]
     }
 
-    /// The angle between thigh and calf at the knee, π for a straight leg, by the bivector and the scalar part of the product of
-    /// the two lines; the arc cosine of the scalar part alone would lose half the digits there.
+    /// The angle between thigh and calf at the knee, π for a straight leg, by the bivector and the
+    /// scalar part of the product of the two lines; the arc cosine of the scalar part alone would
+    /// lose half the digits there.
     #[must_use]
     pub fn knee_interior_angle(&self) -> f64 {
         let [thigh, calf, _] = self.bones();
@@ -246,7 +249,8 @@ impl LegPose {
         self.hip.distance(self.ankle)
     }
 
-    /// Where points of the skin are that are given at rest, with weights for thigh, calf and foot in this order.
+    /// Where points of the skin are that are given at rest, with weights for thigh, calf and foot
+    /// in this order.
     ///
     /// # Errors
     /// [`SkinError`] where points and weights do not fit together.

@@ -1,8 +1,8 @@
 //! Three-dimensional animation on conformal geometric algebra.
 //!
-//! A mesh is a list of conformal points, a skeleton a tree of joints, a pose one motor for each joint, and skinning carries the
-//! points along. Every motion here is a [`Motor`](ga_runtime::cga3::Motor): of a joint, of a
-//! bone as a line, of a vertex as a point.
+//! A mesh is a list of conformal points, a skeleton a tree of joints, a pose one motor for each
+//! joint, and skinning carries the points along. Every motion here is a
+//! [`Motor`](ga_runtime::cga3::Motor): of a joint, of a bone as a line, of a vertex as a point.
 //!
 //! | module | what it does |
 //! | --- | --- |
@@ -19,14 +19,14 @@
 //!
 //! # Conventions
 //!
-//! Coordinates are right-handed with y up, and a person looks along z. Lengths are in metres unless a file
-//! has another unit: readers keep the file's, and [`Mesh::scaled`](mesh::Mesh::scaled) and
-//! [`Skeleton::scaled`](skeleton::Skeleton::scaled) convert. Angles are in radians, times in seconds, and indices count from 0;
-//! in messages lines count from 1. A motor takes a point at rest to the pose, x' = G x ~G, and in a product of motors the right one
-//! comes first.
+//! Coordinates are right-handed with y up, and a person looks along z. Lengths are in metres unless
+//! a file has another unit: readers keep the file's, and [`Mesh::scaled`](mesh::Mesh::scaled) and
+//! [`Skeleton::scaled`](skeleton::Skeleton::scaled) convert. Angles are in radians, times in
+//! seconds, and indices count from 0; in messages lines count from 1. A motor takes a point at rest
+//! to the pose, x' = G x ~G, and in a product of motors the right one comes first.
 //!
-//! Readers are strict and their errors name file, line and element; see [`ReadError`]. Files are written whole or
-//! not at all; see [`atomic_write`].
+//! Readers are strict and their errors name file, line and element; see [`ReadError`]. Files are
+//! written whole or not at all; see [`atomic_write`].
 //!
 //! # A joint bends
 //!

@@ -1,8 +1,9 @@
 //! Polygon meshes: vertices in the order of their file, faces with any number of corners.
 //!
-//! A mesh is a list of points and a list of polygons that refer to them by index. Polygons are kept as they were read,
-//! quadrilaterals included; whoever needs triangles asks for them. Nothing here splits or merges vertices, so that
-//! weights, targets and other data numbered by vertex go on fitting.
+//! A mesh is a list of points and a list of polygons that refer to them by index. Polygons are kept
+//! as they were read, quadrilaterals included; whoever needs triangles asks for them. Nothing here
+//! splits or merges vertices, so that weights, targets and other data numbered by vertex go on
+//! fitting.
 
 mod faces;
 mod part;
@@ -12,7 +13,8 @@ use ga_runtime::cga3::Point;
 pub use faces::{Faces, Polygons};
 pub use part::Part;
 
-/// The place of one vertex, as a conformal point: three coordinates, and the whole vector to every product.
+/// The place of one vertex, as a conformal point: three coordinates, and the whole vector to every
+/// product.
 pub type Position = Point<f64>;
 
 /// A polygon mesh whose indices are all in range and whose numbers are all finite.
@@ -37,12 +39,14 @@ pub struct Mesh {
     groups: Vec<Group>,
 }
 
-/// Texture coordinates, numbered apart from the vertices: one vertex may have another coordinate in each of its faces.
+/// Texture coordinates, numbered apart from the vertices: one vertex may have another coordinate in
+/// each of its faces.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Texture {
     /// The coordinates (u, v), u to the right and v up, the unit square being one picture.
     pub coordinates: Vec<[f64; 2]>,
-    /// For each corner of each face, in the order of [`Faces::corners`], the coordinate it has, if any.
+    /// For each corner of each face, in the order of [`Faces::corners`], the coordinate it has, if
+    /// any.
     pub corners: Vec<Option<u32>>,
 }
 
@@ -135,7 +139,8 @@ impl Mesh {
     ///
     /// # Errors
     ///
-    /// [`MeshError::NotFinite`] and [`MeshError::IndexOutOfRange`]; [`MeshError::TooLarge`] past 2³² − 1 vertices.
+    /// [`MeshError::NotFinite`] and [`MeshError::IndexOutOfRange`]; [`MeshError::TooLarge`] past
+    /// 2³² − 1 vertices.
     pub fn new<P: Into<Position>>(positions: Vec<P>, faces: Faces) -> Result<Self, MeshError> {
         let positions: Vec<Position> = positions.into_iter().map(Into::into).collect();
         if u32::try_from(positions.len()).is_err() {
@@ -176,7 +181,8 @@ impl Mesh {
     ///
     /// # Errors
     ///
-    /// [`MeshError::TextureNotFinite`], [`MeshError::TextureLength`] and [`MeshError::TextureIndexOutOfRange`].
+    /// [`MeshError::TextureNotFinite`], [`MeshError::TextureLength`] and
+    /// [`MeshError::TextureIndexOutOfRange`].
     pub fn with_texture(mut self, texture: Texture) -> Result<Self, MeshError> {
         for (index, &coordinates) in texture.coordinates.iter().enumerate() {
             if !coordinates.iter().all(|x| x.is_finite()) {
@@ -283,7 +289,8 @@ impl Mesh {
     ///
     /// # Errors
     ///
-    /// As [`Mesh::new`]; fewer positions than before leave faces with [`MeshError::IndexOutOfRange`].
+    /// As [`Mesh::new`]; fewer positions than before leave faces with
+    /// [`MeshError::IndexOutOfRange`].
     pub fn with_positions<P: Into<Position>>(&self, positions: Vec<P>) -> Result<Self, MeshError> {
         let moved = Self::new(positions, self.faces.clone())?;
         Ok(Self {

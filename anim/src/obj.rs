@@ -1,7 +1,8 @@
 //! Wavefront OBJ: polygon meshes as text, read strictly and in file order.
 //!
-//! Vertex n of the mesh is the n-th `v` line of the file, also when no face uses it, so that weights and other data
-//! numbered by vertex fit. Every number must be finite and every index in range; an error names the line and the word at fault.
+//! Vertex n of the mesh is the n-th `v` line of the file, also when no face uses it, so that
+//! weights and other data numbered by vertex fit. Every number must be finite and every index in
+//! range; an error names the line and the word at fault.
 //!
 //! | line | read as |
 //! | --- | --- |
@@ -13,13 +14,15 @@
 //! | `s`, `usemtl`, `mtllib`, `l`, `p` and other attributes | left out |
 //! | `curv`, `surf` and other free-form geometry, unknown words | an error |
 //!
-//! A line that ends in `\` goes on in the next one. Line ends may be LF or CR LF. A word that begins with `#` begins a
-//! comment, which ends with its line; a line of comment may be in any encoding, everything else is UTF-8.
+//! A line that ends in `\` goes on in the next one. Line ends may be LF or CR LF. A word that
+//! begins with `#` begins a comment, which ends with its line; a line of comment may be in any
+//! encoding, everything else is UTF-8.
 //!
-//! The reader stands on its own rather than on `tobj`, which deals out vertices by group in order of use, drops those
-//! that no face uses, lets NaN through and knows no line numbers. All of that can be mended around it, by a scan of
-//! the text before and a table of vertices after, but the scan then already holds the mesh that is wanted, so that
-//! nothing is left for a second parser but to take its time. The tests keep `tobj` as a second opinion on the faces.
+//! The reader stands on its own rather than on `tobj`, which deals out vertices by group in order
+//! of use, drops those that no face uses, lets NaN through and knows no line numbers. All of that
+//! can be mended around it, by a scan of the text before and a table of vertices after, but the
+//! scan then already holds the mesh that is wanted, so that nothing is left for a second parser but
+//! to take its time. The tests keep `tobj` as a second opinion on the faces.
 //!
 //! Source: Wavefront, *Advanced Visualizer* manual, appendix B1, "Object Files".
 
@@ -68,7 +71,8 @@ pub fn parse(bytes: &[u8]) -> Result<Mesh, ObjError> {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("line {line}: {problem}")]
 pub struct ObjError {
-    /// The line, from 1; for a line that goes on with `\`, where it begins; for what is missing, the last line.
+    /// The line, from 1; for a line that goes on with `\`, where it begins; for what is missing,
+    /// the last line.
     pub line: usize,
     /// What is wrong.
     pub problem: ObjProblem,

@@ -1,14 +1,16 @@
 //! Poses: how every joint of a skeleton is turned, as motors.
 //!
-//! With a joint at the place h at rest and a rotor R for its turn, the joint's own motion is the motor
+//! With a joint at the place h at rest and a rotor R for its turn, the joint's own motion is the
+//! motor
 //!
 //! ```text
 //! L = T(h) R T(−h)
 //! ```
 //!
-//! which leaves h where it is, and its motion in all is that of its parent after its own, G = G_parent L. A motor takes a
-//! point at rest, in the coordinates of mesh and skeleton, to where it is in the pose: x' = G x ~G. There are
-//! no other frames: no local axes, no bone roll. The root motion comes last, over the whole skeleton.
+//! which leaves h where it is, and its motion in all is that of its parent after its own, G =
+//! G_parent L. A motor takes a point at rest, in the coordinates of mesh and skeleton, to where it
+//! is in the pose: x' = G x ~G. There are no other frames: no local axes, no bone roll. The root
+//! motion comes last, over the whole skeleton.
 
 use ga_runtime::cga3::{Line, Motor, Point, Rotor};
 
@@ -19,7 +21,8 @@ use crate::skeleton::Skeleton;
 pub struct Pose {
     /// The motion of the whole skeleton.
     pub root: Motor<f64>,
-    /// The own motion L of each joint, in the order of [`Skeleton::joints`]. It fixes the joint's place when it is a turn.
+    /// The own motion L of each joint, in the order of [`Skeleton::joints`]. It fixes the joint's
+    /// place when it is a turn.
     pub joints: Vec<Motor<f64>>,
 }
 
@@ -43,7 +46,8 @@ impl Pose {
         }
     }
 
-    /// The pose in which each joint turns about its own place by a rotor, given in the axes of the skeleton at rest.
+    /// The pose in which each joint turns about its own place by a rotor, given in the axes of the
+    /// skeleton at rest.
     ///
     /// # Errors
     ///
@@ -109,8 +113,8 @@ impl Pose {
             .collect())
     }
 
-    /// The line along each bone in the pose, from head to tail: p ∧ q ∧ ∞, moved whole by the joint's motor. A bone
-    /// without length has none.
+    /// The line along each bone in the pose, from head to tail: p ∧ q ∧ ∞, moved whole by the
+    /// joint's motor. A bone without length has none.
     ///
     /// # Errors
     ///
@@ -132,8 +136,9 @@ impl Pose {
         Ok(lines.collect())
     }
 
-    /// The pose a part `t` of the way from this one to `other`: every motor moves along its screw, the shorter way round.
-    /// Two turns of a joint about its own place give one about that place (the slerp of their quaternions).
+    /// The pose a part `t` of the way from this one to `other`: every motor moves along its screw,
+    /// the shorter way round. Two turns of a joint about its own place give one about that place
+    /// (the slerp of their quaternions).
     ///
     /// Only as many joints as both poses have are kept.
     #[must_use]

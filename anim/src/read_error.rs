@@ -1,7 +1,8 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// A file could not be read, or does not hold what it should; `E` says what is wrong with the contents.
+/// A file could not be read, or does not hold what it should; `E` says what is wrong with the
+/// contents.
 #[derive(Debug, thiserror::Error)]
 pub enum ReadError<E> {
     /// The operating system could not read the file.

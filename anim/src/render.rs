@@ -1,9 +1,10 @@
 //! Pictures of triangle meshes: a small software renderer.
 //!
-//! [`render`] draws a mesh, given as plain positions and triangles, with smooth shading, on a level ground that carries
-//! its shadow, optionally with its skeleton on top; and beside the picture it returns the [`DepthMap`]. Hidden surfaces
-//! are removed by a depth buffer at several samples per pixel, lighting is computed in linear light, and equal input
-//! gives equal pictures, bit for bit. The world's *y* axis points up; lengths are in the unit of the model.
+//! [`render`] draws a mesh, given as plain positions and triangles, with smooth shading, on a level
+//! ground that carries its shadow, optionally with its skeleton on top; and beside the picture it
+//! returns the [`DepthMap`]. Hidden surfaces are removed by a depth buffer at several samples per
+//! pixel, lighting is computed in linear light, and equal input gives equal pictures, bit for bit.
+//! The world's *y* axis points up; lengths are in the unit of the model.
 //!
 //! ```
 //! use ga_anim::render::{Camera, Scene, Style, ViewDirection, render};
@@ -120,12 +121,13 @@ pub enum RenderError {
 
 /// Draws a scene.
 ///
-/// The mesh is drawn two-sided; triangles without area are left out. Parts nearer than the camera's near depth are
-/// cut off exactly.
+/// The mesh is drawn two-sided; triangles without area are left out. Parts nearer than the camera's
+/// near depth are cut off exactly.
 ///
 /// # Errors
 ///
-/// [`RenderError`] for coordinates that are not finite, indices out of range, and styles that make no picture.
+/// [`RenderError`] for coordinates that are not finite, indices out of range, and styles that make
+/// no picture.
 pub fn render(scene: &Scene, camera: &Camera, style: &Style) -> Result<Rendering, RenderError> {
     style.check()?;
     check(scene)?;

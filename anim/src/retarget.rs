@@ -1,33 +1,40 @@
 //! Retargeting: a recorded motion carried over to another skeleton.
 //!
-//! Source (a [`Bvh`]) and target (a [`Skeleton`]) differ in unit, in proportions and in how they stand at rest. Joints
-//! are matched by name. With A the rotor that makes a target bone at rest point as the source's does at rest, and S the rotor of the
-//! source joint in a frame, all parents included, the target joint turns, all parents included, by
+//! Source (a [`Bvh`]) and target (a [`Skeleton`]) differ in unit, in proportions and in how they
+//! stand at rest. Joints are matched by name. With A the rotor that makes a target bone at rest
+//! point as the source's does at rest, and S the rotor of the source joint in a frame, all parents
+//! included, the target joint turns, all parents included, by
 //!
 //! ```text
 //! R = S A
 //! ```
 //!
-//! so that its bone points as the source's does. A joint without a match moves with its parent. Bones keep their lengths.
+//! so that its bone points as the source's does. A joint without a match moves with its parent.
+//! Bones keep their lengths.
 //!
 //! # How the rests are brought together
 //!
-//! Both skeletons stand upright at rest, y up, looking the same way. What differs in the limbs is then the pose, and what
-//! differs in the trunk is how the two were built: a clavicle that begins lower, a spine that is bent where the other is
-//! straight. The first is to be undone, the second to be left alone, so going down from the root
+//! Both skeletons stand upright at rest, y up, looking the same way. What differs in the limbs is
+//! then the pose, and what differs in the trunk is how the two were built: a clavicle that begins
+//! lower, a spine that is bent where the other is straight. The first is to be undone, the second
+//! to be left alone, so going down from the root
 //!
-//! - a long bone of a limb (thigh, shin, upper arm, forearm) gets the shortest rotor from where its parent's A leaves it to the
-//!   direction of the source's bone, which adds no twist; long is at least 1/8 of the skeleton's height from joint to joint,
-//!   and a limb begins at least 1/64 of it to one side of the root;
-//! - every other bone gets its parent's A, so that a hand goes with its forearm and a foot with its shin, and a root A = 1.
+//! - a long bone of a limb (thigh, shin, upper arm, forearm) gets the shortest rotor from where its
+//!   parent's A leaves it to the direction of the source's bone, which adds no twist; long is at
+//!   least 1/8 of the skeleton's height from joint to joint, and a limb begins at least 1/64 of it
+//!   to one side of the root;
+//! - every other bone gets its parent's A, so that a hand goes with its forearm and a foot with its
+//!   shin, and a root A = 1.
 //!
 //! # Where the body goes
 //!
-//! The scale is the ratio of the lengths of the legs, a leg being the chain of long bones above a joint with a sole (see [`Soles`]). In every frame the middle of
-//! the target's hip joints is the scaled middle of the source's, so that feet move as far as strides are long and stand still when the
-//! source's do. The height above the ground, which a recording does not tell, is one number for the whole of it:
-//! the soles' lowest points of all frames are ordered, and a quarter of them lies below y = 0. Most recordings spend
-//! more than that standing, and the few lower ones are their noise.
+//! The scale is the ratio of the lengths of the legs, a leg being the chain of long bones above a
+//! joint with a sole (see [`Soles`]). In every frame the middle of the target's hip joints is the
+//! scaled middle of the source's, so that feet move as far as strides are long and stand still when
+//! the source's do. The height above the ground, which a recording does not tell, is one number for
+//! the whole of it: the soles' lowest points of all frames are ordered, and a quarter of them lies
+//! below y = 0. Most recordings spend more than that standing, and the few lower ones are their
+//! noise.
 
 mod correspondence;
 mod soles;
@@ -97,8 +104,8 @@ impl<'a> Retarget<'a> {
     ///
     /// # Errors
     ///
-    /// [`RetargetError::NoMatch`], [`RetargetError::NoLegs`], [`RetargetError::NoFrames`], [`RetargetError::Overflow`], and
-    /// [`RetargetError::Pose`] for the soles of another skeleton.
+    /// [`RetargetError::NoMatch`], [`RetargetError::NoLegs`], [`RetargetError::NoFrames`],
+    /// [`RetargetError::Overflow`], and [`RetargetError::Pose`] for the soles of another skeleton.
     pub fn new(
         source: &'a Bvh,
         target: &'a Skeleton,
@@ -138,7 +145,8 @@ impl<'a> Retarget<'a> {
         self.correspondence.scale
     }
 
-    /// The joints of the skeleton that move with their parents, since the recording has none of their names.
+    /// The joints of the skeleton that move with their parents, since the recording has none of
+    /// their names.
     pub fn unmatched(&self) -> impl Iterator<Item = &'a str> + '_ {
         let joints = self
             .target

@@ -1,10 +1,11 @@
 //! Rigs for the MakeHuman base mesh: bones and painted weights, as JSON.
 //!
-//! The rig file is an object of bones by name; of each bone `head.default_position`, `tail.default_position` and `parent` (a
-//! name, or empty for a root) are read. Its positions are Blender's: z up, the person looking along −y, and ten of the mesh's
-//! units long. In the mesh's coordinates (y up, looking along z, decimetres) such a position (x, y, z) is (10x, 10z, −10y), which is
-//! how the joints come out. The weights file has a member `weights`, an object of bones by name, each a list of
-//! (vertex, weight).
+//! The rig file is an object of bones by name; of each bone `head.default_position`,
+//! `tail.default_position` and `parent` (a name, or empty for a root) are read. Its positions are
+//! Blender's: z up, the person looking along −y, and ten of the mesh's units long. In the mesh's
+//! coordinates (y up, looking along z, decimetres) such a position (x, y, z) is (10x, 10z, −10y),
+//! which is how the joints come out. The weights file has a member `weights`, an object of bones by
+//! name, each a list of (vertex, weight).
 //!
 //! Source: the files of MPFB, the MakeHuman plug-in for Blender.
 
@@ -36,7 +37,8 @@ pub fn read(path: impl AsRef<Path>) -> Result<Skeleton, ReadError<RigError>> {
 ///
 /// # Errors
 ///
-/// [`RigError::Json`], [`RigError::DuplicateBone`], [`RigError::UnknownParent`], [`RigError::Cycle`] and [`RigError::Skeleton`].
+/// [`RigError::Json`], [`RigError::DuplicateBone`], [`RigError::UnknownParent`],
+/// [`RigError::Cycle`] and [`RigError::Skeleton`].
 ///
 /// # Examples
 ///
@@ -77,8 +79,9 @@ pub fn read_weights(
 ///
 /// # Errors
 ///
-/// [`RigError::Json`], [`RigError::DuplicateBone`], [`RigError::UnknownBone`] for a bone that the skeleton has not,
-/// [`RigError::VertexOutOfRange`] for a vertex that the mesh has not, and [`RigError::Weights`], also for a vertex that no bone moves.
+/// [`RigError::Json`], [`RigError::DuplicateBone`], [`RigError::UnknownBone`] for a bone that the
+/// skeleton has not, [`RigError::VertexOutOfRange`] for a vertex that the mesh has not, and
+/// [`RigError::Weights`], also for a vertex that no bone moves.
 pub fn parse_weights(
     bytes: &[u8],
     skeleton: &Skeleton,

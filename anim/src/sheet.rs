@@ -1,8 +1,9 @@
-//! Contact sheets: the frames of an animation side by side, key frames told apart from the frames between them.
+//! Contact sheets: the frames of an animation side by side, key frames told apart from the frames
+//! between them.
 //!
-//! [`contact_sheet`] draws every frame with one camera direction and one scale, chosen so that the whole figure is in
-//! every picture, and puts the pictures under each other in rows with captions. A [`Frame`] is the mesh at one moment:
-//! plain positions, however they were found.
+//! [`contact_sheet`] draws every frame with one camera direction and one scale, chosen so that the
+//! whole figure is in every picture, and puts the pictures under each other in rows with captions.
+//! A [`Frame`] is the mesh at one moment: plain positions, however they were found.
 //!
 //! ```
 //! use ga_anim::sheet::{Frame, Kind, Options, contact_sheet};
@@ -60,7 +61,8 @@ pub struct Frame<'a> {
 pub enum Kind {
     /// Given.
     Key,
-    /// Computed: `step` of `steps` equal steps of time after a key frame, the next key frame being at `steps`.
+    /// Computed: `step` of `steps` equal steps of time after a key frame, the next key frame being
+    /// at `steps`.
     InBetween {
         /// From 1 to `steps − 1`.
         step: usize,
@@ -86,13 +88,14 @@ pub struct Options {
     pub depth: bool,
     /// The height of the ground; `None` for the level of the lowest vertex of all frames.
     pub ground: Option<f64>,
-    /// The distance between the lines on the ground; `None` for a round number below a third of the figure's
-    /// height.
+    /// The distance between the lines on the ground; `None` for a round number below a third of the
+    /// figure's height.
     pub grid: Option<f64>,
 }
 
 impl Default for Options {
-    /// Pictures of 240 × 320 from three quarters, going along with the figure, in rows from key to key, with depth.
+    /// Pictures of 240 × 320 from three quarters, going along with the figure, in rows from key to
+    /// key, with depth.
     fn default() -> Self {
         Self {
             title: String::new(),
@@ -119,8 +122,8 @@ pub struct Sheet {
     pub image: RgbImage,
     /// The picture of each frame, in the order of the frames.
     pub pictures: Vec<Rendering>,
-    /// The least and greatest depth in any picture: the range of all depth pictures on the sheet. `None` when no
-    /// picture shows anything.
+    /// The least and greatest depth in any picture: the range of all depth pictures on the sheet.
+    /// `None` when no picture shows anything.
     pub depth_range: Option<(f64, f64)>,
 }
 
@@ -158,7 +161,8 @@ pub enum SheetError {
 
 /// Draws the frames of one mesh and lays them out on a sheet.
 ///
-/// All frames stand on one ground and are drawn at one scale, the largest that shows each of them whole.
+/// All frames stand on one ground and are drawn at one scale, the largest that shows each of them
+/// whole.
 ///
 /// # Errors
 ///

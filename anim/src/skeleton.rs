@@ -4,8 +4,8 @@ use std::collections::HashMap;
 
 /// A joint and its bone, at rest, in the coordinates of the mesh.
 ///
-/// The joint is at `head` and the bone goes from there to `tail`. Turning the joint turns its bone, and with it
-/// everything below, about `head`.
+/// The joint is at `head` and the bone goes from there to `tail`. Turning the joint turns its bone,
+/// and with it everything below, about `head`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
     /// The name, unique in its skeleton.
@@ -20,7 +20,8 @@ pub struct Joint {
 
 /// A tree of joints (or several trees), in which parents come before their children.
 ///
-/// So one pass over [`Skeleton::joints`] from first to last always meets a parent before its children.
+/// So one pass over [`Skeleton::joints`] from first to last always meets a parent before its
+/// children.
 ///
 /// # Examples
 ///
@@ -45,7 +46,8 @@ pub enum SkeletonError {
     /// There is no joint.
     #[error("the skeleton has no joints")]
     Empty,
-    /// A joint's parent is not among the joints before it, so it is missing, or the joints are out of order or in a cycle.
+    /// A joint's parent is not among the joints before it, so it is missing, or the joints are out
+    /// of order or in a cycle.
     #[error("joint {name:?} has joint {parent} as its parent, which does not come before it")]
     ParentNotBefore {
         /// The joint.

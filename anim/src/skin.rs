@@ -7,13 +7,14 @@
 //! | [`Method::Linear`] | x' = (Σ w A) x with A = \[R\|t\] the 3×4 matrix of each joint's motor | straight lines; volume is lost where joints twist |
 //! | [`Method::Motor`] | x' = B x ~B with B = Σ ± w G normalised | lengths round each joint: B is a rigid motion |
 //!
-//! In the motor blend each G takes the sign that brings it nearer to the strongest one's, since G and −G are one motion. The sum
-//! lies in the 8 coefficients of a dual quaternion and is made a motor again by its norm; for rotors
-//! and translators this is the dual quaternion blend.
+//! In the motor blend each G takes the sign that brings it nearer to the strongest one's, since G
+//! and −G are one motion. The sum lies in the 8 coefficients of a dual quaternion and is made a
+//! motor again by its norm; for rotors and translators this is the dual quaternion blend.
 //!
-//! Sources: N. Magnenat-Thalmann, R. Laperrière, D. Thalmann, "Joint-dependent local deformations for hand animation and object
-//! grasping", 1988; L. Kavan, S. Collins, J. Žára, C. O'Sullivan, "Geometric skinning with approximate dual quaternion
-//! blending", ACM Transactions on Graphics 27(4), 2008.
+//! Sources: N. Magnenat-Thalmann, R. Laperrière, D. Thalmann, "Joint-dependent local deformations
+//! for hand animation and object grasping", 1988; L. Kavan, S. Collins, J. Žára, C. O'Sullivan,
+//! "Geometric skinning with approximate dual quaternion blending", ACM Transactions on Graphics
+//! 27(4), 2008.
 
 mod linear;
 mod motor;
@@ -70,7 +71,8 @@ pub enum SkinError {
     },
 }
 
-/// Moves the vertices at rest by the motions of the joints (see [`Pose::motions`](crate::pose::Pose::motions)).
+/// Moves the vertices at rest by the motions of the joints (see
+/// [`Pose::motions`](crate::pose::Pose::motions)).
 ///
 /// # Errors
 ///
@@ -78,7 +80,8 @@ pub enum SkinError {
 ///
 /// # Examples
 ///
-/// Half way round a corner of a quarter turn, the linear blend falls inside the arc and the motor blend on it.
+/// Half way round a corner of a quarter turn, the linear blend falls inside the arc and the motor
+/// blend on it.
 ///
 /// ```
 /// use ga_anim::skin::{self, Method};

@@ -11,8 +11,8 @@ pub struct Influence {
 
 /// For every vertex the joints that move it, as many as there are, with weights that sum to 1.
 ///
-/// Kept as one list of influences and the place where each vertex begins (compressed sparse rows). The influences of a
-/// vertex stay in the order they were given in.
+/// Kept as one list of influences and the place where each vertex begins (compressed sparse rows).
+/// The influences of a vertex stay in the order they were given in.
 ///
 /// # Examples
 ///
@@ -75,7 +75,8 @@ pub enum WeightsError {
 }
 
 impl SkinWeights {
-    /// Weights for the vertices in turn, each a list of (joint, weight), divided by their sum. A weight of 0 is left out.
+    /// Weights for the vertices in turn, each a list of (joint, weight), divided by their sum. A
+    /// weight of 0 is left out.
     ///
     /// # Errors
     ///
@@ -129,8 +130,9 @@ impl SkinWeights {
         self.iter().map(<[_]>::len).max().unwrap_or(0)
     }
 
-    /// The same weights with at most `count` influences (at least one) on each vertex: the greatest, from the greatest
-    /// down, divided by their sum. Between equal weights the one listed first stays.
+    /// The same weights with at most `count` influences (at least one) on each vertex: the
+    /// greatest, from the greatest down, divided by their sum. Between equal weights the one listed
+    /// first stays.
     #[must_use]
     pub fn strongest(&self, count: usize) -> Self {
         let mut result = Self {
@@ -149,8 +151,8 @@ impl SkinWeights {
         result
     }
 
-    /// The weights of these vertices in this order, as for a [`Part`](crate::mesh::Part) of a mesh, or `None` when one
-    /// of them does not exist.
+    /// The weights of these vertices in this order, as for a [`Part`](crate::mesh::Part) of a mesh,
+    /// or `None` when one of them does not exist.
     #[must_use]
     pub fn select(&self, vertices: &[u32]) -> Option<Self> {
         let mut result = Self {

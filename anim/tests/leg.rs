@@ -97,7 +97,8 @@ fn cases_of_the_oracle() {
         let joints = [pose.hip, pose.knee, pose.ankle];
         let seen = leg.inverse_of_points(joints, pose.motions[2].rotor(), 1e-12);
         near("angles of the points", &array(&seen.unwrap()), &stated);
-        // The knee of the oracle bends backwards, so it is found again by reaching with itself as the pole.
+        // The knee of the oracle bends backwards, so it is found again by reaching with itself as
+        // the pole.
         let reached = leg.reach(hip, pose.ankle, pose.knee).unwrap();
         near("reach", &array(&reached)[..4], &stated[..4]);
     }
@@ -157,7 +158,8 @@ proptest! {
         stated[5] *= 0.5; // An ankle rolls by less than a quarter turn.
         let pose = leg().forward(Point::from(hip), &angles(stated)).unwrap();
         let found = leg().inverse_of_points([pose.hip, pose.knee, pose.ankle], pose.motions[2].rotor(), 1e-9).unwrap();
-        // The hinge is seen as well as the leg or the foot is bent, and turns about y near the lock are seen less well.
+        // The hinge is seen as well as the leg or the foot is bent, and turns about y near the lock
+        // are seen less well.
         let seen = stated[3].sin().abs().max(stated[4].cos().abs());
         let within = 1e-14 / (seen * stated[1].cos());
         for (a, b) in array(&found).iter().zip(stated) {
@@ -218,7 +220,8 @@ proptest! {
         let pole = pose.motions[0].transform(Point::new(0.0, -0.4, 1.0));
         let found = leg().reach(pose.hip, pose.ankle, pole).unwrap();
         let again = leg().forward(pose.hip, &found).unwrap();
-        // The bend may be as much as the square root of what is lost in the distance; the ankle loses no more than that itself.
+        // The bend may be as much as the square root of what is lost in the distance; the ankle
+        // loses no more than that itself.
         prop_assert!(again.ankle.distance(pose.ankle) < 1e-14 && found.knee.abs() < 1e-6);
         // A pole in line with the leg shows no side.
         let along = pose.motions[0].transform(Point::new(0.0, -2.0, 0.0));
@@ -378,7 +381,8 @@ fn bad_input_is_named() {
 
 #[test]
 fn a_leg_all_in_line_gives_its_turn_to_the_hip() {
-    // The foot points down along the calf and has turned by 0.4 about it: seen from the rest, a turn of the whole leg about y.
+    // The foot points down along the calf and has turned by 0.4 about it: seen from the rest, a
+    // turn of the whole leg about y.
     let stated = angles([0.0, 0.4, 0.0, 0.0, std::f64::consts::FRAC_PI_2, 0.0]);
     let pose = leg().forward(Point::new(0.1, 0.2, 0.3), &stated).unwrap();
     let joints = [pose.hip, pose.knee, pose.ankle];

@@ -1,4 +1,5 @@
-//! Meshes from OBJ files: real ones with known counts, made ones with known faults, and `tobj` as a second opinion.
+//! Meshes from OBJ files: real ones with known counts, made ones with known faults, and `tobj` as a
+//! second opinion.
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 

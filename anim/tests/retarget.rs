@@ -12,7 +12,8 @@ use proptest::array::uniform3;
 use proptest::collection::vec;
 use proptest::prelude::*;
 
-/// Name, parent and place of the joints of a body that stands with its arms out; an end of a limb is a joint too.
+/// Name, parent and place of the joints of a body that stands with its arms out; an end of a limb
+/// is a joint too.
 const BODY: [(&str, Option<usize>, [f64; 3]); 17] = [
     ("hips", None, [0.0, 10.0, 0.0]),
     ("chest", Some(0), [0.0, 14.0, 0.2]),
@@ -49,7 +50,8 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     ]
 }
 
-/// The body as a recording: the root has a place and all joints have three angles, in an order that differs from joint to joint.
+/// The body as a recording: the root has a place and all joints have three angles, in an order that
+/// differs from joint to joint.
 fn recording(frames: &[Vec<f64>]) -> Bvh {
     fn joint(index: usize, text: &mut String) {
         let (name, parent, place) = BODY[index];
@@ -109,7 +111,8 @@ fn frames() -> impl Strategy<Value = Vec<Vec<f64>>> {
     vec(frame, 1..6)
 }
 
-/// The heads of the joints of the target in a frame, and where the source has them, in units of the target.
+/// The heads of the joints of the target in a frame, and where the source has them, in units of the
+/// target.
 fn both(retarget: &Retarget, source: &Bvh, target: &Skeleton, frame: usize) -> Vec<[[f64; 3]; 2]> {
     let bones = retarget.pose(frame).unwrap().bones(target).unwrap();
     let places = source.joint_positions(frame).unwrap();
@@ -147,7 +150,8 @@ proptest! {
         }
     }
 
-    /// A limb as a whole turned square to its first bone at rest: what hangs on it goes with it, and nothing rolls.
+    /// A limb as a whole turned square to its first bone at rest: what hangs on it goes with it,
+    /// and nothing rolls.
     #[test]
     fn a_limb_held_otherwise_at_rest_makes_no_difference(
         frames in frames(),
@@ -170,7 +174,8 @@ proptest! {
         }
     }
 
-    /// Other directions and lengths of limbs at rest: long bones point as the source's do, and the trunk turns as it does.
+    /// Other directions and lengths of limbs at rest: long bones point as the source's do, and the
+    /// trunk turns as it does.
     #[test]
     fn long_bones_point_alike_and_the_rest_turns_alike(
         frames in frames(),

@@ -22,7 +22,8 @@ fn length(a: [f64; 3]) -> f64 {
     a.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
-/// The CMU recording 01_01 and the MakeHuman body in metres: a person who jumps forward, turns round and jumps back.
+/// The CMU recording 01_01 and the MakeHuman body in metres: a person who jumps forward, turns
+/// round and jumps back.
 struct Real {
     source: Bvh,
     skeleton: Skeleton,

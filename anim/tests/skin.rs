@@ -241,7 +241,8 @@ proptest! {
     }
 }
 
-/// Two joints turn by 120 degrees either way: next to the third, which is still, both are near, but next to each other they are not.
+/// Two joints turn by 120 degrees either way: next to the third, which is still, both are near, but
+/// next to each other they are not.
 #[test]
 fn motors_take_the_sign_that_suits_the_strongest() {
     let turned = |angle: f64| Motor::from(rotor([0.0, 0.0, angle.to_radians()]));

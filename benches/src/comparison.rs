@@ -8,7 +8,8 @@ use criterion::{BenchmarkGroup, Criterion, Throughput};
 
 use crate::inputs::INPUTS;
 
-/// Criterion with short runs: `run.sh` repeats whole passes instead, so that a slow moment of the machine falls on all alike.
+/// Criterion with short runs: `run.sh` repeats whole passes instead, so that a slow moment of the
+/// machine falls on all alike.
 #[must_use]
 pub fn criterion() -> Criterion {
     Criterion::default()
@@ -32,8 +33,8 @@ impl<'a> Comparison<'a> {
         Self { group }
     }
 
-    /// Times an operation over a list of inputs, results written to a list: a user's loop, which the compiler may reorder
-    /// and vectorise as it may theirs.
+    /// Times an operation over a list of inputs, results written to a list: a user's loop, which
+    /// the compiler may reorder and vectorise as it may theirs.
     pub fn map<A, R>(&mut self, contender: &str, inputs: &[A], operation: impl Fn(&A) -> R) {
         let mut results: Vec<R> = inputs.iter().map(&operation).collect();
         self.group.bench_function(contender, |bencher| {
@@ -85,7 +86,8 @@ impl<'a> Comparison<'a> {
         });
     }
 
-    /// Times an operation whose every operand and result is opaque to the compiler, so that each is done by itself.
+    /// Times an operation whose every operand and result is opaque to the compiler, so that each is
+    /// done by itself.
     pub fn one_by_one<A, B, R>(
         &mut self,
         contender: &str,

@@ -4,7 +4,8 @@ use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 
 use crate::precision::Precision;
 
-/// How many inputs each benchmark goes through in turn: enough that nothing is a constant, few enough for the first-level cache.
+/// How many inputs each benchmark goes through in turn: enough that nothing is a constant, few
+/// enough for the first-level cache.
 pub const INPUTS: usize = 1024;
 
 /// Reproducible numbers in (−1, 1) (SplitMix64: Steele, Lea and Flood 2014).

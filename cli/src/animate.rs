@@ -20,12 +20,12 @@ use crate::storyboard::{self, Numbering, Storyboard};
 
 /// Let a figure of your own move as a recorded person did.
 ///
-/// Writes the same files as `demo`: model.obj (the mesh at rest), model.glb (mesh, skeleton, skin weights and the motion), sheet.png (key
-/// frames at four places of the range with three in-betweens after each, shaded and as depth) and report.json. Lengths are metres,
-/// y points up.
+/// Writes the same files as `demo`: model.obj (the mesh at rest), model.glb (mesh, skeleton, skin
+/// weights and the motion), sheet.png (key frames at four places of the range with three
+/// in-betweens after each, shaded and as depth) and report.json. Lengths are metres, y points up.
 ///
-/// Motion and rig are matched by the names of their joints. They may differ in unit, in proportions and in how the arms and legs
-/// stand at rest.
+/// Motion and rig are matched by the names of their joints. They may differ in unit, in proportions
+/// and in how the arms and legs stand at rest.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct Arguments {
     /// The mesh: Wavefront OBJ, y up, looking along +z, standing upright.
@@ -42,14 +42,16 @@ pub(crate) struct Arguments {
     motion: PathBuf,
     /// The first frame of the motion, counted from 0.
     ///
-    /// Without it, 0; or 1 where frame 0 is a calibration pose (such as a T) that the body leaves in a leap: more than three times as
-    /// far as it moves between any two later frames. The summary and the report tell when that is so.
+    /// Without it, 0; or 1 where frame 0 is a calibration pose (such as a T) that the body leaves
+    /// in a leap: more than three times as far as it moves between any two later frames. The
+    /// summary and the report tell when that is so.
     #[arg(long, value_name = "F")]
     from: Option<usize>,
     /// The last frame of the motion; without it, its end.
     #[arg(long, value_name = "F")]
     to: Option<usize>,
-    /// Frames per second of the animation in model.glb, at most 1000. At 30, 23 seconds of 31 joints add 0.3 MB.
+    /// Frames per second of the animation in model.glb, at most 1000. At 30, 23 seconds of 31
+    /// joints add 0.3 MB.
     #[arg(
         long,
         value_name = "N",
@@ -57,9 +59,11 @@ pub(crate) struct Arguments {
         allow_negative_numbers = true
     )]
     fps: f64,
-    /// The group of the mesh that is the figure; without it, `body` where there is such a group, else the whole mesh.
+    /// The group of the mesh that is the figure; without it, `body` where there is such a group,
+    /// else the whole mesh.
     ///
-    /// Meshes made for modelling hold more than one wants to see: guides for clothes, cubes that mark joints.
+    /// Meshes made for modelling hold more than one wants to see: guides for clothes, cubes that
+    /// mark joints.
     #[arg(long, value_name = "NAME")]
     group: Option<String>,
     /// How many metres one unit of the mesh is. MakeHuman's unit is the decimetre.

@@ -14,10 +14,12 @@ use crate::figure::Figure;
 pub(crate) struct Checks {
     /// The greatest difference between the length of a bone in a frame and at rest.
     pub(crate) bone_length_deviation_max_metres: f64,
-    /// The height of the lowest vertex above the ground, where it is least and where it is greatest.
+    /// The height of the lowest vertex above the ground, where it is least and where it is
+    /// greatest.
     pub(crate) lowest_vertex_min_metres: f64,
     pub(crate) lowest_vertex_max_metres: f64,
-    /// The angle from the vertical to the way from the root joint to the one that is highest at rest.
+    /// The angle from the vertical to the way from the root joint to the one that is highest at
+    /// rest.
     pub(crate) trunk_from_upright_mean_degrees: f64,
     pub(crate) trunk_from_upright_max_degrees: f64,
     /// The distance between the places of a vertex under linear and under motor blend.

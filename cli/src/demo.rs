@@ -13,8 +13,9 @@ use crate::storyboard::{self, Numbering, STEPS, Storyboard};
 
 /// Make a person and let it walk: no input needed.
 ///
-/// Writes model.obj (the mesh at rest), model.glb (mesh, skeleton, skin weights and the walk), sheet.png (key frames with
-/// three in-betweens after each, shaded and as depth) and report.json. Lengths are metres, y points up.
+/// Writes model.obj (the mesh at rest), model.glb (mesh, skeleton, skin weights and the walk),
+/// sheet.png (key frames with three in-betweens after each, shaded and as depth) and report.json.
+/// Lengths are metres, y points up.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct Arguments {
     #[command(flatten)]

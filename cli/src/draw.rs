@@ -8,8 +8,9 @@ use ga_draw::Scene;
 
 /// Draw a scene of points, spheres, circles, lines, planes and motions.
 ///
-/// The scene is JSON with a list of elements, each of one kind: point, flat_point, point_pair, circle, sphere, line, plane, direction, motor,
-/// trajectory, blade (coefficients by the names of blades), meet or join (the names of two earlier elements) or moved. For instance
+/// The scene is JSON with a list of elements, each of one kind: point, flat_point, point_pair,
+/// circle, sphere, line, plane, direction, motor, trajectory, blade (coefficients by the names of
+/// blades), meet or join (the names of two earlier elements) or moved. For instance
 ///
 /// {"title": "A line meets a sphere", "elements": [
 ///   {"name": "S", "sphere": {"centre": [0, 0, 0], "radius": 1}},
@@ -23,7 +24,8 @@ pub(crate) struct Arguments {
     /// The scene, as JSON.
     #[arg(value_name = "FILE.json")]
     file: PathBuf,
-    /// The file to be written: a picture where it ends in .svg, a page that turns under the mouse where it ends in .html.
+    /// The file to be written: a picture where it ends in .svg, a page that turns under the mouse
+    /// where it ends in .html.
     #[arg(long, value_name = "FILE.html or FILE.svg")]
     out: PathBuf,
 }

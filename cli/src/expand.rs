@@ -18,11 +18,13 @@ use algebra::Algebra;
 pub(crate) use diagnostic::SourceError;
 use source::Source;
 
-/// Print what the compiler makes of functions in an algebra: Rust, a shader, formulas, a graph or the number of operations.
+/// Print what the compiler makes of functions in an algebra: Rust, a shader, formulas, a graph or
+/// the number of operations.
 ///
 /// The functions stand as they do in `ga! { … }`, for instance
-/// `fn f(m: Motor, p: Point) -> Point { m * p * rev(m) }`. They come from --expr, from a file or, where the file is `-`, from
-/// standard input. A Rust file may be given as it is: the contents of every `ga! { … }` in it are taken.
+/// `fn f(m: Motor, p: Point) -> Point { m * p * rev(m) }`. They come from --expr, from a file or,
+/// where the file is `-`, from standard input. A Rust file may be given as it is: the contents of
+/// every `ga! { … }` in it are taken.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct Arguments {
     /// A file with the functions; `-` for standard input.
@@ -35,10 +37,11 @@ pub(crate) struct Arguments {
     /// The functions themselves.
     #[arg(long, value_name = "TEXT")]
     expr: Option<String>,
-    /// The algebra: cga2, cga3, pga2, pga3, sta, vga2, vga3 or a file with an `algebra! { … }` of your own.
+    /// The algebra: cga2, cga3, pga2, pga3, sta, vga2, vga3 or a file with an `algebra! { … }` of
+    /// your own.
     ///
-    /// Without it, the one that `ga! { … }` names in the functions' file, where that ships with ga-runtime or is declared in the same file; otherwise
-    /// cga3.
+    /// Without it, the one that `ga! { … }` names in the functions' file, where that ships with
+    /// ga-runtime or is declared in the same file; otherwise cga3.
     #[arg(long, value_name = "NAME or FILE")]
     algebra: Option<String>,
     /// What to print.
@@ -46,8 +49,8 @@ pub(crate) struct Arguments {
     emit: Form,
     /// With --emit ops: print {"mul", "add", "div", "sqrt", "other", "uniform": {…}} as JSON.
     ///
-    /// `uniform` counts what is done once for the uniform operands, the rest what is done in every call. For several functions it is one
-    /// object with the functions' names as keys.
+    /// `uniform` counts what is done once for the uniform operands, the rest what is done in every
+    /// call. For several functions it is one object with the functions' names as keys.
     #[arg(long)]
     json: bool,
 }

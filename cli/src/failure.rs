@@ -12,8 +12,8 @@ pub(crate) fn text(error: &Error) -> String {
     }
 }
 
-/// What went wrong and why, outermost first, in one line. A cause that the message before it has told already is left
-/// out.
+/// What went wrong and why, outermost first, in one line. A cause that the message before it has
+/// told already is left out.
 fn one_line(error: &Error) -> String {
     let mut line = String::new();
     for cause in error.chain().map(ToString::to_string) {

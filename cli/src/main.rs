@@ -1,4 +1,5 @@
-//! The `nullcone` program: animation and stereo vision on conformal geometric algebra, and a look into its compiler.
+//! The `nullcone` program: animation and stereo vision on conformal geometric algebra, and a look
+//! into its compiler.
 
 mod animate;
 mod checks;

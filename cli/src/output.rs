@@ -33,10 +33,12 @@ pub(crate) fn check_place(folder: &Path, names: &[&str]) -> Result<()> {
     Ok(())
 }
 
-/// Writes the files into a folder, in place of any of the same names, making the folder and those above it.
+/// Writes the files into a folder, in place of any of the same names, making the folder and those
+/// above it.
 ///
-/// The files are complete in a hidden folder beside their places before the first of them is moved there. When one cannot be
-/// written, what stood in the folder stays as it was, and folders that were made are removed.
+/// The files are complete in a hidden folder beside their places before the first of them is moved
+/// there. When one cannot be written, what stood in the folder stays as it was, and folders that
+/// were made are removed.
 pub(crate) fn write_all(folder: &Path, files: &[File]) -> Result<()> {
     let made = missing_folders(folder);
     write_staged(folder, files).inspect_err(|_| {

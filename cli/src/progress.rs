@@ -2,8 +2,8 @@
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// A bar on standard error with the name of the present step. It shows nothing where standard error is no terminal,
-/// and is gone when it is dropped.
+/// A bar on standard error with the name of the present step. It shows nothing where standard error
+/// is no terminal, and is gone when it is dropped.
 pub(crate) struct Progress {
     bar: ProgressBar,
 }

@@ -7,8 +7,9 @@ use crate::checks::distance;
 /// How many times as far as between any other two frames the body jumps from a calibration pose.
 const JUMP: f64 = 3.0;
 
-/// Whether the first frame is no part of the motion but a calibration pose, such as a T, that some converters put before it: from
-/// there to the second frame some joint goes more than three times as far as any does between two later frames.
+/// Whether the first frame is no part of the motion but a calibration pose, such as a T, that some
+/// converters put before it: from there to the second frame some joint goes more than three times
+/// as far as any does between two later frames.
 pub(crate) fn begins_with_calibration(motion: &Bvh) -> bool {
     let mut steps = (1..motion.frame_count()).filter_map(|frame| {
         let (before, after) = (

@@ -1,4 +1,5 @@
-//! `report.json`: what came in, what was made of it and how good it is. Equal input gives equal bytes.
+//! `report.json`: what came in, what was made of it and how good it is. Equal input gives equal
+//! bytes.
 
 use serde::Serialize;
 
@@ -83,8 +84,8 @@ pub(crate) struct AnimationReport {
     pub(crate) frames_per_second: f64,
     pub(crate) duration_seconds: f64,
     pub(crate) checks: Checks,
-    /// How far a joint of an in-between on the sheet is from where the recording has it at that time; `null` where the
-    /// motion consists of key frames only.
+    /// How far a joint of an in-between on the sheet is from where the recording has it at that
+    /// time; `null` where the motion consists of key frames only.
     pub(crate) in_between_deviation_max_metres: Option<f64>,
 }
 

@@ -72,8 +72,8 @@ pub(crate) fn draw(figure: &Figure, storyboard: &Storyboard, title: &str) -> Res
     })
 }
 
-/// The mean direction that the figure looks to, as an azimuth about the y axis from +z towards +x: at rest it looks along +z, and
-/// its root joint says how that has turned.
+/// The mean direction that the figure looks to, as an azimuth about the y axis from +z towards +x:
+/// at rest it looks along +z, and its root joint says how that has turned.
 fn heading(figure: &Figure, storyboard: &Storyboard) -> Result<f64> {
     let (mut x, mut z) = (0.0, 0.0);
     for moment in &storyboard.moments {

@@ -10,7 +10,8 @@ const ROWS: usize = 4;
 /// Steps from a key frame to the next, one more than there are in-betweens.
 pub(crate) const STEPS: usize = 4;
 
-/// What animators leave between the key poses of a walk, in seconds; between recorded frames taken as keys, too.
+/// What animators leave between the key poses of a walk, in seconds; between recorded frames taken
+/// as keys, too.
 const KEY_INTERVAL: f64 = 0.135;
 
 /// A moment to be shown.
@@ -39,8 +40,8 @@ pub(crate) struct Numbering {
 }
 
 impl Storyboard {
-    /// The rows of a clip for `spans` of its frames, each the first and the last of a row. In-betweens are found from these two
-    /// alone, along the screw from one to the other.
+    /// The rows of a clip for `spans` of its frames, each the first and the last of a row.
+    /// In-betweens are found from these two alone, along the screw from one to the other.
     pub(crate) fn new(clip: &Clip, spans: &[[usize; 2]], numbering: Numbering) -> Self {
         let frames = clip.frames();
         let mut moments = Vec::new();
@@ -80,8 +81,9 @@ pub(crate) fn spans_of_keys(clip: &Clip) -> Vec<[usize; 2]> {
     }
 }
 
-/// The rows of a recording, one after the other where they fill it, else evenly spread over it. Their length is a multiple of
-/// four frames where it can be, so that in-betweens fall on recorded frames.
+/// The rows of a recording, one after the other where they fill it, else evenly spread over it.
+/// Their length is a multiple of four frames where it can be, so that in-betweens fall on recorded
+/// frames.
 pub(crate) fn spans_of_recording(clip: &Clip) -> Vec<[usize; 2]> {
     let last = clip.frames().len() - 1;
     let fours = (KEY_INTERVAL / clip.frame_time() / STEPS as f64).round();

@@ -10,7 +10,8 @@ use anyhow::{Context, Result};
 use crate::output::File;
 use crate::report::Report;
 
-/// Prints where everything was written and what is worth knowing of it. Whoever stops reading before the end is left alone.
+/// Prints where everything was written and what is worth knowing of it. Whoever stops reading
+/// before the end is left alone.
 pub(crate) fn print(
     report: &Report,
     folder: &Path,

@@ -56,7 +56,8 @@ pub(crate) struct Found {
 }
 
 impl TwoViews {
-    /// Sees the joints of every frame, exactly and with a standard deviation of 1 pixel in both directions, and triangulates them.
+    /// Sees the joints of every frame, exactly and with a standard deviation of 1 pixel in both
+    /// directions, and triangulates them.
     pub(crate) fn new(figure: &Figure, clip: &Clip, seed: u64) -> Result<Self> {
         let mut joints: Vec<Point<f64>> = Vec::new();
         for pose in clip.frames() {
@@ -113,8 +114,9 @@ fn middle(points: &[Point<f64>]) -> [f64; 3] {
     })
 }
 
-/// Two cameras that look at the middle from one height and one distance. A ball round the middle that holds all points fits
-/// into both pictures, and the cameras stand where the points spread across the picture rather than in depth.
+/// Two cameras that look at the middle from one height and one distance. A ball round the middle
+/// that holds all points fits into both pictures, and the cameras stand where the points spread
+/// across the picture rather than in depth.
 fn rig(points: &[Point<f64>], target: [f64; 3]) -> Option<StereoRig> {
     let target = Point::from(target);
     let radius = points

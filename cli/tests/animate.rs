@@ -194,7 +194,8 @@ fn nothing_in_the_files_tells_where_they_were_made() {
     assert!(contents(&here.path().join("a")) == contents(&absolute));
 }
 
-/// The CMU recording of a person who jumps ahead, turns round and jumps back, on the MakeHuman person.
+/// The CMU recording of a person who jumps ahead, turns round and jumps back, on the MakeHuman
+/// person.
 #[test]
 fn a_real_recording_moves_a_real_figure() {
     let (Some(mesh), Some(rig), Some(weights), Some(motion)) = (

@@ -10,8 +10,8 @@ use tempfile::tempdir;
 
 const FRAMES: usize = 4;
 
-/// Animates a figure of boxes, one of whose files holds something else, or with other options, and expects it to fail without
-/// writing anything.
+/// Animates a figure of boxes, one of whose files holds something else, or with other options, and
+/// expects it to fail without writing anything.
 #[track_caller]
 fn fails(replaced: &[(&str, &[u8])], options: &[&str], parts: &[&str]) {
     let folder = tempdir().unwrap();

@@ -121,8 +121,9 @@ fn two_cameras_find_the_joints() {
     let report = report(&demo().1);
     assert!(joint_error(&report, "noise_free") <= 1e-9);
 
-    // A pixel is s = D/f metres at the distance D. Two rays at the angle α to either side of the axis between the cameras, each shifted
-    // across by independent noise of standard deviation s, cross with these deviations in depth, aside and in height.
+    // A pixel is s = D/f metres at the distance D. Two rays at the angle α to either side of the
+    // axis between the cameras, each shifted across by independent noise of standard deviation s,
+    // cross with these deviations in depth, aside and in height.
     let place = |name: &str| -> [f64; 3] {
         serde_json::from_value(report["two_views"][name].clone()).unwrap()
     };
@@ -136,7 +137,8 @@ fn two_cameras_find_the_joints() {
     let depth = s / (2f64.sqrt() * alpha.sin());
     let aside = s / (2f64.sqrt() * alpha.cos());
     let height = s / 2f64.sqrt();
-    // Not less than the mean of the error in depth alone, not more than the root of the mean square of all; 5 % for the joints' distances.
+    // Not less than the mean of the error in depth alone, not more than the root of the mean square
+    // of all; 5 % for the joints' distances.
     let least = depth * (2.0 / std::f64::consts::PI).sqrt();
     let most = (depth * depth + aside * aside + height * height).sqrt();
     let found = joint_error(&report, "one_pixel_noise");

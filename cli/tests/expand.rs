@@ -156,7 +156,8 @@ fn functions_from_files_and_standard_input() {
     std::fs::write(folder.path().join("bare"), MOVED).unwrap();
     assert_eq!(run(&["bare", "--emit", "ops"]), "moved: 21 mul, 18 add\n");
 
-    // A Rust file as it is: with an algebra of its own and two calls of the macro, one of them nested.
+    // A Rust file as it is: with an algebra of its own and two calls of the macro, one of them
+    // nested.
     let source = "
         use ga_runtime::{algebra, ga};
         algebra! {

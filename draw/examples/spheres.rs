@@ -1,4 +1,5 @@
-//! Three spheres, the circle in which two of them meet, and the points that all three have in common.
+//! Three spheres, the circle in which two of them meet, and the points that all three have in
+//! common.
 //!
 //! `cargo run -p ga-draw --example spheres > spheres.svg`
 

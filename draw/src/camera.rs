@@ -84,7 +84,8 @@ impl Camera {
         }
     }
 
-    /// The plane m·x = k on whose positive side the visible part of a ball is, through its outline; m has length 1.
+    /// The plane m·x = k on whose positive side the visible part of a ball is, through its outline;
+    /// m has length 1.
     pub(crate) fn horizon(&self, centre: Vector3, radius: f64) -> (Vector3, f64) {
         let (m, distance) = self.ray(centre);
         // The pole and polar of a sphere: r²/∞ is zero.

@@ -1,7 +1,7 @@
 //! Text in markup.
 
-/// A text as it stands in XML and HTML, between tags or in an attribute. What XML has no place for, such as control
-/// characters, becomes the replacement character.
+/// A text as it stands in XML and HTML, between tags or in an attribute. What XML has no place for,
+/// such as control characters, becomes the replacement character.
 pub(crate) fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for letter in text.chars() {

@@ -51,7 +51,8 @@ impl Extent {
         }
     }
 
-    /// A place in the coordinates of the picture, in which the ball is that of radius 1 about the origin.
+    /// A place in the coordinates of the picture, in which the ball is that of radius 1 about the
+    /// origin.
     pub(crate) fn place(&self, point: Vector3) -> Vector3 {
         difference(point, self.centre).map(|x| x / self.radius)
     }

@@ -80,7 +80,8 @@ pub enum ElementError {
 }
 
 impl Scene {
-    /// Reads a scene from the bytes of a JSON text; the format is on [the page of the crate](crate#scenes-in-json).
+    /// Reads a scene from the bytes of a JSON text; the format is on [the page of the
+    /// crate](crate#scenes-in-json).
     ///
     /// # Errors
     ///

@@ -16,7 +16,8 @@ pub(crate) struct PlacedLabel {
 /// A box from its lowest to its highest coordinates.
 pub(crate) type Frame = [Pixel; 2];
 
-/// About how wide a text is: a little over half its height a letter, and all of it for the wide ones of East Asia.
+/// About how wide a text is: a little over half its height a letter, and all of it for the wide
+/// ones of East Asia.
 pub(crate) fn text_width(text: &str, size: f64) -> f64 {
     let letters = text.chars().map(|letter| match letter as u32 {
         0x300..0x370 => 0.0,
@@ -26,8 +27,8 @@ pub(crate) fn text_width(text: &str, size: f64) -> f64 {
     size * letters.sum::<f64>()
 }
 
-/// Places the texts beside their places, away from the middle of the picture where that can be, so that they cover neither each
-/// other nor dots nor what is taken.
+/// Places the texts beside their places, away from the middle of the picture where that can be, so
+/// that they cover neither each other nor dots nor what is taken.
 pub(crate) fn placed(
     picture: &Picture,
     camera: &Camera,

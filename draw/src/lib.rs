@@ -1,7 +1,9 @@
-//! Draws conformal geometric algebra: points, point pairs, circles, spheres, lines, planes, free vectors, frames and paths.
+//! Draws conformal geometric algebra: points, point pairs, circles, spheres, lines, planes, free
+//! vectors, frames and paths.
 //!
-//! A [`Scene`] takes elements of [`cga3`](ga_runtime::cga3) and becomes a picture ([`Scene::to_svg`]) or a page that turns under the mouse
-//! ([`Scene::to_html`]). Each element is first read as Euclidean geometry, a [`Shape`]; see [`Drawable`].
+//! A [`Scene`] takes elements of [`cga3`](ga_runtime::cga3) and becomes a picture
+//! ([`Scene::to_svg`]) or a page that turns under the mouse ([`Scene::to_html`]). Each element is
+//! first read as Euclidean geometry, a [`Shape`]; see [`Drawable`].
 //!
 //! ```
 //! use ga_draw::{Scene, Style};
@@ -20,13 +22,16 @@
 //!
 //! # How things look
 //!
-//! What a sphere or plane hides is dotted and paler. Imaginary elements have long dashes and are drawn as their real counterparts: the radius is
-//! √−r². A flat point is a square, an imaginary point a hollow dot, a tangent vector a dot with an arrow, a tangent bivector a dot with a
-//! small circle. Lines and planes are cut off around the finite elements. The axes x, y, z of frames are orange, green and blue.
+//! What a sphere or plane hides is dotted and paler. Imaginary elements have long dashes and are
+//! drawn as their real counterparts: the radius is √−r². A flat point is a square, an imaginary
+//! point a hollow dot, a tangent vector a dot with an arrow, a tangent bivector a dot with a small
+//! circle. Lines and planes are cut off around the finite elements. The axes x, y, z of frames are
+//! orange, green and blue.
 //!
 //! # Scenes in JSON
 //!
-//! [`Scene::from_json`] and `nullcone draw` read an object with these members, all optional but `elements`. Others are errors.
+//! [`Scene::from_json`] and `nullcone draw` read an object with these members, all optional but
+//! `elements`. Others are errors.
 //!
 //! | member | value |
 //! | --- | --- |
@@ -36,9 +41,10 @@
 //! | `axes`, `grid`, `legend` | `true` or `false`; without them there is only the legend |
 //! | `elements` | a list of elements |
 //!
-//! An element may have a `name`, by which later ones refer to it and which is its label, a `label` of its own, a `colour` (`"#0072b2"`),
-//! a `width` in pixels, an `opacity` from 0 to 1, and `"hidden": true` where it is only referred to. It has exactly one of these members,
-//! in which a place or vector is `[x, y, z]`:
+//! An element may have a `name`, by which later ones refer to it and which is its label, a `label`
+//! of its own, a `colour` (`"#0072b2"`), a `width` in pixels, an `opacity` from 0 to 1, and
+//! `"hidden": true` where it is only referred to. It has exactly one of these members, in which a
+//! place or vector is `[x, y, z]`:
 //!
 //! | kind | value |
 //! | --- | --- |
@@ -56,8 +62,8 @@
 //! | `join` | the names of two elements: `a ∧ b` |
 //! | `moved` | `{"element": name, "by": motor}` |
 //!
-//! Motors of a trajectory are joined along screws by the short way round; a `screw` may turn more than once. The examples are in
-//! `draw/examples`.
+//! Motors of a trajectory are joined along screws by the short way round; a `screw` may turn more
+//! than once. The examples are in `draw/examples`.
 
 mod camera;
 mod escape;

@@ -52,7 +52,8 @@ pub(crate) fn write(scene: &Scene) -> String {
         perspective: view.projection == Projection::Perspective,
         axes: Up::axes(view.up),
     };
-    // Nothing in it can fail: all keys are text, and numbers that are not finite are written as null.
+    // Nothing in it can fail: all keys are text, and numbers that are not finite are written as
+    // null.
     let json = serde_json::to_string(&data).unwrap_or_default();
     let title = escaped(&scene.title);
     let description = escaped(&scene.told());

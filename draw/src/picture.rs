@@ -1,6 +1,7 @@
 //! A scene as balls, flat patches, curves and dots: what both the picture and the page draw.
 //!
-//! All coordinates are those in which the [extent](crate::extent) is the ball of radius 1 about the origin.
+//! All coordinates are those in which the [extent](crate::extent) is the ball of radius 1 about the
+//! origin.
 
 use serde::Serialize;
 
@@ -310,8 +311,8 @@ impl Maker {
         }
     }
 
-    /// A square of a plane about the point nearest to the middle of the picture, ruled, with its normal; gives the corner for the
-    /// label.
+    /// A square of a plane about the point nearest to the middle of the picture, ruled, with its
+    /// normal; gives the corner for the label.
     fn plane(&mut self, pen: Pen, middle: Vector3, normal: Vector3, opacity: f64) -> Vector3 {
         let [u, v] = basis_across(normal, self.up);
         let half = 0.92 * REACH;
@@ -371,7 +372,8 @@ impl Maker {
     fn grid(&mut self, [u, v, up]: [Vector3; 3]) {
         let extent = self.extent;
         let step = round_step(extent.radius / 4.0);
-        // In units of the scene the grid is a square about the middle, with lines at multiples of the step.
+        // In units of the scene the grid is a square about the middle, with lines at multiples of
+        // the step.
         let [a, b] = [u, v].map(|axis| (dot(extent.centre, axis) / step).round());
         let reach = (REACH * extent.radius / step).floor().clamp(1.0, 12.0);
         let height = -dot(extent.centre, up) / extent.radius;

@@ -25,11 +25,13 @@ use crate::view::View;
 pub struct Scene {
     /// What the scene shows, in a few words.
     pub title: String,
-    /// What the scene shows, for those who cannot see it. Where it is empty the elements are listed.
+    /// What the scene shows, for those who cannot see it. Where it is empty the elements are
+    /// listed.
     pub description: String,
     /// Where it is looked at from.
     pub view: View,
-    /// Width and height of the picture in pixels, each from 64 to 8192; others are taken as the nearest of these.
+    /// Width and height of the picture in pixels, each from 64 to 8192; others are taken as the
+    /// nearest of these.
     pub size: [u32; 2],
     /// Whether the coordinate axes are drawn.
     pub axes: bool,
@@ -66,12 +68,13 @@ impl Scene {
         }
     }
 
-    /// Adds an element. Widths and opacities that make no sense are taken as the nearest that do: widths from 0.25 to 20
-    /// pixels, opacities from 0 to 1, and what is no number as not given.
+    /// Adds an element. Widths and opacities that make no sense are taken as the nearest that do:
+    /// widths from 0.25 to 20 pixels, opacities from 0 to 1, and what is no number as not given.
     ///
     /// # Errors
     ///
-    /// [`NotDrawable`] where the element has no place, or numbers that cannot be drawn. The scene stays as it was.
+    /// [`NotDrawable`] where the element has no place, or numbers that cannot be drawn. The scene
+    /// stays as it was.
     pub fn add(&mut self, element: impl Drawable, style: Style) -> Result<&mut Self, NotDrawable> {
         let shape = element.shape()?;
         let next = PALETTE[self.elements.len() % PALETTE.len()];
@@ -98,10 +101,11 @@ impl Scene {
         self.elements.iter().map(|element| &element.shape)
     }
 
-    /// The scene as a picture in Scalable Vector Graphics, of the size and from the view that it names.
+    /// The scene as a picture in Scalable Vector Graphics, of the size and from the view that it
+    /// names.
     ///
-    /// It has a title and a description for screen readers, and follows the reader's preference for a light or a dark ground.
-    /// The same scene always gives the same text.
+    /// It has a title and a description for screen readers, and follows the reader's preference for
+    /// a light or a dark ground. The same scene always gives the same text.
     #[must_use]
     pub fn to_svg(&self) -> String {
         crate::svg::draw(self)
@@ -109,9 +113,10 @@ impl Scene {
 
     /// The scene as a page that is complete in itself: it needs no network and no other file.
     ///
-    /// Dragging with mouse or finger turns it, as arrow keys do; the wheel, two fingers, `+` and `-` zoom; a double click,
-    /// `0` or Home goes back. A fragment such as `#turn=40,20&zoom=1.5` sets azimuth and elevation in degrees and the zoom. Without
-    /// scripts the page shows the picture of [`to_svg`](Self::to_svg).
+    /// Dragging with mouse or finger turns it, as arrow keys do; the wheel, two fingers, `+` and
+    /// `-` zoom; a double click, `0` or Home goes back. A fragment such as `#turn=40,20&zoom=1.5`
+    /// sets azimuth and elevation in degrees and the zoom. Without scripts the page shows the
+    /// picture of [`to_svg`](Self::to_svg).
     #[must_use]
     pub fn to_html(&self) -> String {
         crate::page::write(self)

@@ -11,10 +11,11 @@ pub(crate) use round::ends;
 
 use crate::vector3::Vector3;
 
-/// What an element is as Euclidean geometry: places, lengths and directions instead of coefficients.
+/// What an element is as Euclidean geometry: places, lengths and directions instead of
+/// coefficients.
 ///
-/// Weights are gone: an element and its multiples have the same shape, but for [`Direction`](Self::Direction), which has a length,
-/// and for the sign of normals and directions.
+/// Weights are gone: an element and its multiples have the same shape, but for
+/// [`Direction`](Self::Direction), which has a length, and for the sign of normals and directions.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Shape {
@@ -36,7 +37,8 @@ pub enum Shape {
         direction: [f64; 3],
         /// Half their distance.
         radius: f64,
-        /// Whether the square of the blade is negative: the squared distance of the points is, and `radius` is √−r².
+        /// Whether the square of the blade is negative: the squared distance of the points is, and
+        /// `radius` is √−r².
         imaginary: bool,
     },
     /// A point pair whose points coincide: a point with a direction.
@@ -216,11 +218,14 @@ pub enum NotDrawable {
 
 /// An element that can be drawn.
 ///
-/// It is implemented for the types of [`cga3`](ga_runtime::cga3) over `f64`, for [`Trajectory`] and for [`Shape`] itself. Types of a
-/// single vector ([`RoundVector`](ga_runtime::cga3::RoundVector), [`DualPlane`](ga_runtime::cga3::DualPlane)) and the dual line
-/// ([`MotorGenerator`](ga_runtime::cga3::MotorGenerator)) are read in dual form, all other blades in direct form.
+/// It is implemented for the types of [`cga3`](ga_runtime::cga3) over `f64`, for [`Trajectory`] and
+/// for [`Shape`] itself. Types of a single vector ([`RoundVector`](ga_runtime::cga3::RoundVector),
+/// [`DualPlane`](ga_runtime::cga3::DualPlane)) and the dual line
+/// ([`MotorGenerator`](ga_runtime::cga3::MotorGenerator)) are read in dual form, all other blades
+/// in direct form.
 ///
-/// Squared radii within 1e-12 of zero, measured by the squared distance of the centre from the origin, count as zero.
+/// Squared radii within 1e-12 of zero, measured by the squared distance of the centre from the
+/// origin, count as zero.
 ///
 /// ```
 /// use ga_draw::{Drawable, Shape};
@@ -267,8 +272,8 @@ fn check_coefficients(coefficients: impl IntoIterator<Item = f64>) -> Result<(),
     Ok(())
 }
 
-/// The coefficients of an element, divided by a power of two that brings the largest to about 1, so that products of them stay
-/// in range; an error where one is not finite or all are zero.
+/// The coefficients of an element, divided by a power of two that brings the largest to about 1, so
+/// that products of them stay in range; an error where one is not finite or all are zero.
 fn balanced<E: ga_runtime::Element<Scalar = f64>>(element: &E) -> Result<E, NotDrawable> {
     let coefficients = || E::BLADES.iter().map(|&blade| element.coefficient(blade));
     check_coefficients(coefficients())?;

@@ -7,7 +7,8 @@ use crate::picture::{Curve, Picture, heading};
 use crate::surface::{Piece, Surface, horizon_circle};
 use crate::vector3::{Vector3, along, difference, on_circle};
 
-/// How many points a visible part of a curve has at most, so that parts of crossing curves can be painted by depth.
+/// How many points a visible part of a curve has at most, so that parts of crossing curves can be
+/// painted by depth.
 const LONGEST: usize = 24;
 
 /// A part of a curve, all of it visible or all hidden.
@@ -74,7 +75,8 @@ impl<'a> Hiding<'a> {
         }
     }
 
-    /// The place in the order of pieces before which a point is painted; `None` where nothing hides it.
+    /// The place in the order of pieces before which a point is painted; `None` where nothing hides
+    /// it.
     pub(crate) fn before(&self, point: Vector3) -> Option<usize> {
         let hiding = self.first.iter().filter(|(surface, _)| match *surface {
             Surface::Ball(index) => self
@@ -155,7 +157,8 @@ impl<'a> Hiding<'a> {
     }
 }
 
-/// The same line without points that are on it anyway, to a twentieth of a pixel (Douglas and Peucker, 1973).
+/// The same line without points that are on it anyway, to a twentieth of a pixel (Douglas and
+/// Peucker, 1973).
 fn simplified(points: &[Pixel]) -> Vec<Pixel> {
     let mut keep = vec![false; points.len()];
     let last = points.len() - 1;

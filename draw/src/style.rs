@@ -17,9 +17,9 @@ pub struct Colour(pub [u8; 3]);
 
 /// The colours that elements get in turn when they name none.
 ///
-/// They follow Okabe and Ito's set, which people with any kind of colour vision can tell apart (Color Universal Design, 2008),
-/// darkened where need be so that each stands out against a light and a dark ground by 3 : 1 (Web Content Accessibility
-/// Guidelines 2.1, criterion 1.4.11).
+/// They follow Okabe and Ito's set, which people with any kind of colour vision can tell apart
+/// (Color Universal Design, 2008), darkened where need be so that each stands out against a light
+/// and a dark ground by 3 : 1 (Web Content Accessibility Guidelines 2.1, criterion 1.4.11).
 pub const PALETTE: [Colour; 7] = [
     Colour([0x00, 0x72, 0xb2]),
     Colour([0xd5, 0x5e, 0x00]),
@@ -72,8 +72,8 @@ pub struct Style {
     pub colour: Option<Colour>,
     /// The width of lines in pixels; 2 without it. Points are drawn to suit.
     pub width: Option<f64>,
-    /// How much of what is behind a surface it hides, from 0 to 1; 0.3 for spheres and 0.16 for planes without it. Lines
-    /// and points are always opaque.
+    /// How much of what is behind a surface it hides, from 0 to 1; 0.3 for spheres and 0.16 for
+    /// planes without it. Lines and points are always opaque.
     pub opacity: Option<f64>,
 }
 

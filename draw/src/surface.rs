@@ -1,8 +1,9 @@
 //! Balls and patches cut into pieces that can be painted one after the other.
 //!
-//! Every surface is cut where another passes through it: a patch by the planes of other patches, a ball by the planes of
-//! patches and by the planes of the circles in which it meets other balls. Of two pieces, a plane then tells which is nearer to the eye, and
-//! sorting by these relations gives an order in which each is painted after all that it hides.
+//! Every surface is cut where another passes through it: a patch by the planes of other patches, a
+//! ball by the planes of patches and by the planes of the circles in which it meets other balls. Of
+//! two pieces, a plane then tells which is nearer to the eye, and sorting by these relations gives
+//! an order in which each is painted after all that it hides.
 
 use std::f64::consts::{PI, TAU};
 
@@ -26,8 +27,8 @@ pub(crate) struct Piece {
     polygon: Vec<Vector3>,
     /// Of a ball, on which sides of which surfaces' planes it is.
     sides: Vec<(Surface, PlaneOf, bool)>,
-    /// What of the picture it covers: the inside of the first outline, but only what is also in all others, each an outline with
-    /// perhaps a hole.
+    /// What of the picture it covers: the inside of the first outline, but only what is also in all
+    /// others, each an outline with perhaps a hole.
     pub(crate) regions: Vec<Vec<Vec<Pixel>>>,
     depth: f64,
 }
@@ -128,7 +129,8 @@ impl Picture {
         pieces.append(&mut parts);
     }
 
-    /// Sorts so that each piece comes after those that it hides; where these relations go round in a circle, by depth.
+    /// Sorts so that each piece comes after those that it hides; where these relations go round in
+    /// a circle, by depth.
     fn sorted(&self, pieces: Vec<Piece>, camera: &Camera) -> Vec<Piece> {
         let bounds: Vec<[Pixel; 2]> = pieces.iter().map(bounds).collect();
         let overlap = |a: usize, b: usize| {
@@ -223,7 +225,8 @@ fn side_of(piece: &Piece, surface: Surface) -> Option<bool> {
     sides.find(|side| side.0 == surface).map(|side| side.2)
 }
 
-/// The plane of the circle in which two balls meet, its positive side that of the second; `None` where they do not.
+/// The plane of the circle in which two balls meet, its positive side that of the second; `None`
+/// where they do not.
 fn meeting_plane(a: &Ball, b: &Ball) -> Option<PlaneOf> {
     let way = difference(b.centre, a.centre);
     let apart = length(way);
@@ -276,7 +279,8 @@ fn arc(
         .collect()
 }
 
-/// The angle in the middle of the part of a circle on the positive side of a plane, and half the size of that part.
+/// The angle in the middle of the part of a circle on the positive side of a plane, and half the
+/// size of that part.
 fn positive_arc(
     (centre, [u, v], radius): (Vector3, [Vector3; 2], f64),
     (m, k): PlaneOf,

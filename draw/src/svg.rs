@@ -14,7 +14,8 @@ use crate::surface::{Piece, Surface};
 /// The room round the scene for labels and heads of arrows, in pixels.
 const MARGIN: f64 = 34.0;
 
-/// The classes that follow the reader's preference for light or dark; without style sheets the attributes hold.
+/// The classes that follow the reader's preference for light or dark; without style sheets the
+/// attributes hold.
 const STYLE: &str = "text{font-family:system-ui,'Segoe UI','DejaVu Sans',sans-serif}\
 .halo{paint-order:stroke;stroke-linejoin:round}\
 @media(prefers-color-scheme:dark){.ground{fill:#14171c}.ink{fill:#e8eaed}.faint{fill:#a8afb8}.halo{stroke:#14171c}.rim{stroke:#14171c}}";

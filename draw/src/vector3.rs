@@ -46,8 +46,8 @@ pub(crate) fn normalized(a: Vector3) -> Option<Vector3> {
     Some(scaled(a, length(a).recip()))
 }
 
-/// Two vectors that make a right-handed orthonormal basis with a unit vector: `u × v = n`. `u` lies across `up` where
-/// that is possible.
+/// Two vectors that make a right-handed orthonormal basis with a unit vector: `u × v = n`. `u` lies
+/// across `up` where that is possible.
 pub(crate) fn basis_across(normal: Vector3, up: Vector3) -> [Vector3; 2] {
     let across = cross(up, normal);
     let u = if length(across) > 1e-6 {

@@ -25,8 +25,9 @@ pub enum Up {
 /// Where a scene is looked at from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
-    /// By how many degrees the eye goes round the upward axis, counterclockwise as seen from above. At 0 it looks from the
-    /// next axis after the upward one: from +x where z is up, from +z where y is.
+    /// By how many degrees the eye goes round the upward axis, counterclockwise as seen from above.
+    /// At 0 it looks from the next axis after the upward one: from +x where z is up, from +z where
+    /// y is.
     pub azimuth: f64,
     /// How many degrees the eye is above the horizontal plane, from −90 to 90.
     pub elevation: f64,

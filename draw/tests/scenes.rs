@@ -1,4 +1,5 @@
-//! What comes out of scenes: structure, escaping, every kind, errors, and pictures of any scene that there may be.
+//! What comes out of scenes: structure, escaping, every kind, errors, and pictures of any scene
+//! that there may be.
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
@@ -143,7 +144,8 @@ fn what_has_no_place_is_refused() {
 
 #[test]
 fn a_ball_is_a_circle_of_its_radius() {
-    // Along parallel rays a unit sphere is a disc that fills the height of the picture but for its margins.
+    // Along parallel rays a unit sphere is a disc that fills the height of the picture but for its
+    // margins.
     let mut scene = Scene::new("");
     scene.size = [400, 400];
     scene.view.projection = ga_draw::Projection::Orthographic;

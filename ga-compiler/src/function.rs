@@ -23,8 +23,8 @@ pub struct CompiledFunction {
     pub operands: Vec<Operand>,
     /// What comes out.
     pub result: Shape,
-    /// The graph. Its inputs are the stored coefficients of all operands, its outputs those of the result, each in order
-    /// of declaration, arrays and tuples element by element.
+    /// The graph. Its inputs are the stored coefficients of all operands, its outputs those of the
+    /// result, each in order of declaration, arrays and tuples element by element.
     pub kernel: Kernel,
 }
 

@@ -1,4 +1,5 @@
-//! One compiled expression: the path from an expression over typed operands to a graph with chosen rules.
+//! One compiled expression: the path from an expression over typed operands to a graph with chosen
+//! rules.
 
 use crate::algebra::{Algebra, Blade, NamedBlade, Ratio};
 use crate::define::TypeDefinition;
@@ -11,8 +12,8 @@ use crate::program::{Program, StepId, Witness};
 use crate::search;
 use crate::verify;
 
-/// A graph whose inputs are the stored coefficients of the operands, one after the other, and whose outputs are the
-/// stored coefficients of the result, all in the order of their declarations.
+/// A graph whose inputs are the stored coefficients of the operands, one after the other, and whose
+/// outputs are the stored coefficients of the result, all in the order of their declarations.
 #[derive(Clone, Debug)]
 pub struct Kernel {
     /// The graph.
@@ -21,12 +22,13 @@ pub struct Kernel {
     pub outputs: Vec<Value>,
     /// The rules that won.
     pub choices: Choices,
-    /// For each input, whether it stays the same over many calls. What depends on such inputs alone is the prologue.
+    /// For each input, whether it stays the same over many calls. What depends on such inputs alone
+    /// is the prologue.
     pub uniform: Vec<bool>,
 }
 
-/// The number of operations from which a graph is left as it was built: passes take time, and nobody waits gladly for the product
-/// of two multivectors of 32 blades.
+/// The number of operations from which a graph is left as it was built: passes take time, and
+/// nobody waits gladly for the product of two multivectors of 32 blades.
 const LARGEST: usize = 600;
 
 impl Kernel {
@@ -54,8 +56,8 @@ impl Kernel {
         Self::of_program(algebra, &program, &uniform, &[(result, wanted.to_vec())])
     }
 
-    /// Compiles a program, wanting the given blades of some of its steps. `uniform` marks operands that stay the same over
-    /// many calls.
+    /// Compiles a program, wanting the given blades of some of its steps. `uniform` marks operands
+    /// that stay the same over many calls.
     ///
     /// The rules are tried, and the cheapest graph is kept.
     #[must_use]
@@ -158,7 +160,8 @@ impl Kernel {
             .collect()
     }
 
-    /// Whether the graph agrees with the plain meaning of the expression at a random point of the operands' types.
+    /// Whether the graph agrees with the plain meaning of the expression at a random point of the
+    /// operands' types.
     #[must_use]
     pub fn agrees(
         &self,

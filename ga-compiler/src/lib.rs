@@ -1,7 +1,7 @@
 //! The optimising compiler behind Nullcone.
 //!
-//! [`expand_algebra`] takes the declaration of a geometric algebra and gives Rust code; the stages between are public,
-//! so that tools can parse, simplify, evaluate and count without any macro:
+//! [`expand_algebra`] takes the declaration of a geometric algebra and gives Rust code; the stages
+//! between are public, so that tools can parse, simplify, evaluate and count without any macro:
 //!
 //! ```text
 //! tokens → parse → define ┐
@@ -12,12 +12,15 @@
 //! - [`parse`]: grammars; names are still names.
 //! - [`define`]: a checked declaration; every error is found here, at its token.
 //! - [`algebra`]: blades, metric, and the products of basis blades.
-//! - [`program`]: the steps of a function, on whole multivectors; [`expression`]: formulas as trees.
+//! - [`program`]: the steps of a function, on whole multivectors; [`expression`]: formulas as
+//!   trees.
 //! - [`lower`]: steps to the graph, by named rules.
 //! - [`ir`]: the graph, hash-consed, and multivectors over it.
 //! - [`passes`]: rewriting of graphs, order, cost.
-//! - [`kernel`]: one compiled graph, by the rules that make it cheapest; [`function`]: one compiled function.
-//! - [`verify`]: evaluation over a prime field, which decides what a result is and checks the compiler's work.
+//! - [`kernel`]: one compiled graph, by the rules that make it cheapest; [`function`]: one compiled
+//!   function.
+//! - [`verify`]: evaluation over a prime field, which decides what a result is and checks the
+//!   compiler's work.
 //! - [`emit`]: Rust, WGSL, formulas, graphs, and counts of operations.
 //!
 //! # Example
@@ -72,10 +75,11 @@ pub struct Compiled {
     pub kernel: Kernel,
 }
 
-/// Expands the declaration of an algebra, preceded by the path of ga-runtime in brackets: `[runtime] declaration`.
+/// Expands the declaration of an algebra, preceded by the path of ga-runtime in brackets:
+/// `[runtime] declaration`.
 ///
-/// On errors the result holds a `compile_error!` for each and stand-ins for what would have been declared, so that code
-/// which uses it adds no errors of its own.
+/// On errors the result holds a `compile_error!` for each and stand-ins for what would have been
+/// declared, so that code which uses it adds no errors of its own.
 #[must_use]
 pub fn expand_algebra(tokens: TokenStream) -> TokenStream {
     let (runtime, source) = match parse::parse_placed(tokens) {
@@ -105,8 +109,9 @@ pub fn expand_product_tests(tokens: TokenStream) -> TokenStream {
 
 /// Expands functions of an algebra: what `ga!` stands for.
 ///
-/// The tokens are what the algebra's own macro hands over: `[runtime] { declaration } [path] functions`. A leading `use` of a
-/// function of another block becomes a call of that block's macro, which calls back through [`expand_import`].
+/// The tokens are what the algebra's own macro hands over:
+/// `[runtime] { declaration } [path] functions`. A leading `use` of a function of another block
+/// becomes a call of that block's macro, which calls back through [`expand_import`].
 #[must_use]
 pub fn expand_functions(tokens: TokenStream) -> TokenStream {
     let expanded = parse::parse_pending(tokens).and_then(|pending| {
@@ -181,7 +186,8 @@ pub fn check_types(declaration: TokenStream, runtime: TokenStream) -> Result<Def
     Definition::check(syntax, runtime)
 }
 
-/// Compiles functions of an algebra, written as in `ga!`, and checks each against its plain meaning.
+/// Compiles functions of an algebra, written as in `ga!`, and checks each against its plain
+/// meaning.
 ///
 /// ```
 /// use ga_compiler::{check_types, compile};
@@ -260,7 +266,8 @@ fn compile_one(
     })
 }
 
-/// Compiles one function in an algebra, both given as tokens, and checks it against its plain meaning.
+/// Compiles one function in an algebra, both given as tokens, and checks it against its plain
+/// meaning.
 ///
 /// # Errors
 /// Every error of the declaration, or the first of the function.

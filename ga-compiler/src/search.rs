@@ -1,7 +1,8 @@
 //! Which rules make the cheapest graph.
 //!
-//! One kind of rule is tried after the other, each with the best of those before it: all combinations would be too many. Then each
-//! step in which a versor acts may have a rule of its own.
+//! One kind of rule is tried after the other, each with the best of those before it: all
+//! combinations would be too many. Then each step in which a versor acts may have a rule of its
+//! own.
 
 use std::cmp::Ordering;
 
@@ -14,7 +15,8 @@ use crate::program::{Program, Step, StepId};
 /// Up to how many actions of versors are given rules of their own.
 const MOST_SITES: usize = 8;
 
-/// The kernel of fewest operations that the rules give; of equals the first, or the one that works with differences.
+/// The kernel of fewest operations that the rules give; of equals the first, or the one that works
+/// with differences.
 pub(crate) fn cheapest(task: &Task<'_>) -> Kernel {
     let (best, acted) = task.compile(&Choices::default());
     let mut search = Search { task, best, acted };
@@ -84,7 +86,8 @@ impl Search<'_> {
         }
     }
 
-    /// Takes other rules if they make a cheaper graph. Of equals the one by differences stands, which rounds less.
+    /// Takes other rules if they make a cheaper graph. Of equals the one by differences stands,
+    /// which rounds less.
     fn try_choices(&mut self, choices: &Choices) {
         if *choices == self.best.choices {
             return;

@@ -1,4 +1,5 @@
-//! Declarations through the compiler, with no macro involved: what is accepted, what is refused, and what is emitted.
+//! Declarations through the compiler, with no macro involved: what is accepted, what is refused,
+//! and what is emitted.
 
 use ga_compiler::define::Definition;
 use ga_compiler::{expand_algebra, parse};

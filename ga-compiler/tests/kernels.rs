@@ -44,8 +44,8 @@ fn compile(declaration: &TokenStream, function: &str) -> Compiled {
     }
 }
 
-/// Most multiplications and additions of each kernel together: operands and result, the formula, and the same types of
-/// the algebra under other names.
+/// Most multiplications and additions of each kernel together: operands and result, the formula,
+/// and the same types of the algebra under other names.
 const COUNTS: [(&str, &str, &str, usize); 17] = [
     (
         "m: Motor, x: Point -> Point",

@@ -1,4 +1,5 @@
-//! The named identities: that each keeps the meaning of what it is applied to, and that one gone wrong is refused.
+//! The named identities: that each keeps the meaning of what it is applied to, and that one gone
+//! wrong is refused.
 
 mod algebras;
 

@@ -1,6 +1,7 @@
 //! The procedural macros of Nullcone: a thin door to [`ga_compiler`].
 //!
-//! Crates use them through ga-runtime, whose macros add the path at which the emitted code finds it.
+//! Crates use them through ga-runtime, whose macros add the path at which the emitted code finds
+//! it.
 
 use proc_macro::TokenStream;
 

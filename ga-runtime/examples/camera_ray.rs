@@ -1,7 +1,7 @@
 //! Casts rays from a camera at a sphere and a disc, and draws what they hit in letters.
 //!
-//! A ray is a line. `sphere & line` are the two points where it goes in and out, `plane & line` the one where it goes
-//! through. A disc is a circle with its inside.
+//! A ray is a line. `sphere & line` are the two points where it goes in and out, `plane & line` the
+//! one where it goes through. A disc is a circle with its inside.
 //!
 //! Run it with `cargo run -p ga-runtime --example camera_ray`.
 
@@ -72,13 +72,15 @@ fn main() {
     for row in 0..HEIGHT {
         let mut letters = String::new();
         for column in 0..WIDTH {
-            // The picture is an upright rectangle two units before the eye. Letters are twice as high as wide.
+            // The picture is an upright rectangle two units before the eye. Letters are twice as
+            // high as wide.
             let x = (column as f64 + 0.5 - WIDTH as f64 / 2.0) / 35.0;
             let z = (HEIGHT as f64 / 2.0 - row as f64 - 0.5) / 17.5;
             let through = Point::new(x, -4.0, 1.5 + z);
             letters.push(scene.letter(eye, through));
 
-            // The same question asked without conformal geometry: is the line nearer to the centre than the radius?
+            // The same question asked without conformal geometry: is the line nearer to the centre
+            // than the radius?
             let hit = hit_sphere(scene.ball, eye, through);
             let centre = Point::new(0.0, 0.0, 1.0);
             let (ray, to_centre) = (difference(through, eye), difference(centre, eye));

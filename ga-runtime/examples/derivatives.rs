@@ -1,7 +1,9 @@
-//! Derivatives without a formula for them: when does a point that moves along a screw come to a sphere?
+//! Derivatives without a formula for them: when does a point that moves along a screw come to a
+//! sphere?
 //!
-//! The question is put once, as a function that is generic over its scalar. Asked with dual numbers, the function also
-//! answers how fast its value changes, and that is what Newton's method needs.
+//! The question is put once, as a function that is generic over its scalar. Asked with dual
+//! numbers, the function also answers how fast its value changes, and that is what Newton's method
+//! needs.
 //!
 //! Run it with `cargo run -p ga-runtime --example derivatives`.
 
@@ -9,8 +11,8 @@ use ga_runtime::cga3::{DualSphere, Motor, MotorGenerator, Point};
 use ga_runtime::scalar::{Dual, Real};
 
 ga_runtime::ga! { ga_runtime::cga3;
-    /// The inner product of the moved point and a dual sphere: `½(r² − d²)` for a point at the distance d from the
-    /// centre, so zero on the sphere.
+    /// The inner product of the moved point and a dual sphere: `½(r² − d²)` for a point at the
+    /// distance d from the centre, so zero on the sphere.
     fn inside(motor: Motor, point: Point, sphere: DualSphere) -> Scalar {
         (motor * point * reverse(motor)) | sphere
     }
@@ -23,7 +25,8 @@ const RADIUS: f64 = 1.0;
 const TURN: f64 = 0.8;
 const SLIDE: f64 = 0.4;
 
-/// The motion after a time: the exponential of the time times the generator `−½ TURN e12 − ½ SLIDE e3∧ei`.
+/// The motion after a time: the exponential of the time times the generator
+/// `−½ TURN e12 − ½ SLIDE e3∧ei`.
 fn motion<S: Real<Mask = bool>>(time: S) -> Motor<S> {
     let [turn, slide] = [TURN, SLIDE].map(|x| time * S::from_f64(-0.5 * x));
     let zero = S::zero();
@@ -50,7 +53,8 @@ fn main() {
             depth.derivative()
         );
 
-        // The derivative in plain coordinates: minus the way to the centre times the velocity ω × x + v.
+        // The derivative in plain coordinates: minus the way to the centre times the velocity ω ×
+        // x + v.
         let [x, y, z] = motion(time).transform(Point::from(START)).coordinates();
         let velocity = [-TURN * y, TURN * x, SLIDE];
         let by_hand: f64 = (0..3)

@@ -1,8 +1,8 @@
 //! Eight drops of rain at once: the same code on one number and on eight side by side.
 //!
-//! A function that is generic over its scalar runs on `Lanes<f32, 8>` as it does on `f32`, and the compiler turns each
-//! operation into a vector instruction. The one thing to give up is the branch, since lanes may differ: compute both
-//! outcomes, then select.
+//! A function that is generic over its scalar runs on `Lanes<f32, 8>` as it does on `f32`, and the
+//! compiler turns each operation into a vector instruction. The one thing to give up is the branch,
+//! since lanes may differ: compute both outcomes, then select.
 //!
 //! Run it with `cargo run -p ga-runtime --example lanes`.
 
@@ -28,13 +28,15 @@ fn roof<S: Real>() -> DualPlane<S> {
     DualPlane::from_normal_distance([0.6, 0.0, 0.8].map(S::from_f64), S::zero())
 }
 
-/// One hundredth of a second of falling. A drop that has come through the roof while going down jumps off.
+/// One hundredth of a second of falling. A drop that has come through the roof while going down
+/// jumps off.
 fn step<S: Real>(drop: Drop<S>) -> Drop<S> {
     let (time, gravity) = (S::from_f64(0.01), S::from_f64(9.81));
     let [vx, vy, vz] = drop.velocity.vector();
     let falling = Direction::from_vector([vx, vy, vz - gravity * time]);
 
-    // Both outcomes are worked out, and the mask chooses: a bool for one drop, eight of them for eight.
+    // Both outcomes are worked out, and the mask chooses: a bool for one drop, eight of them for
+    // eight.
     let bounced = reflected(falling, roof());
     let below = height(drop.place, roof()).less_than(S::zero());
     let approaching = bounced_height(falling).less_than(S::zero());

@@ -1,14 +1,15 @@
-//! An algebra of one's own: that of a hexagonal crystal, whose basis vectors are neither of length 1 nor at right
-//! angles.
+//! An algebra of one's own: that of a hexagonal crystal, whose basis vectors are neither of length
+//! 1 nor at right angles.
 //!
-//! The metric goes into the declaration, and from then on nobody has to think of it: lengths, angles and rotations come
-//! out right in the coordinates that crystallographers use. The crystal is the closest packing of balls that magnesium
-//! and zinc resemble.
+//! The metric goes into the declaration, and from then on nobody has to think of it: lengths,
+//! angles and rotations come out right in the coordinates that crystallographers use. The crystal
+//! is the closest packing of balls that magnesium and zinc resemble.
 //!
 //! Run it with `cargo run -p ga-runtime --example own_algebra`.
 
 ga_runtime::algebra! {
-    /// Space with the axes of a hexagonal crystal: a and b of length 1 at 120°, c of length √(8/3) across both.
+    /// Space with the axes of a hexagonal crystal: a and b of length 1 at 120°, c of length √(8/3)
+    /// across both.
     mod hexagonal {
         basis a, b, c;
         metric a*a = 1, b*b = 1, c*c = 8/3, a*b = -1/2;
@@ -65,7 +66,8 @@ fn atoms() -> Vec<Vector<f64>> {
 fn main() {
     let atoms = atoms();
 
-    // How many atoms are at which distance. The shells of the closest packing are known: 12, 6, 2, 18, 12.
+    // How many atoms are at which distance. The shells of the closest packing are known: 12, 6, 2,
+    // 18, 12.
     let shells = [
         (1.0, 12),
         (2.0, 6),
@@ -91,7 +93,8 @@ fn main() {
     println!("{:.2} % of space is filled", 100.0 * filled);
     assert!((filled - std::f64::consts::PI / 18.0_f64.sqrt()).abs() < 1e-12);
 
-    // The product of two unit vectors turns by twice the angle between them: a and a + b are 60° apart.
+    // The product of two unit vectors turns by twice the angle between them: a and a + b are 60°
+    // apart.
     let a = Vector::new(1.0, 0.0, 0.0);
     let third = Rotor::normalize(Vector::new(1.0, 1.0, 0.0) * a).expect("the product is not zero");
     println!("a third of a turn: {third:.4}");

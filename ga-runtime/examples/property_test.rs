@@ -1,7 +1,8 @@
-//! Property tests, as a crate that builds on ga-runtime would write them: with the dense reference, the exact scalar
-//! and the strategies of `ga_runtime::testing`.
+//! Property tests, as a crate that builds on ga-runtime would write them: with the dense reference,
+//! the exact scalar and the strategies of `ga_runtime::testing`.
 //!
-//! In a crate of its own, the functions below would be in `tests/` under `#[test]`, with these lines in Cargo.toml:
+//! In a crate of its own, the functions below would be in `tests/` under `#[test]`, with these
+//! lines in Cargo.toml:
 //!
 //! ```toml
 //! [dev-dependencies]
@@ -47,8 +48,9 @@ ga_runtime::ga! { ga_runtime::cga3;
     fn mirrored(plane: Plane, point: Point) -> RoundVector { sandwich(dual(plane), point) }
 }
 
-/// A compiled function equals its formula, worked out by the reference algebra, which shares no code with the compiler.
-/// Over the prime field nothing is rounded, so the two are equal, and no tolerance hides a mistake.
+/// A compiled function equals its formula, worked out by the reference algebra, which shares no
+/// code with the compiler. Over the prime field nothing is rounded, so the two are equal, and no
+/// tolerance hides a mistake.
 #[cfg_attr(test, test)]
 fn compiled_function_equals_its_formula() {
     let algebra = algebra_of::<Prime61>(<pga2::Line<Prime61> as Element>::METRIC);
@@ -62,8 +64,8 @@ fn compiled_function_equals_its_formula() {
     });
 }
 
-/// The same function means what it should: the foot is on the line. A line l and a point P are incident where `l ∧ P`
-/// is zero.
+/// The same function means what it should: the foot is on the line. A line l and a point P are
+/// incident where `l ∧ P` is zero.
 #[cfg_attr(test, test)]
 fn foot_is_on_the_line() {
     let algebra = algebra_of::<Prime61>(<pga2::Line<Prime61> as Element>::METRIC);
@@ -77,8 +79,8 @@ fn foot_is_on_the_line() {
     });
 }
 
-/// In floating point, with points and planes as geometry has them, special positions included: the image is as far
-/// behind the plane as the point is before it, and the point is straight across.
+/// In floating point, with points and planes as geometry has them, special positions included: the
+/// image is as far behind the plane as the point is before it, and the point is straight across.
 #[cfg_attr(test, test)]
 fn mirror_image_is_across_the_plane() {
     let operands = (cga3::planes(10.0), cga3::points(10.0));

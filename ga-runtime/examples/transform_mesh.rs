@@ -1,4 +1,5 @@
-//! Moves a mesh by a rigid motion: the vertices with one call, the normals with a function compiled for the purpose.
+//! Moves a mesh by a rigid motion: the vertices with one call, the normals with a function compiled
+//! for the purpose.
 //!
 //! Run it with `cargo run -p ga-runtime --example transform_mesh`.
 
@@ -6,8 +7,8 @@ use ga_runtime::batch;
 use ga_runtime::cga3::{Circle, Direction, Motor, Point, Rotor, Translator};
 
 ga_runtime::ga! { ga_runtime::cga3;
-    /// The textbook formula. `uniform` says that one motor serves many directions: it becomes a matrix once, and each
-    /// direction then costs nine multiplications.
+    /// The textbook formula. `uniform` says that one motor serves many directions: it becomes a
+    /// matrix once, and each direction then costs nine multiplications.
     fn turning(uniform motor: Motor, normal: Direction) -> Direction { motor * normal * reverse(motor) }
 }
 
@@ -84,7 +85,8 @@ fn main() {
         bounds(&mesh.vertices)[1]
     );
 
-    // Motors move circles as they move points. So the vertices are still in the tube around the circle in the middle, …
+    // Motors move circles as they move points. So the vertices are still in the tube around the
+    // circle in the middle, …
     let [p, q, r] = [[RING, 0.0, 0.0], [0.0, RING, 0.0], [-RING, 0.0, 0.0]].map(Point::from);
     let middle = motor.transform(Circle::through(p, q, r));
     // … and one step against the normal from each vertex is on that circle.

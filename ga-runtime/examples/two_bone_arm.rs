@@ -1,7 +1,9 @@
-//! Inverse kinematics of an arm with two bones: where is the elbow when the hand is to be at a given place?
+//! Inverse kinematics of an arm with two bones: where is the elbow when the hand is to be at a
+//! given place?
 //!
-//! The elbow is on a sphere around the shoulder and on another around the hand. The two meet in a circle, and the plane
-//! in which the arm is to bend meets that circle in two points. Three products, no trigonometry.
+//! The elbow is on a sphere around the shoulder and on another around the hand. The two meet in a
+//! circle, and the plane in which the arm is to bend meets that circle in two points. Three
+//! products, no trigonometry.
 //!
 //! Run it with `cargo run -p ga-runtime --example two_bone_arm`.
 
@@ -14,7 +16,8 @@ struct Arm {
 }
 
 impl Arm {
-    /// The elbow with the hand at a target, on the side of the pole; `None` where the target is out of reach.
+    /// The elbow with the hand at a target, on the side of the pole; `None` where the target is out
+    /// of reach.
     fn elbow(&self, target: Point<f64>, pole: Point<f64>) -> Option<Point<f64>> {
         let around_shoulder = Sphere::from_centre_radius(self.shoulder, self.upper);
         let around_hand = Sphere::from_centre_radius(target, self.lower);
@@ -60,7 +63,8 @@ fn main() {
             continue;
         };
 
-        // The motors of the bones. At rest both lie along the x axis, the upper one with its end at the origin.
+        // The motors of the bones. At rest both lie along the x axis, the upper one with its end at
+        // the origin.
         let (along_upper, along_lower) = (from_to(arm.shoulder, elbow), from_to(elbow, target));
         let at_shoulder =
             Rotor::between([1.0, 0.0, 0.0], along_upper).expect("the bone has a length");

@@ -43,9 +43,10 @@
 ///
 /// # Basis and metric
 ///
-/// `basis` names up to 16 vectors; a blade is named by joining what follows their common prefix: `e1`, `e2`, `eo` give
-/// `e12`, `e1o`, `e2o`, and `e21` for `−e12`. The metric is `signature p, q, r;` (squares 1, −1, 0) or any constant
-/// symmetric form, where products not stated are zero:
+/// `basis` names up to 16 vectors; a blade is named by joining what follows their common prefix:
+/// `e1`, `e2`, `eo` give `e12`, `e1o`, `e2o`, and `e21` for `−e12`. The metric is
+/// `signature p, q, r;` (squares 1, −1, 0) or any constant symmetric form, where products not
+/// stated are zero:
 ///
 /// ```text
 /// metric e1*e1 = 1, e2*e2 = 1, e3*e3 = 1, eo*ei = -1;
@@ -53,9 +54,10 @@
 ///
 /// # Types
 ///
-/// A type lists its blades, `scalar` being the blade of grade 0. A blade is *stored* (`e1`), *constant* (`eo = 1`) or *derived*
-/// from stored ones (`ei = (e1*e1 + e2*e2 + e3*e3)/2`). A type without stored blades is a constant and takes no
-/// scalar parameter. `#[facts(…)]` states what every member satisfies:
+/// A type lists its blades, `scalar` being the blade of grade 0. A blade is *stored* (`e1`),
+/// *constant* (`eo = 1`) or *derived* from stored ones (`ei = (e1*e1 + e2*e2 + e3*e3)/2`). A type
+/// without stored blades is a constant and takes no scalar parameter. `#[facts(…)]` states what
+/// every member satisfies:
 ///
 /// | fact | meaning |
 /// | --- | --- |
@@ -64,26 +66,27 @@
 /// | `blade` | X is an outer product of vectors |
 /// | `weight(b)` | the coefficient of the blade b is 1 |
 ///
-/// All but `unit_versor` must follow from constant and derived blades. `#[hull(Type)]` names the type of sums and multiples
-/// wherever they leave the type; it must store all the blades.
+/// All but `unit_versor` must follow from constant and derived blades. `#[hull(Type)]` names the
+/// type of sums and multiples wherever they leave the type; it must store all the blades.
 ///
-/// Fields are public where any coefficients make a member. Elsewhere they are private, with a reader for each blade,
-/// and a type whose facts restrict its coefficients is built by `new_unchecked`, `try_new(…, tolerance)` or
-/// `normalize(hull)`.
+/// Fields are public where any coefficients make a member. Elsewhere they are private, with a
+/// reader for each blade, and a type whose facts restrict its coefficients is built by
+/// `new_unchecked`, `try_new(…, tolerance)` or `normalize(hull)`.
 ///
 /// # Products
 ///
-/// `products` lists what is emitted: `geometric` (`*`), `wedge` (`^`), `left_contraction` (`|`), `vee` (`&`),
-/// `right_contraction`, `scalar_product`, `commutator`, `sandwich`, `dual`, `undual`. Braces list several types in
-/// one line. The result is stated with `->`, where `Self` is the type of the last operand and `Scalar` a plain number, or left
-/// out where exactly one declared type without facts has just the blades of the result. That a result lies in its type is proved when
+/// `products` lists what is emitted: `geometric` (`*`), `wedge` (`^`), `left_contraction` (`|`),
+/// `vee` (`&`), `right_contraction`, `scalar_product`, `commutator`, `sandwich`, `dual`, `undual`.
+/// Braces list several types in one line. The result is stated with `->`, where `Self` is the type
+/// of the last operand and `Scalar` a plain number, or left out where exactly one declared type
+/// without facts has just the blades of the result. That a result lies in its type is proved when
 /// the macro runs, by exact evaluation at random points.
 ///
 /// # The other half
 ///
-/// Beside the module there is a macro of the same name, which hands the definition to macros such as
-/// `ga_runtime::testing::product_tests!`. `crate = path;` before the basis says where the emitted code finds
-/// ga-runtime, if not through this macro.
+/// Beside the module there is a macro of the same name, which hands the definition to macros such
+/// as `ga_runtime::testing::product_tests!`. `crate = path;` before the basis says where the
+/// emitted code finds ga-runtime, if not through this macro.
 #[macro_export]
 macro_rules! algebra {
     ($($declaration:tt)*) => {
@@ -93,9 +96,10 @@ macro_rules! algebra {
 
 /// Compiles functions written in an algebra, each as one piece.
 ///
-/// A person writes textbook algebra and gets straight-line code: only the coefficients of the result are worked out,
-/// constants fold, common parts are shared, and the unit norm of a motor or the null square of a point is made use
-/// of. What the code does is checked against the plain meaning of the formula, exactly, before it is emitted.
+/// A person writes textbook algebra and gets straight-line code: only the coefficients of the
+/// result are worked out, constants fold, common parts are shared, and the unit norm of a motor or
+/// the null square of a point is made use of. What the code does is checked against the plain
+/// meaning of the formula, exactly, before it is emitted.
 ///
 /// ```
 /// use ga_runtime::cga3::{Motor, Plane, Point, Rotor};
@@ -125,12 +129,14 @@ macro_rules! algebra {
 ///
 /// # Functions
 ///
-/// `ga! { path::of::algebra; functions… }` gives functions generic over the scalar, with the weakest bound that the
-/// body needs: [`Ring`](crate::scalar::Ring), [`Field`](crate::scalar::Field) or [`Real`](crate::scalar::Real). Types are those of the
-/// algebra by name, `Scalar`, arrays `[Point; 3]` and tuples. A body is a row of `let` statements, patterns included, and the formula of the result.
-/// Functions of one block may call each other, and with `use path::of::function;` at its start those of another; the calls are
-/// compiled as if they were written out. A closure,
-/// `ga! { cga3; |p: Point, q: Point| -> Scalar { p | q } }`, is an expression.
+/// `ga! { path::of::algebra; functions… }` gives functions generic over the scalar, with the
+/// weakest bound that the body needs: [`Ring`](crate::scalar::Ring),
+/// [`Field`](crate::scalar::Field) or [`Real`](crate::scalar::Real). Types are those of the algebra
+/// by name, `Scalar`, arrays `[Point; 3]` and tuples. A body is a row of `let` statements, patterns
+/// included, and the formula of the result. Functions of one block may call each other, and with
+/// `use path::of::function;` at its start those of another; the calls are compiled as if they were
+/// written out. A closure, `ga! { cga3; |p: Point, q: Point| -> Scalar { p | q } }`, is an
+/// expression.
 ///
 /// | written | means |
 /// | --- | --- |
@@ -145,15 +151,18 @@ macro_rules! algebra {
 /// | `2`, `0.5`, `e12`, `Infinity` | exact numbers, basis blades, constant types |
 /// | `a.e12`, `xs[0]`, `t.1` | a coefficient; an element of an array or tuple |
 ///
-/// Each operation is a function and a method: `reverse(m)` is `m.reverse()`. Precedence is that of Rust, where `^ & |` bind looser
-/// than `+ - * /`; a mix of both without parentheses is an error that shows both readings.
+/// Each operation is a function and a method: `reverse(m)` is `m.reverse()`. Precedence is that of
+/// Rust, where `^ & |` bind looser than `+ - * /`; a mix of both without parentheses is an error
+/// that shows both readings.
 ///
 /// # Types of results
 ///
-/// A result is returned as a `Point` only if it is one, weight 1 and null; otherwise the error says what was found, and
-/// whether a division by the weight would do. `let x: Line = …` checks a value on the way.
+/// A result is returned as a `Point` only if it is one, weight 1 and null; otherwise the error says
+/// what was found, and whether a division by the weight would do. `let x: Line = …` checks a value
+/// on the way.
 ///
-/// Divisions by zero and roots of negative numbers follow the scalar: they give infinities or NaN over floats.
+/// Divisions by zero and roots of negative numbers follow the scalar: they give infinities or NaN
+/// over floats.
 ///
 /// ```
 /// mod kernels {
@@ -174,9 +183,9 @@ macro_rules! algebra {
 ///
 /// # Uniform operands
 ///
-/// An operand marked `uniform` stays the same over many calls. The function then takes the uniform operands alone and
-/// gives a struct, called like the function in camel case, that holds all work done on them; its `apply` takes the rest. `map` changes the
-/// scalar, to lanes for instance.
+/// An operand marked `uniform` stays the same over many calls. The function then takes the uniform
+/// operands alone and gives a struct, called like the function in camel case, that holds all work
+/// done on them; its `apply` takes the rest. `map` changes the scalar, to lanes for instance.
 ///
 /// ```
 /// use ga_runtime::cga3::{Motor, Point, Translator};

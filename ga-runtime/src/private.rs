@@ -19,7 +19,8 @@ pub use num_traits_02 as num_traits;
 #[cfg(feature = "serde-1")]
 pub use serde_1 as serde;
 
-/// Writes a sum of blades such as `1 + 2 e12 - 0.5 e1i`; blades with the coefficient zero are left out.
+/// Writes a sum of blades such as `1 + 2 e12 - 0.5 e1i`; blades with the coefficient zero are left
+/// out.
 pub fn write_blades(f: &mut Formatter<'_>, blades: &[(&str, &dyn Display)]) -> Result {
     let mut is_first = true;
     for (name, coefficient) in blades {

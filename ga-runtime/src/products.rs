@@ -1,8 +1,9 @@
 //! The products that no operator of Rust stands for, as traits for generic code.
 //!
-//! Where the pair of types is known the inherent method of the same name does, without any import. The other products are
-//! `*` ([`Mul`](core::ops::Mul), geometric), `^` ([`BitXor`](core::ops::BitXor), wedge), `|`
-//! ([`BitOr`](core::ops::BitOr), left contraction) and `&` ([`BitAnd`](core::ops::BitAnd), vee).
+//! Where the pair of types is known the inherent method of the same name does, without any import.
+//! The other products are `*` ([`Mul`](core::ops::Mul), geometric), `^`
+//! ([`BitXor`](core::ops::BitXor), wedge), `|` ([`BitOr`](core::ops::BitOr), left contraction) and
+//! `&` ([`BitAnd`](core::ops::BitAnd), vee).
 
 /// The right contraction `a ⌊ b`: of grades r and s the part of grade r − s of `a b`.
 pub trait RightContraction<B> {
@@ -28,7 +29,8 @@ pub trait Commutator<B> {
     fn commutator(self, other: B) -> Self::Output;
 }
 
-/// The action of a versor: `M x ~M` for an even M, `M x̂ ~M` with the grade involution of x for an odd one.
+/// The action of a versor: `M x ~M` for an even M, `M x̂ ~M` with the grade involution of x for an
+/// odd one.
 ///
 /// For a unit versor it is a motion, and `M` and `−M` move alike.
 pub trait Sandwich<B> {

@@ -1,4 +1,5 @@
-//! Tests that cross the crates of Nullcone. The programs of the README run here as they stand there.
+//! Tests that cross the crates of Nullcone. The programs of the README run here as they stand
+//! there.
 
 #[cfg(doctest)]
 #[doc = include_str!("../../README.md")]

@@ -41,7 +41,8 @@ proptest! {
         near(plane(p, d).inversive_distance_to(plane(q, n)).unwrap(), dot(d, n), 1e-14);
     }
 
-    /// Spheres through a common point: the angle of their normals there, which the algebra gives as `σ·τ/√(σ² τ²)`.
+    /// Spheres through a common point: the angle of their normals there, which the algebra gives as
+    /// `σ·τ/√(σ² τ²)`.
     #[test]
     fn spheres_that_meet(x in vector(3.0), u in unit(), v in unit(), n in unit(), r in 0.1..4.0_f64, s in 0.1..4.0_f64) {
         let angle = between(u, v);
@@ -79,7 +80,8 @@ proptest! {
             panic!("{images:?}");
         };
         let expected = a.inversive_distance_to(b).unwrap();
-        // Taken by outward normals: the inside and the outside change places where the centre is inside.
+        // Taken by outward normals: the inside and the outside change places where the centre is
+        // inside.
         let turned = power(p, r).signum() * power(q, s).signum();
         let found = i.inversive_distance_to(j).unwrap() * turned;
         near(found, expected, 1e-8 * expected.abs().max(1.0));

@@ -1,4 +1,5 @@
-//! Batches against the same operations on single elements, to the last bit, for every length and on every path.
+//! Batches against the same operations on single elements, to the last bit, for every length and on
+//! every path.
 
 use ga_runtime::batch::{self, Batch, BlendError, LengthMismatch, Moved, Path};
 use ga_runtime::cga3::{
@@ -54,7 +55,8 @@ where
                 .transform_each(motors, elements, &mut moved)
                 .expect("one length");
             assert_eq!(moved, each, "{path:?}, {length} elements");
-            // One motor: a linear map, which rounds in another order than the product of one element.
+            // One motor: a linear map, which rounds in another order than the product of one
+            // element.
             let motor = members::<Motor<S>>(42)[41];
             batch
                 .transform_into(&motor, elements, &mut moved)

@@ -5,8 +5,9 @@ use ga_runtime::cga3::{
     RoundVector, Sphere,
 };
 
-/// The dual quaternion `size (1 + 2 e12 + 2 e13 + 4 e23 + 25 shift e123i)`, whose length is 5 size. With
-/// `M ~M = size² (25 + 50 shift e123i)` the nearest motor is `(1 + 2 e12 + 2 e13 + 4 e23)(1 − shift e123i)/5 + 5 shift e123i`.
+/// The dual quaternion `size (1 + 2 e12 + 2 e13 + 4 e23 + 25 shift e123i)`, whose length is 5 size.
+/// With `M ~M = size² (25 + 50 shift e123i)` the nearest motor is `(1 + 2 e12 + 2 e13 + 4 e23)(1 −
+/// shift e123i)/5 + 5 shift e123i`.
 fn sum(size: f64, shift: f64) -> DualQuaternion<f64> {
     let [one, two, four] = [1.0, 2.0, 4.0].map(|x| x * size);
     DualQuaternion::new(one, two, two, four, 0.0, 0.0, 0.0, 25.0 * size * shift)
@@ -134,7 +135,8 @@ fn planes_and_lines_measure_at_every_size() {
 
 #[test]
 fn turns_by_large_angles_advance_far() {
-    // The generator G = φ e12 + h e3i: exp G = (cos φ + sin φ e12)(1 + h e3i), as both commute and (h e3i)² = 0.
+    // The generator G = φ e12 + h e3i: exp G = (cos φ + sin φ e12)(1 + h e3i), as both commute and
+    // (h e3i)² = 0.
     for (angle, shift) in [
         (1e200_f64, 1e200),
         (1e160, -3e-200),

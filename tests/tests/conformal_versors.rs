@@ -1,4 +1,5 @@
-//! General conformal versors: exponential and logarithm, roots and powers, reflections and inversions, how they act.
+//! General conformal versors: exponential and logarithm, roots and powers, reflections and
+//! inversions, how they act.
 
 use std::f64::consts::PI;
 use std::path::Path;
@@ -78,7 +79,8 @@ impl Numbers {
     }
 }
 
-/// The distance of a bivector from the edge of the branch, where the sum of the half angles of its turns is π.
+/// The distance of a bivector from the edge of the branch, where the sum of the half angles of its
+/// turns is π.
 fn room(b: PointPair<f64>) -> f64 {
     let wedge = b.wedge(b);
     let (s, square) = (b.scalar_product(b), wedge.scalar_product(wedge));
@@ -90,7 +92,8 @@ fn room(b: PointPair<f64>) -> f64 {
     PI - (-turn).max(0.0).sqrt()
 }
 
-/// Bivectors of all kinds: of any size, those of the special versors, and such as are nearly of a special kind.
+/// Bivectors of all kinds: of any size, those of the special versors, and such as are nearly of a
+/// special kind.
 fn family(kind: usize, n: &mut Numbers) -> PointPair<f64> {
     let spread = 10_f64.powf(-3.0 * n.next().abs());
     let angle = 3.0 * n.next();

@@ -1,7 +1,7 @@
 //! The axioms of geometric algebra, exactly, in the dense reference over the prime field.
 //!
-//! Associativity, linearity and v v = v·v determine the geometric product, the grades of its parts all others. So
-//! nothing here depends on how the reference computes.
+//! Associativity, linearity and v v = v·v determine the geometric product, the grades of its parts
+//! all others. So nothing here depends on how the reference computes.
 
 use ga_runtime::dense::{Algebra, Multivector};
 use ga_runtime::scalar::Prime61;
@@ -11,8 +11,8 @@ use ga_runtime::testing::strategy::{
 use proptest::prelude::*;
 use proptest::strategy::BoxedStrategy;
 
-/// The algebras of the tests: conformal space on its null basis, projective space, spacetime, the plane, and any metric
-/// of up to five dimensions, singular ones included.
+/// The algebras of the tests: conformal space on its null basis, projective space, spacetime, the
+/// plane, and any metric of up to five dimensions, singular ones included.
 fn algebra() -> BoxedStrategy<Algebra<Prime61>> {
     prop_oneof![
         2 => Just(conformal_space()),

@@ -1,7 +1,7 @@
 //! The dense reference against coefficients from independent libraries.
 //!
-//! The extracts in `data/ga` are always tested, the complete vectors where `../shared/oracle` lies beside the
-//! workspace.
+//! The extracts in `data/ga` are always tested, the complete vectors where `../shared/oracle` lies
+//! beside the workspace.
 
 use std::fs;
 use std::path::Path;
@@ -90,7 +90,8 @@ fn check_products(pairs: &Value) -> Result<usize> {
     Ok(list(pairs)?.len())
 }
 
-/// Figures as outer products, meets as regressive products, motions as sandwiches; returns the number of records.
+/// Figures as outer products, meets as regressive products, motions as sandwiches; returns the
+/// number of records.
 fn check_figures(geometry: &Value) -> Result<usize> {
     let algebra = conformal_space()?;
     let blade = |record: &Value, name: &str| multivector(&algebra, &record[name]);

@@ -139,8 +139,9 @@ proptest! {
         check!(circle(centre(n, r), n, r), touching, 0.0, 2e-12);
     }
 
-    /// Circles that all but touch come close twice, a little less in one place than in the other; circles with nearly one axis are
-    /// nearly as far all round. The least of the two is found, and nothing below it.
+    /// Circles that all but touch come close twice, a little less in one place than in the other;
+    /// circles with nearly one axis are nearly as far all round. The least of the two is found, and
+    /// nothing below it.
     #[test]
     fn circles_that_all_but_touch(n in unit(), m in unit(), t in unit(), s in 0.3..1.5_f64, digits in 0.0..12.0_f64, more in 0.0..12.0_f64) {
         prop_assume!(length(cross(n, t)) > 0.05 && length(cross(m, t)) > 0.05);
@@ -157,7 +158,8 @@ proptest! {
             let sampled = least_by_sampling(720, |t| point_circle(on_circle(d, m, s, t), c, n, r));
             let found = first.distance_to(second).unwrap();
             prop_assert!(found <= sampled + 4e-15, "{found:e} is above {sampled:e}");
-            // Sampling finds one of the two places, which differ as the fourth power of their distance.
+            // Sampling finds one of the two places, which differ as the fourth power of their
+            // distance.
             prop_assert!(found >= sampled - 1e-4 * off.max(1e-12) - 4e-15, "{found:e} is below {sampled:e}");
         }
     }
@@ -182,7 +184,8 @@ proptest! {
         let (l, k) = (dense(&l.dual()), dense(&k.dual()));
         let axis = (&(&l * &k) - &(&k * &l)).scale(0.5);
         let turn = cross(d, e);
-        // e12, e13, e23 of a bivector are minus the axis of the turn or the axis itself, by the sign of the dual.
+        // e12, e13, e23 of a bivector are minus the axis of the turn or the axis itself, by the
+        // sign of the dual.
         let found = [axis.coefficient(0b110), -axis.coefficient(0b101), axis.coefficient(0b011)];
         near(length(cross(unit_of(found), unit_of(turn))), 0.0, 1e-12);
     }
@@ -233,7 +236,8 @@ fn zero_radius_is_a_point() {
 
 #[test]
 fn zero_weight_is_flat() {
-    // Rounds whose weight is zero are flats: a sphere a plane, a circle a line, a pair its finite point.
+    // Rounds whose weight is zero are flats: a sphere a plane, a circle a line, a pair its finite
+    // point.
     let flat = DualSphere::new(0.0, 0.0, 2.0, 0.0, 6.0).undual();
     check!(flat, point(O), 3.0, 1e-15);
     let [a, b, c] = [0.0, 1.0, 3.0].map(|x| point([x, 2.0, 0.0]));

@@ -1,4 +1,5 @@
-//! Algebras of another crate, which knows ga-runtime by another name: their tests are written here, from declarations there.
+//! Algebras of another crate, which knows ga-runtime by another name: their tests are written here,
+//! from declarations there.
 
 use nullcone_embedder::{area, first, moved, second};
 

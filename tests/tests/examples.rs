@@ -1,4 +1,5 @@
-//! `cargo test` runs the examples of ga-runtime, each by a test of its own; here is checked that none is left out.
+//! `cargo test` runs the examples of ga-runtime, each by a test of its own; here is checked that
+//! none is left out.
 
 use std::collections::BTreeSet;
 use std::fs;

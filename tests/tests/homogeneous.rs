@@ -1,5 +1,6 @@
-//! The paper's 4×4 matrices and the versors of the same transformations, against one another and against plain coordinates: exactly over the
-//! prime field, and within a few roundings over floating point.
+//! The paper's 4×4 matrices and the versors of the same transformations, against one another and
+//! against plain coordinates: exactly over the prime field, and within a few roundings over
+//! floating point.
 
 use ga_runtime::cga3::{
     Dilator, Direction, Infinity, Line, Motor, Plane, Point, Rotor, Similarity, Translator,
@@ -80,7 +81,8 @@ fn translations_agree_exactly() {
     assert_eq!(Translator::from_homogeneous(translation(t)), Ok(versor));
 }
 
-/// Eq. 9 for a rotor with `cos ½θ = w` and `sin ½θ n = v`: `cos θ = 2w² − 1`, `sin θ n = 2wv`, `(1 − cos θ) n nᵀ = 2 v vᵀ`.
+/// Eq. 9 for a rotor with `cos ½θ = w` and `sin ½θ n = v`: `cos θ = 2w² − 1`, `sin θ n = 2wv`,
+/// `(1 − cos θ) n nᵀ = 2 v vᵀ`.
 #[test]
 fn rotations_agree_exactly() {
     for_all(
@@ -301,7 +303,8 @@ proptest! {
     }
 }
 
-/// Points, directions, lines and planes go along: what is spanned by images is the image of what is spanned.
+/// Points, directions, lines and planes go along: what is spanned by images is the image of what is
+/// spanned.
 #[test]
 fn affine_maps_respect_spans() {
     type P = Point<Prime61>;

@@ -1,5 +1,5 @@
-//! Declarations and their tests mean the same wherever they stand: whatever names are shadowed at the call site,
-//! whatever the types and blades are called, and with no prelude at all.
+//! Declarations and their tests mean the same wherever they stand: whatever names are shadowed at
+//! the call site, whatever the types and blades are called, and with no prelude at all.
 
 #![allow(
     dead_code,
@@ -10,7 +10,8 @@
     clippy::wrong_self_convention
 )]
 
-/// A call site at which every name that emitted code could be tempted to use stands for something else.
+/// A call site at which every name that emitted code could be tempted to use stands for something
+/// else.
 mod shadowed_call_site {
     struct Box;
     struct Err;

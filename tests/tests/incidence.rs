@@ -1,4 +1,5 @@
-//! Incidence, parallels and perpendiculars: what is built to lie on something does, and no longer once it is moved off.
+//! Incidence, parallels and perpendiculars: what is built to lie on something does, and no longer
+//! once it is moved off.
 
 mod plain;
 
@@ -55,7 +56,8 @@ proptest! {
             prop_assert_eq!(line(O, turned(u, n, off)).is_on(plane(O, n), loose()), is_on);
             prop_assert_eq!(line(O, turned(u, n, off)).coincides_with(line(O, u), loose()), is_on);
             prop_assert_eq!(plane(O, turned(u, n, off)).is_on(plane(O, u), loose()), is_on);
-            // A circle in a plane, moved, and turned about its centre by what moves its farthest point as far.
+            // A circle in a plane, moved, and turned about its centre by what moves its farthest
+            // point as far.
             prop_assert_eq!(circle(along(c, off, n), n, r).is_on(plane(c, n), loose()), is_on);
             prop_assert_eq!(circle(c, turned(n, u, (off / r).asin()), r).is_on(plane(c, n), loose()), is_on);
             prop_assert_eq!(circle(along(c, off, u), n, r).coincides_with(circle(c, n, r), loose()), is_on);

@@ -76,8 +76,8 @@ fn slices_are_cast_in_place() {
     assert_eq!(cga3::Rotor::<f64>::zeroed().scalar(), 0.0);
 }
 
-/// Every type that a declaration has is in the list of plain memory, with as many numbers as it stores, and in that of these tests; constants have
-/// none.
+/// Every type that a declaration has is in the list of plain memory, with as many numbers as it
+/// stores, and in that of these tests; constants have none.
 #[test]
 fn no_declared_type_is_left_out() {
     let root = concat!(env!("CARGO_MANIFEST_DIR"), "/..");

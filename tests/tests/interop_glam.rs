@@ -1,4 +1,5 @@
-//! glam and mint against the action of motors: glam's own transforms and quaternion products are the truth.
+//! glam and mint against the action of motors: glam's own transforms and quaternion products are
+//! the truth.
 
 use ga_runtime::cga3::{Dilator, Direction, Motor, Point, Rotor, Similarity, Translator};
 use ga_runtime::geometry::{Affine, NotConformal};
@@ -24,7 +25,8 @@ proptest! {
         let motor = Motor::try_from((q, t)).unwrap();
         let moved = DVec3::from(motor.transform(Point::from(p)));
         let truth = q * p + t;
-        // Normalising leaves an epsilon or two in the rotor's length, which counts twice; the products round as well.
+        // Normalising leaves an epsilon or two in the rotor's length, which counts twice; the
+        // products round as well.
         let tolerance = 8.0 * f64::EPSILON * (p.length() + t.length());
         prop_assert!(moved.abs_diff_eq(truth, tolerance), "{moved} {truth}");
         prop_assert!(DAffine3::from(motor).transform_point3(p).abs_diff_eq(truth, tolerance));

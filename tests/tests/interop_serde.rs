@@ -1,4 +1,5 @@
-//! serde: the written form against text and numbers put down by hand, every type there and back, and what is refused.
+//! serde: the written form against text and numbers put down by hand, every type there and back,
+//! and what is refused.
 
 mod every_type;
 
@@ -14,7 +15,8 @@ use proptest::prelude::*;
 use serde_1::Serialize;
 use serde_1::de::DeserializeOwned;
 
-/// An algebra of this crate: vectors in another order, names that are keywords, a type that stores little.
+/// An algebra of this crate: vectors in another order, names that are keywords, a type that stores
+/// little.
 mod own {
     ga_runtime::algebra! {
         pub(super) mod space {

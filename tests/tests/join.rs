@@ -1,4 +1,5 @@
-//! Joins of two primitives: what comes out holds both, is the least that does, and is the outer product of the dense algebra.
+//! Joins of two primitives: what comes out holds both, is the least that does, and is the outer
+//! product of the dense algebra.
 
 mod plain;
 
@@ -28,7 +29,8 @@ macro_rules! outcome {
     };
 }
 
-/// Asserts that the join is of this case both ways round and a positive multiple of the outer product in that order.
+/// Asserts that the join is of this case both ways round and a positive multiple of the outer
+/// product in that order.
 macro_rules! check_product {
     ($a:expr, $b:expr, $case:path, $bound:expr) => {{
         let (a, b) = ($a, $b);
@@ -53,7 +55,8 @@ macro_rules! check_case {
     }};
 }
 
-/// Asserts that the join is of this case both ways round and is the same set of points as another primitive.
+/// Asserts that the join is of this case both ways round and is the same set of points as another
+/// primitive.
 macro_rules! check_is {
     ($a:expr, $b:expr, $case:path, $expected:expr) => {{
         for found in joins!($a, $b) {
@@ -108,7 +111,8 @@ proptest! {
         check_is!(pair(p, q), pair(q, p), Join::PointPair, pair(p, q));
         check_is!(pair(p, q), pair(between, along(p, 2.0, u)), Join::Line, line(p, u));
         check_is!(pair(p, q), pair(between, q), Join::Line, line(p, u));
-        // Three distinct points, and four of one circle, are concyclic; four of a plane need not be.
+        // Three distinct points, and four of one circle, are concyclic; four of a plane need not
+        // be.
         let round = ga_runtime::cga3::Circle::through(point(p), point(q), point(s));
         check_is!(pair(p, q), pair(q, s), Join::Circle, round);
         let (c, n, r) = (round.centre().unwrap().coordinates(), round.unit_normal().unwrap(), round.radius().unwrap());

@@ -1,5 +1,5 @@
-//! Meets of lines, planes, spheres and circles: each case by plain formulas, its blade and orientation by the vee product of the dense
-//! algebra.
+//! Meets of lines, planes, spheres and circles: each case by plain formulas, its blade and
+//! orientation by the vee product of the dense algebra.
 
 mod plain;
 
@@ -319,7 +319,8 @@ proptest! {
         }
         for d in [near_by * part, far / part] {
             let found = outcome!(meet(a, at(d)), CircleAndCircle::Imaginary);
-            // The power of the centre of the imaginary pair is its radius squared, for both circles.
+            // The power of the centre of the imaginary pair is its radius squared, for both
+            // circles.
             let x = place(found.centre().unwrap());
             let squared = found.radius_squared().unwrap();
             near(length(minus(x, c)).powi(2) - r * r, -squared, 1e-8 * (1.0 + squared.abs()));

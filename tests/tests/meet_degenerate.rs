@@ -1,4 +1,5 @@
-//! Meets that are degenerate: radius zero, imaginary, at the edge of the tolerance, and of what is no figure.
+//! Meets that are degenerate: radius zero, imaginary, at the edge of the tolerance, and of what is
+//! no figure.
 
 mod plain;
 

@@ -68,7 +68,8 @@ fn value(m: Motor<Dual<f64>>) -> Motor<f64> {
     Motor::new_unchecked(s, a, b, c, x, y, z, w)
 }
 
-/// `~M M'`, the velocity as seen from the moved body. Derivatives of functions of an angle lose figures as it gets small.
+/// `~M M'`, the velocity as seen from the moved body. Derivatives of functions of an angle lose
+/// figures as it gets small.
 fn velocity(m: Motor<Dual<f64>>) -> [f64; 6] {
     let [s, a, b, c, x, y, z, w] = coefficients(m).map(|x| x.derivative());
     let rate = DualQuaternion::new(s, a, b, c, x, y, z, w);

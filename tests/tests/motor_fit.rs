@@ -248,7 +248,8 @@ fn another_library_fits_alike() {
 
 #[test]
 fn mirror_images_give_the_best_proper_motion() {
-    // Mirrored along the axis of least extent: nothing but to leave it as it is, and the extent there is what remains.
+    // Mirrored along the axis of least extent: nothing but to leave it as it is, and the extent
+    // there is what remains.
     let from: Vec<_> = [[3.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0]]
         .into_iter()
         .flat_map(|x| [x, x.map(|c: f64| -c)])
@@ -258,7 +259,8 @@ fn mirror_images_give_the_best_proper_motion() {
     assert_close!(fit.motion, Motor::from(Rotor::<f64>::default()), 1e-15);
     // Two of six points are off by 2.
     assert_close!(fit.residual, (8.0_f64 / 6.0).sqrt(), 1e-15);
-    // Mirrored along the longest: a half turn about the shortest and the rest stays as wrong as before.
+    // Mirrored along the longest: a half turn about the shortest and the rest stays as wrong as
+    // before.
     let to: Vec<_> = from.iter().map(|&[x, y, z]| [-x, y, z]).collect();
     let fit = Motor::from_point_pairs(&paired(&from, &to)).unwrap();
     assert_close!(

@@ -1,5 +1,5 @@
-//! Exponential and logarithm of rigid motions: against closed forms in plain coordinates, there and back at every angle and size,
-//! and what comes back for numbers that are no motion.
+//! Exponential and logarithm of rigid motions: against closed forms in plain coordinates, there and
+//! back at every angle and size, and what comes back for numbers that are no motion.
 //!
 //! The loops over random motions take [`COUNT`] of them, fewer in a debug build.
 
@@ -111,8 +111,9 @@ fn deviation<const N: usize>(a: [f64; N], b: [f64; N]) -> f64 {
     })
 }
 
-/// The generator and the motor of a turn by θ about the axis through p, right-handed, with an advance along it, both in plain
-/// coordinates: the velocity of the origin is `advance · n + θ p × n`, and the shift of the origin `advance · n + p − R p`.
+/// The generator and the motor of a turn by θ about the axis through p, right-handed, with an
+/// advance along it, both in plain coordinates: the velocity of the origin is
+/// `advance · n + θ p × n`, and the shift of the origin `advance · n + p − R p`.
 fn turn_about(p: Vector, n: Vector, angle: f64, advance: f64) -> ([f64; 6], [f64; 8]) {
     let moment = cross(p, n);
     let velocity: Vector = std::array::from_fn(|k| advance * n[k] + angle * moment[k]);
@@ -125,9 +126,9 @@ fn turn_about(p: Vector, n: Vector, angle: f64, advance: f64) -> ([f64; 6], [f64
         -0.5 * velocity[1],
         -0.5 * velocity[2],
     ];
-    // T R with t = advance n + sin θ p × n + (1 − cos θ)(p − n n·p): the ei part is
-    // −½ t (cos ½θ − sin ½θ B), and with t = a n + 2 sin ½θ (cos ½θ p×n + sin ½θ p⊥) its vector part is
-    // −½ a cos ½θ n − sin ½θ p × n, its trivector part ½ a sin ½θ.
+    // T R with t = advance n + sin θ p × n + (1 − cos θ)(p − n n·p): the ei part is −½ t (cos ½θ −
+    // sin ½θ B), and with t = a n + 2 sin ½θ (cos ½θ p×n + sin ½θ p⊥) its vector part is −½ a cos
+    // ½θ n − sin ½θ p × n, its trivector part ½ a sin ½θ.
     let (sine, cosine) = half.sin_cos();
     let shift: Vector = std::array::from_fn(|k| -0.5 * advance * cosine * n[k] - sine * moment[k]);
     let motor = [
@@ -159,7 +160,8 @@ fn closed_forms() {
         // The arm of the generator, θ |p| and the advance, meets the rounding of the angle.
         let arm = size(&generator);
         worst[0] = worst[0].max(deviation(found, motor) / arm.max(size(&motor)));
-        // The axis is known to the sine of half the angle; below a quarter turn the sine is not needed.
+        // The axis is known to the sine of half the angle; below a quarter turn the sine is not
+        // needed.
         let conditioning = if angle < PI {
             1.0
         } else {
@@ -293,7 +295,8 @@ fn whole_turns() {
     let in_e12 = MotorGenerator::new(PI, 0.0, 0.0, 0.0, 0.0, 0.0);
     assert_eq!((-one).log(), in_e12);
     assert!(there_and_back(parts(-one)) <= 1e-15);
-    // Minus a shift turns about the axis of the shift: [0, −3, 4] is the plane 3/5 e13 + 4/5 e12 up to its sign.
+    // Minus a shift turns about the axis of the shift: [0, −3, 4] is the plane 3/5 e13 + 4/5 e12 up
+    // to its sign.
     let shift = Motor::from(Translator::from_displacement([0.0, -3.0, 4.0]));
     let log = (-shift).log();
     let expected = MotorGenerator::new(-0.8 * PI, -0.6 * PI, 0.0, 0.0, 1.5, -2.0);

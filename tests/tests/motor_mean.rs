@@ -74,7 +74,8 @@ fn coefficients(m: Motor<f64>) -> [f64; 8] {
     [s, a, b, c, m.e1i(), m.e2i(), m.e3i(), m.e123i()]
 }
 
-/// The largest difference of coefficients of two motors, whatever their signs, relative to the size of the displacements.
+/// The largest difference of coefficients of two motors, whatever their signs, relative to the size
+/// of the displacements.
 fn deviation(a: Motor<f64>, b: Motor<f64>) -> f64 {
     let size = 1.0 + length(b.translator().displacement());
     let apart = |b: Motor<f64>| {
@@ -91,7 +92,8 @@ fn product(a: &Matrix, b: &Matrix) -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| (0..4).map(|k| a[i][k] * b[k][j]).sum()))
 }
 
-/// The motion of a rotation vector and a velocity held for a unit of time, as the exponential series of its matrix.
+/// The motion of a rotation vector and a velocity held for a unit of time, as the exponential
+/// series of its matrix.
 fn matrix_exponential(rotation: [f64; 3], velocity: [f64; 3]) -> Matrix {
     let [x, y, z] = rotation;
     let [u, v, w] = velocity;
@@ -109,8 +111,8 @@ fn of_matrix([a, b, c, _]: Matrix) -> Motor<f64> {
     Motor::from_matrix([a, b, c]).expect("a rotation")
 }
 
-/// Motors whose logarithms from a centre have the weighted sum zero, with their weights; all rotations within an angle of
-/// the centre.
+/// Motors whose logarithms from a centre have the weighted sum zero, with their weights; all
+/// rotations within an angle of the centre.
 fn planted(random: &mut Random, centre: Motor<f64>, angle: f64) -> Vec<(f64, Motor<f64>)> {
     let count = 1 + (random.unit() * 12.0) as usize;
     let mut sums = [[0.0; 3]; 2];
@@ -184,7 +186,8 @@ fn cloud(random: &mut Random, angle: f64) -> Vec<(f64, Motor<f64>)> {
     cloud
 }
 
-/// The largest of rotation and displacement in the weighted mean of `log(M⁻¹ Mᵢ)`, by matrices and the formulas of Rodrigues.
+/// The largest of rotation and displacement in the weighted mean of `log(M⁻¹ Mᵢ)`, by matrices and
+/// the formulas of Rodrigues.
 fn left_over(mean: Motor<f64>, cloud: &[(f64, Motor<f64>)]) -> f64 {
     let (mut sums, mut total) = ([[0.0; 3]; 2], 0.0);
     for &(weight, motor) in cloud {
@@ -469,7 +472,8 @@ fn fans_over_half_a_turn_have_their_middle_as_mean() {
 
 #[test]
 fn clouds_that_just_fit_have_a_mean() {
-    // All a quarter turn from a centre, two of them as good as opposite, with weights from one to a million.
+    // All a quarter turn from a centre, two of them as good as opposite, with weights from one to a
+    // million.
     for seed in 0..4000 {
         let mut random = Random(seed);
         let centre = random.motor(2.0, 1.0);
@@ -498,7 +502,8 @@ fn clouds_that_just_fit_have_a_mean() {
 
 #[test]
 fn a_ball_is_found_wherever_its_centre_is() {
-    // Nearly all weight at one end of the ball, so that the other end is far beyond a quarter turn from the mean.
+    // Nearly all weight at one end of the ball, so that the other end is far beyond a quarter turn
+    // from the mean.
     let z = [0.0, 0.0, 1.0];
     let found = Motor::mean(&[
         (1e6, turn(z, 1.5)),
@@ -506,7 +511,8 @@ fn a_ball_is_found_wherever_its_centre_is() {
         (1.0, turn([1.0, 0.0, 0.0], 1.5)),
     ]);
     assert!((found.unwrap().mean.rotor().to_axis_angle().1 - 1.5).abs() < 1e-5);
-    // Random rotations: the best of many centres tells that there is a ball, the refusal that no centre shows one.
+    // Random rotations: the best of many centres tells that there is a ball, the refusal that no
+    // centre shows one.
     let mut refused = 0;
     for seed in 0..400 {
         let mut random = Random(seed);
@@ -656,7 +662,8 @@ fn single_precision_comes_to_rest_too() {
 
 #[test]
 fn long_sums_keep_their_figures() {
-    // First all motors of one side, then all of the other, so that sums grow large before they vanish.
+    // First all motors of one side, then all of the other, so that sums grow large before they
+    // vanish.
     let mut random = Random(1);
     let centre = random.motor(1.0, 1.0);
     let sides: Vec<_> = (0..20_000)

@@ -108,7 +108,8 @@ proptest! {
 
 #[test]
 fn the_modulus_is_prime() {
-    // Lucas–Lehmer: 2^q − 1 is prime if and only if it divides s(q − 2), with s(0) = 4, s(k + 1) = s(k)² − 2.
+    // Lucas–Lehmer: 2^q − 1 is prime if and only if it divides s(q − 2), with s(0) = 4, s(k + 1) =
+    // s(k)² − 2.
     let last = (0..61 - 2).fold(4, |s: u128, _| (s * s + P - 2) % P);
     assert_eq!(last, 0);
     assert_eq!(u128::from(Prime61::MODULUS), P);

@@ -84,7 +84,8 @@ proptest! {
             let size: Vec<f64> = PointPair::<f64>::BLADES.iter().map(|&blade| difference.coefficient(blade)).collect();
             assert_close!(size, vec![0.0; 10], 1e-12, 1000.0);
         }
-        // The container is the sphere about the same centre; its dual σ has σ·P = 0, so that it holds the pair.
+        // The container is the sphere about the same centre; its dual σ has σ·P = 0, so that it
+        // holds the pair.
         let container = pair.container().expect("a pair");
         assert_close!(container.centre().expect("a sphere").coordinates(), c, 1e-12, 5.0);
         assert_close!(container.radius_squared().expect("a sphere"), squared, 1e-11, 100.0);

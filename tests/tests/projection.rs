@@ -77,7 +77,8 @@ proptest! {
         let part = &(&x | &flat) * &flat.inverse().unwrap();
         positive_multiple(&dense(&image), &part, 1e-11);
         positive_multiple(&dense(&rest), &(&x - &part), 1e-11);
-        // The great circle: its plane is that of the line and the centre, and it turns as the line passes.
+        // The great circle: its plane is that of the line and the centre, and it turns as the line
+        // passes.
         let below = l.great_circle_on(sphere(q, r));
         let arm = minus(p, q);
         prop_assume!(length(cross(arm, d)) > 0.1);

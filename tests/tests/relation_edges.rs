@@ -1,4 +1,5 @@
-//! Relations at the edge: figures that touch far from the origin, dual forms, numbers that are not finite.
+//! Relations at the edge: figures that touch far from the origin, dual forms, numbers that are not
+//! finite.
 
 use ga_runtime::cga3::{Circle, Line, Multivector, Plane, Point, PointPair, RoundVector, Sphere};
 use ga_runtime::geometry::relation::Tolerance;

@@ -1,4 +1,5 @@
-//! Roots, powers, ways round and screws of rigid versors, against closed forms in plain coordinates.
+//! Roots, powers, ways round and screws of rigid versors, against closed forms in plain
+//! coordinates.
 
 use std::f64::consts::PI;
 
@@ -65,8 +66,9 @@ fn turn(n: Vector, angle: f64) -> [f64; 4] {
     [cosine, -sine * n[2], sine * n[1], -sine * n[0]]
 }
 
-/// The turn by θ about the axis through p along n with an advance along it, as a motor's coefficients: with a the advance and m = p × n
-/// the part with ei is `−½ a cos ½θ n − sin ½θ m`, and `½ a sin ½θ` that of e123i.
+/// The turn by θ about the axis through p along n with an advance along it, as a motor's
+/// coefficients: with a the advance and m = p × n the part with ei is `−½ a cos ½θ n − sin ½θ m`,
+/// and `½ a sin ½θ` that of e123i.
 fn screw(p: Vector, n: Vector, angle: f64, advance: f64) -> [f64; 8] {
     let (sine, cosine) = (0.5 * angle).sin_cos();
     let m = cross(p, n);
@@ -259,7 +261,8 @@ proptest! {
 fn slerp_is_stable_where_rotors_agree_or_oppose() {
     let n = [0.0, 0.6, 0.8];
     for off in [0.0, 1e-300, 1e-160, 1e-16, 1e-12, 1e-8, 1e-4] {
-        // From no turn to a turn by `off` and, its negative, by 2π − `off`: the short way goes by parts of `off`.
+        // From no turn to a turn by `off` and, its negative, by 2π − `off`: the short way goes by
+        // parts of `off`.
         let [c, x, y, z] = turn(n, off);
         for end in [
             Rotor::new_unchecked(c, x, y, z),

@@ -124,8 +124,8 @@ proptest! {
         }
     }
 
-    /// Whatever comes in, the value is that of the plain number, and a NaN never appears beside a finite value of
-    /// finite slope.
+    /// Whatever comes in, the value is that of the plain number, and a NaN never appears beside a
+    /// finite value of finite slope.
     #[test]
     fn values_are_those_of_plain_numbers(x in prop::num::f64::ANY, y in prop::num::f64::ANY) {
         let [a, b] = Dual::variables([x, y]);
@@ -202,7 +202,8 @@ proptest! {
         let dual = MotorGenerator::new(generator.e12, generator.e13, generator.e23, generator.e1i, generator.e2i, generator.e3i);
         let motor: Motor<Dual<f64>> = scaled(dual, Dual::variable(t)).exp();
         let moved = motor.transform(Point::from(point.map(Dual::constant))).coordinates();
-        // G = −½ B − ½ v ei has the velocity v − x·B, the angular velocity being the dual of B in space.
+        // G = −½ B − ½ v ei has the velocity v − x·B, the angular velocity being the dual of B in
+        // space.
         let [x, y, z] = moved.map(|x| x.value);
         let [b12, b13, b23] = g.map(|b| -2.0 * b);
         let expected = [

@@ -220,7 +220,8 @@ proptest! {
         prop_assert_eq!(a.recip() * b, b / a);
     }
 
-    /// The Jacobian of a motion by the coordinates is its turn: the columns are the turned basis vectors.
+    /// The Jacobian of a motion by the coordinates is its turn: the columns are the turned basis
+    /// vectors.
     #[test]
     fn jacobian_of_a_sandwich(motor in exact_member::<Motor<Prime61>>(), point in exact3(), step in exact3()) {
         let moved = constant::<_, Motor<Dual<Prime61, 3>>, 3>(motor).transform(Point::from(Dual::variables(point)));
@@ -239,7 +240,8 @@ proptest! {
             let along = (0..3).fold(Prime61::zero(), |sum, k| sum + coordinates[i].derivatives[k] * step[k]);
             prop_assert_eq!(there[i] - plain[i], along);
         }
-        // The derived coefficient of ei is half the square of the coordinates: its gradient is x'ᵀ J.
+        // The derived coefficient of ei is half the square of the coordinates: its gradient is x'ᵀ
+        // J.
         let infinity = moved.coefficient(0b10000);
         for k in 0..3 {
             let inner = coordinates.iter().fold(Prime61::zero(), |sum, x| sum + x.value * x.derivatives[k]);
@@ -268,7 +270,8 @@ proptest! {
         }
     }
 
-    /// The chain rule through a product of motors: the inner one's derivative is turned by the outer one.
+    /// The chain rule through a product of motors: the inner one's derivative is turned by the
+    /// outer one.
     #[test]
     fn chain_rule_through_motors(outer in exact_member::<Motor<Prime61>>(), alpha in prime(), point in exact3()) {
         prop_assume!(Prime61::one() + alpha * alpha != Prime61::zero());

@@ -138,7 +138,8 @@ proptest! {
         prop_assert!(deviation(whole.log().exp().expect("in range"), whole) < 1e-13);
     }
 
-    /// About a point, the way between is a spiral: the angle grows evenly, the distance by equal ratios.
+    /// About a point, the way between is a spiral: the angle grows evenly, the distance by equal
+    /// ratios.
     #[test]
     fn the_way_between_is_a_spiral(
         c in place(3.0), n in axis(), angle in -3.0..3.0, s in factor(), x in place(3.0), time in 0.0..1.0

@@ -80,7 +80,8 @@ fn operations_are_registered_and_run() {
         "done",
     ];
     assert_eq!(criterion.log, expected);
-    // Once to make room for the results, and once in each of two passes; conversions are done beforehand.
+    // Once to make room for the results, and once in each of two passes; conversions are done
+    // beforehand.
     assert_eq!(
         (calls.get(), rival_calls.get(), conversions.get()),
         (3072, 3072, 1024)

@@ -78,7 +78,8 @@ fn the_assertion_panics() {
 }
 
 proptest! {
-    /// Within half the tolerance it passes, beyond it fails, wherever the deviation is and whatever the magnitude.
+    /// Within half the tolerance it passes, beyond it fails, wherever the deviation is and whatever
+    /// the magnitude.
     #[test]
     fn the_tolerance_is_the_border(
         values in proptest::collection::vec(strategy::float(1.0), 1..20),

@@ -52,7 +52,8 @@ fn messages_name_the_blade() {
     assert!(check_close(&nowhere, &nowhere, None, None).is_err());
 }
 
-/// Whether the members of a type are finite, read back as they were made, and unit versors where the type says so.
+/// Whether the members of a type are finite, read back as they were made, and unit versors where
+/// the type says so.
 fn check_members<T: Element<Scalar = f64> + PartialEq + std::fmt::Debug>() {
     let algebra = algebra_of::<f64>(T::METRIC);
     for_all(member::<T, _>(strategy::float(0.9)), |element| {
@@ -111,7 +112,8 @@ fn every_type_has_random_members() {
     );
 }
 
-/// Random motors turn by all angles of both signs of the scalar, about all axes, and shift along all directions.
+/// Random motors turn by all angles of both signs of the scalar, about all axes, and shift along
+/// all directions.
 #[test]
 fn random_motors_go_everywhere() {
     let mut seen = std::collections::BTreeSet::new();

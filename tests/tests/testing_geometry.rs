@@ -1,5 +1,5 @@
-//! The strategies for cga3: what they draw is what they say, and every special position comes up. Checked in plain
-//! coordinates.
+//! The strategies for cga3: what they draw is what they say, and every special position comes up.
+//! Checked in plain coordinates.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -123,7 +123,8 @@ fn points_are_in_the_cube() {
     assert!(share(&points, |p| any(p, &|x| x != 0.0 && x.abs() < 1e-6)) > 0.1);
 }
 
-/// Whether points in plain coordinates are on one line; in one plane; in one plane and on one circle; on one sphere.
+/// Whether points in plain coordinates are on one line; in one plane; in one plane and on one
+/// circle; on one sphere.
 fn positions(points: &[[f64; 3]; 5]) -> [bool; 4] {
     let edges = [1, 2, 3, 4].map(|k| minus(points[k], points[0]));
     let span = edges.iter().map(|&e| length(e)).fold(1e-300, f64::max);
@@ -137,8 +138,8 @@ fn positions(points: &[[f64; 3]; 5]) -> [bool; 4] {
     // With squares as fourth coordinates, spheres become planes.
     let rows = [a, b, c, d].map(|[x, y, z]| [x, y, z, x * x + y * y + z * z]);
     let on_sphere = determinant(rows).abs() < 1e-9;
-    // In a plane, Ptolemy's theorem tells four points on a circle, here for the first four and for the last with three
-    // of them.
+    // In a plane, Ptolemy's theorem tells four points on a circle, here for the first four and for
+    // the last with three of them.
     let on_circle = in_plane && is_cyclic([[0.0; 3], a, b, c]) && is_cyclic([[0.0; 3], a, b, d]);
     [on_line, in_plane, on_circle, on_sphere]
 }
@@ -226,7 +227,8 @@ fn point_configurations_take_every_position() {
     );
 }
 
-/// How far the square of a motor's norm is from 1, by its coefficients: `⟨M ~M⟩ = 1` and the Study condition.
+/// How far the square of a motor's norm is from 1, by its coefficients: `⟨M ~M⟩ = 1` and the Study
+/// condition.
 fn off_unit(m: &Motor<f64>) -> f64 {
     let norm = m.scalar().powi(2) + m.e12().powi(2) + m.e13().powi(2) + m.e23().powi(2);
     let study = m.scalar() * m.e123i() - m.e12() * m.e3i() + m.e13() * m.e2i() - m.e23() * m.e1i();
@@ -447,8 +449,8 @@ fn rounds_of_any_kind_are_of_every_kind() {
 #[test]
 fn pairs_of_lines_take_every_position() {
     let pairs: Vec<[Line<f64>; 2]> = drawn(cga3::pairs_of_lines(SIZE));
-    /// The sine of the angle, the moment of each line about the other, and the distance of the nearest points to the
-    /// origin.
+    /// The sine of the angle, the moment of each line about the other, and the distance of the
+    /// nearest points to the origin.
     struct Position {
         sine: f64,
         cosine: f64,
@@ -470,7 +472,8 @@ fn pairs_of_lines_take_every_position() {
     };
     let found: Vec<_> = pairs.iter().map(position).collect();
     let is_parallel = |p: &Position| p.sine < 1e-14;
-    // Weights turn lines round, so that the same line and its reverse are told apart by half of the cases each.
+    // Weights turn lines round, so that the same line and its reverse are told apart by half of the
+    // cases each.
     assert!(
         share(&found, |p| is_parallel(p)
             && p.offset < 1e-12

@@ -1,4 +1,5 @@
-//! Versors and maps at the edge: signs, singular matrices, whole turns, numbers near the end of their range.
+//! Versors and maps at the edge: signs, singular matrices, whole turns, numbers near the end of
+//! their range.
 
 use ga_runtime::Element;
 use ga_runtime::cga3::{
@@ -194,7 +195,8 @@ proptest! {
 #[test]
 fn null_bivectors_of_spacetime_come_back() {
     for size in [1e-3_f64, 1.0, 1e2, 1e4, 1e6, 1e7] {
-        // Electric and magnetic parts across each other and of one size: a plane wave. Powers of two keep it null exactly.
+        // Electric and magnetic parts across each other and of one size: a plane wave. Powers of
+        // two keep it null exactly.
         let size = 2_f64.powi(size.log2().round() as i32);
         let (e, b) = ([size, 0.0, 0.0], [0.0, size, 0.0]);
         let wave = sta::Bivector::from_fields(e, b);

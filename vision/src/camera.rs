@@ -2,7 +2,8 @@
 
 use ga_runtime::cga3::{Direction, Line, Motor, Point};
 
-/// What a camera does between its frame and its picture: `u = f_x x/z + c_x`, `v = f_y y/z + c_y`, no skew.
+/// What a camera does between its frame and its picture: `u = f_x x/z + c_x`, `v = f_y y/z + c_y`,
+/// no skew.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Intrinsics {
     focal: [f64; 2],
@@ -21,7 +22,8 @@ pub struct Camera {
 /// The half line that a pixel looks along, in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
-    /// The line `c∧d∧ei` through the camera's centre, its direction d of length 1 pointing away from the camera.
+    /// The line `c∧d∧ei` through the camera's centre, its direction d of length 1 pointing away
+    /// from the camera.
     pub line: Line<f64>,
     /// The camera's centre c.
     pub centre: Point<f64>,
@@ -98,7 +100,8 @@ impl Intrinsics {
     /// Intrinsics from a calibration matrix K by rows.
     ///
     /// # Errors
-    /// [`CameraError::Matrix`] names an entry that must be 0 or 1 and is not; else as [`Intrinsics::new`].
+    /// [`CameraError::Matrix`] names an entry that must be 0 or 1 and is not; else as
+    /// [`Intrinsics::new`].
     pub fn from_matrix(matrix: [[f64; 3]; 3]) -> Result<Self, CameraError> {
         let fixed = [
             (0, 1, 0.0),
@@ -142,8 +145,8 @@ impl Intrinsics {
 }
 
 impl Camera {
-    /// A camera at a place, looking at another, upright with respect to a direction that is up. Where it looks along
-    /// that direction, or the places coincide, there is none.
+    /// A camera at a place, looking at another, upright with respect to a direction that is up.
+    /// Where it looks along that direction, or the places coincide, there is none.
     #[must_use]
     pub fn look_at(
         intrinsics: Intrinsics,
@@ -177,8 +180,8 @@ impl Camera {
     /// The pixel at which the camera sees a point of the world.
     ///
     /// # Errors
-    /// [`CameraError::Behind`] for a point that is not in front, [`CameraError::NotFinite`] for a point or pixel that
-    /// is not finite.
+    /// [`CameraError::Behind`] for a point that is not in front, [`CameraError::NotFinite`] for a
+    /// point or pixel that is not finite.
     pub fn project(&self, point: Point<f64>) -> Result<[f64; 2], CameraError> {
         let [x, y, depth] = self.world_to_camera.transform(point).coordinates();
         if !(x.is_finite() && y.is_finite() && depth.is_finite()) {
@@ -199,8 +202,9 @@ impl Camera {
         }
     }
 
-    /// The ray that a pixel looks along: in the camera's frame the line through the origin with the direction
-    /// `((u − c_x)/f_x, (v − c_y)/f_y, 1)`, moved into the world by the reverse of the pose.
+    /// The ray that a pixel looks along: in the camera's frame the line through the origin with the
+    /// direction `((u − c_x)/f_x, (v − c_y)/f_y, 1)`, moved into the world by the reverse of the
+    /// pose.
     ///
     /// # Errors
     /// [`CameraError::NotFinite`] for a pixel that is not finite.

@@ -8,9 +8,10 @@
 //!
 //! # Conventions
 //!
-//! Lengths are in metres, pictures in pixels. A camera's frame has x to the right, y down and z forward along the optical
-//! axis. A pose is the motor that takes the world into the camera's frame, `x_camera = M x ~M`. Pixel coordinates `[u, v]`
-//! count from the centre of the top left pixel, u to the right and v down.
+//! Lengths are in metres, pictures in pixels. A camera's frame has x to the right, y down and z
+//! forward along the optical axis. A pose is the motor that takes the world into the camera's
+//! frame, `x_camera = M x ~M`. Pixel coordinates `[u, v]` count from the centre of the top left
+//! pixel, u to the right and v down.
 //!
 //! ```
 //! use ga_runtime::cga3::Point;

@@ -23,11 +23,12 @@ pub enum ObservationError {
     Noise(f64),
 }
 
-/// The pixels at which a camera sees points, each coordinate with independent Gaussian noise of the given standard deviation in
-/// pixels. Equal seeds give equal noise on every machine.
+/// The pixels at which a camera sees points, each coordinate with independent Gaussian noise of the
+/// given standard deviation in pixels. Equal seeds give equal noise on every machine.
 ///
 /// # Errors
-/// [`ObservationError`] for the first point that the camera does not see, or for noise that is negative or not finite.
+/// [`ObservationError`] for the first point that the camera does not see, or for noise that is
+/// negative or not finite.
 pub fn observe(
     camera: &Camera,
     points: &[Point<f64>],

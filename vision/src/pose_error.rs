@@ -18,7 +18,8 @@ pub enum ComparisonError {
     Empty,
 }
 
-/// The mean distance between reconstructed and true joints, in the unit of the coordinates (MPJPE; the paper's table 2).
+/// The mean distance between reconstructed and true joints, in the unit of the coordinates (MPJPE;
+/// the paper's table 2).
 ///
 /// # Errors
 /// [`ComparisonError`] where there are no joints, or not equally many.

@@ -44,7 +44,8 @@ pub enum RigError {
 }
 
 impl StereoRig {
-    /// The rig whose world is the frame of the left camera, with the right camera's frame given by `x_right = R x_left + t`.
+    /// The rig whose world is the frame of the left camera, with the right camera's frame given by
+    /// `x_right = R x_left + t`.
     ///
     /// # Errors
     /// [`CameraError::Pose`] where R is no rotation or t not finite.
@@ -75,7 +76,8 @@ impl StereoRig {
         })
     }
 
-    /// The motor between the cameras: it takes the left camera's frame into the right one's, `M_right ~M_left`.
+    /// The motor between the cameras: it takes the left camera's frame into the right one's,
+    /// `M_right ~M_left`.
     #[must_use]
     pub fn left_to_right(&self) -> Motor<f64> {
         self.right.world_to_camera * self.left.world_to_camera.reverse()
@@ -98,7 +100,8 @@ impl StereoRig {
     /// The places that are seen at pairs of pixels.
     ///
     /// # Errors
-    /// [`RigError`] for pictures of different numbers of points, and for the first pair that fixes no place.
+    /// [`RigError`] for pictures of different numbers of points, and for the first pair that fixes
+    /// no place.
     pub fn triangulate_all(
         &self,
         left: &[[f64; 2]],

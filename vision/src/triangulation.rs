@@ -1,11 +1,12 @@
 //! Where two rays come closest.
 //!
-//! Two lines that are neither parallel nor meet have one common perpendicular. With unit directions d₁, d₂, moments m₁, m₂ and
-//! `n = d₁ × d₂`, the plane through the second line along n is `d₂ × n + (m₂·n) ei` in dual form, and the first line meets it in
-//! the foot of the perpendicular, `F₁∧ei = L₁ ∨ P₂`; the second foot is found likewise. The point halfway between
-//! the feet is what the two rays say of the place. It minimises the sum of squared distances from the rays, not that of
-//! squared pixel errors (Hartley and Sturm, Triangulation, 1997): fine for pictures that are good to a fraction of the angle
-//! between the rays, biased for almost parallel ones.
+//! Two lines that are neither parallel nor meet have one common perpendicular. With unit directions
+//! d₁, d₂, moments m₁, m₂ and `n = d₁ × d₂`, the plane through the second line along n is
+//! `d₂ × n + (m₂·n) ei` in dual form, and the first line meets it in the foot of the perpendicular,
+//! `F₁∧ei = L₁ ∨ P₂`; the second foot is found likewise. The point halfway between the feet is what
+//! the two rays say of the place. It minimises the sum of squared distances from the rays, not that
+//! of squared pixel errors (Hartley and Sturm, Triangulation, 1997): fine for pictures that are
+//! good to a fraction of the angle between the rays, biased for almost parallel ones.
 
 use ga_runtime::cga3::{DualPlane, Line, Point};
 

@@ -4,8 +4,9 @@ use super::{Bvh, Channel};
 use crate::pose::moved;
 
 impl Bvh {
-    /// The motion of each joint's frame in one frame of time: it takes a place given relative to the joint, in axes that are
-    /// the file's at rest, to the file's coordinates. `None` when there is no such frame.
+    /// The motion of each joint's frame in one frame of time: it takes a place given relative to
+    /// the joint, in axes that are the file's at rest, to the file's coordinates. `None` when there
+    /// is no such frame.
     ///
     /// ```text
     /// F = F_parent T(offset + position) R₁ R₂ R₃
@@ -42,7 +43,8 @@ impl Bvh {
         )
     }
 
-    /// Where the End Site of each joint is in a frame, for those that have one, or `None` when there is no such frame.
+    /// Where the End Site of each joint is in a frame, for those that have one, or `None` when
+    /// there is no such frame.
     #[must_use]
     pub fn end_site_positions(&self, frame: usize) -> Option<Vec<Option<[f64; 3]>>> {
         let frames = self.frames_of_joints(frame)?;

@@ -31,7 +31,8 @@ struct Open {
     channels: usize,
 }
 
-/// The joints up to the word `MOTION`, which is taken too. A stack takes the place of recursion, so that no depth is too great.
+/// The joints up to the word `MOTION`, which is taken too. A stack takes the place of recursion, so
+/// that no depth is too great.
 fn hierarchy(words: &mut Words) -> Result<Vec<BvhJoint>, BvhError> {
     const IN_JOINT: &str = "OFFSET, CHANNELS, JOINT, End Site or }";
     let mut joints: Vec<BvhJoint> = Vec::new();

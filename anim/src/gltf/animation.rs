@@ -146,7 +146,8 @@ impl SingleTrack {
         })
     }
 
-    /// Drops what stays at rest. An animation must have a channel: `keep` keeps the rotations in any case.
+    /// Drops what stays at rest. An animation must have a channel: `keep` keeps the rotations in
+    /// any case.
     fn drop_rest(&mut self, joint: &JointNode, keep: bool) {
         let translation = joint.rest.translation.map(|c| c as f32);
         let mut translations = self.translations.iter().flatten();

@@ -123,8 +123,8 @@ impl Elements {
         }
     }
 
-    /// Indices below `limit`, in the smallest type that glTF allows for them. (The greatest value of a type may not be
-    /// used: it restarts primitives.)
+    /// Indices below `limit`, in the smallest type that glTF allows for them. (The greatest value
+    /// of a type may not be used: it restarts primitives.)
     pub(super) fn indices(indices: impl Iterator<Item = u32> + Clone, limit: usize) -> Self {
         let count = indices.clone().count();
         let (component, bytes) = if limit <= usize::from(u16::MAX) {

@@ -1,7 +1,8 @@
 //! Skeletons and clips as nodes and animations.
 //!
-//! A joint's node stands at the joint's place, with the axes of the mesh. With h the joint's place at rest, p its
-//! parent's, and L its own motion, its place relative to its parent's node is the motor
+//! A joint's node stands at the joint's place, with the axes of the mesh. With h the joint's place
+//! at rest, p its parent's, and L its own motion, its place relative to its parent's node is the
+//! motor
 //!
 //! ```text
 //! N = T(−p) L T(h)
@@ -17,8 +18,9 @@ use crate::pose::{Pose, PoseError};
 use crate::skeleton::{Joint, Skeleton};
 
 impl From<Motor<f64>> for RigidTransform {
-    /// A motor's rotor `w − x e23 + y e13 − z e12` is the quaternion *(x, y, z, w)*, since a turn about the axis *n*
-    /// by α is cos(α/2) − sin(α/2) (n₁ e23 − n₂ e13 + n₃ e12). Its translation is where it takes the origin.
+    /// A motor's rotor `w − x e23 + y e13 − z e12` is the quaternion *(x, y, z, w)*, since a turn
+    /// about the axis *n* by α is cos(α/2) − sin(α/2) (n₁ e23 − n₂ e13 + n₃ e12). Its translation
+    /// is where it takes the origin.
     fn from(motor: Motor<f64>) -> Self {
         Self {
             rotation: [-motor.e23(), motor.e13(), -motor.e12(), motor.scalar()],
@@ -50,10 +52,10 @@ impl Animation {
     /// A clip of a skeleton, one key for each frame and joint; the joints are those of
     /// [`JointNode::from_skeleton`].
     ///
-    /// Between keys a viewer interpolates each joint's rotation by slerp, as
-    /// [`Pose::interpolate`] does; the motion of the whole skeleton is interpolated as
-    /// a rotation and a translation apart, not along its screw, so the clip's frames should be dense where it both
-    /// turns and moves.
+    /// Between keys a viewer interpolates each joint's rotation by slerp, as [`Pose::interpolate`]
+    /// does; the motion of the whole skeleton is interpolated as a rotation and a translation
+    /// apart, not along its screw, so the clip's frames should be dense where it both turns and
+    /// moves.
     ///
     /// # Errors
     ///

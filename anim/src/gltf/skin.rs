@@ -6,7 +6,8 @@ use super::buffer::{Buffer, Elements, Target, single, unit};
 use super::{GltfError, JointNode, RigidTransform, Skin};
 use crate::weights::Influence;
 
-/// The nodes of a skin, numbered as its joints; one more node follows where the joints have several roots.
+/// The nodes of a skin, numbered as its joints; one more node follows where the joints have several
+/// roots.
 pub(super) struct Joints {
     pub(super) nodes: Vec<Value>,
     /// The node above all joints.
@@ -140,7 +141,8 @@ fn link(joints: &[JointNode], nodes: &mut Vec<Value>) -> usize {
     nodes.len() - 1
 }
 
-/// A vertex's influences in single precision, the greatest first, with a sum of 1 as nearly as there is a number.
+/// A vertex's influences in single precision, the greatest first, with a sum of 1 as nearly as
+/// there is a number.
 fn single_influences(influences: &[Influence]) -> Vec<(u16, f32)> {
     let mut row: Vec<(u16, f32)> = influences
         .iter()

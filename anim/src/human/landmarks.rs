@@ -1,7 +1,8 @@
 //! Where the joints are, and which way the limbs point, at rest.
 //!
-//! Lengths follow the segment lengths as fractions of stature that Winter, Biomechanics and Motor Control of Human
-//! Movement (4th edition, 2009, figure 4.1, after Drillis and Contini) gives, for a stature of 1.75 m.
+//! Lengths follow the segment lengths as fractions of stature that Winter, Biomechanics and Motor
+//! Control of Human Movement (4th edition, 2009, figure 4.1, after Drillis and Contini) gives, for
+//! a stature of 1.75 m.
 
 use super::frame::Frame;
 use super::vector::Vector;
@@ -9,7 +10,8 @@ use super::vector::Vector;
 /// Stature in metres.
 pub(crate) const STATURE: f64 = 1.75;
 
-/// Points of the left half of the body and of its middle, in metres: x to the left, y up, z to the front.
+/// Points of the left half of the body and of its middle, in metres: x to the left, y up, z to the
+/// front.
 #[derive(Clone, Debug)]
 pub(crate) struct Landmarks {
     pub(crate) hip: Vector,
@@ -19,11 +21,13 @@ pub(crate) struct Landmarks {
     pub(crate) ball: Vector,
     /// Frame of the foot: under the ankle on the ground, along towards the toes, depth up.
     pub(crate) foot: Frame,
-    /// Frame of the arm: at the shoulder joint, along towards the wrist, across away from the body, depth to the front.
+    /// Frame of the arm: at the shoulder joint, along towards the wrist, across away from the body,
+    /// depth to the front.
     pub(crate) arm: Frame,
 }
 
-/// The arms hang this far below the horizontal (radians), half way between stretched out and hanging down.
+/// The arms hang this far below the horizontal (radians), half way between stretched out and
+/// hanging down.
 pub(crate) const ARM_DROP: f64 = 48.0 * std::f64::consts::PI / 180.0;
 /// The feet point outwards by this much (radians).
 pub(crate) const TOE_OUT: f64 = 8.0 * std::f64::consts::PI / 180.0;

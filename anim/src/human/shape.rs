@@ -24,7 +24,8 @@ const BUTTOCK_FILLET: f64 = 0.045;
 const PELVIS: [f64; 2] = [0.80, 0.93];
 const CROTCH_FILLET: f64 = 0.02;
 
-/// The solid body: the left limbs, which the mirror image repeats, the trunk and the modelling of the skin.
+/// The solid body: the left limbs, which the mirror image repeats, the trunk and the modelling of
+/// the skin.
 #[derive(Clone, Debug)]
 pub(crate) struct Body {
     trunk: Solid,
@@ -51,15 +52,16 @@ impl Body {
         }
     }
 
-    /// Signed distance to the skin, to first order; a value above `limit` may be any lower bound above `limit`.
+    /// Signed distance to the skin, to first order; a value above `limit` may be any lower bound
+    /// above `limit`.
     pub(crate) fn distance(&self, point: Vector, limit: f64) -> f64 {
         // Fillets and bumps reach this far beyond the shapes.
         let reach = limit + ARM_FILLET + 0.01;
         let [trunk, left_arm, right_arm, left_leg, right_leg] = self.parts(point, reach);
         let legs = smooth_minimum(left_leg, right_leg, CROTCH_FILLET);
         let arms = left_arm.min(right_arm);
-        // Through the pelvis the legs pass over into the trunk by interpolation: a union of two solids of nearly the same
-        // outline would bulge.
+        // Through the pelvis the legs pass over into the trunk by interpolation: a union of two
+        // solids of nearly the same outline would bulge.
         let above = smooth_step((point[1] - PELVIS[0]) / (PELVIS[1] - PELVIS[0]));
         let pelvis = if above <= 0.0 {
             legs
@@ -74,7 +76,8 @@ impl Body {
             return bare;
         }
         let folded = [point[0].abs(), point[1], point[2]];
-        // A bump whose centre stands off the plane of symmetry also reaches across it from the other side.
+        // A bump whose centre stands off the plane of symmetry also reaches across it from the
+        // other side.
         let height: f64 = self
             .bumps
             .iter()

@@ -18,7 +18,8 @@ pub(crate) const COUNT: usize = 21;
 const ARM_NAMES: [&str; 4] = ["Shoulder", "UpperArm", "LowerArm", "Hand"];
 const LEG_NAMES: [&str; 4] = ["UpperLeg", "LowerLeg", "Foot", "Toe"];
 
-/// The skeleton: five joints from the hips to the head, then the left and the right arm, then the left and the right leg.
+/// The skeleton: five joints from the hips to the head, then the left and the right arm, then the
+/// left and the right leg.
 pub(crate) fn skeleton(landmarks: &Landmarks) -> Skeleton {
     let spine: [Vector; 6] = [
         [0.0, 0.955, -0.005],

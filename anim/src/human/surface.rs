@@ -1,4 +1,5 @@
-//! The skin of the body as a mesh: marched over the left half, made even, and completed by its mirror image.
+//! The skin of the body as a mesh: marched over the left half, made even, and completed by its
+//! mirror image.
 
 mod marching_tetrahedra;
 mod remesh;
@@ -25,8 +26,8 @@ const FACE: f64 = 0.0062;
 const HEAD: f64 = 0.0090;
 const FOOT: f64 = 0.010;
 
-/// A closed surface, symmetric about x = 0 vertex by vertex: the left half, then the mirror images of its vertices off
-/// the middle, in the same order.
+/// A closed surface, symmetric about x = 0 vertex by vertex: the left half, then the mirror images
+/// of its vertices off the middle, in the same order.
 pub(crate) fn surface(body: &Body, landmarks: &Landmarks) -> Surface {
     let [low, high] = body.left_bounds();
     let cubes = std::array::from_fn(|k| ((high[k] - low[k]) / SPACING).ceil() as usize);

@@ -1,9 +1,10 @@
 //! A walk: the gait put on the ground.
 //!
-//! The joint angles alone would let the feet slide. So where the pelvis is follows from the leg that stands: with its foot
-//! fixed on the ground, forward kinematics through ankle, knee and hip says where the hips are. Then, with hips that also
-//! sway and turn, inverse kinematics gives the last of the angles of every leg that touches the ground, so that heel,
-//! ball and toe stay where they have been set down.
+//! The joint angles alone would let the feet slide. So where the pelvis is follows from the leg
+//! that stands: with its foot fixed on the ground, forward kinematics through ankle, knee and hip
+//! says where the hips are. Then, with hips that also sway and turn, inverse kinematics gives the
+//! last of the angles of every leg that touches the ground, so that heel, ball and toe stay where
+//! they have been set down.
 
 mod gait;
 mod leg;
@@ -23,12 +24,12 @@ pub use gait::{KEY_NAMES, KEYS_PER_STRIDE};
 /// Seconds from one key pose to the next: 110 steps a minute.
 pub const KEY_TIME: f64 = 60.0 / 110.0 / 4.0;
 
-/// A walk of so many strides, two steps each, straight along +z: [`KEYS_PER_STRIDE`] key poses a stride, [`KEY_TIME`]
-/// apart, and one more that ends the last stride.
+/// A walk of so many strides, two steps each, straight along +z: [`KEYS_PER_STRIDE`] key poses a
+/// stride, [`KEY_TIME`] apart, and one more that ends the last stride.
 ///
-/// It begins as the left heel touches the ground, with the left ankle at z = 0. Interpolated between the keys, the foot that
-/// stands stays within a centimetre of where it has been set down. The poses are for
-/// [`Human::skeleton`](super::Human::skeleton).
+/// It begins as the left heel touches the ground, with the left ankle at z = 0. Interpolated
+/// between the keys, the foot that stands stays within a centimetre of where it has been set down.
+/// The poses are for [`Human::skeleton`](super::Human::skeleton).
 ///
 /// # Examples
 ///
@@ -60,8 +61,8 @@ struct Key {
     rotors: Vec<Rotor<f64>>,
 }
 
-/// One stride as [`KEYS_PER_STRIDE`] key poses, and how far it goes. It begins as the left heel touches the ground, with the left
-/// ankle over z = 0.
+/// One stride as [`KEYS_PER_STRIDE`] key poses, and how far it goes. It begins as the left heel
+/// touches the ground, with the left ankle over z = 0.
 #[derive(Clone, Debug)]
 struct Stride {
     keys: Vec<Key>,
@@ -139,7 +140,8 @@ const Y: Vector = [0.0, 1.0, 0.0];
 const Z: Vector = [0.0, 0.0, 1.0];
 
 impl Walker<'_> {
-    /// The pelvis from the left leg, which stands with its footprint at z = 0: forward kinematics from the ground up.
+    /// The pelvis from the left leg, which stands with its footprint at z = 0: forward kinematics
+    /// from the ground up.
     fn pelvis(&self, key: usize, heel_off: f64) -> Pelvis {
         let moment = gait::LEG[key];
         let trunk = gait::trunk(key);
@@ -160,8 +162,8 @@ impl Walker<'_> {
         pelvis
     }
 
-    /// The slope of the rear sole as the other heel touches the ground: that with which both legs reach the ground from
-    /// one pelvis.
+    /// The slope of the rear sole as the other heel touches the ground: that with which both legs
+    /// reach the ground from one pelvis.
     fn heel_off(&self) -> f64 {
         let front = self.pelvis(HEEL_STRIKE, 0.0).place[1];
         let (mut low, mut high) = (-0.9, 0.0);
@@ -182,8 +184,8 @@ impl Walker<'_> {
         add(add(self.hips, pelvis.place), arm)
     }
 
-    /// The ankle of a left foot that touches the ground at this moment of its stride, and the slope of its sole; the
-    /// footprint is at `z`.
+    /// The ankle of a left foot that touches the ground at this moment of its stride, and the slope
+    /// of its sole; the footprint is at `z`.
     fn planted(&self, moment: usize, heel_off: f64, z: f64) -> (Vector, f64) {
         let foot = &self.landmarks.foot;
         let sole = if moment == HEEL_OFF {
@@ -220,7 +222,8 @@ impl Walker<'_> {
         rotors[HIPS] = pelvis.rotor(Side::Left);
         self.spine_rotors(&pelvis, &mut rotors);
         let opposite = (key + KEYS_PER_STRIDE / 2) % KEYS_PER_STRIDE;
-        // The right foot leaves its print one step behind the left one's and sets the next one step ahead of it.
+        // The right foot leaves its print one step behind the left one's and sets the next one step
+        // ahead of it.
         let right_print = if key < KEYS_PER_STRIDE / 2 {
             -step
         } else {
@@ -245,7 +248,8 @@ impl Walker<'_> {
         }
     }
 
-    /// The rotors of a leg's four joints at a moment of its stride. For the right leg the pelvis is a mirror image.
+    /// The rotors of a leg's four joints at a moment of its stride. For the right leg the pelvis is
+    /// a mirror image.
     fn leg_rotors(
         &self,
         side: Side,
@@ -323,8 +327,8 @@ enum Side {
 }
 
 impl Side {
-    /// A rotation of the left side, or its mirror image in the plane x = 0 on the right: there the axis keeps its x and
-    /// turns the other way round in y and z.
+    /// A rotation of the left side, or its mirror image in the plane x = 0 on the right: there the
+    /// axis keeps its x and turns the other way round in y and z.
     fn turn(self, [x, y, z]: Vector, angle: f64) -> Rotor<f64> {
         match self {
             Side::Left => turn([x, y, z], angle),

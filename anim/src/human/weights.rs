@@ -1,9 +1,11 @@
-//! The skin weights of the body: eq. 33 within each part of the body, and the parts passing over into each other.
+//! The skin weights of the body: eq. 33 within each part of the body, and the parts passing over
+//! into each other.
 //!
-//! Distance alone binds the inside of one thigh to the other leg and the flank to the arm. So the bones that may move a
-//! point are those of the part of the body whose solid made the surface there; in each part eq. 33 shares the motion out
-//! among them, and near a seam the shares of two parts are mixed by how far the point is from either solid. Everything in this
-//! is a smooth function of the place.
+//! Distance alone binds the inside of one thigh to the other leg and the flank to the arm. So the
+//! bones that may move a point are those of the part of the body whose solid made the surface
+//! there; in each part eq. 33 shares the motion out among them, and near a seam the shares of two
+//! parts are mixed by how far the point is from either solid. Everything in this is a smooth
+//! function of the place.
 
 use super::landmarks::{HEEL, Landmarks};
 use super::shape::{Body, smooth_step};
@@ -15,7 +17,8 @@ use crate::weights::SkinWeights;
 
 /// Exponent m of eq. 33: how sharply the bones share a bend.
 const EXPONENT: f64 = 5.0;
-/// Half the width of the seam between trunk and arms and of that between the legs, in metres of distance to their solids.
+/// Half the width of the seam between trunk and arms and of that between the legs, in metres of
+/// distance to their solids.
 const ARM_SEAM: f64 = 0.016;
 const LEG_SEAM: f64 = 0.007;
 /// Weights below this are not worth a joint.
@@ -71,7 +74,8 @@ pub(crate) fn weights(
                 }
             }
         }
-        // What the fifth strongest has is taken off all, so that the fourth fades out before another takes its place.
+        // What the fifth strongest has is taken off all, so that the fourth fades out before
+        // another takes its place.
         let mut falling = row;
         falling.sort_by(|a, b| b.total_cmp(a));
         let least = falling[INFLUENCES].max(LEAST);
@@ -106,7 +110,8 @@ fn inverse_distance(bones: &[Bone], point: Vector) -> Vec<(usize, f64)> {
         .collect()
 }
 
-/// How much each part of the body has to say at a point of the skin: trunk, left and right arm, left and right leg.
+/// How much each part of the body has to say at a point of the skin: trunk, left and right arm,
+/// left and right leg.
 fn shares(body: &Body, point: Vector) -> [f64; 5] {
     let [trunk, left_arm, right_arm, left_leg, right_leg] = body.parts(point, 0.3);
     let nearer = |a: f64, b: f64, seam: f64| 1.0 / (1.0 + ((a - b) / seam).exp());

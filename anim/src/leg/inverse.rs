@@ -7,13 +7,14 @@ use super::{Leg, LegAngles, LegError, finite};
 impl Leg {
     /// The inverse problem: hip and angles from the motors of thigh, calf and foot.
     ///
-    /// The hip's angle about y comes back in [−π/2, π/2], the other angles in [−π, π]. Where it is ±π/2 the hip's two other axes
-    /// are one, and the whole turn about it is given to x. Angles come from atan2 of the parts of rotors and matrices, which is
-    /// accurate for all of them.
+    /// The hip's angle about y comes back in [−π/2, π/2], the other angles in [−π, π]. Where it is
+    /// ±π/2 the hip's two other axes are one, and the whole turn about it is given to x. Angles
+    /// come from atan2 of the parts of rotors and matrices, which is accurate for all of them.
     ///
     /// # Errors
-    /// [`LegError::Apart`] where two segments do not meet within the tolerance in metres, and [`LegError::NotHinged`]
-    /// where knee or ankle turn about an axis that they do not have by more than the tolerance in radians.
+    /// [`LegError::Apart`] where two segments do not meet within the tolerance in metres, and
+    /// [`LegError::NotHinged`] where knee or ankle turn about an axis that they do not have by more
+    /// than the tolerance in radians.
     pub fn inverse(
         &self,
         motions: &[Motor<f64>; 3],
@@ -61,8 +62,9 @@ impl Leg {
     }
 }
 
-/// The angles α, β, γ of `Rz(α) Ry(β) Rx(γ)` from its matrix. The turn about x is read off what is left after that about z, so
-/// that near the lock, where α is lost, the three still make the same turn together.
+/// The angles α, β, γ of `Rz(α) Ry(β) Rx(γ)` from its matrix. The turn about x is read off what is
+/// left after that about z, so that near the lock, where α is lost, the three still make the same
+/// turn together.
 pub(super) fn turns_about_zyx(matrix: [[f64; 3]; 3]) -> [f64; 3] {
     let [first, second, third] = matrix;
     let cosine = first[0].hypot(second[0]);

@@ -10,19 +10,21 @@ use super::{Leg, LegAngles, LegError, finite};
 const PARALLEL: f64 = 1e-12;
 
 impl Leg {
-    /// The inverse problem for places: the angles of a leg whose hip, knee and ankle are seen at these points and whose foot is
-    /// turned from rest by a rotor.
+    /// The inverse problem for places: the angles of a leg whose hip, knee and ankle are seen at
+    /// these points and whose foot is turned from rest by a rotor.
     ///
-    /// The hinge of the knee is across thigh, calf and the length of the foot; it is taken from the two of them that are farther
-    /// from being in line. Of its two ways round the one nearer to the foot's own x axis is taken, so the ankle's angle about z
-    /// comes back in [−π/2, π/2], and the knee's is negative where the knee bends the wrong way. Where thigh, calf
-    /// and foot are all in line, the points do not show the hinge: then the ankle's angle about z is 0, and the hip has the whole
-    /// turn about the line. The hip's angles are as of [`Leg::inverse`].
+    /// The hinge of the knee is across thigh, calf and the length of the foot; it is taken from the
+    /// two of them that are farther from being in line. Of its two ways round the one nearer to the
+    /// foot's own x axis is taken, so the ankle's angle about z comes back in [−π/2, π/2], and the
+    /// knee's is negative where the knee bends the wrong way. Where thigh, calf and foot are all in
+    /// line, the points do not show the hinge: then the ankle's angle about z is 0, and the hip has
+    /// the whole turn about the line. The hip's angles are as of [`Leg::inverse`].
     ///
     /// # Errors
-    /// [`LegError::Place`] for a point that is not finite, [`LegError::Bone`] where thigh or calf differ from the leg's by more than
-    /// the tolerance in metres, and [`LegError::NotHinged`] where knee or ankle turn about an axis that they do not have by more than
-    /// the tolerance in radians.
+    /// [`LegError::Place`] for a point that is not finite, [`LegError::Bone`] where thigh or calf
+    /// differ from the leg's by more than the tolerance in metres, and [`LegError::NotHinged`]
+    /// where knee or ankle turn about an axis that they do not have by more than the tolerance in
+    /// radians.
     ///
     /// ```
     /// use ga_anim::leg::{Leg, LegAngles};
@@ -48,7 +50,8 @@ impl Leg {
         let [foot_x, foot_y, foot_z] = columns(foot.to_matrix());
 
         let hinge = hinge(upper, lower, foot_x, foot_z);
-        // The hinge is across the calf; the sines of the angles by which it is not across the others must be small.
+        // The hinge is across the calf; the sines of the angles by which it is not across the
+        // others must be small.
         hinged("knee", dot(hinge, upper).clamp(-1.0, 1.0).asin(), tolerance)?;
         hinged(
             "ankle",
@@ -93,7 +96,8 @@ fn bone(
     }
 }
 
-/// The unit vector across thigh, calf and foot that is nearer to the foot's x axis than its opposite.
+/// The unit vector across thigh, calf and foot that is nearer to the foot's x axis than its
+/// opposite.
 fn hinge(upper: [f64; 3], lower: [f64; 3], foot_x: [f64; 3], foot_z: [f64; 3]) -> [f64; 3] {
     let candidates = [cross(upper, lower), cross(foot_z, lower)];
     let [at_knee, at_ankle] = candidates.map(length);
@@ -103,7 +107,8 @@ fn hinge(upper: [f64; 3], lower: [f64; 3], foot_x: [f64; 3], foot_z: [f64; 3]) -
         candidates[1]
     };
     let hinge = unit(seen).filter(|_| at_knee.max(at_ankle) > PARALLEL);
-    // A short product is off by rounding in all directions; what is along the calf can be taken away.
+    // A short product is off by rounding in all directions; what is along the calf can be taken
+    // away.
     let hinge = across(hinge.unwrap_or(foot_x), lower);
     let hinge = unit(hinge).unwrap_or(foot_x);
     if dot(hinge, foot_x) < 0.0 {

@@ -7,16 +7,18 @@ use super::vector::{across, cross, dot, length, minus, rows, unit};
 use super::{Leg, LegAngles, LegError, finite};
 
 impl Leg {
-    /// The angles that bring the ankle to a target, the knee on the side of a pole; the foot is not turned.
+    /// The angles that bring the ankle to a target, the knee on the side of a pole; the foot is not
+    /// turned.
     ///
-    /// The knee is where the sphere of the thigh's length about the hip, the sphere of the calf's length about the target and the
-    /// plane through hip, target and pole meet: of this pair of points the one on the pole's side. A leg that is stretched out
-    /// has its knee where the spheres touch.
+    /// The knee is where the sphere of the thigh's length about the hip, the sphere of the calf's
+    /// length about the target and the plane through hip, target and pole meet: of this pair of
+    /// points the one on the pole's side. A leg that is stretched out has its knee where the
+    /// spheres touch.
     ///
     /// # Errors
-    /// [`LegError::Unreachable`] for a target that is too far or too near, [`LegError::Folded`] for one at the hip itself, which any
-    /// direction of the thigh reaches, [`LegError::Pole`] for a pole in line with hip and target,
-    /// [`LegError::Place`] for places that are not finite.
+    /// [`LegError::Unreachable`] for a target that is too far or too near, [`LegError::Folded`] for
+    /// one at the hip itself, which any direction of the thigh reaches, [`LegError::Pole`] for a
+    /// pole in line with hip and target, [`LegError::Place`] for places that are not finite.
     ///
     /// ```
     /// use ga_anim::leg::Leg;
@@ -39,7 +41,8 @@ impl Leg {
         }
         let [thigh, calf, _] = self.lengths();
         let (distance, least, most) = (hip.distance(target), (thigh - calf).abs(), thigh + calf);
-        // As much as the places are rounded; a leg that is stretched out must still reach where it is.
+        // As much as the places are rounded; a leg that is stretched out must still reach where it
+        // is.
         let size = [hip, target, pole]
             .iter()
             .flat_map(|p| p.coordinates())
@@ -55,8 +58,8 @@ impl Leg {
         if distance <= rounding {
             return Err(LegError::Folded { distance });
         }
-        // From here on with the hip at the origin and the stretched leg as the unit of length: spheres far from the origin, very
-        // large or very small would lose digits.
+        // From here on with the hip at the origin and the stretched leg as the unit of length:
+        // spheres far from the origin, very large or very small would lose digits.
         let scaled = |point| minus(point, hip).map(|x| x / most);
         let target = Point::from(scaled(target));
         let down = unit(target.coordinates()).ok_or(LegError::Folded { distance })?;
@@ -85,8 +88,9 @@ impl Leg {
     }
 }
 
-/// The knee on the pole's side, for a hip at the origin: where the spheres of the two bones meet the plane in which the leg bends.
-/// Where the spheres only touch, it is on the line from hip to target.
+/// The knee on the pole's side, for a hip at the origin: where the spheres of the two bones meet
+/// the plane in which the leg bends. Where the spheres only touch, it is on the line from hip to
+/// target.
 fn knee(thigh: f64, calf: f64, target: Point<f64>, aside: [f64; 3]) -> Point<f64> {
     let hip = Point::default();
     let circle = Sphere::from_centre_radius(hip, thigh) & Sphere::from_centre_radius(target, calf);

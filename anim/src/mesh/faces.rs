@@ -22,7 +22,8 @@ impl Faces {
     ///
     /// # Errors
     ///
-    /// [`MeshError::FaceTooShort`] for a face of fewer than three corners; [`MeshError::TooLarge`] past 2³² − 1 corners.
+    /// [`MeshError::FaceTooShort`] for a face of fewer than three corners; [`MeshError::TooLarge`]
+    /// past 2³² − 1 corners.
     pub fn from_polygons<P: AsRef<[u32]>>(
         polygons: impl IntoIterator<Item = P>,
     ) -> Result<Self, MeshError> {
@@ -86,7 +87,8 @@ impl Faces {
         &self.corners
     }
 
-    /// Where in [`Faces::corners`] each face begins, and the end of the last: one number more than there are faces.
+    /// Where in [`Faces::corners`] each face begins, and the end of the last: one number more than
+    /// there are faces.
     #[must_use]
     pub fn offsets(&self) -> &[u32] {
         &self.offsets
@@ -101,8 +103,9 @@ impl Faces {
         }
     }
 
-    /// Every face cut into triangles that share its first corner, in the order of the faces; a face of n corners gives
-    /// n − 2. The surface is the same for convex flat faces; others get the shape that the fan gives them.
+    /// Every face cut into triangles that share its first corner, in the order of the faces; a face
+    /// of n corners gives n − 2. The surface is the same for convex flat faces; others get the
+    /// shape that the fan gives them.
     #[must_use]
     pub fn triangles(&self) -> Vec<[u32; 3]> {
         let mut triangles = Vec::with_capacity(self.corners.len() - 2 * self.len());

@@ -12,8 +12,8 @@ pub struct Part {
 impl Mesh {
     /// The faces of one group with the vertices they use, or `None` when there is no such group.
     ///
-    /// A mesh made for modelling may hold more than the body one wants to see: guides for clothes, little cubes
-    /// that mark joints.
+    /// A mesh made for modelling may hold more than the body one wants to see: guides for clothes,
+    /// little cubes that mark joints.
     #[must_use]
     pub fn part(&self, group: &str) -> Option<Part> {
         Some(self.part_of_faces(&self.group(group)?.faces))

@@ -1,6 +1,7 @@
 use std::borrow::Cow;
 
-/// The lines of an OBJ file, those that end in `\` joined with the next, each with the number of its first line.
+/// The lines of an OBJ file, those that end in `\` joined with the next, each with the number of
+/// its first line.
 pub(super) struct Lines<'a> {
     rest: Option<&'a [u8]>,
     /// How many lines of the file have been taken.
@@ -40,7 +41,8 @@ impl<'a> Lines<'a> {
         };
         self.taken += 1;
         let line = line.strip_suffix(b"\r").unwrap_or(line);
-        // A comment ends with its line: going on would let a path like C:\ in it swallow the next vertex.
+        // A comment ends with its line: going on would let a path like C:\ in it swallow the next
+        // vertex.
         Some(match line.strip_suffix(b"\\") {
             Some(start) if !has_comment(line) => (start, true),
             _ => (line, false),

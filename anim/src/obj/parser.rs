@@ -29,7 +29,8 @@ struct Parser {
     last_normal: Option<(u32, usize)>,
     groups: Vec<Group>,
     group_by_name: HashMap<String, usize>,
-    /// The groups of the latest `g` line and the object of the latest `o` line, as indices into `groups`.
+    /// The groups of the latest `g` line and the object of the latest `o` line, as indices into
+    /// `groups`.
     open_groups: Vec<usize>,
     open_object: Option<usize>,
     /// The vertices of the face being read.

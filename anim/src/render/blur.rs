@@ -15,8 +15,8 @@ impl Field {
         &self.values
     }
 
-    /// Averages over a square neighbourhood of about `radius`, weighted like a tent along each axis (two box filters).
-    /// Beyond its border the field is zero.
+    /// Averages over a square neighbourhood of about `radius`, weighted like a tent along each axis
+    /// (two box filters). Beyond its border the field is zero.
     pub(super) fn blurred(self, radius: usize) -> Self {
         let reach = radius.div_ceil(2);
         let down = self.averaged_down(reach).averaged_down(reach);
@@ -24,8 +24,8 @@ impl Field {
         across.transposed()
     }
 
-    /// The mean of each value and `reach` values on either side in its column. Whole rows are added at a time, which
-    /// compilers turn into vector instructions.
+    /// The mean of each value and `reach` values on either side in its column. Whole rows are added
+    /// at a time, which compilers turn into vector instructions.
     fn averaged_down(&self, reach: usize) -> Self {
         let width = self.width;
         let share = 1.0 / (2 * reach + 1) as f32;

@@ -5,9 +5,10 @@ use super::{LARGEST_COORDINATE, RenderError};
 
 /// A pinhole camera: where it stands, where it looks, how wide it sees.
 ///
-/// Its frame is right-handed with *x* to the right, *y* up and *z* towards the viewer; a point's *depth* is its
-/// distance along the viewing direction, so `-z`. Pixel *(0, 0)* is at the top left, and pixel centres lie on halves.
-/// A point at right offset *x*, up offset *y* and depth *d* falls on
+/// Its frame is right-handed with *x* to the right, *y* up and *z* towards the viewer; a point's
+/// *depth* is its distance along the viewing direction, so `-z`. Pixel *(0, 0)* is at the top left,
+/// and pixel centres lie on halves. A point at right offset *x*, up offset *y* and depth *d* falls
+/// on
 ///
 /// ```text
 /// column = width/2  + (x/d) (height/2) / tan(φ/2)
@@ -64,8 +65,8 @@ impl Camera {
     ///
     /// # Errors
     ///
-    /// [`RenderError::Camera`] when a value is not finite, `eye` is `target`, `up` lies along the viewing direction,
-    /// the field of view is not between 0 and π, or `near` is not positive.
+    /// [`RenderError::Camera`] when a value is not finite, `eye` is `target`, `up` lies along the
+    /// viewing direction, the field of view is not between 0 and π, or `near` is not positive.
     pub fn look_at(
         eye: [f64; 3],
         target: [f64; 3],
@@ -99,8 +100,9 @@ impl Camera {
         })
     }
 
-    /// The nearest camera on the given side that sees all `points`, with the picture `aspect` (width / height) and a
-    /// border of `margin` (a fraction of the half picture, so 0.1 leaves a twentieth free on each side).
+    /// The nearest camera on the given side that sees all `points`, with the picture `aspect`
+    /// (width / height) and a border of `margin` (a fraction of the half picture, so 0.1 leaves a
+    /// twentieth free on each side).
     ///
     /// A point at offsets *x*, *y* and depth *d* from an eye at *(eₓ, e_y, e_d)* is inside when
     /// `|x − eₓ| ≤ τ (d − e_d)`, τ the tangent of the half angle. So `e_d` is at most
@@ -108,8 +110,9 @@ impl Camera {
     ///
     /// # Errors
     ///
-    /// [`RenderError::Camera`] when there is no point or only one place to look at, when a value is not finite, the
-    /// elevation is not below a right angle, or `aspect` or `margin` make no picture.
+    /// [`RenderError::Camera`] when there is no point or only one place to look at, when a value is
+    /// not finite, the elevation is not below a right angle, or `aspect` or `margin` make no
+    /// picture.
     pub fn fit(
         points: impl IntoIterator<Item = [f64; 3]>,
         view: ViewDirection,
@@ -155,7 +158,8 @@ impl Camera {
         if !(extent > 1e-12 * largest && extent.is_finite()) {
             return Err(RenderError::Camera("there is nothing to look at"));
         }
-        // Along a line of sight the cone condition alone would let the camera touch the nearest point.
+        // Along a line of sight the cone condition alone would let the camera touch the nearest
+        // point.
         let eye_depth = foremost.min(nearest - 0.05 * extent);
         let mut eye = scale(forward, eye_depth);
         eye = add_scaled(eye, right, span_x.centre());
@@ -203,8 +207,8 @@ impl Camera {
         self.near
     }
 
-    /// Column, row and depth at which a picture of the given size shows `point`; `None` when it is nearer than the
-    /// near depth or behind the camera.
+    /// Column, row and depth at which a picture of the given size shows `point`; `None` when it is
+    /// nearer than the near depth or behind the camera.
     pub fn project(&self, point: [f64; 3], width: u32, height: u32) -> Option<[f64; 3]> {
         let [x, y, depth] = self.view(point);
         (depth >= self.near).then(|| {

@@ -2,11 +2,13 @@
 
 use super::vector::{Vector, add_scaled, subtract};
 
-/// How far beyond the picture's centre a corner may fall, in half heights or widths of the picture. Wide enough that
-/// few triangles are cut, small enough that the rasteriser's integers do not overflow.
+/// How far beyond the picture's centre a corner may fall, in half heights or widths of the picture.
+/// Wide enough that few triangles are cut, small enough that the rasteriser's integers do not
+/// overflow.
 const GUARD: f64 = 8.0;
 
-/// The half-spaces that a polygon has to lie in: beyond the near depth, and within a pyramid around the picture.
+/// The half-spaces that a polygon has to lie in: beyond the near depth, and within a pyramid around
+/// the picture.
 pub(super) struct Clipper {
     near: f64,
     /// Guard slope `x / depth`, `y / depth`.
@@ -46,7 +48,8 @@ impl Clipper {
         }
     }
 
-    /// The part of a triangle, given by right offset, up offset and depth, that lies in all half-spaces.
+    /// The part of a triangle, given by right offset, up offset and depth, that lies in all
+    /// half-spaces.
     pub(super) fn clip(&self, triangle: [Vector; 3]) -> Polygon {
         let mut polygon = Polygon::empty();
         for corner in triangle {
@@ -141,7 +144,8 @@ mod tests {
     }
 
     proptest! {
-        /// In a plane of constant depth the guard pyramid is a rectangle, and the area within has a closed form.
+        /// In a plane of constant depth the guard pyramid is a rectangle, and the area within has a
+        /// closed form.
         #[test]
         fn a_right_triangle_loses_its_corners(size in 8.5f64..15.9) {
             let clipper = Clipper::new(0.5, 1.0, 1.0);

@@ -1,7 +1,7 @@
 //! Linear light and its encoding as 8-bit sRGB.
 //!
-//! All lighting and all averaging is done in linear light. The encoding is IEC 61966-2-1: `12.92 c` up to
-//! 0.0031308, above it `1.055 c^(1/2.4) − 0.055`.
+//! All lighting and all averaging is done in linear light. The encoding is IEC 61966-2-1: `12.92 c`
+//! up to 0.0031308, above it `1.055 c^(1/2.4) − 0.055`.
 
 use super::vector::Vector;
 

@@ -2,7 +2,8 @@
 
 use image::{GrayImage, Luma};
 
-/// The depth (distance along the viewing direction) of the nearest surface of the mesh at each pixel.
+/// The depth (distance along the viewing direction) of the nearest surface of the mesh at each
+/// pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DepthMap {
     width: u32,
@@ -52,7 +53,8 @@ impl DepthMap {
         self.height
     }
 
-    /// The depth at a pixel, in the unit of the model; `None` where there is no surface or no such pixel.
+    /// The depth at a pixel, in the unit of the model; `None` where there is no surface or no such
+    /// pixel.
     pub fn get(&self, column: u32, row: u32) -> Option<f64> {
         let inside = column < self.width && row < self.height;
         let depth = inside.then(|| self.depth[(row * self.width + column) as usize])?;
@@ -78,10 +80,11 @@ impl DepthMap {
             .then_some((f64::from(near), f64::from(far)))
     }
 
-    /// A picture of the depths: white at `near` and before, falling linearly to dark grey at `far` and beyond, black
-    /// where there is no surface.
+    /// A picture of the depths: white at `near` and before, falling linearly to dark grey at `far`
+    /// and beyond, black where there is no surface.
     ///
-    /// Pictures made with one range can be compared; [`range`](Self::range) gives this picture's own.
+    /// Pictures made with one range can be compared; [`range`](Self::range) gives this picture's
+    /// own.
     pub fn to_image(&self, near: f64, far: f64) -> GrayImage {
         GrayImage::from_fn(self.width, self.height, |column, row| {
             let brightness = self.get(column, row).map_or(0.0, |depth| {

@@ -1,7 +1,8 @@
 //! Darkening behind edges, so that limbs that cross are told apart.
 //!
-//! After Luft, Colditz and Deussen 2006, *Image enhancement by unsharp masking the depth buffer*: where a surface lies
-//! further away than the mean of its surroundings, something near stands beside it, and it is darkened.
+//! After Luft, Colditz and Deussen 2006, *Image enhancement by unsharp masking the depth buffer*:
+//! where a surface lies further away than the mean of its surroundings, something near stands
+//! beside it, and it is darkened.
 
 use super::blur::Field;
 use super::color::LinearColor;
@@ -14,8 +15,8 @@ const RADIUS: f64 = 0.035;
 /// No surface is darkened by more than this.
 const MOST: f64 = 0.55;
 
-/// Takes from each pixel that shows a surface `strength` times the part of `extent` by which it lies further away than
-/// the mean of the surfaces around it.
+/// Takes from each pixel that shows a surface `strength` times the part of `extent` by which it
+/// lies further away than the mean of the surfaces around it.
 pub(super) fn darken_behind_edges(
     light: &mut [LinearColor],
     depth: &DepthMap,

@@ -30,7 +30,8 @@ pub(super) struct GroundShading<'a> {
 const LINE: f64 = 0.03;
 
 impl GroundShading<'_> {
-    /// The ground's colour at a point of it, over a given background. `footprint` is the width of a pixel there.
+    /// The ground's colour at a point of it, over a given background. `footprint` is the width of a
+    /// pixel there.
     pub(super) fn color(&self, point: Vector, footprint: f64, behind: LinearColor) -> LinearColor {
         let [x, _, z] = point;
         let (from_x, from_z) = (x - self.centre[0], z - self.centre[2]);
@@ -65,7 +66,8 @@ pub(super) fn background(style: &Style, row: f64) -> LinearColor {
     )
 }
 
-/// How much of a window of the given width around `c` is line, for lines of width [`LINE`] around the integers.
+/// How much of a window of the given width around `c` is line, for lines of width [`LINE`] around
+/// the integers.
 fn line_share(c: f64, width: f64) -> f64 {
     if width >= 4.0 {
         return LINE;

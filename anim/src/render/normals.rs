@@ -2,10 +2,11 @@
 
 use super::vector::{Vector, add, cross, normalized, subtract};
 
-/// The unit normal at each vertex: the mean of its triangles' normals, each weighted by the triangle's area.
+/// The unit normal at each vertex: the mean of its triangles' normals, each weighted by the
+/// triangle's area.
 ///
-/// Triangles are oriented counter-clockwise seen from outside. A vertex without a triangle of positive area gets the
-/// zero vector.
+/// Triangles are oriented counter-clockwise seen from outside. A vertex without a triangle of
+/// positive area gets the zero vector.
 ///
 /// # Panics
 ///

@@ -58,7 +58,8 @@ impl Canvas<'_> {
     /// Everything within `radius` of the segment, with a soft edge one pixel wide.
     fn segment(&mut self, a: [f64; 2], b: [f64; 2], radius: f64, color: LinearColor) {
         let reach = radius + 1.0;
-        // A cast from float saturates, so that ends far outside the picture leave an empty or a clamped range.
+        // A cast from float saturates, so that ends far outside the picture leave an empty or a
+        // clamped range.
         let range = |p: f64, q: f64, size: usize| {
             let start = (p.min(q) - reach).max(0.0) as usize;
             start..((p.max(q) + reach).max(0.0) as usize).min(size)

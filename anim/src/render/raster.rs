@@ -1,17 +1,19 @@
 //! Scan conversion of projected triangles.
 //!
-//! Corners are snapped to a grid of 1/4096 pixel and all coverage is decided in integers (Pineda 1988, *A parallel
-//! algorithm for polygon rasterization*). A pixel centre on an edge shared by two triangles belongs to exactly one of
-//! them by the top-left rule, so a closed mesh has neither cracks nor pixels drawn twice.
+//! Corners are snapped to a grid of 1/4096 pixel and all coverage is decided in integers (Pineda
+//! 1988, *A parallel algorithm for polygon rasterization*). A pixel centre on an edge shared by two
+//! triangles belongs to exactly one of them by the top-left rule, so a closed mesh has neither
+//! cracks nor pixels drawn twice.
 
 /// Grid steps per pixel. Corners up to 2¹⁶ pixels away then make products of up to 2⁵⁹.
 const STEPS: i64 = 4096;
 
-/// A corner: column and row in pixels, and a value that is affine across the triangle on the picture
-/// (such as the inverse depth).
+/// A corner: column and row in pixels, and a value that is affine across the triangle on the
+/// picture (such as the inverse depth).
 pub(super) type Corner = [f64; 3];
 
-/// Calls `visit(index, value)` for each pixel of a `width` × `height` picture whose centre the triangle covers.
+/// Calls `visit(index, value)` for each pixel of a `width` × `height` picture whose centre the
+/// triangle covers.
 ///
 /// Corners may lie up to 65,536 pixels away. Triangles without area cover nothing; both
 /// orientations are drawn.
@@ -39,7 +41,8 @@ pub(super) fn fill(
         return;
     }
 
-    // Edge i lies opposite corner i, so its function divided by the area is that corner's barycentric coordinate.
+    // Edge i lies opposite corner i, so its function divided by the area is that corner's
+    // barycentric coordinate.
     let edges = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| Edge::new(corners[i], corners[j]));
     let values = triangle.map(|c| c[2]);
     let per_area = values.map(|v| v / area as f64);
@@ -76,7 +79,8 @@ struct Edge {
 impl Edge {
     fn new(from: [i64; 2], to: [i64; 2]) -> Self {
         let [dx, dy] = [to[0] - from[0], to[1] - from[1]];
-        // Rows run downwards, so with positive area a left edge rises and a top edge runs to the right.
+        // Rows run downwards, so with positive area a left edge rises and a top edge runs to the
+        // right.
         let top_or_left = dy < 0 || (dy == 0 && dx > 0);
         Self {
             from,
@@ -101,7 +105,8 @@ fn centre(pixel: usize) -> i64 {
     pixel as i64 * STEPS + STEPS / 2
 }
 
-/// The pixels within a picture of `size` whose centres lie between the least and the greatest coordinate.
+/// The pixels within a picture of `size` whose centres lie between the least and the greatest
+/// coordinate.
 fn pixel_range(coordinates: [i64; 3], size: usize) -> std::ops::Range<usize> {
     let least = coordinates[0].min(coordinates[1]).min(coordinates[2]);
     let greatest = coordinates[0].max(coordinates[1]).max(coordinates[2]);
@@ -140,7 +145,8 @@ mod tests {
     }
 
     proptest! {
-        /// A fan of triangles around a point covers every centre inside its convex outline exactly once.
+        /// A fan of triangles around a point covers every centre inside its convex outline exactly
+        /// once.
         #[test]
         fn a_fan_over_the_picture_draws_every_pixel_once(x in 1i32..95, y in 1i32..95) {
             let middle = [f64::from(x) / 4.0, f64::from(y) / 4.0, 0.0];
@@ -158,8 +164,8 @@ mod tests {
             prop_assert!(count(&[[a, b, c], [a, b, d]]).iter().all(|&n| n <= 1));
         }
 
-        /// Centres strictly inside are drawn, strictly outside are not, whatever the orientation; and the value is
-        /// the affine function that the corners were taken from.
+        /// Centres strictly inside are drawn, strictly outside are not, whatever the orientation;
+        /// and the value is the affine function that the corners were taken from.
         #[test]
         fn coverage_and_values_agree_with_barycentric_coordinates(a in corner(), b in corner(), c in corner()) {
             let cross = |p: Corner, q: Corner, r: [f64; 2]| {

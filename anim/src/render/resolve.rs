@@ -13,7 +13,8 @@ use super::surface::{Samples, barycentric};
 use super::vector::{Vector, add, add_scaled, dot, length, normalized, scale, subtract};
 use super::{RenderError, Scene, Style};
 
-/// Tangents of the half angles of the key light and of the part of the sky that counts for the contact shadow.
+/// Tangents of the half angles of the key light and of the part of the sky that counts for the
+/// contact shadow.
 const KEY_TANGENT: f64 = 0.06;
 const SKY_TANGENT: f64 = 0.9;
 
@@ -144,7 +145,8 @@ impl Resolver<'_> {
             Some(ground) if depth.is_finite() => {
                 let direction = self.camera.world_direction(ray);
                 let point = add_scaled(self.camera.eye(), direction, depth);
-                // A pixel's patch of ground is longer than wide by one over the sine of the ray's slope.
+                // A pixel's patch of ground is longer than wide by one over the sine of the ray's
+                // slope.
                 let sine = direction[1].abs() / length(direction);
                 let pixel = depth * n / self.samples.lens.focal;
                 ground.color(point, pixel / sine.sqrt(), behind)

@@ -6,14 +6,15 @@ use super::vector::{Vector, add, add_scaled, dot, multiply, normalized, scale};
 /// A distant light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Light {
-    /// Direction towards the light, of any length, as *right*, *world up* and *towards the viewer*: lights stand
-    /// around the camera as in a studio, but stay level when it looks up or down.
+    /// Direction towards the light, of any length, as *right*, *world up* and *towards the viewer*:
+    /// lights stand around the camera as in a studio, but stay level when it looks up or down.
     pub direction: [f64; 3],
     /// Linear colour times strength.
     pub color: LinearColor,
 }
 
-/// A key light that models the form, a weaker fill light that opens its shadows, and light from all around.
+/// A key light that models the form, a weaker fill light that opens its shadows, and light from all
+/// around.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lighting {
     /// The main light; it casts the shadow on the ground.
@@ -68,7 +69,8 @@ impl WorldLighting {
         self.key.0
     }
 
-    /// The light that a surface of the given colour and unit normal sends in the unit direction `towards_viewer`.
+    /// The light that a surface of the given colour and unit normal sends in the unit direction
+    /// `towards_viewer`.
     pub(super) fn shade(
         &self,
         surface: LinearColor,

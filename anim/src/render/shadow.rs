@@ -6,9 +6,10 @@ use super::vector::Vector;
 
 /// How much of a light each place of the ground sees.
 ///
-/// The model is projected along the light onto the ground, where each texel remembers the height of the lowest
-/// surface above it. A light of half angle α seen past an edge at height *h* is covered little by little over a
-/// width of about *2 h tan α*, so each texel's darkness is spread that wide: sharp at the feet, soft at the head.
+/// The model is projected along the light onto the ground, where each texel remembers the height of
+/// the lowest surface above it. A light of half angle α seen past an edge at height *h* is covered
+/// little by little over a width of about *2 h tan α*, so each texel's darkness is spread that
+/// wide: sharp at the feet, soft at the head.
 pub(super) struct GroundShadow {
     /// Least *x* and *z* of the map, and texels per unit of length.
     origin: [f64; 2],
@@ -20,12 +21,13 @@ pub(super) struct GroundShadow {
 /// Texels along a side of the map.
 const SIZE: usize = 288;
 
-/// The radii, in texels, over which darkness is spread; heights between are shared by the neighbouring two.
+/// The radii, in texels, over which darkness is spread; heights between are shared by the
+/// neighbouring two.
 const RADII: [usize; 6] = [1, 3, 6, 12, 24, 40];
 
 impl GroundShadow {
-    /// The shadow on the plane `y = ground`, for a light in the direction `towards_light` (above the horizon) whose
-    /// half angle has the given tangent; `None` for a model that casts none.
+    /// The shadow on the plane `y = ground`, for a light in the direction `towards_light` (above
+    /// the horizon) whose half angle has the given tangent; `None` for a model that casts none.
     pub(super) fn new(
         positions: &[Vector],
         triangles: &[[u32; 3]],

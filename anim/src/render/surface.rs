@@ -65,10 +65,12 @@ impl Samples {
     }
 }
 
-/// The barycentric coordinates at which a ray from the eye meets the plane of a triangle in the camera's frame.
+/// The barycentric coordinates at which a ray from the eye meets the plane of a triangle in the
+/// camera's frame.
 ///
-/// The ray direction is `Σ λᵢ pᵢ` up to scale, so by Cramer's rule `λᵢ ∝ det(ray, pⱼ, pₖ)`: exact under perspective,
-/// wherever the corners lie. A triangle seen edge-on has no such place and gets its middle.
+/// The ray direction is `Σ λᵢ pᵢ` up to scale, so by Cramer's rule `λᵢ ∝ det(ray, pⱼ, pₖ)`: exact
+/// under perspective, wherever the corners lie. A triangle seen edge-on has no such place and gets
+/// its middle.
 pub(super) fn barycentric(ray: Vector, [a, b, c]: [Vector; 3]) -> Vector {
     let volumes = [
         dot(ray, cross(b, c)),

@@ -44,7 +44,8 @@ pub(crate) fn length(a: Vector) -> f64 {
     dot(a, a).sqrt()
 }
 
-/// `None` for a vector without a direction: zero, not finite, or so short or long that its square is.
+/// `None` for a vector without a direction: zero, not finite, or so short or long that its square
+/// is.
 pub(crate) fn normalized(a: Vector) -> Option<Vector> {
     let length = length(a);
     (length.is_normal()).then(|| scale(a, 1.0 / length))

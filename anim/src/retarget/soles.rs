@@ -19,8 +19,8 @@ pub struct Soles {
 }
 
 impl Soles {
-    /// The lowest vertices of a mesh that stands upright at rest, up to 1/64 of its height above the lowest of all, each fixed to
-    /// the joint that moves it most.
+    /// The lowest vertices of a mesh that stands upright at rest, up to 1/64 of its height above
+    /// the lowest of all, each fixed to the joint that moves it most.
     ///
     /// # Errors
     ///
@@ -47,8 +47,8 @@ impl Soles {
         })
     }
 
-    /// Where there is no mesh: points under the ends of those bones of a skeleton that lie within 1/16 of its height above its
-    /// lowest point.
+    /// Where there is no mesh: points under the ends of those bones of a skeleton that lie within
+    /// 1/16 of its height above its lowest point.
     #[must_use]
     pub fn of_skeleton(skeleton: &Skeleton) -> Self {
         let joints = skeleton.joints();
@@ -73,7 +73,8 @@ impl Soles {
         self.points.iter().any(|&(other, _)| other == joint)
     }
 
-    /// The height of the lowest point when the joints have moved so; not a number when one of them has none.
+    /// The height of the lowest point when the joints have moved so; not a number when one of them
+    /// has none.
     pub(super) fn lowest(&self, motions: &[Motor<f64>]) -> f64 {
         let heights = self
             .points

@@ -73,7 +73,8 @@ fn points<'a>(frame: &Frame<'a>) -> impl Iterator<Item = [f64; 3]> + Clone + use
         .chain(bones.iter().flatten().copied())
 }
 
-/// Found here, with the frame's number, rather than by a camera that cannot tell one frame from another.
+/// Found here, with the frame's number, rather than by a camera that cannot tell one frame from
+/// another.
 fn check(frame: &Frame) -> Result<(), SheetError> {
     let finite = |p: &[f64; 3]| p.iter().all(|c| c.is_finite());
     let source = match frame.positions.iter().position(|p| !finite(p)) {
@@ -89,7 +90,8 @@ fn check(frame: &Frame) -> Result<(), SheetError> {
     })
 }
 
-/// The mean of a frame's points, at height 0. (The middle of its bounds would sway with every swing of an arm.)
+/// The mean of a frame's points, at height 0. (The middle of its bounds would sway with every swing
+/// of an arm.)
 fn level_middle(frame: &Frame) -> [f64; 3] {
     let (mut x, mut z, mut count) = (0.0, 0.0, 0.0f64);
     for point in points(frame) {

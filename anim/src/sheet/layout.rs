@@ -5,8 +5,8 @@ use super::{Frame, Kind, Options, SheetError};
 /// Which pictures stand side by side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layout {
-    /// A row for each two neighbouring key frames: the one, the frames between, the other. A key frame in the middle
-    /// of an animation so ends one row and begins the next.
+    /// A row for each two neighbouring key frames: the one, the frames between, the other. A key
+    /// frame in the middle of an animation so ends one row and begins the next.
     KeyToKey,
     /// Rows of so many pictures, each frame once.
     Columns(usize),

@@ -40,7 +40,8 @@ fn mean(influences: &[Influence], motions: &[Motor<f64>]) -> Option<Motor<f64>> 
     sum.normalize()
 }
 
-/// The scalar part of the one rotor times the other's reverse: the cosine of half the angle between them.
+/// The scalar part of the one rotor times the other's reverse: the cosine of half the angle between
+/// them.
 fn rotor_product(a: Motor<f64>, b: Motor<f64>) -> f64 {
     a.scalar() * b.scalar() + a.e12() * b.e12() + a.e13() * b.e13() + a.e23() * b.e23()
 }

@@ -6,8 +6,8 @@ use crate::pose::Pose;
 use crate::skeleton::Skeleton;
 use crate::weights::SkinWeights;
 
-/// What a person in a pose measures, in the unit of the mesh with y up: whether the limbs are whole, the feet on the ground
-/// and the head above.
+/// What a person in a pose measures, in the unit of the mesh with y up: whether the limbs are
+/// whole, the feet on the ground and the head above.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct BodyReport {
     /// The greatest difference between the length of a bone in the pose and at rest.
@@ -16,7 +16,8 @@ pub struct BodyReport {
     pub lowest: f64,
     /// The height of the highest vertex above the lowest.
     pub height: f64,
-    /// The direction from the root joint to the joint that is highest at rest, of length 1; (0, 1, 0) is upright.
+    /// The direction from the root joint to the joint that is highest at rest, of length 1; (0,
+    /// 1, 0) is upright.
     pub up: [f64; 3],
 }
 

@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-/// A file beside the project, too big to be part of it, or `None` with a message when it is not there.
+/// A file beside the project, too big to be part of it, or `None` with a message when it is not
+/// there.
 pub(crate) fn shared(path: &str) -> Option<PathBuf> {
     let file = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
         .join("../../shared")
@@ -14,7 +15,8 @@ pub(crate) fn shared(path: &str) -> Option<PathBuf> {
     Some(file)
 }
 
-/// Fails unless `found` is within `bound` of `expected`, relative to the greater of |`expected`| and 1.
+/// Fails unless `found` is within `bound` of `expected`, relative to the greater of |`expected`|
+/// and 1.
 #[track_caller]
 #[allow(dead_code, reason = "not every test file compares numbers")]
 pub(crate) fn assert_relative(found: f64, expected: f64, bound: f64) {

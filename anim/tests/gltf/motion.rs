@@ -43,7 +43,8 @@ proptest! {
         prop_assert!((length - 1.0).abs() < 1e-12);
     }
 
-    /// The skeleton's joints turn about their places, the whole moves after them: a player of the file sees the same.
+    /// The skeleton's joints turn about their places, the whole moves after them: a player of the
+    /// file sees the same.
     #[test]
     fn a_clip_plays_as_its_motors_say(
         source in source(1..9),

@@ -2,8 +2,8 @@
 
 use std::collections::{HashMap, HashSet};
 
-/// Directed edges with the triangle to their left. Fails when an edge is there twice, as where three triangles
-/// meet or two neighbours are wound against each other.
+/// Directed edges with the triangle to their left. Fails when an edge is there twice, as where
+/// three triangles meet or two neighbours are wound against each other.
 pub(crate) fn directed_edges(triangles: &[[u32; 3]]) -> HashMap<(u32, u32), usize> {
     let mut edges = HashMap::new();
     for (i, t) in triangles.iter().enumerate() {
@@ -30,7 +30,8 @@ pub(crate) fn assert_without_boundary(triangles: &[[u32; 3]]) {
     }
 }
 
-/// Fails unless the triangles round each vertex are one ring, so that the surface does not touch itself at a point.
+/// Fails unless the triangles round each vertex are one ring, so that the surface does not touch
+/// itself at a point.
 pub(crate) fn assert_one_ring_each(vertices: usize, triangles: &[[u32; 3]]) {
     let mut next: Vec<HashMap<u32, u32>> = vec![HashMap::new(); vertices];
     for t in triangles {
@@ -97,8 +98,8 @@ pub(crate) fn volume(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> f64 {
     corners.map(|[a, b, c]| dot(a, cross(b, c)) / 6.0).sum()
 }
 
-/// How often the surface goes round a point: 1 inside, 0 outside (A. Van Oosterom, J. Strackee, "The solid angle of a plane
-/// triangle", IEEE Transactions on Biomedical Engineering 30, 1983).
+/// How often the surface goes round a point: 1 inside, 0 outside (A. Van Oosterom, J. Strackee,
+/// "The solid angle of a plane triangle", IEEE Transactions on Biomedical Engineering 30, 1983).
 pub(crate) fn winding_number(
     positions: &[[f64; 3]],
     triangles: &[[u32; 3]],

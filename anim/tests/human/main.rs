@@ -1,4 +1,5 @@
-//! The person made by formulas: a closed mesh of human proportions, weights without leaks, a walk without slipping feet.
+//! The person made by formulas: a closed mesh of human proportions, weights without leaks, a walk
+//! without slipping feet.
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 

@@ -86,7 +86,8 @@ fn left_and_right_are_mirror_images() {
     }
 }
 
-/// The breadth from side to side of the part of the skin near a height, no further than `reach` from the middle.
+/// The breadth from side to side of the part of the skin near a height, no further than `reach`
+/// from the middle.
 fn breadth(height: f64, reach: f64) -> f64 {
     let level = |p: &&[f64; 3]| (p[1] - height).abs() < 0.01 && p[0].abs() < reach;
     2.0 * positions()

@@ -34,7 +34,8 @@ fn a_vertex_follows_joints_that_belong_together() {
     };
     for (vertex, row) in HUMAN.weights.iter().enumerate() {
         let joints: Vec<u32> = row.iter().map(|i| i.joint).collect();
-        // In a tree, what is connected has one member whose parent is outside; brothers may stand in for their parent.
+        // In a tree, what is connected has one member whose parent is outside; brothers may stand
+        // in for their parent.
         let mut tops: Vec<Option<u32>> = joints
             .iter()
             .filter(|&&j| parent(j).is_none_or(|p| !joints.contains(&p)))

@@ -40,7 +40,8 @@ proptest! {
         prop_assert!(dot(side, camera.forward()) < -1.0 + 1e-9);
     }
 
-    /// `project` against the textbook: the line from the eye through the point pierces the picture plane.
+    /// `project` against the textbook: the line from the eye through the point pierces the picture
+    /// plane.
     #[test]
     fn projected_points_lie_on_their_lines_of_sight(eye in point(), target in point(), at in point()) {
         prop_assume!(dot(subtract(eye, target), subtract(eye, target)) > 1.0);

@@ -261,7 +261,8 @@ fn the_side_towards_the_key_light_is_the_brightest() {
             }
         }
     }
-    // The front camera's right, up and backward are the world's axes, and a unit sphere's points are its normals.
+    // The front camera's right, up and backward are the world's axes, and a unit sphere's points
+    // are its normals.
     let light = style.lighting.key.direction;
     let cosine = dot(place, light) / (dot(light, light) * dot(place, place)).sqrt();
     assert!(cosine > 0.9, "{place:?} is not towards {light:?}");
@@ -291,7 +292,8 @@ fn what_lies_close_behind_an_edge_is_darkened() {
         }
     };
     let (plain, contrasted) = (with(0.0), with(3.0));
-    // Seen past the small square's edge, half a unit to the side at depth 4, the large one at depth 6.
+    // Seen past the small square's edge, half a unit to the side at depth 4, the large one at depth
+    // 6.
     let (beside, away, before) = ([0.80, 0.0, -1.0], [1.7, 0.0, -1.0], [0.0, 0.0, 1.0]);
     assert_eq!([plain(beside), plain(away), plain(before)], [765; 3]);
     assert_eq!([contrasted(away), contrasted(before)], [765; 2]);

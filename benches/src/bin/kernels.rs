@@ -1,4 +1,5 @@
-//! Runs one kernel over and over, for tools that count instructions: `kernels --list`, `kernels KERNEL CONTENDER ROUNDS`.
+//! Runs one kernel over and over, for tools that count instructions: `kernels --list`,
+//! `kernels KERNEL CONTENDER ROUNDS`.
 
 use std::hint::black_box;
 

@@ -6,7 +6,8 @@ use anyhow::{Context, Result};
 use clap::Parser;
 use nullcone_benches::results::{self, Measurements, Report, Setting};
 
-/// Writes one report of the runs that criterion has kept, with counts of instructions and build times where given.
+/// Writes one report of the runs that criterion has kept, with counts of instructions and build
+/// times where given.
 #[derive(Parser)]
 struct Arguments {
     /// A folder of criterion's; repeat it for each setting of the compiler.

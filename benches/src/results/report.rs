@@ -259,7 +259,8 @@ fn replace(path: &Path, contents: &[u8]) -> io::Result<()> {
     Ok(())
 }
 
-/// Temporary files are private to their owner by default; a report obeys the umask like any other file.
+/// Temporary files are private to their owner by default; a report obeys the umask like any other
+/// file.
 #[cfg(unix)]
 fn ordinary_permissions() -> Option<Permissions> {
     use std::os::unix::fs::PermissionsExt;

@@ -1,4 +1,5 @@
-//! The conformal algebra of the crate `clifford`. Its motors are general even elements; its points have all five coefficients.
+//! The conformal algebra of the crate `clifford`. Its motors are general even elements; its points
+//! have all five coefficients.
 
 use clifford::ops::{Antiwedge, Sandwich, Wedge};
 use clifford::scalar::Float;

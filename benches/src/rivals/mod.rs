@@ -1,4 +1,5 @@
-//! Crates other than glam that do the same work. Without the feature `rivals` none of them takes part.
+//! Crates other than glam that do the same work. Without the feature `rivals` none of them takes
+//! part.
 
 #[cfg(feature = "rivals")]
 mod clifford;

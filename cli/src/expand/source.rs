@@ -71,8 +71,8 @@ impl Source {
         self.tokens.clone()
     }
 
-    /// The functions: what stands in `ga! { … }` after the path of the algebra, or the whole text where there is no such
-    /// call.
+    /// The functions: what stands in `ga! { … }` after the path of the algebra, or the whole text
+    /// where there is no such call.
     fn functions(&self) -> TokenStream {
         let calls = calls(&self.tokens, "ga");
         if calls.is_empty() {

@@ -1,10 +1,11 @@
-//! A figure of boxes and its motion, written by hand: what the program should make of it can be worked out on paper.
+//! A figure of boxes and its motion, written by hand: what the program should make of it can be
+//! worked out on paper.
 
 use std::fmt::Write as _;
 use std::path::Path;
 
-/// Name, parent, head and tail of each bone: decimetres, y up, looking along z. It is 17 dm tall, and its legs, from hip to
-/// ankle, are 8 dm long.
+/// Name, parent, head and tail of each bone: decimetres, y up, looking along z. It is 17 dm tall,
+/// and its legs, from hip to ankle, are 8 dm long.
 const BONES: [(&str, &str, [f64; 3], [f64; 3]); 9] = [
     ("hips", "", [0.0, 9.0, 0.0], [0.0, 12.0, 0.0]),
     ("chest", "hips", [0.0, 12.0, 0.0], [0.0, 15.0, 0.0]),
@@ -83,7 +84,8 @@ pub(crate) fn rig() -> String {
     format!("{{{}}}", bones.join(",\n"))
 }
 
-/// Each box follows its bone, the triangle the head; the lower edge of a shin follows the thigh a little, too.
+/// Each box follows its bone, the triangle the head; the lower edge of a shin follows the thigh a
+/// little, too.
 pub(crate) fn weights() -> String {
     let bones = BONES.iter().enumerate().map(|(bone, (name, ..))| {
         let mut list: Vec<String> = (8 * bone..8 * bone + 8)
@@ -103,8 +105,8 @@ pub(crate) fn weights() -> String {
     )
 }
 
-/// The body goes ahead along z while its legs swing; the motion has no head. `calibration` puts a frame before the others in
-/// which the body lies far to one side.
+/// The body goes ahead along z while its legs swing; the motion has no head. `calibration` puts a
+/// frame before the others in which the body lies far to one side.
 pub(crate) fn bvh(frames: usize, calibration: bool) -> String {
     let mut text = "HIERARCHY\n".to_owned();
     joint("", &mut text);

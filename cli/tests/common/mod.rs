@@ -34,7 +34,8 @@ pub(crate) fn assert_success(output: &Output) {
     assert!(output.status.success(), "{}", text(&output.stderr));
 }
 
-/// Fails unless the program ended with status 1 and one line on standard error that begins with `error: ` and holds all `parts`.
+/// Fails unless the program ended with status 1 and one line on standard error that begins with
+/// `error: ` and holds all `parts`.
 #[track_caller]
 pub(crate) fn assert_failure(output: &Output, parts: &[&str]) {
     let message = text(&output.stderr);
@@ -84,7 +85,8 @@ pub(crate) fn number(report: &Value, path: &str) -> f64 {
         .unwrap_or_else(|| panic!("{path} is {value:?}"))
 }
 
-/// A file beside the project, too big to be part of it, or `None` with a message when it is not there.
+/// A file beside the project, too big to be part of it, or `None` with a message when it is not
+/// there.
 pub(crate) fn shared(path: &str) -> Option<PathBuf> {
     let file = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
         .join("../../shared")
@@ -96,7 +98,8 @@ pub(crate) fn shared(path: &str) -> Option<PathBuf> {
     Some(file)
 }
 
-/// The y coordinates of the vertices in the text of an OBJ file, read without the program's own reader.
+/// The y coordinates of the vertices in the text of an OBJ file, read without the program's own
+/// reader.
 pub(crate) fn heights(obj: &str) -> Vec<f64> {
     let lines = obj.lines().filter_map(|line| line.strip_prefix("v "));
     lines

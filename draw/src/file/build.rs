@@ -394,7 +394,8 @@ fn meet([a, b]: [String; 2], named: &Named) -> Result<Made, ElementError> {
     }
 }
 
-/// What two lines or circles share; `None` for other elements. The product of two that lie in one plane vanishes, although they may cross.
+/// What two lines or circles share; `None` for other elements. The product of two that lie in one
+/// plane vanishes, although they may cross.
 fn curves_meet(a: Multivector<f64>, b: Multivector<f64>) -> Option<Option<Multivector<f64>>> {
     let [a, b] = [curve(a)?, curve(b)?];
     let tolerance = Tolerance::new(1e-9, 1e-9);

@@ -60,7 +60,8 @@ impl Trajectory {
         }
     }
 
-    /// The path of the origin under motors, straight from each place to the next. Give many for a smooth one.
+    /// The path of the origin under motors, straight from each place to the next. Give many for a
+    /// smooth one.
     #[must_use]
     pub fn of_motors(motors: impl IntoIterator<Item = Motor<f64>>) -> Self {
         Self {
@@ -69,8 +70,8 @@ impl Trajectory {
         }
     }
 
-    /// The path of the origin under `exp(t G)` for t from 0 to 1 in a number of steps, which is a helix. The generator may turn
-    /// more than once.
+    /// The path of the origin under `exp(t G)` for t from 0 to 1 in a number of steps, which is a
+    /// helix. The generator may turn more than once.
     #[must_use]
     pub fn screw(generator: MotorGenerator<f64>, steps: usize) -> Self {
         let steps = steps.max(1);
@@ -87,7 +88,8 @@ impl Trajectory {
         Self { path, ..self }
     }
 
-    /// With this many of the motors drawn as frames along the path, evenly spread from the first to the last.
+    /// With this many of the motors drawn as frames along the path, evenly spread from the first to
+    /// the last.
     #[must_use]
     pub fn with_frames(self, frames: usize) -> Self {
         Self { frames, ..self }

@@ -9,8 +9,8 @@ use super::{Drawable, NotDrawable, Shape, balanced};
 const TOLERANCE: f64 = 1e-12;
 
 impl Drawable for Multivector<f64> {
-    /// A blade is read in direct form but for vectors, of which those that are no points are dual spheres and planes. A sum of even
-    /// grades must be a motor.
+    /// A blade is read in direct form but for vectors, of which those that are no points are dual
+    /// spheres and planes. A sum of even grades must be a motor.
     fn shape(&self) -> Result<Shape, NotDrawable> {
         let element = balanced(self)?;
         let blades = Self::BLADES.iter().copied();

@@ -1,7 +1,7 @@
 //! Basis blades as sets of basis vectors.
 
-/// The outer product of a set of basis vectors in rising order: bit `k` is set where the `k`-th basis
-/// vector takes part. `Blade(0)` is the scalar 1.
+/// The outer product of a set of basis vectors in rising order: bit `k` is set where the `k`-th
+/// basis vector takes part. `Blade(0)` is the scalar 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Blade(pub u32);
 

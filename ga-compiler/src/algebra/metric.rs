@@ -1,4 +1,5 @@
-//! The inner products of the basis vectors, and the product of two basis blades that follows from them.
+//! The inner products of the basis vectors, and the product of two basis blades that follows from
+//! them.
 
 use std::collections::BTreeMap;
 
@@ -52,8 +53,8 @@ impl Metric {
 
     /// Whether the coefficients of all products of basis blades fit 64 bits, by a bound.
     ///
-    /// With the least common denominator d, d^n times such a coefficient is a whole number, and no larger than the product
-    /// of the sums of the rows, each at least d.
+    /// With the least common denominator d, d^n times such a coefficient is a whole number, and no
+    /// larger than the product of the sums of the rows, each at least d.
     #[must_use]
     pub fn products_fit(&self) -> bool {
         let limit = f64::from(1_u32 << 31).powi(2);
@@ -112,10 +113,10 @@ impl Metric {
 
     /// The geometric product of two basis blades, as a sum of basis blades.
     ///
-    /// By Wick's theorem the product of two blades is the sum over all ways to contract some vectors
-    /// of the left one with vectors of the right one, of what is left wedged together. The vectors of
-    /// the left blade are met from the last to the first; each is kept, or contracted with one vector of the right
-    /// blade, with a sign for every vector that it passes on the way.
+    /// By Wick's theorem the product of two blades is the sum over all ways to contract some
+    /// vectors of the left one with vectors of the right one, of what is left wedged together. The
+    /// vectors of the left blade are met from the last to the first; each is kept, or contracted
+    /// with one vector of the right blade, with a sign for every vector that it passes on the way.
     #[must_use]
     pub fn geometric(&self, left: Blade, right: Blade) -> Vec<(Blade, Ratio)> {
         let mut terms = BTreeMap::from([((Blade::SCALAR, right), Ratio::ONE)]);

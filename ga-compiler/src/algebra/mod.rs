@@ -85,7 +85,8 @@ impl Algebra {
         product
     }
 
-    /// The dual of a basis blade: `a I⁻¹`, or the right complement (`a ∧ dual a = I`) where I is singular.
+    /// The dual of a basis blade: `a I⁻¹`, or the right complement (`a ∧ dual a = I`) where I is
+    /// singular.
     #[must_use]
     pub fn dual(&self, blade: Blade) -> Vec<(Blade, Ratio)> {
         if self.is_degenerate() {

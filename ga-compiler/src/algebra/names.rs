@@ -72,7 +72,8 @@ impl BladeNames {
     /// Reads a blade name.
     ///
     /// # Errors
-    /// The name contains something else than basis vectors, one of them twice, or can be split in several ways.
+    /// The name contains something else than basis vectors, one of them twice, or can be split in
+    /// several ways.
     pub fn resolve(&self, name: &str) -> Result<NamedBlade, NameError> {
         if name == SCALAR {
             return Ok(NamedBlade {

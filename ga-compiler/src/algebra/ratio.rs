@@ -5,8 +5,9 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// An exact fraction in lowest terms with a positive denominator.
 ///
-/// What would need more than 128 bits is [out of range](Self::is_out_of_range), and so is all that is worked out from
-/// it, except for zero times it: no number is ever wrong, and code is refused that would need one out of range.
+/// What would need more than 128 bits is [out of range](Self::is_out_of_range), and so is all that
+/// is worked out from it, except for zero times it: no number is ever wrong, and code is refused
+/// that would need one out of range.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Ratio {
     numerator: i128,

@@ -36,11 +36,12 @@ pub struct Definition {
 }
 
 impl Definition {
-    /// Checks a parsed declaration. `runtime` is the path of ga-runtime, where the declaration does not say it.
+    /// Checks a parsed declaration. `runtime` is the path of ga-runtime, where the declaration does
+    /// not say it.
     ///
     /// # Errors
-    /// Everything that is wrong with the declaration, each error at its token. What depends on a faulty part is not
-    /// judged, so that no error merely follows from another.
+    /// Everything that is wrong with the declaration, each error at its token. What depends on a
+    /// faulty part is not judged, so that no error merely follows from another.
     pub fn check(syntax: DeclarationSyntax, runtime: TokenStream) -> syn::Result<Self> {
         let mut diagnostics = Diagnostics::default();
         let algebra = basis::check(&syntax.basis, &syntax.metric, &mut diagnostics)?;

@@ -17,14 +17,16 @@ pub enum Polynomial {
     Product(Box<Polynomial>, Box<Polynomial>),
 }
 
-/// The largest absolute value of a number in a declaration; it keeps all exact arithmetic within range.
+/// The largest absolute value of a number in a declaration; it keeps all exact arithmetic within
+/// range.
 const LARGEST: i128 = 1_000_000;
 
 impl Polynomial {
     /// Reads a polynomial; `lookup` resolves the names of blades.
     ///
     /// # Errors
-    /// Anything but sums, differences, products, quotients by constants, and blades that `lookup` accepts.
+    /// Anything but sums, differences, products, quotients by constants, and blades that `lookup`
+    /// accepts.
     pub fn resolve(
         syntax: &Expr,
         lookup: &mut dyn FnMut(&syn::Ident) -> Result<usize>,
@@ -84,7 +86,8 @@ impl Polynomial {
         }
     }
 
-    /// The polynomial, a constant as one number, unless its numbers are too large; those of its parts are not.
+    /// The polynomial, a constant as one number, unless its numbers are too large; those of its
+    /// parts are not.
     fn within_bounds(self, syntax: &Expr) -> Result<Self> {
         let folded = self.as_constant().map_or(self, Self::Constant);
         let (numerator, denominator) = folded.size();
@@ -101,15 +104,17 @@ impl Polynomial {
         Ok(folded)
     }
 
-    /// A bound on the sum of the absolute values of all factors after expansion, over their common denominator. It bounds
-    /// every constant that comes from putting the polynomial for a coefficient.
+    /// A bound on the sum of the absolute values of all factors after expansion, over their common
+    /// denominator. It bounds every constant that comes from putting the polynomial for a
+    /// coefficient.
     fn size(&self) -> (i128, i128) {
         self.evaluate(
             &mut |value| (value.abs().numerator(), value.denominator()),
             &mut |_| (1, 1),
             &mut |step, (a, below_a), (b, below_b)| match step {
                 PolynomialStep::Sum => {
-                    // In lowest terms the one denominator is what the other lacks of their common multiple.
+                    // In lowest terms the one denominator is what the other lacks of their common
+                    // multiple.
                     let lacking = Ratio::new(below_a, below_b).map_or(1, Ratio::denominator);
                     let common = below_a.saturating_mul(lacking);
                     let (a, b) = (

@@ -28,7 +28,8 @@ pub struct TypeDefinition {
     pub coefficients: Vec<Coefficient>,
     /// What every member satisfies.
     pub facts: Facts,
-    /// Whether the facts hold for any stored coefficients, so that every member can be built freely.
+    /// Whether the facts hold for any stored coefficients, so that every member can be built
+    /// freely.
     pub facts_are_implied: bool,
     /// The type of sums and multiples, as an index; none where it is the type itself.
     pub hull: Option<usize>,
@@ -111,8 +112,8 @@ impl TypeDefinition {
     }
 }
 
-/// The types, and for each whether nothing is wrong with it, so that something can be concluded from it.
-/// `is_sound` says so of the algebra.
+/// The types, and for each whether nothing is wrong with it, so that something can be concluded
+/// from it. `is_sound` says so of the algebra.
 pub(super) fn check(
     algebra: &Algebra,
     is_sound: bool,
@@ -401,8 +402,8 @@ fn establish_facts(
     }
 }
 
-/// Whether random members are found, all of one parity, that have every blade of the type: only then do they stand for all
-/// of its unit versors.
+/// Whether random members are found, all of one parity, that have every blade of the type: only
+/// then do they stand for all of its unit versors.
 fn is_family(algebra: &Algebra, kind: &TypeDefinition) -> bool {
     let first = kind.coefficients.first();
     let parity = first.map(|c| c.blade.involute_is_negative());

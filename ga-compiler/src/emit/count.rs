@@ -1,10 +1,11 @@
 //! A count of operations, read from the Rust code that is emitted.
 //!
-//! The count is taken of the code itself and not of the graph that it was written from, so that it holds whatever an
-//! emitter does. What is counted: `+` and `-` are an addition, `*` a multiplication (also one by 2 or ½), `/` and `recip` a
-//! division, a fused multiplication and addition is one of each, `sqrt` a root; a negation and a call of any other function are
-//! each one *other*. Reading, naming and building cost nothing. Anything that is not known here is an error, so that no
-//! operation is overlooked.
+//! The count is taken of the code itself and not of the graph that it was written from, so that it
+//! holds whatever an emitter does. What is counted: `+` and `-` are an addition, `*` a
+//! multiplication (also one by 2 or ½), `/` and `recip` a division, a fused multiplication and
+//! addition is one of each, `sqrt` a root; a negation and a call of any other function are each one
+//! *other*. Reading, naming and building cost nothing. Anything that is not known here is an error,
+//! so that no operation is overlooked.
 
 use std::collections::{HashMap, HashSet};
 use std::fmt;
@@ -81,7 +82,8 @@ pub struct FunctionCount {
     pub uniform: Operations,
 }
 
-/// Emits a function as Rust and counts the operations in its code. `path` is where that code finds the algebra.
+/// Emits a function as Rust and counts the operations in its code. `path` is where that code finds
+/// the algebra.
 ///
 /// # Errors
 /// The code holds a construct that is not counted; the error names it.
@@ -115,7 +117,8 @@ pub fn function(
     Ok(count)
 }
 
-/// The functions of some code with the operations of each, in order; methods come as `Type::method`.
+/// The functions of some code with the operations of each, in order; methods come as
+/// `Type::method`.
 ///
 /// # Errors
 /// The code is no list of items, or holds a construct that is not counted; the error names it.
@@ -177,7 +180,8 @@ fn owner(kind: &syn::Type) -> String {
     }
 }
 
-/// Knows what costs nothing besides what the language itself has: reading and building members of types.
+/// Knows what costs nothing besides what the language itself has: reading and building members of
+/// types.
 #[derive(Default)]
 struct Counter {
     /// The names under which methods give a stored coefficient.
@@ -314,7 +318,8 @@ impl Counter {
         Ok(count)
     }
 
-    /// Whether a path is that of a function which puts a type together from its coefficients or reads one of them.
+    /// Whether a path is that of a function which puts a type together from its coefficients or
+    /// reads one of them.
     fn is_free(&self, path: &syn::Path, arguments: usize) -> bool {
         let mut last = path
             .segments

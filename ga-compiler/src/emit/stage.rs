@@ -10,7 +10,8 @@ pub(crate) struct Stages {
     pub(crate) prologue: Stage,
     /// What is done in every call.
     pub(crate) inner: Stage,
-    /// The nodes that the first stage hands to the second: uniform inputs and nodes that are read there, in rising order.
+    /// The nodes that the first stage hands to the second: uniform inputs and nodes that are read
+    /// there, in rising order.
     pub(crate) handed: Vec<NodeId>,
 }
 

@@ -25,8 +25,8 @@ pub enum Node {
     One,
     /// An input, by its number.
     Input(usize),
-    /// A sum of values whose nodes differ and rise, the first with a positive factor, the factors without a common divisor;
-    /// or a single value with a positive factor, see [`Arena::held`].
+    /// A sum of values whose nodes differ and rise, the first with a positive factor, the factors
+    /// without a common divisor; or a single value with a positive factor, see [`Arena::held`].
     Sum(Box<[Value]>),
     /// A product of two nodes in rising order.
     Product(NodeId, NodeId),
@@ -174,7 +174,8 @@ impl Arena {
         Value { factor, node }
     }
 
-    /// The quotient of two values; a constant divisor becomes a factor. `None` where the divisor is known to be zero.
+    /// The quotient of two values; a constant divisor becomes a factor. `None` where the divisor is
+    /// known to be zero.
     pub fn quotient(&mut self, dividend: Value, divisor: Value) -> Option<Value> {
         let inverse = divisor.factor.recip()?;
         if dividend.is_zero() || divisor.node == Self::ONE {
@@ -187,7 +188,8 @@ impl Arena {
         })
     }
 
-    /// The sum of any number of values: equal nodes are collected, and the common factor moves outwards.
+    /// The sum of any number of values: equal nodes are collected, and the common factor moves
+    /// outwards.
     pub fn sum(&mut self, values: impl IntoIterator<Item = Value>) -> Value {
         match normal_sum(values) {
             Ok(value) => value,
@@ -222,8 +224,9 @@ impl Arena {
         }
     }
 
-    /// A multiple as a node of its own, so that what several operations read is multiplied once: factors move outwards
-    /// otherwise, and `2 x` times `y` would be 2 times `x y`. The sign stays outside.
+    /// A multiple as a node of its own, so that what several operations read is multiplied once:
+    /// factors move outwards otherwise, and `2 x` times `y` would be 2 times `x y`. The sign stays
+    /// outside.
     pub fn held(&mut self, value: Value) -> Value {
         let size = value.factor.abs();
         if size == Ratio::ONE || value.as_constant().is_some() {
@@ -239,8 +242,8 @@ impl Arena {
         }
     }
 
-    /// A sum with its terms as they are, the first of them positive: for the last pass, after which no equal sums are
-    /// looked for.
+    /// A sum with its terms as they are, the first of them positive: for the last pass, after which
+    /// no equal sums are looked for.
     pub(crate) fn ordered_sum(&mut self, terms: Vec<Value>) -> Value {
         let node = self.intern(Node::Sum(terms.into()));
         Value {
@@ -264,8 +267,8 @@ impl Arena {
         id
     }
 
-    /// The values of all nodes for the given inputs, over the prime field. A root that does not exist there is a residue of which
-    /// nothing is known.
+    /// The values of all nodes for the given inputs, over the prime field. A root that does not
+    /// exist there is a residue of which nothing is known.
     #[must_use]
     pub fn evaluate(&self, inputs: &[Prime]) -> Vec<Prime> {
         let mut results = Vec::with_capacity(self.nodes.len());

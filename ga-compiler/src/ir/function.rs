@@ -2,10 +2,12 @@
 
 use super::Prime;
 
-/// A function of scalars that is no arithmetic: the graph knows nothing of it but that equal arguments give equal results.
+/// A function of scalars that is no arithmetic: the graph knows nothing of it but that equal
+/// arguments give equal results.
 ///
-/// Over the prime field each has a stand-in that satisfies the equations that membership in a type may rest on: squares
-/// of roots, `sin² + cos² = 1`, and the like. What has no such equation is a random function of its arguments.
+/// Over the prime field each has a stand-in that satisfies the equations that membership in a type
+/// may rest on: squares of roots, `sin² + cos² = 1`, and the like. What has no such equation is a
+/// random function of its arguments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Function {
     /// `√x`.
@@ -63,7 +65,8 @@ impl Function {
         }
     }
 
-    /// The stand-in over the prime field. `None` where the argument of a root has none, so that another point must be tried.
+    /// The stand-in over the prime field. `None` where the argument of a root has none, so that
+    /// another point must be tried.
     #[must_use]
     pub fn evaluate(self, arguments: &[Prime]) -> Option<Prime> {
         let x = arguments[0];
@@ -103,8 +106,8 @@ impl Function {
         })
     }
 
-    /// What stands for a root of a constant that has none in the prime field: a residue of which nothing is known, not even
-    /// its square.
+    /// What stands for a root of a constant that has none in the prime field: a residue of which
+    /// nothing is known, not even its square.
     #[must_use]
     pub fn stand_in(self, arguments: &[Prime]) -> Prime {
         random(self, arguments)

@@ -5,8 +5,9 @@ use std::hash::{BuildHasherDefault, Hasher};
 /// Builds [`Mixer`]s.
 pub(super) type MixerBuilder = BuildHasherDefault<Mixer>;
 
-/// A multiplicative hash of whole words. The compiler runs unoptimised inside a macro, where the hash of the standard
-/// library, which guards against chosen keys, takes most of the time of building a graph.
+/// A multiplicative hash of whole words. The compiler runs unoptimised inside a macro, where the
+/// hash of the standard library, which guards against chosen keys, takes most of the time of
+/// building a graph.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Mixer(u64);
 

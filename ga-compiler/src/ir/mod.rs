@@ -1,13 +1,13 @@
 //! The intermediate representation: a graph of scalar operations, and multivectors over it.
 //!
-//! An [`Arena`] holds scalar [`Node`]s, each stored once: building the same sum or product again gives the
-//! same node, so that common subexpressions are shared from the start. What flows between nodes is a
-//! [`Value`], a node with a constant factor; signs and constant factors move outwards while a graph is built, so that
-//! `a − b` and `b − a` are the same node with factors 1 and −1.
+//! An [`Arena`] holds scalar [`Node`]s, each stored once: building the same sum or product again
+//! gives the same node, so that common subexpressions are shared from the start. What flows between
+//! nodes is a [`Value`], a node with a constant factor; signs and constant factors move outwards
+//! while a graph is built, so that `a − b` and `b − a` are the same node with factors 1 and −1.
 //!
-//! A [`Multivector`] is a sparse list of blades, each with its value, and the [`Facts`] known of it. The compiler
-//! lowers expressions to multivectors, and from then on only the wanted values count: a node that
-//! none of them reaches is never emitted.
+//! A [`Multivector`] is a sparse list of blades, each with its value, and the [`Facts`] known of
+//! it. The compiler lowers expressions to multivectors, and from then on only the wanted values
+//! count: a node that none of them reaches is never emitted.
 
 mod arena;
 mod facts;

@@ -53,7 +53,8 @@ impl Multivector {
         self
     }
 
-    /// The multivector with a wrong sign in its last coefficient that is no constant: a fault on purpose.
+    /// The multivector with a wrong sign in its last coefficient that is no constant: a fault on
+    /// purpose.
     #[must_use]
     pub(crate) fn with_last_negated(mut self) -> Self {
         let is_open = |(_, value): &&mut (Blade, Value)| value.as_constant().is_none();

@@ -12,16 +12,19 @@ pub struct Choice {
     pub join: JoinRule,
     /// For inner products of vectors.
     pub inner: InnerRule,
-    /// Whether constant and derived coefficients of steps that are known members of a type are taken from the type: a
-    /// moved point has weight 1 again, and its coefficient of infinity is half its square.
+    /// Whether constant and derived coefficients of steps that are known members of a type are
+    /// taken from the type: a moved point has weight 1 again, and its coefficient of infinity is
+    /// half its square.
     pub rederive: bool,
-    /// Whether derived coefficients of operands keep their constant factors instead of passing them on.
+    /// Whether derived coefficients of operands keep their constant factors instead of passing them
+    /// on.
     pub held: bool,
     /// A rule that is to go wrong, so that it can be seen that the check of expansions notices.
     pub broken: Option<Rule>,
 }
 
-/// The rules of a program: one choice for all its steps, and steps in which versors act by other rules.
+/// The rules of a program: one choice for all its steps, and steps in which versors act by other
+/// rules.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Choices {
     /// What holds where nothing else is said.
@@ -39,8 +42,8 @@ impl From<Choice> for Choices {
     }
 }
 
-/// The named identities by which the compiler departs from the plain meaning of a formula. Each is stated and proved
-/// where it is implemented.
+/// The named identities by which the compiler departs from the plain meaning of a formula. Each is
+/// stated and proved where it is implemented.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
     /// A [`SandwichRule`].

@@ -9,8 +9,9 @@ pub enum InnerRule {
     /// By coefficients.
     #[default]
     Plain,
-    /// `a·b = −½ (a − b)²` for `a² = b² = 0`, since `(a − b)² = a² − 2 a·b + b²`. Of two points of weight 1 it is −½ times
-    /// their squared distance: differences before squares, so that nothing large cancels.
+    /// `a·b = −½ (a − b)²` for `a² = b² = 0`, since `(a − b)² = a² − 2 a·b + b²`. Of two points of
+    /// weight 1 it is −½ times their squared distance: differences before squares, so that nothing
+    /// large cancels.
     Distance,
 }
 

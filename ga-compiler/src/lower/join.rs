@@ -11,12 +11,12 @@ pub enum JoinRule {
     LeftFirst,
     /// From right to left, equal by associativity.
     RightFirst,
-    /// The first two and the rest apart, so that both are made of 2×2 minors: `(v₁ ∧ v₂) ∧ (v₃ ∧ v₄)`, equal by
-    /// associativity (Laplace's expansion of determinants).
+    /// The first two and the rest apart, so that both are made of 2×2 minors:
+    /// `(v₁ ∧ v₂) ∧ (v₃ ∧ v₄)`, equal by associativity (Laplace's expansion of determinants).
     Minors,
-    /// `v₁ ∧ (v₂ − λ₂ v₁) ∧ … `, equal since `v₁ ∧ v₁ = 0`. With λ the quotient of constant coefficients of one blade, that blade is
-    /// gone from all factors but the first: of points of weight 1 only differences are left. The differences are multiplied
-    /// first.
+    /// `v₁ ∧ (v₂ − λ₂ v₁) ∧ … `, equal since `v₁ ∧ v₁ = 0`. With λ the quotient of constant
+    /// coefficients of one blade, that blade is gone from all factors but the first: of points of
+    /// weight 1 only differences are left. The differences are multiplied first.
     Difference,
 }
 

@@ -3,9 +3,9 @@
 use crate::define::{PolynomialStep, Role, TypeDefinition};
 use crate::ir::{Arena, Multivector, Value};
 
-/// An operand of a type. Its stored coefficients become the next inputs of the arena, in the order of the
-/// declaration and as they are written there. `held` derived coefficients keep their constant factors, the ½ of ½x² for
-/// instance, which pays where many products read them.
+/// An operand of a type. Its stored coefficients become the next inputs of the arena, in the order
+/// of the declaration and as they are written there. `held` derived coefficients keep their
+/// constant factors, the ½ of ½x² for instance, which pays where many products read them.
 pub fn operand(arena: &mut Arena, kind: &TypeDefinition, held: bool) -> Multivector {
     let written: Vec<Value> = kind
         .coefficients
@@ -19,8 +19,9 @@ pub fn operand(arena: &mut Arena, kind: &TypeDefinition, held: bool) -> Multivec
     complete(arena, kind, &written, held)
 }
 
-/// A value that is known to be a member of a type, with its constant coefficients as constants and its derived ones worked out
-/// from the stored ones: nothing else of what led to them is needed any more.
+/// A value that is known to be a member of a type, with its constant coefficients as constants and
+/// its derived ones worked out from the stored ones: nothing else of what led to them is needed any
+/// more.
 pub(super) fn rederived(
     arena: &mut Arena,
     kind: &TypeDefinition,
@@ -40,7 +41,8 @@ pub(super) fn rederived(
     complete(arena, kind, &written, false).with_facts(facts)
 }
 
-/// A member of a type from its coefficients as written, the derived ones of which are worked out here.
+/// A member of a type from its coefficients as written, the derived ones of which are worked out
+/// here.
 fn complete(
     arena: &mut Arena,
     kind: &TypeDefinition,

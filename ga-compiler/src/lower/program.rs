@@ -6,7 +6,8 @@ use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
 use crate::ir::{Arena, Facts, Multivector, Value};
 use crate::program::{Program, Step, StepId};
 
-/// Lowers the wanted steps of a program over operands that are already in the arena, and what they need.
+/// Lowers the wanted steps of a program over operands that are already in the arena, and what they
+/// need.
 #[must_use]
 pub fn lower(
     arena: &mut Arena,
@@ -226,7 +227,8 @@ impl Lowering<'_> {
         left.product(self.arena, self.algebra, product, right, |_| true)
     }
 
-    /// What a rule gives; spoiled where the rule is to go wrong, by a sign in its last coefficient that is no constant.
+    /// What a rule gives; spoiled where the rule is to go wrong, by a sign in its last coefficient
+    /// that is no constant.
     fn applied(&self, rule: Rule, value: Multivector) -> Multivector {
         if self.choice.broken != Some(rule) {
             return value;
@@ -234,7 +236,8 @@ impl Lowering<'_> {
         value.with_last_negated()
     }
 
-    /// The factors of an associative product from left to right. A product that is read elsewhere too is one factor.
+    /// The factors of an associative product from left to right. A product that is read elsewhere
+    /// too is one factor.
     fn factors(&self, id: StepId, product: Product) -> Vec<StepId> {
         let mut factors = Vec::new();
         if let Step::Binary(_, a, b) = self.program.step(id) {

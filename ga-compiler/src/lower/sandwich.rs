@@ -12,11 +12,12 @@ pub enum SandwichRule {
     /// `M (X ~M)`, equal by associativity, for any M.
     RightFirst,
     /// `X + [M, X] ~M` with `[M, X] = M X − X M`, for an even M with `M ~M = 1`: then
-    /// `M X ~M = (X M + [M, X]) ~M = X + [M, X] ~M`. The scalar of M and every pair of commuting blades drop out
-    /// before anything is multiplied.
+    /// `M X ~M = (X M + [M, X]) ~M = X + [M, X] ~M`. The scalar of M and every pair of commuting
+    /// blades drop out before anything is multiplied.
     UnitCommutator,
-    /// `Σ x (M b ~M)` over the blades b of X with coefficients x, by linearity. What M does to the blades is worked out
-    /// once, and entries that agree up to sign are one node, so that it pays for an X of many blades.
+    /// `Σ x (M b ~M)` over the blades b of X with coefficients x, by linearity. What M does to the
+    /// blades is worked out once, and entries that agree up to sign are one node, so that it pays
+    /// for an X of many blades.
     LinearMap,
     /// `T (R X ~R) ~T` with `M = T R`, R the part of M without some null vector; see [`split`].
     Split,
@@ -34,8 +35,8 @@ impl SandwichRule {
 
     /// Lowers the action of `versor` on `operand`; `None` where the rule does not apply.
     ///
-    /// Whichever rule, a unit versor keeps the grades of what it acts on, so no other blade is built. For an odd versor
-    /// the operand is involuted first: `M X̂ ~M`.
+    /// Whichever rule, a unit versor keeps the grades of what it acts on, so no other blade is
+    /// built. For an odd versor the operand is involuted first: `M X̂ ~M`.
     #[must_use]
     pub fn lower(
         self,
@@ -139,7 +140,8 @@ pub(super) fn linear_map(
     Multivector::new(arena, terms)
 }
 
-/// Which blades the action can have: those of the operand's grades for a unit versor, any for another.
+/// Which blades the action can have: those of the operand's grades for a unit versor, any for
+/// another.
 fn kept(versor: &Multivector, image: &Multivector) -> impl Fn(Blade) -> bool + use<> {
     let all = !versor.facts.unit_versor;
     let grades = image

@@ -1,13 +1,14 @@
 //! A versor as a turn after which comes a shift.
 //!
-//! Let v be a basis vector with v² = 0 that is orthogonal to every other vector that occurs in the blades of M. The number of times
-//! that v occurs in a blade then adds up in products, and two times give zero. So of `M ~M = 1` the part without v says
-//! `R ~R = 1` for the part R of M without v, and with `T = M ~R = 1 + τ`, where every blade of τ has v,
-//! `T ~T = 1` says `~τ = −τ`. Hence
+//! Let v be a basis vector with v² = 0 that is orthogonal to every other vector that occurs in the
+//! blades of M. The number of times that v occurs in a blade then adds up in products, and two
+//! times give zero. So of `M ~M = 1` the part without v says `R ~R = 1` for the part R of M without
+//! v, and with `T = M ~R = 1 + τ`, where every blade of τ has v, `T ~T = 1` says `~τ = −τ`. Hence
 //!
 //! - `M = T R`, and `M X ~M = T (R X ~R) ~T`;
 //! - τ has grades 2 and 3 modulo 4 only;
-//! - `τ² = 0`, so `T Y ~T = Y + [τ, Y] − τ Y τ = Y + 2 τ × (Y + τ × Y)` with `a × b = (a b − b a)/2`.
+//! - `τ² = 0`, so `T Y ~T = Y + [τ, Y] − τ Y τ = Y + 2 τ × (Y + τ × Y)` with
+//!   `a × b = (a b − b a)/2`.
 
 use super::sandwich::linear_map;
 use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};

@@ -348,7 +348,8 @@ fn parse_or_skip<T: Parse>(input: ParseStream<'_>, diagnostics: &mut Diagnostics
 /// Reads a declaration.
 ///
 /// # Errors
-/// The places where the tokens leave the grammar: the first in the head, and the first in each type and product.
+/// The places where the tokens leave the grammar: the first in the head, and the first in each type
+/// and product.
 pub fn parse_declaration(tokens: TokenStream) -> Result<DeclarationSyntax> {
     syn::parse2(tokens)
 }

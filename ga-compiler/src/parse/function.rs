@@ -1,8 +1,9 @@
-//! The grammar of functions in an algebra: `fn name(m: Motor, p: Point) -> Point { m * p * m.reverse() }`.
+//! The grammar of functions in an algebra: `fn name(m: Motor, p: Point) -> Point { m * p *
+//! m.reverse() }`.
 //!
-//! Products are `*` geometric, `^` wedge, `|` left contraction and `&` vee; everything else is a method or a
-//! function of the same name: `reverse(m)`, `m.sandwich(p)`, `commutator(a, b)`. A closure, `|m: Motor, p: Point| -> Point { … }`, is a
-//! function without a name.
+//! Products are `*` geometric, `^` wedge, `|` left contraction and `&` vee; everything else is a
+//! method or a function of the same name: `reverse(m)`, `m.sandwich(p)`, `commutator(a, b)`. A
+//! closure, `|m: Motor, p: Point| -> Point { … }`, is a function without a name.
 
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
@@ -108,7 +109,8 @@ pub struct Import {
 }
 
 impl Block {
-    /// The function of that name, here or imported, and the block in which its own names have their meaning.
+    /// The function of that name, here or imported, and the block in which its own names have their
+    /// meaning.
     #[must_use]
     pub fn function(&self, name: &str) -> Option<(&FunctionSyntax, &Self)> {
         let named = |block: &'_ Self, name: &str| {
@@ -135,7 +137,8 @@ impl Block {
     }
 }
 
-/// Reads a block as its macro hands it over: imports in brackets, `(name original { block })` each, then the functions.
+/// Reads a block as its macro hands it over: imports in brackets, `(name original { block })` each,
+/// then the functions.
 impl Parse for Block {
     fn parse(input: ParseStream<'_>) -> Result<Self> {
         let mut imports = Vec::new();

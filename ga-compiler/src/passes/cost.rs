@@ -4,7 +4,8 @@ use super::rewrite::reads;
 use crate::algebra::Ratio;
 use crate::ir::{Arena, Function, Node, Value};
 
-/// Numbers of operations. A multiplication by 2 or ½ is one multiplication, a subtraction one addition.
+/// Numbers of operations. A multiplication by 2 or ½ is one multiplication, a subtraction one
+/// addition.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cost {
     /// Multiplications.

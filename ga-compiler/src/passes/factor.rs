@@ -1,13 +1,15 @@
 //! Common factors of sums.
 //!
-//! `a b + a c` becomes `a (b + c)`, and `k a + k b` becomes `k (a + b)` for a constant k: one multiplication less for each
-//! term but the first, and one addition less too for each where the sum in the brackets is at hand already. In each sum
-//! the factor is taken out first that saves most, and again until none saves.
+//! `a b + a c` becomes `a (b + c)`, and `k a + k b` becomes `k (a + b)` for a constant k: one
+//! multiplication less for each term but the first, and one addition less too for each where the
+//! sum in the brackets is at hand already. In each sum the factor is taken out first that saves
+//! most, and again until none saves.
 //!
-//! Where some inputs are uniform, what saves most of the rest comes first: of `u v + w v` with uniform u and w the
-//! sum `u + w` moves to the uniform part.
+//! Where some inputs are uniform, what saves most of the rest comes first: of `u v + w v` with
+//! uniform u and w the sum `u + w` moves to the uniform part.
 //!
-//! Products of products that nothing else reads count with all of their factors: `a (b c) + d (b e)` becomes `b (a c + d e)`.
+//! Products of products that nothing else reads count with all of their factors:
+//! `a (b c) + d (b e)` becomes `b (a c + d e)`.
 //!
 //! It is right by the distributive law.
 
@@ -53,7 +55,8 @@ pub fn factor(arena: &Arena, outputs: &[Value], uniform: &[bool]) -> Option<Grap
 /// A term of a sum, in the copy.
 struct Term {
     value: Value,
-    /// The factors of a product that nothing else reads, so that it is saved if the term goes; none for another term.
+    /// The factors of a product that nothing else reads, so that it is saved if the term goes; none
+    /// for another term.
     factors: Vec<NodeId>,
 }
 

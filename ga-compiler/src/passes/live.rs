@@ -1,10 +1,11 @@
 //! Dead code and order: what the outputs need, each node after what it needs itself.
 //!
-//! Outputs are worked out from the first to the last, each depth first, so that a value is computed close to where it
-//! is first used. Which operand of a node comes first decides how many values wait at the same time: the one that
-//! itself needs most registers should, since while it is worked out nothing else waits yet (Sethi and Ullman, "The
-//! generation of optimal code for arithmetic expressions", 1970). For trees that is optimal. Graphs share nodes, so
-//! the order as written is tried too, and the one stands in which fewer values wait.
+//! Outputs are worked out from the first to the last, each depth first, so that a value is computed
+//! close to where it is first used. Which operand of a node comes first decides how many values
+//! wait at the same time: the one that itself needs most registers should, since while it is worked
+//! out nothing else waits yet (Sethi and Ullman, "The generation of optimal code for arithmetic
+//! expressions", 1970). For trees that is optimal. Graphs share nodes, so the order as written is
+//! tried too, and the one stands in which fewer values wait.
 
 use super::rewrite::{for_each_operand, reads};
 use crate::ir::{Arena, Node, NodeId, Value};
@@ -19,7 +20,8 @@ pub struct Schedule {
 }
 
 impl Schedule {
-    /// The largest number of values, inputs not among them, that are worked out and still needed at the same time.
+    /// The largest number of values, inputs not among them, that are worked out and still needed at
+    /// the same time.
     #[must_use]
     pub fn pressure(&self, arena: &Arena) -> usize {
         let mut left = self.uses.clone();

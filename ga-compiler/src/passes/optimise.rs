@@ -7,8 +7,9 @@ use crate::ir::{Arena, Value};
 
 /// Rewrites a graph to an equal one that costs no more.
 ///
-/// `uniform` marks inputs that are the same for all elements of a batch; those beyond its end vary. What depends on uniform inputs
-/// only counts after the rest. `relations` are values of the arena that are known to be zero.
+/// `uniform` marks inputs that are the same for all elements of a batch; those beyond its end vary.
+/// What depends on uniform inputs only counts after the rest. `relations` are values of the arena
+/// that are known to be zero.
 #[must_use]
 pub fn optimise(arena: Arena, outputs: Vec<Value>, uniform: &[bool], relations: &[Value]) -> Graph {
     let mut starts = Vec::new();
@@ -34,7 +35,8 @@ fn reduced(arena: &Arena, outputs: &[Value], relations: &[Value]) -> Option<Grap
     if relations.is_empty() {
         return None;
     }
-    // The relations come first, so that every sum can take them in, and are flattened along with the graph.
+    // The relations come first, so that every sum can take them in, and are flattened along with
+    // the graph.
     let ((arena, outputs), relations) = with_first(arena, outputs, relations)?;
     let all: Vec<Value> = outputs.iter().chain(&relations).copied().collect();
     let (arena, mut all) = flatten(&arena, &all).unwrap_or((arena, all));

@@ -1,14 +1,16 @@
 //! Which way round differences are worked out: `a − b` or `b − a`.
 //!
-//! The graph holds both as one node with factors 1 and −1. Where an output wants the negative of a difference that others
-//! read as well, the difference is turned round, and the others take their sign from it: in sums and products that is free.
+//! The graph holds both as one node with factors 1 and −1. Where an output wants the negative of a
+//! difference that others read as well, the difference is turned round, and the others take their
+//! sign from it: in sums and products that is free.
 
 use super::rewrite::{Graph, image, reads, rewrite};
 use crate::ir::{Arena, Node, NodeId, Value};
 
 /// Turns sums round whose negatives more outputs want than themselves; `None` where there are none.
 ///
-/// The sums of the result start with a positive term but are not in canonical order any more, so this comes last.
+/// The sums of the result start with a positive term but are not in canonical order any more, so
+/// this comes last.
 #[must_use]
 pub fn orient(arena: &Arena, outputs: &[Value]) -> Option<Graph> {
     let reads = reads(arena, outputs);

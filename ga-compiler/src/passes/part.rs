@@ -1,7 +1,7 @@
 //! Uniform parts of sums and products, apart from the rest.
 //!
-//! Where some inputs are uniform, `u + w + v` with uniform u and w is one addition for each v if u + w is a node of its own,
-//! and `u (w v)` one multiplication as `(u w) v`.
+//! Where some inputs are uniform, `u + w + v` with uniform u and w is one addition for each v if
+//! u + w is a node of its own, and `u (w v)` one multiplication as `(u w) v`.
 //!
 //! It is right because addition and multiplication are associative and commutative.
 

@@ -21,8 +21,8 @@ impl<'a> Rates<'a> {
         }
     }
 
-    /// Whether a node depends on uniform inputs only. Where no input is marked this says no of every node but
-    /// constants.
+    /// Whether a node depends on uniform inputs only. Where no input is marked this says no of
+    /// every node but constants.
     pub(super) fn is_uniform(&mut self, arena: &Arena, id: NodeId) -> bool {
         if !self.has_uniform {
             return id == Arena::ONE;

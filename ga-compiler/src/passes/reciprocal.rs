@@ -1,7 +1,7 @@
 //! Several quotients by one divisor become products with its reciprocal.
 //!
-//! `a/d, b/d, c/d → r = 1/d; a r, b r, c r`: a division takes as long as several multiplications, and cannot be pipelined as
-//! well. Two quotients stay, each with one rounding.
+//! `a/d, b/d, c/d → r = 1/d; a r, b r, c r`: a division takes as long as several multiplications,
+//! and cannot be pipelined as well. Two quotients stay, each with one rounding.
 
 use super::rewrite::{Graph, reads, rewrite};
 use crate::ir::{Arena, Node, Value};

@@ -1,8 +1,9 @@
 //! Reduction by relations between values.
 //!
-//! What is known of operands says that some sums are zero: of a unit rotor `s² + a² + b² + c² − 1`, of a unit motor also the
-//! scalar and pseudoscalar of `M ~M − 1` with its null part (the Study condition). A multiple of such a sum may be added to any
-//! sum, and is where the result is cheaper: `s² + a² − b² − c²` becomes `1 − 2 (b² + c²)`.
+//! What is known of operands says that some sums are zero: of a unit rotor `s² + a² + b² + c² − 1`,
+//! of a unit motor also the scalar and pseudoscalar of `M ~M − 1` with its null part (the Study
+//! condition). A multiple of such a sum may be added to any sum, and is where the result is
+//! cheaper: `s² + a² − b² − c²` becomes `1 − 2 (b² + c²)`.
 //!
 //! It is right wherever the relations hold, which is on the members of the operands' types.
 
@@ -11,8 +12,8 @@ use super::rewrite::{Graph, image, reads, rewrite};
 use crate::algebra::{Algebra, Blade, Product, Unary};
 use crate::ir::{Arena, Multivector, Node, Value};
 
-/// What is zero for an operand by its facts: the coefficients of `M ~M − 1` for a unit versor, of `X²` for a null X, of
-/// `X ∧ X` for a blade.
+/// What is zero for an operand by its facts: the coefficients of `M ~M − 1` for a unit versor, of
+/// `X²` for a null X, of `X ∧ X` for a blade.
 pub fn relations(arena: &mut Arena, algebra: &Algebra, operand: &Multivector) -> Vec<Value> {
     let mut zero = Vec::new();
     if operand.facts.unit_versor {
@@ -31,8 +32,8 @@ pub fn relations(arena: &mut Arena, algebra: &Algebra, operand: &Multivector) ->
     coefficients.map(|(_, value)| *value).collect()
 }
 
-/// Reduces sums by values of the same arena that are known to be zero; `None` where nothing gets cheaper. A relation serves
-/// the sums that come after its terms.
+/// Reduces sums by values of the same arena that are known to be zero; `None` where nothing gets
+/// cheaper. A relation serves the sums that come after its terms.
 #[must_use]
 pub fn reduce(arena: &Arena, outputs: &[Value], relations: &[Value]) -> Option<Graph> {
     let known: Vec<Vec<Value>> = relations
@@ -75,8 +76,9 @@ pub fn reduce(arena: &Arena, outputs: &[Value], relations: &[Value]) -> Option<G
     })
 }
 
-/// Which nodes are divisors or arguments of functions: where their value is small, what it has lost to cancellation is
-/// all that counts. The sine of a small half angle is `√(a² + b² + c²)`, but not `√(1 − s²)`.
+/// Which nodes are divisors or arguments of functions: where their value is small, what it has lost
+/// to cancellation is all that counts. The sine of a small half angle is `√(a² + b² + c²)`, but not
+/// `√(1 − s²)`.
 fn sensitive(arena: &Arena) -> Vec<bool> {
     let mut is_sensitive = vec![false; arena.len()];
     for id in arena.ids() {

@@ -32,8 +32,8 @@ pub(super) fn for_each_operand(node: &Node, mut call: impl FnMut(NodeId)) {
     }
 }
 
-/// The factors of a product, those of products in it that nothing else reads instead of these. A node that others read
-/// stands for itself.
+/// The factors of a product, those of products in it that nothing else reads instead of these. A
+/// node that others read stands for itself.
 pub(super) fn collect_factors(
     arena: &Arena,
     reads: &[usize],
@@ -49,8 +49,8 @@ pub(super) fn collect_factors(
     }
 }
 
-/// Copies the live nodes of a graph. `change` may give another value for a node, built in the copy from the images of
-/// earlier nodes; where it gives none the node is copied.
+/// Copies the live nodes of a graph. `change` may give another value for a node, built in the copy
+/// from the images of earlier nodes; where it gives none the node is copied.
 ///
 /// `None` where a divisor turned out to be zero.
 pub(super) fn rewrite(
@@ -62,7 +62,8 @@ pub(super) fn rewrite(
     rewrite_in_order(arena, outputs, arena.ids(), reads, change)
 }
 
-/// Copies a graph so that what some values need comes before all else. Gives these values in the copy, too.
+/// Copies a graph so that what some values need comes before all else. Gives these values in the
+/// copy, too.
 pub(super) fn with_first(
     arena: &Arena,
     outputs: &[Value],

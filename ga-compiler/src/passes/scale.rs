@@ -1,17 +1,19 @@
 //! Where constant factors are multiplied in.
 //!
-//! A factor may stand at a sum's terms, at an operand of a product or at the result: `2 (x y − w z)` is `(2 y) x − (2 z) w`, and
-//! where many products read y and z, the doubled values are worked out once for all of them. This pass gives every node a
-//! *scale*, the multiple of it that is computed, and counts for each node the *multiples* that are read. Each multiple
-//! other than the scale costs a multiplication, so the number of those is brought down:
+//! A factor may stand at a sum's terms, at an operand of a product or at the result:
+//! `2 (x y − w z)` is `(2 y) x − (2 z) w`, and where many products read y and z, the doubled values
+//! are worked out once for all of them. This pass gives every node a *scale*, the multiple of it
+//! that is computed, and counts for each node the *multiples* that are read. Each multiple other
+//! than the scale costs a multiplication, so the number of those is brought down:
 //!
-//! 1. a factor that is asked of a sum moves to its terms, and one that is asked of a product moves to an operand
-//!    that is a sum;
-//! 2. while it saves something, the multiple of a node is added that serves most of the products which read the node;
+//! 1. a factor that is asked of a sum moves to its terms, and one that is asked of a product moves
+//!    to an operand that is a sum;
+//! 2. while it saves something, the multiple of a node is added that serves most of the products
+//!    which read the node;
 //! 3. a sum takes another scale where that saves something.
 //!
-//! The first two steps are left out as an alternative, and the cheaper result stands. It is right because what a
-//! node's scale divides out is multiplied in again wherever the node is read.
+//! The first two steps are left out as an alternative, and the cheaper result stands. It is right
+//! because what a node's scale divides out is multiplied in again wherever the node is read.
 
 use std::collections::BTreeMap;
 
@@ -227,8 +229,8 @@ impl<'a> Scales<'a> {
         }
     }
 
-    /// Operands with the factors that products miss which read them. One product alone gains nothing by a multiple
-    /// that is not read yet.
+    /// Operands with the factors that products miss which read them. One product alone gains
+    /// nothing by a multiple that is not read yet.
     fn candidates(&self) -> Vec<(NodeId, Ratio)> {
         let mut found: BTreeMap<(NodeId, Ratio), bool> = BTreeMap::new();
         for &id in &self.live {
@@ -349,8 +351,8 @@ impl<'a> Scales<'a> {
         if is_scale { value } else { copy.held(value) }
     }
 
-    /// The terms of a sum whose scale is given. A whole factor that only this sum asks for stays at its term, unless
-    /// it would be common to all terms and move outwards.
+    /// The terms of a sum whose scale is given. A whole factor that only this sum asks for stays at
+    /// its term, unless it would be common to all terms and move outwards.
     fn scaled_terms(
         &self,
         copy: &mut Arena,

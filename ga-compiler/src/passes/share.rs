@@ -1,8 +1,9 @@
 //! Common parts of sums.
 //!
-//! Where two terms stand together in several sums, up to a common factor or sign, their sum becomes a node of its own,
-//! which saves an addition in each but one of them. The pair that saves most goes first, and the new node takes part in
-//! further pairs, so that longer common parts are found by and by.
+//! Where two terms stand together in several sums, up to a common factor or sign, their sum becomes
+//! a node of its own, which saves an addition in each but one of them. The pair that saves most
+//! goes first, and the new node takes part in further pairs, so that longer common parts are found
+//! by and by.
 //!
 //! It is right because addition is associative and commutative.
 
@@ -54,7 +55,8 @@ pub fn share(arena: &Arena, outputs: &[Value]) -> Option<Graph> {
     })
 }
 
-/// A term of a sum: a place, which is that of a node or, beyond all nodes, of a common part; and its factor.
+/// A term of a sum: a place, which is that of a node or, beyond all nodes, of a common part; and
+/// its factor.
 #[derive(Clone, Copy)]
 struct Term {
     place: usize,
@@ -129,8 +131,9 @@ impl Search {
         before.saturating_sub(after + 1 + cost(p) + cost(q))
     }
 
-    /// The pair that saves most, of equals the first. What a pair saves falls while others are taken out, and where it rises
-    /// the pair is queued again, so an entry that is still right is the best.
+    /// The pair that saves most, of equals the first. What a pair saves falls while others are
+    /// taken out, and where it rises the pair is queued again, so an entry that is still right is
+    /// the best.
     fn best(&mut self) -> Option<Pair> {
         while let Some((promised, Reverse(pair))) = self.queue.pop() {
             let saved = self.saved(&pair);

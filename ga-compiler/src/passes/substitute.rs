@@ -1,10 +1,12 @@
 //! Sums in terms of other sums.
 //!
-//! Where a sum is at hand that has terms in common with another, the other may be cheaper as a multiple of it and a
-//! remainder: with `m = x + d` at hand, `x + 2 d` is `m + d`, a doubling that costs nothing.
+//! Where a sum is at hand that has terms in common with another, the other may be cheaper as a
+//! multiple of it and a remainder: with `m = x + d` at hand, `x + 2 d` is `m + d`, a doubling that
+//! costs nothing.
 //!
-//! It is right because the multiple of the one sum is taken from the other's terms and added as a whole. A sum is only
-//! expressed by sums that come before it, so that none comes to depend on itself.
+//! It is right because the multiple of the one sum is taken from the other's terms and added as a
+//! whole. A sum is only expressed by sums that come before it, so that none comes to depend on
+//! itself.
 
 use std::collections::BTreeMap;
 
@@ -13,7 +15,8 @@ use super::rewrite::{Graph, image, reads, rewrite};
 use crate::algebra::Ratio;
 use crate::ir::{Arena, Node, NodeId, Value};
 
-/// How many sums a node may stand in to be looked at: those of a node such as the number 1 are too many to compare.
+/// How many sums a node may stand in to be looked at: those of a node such as the number 1 are too
+/// many to compare.
 const MOST: usize = 16;
 
 /// Expresses sums by others; `None` where none gets cheaper.
@@ -49,7 +52,8 @@ pub fn substitute(arena: &Arena, outputs: &[Value]) -> Option<Graph> {
     })
 }
 
-/// The cheapest way to write a sum by one that shares at least two of its nodes, if it is cheaper than the sum.
+/// The cheapest way to write a sum by one that shares at least two of its nodes, if it is cheaper
+/// than the sum.
 fn expressed(arena: &Arena, terms: &[Value], readers: &[Vec<NodeId>]) -> Option<Vec<Value>> {
     let mut shared: BTreeMap<NodeId, Vec<Ratio>> = BTreeMap::new();
     for term in terms {

@@ -1,6 +1,7 @@
 //! Operations that are made of several steps: inverses, norms, exponentials and logarithms.
 //!
-//! Each asks the witness which form its operand allows, and says what is missing where there is none.
+//! Each asks the witness which form its operand allows, and says what is missing where there is
+//! none.
 
 use super::{Program, Step, StepId, Witness};
 use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
@@ -119,8 +120,9 @@ impl Builder<'_> {
         self.push(Step::Quotient(reverse, norm))
     }
 
-    /// `a |a ~a|^(−1/2)` for a blade, whose norm may have either sign; for others `a (a ~a)^(−1/2)`, where `a ~a` is a scalar n, or a scalar and a part p that commutes with everything here and has
-    /// `p² = 0`: then `(n + p)^(−1/2) = n^(−1/2) (1 − p/2n)`.
+    /// `a |a ~a|^(−1/2)` for a blade, whose norm may have either sign; for others
+    /// `a (a ~a)^(−1/2)`, where `a ~a` is a scalar n, or a scalar and a part p that commutes with
+    /// everything here and has `p² = 0`: then `(n + p)^(−1/2) = n^(−1/2) (1 − p/2n)`.
     pub(super) fn normalize(&mut self, a: StepId) -> Outcome {
         if self.witness.is_unit_versor(self.algebra, a) {
             return Ok(a);
@@ -170,8 +172,9 @@ impl Builder<'_> {
             .all(|pair| pair[0].grade() == pair[1].grade())
     }
 
-    /// The versor `exp B = C(B²) + S(B²) B` with C(x) = cos √−x, S(x) = sin √−x / √−x (cosh and sinh for x > 0), where B² is a
-    /// scalar a, or a scalar and a part p as above: then `C(a + p) = C + ½ S p` and `S(a + p) = S + S′ p`.
+    /// The versor `exp B = C(B²) + S(B²) B` with C(x) = cos √−x, S(x) = sin √−x / √−x (cosh and
+    /// sinh for x > 0), where B² is a scalar a, or a scalar and a part p as above: then
+    /// `C(a + p) = C + ½ S p` and `S(a + p) = S + S′ p`.
     pub(super) fn exponential(&mut self, b: StepId) -> Outcome {
         if self.witness.is_scalar(b) {
             return self.function(Function::Exponential, &[b]);
@@ -209,7 +212,8 @@ impl Builder<'_> {
         self.unit_versor(result)
     }
 
-    /// The bivector B with `exp B = M`: `⟨M⟩₂ = S(B²) B`, and what is of grade 4 changes B² as above.
+    /// The bivector B with `exp B = M`: `⟨M⟩₂ = S(B²) B`, and what is of grade 4 changes B² as
+    /// above.
     pub(super) fn logarithm(&mut self, m: StepId) -> Outcome {
         if self.witness.is_scalar(m) && !self.witness.is_unit_versor(self.algebra, m) {
             return self.function(Function::NaturalLogarithm, &[m]);

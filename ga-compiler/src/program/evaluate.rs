@@ -5,8 +5,9 @@ use crate::algebra::{Algebra, Blade};
 use crate::ir::Prime;
 use crate::verify::numeric::{self, Numbers};
 
-/// The value of every step for given members of the operands' types, operation by operation as they are written: no
-/// identity, no fact, no graph. `None` where a root does not exist or a divisor is zero at this point.
+/// The value of every step for given members of the operands' types, operation by operation as they
+/// are written: no identity, no fact, no graph. `None` where a root does not exist or a divisor is
+/// zero at this point.
 #[must_use]
 pub fn evaluate(
     algebra: &Algebra,

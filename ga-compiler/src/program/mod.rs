@@ -1,8 +1,10 @@
-//! Programs: the operations of a function in the order in which they are worked out, each stored once.
+//! Programs: the operations of a function in the order in which they are worked out, each stored
+//! once.
 //!
-//! A [`Program`] stands between the source and the graph. Its steps are operations on whole multivectors; which rule works
-//! a step out, and which of its coefficients are needed at all, is decided when it is lowered. Calls of other functions are
-//! copied in, so that nothing stops at their borders.
+//! A [`Program`] stands between the source and the graph. Its steps are operations on whole
+//! multivectors; which rule works a step out, and which of its coefficients are needed at all, is
+//! decided when it is lowered. Calls of other functions are copied in, so that nothing stops at
+//! their borders.
 
 mod build;
 mod evaluate;

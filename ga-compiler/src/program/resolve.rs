@@ -1,4 +1,5 @@
-//! From syntax to programs: names get their meaning here, and what has none is refused at its token.
+//! From syntax to programs: names get their meaning here, and what has none is refused at its
+//! token.
 
 use proc_macro2::Span;
 use syn::{Error, Ident, Result};
@@ -46,7 +47,8 @@ enum Bound {
 /// Resolves a function; `block` holds the functions that it may call.
 ///
 /// # Errors
-/// The first name, type or operation that has no meaning, at its token; a result that is no member of its type.
+/// The first name, type or operation that has no meaning, at its token; a result that is no member
+/// of its type.
 pub fn resolve<'a>(
     definition: &'a Definition,
     function: &FunctionSyntax,
@@ -109,7 +111,8 @@ pub fn resolve<'a>(
     })
 }
 
-/// States which steps are members of a type with derived coefficients: points that have been moved, for instance.
+/// States which steps are members of a type with derived coefficients: points that have been moved,
+/// for instance.
 fn state_kinds<'a>(definition: &'a Definition, builder: &mut Builder<'a>) {
     let is_derived = |kind: &&TypeDefinition| {
         let mut roles = kind.coefficients.iter().map(|c| &c.role);
@@ -176,7 +179,8 @@ impl<'a, 's> Resolver<'a, 's> {
         Bound::One(self.builder.program.operand(kind))
     }
 
-    /// Names of values and of functions are kept apart, so that a value may be called like a function.
+    /// Names of values and of functions are kept apart, so that a value may be called like a
+    /// function.
     fn bind(&mut self, name: &Ident, bound: Bound) {
         self.scope.push((name.clone(), bound));
     }

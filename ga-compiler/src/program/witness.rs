@@ -1,4 +1,5 @@
-//! What a program's steps are at random points: the ground on which types are checked while names are resolved.
+//! What a program's steps are at random points: the ground on which types are checked while names
+//! are resolved.
 
 use super::evaluate::evaluate_step;
 use super::{Program, Step, StepId};
@@ -10,7 +11,8 @@ use crate::verify::{self, numeric, numeric::Numbers};
 /// How many points are looked for before a program is given up.
 const TRIES: u64 = 4096;
 
-/// How many points tell what is always so. Where absolute values are taken, a sign is right at half of them by chance.
+/// How many points tell what is always so. Where absolute values are taken, a sign is right at half
+/// of them by chance.
 const POINTS: usize = 2;
 const POINTS_WITH_SIGNS: usize = 16;
 
@@ -28,8 +30,8 @@ struct Point {
 }
 
 impl Witness {
-    /// Evaluates the steps that were added since the last time. `false` where no point is found at which all of them
-    /// exist: something is divided by zero everywhere.
+    /// Evaluates the steps that were added since the last time. `false` where no point is found at
+    /// which all of them exist: something is divided by zero everywhere.
     pub fn extend(&mut self, algebra: &Algebra, program: &Program<'_>) -> bool {
         // The root of a square is its absolute value.
         let is_sign = |step: &Step| {
@@ -74,8 +76,8 @@ impl Witness {
         })
     }
 
-    /// Evaluates the steps that a point lacks. Where one does not exist, the operands that it reads are drawn anew, without
-    /// those that earlier roots read: these have been settled.
+    /// Evaluates the steps that a point lacks. Where one does not exist, the operands that it reads
+    /// are drawn anew, without those that earlier roots read: these have been settled.
     fn settle(
         &mut self,
         algebra: &Algebra,
@@ -157,8 +159,8 @@ impl Witness {
         reasons
     }
 
-    /// Whether `M ~M = 1`, every grade of M is even or every one odd, and M moves vectors to vectors. In five dimensions
-    /// and fewer the last follows from the others.
+    /// Whether `M ~M = 1`, every grade of M is even or every one odd, and M moves vectors to
+    /// vectors. In five dimensions and fewer the last follows from the others.
     #[must_use]
     pub fn is_unit_versor(&self, algebra: &Algebra, id: StepId) -> bool {
         let keeps_vectors = |value: &Numbers| {

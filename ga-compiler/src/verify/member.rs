@@ -6,7 +6,8 @@ use crate::algebra::{Algebra, Blade, Product, Ratio};
 use crate::define::{PolynomialStep, Role, TypeDefinition};
 use crate::ir::{Prime, PrimeSequence};
 
-/// The member with the given stored coefficients, in the order and with the signs of the declaration.
+/// The member with the given stored coefficients, in the order and with the signs of the
+/// declaration.
 #[must_use]
 pub fn from_stored(kind: &TypeDefinition, stored: &[Prime]) -> Numbers {
     let mut fields = stored.iter().copied();
@@ -50,8 +51,9 @@ pub fn stored(kind: &TypeDefinition, value: &Numbers) -> Vec<Prime> {
 /// A random member of a type; `None` where none is found.
 ///
 /// Where the stored coefficients are free they are drawn at random. Unit versors are products of
-/// `(1 + αb)²/(1 − α²b²)` over the 2-blades b that the type has or that its vectors span, with random α; for a type of
-/// odd blades such a product times a basis vector of square 1, or acting on it where the type has vectors alone.
+/// `(1 + αb)²/(1 − α²b²)` over the 2-blades b that the type has or that its vectors span, with
+/// random α; for a type of odd blades such a product times a basis vector of square 1, or acting on
+/// it where the type has vectors alone.
 #[must_use]
 pub fn sample(
     algebra: &Algebra,

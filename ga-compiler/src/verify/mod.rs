@@ -1,9 +1,10 @@
-//! Checks by evaluation over a prime field: what a result is, and that compiled code agrees with its source.
+//! Checks by evaluation over a prime field: what a result is, and that compiled code agrees with
+//! its source.
 //!
-//! An expression is evaluated at random members of its operands' types, in the integers modulo 2⁶¹ − 1, by its
-//! plain meaning: no identity, no fact, no graph. An equation between polynomials that holds at a random point of
-//! the variety holds everywhere with a probability of error below 2⁻⁵⁰ (Schwartz 1980, Zippel 1979), and each is
-//! tried at two points.
+//! An expression is evaluated at random members of its operands' types, in the integers modulo 2⁶¹
+//! − 1, by its plain meaning: no identity, no fact, no graph. An equation between polynomials that
+//! holds at a random point of the variety holds everywhere with a probability of error below 2⁻⁵⁰
+//! (Schwartz 1980, Zippel 1979), and each is tried at two points.
 
 mod member;
 pub(crate) mod numeric;
@@ -44,7 +45,8 @@ pub fn facts_not_implied(algebra: &Algebra, kind: &TypeDefinition) -> Vec<&'stat
     broken
 }
 
-/// Checks that the value of an expression is a member of a type, or a scalar, for all members of its operands' types.
+/// Checks that the value of an expression is a member of a type, or a scalar, for all members of
+/// its operands' types.
 ///
 /// # Errors
 /// Each reason why it is not.
@@ -107,7 +109,8 @@ fn at_random(
     evaluate(algebra, operands, expression, &members?)
 }
 
-/// The value of an expression at given members of its operands' types; `None` where it divides by zero there.
+/// The value of an expression at given members of its operands' types; `None` where it divides by
+/// zero there.
 #[must_use]
 pub fn evaluate(
     algebra: &Algebra,

@@ -80,8 +80,8 @@ pub(crate) fn sandwich(algebra: &Algebra, versor: &Numbers, operand: &Numbers) -
     product(algebra, Product::Geometric, &half, &reverse)
 }
 
-/// Whether a multivector is an outer product of vectors: it has one grade, and every contraction of it by a basis
-/// (grade − 1)-blade wedges with it to zero (the Plücker relations).
+/// Whether a multivector is an outer product of vectors: it has one grade, and every contraction of
+/// it by a basis (grade − 1)-blade wedges with it to zero (the Plücker relations).
 pub(super) fn is_blade(algebra: &Algebra, value: &Numbers) -> bool {
     let mut grades = value
         .iter()

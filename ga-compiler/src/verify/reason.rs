@@ -11,7 +11,8 @@ pub enum Reason {
     LeftOver(Vec<(Blade, String)>),
     /// The coefficient of the blade of that name is not the constant that it is in the type.
     NotConstant(Blade, String, Ratio),
-    /// The coefficient of the blade of that name does not follow from the others as it does in the type.
+    /// The coefficient of the blade of that name does not follow from the others as it does in the
+    /// type.
     NotDerived(Blade, String),
     /// A fact of the type does not hold.
     Fact(&'static str),

@@ -45,8 +45,8 @@ pub(crate) fn functions(is_staged: bool) -> impl Strategy<Value = Recipe> {
     })
 }
 
-/// Inputs for a function, the same for the same seed, at which its roots exist in the prime field. `None` where there
-/// are too many roots to find such inputs.
+/// Inputs for a function, the same for the same seed, at which its roots exist in the prime field.
+/// `None` where there are too many roots to find such inputs.
 pub(crate) fn inputs(function: &CompiledFunction, seed: u64) -> Option<Vec<Prime>> {
     let mut sequence = PrimeSequence::new(seed);
     let arena = &function.kernel.arena;
@@ -87,7 +87,8 @@ impl Recipe {
                 3..=5 => arena.sum([a, b, c]),
                 6 => arena.sum([a, Value::ONE]),
                 7 => arena.quotient(a, b).unwrap_or(Value::ONE),
-                // Functions of constants are worked out when they are called, not when they are compiled.
+                // Functions of constants are worked out when they are called, not when they are
+                // compiled.
                 _ if a.as_constant().is_some() || b.as_constant().is_some() => a,
                 8 => arena.function(Function::SquareRoot, &[a]),
                 _ => arena.function(Function::ArcTangent, &[a, b]),

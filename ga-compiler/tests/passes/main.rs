@@ -12,7 +12,8 @@ use ga_compiler::passes::{
 
 #[test]
 fn what_needs_most_registers_comes_first() {
-    // a b + (c d + (a d + (b c + (a c)(b d)))), the deepest part written last: as written, a product waits at each level.
+    // a b + (c d + (a d + (b c + (a c)(b d)))), the deepest part written last: as written, a
+    // product waits at each level.
     let nested = graph(|arena, [a, b, c, d]| {
         let pairs = [(a, b), (c, d), (a, d), (b, c)];
         // The products come first in the arena, so that each sum reads its product before the rest.

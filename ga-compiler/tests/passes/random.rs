@@ -24,7 +24,8 @@ fn steps() -> impl Strategy<Value = Vec<Step>> {
     prop::collection::vec(step, 1..40)
 }
 
-/// A graph of sums and products over the inputs, with some quotients, roots and held multiples; the last values are wanted.
+/// A graph of sums and products over the inputs, with some quotients, roots and held multiples; the
+/// last values are wanted.
 fn build(arena: &mut Arena, inputs: &[Value], steps: &[Step]) -> Vec<Value> {
     let mut values = inputs.to_vec();
     values.push(Value::ONE);
@@ -125,7 +126,8 @@ proptest! {
         prop_assert!(after <= before, "{after} from {before}");
     }
 
-    /// The last input is worked out from the others, so that a relation holds, and is known to the pass.
+    /// The last input is worked out from the others, so that a relation holds, and is known to the
+    /// pass.
     #[test]
     fn reduction_keeps_the_values_where_the_relations_hold(
         steps in steps(),

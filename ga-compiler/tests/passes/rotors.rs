@@ -9,7 +9,8 @@ use super::{count, evaluate, graph, total, twice, varying};
 #[test]
 fn the_map_of_a_rotor_takes_twenty_three_operations() {
     let (map, _) = rotor_map(false);
-    // Three doubled coefficients and nine products; six sums off the diagonal, and five on it, where 1 − 2 z² serves twice.
+    // Three doubled coefficients and nine products; six sums off the diagonal, and five on it,
+    // where 1 − 2 z² serves twice.
     let best = optimise(map.0.clone(), map.1.clone(), &[], &[]);
     assert!(
         total(&best) <= 23,

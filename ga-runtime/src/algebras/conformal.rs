@@ -1,20 +1,23 @@
 //! Conformal geometric algebra of space.
 
 crate::algebra! {
-    /// Conformal geometric algebra of space: points, spheres, planes, circles and lines as blades, motions as versors.
+    /// Conformal geometric algebra of space: points, spheres, planes, circles and lines as blades,
+    /// motions as versors.
     ///
     /// # Basis
     ///
-    /// e1, e2, e3 span space; eo stands for the origin and ei for infinity. `e1² = e2² = e3² = 1`, `eo² = ei² = 0`,
-    /// `eo·ei = −1`. A blade such as `e1oi` is the outer product of its vectors in the order of its name.
-    /// `I = e1∧e2∧e3∧eo∧ei`, `I² = −1`, `dual(a) = a I⁻¹ = −a I`, `undual(a) = a I`, `a ∨ b = undual(dual a ∧ dual b)`.
+    /// e1, e2, e3 span space; eo stands for the origin and ei for infinity. `e1² = e2² = e3² = 1`,
+    /// `eo² = ei² = 0`, `eo·ei = −1`. A blade such as `e1oi` is the outer product of its vectors in
+    /// the order of its name. `I = e1∧e2∧e3∧eo∧ei`, `I² = −1`, `dual(a) = a I⁻¹ = −a I`,
+    /// `undual(a) = a I`, `a ∨ b = undual(dual a ∧ dual b)`.
     ///
     /// # Types
     ///
-    /// An object X in *direct* form, an outer product of its points, holds the points x with `x ∧ X = 0`; in *dual* form,
-    /// `X I⁻¹`, those with `x·X = 0`. The form is part of the type: [`Circle`] is direct, [`DualCircle`] dual; `dual` and
-    /// `undual` go over and back. Conversions by `From` keep the coefficients as they are.
-    /// A versor moves by `x' = M x ~M`, the right factor of a product first.
+    /// An object X in *direct* form, an outer product of its points, holds the points x with
+    /// `x ∧ X = 0`; in *dual* form, `X I⁻¹`, those with `x·X = 0`. The form is part of the type:
+    /// [`Circle`] is direct, [`DualCircle`] dual; `dual` and `undual` go over and back. Conversions
+    /// by `From` keep the coefficients as they are. A versor moves by `x' = M x ~M`, the right
+    /// factor of a product first.
     ///
     /// | type | blades | grade | as geometry | as a transformation |
     /// | --- | --- | --- | --- | --- |
@@ -48,14 +51,15 @@ crate::algebra! {
     /// | [`Even`], [`Odd`] | all sixteen of even, of odd grade | | | sums of versors |
     /// | [`Multivector`] | all 32 | all | | |
     ///
-    /// [`E1`], [`E2`], [`E3`], [`Origin`] and [`Infinity`] are the basis vectors as types of no size, so that
-    /// `p ^ q ^ Infinity` is a line at no cost.
+    /// [`E1`], [`E2`], [`E3`], [`Origin`] and [`Infinity`] are the basis vectors as types of no
+    /// size, so that `p ^ q ^ Infinity` is a line at no cost.
     ///
     /// # Products
     ///
-    /// `a * b` geometric, `a ^ b` wedge, `a | b` left contraction, `a & b` vee; `right_contraction`, `scalar_product`,
-    /// `commutator` = (ab − ba)/2, `sandwich` and `transform` are methods. In Rust `^ & |` bind looser than `+ *`, so
-    /// `a + b ^ c` is `(a + b) ^ c`.
+    /// `a * b` geometric, `a ^ b` wedge, `a | b` left contraction, `a & b` vee;
+    /// `right_contraction`, `scalar_product`, `commutator` = (ab − ba)/2, `sandwich` and
+    /// `transform` are methods. In Rust `^ & |` bind looser than `+ *`, so `a + b ^ c` is
+    /// `(a + b) ^ c`.
     ///
     /// ```
     /// use ga_runtime::cga3::{Infinity, Line, Plane, Point};
@@ -85,28 +89,33 @@ crate::algebra! {
         /// The basis vector ei, the point at infinity.
         struct Infinity { ei = 1 }
 
-        /// The point x: three numbers, and yet the whole conformal vector `x + eo + ½x² ei` to every product.
+        /// The point x: three numbers, and yet the whole conformal vector `x + eo + ½x² ei` to
+        /// every product.
         ///
-        /// Its weight, the coefficient of eo, is 1, and it is null: `P² = 0`. Sums of points are [`RoundVector`]s.
+        /// Its weight, the coefficient of eo, is 1, and it is null: `P² = 0`. Sums of points are
+        /// [`RoundVector`]s.
         #[hull(RoundVector)]
         #[facts(null, weight(eo))]
         struct Point { e1, e2, e3, eo = 1, ei = (e1*e1 + e2*e2 + e3*e3)/2 }
 
-        /// A vector of the algebra: a weighted point, a dual sphere `c − ½r² ei` about the point c, a dual plane.
+        /// A vector of the algebra: a weighted point, a dual sphere `c − ½r² ei` about the point c,
+        /// a dual plane.
         struct RoundVector { e1, e2, e3, eo, ei }
 
-        /// The dual sphere `c − ½r² ei` about the point c, or a multiple of it: the points x with `x·σ = 0`. Of radius 0 it is a
-        /// point; imaginary for r² < 0; a dual plane where eo has no part in it.
+        /// The dual sphere `c − ½r² ei` about the point c, or a multiple of it: the points x with
+        /// `x·σ = 0`. Of radius 0 it is a point; imaginary for r² < 0; a dual plane where eo has no
+        /// part in it.
         struct DualSphere { e1, e2, e3, eo, ei }
 
         /// The dual plane `n + d ei`: the points x with `n·x = d`, where n is the normal.
         struct DualPlane { e1, e2, e3, ei }
 
-        /// Two points, `p∧q`; real, coinciding or imaginary as its square is positive, zero or negative.
+        /// Two points, `p∧q`; real, coinciding or imaginary as its square is positive, zero or
+        /// negative.
         struct PointPair { e12, e13, e23, e1o, e2o, e3o, e1i, e2i, e3i, eoi }
 
-        /// A circle in dual form, the meet `σ∧τ` of two dual spheres or planes that hold it. Its square is negative where the
-        /// circle is real.
+        /// A circle in dual form, the meet `σ∧τ` of two dual spheres or planes that hold it. Its
+        /// square is negative where the circle is real.
         struct DualCircle { e12, e13, e23, e1o, e2o, e3o, e1i, e2i, e3i, eoi }
 
         /// A point without extent and infinity, `p∧ei`: where a line meets a plane.
@@ -115,8 +124,8 @@ crate::algebra! {
         /// A free vector, `v∧ei`. Motions turn it and do not shift it.
         struct Direction { e1i, e2i, e3i }
 
-        /// The generator of a rigid motion, a dual line: `−½θB` for a turn by θ in the plane of the unit bivector B through
-        /// the origin, `−½ t ei` for a shift by t.
+        /// The generator of a rigid motion, a dual line: `−½θB` for a turn by θ in the plane of the
+        /// unit bivector B through the origin, `−½ t ei` for a shift by t.
         struct MotorGenerator { e12, e13, e23, e1i, e2i, e3i }
 
         /// A circle, `p∧q∧r` for three of its points; a line where one of them is infinity.
@@ -128,11 +137,12 @@ crate::algebra! {
         /// A flat point in dual form, the meet `π∧ρ∧σ` of three dual planes.
         struct DualFlatPoint { e123, e12i, e13i, e23i }
 
-        /// A free bivector `B∧ei`: the attitude of a plane or circle; the dual form of a direction, that of its normal.
+        /// A free bivector `B∧ei`: the attitude of a plane or circle; the dual form of a direction,
+        /// that of its normal.
         struct DualDirection { e12i, e13i, e23i }
 
-        /// A line, `p∧q∧ei` for two of its points: direction `q − p` in minus the coefficients of e1oi, e2oi, e3oi, moment `p∧q`
-        /// in those of e12i, e13i, e23i.
+        /// A line, `p∧q∧ei` for two of its points: direction `q − p` in minus the coefficients of
+        /// e1oi, e2oi, e3oi, moment `p∧q` in those of e12i, e13i, e23i.
         struct Line { e12i, e13i, e23i, e1oi, e2oi, e3oi }
 
         /// A sphere, `p∧q∧r∧s` for four of its points; a plane where one of them is infinity.
@@ -159,7 +169,8 @@ crate::algebra! {
         #[facts(unit_versor)]
         struct Motor { scalar, e12, e13, e23, e1i, e2i, e3i, e123i }
 
-        /// A scaling by s about the origin: `D = exp(½ ln s · eo∧ei)`. It leaves a point with weight 1/s.
+        /// A scaling by s about the origin: `D = exp(½ ln s · eo∧ei)`. It leaves a point with
+        /// weight 1/s.
         #[hull(Even)]
         #[facts(unit_versor)]
         struct Dilator { scalar, eoi }
@@ -171,15 +182,17 @@ crate::algebra! {
             scalar, e12, e13, e23, e1i, e2i, e3i, e123i, eoi, e12oi, e13oi, e23oi
         }
 
-        /// The special conformal map `K = 1 − k eo`: inversion in the unit sphere about the origin, shift by k, inversion
-        /// again. It keeps the origin, and takes x to `(x + k x²)/(1 + 2 k·x + k² x²)`.
+        /// The special conformal map `K = 1 − k eo`: inversion in the unit sphere about the origin,
+        /// shift by k, inversion again. It keeps the origin, and takes x to
+        /// `(x + k x²)/(1 + 2 k·x + k² x²)`.
         #[hull(Even)]
         #[facts(unit_versor)]
         struct Transversor { scalar = 1, e1o, e2o, e3o }
 
         /// Any conformal map of space that keeps handedness, `V ~V = 1` in every grade.
         ///
-        /// An even versor with `V ~V = −1` is the pseudoscalar I times an [`OddVersor`] and mirrors as that does, so it is no member.
+        /// An even versor with `V ~V = −1` is the pseudoscalar I times an [`OddVersor`] and mirrors
+        /// as that does, so it is no member.
         #[hull(Even)]
         #[facts(unit_versor)]
         struct EvenVersor {
@@ -188,11 +201,12 @@ crate::algebra! {
             e123o, e123i, e12oi, e13oi, e23oi
         }
 
-        /// Any conformal map of space that mirrors, `V ~V = 1` in every grade: a reflection in a plane, an inversion in a
-        /// real sphere, or one of them and then an [`EvenVersor`]. It acts as `x' = V x̂ ~V` with the grade involution x̂.
+        /// Any conformal map of space that mirrors, `V ~V = 1` in every grade: a reflection in a
+        /// plane, an inversion in a real sphere, or one of them and then an [`EvenVersor`]. It acts
+        /// as `x' = V x̂ ~V` with the grade involution x̂.
         ///
-        /// An odd versor with `V ~V = −1`, such as a dual sphere of negative square, is I times an [`EvenVersor`] and keeps
-        /// handedness as that does, so it is no member.
+        /// An odd versor with `V ~V = −1`, such as a dual sphere of negative square, is I times an
+        /// [`EvenVersor`] and keeps handedness as that does, so it is no member.
         #[hull(Odd)]
         #[facts(unit_versor)]
         struct OddVersor {
@@ -207,7 +221,8 @@ crate::algebra! {
         /// Sums and multiples of rotors: the quaternions.
         struct Quaternion { scalar, e12, e13, e23 }
 
-        /// Sums and multiples of motors: the dual quaternions. A weighted sum of motors, normalised, is their blend.
+        /// Sums and multiples of motors: the dual quaternions. A weighted sum of motors,
+        /// normalised, is their blend.
         struct DualQuaternion { scalar, e12, e13, e23, e1i, e2i, e3i, e123i }
 
         /// All blades of even grade.

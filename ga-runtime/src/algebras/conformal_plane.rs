@@ -1,18 +1,19 @@
 //! Conformal geometric algebra of the plane.
 
 crate::algebra! {
-    /// Conformal geometric algebra of the plane: points, circles and lines as blades, motions and scalings as versors.
+    /// Conformal geometric algebra of the plane: points, circles and lines as blades, motions and
+    /// scalings as versors.
     ///
     /// # Basis
     ///
-    /// e1, e2 span the plane; eo stands for the origin and ei for infinity. `e1² = e2² = 1`, `eo² = ei² = 0`, `eo·ei = −1`, as in
-    /// [`cga3`](crate::cga3) without e3. `I = e1∧e2∧eo∧ei`, `I² = −1`, `dual(a) = a I⁻¹ = −a I`, `undual(a) = a I`,
-    /// `a ∨ b = undual(dual a ∧ dual b)`.
+    /// e1, e2 span the plane; eo stands for the origin and ei for infinity. `e1² = e2² = 1`,
+    /// `eo² = ei² = 0`, `eo·ei = −1`, as in [`cga3`](crate::cga3) without e3. `I = e1∧e2∧eo∧ei`,
+    /// `I² = −1`, `dual(a) = a I⁻¹ = −a I`, `undual(a) = a I`, `a ∨ b = undual(dual a ∧ dual b)`.
     ///
     /// # Types
     ///
-    /// An object X in *direct* form holds the points x with `x ∧ X = 0`; in *dual* form those with `x·X = 0`.
-    /// A versor moves by `x' = M x ~M`, the right factor of a product first.
+    /// An object X in *direct* form holds the points x with `x ∧ X = 0`; in *dual* form those with
+    /// `x·X = 0`. A versor moves by `x' = M x ~M`, the right factor of a product first.
     ///
     /// | type | blades | grade | as geometry | as a transformation |
     /// | --- | --- | --- | --- | --- |
@@ -53,20 +54,24 @@ crate::algebra! {
         /// The basis vector ei, the point at infinity.
         struct Infinity { ei = 1 }
 
-        /// The point x: two numbers, and yet the whole conformal vector `x + eo + ½x² ei` to every product.
+        /// The point x: two numbers, and yet the whole conformal vector `x + eo + ½x² ei` to every
+        /// product.
         ///
-        /// Its weight, the coefficient of eo, is 1, and it is null: `P² = 0`. Sums of points are [`RoundVector`]s.
+        /// Its weight, the coefficient of eo, is 1, and it is null: `P² = 0`. Sums of points are
+        /// [`RoundVector`]s.
         #[hull(RoundVector)]
         #[facts(null, weight(eo))]
         struct Point { e1, e2, eo = 1, ei = (e1*e1 + e2*e2)/2 }
 
-        /// A vector of the algebra: a dual circle `c − ½r² ei` about the point c, a dual line, a weighted point.
+        /// A vector of the algebra: a dual circle `c − ½r² ei` about the point c, a dual line, a
+        /// weighted point.
         struct RoundVector { e1, e2, eo, ei }
 
         /// The dual line `n + d ei`: the points x with `n·x = d`, where n is the normal.
         struct DualLine { e1, e2, ei }
 
-        /// Two points, `p∧q`; real, coinciding or imaginary as its square is positive, zero or negative.
+        /// Two points, `p∧q`; real, coinciding or imaginary as its square is positive, zero or
+        /// negative.
         struct PointPair { e12, e1o, e2o, e1i, e2i, eoi }
 
         /// A point without extent and infinity, `p∧ei`: where two lines meet.
@@ -75,14 +80,15 @@ crate::algebra! {
         /// A free vector, `v∧ei`. Motions turn it and do not shift it.
         struct Direction { e1i, e2i }
 
-        /// The generator of a rigid motion: `−½θ e12` for a turn by θ about the origin, `−½ t ei` for a shift by t.
+        /// The generator of a rigid motion: `−½θ e12` for a turn by θ about the origin, `−½ t ei`
+        /// for a shift by t.
         struct MotorGenerator { e12, e1i, e2i }
 
         /// A circle, `p∧q∧r` for three of its points; a line where one of them is infinity.
         struct Circle { e12o, e12i, e1oi, e2oi }
 
-        /// A line, `p∧q∧ei` for two of its points: direction `q − p` in minus the coefficients of e1oi, e2oi, moment `p∧q` in
-        /// that of e12i.
+        /// A line, `p∧q∧ei` for two of its points: direction `q − p` in minus the coefficients of
+        /// e1oi, e2oi, moment `p∧q` in that of e12i.
         struct Line { e12i, e1oi, e2oi }
 
         /// A multiple of I = e1∧e2∧eo∧ei.
@@ -103,7 +109,8 @@ crate::algebra! {
         #[facts(unit_versor)]
         struct Motor { scalar, e12, e1i, e2i }
 
-        /// A scaling by s about the origin: `D = exp(½ ln s · eo∧ei)`. It leaves a point with weight 1/s.
+        /// A scaling by s about the origin: `D = exp(½ ln s · eo∧ei)`. It leaves a point with
+        /// weight 1/s.
         #[hull(Even)]
         #[facts(unit_versor)]
         struct Dilator { scalar, eoi }

@@ -1,13 +1,15 @@
 //! Geometric algebra of space.
 
 crate::algebra! {
-    /// Geometric algebra of space: vectors, oriented areas and volumes, and the rotors and quaternions that turn them.
+    /// Geometric algebra of space: vectors, oriented areas and volumes, and the rotors and
+    /// quaternions that turn them.
     ///
     /// # Basis
     ///
-    /// e1, e2, e3 span space, right-handed, `e1² = e2² = e3² = 1`. `I = e123`, `I² = −1`, `dual(a) = a I⁻¹ = −a I`, `undual(a) = a I`,
-    /// `a ∨ b = undual(dual a ∧ dual b)`. The dual of a plane's bivector is its right-handed normal: `dual(e12) = e3`,
-    /// `dual(e13) = −e2`, `dual(e23) = e1`, so that `a × b = dual(a ∧ b)`.
+    /// e1, e2, e3 span space, right-handed, `e1² = e2² = e3² = 1`. `I = e123`, `I² = −1`,
+    /// `dual(a) = a I⁻¹ = −a I`, `undual(a) = a I`, `a ∨ b = undual(dual a ∧ dual b)`. The dual of
+    /// a plane's bivector is its right-handed normal: `dual(e12) = e3`, `dual(e13) = −e2`,
+    /// `dual(e23) = e1`, so that `a × b = dual(a ∧ b)`.
     ///
     /// # Types
     ///
@@ -24,10 +26,12 @@ crate::algebra! {
     ///
     /// # Products
     ///
-    /// `a * b` geometric, `a ^ b` wedge, `a | b` left contraction, `a & b` vee; [`Rotor::transform`] turns.
+    /// `a * b` geometric, `a ^ b` wedge, `a | b` left contraction, `a & b` vee;
+    /// [`Rotor::transform`] turns.
     ///
-    /// The quaternion `w + x i + y j + z k` of a turn is the rotor `w − x e23 + y e13 − z e12`: `i = −e23`, `j = e13`, `k = −e12`, which
-    /// satisfy `ij = k`, and `q v q*` turns as `R x ~R` does.
+    /// The quaternion `w + x i + y j + z k` of a turn is the rotor `w − x e23 + y e13 − z e12`:
+    /// `i = −e23`, `j = e13`, `k = −e12`, which satisfy `ij = k`, and `q v q*` turns as `R x ~R`
+    /// does.
     ///
     /// ```
     /// use ga_runtime::vga3::{Rotor, Vector};

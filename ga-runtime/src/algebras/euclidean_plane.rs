@@ -5,8 +5,9 @@ crate::algebra! {
     ///
     /// # Basis
     ///
-    /// e1, e2 span the plane, `e1² = e2² = 1`. `I = e12`, `I² = −1`, `dual(a) = a I⁻¹ = −a I`, `undual(a) = a I`: `undual` turns a
-    /// vector by 90° from e1 towards e2, `dual` back. `a ∨ b = undual(dual a ∧ dual b)`.
+    /// e1, e2 span the plane, `e1² = e2² = 1`. `I = e12`, `I² = −1`, `dual(a) = a I⁻¹ = −a I`,
+    /// `undual(a) = a I`: `undual` turns a vector by 90° from e1 towards e2, `dual` back.
+    /// `a ∨ b = undual(dual a ∧ dual b)`.
     ///
     /// # Types
     ///
@@ -22,8 +23,9 @@ crate::algebra! {
     ///
     /// # Products
     ///
-    /// `a * b` geometric, `a ^ b` wedge, `a | b` left contraction; [`Rotor::transform`] turns. A turn by θ has the *half* angle
-    /// in its rotor and the minus sign of `−½θ`; as a complex number it is `cos θ + sin θ e12`, see [`Rotor::to_complex`].
+    /// `a * b` geometric, `a ^ b` wedge, `a | b` left contraction; [`Rotor::transform`] turns. A
+    /// turn by θ has the *half* angle in its rotor and the minus sign of `−½θ`; as a complex number
+    /// it is `cos θ + sin θ e12`, see [`Rotor::to_complex`].
     ///
     /// ```
     /// use ga_runtime::vga2::{Bivector, Complex, Rotor, Vector};
@@ -50,7 +52,8 @@ crate::algebra! {
         #[hull(Complex)]
         #[facts(unit_versor)]
         struct Rotor { scalar, e12 }
-        /// The complex number `re + im e12`; `e12² = −1`. Sums and multiples of rotors are such numbers.
+        /// The complex number `re + im e12`; `e12² = −1`. Sums and multiples of rotors are such
+        /// numbers.
         struct Complex { scalar, e12 }
         /// All 4 blades.
         struct Multivector { scalar, e1, e2, e12 }

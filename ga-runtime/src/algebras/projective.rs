@@ -1,12 +1,14 @@
 //! Projective geometric algebra of space.
 
 crate::algebra! {
-    /// Projective geometric algebra of space: planes as vectors, lines and points as their meets, motions as versors.
+    /// Projective geometric algebra of space: planes as vectors, lines and points as their meets,
+    /// motions as versors.
     ///
     /// # Basis
     ///
-    /// `e1² = e2² = e3² = 1`, `e0² = 0`. The metric is degenerate, so `I = e1∧e2∧e3∧e0` has no inverse: `dual` is the right
-    /// complement (`a ∧ dual a = I` for basis blades), `undual` its inverse, and `a ∨ b = undual(dual a ∧ dual b)`.
+    /// `e1² = e2² = e3² = 1`, `e0² = 0`. The metric is degenerate, so `I = e1∧e2∧e3∧e0` has no
+    /// inverse: `dual` is the right complement (`a ∧ dual a = I` for basis blades), `undual` its
+    /// inverse, and `a ∨ b = undual(dual a ∧ dual b)`.
     ///
     /// # Types
     ///
@@ -29,14 +31,19 @@ crate::algebra! {
     ///
     /// # Signs
     ///
-    /// A line with direction d and moment `m = p × d` is `d1 e23 − d2 e13 + d3 e12 − m∧e0`. `Π ∧ Ρ` has the direction of the cross product of the
-    /// normals, `P ∨ Q` that of `P − Q`, and `P ∨ Q ∨ R` the normal `(Q − P) × (R − P)`. So `exp(−½θL)` turns right-handed about the
-    /// direction of L, and [`Line::through`] takes its points in the order in which the line passes them.
+    /// A line with direction d and moment `m = p × d` is `d1 e23 − d2 e13 + d3 e12 − m∧e0`. `Π ∧ Ρ`
+    /// has the direction of the cross product of the normals, `P ∨ Q` that of `P − Q`, and
+    /// `P ∨ Q ∨ R` the normal `(Q − P) × (R − P)`. So `exp(−½θL)` turns right-handed about the
+    /// direction of L, and [`Line::through`] takes its points in the order in which the line passes
+    /// them.
     ///
-    /// klein and ganja.js write the same elements over other blades: their e01 is −e10, their e31 is −e13, and their points
-    /// `e123 + x e032 + y e013 + z e021` are those of here, as `e032 = −e230`, `e013 = e130`, `e021 = −e120`. Translators are
-    /// `1 − ½ (t1 e01 + t2 e02 + t3 e03)` in both. ganja's examples turn by `cos ½θ + sin ½θ (P ∨ Q)`; that is right-handed about
-    /// `Q − P`, and the same as here. Versions of klein differ in the sign of the sine in the rotor made from an axis: compare a point moved by it.
+    /// klein and ganja.js write the same elements over other blades: their e01 is −e10, their e31
+    /// is −e13, and their points `e123 + x e032 + y e013 + z e021` are those of here, as
+    /// `e032 = −e230`, `e013 = e130`, `e021 = −e120`. Translators are
+    /// `1 − ½ (t1 e01 + t2 e02 + t3 e03)` in both. ganja's examples turn by
+    /// `cos ½θ + sin ½θ (P ∨ Q)`; that is right-handed about `Q − P`, and the same as here.
+    /// Versions of klein differ in the sign of the sine in the rotor made from an axis: compare a
+    /// point moved by it.
     ///
     /// ```
     /// use ga_runtime::pga3::Plane;
@@ -56,11 +63,13 @@ crate::algebra! {
 
         /// The plane of the points with `n·x + d = 0`, as `n + d e0`.
         struct Plane { e1, e2, e3, e0 }
-        /// The meet of two planes. Bivectors that are no meet, with `L∧L` not zero, generate screws.
+        /// The meet of two planes. Bivectors that are no meet, with `L∧L` not zero, generate
+        /// screws.
         struct Line { e12, e13, e23, e10, e20, e30 }
         /// The meet of three planes; the point (x, y, z) is `e123 − x e230 + y e130 − z e120`.
         struct Point { e123, e120, e130, e230 }
-        /// A free vector v, the ideal point `−v1 e230 + v2 e130 − v3 e120`. Motions turn it and do not shift it.
+        /// A free vector v, the ideal point `−v1 e230 + v2 e130 − v3 e120`. Motions turn it and do
+        /// not shift it.
         struct Direction { e120, e130, e230 }
         /// A multiple of I = e1∧e2∧e3∧e0.
         struct Pseudoscalar { e1230 }

@@ -1,12 +1,14 @@
 //! Projective geometric algebra of the plane.
 
 crate::algebra! {
-    /// Projective geometric algebra of the plane: lines as vectors, points as their meets, motions as versors.
+    /// Projective geometric algebra of the plane: lines as vectors, points as their meets, motions
+    /// as versors.
     ///
     /// # Basis
     ///
-    /// `e1² = e2² = 1`, `e0² = 0`. The metric is degenerate, so `I = e1∧e2∧e0` has no inverse: `dual` is the right complement
-    /// (`a ∧ dual a = I` for basis blades), `undual` its inverse, and `a ∨ b = undual(dual a ∧ dual b)`.
+    /// `e1² = e2² = 1`, `e0² = 0`. The metric is degenerate, so `I = e1∧e2∧e0` has no inverse:
+    /// `dual` is the right complement (`a ∧ dual a = I` for basis blades), `undual` its inverse,
+    /// and `a ∨ b = undual(dual a ∧ dual b)`.
     ///
     /// # Types
     ///
@@ -23,8 +25,9 @@ crate::algebra! {
     /// | [`MotorSum`] | those of Motor | even | sums and multiples of motors | |
     /// | [`Multivector`] | all 8 | all | | |
     ///
-    /// Lines meet by `^`, points join by `&`. The turn by θ about a point P of weight 1 is `exp(−½θP)`, positive from e1 towards e2.
-    /// The signs of [`Point`] are those of ganja.js, which writes the same `e12 + x e20 + y e01`.
+    /// Lines meet by `^`, points join by `&`. The turn by θ about a point P of weight 1 is
+    /// `exp(−½θP)`, positive from e1 towards e2. The signs of [`Point`] are those of ganja.js,
+    /// which writes the same `e12 + x e20 + y e01`.
     ///
     /// ```
     /// use ga_runtime::pga2::{Line, Point};
@@ -43,7 +46,8 @@ crate::algebra! {
 
         /// The line of the points with `n·x + d = 0`, as `n + d e0`.
         struct Line { e1, e2, e0 }
-        /// The meet of two lines. The point (x, y) is `e12 + x e20 + y e01`; where e12 is zero, a direction.
+        /// The meet of two lines. The point (x, y) is `e12 + x e20 + y e01`; where e12 is zero, a
+        /// direction.
         struct Point { e12, e20, e01 }
         /// A multiple of I = e1∧e2∧e0.
         struct Pseudoscalar { e120 }

@@ -1,25 +1,30 @@
 //! Spacetime algebra.
 
 crate::algebra! {
-    /// Spacetime algebra: events and momenta as vectors, electromagnetic fields as bivectors, Lorentz transformations as rotors.
+    /// Spacetime algebra: events and momenta as vectors, electromagnetic fields as bivectors,
+    /// Lorentz transformations as rotors.
     ///
     /// # Basis
     ///
-    /// g0 is the time axis of the observer and g1, g2, g3 his axes of space, right-handed: `g0² = 1`, `g1² = g2² = g3² = −1`, the signature
-    /// (+ − − −) of Hestenes (Space-Time Algebra, 1966) and of Doran & Lasenby (Geometric Algebra for Physicists, 2003). The speed of light is 1, so
-    /// that velocities are plain numbers below 1 in size.
+    /// g0 is the time axis of the observer and g1, g2, g3 his axes of space, right-handed:
+    /// `g0² = 1`, `g1² = g2² = g3² = −1`, the signature (+ − − −) of Hestenes (Space-Time
+    /// Algebra, 1966) and of Doran & Lasenby (Geometric Algebra for Physicists, 2003). The speed of light is
+    /// 1, so that velocities are plain numbers below 1 in size.
     ///
-    /// `I = g0∧g1∧g2∧g3`, `I² = −1`, `dual(a) = a I⁻¹ = −a I`, `undual(a) = a I`, `a ∨ b = undual(dual a ∧ dual b)`. I commutes with even elements and
-    /// anticommutes with odd ones.
+    /// `I = g0∧g1∧g2∧g3`, `I² = −1`, `dual(a) = a I⁻¹ = −a I`, `undual(a) = a I`,
+    /// `a ∨ b = undual(dual a ∧ dual b)`. I commutes with even elements and anticommutes with odd
+    /// ones.
     ///
     /// # Relative vectors
     ///
-    /// The observer sees the bivectors `σk = gk g0` as his vectors of space: `σk² = 1`, `σ1σ2σ3 = I`. The other three are
-    /// `Iσ1 = g32`, `Iσ2 = g13`, `Iσ3 = g21`. So a field is `F = E + I B`, its coefficients g10 g20 g30 being E and g32 g13 g21 being B.
+    /// The observer sees the bivectors `σk = gk g0` as his vectors of space: `σk² = 1`,
+    /// `σ1σ2σ3 = I`. The other three are `Iσ1 = g32`, `Iσ2 = g13`, `Iσ3 = g21`. So a field is
+    /// `F = E + I B`, its coefficients g10 g20 g30 being E and g32 g13 g21 being B.
     ///
     /// # Types
     ///
-    /// A rotor moves by `x' = R x ~R`, the right factor of a product first; these are the active transformations.
+    /// A rotor moves by `x' = R x ~R`, the right factor of a product first; these are the active
+    /// transformations.
     ///
     /// | type | blades | grade | as geometry | as a transformation |
     /// | --- | --- | --- | --- | --- |
@@ -33,8 +38,8 @@ crate::algebra! {
     ///
     /// # Products
     ///
-    /// `a * b` geometric, `a ^ b` wedge, `a | b` left contraction, `a & b` vee. `x | x` is the squared interval: positive
-    /// for timelike, negative for spacelike vectors.
+    /// `a * b` geometric, `a ^ b` wedge, `a | b` left contraction, `a & b` vee. `x | x` is the
+    /// squared interval: positive for timelike, negative for spacelike vectors.
     ///
     /// ```
     /// use ga_runtime::sta::{Bivector, Rotor, Vector};
@@ -56,7 +61,8 @@ crate::algebra! {
 
         /// A vector of spacetime: the event `t g0 + x g1 + y g2 + z g3`, a velocity, a momentum.
         struct Vector { g0, g1, g2, g3 }
-        /// A bivector: the field `E + I B` with E in g10 g20 g30 and B in g32 g13 g21; a generator of boosts and turns.
+        /// A bivector: the field `E + I B` with E in g10 g20 g30 and B in g32 g13 g21; a generator
+        /// of boosts and turns.
         struct Bivector { g10, g20, g30, g32, g13, g21 }
         /// A trivector: a hyperplane by its volume.
         struct Trivector { g123, g023, g013, g012 }

@@ -20,7 +20,8 @@ pub enum BlendError {
         /// The number of motors in the palette.
         palette: usize,
     },
-    /// The weighted sum of this result is no multiple of a motor: the weights are all zero or not finite, or the motors cancel.
+    /// The weighted sum of this result is no multiple of a motor: the weights are all zero or not
+    /// finite, or the motors cancel.
     NoDirection {
         /// The result.
         element: usize,
@@ -58,7 +59,8 @@ impl Batch {
     /// See [`blend`](super::blend).
     ///
     /// # Errors
-    /// The lengths differ, a place is not in the palette, or the mean of an element has no direction.
+    /// The lengths differ, a place is not in the palette, or the mean of an element has no
+    /// direction.
     pub fn blend<S: Real<Mask = bool>, const K: usize>(
         self,
         palette: &[Motor<S>],

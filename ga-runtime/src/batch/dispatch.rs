@@ -7,7 +7,8 @@
 pub enum Path {
     /// Those of the target that the program is built for.
     Baseline,
-    /// AVX2 with FMA registers, on x86-64 processors that have them. Needs the feature `std`, which can ask the processor.
+    /// AVX2 with FMA registers, on x86-64 processors that have them. Needs the feature `std`, which
+    /// can ask the processor.
     Avx2,
 }
 
@@ -42,8 +43,8 @@ fn has_avx2() -> bool {
     false
 }
 
-/// A loop that can be compiled for several sets of instructions. `run` must be `#[inline(always)]`, so that it becomes
-/// part of the function that asks for them.
+/// A loop that can be compiled for several sets of instructions. `run` must be `#[inline(always)]`,
+/// so that it becomes part of the function that asks for them.
 pub(super) trait Work {
     fn run(self);
 }
@@ -54,7 +55,8 @@ pub(super) fn run(path: Path, work: impl Work) {
     match path {
         #[cfg(all(feature = "std", target_arch = "x86_64"))]
         Path::Avx2 if has_avx2() => {
-            // SAFETY: the function needs the processor to have AVX2 and FMA and nothing else, and it was asked just now.
+            // SAFETY: the function needs the processor to have AVX2 and FMA and nothing else, and
+            // it was asked just now.
             unsafe { run_with_avx2(work) }
         }
         _ => work.run(),
@@ -67,14 +69,15 @@ fn run_with_avx2(work: impl Work) {
     work.run();
 }
 
-/// Plain memory by the traits of bytemuck. It is here because it takes unsafe code, and all of that stays in one file;
-/// `interop::bytemuck` documents it and lists the types.
+/// Plain memory by the traits of bytemuck. It is here because it takes unsafe code, and all of that
+/// stays in one file; `interop::bytemuck` documents it and lists the types.
 #[cfg(feature = "bytemuck-1")]
 macro_rules! plain_memory {
     ($module:ident { $($name:ident $count:literal),* }) => { $(
-        // SAFETY: what `algebra!` declares is `repr(C)` with one field of type S for each stored coefficient, so that its
-        // size is a multiple of its alignment, which is that of S, and there is no padding. The assertion shows that the fields are those and
-        // no others. Any values of them are a valid value: facts are no matter of memory safety.
+        // SAFETY: what `algebra!` declares is `repr(C)` with one field of type S for each stored
+        // coefficient, so that its size is a multiple of its alignment, which is that of S, and
+        // there is no padding. The assertion shows that the fields are those and no others. Any
+        // values of them are a valid value: facts are no matter of memory safety.
         unsafe impl<S: bytemuck_1::Zeroable> bytemuck_1::Zeroable for crate::$module::$name<S> {}
         // SAFETY: the same.
         unsafe impl<S: bytemuck_1::Pod> bytemuck_1::Pod for crate::$module::$name<S> {}

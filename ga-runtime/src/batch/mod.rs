@@ -18,16 +18,18 @@
 //! | [`blend`] | weighted means of motors from a palette, as skinning takes them |
 //! | [`log`], [`exp`] | generators of motors, and back |
 //!
-//! Elements stand in memory as everywhere, one after the other. The loops that move them are compiled twice, for the target of the
-//! build and for AVX2, and [`Batch`] chooses when the program runs. On both ways the compiler turns them into vector
-//! instructions, which is faster than gathering into [`Lanes`](crate::scalar::Lanes) number by number (0.7 ns
-//! a point instead of 1.3). Products are fused with sums only if the whole program is built for a processor that does so, and then on both
-//! ways: the results of both are the same to the last bit. Those of [`transform_each`] and [`compose`] are also those of the methods on
-//! single elements; [`transform`] multiplies by a matrix, which rounds in another order, to within a few dozen ε of the largest coefficient of
-//! what is moved and the shift.
+//! Elements stand in memory as everywhere, one after the other. The loops that move them are
+//! compiled twice, for the target of the build and for AVX2, and [`Batch`] chooses when the program
+//! runs. On both ways the compiler turns them into vector instructions, which is faster than
+//! gathering into [`Lanes`](crate::scalar::Lanes) number by number (0.7 ns a point instead of 1.3).
+//! Products are fused with sums only if the whole program is built for a processor that does so,
+//! and then on both ways: the results of both are the same to the last bit. Those of
+//! [`transform_each`] and [`compose`] are also those of the methods on single elements;
+//! [`transform`] multiplies by a matrix, which rounds in another order, to within a few dozen ε of
+//! the largest coefficient of what is moved and the shift.
 //!
-//! Infinite and NaN coefficients go through the arithmetic. Slices of different lengths are an error, and then nothing
-//! is written.
+//! Infinite and NaN coefficients go through the arithmetic. Slices of different lengths are an
+//! error, and then nothing is written.
 
 mod blend;
 mod dispatch;
@@ -73,7 +75,8 @@ fn same_length(expected: usize, found: usize) -> Result<(), LengthMismatch> {
     }
 }
 
-/// The operations on slices by a given path of instructions. The functions of this module take the best one.
+/// The operations on slices by a given path of instructions. The functions of this module take the
+/// best one.
 ///
 /// ```
 /// use ga_runtime::batch::{Batch, Path};
@@ -171,11 +174,12 @@ pub fn compose<S: Real>(
     Batch::new().compose(left, right, products)
 }
 
-/// Weighted means of motors from a palette, normalised: each result has K influences, pairs of a place in the palette and a
-/// weight.
+/// Weighted means of motors from a palette, normalised: each result has K influences, pairs of a
+/// place in the palette and a weight.
 ///
-/// A motor and its negative move alike; those that point away from the first influence whose weight is not zero are turned round,
-/// so that the mean goes the short way. Influences of weight zero are passed over, whatever their place.
+/// A motor and its negative move alike; those that point away from the first influence whose weight
+/// is not zero are turned round, so that the mean goes the short way. Influences of weight zero are
+/// passed over, whatever their place.
 ///
 /// ```
 /// use ga_runtime::batch;
@@ -188,8 +192,9 @@ pub fn compose<S: Real>(
 /// ```
 ///
 /// # Errors
-/// The lengths differ, a place is not in the palette, or the mean of an element has no direction. Nothing is written where lengths or
-/// places are wrong; a mean without direction leaves the motors before it written.
+/// The lengths differ, a place is not in the palette, or the mean of an element has no direction.
+/// Nothing is written where lengths or places are wrong; a mean without direction leaves the motors
+/// before it written.
 pub fn blend<S: Real<Mask = bool>, const K: usize>(
     palette: &[Motor<S>],
     influences: &[[(usize, S); K]],

@@ -40,8 +40,8 @@ use maps::{
     moving_point_pair, moving_round_vector, moving_sphere,
 };
 
-/// An element that motors move: points, weighted vectors, dual planes, directions, flat points, lines, planes, spheres, circles and
-/// point pairs.
+/// An element that motors move: points, weighted vectors, dual planes, directions, flat points,
+/// lines, planes, spheres, circles and point pairs.
 pub trait Moved<S: Real>: sealed::Moved<S> {}
 
 pub(super) mod sealed {

@@ -17,8 +17,8 @@ pub(super) const MAXIMUM_DIMENSION: usize = 16;
 
 /// A geometric algebra over the scalars `S`, given by the inner products of its basis vectors.
 ///
-/// It is the source of its multivectors. A clone is a second handle to the same algebra and costs next to nothing.
-/// Two algebras are equal if their metrics are.
+/// It is the source of its multivectors. A clone is a second handle to the same algebra and costs
+/// next to nothing. Two algebras are equal if their metrics are.
 ///
 /// ```
 /// use ga_runtime::dense::Algebra;
@@ -48,15 +48,17 @@ impl<S: Ring> Algebra<S> {
     /// The largest number of basis vectors.
     pub const MAXIMUM_DIMENSION: usize = MAXIMUM_DIMENSION;
 
-    /// The algebra in which `metric[i][j]` is the inner product of the basis vectors i and j, named e1, e2 and so on.
+    /// The algebra in which `metric[i][j]` is the inner product of the basis vectors i and j, named
+    /// e1, e2 and so on.
     ///
-    /// Whether the metric is singular, and so what dual means, is decided by whether its determinant has an inverse; with
-    /// floating-point scalars the entries should therefore be small integers or fractions of powers of two.
+    /// Whether the metric is singular, and so what dual means, is decided by whether its
+    /// determinant has an inverse; with floating-point scalars the entries should therefore be
+    /// small integers or fractions of powers of two.
     ///
     /// # Errors
     ///
-    /// [`DenseError::TooManyVectors`], [`DenseError::NotSquare`] or [`DenseError::NotSymmetric`], which also stands for
-    /// an entry that is not a number.
+    /// [`DenseError::TooManyVectors`], [`DenseError::NotSquare`] or [`DenseError::NotSymmetric`],
+    /// which also stands for an entry that is not a number.
     pub fn new(metric: Vec<Vec<S>>) -> Result<Self, DenseError> {
         let dimension = metric.len();
         if dimension > MAXIMUM_DIMENSION {
@@ -100,8 +102,8 @@ impl<S: Ring> Algebra<S> {
         })
     }
 
-    /// The algebra of an orthogonal basis: first `positive` vectors of square 1, then `negative` of square −1, then
-    /// `null` of square 0.
+    /// The algebra of an orthogonal basis: first `positive` vectors of square 1, then `negative` of
+    /// square −1, then `null` of square 0.
     ///
     /// # Errors
     ///
@@ -132,7 +134,8 @@ impl<S: Ring> Algebra<S> {
     ///
     /// # Errors
     ///
-    /// [`DenseError::NameCount`], or [`DenseError::UnusableName`] for a name that is empty or given twice.
+    /// [`DenseError::NameCount`], or [`DenseError::UnusableName`] for a name that is empty or given
+    /// twice.
     pub fn with_names<N: Into<String>>(
         &self,
         names: impl IntoIterator<Item = N>,
@@ -261,7 +264,8 @@ impl<S: Ring> Algebra<S> {
         Ok(Multivector::from_parts(self.clone(), coefficients))
     }
 
-    /// The multivector with the given coefficients on the blades of the given bitmasks and zero on all others.
+    /// The multivector with the given coefficients on the blades of the given bitmasks and zero on
+    /// all others.
     ///
     /// # Errors
     ///
@@ -292,9 +296,10 @@ impl<S: Ring> Algebra<S> {
 }
 
 impl<S> Algebra<S> {
-    /// The name of a basis blade: the names of its vectors, joined after the beginning that all names of the algebra
-    /// have in common, as `e12` of `e1` and `e2`; `1` for the scalar. An underscore separates the vectors where one of
-    /// the names goes on for more than one character, as in `e1_10`.
+    /// The name of a basis blade: the names of its vectors, joined after the beginning that all
+    /// names of the algebra have in common, as `e12` of `e1` and `e2`; `1` for the scalar. An
+    /// underscore separates the vectors where one of the names goes on for more than one character,
+    /// as in `e1_10`.
     ///
     /// Bits beyond the basis vectors of the algebra are passed over.
     pub fn blade_name(&self, blade: usize) -> String {
@@ -322,7 +327,8 @@ impl<S: PartialEq> PartialEq for Algebra<S> {
     }
 }
 
-/// The length in bytes of the beginning that all names have in common, leaving at least one character of each.
+/// The length in bytes of the beginning that all names have in common, leaving at least one
+/// character of each.
 fn shared_beginning(names: &[String]) -> usize {
     let Some(first) = names.first() else { return 0 };
     first

@@ -25,7 +25,8 @@ pub(super) fn wedge(vector: usize, blade: usize) -> Option<(Sign, usize)> {
     Some((sign, blade | 1 << vector))
 }
 
-/// The terms of `vector ⌋ blade`: each vector of the blade with the sign at which it is taken out and what is left.
+/// The terms of `vector ⌋ blade`: each vector of the blade with the sign at which it is taken out
+/// and what is left.
 pub(super) fn contraction(blade: usize) -> impl Iterator<Item = (usize, Sign, usize)> {
     let mut sign = Sign::Minus;
     vectors(blade).map(move |met| {

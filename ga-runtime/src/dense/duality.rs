@@ -7,8 +7,9 @@ use super::blade::{self, Sign};
 use crate::scalar::{Field, Ring};
 
 impl<S: Ring> Multivector<S> {
-    /// The right complement: the linear map that takes a basis blade B to the blade with B ∧ complement(B) = I, up to
-    /// sign the one of all other vectors. It does not depend on the metric.
+    /// The right complement: the linear map that takes a basis blade B to the blade with B ∧
+    /// complement(B) = I, up to sign the one of all other vectors. It does not depend on the
+    /// metric.
     ///
     /// ```
     /// use ga_runtime::dense::Algebra;
@@ -60,7 +61,8 @@ impl<S: Field> Multivector<S> {
         }
     }
 
-    /// The regressive product a ∨ b = undual(dual(a) ∧ dual(b)): the meet of two blades whose join is the whole space.
+    /// The regressive product a ∨ b = undual(dual(a) ∧ dual(b)): the meet of two blades whose join
+    /// is the whole space.
     ///
     /// # Panics
     ///

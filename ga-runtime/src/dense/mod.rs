@@ -1,9 +1,11 @@
-//! The dense reference: any geometric algebra of up to 16 dimensions, with all 2ⁿ coefficients and every product.
+//! The dense reference: any geometric algebra of up to 16 dimensions, with all 2ⁿ coefficients and
+//! every product.
 //!
 //! It is meant to be right, not fast. Tests hold the compiled algebras against it, exactly, over
-//! [`Prime61`](crate::scalar::Prime61); for that purpose it shares nothing with the compiler. Blades are lists of
-//! vectors, signs come from counting swaps in these lists, and a metric that is not diagonal, such as that of the
-//! null basis of conformal geometry, is used as it stands rather than through an orthogonal frame.
+//! [`Prime61`](crate::scalar::Prime61); for that purpose it shares nothing with the compiler.
+//! Blades are lists of vectors, signs come from counting swaps in these lists, and a metric that is
+//! not diagonal, such as that of the null basis of conformal geometry, is used as it stands rather
+//! than through an orthogonal frame.
 //!
 //! ```
 //! use ga_runtime::dense::{Algebra, DenseError};
@@ -42,9 +44,10 @@
 //!
 //! # Basis blades
 //!
-//! A basis blade is named by a bitmask: bit k stands for the k-th basis vector. The blade of a mask is the *outer*
-//! product of its vectors in rising order, in any metric; mask 0 is the scalar 1. With a metric that is not diagonal it
-//! differs from the geometric product of the same vectors: eo ∧ ei = eo ei + 1 where eo·ei = −1.
+//! A basis blade is named by a bitmask: bit k stands for the k-th basis vector. The blade of a mask
+//! is the *outer* product of its vectors in rising order, in any metric; mask 0 is the scalar 1.
+//! With a metric that is not diagonal it differs from the geometric product of the same vectors: eo
+//! ∧ ei = eo ei + 1 where eo·ei = −1.
 //!
 //! # Products
 //!
@@ -62,19 +65,20 @@
 //! | [`commutator`](Multivector::commutator) | | (a b − b a) / 2 |
 //! | [`vee`](Multivector::vee) | `a & b` | the regressive product, see below |
 //!
-//! In Rust `^`, `&` and `|` bind looser than `+` and `*`, so `a + b ^ c` is `(a + b) ^ c`. The operators take
-//! multivectors by value and by reference.
+//! In Rust `^`, `&` and `|` bind looser than `+` and `*`, so `a + b ^ c` is `(a + b) ^ c`. The
+//! operators take multivectors by value and by reference.
 //!
 //! # Duality
 //!
-//! The pseudoscalar I is the outer product of all basis vectors in order. Where the metric is not singular, I has an
-//! inverse, and
+//! The pseudoscalar I is the outer product of all basis vectors in order. Where the metric is not
+//! singular, I has an inverse, and
 //!
 //! - [`dual`](Multivector::dual)(a) = a I⁻¹ and [`undual`](Multivector::undual)(a) = a I.
 //!
-//! Where it is singular, as in projective geometric algebra, dual is the
-//! [right complement](Multivector::right_complement), the linear map with a ∧ complement(a) = I on basis blades,
-//! and undual its inverse, the [left complement](Multivector::left_complement). In both cases
+//! Where it is singular, as in projective geometric algebra, dual is the [right
+//! complement](Multivector::right_complement), the linear map with a ∧ complement(a) = I on basis
+//! blades, and undual its inverse, the [left complement](Multivector::left_complement). In both
+//! cases
 //!
 //! - a ∨ b = undual(dual(a) ∧ dual(b)).
 //!
@@ -82,21 +86,23 @@
 //!
 //! Everything rests on a basis vector e acting on a blade from the left:
 //!
-//! - e ∧ (a₁ ∧ … ∧ aᵣ) moves e to its place, one sign for each vector that it passes, and is zero if e is there already;
+//! - e ∧ (a₁ ∧ … ∧ aᵣ) moves e to its place, one sign for each vector that it passes, and is zero
+//!   if e is there already;
 //! - e ⌋ (a₁ ∧ … ∧ aᵣ) = Σₖ (−1)ᵏ⁻¹ (e·aₖ) a₁ ∧ … ∧ aₖ₋₁ ∧ aₖ₊₁ ∧ … ∧ aᵣ;
 //! - e B = e ⌋ B + e ∧ B.
 //!
-//! The left operand is written as a = a′ + e ∧ a″ with the first basis vector e, neither a′ nor a″ containing it. Then
+//! The left operand is written as a = a′ + e ∧ a″ with the first basis vector e, neither a′ nor a″
+//! containing it. Then
 //!
 //! - a ∧ b = a′ ∧ b + e ∧ (a″ ∧ b),
 //! - a ⌋ b = a′ ⌋ b + e ⌋ (a″ ⌋ b),
 //! - a b = (a′ − e ⌋ a″) b + e (a″ b), since e ∧ a″ = e a″ − e ⌋ a″,
 //!
-//! and the products with a′ and a″ are taken in the same way with the next basis vector. The other products follow from
-//! these three by their definitions.
+//! and the products with a′ and a″ are taken in the same way with the next basis vector. The other
+//! products follow from these three by their definitions.
 //!
-//! The identities can be found in Dorst, Fontijne and Mann, *Geometric Algebra for Computer Science* (Morgan
-//! Kaufmann, 2007), chapters 2, 3 and 6.
+//! The identities can be found in Dorst, Fontijne and Mann, *Geometric Algebra for Computer
+//! Science* (Morgan Kaufmann, 2007), chapters 2, 3 and 6.
 
 mod algebra;
 mod blade;

@@ -10,8 +10,8 @@ use crate::scalar::Ring;
 ///
 /// # Panics
 ///
-/// Sums and products, as methods and as operators, panic if the operands belong to different algebras: such code has no
-/// meaning, whatever its input.
+/// Sums and products, as methods and as operators, panic if the operands belong to different
+/// algebras: such code has no meaning, whatever its input.
 ///
 /// ```
 /// use ga_runtime::dense::Algebra;
@@ -41,7 +41,8 @@ impl<S: Ring> Multivector<S> {
         &self.coefficients
     }
 
-    /// The coefficient of the basis blade of a bitmask; zero for a blade that the algebra does not have.
+    /// The coefficient of the basis blade of a bitmask; zero for a blade that the algebra does not
+    /// have.
     pub fn coefficient(&self, blade: usize) -> S {
         self.coefficients.get(blade).copied().unwrap_or(S::zero())
     }
@@ -99,8 +100,8 @@ impl<S: Ring> Multivector<S> {
         self.map(|_, value| value * factor)
     }
 
-    /// The reverse ~a: the factors of every product of vectors in reverse order. A blade of grade k changes its sign by
-    /// (−1)^(k (k − 1) / 2).
+    /// The reverse ~a: the factors of every product of vectors in reverse order. A blade of grade k
+    /// changes its sign by (−1)^(k (k − 1) / 2).
     pub fn reverse(&self) -> Self {
         // The first vector passes k − 1 others, the next k − 2, and so on.
         self.with_signs(|grade| grade * grade.saturating_sub(1) / 2)
@@ -111,8 +112,8 @@ impl<S: Ring> Multivector<S> {
         self.with_signs(|grade| grade)
     }
 
-    /// The Clifford conjugate: reverse and grade involution in one. A blade of grade k changes its sign by
-    /// (−1)^(k (k + 1) / 2).
+    /// The Clifford conjugate: reverse and grade involution in one. A blade of grade k changes its
+    /// sign by (−1)^(k (k + 1) / 2).
     pub fn conjugate(&self) -> Self {
         self.with_signs(|grade| grade * (grade + 1) / 2)
     }

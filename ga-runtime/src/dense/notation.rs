@@ -7,8 +7,8 @@ use core::fmt;
 use super::Multivector;
 use crate::scalar::Ring;
 
-/// The sum of blades that are not zero, in the order of their bitmasks: `1 + 2 e1 - 3 e12`. A precision, as in
-/// `{:.3}`, applies to each coefficient.
+/// The sum of blades that are not zero, in the order of their bitmasks: `1 + 2 e1 - 3 e12`. A
+/// precision, as in `{:.3}`, applies to each coefficient.
 impl<S: Ring + fmt::Display> fmt::Display for Multivector<S> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let precision = formatter.precision();
@@ -19,7 +19,8 @@ impl<S: Ring + fmt::Display> fmt::Display for Multivector<S> {
     }
 }
 
-/// The same notation as [`Display`](fmt::Display), with the coefficients as they show themselves for debugging.
+/// The same notation as [`Display`](fmt::Display), with the coefficients as they show themselves
+/// for debugging.
 impl<S: Ring> fmt::Debug for Multivector<S> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         write_sum(self, formatter, |value| format!("{value:?}"))

@@ -21,12 +21,14 @@ impl<S: Ring> Multivector<S> {
         self.multiply(other, Recursion::Wedge)
     }
 
-    /// The left contraction a ⌋ b, Σ ⟨aᵣ bₛ⟩ of grade s − r: what is left of b when a is taken out of it.
+    /// The left contraction a ⌋ b, Σ ⟨aᵣ bₛ⟩ of grade s − r: what is left of b when a is taken out
+    /// of it.
     pub fn left_contraction(&self, other: &Self) -> Self {
         self.multiply(other, Recursion::LeftContraction)
     }
 
-    /// The right contraction a ⌊ b, Σ ⟨aᵣ bₛ⟩ of grade r − s: what is left of a when b is taken out of it.
+    /// The right contraction a ⌊ b, Σ ⟨aᵣ bₛ⟩ of grade r − s: what is left of a when b is taken out
+    /// of it.
     pub fn right_contraction(&self, other: &Self) -> Self {
         other.reverse().left_contraction(&self.reverse()).reverse()
     }
@@ -36,13 +38,15 @@ impl<S: Ring> Multivector<S> {
         self.left_contraction(other).coefficient(0)
     }
 
-    /// The inner product Σ ⟨aᵣ bₛ⟩ of grade |r − s|, where a scalar multiplies: the fat dot of Dorst.
+    /// The inner product Σ ⟨aᵣ bₛ⟩ of grade |r − s|, where a scalar multiplies: the fat dot of
+    /// Dorst.
     pub fn dot(&self, other: &Self) -> Self {
         let both = self.algebra().scalar(self.scalar_product(other));
         self.left_contraction(other) + self.right_contraction(other) - both
     }
 
-    /// The inner product Σ ⟨aᵣ bₛ⟩ of grade |r − s| over r, s ≠ 0: that of Hestenes, where a scalar gives zero.
+    /// The inner product Σ ⟨aᵣ bₛ⟩ of grade |r − s| over r, s ≠ 0: that of Hestenes, where a scalar
+    /// gives zero.
     pub fn hestenes(&self, other: &Self) -> Self {
         let without_scalar =
             |a: &Self| a.map(|blade, value| if blade == 0 { S::zero() } else { value });
@@ -114,7 +118,8 @@ impl Recursion {
     }
 }
 
-/// Writes a multivector that contains no vector before e as a′ + e ∧ a″ and returns a′ and a″; `None` if a″ is zero.
+/// Writes a multivector that contains no vector before e as a′ + e ∧ a″ and returns a′ and a″;
+/// `None` if a″ is zero.
 fn split<S: Ring>(vector: usize, coefficients: &[S]) -> Option<(Vec<S>, Vec<S>)> {
     let bit = 1 << vector;
     let mut without = coefficients.to_vec();
@@ -141,7 +146,8 @@ fn add_wedge<S: Ring>(vector: usize, coefficients: &[S], sum: &mut [S]) {
     }
 }
 
-/// Adds e ⌋ a to the sum, for the basis vector e with the given inner products with all basis vectors.
+/// Adds e ⌋ a to the sum, for the basis vector e with the given inner products with all basis
+/// vectors.
 fn add_contraction<S: Ring>(metric: &[S], coefficients: &[S], sum: &mut [S]) {
     for (blade, &value) in coefficients.iter().enumerate() {
         if value == S::zero() {

@@ -22,15 +22,16 @@ impl<S: Ring> Multivector<S> {
 impl<S: Field> Multivector<S> {
     /// The inverse of a versor, V⁻¹ = ~V / (V ~V), or `None` if V ~V has no scalar part.
     ///
-    /// That V is a versor, so that V ~V is a scalar, is taken on trust, since floating-point scalars show it only up to
-    /// rounding. Over exact scalars, compare V V⁻¹ with one if in doubt.
+    /// That V is a versor, so that V ~V is a scalar, is taken on trust, since floating-point
+    /// scalars show it only up to rounding. Over exact scalars, compare V V⁻¹ with one if in doubt.
     pub fn inverse(&self) -> Option<Self> {
         let norm_squared = self.norm_squared();
         (norm_squared != S::zero()).then(|| self.reverse().scale(norm_squared.recip()))
     }
 
-    /// The action of a versor: V x V⁻¹ for an even one, V x̂ V⁻¹ with the grade involution for an odd one. So a vector v
-    /// reflects in the hyperplane that is orthogonal to it, and the product of two versors acts as one after the other.
+    /// The action of a versor: V x V⁻¹ for an even one, V x̂ V⁻¹ with the grade involution for an
+    /// odd one. So a vector v reflects in the hyperplane that is orthogonal to it, and the product
+    /// of two versors acts as one after the other.
     ///
     /// `None` if the multivector is neither even nor odd, or has no inverse.
     ///

@@ -11,13 +11,15 @@ use crate::scalar::{Field, Real, Ring};
 
 /// An affine map of space, `x' = L x + t`.
 ///
-/// Motions and similarities are affine, and so are maps that no versor does: those that shear, or scale by another factor along each axis.
-/// These turn a sphere into an ellipsoid and are not conformal. Points, directions, lines and planes go through them, and
-/// nothing round does.
+/// Motions and similarities are affine, and so are maps that no versor does: those that shear, or
+/// scale by another factor along each axis. These turn a sphere into an ellipsoid and are not
+/// conformal. Points, directions, lines and planes go through them, and nothing round does.
 ///
-/// Any numbers make a map; an infinity or NaN in one, or in what it is applied to, goes on into the image. What becomes a versor or an inverse is checked.
+/// Any numbers make a map; an infinity or NaN in one, or in what it is applied to, goes on into the
+/// image. What becomes a versor or an inverse is checked.
 ///
-/// `a * b` does b first. Each versor of motions and scalings converts to its map, and a map that is one of them back:
+/// `a * b` does b first. Each versor of motions and scalings converts to its map, and a map that is
+/// one of them back:
 ///
 /// ```
 /// use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
@@ -62,15 +64,17 @@ impl<S: Ring> Affine<S> {
         Self::new(diagonal([S::one(); 3]), translation)
     }
 
-    /// The scaling by a factor along each axis, about the origin (the paper's eqs. 10 and 11). It is conformal only if the factors are equal up to
-    /// sign, and a similarity without mirroring only if they are equal and positive: see [`Dilator`].
+    /// The scaling by a factor along each axis, about the origin (the paper's eqs. 10 and 11). It
+    /// is conformal only if the factors are equal up to sign, and a similarity without mirroring
+    /// only if they are equal and positive: see [`Dilator`].
     #[inline]
     #[must_use]
     pub fn scaling(factors: [S; 3]) -> Self {
         Self::new(diagonal(factors), [S::zero(); 3])
     }
 
-    /// The scaling by a factor along each axis, about a point c: `x' = c + s (x − c)` in each coordinate.
+    /// The scaling by a factor along each axis, about a point c: `x' = c + s (x − c)` in each
+    /// coordinate.
     ///
     /// ```
     /// use ga_runtime::{cga3::Point, geometry::Affine};
@@ -116,7 +120,8 @@ impl<S: Ring> Affine<S> {
         Direction::new(x, y, z)
     }
 
-    /// The image of a line: that through the images of the points by which it is spanned, weight and all. Zero where L makes a point of it.
+    /// The image of a line: that through the images of the points by which it is spanned, weight
+    /// and all. Zero where L makes a point of it.
     #[inline]
     #[must_use]
     pub fn transform_line(self, line: Line<S>) -> Line<S> {
@@ -130,9 +135,10 @@ impl<S: Ring> Affine<S> {
         Line::new(c, -b, a, -x, -y, -z)
     }
 
-    /// The image of a plane: that through the images of the points by which it is spanned, weight and all. Its normal is the cofactor matrix of L,
-    /// `det L` times the inverse transpose, applied to the normal; so a map that mirrors turns it over. Zero where L makes
-    /// a line or point of the plane.
+    /// The image of a plane: that through the images of the points by which it is spanned, weight
+    /// and all. Its normal is the cofactor matrix of L, `det L` times the inverse transpose,
+    /// applied to the normal; so a map that mirrors turns it over. Zero where L makes a line or
+    /// point of the plane.
     ///
     /// ```
     /// use ga_runtime::{cga3::{Plane, Point}, geometry::Affine};
@@ -153,7 +159,8 @@ impl<S: Ring> Affine<S> {
         DualPlane::from_normal_distance(normal, distance).undual()
     }
 
-    /// The 4×4 matrix `[L t; 0 1]` by rows, for columns of homogeneous coordinates: `(x', 1) = M (x, 1)`.
+    /// The 4×4 matrix `[L t; 0 1]` by rows, for columns of homogeneous coordinates:
+    /// `(x', 1) = M (x, 1)`.
     #[inline]
     #[must_use]
     pub fn to_homogeneous(self) -> [[S; 4]; 4] {
@@ -186,11 +193,12 @@ impl<S: Ring> Affine<S> {
 }
 
 impl<S: Real<Mask = bool>> Affine<S> {
-    /// The map that undoes this one; `None` where L is singular, or the inverse is beyond the range of the scalar. It is worked out from cofactors,
-    /// with an error of about ε times the condition number of L.
+    /// The map that undoes this one; `None` where L is singular, or the inverse is beyond the range
+    /// of the scalar. It is worked out from cofactors, with an error of about ε times the condition
+    /// number of L.
     ///
-    /// L counts as singular where the determinant is at most 16 ε after rows and columns have been scaled to entries up to 1: that
-    /// much comes from rounding.
+    /// L counts as singular where the determinant is at most 16 ε after rows and columns have been
+    /// scaled to entries up to 1: that much comes from rounding.
     #[must_use]
     pub fn inverse(self) -> Option<Self> {
         let (unit, [rows, columns]) = balanced(self.linear)?;
@@ -236,7 +244,8 @@ impl<S: Real<Mask = bool>> Affine<S> {
 
 type Matrix<S> = [[S; 3]; 3];
 
-/// The matrix with its rows and then its columns divided by their largest entries, and those; `None` where one vanishes.
+/// The matrix with its rows and then its columns divided by their largest entries, and those;
+/// `None` where one vanishes.
 fn balanced<S: Real<Mask = bool>>(linear: Matrix<S>) -> Option<(Matrix<S>, [[S; 3]; 2])> {
     let size = |row: [S; 3]| row[0].abs().max(row[1].abs()).max(row[2].abs());
     let divided =
@@ -312,8 +321,9 @@ impl<S: Real<Mask = bool>> From<Dilator<S>> for Affine<S> {
     }
 }
 
-/// With `M = T R D` and `D = c + s eo∧ei`, the blades without eo hold c R, those of eo∧ei hold s R, and the rest is `−½ (c − s) t R ei`. The factor is
-/// `(c + s)²` and `1/(c − s)²`; the sum is taken that does not cancel.
+/// With `M = T R D` and `D = c + s eo∧ei`, the blades without eo hold c R, those of eo∧ei hold s R,
+/// and the rest is `−½ (c − s) t R ei`. The factor is `(c + s)²` and `1/(c − s)²`; the sum is taken
+/// that does not cancel.
 impl<S: Real> From<Similarity<S>> for Affine<S> {
     fn from(m: Similarity<S>) -> Self {
         let turn = [m.scalar(), m.e12(), m.e13(), m.e23()];
@@ -422,8 +432,8 @@ impl Display for NotConformal {
 
 impl core::error::Error for NotConformal {}
 
-/// The similarity `T R D`. Its blades with ei hold `(c − s) t` for `D = c + s eo∧ei`, and as `D T(t/factor) R` they hold `(c + s) t/factor`: the sum is
-/// taken that does not cancel.
+/// The similarity `T R D`. Its blades with ei hold `(c − s) t` for `D = c + s eo∧ei`, and as
+/// `D T(t/factor) R` they hold `(c + s) t/factor`: the sum is taken that does not cancel.
 pub(crate) fn similarity<S: Real<Mask = bool>>(
     rotor: Rotor<S>,
     factor: S,

@@ -40,15 +40,16 @@ impl<S: Field> Circle<S> {
 }
 
 impl<S: Real<Mask = bool>> Circle<S> {
-    /// The circle about a centre in the plane across a normal, which need not have length 1. `None` where the normal is
-    /// zero or not finite, or a coefficient of the circle would not be.
+    /// The circle about a centre in the plane across a normal, which need not have length 1. `None`
+    /// where the normal is zero or not finite, or a coefficient of the circle would not be.
     #[must_use]
     pub fn from_centre_normal_radius(centre: Point<S>, normal: [S; 3], radius: S) -> Option<Self> {
         Self::from_centre_normal_radius_squared(centre, normal, radius * radius)
     }
 
-    /// The same by the squared radius, which may be zero, for a [tangent](Self::tangent), and negative, for an imaginary
-    /// circle: the undual form of `σ∧π`, where σ is the dual sphere `c − ½r² ei` and π the dual plane `n + (n·c) ei`, n having length 1.
+    /// The same by the squared radius, which may be zero, for a [tangent](Self::tangent), and
+    /// negative, for an imaginary circle: the undual form of `σ∧π`, where σ is the dual sphere
+    /// `c − ½r² ei` and π the dual plane `n + (n·c) ei`, n having length 1.
     ///
     /// ```
     /// use ga_runtime::cga3::{Circle, Point};
@@ -75,21 +76,23 @@ impl<S: Real<Mask = bool>> Circle<S> {
         is_finite.then_some(circle)
     }
 
-    /// The tangent element at a point across a normal: a circle of radius zero, a point with a plane through it. `None`
-    /// where the normal is zero, or something is not finite.
+    /// The tangent element at a point across a normal: a circle of radius zero, a point with a
+    /// plane through it. `None` where the normal is zero, or something is not finite.
     #[must_use]
     pub fn tangent(point: Point<S>, normal: [S; 3]) -> Option<Self> {
         Self::from_centre_normal_radius_squared(point, normal, S::zero())
     }
 
-    /// The normal of the circle's plane, of length 1; `None` for a circle of weight zero, such as a line.
+    /// The normal of the circle's plane, of length 1; `None` for a circle of weight zero, such as a
+    /// line.
     #[inline]
     #[must_use]
     pub fn unit_normal(self) -> Option<[S; 3]> {
         self.carrier().unit_normal()
     }
 
-    /// The centre; `None` for a line, or where it or the squared radius is beyond the range of the scalar.
+    /// The centre; `None` for a line, or where it or the squared radius is beyond the range of the
+    /// scalar.
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
         let round = self.parts()?;
@@ -97,21 +100,24 @@ impl<S: Real<Mask = bool>> Circle<S> {
         Some(round.centre())
     }
 
-    /// The squared radius, negative for an imaginary circle; `None` where there is no [centre](Self::centre).
+    /// The squared radius, negative for an imaginary circle; `None` where there is no
+    /// [centre](Self::centre).
     #[must_use]
     pub fn radius_squared(self) -> Option<S> {
         Some(-self.parts()?.signed_square()?)
     }
 
-    /// The radius; `None` for a line and for an imaginary circle. The circle knows r² only up to rounding of the squared distance of
-    /// the centre from the origin: where `|r²| ≤ 32 ε (2c² + r²)` the radius is zero.
+    /// The radius; `None` for a line and for an imaginary circle. The circle knows r² only up to
+    /// rounding of the squared distance of the centre from the origin: where
+    /// `|r²| ≤ 32 ε (2c² + r²)` the radius is zero.
     #[must_use]
     pub fn radius(self) -> Option<S> {
         let [a, b] = self.parts()?.squares();
         real_radius([b, a])
     }
 
-    /// The line through the centre across the circle's plane, along its normal; `None` where there is no [centre](Self::centre).
+    /// The line through the centre across the circle's plane, along its normal; `None` where there
+    /// is no [centre](Self::centre).
     ///
     /// ```
     /// use ga_runtime::cga3::{Circle, Line, Point};
@@ -126,8 +132,8 @@ impl<S: Real<Mask = bool>> Circle<S> {
         Some(Line::from_point_direction(round.centre(), round.axis))
     }
 
-    /// The smallest sphere that holds the circle, about the same centre with the same squared radius. `None` where there
-    /// is no [centre](Self::centre).
+    /// The smallest sphere that holds the circle, about the same centre with the same squared
+    /// radius. `None` where there is no [centre](Self::centre).
     #[must_use]
     pub fn container(self) -> Option<Sphere<S>> {
         let round = self.parts()?;

@@ -1,22 +1,25 @@
 //! The exponential of any bivector, and of the generators that are part of one.
 //!
-//! The square of a bivector is `B² = s + q` with a scalar s and a 4-vector `q = B∧B` that commutes with B and has a scalar
-//! square. So `exp B = cosh √(B²) + B sinh √(B²)/√(B²)`, and both functions have a power series in B². In closed form they
-//! come from the two commuting 2-blades that B is the sum of, `B = B₁ + B₂` with `B₁² = λ₁ ≥ B₂² = λ₂`,
-//! `λ₁ + λ₂ = s`, `4 λ₁ λ₂ = q²` (Dorst and Valkenburg, Square Root and Logarithm of Rotors in 3D Conformal Geometric
-//! Algebra Using Polar Decomposition, 2011; Roelfs and De Keninck, Graded Symmetry Groups: Plane and Simple, 2023).
-//! λ₂ is never positive: a turn is always part of the motion, by zero at least.
+//! The square of a bivector is `B² = s + q` with a scalar s and a 4-vector `q = B∧B` that commutes
+//! with B and has a scalar square. So `exp B = cosh √(B²) + B sinh √(B²)/√(B²)`, and both functions
+//! have a power series in B². In closed form they come from the two commuting 2-blades that B is
+//! the sum of, `B = B₁ + B₂` with `B₁² = λ₁ ≥ B₂² = λ₂`, `λ₁ + λ₂ = s`, `4 λ₁ λ₂ = q²` (Dorst and
+//! Valkenburg, Square Root and Logarithm of Rotors in 3D Conformal Geometric Algebra Using Polar
+//! Decomposition, 2011; Roelfs and De Keninck, Graded Symmetry Groups: Plane and Simple, 2023). λ₂
+//! is never positive: a turn is always part of the motion, by zero at least.
 
 use super::number_pair::{cosh_and_sinh_ratio, cosh_factors, nested_series, sinh_ratio_factors};
 use crate::cga3::{Even, EvenVersor, PointPair, Similarity, SimilarityGenerator, Sphere};
 use crate::scalar::{Real, Ring};
 
 impl<S: Real<Mask = bool>> PointPair<S> {
-    /// The versor `exp(B)` of any bivector: for `B = −½θA` a turn by θ about the circle or line of which the unit bivector A
-    /// is the dual, for `−½ t ei` a shift by t, for `½ ln s · eo∧ei` a scaling by s, for `−k eo` a [`Transversor`], for a
-    /// sum the flow of all of them together. Other generators embed by `From`.
+    /// The versor `exp(B)` of any bivector: for `B = −½θA` a turn by θ about the circle or line of
+    /// which the unit bivector A is the dual, for `−½ t ei` a shift by t, for `½ ln s · eo∧ei` a
+    /// scaling by s, for `−k eo` a [`Transversor`], for a sum the flow of all of them together.
+    /// Other generators embed by `From`.
     ///
-    /// `None` where a coefficient is not finite, or the versor or the square of B is beyond the range of the scalar.
+    /// `None` where a coefficient is not finite, or the versor or the square of B is beyond the
+    /// range of the scalar.
     ///
     /// [`Transversor`]: crate::cga3::Transversor
     ///
@@ -42,9 +45,9 @@ impl<S: Real<Mask = bool>> PointPair<S> {
 }
 
 impl<S: Real<Mask = bool>> SimilarityGenerator<S> {
-    /// The similarity `exp(G)`: for `½ ln s · eo∧ei` a scaling by s about the origin, with a turn and a shift the
-    /// similarity about that point which stays. `None` where a coefficient is not finite or the similarity is beyond the
-    /// range of the scalar.
+    /// The similarity `exp(G)`: for `½ ln s · eo∧ei` a scaling by s about the origin, with a turn
+    /// and a shift the similarity about that point which stays. `None` where a coefficient is not
+    /// finite or the similarity is beyond the range of the scalar.
     ///
     /// ```
     /// use ga_runtime::cga3::{Dilator, Point};
@@ -79,7 +82,8 @@ pub(super) fn times<S: Ring>(bivector: PointPair<S>, fourvector: Sphere<S>) -> P
     (bivector | fourvector).extract_point_pair()
 }
 
-/// `cosh √z` and `sinh √z / √z` of `z = scalar + q` for a q of the given square, each as its scalar and its multiple of q.
+/// `cosh √z` and `sinh √z / √z` of `z = scalar + q` for a q of the given square, each as its scalar
+/// and its multiple of q.
 fn cosh_and_sinh_ratio_of<S: Real<Mask = bool>>(scalar: S, square: S) -> [[S; 2]; 2] {
     let (zero, half) = (S::zero(), S::from_ratio(1, 2));
     if !S::one().less_than(scalar.abs() + square.abs().sqrt()) {

@@ -1,12 +1,13 @@
 //! The logarithm of any even versor.
 //!
-//! An even versor is `V = C + S` with the bivector S and `C = cosh √(B²)`, a scalar and a 4-vector, for `B = log V`. C
-//! commutes with S, `S² = C² − 1`, and `B = S h` where h is the function `arcosh C / √(C² − 1)` of C. With
-//! `C = cosh x cos y + J sinh x sin y` and `J² = −1` that is one scaling by x with one turn by y; where the square of the
-//! 4-vector is positive both are turns, x being imaginary.
+//! An even versor is `V = C + S` with the bivector S and `C = cosh √(B²)`, a scalar and a 4-vector,
+//! for `B = log V`. C commutes with S, `S² = C² − 1`, and `B = S h` where h is the function
+//! `arcosh C / √(C² − 1)` of C. With `C = cosh x cos y + J sinh x sin y` and `J² = −1` that is one
+//! scaling by x with one turn by y; where the square of the 4-vector is positive both are turns, x
+//! being imaginary.
 //!
-//! Every even versor with `V ~V = 1` has a logarithm: where V is minus a scaling or minus a shift, a whole turn that
-//! commutes with it gives the sign.
+//! Every even versor with `V ~V = 1` has a logarithm: where V is minus a scaling or minus a shift,
+//! a whole turn that commutes with it gives the sign.
 
 use super::conformal_exponential::{coefficients, is_finite, times};
 use super::number_pair::{arsinh_ratio, arsinh_ratio_factors, nested_series};
@@ -17,14 +18,17 @@ use crate::scalar::Real;
 
 impl<S: Real<Mask = bool>> EvenVersor<S> {
     /// A bivector B with `exp(B) = V`. Every even versor with `V ~V = 1` has one. Of a V that is
-    /// not finite all coefficients are NaN; so are some of one with coefficients whose squares are beyond the range of the scalar.
+    /// not finite all coefficients are NaN; so are some of one with coefficients whose squares are
+    /// beyond the range of the scalar.
     ///
-    /// The angles of the turns are on the branch of [`Motor::log`](crate::cga3::Motor::log): a turn is by θ in [0, 2π], so that the sign of V comes back
-    /// too, and of two commuting turns by angles `θ ≥ φ ≥ 0` the sum is at most 2π. Where `V`
-    /// tells no plane for a whole turn, one is taken: −1 is a whole turn in e12, minus a scaling or minus a shift one in a
-    /// plane that commutes with it.
+    /// The angles of the turns are on the branch of [`Motor::log`](crate::cga3::Motor::log): a turn
+    /// is by θ in [0, 2π], so that the sign of V comes back too, and of two commuting turns by
+    /// angles `θ ≥ φ ≥ 0` the sum is at most 2π. Where `V` tells no plane for a whole turn, one is
+    /// taken: −1 is a whole turn in e12, minus a scaling or minus a shift one in a plane that
+    /// commutes with it.
     ///
-    /// Near 2π, where a small change of V changes the plane of the turn, errors grow as one over the distance from it.
+    /// Near 2π, where a small change of V changes the plane of the turn, errors grow as one over
+    /// the distance from it.
     ///
     /// ```
     /// use ga_runtime::cga3::{EvenVersor, Rotor, Similarity, Transversor};
@@ -71,7 +75,8 @@ impl<S: Real<Mask = bool>> EvenVersor<S> {
             return -sine * arsinh_ratio(difference.max(zero)) + whole_turn(sine) * pi;
         }
         let half = S::from_ratio(1, 2);
-        // √(difference² − 4 square), with nothing squared that is as large as the square of a coefficient.
+        // √(difference² − 4 square), with nothing squared that is as large as the square of a
+        // coefficient.
         let reach = two * square.abs().sqrt();
         let scale = difference.abs().max(reach);
         let (part, other) = (difference / scale, reach / scale);
@@ -112,8 +117,8 @@ impl<S: Real<Mask = bool>> EvenVersor<S> {
 }
 
 impl<S: Real<Mask = bool>> Similarity<S> {
-    /// The generator G with `exp(G)` the similarity, on the branch of [`EvenVersor::log`]. For the factor 1 it is that of
-    /// the motor, and nothing is lost for factors close to 1.
+    /// The generator G with `exp(G)` the similarity, on the branch of [`EvenVersor::log`]. For the
+    /// factor 1 it is that of the motor, and nothing is lost for factors close to 1.
     ///
     /// ```
     /// use ga_runtime::cga3::{Dilator, Similarity};
@@ -152,8 +157,9 @@ fn fourvector_square<S: Real>(q: Sphere<S>) -> (S, S) {
     (q.scalar_product(q), flat + mixed + mixed)
 }
 
-/// `sinh² x − sin² y`, which is the scalar part of S² less twice C's square, from S or from the scalar alone, whichever
-/// rounds less, and how large its terms are. The product of the two squares is minus that of the 4-vector.
+/// `sinh² x − sin² y`, which is the scalar part of S² less twice C's square, from S or from the
+/// scalar alone, whichever rounds less, and how large its terms are. The product of the two squares
+/// is minus that of the 4-vector.
 fn sine_squares<S: Real<Mask = bool>>(
     scalar: S,
     sine: PointPair<S>,
@@ -187,8 +193,9 @@ fn is_negligible<S: Real<Mask = bool>>(square: S, terms: S) -> bool {
     !(S::from_integer(16) * S::epsilon() * terms).less_than(square)
 }
 
-/// Two turns by nearly the same angle: where the unit 4-vector J is 1 they turn by the difference of their angles, where
-/// it is −1 by the sum. The sizes are those of the 4-vector and of the largest coefficient.
+/// Two turns by nearly the same angle: where the unit 4-vector J is 1 they turn by the difference
+/// of their angles, where it is −1 by the sum. The sizes are those of the 4-vector and of the
+/// largest coefficient.
 fn isoclinic<S: Real<Mask = bool>>(
     scalar: S,
     sine: PointPair<S>,
@@ -259,8 +266,8 @@ fn whole_turn<S: Real<Mask = bool>>(generator: PointPair<S>) -> PointPair<S> {
     unit_plane(best)
 }
 
-/// The unit 2-blade that turns nearest to a bivector: the outer product of two vectors of its plane, since the bivector may be a
-/// blade up to rounding only, and a whole turn needs one.
+/// The unit 2-blade that turns nearest to a bivector: the outer product of two vectors of its
+/// plane, since the bivector may be a blade up to rounding only, and a whole turn needs one.
 fn unit_plane<S: Real<Mask = bool>>(bivector: PointPair<S>) -> PointPair<S> {
     let (zero, one) = (S::zero(), S::one());
     let (mut first, mut quality) = (RoundVector::default(), zero);

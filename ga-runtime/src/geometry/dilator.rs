@@ -4,8 +4,8 @@ use crate::cga3::{Dilator, Point};
 use crate::scalar::{Real, versor_exponential, versor_logarithm};
 
 impl<S: Real<Mask = bool>> Dilator<S> {
-    /// The scaling by s about the origin, `D = exp(½ ln s · eo∧ei) = cosh(½ ln s) + sinh(½ ln s) eo∧ei`. `None` where s is
-    /// not positive and finite. The image of a point has weight 1/s.
+    /// The scaling by s about the origin, `D = exp(½ ln s · eo∧ei) = cosh(½ ln s) + sinh(½ ln s)
+    /// eo∧ei`. `None` where s is not positive and finite. The image of a point has weight 1/s.
     ///
     /// ```
     /// use ga_runtime::cga3::{Dilator, Point};
@@ -41,8 +41,8 @@ impl<S: Real<Mask = bool>> Dilator<S> {
         }
     }
 
-    /// The scaling `exp(a eo∧ei) = cosh a + sinh a eo∧ei` by `e²ᵃ`. `None` where a is not finite, or too large for the coefficients
-    /// to be: beyond about 710 in `f64` and 89 in `f32`.
+    /// The scaling `exp(a eo∧ei) = cosh a + sinh a eo∧ei` by `e²ᵃ`. `None` where a is not finite,
+    /// or too large for the coefficients to be: beyond about 710 in `f64` and 89 in `f32`.
     ///
     /// ```
     /// use ga_runtime::cga3::Dilator;
@@ -58,8 +58,9 @@ impl<S: Real<Mask = bool>> Dilator<S> {
         is_finite.then(|| Self::new_unchecked(cosine, sine))
     }
 
-    /// The coefficient a of `log D = a eo∧ei`, half of the logarithm of the factor. A dilator and its negative scale alike; for the
-    /// negative, which is no exponential, a is that of the dilator.
+    /// The coefficient a of `log D = a eo∧ei`, half of the logarithm of the factor. A dilator and
+    /// its negative scale alike; for the negative, which is no exponential, a is that of the
+    /// dilator.
     #[must_use]
     pub fn log(self) -> S {
         let sine = self.eoi();
@@ -68,14 +69,15 @@ impl<S: Real<Mask = bool>> Dilator<S> {
         upright * ratio
     }
 
-    /// The scaling by `sᵗ`. `None` where that is beyond the range of the coefficients, as for [`exp`](Self::exp), or t is
-    /// not finite.
+    /// The scaling by `sᵗ`. `None` where that is beyond the range of the coefficients, as for
+    /// [`exp`](Self::exp), or t is not finite.
     #[must_use]
     pub fn powf(self, t: S) -> Option<Self> {
         Self::exp(self.log() * t)
     }
 
-    /// The scaling by √s, `(1 + D)/|1 + D|`. For the negative of a dilator, which scales alike and has no root, that of the dilator.
+    /// The scaling by √s, `(1 + D)/|1 + D|`. For the negative of a dilator, which scales alike and
+    /// has no root, that of the dilator.
     ///
     /// ```
     /// use ga_runtime::cga3::Dilator;

@@ -1,7 +1,8 @@
 //! Motors as unit dual quaternions, and back.
 //!
-//! A dual quaternion is `q + ε d` with two quaternions and ε² = 0. The element e123i commutes with every motor and squares to zero, as ε does;
-//! with `i = −e23`, `j = e13`, `k = −e12` and `ε = −e123i` motors are the unit dual quaternions.
+//! A dual quaternion is `q + ε d` with two quaternions and ε² = 0. The element e123i commutes with
+//! every motor and squares to zero, as ε does; with `i = −e23`, `j = e13`, `k = −e12` and
+//! `ε = −e123i` motors are the unit dual quaternions.
 
 use core::fmt::{Display, Formatter, Result as FormatResult};
 
@@ -11,9 +12,10 @@ use crate::scalar::{Real, Ring};
 
 /// The eight numbers of a dual quaternion `q + ε d`, as other libraries write them.
 ///
-/// A motor that turns by q and then shifts by t has `d = ½ t q`, t being the quaternion `t1 i + t2 j + t3 k`; a point x goes to
-/// `q̂ (1 + ε x) q̂*`, where `q̂* = q* − ε d*` has both quaternions conjugated and ε negated (Kavan et al., Geometric Skinning with
-/// Approximate Dual Quaternion Blending, 2008).
+/// A motor that turns by q and then shifts by t has `d = ½ t q`, t being the quaternion
+/// `t1 i + t2 j + t3 k`; a point x goes to `q̂ (1 + ε x) q̂*`, where `q̂* = q* − ε d*` has both
+/// quaternions conjugated and ε negated (Kavan et al., Geometric Skinning with Approximate Dual
+/// Quaternion Blending, 2008).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DualQuaternionParts<S> {
     /// `[x, y, z]` and w of the quaternion `q = w + x i + y j + z k`.
@@ -30,8 +32,8 @@ pub enum NotUnit {
     NotFinite,
     /// The real quaternion is zero and has no direction.
     NoRotation,
-    /// The quaternions are not perpendicular, `|q·d| > √ε |q| max(|q|, |d|)`: the Study condition fails by more than rounding, and
-    /// no motion is meant.
+    /// The quaternions are not perpendicular, `|q·d| > √ε |q| max(|q|, |d|)`: the Study condition
+    /// fails by more than rounding, and no motion is meant.
     NotPerpendicular,
 }
 
@@ -50,7 +52,8 @@ impl Display for NotUnit {
 impl core::error::Error for NotUnit {}
 
 impl<S: Ring> DualQuaternion<S> {
-    /// The same element as quaternions: `q = s − e23 i + e13 j − e12 k` by coefficients, `d = −e123i − e1i i − e2i j − e3i k`.
+    /// The same element as quaternions: `q = s − e23 i + e13 j − e12 k` by coefficients,
+    /// `d = −e123i − e1i i − e2i j − e3i k`.
     #[inline]
     #[must_use]
     pub fn to_parts(self) -> DualQuaternionParts<S> {
@@ -89,7 +92,8 @@ impl<S: Ring> Motor<S> {
 }
 
 impl<S: Real<Mask = bool>> Motor<S> {
-    /// The motor of a dual quaternion, which need not have length 1; a small part of d along q, left by rounding, is dropped.
+    /// The motor of a dual quaternion, which need not have length 1; a small part of d along q,
+    /// left by rounding, is dropped.
     ///
     /// # Errors
     ///

@@ -29,15 +29,16 @@ impl<S: Field> DualSphere<S> {
         sphere
     }
 
-    /// The centre; `None` for a dual plane, whose weight eo is zero, or beyond the range of the scalar.
+    /// The centre; `None` for a dual plane, whose weight eo is zero, or beyond the range of the
+    /// scalar.
     #[inline]
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
         RoundVector::from(self).centre()
     }
 
-    /// The squared radius, `σ²/(ei·σ)²`: zero for a point, negative for an imaginary sphere; `None` for a dual plane, or
-    /// beyond the range of the scalar.
+    /// The squared radius, `σ²/(ei·σ)²`: zero for a point, negative for an imaginary sphere; `None`
+    /// for a dual plane, or beyond the range of the scalar.
     #[inline]
     #[must_use]
     pub fn radius_squared(self) -> Option<S> {
@@ -53,8 +54,8 @@ impl<S: Field> DualSphere<S> {
 }
 
 impl<S: Real<Mask = bool>> DualSphere<S> {
-    /// The radius; `None` for a dual plane and for an imaginary sphere. Zero up to rounding counts as zero; see
-    /// [`Sphere::radius`](crate::cga3::Sphere::radius).
+    /// The radius; `None` for a dual plane and for an imaginary sphere. Zero up to rounding counts
+    /// as zero; see [`Sphere::radius`](crate::cga3::Sphere::radius).
     #[inline]
     #[must_use]
     pub fn radius(self) -> Option<S> {
@@ -70,8 +71,9 @@ impl<S: Field> RoundVector<S> {
         DualSphere::from_centre_radius(centre, radius).into()
     }
 
-    /// The point of a weighted point, the centre of a dual sphere: the coefficients of e1, e2, e3 over that of eo. `None` where
-    /// that is zero, as in a dual plane, or the result is beyond the range of the scalar.
+    /// The point of a weighted point, the centre of a dual sphere: the coefficients of e1, e2, e3
+    /// over that of eo. `None` where that is zero, as in a dual plane, or the result is beyond the
+    /// range of the scalar.
     #[inline]
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {

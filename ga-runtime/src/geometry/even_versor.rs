@@ -8,11 +8,13 @@ use crate::cga3::{Even, EvenVersor, Point, RoundVector};
 use crate::scalar::{Real, Ring};
 
 impl<S: Real<Mask = bool>> EvenVersor<S> {
-    /// The versor `N^(−½) X` nearest to a sum of even versors, with `N = X ~X`, a scalar and a 4-vector (the polar
-    /// decomposition of Dorst and Valkenburg, 2011). What is a multiple of a versor comes back as that versor.
+    /// The versor `N^(−½) X` nearest to a sum of even versors, with `N = X ~X`, a scalar and a
+    /// 4-vector (the polar decomposition of Dorst and Valkenburg, 2011). What is a multiple of a
+    /// versor comes back as that versor.
     ///
-    /// `None` where N has no such root: X is zero, not finite, or not invertible within rounding; or it mirrors, `X ~X < 0`.
-    /// Such an X is the pseudoscalar times an [`OddVersor`](crate::cga3::OddVersor).
+    /// `None` where N has no such root: X is zero, not finite, or not invertible within rounding;
+    /// or it mirrors, `X ~X < 0`. Such an X is the pseudoscalar times an
+    /// [`OddVersor`](crate::cga3::OddVersor).
     ///
     /// ```
     /// use ga_runtime::cga3::{Even, EvenVersor, Transversor};
@@ -58,8 +60,8 @@ impl<S: Real<Mask = bool>> EvenVersor<S> {
         is_finite(versor.into()).then_some(versor)
     }
 
-    /// The versor R with `R R = V` and half the logarithm, `(1 + V)` normalised where that is well off zero. `None` only
-    /// where V is not finite, or so large that its root is not found.
+    /// The versor R with `R R = V` and half the logarithm, `(1 + V)` normalised where that is well
+    /// off zero. `None` only where V is not finite, or so large that its root is not found.
     #[must_use]
     pub fn sqrt(self) -> Option<Self> {
         let (scalar, _, rest) = parts(self);
@@ -75,14 +77,15 @@ impl<S: Real<Mask = bool>> EvenVersor<S> {
         self.powf(S::from_ratio(1, 2))
     }
 
-    /// The power `exp(t log V)`. `None` where t or V is not finite, or the power is beyond the range of the scalar.
+    /// The power `exp(t log V)`. `None` where t or V is not finite, or the power is beyond the
+    /// range of the scalar.
     #[must_use]
     pub fn powf(self, t: S) -> Option<Self> {
         (self.log() * t).exp()
     }
 
-    /// The map on the way from `self` at t = 0 to `other` at t = 1, `V exp(t log(~V W))`, with W or −W, whichever leaves the
-    /// smaller turn. `None` as for [`powf`](Self::powf).
+    /// The map on the way from `self` at t = 0 to `other` at t = 1, `V exp(t log(~V W))`, with W or
+    /// −W, whichever leaves the smaller turn. `None` as for [`powf`](Self::powf).
     ///
     /// ```
     /// use ga_runtime::cga3::{EvenVersor, Transversor};

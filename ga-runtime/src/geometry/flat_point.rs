@@ -13,7 +13,8 @@ impl<S: Ring> From<Point<S>> for FlatPoint<S> {
 }
 
 impl<S: Field> FlatPoint<S> {
-    /// The point of `p∧ei`; `None` for a direction, whose weight eoi is zero, or beyond the range of the scalar.
+    /// The point of `p∧ei`; `None` for a direction, whose weight eoi is zero, or beyond the range
+    /// of the scalar.
     ///
     /// ```
     /// use ga_runtime::cga3::{Infinity, Point};

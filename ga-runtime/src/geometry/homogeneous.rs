@@ -1,7 +1,8 @@
 //! The transformations of homogeneous coordinates, as 4×4 matrices and as versors.
 //!
-//! A point x is the column `(x, y, z, 1)`, a matrix is an array of rows, and `x' = M x`; so the matrix of a transformation after another is the
-//! product of theirs, the first to act on the right, as with versors. These are the paper's equations 3 to 11:
+//! A point x is the column `(x, y, z, 1)`, a matrix is an array of rows, and `x' = M x`; so the
+//! matrix of a transformation after another is the product of theirs, the first to act on the
+//! right, as with versors. These are the paper's equations 3 to 11:
 //!
 //! | transformation | equations | matrix | versor |
 //! | --- | --- | --- | --- |
@@ -13,12 +14,13 @@
 //! | scaling about a point by one factor | | [`scaling_about`] | [`Dilator::about`] |
 //! | scaling by a factor for each axis | 10, 11 | [`scaling`], [`scaling_about`] | none |
 //!
-//! Equation 9 holds for an axis of length 1; here the axis may have any length and is brought to 1. The last line has no versor because it is
-//! no conformal map: it takes spheres to ellipsoids and changes angles. [`Affine`] is the type for it, and for all else that
-//! these matrices can do.
+//! Equation 9 holds for an axis of length 1; here the axis may have any length and is brought to 1.
+//! The last line has no versor because it is no conformal map: it takes spheres to ellipsoids and
+//! changes angles. [`Affine`] is the type for it, and for all else that these matrices can do.
 //!
-//! `to_homogeneous` and `from_homogeneous` go from [`Translator`], [`Rotor`], [`Motor`], [`Dilator`] and [`Similarity`] to the matrix and back. A matrix
-//! does not tell a versor from its negative; what comes back has the scalar, or where that is zero another coefficient, positive.
+//! `to_homogeneous` and `from_homogeneous` go from [`Translator`], [`Rotor`], [`Motor`],
+//! [`Dilator`] and [`Similarity`] to the matrix and back. A matrix does not tell a versor from its
+//! negative; what comes back has the scalar, or where that is zero another coefficient, positive.
 //!
 //! ```
 //! use ga_runtime::cga3::{Motor, Point, Translator, Rotor};
@@ -41,14 +43,16 @@ use crate::scalar::{Field, Real, Ring};
 /// A 4×4 matrix by rows.
 pub type Matrix<S> = [[S; 4]; 4];
 
-/// The matrix of the shift by t (eq. 4). A number that is not finite stands in the matrix, as in all matrices here that are not an `Option`.
+/// The matrix of the shift by t (eq. 4). A number that is not finite stands in the matrix, as in
+/// all matrices here that are not an `Option`.
 #[inline]
 #[must_use]
 pub fn translation<S: Ring>(displacement: [S; 3]) -> Matrix<S> {
     Affine::from_translation(displacement).to_homogeneous()
 }
 
-/// The matrix of the turn about the x axis, right-handed, by an angle in radians (eq. 6): from y to z. `None` where the angle is not finite.
+/// The matrix of the turn about the x axis, right-handed, by an angle in radians (eq. 6): from y to
+/// z. `None` where the angle is not finite.
 #[must_use]
 pub fn rotation_about_x<S: Real<Mask = bool>>(angle: S) -> Option<Matrix<S>> {
     let (sine, cosine) = sine_and_cosine(angle)?;
@@ -60,7 +64,8 @@ pub fn rotation_about_x<S: Real<Mask = bool>>(angle: S) -> Option<Matrix<S>> {
     ]))
 }
 
-/// The matrix of the turn about the y axis, right-handed, by an angle in radians (eq. 7): from z to x. `None` where the angle is not finite.
+/// The matrix of the turn about the y axis, right-handed, by an angle in radians (eq. 7): from z to
+/// x. `None` where the angle is not finite.
 #[must_use]
 pub fn rotation_about_y<S: Real<Mask = bool>>(angle: S) -> Option<Matrix<S>> {
     let (sine, cosine) = sine_and_cosine(angle)?;
@@ -72,7 +77,8 @@ pub fn rotation_about_y<S: Real<Mask = bool>>(angle: S) -> Option<Matrix<S>> {
     ]))
 }
 
-/// The matrix of the turn about the z axis, right-handed, by an angle in radians (eq. 8): from x to y. `None` where the angle is not finite.
+/// The matrix of the turn about the z axis, right-handed, by an angle in radians (eq. 8): from x to
+/// y. `None` where the angle is not finite.
 #[must_use]
 pub fn rotation_about_z<S: Real<Mask = bool>>(angle: S) -> Option<Matrix<S>> {
     let (sine, cosine) = sine_and_cosine(angle)?;
@@ -84,8 +90,8 @@ pub fn rotation_about_z<S: Real<Mask = bool>>(angle: S) -> Option<Matrix<S>> {
     ]))
 }
 
-/// The matrix of the turn about an axis through the origin, right-handed, by an angle in radians (eq. 9). `None` where the axis is zero, or the axis or
-/// the angle is not finite.
+/// The matrix of the turn about an axis through the origin, right-handed, by an angle in radians
+/// (eq. 9). `None` where the axis is zero, or the axis or the angle is not finite.
 ///
 /// ```
 /// use ga_runtime::geometry::homogeneous::rotation;
@@ -118,8 +124,8 @@ pub fn rotation<S: Real<Mask = bool>>(axis: [S; 3], angle: S) -> Option<Matrix<S
     ]))
 }
 
-/// The matrix of the turn about an axis through a point p, `T(p) R T(−p)`: `x' = p + R (x − p)`. `None` as for [`rotation`], and where the point is
-/// not finite.
+/// The matrix of the turn about an axis through a point p, `T(p) R T(−p)`: `x' = p + R (x − p)`.
+/// `None` as for [`rotation`], and where the point is not finite.
 #[must_use]
 pub fn rotation_about_axis<S: Real<Mask = bool>>(
     point: Point<S>,
@@ -141,7 +147,8 @@ pub fn scaling<S: Ring>(factors: [S; 3]) -> Matrix<S> {
     Affine::scaling(factors).to_homogeneous()
 }
 
-/// The matrix of the scaling by a factor along each axis about a point p: `x' = p + s (x − p)` in each coordinate.
+/// The matrix of the scaling by a factor along each axis about a point p: `x' = p + s (x − p)` in
+/// each coordinate.
 #[inline]
 #[must_use]
 pub fn scaling_about<S: Ring>(point: Point<S>, factors: [S; 3]) -> Matrix<S> {
@@ -158,8 +165,8 @@ pub fn product<S: Ring>(second: Matrix<S>, first: Matrix<S>) -> Matrix<S> {
     })
 }
 
-/// The image of a point: `M (x, 1)` divided by its last coordinate, which is 1 for all matrices here but may not be for others. `None` where that is zero
-/// or the image is not finite.
+/// The image of a point: `M (x, 1)` divided by its last coordinate, which is 1 for all matrices
+/// here but may not be for others. `None` where that is zero or the image is not finite.
 #[must_use]
 pub fn transform<S: Field>(matrix: Matrix<S>, point: Point<S>) -> Option<Point<S>> {
     let [x, y, z] = point.coordinates();
@@ -172,7 +179,8 @@ pub fn transform<S: Field>(matrix: Matrix<S>, point: Point<S>) -> Option<Point<S
 }
 
 impl<S: Real<Mask = bool>> Rotor<S> {
-    /// The turn about the x axis, right-handed, by an angle in radians: `cos ½θ − sin ½θ e23`. `None` where the angle is not finite.
+    /// The turn about the x axis, right-handed, by an angle in radians: `cos ½θ − sin ½θ e23`.
+    /// `None` where the angle is not finite.
     #[inline]
     #[must_use]
     pub fn about_x(angle: S) -> Option<Self> {
@@ -181,7 +189,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         Some(Self::new_unchecked(cosine, zero, zero, -sine))
     }
 
-    /// The turn about the y axis, right-handed, by an angle in radians: `cos ½θ + sin ½θ e13`. `None` where the angle is not finite.
+    /// The turn about the y axis, right-handed, by an angle in radians: `cos ½θ + sin ½θ e13`.
+    /// `None` where the angle is not finite.
     #[inline]
     #[must_use]
     pub fn about_y(angle: S) -> Option<Self> {
@@ -190,7 +199,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         Some(Self::new_unchecked(cosine, zero, sine, zero))
     }
 
-    /// The turn about the z axis, right-handed, by an angle in radians: `cos ½θ − sin ½θ e12`. `None` where the angle is not finite.
+    /// The turn about the z axis, right-handed, by an angle in radians: `cos ½θ − sin ½θ e12`.
+    /// `None` where the angle is not finite.
     #[inline]
     #[must_use]
     pub fn about_z(angle: S) -> Option<Self> {
@@ -202,7 +212,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     /// The rotor of a 4×4 matrix by rows.
     ///
     /// # Errors
-    /// The matrix does anything but turn about an axis through the origin, within √ε in its entries; the last column and row must be exact.
+    /// The matrix does anything but turn about an axis through the origin, within √ε in its
+    /// entries; the last column and row must be exact.
     pub fn from_homogeneous(rows: Matrix<S>) -> Result<Self, NotConformal> {
         let motor = Motor::from_homogeneous(rows)?;
         if has_translation(rows) {
@@ -222,7 +233,8 @@ impl<S: Ring> Rotor<S> {
 }
 
 impl<S: Field> Translator<S> {
-    /// The 4×4 matrix by rows: `(x', 1) = M (x, 1)`. Over floating point it is exact, and so is the way back.
+    /// The 4×4 matrix by rows: `(x', 1) = M (x, 1)`. Over floating point it is exact, and so is the
+    /// way back.
     ///
     /// ```
     /// use ga_runtime::cga3::Translator;
@@ -261,8 +273,9 @@ impl<S: Field> Motor<S> {
 }
 
 impl<S: Real<Mask = bool>> Motor<S> {
-    /// The turn about an axis through a point p, right-handed, by an angle in radians: `T(p) R T(−p)`. The axis need not have length 1; `None` where it
-    /// is zero, or a number is not finite.
+    /// The turn about an axis through a point p, right-handed, by an angle in radians:
+    /// `T(p) R T(−p)`. The axis need not have length 1; `None` where it is zero, or a number is not
+    /// finite.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Point};
@@ -287,8 +300,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
 }
 
 impl<S: Real<Mask = bool>> Dilator<S> {
-    /// The scaling about a point p instead of the origin: `T(p) D T(−p) = D + s p ei` for `D = c + s eo∧ei`. A coordinate that is not finite goes on into
-    /// the coefficients.
+    /// The scaling about a point p instead of the origin: `T(p) D T(−p) = D + s p ei` for
+    /// `D = c + s eo∧ei`. A coordinate that is not finite goes on into the coefficients.
     ///
     /// ```
     /// use ga_runtime::cga3::{Dilator, Point};
@@ -316,7 +329,8 @@ impl<S: Real<Mask = bool>> Dilator<S> {
     /// The dilator of a 4×4 matrix by rows.
     ///
     /// # Errors
-    /// The matrix does anything but scale by one positive factor about the origin, within √ε of it in its entries; the last column and row must be exact.
+    /// The matrix does anything but scale by one positive factor about the origin, within √ε of it
+    /// in its entries; the last column and row must be exact.
     pub fn from_homogeneous(rows: Matrix<S>) -> Result<Self, NotConformal> {
         let map = Affine::from_homogeneous(rows)?;
         let (_, factor) = map.turn_and_factor()?;
@@ -341,7 +355,8 @@ impl<S: Real<Mask = bool>> Similarity<S> {
     /// The similarity of a 4×4 matrix by rows.
     ///
     /// # Errors
-    /// The matrix is no motion with a scaling by one positive factor, within √ε of it in its entries; the last row must be exact.
+    /// The matrix is no motion with a scaling by one positive factor, within √ε of it in its
+    /// entries; the last row must be exact.
     pub fn from_homogeneous(rows: Matrix<S>) -> Result<Self, NotConformal> {
         Affine::from_homogeneous(rows)?.try_into()
     }

@@ -11,22 +11,26 @@ use crate::scalar::Real;
 
 /// What a blade stands for, up to a tolerance.
 ///
-/// The classification is that of Dorst, Fontijne and Mann, Geometric Algebra for Computer Science (2007), chapter 14: *rounds* are point pairs,
-/// circles and spheres, real, imaginary or of radius zero; *flats* are points, lines and planes, rounds through infinity;
-/// *free* blades have a direction and no place.
+/// The classification is that of Dorst, Fontijne and Mann, Geometric Algebra for Computer Science
+/// (2007), chapter 14: *rounds* are point pairs, circles and spheres, real, imaginary or of radius
+/// zero; *flats* are points, lines and planes, rounds through infinity; *free* blades have a
+/// direction and no place.
 ///
 /// # Tolerance
 ///
-/// The tolerance τ has no unit, and coordinates should be such that the scene has a size of about 1.
+/// The tolerance τ has no unit, and coordinates should be such that the scene has a size of about
+/// 1.
 ///
-/// - A round is a flat where its centre is 1/τ away or more, a flat is free where it is; so is a round about the origin with
-///   a radius of √(2/τ) or more, which cannot be told from infinity.
-/// - A squared radius counts as zero where it is at most τ times the numbers from whose difference it comes, `|r²| ≤ τ (c² + |c² − r²|)` for a
-///   circle or sphere: less than that no blade can tell.
-/// - A sum is no blade where its outer product with itself exceeds τ times the product of its coefficients.
+/// - A round is a flat where its centre is 1/τ away or more, a flat is free where it is; so is a
+///   round about the origin with a radius of √(2/τ) or more, which cannot be told from infinity.
+/// - A squared radius counts as zero where it is at most τ times the numbers from whose difference
+///   it comes, `|r²| ≤ τ (c² + |c² − r²|)` for a circle or sphere: less than that no blade can
+///   tell.
+/// - A sum is no blade where its outer product with itself exceeds τ times the product of its
+///   coefficients.
 ///
-/// In f64, 1e-12 is a good choice for results of a few products, in f32 1e-5. A tolerance that is negative or NaN holds for
-/// nothing.
+/// In f64, 1e-12 is a good choice for results of a few products, in f32 1e-5. A tolerance that is
+/// negative or NaN holds for nothing.
 ///
 /// ```
 /// use ga_runtime::cga3::{Plane, Point, Sphere};
@@ -44,7 +48,8 @@ use crate::scalar::Real;
 pub enum Kind {
     /// A round with r² > 0: two points, a circle, a sphere.
     Real,
-    /// A round with r² = 0: a point with a direction (pair), with a plane (circle), or alone (sphere).
+    /// A round with r² = 0: a point with a direction (pair), with a plane (circle), or alone
+    /// (sphere).
     Tangent,
     /// A round with r² < 0: no real point is on it.
     Imaginary,
@@ -54,7 +59,8 @@ pub enum Kind {
     Free,
     /// All coefficients are zero.
     Zero,
-    /// No geometric object: a sum that is no outer product of vectors, or a coefficient that is not finite.
+    /// No geometric object: a sum that is no outer product of vectors, or a coefficient that is not
+    /// finite.
     NotABlade,
 }
 
@@ -171,8 +177,8 @@ enum Shape {
     Free,
 }
 
-/// What the sizes of the coefficients tell, which grow with the first and second power of the distance: those with eo, those with neither eo
-/// nor ei or with both, those with ei.
+/// What the sizes of the coefficients tell, which grow with the first and second power of the
+/// distance: those with eo, those with neither eo nor ei or with both, those with ei.
 fn shape<S: Real<Mask = bool>>([weight, middle, last]: [S; 3], tolerance: S) -> Shape {
     let is_free = |x: S| is_at_most(x, tolerance * last);
     if is_free(weight) && is_free(middle) {

@@ -5,7 +5,8 @@ use crate::cga3::{Direction, Line, Point};
 use crate::scalar::{Real, Ring};
 
 impl<S: Ring> Line<S> {
-    /// The line through two points, from the first to the second: `p∧q∧ei`. Zero where they coincide.
+    /// The line through two points, from the first to the second: `p∧q∧ei`. Zero where they
+    /// coincide.
     ///
     /// ```
     /// use ga_runtime::cga3::{Infinity, Line, Point};
@@ -29,8 +30,8 @@ impl<S: Ring> Line<S> {
         Self::new(m3, -m2, m1, -d1, -d2, -d3)
     }
 
-    /// The direction d, as long as the line's weight: `q − p` for `p∧q∧ei`. It is minus the coefficients of e1oi, e2oi,
-    /// e3oi.
+    /// The direction d, as long as the line's weight: `q − p` for `p∧q∧ei`. It is minus the
+    /// coefficients of e1oi, e2oi, e3oi.
     #[inline]
     #[must_use]
     pub fn direction(self) -> [S; 3] {
@@ -44,7 +45,8 @@ impl<S: Ring> Line<S> {
         Direction::from_vector(self.direction())
     }
 
-    /// The moment `p × d` about the origin, for any point p of the line: the coefficients of e23i, −e13i, e12i.
+    /// The moment `p × d` about the origin, for any point p of the line: the coefficients of e23i,
+    /// −e13i, e12i.
     #[inline]
     #[must_use]
     pub fn moment(self) -> [S; 3] {
@@ -53,8 +55,9 @@ impl<S: Ring> Line<S> {
 }
 
 impl<S: Real<Mask = bool>> Line<S> {
-    /// The line with a direction d and the moment `p × d` of its points p: Plücker's coordinates. The part of the moment
-    /// along d, which no line has, is left out. `None` where d is zero, or something is not finite.
+    /// The line with a direction d and the moment `p × d` of its points p: Plücker's coordinates.
+    /// The part of the moment along d, which no line has, is left out. `None` where d is zero, or
+    /// something is not finite.
     ///
     /// ```
     /// use ga_runtime::cga3::{Line, Point};
@@ -76,8 +79,8 @@ impl<S: Real<Mask = bool>> Line<S> {
         normalized(self.direction())
     }
 
-    /// The line with a direction of length 1; `None` for a line of weight zero, or with a moment beyond the range of the
-    /// scalar.
+    /// The line with a direction of length 1; `None` for a line of weight zero, or with a moment
+    /// beyond the range of the scalar.
     #[inline]
     #[must_use]
     pub fn normalized(self) -> Option<Self> {
@@ -87,7 +90,8 @@ impl<S: Real<Mask = bool>> Line<S> {
         are_numbers(line.moment()).then_some(line)
     }
 
-    /// The point of the line that is nearest to the origin, `d × m / d²`; `None` for a line of weight zero.
+    /// The point of the line that is nearest to the origin, `d × m / d²`; `None` for a line of
+    /// weight zero.
     #[inline]
     #[must_use]
     pub fn support(self) -> Option<Point<S>> {
@@ -113,8 +117,8 @@ impl<S: Real<Mask = bool>> Line<S> {
         are_numbers(place).then(|| Point::from(place))
     }
 
-    /// The distance of a point; `None` for a line of weight zero, or beyond the range of the scalar. Of any primitive:
-    /// [`distance_to`](Self::distance_to).
+    /// The distance of a point; `None` for a line of weight zero, or beyond the range of the
+    /// scalar. Of any primitive: [`distance_to`](Self::distance_to).
     #[inline]
     #[must_use]
     pub fn distance(self, point: Point<S>) -> Option<S> {

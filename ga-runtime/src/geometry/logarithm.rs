@@ -1,9 +1,10 @@
 //! Exponential and logarithm of rigid motions.
 //!
-//! The element `ω = e123i` commutes with every motor and squares to zero, so a motor is `Q + ω D` with two elements
-//! Q, D of the span of 1, e12, e13, e23, and a generator is `g + ω h` with two bivectors g, h of space. Since
-//! `(g + ω h)² = −φ̂²` with the dual number `φ̂² = φ² + 2 ω g·h`, φ = |g|, the exponential is that of a complex number,
-//! `cos φ̂ + (g + ω h) sin φ̂/φ̂`, with both functions taken of a dual number (Selig, Geometric Fundamentals of Robotics, 2005).
+//! The element `ω = e123i` commutes with every motor and squares to zero, so a motor is `Q + ω D`
+//! with two elements Q, D of the span of 1, e12, e13, e23, and a generator is `g + ω h` with two
+//! bivectors g, h of space. Since `(g + ω h)² = −φ̂²` with the dual number `φ̂² = φ² + 2 ω g·h`, φ
+//! = |g|, the exponential is that of a complex number, `cos φ̂ + (g + ω h) sin φ̂/φ̂`, with both
+//! functions taken of a dual number (Selig, Geometric Fundamentals of Robotics, 2005).
 //!
 //! Written out, with `c + q` and `d0 + d` for the parts of the motor,
 //!
@@ -12,8 +13,9 @@
 //! log   φ = atan2(|q|, c)   g = A q                 h = A d + q (q·d B − d0)  A = φ/sin φ,  B = (c − A)/sin² φ
 //! ```
 //!
-//! A and B are smooth at φ = 0 and come from [`Real::sine_by_angle`] and [`Real::angle_by_sine`], so that nothing branches on the
-//! angle. Numbers for which this would leave the range of the scalar take a careful way.
+//! A and B are smooth at φ = 0 and come from [`Real::sine_by_angle`] and [`Real::angle_by_sine`],
+//! so that nothing branches on the angle. Numbers for which this would leave the range of the
+//! scalar take a careful way.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -22,10 +24,11 @@ use crate::cga3::{Motor, MotorGenerator, Rotor};
 use crate::scalar::{Field, Mask, Real};
 
 impl<S: Real> MotorGenerator<S> {
-    /// The motor `exp(G)`: for `G = −½θB` a turn by θ in the plane B, for `G = −½ t ei` a shift by t.
+    /// The motor `exp(G)`: for `G = −½θB` a turn by θ in the plane B, for `G = −½ t ei` a shift by
+    /// t.
     ///
-    /// Any finite generator has one. A coefficient beyond the range of the scalar is infinite; NaN or infinity in G gives
-    /// NaN.
+    /// Any finite generator has one. A coefficient beyond the range of the scalar is infinite; NaN
+    /// or infinity in G gives NaN.
     ///
     /// ```
     /// use ga_runtime::cga3::{MotorGenerator, Translator};
@@ -54,11 +57,13 @@ impl<S: Real> MotorGenerator<S> {
 }
 
 impl<S: Real> Motor<S> {
-    /// The generator G with `exp(G) = M`, for a turn by θ in [0, 2π], so that the sign of M comes back too.
+    /// The generator G with `exp(G) = M`, for a turn by θ in [0, 2π], so that the sign of M comes
+    /// back too.
     ///
-    /// `−1` is taken as a whole turn in the plane e12, and minus a translator as one about the axis of its shift; so is
-    /// what differs from them by less than ε, where half the angle rounds to π. Close to these the axis is known no better than the
-    /// sine of half the angle: the error of `exp(log M)` is that of M divided by it.
+    /// `−1` is taken as a whole turn in the plane e12, and minus a translator as one about the axis
+    /// of its shift; so is what differs from them by less than ε, where half the angle rounds to π.
+    /// Close to these the axis is known no better than the sine of half the angle: the error of
+    /// `exp(log M)` is that of M divided by it.
     ///
     /// A coefficient beyond the range of the scalar is infinite; NaN or infinity in M gives NaN.
     ///
@@ -92,10 +97,12 @@ impl<S: Real> Motor<S> {
 }
 
 impl<S: Real> Rotor<S> {
-    /// The generator G with `exp(G) = R`, for a turn by θ in [0, 2π]: `−½θB` in the plane B of the turn, without a shift.
+    /// The generator G with `exp(G) = R`, for a turn by θ in [0, 2π]: `−½θB` in the plane B of the
+    /// turn, without a shift.
     ///
-    /// `−1` is taken as a whole turn in the plane e12, and so is what differs from it by less than ε, in its own plane.
-    /// [`MotorGenerator::exp`] leads back, as a motor. NaN or infinity in R gives NaN.
+    /// `−1` is taken as a whole turn in the plane e12, and so is what differs from it by less than
+    /// ε, in its own plane. [`MotorGenerator::exp`] leads back, as a motor. NaN or infinity in R
+    /// gives NaN.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, MotorGenerator, Rotor};
@@ -135,8 +142,8 @@ fn angle_by_sine<S: Real>(c: S, square: S) -> (S, S) {
     )
 }
 
-/// Whether these are about the cosine and the squared sine of an angle, not that of a whole turn to within ε, and
-/// `overflow` is zero instead of NaN.
+/// Whether these are about the cosine and the squared sine of an angle, not that of a whole turn to
+/// within ε, and `overflow` is zero instead of NaN.
 #[inline(always)]
 fn is_regular_turn<S: Real>(c: S, square: S, overflow: S) -> S::Mask {
     let deviation = (c * c + square - S::one()).abs() + overflow;
@@ -209,7 +216,8 @@ fn select_vector<S: Real>(mask: S::Mask, a: [S; 3], b: [S; 3]) -> [S; 3] {
     core::array::from_fn(|k| S::select(mask, a[k], b[k]))
 }
 
-/// The exponential at any size of g and h: by the unit axis, with h scaled down until the last step.
+/// The exponential at any size of g and h: by the unit axis, with h scaled down until the last
+/// step.
 #[cold]
 #[inline(never)]
 fn exponential_of_any<S: Real>(any: MotorGenerator<S>) -> Motor<S> {
@@ -235,8 +243,8 @@ fn exponential_of_any<S: Real>(any: MotorGenerator<S>) -> Motor<S> {
     assemble(cosine, scaled(axis, sine), d0 * eight, scaled(d, eight))
 }
 
-/// The logarithm at any size, as g and h: of the motor divided by its length, by the unit axis, with the size of d set aside until the last
-/// step.
+/// The logarithm at any size, as g and h: of the motor divided by its length, by the unit axis,
+/// with the size of d set aside until the last step.
 #[cold]
 #[inline(never)]
 fn logarithm_of_any<S: Real>(motor: Motor<S>) -> ([S; 3], [S; 3]) {

@@ -1,8 +1,11 @@
-//! Euclidean geometry in cga3: what each type is built from, what can be read back from it, and how two of them lie to each other.
+//! Euclidean geometry in cga3: what each type is built from, what can be read back from it, and how
+//! two of them lie to each other.
 //!
-//! Nearly everything here is an inherent method of a type of [`cga3`](crate::cga3). Coordinates are arrays `[x, y, z]`, angles are in
-//! radians and right-handed. What may not exist comes back as an `Option`, and so does what may be beyond the range of the scalar: what is read back is
-//! finite or `None`. What is built holds products of up to three coordinates, which very large ones take beyond the range.
+//! Nearly everything here is an inherent method of a type of [`cga3`](crate::cga3). Coordinates are
+//! arrays `[x, y, z]`, angles are in radians and right-handed. What may not exist comes back as an
+//! `Option`, and so does what may be beyond the range of the scalar: what is read back is finite or
+//! `None`. What is built holds products of up to three coordinates, which very large ones take
+//! beyond the range.
 //!
 //! # Primitives
 //!
@@ -17,8 +20,10 @@
 //! | `Line` | `p∧q∧ei` | `through`, `from_point_direction`, `from_direction_moment` | `direction`, `unit_direction`, `moment`, `attitude`, `support`, `foot` |
 //! | `Plane` | `p∧q∧r∧ei` | `through`, `from_point_normal` | `normal`, `unit_normal`, `attitude`, `support`, `signed_distance` |
 //!
-//! The dual forms `DualSphere`, `DualPlane`, `DualCircle`, `DualPointPair`, `DualFlatPoint`, `DualDirection` and, for lines, `MotorGenerator` come from `dual` and go
-//! back by `undual`; they meet by `^`. [`Kind`] says at run time whether a round is real, imaginary or a tangent, and whether a blade is a round at all.
+//! The dual forms `DualSphere`, `DualPlane`, `DualCircle`, `DualPointPair`, `DualFlatPoint`,
+//! `DualDirection` and, for lines, `MotorGenerator` come from `dual` and go back by `undual`; they
+//! meet by `^`. [`Kind`] says at run time whether a round is real, imaginary or a tangent, and
+//! whether a blade is a round at all.
 //!
 //! # Rigid versors and scalings
 //!
@@ -30,7 +35,8 @@
 //! | `MotorGenerator` | `−½θB − ½ t ei` | `Motor::log`, [`Screw::generator`] | `screw` | `exp` |
 //! | `Dilator` | `exp(½ ln s eo∧ei)` | `from_factor`, `exp` | `factor` | `log`, `powf`, `sqrt` |
 //!
-//! A rotor or motor and its negative are the short and the long way to one place: see [`RotationPath`].
+//! A rotor or motor and its negative are the short and the long way to one place: see
+//! [`RotationPath`].
 //!
 //! # Conformal versors
 //!
@@ -47,11 +53,13 @@
 //!
 //! # Relations and other maps
 //!
-//! What two primitives have to do with each other, distances and angles among it, is in [`relation`]. 4×4 matrices are in [`homogeneous`], maps that are not
-//! conformal in [`Affine`]. Means of many motions, curves through them and motions that fit points are in [`motion`].
+//! What two primitives have to do with each other, distances and angles among it, is in
+//! [`relation`]. 4×4 matrices are in [`homogeneous`], maps that are not conformal in [`Affine`].
+//! Means of many motions, curves through them and motions that fit points are in [`motion`].
 //!
-//! The other algebras have their geometry as inherent methods of their types too, behind the features of their names; coordinates of the plane are
-//! `[x, y]`. [`DualQuaternionParts`] are a motor as others write it, two quaternions.
+//! The other algebras have their geometry as inherent methods of their types too, behind the
+//! features of their names; coordinates of the plane are `[x, y]`. [`DualQuaternionParts`] are a
+//! motor as others write it, two quaternions.
 
 pub(crate) mod affine;
 #[cfg(feature = "cga2")]

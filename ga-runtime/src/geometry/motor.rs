@@ -49,7 +49,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
         Translator::from_displacement(difference(point.coordinates(), turned)) * rotor
     }
 
-    /// The motor of a matrix `[R | t]` by rows; `None` where R is no rotation within √ε, or t is not finite.
+    /// The motor of a matrix `[R | t]` by rows; `None` where R is no rotation within √ε, or t is
+    /// not finite.
     #[must_use]
     pub fn from_matrix(rows: [[S; 4]; 3]) -> Option<Self> {
         let rotor = Rotor::from_matrix(rows.map(|[x, y, z, _]| [x, y, z]))?;

@@ -1,11 +1,14 @@
-//! Numbers `a + b q` with a scalar square `q² = β`: complex for negative β, dual for zero, double for positive.
+//! Numbers `a + b q` with a scalar square `q² = β`: complex for negative β, dual for zero, double
+//! for positive.
 //!
-//! The square of a bivector of the conformal algebra is such a number, q being a 4-vector that commutes with the bivector,
-//! and so is the even part of its exponential. Functions of them by power series need no case for the sign of β.
+//! The square of a bivector of the conformal algebra is such a number, q being a 4-vector that
+//! commutes with the bivector, and so is the even part of its exponential. Functions of them by
+//! power series need no case for the sign of β.
 
 use crate::scalar::Real;
 
-/// `1 + f₁ z (1 + f₂ z (1 + …))` for `z = scalar + rest q`, with the factors given from the first to the last.
+/// `1 + f₁ z (1 + f₂ z (1 + …))` for `z = scalar + rest q`, with the factors given from the first
+/// to the last.
 pub(super) fn nested_series<S: Real>(
     [scalar, rest]: [S; 2],
     square: S,

@@ -1,7 +1,7 @@
 //! Odd versors: reflections, inversions and what they compose to.
 //!
-//! The pseudoscalar I commutes with everything, so an odd versor is `V = E I` with an even E, and every product with V is one
-//! with E.
+//! The pseudoscalar I commutes with everything, so an odd versor is `V = E I` with an even E, and
+//! every product with V is one with E.
 
 use core::ops::Mul;
 
@@ -12,8 +12,8 @@ use crate::cga3::{
 use crate::scalar::{Real, Ring};
 
 impl<S: Real<Mask = bool>> OddVersor<S> {
-    /// The reflection in a plane, `n + d ei` with a normal of length 1. `None` where the normal is zero or not finite, or
-    /// the distance is not.
+    /// The reflection in a plane, `n + d ei` with a normal of length 1. `None` where the normal is
+    /// zero or not finite, or the distance is not.
     ///
     /// ```
     /// use ga_runtime::cga3::{DualPlane, OddVersor, Point};
@@ -26,11 +26,12 @@ impl<S: Real<Mask = bool>> OddVersor<S> {
         Self::of_vector(plane.into())
     }
 
-    /// The inversion in a real sphere: x goes to `c + r² (x − c)/|x − c|²`. A sphere without weight is a plane, and the
-    /// inversion a reflection. `None` where the sphere is imaginary or a point, or not finite.
+    /// The inversion in a real sphere: x goes to `c + r² (x − c)/|x − c|²`. A sphere without weight
+    /// is a plane, and the inversion a reflection. `None` where the sphere is imaginary or a point,
+    /// or not finite.
     ///
-    /// What the inversion in an imaginary sphere would be, that in the real sphere and then the reflection in its centre,
-    /// keeps handedness; it is the [`EvenVersor`] `σ I⁻¹/|σ|`.
+    /// What the inversion in an imaginary sphere would be, that in the real sphere and then the
+    /// reflection in its centre, keeps handedness; it is the [`EvenVersor`] `σ I⁻¹/|σ|`.
     ///
     /// ```
     /// use ga_runtime::cga3::{DualSphere, OddVersor, Point};
@@ -63,7 +64,8 @@ impl<S: Real<Mask = bool>> OddVersor<S> {
         is_real.then(|| from_odd(unit.into()))
     }
 
-    /// The versor nearest to a sum of odd versors; see [`EvenVersor::normalize`]. `None` where there is none.
+    /// The versor nearest to a sum of odd versors; see [`EvenVersor::normalize`]. `None` where
+    /// there is none.
     #[must_use]
     pub fn normalize(sum: Odd<S>) -> Option<Self> {
         // V = E I has V ~V = −E ~E, so E is no unit versor. A reflection makes V even.
@@ -75,7 +77,8 @@ impl<S: Real<Mask = bool>> OddVersor<S> {
         Some(even * from_odd(-mirror))
     }
 
-    /// The image of a point; `None` where it is at infinity, as that of the centre of an inversion, or beyond the range of the scalar.
+    /// The image of a point; `None` where it is at infinity, as that of the centre of an inversion,
+    /// or beyond the range of the scalar.
     #[must_use]
     pub fn transform_point(self, point: Point<S>) -> Option<Point<S>> {
         image_point(self.transform(point))

@@ -5,7 +5,8 @@ use crate::cga3::{DualDirection, DualPlane, Plane, Point};
 use crate::scalar::{Field, Real, Ring};
 
 impl<S: Ring> DualPlane<S> {
-    /// The plane of the points x with `n·x = d`, as `n + d ei`. With a unit normal, d is the distance from the origin.
+    /// The plane of the points x with `n·x = d`, as `n + d ei`. With a unit normal, d is the
+    /// distance from the origin.
     #[inline]
     #[must_use]
     pub fn from_normal_distance([n1, n2, n3]: [S; 3], distance: S) -> Self {
@@ -21,8 +22,8 @@ impl<S: Ring> DualPlane<S> {
 }
 
 impl<S: Field> Plane<S> {
-    /// The plane through three points, `p∧q∧r∧ei`: its normal is `(q − p) × (r − p)`, so that p, q, r turn
-    /// counterclockwise as seen from its tip. Zero where the points are on one line.
+    /// The plane through three points, `p∧q∧r∧ei`: its normal is `(q − p) × (r − p)`, so that p, q,
+    /// r turn counterclockwise as seen from its tip. Zero where the points are on one line.
     ///
     /// ```
     /// use ga_runtime::cga3::{Infinity, Plane, Point};
@@ -55,7 +56,8 @@ impl<S: Field> Plane<S> {
         self.dual().normal()
     }
 
-    /// The attitude `B∧ei`, B being the bivector of the plane: `−ei⌋Π`. The normal is that of B by the right hand.
+    /// The attitude `B∧ei`, B being the bivector of the plane: `−ei⌋Π`. The normal is that of B by
+    /// the right hand.
     #[inline]
     #[must_use]
     pub fn attitude(self) -> DualDirection<S> {
@@ -71,8 +73,8 @@ impl<S: Real<Mask = bool>> Plane<S> {
         normalized(self.normal())
     }
 
-    /// The point of the plane that is nearest to the origin; `None` for a plane of weight zero, or beyond the range of the
-    /// scalar.
+    /// The point of the plane that is nearest to the origin; `None` for a plane of weight zero, or
+    /// beyond the range of the scalar.
     ///
     /// ```
     /// use ga_runtime::cga3::{Plane, Point};
@@ -87,8 +89,8 @@ impl<S: Real<Mask = bool>> Plane<S> {
         are_numbers(place).then(|| Point::from(place))
     }
 
-    /// The distance of a point, positive on the side of the normal; `None` for a plane of weight zero, or beyond the range
-    /// of the scalar.
+    /// The distance of a point, positive on the side of the normal; `None` for a plane of weight
+    /// zero, or beyond the range of the scalar.
     #[inline]
     #[must_use]
     pub fn signed_distance(self, point: Point<S>) -> Option<S> {

@@ -17,8 +17,8 @@ impl<S: Ring> Point<S> {
         [self.e1(), self.e2(), self.e3()]
     }
 
-    /// The squared distance of two points, `−2 P·Q`, worked out from differences of coordinates so that nothing
-    /// cancels far from the origin.
+    /// The squared distance of two points, `−2 P·Q`, worked out from differences of coordinates so
+    /// that nothing cancels far from the origin.
     #[inline]
     #[must_use]
     pub fn distance_squared(self, other: Self) -> S {
@@ -28,8 +28,8 @@ impl<S: Ring> Point<S> {
 }
 
 impl<S: Real<Mask = bool>> Point<S> {
-    /// The distance of two points, `√(−2 P·Q)` (the paper's eq. 32, corrected). Of any two primitives:
-    /// [`distance_to`](Self::distance_to).
+    /// The distance of two points, `√(−2 P·Q)` (the paper's eq. 32, corrected). Of any two
+    /// primitives: [`distance_to`](Self::distance_to).
     ///
     /// ```
     /// use ga_runtime::cga3::Point;

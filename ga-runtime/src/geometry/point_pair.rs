@@ -7,8 +7,8 @@ use crate::cga3::{Direction, DualCircle, Infinity, Line, Point, PointPair, Spher
 use crate::scalar::{Field, Real, Ring};
 
 impl<S: Field> PointPair<S> {
-    /// The pair of two points, `p∧q`. Zero where they coincide; see [`tangent`](Self::tangent) for the limit with a
-    /// direction.
+    /// The pair of two points, `p∧q`. Zero where they coincide; see [`tangent`](Self::tangent) for
+    /// the limit with a direction.
     ///
     /// ```
     /// use ga_runtime::cga3::{Point, PointPair};
@@ -40,9 +40,10 @@ impl<S: Field> PointPair<S> {
 }
 
 impl<S: Real<Mask = bool>> PointPair<S> {
-    /// The two points at a distance r from a centre, along an axis and against it: `(c + eo + ½(c² + r²) ei) ∧ (d + (c·d) ei)`
-    /// with the unit vector d. It is given by r², which may be zero, for a [tangent](Self::tangent), and negative, for an
-    /// imaginary pair. The axis need not have length 1; `None` where it is zero, or something is not finite.
+    /// The two points at a distance r from a centre, along an axis and against it:
+    /// `(c + eo + ½(c² + r²) ei) ∧ (d + (c·d) ei)` with the unit vector d. It is given by r², which
+    /// may be zero, for a [tangent](Self::tangent), and negative, for an imaginary pair. The axis
+    /// need not have length 1; `None` where it is zero, or something is not finite.
     ///
     /// ```
     /// use ga_runtime::cga3::{Point, PointPair};
@@ -69,8 +70,9 @@ impl<S: Real<Mask = bool>> PointPair<S> {
         is_finite.then_some(pair)
     }
 
-    /// The tangent element at a point p in a direction: two points that coincide, with the direction in which they met. Its
-    /// square is zero. `None` where the direction is zero, or something is not finite.
+    /// The tangent element at a point p in a direction: two points that coincide, with the
+    /// direction in which they met. Its square is zero. `None` where the direction is zero, or
+    /// something is not finite.
     ///
     /// ```
     /// use ga_runtime::cga3::{Point, PointPair};
@@ -85,41 +87,44 @@ impl<S: Real<Mask = bool>> PointPair<S> {
         Self::from_centre_axis_radius_squared(point, direction, S::zero())
     }
 
-    /// The direction from the first point to the second, with length 1; `None` for a pair of weight zero, such as a flat
-    /// point.
+    /// The direction from the first point to the second, with length 1; `None` for a pair of weight
+    /// zero, such as a flat point.
     #[inline]
     #[must_use]
     pub fn unit_direction(self) -> Option<[S; 3]> {
         normalized(self.carrier().direction())
     }
 
-    /// The middle of the two points; `None` for a pair of weight zero, or beyond the range of the scalar.
+    /// The middle of the two points; `None` for a pair of weight zero, or beyond the range of the
+    /// scalar.
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
         Some(self.parts()?.centre())
     }
 
-    /// The square of half the distance of the points, `P²/(ei⌋P)²`: zero for a tangent, negative for an imaginary pair; `None`
-    /// where there is no [centre](Self::centre).
+    /// The square of half the distance of the points, `P²/(ei⌋P)²`: zero for a tangent, negative
+    /// for an imaginary pair; `None` where there is no [centre](Self::centre).
     #[must_use]
     pub fn radius_squared(self) -> Option<S> {
         self.parts()?.signed_square()
     }
 
-    /// Half the distance of the points; `None` for an imaginary pair and one of weight zero. A square that is zero up to rounding, as for
-    /// [`endpoints`](Self::endpoints), counts as zero.
+    /// Half the distance of the points; `None` for an imaginary pair and one of weight zero. A
+    /// square that is zero up to rounding, as for [`endpoints`](Self::endpoints), counts as zero.
     #[must_use]
     pub fn radius(self) -> Option<S> {
         real_radius(self.parts()?.squares())
     }
 
-    /// The two points, in the order of `p∧q`, where its weight is positive. `None` for an imaginary pair and one of weight
-    /// zero.
+    /// The two points, in the order of `p∧q`, where its weight is positive. `None` for an imaginary
+    /// pair and one of weight zero.
     ///
-    /// The pair knows the squared radius r² only up to rounding of the squared distance of the centre from the origin, c², so that of
-    /// points that all but coincide only half of the digits of their distance are known. Where `|r²| ≤ 32 ε (2c² + r²)` both points
-    /// are the centre. A product may have lost more, by the size of its operands: [`Kind`](crate::geometry::Kind) tells a tangent with a tolerance of
-    /// your own, and [`meet`](crate::geometry::relation::meet) with distances in space.
+    /// The pair knows the squared radius r² only up to rounding of the squared distance of the
+    /// centre from the origin, c², so that of points that all but coincide only half of the digits
+    /// of their distance are known. Where `|r²| ≤ 32 ε (2c² + r²)` both points are the centre. A
+    /// product may have lost more, by the size of its operands: [`Kind`](crate::geometry::Kind)
+    /// tells a tangent with a tolerance of your own, and [`meet`](crate::geometry::relation::meet)
+    /// with distances in space.
     #[must_use]
     pub fn endpoints(self) -> Option<[Point<S>; 2]> {
         let round = self.parts()?;
@@ -130,8 +135,8 @@ impl<S: Real<Mask = bool>> PointPair<S> {
         is_finite.then(|| places.map(Point::from))
     }
 
-    /// The smallest sphere that holds the pair, about the same centre with the same squared radius: the dual sphere
-    /// `P (P∧ei)⁻¹` up to scale. `None` where there is no [centre](Self::centre).
+    /// The smallest sphere that holds the pair, about the same centre with the same squared radius:
+    /// the dual sphere `P (P∧ei)⁻¹` up to scale. `None` where there is no [centre](Self::centre).
     #[must_use]
     pub fn container(self) -> Option<Sphere<S>> {
         let round = self.parts()?;
@@ -147,8 +152,8 @@ impl<S: Real<Mask = bool>> PointPair<S> {
 }
 
 impl<S: Ring> PointPair<S> {
-    /// `P²`, a scalar for every pair that is a blade: for `p∧q` it is `(p·q)²`, a quarter of the fourth power of the distance.
-    /// Its sign tells real, tangent and imaginary.
+    /// `P²`, a scalar for every pair that is a blade: for `p∧q` it is `(p·q)²`, a quarter of the
+    /// fourth power of the distance. Its sign tells real, tangent and imaginary.
     #[inline]
     #[must_use]
     pub fn square(self) -> S {

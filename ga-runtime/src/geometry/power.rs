@@ -1,4 +1,5 @@
-//! Powers and square roots of turns and rigid motions, and motion at constant speed from one to another.
+//! Powers and square roots of turns and rigid motions, and motion at constant speed from one to
+//! another.
 
 use super::RotationPath;
 use super::logarithm::{Halves, assemble, length_and_direction, select_motor, turn_exponential};
@@ -7,8 +8,9 @@ use crate::cga3::{Motor, Rotor};
 use crate::scalar::{Mask, Real};
 
 impl<S: Real> Rotor<S> {
-    /// The part t of the turn, `Rᵗ = exp(t log R)`: by tθ in the same plane, for θ in [0, 2π]. Part of `−R` goes the other way
-    /// round; see [`along`](Self::along). `−1` is taken as a whole turn in the plane e12. NaN and infinity give NaN.
+    /// The part t of the turn, `Rᵗ = exp(t log R)`: by tθ in the same plane, for θ in [0, 2π]. Part
+    /// of `−R` goes the other way round; see [`along`](Self::along). `−1` is taken as a whole turn
+    /// in the plane e12. NaN and infinity give NaN.
     ///
     /// ```
     /// use ga_runtime::cga3::Rotor;
@@ -23,8 +25,9 @@ impl<S: Real> Rotor<S> {
         turn_exponential([turn.e12 * t, turn.e13 * t, turn.e23 * t])
     }
 
-    /// The turn half way, by ½θ in the same plane for θ in [0, 2π]: `(1 + R)/|1 + R|`, for more than a half turn in a form that does
-    /// not cancel. The root of `−1` is a half turn in the plane e12, `e12`.
+    /// The turn half way, by ½θ in the same plane for θ in [0, 2π]: `(1 + R)/|1 + R|`, for more
+    /// than a half turn in a form that does not cancel. The root of `−1` is a half turn in the
+    /// plane e12, `e12`.
     ///
     /// ```
     /// use ga_runtime::cga3::Rotor;
@@ -56,11 +59,12 @@ impl<S: Real> Rotor<S> {
         ))
     }
 
-    /// The turn on the way from `self` at t = 0 to `other` at t = 1 at constant speed, by the short way round: `R (~R R′)ᵗ`, with
-    /// `−R′` for R′ where that is nearer.
+    /// The turn on the way from `self` at t = 0 to `other` at t = 1 at constant speed, by the short
+    /// way round: `R (~R R′)ᵗ`, with `−R′` for R′ where that is nearer.
     ///
-    /// This is the slerp of the paper's eqs 18 to 22, `(sin (1 − t)φ R + sin tφ R′)/sin φ` with φ half the angle between them, in a form
-    /// that needs no case where φ is close to 0 or π. t may lie outside of [0, 1].
+    /// This is the slerp of the paper's eqs 18 to 22, `(sin (1 − t)φ R + sin tφ R′)/sin φ` with φ
+    /// half the angle between them, in a form that needs no case where φ is close to 0 or π. t may
+    /// lie outside of [0, 1].
     ///
     /// ```
     /// use ga_runtime::cga3::Rotor;
@@ -74,8 +78,8 @@ impl<S: Real> Rotor<S> {
         self.interpolate_along(other, t, RotationPath::Short)
     }
 
-    /// As [`interpolate`](Self::interpolate), by the short or the long way round. The long way between two that are equal is a whole
-    /// turn in the plane e12 of `self`.
+    /// As [`interpolate`](Self::interpolate), by the short or the long way round. The long way
+    /// between two that are equal is a whole turn in the plane e12 of `self`.
     ///
     /// ```
     /// use ga_runtime::cga3::Rotor;
@@ -96,9 +100,10 @@ impl<S: Real> Rotor<S> {
 }
 
 impl<S: Real> Motor<S> {
-    /// The part t of the motion along its screw, `Mᵗ = exp(t log M)`: a turn by tθ about the same axis with t times the shift
-    /// along it, for θ in [0, 2π]. Part of `−M` goes the other way round; see [`along`](Self::along), and [`log`](Self::log)
-    /// for `−1` and minus a translator. NaN and infinity give NaN.
+    /// The part t of the motion along its screw, `Mᵗ = exp(t log M)`: a turn by tθ about the same
+    /// axis with t times the shift along it, for θ in [0, 2π]. Part of `−M` goes the other way
+    /// round; see [`along`](Self::along), and [`log`](Self::log) for `−1` and minus a translator.
+    /// NaN and infinity give NaN.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Rotor, Translator};
@@ -116,10 +121,12 @@ impl<S: Real> Motor<S> {
         (self.log() * t).exp()
     }
 
-    /// The motion half way along the screw, for a turn by θ in [0, 2π]: `(1 + M)/|1 + M|` up to a half turn, `exp(½ log M)` beyond.
+    /// The motion half way along the screw, for a turn by θ in [0, 2π]: `(1 + M)/|1 + M|` up to a
+    /// half turn, `exp(½ log M)` beyond.
     ///
-    /// `|1 + M|² = (1 + M)(1 + ~M)` is the dual number `2 (1 + c) + 2 d0 e123i`, c and d0 being the coefficients of 1 and e123i. The root of
-    /// `−1` is `e12`, that of minus a translator a half turn about the axis of its shift with half of the shift.
+    /// `|1 + M|² = (1 + M)(1 + ~M)` is the dual number `2 (1 + c) + 2 d0 e123i`, c and d0 being the
+    /// coefficients of 1 and e123i. The root of `−1` is `e12`, that of minus a translator a half
+    /// turn about the axis of its shift with half of the shift.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Translator};
@@ -146,8 +153,9 @@ impl<S: Real> Motor<S> {
         select_motor(!is_past, root, self.powf(half))
     }
 
-    /// The motion on the way from `self` at t = 0 to `other` at t = 1 along a screw of constant speed, by the short way
-    /// round: `M (~M N)ᵗ`, with `−N` for N where that is nearer. t may lie outside of [0, 1].
+    /// The motion on the way from `self` at t = 0 to `other` at t = 1 along a screw of constant
+    /// speed, by the short way round: `M (~M N)ᵗ`, with `−N` for N where that is nearer. t may lie
+    /// outside of [0, 1].
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Point, Rotor};
@@ -162,8 +170,9 @@ impl<S: Real> Motor<S> {
         self.interpolate_along(other, t, RotationPath::Short)
     }
 
-    /// As [`interpolate`](Self::interpolate), by the short or the long way round. The long way between two that differ by a shift is
-    /// a whole turn about the axis of the shift, in the plane e12 of `self` where they are equal.
+    /// As [`interpolate`](Self::interpolate), by the short or the long way round. The long way
+    /// between two that differ by a shift is a whole turn about the axis of the shift, in the plane
+    /// e12 of `self` where they are equal.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Point, Rotor};

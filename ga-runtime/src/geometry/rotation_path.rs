@@ -4,11 +4,11 @@ use super::vector3::scaled;
 use crate::cga3::{Motor, Rotor};
 use crate::scalar::Real;
 
-/// The two ways of turning to the same place: by an angle of at most a half turn, or the other way round by the rest of
-/// a whole turn.
+/// The two ways of turning to the same place: by an angle of at most a half turn, or the other way
+/// round by the rest of a whole turn.
 ///
-/// A rotor and its negative move alike, and the sign says which way was taken (the paper's eqs 23 and 24, as corrected): with I the
-/// unit bivector of the plane,
+/// A rotor and its negative move alike, and the sign says which way was taken (the paper's eqs 23
+/// and 24, as corrected): with I the unit bivector of the plane,
 ///
 /// ```text
 /// R = cos ½θ − sin ½θ I = exp(−½ θ I)          by θ ≤ π, the scalar part is not negative
@@ -57,8 +57,9 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         path(self.scalar())
     }
 
-    /// The turn by the shortest way from one direction to another, or by the longest, which goes the other way round in
-    /// the same plane: the paper's eqs 23 and 24. `None` as for [`between`](Self::between).
+    /// The turn by the shortest way from one direction to another, or by the longest, which goes
+    /// the other way round in the same plane: the paper's eqs 23 and 24. `None` as for
+    /// [`between`](Self::between).
     ///
     /// ```
     /// use ga_runtime::cga3::Rotor;
@@ -74,8 +75,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
 }
 
 impl<S: Real> Rotor<S> {
-    /// The rotor of the same turn that takes a given way: itself or its negative. A half turn is itself by the short way and
-    /// its negative by the long way.
+    /// The rotor of the same turn that takes a given way: itself or its negative. A half turn is
+    /// itself by the short way and its negative by the long way.
     #[inline]
     #[must_use]
     pub fn along(self, path: RotationPath) -> Self {
@@ -86,7 +87,8 @@ impl<S: Real> Rotor<S> {
 }
 
 impl<S: Real<Mask = bool>> Motor<S> {
-    /// The way that the turn of the motion takes. A half turn, whose ways are equally long, counts as short.
+    /// The way that the turn of the motion takes. A half turn, whose ways are equally long, counts
+    /// as short.
     #[inline]
     #[must_use]
     pub fn path(self) -> RotationPath {
@@ -95,8 +97,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
 }
 
 impl<S: Real> Motor<S> {
-    /// The motor of the same motion that takes a given way round: itself or its negative. A half turn is itself by the short
-    /// way and its negative by the long way.
+    /// The motor of the same motion that takes a given way round: itself or its negative. A half
+    /// turn is itself by the short way and its negative by the long way.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Rotor};

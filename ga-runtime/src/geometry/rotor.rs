@@ -40,8 +40,8 @@ impl<S: Ring> Rotor<S> {
 
 impl<S: Real<Mask = bool>> Rotor<S> {
     /// The turn by an angle in radians about an axis through the origin, right-handed:
-    /// `R = cos ½θ − sin ½θ (n1 e23 − n2 e13 + n3 e12)`. The axis need not have length 1; `None` where it is zero or not
-    /// finite, or the angle is not finite.
+    /// `R = cos ½θ − sin ½θ (n1 e23 − n2 e13 + n3 e12)`. The axis need not have length 1; `None`
+    /// where it is zero or not finite, or the angle is not finite.
     ///
     /// ```
     /// use ga_runtime::cga3::{Point, Rotor};
@@ -62,8 +62,9 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         ))
     }
 
-    /// The angle in [0, 2π] and the axis of length 1 of the turn; the axis is e3 where the angle is 0 or 2π. A rotor and
-    /// its negative turn to the same place by opposite ways: their angles add to 2π.
+    /// The angle in [0, 2π] and the axis of length 1 of the turn; the axis is e3 where the angle is
+    /// 0 or 2π. A rotor and its negative turn to the same place by opposite ways: their angles add
+    /// to 2π.
     #[must_use]
     pub fn to_axis_angle(self) -> ([S; 3], S) {
         let (vector, scalar) = self.to_quaternion();
@@ -72,8 +73,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         (axis, half_angle + half_angle)
     }
 
-    /// The turn by |v| radians about the direction of v, right-handed: `exp(−½ (v1 e23 − v2 e13 + v3 e12))`. The identity for
-    /// zero; `None` where v is not finite.
+    /// The turn by |v| radians about the direction of v, right-handed:
+    /// `exp(−½ (v1 e23 − v2 e13 + v3 e12))`. The identity for zero; `None` where v is not finite.
     ///
     /// ```
     /// use ga_runtime::cga3::Rotor;
@@ -89,15 +90,16 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         is_finite.then(|| turn_exponential([-(half * z), half * y, -(half * x)]))
     }
 
-    /// The axis of the turn, as long as its angle in [0, 2π]: minus twice the coefficients of [`log`](Self::log).
+    /// The axis of the turn, as long as its angle in [0, 2π]: minus twice the coefficients of
+    /// [`log`](Self::log).
     #[must_use]
     pub fn to_rotation_vector(self) -> [S; 3] {
         let turn = self.log();
         scaled([-turn.e23, turn.e13, -turn.e12], S::from_integer(2))
     }
 
-    /// The turn by the shortest way from one direction to another. Opposite directions are joined by a half turn about
-    /// some axis across them. `None` where a direction is zero or not finite.
+    /// The turn by the shortest way from one direction to another. Opposite directions are joined
+    /// by a half turn about some axis across them. `None` where a direction is zero or not finite.
     ///
     /// This is the paper's eq. 23 as corrected, `R = (b + a) a / (|a| |a + b|)` for unit a and b.
     ///
@@ -113,8 +115,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         if !dot(a, b).less_than(S::zero()) {
             return Self::between_close(a, b);
         }
-        // More than a quarter: a half turn to −a about the same axis, and the rest of the way from there. The axis
-        // comes from a + b, which loses nothing however close b is to −a.
+        // More than a quarter: a half turn to −a about the same axis, and the rest of the way from
+        // there. The axis comes from a + b, which loses nothing however close b is to −a.
         let back = a.map(|x| -x);
         let axis = normalized(cross(a, difference(b, back)))
             .or_else(|| normalized(cross(a, smallest_axis(a))))?;
@@ -127,9 +129,9 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         })
     }
 
-    /// The rotor of the turn of a quaternion `w + x i + y j + z k`, given as `[x, y, z]` and w: i = −e23, j = e13, k = −e12.
-    /// The quaternion need not have length 1, and may be as large or small as numbers are; `None` where it is zero or
-    /// not finite.
+    /// The rotor of the turn of a quaternion `w + x i + y j + z k`, given as `[x, y, z]` and w: i =
+    /// −e23, j = e13, k = −e12. The quaternion need not have length 1, and may be as large or small
+    /// as numbers are; `None` where it is zero or not finite.
     ///
     /// ```
     /// use ga_runtime::cga3::Rotor;
@@ -144,9 +146,9 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         Self::normalize(Quaternion::new(scalar, -z, y, -x))
     }
 
-    /// The rotor of a rotation matrix given by rows, by the paper's eq. 25 as corrected: of the four quotients that give
-    /// the rotor the one with the largest divisor is taken, so that half turns are no special case. `None` where the matrix is
-    /// no rotation within √ε.
+    /// The rotor of a rotation matrix given by rows, by the paper's eq. 25 as corrected: of the
+    /// four quotients that give the rotor the one with the largest divisor is taken, so that half
+    /// turns are no special case. `None` where the matrix is no rotation within √ε.
     #[must_use]
     pub fn from_matrix(rows: [[S; 3]; 3]) -> Option<Self> {
         let tolerance = S::epsilon().sqrt();

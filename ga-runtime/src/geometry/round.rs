@@ -1,7 +1,8 @@
-//! What point pairs and circles share: both are, in one of their forms, a bivector `(c + eo + β ei) ∧ (d + (c·d) ei)`.
+//! What point pairs and circles share: both are, in one of their forms, a bivector
+//! `(c + eo + β ei) ∧ (d + (c·d) ei)`.
 //!
-//! c is the centre. A point pair `p∧q` has that form with its axis d and `β = ½(c² + r²)`; the dual of a circle has it with the
-//! normal d of its plane and `β = ½(c² − r²)`.
+//! c is the centre. A point pair `p∧q` has that form with its axis d and `β = ½(c² + r²)`; the dual
+//! of a circle has it with the normal d of its plane and `β = ½(c² − r²)`.
 
 use super::vector3::{are_numbers, cross, dot, is_number, length, scaled, sum};
 use crate::cga3::{DualCircle, Point};
@@ -30,7 +31,8 @@ impl<S: Field> RoundBivector<S> {
 }
 
 impl<S: Real<Mask = bool>> RoundBivector<S> {
-    /// `None` for a flat one, where d vanishes, or where centre or β are beyond the range of the scalar.
+    /// `None` for a flat one, where d vanishes, or where centre or β are beyond the range of the
+    /// scalar.
     pub(super) fn of(bivector: DualCircle<S>) -> Option<Self> {
         let b = bivector / scale(bivector)?;
         let direction = [-b.e1o, -b.e2o, -b.e3o];
@@ -54,7 +56,8 @@ impl<S: Real<Mask = bool>> RoundBivector<S> {
         Point::from(self.centre)
     }
 
-    /// `2β` and `c²`: their difference is the squared radius of a point pair, minus that of a dual circle.
+    /// `2β` and `c²`: their difference is the squared radius of a point pair, minus that of a dual
+    /// circle.
     pub(super) fn squares(self) -> [S; 2] {
         [self.infinite + self.infinite, dot(self.centre, self.centre)]
     }
@@ -68,8 +71,9 @@ impl<S: Real<Mask = bool>> RoundBivector<S> {
 
 /// The root of `r² = a − b`; `None` where it is negative or not finite.
 ///
-/// The coefficients of a round know r² only as a difference of squared lengths, so that less than 32 ε (|a| + |b|) is rounding, and
-/// counts as zero: what touches has a radius, whichever way it was rounded.
+/// The coefficients of a round know r² only as a difference of squared lengths, so that less than
+/// 32 ε (|a| + |b|) is rounding, and counts as zero: what touches has a radius, whichever way it
+/// was rounded.
 pub(super) fn real_radius<S: Real<Mask = bool>>([a, b]: [S; 2]) -> Option<S> {
     let squared = a - b;
     let rounding = S::epsilon() * S::from_integer(32) * (a.abs() + b.abs());
@@ -82,7 +86,8 @@ pub(super) fn real_radius<S: Real<Mask = bool>>([a, b]: [S; 2]) -> Option<S> {
     }
 }
 
-/// What to divide by so that d² is in range: 1 wherever possible. `None` where d is zero or not finite.
+/// What to divide by so that d² is in range: 1 wherever possible. `None` where d is zero or not
+/// finite.
 fn scale<S: Real<Mask = bool>>(b: DualCircle<S>) -> Option<S> {
     let direction = [b.e1o, b.e2o, b.e3o];
     let square = dot(direction, direction);

@@ -5,17 +5,19 @@ use super::vector3::{are_numbers, difference, dot, is_number, scaled};
 use crate::cga3::{Line, Motor, MotorGenerator, Point};
 use crate::scalar::Real;
 
-/// A rigid motion as a screw: a turn about an axis and a displacement along it, in any order. Every rigid motion is one
-/// (Chasles, 1830).
+/// A rigid motion as a screw: a turn about an axis and a displacement along it, in any order. Every
+/// rigid motion is one (Chasles, 1830).
 ///
-/// With n the direction of the axis and `m = p × n` its moment, p being any of its points, the generator `log M` is
+/// With n the direction of the axis and `m = p × n` its moment, p being any of its points, the
+/// generator `log M` is
 ///
 /// ```text
 /// −½ angle (n1 e23 − n2 e13 + n3 e12) − ½ (displacement n + angle m) ei
 /// ```
 ///
-/// What [`Motor::screw`] gives has an axis with a direction of length 1, an angle in [0, 2π] and, for a turn by more than zero, a displacement
-/// of either sign. A screw that is built by hand may have an axis of any weight and any angle.
+/// What [`Motor::screw`] gives has an axis with a direction of length 1, an angle in [0, 2π] and,
+/// for a turn by more than zero, a displacement of either sign. A screw that is built by hand may
+/// have an axis of any weight and any angle.
 ///
 /// ```
 /// use ga_runtime::cga3::{Line, Point};
@@ -44,8 +46,9 @@ pub struct Screw<S> {
 }
 
 impl<S: Real<Mask = bool>> Screw<S> {
-    /// The pitch: the displacement for each radian of the turn, in the unit of length. `None` where there is no turn, or the quotient is
-    /// beyond the range of the scalar; some books call 2π times this the pitch.
+    /// The pitch: the displacement for each radian of the turn, in the unit of length. `None` where
+    /// there is no turn, or the quotient is beyond the range of the scalar; some books call 2π
+    /// times this the pitch.
     #[must_use]
     pub fn pitch(self) -> Option<S> {
         let pitch = self.displacement / self.angle;
@@ -63,8 +66,8 @@ impl<S: Real<Mask = bool>> Screw<S> {
         }
     }
 
-    /// The motor `exp` of the [generator](Self::generator), by the sine and cosine of half the angle. `None` where the axis has no
-    /// direction, or something is not finite.
+    /// The motor `exp` of the [generator](Self::generator), by the sine and cosine of half the
+    /// angle. `None` where the axis has no direction, or something is not finite.
     #[must_use]
     pub fn to_motor(self) -> Option<Motor<S>> {
         let half = S::from_ratio(1, 2);
@@ -93,12 +96,13 @@ impl<S: Real<Mask = bool>> Screw<S> {
 }
 
 impl<S: Real<Mask = bool>> MotorGenerator<S> {
-    /// The screw of the motion that this generates, or of a velocity its instantaneous screw: the axis, and the angle and the
-    /// displacement, or their rates. The angle is not negative.
+    /// The screw of the motion that this generates, or of a velocity its instantaneous screw: the
+    /// axis, and the angle and the displacement, or their rates. The angle is not negative.
     ///
-    /// Without a turn the axis goes through the origin along the shift, with a displacement that is not negative; for zero it is the axis e3. A turn so
-    /// slow that its axis is farther away than numbers reach counts as none. `None` where a coefficient is not finite, or the result
-    /// would be beyond the range of the scalar.
+    /// Without a turn the axis goes through the origin along the shift, with a displacement that is
+    /// not negative; for zero it is the axis e3. A turn so slow that its axis is farther away than
+    /// numbers reach counts as none. `None` where a coefficient is not finite, or the result would
+    /// be beyond the range of the scalar.
     #[must_use]
     pub fn screw(self) -> Option<Screw<S>> {
         let two = S::from_integer(2);
@@ -133,8 +137,8 @@ impl<S: Real<Mask = bool>> MotorGenerator<S> {
 }
 
 impl<S: Real<Mask = bool>> Motor<S> {
-    /// The screw of the motion, with an angle in [0, 2π]: that of [`log`](Self::log). A motor and its negative have the same axis with
-    /// opposite directions, and angles that add to 2π.
+    /// The screw of the motion, with an angle in [0, 2π]: that of [`log`](Self::log). A motor and
+    /// its negative have the same axis with opposite directions, and angles that add to 2π.
     ///
     /// | motion | axis | angle | displacement |
     /// | --- | --- | --- | --- |
@@ -144,8 +148,9 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// | `−1` | −e3, through the origin | 2π | 0 |
     /// | minus a shift by t | along t, through the origin | 2π | of either sign |
     ///
-    /// The place of the axis is known to the rounding of the shift across it divided by the sine of half the angle, so less well close to 0 and to
-    /// 2π. `None` where a coefficient is not finite, or the result would be beyond the range of the scalar.
+    /// The place of the axis is known to the rounding of the shift across it divided by the sine of
+    /// half the angle, so less well close to 0 and to 2π. `None` where a coefficient is not finite,
+    /// or the result would be beyond the range of the scalar.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Translator};

@@ -9,8 +9,8 @@ use crate::cga3::{Even, EvenVersor, Motor, Point, Quaternion, Rotor, Similarity,
 use crate::scalar::Real;
 
 impl<S: Real<Mask = bool>> Similarity<S> {
-    /// `T R D`: scaling about the origin, then the turn, then the shift, so that `x' = s R x + t`. `None` where the factor is
-    /// not positive and finite, or the displacement is not finite.
+    /// `T R D`: scaling about the origin, then the turn, then the shift, so that `x' = s R x + t`.
+    /// `None` where the factor is not positive and finite, or the displacement is not finite.
     ///
     /// ```
     /// use ga_runtime::cga3::{Point, Rotor, Similarity};
@@ -42,8 +42,9 @@ impl<S: Real<Mask = bool>> Similarity<S> {
         if is_growth { square } else { square.recip() }
     }
 
-    /// The similarity nearest to a sum of similarities, or to one that has lost its norm in a long chain of products: `V (V ~V)^(−½)`, as
-    /// for [`EvenVersor::normalize`]. Blades that no similarity has are left out. `None` where there is none, as for zero, or a coefficient is
+    /// The similarity nearest to a sum of similarities, or to one that has lost its norm in a long
+    /// chain of products: `V (V ~V)^(−½)`, as for [`EvenVersor::normalize`]. Blades that no
+    /// similarity has are left out. `None` where there is none, as for zero, or a coefficient is
     /// not finite.
     ///
     /// ```
@@ -89,8 +90,8 @@ impl<S: Real<Mask = bool>> Similarity<S> {
         Affine::from(self).translation
     }
 
-    /// The point that stays, about which the similarity turns and scales: `None` where the factor is 1 or so close to it
-    /// that the point is beyond the range of the scalar.
+    /// The point that stays, about which the similarity turns and scales: `None` where the factor
+    /// is 1 or so close to it that the point is beyond the range of the scalar.
     ///
     /// ```
     /// use ga_runtime::cga3::{Point, Rotor, Similarity};
@@ -100,7 +101,8 @@ impl<S: Real<Mask = bool>> Similarity<S> {
     /// ```
     #[must_use]
     pub fn fixed_point(self) -> Option<Point<S>> {
-        // (1 − s R) c = t. Along the axis n of R that is (1 − s) (n·c) = n·t; across it R is a complex number of size 1.
+        // (1 − s R) c = t. Along the axis n of R that is (1 − s) (n·c) = n·t; across it R is a
+        // complex number of size 1.
         let (factor, zero, one) = (self.factor(), S::zero(), S::one());
         let (vector, w) = self.rotor().to_quaternion();
         let t = self.displacement();
@@ -147,21 +149,23 @@ impl<S: Real<Mask = bool>> Similarity<S> {
         )
     }
 
-    /// The similarity with half the logarithm; see [`log`](Self::log). `None` as for [`powf`](Self::powf).
+    /// The similarity with half the logarithm; see [`log`](Self::log). `None` as for
+    /// [`powf`](Self::powf).
     #[must_use]
     pub fn sqrt(self) -> Option<Self> {
         self.powf(S::from_ratio(1, 2))
     }
 
-    /// The power `exp(t log)`. `None` where t is not finite, or the power is beyond the range of the scalar.
+    /// The power `exp(t log)`. `None` where t is not finite, or the power is beyond the range of
+    /// the scalar.
     #[must_use]
     pub fn powf(self, t: S) -> Option<Self> {
         (self.log() * t).exp()
     }
 
-    /// The similarity on the way from `self` at t = 0 to `other` at t = 1, `A exp(t log(~A B))` by the short way round:
-    /// the points move along logarithmic spirals about the point that stays, the factor grows by equal ratios in equal
-    /// times. `None` as for [`powf`](Self::powf).
+    /// The similarity on the way from `self` at t = 0 to `other` at t = 1, `A exp(t log(~A B))` by
+    /// the short way round: the points move along logarithmic spirals about the point that stays,
+    /// the factor grows by equal ratios in equal times. `None` as for [`powf`](Self::powf).
     ///
     /// ```
     /// use ga_runtime::cga3::{Dilator, Similarity};

@@ -55,7 +55,8 @@ impl<S: Field> Translator<S> {
         self.powf(S::from_ratio(1, 2))
     }
 
-    /// The shift on the way from `self` at t = 0 to `other` at t = 1, along a straight line at constant speed.
+    /// The shift on the way from `self` at t = 0 to `other` at t = 1, along a straight line at
+    /// constant speed.
     ///
     /// ```
     /// use ga_runtime::cga3::Translator;

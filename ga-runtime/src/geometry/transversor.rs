@@ -6,8 +6,8 @@ use crate::cga3::{Point, PointPair, Transversor};
 use crate::scalar::{Field, Real, Ring};
 
 impl<S: Field> Transversor<S> {
-    /// The special conformal map `K = 1 − k eo = exp(−k eo)`: inversion in the unit sphere about the origin, shift by k,
-    /// inversion again, so that x goes to `(x + k x²)/(1 + 2 k·x + k² x²)`.
+    /// The special conformal map `K = 1 − k eo = exp(−k eo)`: inversion in the unit sphere about
+    /// the origin, shift by k, inversion again, so that x goes to `(x + k x²)/(1 + 2 k·x + k² x²)`.
     ///
     /// ```
     /// use ga_runtime::cga3::{Point, Transversor};
@@ -60,7 +60,8 @@ impl<S: Real<Mask = bool>> Transversor<S> {
         self.powf(S::from_ratio(1, 2))
     }
 
-    /// The image of a point; `None` where it is at infinity, which is so for `−k/k²`, or beyond the range of the scalar.
+    /// The image of a point; `None` where it is at infinity, which is so for `−k/k²`, or beyond the
+    /// range of the scalar.
     #[must_use]
     pub fn transform_point(self, point: Point<S>) -> Option<Point<S>> {
         image_point(self.transform(point))

@@ -26,7 +26,8 @@ pub(super) fn difference<S: Ring>(a: [S; 3], b: [S; 3]) -> [S; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-/// Whether a number is finite, in a ring that has others: zero times infinity is not a number, and that equals nothing.
+/// Whether a number is finite, in a ring that has others: zero times infinity is not a number, and
+/// that equals nothing.
 pub(super) fn is_number<S: Ring>(x: S) -> bool {
     x * S::zero() == S::zero()
 }

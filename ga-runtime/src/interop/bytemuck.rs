@@ -1,7 +1,8 @@
 //! bytemuck 1: the types of the algebras here as plain memory.
 //!
-//! A type is `repr(C)` with one field for each stored coefficient, all of the scalar's type and so without padding. With a scalar that is
-//! [`Pod`](bytemuck_1::Pod) every type is, and slices of elements are cast to bytes and numbers and back at no cost:
+//! A type is `repr(C)` with one field for each stored coefficient, all of the scalar's type and so
+//! without padding. With a scalar that is [`Pod`](bytemuck_1::Pod) every type is, and slices of
+//! elements are cast to bytes and numbers and back at no cost:
 //!
 //! ```
 //! use ga_runtime::cga3::Point;
@@ -14,14 +15,16 @@
 //!
 //! # What casts do not check
 //!
-//! Bytes make members of every type, and zeros too. Where the facts of a type restrict its coefficients, as for a
-//! [`Rotor`](crate::cga3::Rotor) or a [`Motor`](crate::cga3::Motor), a cast is what `new_unchecked` is: the caller vouches for them, and products of
-//! anything else are wrong, though never unsafe. Zero is no rotor. `try_new` and `normalize` check and repair what comes from outside.
+//! Bytes make members of every type, and zeros too. Where the facts of a type restrict its
+//! coefficients, as for a [`Rotor`](crate::cga3::Rotor) or a [`Motor`](crate::cga3::Motor), a cast
+//! is what `new_unchecked` is: the caller vouches for them, and products of anything else are
+//! wrong, though never unsafe. Zero is no rotor. `try_new` and `normalize` check and repair what
+//! comes from outside.
 //!
 //! # Types of your own algebras
 //!
-//! They have the same layout. These traits take unsafe code, which nothing of ours writes into another crate; a crate that allows it says so
-//! itself:
+//! They have the same layout. These traits take unsafe code, which nothing of ours writes into
+//! another crate; a crate that allows it says so itself:
 //!
 //! ```
 //! mod algebra {
@@ -46,7 +49,8 @@
 //! # }
 //! ```
 
-/// Hands the types with the number of their stored coefficients to a macro. The one that takes them is where unsafe code is.
+/// Hands the types with the number of their stored coefficients to a macro. The one that takes them
+/// is where unsafe code is.
 macro_rules! declared_types {
     ($callback:ident) => {
         $callback! { cga3 {

@@ -1,4 +1,5 @@
-//! Traits of other crates for every declared type, that of users too: `algebra!` hands all to this macro, each in braces.
+//! Traits of other crates for every declared type, that of users too: `algebra!` hands all to this
+//! macro, each in braces.
 //!
 //! ```text
 //! constant Infinity "Infinity"
@@ -7,8 +8,9 @@
 //! checked  Rotor "Rotor" { scalar 0 "scalar", … } [scalar one, e12 zero, …]
 //! ```
 //!
-//! In braces stand the stored coefficients; `linear` says that sums and multiples stay in the type, `checked` that its facts
-//! restrict the coefficients. In brackets stand those of 1, where it is a member and members multiply to members.
+//! In braces stand the stored coefficients; `linear` says that sums and multiples stay in the type,
+//! `checked` that its facts restrict the coefficients. In brackets stand those of 1, where it is a
+//! member and members multiply to members.
 
 /// Emits nothing: the features are off.
 #[cfg(not(any(feature = "approx-05", feature = "num-traits-02", feature = "serde-1")))]

@@ -9,7 +9,8 @@
 //! | [`Affine`] | `Affine3`, `Affine3A`, `DAffine3` | both ways |
 //! | [`Affine`] | `Mat4`, `DMat4` | to; from is checked |
 //!
-//! glam has no type of quaternions that must have length 1; a quaternion is brought to it, and one that cannot be is an error.
+//! glam has no type of quaternions that must have length 1; a quaternion is brought to it, and one
+//! that cannot be is an error.
 //!
 //! ```
 //! use ga_runtime::cga3::{Motor, Point, Rotor};

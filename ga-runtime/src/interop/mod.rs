@@ -1,4 +1,5 @@
-//! Other crates: conversions from and to their types, and their traits for ours, each behind its feature and off by default.
+//! Other crates: conversions from and to their types, and their traits for ours, each behind its
+//! feature and off by default.
 //!
 //! | feature | crate | brings |
 //! | --- | --- | --- |
@@ -10,13 +11,16 @@
 //! | `num-traits-02` | num-traits 0.2 | zero and one for the types that have them, and foreign floating-point numbers as scalars |
 //! | `serde-1` | serde 1 | every declared type read and written, by the names of its blades |
 //!
-//! All work without the standard library. The number in a feature is the version of the crate; one for another version would
-//! stand beside it. "Every declared type" includes those of your own algebras, and your crate needs no feature for it: `algebra!` writes what
-//! the features of ga-runtime ask for.
+//! All work without the standard library. The number in a feature is the version of the crate; one
+//! for another version would stand beside it. "Every declared type" includes those of your own
+//! algebras, and your crate needs no feature for it: `algebra!` writes what the features of
+//! ga-runtime ask for.
 //!
-//! `From` stands where every value has a counterpart. Where one may have none, as a matrix that shears is no motor, it is
-//! `TryFrom` with the error [`NotRigid`] or [`NotConformal`](crate::geometry::NotConformal). Quaternions are `w + x i + y j + z k` and turn by `q v q*` in all
-//! these crates; the rotor of the same turn is `w − x e23 + y e13 − z e12`. Matrices are for columns, `x' = M x`, however a crate stores them.
+//! `From` stands where every value has a counterpart. Where one may have none, as a matrix that
+//! shears is no motor, it is `TryFrom` with the error [`NotRigid`] or
+//! [`NotConformal`](crate::geometry::NotConformal). Quaternions are `w + x i + y j + z k` and turn
+//! by `q v q*` in all these crates; the rotor of the same turn is `w − x e23 + y e13 − z e12`.
+//! Matrices are for columns, `x' = M x`, however a crate stores them.
 
 #[cfg(feature = "approx-05")]
 pub mod approx;
@@ -36,7 +40,8 @@ pub mod serde;
 
 use core::fmt::{Display, Formatter, Result};
 
-/// A quaternion, displacement or matrix that makes no rigid motion: it vanishes, is not finite, shears, scales or mirrors.
+/// A quaternion, displacement or matrix that makes no rigid motion: it vanishes, is not finite,
+/// shears, scales or mirrors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum NotRigid {

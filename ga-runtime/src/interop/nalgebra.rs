@@ -1,4 +1,5 @@
-//! nalgebra 0.35: points, directions, motions and matrices in any scalar that both sides know, `f32` and `f64` above all.
+//! nalgebra 0.35: points, directions, motions and matrices in any scalar that both sides know,
+//! `f32` and `f64` above all.
 //!
 //! | here | nalgebra | |
 //! | --- | --- | --- |
@@ -12,8 +13,8 @@
 //! | [`Similarity`] | `Similarity3`, `Matrix4` | to; from is checked |
 //! | [`Affine`] | `Affine3`, `Matrix4` | to; from is checked |
 //!
-//! A `UnitQuaternion` vouches for its length and is taken at its word, number by number. A `Similarity3` may have a negative factor, which mirrors and has no
-//! similarity here.
+//! A `UnitQuaternion` vouches for its length and is taken at its word, number by number. A
+//! `Similarity3` may have a negative factor, which mirrors and has no similarity here.
 //!
 //! ```
 //! use ga_runtime::cga3::{Motor, Point};

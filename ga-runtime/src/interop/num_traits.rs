@@ -1,13 +1,16 @@
 //! num-traits 0.2: zero and one, where the laws of these traits hold.
 //!
-//! - [`Zero`] is for the types whose sums stay in the type: those without constants, derived blades and facts.
-//!   A sum of points is no point, and so a [`Point`](crate::cga3::Point) has none.
-//! - [`One`] is for the types of which 1 is a member and whose members multiply to members. In cga3 these are the numbers
-//!   [`Quaternion`](crate::cga3::Quaternion), [`DualQuaternion`](crate::cga3::DualQuaternion), [`Even`](crate::cga3::Even),
-//!   [`Multivector`](crate::cga3::Multivector), and the groups of motions, from [`Rotor`](crate::cga3::Rotor) to [`Similarity`](crate::cga3::Similarity).
+//! - [`Zero`] is for the types whose sums stay in the type: those without constants, derived blades
+//!   and facts. A sum of points is no point, and so a [`Point`](crate::cga3::Point) has none.
+//! - [`One`] is for the types of which 1 is a member and whose members multiply to members. In cga3
+//!   these are the numbers [`Quaternion`](crate::cga3::Quaternion),
+//!   [`DualQuaternion`](crate::cga3::DualQuaternion), [`Even`](crate::cga3::Even),
+//!   [`Multivector`](crate::cga3::Multivector), and the groups of motions, from
+//!   [`Rotor`](crate::cga3::Rotor) to [`Similarity`](crate::cga3::Similarity).
 //! - The scalars [`Prime61`], [`Lanes`] and [`Dual`] have both.
 //!
-//! This holds for the types of your own algebras too. So what takes sums and products of anything takes these:
+//! This holds for the types of your own algebras too. So what takes sums and products of anything
+//! takes these:
 //!
 //! ```
 //! use ga_runtime::cga3::{Rotor, Quaternion};
@@ -19,8 +22,9 @@
 //! assert!(Quaternion::<f64>::zero().is_zero() && Rotor::<f64>::one().is_one());
 //! ```
 //!
-//! A number type of another crate becomes a scalar where it implements the traits of [`scalar`](crate::scalar). For one that is neither
-//! yours nor ours, but has num-traits' [`Float`], [`FromFloat`] does it.
+//! A number type of another crate becomes a scalar where it implements the traits of
+//! [`scalar`](crate::scalar). For one that is neither yours nor ours, but has num-traits'
+//! [`Float`], [`FromFloat`] does it.
 
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -96,8 +100,9 @@ scalars! {
 
 /// A floating-point number of another crate as a scalar.
 ///
-/// It wraps any [`Float`] of num-traits, numbers of more or fewer digits for instance, and passes every operation on. What is a constant of the
-/// program, such as ½, goes through `f64` and a quotient. `f32` and `f64` are scalars without it.
+/// It wraps any [`Float`] of num-traits, numbers of more or fewer digits for instance, and passes
+/// every operation on. What is a constant of the program, such as ½, goes through `f64` and a
+/// quotient. `f32` and `f64` are scalars without it.
 ///
 /// ```
 /// use ga_runtime::cga3::{Point, Rotor};

@@ -9,14 +9,15 @@ use super::{Field, LaneMask, Real, Ring};
 
 /// N numbers that every operation treats alike, one beside the other.
 ///
-/// Written as loops over an array, which the compiler turns into vector instructions of whatever width the function
-/// that they are inlined into may use: a `Lanes<f32, 8>` is one register where AVX is on, and two where only SSE2 is.
-/// So one kernel serves a baseline and a function with `#[target_feature(enable = "avx2")]`, and gives the same bits in
-/// both.
+/// Written as loops over an array, which the compiler turns into vector instructions of whatever
+/// width the function that they are inlined into may use: a `Lanes<f32, 8>` is one register where
+/// AVX is on, and two where only SSE2 is. So one kernel serves a baseline and a function with
+/// `#[target_feature(enable = "avx2")]`, and gives the same bits in both.
 ///
-/// Each lane holds what the same operation gives on a single number, bit for bit; elementary functions are called lane
-/// by lane. Products are fused with sums only where the whole program is built for a processor that does so, as for
-/// a single number. `==` asks whether all lanes are equal; [`Real::less_than`] answers for each.
+/// Each lane holds what the same operation gives on a single number, bit for bit; elementary
+/// functions are called lane by lane. Products are fused with sums only where the whole program is
+/// built for a processor that does so, as for a single number. `==` asks whether all lanes are
+/// equal; [`Real::less_than`] answers for each.
 ///
 /// Any type of an algebra takes lanes for its scalar. Eight points in one:
 ///

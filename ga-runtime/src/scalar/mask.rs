@@ -6,7 +6,8 @@ use core::ops::{BitAnd, BitOr, Index, Not};
 /// The outcome of a comparison: `bool` for a single number, one bit for each lane of several.
 ///
 /// Code on lanes cannot branch, since the lanes may differ. It computes both sides and chooses with
-/// [`Real::select`](super::Real::select); `any` and `all` serve to leave out work that no lane needs.
+/// [`Real::select`](super::Real::select); `any` and `all` serve to leave out work that no lane
+/// needs.
 ///
 /// ```
 /// use ga_runtime::scalar::{Lanes, Mask, Real, Ring};

@@ -18,7 +18,8 @@
 //! | [`Dual<S, N>`](Dual) | a value with N derivatives | what S does |
 //! | `wide::f32x4`, `f32x8`, `f64x2`, `f64x4` (feature `wide`) | vector registers of that crate | [`Real`] |
 //!
-//! They nest: `Dual<Lanes<f64, 4>, 3>` carries the gradients of four numbers, `Dual<Dual<f64>>` second derivatives.
+//! They nest: `Dual<Lanes<f64, 4>, 3>` carries the gradients of four numbers, `Dual<Dual<f64>>`
+//! second derivatives.
 
 mod dual;
 mod float;
@@ -97,8 +98,9 @@ pub trait Ring:
 
 /// A ring with division, in which almost every element has an inverse.
 ///
-/// In a field in the strict sense that is every element but zero. Lanes and dual numbers have more without one, so a guard
-/// of a division asks [`Field::is_invertible`] rather than comparing with zero.
+/// In a field in the strict sense that is every element but zero. Lanes and dual numbers have more
+/// without one, so a guard of a division asks [`Field::is_invertible`] rather than comparing with
+/// zero.
 ///
 /// ```
 /// use ga_runtime::scalar::Field;
@@ -115,8 +117,8 @@ pub trait Field: Ring + Div<Output = Self> {
         Self::one() / self
     }
 
-    /// Whether there is an inverse: whether the number is not zero, in lanes whether none of them is, and for a dual number
-    /// whether its value has one.
+    /// Whether there is an inverse: whether the number is not zero, in lanes whether none of them
+    /// is, and for a dual number whether its value has one.
     ///
     /// ```
     /// use ga_runtime::scalar::{Field, Lanes};
@@ -131,8 +133,8 @@ pub trait Field: Ring + Div<Output = Self> {
 
 /// A field with roots, angles and an order: floating point, alone, in lanes or with derivatives.
 ///
-/// Comparisons return a [`Real::Mask`], and [`Real::select`] chooses by it, so that the same code runs on one
-/// number and on lanes of them.
+/// Comparisons return a [`Real::Mask`], and [`Real::select`] chooses by it, so that the same code
+/// runs on one number and on lanes of them.
 ///
 /// ```
 /// use ga_runtime::scalar::Real;
@@ -180,8 +182,9 @@ pub trait Real: Field {
     fn cos(self) -> Self {
         self.sin_cos().1
     }
-    /// `cos φ`, `A = sin φ/φ` and `B = (cos φ − A)/φ²` of `φ² = self` from 0 to 9.95, a little more than a half turn; outside of that the
-    /// numbers mean nothing. Errors are below 2 ε. For every φ alike, and at zero 1, 1 and −⅓.
+    /// `cos φ`, `A = sin φ/φ` and `B = (cos φ − A)/φ²` of `φ² = self` from 0 to 9.95, a little more
+    /// than a half turn; outside of that the numbers mean nothing. Errors are below 2 ε. For every
+    /// φ alike, and at zero 1, 1 and −⅓.
     ///
     /// They give the exponential of a turn by 2φ. B is twice the derivative of A by φ².
     ///
@@ -197,10 +200,11 @@ pub trait Real: Field {
     fn sine_by_angle(self) -> (Self, Self, Self) {
         turn::sine_by_angle(self)
     }
-    /// `A = φ/sin φ` and `B = (cos φ − A)/sin² φ` of `cos φ = self` from 0 to 1, for angles up to a quarter turn; outside of
-    /// that the numbers mean little. Errors are below 2 ε.
+    /// `A = φ/sin φ` and `B = (cos φ − A)/sin² φ` of `cos φ = self` from 0 to 1, for angles up to a
+    /// quarter turn; outside of that the numbers mean little. Errors are below 2 ε.
     ///
-    /// They give the logarithm of a turn by 2φ. At φ = 0 they are 1 and −2/3. `−B cos φ = 1 + dA/d(cos φ)`.
+    /// They give the logarithm of a turn by 2φ. At φ = 0 they are 1 and −2/3.
+    /// `−B cos φ = 1 + dA/d(cos φ)`.
     ///
     /// ```
     /// use ga_runtime::scalar::Real;

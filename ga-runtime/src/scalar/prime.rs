@@ -7,17 +7,19 @@ use super::{Field, Ring};
 
 /// A number modulo the Mersenne prime p = 2⁶¹ − 1: the exact scalar of the tests.
 ///
-/// Arithmetic is exact and never overflows, and every element but zero has an inverse, so halves, duals and
-/// inverses of versors exist as they do over the rationals. Two polynomial formulas of degree d that differ
-/// agree at a random point with probability of at most d / p (Schwartz–Zippel), which makes one equality here
-/// worth more than any number of comparisons within a tolerance.
+/// Arithmetic is exact and never overflows, and every element but zero has an inverse, so halves,
+/// duals and inverses of versors exist as they do over the rationals. Two polynomial formulas of
+/// degree d that differ agree at a random point with probability of at most d / p
+/// (Schwartz–Zippel), which makes one equality here worth more than any number of comparisons
+/// within a tolerance.
 ///
-/// What the field lacks is an order, and with it lengths and angles. Half of its elements are squares; see
-/// [`Prime61::square_root`].
+/// What the field lacks is an order, and with it lengths and angles. Half of its elements are
+/// squares; see [`Prime61::square_root`].
 ///
 /// Division by zero gives zero: 0⁻¹ is defined as 0, so that no operation panics.
 ///
-/// [`Display`](fmt::Display) and [`Debug`](fmt::Debug) write the representative of least magnitude, so −1 reads `-1`.
+/// [`Display`](fmt::Display) and [`Debug`](fmt::Debug) write the representative of least magnitude,
+/// so −1 reads `-1`.
 ///
 /// ```
 /// use ga_runtime::scalar::{Field, Prime61, Ring};
@@ -56,12 +58,14 @@ impl Prime61 {
         result
     }
 
-    /// The multiplicative inverse, by Fermat's little theorem x⁻¹ = xᵖ⁻². That of zero is defined as zero.
+    /// The multiplicative inverse, by Fermat's little theorem x⁻¹ = xᵖ⁻². That of zero is defined
+    /// as zero.
     pub fn inverse(self) -> Self {
         self.power(Self::MODULUS - 2)
     }
 
-    /// One of the two square roots, or `None` if the number is no square. The other root is its negative.
+    /// One of the two square roots, or `None` if the number is no square. The other root is its
+    /// negative.
     ///
     /// As p ≡ 3 modulo 4, a square x has the root x^((p + 1) / 4).
     ///

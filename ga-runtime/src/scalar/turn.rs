@@ -1,14 +1,17 @@
-//! The functions of half the angle behind exponentials and logarithms of rigid motions, in straight-line code.
+//! The functions of half the angle behind exponentials and logarithms of rigid motions, in
+//! straight-line code.
 //!
-//! A rotor holds cos φ and sin φ of half its angle, its logarithm φ itself. What takes one to the other are even functions of φ, so
-//! functions of φ² or of cos φ that are smooth where the angle is zero. As polynomials they need no case for small angles, no reduction of
-//! an angle and no guess of a branch. The coefficients are minimax (Remez's exchange) and leave out less than 4·10⁻¹⁷; `f32` is evaluated in
-//! `f64`, where the rounding of a half turn would be 3 ε otherwise.
+//! A rotor holds cos φ and sin φ of half its angle, its logarithm φ itself. What takes one to the
+//! other are even functions of φ, so functions of φ² or of cos φ that are smooth where the angle is
+//! zero. As polynomials they need no case for small angles, no reduction of an angle and no guess
+//! of a branch. The coefficients are minimax (Remez's exchange) and leave out less than 4·10⁻¹⁷;
+//! `f32` is evaluated in `f64`, where the rounding of a half turn would be 3 ε otherwise.
 
 use super::Real;
 
-/// Of `c₂ − ¼` and `c₃ − ⅛` by x − 5 for x from 0 to 9.95, the highest power first: small, so that they are
-/// added to exact parts. c₂ and c₃ are the Stumpff functions `(1 − cos φ)/φ²` and `(φ − sin φ)/φ³` of x = φ².
+/// Of `c₂ − ¼` and `c₃ − ⅛` by x − 5 for x from 0 to 9.95, the highest power first: small, so that
+/// they are added to exact parts. c₂ and c₃ are the Stumpff functions `(1 − cos φ)/φ²` and
+/// `(φ − sin φ)/φ³` of x = φ².
 const STUMPFF: [[f64; 2]; 10] = [
     [-3.652_696_308_519_567e-19, -1.757_439_221_688_305_2e-20],
     [1.387_016_998_042_339_2e-16, 7.383_718_380_318_964e-18],
@@ -49,8 +52,9 @@ pub(super) fn sine_by_angle<S: Real>(x: S) -> (S, S, S) {
     (cosine, ratio, rest[1] - rest[0] - exact[1])
 }
 
-/// `high x⁸ + Σ cₖ xᵏ` for k = 7, …, 0, of several polynomials side by side. In pairs, pairs of pairs and so on (Estrin's
-/// scheme), since the time of a polynomial is that until its sum is there.
+/// `high x⁸ + Σ cₖ xᵏ` for k = 7, …, 0, of several polynomials side by side. In pairs, pairs of
+/// pairs and so on (Estrin's scheme), since the time of a polynomial is that until its sum is
+/// there.
 #[inline(always)]
 fn polynomial<S: Real, const N: usize>(high: [S; N], c: [[f64; N]; 8], x: S) -> [S; N] {
     let (x2, x4) = (x * x, (x * x) * (x * x));

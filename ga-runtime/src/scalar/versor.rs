@@ -4,8 +4,9 @@ use super::{Field, Mask, Real};
 
 /// C, S and S′ of `exp B = C(B²) + S(B²) B` at `x = B²`.
 ///
-/// For x < 0 a turn, C = cos √−x and S = sin √−x / √−x; for x > 0 a boost or a scaling, with cosh and sinh; at x = 0 both are 1.
-/// `S′ = (C − S)/(2x)` is the derivative of S, for bivectors whose square has a part of square zero besides the scalar.
+/// For x < 0 a turn, C = cos √−x and S = sin √−x / √−x; for x > 0 a boost or a scaling, with cosh
+/// and sinh; at x = 0 both are 1. `S′ = (C − S)/(2x)` is the derivative of S, for bivectors whose
+/// square has a part of square zero besides the scalar.
 ///
 /// ```
 /// use ga_runtime::scalar::versor_exponential;
@@ -38,12 +39,12 @@ pub fn versor_exponential<S: Real>(x: S) -> (S, S, S) {
     (c, s, slope)
 }
 
-/// 1/S(x) and `−2 S′(x)/S(x)³` from C(x) and `q = S(x)² x`: how to get back from `exp B = c + W`, q = W², to
-/// `B = W/S`.
+/// 1/S(x) and `−2 S′(x)/S(x)³` from C(x) and `q = S(x)² x`: how to get back from `exp B = c + W`, q
+/// = W², to `B = W/S`.
 ///
-/// For q < 0 the angle √−x lies in [0, π]. At c = −1, q = 0 no bivector is told from another, and the factors are those
-/// of c = 1. For q > 0 and c < 0 there is no logarithm; the factors are those of the negative, which moves alike, with
-/// the sign of W.
+/// For q < 0 the angle √−x lies in [0, π]. At c = −1, q = 0 no bivector is told from another, and
+/// the factors are those of c = 1. For q > 0 and c < 0 there is no logarithm; the factors are those
+/// of the negative, which moves alike, with the sign of W.
 ///
 /// ```
 /// use ga_runtime::scalar::{versor_exponential, versor_logarithm};
@@ -61,8 +62,9 @@ pub fn versor_logarithm<S: Real>(c: S, q: S) -> (S, S) {
     let mut ratio = sine.atan2(c) / divisor;
     let is_growing = zero.less_than(q);
     if is_growing.any() {
-        // arsinh x = ln(1 + y) with y = x + x²/(1 + √(1 + x²)), and ln(1 + y) = y ln u/(u − 1) for u = 1 + y, which is exact
-        // to rounding (Higham, Accuracy and Stability of Numerical Algorithms, 2002, 1.14.1).
+        // arsinh x = ln(1 + y) with y = x + x²/(1 + √(1 + x²)), and ln(1 + y) = y ln u/(u − 1) for
+        // u = 1 + y, which is exact to rounding (Higham, Accuracy and Stability of Numerical
+        // Algorithms, 2002, 1.14.1).
         let y = sine + q / (one + (one + q).sqrt());
         let u = one + y;
         let difference = u - one;

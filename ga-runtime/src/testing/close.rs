@@ -9,17 +9,19 @@ use crate::Element;
 use crate::dense::Multivector;
 use crate::scalar::Ring;
 
-/// Asserts that two values agree up to rounding: that no two coefficients differ by more than the tolerance times the
-/// largest absolute value of all coefficients on either side.
+/// Asserts that two values agree up to rounding: that no two coefficients differ by more than the
+/// tolerance times the largest absolute value of all coefficients on either side.
 ///
-/// - `assert_close!(a, b)` takes [`Coefficients::TOLERANCE`] of the type: 10⁻¹² over `f64`, 10⁻⁵ over `f32`.
+/// - `assert_close!(a, b)` takes [`Coefficients::TOLERANCE`] of the type: 10⁻¹² over `f64`, 10⁻⁵
+///   over `f32`.
 /// - `assert_close!(a, b, tolerance)` takes another.
-/// - `assert_close!(a, b, tolerance, scale)` measures relative to the given scale in place of the largest coefficient.
-///   That is the form for results that should be zero, and `scale` is the size of what has cancelled.
+/// - `assert_close!(a, b, tolerance, scale)` measures relative to the given scale in place of the
+///   largest coefficient. That is the form for results that should be zero, and `scale` is the size
+///   of what has cancelled.
 ///
-/// A coefficient that is infinite or no number fails, and so do values with different numbers of coefficients. The
-/// message names the coefficient of the largest deviation. See [`Coefficients`](crate::testing::Coefficients) for what
-/// can be compared.
+/// A coefficient that is infinite or no number fails, and so do values with different numbers of
+/// coefficients. The message names the coefficient of the largest deviation. See
+/// [`Coefficients`](crate::testing::Coefficients) for what can be compared.
 ///
 /// ```
 /// use ga_runtime::testing::assert_close;
@@ -28,7 +30,8 @@ use crate::scalar::Ring;
 /// assert_close!(std::f64::consts::PI.sin(), 0.0, 1e-15, 1.0);
 /// ```
 ///
-/// Elements of an algebra are compared in all blades of the algebra, so that a motor can be held against an even multivector:
+/// Elements of an algebra are compared in all blades of the algebra, so that a motor can be held
+/// against an even multivector:
 ///
 /// ```
 /// use ga_runtime::cga3::{Even, Motor, Rotor};
@@ -70,8 +73,8 @@ macro_rules! assert_close {
 
 /// Compares as [`assert_close!`] does and reports instead of panicking.
 ///
-/// Without a tolerance the larger [`Coefficients::TOLERANCE`] of the two types is taken, without a scale the largest
-/// absolute value of all coefficients.
+/// Without a tolerance the larger [`Coefficients::TOLERANCE`] of the two types is taken, without a
+/// scale the largest absolute value of all coefficients.
 ///
 /// # Errors
 ///
@@ -143,8 +146,8 @@ fn name_of(value: &(impl Coefficients + ?Sized), index: usize) -> String {
 
 /// What [`assert_close!`] compares: a value as a list of real numbers, each with a name.
 ///
-/// Numbers have them, elements of an algebra, dense multivectors, and arrays, slices and vectors of all of these, nested as
-/// well. For a type of one's own, two methods do:
+/// Numbers have them, elements of an algebra, dense multivectors, and arrays, slices and vectors of
+/// all of these, nested as well. For a type of one's own, two methods do:
 ///
 /// ```
 /// use ga_runtime::testing::{Coefficients, assert_close};
@@ -176,8 +179,8 @@ pub trait Coefficients {
     /// Appends all coefficients, in a fixed order.
     fn append_to(&self, list: &mut Vec<f64>);
 
-    /// The name of the coefficient of this index in that order, for messages; empty for a number, which has only one. It
-    /// is only asked for coefficients that exist.
+    /// The name of the coefficient of this index in that order, for messages; empty for a number,
+    /// which has only one. It is only asked for coefficients that exist.
     fn coefficient_name(&self, index: usize) -> String;
 }
 
@@ -333,7 +336,8 @@ impl<S: Ring + Coefficients> Coefficients for Multivector<S> {
     }
 }
 
-/// All blades of the algebra in the order of their numbers, so that elements of different types can be compared.
+/// All blades of the algebra in the order of their numbers, so that elements of different types can
+/// be compared.
 impl<T> Coefficients for T
 where
     T: Element,

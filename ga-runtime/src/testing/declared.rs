@@ -11,10 +11,12 @@ use crate::Element;
 use crate::dense::{Algebra, Multivector};
 use crate::scalar::{Field, Prime61, Ring};
 
-/// Emits one test for each declared product of an algebra, which demands exact equality with the dense reference
-/// over the prime field on random members of the operands' types, and one for the arithmetic of each type.
+/// Emits one test for each declared product of an algebra, which demands exact equality with the
+/// dense reference over the prime field on random members of the operands' types, and one for the
+/// arithmetic of each type.
 ///
-/// The tests come from the declaration, so that a product added there is tested without further word.
+/// The tests come from the declaration, so that a product added there is tested without further
+/// word.
 ///
 /// ```
 /// ga_runtime::algebra! {
@@ -77,8 +79,9 @@ pub fn constant_to_dense<S: Field>(
 /// Random members of a declared type, their free numbers drawn from `number`.
 ///
 /// Where any stored coefficients make a member, these are the numbers. Unit versors are products of
-/// `(1 + αb)²/(1 − α²b²)` with random α over the 2-blades b of the basis that the type has or that its vectors span;
-/// for a type of vectors, that versor acts on a basis vector of square 1. Over floating point, keep `number` within ±0.9.
+/// `(1 + αb)²/(1 − α²b²)` with random α over the 2-blades b of the basis that the type has or that
+/// its vectors span; for a type of vectors, that versor acts on a basis vector of square 1. Over
+/// floating point, keep `number` within ±0.9.
 ///
 /// ```
 /// use ga_runtime::cga3::{Motor, Point};
@@ -133,8 +136,8 @@ pub fn only<T: Clone + core::fmt::Debug>(value: T) -> impl Strategy<Value = T> +
     Just(value)
 }
 
-/// Runs a test on random values, the same in every run. The test panics where it fails, and the values are then
-/// shrunk.
+/// Runs a test on random values, the same in every run. The test panics where it fails, and the
+/// values are then shrunk.
 ///
 /// # Panics
 /// With the smallest failing values that were found.

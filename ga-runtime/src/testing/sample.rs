@@ -6,7 +6,8 @@ use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, RngSeed, TestRunner};
 
-/// So many values of a strategy, the same ones for the same seed: the inputs of a benchmark or of a table.
+/// So many values of a strategy, the same ones for the same seed: the inputs of a benchmark or of a
+/// table.
 ///
 /// ```
 /// use ga_runtime::cga3::Motor;

@@ -1,7 +1,7 @@
 //! Strategies for proptest: scalars, and multivectors of any algebra.
 //!
-//! A strategy for multivectors takes the strategy of their coefficients, so that the same test runs over
-//! [`prime`] exactly and over [`float`] up to rounding.
+//! A strategy for multivectors takes the strategy of their coefficients, so that the same test runs
+//! over [`prime`] exactly and over [`float`] up to rounding.
 
 use alloc::vec::Vec;
 
@@ -11,8 +11,8 @@ use proptest::prelude::*;
 use crate::dense::{Algebra, Multivector};
 use crate::scalar::{Prime61, Ring};
 
-/// Any element of the prime field. Most are drawn evenly from the whole field, the others are small integers of either
-/// sign, zero and one among them.
+/// Any element of the prime field. Most are drawn evenly from the whole field, the others are small
+/// integers of either sign, zero and one among them.
 pub fn prime() -> impl Strategy<Value = Prime61> + Clone {
     prop_oneof![
         7 => (0..Prime61::MODULUS).prop_map(Prime61::new),
@@ -29,7 +29,8 @@ pub fn nonzero_prime() -> impl Strategy<Value = Prime61> + Clone {
     ]
 }
 
-/// A number from −`magnitude` to `magnitude`. One in eight is exactly zero, −`magnitude` or `magnitude`.
+/// A number from −`magnitude` to `magnitude`. One in eight is exactly zero, −`magnitude` or
+/// `magnitude`.
 pub fn float(magnitude: f64) -> impl Strategy<Value = f64> + Clone {
     prop_oneof![
         7 => -magnitude..=magnitude,
@@ -70,7 +71,8 @@ pub fn vector<S: Ring, C: Strategy<Value = S> + Clone>(
     })
 }
 
-/// The geometric product of so many vectors, null ones included, so that it need not have an inverse.
+/// The geometric product of so many vectors, null ones included, so that it need not have an
+/// inverse.
 pub fn versor<S: Ring, C: Strategy<Value = S> + Clone>(
     algebra: &Algebra<S>,
     factors: usize,

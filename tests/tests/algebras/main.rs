@@ -1,4 +1,5 @@
-//! The geometry of the algebras beside cga3, compared with plain coordinates, matrices and the dense reference.
+//! The geometry of the algebras beside cga3, compared with plain coordinates, matrices and the
+//! dense reference.
 
 mod cga2;
 mod pga2;

@@ -42,7 +42,8 @@ proptest! {
         prop_assume!(volume.abs() > 0.05);
         let [x, y, z] = [a, b, c].map(|n| Plane::from_point_normal(p, times(n, weight)));
         assert_near(place(x ^ y ^ z), p, 1e-12 / volume.abs());
-        // The meet of two has the direction of the normals' cross product, and goes through the point.
+        // The meet of two has the direction of the normals' cross product, and goes through the
+        // point.
         let line = x ^ y;
         assert_near(line.direction(), times(cross(a, b), weight * weight), 1e-13);
         assert_near(line.moment(), cross(p, line.direction()), 1e-12);

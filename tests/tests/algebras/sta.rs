@@ -1,4 +1,5 @@
-//! Events, velocities, fields and Lorentz transformations of sta, compared with matrices and the formulas of textbooks.
+//! Events, velocities, fields and Lorentz transformations of sta, compared with matrices and the
+//! formulas of textbooks.
 
 use std::f64::consts::PI;
 
@@ -67,7 +68,8 @@ fn boost_matrix(v: Vector) -> Matrix {
     matrix
 }
 
-/// What a field adds to a vector in unit parameter time by `x ↦ F x − x F`: twice the force, with E and B as Maxwell has them.
+/// What a field adds to a vector in unit parameter time by `x ↦ F x − x F`: twice the force, with E
+/// and B as Maxwell has them.
 fn generator_matrix(e: Vector, b: Vector) -> Matrix {
     let [ex, ey, ez] = e.map(|x| 2.0 * x);
     let [bx, by, bz] = b.map(|x| 2.0 * x);

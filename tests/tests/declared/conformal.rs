@@ -1,4 +1,5 @@
-//! cga3 declared anew under other names and in another order of the basis: nothing is tied to either.
+//! cga3 declared anew under other names and in another order of the basis: nothing is tied to
+//! either.
 
 use ga_runtime::Element;
 use ga_runtime::cga3;
@@ -245,7 +246,8 @@ mod products {
 /// For each vector here which one of cga3 it is: f is ei, z is e3, x is e1, y is e2, h is eo.
 const VECTORS: [usize; 5] = [4, 2, 0, 1, 3];
 
-/// An element of cga3 as its namesake here: blades go to blades, with a sign for the order of their vectors.
+/// An element of cga3 as its namesake here: blades go to blades, with a sign for the order of their
+/// vectors.
 fn translated<T: Element<Scalar = Prime61>, U: Element<Scalar = Prime61>>(element: T) -> U {
     U::from_coefficients_unchecked(&mut |blade| {
         let vectors: Vec<_> = (0..5)

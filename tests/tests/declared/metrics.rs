@@ -85,7 +85,8 @@ ga_runtime::algebra! {
 }
 
 ga_runtime::algebra! {
-    /// An oblique basis of space whose vectors have fractions for inner products, one of them a negative square.
+    /// An oblique basis of space whose vectors have fractions for inner products, one of them a
+    /// negative square.
     mod oblique {
         basis a, b, c;
         metric a*a = 3/2, b*b = 2, c*c = -1/3, a*b = 1/2, c*b = -1/4, b*c = -1/4;
@@ -283,7 +284,8 @@ fn complex_numbers_multiply() {
     });
 }
 
-/// A boost along x with velocity v takes (t, x) to γ(t + vx, x + vt), and velocities add as (u + v)/(1 + uv).
+/// A boost along x with velocity v takes (t, x) to γ(t + vx, x + vt), and velocities add as (u +
+/// v)/(1 + uv).
 #[test]
 fn boosts_follow_lorentz() {
     let boost = |velocity: f64| {

@@ -1,4 +1,5 @@
-//! Inverses and defaults of types that hold no identity, and the normalisation of large and small elements.
+//! Inverses and defaults of types that hold no identity, and the normalisation of large and small
+//! elements.
 
 use std::marker::PhantomData;
 
@@ -41,7 +42,8 @@ mod products {
     ga_runtime::testing::product_tests!(super::plane);
 }
 
-/// Tells whether a type has a default: the inherent constant hides that of the trait where its bound holds.
+/// Tells whether a type has a default: the inherent constant hides that of the trait where its
+/// bound holds.
 struct Probe<T>(PhantomData<T>);
 
 trait HasNoDefault {

@@ -1,4 +1,5 @@
-//! The types of the algebras of ga-runtime that have a scalar. `interop_bytemuck.rs` tests that none is missing.
+//! The types of the algebras of ga-runtime that have a scalar. `interop_bytemuck.rs` tests that
+//! none is missing.
 
 /// Hands the types by algebra to a macro.
 macro_rules! every_type {

@@ -1,4 +1,5 @@
-//! The grammar: bindings, patterns, arrays, tuples, calls and closures, on integers that can be worked out by hand.
+//! The grammar: bindings, patterns, arrays, tuples, calls and closures, on integers that can be
+//! worked out by hand.
 
 use ga_runtime::cga3::{Infinity, Line, Plane, Point, RoundVector};
 use ga_runtime::ga;
@@ -53,7 +54,8 @@ mod compiled {
         fn sum(a: [Scalar; 3]) -> Scalar { a[0] + 10 * a[1] + 100 * a[2] }
 
         #[allow(non_snake_case)]
-        /// Operands may bear the names of blades, of variables in emitted code, and of what it uses.
+        /// Operands may bear the names of blades, of variables in emitted code, and of what it
+        /// uses.
         pub fn collisions(
             t0: Scalar, t5: Scalar, e1: Scalar, S: Scalar, closure: Scalar, result: Scalar, node0: Scalar,
             c0: Scalar, core: Scalar, function: Scalar, r#type: Scalar, sin: Scalar,

@@ -1,5 +1,5 @@
-//! Functions written in `ga!`, against truth that the compiler did not produce: the dense reference over the prime
-//! field, exactly, where no real function is involved, and closed forms otherwise.
+//! Functions written in `ga!`, against truth that the compiler did not produce: the dense reference
+//! over the prime field, exactly, where no real function is involved, and closed forms otherwise.
 
 mod exact;
 mod language;

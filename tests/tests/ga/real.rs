@@ -185,7 +185,8 @@ fn rotors_translators_and_dilators() {
     }
 }
 
-/// Rapidity and direction: with `φ = 2|b|`, `t' = t cosh φ + x sinh φ` along the direction, up to its sign.
+/// Rapidity and direction: with `φ = 2|b|`, `t' = t cosh φ + x sinh φ` along the direction, up to
+/// its sign.
 #[test]
 fn boosts_are_hyperbolic() {
     use spacetime::{mostly_minus, mostly_plus};
@@ -207,7 +208,8 @@ fn boosts_are_hyperbolic() {
         );
         let back = compiled::generator(half);
         assert_close!(back, half, 1e-14, rapidity.max(f64::MIN_POSITIVE));
-        // e4 e14 = e1 and e4² = −1: exp(−φ/2 e14) e4 exp(φ/2 e14) = cosh φ e4 + sinh φ (e4 e14) with e4 e1 e4 = e1.
+        // e4 e14 = e1 and e4² = −1: exp(−φ/2 e14) e4 exp(φ/2 e14) = cosh φ e4 + sinh φ (e4 e14)
+        // with e4 e1 e4 = e1.
         let half = mostly_plus::Boost::new(-rapidity / 2.0, 0.0, 0.0);
         let moved = compiled::boosted_plus(half, mostly_plus::Vector::new(0.0, 2.0, 3.0, 1.0));
         assert_close!(

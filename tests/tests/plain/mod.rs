@@ -93,7 +93,8 @@ pub(crate) fn sphere_of_square(c: Vector, squared: f64) -> Sphere<f64> {
     ga_runtime::cga3::DualSphere::new(c[0], c[1], c[2], 1.0, ei).undual()
 }
 
-/// A circle with this squared radius, of either sign: where a plane cuts a sphere about a centre in it.
+/// A circle with this squared radius, of either sign: where a plane cuts a sphere about a centre in
+/// it.
 pub(crate) fn circle_of_square(c: Vector, n: Vector, squared: f64) -> Circle<f64> {
     plane(c, n) & sphere_of_square(c, squared)
 }
@@ -149,7 +150,8 @@ pub(crate) fn positive_multiple(found: &Multivector<f64>, expected: &Multivector
     );
 }
 
-/// The least value of a function of an angle, by dense sampling and golden sections about the least samples.
+/// The least value of a function of an angle, by dense sampling and golden sections about the least
+/// samples.
 pub(crate) fn least_by_sampling(samples: usize, function: impl Fn(f64) -> f64) -> f64 {
     let step = TAU / samples as f64;
     let values: Vec<f64> = (0..samples).map(|k| function(k as f64 * step)).collect();

@@ -6,8 +6,8 @@ use crate::human::frame::Frame;
 use crate::human::landmarks::{ELBOW, Landmarks, WRIST, WRIST_FORWARD};
 use crate::human::vector::{Vector, add, scale, unit};
 
-/// Sections across the arm from the shoulder to the knuckles: palm and back of the hand, back and front of the arm (on
-/// the hand from the little finger to the index).
+/// Sections across the arm from the shoulder to the knuckles: palm and back of the hand, back and
+/// front of the arm (on the hand from the little finger to the index).
 const SECTIONS: [Section; 17] = [
     section(0.030, [-0.052, 0.056], [-0.060, 0.062], 2.0),
     section(0.060, [-0.053, 0.056], [-0.060, 0.061], 2.0),
@@ -28,8 +28,8 @@ const SECTIONS: [Section; 17] = [
     section(0.656, [-0.0110, 0.0100], [-0.024, 0.055], 2.4),
 ];
 
-/// A finger: where its knuckle is on the hand (along, towards the thumb), how far it spreads towards the thumb
-/// (radians), the lengths of its three bones and the radii at their ends.
+/// A finger: where its knuckle is on the hand (along, towards the thumb), how far it spreads
+/// towards the thumb (radians), the lengths of its three bones and the radii at their ends.
 struct Finger {
     knuckle: [f64; 2],
     spread: f64,

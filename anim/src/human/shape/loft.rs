@@ -1,4 +1,5 @@
-//! A solid through a row of cross-sections, given the way a body is measured: breadth and depth at each height.
+//! A solid through a row of cross-sections, given the way a body is measured: breadth and depth at
+//! each height.
 
 use crate::human::frame::Frame;
 use crate::human::vector::{Vector, dot, sub};
@@ -40,7 +41,8 @@ pub(crate) struct Loft {
     caps: [f64; 2],
 }
 
-/// A section as the channels that are interpolated, with their slopes: centre and half-width of both reaches, exponent.
+/// A section as the channels that are interpolated, with their slopes: centre and half-width of
+/// both reaches, exponent.
 #[derive(Clone, Copy, Debug)]
 struct Knot {
     along: f64,
@@ -127,7 +129,8 @@ impl Loft {
         bounds
     }
 
-    /// Channels and slopes at a position, how far it lies beyond the nearer end, and the height of that end's cap.
+    /// Channels and slopes at a position, how far it lies beyond the nearer end, and the height of
+    /// that end's cap.
     fn at(&self, along: f64) -> ([f64; CHANNELS], [f64; CHANNELS], f64, f64) {
         let first = &self.knots[0];
         let last = &self.knots[self.knots.len() - 1];
@@ -175,9 +178,11 @@ fn power(base: f64, exponent: f64) -> f64 {
     }
 }
 
-/// Slopes that make the cubics between the knots meet with equal curvature; zero at the ends, to meet the caps smoothly.
+/// Slopes that make the cubics between the knots meet with equal curvature; zero at the ends, to
+/// meet the caps smoothly.
 ///
-/// Continuity of the second derivative at each inner knot is one row of a tridiagonal system with a dominant diagonal.
+/// Continuity of the second derivative at each inner knot is one row of a tridiagonal system with a
+/// dominant diagonal.
 fn slopes(knots: &[Knot], channel: usize) -> Vec<f64> {
     let mut slopes = vec![0.0; knots.len()];
     // Forward elimination: slope[i] = value[i] - factor[i] slope[i + 1].

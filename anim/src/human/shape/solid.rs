@@ -14,7 +14,8 @@ pub(crate) enum Shape {
         axes: [Vector; 3],
         radii: Vector,
     },
-    /// Ball whose radius goes from the first to the second while its centre goes from `from` to `to`.
+    /// Ball whose radius goes from the first to the second while its centre goes from `from` to
+    /// `to`.
     Cone {
         from: Vector,
         to: Vector,
@@ -140,8 +141,8 @@ impl Solid {
         });
     }
 
-    /// Signed distance, to first order, as far as it matters: a value above `limit` may be replaced by any lower bound
-    /// that is itself above `limit`.
+    /// Signed distance, to first order, as far as it matters: a value above `limit` may be replaced
+    /// by any lower bound that is itself above `limit`.
     pub(crate) fn distance(&self, point: Vector, limit: f64) -> f64 {
         let far = self
             .bounds
@@ -172,7 +173,8 @@ impl Solid {
     }
 }
 
-/// The lesser of two distances, the corner between them filled by a parabola where they differ by less than `width`.
+/// The lesser of two distances, the corner between them filled by a parabola where they differ by
+/// less than `width`.
 pub(crate) fn smooth_minimum(a: f64, b: f64, width: f64) -> f64 {
     let overlap = (width - (a - b).abs()).max(0.0);
     if overlap > 0.0 {
@@ -182,7 +184,8 @@ pub(crate) fn smooth_minimum(a: f64, b: f64, width: f64) -> f64 {
     }
 }
 
-/// A rounded dent (negative height) or bump: adds `height` metres at the centre, falling off as a Gaussian.
+/// A rounded dent (negative height) or bump: adds `height` metres at the centre, falling off as a
+/// Gaussian.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bump {
     pub(crate) centre: Vector,

@@ -1,9 +1,10 @@
 //! Marching tetrahedra: the surface of a solid on a grid, always a manifold.
 //!
-//! Every cube of the grid is cut into six tetrahedra along its main diagonal (Kuhn's triangulation), the same way
-//! everywhere, so that neighbours meet in whole faces. Within a tetrahedron the surface is one triangle or one
-//! quadrilateral; there are no ambiguous cases and the pieces always fit together (Doi and Koide, An efficient method
-//! of triangulating equi-valued surfaces by using tetrahedral cells, IEICE Transactions 1991).
+//! Every cube of the grid is cut into six tetrahedra along its main diagonal (Kuhn's
+//! triangulation), the same way everywhere, so that neighbours meet in whole faces. Within a
+//! tetrahedron the surface is one triangle or one quadrilateral; there are no ambiguous cases and
+//! the pieces always fit together (Doi and Koide, An efficient method of triangulating equi-valued
+//! surfaces by using tetrahedral cells, IEICE Transactions 1991).
 
 use std::collections::HashMap;
 
@@ -29,8 +30,8 @@ const BLOCK: usize = 8;
 
 /// The surface on which `distance` vanishes, cut off at the sides of the grid.
 ///
-/// `distance(point, limit)` is the signed distance, up to a factor of at most `stretch`; a value above `limit` may be
-/// replaced by any lower bound that is itself above `limit`.
+/// `distance(point, limit)` is the signed distance, up to a factor of at most `stretch`; a value
+/// above `limit` may be replaced by any lower bound that is itself above `limit`.
 pub(crate) fn march(grid: Grid, stretch: f64, distance: impl Fn(Vector, f64) -> f64) -> Surface {
     let mut marcher = Marcher {
         grid,
@@ -71,7 +72,8 @@ impl Grid {
 struct Marcher {
     grid: Grid,
     surface: Surface,
-    /// The vertex on each edge of the grid that the surface crosses, by the numbers of the edge's ends.
+    /// The vertex on each edge of the grid that the surface crosses, by the numbers of the edge's
+    /// ends.
     vertices: HashMap<(u64, u64), u32>,
 }
 
@@ -165,8 +167,9 @@ impl Marcher {
     }
 }
 
-/// The six tetrahedra of a cube: the corners (bit k: upper end in direction k) on the six shortest ways along edges from
-/// corner 0 to corner 7, and whether the three steps are an even permutation of the axes.
+/// The six tetrahedra of a cube: the corners (bit k: upper end in direction k) on the six shortest
+/// ways along edges from corner 0 to corner 7, and whether the three steps are an even permutation
+/// of the axes.
 const KUHN: [([usize; 4], bool); 6] = [
     ([0, 1, 3, 7], true),
     ([0, 2, 6, 7], true),

@@ -1,16 +1,18 @@
-//! Even triangles: splits long edges, collapses short ones, flips edges towards six neighbours a vertex, and lets the
-//! vertices drift along the surface to the middle of their neighbours.
+//! Even triangles: splits long edges, collapses short ones, flips edges towards six neighbours a
+//! vertex, and lets the vertices drift along the surface to the middle of their neighbours.
 //!
-//! The method is that of Botsch and Kobbelt, A remeshing approach to multiresolution modeling, Symposium on Geometry
-//! Processing 2004, with an edge length that may vary over the surface. The surface may be cut off by the plane x = 0:
-//! its rim stays in the plane, so that the surface and its mirror image close up to a manifold.
+//! The method is that of Botsch and Kobbelt, A remeshing approach to multiresolution modeling,
+//! Symposium on Geometry Processing 2004, with an edge length that may vary over the surface. The
+//! surface may be cut off by the plane x = 0: its rim stays in the plane, so that the surface and
+//! its mirror image close up to a manifold.
 
 use super::marching_tetrahedra::Surface;
 use super::topology::Topology;
 use crate::human::shape::solid::project;
 use crate::human::vector::{Vector, add, cross, dot, mix, norm, scale, sub, unit};
 
-/// Makes the edges of a surface about `length(position)` long, and its vertices stay where `distance` vanishes.
+/// Makes the edges of a surface about `length(position)` long, and its vertices stay where
+/// `distance` vanishes.
 pub(crate) fn remesh(
     surface: Surface,
     rounds: usize,
@@ -102,7 +104,8 @@ impl<L: Fn(Vector) -> f64> Remesher<L> {
         }
     }
 
-    /// Collapses the edge into one vertex if the surface stays a manifold and no triangle turns over.
+    /// Collapses the edge into one vertex if the surface stays a manifold and no triangle turns
+    /// over.
     fn try_collapse(&mut self, a: u32, b: u32) {
         let (rim_a, rim_b) = (self.rim[a as usize], self.rim[b as usize]);
         let on_rim = self.topology.triangles_at_edge(a, b).len() == 1;

@@ -1,4 +1,5 @@
-//! Triangles and which of them meet at each vertex, under the three changes that keep a surface a manifold.
+//! Triangles and which of them meet at each vertex, under the three changes that keep a surface a
+//! manifold.
 
 /// A triangle mesh that can be changed edge by edge.
 #[derive(Clone, Debug)]
@@ -89,7 +90,8 @@ impl Topology {
         rim
     }
 
-    /// The third vertices of the two triangles at an edge: of the one that runs from a to b, then of the other.
+    /// The third vertices of the two triangles at an edge: of the one that runs from a to b, then
+    /// of the other.
     pub(crate) fn opposite(&self, a: u32, b: u32) -> Option<[u32; 2]> {
         let mut opposite = [None; 2];
         for t in self.triangles_at_edge(a, b) {

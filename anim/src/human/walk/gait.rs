@@ -1,17 +1,19 @@
 //! How a person walks: the angles of the joints at eight moments of a stride.
 //!
-//! The curves of hip, knee and ankle are those of free walking on level ground as in D. A. Winter, The Biomechanics
-//! and Motor Control of Human Gait (2nd edition, 1991), and J. Perry and J. M. Burnfield, Gait Analysis (2nd edition, 2010),
-//! read off at eighths of the stride; arms after M. P. Murray, S. B. Sepic and E. J. Barnard, Patterns of sagittal rotation of
-//! the upper limbs in walking, Physical Therapy 47 (1967). The eight moments are the animator's contact, down, passing and up
-//! for either foot.
+//! The curves of hip, knee and ankle are those of free walking on level ground as in D. A. Winter,
+//! The Biomechanics and Motor Control of Human Gait (2nd edition, 1991), and J. Perry and J. M.
+//! Burnfield, Gait Analysis (2nd edition, 2010), read off at eighths of the stride; arms after M.
+//! P. Murray, S. B. Sepic and E. J. Barnard, Patterns of sagittal rotation of the upper limbs in
+//! walking, Physical Therapy 47 (1967). The eight moments are the animator's contact, down, passing
+//! and up for either foot.
 
 use std::f64::consts::FRAC_PI_4;
 
 /// Key poses in a stride: four for each step.
 pub const KEYS_PER_STRIDE: usize = 8;
 
-/// What animators call the key poses of a stride, first as the left leg takes the weight and then as the right one does.
+/// What animators call the key poses of a stride, first as the left leg takes the weight and then
+/// as the right one does.
 pub const KEY_NAMES: [&str; KEYS_PER_STRIDE] = [
     "contact left",
     "down left",
@@ -36,7 +38,8 @@ pub(crate) struct LegMoment {
 
 /// The moment at which a leg's heel touches the ground.
 pub(crate) const HEEL_STRIKE: usize = 0;
-/// The moment at which the other heel does, when this one has left the ground and the ball is still on it.
+/// The moment at which the other heel does, when this one has left the ground and the ball is still
+/// on it.
 pub(crate) const HEEL_OFF: usize = 4;
 /// The moment at which the toes leave the ground.
 pub(crate) const TOE_OFF: usize = 5;
@@ -45,8 +48,8 @@ const fn leg(hip: f64, knee: f64, sole: f64) -> LegMoment {
     LegMoment { hip, knee, sole }
 }
 
-/// One leg through its stride, from the moment its heel touches the ground. The slope of the sole at [`HEEL_OFF`] is left to
-/// the walk: it follows from both feet being on the ground.
+/// One leg through its stride, from the moment its heel touches the ground. The slope of the sole
+/// at [`HEEL_OFF`] is left to the walk: it follows from both feet being on the ground.
 pub(crate) const LEG: [LegMoment; KEYS_PER_STRIDE] = [
     leg(24.0, 5.0, 18.0),
     leg(20.0, 16.0, 0.0),
@@ -69,8 +72,8 @@ pub(crate) struct TrunkMoment {
     pub(crate) list: f64,
 }
 
-/// The pelvis `key` eighths of a stride after the left heel has touched the ground. It swings over the leg that stands, drops
-/// a little on the other side, and brings the leg that swings forward.
+/// The pelvis `key` eighths of a stride after the left heel has touched the ground. It swings over
+/// the leg that stands, drops a little on the other side, and brings the leg that swings forward.
 pub(crate) fn trunk(key: usize) -> TrunkMoment {
     let phase = key as f64 * FRAC_PI_4;
     TrunkMoment {
@@ -89,7 +92,8 @@ pub(crate) struct ArmMoment {
     pub(crate) elbow: f64,
 }
 
-/// The left arm `key` eighths of a stride after the left heel has touched the ground: it goes against the leg.
+/// The left arm `key` eighths of a stride after the left heel has touched the ground: it goes
+/// against the leg.
 pub(crate) fn left_arm(key: usize) -> ArmMoment {
     let phase = key as f64 * FRAC_PI_4;
     ArmMoment {

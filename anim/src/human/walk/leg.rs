@@ -1,8 +1,8 @@
 //! A leg of two bones: from angles to the ankle, and from the ankle back to the angles.
 //!
-//! Everything is about the left leg and in the axes of the pelvis. The knee bends about x, the hip about x and then about
-//! z. Angles are rotations from rest in radians, positive by the right-hand rule: bending the knee is positive about x, lifting
-//! the thigh to the front negative.
+//! Everything is about the left leg and in the axes of the pelvis. The knee bends about x, the hip
+//! about x and then about z. Angles are rotations from rest in radians, positive by the right-hand
+//! rule: bending the knee is positive about x, lifting the thigh to the front negative.
 
 use crate::human::landmarks::Landmarks;
 use crate::human::vector::{Vector, dot, sub};
@@ -33,8 +33,8 @@ impl Leg {
         }
     }
 
-    /// The rotations from rest for the angles that gait analysis measures: how far the thigh is in front of the
-    /// vertical, and how far the shank lies behind the line of the thigh.
+    /// The rotations from rest for the angles that gait analysis measures: how far the thigh is in
+    /// front of the vertical, and how far the shank lies behind the line of the thigh.
     pub(crate) fn clinical(&self, hip_flexion: f64, knee_flexion: f64) -> LegAngles {
         let lean = |bone: Vector| bone[2].atan2(-bone[1]);
         LegAngles {
@@ -51,8 +51,8 @@ impl Leg {
         [x * cos - y * sin, x * sin + y * cos, z]
     }
 
-    /// The angles that take the ankle to a place relative to the hip, the knee bent to the back; `None` when it is out
-    /// of reach.
+    /// The angles that take the ankle to a place relative to the hip, the knee bent to the back;
+    /// `None` when it is out of reach.
     pub(crate) fn reach(&self, ankle: Vector) -> Option<LegAngles> {
         let (t, s) = (self.thigh, self.shank);
         // |thigh + shank turned by the knee|² = |ankle|² is a cos + b sin = c.

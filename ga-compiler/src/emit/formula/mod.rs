@@ -1,8 +1,9 @@
 //! Formulas to read: one expression for each blade of the result.
 //!
-//! Products stand side by side, powers are raised, coefficients of operands are written `operand.blade`. The graph is
-//! multiplied out and its terms collected, as far as that stays readable; what would grow too large, and what is needed more than
-//! once, gets a name and a line of its own before the blades.
+//! Products stand side by side, powers are raised, coefficients of operands are written
+//! `operand.blade`. The graph is multiplied out and its terms collected, as far as that stays
+//! readable; what would grow too large, and what is needed more than once, gets a name and a line
+//! of its own before the blades.
 
 mod expand;
 mod polynomial;
@@ -21,8 +22,9 @@ use polynomial::Polynomial;
 use print::Printer;
 pub(super) use print::name as function_name;
 
-/// A function as text: a line for the function, then one for each blade of its result, `e1: …`. The blades of an array's
-/// elements are `[0].e1`, those of a tuple's `.0.e1`; a plain number is `scalar`.
+/// A function as text: a line for the function, then one for each blade of its result, `e1: …`. The
+/// blades of an array's elements are `[0].e1`, those of a tuple's `.0.e1`; a plain number is
+/// `scalar`.
 ///
 /// ```
 /// use ga_compiler::emit::formula;
@@ -102,8 +104,8 @@ fn with_terms(
     text
 }
 
-/// The text of one value of a graph whose inputs are the stored coefficients of the operands. It is cut off where it
-/// is longer than what fits a message.
+/// The text of one value of a graph whose inputs are the stored coefficients of the operands. It is
+/// cut off where it is longer than what fits a message.
 #[must_use]
 pub fn of_value(
     definition: &Definition,
@@ -294,7 +296,8 @@ fn bind(printer: &mut Printer<'_>, values: &[Value]) -> Vec<Polynomial> {
         values.map(|&value| printer.expander.value(value)).collect()
     };
     let expanded = expand(printer);
-    // What has a name is read by it everywhere, even where it would be short enough to be multiplied out.
+    // What has a name is read by it everywhere, even where it would be short enough to be
+    // multiplied out.
     let parts = shared(printer, &expanded);
     printer.expander = printer.expander.with_parts(parts);
     let expanded = expand(printer);

@@ -8,8 +8,8 @@ use crate::ir::NodeId;
 /// A product of powers in rising order; exponents are not zero, negative ones divide.
 pub(super) type Monomial = Vec<(NodeId, i32)>;
 
-/// A polynomial with terms of any sign of exponent. The variables are nodes: inputs, functions, and what would grow too
-/// large if it were expanded.
+/// A polynomial with terms of any sign of exponent. The variables are nodes: inputs, functions, and
+/// what would grow too large if it were expanded.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Polynomial {
     pub(super) terms: BTreeMap<Monomial, Ratio>,

@@ -80,7 +80,8 @@ impl Printer<'_> {
         self.term(&Monomial::new(), content, inner)
     }
 
-    /// The coefficients of the variables of the last operand that the polynomial is linear in, if that makes it shorter.
+    /// The coefficients of the variables of the last operand that the polynomial is linear in, if
+    /// that makes it shorter.
     fn groups(&self, polynomial: &Polynomial) -> Option<Vec<(Monomial, Polynomial)>> {
         if polynomial.len() < 3 {
             return None;

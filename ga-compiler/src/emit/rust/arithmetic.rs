@@ -1,4 +1,5 @@
-//! Sums, differences, negatives and multiples, in the type itself where they stay there, else in its hull.
+//! Sums, differences, negatives and multiples, in the type itself where they stay there, else in
+//! its hull.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};

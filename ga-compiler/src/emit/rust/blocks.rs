@@ -1,4 +1,5 @@
-//! How blocks of functions reach each other: a macro of each function's name hands its whole block on.
+//! How blocks of functions reach each other: a macro of each function's name hands its whole block
+//! on.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -43,8 +44,8 @@ pub fn ask_for_import(all: &Pending, import: &UseSyntax, rest: &TokenStream) -> 
     }
 }
 
-/// The macro that hands a block on, under the names of its functions. `algebra` tells its algebra from others, `source`
-/// are the tokens of the block.
+/// The macro that hands a block on, under the names of its functions. `algebra` tells its algebra
+/// from others, `source` are the tokens of the block.
 #[must_use]
 pub fn block_handover(block: &Block, algebra: u64, source: &TokenStream) -> TokenStream {
     let Some(first) = block

@@ -215,7 +215,8 @@ impl Writer<'_> {
         quote! { -#node }
     }
 
-    /// A sum whose first term has a positive factor. A product that is read here only is fused with the addition.
+    /// A sum whose first term has a positive factor. A product that is read here only is fused with
+    /// the addition.
     fn sum(&mut self, terms: &[Value]) -> TokenStream {
         let mut tokens = TokenStream::new();
         for (place, term) in self.ordered(terms).into_iter().enumerate() {
@@ -249,8 +250,8 @@ impl Writer<'_> {
         tokens
     }
 
-    /// The terms of a sum in the order in which they are added: a product and a plain term make one fused operation if
-    /// the product comes second.
+    /// The terms of a sum in the order in which they are added: a product and a plain term make one
+    /// fused operation if the product comes second.
     fn ordered(&self, terms: &[Value]) -> Vec<Value> {
         let mut terms = terms.to_vec();
         if let [first, second, ..] = terms.as_mut_slice()
@@ -263,7 +264,8 @@ impl Writer<'_> {
         terms
     }
 
-    /// Whether a term is a product that is worked out here, so that it can be fused with the addition.
+    /// Whether a term is a product that is worked out here, so that it can be fused with the
+    /// addition.
     fn is_fused(&self, term: Value) -> bool {
         if term.node == Arena::ONE {
             return false;

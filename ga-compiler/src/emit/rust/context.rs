@@ -74,7 +74,8 @@ impl<'a> Context<'a> {
         quote! { #name { #(#fields: #values),* } }
     }
 
-    /// The body of an expression over operands called by the given names, with the finished result as its tail.
+    /// The body of an expression over operands called by the given names, with the finished result
+    /// as its tail.
     pub(super) fn compile(
         &self,
         operands: &[(&TypeDefinition, Ident)],

@@ -15,7 +15,8 @@ use crate::function::{CompiledFunction, Operand, Shape};
 use crate::ir::{NodeId, Value};
 use crate::parse::{FunctionSyntax, ShapeSyntax};
 
-/// The functions as items, or a single closure as an expression. `path` is where the module of the algebra is found.
+/// The functions as items, or a single closure as an expression. `path` is where the module of the
+/// algebra is found.
 #[must_use]
 pub fn functions(
     definition: &Definition,
@@ -43,7 +44,8 @@ pub fn functions(
         .collect()
 }
 
-/// Functions of the same signatures that never return, to stand in for those with errors, so that their callers add none.
+/// Functions of the same signatures that never return, to stand in for those with errors, so that
+/// their callers add none.
 #[must_use]
 pub fn function_stand_ins(
     definition: &Definition,
@@ -120,7 +122,8 @@ impl Emitter<'_> {
         }
     }
 
-    /// A function of uniform operands that gives a struct with their part of the work done, and the rest as its method.
+    /// A function of uniform operands that gives a struct with their part of the work done, and the
+    /// rest as its method.
     fn staged(&self, function: &CompiledFunction, name: &Ident) -> TokenStream {
         let (attributes, visibility) = (&function.attributes, &function.visibility);
         let inputs = self.inputs(&function.operands);
@@ -186,7 +189,8 @@ impl Emitter<'_> {
 
             #[allow(clippy::all, clippy::pedantic, unused_variables, dead_code)]
             impl<S> #prepared<S> {
-                /// The same over another scalar, number by number: lanes of one number each, for instance.
+                /// The same over another scalar, number by number: lanes of one number each, for
+                /// instance.
                 #[inline(always)]
                 #[must_use]
                 #visibility fn map<T>(self, #[allow(unused_mut)] mut function: impl ::core::ops::FnMut(S) -> T) -> #prepared<T> {
@@ -280,7 +284,8 @@ impl Emitter<'_> {
                     if kind.is_linear() {
                         quote! { #value.#field }
                     } else {
-                        // Named in full, since a trait of the call site may have a method of that name.
+                        // Named in full, since a trait of the call site may have a method of that
+                        // name.
                         quote! { #path::#name::#field(&#value) }
                     }
                 }));

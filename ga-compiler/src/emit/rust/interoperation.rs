@@ -1,7 +1,7 @@
 //! What the traits of other crates need to know of the types.
 //!
-//! The descriptions go to a macro of ga-runtime, whose features choose the traits: nothing comes of them where all are off,
-//! and a crate that declares an algebra needs no features of its own.
+//! The descriptions go to a macro of ga-runtime, whose features choose the traits: nothing comes of
+//! them where all are off, and a crate that declares an algebra needs no features of its own.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};

@@ -48,8 +48,9 @@ pub fn algebra(definition: &Definition, source: &TokenStream) -> TokenStream {
 
 /// Stand-ins for the module and the macro of a declaration with errors.
 ///
-/// The compiler is silent about names that are imported from a module with a `compile_error!` in it, and about whatever is
-/// done with them. So the errors go into a module of their own, and all names are imported from there.
+/// The compiler is silent about names that are imported from a module with a `compile_error!` in
+/// it, and about whatever is done with them. So the errors go into a module of their own, and all
+/// names are imported from there.
 #[must_use]
 pub fn stand_ins(source: &TokenStream, errors: &TokenStream) -> TokenStream {
     let Ok(Outline {
@@ -118,15 +119,16 @@ fn constants(definition: &Definition) -> TokenStream {
         quote! { &[#(#entries),*] }
     });
     quote! {
-        /// The names of the basis vectors. Bit `k` of a blade's number stands for the `k`-th of them.
+        /// The names of the basis vectors. Bit `k` of a blade's number stands for the `k`-th of
+        /// them.
         pub const BASIS: &[&::core::primitive::str] = &[#(#names),*];
         /// The inner products of the basis vectors as (numerator, denominator).
         pub const METRIC: &[&[(::core::primitive::i64, ::core::primitive::i64)]] = &[#(#rows),*];
     }
 }
 
-/// A macro of the algebra's name that passes the definition to another macro. Its own name is unique to the
-/// definition, so that two algebras of one name in two modules do not collide.
+/// A macro of the algebra's name that passes the definition to another macro. Its own name is
+/// unique to the definition, so that two algebras of one name in two modules do not collide.
 fn handover(definition: &Definition, source: &TokenStream) -> TokenStream {
     let runtime = from_anywhere(&definition.runtime);
     let declaration = without_runtime(source);
@@ -193,7 +195,8 @@ fn macro_of(
 }
 
 fn unique_name(name: &Ident, source: &TokenStream) -> Ident {
-    // FNV-1a over the text and its place: the same in every build, and different for every declaration.
+    // FNV-1a over the text and its place: the same in every build, and different for every
+    // declaration.
     let text = format!("{source}{:?}", name.span());
     let hash = text.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)

@@ -1,4 +1,5 @@
-//! The declared products: an operator or a trait for each pair of types, and methods of the textbook's names.
+//! The declared products: an operator or a trait for each pair of types, and methods of the
+//! textbook's names.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -98,9 +99,9 @@ fn binary(context: &Context<'_>, product: &ProductDefinition, face: &Face) -> To
     }
 }
 
-/// A product becomes part of its caller, and so is compiled for the instructions that the caller may use: a loop over lanes
-/// in a function with `#[target_feature]` would else call one that is not. Products of the largest types stay apart, since each copy of them
-/// is long.
+/// A product becomes part of its caller, and so is compiled for the instructions that the caller
+/// may use: a loop over lanes in a function with `#[target_feature]` would else call one that is
+/// not. Products of the largest types stay apart, since each copy of them is long.
 fn inline(operands: &[&TypeDefinition]) -> TokenStream {
     const LARGEST: usize = 12;
     let is_small = operands
@@ -179,7 +180,8 @@ fn methods(context: &Context<'_>, index: usize, kind: &TypeDefinition) -> TokenS
         });
         if operation == Operation::Sandwich && kind.facts.unit_versor {
             methods.extend(quote! {
-                /// Moves another element by this versor, `x ↦ M x ~M`; the same as [`sandwich`](Self::sandwich).
+                /// Moves another element by this versor, `x ↦ M x ~M`; the same as
+                /// [`sandwich`](Self::sandwich).
                 #[inline(always)]
                 #[must_use]
                 pub fn transform<B>(self, other: B) -> <Self as #path<B>>::Output

@@ -1,4 +1,5 @@
-//! Tests of an algebra, written from its declaration: every declared product against the dense reference.
+//! Tests of an algebra, written from its declaration: every declared product against the dense
+//! reference.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -7,8 +8,8 @@ use super::context::snake_case;
 use crate::algebra::{Product, Ratio};
 use crate::define::{Definition, Operation, ProductDefinition, Role, TypeDefinition};
 
-/// One test for each declared product of a definition, demanding exact equality with the dense reference over the
-/// prime field. `path` is where the module of the algebra is found.
+/// One test for each declared product of a definition, demanding exact equality with the dense
+/// reference over the prime field. `path` is where the module of the algebra is found.
 #[must_use]
 pub fn product_tests(definition: &Definition, path: &TokenStream) -> TokenStream {
     let tests = definition
@@ -138,7 +139,8 @@ fn call(operation: Operation, locals: &[Ident]) -> TokenStream {
     }
 }
 
-/// The operation by the reference. All methods are called by their paths, since traits of the user may be in scope.
+/// The operation by the reference. All methods are called by their paths, since traits of the user
+/// may be in scope.
 fn reference(
     runtime: &TokenStream,
     operation: Operation,

@@ -163,8 +163,8 @@ fn coefficient_body(
     (quote! { #statements #output }, body.needs_field)
 }
 
-/// The identity for unit versors with a scalar, else zero in all that is stored: the origin for a point. A type of which
-/// neither is a member has no default.
+/// The identity for unit versors with a scalar, else zero in all that is stored: the origin for a
+/// point. A type of which neither is a member has no default.
 fn default(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let stored = |c: &Coefficient| {
         let is_identity = kind.facts.unit_versor && c.blade == Blade::SCALAR;

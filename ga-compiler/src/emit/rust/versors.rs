@@ -67,7 +67,8 @@ fn try_inverse(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let field = context.bound(true);
     quote! {
         impl<S: #field> #path {
-            /// The inverse `~x / (x ~x)`, or `None` where `x ~x` is zero, in lanes where one of them is.
+            /// The inverse `~x / (x ~x)`, or `None` where `x ~x` is zero, in lanes where one of
+            /// them is.
             #[inline]
             #[must_use]
             pub fn try_inverse(self) -> ::core::option::Option<#output> {
@@ -104,8 +105,8 @@ fn try_new(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let (path, real) = (context.path(kind), quote! { #runtime::scalar::Real });
     quote! {
         impl<S: #real<Mask = ::core::primitive::bool>> #path {
-            /// The unit versor with these coefficients, or `None` where some coefficient of `M ~M − 1` is larger
-            /// than the tolerance, or not a number.
+            /// The unit versor with these coefficients, or `None` where some coefficient of
+            /// `M ~M − 1` is larger than the tolerance, or not a number.
             #[must_use]
             pub fn try_new(
                 #(#arguments: S,)* tolerance: S
@@ -127,8 +128,9 @@ fn try_new(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     }
 }
 
-/// With `M ~M = n + P`, n the scalar and P² = 0, the nearest unit versor is `(M − M P/(2n))/√n`: its square norm is
-/// `(n + P)(1 − P/n)/n = 1`. P is zero for rotors, and the defect of the Study condition for motors.
+/// With `M ~M = n + P`, n the scalar and P² = 0, the nearest unit versor is `(M − M P/(2n))/√n`:
+/// its square norm is `(n + P)(1 − P/n)/n = 1`. P is zero for rotors, and the defect of the Study
+/// condition for motors.
 fn normalize(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let algebra = &context.definition.algebra;
     let candidate = unknown(kind);
@@ -192,7 +194,8 @@ fn normalize_body(
                 let mut value: Self = { #taken };
                 let mut norm = { #norm };
                 if !<S as #real>::less_than(#least, norm) || !<S as #real>::less_than(norm, #most) {
-                    // The squares may have left the range of S; those of coefficients up to one do not.
+                    // The squares may have left the range of S; those of coefficients up to one do
+                    // not.
                     let mut largest = #zero;
                     #(largest = <S as #real>::max(largest, <S as #real>::abs(value.#measured));)*
                     if !<S as #real>::less_than(#zero, largest) || !<S as #real>::is_finite(largest) {

@@ -36,8 +36,8 @@ pub(super) fn is_own(function: Function) -> bool {
 
 /// The declaration of a function of our own; `name` gives the names under which they are declared.
 ///
-/// Near zero the closed forms divide rounding errors by small numbers, so their series are taken there, to the last term
-/// that single precision sees.
+/// Near zero the closed forms divide rounding errors by small numbers, so their series are taken
+/// there, to the last term that single precision sees.
 pub(super) fn declaration(function: Function, name: &dyn Fn(Function) -> String) -> Option<String> {
     let this = name(function);
     let (cosine, sine) = (name(Function::VersorCosine), name(Function::VersorSine));
@@ -85,7 +85,8 @@ fn {this}(x: f32) -> f32 {{
             "\
 // 1/S(B²) from C(B²) and S(B²)² B²: half the angle of a turn over its sine.
 fn {this}(cosine: f32, square: f32) -> f32 {{
-    // At cosine −1 no bivector is told from another; what grows has no logarithm where the cosine is negative, but its negative has.
+    // At cosine −1 no bivector is told from another; what grows has no logarithm where the cosine
+    // is negative, but its negative has.
     let is_negative = cosine < 0.0 && square > 0.0;
     if abs(square) < 0.0625 && (cosine > 0.0 || square >= 0.0) {{
         let series = 1.0 + square * (-1.0 / 6.0 + square * (3.0 / 40.0 + square * (-5.0 / 112.0 + square * (35.0 / 1152.0 - square * 63.0 / 2816.0))));

@@ -1,11 +1,12 @@
 //! WGSL: functions for shaders, in single precision.
 //!
-//! A type of the algebra becomes a structure with a member of type `f32` for each stored blade, so that an array of them in
-//! a buffer has the layout of the same array in Rust. A plain number is `f32`, arrays are arrays, and a tuple is a structure with
-//! the members `value0`, `value1`, …. What stores nothing has one member, `nothing`, since WGSL knows no empty structures.
+//! A type of the algebra becomes a structure with a member of type `f32` for each stored blade, so
+//! that an array of them in a buffer has the layout of the same array in Rust. A plain number is
+//! `f32`, arrays are arrays, and a tuple is a structure with the members `value0`, `value1`, ….
+//! What stores nothing has one member, `nothing`, since WGSL knows no empty structures.
 //!
-//! A function `f` with uniform operands becomes two: `f_prepare` takes those operands and gives an `FPrepared`, which `f` takes
-//! before its other operands.
+//! A function `f` with uniform operands becomes two: `f_prepare` takes those operands and gives an
+//! `FPrepared`, which `f` takes before its other operands.
 //!
 //! Names that mean something in WGSL get an underscore at their end.
 

@@ -9,7 +9,8 @@ pub(super) struct Names {
 }
 
 impl Names {
-    /// A name as close as can be to the wished one: no word of the language, nothing predeclared, not given before.
+    /// A name as close as can be to the wished one: no word of the language, nothing predeclared,
+    /// not given before.
     pub(super) fn give(&mut self, wished: &str) -> String {
         let mut name = wished.trim_start_matches("r#").to_owned();
         if name == "_" || name.starts_with("__") {

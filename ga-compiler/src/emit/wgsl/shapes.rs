@@ -1,4 +1,5 @@
-//! The types of WGSL: a structure for each type of the algebra, `f32`, arrays, and structures for tuples.
+//! The types of WGSL: a structure for each type of the algebra, `f32`, arrays, and structures for
+//! tuples.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -95,7 +96,8 @@ impl<'a> Shapes<'a> {
         }
     }
 
-    /// The expression that builds a shape of the numbers stored in it, which are taken from the front.
+    /// The expression that builds a shape of the numbers stored in it, which are taken from the
+    /// front.
     pub(super) fn build(
         &mut self,
         shape: &Shape,

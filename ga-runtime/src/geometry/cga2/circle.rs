@@ -6,7 +6,8 @@ use crate::geometry::vector3::is_number;
 use crate::scalar::{Field, Real};
 
 impl<S: Field> RoundVector<S> {
-    /// The dual circle `c − ½r² ei` about the point c; imaginary where r² is negative, the point itself where it is zero.
+    /// The dual circle `c − ½r² ei` about the point c; imaginary where r² is negative, the point
+    /// itself where it is zero.
     #[inline]
     #[must_use]
     pub fn dual_circle(centre: Point<S>, radius_squared: S) -> Self {
@@ -18,8 +19,8 @@ impl<S: Field> RoundVector<S> {
         )
     }
 
-    /// The centre of a dual circle, or the place of a weighted point; `None` for a line, which has weight zero, or beyond the range of the
-    /// scalar.
+    /// The centre of a dual circle, or the place of a weighted point; `None` for a line, which has
+    /// weight zero, or beyond the range of the scalar.
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
         if !self.eo.is_invertible() {
@@ -29,7 +30,8 @@ impl<S: Field> RoundVector<S> {
         are_numbers(place).then(|| Point::from(place))
     }
 
-    /// The squared radius of a dual circle, `V²/(V·ei)²`; negative for an imaginary one. `None` as in [`centre`](Self::centre).
+    /// The squared radius of a dual circle, `V²/(V·ei)²`; negative for an imaginary one. `None` as
+    /// in [`centre`](Self::centre).
     #[must_use]
     pub fn radius_squared(self) -> Option<S> {
         let centre = self.centre()?.coordinates();
@@ -40,8 +42,8 @@ impl<S: Field> RoundVector<S> {
 }
 
 impl<S: Field> Circle<S> {
-    /// The circle through three points, `p∧q∧r`, with twice the area of their triangle as its weight: positive where they turn
-    /// counterclockwise. A line where they are on one.
+    /// The circle through three points, `p∧q∧r`, with twice the area of their triangle as its
+    /// weight: positive where they turn counterclockwise. A line where they are on one.
     ///
     /// ```
     /// use ga_runtime::cga2::{Circle, Point};

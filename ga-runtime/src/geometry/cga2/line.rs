@@ -21,7 +21,8 @@ impl<S: Ring> DualLine<S> {
 }
 
 impl<S: Ring> Line<S> {
-    /// The line through two points, from the first to the second: `p∧q∧ei`. Zero where they coincide.
+    /// The line through two points, from the first to the second: `p∧q∧ei`. Zero where they
+    /// coincide.
     ///
     /// ```
     /// use ga_runtime::cga2::{Infinity, Line, Point};
@@ -67,7 +68,8 @@ impl<S: Ring> Line<S> {
 }
 
 impl<S: Real<Mask = bool>> Line<S> {
-    /// The same line with a direction of length 1; `None` for weight zero, or where a coefficient is not finite.
+    /// The same line with a direction of length 1; `None` for weight zero, or where a coefficient
+    /// is not finite.
     #[must_use]
     pub fn normalized(self) -> Option<Self> {
         let weight = length(self.direction());
@@ -76,8 +78,8 @@ impl<S: Real<Mask = bool>> Line<S> {
         line.e12i.is_finite().then_some(line)
     }
 
-    /// The distance of a point, positive on the side of the normal, to the left of the direction. `None` for weight zero, or beyond the range of
-    /// the scalar.
+    /// The distance of a point, positive on the side of the normal, to the left of the direction.
+    /// `None` for weight zero, or beyond the range of the scalar.
     #[must_use]
     pub fn signed_distance(self, point: Point<S>) -> Option<S> {
         let line = self.normalized()?;
@@ -85,7 +87,8 @@ impl<S: Real<Mask = bool>> Line<S> {
         distance.is_finite().then_some(distance)
     }
 
-    /// The foot of the perpendicular from a point; `None` as in [`signed_distance`](Self::signed_distance).
+    /// The foot of the perpendicular from a point; `None` as in
+    /// [`signed_distance`](Self::signed_distance).
     #[must_use]
     pub fn foot(self, point: Point<S>) -> Option<Point<S>> {
         let distance = self.signed_distance(point)?;

@@ -5,8 +5,8 @@ use crate::geometry::vector2::{are_numbers, difference, scaled};
 use crate::scalar::{Field, Real};
 
 impl<S: Real<Mask = bool>> Rotor<S> {
-    /// The turn about the origin by an angle in radians, counterclockwise: `R = cos ½θ − sin ½θ e12`. `None` where the angle is not
-    /// finite.
+    /// The turn about the origin by an angle in radians, counterclockwise:
+    /// `R = cos ½θ − sin ½θ e12`. `None` where the angle is not finite.
     #[must_use]
     pub fn from_angle(angle: S) -> Option<Self> {
         if !angle.is_finite() {
@@ -78,15 +78,17 @@ impl<S: Real<Mask = bool>> Motor<S> {
         Translator::from_displacement(difference(point.coordinates(), turned)) * rotor
     }
 
-    /// The point that stays where it is, about which the motor turns; `None` for a shift, or where it is beyond the range of the scalar.
+    /// The point that stays where it is, about which the motor turns; `None` for a shift, or where
+    /// it is beyond the range of the scalar.
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
         let place = [-self.e2i() / self.e12(), self.e1i() / self.e12()];
         are_numbers(place).then(|| Point::from(place))
     }
 
-    /// The generator G with `exp(G) = M` and the coefficient of e12 in [−π, π]. `None` for minus a shift that is not minus
-    /// one, which is no exponential, and where a number is not finite. The logarithm of −1 is `π e12`.
+    /// The generator G with `exp(G) = M` and the coefficient of e12 in [−π, π]. `None` for minus a
+    /// shift that is not minus one, which is no exponential, and where a number is not finite. The
+    /// logarithm of −1 is `π e12`.
     #[must_use]
     pub fn log(self) -> Option<MotorGenerator<S>> {
         let (cosine, sine) = (self.scalar(), self.e12());
@@ -111,8 +113,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
 }
 
 impl<S: Real<Mask = bool>> MotorGenerator<S> {
-    /// The motor `exp(G)`: for `−½θ e12` a turn by θ about the origin, for `−½ t ei` a shift by t, for a dual point
-    /// a turn about that. What is not a number stays so.
+    /// The motor `exp(G)`: for `−½θ e12` a turn by θ about the origin, for `−½ t ei` a shift by t,
+    /// for a dual point a turn about that. What is not a number stays so.
     #[must_use]
     pub fn exp(self) -> Motor<S> {
         let (sine, cosine) = self.e12.sin_cos();

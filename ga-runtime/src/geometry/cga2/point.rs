@@ -43,7 +43,8 @@ impl<S> From<[S; 2]> for Point<S> {
 }
 
 impl<S: Field> FlatPoint<S> {
-    /// The point p of `p∧ei`; `None` for a direction, where parallel lines meet, or beyond the range of the scalar.
+    /// The point p of `p∧ei`; `None` for a direction, where parallel lines meet, or beyond the
+    /// range of the scalar.
     ///
     /// ```
     /// use ga_runtime::cga2::{Line, Point};

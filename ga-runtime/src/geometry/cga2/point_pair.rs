@@ -1,6 +1,7 @@
 //! Point pairs of cga2.
 //!
-//! A pair is `(c + eo + β ei) ∧ (d + (c·d) ei)` with its centre c, the direction d and `β = ½(c² + r²)`.
+//! A pair is `(c + eo + β ei) ∧ (d + (c·d) ei)` with its centre c, the direction d and
+//! `β = ½(c² + r²)`.
 
 use crate::cga2::{Point, PointPair};
 use crate::geometry::vector2::{are_numbers, difference, dot, length, scaled};
@@ -8,7 +9,8 @@ use crate::geometry::vector3::is_number;
 use crate::scalar::{Real, Ring};
 
 impl<S: Ring> PointPair<S> {
-    /// The direction d from the first point to the second, as long as the pair's weight: `q − p` for `p∧q`.
+    /// The direction d from the first point to the second, as long as the pair's weight: `q − p`
+    /// for `p∧q`.
     #[inline]
     #[must_use]
     pub fn direction(self) -> [S; 2] {
@@ -17,19 +19,22 @@ impl<S: Ring> PointPair<S> {
 }
 
 impl<S: Real<Mask = bool>> PointPair<S> {
-    /// The point halfway between both; `None` for a flat one, where the direction is zero, or beyond the range of the scalar.
+    /// The point halfway between both; `None` for a flat one, where the direction is zero, or
+    /// beyond the range of the scalar.
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
         Some(self.parts()?.0)
     }
 
-    /// The squared radius, a quarter of the squared distance; negative for an imaginary pair. `None` as in [`centre`](Self::centre).
+    /// The squared radius, a quarter of the squared distance; negative for an imaginary pair.
+    /// `None` as in [`centre`](Self::centre).
     #[must_use]
     pub fn radius_squared(self) -> Option<S> {
         Some(self.parts()?.2)
     }
 
-    /// The two points p, q of `p∧q`; `None` for an imaginary pair, and as in [`centre`](Self::centre).
+    /// The two points p, q of `p∧q`; `None` for an imaginary pair, and as in
+    /// [`centre`](Self::centre).
     ///
     /// ```
     /// use ga_runtime::cga2::{Circle, Line, Point};

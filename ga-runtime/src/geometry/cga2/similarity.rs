@@ -5,7 +5,8 @@ use crate::geometry::vector2::dot;
 use crate::scalar::Real;
 
 impl<S: Real<Mask = bool>> Dilator<S> {
-    /// The scaling by s about the origin, `D = exp(½ ln s · eo∧ei)`; `None` where s is not positive and finite.
+    /// The scaling by s about the origin, `D = exp(½ ln s · eo∧ei)`; `None` where s is not positive
+    /// and finite.
     ///
     /// ```
     /// use ga_runtime::cga2::{Dilator, Point};

@@ -43,17 +43,20 @@ impl<S> From<WeightError<S>> for BlendError<S> {
 }
 
 impl<S: Real<Mask = bool>> Motor<S> {
-    /// The weighted sum of motors, made a motor again: `Σ wᵢ ±Mᵢ / |Σ wᵢ ±Mᵢ|`, the norm in every grade.
+    /// The weighted sum of motors, made a motor again: `Σ wᵢ ±Mᵢ / |Σ wᵢ ±Mᵢ|`, the norm in every
+    /// grade.
     ///
-    /// This is the blend of dual quaternion skinning (Kavan, Collins, Žára and O'Sullivan, Geometric skinning with approximate dual
-    /// quaternion blending, ACM Transactions on Graphics 27, 2008). Each motor enters with the sign that is nearer to the one of
-    /// the largest weight, of equal ones the first, and the result has that one's sign. So the sum cannot vanish. Weights
-    /// count by their ratios. Of two motors with equal weights it is the middle of the screw from one to the other;
-    /// elsewhere it is close to [`Motor::mean`] and costs no logarithm.
+    /// This is the blend of dual quaternion skinning (Kavan, Collins, Žára and O'Sullivan,
+    /// Geometric skinning with approximate dual quaternion blending, ACM Transactions on Graphics
+    /// 27, 2008). Each motor enters with the sign that is nearer to the one of the largest weight,
+    /// of equal ones the first, and the result has that one's sign. So the sum cannot vanish.
+    /// Weights count by their ratios. Of two motors with equal weights it is the middle of the
+    /// screw from one to the other; elsewhere it is close to [`Motor::mean`] and costs no
+    /// logarithm.
     ///
     /// # Errors
-    /// No motors, a weight that is negative or not finite, no weight above zero, a motor that is not finite, a result beyond
-    /// the range of the scalar.
+    /// No motors, a weight that is negative or not finite, no weight above zero, a motor that is
+    /// not finite, a result beyond the range of the scalar.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Translator};
@@ -123,8 +126,9 @@ pub(super) fn strongest<S: Real<Mask = bool>>(
     Ok(best)
 }
 
-/// The motors of weights above zero, with the sign nearer to that of the strongest, whose weight becomes 1. What is half a
-/// turn away from that one, as far as can be told, takes the sign nearer to the sum of the others.
+/// The motors of weights above zero, with the sign nearer to that of the strongest, whose weight
+/// becomes 1. What is half a turn away from that one, as far as can be told, takes the sign nearer
+/// to the sum of the others.
 pub(super) fn aligned<S: Real<Mask = bool>>(
     weighted: &[(S, Motor<S>)],
     strongest: usize,

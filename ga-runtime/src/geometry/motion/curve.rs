@@ -4,18 +4,21 @@ use crate::cga3::{Motor, Rotor};
 use crate::scalar::Real;
 
 impl<S: Real<Mask = bool>> Motor<S> {
-    /// The Bézier curve of N control motors, of degree N − 1, by the algorithm of de Casteljau with screws for line
-    /// segments: from `M₀ … Mₙ` the motors `Mₖ exp(t log(~Mₖ Mₖ₊₁))` are taken, and so on until one is left (Park and Ravani,
-    /// Bézier curves on Riemannian manifolds and Lie groups, Journal of Mechanical Design 117, 1995).
+    /// The Bézier curve of N control motors, of degree N − 1, by the algorithm of de Casteljau with
+    /// screws for line segments: from `M₀ … Mₙ` the motors `Mₖ exp(t log(~Mₖ Mₖ₊₁))` are taken, and
+    /// so on until one is left (Park and Ravani, Bézier curves on Riemannian manifolds and Lie
+    /// groups, Journal of Mechanical Design 117, 1995).
     ///
-    /// It begins with the first motor at t = 0, by the speed `(N − 1) log(~M₀ M₁)` as seen from the moved body, and ends with the last
-    /// at t = 1 by `(N − 1) log(~Mₙ₋₁ Mₙ)`; so it is joined to others as curves of points are. The curve is the same run backwards, and goes
-    /// along with changes of frames on either side. Control motors at equal steps of one screw give that screw at constant
-    /// speed. Neighbours should be well within half a turn of each other: each segment takes the short way, and the curve
-    /// jumps where that changes.
+    /// It begins with the first motor at t = 0, by the speed `(N − 1) log(~M₀ M₁)` as seen from the
+    /// moved body, and ends with the last at t = 1 by `(N − 1) log(~Mₙ₋₁ Mₙ)`; so it is joined to
+    /// others as curves of points are. The curve is the same run backwards, and goes along with
+    /// changes of frames on either side. Control motors at equal steps of one screw give that screw
+    /// at constant speed. Neighbours should be well within half a turn of each other: each segment
+    /// takes the short way, and the curve jumps where that changes.
     ///
-    /// A single control motor is the curve; none does not compile. Outside [0, 1] the curve goes on. A t that is not finite gives
-    /// a motor with coefficients that are not, for two controls and more.
+    /// A single control motor is the curve; none does not compile. Outside [0, 1] the curve goes
+    /// on. A t that is not finite gives a motor with coefficients that are not, for two controls
+    /// and more.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Translator};
@@ -35,13 +38,16 @@ impl<S: Real<Mask = bool>> Motor<S> {
         control[0]
     }
 
-    /// Spherical and quadrangle interpolation, with screws for the arcs: from one motor at t = 0 to another at t = 1,
-    /// drawn aside towards two control motors in between (Shoemake, Quaternion calculus and fast animation, SIGGRAPH course
-    /// notes 10, 1987): `s(s(M, N, t), s(A, B, t), 2t(1 − t))` with s as [`Motor::interpolate`].
+    /// Spherical and quadrangle interpolation, with screws for the arcs: from one motor at t = 0 to
+    /// another at t = 1, drawn aside towards two control motors in between (Shoemake, Quaternion
+    /// calculus and fast animation, SIGGRAPH course notes 10, 1987):
+    /// `s(s(M, N, t), s(A, B, t), 2t(1 − t))` with s as [`Motor::interpolate`].
     ///
-    /// It starts with the speed `log(~M N) + 2 log(~M A)` as seen from the moved body, so with the controls of
-    /// [`Motor::squad_control`] pieces of equal duration follow each other without a jump of speed. For keys at any times take
-    /// [`MotorSpline`](crate::geometry::motion::MotorSpline). A t that is not finite gives a motor with coefficients that are not.
+    /// It starts with the speed `log(~M N) + 2 log(~M A)` as seen from the moved body, so with the
+    /// controls of [`Motor::squad_control`] pieces of equal duration follow each other without a
+    /// jump of speed. For keys at any times take
+    /// [`MotorSpline`](crate::geometry::motion::MotorSpline). A t that is not finite gives a motor
+    /// with coefficients that are not.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Rotor};
@@ -63,7 +69,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
     }
 
     /// The control motor of [`Motor::squad`] beside a key, from the keys before and after it:
-    /// `M exp(−¼(log(~M M₋) + log(~M M₊)))`, both logarithms by the short way. At a first or last key, the key itself will do.
+    /// `M exp(−¼(log(~M M₋) + log(~M M₊)))`, both logarithms by the short way. At a first or last
+    /// key, the key itself will do.
     #[must_use]
     pub fn squad_control(before: Self, key: Self, after: Self) -> Self {
         let log = |other: Self| {

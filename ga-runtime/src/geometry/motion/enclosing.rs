@@ -5,18 +5,21 @@ use alloc::vec::Vec;
 use super::matrix::{Matrix, identity, solve};
 use crate::scalar::Real;
 
-/// The method ends by itself; this is for rounding at the very edge, where neither answer can be had.
+/// The method ends by itself; this is for rounding at the very edge, where neither answer can be
+/// had.
 const MOST_STEPS: usize = 1000;
 
-/// Whether some rotation is within a quarter turn of every one of these, given as unit quaternions that have non-negative
-/// products with the first of the largest weight; a centre to begin with. Two rotations half a turn apart, each any number
-/// of times, are within a quarter turn of two others, and do not count.
+/// Whether some rotation is within a quarter turn of every one of these, given as unit quaternions
+/// that have non-negative products with the first of the largest weight; a centre to begin with.
+/// Two rotations half a turn apart, each any number of times, are within a quarter turn of two
+/// others, and do not count.
 ///
-/// Sought is a vector q with `q·p ≥ 1` for all points p. The shortest one points to the centre of the smallest ball around them, and
-/// its length is one over the cosine of half the radius. It is found from point to point, none of them forgotten that
-/// matters, by the dual method of Goldfarb and Idnani (A numerically stable dual method for solving strictly convex
-/// quadratic programs, Mathematical Programming 27, 1983). The length only grows, so too long a vector refuses for certain,
-/// and a good centre is certain when it is seen.
+/// Sought is a vector q with `q·p ≥ 1` for all points p. The shortest one points to the centre of
+/// the smallest ball around them, and its length is one over the cosine of half the radius. It is
+/// found from point to point, none of them forgotten that matters, by the dual method of Goldfarb
+/// and Idnani (A numerically stable dual method for solving strictly convex quadratic programs,
+/// Mathematical Programming 27, 1983). The length only grows, so too long a vector refuses for
+/// certain, and a good centre is certain when it is seen.
 pub(super) fn lie_in_quarter_ball<S: Real<Mask = bool>>(points: &[[S; 4]], centre: [S; 4]) -> bool {
     let rounding = S::epsilon() * S::from_integer(64);
     if are_two_opposites(points, rounding) {
@@ -52,7 +55,8 @@ pub(super) fn lie_in_quarter_ball<S: Real<Mask = bool>>(points: &[[S; 4]], centr
     false
 }
 
-/// The shortest vector whose product with some points is at least 1, as a sum of those where it is just 1.
+/// The shortest vector whose product with some points is at least 1, as a sum of those where it is
+/// just 1.
 struct Nearest<S> {
     vector: [S; 4],
     /// At most four independent points, with their factors in the sum, which are not negative.
@@ -60,7 +64,8 @@ struct Nearest<S> {
 }
 
 impl<S: Real<Mask = bool>> Nearest<S> {
-    /// Goes on to the shortest vector that also has a product of at least 1 with this point; false where there is none.
+    /// Goes on to the shortest vector that also has a product of at least 1 with this point; false
+    /// where there is none.
     fn take(&mut self, point: [S; 4]) -> bool {
         let mut factor = S::zero();
         loop {

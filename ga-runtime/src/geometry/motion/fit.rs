@@ -43,10 +43,11 @@ pub enum FitError<S> {
     },
     /// All points of one side are at one place.
     Coincident,
-    /// All points of one side lie on a line, all directions of one side are parallel: a turn about it changes nothing.
+    /// All points of one side lie on a line, all directions of one side are parallel: a turn about
+    /// it changes nothing.
     Collinear,
-    /// Several turns fit equally well, as when one side is the mirror image of a regular body, or when the sides have
-    /// nothing to do with each other.
+    /// Several turns fit equally well, as when one side is the mirror image of a regular body, or
+    /// when the sides have nothing to do with each other.
     NotUnique,
     /// The result is beyond the range of the scalar.
     OutOfRange,
@@ -81,18 +82,18 @@ impl<S> From<WeightError<S>> for FitError<S> {
 }
 
 impl<S: Real<Mask = bool>> Motor<S> {
-    /// The motor that carries the first points of three or more pairs as near as possible to the second ones: the M for
-    /// which `Σ |yᵢ − M xᵢ ~M|²` is least.
+    /// The motor that carries the first points of three or more pairs as near as possible to the
+    /// second ones: the M for which `Σ |yᵢ − M xᵢ ~M|²` is least.
     ///
-    /// The turn comes from the largest eigenvalue of Horn's symmetric 4×4 matrix (Closed-form solution of absolute
-    /// orientation using unit quaternions, Journal of the Optical Society of America A 4, 1987) and two steps of
-    /// Newton, which take away what its squares have lost; the shift carries centroid to centroid. Mirror images give the
-    /// best proper motion.
+    /// The turn comes from the largest eigenvalue of Horn's symmetric 4×4 matrix (Closed-form
+    /// solution of absolute orientation using unit quaternions, Journal of the Optical Society of
+    /// America A 4, 1987) and two steps of Newton, which take away what its squares have lost; the
+    /// shift carries centroid to centroid. Mirror images give the best proper motion.
     ///
     /// # Errors
-    /// Less than three pairs, numbers that are not finite, a result beyond the range of the scalar. Points of one side that
-    /// are at one place or on a line, within 8√ε of their extent and what the size of their coordinates lets be told. Pairs
-    /// that several motors fit equally well.
+    /// Less than three pairs, numbers that are not finite, a result beyond the range of the scalar.
+    /// Points of one side that are at one place or on a line, within 8√ε of their extent and what
+    /// the size of their coordinates lets be told. Pairs that several motors fit equally well.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Point};
@@ -111,11 +112,12 @@ impl<S: Real<Mask = bool>> Motor<S> {
         Self::from_weighted_point_pairs(&equally_weighted(pairs))
     }
 
-    /// The same with weights: `Σ wᵢ |yᵢ − M xᵢ ~M|²` is least. Pairs of weight zero do not count, and weights
-    /// count by their ratios.
+    /// The same with weights: `Σ wᵢ |yᵢ − M xᵢ ~M|²` is least. Pairs of weight zero do not count,
+    /// and weights count by their ratios.
     ///
     /// # Errors
-    /// Those of [`Motor::from_point_pairs`], and weights that are negative or not finite, or all zero.
+    /// Those of [`Motor::from_point_pairs`], and weights that are negative or not finite, or all
+    /// zero.
     pub fn from_weighted_point_pairs(
         weighted: &[(S, Point<S>, Point<S>)],
     ) -> Result<Fit<Self, S>, FitError<S>> {
@@ -128,11 +130,12 @@ impl<S: Real<Mask = bool>> Motor<S> {
 }
 
 impl<S: Real<Mask = bool>> Similarity<S> {
-    /// The similarity, a motion after a scaling, that carries the first points of three or more pairs as near as possible to
-    /// the second ones: Procrustes analysis. The turn is that of [`Motor::from_point_pairs`], the factor is
-    /// `s = Σ yᵢ·R xᵢ / Σ xᵢ²` with both sides taken from their centroids (Umeyama, Least-squares estimation of
-    /// transformation parameters between two point patterns, IEEE Transactions on Pattern Analysis and Machine Intelligence
-    /// 13, 1991).
+    /// The similarity, a motion after a scaling, that carries the first points of three or more
+    /// pairs as near as possible to the second ones: Procrustes analysis. The turn is that of
+    /// [`Motor::from_point_pairs`], the factor is `s = Σ yᵢ·R xᵢ / Σ xᵢ²` with both sides taken
+    /// from their centroids (Umeyama, Least-squares estimation of transformation parameters between
+    /// two point patterns, IEEE Transactions on Pattern Analysis and Machine Intelligence 13,
+    /// 1991).
     ///
     /// # Errors
     /// Those of [`Motor::from_point_pairs`].
@@ -171,13 +174,14 @@ impl<S: Real<Mask = bool>> Similarity<S> {
 }
 
 impl<S: Real<Mask = bool>> Rotor<S> {
-    /// The rotor that turns the first directions of two or more pairs as near as possible to the second ones: the R for which
-    /// `Σ |bᵢ − R aᵢ ~R|²` is least, for the directions made of length 1. This is Wahba's problem (SIAM Review 7, 1965), and the
-    /// solution that of [`Motor::from_point_pairs`].
+    /// The rotor that turns the first directions of two or more pairs as near as possible to the
+    /// second ones: the R for which `Σ |bᵢ − R aᵢ ~R|²` is least, for the directions made of
+    /// length 1. This is Wahba's problem (SIAM Review 7, 1965), and the solution that of
+    /// [`Motor::from_point_pairs`].
     ///
     /// # Errors
-    /// Less than two pairs, numbers that are not finite, directions of length zero, directions of one side that are all
-    /// parallel within 8√ε, pairs that several rotors fit equally well.
+    /// Less than two pairs, numbers that are not finite, directions of length zero, directions of
+    /// one side that are all parallel within 8√ε, pairs that several rotors fit equally well.
     ///
     /// ```
     /// use ga_runtime::cga3::Rotor;
@@ -191,11 +195,12 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         Self::from_weighted_direction_pairs(&equally_weighted(pairs))
     }
 
-    /// The same with weights: `Σ wᵢ |bᵢ − R aᵢ ~R|²` is least. Pairs of weight zero do not count, and weights
-    /// count by their ratios.
+    /// The same with weights: `Σ wᵢ |bᵢ − R aᵢ ~R|²` is least. Pairs of weight zero do not count,
+    /// and weights count by their ratios.
     ///
     /// # Errors
-    /// Those of [`Rotor::from_direction_pairs`], and weights that are negative or not finite, or all zero.
+    /// Those of [`Rotor::from_direction_pairs`], and weights that are negative or not finite, or
+    /// all zero.
     pub fn from_weighted_direction_pairs(
         weighted: &[(S, [S; 3], [S; 3])],
     ) -> Result<Fit<Self, S>, FitError<S>> {

@@ -11,7 +11,8 @@ pub(super) fn identity<S: Ring, const N: usize>() -> Matrix<S, N> {
     })
 }
 
-/// The solution x of `A x = b` by elimination with the largest pivot of each column; `None` where a pivot is zero or not finite.
+/// The solution x of `A x = b` by elimination with the largest pivot of each column; `None` where a
+/// pivot is zero or not finite.
 pub(super) fn solve<S: Real<Mask = bool>, const N: usize>(
     mut a: Matrix<S, N>,
     mut b: [S; N],
@@ -44,10 +45,11 @@ pub(super) fn solve<S: Real<Mask = bool>, const N: usize>(
     Some(b)
 }
 
-/// The eigenvalues of a symmetric matrix and their eigenvectors of length 1, the largest eigenvalue first.
+/// The eigenvalues of a symmetric matrix and their eigenvectors of length 1, the largest eigenvalue
+/// first.
 ///
-/// By the cyclic method of Jacobi (Golub and Van Loan, Matrix Computations, 2013, section 8.5): each step makes one entry
-/// beside the diagonal zero by a turn in its plane.
+/// By the cyclic method of Jacobi (Golub and Van Loan, Matrix Computations, 2013, section 8.5):
+/// each step makes one entry beside the diagonal zero by a turn in its plane.
 pub(super) fn symmetric_eigen<S: Real<Mask = bool>, const N: usize>(
     mut a: Matrix<S, N>,
 ) -> [(S, [S; N]); N] {
@@ -82,7 +84,8 @@ pub(super) fn symmetric_eigen<S: Real<Mask = bool>, const N: usize>(
     pairs
 }
 
-/// One step: the turn in the plane of two axes p < q that makes their common entry zero. The eigenvectors are rows.
+/// One step: the turn in the plane of two axes p < q that makes their common entry zero. The
+/// eigenvectors are rows.
 fn turn<S: Real<Mask = bool>, const N: usize>(
     a: &mut Matrix<S, N>,
     vectors: &mut Matrix<S, N>,

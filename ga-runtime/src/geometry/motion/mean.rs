@@ -39,7 +39,8 @@ pub struct Residual<S> {
 pub enum MeanError<S> {
     /// The motions have no blend either.
     Blend(BlendError<S>),
-    /// No rotation is within a quarter turn of all of them, or they are at two places half a turn apart: there may be several means.
+    /// No rotation is within a quarter turn of all of them, or they are at two places half a turn
+    /// apart: there may be several means.
     NotUnique {
         /// Which of the motions turns farthest away from the blend, from 0.
         index: usize,
@@ -90,28 +91,33 @@ impl<S> From<BlendError<S>> for MeanError<S> {
 impl<S: Real<Mask = bool>> Motor<S> {
     /// The weighted intrinsic mean of motors: the M with `Σ wᵢ log(~M Mᵢ) = 0`.
     ///
-    /// Its turn is the Karcher mean of the turns, where the weighted sum of squared angles is least (Moakher, Means and
-    /// averaging in the group of rotations, SIAM Journal on Matrix Analysis 24, 2002). The whole is the exponential
-    /// barycentre of Pennec and Arsigny (in Matrix Information Geometry, 2012): it goes along with any change of frames on
-    /// either side, `mean(A Mᵢ B) = A mean(Mᵢ) B`, which no least sum of squared distances of motions does. Of two motors it
-    /// is on the screw from one to the other, at the fraction of the weights. Weights count by their ratios, and the sign is
-    /// that of the motor with the largest, as in
+    /// Its turn is the Karcher mean of the turns, where the weighted sum of squared angles is least
+    /// (Moakher, Means and averaging in the group of rotations, SIAM Journal on Matrix Analysis 24,
+    /// 2002). The whole is the exponential barycentre of Pennec and Arsigny (in Matrix Information
+    /// Geometry, 2012): it goes along with any change of frames on either side,
+    /// `mean(A Mᵢ B) = A mean(Mᵢ) B`, which no least sum of squared distances of motions does. Of
+    /// two motors it is on the screw from one to the other, at the fraction of the weights. Weights
+    /// count by their ratios, and the sign is that of the motor with the largest, as in
     /// [`Motor::blend`], from where the iteration starts.
     ///
-    /// The mean is unique where all turns are within a quarter turn of some common one, whichever that is (Kendall,
-    /// Probability, convexity, and harmonic maps, Proceedings of the London Mathematical Society 61, 1990; Afsari,
-    /// Riemannian Lᵖ center of mass, Proceedings of the American Mathematical Society 139, 2011), but for turns at just two
-    /// places half a turn apart. Other motors are refused; that there is no such common turn is certain then, up to 64ε.
+    /// The mean is unique where all turns are within a quarter turn of some common one, whichever
+    /// that is (Kendall, Probability, convexity, and harmonic maps, Proceedings of the London
+    /// Mathematical Society 61, 1990; Afsari, Riemannian Lᵖ center of mass, Proceedings of the
+    /// American Mathematical Society 139, 2011), but for turns at just two places half a turn
+    /// apart. Other motors are refused; that there is no such common turn is certain then, up to
+    /// 64ε.
     ///
     /// # Method
     ///
-    /// With turns of half-angle φᵢ about uᵢ in the logarithms, the sum of squares has the second derivative
-    /// `H = Σ wᵢ (uᵢuᵢᵀ + φᵢ cot φᵢ (1 − uᵢuᵢᵀ))`, so a step by `H⁻¹` instead of the plain `1/Σw` is one of Newton. At the
-    /// mean of the turns the displacements obey a linear system with that very H, and the same step solves it. Three steps
-    /// are usual, four where the turns are a quarter turn away; what is left is left by rounding.
+    /// With turns of half-angle φᵢ about uᵢ in the logarithms, the sum of squares has the second
+    /// derivative `H = Σ wᵢ (uᵢuᵢᵀ + φᵢ cot φᵢ (1 − uᵢuᵢᵀ))`, so a step by `H⁻¹` instead of the
+    /// plain `1/Σw` is one of Newton. At the mean of the turns the displacements obey a linear
+    /// system with that very H, and the same step solves it. Three steps are usual, four where the
+    /// turns are a quarter turn away; what is left is left by rounding.
     ///
     /// # Errors
-    /// Those of [`Motor::blend`]; turns that are not all within a quarter turn of a common one; no rest after 25 steps.
+    /// Those of [`Motor::blend`]; turns that are not all within a quarter turn of a common one; no
+    /// rest after 25 steps.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Rotor, Translator};
@@ -145,7 +151,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
 }
 
 impl<S: Real<Mask = bool>> Rotor<S> {
-    /// The weighted intrinsic mean of rotors, the R with `Σ wᵢ log(~R Rᵢ) = 0`; see [`Motor::mean`]. The residual has no displacement.
+    /// The weighted intrinsic mean of rotors, the R with `Σ wᵢ log(~R Rᵢ) = 0`; see
+    /// [`Motor::mean`]. The residual has no displacement.
     ///
     /// # Errors
     /// Those of [`Motor::mean`].
@@ -285,8 +292,8 @@ impl<S: Real<Mask = bool>> Deviation<S> {
     }
 }
 
-/// A sum that keeps what rounding takes from it (Neumaier, Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen,
-/// Zeitschrift für Angewandte Mathematik und Mechanik 54, 1974).
+/// A sum that keeps what rounding takes from it (Neumaier, Rundungsfehleranalyse einiger Verfahren
+/// zur Summation endlicher Summen, Zeitschrift für Angewandte Mathematik und Mechanik 54, 1974).
 #[derive(Clone, Copy)]
 struct Sum<S> {
     rounded: S,

@@ -1,4 +1,5 @@
-//! Many motions at once: blends and means, curves through them, and the motion that fits measured points.
+//! Many motions at once: blends and means, curves through them, and the motion that fits measured
+//! points.
 //!
 //! | to get | use |
 //! | --- | --- |
@@ -9,8 +10,9 @@
 //! | the motion that carries points to points | [`Motor::from_point_pairs`], [`Similarity::from_point_pairs`] |
 //! | the turn that carries directions to directions | [`Rotor::from_direction_pairs`] |
 //!
-//! A motor and its negative are the same motion. All of these take the motions for what they do, and do not depend on the signs that
-//! come in. Sums run in the order of the input, so the same input gives the same result to the last bit.
+//! A motor and its negative are the same motion. All of these take the motions for what they do,
+//! and do not depend on the signs that come in. Sums run in the order of the input, so the same
+//! input gives the same result to the last bit.
 //!
 //! [`Motor::blend`]: crate::cga3::Motor::blend
 //! [`Rotor::blend`]: crate::cga3::Rotor::blend

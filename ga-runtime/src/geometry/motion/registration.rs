@@ -20,8 +20,8 @@ pub(super) struct Sides<S> {
 }
 
 impl<S: Real<Mask = bool>> Sides<S> {
-    /// Measures vectors, given the largest numbers from whose differences they come; an error where those of a side
-    /// all vanish or lie on a line.
+    /// Measures vectors, given the largest numbers from whose differences they come; an error where
+    /// those of a side all vanish or lie on a line.
     pub(super) fn measured(pairs: &[Pair<S>], largest: [S; 2]) -> Result<Self, FitError<S>> {
         let side = |of: fn(&Pair<S>) -> [S; 3], largest: S| {
             let rounding = largest * S::epsilon() * S::from_integer(4);
@@ -90,7 +90,8 @@ pub(super) fn fixed_rotation<S: Real<Mask = bool>>(
     })
 }
 
-/// Horn's symmetric matrix of the moments `Σ w x yᵀ`: `Σ w y·R x` is its quadratic form of the quaternion (w, x, y, z) of R.
+/// Horn's symmetric matrix of the moments `Σ w x yᵀ`: `Σ w y·R x` is its quadratic form of the
+/// quaternion (w, x, y, z) of R.
 fn horn<S: Real>(moments: Matrix<S, 3>) -> Matrix<S, 4> {
     let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = moments;
     [
@@ -101,9 +102,9 @@ fn horn<S: Real>(moments: Matrix<S, 3>) -> Matrix<S, 4> {
     ]
 }
 
-/// A step of Newton. With `p = R x` a turn by δ changes `Σ w y·p` by `δ·τ − ½ δᵀ(tr K − K)δ`, where `τ = Σ w p × y` and K is
-/// the symmetric part of `Σ w p yᵀ`. The torque τ is taken of differences, so that little of it is lost where the fit is
-/// good.
+/// A step of Newton. With `p = R x` a turn by δ changes `Σ w y·p` by `δ·τ − ½ δᵀ(tr K − K)δ`, where
+/// `τ = Σ w p × y` and K is the symmetric part of `Σ w p yᵀ`. The torque τ is taken of differences,
+/// so that little of it is lost where the fit is good.
 fn improved<S: Real<Mask = bool>>(
     rotor: Rotor<S>,
     units: impl Iterator<Item = (S, [S; 3], [S; 3])> + Clone,

@@ -13,15 +13,17 @@ use crate::scalar::Real;
 ///
 /// `M exp(β₁(s) hv/3) exp(β₂(s) g) exp(β₃(s) hw/3)`, `g = log(exp(−hv/3) ~M N exp(−hw/3))`,
 ///
-/// with s from 0 to 1, `β₁ = 1 − (1 − s)³`, `β₂ = 3s² − 2s³`, `β₃ = s³`: the cubic Hermite curve of Kim, Kim and Shin
-/// (A general construction scheme for unit quaternion curves with simple high order derivatives, SIGGRAPH 1995), for motors.
-/// For shifts it is the cubic Hermite spline of points. Velocities are as seen from the moved body, `M' = M v`, a generator
-/// per unit of time; a body that turns by ω about its own origin, which moves by u, both in its own frame, has
+/// with s from 0 to 1, `β₁ = 1 − (1 − s)³`, `β₂ = 3s² − 2s³`, `β₃ = s³`: the cubic Hermite curve of
+/// Kim, Kim and Shin (A general construction scheme for unit quaternion curves with simple high
+/// order derivatives, SIGGRAPH 1995), for motors. For shifts it is the cubic Hermite spline of
+/// points. Velocities are as seen from the moved body, `M' = M v`, a generator per unit of time; a
+/// body that turns by ω about its own origin, which moves by u, both in its own frame, has
 /// `v = −½(ω₁ e23 − ω₂ e13 + ω₃ e12) − ½ u ei`.
 ///
-/// The curve goes along with changes of frames on either side. Keys on one screw, at times in proportion, give that screw at
-/// constant speed. From key to key it goes the short way, whatever the signs of the motors that come in, and the sign
-/// of what comes out does not jump, so at a key it may be the other one.
+/// The curve goes along with changes of frames on either side. Keys on one screw, at times in
+/// proportion, give that screw at constant speed. From key to key it goes the short way, whatever
+/// the signs of the motors that come in, and the sign of what comes out does not jump, so at a key
+/// it may be the other one.
 ///
 /// ```
 /// use ga_runtime::cga3::{Motor, Rotor, Translator};
@@ -111,15 +113,17 @@ impl<S: Debug> Display for SplineError<S> {
 impl<S: Debug> core::error::Error for SplineError<S> {}
 
 impl<S: Real<Mask = bool>> MotorSpline<S> {
-    /// The spline through two or more keys, each a time and a motor, by the velocities of the keys themselves.
+    /// The spline through two or more keys, each a time and a motor, by the velocities of the keys
+    /// themselves.
     ///
-    /// Inside, the velocity is that of the parabola through three keys, `(h₊ v₋ + h₋ v₊)/(h₋ + h₊)` with the durations
-    /// h₋, h₊ and the velocities v₋, v₊ of the screws to both sides (Catmull and Rom's for equal durations); at the ends
-    /// that of the screw. Where a long way follows a short one the curve may swing wide; [`MotorSpline::with_velocities`]
-    /// takes others.
+    /// Inside, the velocity is that of the parabola through three keys, `(h₊ v₋ + h₋ v₊)/(h₋ + h₊)`
+    /// with the durations h₋, h₊ and the velocities v₋, v₊ of the screws to both sides (Catmull and
+    /// Rom's for equal durations); at the ends that of the screw. Where a long way follows a short
+    /// one the curve may swing wide; [`MotorSpline::with_velocities`] takes others.
     ///
     /// # Errors
-    /// Less than two keys, times that are not finite or do not rise, motors that are not finite, ways beyond the range of the scalar.
+    /// Less than two keys, times that are not finite or do not rise, motors that are not finite,
+    /// ways beyond the range of the scalar.
     pub fn through(keys: &[(S, Motor<S>)]) -> Result<Self, SplineError<S>> {
         check(keys)?;
         let legs: Vec<_> = keys.windows(2).map(Leg::between).collect();
@@ -178,8 +182,8 @@ impl<S: Real<Mask = bool>> MotorSpline<S> {
         self.end
     }
 
-    /// The motor at a time; before the first key that of the first, after the last that of the last. `None` for a time
-    /// that is not a number.
+    /// The motor at a time; before the first key that of the first, after the last that of the
+    /// last. `None` for a time that is not a number.
     #[must_use]
     pub fn evaluate(&self, time: S) -> Option<Motor<S>> {
         if is_nan(time) {
@@ -192,8 +196,9 @@ impl<S: Real<Mask = bool>> MotorSpline<S> {
         Some(piece.motor(s))
     }
 
-    /// The velocity at a time as seen from the moved body, a generator per unit of time: the V of `M' = M V`. Zero before
-    /// the first key and after the last, and at these keys that of the way between. `None` for a time that is not a number.
+    /// The velocity at a time as seen from the moved body, a generator per unit of time: the V of
+    /// `M' = M V`. Zero before the first key and after the last, and at these keys that of the way
+    /// between. `None` for a time that is not a number.
     #[must_use]
     pub fn velocity(&self, time: S) -> Option<MotorGenerator<S>> {
         if is_nan(time) {
@@ -327,7 +332,8 @@ impl<S: Real<Mask = bool>> Leg<S> {
     }
 }
 
-/// A turning motion through key rotors at given times, with a speed that does not jump: a [`MotorSpline`] without displacement.
+/// A turning motion through key rotors at given times, with a speed that does not jump: a
+/// [`MotorSpline`] without displacement.
 ///
 /// ```
 /// use ga_runtime::cga3::Rotor;
@@ -371,7 +377,8 @@ impl<S: Real<Mask = bool>> RotorSpline<S> {
         self.0.evaluate(time).map(Motor::rotor)
     }
 
-    /// The angular velocity ω at a time as seen from the moved body, in radians per unit of time; see [`MotorSpline::velocity`].
+    /// The angular velocity ω at a time as seen from the moved body, in radians per unit of time;
+    /// see [`MotorSpline::velocity`].
     #[must_use]
     pub fn angular_velocity(&self, time: S) -> Option<[S; 3]> {
         let velocity = self.0.velocity(time)?;

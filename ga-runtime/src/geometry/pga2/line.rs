@@ -5,7 +5,8 @@ use crate::pga2::{Line, Point};
 use crate::scalar::{Real, Ring};
 
 impl<S: Ring> Line<S> {
-    /// The line of the points x with `n·x = d`, as `n − d e0`. With a unit normal, d is the distance from the origin.
+    /// The line of the points x with `n·x = d`, as `n − d e0`. With a unit normal, d is the
+    /// distance from the origin.
     #[inline]
     #[must_use]
     pub fn from_normal_distance([x, y]: [S; 2], distance: S) -> Self {
@@ -56,7 +57,8 @@ impl<S: Ring> Line<S> {
 }
 
 impl<S: Real<Mask = bool>> Line<S> {
-    /// The same line with a normal of length 1; `None` for the ideal line e0, or where a coefficient is not finite.
+    /// The same line with a normal of length 1; `None` for the ideal line e0, or where a
+    /// coefficient is not finite.
     #[must_use]
     pub fn normalized(self) -> Option<Self> {
         let weight = length(self.normal());
@@ -65,8 +67,8 @@ impl<S: Real<Mask = bool>> Line<S> {
         line.e0.is_finite().then_some(line)
     }
 
-    /// The distance of a point, positive on the side of the normal, to the left of the direction. `None` for an ideal line or
-    /// point, or beyond the range of the scalar.
+    /// The distance of a point, positive on the side of the normal, to the left of the direction.
+    /// `None` for an ideal line or point, or beyond the range of the scalar.
     #[must_use]
     pub fn signed_distance(self, point: Point<S>) -> Option<S> {
         let line = self.normalized()?;
@@ -74,7 +76,8 @@ impl<S: Real<Mask = bool>> Line<S> {
         distance.is_finite().then_some(distance)
     }
 
-    /// The foot of the perpendicular from a point, its projection; `None` as in [`signed_distance`](Self::signed_distance).
+    /// The foot of the perpendicular from a point, its projection; `None` as in
+    /// [`signed_distance`](Self::signed_distance).
     ///
     /// ```
     /// use ga_runtime::pga2::{Line, Point};
@@ -89,8 +92,8 @@ impl<S: Real<Mask = bool>> Line<S> {
         are_numbers(foot).then(|| Point::from_coordinates(foot))
     }
 
-    /// The angle of the turn from the direction of this line to that of another, in (−π, π], positive counterclockwise. `None` for ideal
-    /// lines.
+    /// The angle of the turn from the direction of this line to that of another, in (−π, π],
+    /// positive counterclockwise. `None` for ideal lines.
     #[must_use]
     pub fn angle(self, other: Self) -> Option<S> {
         let (a, b) = (normalized(self.normal())?, normalized(other.normal())?);

@@ -54,8 +54,8 @@ impl<S: Field> Motor<S> {
 }
 
 impl<S: Real<Mask = bool>> Rotor<S> {
-    /// The turn about the origin by an angle in radians, counterclockwise: `R = cos ½θ − sin ½θ e12`. `None` where the angle is not
-    /// finite.
+    /// The turn about the origin by an angle in radians, counterclockwise:
+    /// `R = cos ½θ − sin ½θ e12`. `None` where the angle is not finite.
     #[must_use]
     pub fn from_angle(angle: S) -> Option<Self> {
         if !angle.is_finite() {
@@ -90,15 +90,17 @@ impl<S: Real<Mask = bool>> Motor<S> {
         Translator::from_displacement(difference(place, turned)) * rotor
     }
 
-    /// The point that stays where it is, about which the motor turns; `None` for a shift, or where it is beyond the range of the scalar.
+    /// The point that stays where it is, about which the motor turns; `None` for a shift, or where
+    /// it is beyond the range of the scalar.
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
         let place = [self.e20() / self.e12(), self.e01() / self.e12()];
         are_numbers(place).then(|| Point::from_coordinates(place))
     }
 
-    /// The bivector B with `exp(B) = M` and its weight in [−π, π]: a point for a turn, an ideal one for a shift. `None` for minus a
-    /// shift that is not minus one, which is no exponential, and where a number is not finite. The logarithm of −1 is `π e12`.
+    /// The bivector B with `exp(B) = M` and its weight in [−π, π]: a point for a turn, an ideal one
+    /// for a shift. `None` for minus a shift that is not minus one, which is no exponential, and
+    /// where a number is not finite. The logarithm of −1 is `π e12`.
     #[must_use]
     pub fn log(self) -> Option<Point<S>> {
         let (cosine, sine) = (self.scalar(), self.e12());
@@ -121,8 +123,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
         are_numbers(ends).then(|| Point::from_homogeneous(ends, weight))
     }
 
-    /// The motion on the way from `self` at t = 0 to `other` at t = 1 with constant speed about one point, by the short way
-    /// round: `M exp(t log(~M N))`. What is not a number stays so.
+    /// The motion on the way from `self` at t = 0 to `other` at t = 1 with constant speed about one
+    /// point, by the short way round: `M exp(t log(~M N))`. What is not a number stays so.
     #[must_use]
     pub fn interpolate(self, other: Self, t: S) -> Self {
         let mut between = self.reverse() * other;
@@ -136,7 +138,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
         }
     }
 
-    /// The motor of a matrix `[R | t]` by rows; `None` where R is no rotation within √ε, or a number is not finite.
+    /// The motor of a matrix `[R | t]` by rows; `None` where R is no rotation within √ε, or a
+    /// number is not finite.
     #[must_use]
     pub fn from_matrix([a, b]: [[S; 3]; 2]) -> Option<Self> {
         let tolerance = S::epsilon().sqrt();

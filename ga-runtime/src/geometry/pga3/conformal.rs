@@ -1,7 +1,7 @@
 //! From cga3 and back.
 //!
-//! `e0 ↦ −ei` takes pga3 into cga3 with all its products: the plane `n + d e0` becomes the dual plane `n − d ei`, and motors act alike. Nothing is
-//! rounded on the way.
+//! `e0 ↦ −ei` takes pga3 into cga3 with all its products: the plane `n + d e0` becomes the dual
+//! plane `n − d ei`, and motors act alike. Nothing is rounded on the way.
 
 use crate::cga3;
 use crate::pga3::{Direction, Line, Motor, MotorSum, Plane, Point, Rotor, Translator};
@@ -119,7 +119,8 @@ impl<S: Ring> From<Direction<S>> for cga3::Direction<S> {
 }
 
 impl<S: Real<Mask = bool>> Point<S> {
-    /// The point of [`cga3`] at the same place; `None` for an ideal point. The whole [`cga3::FlatPoint`] has an exact `From`.
+    /// The point of [`cga3`] at the same place; `None` for an ideal point. The whole
+    /// [`cga3::FlatPoint`] has an exact `From`.
     #[inline]
     #[must_use]
     pub fn to_conformal(self) -> Option<cga3::Point<S>> {

@@ -7,8 +7,9 @@ use crate::pga3::{Line, Motor, Plane, Point};
 use crate::scalar::{Real, Ring};
 
 impl<S: Ring> Line<S> {
-    /// The line through two points, from p to q: `q ∨ p`, so that a turn about it is right-handed about `q − p`. Zero where the points
-    /// coincide; the ideal point of a [`Direction`](crate::pga3::Direction) does for q.
+    /// The line through two points, from p to q: `q ∨ p`, so that a turn about it is right-handed
+    /// about `q − p`. Zero where the points coincide; the ideal point of a
+    /// [`Direction`](crate::pga3::Direction) does for q.
     ///
     /// ```
     /// use ga_runtime::pga3::{Line, Point};
@@ -23,8 +24,8 @@ impl<S: Ring> Line<S> {
         q & p
     }
 
-    /// The line with direction d and moment m, `d1 e23 − d2 e13 + d3 e12 − m∧e0`. It is a line where `d·m = 0`; other
-    /// bivectors are generators of screws, see [`Line::exp`].
+    /// The line with direction d and moment m, `d1 e23 − d2 e13 + d3 e12 − m∧e0`. It is a line
+    /// where `d·m = 0`; other bivectors are generators of screws, see [`Line::exp`].
     #[inline]
     #[must_use]
     pub fn from_direction_moment([d1, d2, d3]: [S; 3], [m1, m2, m3]: [S; 3]) -> Self {
@@ -38,15 +39,16 @@ impl<S: Ring> Line<S> {
         Self::from_direction_moment(direction, cross(place, direction))
     }
 
-    /// The direction d, as long as the line's weight: the coefficients of e23, −e13, e12. For a meet `Π∧Ρ` of planes it is the
-    /// cross product of their normals.
+    /// The direction d, as long as the line's weight: the coefficients of e23, −e13, e12. For a
+    /// meet `Π∧Ρ` of planes it is the cross product of their normals.
     #[inline]
     #[must_use]
     pub fn direction(self) -> [S; 3] {
         [self.e23, -self.e13, self.e12]
     }
 
-    /// The moment `p × d` about the origin, for any point p of the line: minus the coefficients of e10, e20, e30.
+    /// The moment `p × d` about the origin, for any point p of the line: minus the coefficients of
+    /// e10, e20, e30.
     #[inline]
     #[must_use]
     pub fn moment(self) -> [S; 3] {
@@ -62,7 +64,8 @@ impl<S: Real<Mask = bool>> Line<S> {
         normalized(self.direction())
     }
 
-    /// The same line with a direction of length 1; `None` for an ideal line, or where a coefficient is not finite.
+    /// The same line with a direction of length 1; `None` for an ideal line, or where a coefficient
+    /// is not finite.
     #[must_use]
     pub fn normalized(self) -> Option<Self> {
         let weight = length(self.direction());
@@ -79,7 +82,8 @@ impl<S: Real<Mask = bool>> Line<S> {
         are_numbers(place).then(|| Point::from_coordinates(place))
     }
 
-    /// The foot of the perpendicular from a point, its projection; `None` for an ideal line or point.
+    /// The foot of the perpendicular from a point, its projection; `None` for an ideal line or
+    /// point.
     ///
     /// ```
     /// use ga_runtime::pga3::{Line, Point};
@@ -101,8 +105,9 @@ impl<S: Real<Mask = bool>> Line<S> {
         self.foot(point)?.distance(point)
     }
 
-    /// The distance of two lines, `|d1·m2 + d2·m1| / |d1 × d2|` for skew ones. Where the angle between them is below √ε, they
-    /// are taken as parallel, and the distance is that of the other's point nearest to the origin. `None` where one is ideal.
+    /// The distance of two lines, `|d1·m2 + d2·m1| / |d1 × d2|` for skew ones. Where the angle
+    /// between them is below √ε, they are taken as parallel, and the distance is that of the
+    /// other's point nearest to the origin. `None` where one is ideal.
     #[must_use]
     pub fn distance_to_line(self, other: Self) -> Option<S> {
         let (a, b) = (self.normalized()?, other.normalized()?);
@@ -122,16 +127,17 @@ impl<S: Real<Mask = bool>> Line<S> {
         Some(length(cross(a, b)).atan2(dot(a, b)))
     }
 
-    /// The angle between the line and a plane, in [−½π, ½π]: positive where the line leaves on the side of the normal. `None` where one is
-    /// ideal.
+    /// The angle between the line and a plane, in [−½π, ½π]: positive where the line leaves on the
+    /// side of the normal. `None` where one is ideal.
     #[must_use]
     pub fn angle_to_plane(self, plane: Plane<S>) -> Option<S> {
         let (direction, normal) = (self.unit_direction()?, plane.unit_normal()?);
         Some(dot(direction, normal).atan2(length(cross(direction, normal))))
     }
 
-    /// The motor `exp(B)` of any bivector: `B = −½θL` turns by θ about the unit line L, right-handed about its direction;
-    /// `B = ½ t∧e0` shifts by t; a sum of both with t along L is a screw.
+    /// The motor `exp(B)` of any bivector: `B = −½θL` turns by θ about the unit line L,
+    /// right-handed about its direction; `B = ½ t∧e0` shifts by t; a sum of both with t along L is
+    /// a screw.
     ///
     /// Right to rounding for angles however small. What is not a number stays so.
     ///

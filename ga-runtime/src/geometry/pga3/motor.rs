@@ -7,8 +7,8 @@ use crate::scalar::{Field, Real};
 
 impl<S: Real<Mask = bool>> Rotor<S> {
     /// The turn by an angle in radians about an axis through the origin, right-handed:
-    /// `R = cos ½θ − sin ½θ (n1 e23 − n2 e13 + n3 e12)`. The axis need not have length 1; `None` where it is zero or not finite, or the
-    /// angle is not finite.
+    /// `R = cos ½θ − sin ½θ (n1 e23 − n2 e13 + n3 e12)`. The axis need not have length 1; `None`
+    /// where it is zero or not finite, or the angle is not finite.
     #[must_use]
     pub fn from_axis_angle(axis: [S; 3], angle: S) -> Option<Self> {
         cga3::Rotor::from_axis_angle(axis, angle).map(Self::from)
@@ -20,7 +20,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         cga3::Rotor::from(self).to_axis_angle()
     }
 
-    /// The turn by the shortest way from one direction to another; `None` where one is zero or not finite.
+    /// The turn by the shortest way from one direction to another; `None` where one is zero or not
+    /// finite.
     #[must_use]
     pub fn between(from: [S; 3], to: [S; 3]) -> Option<Self> {
         cga3::Rotor::between(from, to).map(Self::from)
@@ -68,8 +69,8 @@ impl<S: Field> Motor<S> {
 }
 
 impl<S: Real<Mask = bool>> Motor<S> {
-    /// The screw about a line: a turn by an angle, right-handed about its direction, and a shift along it. `None` for an ideal
-    /// line, or where a number is not finite.
+    /// The screw about a line: a turn by an angle, right-handed about its direction, and a shift
+    /// along it. `None` for an ideal line, or where a number is not finite.
     ///
     /// ```
     /// use ga_runtime::pga3::{Line, Motor, Point};
@@ -93,8 +94,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
         usable.then(|| generator.exp())
     }
 
-    /// The bivector B with `exp(B) = M`, for a turn by θ in [0, 2π], so that the sign of M comes back too. Conventions are those of
-    /// [`cga3::Motor::log`]; what is not a number stays so.
+    /// The bivector B with `exp(B) = M`, for a turn by θ in [0, 2π], so that the sign of M comes
+    /// back too. Conventions are those of [`cga3::Motor::log`]; what is not a number stays so.
     ///
     /// ```
     /// use ga_runtime::pga3::{Motor, Rotor, Translator};
@@ -107,8 +108,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
         cga3::Motor::from(self).log().into()
     }
 
-    /// The motion on the way from `self` at t = 0 to `other` at t = 1 along a screw of constant speed, by the short way
-    /// round: `M exp(t log(~M N))`.
+    /// The motion on the way from `self` at t = 0 to `other` at t = 1 along a screw of constant
+    /// speed, by the short way round: `M exp(t log(~M N))`.
     #[must_use]
     pub fn interpolate(self, other: Self, t: S) -> Self {
         cga3::Motor::from(self).interpolate(other.into(), t).into()
@@ -120,7 +121,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
         cga3::Motor::from(self).to_matrix()
     }
 
-    /// The motor of a matrix `[R | t]` by rows; `None` where R is no rotation within √ε, or t is not finite.
+    /// The motor of a matrix `[R | t]` by rows; `None` where R is no rotation within √ε, or t is
+    /// not finite.
     #[must_use]
     pub fn from_matrix(rows: [[S; 4]; 3]) -> Option<Self> {
         cga3::Motor::from_matrix(rows).map(Self::from)

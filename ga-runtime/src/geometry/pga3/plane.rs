@@ -5,7 +5,8 @@ use crate::pga3::{Line, Plane, Point};
 use crate::scalar::{Real, Ring};
 
 impl<S: Ring> Plane<S> {
-    /// The plane of the points x with `n·x = d`, as `n − d e0`. With a unit normal, d is the distance from the origin.
+    /// The plane of the points x with `n·x = d`, as `n − d e0`. With a unit normal, d is the
+    /// distance from the origin.
     ///
     /// ```
     /// use ga_runtime::pga3::{Plane, Point};
@@ -25,8 +26,8 @@ impl<S: Ring> Plane<S> {
         Self::from_normal_distance(normal, dot(normal, place))
     }
 
-    /// The plane through three points, `p∨q∨r`: its normal is `(q − p) × (r − p)`, so that p, q, r turn counterclockwise as seen
-    /// from its tip. Zero where the points are on one line.
+    /// The plane through three points, `p∨q∨r`: its normal is `(q − p) × (r − p)`, so that p, q, r
+    /// turn counterclockwise as seen from its tip. Zero where the points are on one line.
     ///
     /// ```
     /// use ga_runtime::pga3::{Plane, Point};
@@ -48,14 +49,16 @@ impl<S: Ring> Plane<S> {
 }
 
 impl<S: Real<Mask = bool>> Plane<S> {
-    /// The normal with length 1; `None` where it is zero, as that of the ideal plane e0, or not finite.
+    /// The normal with length 1; `None` where it is zero, as that of the ideal plane e0, or not
+    /// finite.
     #[inline]
     #[must_use]
     pub fn unit_normal(self) -> Option<[S; 3]> {
         normalized(self.normal())
     }
 
-    /// The same plane with a normal of length 1; `None` where the normal is zero, or a coefficient not finite.
+    /// The same plane with a normal of length 1; `None` where the normal is zero, or a coefficient
+    /// not finite.
     #[must_use]
     pub fn normalized(self) -> Option<Self> {
         let weight = length(self.normal());
@@ -64,8 +67,8 @@ impl<S: Real<Mask = bool>> Plane<S> {
         plane.e0.is_finite().then_some(plane)
     }
 
-    /// The distance of a point, positive on the side of the normal: `(p ∨ Π)` for both of weight 1. `None` for an ideal
-    /// point or plane, or beyond the range of the scalar.
+    /// The distance of a point, positive on the side of the normal: `(p ∨ Π)` for both of weight 1.
+    /// `None` for an ideal point or plane, or beyond the range of the scalar.
     #[must_use]
     pub fn signed_distance(self, point: Point<S>) -> Option<S> {
         let plane = self.normalized()?;
@@ -73,7 +76,8 @@ impl<S: Real<Mask = bool>> Plane<S> {
         distance.is_finite().then_some(distance)
     }
 
-    /// The foot of the perpendicular from a point, its projection; `None` as in [`signed_distance`](Self::signed_distance).
+    /// The foot of the perpendicular from a point, its projection; `None` as in
+    /// [`signed_distance`](Self::signed_distance).
     ///
     /// ```
     /// use ga_runtime::pga3::{Plane, Point};
@@ -89,8 +93,9 @@ impl<S: Real<Mask = bool>> Plane<S> {
         are_numbers(foot).then(|| Point::from_coordinates(foot))
     }
 
-    /// The projection of a line, with its weight times the cosine of the angle between both; `None` where the line is
-    /// perpendicular to the plane within 8 ε, which leaves a point, or one of them is ideal.
+    /// The projection of a line, with its weight times the cosine of the angle between both; `None`
+    /// where the line is perpendicular to the plane within 8 ε, which leaves a point, or one of
+    /// them is ideal.
     #[must_use]
     pub fn project(self, line: Line<S>) -> Option<Line<S>> {
         let normal = self.unit_normal()?;

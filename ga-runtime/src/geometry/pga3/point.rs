@@ -56,7 +56,8 @@ impl<S: Real<Mask = bool>> Point<S> {
         are_numbers(place).then_some(place)
     }
 
-    /// The distance of two points, `|P ∨ Q|` for weights 1; `None` where one is ideal, or beyond the range of the scalar.
+    /// The distance of two points, `|P ∨ Q|` for weights 1; `None` where one is ideal, or beyond
+    /// the range of the scalar.
     #[must_use]
     pub fn distance(self, other: Self) -> Option<S> {
         let distance = length(difference(self.coordinates()?, other.coordinates()?));

@@ -1,7 +1,7 @@
 //! Angles between primitives, in radians.
 //!
-//! `a.angle_to(b)` is the same as `b.angle_to(a)`. All are found by `atan2` from a sine and a cosine, so that small angles and right ones keep
-//! their digits.
+//! `a.angle_to(b)` is the same as `b.angle_to(a)`. All are found by `atan2` from a sine and a
+//! cosine, so that small angles and right ones keep their digits.
 //!
 //! | pair | angle | from |
 //! | --- | --- | --- |
@@ -12,12 +12,13 @@
 //! | sphere, sphere | 0 to π | both inward normals where they meet: `cos θ = (r² + s² − d²)/(2 r s)` |
 //! | sphere and line or circle | 0 to ½π | the curve and the tangent plane where they meet |
 //!
-//! The acute angle of two directions is `min(θ, π − θ)`. In blades, for unit directions, `cos θ` is minus the scalar product `A ~B` of two lines or two planes in
-//! direct form, and `σ·τ / √(σ² τ²)` of two dual spheres or planes.
+//! The acute angle of two directions is `min(θ, π − θ)`. In blades, for unit directions, `cos θ` is
+//! minus the scalar product `A ~B` of two lines or two planes in direct form, and `σ·τ / √(σ² τ²)`
+//! of two dual spheres or planes.
 //!
-//! `None` where a sphere and the other do not meet, a sphere has radius zero, or one of the two is no
-//! [`Figure`]. What spheres and planes have instead of an angle where they do not meet
-//! is the [inversive distance](crate::cga3::Sphere::inversive_distance_to).
+//! `None` where a sphere and the other do not meet, a sphere has radius zero, or one of the two is
+//! no [`Figure`]. What spheres and planes have instead of an angle where they do not meet is the
+//! [inversive distance](crate::cga3::Sphere::inversive_distance_to).
 //!
 //! ```
 //! use ga_runtime::cga3::{Line, Plane, Point, Sphere};
@@ -58,8 +59,9 @@ impl<S: Real<Mask = bool>> Extended<S> for DualSphere<S> {}
 macro_rules! angles {
     ($($Primitive:ident)*) => {$(
         impl<S: Real<Mask = bool>> $Primitive<S> {
-            /// The angle to the other primitive in radians; see [`angle`](crate::geometry::relation::angle) for all pairs. `None` where
-            /// a sphere and the other do not meet, by more than rounding, or either is no figure.
+            /// The angle to the other primitive in radians; see
+            /// [`angle`](crate::geometry::relation::angle) for all pairs. `None` where a sphere and
+            /// the other do not meet, by more than rounding, or either is no figure.
             #[must_use]
             pub fn angle_to<T: Extended<S>>(self, other: T) -> Option<S> {
                 angle(self.figure()?, other.figure()?)
@@ -73,15 +75,18 @@ angles!(Line Plane Circle Sphere MotorGenerator DualPlane DualCircle DualSphere)
 macro_rules! inversive_distances {
     ($($Primitive:ident)*) => {$(
         impl<S: Real<Mask = bool>> $Primitive<S> {
-            /// The invariant `σ·τ / √(σ² τ²)` of two dual spheres or planes: `(r² + s² − d²)/(2 r s)` of spheres with radii r, s and
-            /// centres d apart, `h/r` of a sphere and a plane that its centre is h above, `n·m` of planes. Spheres count as of positive weight, by
-            /// their inward normals, planes by their normals as oriented. Conformal maps keep it up to sign: an inversion may turn a sphere
-            /// inside out.
+            /// The invariant `σ·τ / √(σ² τ²)` of two dual spheres or planes:
+            /// `(r² + s² − d²)/(2 r s)` of spheres with radii r, s and centres d apart, `h/r` of a
+            /// sphere and a plane that its centre is h above, `n·m` of planes. Spheres count as of
+            /// positive weight, by their inward normals, planes by their normals as oriented.
+            /// Conformal maps keep it up to sign: an inversion may turn a sphere inside out.
             ///
-            /// It is the cosine of the [angle](Self::angle_to) where they meet, 1 or −1 where they touch from within or from without, above 1 for
-            /// a sphere inside another or on the side of a plane's normal, and below −1 for two that are apart. Coxeter's inversive distance (Annali di
-            /// Matematica 71, 1966) is the inverse hyperbolic cosine of its size. `None` where a radius is zero, either is a line or a
-            /// circle or no figure, or it is beyond the range of the scalar.
+            /// It is the cosine of the [angle](Self::angle_to) where they meet, 1 or −1 where they
+            /// touch from within or from without, above 1 for a sphere inside another or on the
+            /// side of a plane's normal, and below −1 for two that are apart. Coxeter's inversive
+            /// distance (Annali di Matematica 71, 1966) is the inverse hyperbolic cosine of its
+            /// size. `None` where a radius is zero, either is a line or a circle or no figure, or
+            /// it is beyond the range of the scalar.
             ///
             /// ```
             /// use ga_runtime::cga3::{Point, Sphere};
@@ -166,7 +171,8 @@ fn angle<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<S> {
         ) => {
             let from = difference(c, centre);
             let height = dot(from, normal);
-            // The plane of the circle cuts the sphere in a circle of this radius, and the two circles meet.
+            // The plane of the circle cuts the sphere in a circle of this radius, and the two
+            // circles meet.
             let rounded = rounding(c, r) + rounding(centre, radius);
             let cut = half_chord(height, r, rounded)?;
             let between = length(across(from, normal));
@@ -211,22 +217,23 @@ fn inversive_distance<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Optio
     found.is_finite().then_some(found)
 }
 
-/// The length whose ε bounds by how much a radius and a centre are rounded: a blade knows the radius by its square beside that of the
-/// centre's distance from the origin.
+/// The length whose ε bounds by how much a radius and a centre are rounded: a blade knows the
+/// radius by its square beside that of the centre's distance from the origin.
 fn rounding<S: Real<Mask = bool>>(centre: [S; 3], radius: S) -> S {
     let distance = length(centre);
     radius + distance + distance * (distance / radius)
 }
 
-/// Half the chord that a sphere cuts off at a height from its centre; `None` where it does not reach so far, or has no radius.
+/// Half the chord that a sphere cuts off at a height from its centre; `None` where it does not
+/// reach so far, or has no radius.
 fn half_chord<S: Real<Mask = bool>>(height: S, radius: S, rounding: S) -> Option<S> {
     let short = slack(radius - height.abs(), rounding)?;
     let usable = S::zero().less_than(radius);
     usable.then(|| short.sqrt() * (radius + height.abs()).sqrt())
 }
 
-/// Four times the area of a triangle in units of its longest side squared, by Heron's formula; `None` where the sides make none, or two of them
-/// vanish.
+/// Four times the area of a triangle in units of its longest side squared, by Heron's formula;
+/// `None` where the sides make none, or two of them vanish.
 fn heron<S: Real<Mask = bool>>(sides: [S; 3], rounding: S) -> Option<S> {
     let unit = sides[0].max(sides[1]).max(sides[2]);
     if !S::zero().less_than(unit) {

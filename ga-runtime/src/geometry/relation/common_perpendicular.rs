@@ -19,15 +19,18 @@ pub struct CommonPerpendicular<S> {
 }
 
 impl<S: Real<Mask = bool>> Line<S> {
-    /// The line that meets this one and another at right angles, with its feet on both and their distance.
+    /// The line that meets this one and another at right angles, with its feet on both and their
+    /// distance.
     ///
-    /// With the dual lines ℓ and k it is the axis of the motor `k ℓ⁻¹`, along the bivector part of the commutator `(ℓk − kℓ)/2`. Its
-    /// direction is that of `d × e`, for d and e the directions of this line and the other: it leads from the one to the other or
-    /// back, as the lines are wound.
+    /// With the dual lines ℓ and k it is the axis of the motor `k ℓ⁻¹`, along the bivector part of
+    /// the commutator `(ℓk − kℓ)/2`. Its direction is that of `d × e`, for d and e the directions
+    /// of this line and the other: it leads from the one to the other or back, as the lines are
+    /// wound.
     ///
-    /// Lines parallel within `tolerance.angle` have many. The one through this line's point nearest to the origin is given, and leads
-    /// to the other line. `None` where they are parallel and not farther apart than `tolerance.distance`, where one is
-    /// no line, or where a foot is beyond the range of the scalar.
+    /// Lines parallel within `tolerance.angle` have many. The one through this line's point nearest
+    /// to the origin is given, and leads to the other line. `None` where they are parallel and not
+    /// farther apart than `tolerance.distance`, where one is no line, or where a foot is beyond the
+    /// range of the scalar.
     ///
     /// ```
     /// use ga_runtime::cga3::{Line, Point};

@@ -1,7 +1,8 @@
 //! Distances between any two primitives.
 //!
-//! `a.distance_to(b)` is the least distance of a point of a from a point of b, zero where they meet; `b.distance_to(a)` is the same. Spheres are
-//! surfaces here: a point inside is at a distance from the sphere.
+//! `a.distance_to(b)` is the least distance of a point of a from a point of b, zero where they
+//! meet; `b.distance_to(a)` is the same. Spheres are surfaces here: a point inside is at a distance
+//! from the sphere.
 //!
 //! | | point | line | plane | sphere, centre c, radius r | circle |
 //! | --- | --- | --- | --- | --- | --- |
@@ -11,9 +12,11 @@
 //! | sphere | | | | `max(d − r − s, ∣r − s∣ − d, 0)` | by its nearest and farthest point from c |
 //! | circle | | | | | least over one of them |
 //!
-//! A pair counts as its two points. The stationary points of the distance from a line to a circle are roots of a quartic, those from circle to
-//! circle of a polynomial of degree 8 (Vranek, Journal of Graphics Tools 7 (2002); Eberly, Distance to Circles in 3D); the least one is found by
-//! halving under a proven bound instead, to the accuracy of the scalar. Directions whose sine is below 16 ε count as parallel.
+//! A pair counts as its two points. The stationary points of the distance from a line to a circle
+//! are roots of a quartic, those from circle to circle of a polynomial of degree 8 (Vranek, Journal
+//! of Graphics Tools 7 (2002); Eberly, Distance to Circles in 3D); the least one is found by
+//! halving under a proven bound instead, to the accuracy of the scalar. Directions whose sine is
+//! below 16 ε count as parallel.
 //!
 //! `a.signed_distance_to(b)` has a sign where there is a side to tell:
 //!
@@ -25,8 +28,8 @@
 //! | sphere and sphere | `d − r − s`, negative where the balls overlap |
 //! | all others | none, as [`distance_to`](crate::cga3::Line::distance_to) |
 //!
-//! In blades, for `x·X` with a dual plane n + d ei of unit normal and with a dual sphere σ = c − ½r² ei: `P·π = n·p − d` and
-//! `P·σ = ½(r² − ∣p − c∣²)`.
+//! In blades, for `x·X` with a dual plane n + d ei of unit normal and with a dual sphere σ = c −
+//! ½r² ei: `P·π = n·p − d` and `P·σ = ½(r² − ∣p − c∣²)`.
 //!
 //! `None` where one of the two is no [`Figure`]: weight zero, imaginary, not finite.
 //!
@@ -57,16 +60,18 @@ use crate::scalar::Real;
 macro_rules! distances {
     ($($Primitive:ident)*) => {$(
         impl<S: Real<Mask = bool>> $Primitive<S> {
-            /// The least distance from the other primitive, in the units of the coordinates, zero where they meet; see
-            /// [`distance`](crate::geometry::relation::distance) for all pairs. `None` where either is no figure or the distance is
-            /// beyond the range of the scalar.
+            /// The least distance from the other primitive, in the units of the coordinates, zero
+            /// where they meet; see [`distance`](crate::geometry::relation::distance) for all
+            /// pairs. `None` where either is no figure or the distance is beyond the range of the
+            /// scalar.
             #[must_use]
             pub fn distance_to<T: Primitive<S>>(self, other: T) -> Option<S> {
                 distance(self.figure()?, other.figure()?)
             }
 
-            /// The distance with a sign where there is a side to tell: planes by their normal, spheres negative inside; see
-            /// [`distance`](crate::geometry::relation::distance) for all pairs. `None` as for [`distance_to`](Self::distance_to).
+            /// The distance with a sign where there is a side to tell: planes by their normal,
+            /// spheres negative inside; see [`distance`](crate::geometry::relation::distance) for
+            /// all pairs. `None` as for [`distance_to`](Self::distance_to).
             #[must_use]
             pub fn signed_distance_to<T: Primitive<S>>(self, other: T) -> Option<S> {
                 signed_distance(self.figure()?, other.figure()?)
@@ -216,8 +221,8 @@ pub(super) fn across<S: Real>(v: [S; 3], unit: [S; 3]) -> [S; 3] {
     difference(v, scaled(unit, dot(v, unit)))
 }
 
-/// The least and the greatest distance of a figure's points from the centre of a sphere, or from a sphere's surface
-/// negative within it; the greatest is infinite for what is unbounded.
+/// The least and the greatest distance of a figure's points from the centre of a sphere, or from a
+/// sphere's surface negative within it; the greatest is infinite for what is unbounded.
 pub(super) fn from_sphere<S: Real<Mask = bool>>(
     figure: Figure<S>,
     centre: [S; 3],

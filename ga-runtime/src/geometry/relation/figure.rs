@@ -7,8 +7,8 @@ use crate::cga3::{
 use crate::geometry::vector3::{are_numbers, length};
 use crate::scalar::Real;
 
-/// A primitive as a set of points of space, by plain vectors. All numbers are finite, directions and normals have length 1, radii are not
-/// negative.
+/// A primitive as a set of points of space, by plain vectors. All numbers are finite, directions
+/// and normals have length 1, radii are not negative.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Figure<S> {
     /// One point.
@@ -49,10 +49,11 @@ pub enum Figure<S> {
 
 /// A primitive of space that can be read as a [`Figure`].
 pub trait Primitive<S>: Copy {
-    /// The figure; `None` for weight zero, imaginary points or radii, and numbers that are not finite.
+    /// The figure; `None` for weight zero, imaginary points or radii, and numbers that are not
+    /// finite.
     ///
-    /// A round whose weight is exactly zero is read as the flat that it then is: a sphere as a plane, a circle as a line, a pair as
-    /// its finite point.
+    /// A round whose weight is exactly zero is read as the flat that it then is: a sphere as a
+    /// plane, a circle as a line, a pair as its finite point.
     ///
     /// ```
     /// use ga_runtime::cga3::{Line, Point};

@@ -1,7 +1,8 @@
 //! Incidence: what lies on what, within a tolerance.
 //!
-//! `a.is_on(b, tolerance)` asks whether every point of a is a point of b. In blades a point x is on a direct X where `x∧X = 0`; here the
-//! distance is measured, so that the tolerance has the units of the coordinates whatever the weights of the blades.
+//! `a.is_on(b, tolerance)` asks whether every point of a is a point of b. In blades a point x is on
+//! a direct X where `x∧X = 0`; here the distance is measured, so that the tolerance has the units
+//! of the coordinates whatever the weights of the blades.
 //!
 //! | a | on b | within the tolerance must be |
 //! | --- | --- | --- |
@@ -13,8 +14,9 @@
 //! | circle | circle | the distance of the centres, the difference of the radii, and the tilt times the radius |
 //! | sphere | sphere | the distance of the centres and the difference of the radii |
 //!
-//! All others are never on each other, but for a circle or a sphere whose radius is within the tolerance, which counts as its
-//! centre. What is no [`Figure`] is on nothing, and nothing is on it.
+//! All others are never on each other, but for a circle or a sphere whose radius is within the
+//! tolerance, which counts as its centre. What is no [`Figure`] is on nothing, and nothing is on
+//! it.
 //!
 //! ```
 //! use ga_runtime::cga3::{Circle, Plane, Point, Sphere};
@@ -39,7 +41,8 @@ use crate::cga3::{
 use crate::geometry::vector3::{cross, difference, dot, length, scaled};
 use crate::scalar::Real;
 
-/// A primitive with a direction: a line, a plane by its normal, a circle by the normal of its plane.
+/// A primitive with a direction: a line, a plane by its normal, a circle by the normal of its
+/// plane.
 pub trait Directed<S>: Primitive<S> {}
 
 impl<S: Real<Mask = bool>> Directed<S> for Line<S> {}
@@ -53,7 +56,8 @@ macro_rules! incidence {
     ($($Primitive:ident)*) => {$(
         impl<S: Real<Mask = bool>> $Primitive<S> {
             /// Whether every point of this is a point of the other, within the tolerance; see
-            /// [`incidence`](crate::geometry::relation::incidence). False where either is no figure.
+            /// [`incidence`](crate::geometry::relation::incidence). False where either is no
+            /// figure.
             #[must_use]
             pub fn is_on<T: Primitive<S>>(self, other: T, tolerance: Tolerance<S>) -> bool {
                 match (self.figure(), other.figure()) {
@@ -62,8 +66,8 @@ macro_rules! incidence {
                 }
             }
 
-            /// Whether this and the other are the same set of points, each [on](Self::is_on) the other; orientation and weight do not
-            /// count. False where either is no figure.
+            /// Whether this and the other are the same set of points, each [on](Self::is_on) the
+            /// other; orientation and weight do not count. False where either is no figure.
             #[must_use]
             pub fn coincides_with<T: Primitive<S>>(self, other: T, tolerance: Tolerance<S>) -> bool {
                 match (self.figure(), other.figure()) {
@@ -78,16 +82,18 @@ macro_rules! incidence {
 macro_rules! attitude {
     ($($Primitive:ident)*) => {$(
         impl<S: Real<Mask = bool>> $Primitive<S> {
-            /// Whether the angle to the other is zero within `tolerance.angle`, orientation left aside. Lines, planes and the planes of
-            /// circles are compared; what coincides is parallel too. False where either is no figure.
+            /// Whether the angle to the other is zero within `tolerance.angle`, orientation left
+            /// aside. Lines, planes and the planes of circles are compared; what coincides is
+            /// parallel too. False where either is no figure.
             #[must_use]
             pub fn is_parallel_to<T: Directed<S>>(self, other: T, tolerance: Tolerance<S>) -> bool {
                 let slope = self.figure().zip(other.figure()).and_then(|(a, b)| slope(a, b));
                 slope.is_some_and(|[sine, cosine]| within(sine.atan2(cosine), tolerance.angle))
             }
 
-            /// Whether the angle to the other is a right one within `tolerance.angle`. Lines, planes and the planes of circles are compared;
-            /// they need not meet. False where either is no figure.
+            /// Whether the angle to the other is a right one within `tolerance.angle`. Lines,
+            /// planes and the planes of circles are compared; they need not meet. False where
+            /// either is no figure.
             #[must_use]
             pub fn is_perpendicular_to<T: Directed<S>>(self, other: T, tolerance: Tolerance<S>) -> bool {
                 let slope = self.figure().zip(other.figure()).and_then(|(a, b)| slope(a, b));

@@ -1,8 +1,9 @@
 //! Inversion in a sphere.
 //!
-//! A point at x goes to `c + r² (x − c)/∣x − c∣²`. With the dual sphere `σ = c − ½r² ei` it is the versor action `σ X̂ σ⁻¹`, X̂ the grade
-//! involution, so that every blade is moved point by point, with orientation. Rounds and flats become each other: what passes the
-//! centre becomes flat, and a flat that does not becomes round through the centre.
+//! A point at x goes to `c + r² (x − c)/∣x − c∣²`. With the dual sphere `σ = c − ½r² ei` it is the
+//! versor action `σ X̂ σ⁻¹`, X̂ the grade involution, so that every blade is moved point by point,
+//! with orientation. Rounds and flats become each other: what passes the centre becomes flat, and a
+//! flat that does not becomes round through the centre.
 //!
 //! | element | becomes | flat where |
 //! | --- | --- | --- |
@@ -11,8 +12,9 @@
 //! | circle, line | [`RoundOrFlat`] of circle and line | it passes the centre |
 //! | sphere, plane | [`RoundOrFlat`] of sphere and plane | it passes the centre |
 //!
-//! Whether the centre is on it is decided within `tolerance.distance`, and the flat result is then exact in its kind: its blades with eo and
-//! without ei are left out. Points at or nearer than that to the centre have no image.
+//! Whether the centre is on it is decided within `tolerance.distance`, and the flat result is then
+//! exact in its kind: its blades with eo and without ei are left out. Points at or nearer than that
+//! to the centre have no image.
 //!
 //! ```
 //! use ga_runtime::cga3::{Plane, Point, Sphere};
@@ -51,8 +53,9 @@ pub enum RoundOrFlat<R, F> {
 }
 
 impl<S: Real<Mask = bool>> Point<S> {
-    /// The image under inversion in a sphere, `c + r² (x − c)/∣x − c∣²`; see [`inversion`](crate::geometry::relation::inversion). `None`
-    /// for the centre within the tolerance, and where the sphere has radius zero, is imaginary or no sphere.
+    /// The image under inversion in a sphere, `c + r² (x − c)/∣x − c∣²`; see
+    /// [`inversion`](crate::geometry::relation::inversion). `None` for the centre within the
+    /// tolerance, and where the sphere has radius zero, is imaginary or no sphere.
     #[must_use]
     pub fn invert_in(self, sphere: Sphere<S>, tolerance: Tolerance<S>) -> Option<Self> {
         let (centre, radius) = mirror(sphere)?;
@@ -70,9 +73,10 @@ impl<S: Real<Mask = bool>> Point<S> {
 macro_rules! inversions {
     ($($Element:ident: $Round:ident or $Flat:ident;)*) => {$(
         impl<S: Real<Mask = bool>> $Element<S> {
-            /// The image under inversion in a sphere, `σ X̂ σ⁻¹` with the dual sphere σ; see [`inversion`](crate::geometry::relation::inversion). Flat
-            /// where the centre is on it within `tolerance.distance`. `None` where the sphere has radius zero, is imaginary or no sphere, this
-            /// is no figure, or the image is beyond the range of the scalar.
+            /// The image under inversion in a sphere, `σ X̂ σ⁻¹` with the dual sphere σ; see
+            /// [`inversion`](crate::geometry::relation::inversion). Flat where the centre is on it
+            /// within `tolerance.distance`. `None` where the sphere has radius zero, is imaginary
+            /// or no sphere, this is no figure, or the image is beyond the range of the scalar.
             #[must_use]
             pub fn invert_in(
                 self,
@@ -109,8 +113,9 @@ fn mirror<S: Real<Mask = bool>>(sphere: Sphere<S>) -> Option<([S; 3], S)> {
         .then(|| (centre, squared.sqrt()))
 }
 
-/// The image of an element, in the round type that holds it. With the centre brought to the origin the inversion exchanges eo and ei but for a
-/// factor, `eo → ½r² ei` and `ei → 2/r² eo`, and keeps e1, e2, e3.
+/// The image of an element, in the round type that holds it. With the centre brought to the origin
+/// the inversion exchanges eo and ei but for a factor, `eo → ½r² ei` and `ei → 2/r² eo`, and keeps
+/// e1, e2, e3.
 fn inverted<T, R>(element: T, centre: [R::Scalar; 3], radius: R::Scalar) -> Option<R>
 where
     T: Element<Scalar = R::Scalar>,

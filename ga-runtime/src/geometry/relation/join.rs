@@ -1,7 +1,9 @@
 //! Joins: the least primitive that holds two others.
 //!
-//! In blades the join of two that share nothing is their outer product, `p∧q∧ei` for the line through two points, `p∧L` for the plane of a point and a line, `C∧p`
-//! for a sphere; where they share something it vanishes or leaves out what is shared once, and what is shared once is found by the cases here.
+//! In blades the join of two that share nothing is their outer product, `p∧q∧ei` for the line
+//! through two points, `p∧L` for the plane of a point and a line, `C∧p` for a sphere; where they
+//! share something it vanishes or leaves out what is shared once, and what is shared once is found
+//! by the cases here.
 //!
 //! | | point | point pair | line | circle | plane, sphere |
 //! | --- | --- | --- | --- | --- | --- |
@@ -10,15 +12,18 @@
 //! | line | | | plane; line; all | plane; all | all; plane |
 //! | circle | | | | sphere; plane; circle; all | all; itself |
 //!
-//! First comes what two in general position span, then what is left for less: coplanar points of a circle and off it give a plane, collinear ones a line, and
-//! where one holds the other, that one. *All* is all of space: skew lines, a line and a circle in no common plane, circles on no common
+//! First comes what two in general position span, then what is left for less: coplanar points of a
+//! circle and off it give a plane, collinear ones a line, and where one holds the other, that one.
+//! *All* is all of space: skew lines, a line and a circle in no common plane, circles on no common
 //! sphere. Two surfaces join to all of space unless they coincide.
 //!
-//! The tolerance decides by distance what lies on what, as in [`incidence`](super::incidence), and by angle which lines are parallel. A pair, a
-//! circle or a sphere that is no larger counts as its centre.
+//! The tolerance decides by distance what lies on what, as in [`incidence`](super::incidence), and
+//! by angle which lines are parallel. A pair, a circle or a sphere that is no larger counts as its
+//! centre.
 //!
-//! What comes out has weight 1. Where the outer product of both does not vanish, with infinity for two points, the outcome is a positive multiple of
-//! it, in the order of the call; otherwise it is oriented as the operand that it is or, for lines and circles of one plane, as the first of them.
+//! What comes out has weight 1. Where the outer product of both does not vanish, with infinity for
+//! two points, the outcome is a positive multiple of it, in the order of the call; otherwise it is
+//! oriented as the operand that it is or, for lines and circles of one plane, as the first of them.
 //!
 //! `None` where one of the two is no [`Figure`], or the outcome is beyond the range of the scalar.
 //!
@@ -74,8 +79,9 @@ pub enum Join<S> {
 macro_rules! joins {
     ($($Primitive:ident)*) => {$(
         impl<S: Real<Mask = bool>> $Primitive<S> {
-            /// The least primitive that holds this and the other; see [`join`](crate::geometry::relation::join). `None` where one is
-            /// no figure or the outcome is beyond the range of the scalar.
+            /// The least primitive that holds this and the other; see
+            /// [`join`](crate::geometry::relation::join). `None` where one is no figure or the
+            /// outcome is beyond the range of the scalar.
             #[must_use]
             pub fn join<T: Primitive<S>>(self, other: T, tolerance: Tolerance<S>) -> Option<Join<S>> {
                 join(self.figure()?, other.figure()?, tolerance)
@@ -128,7 +134,8 @@ fn join<S: Real<Mask = bool>>(
     }
     let (one, minus) = (S::one(), -S::one());
     if rank(b) < rank(a) {
-        // The outer product changes sign where both grades are odd: point and line, point and circle.
+        // The outer product changes sign where both grades are odd: point and line, point and
+        // circle.
         let sign = match b {
             Figure::Point(_) => minus,
             _ => one,
@@ -138,7 +145,8 @@ fn join<S: Real<Mask = bool>>(
     span(a, b, tolerance, one)
 }
 
-/// The join of two figures in the order of their ranks, neither of which is on the other. The sign is that of the order against the outer product.
+/// The join of two figures in the order of their ranks, neither of which is on the other. The sign
+/// is that of the order against the outer product.
 fn span<S: Real<Mask = bool>>(
     a: Figure<S>,
     b: Figure<S>,
@@ -246,8 +254,8 @@ fn span<S: Real<Mask = bool>>(
                 radius: r,
             },
         ) => {
-            // The point of the second that is farthest from the plane of the first: up or down its steepest radius, any one in
-            // parallel planes.
+            // The point of the second that is farthest from the plane of the first: up or down its
+            // steepest radius, any one in parallel planes.
             let tilt = across(normal, m);
             let steepest = if length(tilt).less_than(parallel()) {
                 frame(m)[0]
@@ -283,7 +291,8 @@ impl<S: Real<Mask = bool>> Above<S> {
     fn new(centre: [S; 3], normal: [S; 3], radius: S, point: [S; 3]) -> Self {
         let from = difference(point, centre);
         let height = dot(from, normal);
-        // The centre of the sphere is t above that of the circle, where w² − 2 t h = r² with w from there to the point.
+        // The centre of the sphere is t above that of the circle, where w² − 2 t h = r² with w from
+        // there to the point.
         let reach = length(across(from, normal));
         let up = (height + (reach - radius) * ((reach + radius) / height)) * S::from_ratio(1, 2);
         Self {
@@ -330,7 +339,8 @@ fn four_points<S: Real<Mask = bool>>(
 ) -> Option<Join<S>> {
     let direction = normalized(difference(q, p))?;
     let off = |x| length(across(difference(x, p), direction));
-    // Of the second pair the point that makes the better triangle comes first; to exchange both changes the sign.
+    // Of the second pair the point that makes the better triangle comes first; to exchange both
+    // changes the sign.
     let (third, fourth, sign) = if off(r).less_than(off(s)) {
         (s, r, -S::one())
     } else {

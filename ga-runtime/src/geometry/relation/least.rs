@@ -1,10 +1,12 @@
 //! The least distance from a circle to a line or to another circle.
 //!
-//! Along the angle θ of a point on the circle the squared distance g from a line or a circle has a second derivative that is bounded from above, `g'' ≤ K`. So
-//! `g − ½Kθ²` is concave and lies above its chords: within a cell of width w, g is nowhere more than `⅛Kw²` below its lesser end. Cells that cannot
-//! hold the least value under this bound are dropped; in those where g is convex the zero of g' is found; the others are halved, and
-//! a bound of the third derivative makes K tighter as they shrink. Nothing is lost between samples, and the result depends on nothing but
-//! the input.
+//! Along the angle θ of a point on the circle the squared distance g from a line or a circle has a
+//! second derivative that is bounded from above, `g'' ≤ K`. So `g − ½Kθ²` is concave and lies above
+//! its chords: within a cell of width w, g is nowhere more than `⅛Kw²` below its lesser end. Cells
+//! that cannot hold the least value under this bound are dropped; in those where g is convex the
+//! zero of g' is found; the others are halved, and a bound of the third derivative makes K tighter
+//! as they shrink. Nothing is lost between samples, and the result depends on nothing but the
+//! input.
 
 use super::distance::across;
 use crate::geometry::vector3::{cross, difference, dot, length, normalized, scaled, sum};
@@ -18,7 +20,8 @@ const MOST_CELLS: usize = 256;
 /// Steps to the zero of g' in one cell, every third of them a bisection.
 const STEPS: usize = 120;
 
-/// The least distance of a circle from a line of unit direction; `from` leads from the line's nearest point to the centre of the circle.
+/// The least distance of a circle from a line of unit direction; `from` leads from the line's
+/// nearest point to the centre of the circle.
 pub(super) fn line_to_circle<S: Real<Mask = bool>>(
     direction: [S; 3],
     from: [S; 3],
@@ -51,7 +54,8 @@ pub(super) fn line_to_circle<S: Real<Mask = bool>>(
     least.sqrt() * size
 }
 
-/// The least distance of a circle from another, fixed one; `from` leads from the centre of the fixed circle to that of the other.
+/// The least distance of a circle from another, fixed one; `from` leads from the centre of the
+/// fixed circle to that of the other.
 pub(super) fn circle_to_circle<S: Real<Mask = bool>>(
     from: [S; 3],
     normal: [S; 3],
@@ -66,7 +70,8 @@ pub(super) fn circle_to_circle<S: Real<Mask = bool>>(
     let fixed_radius = fixed_radius / size;
     let [u, v] = frame(normal);
     let zero = S::zero();
-    // g = |p|² + s² − 2 s ρ with ρ the distance from the axis; ρ'' is nowhere below minus the radius.
+    // g = |p|² + s² − 2 s ρ with ρ the distance from the axis; ρ'' is nowhere below minus the
+    // radius.
     let bound = twice(radius) * (length(from) + fixed_radius);
     let least = least(bound, &|angle, width| {
         let (sine, cosine) = angle.sin_cos();
@@ -143,7 +148,8 @@ pub(super) fn frame<S: Real<Mask = bool>>(normal: [S; 3]) -> [[S; 3]; 2] {
     [u, cross(normal, u)]
 }
 
-/// A function at an angle, with its first and second derivatives and a bound of the third within a width.
+/// A function at an angle, with its first and second derivatives and a bound of the third within a
+/// width.
 #[derive(Clone, Copy)]
 struct Sample<S> {
     angle: S,
@@ -153,7 +159,8 @@ struct Sample<S> {
     jerk: S,
 }
 
-/// The least value of a function of an angle with `g'' ≤ bound`, which is given with the width that the third derivative is to be bounded in.
+/// The least value of a function of an angle with `g'' ≤ bound`, which is given with the width that
+/// the third derivative is to be bounded in.
 fn least<S: Real<Mask = bool>>(bound: S, function: &dyn Fn(S, S) -> Sample<S>) -> S {
     let (zero, half) = (S::zero(), S::from_ratio(1, 2));
     let mut width = S::from_f64(core::f64::consts::TAU) * S::from_ratio(1, CELLS);
@@ -201,12 +208,14 @@ fn least<S: Real<Mask = bool>>(bound: S, function: &dyn Fn(S, S) -> Sample<S>) -
     best
 }
 
-/// What makes no difference to a squared distance of figures of size 1: a part ε of it, or ε² where they all but meet.
+/// What makes no difference to a squared distance of figures of size 1: a part ε of it, or ε² where
+/// they all but meet.
 fn resolution<S: Real<Mask = bool>>(value: S) -> S {
     S::epsilon() * value.max(S::epsilon())
 }
 
-/// The least value met on the way to the zero of the derivative, where it rises through it between the ends, or at the ends.
+/// The least value met on the way to the zero of the derivative, where it rises through it between
+/// the ends, or at the ends.
 fn bottom<S: Real<Mask = bool>>(
     [mut left, mut right]: [Sample<S>; 2],
     bound: S,

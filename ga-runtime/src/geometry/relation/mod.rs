@@ -1,9 +1,11 @@
-//! Relations between primitives: incidence, nearest points, reflection, inversion, distance, angle, meet and join.
+//! Relations between primitives: incidence, nearest points, reflection, inversion, distance, angle,
+//! meet and join.
 //!
-//! Everything here is an inherent method of [`Point`](crate::cga3::Point), [`FlatPoint`](crate::cga3::FlatPoint),
-//! [`PointPair`](crate::cga3::PointPair), [`Line`](crate::cga3::Line), [`Plane`](crate::cga3::Plane),
-//! [`Circle`](crate::cga3::Circle) and [`Sphere`](crate::cga3::Sphere) in direct form and, but for meet and join, of their dual forms; this module holds the traits that these
-//! methods are generic over and the types that they return.
+//! Everything here is an inherent method of [`Point`](crate::cga3::Point),
+//! [`FlatPoint`](crate::cga3::FlatPoint), [`PointPair`](crate::cga3::PointPair),
+//! [`Line`](crate::cga3::Line), [`Plane`](crate::cga3::Plane), [`Circle`](crate::cga3::Circle) and
+//! [`Sphere`](crate::cga3::Sphere) in direct form and, but for meet and join, of their dual forms;
+//! this module holds the traits that these methods are generic over and the types that they return.
 //!
 //! | method | gives | page |
 //! | --- | --- | --- |
@@ -18,10 +20,12 @@
 //! | `a.meet(b, tolerance)` | what both share, by cases | [`meet`] |
 //! | `a.join(b, tolerance)` | the least primitive that holds both | [`join`] |
 //!
-//! Measures and tests read each primitive as a plain Euclidean [`Figure`] first and take differences of places before squares, so that
-//! points and flats hold up far from the origin. The radius of a round is known only as its blade knows it, r² to within some ε of the
-//! centre's squared distance from the origin. What is decided by comparing takes a [`Tolerance`]. A primitive
-//! that is no figure, because its weight is zero, it is imaginary or not finite, gives `None`, and `false` in a test.
+//! Measures and tests read each primitive as a plain Euclidean [`Figure`] first and take
+//! differences of places before squares, so that points and flats hold up far from the origin. The
+//! radius of a round is known only as its blade knows it, r² to within some ε of the centre's
+//! squared distance from the origin. What is decided by comparing takes a [`Tolerance`]. A
+//! primitive that is no figure, because its weight is zero, it is imaginary or not finite, gives
+//! `None`, and `false` in a test.
 
 pub mod angle;
 pub mod common_perpendicular;
@@ -46,7 +50,8 @@ pub use meet::Meet;
 pub use reflection::Mirror;
 pub use tolerance::Tolerance;
 
-/// Directions whose sine differs from zero by less count as parallel where no tolerance is given: 16 ε.
+/// Directions whose sine differs from zero by less count as parallel where no tolerance is given:
+/// 16 ε.
 fn parallel<S: crate::scalar::Real>() -> S {
     S::epsilon() * S::from_integer(16)
 }

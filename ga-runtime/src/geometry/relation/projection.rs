@@ -12,8 +12,9 @@
 //! | line | plane | the line of the feet | `(L⌋Π) Π⁻¹` |
 //! | line | sphere | the great circle below the line, [`great_circle_on`](crate::cga3::Line::great_circle_on) | `S ∨ (c∧L)`, c the centre |
 //!
-//! `None` where the nearest point is not unique: a sphere's centre, the axis of a circle, the plane midway between two points; a line
-//! across a plane, whose image is a point; a line through the centre of a sphere. Also where one of the two is no [`Figure`].
+//! `None` where the nearest point is not unique: a sphere's centre, the axis of a circle, the plane
+//! midway between two points; a line across a plane, whose image is a point; a line through the
+//! centre of a sphere. Also where one of the two is no [`Figure`].
 //!
 //! ```
 //! use ga_runtime::cga3::{Circle, Line, Plane, Point, Sphere};
@@ -42,16 +43,17 @@ use crate::geometry::vector3::{
 use crate::scalar::Real;
 
 impl<S: Real<Mask = bool>> Point<S> {
-    /// The point of the other primitive that is nearest to this one; see [`projection`](crate::geometry::relation::projection). `None`
-    /// where several are, or the other is no figure.
+    /// The point of the other primitive that is nearest to this one; see
+    /// [`projection`](crate::geometry::relation::projection). `None` where several are, or the
+    /// other is no figure.
     #[must_use]
     pub fn project_onto<T: Primitive<S>>(self, other: T) -> Option<Self> {
         let place = nearest(self.coordinates(), other.figure()?)?;
         are_numbers(place).then(|| Point::from(place))
     }
 
-    /// The free vector that leads here from the [nearest point](Self::project_onto) of the other primitive: `p − p'`, as
-    /// long as the distance. `None` where there is no nearest point.
+    /// The free vector that leads here from the [nearest point](Self::project_onto) of the other
+    /// primitive: `p − p'`, as long as the distance. `None` where there is no nearest point.
     #[must_use]
     pub fn reject_from<T: Primitive<S>>(self, other: T) -> Option<Direction<S>> {
         let foot = self.project_onto(other)?.coordinates();
@@ -75,8 +77,8 @@ impl<S: Real<Mask = bool>> FlatPoint<S> {
 }
 
 impl<S: Real<Mask = bool>> Direction<S> {
-    /// The part along a line or in a plane, which for a circle is its own: `(v·d) d` or `v − (v·n) n`. It may be zero. `None` where
-    /// this is not finite or the other is no figure.
+    /// The part along a line or in a plane, which for a circle is its own: `(v·d) d` or
+    /// `v − (v·n) n`. It may be zero. `None` where this is not finite or the other is no figure.
     ///
     /// ```
     /// use ga_runtime::cga3::{Direction, Line, Point};
@@ -113,8 +115,8 @@ impl<S: Real<Mask = bool>> Direction<S> {
 }
 
 impl<S: Real<Mask = bool>> Line<S> {
-    /// The line of the feet of this line's points in a plane: `(L⌋Π) Π⁻¹`, its direction of length 1. `None` where the line stands
-    /// across the plane, or either is no figure.
+    /// The line of the feet of this line's points in a plane: `(L⌋Π) Π⁻¹`, its direction of
+    /// length 1. `None` where the line stands across the plane, or either is no figure.
     #[must_use]
     pub fn project_onto(self, plane: Plane<S>) -> Option<Self> {
         let LineAndPlane {
@@ -131,9 +133,10 @@ impl<S: Real<Mask = bool>> Line<S> {
         line(foot, normalized(flat)?)
     }
 
-    /// What the [projection](Self::project_onto) onto a plane leaves of this line, `L − (L⌋Π) Π⁻¹`: the normal of the plane
-    /// through the point where the line crosses it, its direction of length 1 and on the side that the line leaves to. `None` where they
-    /// are parallel, or either is no figure.
+    /// What the [projection](Self::project_onto) onto a plane leaves of this line, `L − (L⌋Π) Π⁻¹`:
+    /// the normal of the plane through the point where the line crosses it, its direction of length
+    /// 1 and on the side that the line leaves to. `None` where they are parallel, or either is no
+    /// figure.
     ///
     /// ```
     /// use ga_runtime::cga3::{Line, Plane, Point};
@@ -168,9 +171,10 @@ impl<S: Real<Mask = bool>> Line<S> {
         line(crossing, upright)
     }
 
-    /// The great circle of a sphere below this line: that of the plane `c∧L` through the centre c, turning as the line passes. Its
-    /// half on the side of the line holds the points of the sphere nearest to those of the line. `None` where the line passes the centre within 16 ε
-    /// of its distance from the origin, or either is no figure.
+    /// The great circle of a sphere below this line: that of the plane `c∧L` through the centre c,
+    /// turning as the line passes. Its half on the side of the line holds the points of the sphere
+    /// nearest to those of the line. `None` where the line passes the centre within 16 ε of its
+    /// distance from the origin, or either is no figure.
     ///
     /// ```
     /// use ga_runtime::cga3::{Line, Point, Sphere};

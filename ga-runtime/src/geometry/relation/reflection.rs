@@ -8,10 +8,12 @@
 //! | line | `ℓ = dual(L)/∣L∣`, a half turn | `ℓ X ~ℓ` | `2 f − x`, f its foot on the line |
 //! | point p | `dual(p∧ei)`, of grade 3 | `V X̂ V⁻¹` | `2 p − x` |
 //!
-//! X̂ is the grade involution, −X for odd grades. So what goes in is moved point by point, with weight and orientation: `p∧q∧r∧ei` becomes
-//! `p'∧q'∧r'∧ei`. Of a dual form the orientation is reversed by planes and points as mirrors: I is odd under them, so that the dual of
-//! the image is minus the image of the dual. Twice gives X again. It is worked out as a motor, after the change of sign of all coordinates where the
-//! versor is odd: a reflection in a plane is that in the origin, a half turn about the normal, and a shift.
+//! X̂ is the grade involution, −X for odd grades. So what goes in is moved point by point, with
+//! weight and orientation: `p∧q∧r∧ei` becomes `p'∧q'∧r'∧ei`. Of a dual form the orientation is
+//! reversed by planes and points as mirrors: I is odd under them, so that the dual of the image is
+//! minus the image of the dual. Twice gives X again. It is worked out as a motor, after the change
+//! of sign of all coordinates where the versor is odd: a reflection in a plane is that in the
+//! origin, a half turn about the normal, and a shift.
 //!
 //! `None` where the mirror is no [`Figure`], or beyond the range of the scalar.
 //!
@@ -38,8 +40,8 @@ use crate::scalar::Real;
 
 /// What can be reflected in: a plane, a line, a point.
 pub trait Mirror<S> {
-    /// The motor that makes the reflection, and whether all coordinates change sign before; `None` where the mirror is no
-    /// figure.
+    /// The motor that makes the reflection, and whether all coordinates change sign before; `None`
+    /// where the mirror is no figure.
     fn reflection(self) -> Option<(Motor<S>, bool)>;
 }
 
@@ -58,7 +60,8 @@ impl<S: Real<Mask = bool>> Mirror<S> for Line<S> {
         let Figure::Line { point, direction } = self.figure()? else {
             return None;
         };
-        // The point nearest to the origin is across the direction: a half turn about the origin makes it its negative.
+        // The point nearest to the origin is across the direction: a half turn about the origin
+        // makes it its negative.
         let shift = shift(scaled(point, S::from_integer(2)))?;
         Some((shift * half_turn(direction), false))
     }
@@ -92,8 +95,9 @@ impl<S: Real<Mask = bool>> Mirror<S> for MotorGenerator<S> {
 macro_rules! reflections {
     ($($Element:ident)*) => {$(
         impl<S: Real<Mask = bool>> $Element<S> {
-            /// The image under reflection in a plane, a line or a point; see [`reflection`](crate::geometry::relation::reflection). `None` where
-            /// the mirror is no figure, or the image is not finite.
+            /// The image under reflection in a plane, a line or a point; see
+            /// [`reflection`](crate::geometry::relation::reflection). `None` where the mirror is no
+            /// figure, or the image is not finite.
             #[must_use]
             pub fn reflect_in<M: Mirror<S>>(self, mirror: M) -> Option<Self> {
                 let (motor, is_odd) = mirror.reflection()?;

@@ -2,11 +2,13 @@
 
 use crate::scalar::Real;
 
-/// How far off still counts: a distance in the units of the coordinates and an angle in radians, both bounds included.
+/// How far off still counts: a distance in the units of the coordinates and an angle in radians,
+/// both bounds included.
 ///
-/// Results of a few operations on coordinates of size 1 are off by some ε, the spacing of the scalar at 1. The default allows
-/// 1024 ε of distance and of angle, which is 2.3·10⁻¹³ in `f64` and 1.2·10⁻⁴ in `f32`. For coordinates of another size take
-/// [`for_size`](Self::for_size). A bound that is negative or NaN holds for nothing.
+/// Results of a few operations on coordinates of size 1 are off by some ε, the spacing of the
+/// scalar at 1. The default allows 1024 ε of distance and of angle, which is 2.3·10⁻¹³ in `f64` and
+/// 1.2·10⁻⁴ in `f32`. For coordinates of another size take [`for_size`](Self::for_size). A bound
+/// that is negative or NaN holds for nothing.
 ///
 /// ```
 /// use ga_runtime::cga3::{Line, Point};
@@ -35,7 +37,8 @@ impl<S> Tolerance<S> {
 }
 
 impl<S: Real> Tolerance<S> {
-    /// The default for coordinates up to a size: 1024 ε times the size as distance, 1024 ε as angle.
+    /// The default for coordinates up to a size: 1024 ε times the size as distance, 1024 ε as
+    /// angle.
     ///
     /// ```
     /// use ga_runtime::geometry::relation::Tolerance;

@@ -7,7 +7,8 @@ use crate::scalar::{Real, Ring};
 use crate::sta::{Bivector, Rotor};
 
 impl<S: Ring> Bivector<S> {
-    /// The field `F = E + I B` that the observer g0 sees as electric and magnetic: `Ek` at gk0, `Bk` at `I gk0`, in units with c = 1.
+    /// The field `F = E + I B` that the observer g0 sees as electric and magnetic: `Ek` at gk0,
+    /// `Bk` at `I gk0`, in units with c = 1.
     #[inline]
     #[must_use]
     pub fn from_fields(electric: [S; 3], magnetic: [S; 3]) -> Self {
@@ -33,7 +34,8 @@ impl<S: Ring> Bivector<S> {
         [self.g32, self.g13, self.g21]
     }
 
-    /// The invariants that all observers agree on, `E² − B²` and `E·B`: `F² = (E² − B²) + 2 (E·B) I`.
+    /// The invariants that all observers agree on, `E² − B²` and `E·B`:
+    /// `F² = (E² − B²) + 2 (E·B) I`.
     ///
     /// ```
     /// use ga_runtime::sta::Bivector;
@@ -50,7 +52,8 @@ impl<S: Ring> Bivector<S> {
 }
 
 impl<S: Real<Mask = bool>> Bivector<S> {
-    /// The field as somebody sees it who moves with a velocity v, on axes parallel to those of the observer: `~L F L` with the boost L by v.
+    /// The field as somebody sees it who moves with a velocity v, on axes parallel to those of the
+    /// observer: `~L F L` with the boost L by v.
     ///
     /// # Errors
     ///
@@ -67,11 +70,12 @@ impl<S: Real<Mask = bool>> Bivector<S> {
         Ok(Rotor::from_velocity(velocity)?.reverse().transform(self))
     }
 
-    /// The rotor `exp(F)`: `½φσ` with a unit relative vector σ boosts by the rapidity φ, `−½θ Iσ` turns by θ about σ, and every other F does both
-    /// in planes that commute, or is null. `None` where a number is not finite, or the boost beyond the range of the scalar.
+    /// The rotor `exp(F)`: `½φσ` with a unit relative vector σ boosts by the rapidity φ, `−½θ Iσ`
+    /// turns by θ about σ, and every other F does both in planes that commute, or is null. `None`
+    /// where a number is not finite, or the boost beyond the range of the scalar.
     ///
-    /// F² is a number `a + b I`, so that `exp(F) = cosh z + (sinh z/z) F` with `z² = F²`. Of a null F, in which the square cancels, the error grows
-    /// with |F|².
+    /// F² is a number `a + b I`, so that `exp(F) = cosh z + (sinh z/z) F` with `z² = F²`. Of a null
+    /// F, in which the square cancels, the error grows with |F|².
     ///
     /// ```
     /// use ga_runtime::sta::Bivector;

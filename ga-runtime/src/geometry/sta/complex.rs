@@ -1,4 +1,5 @@
-//! Numbers `a + b I` with I² = −1, which commute with every bivector: bivectors of spacetime are complex vectors over them.
+//! Numbers `a + b I` with I² = −1, which commute with every bivector: bivectors of spacetime are
+//! complex vectors over them.
 
 use crate::scalar::{Field, Real};
 
@@ -34,7 +35,8 @@ impl<S: Real<Mask = bool>> Complex<S> {
         crate::geometry::vector3::length([self.real, self.imaginary, S::zero()])
     }
 
-    /// `self / other`, by the larger part of the divisor so that no square leaves the range of the scalar (Smith, 1962).
+    /// `self / other`, by the larger part of the divisor so that no square leaves the range of the
+    /// scalar (Smith, 1962).
     pub(super) fn divided_by(self, other: Self) -> Self {
         let (c, d) = (other.real, other.imaginary);
         if c.abs().less_than(d.abs()) {
@@ -88,7 +90,8 @@ impl<S: Real<Mask = bool>> Complex<S> {
         Self::new(sinh * cosine, cosh * sine)
     }
 
-    /// `z/w` for `self = cosh z`, `w = sinh z`, with the imaginary part of z in [−π, π] and `|cosh z + w|` at least one.
+    /// `z/w` for `self = cosh z`, `w = sinh z`, with the imaginary part of z in [−π, π] and
+    /// `|cosh z + w|` at least one.
     pub(super) fn arcosh_over_sinh(self, sinh: Self) -> Self {
         let size = sinh.modulus();
         if !S::zero().less_than(size) {
@@ -145,8 +148,8 @@ pub(super) fn arsinh<S: Real<Mask = bool>>(sinh: S, cosh: S) -> S {
     logarithm_above_one(sinh + sinh * sinh / (S::one() + cosh))
 }
 
-/// `ln(1 + y)` as `y ln u/(u − 1)` for `u = 1 + y`, which is exact to rounding (Higham, Accuracy and Stability of Numerical Algorithms, 2002,
-/// 1.14.1).
+/// `ln(1 + y)` as `y ln u/(u − 1)` for `u = 1 + y`, which is exact to rounding (Higham, Accuracy
+/// and Stability of Numerical Algorithms, 2002, 1.14.1).
 fn logarithm_above_one<S: Real<Mask = bool>>(y: S) -> S {
     let u = S::one() + y;
     let difference = u - S::one();

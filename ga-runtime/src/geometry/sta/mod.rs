@@ -1,4 +1,5 @@
-//! Relativity in sta: events, fields and Lorentz transformations, in units where the speed of light is 1.
+//! Relativity in sta: events, fields and Lorentz transformations, in units where the speed of light
+//! is 1.
 
 mod bivector;
 mod complex;

@@ -22,8 +22,8 @@ impl<S: Ring> Rotor<S> {
 }
 
 impl<S: Real<Mask = bool>> Rotor<S> {
-    /// The boost that sets into motion what rests: it takes g0 to the proper velocity `γ (g0 + v)`. Along v it is
-    /// `cosh ½φ + sinh ½φ σ` with the rapidity `φ = artanh |v|`.
+    /// The boost that sets into motion what rests: it takes g0 to the proper velocity `γ (g0 + v)`.
+    /// Along v it is `cosh ½φ + sinh ½φ σ` with the rapidity `φ = artanh |v|`.
     ///
     /// # Errors
     ///
@@ -45,8 +45,9 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         Ok(Self::boost(cosh, sinh))
     }
 
-    /// The boost by a rapidity in a direction, which need not have length 1; rapidities in one direction add. `None` where the direction is zero or
-    /// not finite, or the rapidity not finite or beyond the range of the scalar.
+    /// The boost by a rapidity in a direction, which need not have length 1; rapidities in one
+    /// direction add. `None` where the direction is zero or not finite, or the rapidity not finite
+    /// or beyond the range of the scalar.
     ///
     /// ```
     /// use ga_runtime::sta::Rotor;
@@ -63,8 +64,9 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         usable.then(|| Self::boost(cosh, sinh))
     }
 
-    /// The turn of space by an angle in radians about an axis, right-handed: `cos ½θ − sin ½θ I n`. The axis need not have length 1; `None` where
-    /// it is zero or not finite, or the angle not finite.
+    /// The turn of space by an angle in radians about an axis, right-handed: `cos ½θ − sin ½θ I n`.
+    /// The axis need not have length 1; `None` where it is zero or not finite, or the angle not
+    /// finite.
     #[must_use]
     pub fn from_axis_angle(axis: [S; 3], angle: S) -> Option<Self> {
         if !angle.is_finite() {
@@ -75,7 +77,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         Some(Self::turn(cosine, axis))
     }
 
-    /// The velocity that what rested has afterwards, that of `R g0 ~R`. For very large rapidities it is rounded to size 1.
+    /// The velocity that what rested has afterwards, that of `R g0 ~R`. For very large rapidities
+    /// it is rounded to size 1.
     #[must_use]
     pub fn velocity(self) -> [S; 3] {
         let one = Vector::new(S::one(), S::zero(), S::zero(), S::zero());
@@ -83,9 +86,11 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         image.place().map(|x| x / image.time())
     }
 
-    /// The turn U and the boost L with `R = L U`: first the turn, then the boost by [`velocity`](Self::velocity).
+    /// The turn U and the boost L with `R = L U`: first the turn, then the boost by
+    /// [`velocity`](Self::velocity).
     ///
-    /// The product of two boosts in different directions contains a turn, that of Wigner and Thomas.
+    /// The product of two boosts in different directions contains a turn, that of Wigner and
+    /// Thomas.
     ///
     /// ```
     /// use ga_runtime::sta::Rotor;
@@ -109,8 +114,9 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         )
     }
 
-    /// A bivector F with `exp(F) = R`, so that the sign of R comes back too. The logarithm of −1 is `π g21`. `None` for minus the
-    /// exponential of a null bivector, which has none, and where a number is not finite; null means here that `|F²|` is below `8 ε |F|²`.
+    /// A bivector F with `exp(F) = R`, so that the sign of R comes back too. The logarithm of −1 is
+    /// `π g21`. `None` for minus the exponential of a null bivector, which has none, and where a
+    /// number is not finite; null means here that `|F²|` is below `8 ε |F|²`.
     ///
     /// ```
     /// use ga_runtime::sta::{Bivector, Rotor};
@@ -149,7 +155,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         if is_negative && square.modulus().less_than(least) {
             return None;
         }
-        // w² is F² without its scale and also C² − 1; of both the one that rounds less, which for a null F is the second.
+        // w² is F² without its scale and also C² − 1; of both the one that rounds less, which for a
+        // null F is the second.
         let (one, modulus) = (S::one(), cosine.modulus());
         let mut sine = if (one + modulus * (modulus + size)).less_than(size * size) {
             let below = Complex::new(cosine.real - one, cosine.imaginary);

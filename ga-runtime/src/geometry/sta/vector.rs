@@ -27,8 +27,8 @@ impl<S: Ring> Vector<S> {
         [self.g1, self.g2, self.g3]
     }
 
-    /// The squared interval `x² = t² − r²`: positive for timelike vectors, zero on the light cone, negative for spacelike
-    /// ones.
+    /// The squared interval `x² = t² − r²`: positive for timelike vectors, zero on the light cone,
+    /// negative for spacelike ones.
     ///
     /// ```
     /// use ga_runtime::sta::Vector;
@@ -44,8 +44,9 @@ impl<S: Ring> Vector<S> {
 }
 
 impl<S: Real<Mask = bool>> Vector<S> {
-    /// The time that a clock shows which moves straight along a timelike vector, `√(t² − r²)`; negative where it leads to the
-    /// past. `None` for spacelike vectors, and where a number is not finite.
+    /// The time that a clock shows which moves straight along a timelike vector, `√(t² − r²)`;
+    /// negative where it leads to the past. `None` for spacelike vectors, and where a number is not
+    /// finite.
     ///
     /// Worked out from `(|t| − r)(|t| + r)`, which loses nothing close to the light cone.
     ///
@@ -69,8 +70,8 @@ impl<S: Real<Mask = bool>> Vector<S> {
         Some(proper)
     }
 
-    /// The length of a spacelike vector for the observer to whom its ends are simultaneous, `√(r² − t²)`. `None` for timelike
-    /// vectors, and where a number is not finite.
+    /// The length of a spacelike vector for the observer to whom its ends are simultaneous,
+    /// `√(r² − t²)`. `None` for timelike vectors, and where a number is not finite.
     #[must_use]
     pub fn proper_distance(self) -> Option<S> {
         let (time, distance) = (self.time().abs(), length(self.place()));
@@ -80,7 +81,8 @@ impl<S: Real<Mask = bool>> Vector<S> {
         Some(root_of_difference(distance, time))
     }
 
-    /// The velocity `r/t` that the observer g0 sees, of size 1 for light; `None` for what is not timelike or lightlike, or not finite.
+    /// The velocity `r/t` that the observer g0 sees, of size 1 for light; `None` for what is not
+    /// timelike or lightlike, or not finite.
     #[must_use]
     pub fn velocity(self) -> Option<[S; 3]> {
         let (time, distance) = (self.time(), length(self.place()));
@@ -108,7 +110,8 @@ impl<S: Real<Mask = bool>> Vector<S> {
         Ok(Self::from_time_place(gamma, velocity.map(|v| v * gamma)))
     }
 
-    /// The mass of a momentum `E g0 + p`, `√(E² − p²)`: the same as [`proper_time`](Self::proper_time) of an event.
+    /// The mass of a momentum `E g0 + p`, `√(E² − p²)`: the same as
+    /// [`proper_time`](Self::proper_time) of an event.
     #[must_use]
     pub fn mass(self) -> Option<S> {
         self.proper_time()

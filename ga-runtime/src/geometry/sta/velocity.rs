@@ -25,8 +25,9 @@ impl<S: Display> Display for NotSlowerThanLight<S> {
 impl<S: core::fmt::Debug + Display> core::error::Error for NotSlowerThanLight<S> {}
 
 /// The velocity, seen by the observer, of what moves with v for somebody who moves with u:
-/// `(u + v_∥ + v_⊥/γ(u)) / (1 + u·v)`. Also the velocity of the boost by u after that by v; in the other order the size is the same and the
-/// direction another. What would round to the speed of light, or above it, comes out a few ε below.
+/// `(u + v_∥ + v_⊥/γ(u)) / (1 + u·v)`. Also the velocity of the boost by u after that by v; in the
+/// other order the size is the same and the direction another. What would round to the speed of
+/// light, or above it, comes out a few ε below.
 ///
 /// # Errors
 ///
@@ -57,8 +58,8 @@ pub fn velocity_sum<S: Real<Mask = bool>>(
     Ok(scaled(sum, scale))
 }
 
-/// The velocity that somebody who moves with u finds for what the observer sees moving with v: the [`velocity_sum`] of −u and
-/// v.
+/// The velocity that somebody who moves with u finds for what the observer sees moving with v: the
+/// [`velocity_sum`] of −u and v.
 ///
 /// # Errors
 ///

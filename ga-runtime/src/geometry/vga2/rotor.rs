@@ -5,8 +5,8 @@ use crate::scalar::{Field, Real};
 use crate::vga2::{Bivector, Complex, Rotor, Vector};
 
 impl<S: Field> Rotor<S> {
-    /// The complex number of the turn, `cos θ + sin θ e12`: the square of the reverse. It turns the complex numbers of vectors by
-    /// one product, as a rotor turns vectors by two.
+    /// The complex number of the turn, `cos θ + sin θ e12`: the square of the reverse. It turns the
+    /// complex numbers of vectors by one product, as a rotor turns vectors by two.
     #[inline]
     #[must_use]
     pub fn to_complex(self) -> Complex<S> {
@@ -25,7 +25,8 @@ impl<S: Field> Rotor<S> {
 }
 
 impl<S: Real<Mask = bool>> Rotor<S> {
-    /// The turn by an angle in radians, positive from e1 towards e2: `R = cos ½θ − sin ½θ e12`. `None` where the angle is not finite.
+    /// The turn by an angle in radians, positive from e1 towards e2: `R = cos ½θ − sin ½θ e12`.
+    /// `None` where the angle is not finite.
     ///
     /// ```
     /// use ga_runtime::vga2::{Rotor, Vector};
@@ -49,8 +50,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         half + half
     }
 
-    /// The turn by the short way from the direction of one vector to that of another; counterclockwise where they are opposite. `None` where one is zero
-    /// or not finite.
+    /// The turn by the short way from the direction of one vector to that of another;
+    /// counterclockwise where they are opposite. `None` where one is zero or not finite.
     #[must_use]
     pub fn between(from: Vector<S>, to: Vector<S>) -> Option<Self> {
         let (a, b) = (
@@ -60,7 +61,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         Self::from_complex(Vector::from(a) * Vector::from(b))
     }
 
-    /// The turn by the argument of a complex number, in (−π, π]; `None` for zero and what is not finite.
+    /// The turn by the argument of a complex number, in (−π, π]; `None` for zero and what is not
+    /// finite.
     ///
     /// ```
     /// use ga_runtime::vga2::{Complex, Rotor, Vector};
@@ -82,7 +84,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         Some(Self::new_unchecked(cosine, -sine))
     }
 
-    /// The bivector B with `exp(B) = R`: `−½θ e12` for the turn by θ, with its coefficient in [−π, π].
+    /// The bivector B with `exp(B) = R`: `−½θ e12` for the turn by θ, with its coefficient in [−π,
+    /// π].
     #[must_use]
     pub fn log(self) -> Bivector<S> {
         Bivector::new(self.e12().atan2(self.scalar()))

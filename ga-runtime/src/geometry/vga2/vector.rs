@@ -35,7 +35,8 @@ impl<S: Real<Mask = bool>> Vector<S> {
         normalized(self.coordinates()).map(Self::from)
     }
 
-    /// The angle of the turn to another vector, in (−π, π], positive from e1 towards e2; `None` where one is zero or not finite.
+    /// The angle of the turn to another vector, in (−π, π], positive from e1 towards e2; `None`
+    /// where one is zero or not finite.
     ///
     /// ```
     /// use ga_runtime::vga2::Vector;
@@ -51,7 +52,8 @@ impl<S: Real<Mask = bool>> Vector<S> {
         Some(area(a, b).atan2(dot(a, b)))
     }
 
-    /// The part along another vector, `(a·b) b⁻¹`; `None` where b is zero or a number is not finite.
+    /// The part along another vector, `(a·b) b⁻¹`; `None` where b is zero or a number is not
+    /// finite.
     #[must_use]
     pub fn project(self, other: Self) -> Option<Self> {
         let direction = normalized(other.coordinates())?;
@@ -59,14 +61,16 @@ impl<S: Real<Mask = bool>> Vector<S> {
         are_numbers(part).then(|| part.into())
     }
 
-    /// The part across another vector, `(a∧b) b⁻¹`; `None` where b is zero or a number is not finite.
+    /// The part across another vector, `(a∧b) b⁻¹`; `None` where b is zero or a number is not
+    /// finite.
     #[must_use]
     pub fn reject(self, other: Self) -> Option<Self> {
         let part = difference(self.coordinates(), self.project(other)?.coordinates());
         are_numbers(part).then(|| part.into())
     }
 
-    /// The mirror image in the line across a normal n, `−n a n⁻¹`; `None` where n is zero or a number is not finite.
+    /// The mirror image in the line across a normal n, `−n a n⁻¹`; `None` where n is zero or a
+    /// number is not finite.
     ///
     /// ```
     /// use ga_runtime::vga2::Vector;

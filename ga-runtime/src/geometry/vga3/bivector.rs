@@ -6,7 +6,8 @@ use crate::scalar::{Real, Ring};
 use crate::vga3::{Bivector, Rotor, Vector};
 
 impl<S: Ring> Bivector<S> {
-    /// The bivector with a normal by the right hand, as large as the normal is long: `n I = n1 e23 − n2 e13 + n3 e12`.
+    /// The bivector with a normal by the right hand, as large as the normal is long:
+    /// `n I = n1 e23 − n2 e13 + n3 e12`.
     #[inline]
     #[must_use]
     pub fn from_normal([n1, n2, n3]: [S; 3]) -> Self {
@@ -36,13 +37,15 @@ impl<S: Real<Mask = bool>> Bivector<S> {
         normalized(self.normal()).map(Self::from_normal)
     }
 
-    /// The part of a vector in the plane of the bivector, `(a·B) B⁻¹`; `None` where B is zero or a number is not finite.
+    /// The part of a vector in the plane of the bivector, `(a·B) B⁻¹`; `None` where B is zero or a
+    /// number is not finite.
     #[must_use]
     pub fn project(self, vector: Vector<S>) -> Option<Vector<S>> {
         vector.reject(self.normal().into())
     }
 
-    /// The rotor `exp(B) = cos |B| + sin |B| B/|B|`: for `B = −½θb` with a unit bivector b, a turn by θ in its sense. What is not a number stays so.
+    /// The rotor `exp(B) = cos |B| + sin |B| B/|B|`: for `B = −½θb` with a unit bivector b, a turn
+    /// by θ in its sense. What is not a number stays so.
     ///
     /// ```
     /// use ga_runtime::vga3::{Bivector, Vector};

@@ -6,30 +6,34 @@ use crate::scalar::{Real, Ring};
 use crate::vga3::{Bivector, Quaternion, Rotor, Vector};
 
 impl<S: Real<Mask = bool>> Rotor<S> {
-    /// The turn by an angle in radians about an axis, right-handed: `R = cos ½θ − sin ½θ (n1 e23 − n2 e13 + n3 e12)`. The axis need not have length
-    /// 1; `None` where it is zero or not finite, or the angle is not finite.
+    /// The turn by an angle in radians about an axis, right-handed:
+    /// `R = cos ½θ − sin ½θ (n1 e23 − n2 e13 + n3 e12)`. The axis need not have length 1; `None`
+    /// where it is zero or not finite, or the angle is not finite.
     #[must_use]
     pub fn from_axis_angle(axis: Vector<S>, angle: S) -> Option<Self> {
         cga3::Rotor::from_axis_angle(axis.into(), angle).map(Self::from)
     }
 
-    /// The axis of length 1 and the angle in [0, 2π] of the turn; the axis is e3 where the angle is 0 or 2π. A rotor and its negative turn to the
-    /// same place by opposite ways: their angles add to 2π.
+    /// The axis of length 1 and the angle in [0, 2π] of the turn; the axis is e3 where the angle is
+    /// 0 or 2π. A rotor and its negative turn to the same place by opposite ways: their angles add
+    /// to 2π.
     #[must_use]
     pub fn to_axis_angle(self) -> (Vector<S>, S) {
         let (axis, angle) = cga3::Rotor::from(self).to_axis_angle();
         (axis.into(), angle)
     }
 
-    /// The turn by the shortest way from the direction of one vector to that of another; opposite ones are joined by a half turn about some axis
-    /// across them. `None` where one is zero or not finite.
+    /// The turn by the shortest way from the direction of one vector to that of another; opposite
+    /// ones are joined by a half turn about some axis across them. `None` where one is zero or not
+    /// finite.
     #[must_use]
     pub fn between(from: Vector<S>, to: Vector<S>) -> Option<Self> {
         cga3::Rotor::between(from.into(), to.into()).map(Self::from)
     }
 
-    /// The rotor of the turn of a quaternion `w + x i + y j + z k`, given as `[x, y, z]` and w: `w − x e23 + y e13 − z e12`. The
-    /// quaternion need not have length 1; `None` where it is zero or not finite.
+    /// The rotor of the turn of a quaternion `w + x i + y j + z k`, given as `[x, y, z]` and w:
+    /// `w − x e23 + y e13 − z e12`. The quaternion need not have length 1; `None` where it is zero
+    /// or not finite.
     ///
     /// ```
     /// use ga_runtime::vga3::{Rotor, Vector};
@@ -50,7 +54,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         cga3::Rotor::from(self).to_quaternion()
     }
 
-    /// The rotor of a rotation matrix given by rows; `None` where the matrix is no rotation within √ε.
+    /// The rotor of a rotation matrix given by rows; `None` where the matrix is no rotation within
+    /// √ε.
     #[must_use]
     pub fn from_matrix(rows: [[S; 3]; 3]) -> Option<Self> {
         cga3::Rotor::from_matrix(rows).map(Self::from)
@@ -62,8 +67,9 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         cga3::Rotor::from(self).to_matrix()
     }
 
-    /// The bivector B with `exp(B) = R` and `|B|` in [0, π], so that the sign of R comes back too: `−½θb` for a turn by θ in the unit bivector b. The
-    /// logarithm of −1 is `π e12`. What is not a number stays so.
+    /// The bivector B with `exp(B) = R` and `|B|` in [0, π], so that the sign of R comes back too:
+    /// `−½θb` for a turn by θ in the unit bivector b. The logarithm of −1 is `π e12`. What is not a
+    /// number stays so.
     #[must_use]
     pub fn log(self) -> Bivector<S> {
         let vector = [self.e12(), self.e13(), self.e23()];
@@ -79,8 +85,9 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         Bivector::new(x, y, z)
     }
 
-    /// The turn on the way from `self` at t = 0 to `other` at t = 1 with constant speed and by the short way round,
-    /// `R exp(t log(~R S))`: spherical linear interpolation (Shoemake, Animating Rotation with Quaternion Curves, 1985).
+    /// The turn on the way from `self` at t = 0 to `other` at t = 1 with constant speed and by the
+    /// short way round, `R exp(t log(~R S))`: spherical linear interpolation (Shoemake, Animating
+    /// Rotation with Quaternion Curves, 1985).
     ///
     /// ```
     /// use ga_runtime::vga3::{Rotor, Vector};

@@ -12,7 +12,8 @@ impl<S: Ring> Vector<S> {
         [self.e1, self.e2, self.e3]
     }
 
-    /// The cross product, right-handed: the dual of the outer product, `a × b = dual(a ∧ b) = −(a ∧ b) I`.
+    /// The cross product, right-handed: the dual of the outer product,
+    /// `a × b = dual(a ∧ b) = −(a ∧ b) I`.
     ///
     /// ```
     /// use ga_runtime::vga3::Vector;
@@ -53,7 +54,8 @@ impl<S: Real<Mask = bool>> Vector<S> {
         Some(length(cross(a, b)).atan2(dot(a, b)))
     }
 
-    /// The part along another vector, its projection `(a·b) b⁻¹`; `None` where b is zero or a number is not finite.
+    /// The part along another vector, its projection `(a·b) b⁻¹`; `None` where b is zero or a
+    /// number is not finite.
     ///
     /// ```
     /// use ga_runtime::vga3::Vector;
@@ -68,14 +70,16 @@ impl<S: Real<Mask = bool>> Vector<S> {
         are_numbers(part).then(|| part.into())
     }
 
-    /// The part across another vector, its rejection `(a∧b) b⁻¹`; `None` where b is zero or a number is not finite.
+    /// The part across another vector, its rejection `(a∧b) b⁻¹`; `None` where b is zero or a
+    /// number is not finite.
     #[must_use]
     pub fn reject(self, other: Self) -> Option<Self> {
         let part = difference(self.coordinates(), self.project(other)?.coordinates());
         are_numbers(part).then(|| part.into())
     }
 
-    /// The mirror image in the plane across a normal n, `−n a n⁻¹`; `None` where n is zero or a number is not finite.
+    /// The mirror image in the plane across a normal n, `−n a n⁻¹`; `None` where n is zero or a
+    /// number is not finite.
     ///
     /// ```
     /// use ga_runtime::vga3::Vector;

@@ -2,9 +2,11 @@
 //!
 //! # The form
 //!
-//! Formats for people, such as JSON, get a map from the names of the stored blades to their coefficients; blades that are
-//! constant or derived are not written. Other formats get a tuple of the same numbers in the order of the declaration, without a length or names:
-//! 12 bytes for a [`Point`](crate::cga3::Point) in `f32`. Types without stored blades, as [`Infinity`](crate::cga3::Infinity), are units.
+//! Formats for people, such as JSON, get a map from the names of the stored blades to their
+//! coefficients; blades that are constant or derived are not written. Other formats get a tuple of
+//! the same numbers in the order of the declaration, without a length or names: 12 bytes for a
+//! [`Point`](crate::cga3::Point) in `f32`. Types without stored blades, as
+//! [`Infinity`](crate::cga3::Infinity), are units.
 //!
 //! ```
 //! use ga_runtime::cga3::{Point, Quaternion, Rotor};
@@ -24,19 +26,22 @@
 //! assert_eq!(Rotor::normalize(sum), Some(Rotor::default()));
 //! ```
 //!
-//! serde_json reads numbers to within their last digit, unless its feature `float_roundtrip` makes it exact.
+//! serde_json reads numbers to within their last digit, unless its feature `float_roundtrip` makes
+//! it exact.
 //!
 //! # What is refused
 //!
-//! - In a map, a blade that the type does not store, one that is missing and one that comes twice. The error names it. In a tuple, too few or too many
-//!   numbers.
-//! - Coefficients that break the facts of the type. A unit versor is read where every coefficient of `M ~M − 1` is within √ε of
-//!   zero, ε being [`Real::epsilon`](crate::scalar::Real::epsilon) of the scalar. Where the products of which such a coefficient is the sum are large, as
-//!   in the Study condition of a motor far from the origin, that is relative to half the sum of their sizes. Nothing is changed on the
-//!   way. What has been rounded to fewer digits, as from `f32` to `f64`, is read as the hull, a [`Rotor`](crate::cga3::Rotor) as a
+//! - In a map, a blade that the type does not store, one that is missing and one that comes twice.
+//!   The error names it. In a tuple, too few or too many numbers.
+//! - Coefficients that break the facts of the type. A unit versor is read where every coefficient
+//!   of `M ~M − 1` is within √ε of zero, ε being [`Real::epsilon`](crate::scalar::Real::epsilon) of
+//!   the scalar. Where the products of which such a coefficient is the sum are large, as in the
+//!   Study condition of a motor far from the origin, that is relative to half the sum of their
+//!   sizes. Nothing is changed on the way. What has been rounded to fewer digits, as from `f32` to
+//!   `f64`, is read as the hull, a [`Rotor`](crate::cga3::Rotor) as a
 //!   [`Quaternion`](crate::cga3::Quaternion), and normalised.
-//! - Infinities and NaN in a type whose facts restrict it. Other types take what the format and the scalar take: JSON has neither, binary formats
-//!   have both.
+//! - Infinities and NaN in a type whose facts restrict it. Other types take what the format and the
+//!   scalar take: JSON has neither, binary formats have both.
 
 #[doc(hidden)]
 pub mod coefficients;

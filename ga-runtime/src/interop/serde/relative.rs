@@ -4,10 +4,11 @@ use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use crate::scalar::{Field, Real, Ring};
 
-/// A number with its size before anything cancelled: the sum of the absolute values of all products that were added up.
+/// A number with its size before anything cancelled: the sum of the absolute values of all products
+/// that were added up.
 ///
-/// Over this scalar the check of a unit versor measures each defect relative to what has cancelled in it: [`Real::abs`] divides by
-/// half the size, where that is above 1.
+/// Over this scalar the check of a unit versor measures each defect relative to what has cancelled
+/// in it: [`Real::abs`] divides by half the size, where that is above 1.
 #[derive(Clone, Copy, Debug)]
 pub struct Relative<S> {
     value: S,

@@ -12,11 +12,12 @@ use super::{Field, Ring};
 
 /// A dual number: a value and its N derivatives, `x + x₁ ε₁ + … + x_N ε_N` with `ε_i ε_j = 0`.
 ///
-/// Arithmetic on dual numbers carries derivatives along by the chain rule, exactly and without differences of close
-/// values (forward-mode differentiation: Griewank and Walther, Evaluating Derivatives, 2008, chapter 3). So any
-/// function that is generic over its scalar differentiates: N = 3 gives the Jacobian by the coordinates of a point,
-/// N = 1, the default, one derivative, `Dual<Dual<f64>>` the second one. The value is, bit for bit, what the function
-/// gives without derivatives.
+/// Arithmetic on dual numbers carries derivatives along by the chain rule, exactly and without
+/// differences of close values (forward-mode differentiation: Griewank and Walther, Evaluating
+/// Derivatives, 2008, chapter 3). So any function that is generic over its scalar differentiates: N
+/// = 3 gives the Jacobian by the coordinates of a point, N = 1, the default, one derivative,
+/// `Dual<Dual<f64>>` the second one. The value is, bit for bit, what the function gives without
+/// derivatives.
 ///
 /// ```
 /// use ga_runtime::scalar::{Dual, Real};
@@ -53,17 +54,19 @@ use super::{Field, Ring};
 /// | `atan2(y, x)` | `(x y' − y x')/(x² + y²)` | `x = y = 0`: +∞, since the angle jumps there |
 /// | `max`, `min`, `select` | that of the number chosen | where both are equal, that of the first |
 ///
-/// In these elementary functions a derivative of zero stays zero, even where the slope is infinite: what does not move
-/// has no derivative. So the length of a vector that is zero has the derivative zero, and a NaN comes only from a NaN, from
-/// a value that is NaN or infinite itself, or from the difference of two infinite derivatives. For second derivatives
-/// a number moves as soon as its own derivative does: `√x` at zero is NaN where x moves only to second order.
+/// In these elementary functions a derivative of zero stays zero, even where the slope is infinite:
+/// what does not move has no derivative. So the length of a vector that is zero has the derivative
+/// zero, and a NaN comes only from a NaN, from a value that is NaN or infinite itself, or from the
+/// difference of two infinite derivatives. For second derivatives a number moves as soon as its own
+/// derivative does: `√x` at zero is NaN where x moves only to second order.
 ///
 /// # Comparisons
 ///
-/// [`Real::less_than`] compares values, so that a program takes the branch that it takes without derivatives; at the
-/// border of a branch the derivative is that of the branch taken. [`Real::is_finite`] asks for the value and every
-/// derivative, and thus finds what singular points leave. `==` and [`Real::is_zero`] compare all of them too, so
-/// a guard against division by zero asks [`Field::is_invertible`], which looks at the value alone.
+/// [`Real::less_than`] compares values, so that a program takes the branch that it takes without
+/// derivatives; at the border of a branch the derivative is that of the branch taken.
+/// [`Real::is_finite`] asks for the value and every derivative, and thus finds what singular points
+/// leave. `==` and [`Real::is_zero`] compare all of them too, so a guard against division by zero
+/// asks [`Field::is_invertible`], which looks at the value alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(C)]
 pub struct Dual<S, const N: usize = 1> {
@@ -90,8 +93,8 @@ impl<S: Ring, const N: usize> Dual<S, N> {
         Self::new(value, [S::zero(); N])
     }
 
-    /// N independent variables, the k-th with derivative 1 in the k-th direction: the derivatives of what is computed
-    /// from them are its gradient.
+    /// N independent variables, the k-th with derivative 1 in the k-th direction: the derivatives
+    /// of what is computed from them are its gradient.
     ///
     /// ```
     /// use ga_runtime::scalar::Dual;

@@ -9,16 +9,16 @@ use super::points::{points, to_point};
 use crate::cga3::{FlatPoint, Infinity, Line, Plane};
 use crate::scalar::Real;
 
-/// Lines through one of the [`points`] in one of the [`directions`](super::directions), times one of the
-/// [`weights`](super::weights).
+/// Lines through one of the [`points`] in one of the [`directions`](super::directions), times one
+/// of the [`weights`](super::weights).
 pub fn lines<S: Real>(size: f64) -> impl Strategy<Value = Line<S>> + Clone {
     (points(size), directions(), weights::<S>()).prop_map(|(point, direction, weight)| {
         Line::from_point_direction(point, direction) * weight
     })
 }
 
-/// Planes through one of the [`points`] with one of the [`directions`](super::directions) as normal, times one of the
-/// [`weights`](super::weights).
+/// Planes through one of the [`points`] with one of the [`directions`](super::directions) as
+/// normal, times one of the [`weights`](super::weights).
 pub fn planes<S: Real>(size: f64) -> impl Strategy<Value = Plane<S>> + Clone {
     (points(size), directions(), weights())
         .prop_map(|(point, normal, weight)| Plane::from_point_normal(point, normal) * weight)
@@ -31,8 +31,9 @@ pub fn flat_points<S: Real>(size: f64) -> impl Strategy<Value = FlatPoint<S>> + 
 
 /// Two lines in any position to each other, with weights.
 ///
-/// Three in eight are independent, so nearly all of these skew. Otherwise, one in eight each: the same line; the same
-/// with opposite direction; parallel; parallel but for 10⁻³ to 10⁻¹² radians; crossing in a point.
+/// Three in eight are independent, so nearly all of these skew. Otherwise, one in eight each: the
+/// same line; the same with opposite direction; parallel; parallel but for 10⁻³ to 10⁻¹² radians;
+/// crossing in a point.
 pub fn pairs_of_lines<S: Real>(size: f64) -> impl Strategy<Value = [Line<S>; 2]> + Clone {
     let frame = (places(size), unit_vectors(), places(size), unit_vectors());
     let angle = power_of_ten(-12.0, -3.0);
@@ -56,8 +57,8 @@ pub fn pairs_of_lines<S: Real>(size: f64) -> impl Strategy<Value = [Line<S>; 2]>
 
 /// Two planes in any position to each other, with weights.
 ///
-/// Half are independent. Otherwise, one in eight each: the same plane; parallel; parallel but for 10⁻³ to 10⁻¹²
-/// radians; at right angles.
+/// Half are independent. Otherwise, one in eight each: the same plane; parallel; parallel but for
+/// 10⁻³ to 10⁻¹² radians; at right angles.
 pub fn pairs_of_planes<S: Real>(size: f64) -> impl Strategy<Value = [Plane<S>; 2]> + Clone {
     let frame = (places(size), unit_vectors(), places(size), unit_vectors());
     let angle = power_of_ten(-12.0, -3.0);

@@ -1,13 +1,15 @@
 //! Strategies for the objects and motions of [`cga3`](crate::cga3), special positions included.
 //!
-//! [`member`](super::member) draws coefficients: right for algebraic identities, but a random `Circle` of ten
-//! coefficients is no circle. The strategies here draw geometry, and mix in what breaks geometric code: coinciding
-//! points, half turns, angles near zero, parallel lines, tangent spheres. About half of the cases are ordinary, so that
-//! a test of a few hundred cases meets every special one. Each page says which there are.
+//! [`member`](super::member) draws coefficients: right for algebraic identities, but a random
+//! `Circle` of ten coefficients is no circle. The strategies here draw geometry, and mix in what
+//! breaks geometric code: coinciding points, half turns, angles near zero, parallel lines, tangent
+//! spheres. About half of the cases are ordinary, so that a test of a few hundred cases meets every
+//! special one. Each page says which there are.
 //!
-//! `size` is the largest absolute value of a coordinate and must be positive and finite; a strategy panics when it
-//! draws from an empty or infinite range. Every strategy is generic over the scalar: numbers are drawn in `f64` and
-//! then rounded, so that "on one line" and "tangent" hold up to rounding.
+//! `size` is the largest absolute value of a coordinate and must be positive and finite; a strategy
+//! panics when it draws from an empty or infinite range. Every strategy is generic over the scalar:
+//! numbers are drawn in `f64` and then rounded, so that "on one line" and "tangent" hold up to
+//! rounding.
 //!
 //! ```
 //! use ga_runtime::cga3::{Line, Motor, Point};

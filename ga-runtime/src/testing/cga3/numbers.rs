@@ -9,8 +9,9 @@ use crate::scalar::{Mask, Real};
 
 /// Angles in [0, 2π].
 ///
-/// Half are drawn evenly; one in eight is 0, ½π, π, 3/2 π or 2π; one in eight is small, from 10⁻¹⁶ to 0.1, and one in
-/// sixteen so small that its square is zero; the rest lie 10⁻⁶ to 10⁻¹² beside π or below 2π.
+/// Half are drawn evenly; one in eight is 0, ½π, π, 3/2 π or 2π; one in eight is small, from 10⁻¹⁶
+/// to 0.1, and one in sixteen so small that its square is zero; the rest lie 10⁻⁶ to 10⁻¹² beside π
+/// or below 2π.
 pub fn angles<S: Real>() -> impl Strategy<Value = S> + Clone {
     prop_oneof![
         8 => 0.0..=TAU,
@@ -26,14 +27,14 @@ pub fn angles<S: Real>() -> impl Strategy<Value = S> + Clone {
 
 /// Vectors of length 1 up to rounding.
 ///
-/// Three in four are drawn evenly from the unit sphere; one in eight is a basis vector or its negative; one in eight
-/// lies 10⁻³ to 10⁻¹² beside one.
+/// Three in four are drawn evenly from the unit sphere; one in eight is a basis vector or its
+/// negative; one in eight lies 10⁻³ to 10⁻¹² beside one.
 pub fn directions<S: Real>() -> impl Strategy<Value = [S; 3]> + Clone {
     unit_vectors().prop_map(|direction| direction.map(S::from_f64))
 }
 
-/// Factors for what is homogeneous: an object times such a number is the same object. Half are 1, the others from 10⁻²
-/// to 10² in size, of either sign.
+/// Factors for what is homogeneous: an object times such a number is the same object. Half are 1,
+/// the others from 10⁻² to 10² in size, of either sign.
 pub fn weights<S: Real>() -> impl Strategy<Value = S> + Clone {
     prop_oneof![
         Just(1.0),
@@ -46,8 +47,8 @@ pub fn weights<S: Real>() -> impl Strategy<Value = S> + Clone {
     .prop_map(S::from_f64)
 }
 
-/// A coordinate: three in four drawn evenly from −`size` to `size`, one in eight 0 or ±`size`, one in eight 10⁻³ to
-/// 10⁻¹² of `size`.
+/// A coordinate: three in four drawn evenly from −`size` to `size`, one in eight 0 or ±`size`, one
+/// in eight 10⁻³ to 10⁻¹² of `size`.
 pub(super) fn coordinates(size: f64) -> impl Strategy<Value = f64> + Clone {
     prop_oneof![
         6 => -size..=size,
@@ -77,14 +78,14 @@ pub(super) fn unit_vectors() -> impl Strategy<Value = [f64; 3]> + Clone {
     prop_oneof![6 => anywhere, 1 => axis, 1 => beside_an_axis]
 }
 
-/// A length: three in four drawn evenly up to `size`, at least a hundredth of it; one in eight `size`; one in eight
-/// 10⁻² to 10⁻⁶ of it.
+/// A length: three in four drawn evenly up to `size`, at least a hundredth of it; one in eight
+/// `size`; one in eight 10⁻² to 10⁻⁶ of it.
 pub(super) fn lengths(size: f64) -> impl Strategy<Value = f64> + Clone {
     lengths_from(1e-6, size)
 }
 
-/// A radius that a round about one of the [`places`] can tell from zero: as [`lengths`], but at least 6·10⁻³ of `size` for
-/// scalars such as `f32`.
+/// A radius that a round about one of the [`places`] can tell from zero: as [`lengths`], but at
+/// least 6·10⁻³ of `size` for scalars such as `f32`.
 pub(super) fn radii<S: Real>(size: f64) -> impl Strategy<Value = f64> + Clone {
     let is_coarse = S::from_f64(1e-14).less_than(S::epsilon()).any();
     lengths_from(if is_coarse { 6e-3 } else { 1e-6 }, size)

@@ -12,16 +12,17 @@ use crate::scalar::Real;
 
 /// Points of the cube from −`size` to `size`.
 ///
-/// Of the coordinates three in four are drawn evenly; one in eight is 0 or ±`size`, and one in eight 10⁻³ to 10⁻¹² of
-/// `size`.
+/// Of the coordinates three in four are drawn evenly; one in eight is 0 or ±`size`, and one in
+/// eight 10⁻³ to 10⁻¹² of `size`.
 pub fn points<S: Real>(size: f64) -> impl Strategy<Value = Point<S>> + Clone {
     places(size).prop_map(to_point)
 }
 
 /// N points of the cube from −`size` to `size`, in any position to each other.
 ///
-/// Three in ten are independent. Otherwise, one in ten each: all coincide; the first two coincide; the second is 10⁻³
-/// to 10⁻¹² of `size` from the first; all lie on one line; in one plane; on one circle; on one sphere.
+/// Three in ten are independent. Otherwise, one in ten each: all coincide; the first two coincide;
+/// the second is 10⁻³ to 10⁻¹² of `size` from the first; all lie on one line; in one plane; on one
+/// circle; on one sphere.
 ///
 /// ```
 /// use ga_runtime::cga3::{Circle, Point};

@@ -7,10 +7,12 @@ use super::points::to_point;
 use crate::cga3::{Circle, Point, PointPair, Sphere};
 use crate::scalar::Real;
 
-/// Real spheres about one of the [`points`](super::points), times one of the [`weights`](super::weights).
+/// Real spheres about one of the [`points`](super::points), times one of the
+/// [`weights`](super::weights).
 ///
-/// Of the radii three in four are drawn evenly from a hundredth of `size` to `size`, one in eight is `size`, and one in
-/// eight 10⁻² to 10⁻⁶ of it, to 6·10⁻³ in `f32`, where less cannot be told from zero. One sphere in eight goes through the origin.
+/// Of the radii three in four are drawn evenly from a hundredth of `size` to `size`, one in eight
+/// is `size`, and one in eight 10⁻² to 10⁻⁶ of it, to 6·10⁻³ in `f32`, where less cannot be told
+/// from zero. One sphere in eight goes through the origin.
 pub fn spheres<S: Real>(size: f64) -> impl Strategy<Value = Sphere<S>> + Clone {
     let through_origin = (unit_vectors(), radii::<S>(size))
         .prop_map(|(direction, radius)| (scaled(direction, radius), radius));
@@ -19,8 +21,9 @@ pub fn spheres<S: Real>(size: f64) -> impl Strategy<Value = Sphere<S>> + Clone {
         .prop_map(|((centre, radius), weight)| to_sphere(centre, radius) * weight)
 }
 
-/// Real circles about one of the [`points`](super::points) with one of the [`directions`](super::directions) as normal,
-/// times one of the [`weights`](super::weights). Radii are those of [`spheres`].
+/// Real circles about one of the [`points`](super::points) with one of the
+/// [`directions`](super::directions) as normal, times one of the [`weights`](super::weights). Radii
+/// are those of [`spheres`].
 pub fn circles<S: Real<Mask = bool>>(size: f64) -> impl Strategy<Value = Circle<S>> + Clone {
     let parts = (places(size), directions(), radii::<S>(size), weights::<S>());
     parts.prop_filter_map("a circle within the range of the scalar", |parts| {
@@ -32,8 +35,8 @@ pub fn circles<S: Real<Mask = bool>>(size: f64) -> impl Strategy<Value = Circle<
 }
 
 /// Real point pairs `p∧q`, times one of the [`weights`](super::weights). The centre is one of the
-/// [`points`](super::points), the axis one of the [`directions`](super::directions); half the distance of the two is
-/// drawn as the radii of [`spheres`] are.
+/// [`points`](super::points), the axis one of the [`directions`](super::directions); half the
+/// distance of the two is drawn as the radii of [`spheres`] are.
 pub fn point_pairs<S: Real>(size: f64) -> impl Strategy<Value = PointPair<S>> + Clone {
     let parts = (
         places(size),
@@ -50,8 +53,8 @@ pub fn point_pairs<S: Real>(size: f64) -> impl Strategy<Value = PointPair<S>> + 
 
 /// Two real spheres in any position to each other, with weights.
 ///
-/// Three in ten are independent. Otherwise, one in ten each: the same sphere; concentric; tangent from outside; tangent
-/// from inside; crossing at a right angle; crossing; apart.
+/// Three in ten are independent. Otherwise, one in ten each: the same sphere; concentric; tangent
+/// from outside; tangent from inside; crossing at a right angle; crossing; apart.
 pub fn pairs_of_spheres<S: Real>(size: f64) -> impl Strategy<Value = [Sphere<S>; 2]> + Clone {
     let frame = (
         places(size),
@@ -108,8 +111,9 @@ pub fn circles_of_any_kind<S: Real<Mask = bool>>(
     })
 }
 
-/// Point pairs, half of them real, a quarter tangent elements and a quarter imaginary, times one of the
-/// [`weights`](super::weights). Centres, axes and the sizes of radii are those of [`point_pairs`].
+/// Point pairs, half of them real, a quarter tangent elements and a quarter imaginary, times one of
+/// the [`weights`](super::weights). Centres, axes and the sizes of radii are those of
+/// [`point_pairs`].
 pub fn point_pairs_of_any_kind<S: Real<Mask = bool>>(
     size: f64,
 ) -> impl Strategy<Value = PointPair<S>> + Clone {

@@ -160,7 +160,8 @@ pub mod functions {
     }
 
     ga::ga! { ga::cga3;
-        /// The power of a point with regard to a sphere through four others, up to the sphere's weight.
+        /// The power of a point with regard to a sphere through four others, up to the sphere's
+        /// weight.
         #[must_use]
         pub fn power(p: Point, corners: [Point; 4]) -> Scalar {
             let [a, b, c, d] = corners;

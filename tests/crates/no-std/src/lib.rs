@@ -1,4 +1,5 @@
-//! ga-runtime without the standard library: its types, compiled functions and batches, and what it knows of other crates.
+//! ga-runtime without the standard library: its types, compiled functions and batches, and what it
+//! knows of other crates.
 #![no_std]
 
 use ga_runtime::batch::{Batch, Path};
@@ -28,7 +29,8 @@ pub fn move_all(motor: &Motor<f32>, points: &mut [Point<f32>]) {
     Batch::on(Path::Baseline).transform(motor, points);
 }
 
-/// The motion of a vector and quaternion of glam, taken through nalgebra; `None` where the quaternion is zero or a number is not finite.
+/// The motion of a vector and quaternion of glam, taken through nalgebra; `None` where the
+/// quaternion is zero or a number is not finite.
 #[must_use]
 pub fn through_others(turn: glam_034::Quat, shift: glam_034::Vec3) -> Option<Motor<f32>> {
     let motor = Motor::try_from((turn, shift)).ok()?;

@@ -1,4 +1,5 @@
-//! Runs shaders that Nullcone writes: on whatever adapter there is, and number by number on the processor for comparison.
+//! Runs shaders that Nullcone writes: on whatever adapter there is, and number by number on the
+//! processor for comparison.
 
 mod adapter;
 mod graph;

@@ -20,7 +20,8 @@ pub struct Shader {
 pub(crate) const WORKGROUP: u32 = 64;
 
 impl Shader {
-    /// The shader of a function with a name. Its input elements hold the operands in order, its output elements the result.
+    /// The shader of a function with a name. Its input elements hold the operands in order, its
+    /// output elements the result.
     ///
     /// # Panics
     /// The text does not hold the function in the expected form.

@@ -24,7 +24,8 @@ pub enum LineAndCircle<S> {
     },
     /// The line crosses the plane of the circle in a point of the circle.
     Point(Point<S>),
-    /// They are in one plane and do not meet: the imaginary pair about the point of the line nearest to the centre.
+    /// They are in one plane and do not meet: the imaginary pair about the point of the line
+    /// nearest to the centre.
     Imaginary(PointPair<S>),
     /// They are in no common plane and do not meet.
     Apart,
@@ -33,7 +34,8 @@ pub enum LineAndCircle<S> {
 /// How a plane and a circle meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PlaneAndCircle<S> {
-    /// In two points. From the first to the second it goes along `m × n`, with the normal n of the circle and m of the plane.
+    /// In two points. From the first to the second it goes along `m × n`, with the normal n of the
+    /// circle and m of the plane.
     Points(PointPair<S>),
     /// The plane touches the circle.
     Tangent {
@@ -42,7 +44,8 @@ pub enum PlaneAndCircle<S> {
         /// The unit direction of the tangent, as the pair would have it.
         direction: [S; 3],
     },
-    /// The planes of both cross off the circle: the imaginary pair about the point of that line nearest to the centre.
+    /// The planes of both cross off the circle: the imaginary pair about the point of that line
+    /// nearest to the centre.
     Imaginary(PointPair<S>),
     /// The plane of the circle is parallel to the plane.
     Parallel {
@@ -56,10 +59,11 @@ pub enum PlaneAndCircle<S> {
 /// How a sphere and a circle meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SphereAndCircle<S> {
-    /// In two points. From the first to the second it goes along `w × n`, where w leads from the centre of the circle to that of the sphere and n is the
-    /// normal of the circle.
+    /// In two points. From the first to the second it goes along `w × n`, where w leads from the
+    /// centre of the circle to that of the sphere and n is the normal of the circle.
     Points(PointPair<S>),
-    /// They touch: the nearest or the farthest point of the circle from the centre is on the sphere.
+    /// They touch: the nearest or the farthest point of the circle from the centre is on the
+    /// sphere.
     Tangent {
         /// The point where they touch.
         point: Point<S>,
@@ -68,7 +72,8 @@ pub enum SphereAndCircle<S> {
     },
     /// They do not meet: the imaginary pair on the line of equal power in the plane of the circle.
     Imaginary(PointPair<S>),
-    /// The axis of the circle passes the centre of the sphere, and they meet nowhere, not even at infinity.
+    /// The axis of the circle passes the centre of the sphere, and they meet nowhere, not even at
+    /// infinity.
     Concentric,
     /// The circle lies on the sphere, be its radius zero.
     Contained(Circle<S>),
@@ -77,8 +82,9 @@ pub enum SphereAndCircle<S> {
 /// How two circles meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CircleAndCircle<S> {
-    /// In two points, in one plane or in two. In one plane it goes from the first to the second along `w × n`, where w leads from the first centre to the
-    /// second and n is the first normal; in two planes along `m × n` with the first normal n and the second m.
+    /// In two points, in one plane or in two. In one plane it goes from the first to the second
+    /// along `w × n`, where w leads from the first centre to the second and n is the first normal;
+    /// in two planes along `m × n` with the first normal n and the second m.
     Points(PointPair<S>),
     /// They touch in a point, where they have one tangent, in one plane or in two.
     Tangent {
@@ -303,7 +309,8 @@ fn in_two_planes<S: Real<Mask = bool>>(
             }
         }
         PlaneAndCircle::Tangent { point, direction } if is_on(point) => {
-            // The tangents are one where that of the first, which is in both planes, is across the radius of the second.
+            // The tangents are one where that of the first, which is in both planes, is across the
+            // radius of the second.
             let arm = normalized(difference(point.coordinates(), b));
             let lean = arm.map(|arm| {
                 dot(arm, direction)

@@ -8,7 +8,8 @@ use crate::geometry::relation::{CommonPerpendicular, Tolerance};
 use crate::geometry::vector3::{are_numbers, cross, difference, dot, length, scaled, sum};
 use crate::scalar::Real;
 
-/// How two lines meet. Their vee product is zero unless they are skew, and then a scalar times ei; nothing here is oriented by it.
+/// How two lines meet. Their vee product is zero unless they are skew, and then a scalar times ei;
+/// nothing here is oriented by it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LineAndLine<S> {
     /// They cross in a point, midway between the feet of their common perpendicular.
@@ -49,7 +50,8 @@ pub enum PlaneAndPlane<S> {
     Line(Line<S>),
     /// They are parallel and meet at infinity.
     Parallel {
-        /// Their common line at infinity, as the free bivector across the unit normal of the first plane.
+        /// Their common line at infinity, as the free bivector across the unit normal of the first
+        /// plane.
         attitude: DualDirection<S>,
         /// Where the second plane lies along the normal of the first.
         distance: S,
@@ -130,7 +132,8 @@ impl<S: Real<Mask = bool>> Meet<Plane<S>> for Plane<S> {
             return distance.is_finite().then_some(outcome);
         }
         let direction = along.map(|x| x / sine);
-        // The point of the line nearest to the origin: (d m × u + e u × n) / sin with u the direction.
+        // The point of the line nearest to the origin: (d m × u + e u × n) / sin with u the
+        // direction.
         let place = sum(
             scaled(cross(m, direction), d),
             scaled(cross(direction, n), e),

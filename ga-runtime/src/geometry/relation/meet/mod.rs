@@ -1,7 +1,8 @@
 //! Meets: what two of line, plane, circle and sphere share, by cases.
 //!
-//! In blades the meet is the vee product `A ∨ B = undual(dual A ∧ dual B)`, where both together span space. One blade then stands for a crossing, a
-//! touch or an imaginary figure, and zero for all that is left; here each case has its name.
+//! In blades the meet is the vee product `A ∨ B = undual(dual A ∧ dual B)`, where both together
+//! span space. One blade then stands for a crossing, a touch or an imaginary figure, and zero for
+//! all that is left; here each case has its name.
 //!
 //! | | line | plane | sphere | circle |
 //! | --- | --- | --- | --- | --- |
@@ -10,16 +11,20 @@
 //! | sphere | | | [`SphereAndSphere`] | [`SphereAndCircle`] |
 //! | circle | | | | [`CircleAndCircle`] |
 //!
-//! `a.meet(b, tolerance)` and `b.meet(a, tolerance)` have one type. Lines, pairs and circles that come out have weight 1, real or imaginary, and are
-//! oriented as the vee product in the order of the call, of which they are positive multiples; but a line gives its points in the order in which it passes
-//! them. Where the product vanishes, as for figures of one plane, the page of the outcome says how.
+//! `a.meet(b, tolerance)` and `b.meet(a, tolerance)` have one type. Lines, pairs and circles that
+//! come out have weight 1, real or imaginary, and are oriented as the vee product in the order of
+//! the call, of which they are positive multiples; but a line gives its points in the order in
+//! which it passes them. Where the product vanishes, as for figures of one plane, the page of the
+//! outcome says how.
 //!
-//! The tolerance decides as follows. Angles up to `tolerance.angle` are parallel. Figures that come as near as `tolerance.distance` touch, and
-//! those that would have to be moved farther to touch are real or imaginary; the tests are made on distances in space, not on coefficients. A
-//! radius whose square is negative by less than `tolerance.distance` squared counts as zero.
+//! The tolerance decides as follows. Angles up to `tolerance.angle` are parallel. Figures that come
+//! as near as `tolerance.distance` touch, and those that would have to be moved farther to touch
+//! are real or imaginary; the tests are made on distances in space, not on coefficients. A radius
+//! whose square is negative by less than `tolerance.distance` squared counts as zero.
 //!
-//! `None` where one of the two is none of its kind, as a sphere of weight zero is no sphere, is not finite, or the outcome is beyond the
-//! range of the scalar. Imaginary circles and spheres are welcome.
+//! `None` where one of the two is none of its kind, as a sphere of weight zero is no sphere, is not
+//! finite, or the outcome is beyond the range of the scalar. Imaginary circles and spheres are
+//! welcome.
 //!
 //! ```
 //! use ga_runtime::cga3::{Line, Plane, Point, Sphere};
@@ -62,15 +67,16 @@ pub trait Meet<B>: Sized {
     type Scalar;
     /// The cases that there are.
     type Outcome;
-    /// What both share; see [`meet`](crate::geometry::relation::meet). `None` where one is none of its kind or the outcome is beyond the
-    /// range of the scalar.
+    /// What both share; see [`meet`](crate::geometry::relation::meet). `None` where one is none of
+    /// its kind or the outcome is beyond the range of the scalar.
     fn meet(self, other: B, tolerance: Tolerance<Self::Scalar>) -> Option<Self::Outcome>;
 }
 
 macro_rules! meets {
     ($($Primitive:ident)*) => {$(
         impl<S: Real<Mask = bool>> $Primitive<S> {
-            /// What this and the other share, by cases; see [`meet`](crate::geometry::relation::meet). `None` where one is none of its kind or
+            /// What this and the other share, by cases; see
+            /// [`meet`](crate::geometry::relation::meet). `None` where one is none of its kind or
             /// the outcome is beyond the range of the scalar.
             #[must_use]
             pub fn meet<B>(self, other: B, tolerance: Tolerance<S>) -> Option<<Self as Meet<B>>::Outcome>
@@ -122,7 +128,8 @@ fn plane_parts<S: Real<Mask = bool>>(plane: Plane<S>) -> Option<([S; 3], S)> {
     }
 }
 
-/// The radius for a squared one; zero where the square is negative within the tolerance, `None` where it is imaginary.
+/// The radius for a squared one; zero where the square is negative within the tolerance, `None`
+/// where it is imaginary.
 fn radius<S: Real<Mask = bool>>(squared: S, tolerance: Tolerance<S>) -> Option<S> {
     if squared.less_than(S::zero()) {
         let is_zero = within(squared, tolerance.distance * tolerance.distance);
@@ -131,7 +138,8 @@ fn radius<S: Real<Mask = bool>>(squared: S, tolerance: Tolerance<S>) -> Option<S
     Some(squared.sqrt())
 }
 
-/// `x² − y²` without cancelling more than it must, where x² is the square that is given and y a length.
+/// `x² − y²` without cancelling more than it must, where x² is the square that is given and y a
+/// length.
 fn less_square<S: Real<Mask = bool>>(squared: S, y: S) -> S {
     if squared.less_than(S::zero()) {
         return squared - y * y;

@@ -12,8 +12,8 @@ use crate::scalar::Real;
 /// How a line and a sphere meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LineAndSphere<S> {
-    /// In two points, in the order in which the line passes them: a negative multiple of `L ∨ S`. A line goes both ways; of a ray take the
-    /// points that are ahead.
+    /// In two points, in the order in which the line passes them: a negative multiple of `L ∨ S`. A
+    /// line goes both ways; of a ray take the points that are ahead.
     Points(PointPair<S>),
     /// The line touches the sphere, or passes a sphere of radius zero.
     Tangent {
@@ -29,7 +29,8 @@ pub enum LineAndSphere<S> {
 /// How a plane and a sphere meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PlaneAndSphere<S> {
-    /// In a circle. Its normal is that of the plane for `sphere.meet(plane)`, the opposite for `plane.meet(sphere)`.
+    /// In a circle. Its normal is that of the plane for `sphere.meet(plane)`, the opposite for
+    /// `plane.meet(sphere)`.
     Circle(Circle<S>),
     /// The plane touches the sphere, or holds a sphere of radius zero.
     Tangent {
@@ -54,7 +55,8 @@ pub enum SphereAndSphere<S> {
         /// The unit normal of both, as that of the circle would be.
         normal: [S; 3],
     },
-    /// They do not meet: the imaginary circle of all spheres through both, in the plane of points with equal power.
+    /// They do not meet: the imaginary circle of all spheres through both, in the plane of points
+    /// with equal power.
     Imaginary(Circle<S>),
     /// They have one centre and two radii, and meet nowhere, not even at infinity.
     Concentric,
@@ -156,7 +158,8 @@ impl<S: Real<Mask = bool>> Meet<Sphere<S>> for Sphere<S> {
     }
 }
 
-/// How far from the first of two centres, towards the second, the points of equal power are: `(d² + r² − s²)/(2 d)`.
+/// How far from the first of two centres, towards the second, the points of equal power are:
+/// `(d² + r² − s²)/(2 d)`.
 pub(super) fn power_plane<S: Real<Mask = bool>>(distance: S, squared: S, other_squared: S) -> S {
     (distance + (squared - other_squared) / distance) * S::from_ratio(1, 2)
 }
