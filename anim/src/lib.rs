@@ -31,21 +31,35 @@
 //! # A joint bends
 //!
 //! ```
+//! use ga_anim::obj;
 //! use ga_anim::pose::Pose;
 //! use ga_anim::skeleton::{Joint, Skeleton};
 //! use ga_anim::skin::{self, Method};
 //! use ga_anim::weights::SkinWeights;
-//! use ga_anim::obj;
 //! use ga_runtime::cga3::{Motor, Rotor};
 //!
 //! let mesh = obj::parse(b"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")?;
-//! let joint = |name: &str, parent, x| Joint { name: name.into(), parent, head: [x, 0.0, 0.0], tail: [x + 1.0, 0.0, 0.0] };
-//! let arm = Skeleton::new(vec![joint("upper arm", None, 0.0), joint("forearm", Some(0), 1.0)])?;
+//! let joint = |name: &str, parent, x| Joint {
+//!     name: name.into(),
+//!     parent,
+//!     head: [x, 0.0, 0.0],
+//!     tail: [x + 1.0, 0.0, 0.0],
+//! };
+//! let arm = Skeleton::new(vec![
+//!     joint("upper arm", None, 0.0),
+//!     joint("forearm", Some(0), 1.0),
+//! ])?;
 //! let weights = SkinWeights::new(2, [[(0, 1.0)], [(1, 1.0)], [(1, 1.0)]])?;
 //!
-//! let bend = Rotor::from_axis_angle([0.0, 0.0, 1.0], std::f64::consts::FRAC_PI_2).ok_or("no axis")?;
+//! let bend =
+//!     Rotor::from_axis_angle([0.0, 0.0, 1.0], std::f64::consts::FRAC_PI_2).ok_or("no axis")?;
 //! let pose = Pose::from_rotors(&arm, Motor::default(), &[Rotor::default(), bend])?;
-//! let moved = skin::skin(mesh.positions(), &weights, &pose.motions(&arm)?, Method::Motor)?;
+//! let moved = skin::skin(
+//!     mesh.positions(),
+//!     &weights,
+//!     &pose.motions(&arm)?,
+//!     Method::Motor,
+//! )?;
 //! let [x, y, _] = moved[2].coordinates();
 //! assert!((x - 1.0).abs() < 1e-15 && (y - 1.0).abs() < 1e-15);
 //! # Ok::<(), Box<dyn std::error::Error>>(())

@@ -60,11 +60,22 @@ impl Pose {
     /// use ga_anim::skeleton::{Joint, Skeleton};
     /// use ga_runtime::cga3::{Motor, Rotor};
     ///
-    /// let hip = Joint { name: "hip".into(), parent: None, head: [0.0, 2.0, 0.0], tail: [0.0, 1.0, 0.0] };
-    /// let knee = Joint { name: "knee".into(), parent: Some(0), head: [0.0, 1.0, 0.0], tail: [0.0, 0.0, 0.0] };
+    /// let hip = Joint {
+    ///     name: "hip".into(),
+    ///     parent: None,
+    ///     head: [0.0, 2.0, 0.0],
+    ///     tail: [0.0, 1.0, 0.0],
+    /// };
+    /// let knee = Joint {
+    ///     name: "knee".into(),
+    ///     parent: Some(0),
+    ///     head: [0.0, 1.0, 0.0],
+    ///     tail: [0.0, 0.0, 0.0],
+    /// };
     /// let leg = Skeleton::new(vec![hip, knee])?;
     ///
-    /// let quarter = Rotor::from_axis_angle([1.0, 0.0, 0.0], std::f64::consts::FRAC_PI_2).ok_or("no axis")?;
+    /// let quarter = Rotor::from_axis_angle([1.0, 0.0, 0.0], std::f64::consts::FRAC_PI_2)
+    ///     .ok_or("no axis")?;
     /// let pose = Pose::from_rotors(&leg, Motor::default(), &[Rotor::default(), quarter])?;
     /// let [_, foot] = pose.bones(&leg)?[1];
     /// assert!((foot[1] - 1.0).abs() < 1e-15 && (foot[2] + 1.0).abs() < 1e-15);

@@ -44,8 +44,8 @@ pub fn read(path: impl AsRef<Path>) -> Result<Skeleton, ReadError<RigError>> {
 ///
 /// ```
 /// let json = br#"{
-///     "foot": {"head": {"default_position": [0, 0, 0.1]}, "tail": {"default_position": [0, -0.2, 0]}, "parent": "leg"},
-///     "leg": {"head": {"default_position": [0, 0, 0.9]}, "tail": {"default_position": [0, 0, 0.1]}, "parent": ""}
+/// "foot": {"head": {"default_position": [0, 0, 0.1]}, "tail": {"default_position": [0, -0.2, 0]}, "parent": "leg"},
+/// "leg": {"head": {"default_position": [0, 0, 0.9]}, "tail": {"default_position": [0, 0, 0.1]}, "parent": ""}
 /// }"#;
 /// let skeleton = ga_anim::rig::parse(json)?;
 /// let foot = &skeleton.joints()[1];

@@ -28,8 +28,18 @@ pub struct Joint {
 /// ```
 /// use ga_anim::skeleton::{Joint, Skeleton};
 ///
-/// let hip = Joint { name: "hip".into(), parent: None, head: [0.0, 0.9, 0.0], tail: [0.0, 0.5, 0.0] };
-/// let knee = Joint { name: "knee".into(), parent: Some(0), head: [0.0, 0.5, 0.0], tail: [0.0, 0.1, 0.0] };
+/// let hip = Joint {
+///     name: "hip".into(),
+///     parent: None,
+///     head: [0.0, 0.9, 0.0],
+///     tail: [0.0, 0.5, 0.0],
+/// };
+/// let knee = Joint {
+///     name: "knee".into(),
+///     parent: Some(0),
+///     head: [0.0, 0.5, 0.0],
+///     tail: [0.0, 0.1, 0.0],
+/// };
 /// let leg = Skeleton::new(vec![hip, knee])?;
 /// assert_eq!(leg.index("knee"), Some(1));
 /// # Ok::<(), ga_anim::skeleton::SkeletonError>(())

@@ -88,7 +88,8 @@ pub enum SkinError {
 /// use ga_anim::weights::SkinWeights;
 /// use ga_runtime::cga3::{Motor, Point, Rotor};
 ///
-/// let quarter = Rotor::from_axis_angle([0.0, 0.0, 1.0], std::f64::consts::FRAC_PI_2).ok_or("no axis")?;
+/// let quarter =
+///     Rotor::from_axis_angle([0.0, 0.0, 1.0], std::f64::consts::FRAC_PI_2).ok_or("no axis")?;
 /// let motions = [Motor::default(), Motor::from(quarter)];
 /// let weights = SkinWeights::new(2, [[(0, 0.5), (1, 0.5)]])?;
 /// let radius = |method| {

@@ -12,7 +12,14 @@ use crate::scalar::Ring;
 /// use ga_runtime::{Element, cga3::Point};
 /// let p = Point::new(1.0, 2.0, 2.0);
 /// // e1, eo and ei of the conformal point x + eo + ½x² ei.
-/// assert_eq!((p.coefficient(0b1), p.coefficient(0b1000), p.coefficient(0b10000)), (1.0, 1.0, 4.5));
+/// assert_eq!(
+///     (
+///         p.coefficient(0b1),
+///         p.coefficient(0b1000),
+///         p.coefficient(0b10000)
+///     ),
+///     (1.0, 1.0, 4.5)
+/// );
 /// assert_eq!(p.coefficient(0b11), 0.0);
 /// ```
 pub trait Element: Copy {

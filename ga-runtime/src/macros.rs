@@ -121,7 +121,8 @@ macro_rules! algebra {
 /// let p = moved(Motor::from(quarter), Point::new(1.0, 0.0, 2.0));
 /// assert!((p.e2() - 1.0).abs() < 1e-15 && p.e3() == 2.0);
 ///
-/// let [p, q, r, s] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 3.0]].map(Point::from);
+/// let [p, q, r, s] =
+///     [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 3.0]].map(Point::from);
 /// let (plane, height): (Plane<f64>, f64) = plane_and_height(p, q, r, s);
 /// assert_eq!((plane.e123i, height.abs()), (0.0, 3.0));
 /// # }

@@ -62,10 +62,16 @@ impl Triangulation {
 ///
 /// let ray = |centre: [f64; 3], direction| {
 ///     let centre = Point::from(centre);
-///     Ray { line: Line::from_point_direction(centre, direction), centre }
+///     Ray {
+///         line: Line::from_point_direction(centre, direction),
+///         centre,
+///     }
 /// };
 /// // Along x at height 0 and along y at height 2, through the z axis.
-/// let found = triangulate(&ray([-3.0, 0.0, 0.0], [1.0, 0.0, 0.0]), &ray([0.0, 5.0, 2.0], [0.0, 1.0, 0.0]))?;
+/// let found = triangulate(
+///     &ray([-3.0, 0.0, 0.0], [1.0, 0.0, 0.0]),
+///     &ray([0.0, 5.0, 2.0], [0.0, 1.0, 0.0]),
+/// )?;
 /// assert_eq!(found.position.coordinates(), [0.0, 0.0, 1.0]);
 /// assert_eq!((found.gap, found.depths), (2.0, [3.0, -5.0]));
 /// assert!(!found.is_in_front());

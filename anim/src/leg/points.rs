@@ -30,9 +30,19 @@ impl Leg {
     /// use ga_anim::leg::{Leg, LegAngles};
     /// use ga_runtime::cga3::Point;
     /// let leg = Leg::new(0.45, 0.43, 0.2)?;
-    /// let angles = LegAngles { hip_x: -0.7, knee: 1.2, ankle_x: 0.1, ankle_z: 0.2, ..LegAngles::default() };
+    /// let angles = LegAngles {
+    ///     hip_x: -0.7,
+    ///     knee: 1.2,
+    ///     ankle_x: 0.1,
+    ///     ankle_z: 0.2,
+    ///     ..LegAngles::default()
+    /// };
     /// let pose = leg.forward(Point::new(0.1, 0.9, 0.0), &angles)?;
-    /// let found = leg.inverse_of_points([pose.hip, pose.knee, pose.ankle], pose.motions[2].rotor(), 1e-9)?;
+    /// let found = leg.inverse_of_points(
+    ///     [pose.hip, pose.knee, pose.ankle],
+    ///     pose.motions[2].rotor(),
+    ///     1e-9,
+    /// )?;
     /// assert!((found.knee - 1.2).abs() < 1e-14 && (found.ankle_z - 0.2).abs() < 1e-14);
     /// # Ok::<(), ga_anim::leg::LegError>(())
     /// ```

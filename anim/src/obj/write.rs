@@ -22,7 +22,10 @@ pub fn write(path: impl AsRef<Path>, mesh: &Mesh) -> Result<(), WriteError> {
 ///
 /// ```
 /// let mesh = ga_anim::obj::parse(b"v 0 0 0\nv 1 0 0\nv 0 0.5 0\nf 1 2 3\n")?;
-/// assert_eq!(ga_anim::obj::to_text(&mesh), "v 0.0 0.0 0.0\nv 1.0 0.0 0.0\nv 0.0 0.5 0.0\nf 1 2 3\n");
+/// assert_eq!(
+///     ga_anim::obj::to_text(&mesh),
+///     "v 0.0 0.0 0.0\nv 1.0 0.0 0.0\nv 0.0 0.5 0.0\nf 1 2 3\n"
+/// );
 /// # Ok::<(), ga_anim::obj::ObjError>(())
 /// ```
 #[must_use]

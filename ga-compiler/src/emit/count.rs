@@ -124,8 +124,11 @@ pub fn function(
 /// The code is no list of items, or holds a construct that is not counted; the error names it.
 ///
 /// ```
-/// let code = quote::quote! { fn f(x: f64, y: f64) -> f64 { let t = x * x; (t + y * y).sqrt() / -t } };
-/// let [(name, found)] = &ga_compiler::emit::count::functions(code)?[..] else { panic!("one function") };
+/// let code =
+///     quote::quote! { fn f(x: f64, y: f64) -> f64 { let t = x * x; (t + y * y).sqrt() / -t } };
+/// let [(name, found)] = &ga_compiler::emit::count::functions(code)?[..] else {
+///     panic!("one function")
+/// };
 /// assert_eq!(name, "f");
 /// assert_eq!(found.to_string(), "2 mul, 1 add, 1 div, 1 sqrt, 1 other");
 /// # Ok::<(), syn::Error>(())

@@ -69,10 +69,19 @@ crate::algebra! {
     /// assert_eq!(p | q, -2.0);
     /// // A line and a plane meet in a flat point.
     /// let line: Line<f64> = p ^ q ^ Infinity;
-    /// let plane: Plane<f64> =
-    ///     Point::new(0.0, 1.0, 0.0) ^ Point::new(1.0, 1.0, 0.0) ^ Point::new(0.0, 1.0, 1.0) ^ Infinity;
+    /// let plane: Plane<f64> = Point::new(0.0, 1.0, 0.0)
+    ///     ^ Point::new(1.0, 1.0, 0.0)
+    ///     ^ Point::new(0.0, 1.0, 1.0)
+    ///     ^ Infinity;
     /// let meet = line & plane;
-    /// assert_eq!([meet.e1i / meet.eoi, meet.e2i / meet.eoi, meet.e3i / meet.eoi], [1.0, 1.0, 0.0]);
+    /// assert_eq!(
+    ///     [
+    ///         meet.e1i / meet.eoi,
+    ///         meet.e2i / meet.eoi,
+    ///         meet.e3i / meet.eoi
+    ///     ],
+    ///     [1.0, 1.0, 0.0]
+    /// );
     /// ```
     pub mod cga3 {
         basis e1, e2, e3, eo, ei;

@@ -54,8 +54,13 @@ impl<S: Real<Mask = bool>> Circle<S> {
     /// ```
     /// use ga_runtime::cga3::{Circle, Point};
     /// let normal = [0.0, 0.0, 5.0];
-    /// let circle = Circle::from_centre_normal_radius_squared(Point::new(1.0, 0.0, 2.0), normal, -4.0).unwrap();
-    /// assert_eq!((circle.radius_squared(), circle.radius()), (Some(-4.0), None));
+    /// let circle =
+    ///     Circle::from_centre_normal_radius_squared(Point::new(1.0, 0.0, 2.0), normal, -4.0)
+    ///         .unwrap();
+    /// assert_eq!(
+    ///     (circle.radius_squared(), circle.radius()),
+    ///     (Some(-4.0), None)
+    /// );
     /// ```
     #[must_use]
     pub fn from_centre_normal_radius_squared(

@@ -102,11 +102,20 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// ```
     /// use ga_runtime::cga3::Motor;
     /// use ga_runtime::geometry::{DualQuaternionParts, NotUnit};
-    /// let parts = DualQuaternionParts { real: ([0.0, 0.0, 0.0], 2.0), dual: ([2.0, 4.0, 6.0], 0.0) };
+    /// let parts = DualQuaternionParts {
+    ///     real: ([0.0, 0.0, 0.0], 2.0),
+    ///     dual: ([2.0, 4.0, 6.0], 0.0),
+    /// };
     /// let motor: Motor<f64> = Motor::from_dual_quaternion(parts).unwrap();
     /// assert_eq!(motor.translator().displacement(), [2.0, 4.0, 6.0]);
-    /// let skew = DualQuaternionParts { dual: ([2.0, 4.0, 6.0], 1.0), ..parts };
-    /// assert_eq!(Motor::from_dual_quaternion(skew), Err(NotUnit::NotPerpendicular));
+    /// let skew = DualQuaternionParts {
+    ///     dual: ([2.0, 4.0, 6.0], 1.0),
+    ///     ..parts
+    /// };
+    /// assert_eq!(
+    ///     Motor::from_dual_quaternion(skew),
+    ///     Err(NotUnit::NotPerpendicular)
+    /// );
     /// ```
     pub fn from_dual_quaternion(parts: DualQuaternionParts<S>) -> Result<Self, NotUnit> {
         let ((real, w), (dual, dw)) = (parts.real, parts.dual);

@@ -21,7 +21,10 @@ impl<S: Real<Mask = bool>> EvenVersor<S> {
     /// let a = Even::from(Transversor::from_vector([0.0_f64, 0.2, 0.0]));
     /// let middle = EvenVersor::normalize(a + Even::from(EvenVersor::default())).unwrap();
     /// assert!((middle.e2o() + 0.1).abs() < 1e-15);
-    /// assert_eq!(EvenVersor::normalize(Even::default() - a), EvenVersor::normalize(a).map(|v| -v));
+    /// assert_eq!(
+    ///     EvenVersor::normalize(Even::default() - a),
+    ///     EvenVersor::normalize(a).map(|v| -v)
+    /// );
     /// ```
     #[must_use]
     pub fn normalize(sum: Even<S>) -> Option<Self> {
@@ -89,7 +92,8 @@ impl<S: Real<Mask = bool>> EvenVersor<S> {
     ///
     /// ```
     /// use ga_runtime::cga3::{EvenVersor, Transversor};
-    /// let [a, b] = [[1.0_f64, 0.0, 0.0], [3.0, 2.0, 0.0]].map(|k| EvenVersor::from(Transversor::from_vector(k)));
+    /// let [a, b] = [[1.0_f64, 0.0, 0.0], [3.0, 2.0, 0.0]]
+    ///     .map(|k| EvenVersor::from(Transversor::from_vector(k)));
     /// let middle = a.interpolate(b, 0.5).unwrap();
     /// assert!((middle.e1o() + 2.0).abs() < 1e-15 && (middle.e2o() + 1.0).abs() < 1e-15);
     /// ```

@@ -23,12 +23,16 @@
 //! negative; what comes back has the scalar, or where that is zero another coefficient, positive.
 //!
 //! ```
-//! use ga_runtime::cga3::{Motor, Point, Translator, Rotor};
+//! use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 //! use ga_runtime::geometry::homogeneous::{product, rotation_about_z, transform, translation};
 //!
 //! let angle = 0.3;
-//! let matrix = product(translation([1.0, 2.0, 3.0]), rotation_about_z(angle).unwrap());
-//! let motor: Motor<f64> = Translator::from_displacement([1.0, 2.0, 3.0]) * Rotor::about_z(angle).unwrap();
+//! let matrix = product(
+//!     translation([1.0, 2.0, 3.0]),
+//!     rotation_about_z(angle).unwrap(),
+//! );
+//! let motor: Motor<f64> =
+//!     Translator::from_displacement([1.0, 2.0, 3.0]) * Rotor::about_z(angle).unwrap();
 //!
 //! let p = Point::new(0.5, -1.0, 2.0);
 //! assert!(transform(matrix, p).unwrap().distance(motor.transform(p)) < 1e-15);
@@ -279,8 +283,18 @@ impl<S: Real<Mask = bool>> Motor<S> {
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Point};
-    /// let half_turn = Motor::about_axis(Point::new(1.0, 0.0, 0.0), [0.0, 0.0, 1.0], std::f64::consts::PI).unwrap();
-    /// assert!(half_turn.transform(Point::new(3.0, 0.0, 5.0)).distance(Point::new(-1.0, 0.0, 5.0)) < 1e-15);
+    /// let half_turn = Motor::about_axis(
+    ///     Point::new(1.0, 0.0, 0.0),
+    ///     [0.0, 0.0, 1.0],
+    ///     std::f64::consts::PI,
+    /// )
+    /// .unwrap();
+    /// assert!(
+    ///     half_turn
+    ///         .transform(Point::new(3.0, 0.0, 5.0))
+    ///         .distance(Point::new(-1.0, 0.0, 5.0))
+    ///         < 1e-15
+    /// );
     /// ```
     #[must_use]
     pub fn about_axis(point: Point<S>, axis: [S; 3], angle: S) -> Option<Self> {

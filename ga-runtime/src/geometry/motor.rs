@@ -65,7 +65,10 @@ impl<S: Real<Mask = bool>> DualQuaternion<S> {
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Translator};
-    /// let (a, b) = (Motor::default(), Motor::from(Translator::from_displacement([2.0, 0.0, 0.0])));
+    /// let (a, b) = (
+    ///     Motor::default(),
+    ///     Motor::from(Translator::from_displacement([2.0, 0.0, 0.0])),
+    /// );
     /// let blend = (a * 0.25 + b * 0.75).normalize().unwrap();
     /// assert_eq!(blend.translator().displacement(), [1.5, 0.0, 0.0]);
     /// ```

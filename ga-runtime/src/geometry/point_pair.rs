@@ -47,9 +47,16 @@ impl<S: Real<Mask = bool>> PointPair<S> {
     ///
     /// ```
     /// use ga_runtime::cga3::{Point, PointPair};
-    /// let pair =
-    ///     PointPair::from_centre_axis_radius_squared(Point::new(1.0, 0.0, 0.0), [0.0, 2.0, 0.0], 9.0).unwrap();
-    /// assert_eq!(pair.endpoints().unwrap().map(|p| p.coordinates()), [[1.0, -3.0, 0.0], [1.0, 3.0, 0.0]]);
+    /// let pair = PointPair::from_centre_axis_radius_squared(
+    ///     Point::new(1.0, 0.0, 0.0),
+    ///     [0.0, 2.0, 0.0],
+    ///     9.0,
+    /// )
+    /// .unwrap();
+    /// assert_eq!(
+    ///     pair.endpoints().unwrap().map(|p| p.coordinates()),
+    ///     [[1.0, -3.0, 0.0], [1.0, 3.0, 0.0]]
+    /// );
     /// ```
     #[must_use]
     pub fn from_centre_axis_radius_squared(

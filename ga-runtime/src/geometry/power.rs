@@ -68,7 +68,10 @@ impl<S: Real> Rotor<S> {
     ///
     /// ```
     /// use ga_runtime::cga3::Rotor;
-    /// let (start, end) = (Rotor::<f64>::default(), Rotor::from_axis_angle([0.0, 0.0, 1.0], 1.0).unwrap());
+    /// let (start, end) = (
+    ///     Rotor::<f64>::default(),
+    ///     Rotor::from_axis_angle([0.0, 0.0, 1.0], 1.0).unwrap(),
+    /// );
     /// let (_, angle) = start.interpolate(end, 0.25).to_axis_angle();
     /// assert!((angle - 0.25).abs() < 1e-15);
     /// ```
@@ -84,9 +87,16 @@ impl<S: Real> Rotor<S> {
     /// ```
     /// use ga_runtime::cga3::Rotor;
     /// use ga_runtime::geometry::RotationPath;
-    /// let (start, end) = (Rotor::<f64>::default(), Rotor::from_axis_angle([0.0, 0.0, 1.0], 1.0).unwrap());
-    /// let (axis, angle) = start.interpolate_along(end, 0.25, RotationPath::Long).to_axis_angle();
-    /// assert!(axis[2] < -0.9 && (angle - 0.25 * (2.0 * std::f64::consts::PI - 1.0)).abs() < 1e-15);
+    /// let (start, end) = (
+    ///     Rotor::<f64>::default(),
+    ///     Rotor::from_axis_angle([0.0, 0.0, 1.0], 1.0).unwrap(),
+    /// );
+    /// let (axis, angle) = start
+    ///     .interpolate_along(end, 0.25, RotationPath::Long)
+    ///     .to_axis_angle();
+    /// assert!(
+    ///     axis[2] < -0.9 && (angle - 0.25 * (2.0 * std::f64::consts::PI - 1.0)).abs() < 1e-15
+    /// );
     /// ```
     #[inline(always)]
     #[must_use]
@@ -112,7 +122,10 @@ impl<S: Real> Motor<S> {
     /// let third = screw.powf(1.0 / 3.0);
     /// let expected = Translator::from_displacement([0.0, 0.0, 1.0])
     ///     * Rotor::from_axis_angle([0.0, 0.0, 1.0], 0.5).unwrap();
-    /// assert!((third.e12() - expected.e12()).abs() < 1e-15 && (third.e3i() - expected.e3i()).abs() < 1e-15);
+    /// assert!(
+    ///     (third.e12() - expected.e12()).abs() < 1e-15
+    ///         && (third.e3i() - expected.e3i()).abs() < 1e-15
+    /// );
     /// assert_eq!(Motor::<f64>::default().powf(0.3), Motor::default());
     /// ```
     #[inline(always)]

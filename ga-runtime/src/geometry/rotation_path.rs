@@ -64,7 +64,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     /// ```
     /// use ga_runtime::cga3::Rotor;
     /// use ga_runtime::geometry::RotationPath;
-    /// let long = Rotor::between_along([1.0_f64, 0.0, 0.0], [0.0, 1.0, 0.0], RotationPath::Long).unwrap();
+    /// let long =
+    ///     Rotor::between_along([1.0_f64, 0.0, 0.0], [0.0, 1.0, 0.0], RotationPath::Long).unwrap();
     /// let (axis, angle) = long.to_axis_angle();
     /// assert!(axis[2] < -0.9 && (angle - 1.5 * std::f64::consts::PI).abs() < 1e-15);
     /// ```

@@ -80,7 +80,10 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     /// use ga_runtime::cga3::Rotor;
     /// let turn = Rotor::from_rotation_vector([0.0, 0.0, 1.5_f64]).unwrap();
     /// let same = Rotor::from_axis_angle([0.0, 0.0, 1.0], 1.5).unwrap();
-    /// assert!((turn.scalar() - same.scalar()).abs() < 1e-15 && (turn.e12() - same.e12()).abs() < 1e-15);
+    /// assert!(
+    ///     (turn.scalar() - same.scalar()).abs() < 1e-15
+    ///         && (turn.e12() - same.e12()).abs() < 1e-15
+    /// );
     /// assert!((turn.to_rotation_vector()[2] - 1.5).abs() < 1e-15);
     /// ```
     #[must_use]

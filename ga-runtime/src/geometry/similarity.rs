@@ -31,7 +31,8 @@ impl<S: Real<Mask = bool>> Similarity<S> {
     ///
     /// ```
     /// use ga_runtime::cga3::{Rotor, Similarity};
-    /// let similarity = Similarity::from_parts([1.0, 2.0, 3.0], Rotor::default(), 1e-6_f64).unwrap();
+    /// let similarity =
+    ///     Similarity::from_parts([1.0, 2.0, 3.0], Rotor::default(), 1e-6_f64).unwrap();
     /// assert!((similarity.factor() / 1e-6 - 1.0).abs() < 1e-15);
     /// ```
     #[must_use]
@@ -49,7 +50,8 @@ impl<S: Real<Mask = bool>> Similarity<S> {
     ///
     /// ```
     /// use ga_runtime::cga3::{Even, Rotor, Similarity};
-    /// let similarity = Similarity::from_parts([1.0, 2.0, 3.0], Rotor::default(), 4.0_f64).unwrap();
+    /// let similarity =
+    ///     Similarity::from_parts([1.0, 2.0, 3.0], Rotor::default(), 4.0_f64).unwrap();
     /// let again = Similarity::normalize(Even::from(similarity) * 1.5).unwrap();
     /// assert!((again.factor() - 4.0).abs() < 1e-14);
     /// ```

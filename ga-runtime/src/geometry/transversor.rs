@@ -12,7 +12,10 @@ impl<S: Field> Transversor<S> {
     /// ```
     /// use ga_runtime::cga3::{Point, Transversor};
     /// let bend = Transversor::from_vector([1.0, 0.0, 0.0]);
-    /// assert_eq!(bend.transform_point(Point::new(1.0, 0.0, 0.0)), Some(Point::new(0.5, 0.0, 0.0)));
+    /// assert_eq!(
+    ///     bend.transform_point(Point::new(1.0, 0.0, 0.0)),
+    ///     Some(Point::new(0.5, 0.0, 0.0))
+    /// );
     /// assert_eq!(bend.transform_point(Point::new(-1.0, 0.0, 0.0)), None);
     /// ```
     #[inline]

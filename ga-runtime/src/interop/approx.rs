@@ -16,7 +16,11 @@
 //! let third = Rotor::from_axis_angle([1.0, 1.0, 1.0], std::f64::consts::TAU / 3.0).unwrap();
 //! assert_abs_diff_eq!(third * third * third, -Rotor::default(), epsilon = 1e-15);
 //! assert_abs_diff_ne!(third * third * third, Rotor::default());
-//! assert_relative_eq!(third.transform(Point::new(1e9, 0.0, 0.0)), Point::new(0.0, 1e9, 0.0), epsilon = 1e-6);
+//! assert_relative_eq!(
+//!     third.transform(Point::new(1e9, 0.0, 0.0)),
+//!     Point::new(0.0, 1e9, 0.0),
+//!     epsilon = 1e-6
+//! );
 //! ```
 
 /// Emits the traits of approx for a declared type.

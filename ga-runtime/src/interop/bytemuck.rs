@@ -45,7 +45,10 @@
 //! unsafe impl<S: bytemuck_1::Pod> bytemuck_1::Pod for Vector<S> {}
 //!
 //! # fn main() {
-//! assert_eq!(bytemuck_1::cast::<_, [f32; 2]>(Vector::new(1.0_f32, 2.0)), [1.0, 2.0]);
+//! assert_eq!(
+//!     bytemuck_1::cast::<_, [f32; 2]>(Vector::new(1.0_f32, 2.0)),
+//!     [1.0, 2.0]
+//! );
 //! # }
 //! ```
 

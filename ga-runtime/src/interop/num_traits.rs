@@ -107,8 +107,14 @@ scalars! {
 /// ```
 /// use ga_runtime::cga3::{Point, Rotor};
 /// use ga_runtime::interop::num_traits::FromFloat;
-/// let quarter = Rotor::from_axis_angle([0.0, 0.0, 1.0].map(FromFloat), FromFloat(std::f64::consts::FRAC_PI_2)).unwrap();
-/// let [x, y, _] = quarter.transform(Point::from([1.0, 0.0, 0.0].map(FromFloat))).coordinates();
+/// let quarter = Rotor::from_axis_angle(
+///     [0.0, 0.0, 1.0].map(FromFloat),
+///     FromFloat(std::f64::consts::FRAC_PI_2),
+/// )
+/// .unwrap();
+/// let [x, y, _] = quarter
+///     .transform(Point::from([1.0, 0.0, 0.0].map(FromFloat)))
+///     .coordinates();
 /// assert!(x.0.abs() < 1e-15 && (y.0 - 1.0).abs() < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]

@@ -170,7 +170,16 @@ fn name_of(value: &(impl Coefficients + ?Sized), index: usize) -> String {
 ///     }
 /// }
 ///
-/// assert_close!(Circle { center: [0.0, 1.0], radius: 0.1 + 0.2 }, Circle { center: [0.0, 1.0], radius: 0.3 });
+/// assert_close!(
+///     Circle {
+///         center: [0.0, 1.0],
+///         radius: 0.1 + 0.2
+///     },
+///     Circle {
+///         center: [0.0, 1.0],
+///         radius: 0.3
+///     }
+/// );
 /// ```
 pub trait Coefficients {
     /// The relative deviation that rounding may cause in a short computation.

@@ -66,7 +66,13 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// let blend = Motor::blend(&[(3.0, shift(2.0)), (1.0, -shift(6.0))]).unwrap();
     /// assert_eq!(blend.translator().displacement(), [3.0, 0.0, 0.0]);
     /// let refused = Motor::blend(&[(1.0, shift(2.0)), (-1.0, shift(6.0))]);
-    /// assert_eq!(refused, Err(BlendError::Weight(WeightError::Invalid { index: 1, weight: -1.0 })));
+    /// assert_eq!(
+    ///     refused,
+    ///     Err(BlendError::Weight(WeightError::Invalid {
+    ///         index: 1,
+    ///         weight: -1.0
+    ///     }))
+    /// );
     /// ```
     pub fn blend(weighted: &[(S, Self)]) -> Result<Self, BlendError<S>> {
         let strongest = strongest(weighted)?;
@@ -93,7 +99,9 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     /// ```
     /// use ga_runtime::cga3::Rotor;
     /// let turn = |angle: f64| Rotor::from_axis_angle([0.0, 0.0, 1.0], angle).unwrap();
-    /// let (axis, angle) = Rotor::blend(&[(0.5, turn(1.0)), (0.5, turn(2.0))]).unwrap().to_axis_angle();
+    /// let (axis, angle) = Rotor::blend(&[(0.5, turn(1.0)), (0.5, turn(2.0))])
+    ///     .unwrap()
+    ///     .to_axis_angle();
     /// assert!((angle - 1.5).abs() < 1e-15 && axis == [0.0, 0.0, 1.0]);
     /// ```
     pub fn blend(weighted: &[(S, Self)]) -> Result<Self, BlendError<S>> {

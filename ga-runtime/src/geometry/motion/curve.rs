@@ -51,7 +51,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Rotor};
-    /// let turn = |angle: f64| Motor::from(Rotor::from_axis_angle([0.0, 1.0, 0.0], angle).unwrap());
+    /// let turn =
+    ///     |angle: f64| Motor::from(Rotor::from_axis_angle([0.0, 1.0, 0.0], angle).unwrap());
     /// let keys = [0.0, 0.5, 1.5, 2.0].map(turn);
     /// let from = Motor::squad_control(keys[0], keys[1], keys[2]);
     /// let to = Motor::squad_control(keys[1], keys[2], keys[3]);

@@ -106,7 +106,13 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// assert!(fit.residual < 1e-15);
     /// let image = fit.motion.transform(Point::new(0.0, 0.0, 7.0));
     /// assert!(image.distance(Point::new(5.0, 0.0, 7.0)) < 1e-14);
-    /// assert_eq!(Motor::from_point_pairs(&pairs[..2]), Err(FitError::TooFewPairs { found: 2, needed: 3 }));
+    /// assert_eq!(
+    ///     Motor::from_point_pairs(&pairs[..2]),
+    ///     Err(FitError::TooFewPairs {
+    ///         found: 2,
+    ///         needed: 3
+    ///     })
+    /// );
     /// ```
     pub fn from_point_pairs(pairs: &[(Point<S>, Point<S>)]) -> Result<Fit<Self, S>, FitError<S>> {
         Self::from_weighted_point_pairs(&equally_weighted(pairs))
@@ -186,10 +192,15 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     /// ```
     /// use ga_runtime::cga3::Rotor;
     /// // North and up, as seen in two frames.
-    /// let pairs = [([0.0_f64, 1.0, 0.0], [2.0, 0.0, 0.0]), ([0.0, 0.0, 1.0], [0.0, 0.0, 9.8])];
+    /// let pairs = [
+    ///     ([0.0_f64, 1.0, 0.0], [2.0, 0.0, 0.0]),
+    ///     ([0.0, 0.0, 1.0], [0.0, 0.0, 9.8]),
+    /// ];
     /// let fit = Rotor::from_direction_pairs(&pairs).unwrap();
     /// let (axis, angle) = fit.motion.to_axis_angle();
-    /// assert!((axis[2] + 1.0).abs() < 1e-15 && (angle - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
+    /// assert!(
+    ///     (axis[2] + 1.0).abs() < 1e-15 && (angle - std::f64::consts::FRAC_PI_2).abs() < 1e-15
+    /// );
     /// ```
     pub fn from_direction_pairs(pairs: &[([S; 3], [S; 3])]) -> Result<Fit<Self, S>, FitError<S>> {
         Self::from_weighted_direction_pairs(&equally_weighted(pairs))

@@ -122,15 +122,23 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// ```
     /// use ga_runtime::cga3::{Motor, Rotor, Translator};
     /// use ga_runtime::geometry::motion::MeanError;
-    /// let turn = |angle: f64| Motor::from(Rotor::from_axis_angle([0.0, 0.0, 1.0], angle).unwrap());
+    /// let turn =
+    ///     |angle: f64| Motor::from(Rotor::from_axis_angle([0.0, 0.0, 1.0], angle).unwrap());
     /// let lift = Motor::from(Translator::from_displacement([0.0, 0.0, 6.0]));
-    /// let found = Motor::mean(&[(1.0, turn(0.0)), (1.0, turn(0.3)), (1.0, lift * turn(0.6))]).unwrap();
+    /// let found =
+    ///     Motor::mean(&[(1.0, turn(0.0)), (1.0, turn(0.3)), (1.0, lift * turn(0.6))]).unwrap();
     /// let [x, y, z] = found.mean.translator().displacement();
     /// assert!(x.abs() < 1e-15 && y.abs() < 1e-15 && (z - 2.0).abs() < 1e-15);
-    /// assert!((found.mean.rotor().to_axis_angle().1 - 0.3).abs() < 1e-15 && found.residual.angle < 1e-15);
+    /// assert!(
+    ///     (found.mean.rotor().to_axis_angle().1 - 0.3).abs() < 1e-15
+    ///         && found.residual.angle < 1e-15
+    /// );
     /// // Thirds of a turn have no mean: each of the three would do as well.
     /// let thirds = [0.0, 2.0, 4.0].map(|k| (1.0, turn(k * std::f64::consts::PI / 3.0)));
-    /// assert!(matches!(Motor::mean(&thirds), Err(MeanError::NotUnique { .. })));
+    /// assert!(matches!(
+    ///     Motor::mean(&thirds),
+    ///     Err(MeanError::NotUnique { .. })
+    /// ));
     /// ```
     pub fn mean(weighted: &[(S, Self)]) -> Result<Mean<Self, S>, MeanError<S>> {
         let strongest = strongest(weighted)?;

@@ -29,7 +29,8 @@ use crate::scalar::Real;
 /// use ga_runtime::cga3::{Motor, Rotor, Translator};
 /// use ga_runtime::geometry::motion::MotorSpline;
 /// let screw = |t: f64| {
-///     Translator::from_displacement([0.0, 0.0, t]) * Rotor::from_axis_angle([0.0, 0.0, 1.0], t).unwrap()
+///     Translator::from_displacement([0.0, 0.0, t])
+///         * Rotor::from_axis_angle([0.0, 0.0, 1.0], t).unwrap()
 /// };
 /// let spline = MotorSpline::through(&[0.0, 1.0, 3.0, 3.5].map(|t| (t, screw(t)))).unwrap();
 /// let motor: Motor<f64> = spline.evaluate(2.0).unwrap();
@@ -339,7 +340,8 @@ impl<S: Real<Mask = bool>> Leg<S> {
 /// use ga_runtime::cga3::Rotor;
 /// use ga_runtime::geometry::motion::RotorSpline;
 /// let turn = |angle: f64| Rotor::from_axis_angle([1.0, 0.0, 0.0], angle).unwrap();
-/// let spline = RotorSpline::through(&[(0.0, turn(0.0)), (2.0, turn(1.0)), (3.0, -turn(1.5))]).unwrap();
+/// let spline =
+///     RotorSpline::through(&[(0.0, turn(0.0)), (2.0, turn(1.0)), (3.0, -turn(1.5))]).unwrap();
 /// let (_, angle) = spline.evaluate(1.0).unwrap().to_axis_angle();
 /// assert!((angle - 0.5).abs() < 1e-15);
 /// ```

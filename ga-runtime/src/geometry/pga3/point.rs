@@ -9,8 +9,13 @@ impl<S: Ring> Point<S> {
     ///
     /// ```
     /// use ga_runtime::pga3::{Plane, Point};
-    /// let planes = [([1.0, 0.0, 0.0], 1.0), ([0.0, 1.0, 0.0], 2.0), ([0.0, 0.0, 1.0], 3.0)];
-    /// let [x, y, z] = planes.map(|(normal, distance)| Plane::from_normal_distance(normal, distance));
+    /// let planes = [
+    ///     ([1.0, 0.0, 0.0], 1.0),
+    ///     ([0.0, 1.0, 0.0], 2.0),
+    ///     ([0.0, 0.0, 1.0], 3.0),
+    /// ];
+    /// let [x, y, z] =
+    ///     planes.map(|(normal, distance)| Plane::from_normal_distance(normal, distance));
     /// assert_eq!(x ^ y ^ z, Point::from_coordinates([1.0, 2.0, 3.0]));
     /// ```
     #[inline]
@@ -46,8 +51,14 @@ impl<S: Real<Mask = bool>> Point<S> {
     ///
     /// ```
     /// use ga_runtime::pga3::{Direction, Point};
-    /// assert_eq!(Point::from_homogeneous([2.0, 4.0, 6.0], 2.0).coordinates(), Some([1.0, 2.0, 3.0]));
-    /// assert_eq!(Point::from(Direction::from_vector([2.0, 4.0, 6.0])).coordinates(), None);
+    /// assert_eq!(
+    ///     Point::from_homogeneous([2.0, 4.0, 6.0], 2.0).coordinates(),
+    ///     Some([1.0, 2.0, 3.0])
+    /// );
+    /// assert_eq!(
+    ///     Point::from(Direction::from_vector([2.0, 4.0, 6.0])).coordinates(),
+    ///     None
+    /// );
     /// ```
     #[inline]
     #[must_use]

@@ -31,10 +31,15 @@
 //!     Some(PI / 2.0)
 //! );
 //! let ground = Plane::from_point_normal(o, [0.0, 0.0, 1.0]);
-//! let falling: f64 = Line::from_point_direction(o, [1.0, 0.0, -1.0]).angle_to(ground).unwrap();
+//! let falling: f64 = Line::from_point_direction(o, [1.0, 0.0, -1.0])
+//!     .angle_to(ground)
+//!     .unwrap();
 //! assert!((falling + PI / 4.0).abs() < 1e-15);
 //! // Orthogonal spheres.
-//! let (a, b) = (Sphere::from_centre_radius(o, 3.0), Sphere::from_centre_radius(Point::new(5.0, 0.0, 0.0), 4.0));
+//! let (a, b) = (
+//!     Sphere::from_centre_radius(o, 3.0),
+//!     Sphere::from_centre_radius(Point::new(5.0, 0.0, 0.0), 4.0),
+//! );
 //! assert_eq!(a.angle_to(b), Some(PI / 2.0));
 //! ```
 

@@ -22,7 +22,10 @@
 //!
 //! let tolerance = Tolerance::default();
 //! let unit = Sphere::from_centre_radius(Point::default(), 1.0);
-//! assert_eq!(Point::new(2.0, 0.0, 0.0).invert_in(unit, tolerance), Some(Point::new(0.5, 0.0, 0.0)));
+//! assert_eq!(
+//!     Point::new(2.0, 0.0, 0.0).invert_in(unit, tolerance),
+//!     Some(Point::new(0.5, 0.0, 0.0))
+//! );
 //! let plane = Plane::from_point_normal(Point::new(0.0, 0.0, 2.0), [0.0, 0.0, 1.0]);
 //! match plane.invert_in(unit, tolerance) {
 //!     Some(RoundOrFlat::Round(sphere)) => assert_eq!(sphere.radius(), Some(0.25)),
@@ -30,7 +33,10 @@
 //! }
 //! // A sphere through the centre becomes a plane.
 //! let through = Sphere::from_centre_radius(Point::new(0.0, 0.0, 0.25), 0.25);
-//! assert!(matches!(through.invert_in(unit, tolerance), Some(RoundOrFlat::Flat(_))));
+//! assert!(matches!(
+//!     through.invert_in(unit, tolerance),
+//!     Some(RoundOrFlat::Flat(_))
+//! ));
 //! ```
 
 use super::distance::distance;

@@ -179,7 +179,9 @@ impl<S: Real<Mask = bool>> Line<S> {
     /// ```
     /// use ga_runtime::cga3::{Line, Point, Sphere};
     /// let line = Line::from_point_direction(Point::new(0.0, 5.0, 0.0), [1.0, 0.0, 0.0]);
-    /// let below = line.great_circle_on(Sphere::from_centre_radius(Point::default(), 2.0)).unwrap();
+    /// let below = line
+    ///     .great_circle_on(Sphere::from_centre_radius(Point::default(), 2.0))
+    ///     .unwrap();
     /// assert_eq!(below.radius(), Some(2.0));
     /// assert_eq!(below.unit_normal(), Some([0.0, 0.0, -1.0]));
     /// ```

@@ -74,7 +74,10 @@ impl<S: Real<Mask = bool>> Vector<S> {
     ///
     /// ```
     /// use ga_runtime::vga2::Vector;
-    /// assert_eq!(Vector::new(1.0, 2.0).reflect(Vector::new(0.0, 3.0)), Some(Vector::new(1.0, -2.0)));
+    /// assert_eq!(
+    ///     Vector::new(1.0, 2.0).reflect(Vector::new(0.0, 3.0)),
+    ///     Some(Vector::new(1.0, -2.0))
+    /// );
     /// ```
     #[must_use]
     pub fn reflect(self, normal: Self) -> Option<Self> {

@@ -91,7 +91,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     ///
     /// ```
     /// use ga_runtime::vga3::{Rotor, Vector};
-    /// let quarter = Rotor::between(Vector::new(1.0, 0.0, 0.0), Vector::new(0.0, 1.0, 0.0)).unwrap();
+    /// let quarter =
+    ///     Rotor::between(Vector::new(1.0, 0.0, 0.0), Vector::new(0.0, 1.0, 0.0)).unwrap();
     /// let (_, angle) = Rotor::default().interpolate(quarter, 0.5).to_axis_angle();
     /// assert!((angle - std::f64::consts::FRAC_PI_4).abs() < 1e-15);
     /// ```

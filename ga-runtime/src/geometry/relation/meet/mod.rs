@@ -33,17 +33,31 @@
 //!
 //! let tolerance = Tolerance::default();
 //! let sphere = Sphere::from_centre_radius(Point::default(), 5.0);
-//! let line = |height: f64| Line::from_point_direction(Point::new(0.0, 0.0, height), [1.0, 0.0, 0.0]);
-//! let Some(LineAndSphere::Points(pair)) = line(3.0).meet(sphere, tolerance) else { panic!() };
+//! let line =
+//!     |height: f64| Line::from_point_direction(Point::new(0.0, 0.0, height), [1.0, 0.0, 0.0]);
+//! let Some(LineAndSphere::Points(pair)) = line(3.0).meet(sphere, tolerance) else {
+//!     panic!()
+//! };
 //! let ends = pair.endpoints().unwrap().map(|p| p.coordinates());
 //! assert_eq!(ends, [[-4.0, 0.0, 3.0], [4.0, 0.0, 3.0]]);
 //! let touch = line(5.0).meet(sphere, tolerance);
 //! let point = Point::new(0.0, 0.0, 5.0);
-//! assert_eq!(touch, Some(LineAndSphere::Tangent { point, direction: [1.0, 0.0, 0.0] }));
-//! assert!(matches!(line(6.0).meet(sphere, tolerance), Some(LineAndSphere::Imaginary(_))));
+//! assert_eq!(
+//!     touch,
+//!     Some(LineAndSphere::Tangent {
+//!         point,
+//!         direction: [1.0, 0.0, 0.0]
+//!     })
+//! );
+//! assert!(matches!(
+//!     line(6.0).meet(sphere, tolerance),
+//!     Some(LineAndSphere::Imaginary(_))
+//! ));
 //!
 //! let plane = Plane::from_point_normal(Point::new(0.0, 0.0, 4.0), [0.0, 0.0, 1.0]);
-//! let Some(PlaneAndSphere::Circle(circle)) = plane.meet(sphere, tolerance) else { panic!() };
+//! let Some(PlaneAndSphere::Circle(circle)) = plane.meet(sphere, tolerance) else {
+//!     panic!()
+//! };
 //! assert!((circle.radius().unwrap() - 3.0).abs() < 1e-14);
 //! ```
 
