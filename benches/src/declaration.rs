@@ -6,7 +6,7 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 /// parse as tokens.
 #[must_use]
 pub fn cga3() -> Option<TokenStream> {
-    let source = include_str!("../../ga-runtime/src/algebras/conformal.rs");
+    let source = include_str!("../../ga-runtime/src/algebras/cga3.rs");
     let tokens: TokenStream = source.parse().ok()?;
     tokens.into_iter().find_map(|token| match token {
         TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => Some(group.stream()),

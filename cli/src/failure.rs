@@ -2,7 +2,7 @@
 
 use anyhow::Error;
 
-use crate::expand::SourceError;
+use crate::commands::expand::SourceError;
 
 /// An error in source text with the line that it is in; any other in one line.
 pub(crate) fn text(error: &Error) -> String {

@@ -1,11 +1,8 @@
 //! The `nullcone` program: animation and stereo vision on conformal geometric algebra, and a look
 //! into its compiler.
 
-mod animate;
 mod checks;
-mod demo;
-mod draw;
-mod expand;
+mod commands;
 mod failure;
 mod figure;
 mod model;
@@ -22,6 +19,8 @@ mod two_views;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+
+use commands::{animate, demo, draw, expand};
 
 /// Animation, stereo vision and pictures on conformal geometric algebra.
 #[derive(Parser)]

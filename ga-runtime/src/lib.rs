@@ -23,16 +23,16 @@ pub mod testing;
 pub mod translation {}
 
 #[cfg(feature = "cga2")]
-pub use algebras::cga2;
-pub use algebras::cga3;
+pub use algebras::cga2::cga2;
+pub use algebras::cga3::cga3;
 #[cfg(feature = "pga2")]
-pub use algebras::pga2;
+pub use algebras::pga2::pga2;
 #[cfg(feature = "pga3")]
-pub use algebras::pga3;
+pub use algebras::pga3::pga3;
 #[cfg(feature = "sta")]
-pub use algebras::sta;
+pub use algebras::sta::sta;
 #[cfg(feature = "vga2")]
-pub use algebras::vga2;
+pub use algebras::vga2::vga2;
 #[cfg(feature = "vga3")]
-pub use algebras::vga3;
+pub use algebras::vga3::vga3;
 pub use element::Element;

@@ -6,7 +6,7 @@ use proc_macro2::TokenStream;
 
 /// The declaration of cga3 as it ships.
 pub(crate) fn cga3_tokens() -> TokenStream {
-    let source = include_str!("../../../ga-runtime/src/algebras/conformal.rs");
+    let source = include_str!("../../../ga-runtime/src/algebras/cga3.rs");
     let start = source.find("algebra! {").map(|at| at + "algebra! {".len());
     let end = source.rfind('}');
     let (Some(start), Some(end)) = (start, end) else {

@@ -6,7 +6,7 @@ use proc_macro2::TokenStream;
 
 /// The algebra as it ships.
 pub(crate) fn cga3() -> Definition {
-    let source = include_str!("../../../ga-runtime/src/algebras/conformal.rs");
+    let source = include_str!("../../../ga-runtime/src/algebras/cga3.rs");
     let start = source.find("algebra! {").expect("the macro") + "algebra! {".len();
     let end = source.rfind('}').expect("the macro");
     let declaration: TokenStream = source[start..end].parse().expect("tokens");

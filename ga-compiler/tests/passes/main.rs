@@ -241,7 +241,7 @@ fn what_is_uniform_is_worked_out_apart_from_the_rest() {
 
 #[test]
 fn the_square_of_a_point_is_the_constant_zero() {
-    let source = include_str!("../../../ga-runtime/src/algebras/conformal.rs");
+    let source = include_str!("../../../ga-runtime/src/algebras/cga3.rs");
     let start = source.find("algebra! {").map(|at| at + "algebra! {".len());
     let (Some(start), Some(end)) = (start, source.rfind('}')) else {
         panic!("cga3 is declared by the macro")

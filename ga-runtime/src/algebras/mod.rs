@@ -1,29 +1,15 @@
-//! The declarations of the algebras.
+//! The declarations of the algebras, each in the file of its name.
 
-mod conformal;
 #[cfg(feature = "cga2")]
-mod conformal_plane;
-#[cfg(feature = "vga3")]
-mod euclidean;
-#[cfg(feature = "vga2")]
-mod euclidean_plane;
-#[cfg(feature = "pga3")]
-mod projective;
+pub(crate) mod cga2;
+pub(crate) mod cga3;
 #[cfg(feature = "pga2")]
-mod projective_plane;
-#[cfg(feature = "sta")]
-mod spacetime;
-
-pub use conformal::cga3;
-#[cfg(feature = "cga2")]
-pub use conformal_plane::cga2;
-#[cfg(feature = "vga3")]
-pub use euclidean::vga3;
-#[cfg(feature = "vga2")]
-pub use euclidean_plane::vga2;
+pub(crate) mod pga2;
 #[cfg(feature = "pga3")]
-pub use projective::pga3;
-#[cfg(feature = "pga2")]
-pub use projective_plane::pga2;
+pub(crate) mod pga3;
 #[cfg(feature = "sta")]
-pub use spacetime::sta;
+pub(crate) mod sta;
+#[cfg(feature = "vga2")]
+pub(crate) mod vga2;
+#[cfg(feature = "vga3")]
+pub(crate) mod vga3;

@@ -61,59 +61,27 @@
 //! features of their names; coordinates of the plane are `[x, y]`. [`DualQuaternionParts`] are a
 //! motor as others write it, two quaternions.
 
-pub(crate) mod affine;
 #[cfg(feature = "cga2")]
 mod cga2;
-mod circle;
-mod conformal_exponential;
-mod conformal_logarithm;
-mod dilator;
-mod direction;
-mod dual_motion;
-mod dual_quaternion;
-mod dual_round;
-mod even_versor;
-mod flat_point;
-pub mod homogeneous;
-mod kind;
-mod line;
-mod logarithm;
-pub mod motion;
-mod motor;
-mod number_pair;
-mod odd_versor;
+mod cga3;
 #[cfg(feature = "pga2")]
 mod pga2;
 #[cfg(feature = "pga3")]
 mod pga3;
-mod plane;
-mod point;
-mod point_pair;
-mod power;
-pub mod relation;
-mod rotation_path;
-mod rotor;
-mod round;
-mod screw;
-mod similarity;
-mod sphere;
 #[cfg(feature = "sta")]
 mod sta;
-mod translator;
-mod transversor;
 #[cfg(any(feature = "cga2", feature = "pga2", feature = "vga2"))]
 mod vector2;
 mod vector3;
-mod versor_action;
 #[cfg(feature = "vga2")]
 mod vga2;
 #[cfg(feature = "vga3")]
 mod vga3;
 
-pub use affine::{Affine, NotConformal};
-pub use dual_quaternion::{DualQuaternionParts, NotUnit};
-pub use kind::Kind;
-pub use rotation_path::RotationPath;
-pub use screw::Screw;
+pub(crate) use cga3::affine;
+pub use cga3::{
+    Affine, DualQuaternionParts, Kind, NotConformal, NotUnit, RotationPath, Screw, homogeneous,
+    motion, relation,
+};
 #[cfg(feature = "sta")]
 pub use sta::{NotSlowerThanLight, relative_velocity, velocity_sum};

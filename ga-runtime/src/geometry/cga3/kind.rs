@@ -1,12 +1,12 @@
 //! What a blade is, told at run time.
 
 use super::round::RoundBivector;
-use super::vector3::dot;
 use crate::Element;
 use crate::cga3::{
     Circle, DualCircle, DualPlane, DualPointPair, DualSphere, FlatPoint, Line, MotorGenerator,
     Plane, PointPair, Sphere,
 };
+use crate::geometry::vector3::dot;
 use crate::scalar::Real;
 
 /// What a blade stands for, up to a tolerance.

@@ -8,8 +8,8 @@ use crate::scene::Scene;
 use crate::style::Colour;
 use crate::view::{Projection, Up};
 
-const SHEET: &str = include_str!("page/page.css");
-const SCRIPT: &str = include_str!("page/page.js");
+const SHEET: &str = include_str!("page.css");
+const SCRIPT: &str = include_str!("page.js");
 
 /// What the script draws from.
 #[derive(Serialize)]

@@ -1,8 +1,8 @@
 //! Transversors.
 
 use super::even_versor::image_point;
-use super::vector3::scaled;
 use crate::cga3::{Point, PointPair, Transversor};
+use crate::geometry::vector3::scaled;
 use crate::scalar::{Field, Real, Ring};
 
 impl<S: Field> Transversor<S> {

@@ -1,7 +1,7 @@
 //! The two ways round to one orientation.
 
-use super::vector3::scaled;
 use crate::cga3::{Motor, Rotor};
+use crate::geometry::vector3::scaled;
 use crate::scalar::Real;
 
 /// The two ways of turning to the same place: by an angle of at most a half turn, or the other way

@@ -1,7 +1,9 @@
 //! Lines.
 
-use super::vector3::{are_numbers, cross, difference, dot, length, normalized, scaled, sum};
 use crate::cga3::{Direction, Line, Point};
+use crate::geometry::vector3::{
+    are_numbers, cross, difference, dot, length, normalized, scaled, sum,
+};
 use crate::scalar::{Real, Ring};
 
 impl<S: Ring> Line<S> {

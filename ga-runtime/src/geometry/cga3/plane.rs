@@ -1,7 +1,7 @@
 //! Planes, direct and dual.
 
-use super::vector3::{are_numbers, cross, difference, dot, length, normalized, scaled};
 use crate::cga3::{DualDirection, DualPlane, Plane, Point};
+use crate::geometry::vector3::{are_numbers, cross, difference, dot, length, normalized, scaled};
 use crate::scalar::{Field, Real, Ring};
 
 impl<S: Ring> DualPlane<S> {

@@ -19,8 +19,8 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use super::vector3::{difference, dot, length, scaled, sum};
 use crate::cga3::{Motor, MotorGenerator, Rotor};
+use crate::geometry::vector3::{difference, dot, length, scaled, sum};
 use crate::scalar::{Field, Mask, Real};
 
 impl<S: Real> MotorGenerator<S> {

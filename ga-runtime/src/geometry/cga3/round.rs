@@ -4,8 +4,8 @@
 //! c is the centre. A point pair `p∧q` has that form with its axis d and `β = ½(c² + r²)`; the dual
 //! of a circle has it with the normal d of its plane and `β = ½(c² − r²)`.
 
-use super::vector3::{are_numbers, cross, dot, is_number, length, scaled, sum};
 use crate::cga3::{DualCircle, Point};
+use crate::geometry::vector3::{are_numbers, cross, dot, is_number, length, scaled, sum};
 use crate::scalar::{Field, Real};
 
 /// Such a bivector, taken apart.

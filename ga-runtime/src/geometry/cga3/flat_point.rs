@@ -1,7 +1,7 @@
 //! Flat points.
 
-use super::vector3::are_numbers;
 use crate::cga3::{FlatPoint, Infinity, Point};
+use crate::geometry::vector3::are_numbers;
 use crate::scalar::{Field, Ring};
 
 impl<S: Ring> From<Point<S>> for FlatPoint<S> {

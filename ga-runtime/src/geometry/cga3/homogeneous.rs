@@ -40,8 +40,8 @@
 //! ```
 
 use super::affine::{Affine, NotConformal};
-use super::vector3::{are_numbers, normalized};
 use crate::cga3::{Dilator, Motor, Point, Rotor, Similarity, Translator};
+use crate::geometry::vector3::{are_numbers, normalized};
 use crate::scalar::{Field, Real, Ring};
 
 /// A 4×4 matrix by rows.

@@ -1,9 +1,9 @@
 //! Point pairs.
 
 use super::round::{RoundBivector, real_radius};
-use super::vector3::{are_numbers, difference, dot, is_number, normalized, scaled, sum};
 use crate::Element;
 use crate::cga3::{Direction, DualCircle, Infinity, Line, Point, PointPair, Sphere};
+use crate::geometry::vector3::{are_numbers, difference, dot, is_number, normalized, scaled, sum};
 use crate::scalar::{Field, Real, Ring};
 
 impl<S: Field> PointPair<S> {

@@ -3,8 +3,8 @@
 
 use super::RotationPath;
 use super::logarithm::{Halves, assemble, length_and_direction, select_motor, turn_exponential};
-use super::vector3::{difference, scaled};
 use crate::cga3::{Motor, Rotor};
+use crate::geometry::vector3::{difference, scaled};
 use crate::scalar::{Mask, Real};
 
 impl<S: Real> Rotor<S> {

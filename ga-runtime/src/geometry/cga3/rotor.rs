@@ -1,8 +1,8 @@
 //! Rotors from axes, matrices and vectors, and back.
 
 use super::logarithm::turn_exponential;
-use super::vector3::{cross, difference, dot, normalized, scaled};
 use crate::cga3::{Quaternion, Rotor};
+use crate::geometry::vector3::{cross, difference, dot, normalized, scaled};
 use crate::scalar::{Real, Ring};
 
 impl<S: Ring> Rotor<S> {
@@ -68,7 +68,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     #[must_use]
     pub fn to_axis_angle(self) -> ([S; 3], S) {
         let (vector, scalar) = self.to_quaternion();
-        let half_angle = super::vector3::length(vector).atan2(scalar);
+        let half_angle = crate::geometry::vector3::length(vector).atan2(scalar);
         let axis = normalized(vector).unwrap_or([S::zero(), S::zero(), S::one()]);
         (axis, half_angle + half_angle)
     }

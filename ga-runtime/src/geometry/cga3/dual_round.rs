@@ -1,8 +1,8 @@
 //! Spheres, circles and point pairs in dual form.
 
 use super::round::real_radius;
-use super::vector3::{are_numbers, dot, is_number};
 use crate::cga3::{DualCircle, DualPointPair, DualSphere, Point, RoundVector};
+use crate::geometry::vector3::{are_numbers, dot, is_number};
 use crate::scalar::{Field, Real};
 
 impl<S: Field> DualSphere<S> {

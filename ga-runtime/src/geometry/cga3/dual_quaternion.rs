@@ -6,8 +6,8 @@
 
 use core::fmt::{Display, Formatter, Result as FormatResult};
 
-use super::vector3::{dot, length};
 use crate::cga3::{DualQuaternion, Motor};
+use crate::geometry::vector3::{dot, length};
 use crate::scalar::{Real, Ring};
 
 /// The eight numbers of a dual quaternion `q + ε d`, as other libraries write them.

@@ -3,9 +3,9 @@
 //! Matrices are in [`homogeneous`](super::homogeneous).
 
 use super::affine::{self, Affine};
-use super::vector3::{are_numbers, cross, difference, dot, length, normalized, scaled};
 use crate::Element;
 use crate::cga3::{Even, EvenVersor, Motor, Point, Quaternion, Rotor, Similarity, Translator};
+use crate::geometry::vector3::{are_numbers, cross, difference, dot, length, normalized, scaled};
 use crate::scalar::Real;
 
 impl<S: Real<Mask = bool>> Similarity<S> {

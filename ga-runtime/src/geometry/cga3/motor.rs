@@ -1,7 +1,7 @@
 //! Motors from their parts and matrices, and back.
 
-use super::vector3::difference;
 use crate::cga3::{DualQuaternion, Motor, Point, Rotor, Translator};
+use crate::geometry::vector3::difference;
 use crate::scalar::{Field, Real};
 
 impl<S: Field> Motor<S> {

@@ -1,8 +1,8 @@
 //! Rigid motions as screws: an axis, an angle about it and a displacement along it.
 
 use super::logarithm::length_and_direction;
-use super::vector3::{are_numbers, difference, dot, is_number, scaled};
 use crate::cga3::{Line, Motor, MotorGenerator, Point};
+use crate::geometry::vector3::{are_numbers, difference, dot, is_number, scaled};
 use crate::scalar::Real;
 
 /// A rigid motion as a screw: a turn about an axis and a displacement along it, in any order. Every

@@ -1,7 +1,7 @@
 //! Points.
 
-use super::vector3::{difference, dot, length};
 use crate::cga3::Point;
+use crate::geometry::vector3::{difference, dot, length};
 use crate::scalar::{Real, Ring};
 
 impl<S: Ring> Point<S> {

@@ -1,7 +1,7 @@
 //! Translators.
 
-use super::vector3::scaled;
 use crate::cga3::{MotorGenerator, Translator};
+use crate::geometry::vector3::scaled;
 use crate::scalar::Field;
 
 impl<S: Field> Translator<S> {

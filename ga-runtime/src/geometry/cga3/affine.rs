@@ -3,10 +3,10 @@
 use core::fmt::{Display, Formatter, Result as FormatResult};
 use core::ops::Mul;
 
-use super::vector3::{are_numbers, cross, dot, is_number, scaled, sum};
 use crate::cga3::{
     Dilator, Direction, DualPlane, Line, Motor, Plane, Point, Rotor, Similarity, Translator,
 };
+use crate::geometry::vector3::{are_numbers, cross, dot, is_number, scaled, sum};
 use crate::scalar::{Field, Real, Ring};
 
 /// An affine map of space, `x' = L x + t`.

@@ -1,9 +1,9 @@
 //! Circles.
 
 use super::round::{RoundBivector, real_radius};
-use super::vector3::{dot, is_number, normalized};
 use crate::Element;
 use crate::cga3::{Circle, DualDirection, Infinity, Line, Plane, Point, Sphere};
+use crate::geometry::vector3::{dot, is_number, normalized};
 use crate::scalar::{Field, Real};
 
 impl<S: Field> Circle<S> {

@@ -1,0 +1,6 @@
+//! The subcommands, a file each.
+
+pub(crate) mod animate;
+pub(crate) mod demo;
+pub(crate) mod draw;
+pub(crate) mod expand;

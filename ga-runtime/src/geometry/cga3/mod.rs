@@ -1,0 +1,41 @@
+//! The geometry of cga3: Euclidean data in and out of its types, versors, and relations.
+
+pub(crate) mod affine;
+mod circle;
+mod conformal_exponential;
+mod conformal_logarithm;
+mod dilator;
+mod direction;
+mod dual_motion;
+mod dual_quaternion;
+mod dual_round;
+mod even_versor;
+mod flat_point;
+pub mod homogeneous;
+mod kind;
+mod line;
+mod logarithm;
+pub mod motion;
+mod motor;
+mod number_pair;
+mod odd_versor;
+mod plane;
+mod point;
+mod point_pair;
+mod power;
+pub mod relation;
+mod rotation_path;
+mod rotor;
+mod round;
+mod screw;
+mod similarity;
+mod sphere;
+mod translator;
+mod transversor;
+mod versor_action;
+
+pub use affine::{Affine, NotConformal};
+pub use dual_quaternion::{DualQuaternionParts, NotUnit};
+pub use kind::Kind;
+pub use rotation_path::RotationPath;
+pub use screw::Screw;
