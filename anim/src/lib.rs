@@ -25,8 +25,8 @@
 //! seconds, and indices count from 0; in messages lines count from 1. A motor takes a point at rest
 //! to the pose, x' = G x ~G, and in a product of motors the right one comes first.
 //!
-//! Readers are strict and their errors name file, line and element; see [`ReadError`]. Files are
-//! written whole or not at all; see [`atomic_write`].
+//! Readers are strict and their errors name file, line and element; see [`ga_files`], through which
+//! they read and write.
 //!
 //! # A joint bends
 //!
@@ -65,7 +65,6 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-pub mod atomic_write;
 pub mod bvh;
 pub mod clip;
 pub mod distance_weights;
@@ -75,7 +74,6 @@ pub mod leg;
 pub mod mesh;
 pub mod obj;
 pub mod pose;
-mod read_error;
 pub mod render;
 pub mod retarget;
 pub mod rig;
@@ -83,5 +81,3 @@ pub mod sheet;
 pub mod skeleton;
 pub mod skin;
 pub mod weights;
-
-pub use read_error::ReadError;

@@ -4,7 +4,6 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
-use ga_anim::atomic_write;
 
 /// A file to be written.
 pub(crate) struct File {
@@ -65,7 +64,7 @@ fn write_staged(folder: &Path, files: &[File]) -> Result<()> {
         .tempdir_in(folder)
         .with_context(|| format!("cannot write into the folder {}", folder.display()))?;
     for file in files {
-        atomic_write::write(stage.path().join(file.name), &file.contents)
+        ga_files::write(stage.path().join(file.name), &file.contents)
             .with_context(|| format!("cannot write {}", folder.join(file.name).display()))?;
     }
     for file in files {

@@ -25,7 +25,7 @@ mod words;
 
 use std::path::Path;
 
-use crate::read_error::{ReadError, read_with};
+use ga_files::ReadError;
 
 /// A skeleton and its motion as a BVH file has them.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,7 +69,7 @@ pub enum Channel {
 ///
 /// [`ReadError::Io`], or [`ReadError::Contents`] as [`parse`] gives.
 pub fn read(path: impl AsRef<Path>) -> Result<Bvh, ReadError<BvhError>> {
-    read_with(path.as_ref(), parse)
+    ga_files::read(path, parse)
 }
 
 /// Reads a motion from the bytes of a file.

@@ -32,8 +32,9 @@ mod write;
 
 use std::path::Path;
 
+use ga_files::ReadError;
+
 use crate::mesh::{Mesh, MeshError};
-use crate::read_error::{ReadError, read_with};
 
 pub use write::{to_text, write};
 
@@ -43,7 +44,7 @@ pub use write::{to_text, write};
 ///
 /// [`ReadError::Io`], or [`ReadError::Contents`] as [`parse`] gives.
 pub fn read(path: impl AsRef<Path>) -> Result<Mesh, ReadError<ObjError>> {
-    read_with(path.as_ref(), parse)
+    ga_files::read(path, parse)
 }
 
 /// Reads a mesh from the bytes of a file.

@@ -1,7 +1,8 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use crate::atomic_write::{self, WriteError};
+use ga_files::WriteError;
+
 use crate::mesh::Mesh;
 
 /// Writes a mesh to an OBJ file, whole or not at all.
@@ -10,7 +11,7 @@ use crate::mesh::Mesh;
 ///
 /// [`WriteError`]; an earlier file of that name then stays as it was.
 pub fn write(path: impl AsRef<Path>, mesh: &Mesh) -> Result<(), WriteError> {
-    atomic_write::write(path, to_text(mesh).as_bytes())
+    ga_files::write(path, to_text(mesh).as_bytes())
 }
 
 /// A mesh as the text of an OBJ file.

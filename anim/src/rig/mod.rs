@@ -14,7 +14,8 @@ mod painted;
 
 use std::path::Path;
 
-use crate::read_error::{ReadError, read_with};
+use ga_files::ReadError;
+
 use crate::skeleton::{Skeleton, SkeletonError};
 use crate::weights::{SkinWeights, WeightsError};
 
@@ -28,7 +29,7 @@ pub const METRES_PER_UNIT: f64 = 0.1;
 ///
 /// [`ReadError::Io`], or [`ReadError::Contents`] as [`parse`] gives.
 pub fn read(path: impl AsRef<Path>) -> Result<Skeleton, ReadError<RigError>> {
-    read_with(path.as_ref(), parse)
+    ga_files::read(path, parse)
 }
 
 /// Reads a skeleton from the bytes of a rig file.
@@ -67,9 +68,7 @@ pub fn read_weights(
     skeleton: &Skeleton,
     vertex_count: usize,
 ) -> Result<SkinWeights, ReadError<RigError>> {
-    read_with(path.as_ref(), |bytes| {
-        parse_weights(bytes, skeleton, vertex_count)
-    })
+    ga_files::read(path, |bytes| parse_weights(bytes, skeleton, vertex_count))
 }
 
 /// Reads weights from the bytes of a file, for a mesh of `vertex_count` vertices.

@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
-use ga_anim::atomic_write;
 use ga_draw::Scene;
 
 /// Draw a scene of points, spheres, circles, lines, planes and motions.
@@ -43,7 +42,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     };
     let bytes = std::fs::read(file).with_context(|| format!("cannot read {}", file.display()))?;
     let scene = Scene::from_json(&bytes).with_context(|| file.display().to_string())?;
-    atomic_write::write(out, write(&scene).as_bytes())?;
+    ga_files::write(out, write(&scene).as_bytes())?;
     if !quiet {
         println!("wrote {}", out.display());
     }

@@ -1,8 +1,10 @@
+//! Reading.
+
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// A file could not be read, or does not hold what it should; `E` says what is wrong with the
-/// contents.
+/// A file that could not be read, or whose contents are not what they should be; `E` says what is
+/// wrong with them.
 #[derive(Debug, thiserror::Error)]
 pub enum ReadError<E> {
     /// The operating system could not read the file.
@@ -23,11 +25,29 @@ pub enum ReadError<E> {
     },
 }
 
-/// Reads a file whole and hands its bytes to `parse`.
-pub(crate) fn read_with<T, E>(
-    path: &Path,
+/// Reads a whole file and hands its bytes to `parse`.
+///
+/// # Errors
+///
+/// [`ReadError::Io`] when the file cannot be read, and [`ReadError::Contents`] with the error of
+/// `parse`.
+///
+/// # Examples
+///
+/// ```
+/// let folder = tempfile::tempdir()?;
+/// let path = folder.path().join("number.txt");
+/// std::fs::write(&path, b"1.5 metres")?;
+/// let number = ga_files::read(&path, |bytes| String::from_utf8_lossy(bytes).parse::<f64>());
+/// let message = number.unwrap_err().to_string();
+/// assert!(message.ends_with("number.txt: invalid float literal"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn read<T, E>(
+    path: impl AsRef<Path>,
     parse: impl FnOnce(&[u8]) -> Result<T, E>,
 ) -> Result<T, ReadError<E>> {
+    let path = path.as_ref();
     let bytes = std::fs::read(path).map_err(|source| ReadError::Io {
         path: path.to_path_buf(),
         source,

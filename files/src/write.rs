@@ -1,8 +1,5 @@
-//! Files that appear whole or not at all.
-//!
-//! A reader never sees a half-written file, and a failed write leaves the folder as it was: the
-//! bytes go to a temporary file beside the target, which takes the target's name only once it is
-//! complete.
+//! Atomic writing: the bytes go to a temporary file beside the target, which takes the target's
+//! name once it is complete. A failed write leaves the folder as it was.
 
 use std::fs::Permissions;
 use std::io::{self, Write};
@@ -10,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::Builder;
 
-/// A file could not be written. Whatever stood under its name before still does.
+/// A file that could not be written. An earlier file of its name is unchanged.
 #[derive(Debug, thiserror::Error)]
 #[error("cannot write {}: {source}", path.display())]
 pub struct WriteError {
@@ -20,20 +17,21 @@ pub struct WriteError {
     pub source: io::Error,
 }
 
-/// Writes `contents` to `path`, in place of any file there, creating missing parent folders.
+/// Writes `contents` to `path`, in place of any file there, and creates missing parent folders.
+/// Another process sees either the earlier file or the complete new one.
 ///
 /// # Errors
 ///
-/// [`WriteError`] when a folder or the file cannot be made, the disk is full, or `path` is a
-/// folder. The temporary file is removed and an earlier file at `path` stays as it was; folders
-/// that were made stay.
+/// [`WriteError`] when a folder or the file cannot be created, the disk is full, or `path` is a
+/// folder. The temporary file is then removed and an earlier file at `path` is unchanged; folders
+/// that were created remain.
 ///
 /// # Examples
 ///
 /// ```
 /// let folder = tempfile::tempdir()?;
 /// let path = folder.path().join("out/model.glb");
-/// ga_anim::atomic_write::write(&path, b"glTF")?;
+/// ga_files::write(&path, b"glTF")?;
 /// assert_eq!(std::fs::read(&path)?, b"glTF");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -63,8 +61,8 @@ fn replace(path: &Path, contents: &[u8]) -> io::Result<()> {
     Ok(())
 }
 
-/// Temporary files are private to their owner by default; an output file obeys the umask like any
-/// other.
+/// Temporary files are private to their owner by default; an output file follows the umask like any
+/// other file.
 #[cfg(unix)]
 fn ordinary_permissions() -> Option<Permissions> {
     use std::os::unix::fs::PermissionsExt;

@@ -1,0 +1,11 @@
+//! Reading and writing of whole files, for every crate that has a file format.
+//!
+//! - [`read`] reads a file and hands its bytes to a parser; a [`ReadError`] names the file and says
+//!   what the parser found wrong.
+//! - [`write`](write()) replaces a file in one step: a reader never sees a half-written file.
+
+mod read;
+mod write;
+
+pub use read::{ReadError, read};
+pub use write::{WriteError, write};
