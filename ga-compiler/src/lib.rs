@@ -45,6 +45,9 @@
 //! ```
 
 pub mod algebra;
+mod check;
+#[cfg(feature = "count")]
+pub mod count;
 pub mod define;
 pub mod diag;
 pub mod emit;
@@ -53,10 +56,13 @@ pub mod function;
 pub mod ir;
 pub mod kernel;
 pub mod lower;
+mod member;
 pub mod parse;
 pub mod passes;
 pub mod program;
 mod search;
+pub mod signature;
+pub mod task;
 pub mod verify;
 
 use proc_macro2::TokenStream;
@@ -66,6 +72,7 @@ use define::Definition;
 use function::CompiledFunction;
 use kernel::Kernel;
 use parse::{Block, FunctionSyntax};
+use task::Task;
 
 /// A compiled function with the algebra it is written in.
 pub struct Compiled {
@@ -243,7 +250,8 @@ fn compile_one(
         .map(|(step, kind)| (*step, kernel::wanted(*kind)))
         .collect();
     let (algebra, program) = (&definition.algebra, &resolved.program);
-    let kernel = Kernel::of_program(algebra, program, &resolved.uniform, &wanted);
+    let task = Task::of_program(algebra, program, wanted.clone()).with_uniform(&resolved.uniform);
+    let kernel = task.compile();
     if kernel.is_out_of_range() {
         let message = "the numbers in this function have too many digits together: what is worked out of them \
                        beforehand needs more than 128 bits; make one of them an operand";

@@ -6,21 +6,33 @@
 
 use std::cmp::Ordering;
 
-use crate::algebra::{Product, Unary};
+use crate::algebra::{Algebra, NamedBlade, Product, Unary};
 use crate::define::{Role, TypeDefinition};
-use crate::kernel::{Kernel, Task};
+use crate::expression::Expression;
+use crate::kernel::Kernel;
 use crate::lower::{Choice, Choices, InnerRule, JoinRule, SandwichRule};
 use crate::program::{Program, Step, StepId};
+use crate::task::Task;
 
 /// Up to how many actions of versors are given rules of their own.
 const MOST_SITES: usize = 8;
 
-/// The kernel of fewest operations that the rules give; of equals the first, or the one that works
-/// with differences.
-pub(crate) fn cheapest(task: &Task<'_>) -> Kernel {
-    let (best, acted) = task.compile(&Choices::default());
+impl Task<'_> {
+    /// The kernel by the given rules, or else the one of fewest operations that any rules give; of
+    /// equals the first, or the one that works with differences.
+    #[must_use]
+    pub fn compile(&self) -> Kernel {
+        match &self.choices {
+            Some(choices) => self.by_choices(choices).0,
+            None => cheapest(self),
+        }
+    }
+}
+
+fn cheapest(task: &Task<'_>) -> Kernel {
+    let (best, acted) = task.by_choices(&Choices::default());
     let mut search = Search { task, best, acted };
-    let program = task.program;
+    let program = &*task.program;
     if has_sandwich(program) {
         for sandwich in SandwichRule::ALL {
             search.improve(|choice| choice.sandwich = sandwich);
@@ -57,13 +69,13 @@ pub(crate) fn cheapest(task: &Task<'_>) -> Kernel {
     search.best
 }
 
-struct Search<'a> {
-    task: &'a Task<'a>,
+struct Search<'t, 'a> {
+    task: &'t Task<'a>,
     best: Kernel,
     acted: Vec<StepId>,
 }
 
-impl Search<'_> {
+impl Search<'_, '_> {
     fn improve(&mut self, change: impl Fn(&mut Choice)) {
         let mut choices = self.best.choices.clone();
         change(&mut choices.all);
@@ -92,7 +104,7 @@ impl Search<'_> {
         if *choices == self.best.choices {
             return;
         }
-        let (next, acted) = self.task.compile(choices);
+        let (next, acted) = self.task.by_choices(choices);
         let is_exacter = |choice: Choice| {
             choice.inner == InnerRule::Distance || choice.join == JoinRule::Difference
         };
@@ -124,4 +136,43 @@ fn has_product(program: &Program<'_>, products: &[Product]) -> bool {
 fn is_derived(kind: &&TypeDefinition) -> bool {
     let mut roles = kind.coefficients.iter().map(|c| &c.role);
     roles.any(|role| matches!(role, Role::Derived(_)))
+}
+
+impl Kernel {
+    /// Compiles an expression with given rules.
+    #[must_use]
+    pub fn by_choice(
+        algebra: &Algebra,
+        operands: &[&TypeDefinition],
+        expression: &Expression,
+        wanted: &[NamedBlade],
+        choice: Choice,
+    ) -> Self {
+        let task = Task::of_expression(algebra, operands, expression, wanted.to_vec());
+        task.with_choices(choice).compile()
+    }
+
+    /// Compiles an expression, wanting the coefficients of the given blades.
+    #[must_use]
+    pub fn of_blades(
+        algebra: &Algebra,
+        operands: &[&TypeDefinition],
+        expression: &Expression,
+        wanted: &[NamedBlade],
+    ) -> Self {
+        Task::of_expression(algebra, operands, expression, wanted.to_vec()).compile()
+    }
+
+    /// Compiles a program with given rules.
+    #[must_use]
+    pub fn of_program_by_choices(
+        algebra: &Algebra,
+        program: &Program<'_>,
+        uniform: &[bool],
+        wanted: &[(StepId, Vec<NamedBlade>)],
+        choices: &Choices,
+    ) -> Self {
+        let task = Task::of_program(algebra, program, wanted.to_vec()).with_uniform(uniform);
+        task.with_choices(choices.clone()).compile()
+    }
 }

@@ -39,7 +39,7 @@ impl Ratio {
         if is_limit(numerator) || is_limit(denominator) {
             return Some(Self::OUT_OF_RANGE);
         }
-        let divisor = greatest_common_divisor(numerator, denominator) * denominator.signum();
+        let divisor = greatest_common_divisor(numerator, denominator).max(1) * denominator.signum();
         Some(Self {
             numerator: numerator / divisor,
             denominator: denominator / divisor,
@@ -103,6 +103,21 @@ impl Ratio {
         self.numerator.saturating_abs().max(self.denominator)
     }
 
+    /// The largest fraction of which all of these are whole multiples: the greatest common divisor of
+    /// the numerators over the least common multiple of the denominators. `None` where that
+    /// multiple is out of range, or all are zero.
+    #[must_use]
+    pub fn content(values: impl IntoIterator<Item = Self>) -> Option<Self> {
+        let (mut numerator, mut denominator) = (0, 1_i128);
+        for value in values {
+            numerator = greatest_common_divisor(numerator, value.numerator);
+            let shared = greatest_common_divisor(denominator, value.denominator);
+            denominator = (denominator / shared).checked_mul(value.denominator)?;
+        }
+        let content = Self::new(numerator, denominator)?;
+        (!content.is_zero()).then_some(content)
+    }
+
     /// `1 / self`, or `None` for zero.
     #[must_use]
     pub fn recip(self) -> Option<Self> {
@@ -110,12 +125,13 @@ impl Ratio {
     }
 }
 
+/// The positive greatest common divisor; zero of two zeros.
 fn greatest_common_divisor(a: i128, b: i128) -> i128 {
-    let (mut a, mut b) = (a.abs(), b.abs());
+    let (mut a, mut b) = (a.saturating_abs(), b.saturating_abs());
     while b != 0 {
         (a, b) = (b, a % b);
     }
-    a.max(1)
+    a
 }
 
 /// Whether a number is at the end of the range, where its negative may be beyond it.

@@ -1,21 +1,19 @@
-//! A checked declaration: names resolved to blades and types, every error found.
+//! A checked declaration as plain data: the algebra, its types and its products.
+//!
+//! [`Definition::check`] makes it from what was parsed.
 
-mod basis;
 mod polynomial;
 mod products;
 mod types;
 
 pub use polynomial::{Polynomial, PolynomialStep};
 pub use products::{Operation, ProductDefinition};
-pub use types::{CONSTANTS, Coefficient, Role, TypeDefinition};
+pub use types::{CONSTANTS, Coefficient, Role, SCALAR_TYPE, TypeDefinition};
 
 use proc_macro2::TokenStream;
-use quote::quote;
 use syn::{Attribute, Ident, Visibility};
 
 use crate::algebra::Algebra;
-use crate::diag::Diagnostics;
-use crate::parse::DeclarationSyntax;
 
 /// An algebra with its types and products.
 pub struct Definition {
@@ -36,31 +34,6 @@ pub struct Definition {
 }
 
 impl Definition {
-    /// Checks a parsed declaration. `runtime` is the path of ga-runtime, where the declaration does
-    /// not say it.
-    ///
-    /// # Errors
-    /// Everything that is wrong with the declaration, each error at its token. What depends on a
-    /// faulty part is not judged, so that no error merely follows from another.
-    pub fn check(syntax: DeclarationSyntax, runtime: TokenStream) -> syn::Result<Self> {
-        let mut diagnostics = Diagnostics::default();
-        let algebra = basis::check(&syntax.basis, &syntax.metric, &mut diagnostics)?;
-        let is_sound = diagnostics.count() == 0;
-        let (types, sound) = types::check(&algebra, is_sound, &syntax.types, &mut diagnostics);
-        let products =
-            products::check(&algebra, &types, &sound, &syntax.products, &mut diagnostics);
-        diagnostics.into_result()?;
-        Ok(Self {
-            attributes: syntax.attributes,
-            visibility: syntax.visibility,
-            name: syntax.name,
-            runtime: syntax.runtime.map_or(runtime, |path| quote!(#path)),
-            algebra,
-            types,
-            products,
-        })
-    }
-
     /// The type of that name.
     #[must_use]
     pub fn type_named(&self, name: &str) -> Option<&TypeDefinition> {

@@ -1,7 +1,5 @@
 //! Polynomials in the stored coefficients of a type: what a derived blade is.
 
-use syn::{BinOp, Error, Expr, Lit, Result, UnOp};
-
 use crate::algebra::Ratio;
 
 /// A polynomial; `Coefficient` holds the index of a blade in the type's list.
@@ -17,117 +15,7 @@ pub enum Polynomial {
     Product(Box<Polynomial>, Box<Polynomial>),
 }
 
-/// The largest absolute value of a number in a declaration; it keeps all exact arithmetic within
-/// range.
-const LARGEST: i128 = 1_000_000;
-
 impl Polynomial {
-    /// Reads a polynomial; `lookup` resolves the names of blades.
-    ///
-    /// # Errors
-    /// Anything but sums, differences, products, quotients by constants, and blades that `lookup`
-    /// accepts.
-    pub fn resolve(
-        syntax: &Expr,
-        lookup: &mut dyn FnMut(&syn::Ident) -> Result<usize>,
-    ) -> Result<Self> {
-        match syntax {
-            Expr::Paren(inner) => Self::resolve(&inner.expr, lookup),
-            Expr::Group(inner) => Self::resolve(&inner.expr, lookup),
-            Expr::Lit(literal) => match &literal.lit {
-                Lit::Int(number) => {
-                    // What does not even fit is as much too large.
-                    let value = number.base10_parse().unwrap_or(i128::MAX);
-                    Self::Constant(Ratio::integer(value)).within_bounds(syntax)
-                }
-                other => Err(Error::new_spanned(
-                    other,
-                    "expected a whole number; write fractions as `1/2`",
-                )),
-            },
-            Expr::Path(path) => match path.path.get_ident() {
-                Some(name) => Ok(Self::Coefficient(lookup(name)?)),
-                None => Err(Error::new_spanned(path, "expected the name of a blade")),
-            },
-            Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => {
-                Ok(Self::resolve(&unary.expr, lookup)?.negative())
-            }
-            Expr::Binary(binary) => {
-                let left = Self::resolve(&binary.left, lookup)?;
-                let right = Self::resolve(&binary.right, lookup)?;
-                let joined = match binary.op {
-                    BinOp::Add(_) => Self::Sum(Box::new(left), Box::new(right)),
-                    BinOp::Sub(_) => Self::Sum(Box::new(left), Box::new(right.negative())),
-                    BinOp::Mul(_) => Self::Product(Box::new(left), Box::new(right)),
-                    BinOp::Div(_) => match right.as_constant().and_then(Ratio::recip) {
-                        Some(inverse) => {
-                            Self::Product(Box::new(left), Box::new(Self::Constant(inverse)))
-                        }
-                        None => {
-                            return Err(Error::new_spanned(
-                                &binary.right,
-                                "only a constant other than zero may divide",
-                            ));
-                        }
-                    },
-                    operator => {
-                        return Err(Error::new_spanned(
-                            operator,
-                            "expected `+`, `-`, `*` or `/`",
-                        ));
-                    }
-                };
-                joined.within_bounds(syntax)
-            }
-            other => Err(Error::new_spanned(
-                other,
-                "expected a polynomial in the stored blades of the type",
-            )),
-        }
-    }
-
-    /// The polynomial, a constant as one number, unless its numbers are too large; those of its
-    /// parts are not.
-    fn within_bounds(self, syntax: &Expr) -> Result<Self> {
-        let folded = self.as_constant().map_or(self, Self::Constant);
-        let (numerator, denominator) = folded.size();
-        if numerator > LARGEST || denominator > LARGEST {
-            let message = if folded.as_constant().is_some() {
-                format!("numbers above {LARGEST} are not supported, nor are fractions of them")
-            } else {
-                format!(
-                    "the factors of this polynomial multiply to numbers above {LARGEST}, or to fractions of them"
-                )
-            };
-            return Err(Error::new_spanned(syntax, message));
-        }
-        Ok(folded)
-    }
-
-    /// A bound on the sum of the absolute values of all factors after expansion, over their common
-    /// denominator. It bounds every constant that comes from putting the polynomial for a
-    /// coefficient.
-    fn size(&self) -> (i128, i128) {
-        self.evaluate(
-            &mut |value| (value.abs().numerator(), value.denominator()),
-            &mut |_| (1, 1),
-            &mut |step, (a, below_a), (b, below_b)| match step {
-                PolynomialStep::Sum => {
-                    // In lowest terms the one denominator is what the other lacks of their common
-                    // multiple.
-                    let lacking = Ratio::new(below_a, below_b).map_or(1, Ratio::denominator);
-                    let common = below_a.saturating_mul(lacking);
-                    let (a, b) = (
-                        a.saturating_mul(lacking),
-                        b.saturating_mul(common / below_b),
-                    );
-                    (a.saturating_add(b), common)
-                }
-                PolynomialStep::Product => (a.saturating_mul(b), below_a.saturating_mul(below_b)),
-            },
-        )
-    }
-
     /// The number that the polynomial is, if no blade occurs in it.
     #[must_use]
     pub fn as_constant(&self) -> Option<Ratio> {
@@ -177,10 +65,6 @@ impl Polynomial {
             Self::Product(a, b) => format!("{} {}", inner(a), inner(b)),
         }
     }
-
-    fn negative(self) -> Self {
-        Self::Product(Box::new(Self::Constant(Ratio::integer(-1))), Box::new(self))
-    }
 }
 
 /// How two parts of a polynomial are joined.
@@ -190,12 +74,4 @@ pub enum PolynomialStep {
     Sum,
     /// Multiplied.
     Product,
-}
-
-/// Reads a constant.
-pub(super) fn constant(syntax: &Expr) -> Result<Ratio> {
-    let refuse =
-        |name: &syn::Ident| Err(Error::new(name.span(), "expected a constant, not a name"));
-    let value = Polynomial::resolve(syntax, &mut { refuse })?.as_constant();
-    value.ok_or_else(|| Error::new_spanned(syntax, "expected a constant"))
 }

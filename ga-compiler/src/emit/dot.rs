@@ -7,7 +7,6 @@
 use std::fmt::Write;
 
 use super::formula;
-use super::stage::Stages;
 use crate::algebra::Ratio;
 use crate::define::Definition;
 use crate::function::CompiledFunction;
@@ -18,7 +17,7 @@ use crate::ir::{Function, Node, NodeId, Value};
 pub fn function(definition: &Definition, function: &CompiledFunction) -> String {
     let kernel = &function.kernel;
     let arena = &kernel.arena;
-    let stages = Stages::new(kernel);
+    let stages = kernel.stages();
     let inputs = formula::inputs(definition, &function.operands);
     let headline = formula::headline(definition, function);
     let name = match &function.name {
@@ -87,12 +86,12 @@ pub fn function(definition: &Definition, function: &CompiledFunction) -> String 
                 }
             }
             Node::Product(a, b) => {
-                drawn.edge(whole(*a), id, "");
-                drawn.edge(whole(*b), id, "");
+                drawn.edge(Value::of(*a), id, "");
+                drawn.edge(Value::of(*b), id, "");
             }
             Node::Quotient(a, b) => {
-                drawn.edge(whole(*a), id, "");
-                drawn.edge(whole(*b), id, "divisor");
+                drawn.edge(Value::of(*a), id, "");
+                drawn.edge(Value::of(*b), id, "divisor");
             }
         }
     }
@@ -164,13 +163,6 @@ fn operation(node: &Node) -> String {
         Node::Quotient(..) => "÷".to_owned(),
         Node::Function(Function::Absolute, _) => "|x|".to_owned(),
         Node::Function(function, _) => formula::function_name(*function).to_owned(),
-    }
-}
-
-fn whole(node: NodeId) -> Value {
-    Value {
-        factor: Ratio::ONE,
-        node,
     }
 }
 

@@ -1,9 +1,8 @@
 //! Back ends.
 
 #[cfg(feature = "count")]
-pub mod count;
+pub use crate::count;
 pub mod dot;
 pub mod formula;
 pub mod rust;
-pub(crate) mod stage;
 pub mod wgsl;

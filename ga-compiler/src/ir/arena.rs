@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::mixer::MixerBuilder;
-use super::{Function, Prime};
+use super::{Function, Residue};
 use crate::algebra::Ratio;
 
 /// The place of a node in its arena. A node comes after everything that it refers to.
@@ -36,6 +36,30 @@ pub enum Node {
     Function(Function, Box<[Value]>),
 }
 
+impl Node {
+    /// Calls back for every node that this one reads, as often as it reads it.
+    pub fn for_each_operand(&self, mut call: impl FnMut(NodeId)) {
+        match self {
+            Self::One | Self::Input(_) => {}
+            Self::Sum(values) | Self::Function(_, values) => {
+                values.iter().for_each(|value| call(value.node));
+            }
+            Self::Product(a, b) | Self::Quotient(a, b) => {
+                call(*a);
+                call(*b);
+            }
+        }
+    }
+
+    /// The nodes that this one reads, each as often as it is read.
+    #[must_use]
+    pub fn operands(&self) -> Vec<NodeId> {
+        let mut operands = Vec::new();
+        self.for_each_operand(|operand| operands.push(operand));
+        operands
+    }
+}
+
 /// A node times a constant factor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Value {
@@ -50,6 +74,15 @@ impl Value {
     pub const ZERO: Self = Self::constant(Ratio::ZERO);
     /// One.
     pub const ONE: Self = Self::constant(Ratio::ONE);
+
+    /// A node itself, with the factor 1.
+    #[must_use]
+    pub const fn of(node: NodeId) -> Self {
+        Self {
+            factor: Ratio::ONE,
+            node,
+        }
+    }
 
     /// A constant.
     #[must_use]
@@ -153,10 +186,7 @@ impl Arena {
     pub fn input(&mut self) -> Value {
         let node = self.intern(Node::Input(self.inputs));
         self.inputs += 1;
-        Value {
-            factor: Ratio::ONE,
-            node,
-        }
+        Value::of(node)
     }
 
     /// The product of two values.
@@ -218,10 +248,7 @@ impl Arena {
             return Value::constant(known);
         }
         let node = self.intern(Node::Function(function, arguments.into()));
-        Value {
-            factor: Ratio::ONE,
-            node,
-        }
+        Value::of(node)
     }
 
     /// A multiple as a node of its own, so that what several operations read is multiplied once:
@@ -246,10 +273,7 @@ impl Arena {
     /// no equal sums are looked for.
     pub(crate) fn ordered_sum(&mut self, terms: Vec<Value>) -> Value {
         let node = self.intern(Node::Sum(terms.into()));
-        Value {
-            factor: Ratio::ONE,
-            node,
-        }
+        Value::of(node)
     }
 
     /// The difference of two values.
@@ -270,21 +294,21 @@ impl Arena {
     /// The values of all nodes for the given inputs, over the prime field. A root that does not
     /// exist there is a residue of which nothing is known.
     #[must_use]
-    pub fn evaluate(&self, inputs: &[Prime]) -> Vec<Prime> {
+    pub fn evaluate(&self, inputs: &[Residue]) -> Vec<Residue> {
         let mut results = Vec::with_capacity(self.nodes.len());
         for node in &self.nodes {
             let result = match node {
-                Node::One => Prime::ONE,
+                Node::One => Residue::ONE,
                 Node::Input(number) => inputs[*number],
-                Node::Sum(terms) => terms.iter().fold(Prime::ZERO, |sum, term| {
-                    sum + results_at(&results, term.node) * Prime::from_ratio(term.factor)
+                Node::Sum(terms) => terms.iter().fold(Residue::ZERO, |sum, term| {
+                    sum + results_at(&results, term.node) * Residue::from_ratio(term.factor)
                 }),
                 Node::Product(a, b) => results_at(&results, *a) * results_at(&results, *b),
                 Node::Quotient(a, b) => results_at(&results, *a) * results_at(&results, *b).recip(),
                 Node::Function(function, arguments) => {
                     let arguments: Vec<_> = arguments
                         .iter()
-                        .map(|v| results_at(&results, v.node) * Prime::from_ratio(v.factor))
+                        .map(|v| results_at(&results, v.node) * Residue::from_ratio(v.factor))
                         .collect();
                     let value = function.evaluate(&arguments);
                     value.unwrap_or_else(|| function.stand_in(&arguments))
@@ -299,23 +323,7 @@ impl Arena {
 /// What a function is at a constant, where that is a fraction.
 fn constant_value(function: Function, arguments: &[Value]) -> Option<Ratio> {
     let x = arguments[0].as_constant()?;
-    match function {
-        Function::SquareRoot if x == Ratio::ONE || x.is_zero() => Some(x),
-        // That of other numbers has another stand-in in the prime field.
-        Function::Absolute if x.is_zero() => Some(x),
-        Function::Sine if x.is_zero() => Some(Ratio::ZERO),
-        Function::Cosine
-        | Function::Exponential
-        | Function::VersorCosine
-        | Function::VersorSine
-            if x.is_zero() =>
-        {
-            Some(Ratio::ONE)
-        }
-        Function::VersorSineSlope if x.is_zero() => Ratio::new(1, 6),
-        Function::NaturalLogarithm if x == Ratio::ONE => Some(Ratio::ZERO),
-        _ => None,
-    }
+    function.folded(x.is_zero(), x == Ratio::ONE)
 }
 
 /// The value that a sum is without a node of its own, or else its factor and the terms of its node.
@@ -342,7 +350,7 @@ fn normal_sum(values: impl IntoIterator<Item = Value>) -> Result<Value, (Ratio, 
     Err((factor, terms.into()))
 }
 
-fn results_at(results: &[Prime], id: NodeId) -> Prime {
+fn results_at(results: &[Residue], id: NodeId) -> Residue {
     results[id.index()]
 }
 
@@ -354,24 +362,8 @@ fn common_factor(terms: &[Value]) -> Ratio {
         let is_negative = terms[0].factor.is_negative();
         return Ratio::integer(if is_negative { -1 } else { 1 });
     }
-    let divide = |mut a: i128, mut b: i128| {
-        while b != 0 {
-            (a, b) = (b, a % b);
-        }
-        a.abs()
-    };
-    let (mut numerator, mut denominator) = (0, Some(1_i128));
-    for Value { factor, .. } in terms {
-        numerator = divide(numerator, factor.numerator());
-        denominator = denominator.and_then(|below| {
-            let shared = divide(below, factor.denominator());
-            (below / shared).checked_mul(factor.denominator())
-        });
-    }
     // Terms without a common denominator in range keep their factors.
-    let size = denominator.map_or(Ratio::ONE, |below| {
-        Ratio::integer(numerator) / Ratio::integer(below)
-    });
+    let size = Ratio::content(terms.iter().map(|term| term.factor)).unwrap_or(Ratio::ONE);
     match terms.first() {
         Some(first) if first.factor.is_negative() => -size,
         _ => size,

@@ -1,6 +1,7 @@
 //! Functions of scalars beyond arithmetic.
 
-use super::Prime;
+use super::{Residue, ResidueSequence};
+use crate::algebra::Ratio;
 
 /// A function of scalars that is no arithmetic: the graph knows nothing of it but that equal
 /// arguments give equal results.
@@ -25,11 +26,11 @@ pub enum Function {
     /// `ln x`.
     NaturalLogarithm,
     /// C(x) of `exp B = C(B²) + S(B²) B`: cos √−x or cosh √x.
-    VersorCosine,
+    StumpffCosine,
     /// S(x) of `exp B = C(B²) + S(B²) B`: sin √−x / √−x or sinh √x / √x.
-    VersorSine,
+    StumpffSine,
     /// The derivative of S, `(C − S)/(2x)`.
-    VersorSineSlope,
+    StumpffSineSlope,
     /// 1/S(B²) from C(B²) and `S(B²)² B²`.
     VersorAngle,
     /// `−2 S′(B²)/S(B²)³` from the same.
@@ -56,9 +57,11 @@ impl Function {
             Self::ArcTangent => &[Self::ArcTangent],
             Self::Exponential => &[Self::Exponential],
             Self::NaturalLogarithm => &[Self::NaturalLogarithm],
-            Self::VersorCosine | Self::VersorSine | Self::VersorSineSlope => {
-                &[Self::VersorCosine, Self::VersorSine, Self::VersorSineSlope]
-            }
+            Self::StumpffCosine | Self::StumpffSine | Self::StumpffSineSlope => &[
+                Self::StumpffCosine,
+                Self::StumpffSine,
+                Self::StumpffSineSlope,
+            ],
             Self::VersorAngle | Self::VersorAngleSlope => {
                 &[Self::VersorAngle, Self::VersorAngleSlope]
             }
@@ -68,11 +71,11 @@ impl Function {
     /// The stand-in over the prime field. `None` where the argument of a root has none, so that
     /// another point must be tried.
     #[must_use]
-    pub fn evaluate(self, arguments: &[Prime]) -> Option<Prime> {
+    pub fn evaluate(self, arguments: &[Residue]) -> Option<Residue> {
         let x = arguments[0];
-        let two = Prime::new(2);
-        if let Some(exact) = self.at_constant(x) {
-            return Some(exact);
+        let two = Residue::new(2);
+        if let Some(exact) = self.folded(x == Residue::ZERO, x == Residue::ONE) {
+            return Some(Residue::from_ratio(exact));
         }
         Some(match self {
             Self::SquareRoot => return x.square_root(),
@@ -80,21 +83,21 @@ impl Function {
             Self::Sine | Self::Cosine => {
                 // A point of the unit circle.
                 let t = random(Self::Sine, arguments);
-                let scale = (Prime::ONE + t * t).recip();
+                let scale = (Residue::ONE + t * t).recip();
                 match self {
                     Self::Sine => two * t * scale,
-                    _ => (Prime::ONE - t * t) * scale,
+                    _ => (Residue::ONE - t * t) * scale,
                 }
             }
-            Self::VersorCosine | Self::VersorSine | Self::VersorSineSlope => {
+            Self::StumpffCosine | Self::StumpffSine | Self::StumpffSineSlope => {
                 // A point of the conic C² − x S² = 1.
-                let t = random(Self::VersorSine, arguments);
-                let scale = (Prime::ONE - x * t * t).recip();
-                let cosine = (Prime::ONE + x * t * t) * scale;
+                let t = random(Self::StumpffSine, arguments);
+                let scale = (Residue::ONE - x * t * t).recip();
+                let cosine = (Residue::ONE + x * t * t) * scale;
                 let sine = two * t * scale;
                 match self {
-                    Self::VersorCosine => cosine,
-                    Self::VersorSine => sine,
+                    Self::StumpffCosine => cosine,
+                    Self::StumpffSine => sine,
                     _ => (cosine - sine) * (two * x).recip(),
                 }
             }
@@ -109,31 +112,45 @@ impl Function {
     /// What stands for a root of a constant that has none in the prime field: a residue of which
     /// nothing is known, not even its square.
     #[must_use]
-    pub fn stand_in(self, arguments: &[Prime]) -> Prime {
+    pub fn stand_in(self, arguments: &[Residue]) -> Residue {
         random(self, arguments)
     }
 
-    /// The value where the argument is so special that the graph folds it.
-    fn at_constant(self, x: Prime) -> Option<Prime> {
+    /// The value at an argument of zero or one, where the graph folds it to a fraction.
+    #[must_use]
+    pub(crate) fn folded(self, is_zero: bool, is_one: bool) -> Option<Ratio> {
         match self {
-            Self::Sine if x == Prime::ZERO => Some(Prime::ZERO),
-            Self::Cosine | Self::Exponential | Self::VersorCosine | Self::VersorSine
-                if x == Prime::ZERO =>
+            // Absolute values of other constants have other stand-ins over the prime field.
+            Self::SquareRoot | Self::Absolute | Self::Sine if is_zero => Some(Ratio::ZERO),
+            Self::Cosine | Self::Exponential | Self::StumpffCosine | Self::StumpffSine
+                if is_zero =>
             {
-                Some(Prime::ONE)
+                Some(Ratio::ONE)
             }
-            Self::VersorSineSlope if x == Prime::ZERO => Some(Prime::new(6).recip()),
-            Self::NaturalLogarithm if x == Prime::ONE => Some(Prime::ZERO),
-            _ => None,
+            Self::StumpffSineSlope if is_zero => Ratio::new(1, 6),
+            Self::SquareRoot if is_one => Some(Ratio::ONE),
+            Self::NaturalLogarithm if is_one => Some(Ratio::ZERO),
+            Self::SquareRoot
+            | Self::Absolute
+            | Self::Sine
+            | Self::Cosine
+            | Self::ArcTangent
+            | Self::Exponential
+            | Self::NaturalLogarithm
+            | Self::StumpffCosine
+            | Self::StumpffSine
+            | Self::StumpffSineSlope
+            | Self::VersorAngle
+            | Self::VersorAngleSlope => None,
         }
     }
 }
 
 /// A reproducible residue of a function and its arguments.
-fn random(function: Function, arguments: &[Prime]) -> Prime {
-    let start = Prime::new(0x9e37_79b9_7f4a_7c15 ^ function as u64);
+fn random(function: Function, arguments: &[Residue]) -> Residue {
+    let start = Residue::new(0x9e37_79b9_7f4a_7c15 ^ function as u64);
     arguments.iter().fold(start, |state, argument| {
-        super::PrimeSequence::new(state.residue() ^ argument.residue().rotate_left(17)).next_prime()
+        ResidueSequence::new(state.residue() ^ argument.residue().rotate_left(17)).next_residue()
     })
 }
 
@@ -143,10 +160,10 @@ mod tests {
 
     #[test]
     fn stand_ins_satisfy_their_equations() {
-        let mut sequence = super::super::PrimeSequence::new(5);
+        let mut sequence = ResidueSequence::new(5);
         let mut roots = 0;
         for _ in 0..64 {
-            let x = sequence.next_prime();
+            let x = sequence.next_residue();
             let value = |function: Function| function.evaluate(&[x]);
             if let Some(root) = value(Function::SquareRoot) {
                 assert_eq!(root * root, x);
@@ -156,16 +173,16 @@ mod tests {
             else {
                 panic!("total")
             };
-            assert_eq!(sine * sine + cosine * cosine, Prime::ONE);
+            assert_eq!(sine * sine + cosine * cosine, Residue::ONE);
             let (Some(c), Some(s), Some(slope)) = (
-                value(Function::VersorCosine),
-                value(Function::VersorSine),
-                value(Function::VersorSineSlope),
+                value(Function::StumpffCosine),
+                value(Function::StumpffSine),
+                value(Function::StumpffSineSlope),
             ) else {
                 panic!("total")
             };
-            assert_eq!(c * c - x * s * s, Prime::ONE);
-            assert_eq!(slope * Prime::new(2) * x, c - s);
+            assert_eq!(c * c - x * s * s, Residue::ONE);
+            assert_eq!(slope * Residue::new(2) * x, c - s);
             assert_eq!(
                 value(Function::Absolute),
                 Function::Absolute.evaluate(&[-x])

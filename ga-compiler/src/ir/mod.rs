@@ -14,10 +14,11 @@ mod facts;
 mod function;
 mod mixer;
 mod multivector;
-mod prime;
+mod residue;
 
 pub use arena::{Arena, Node, NodeId, Value};
 pub use facts::Facts;
 pub use function::Function;
 pub use multivector::Multivector;
-pub use prime::{Prime, PrimeSequence};
+pub use residue::{Residue, Residue as Prime};
+pub use residue::{ResidueSequence, ResidueSequence as PrimeSequence};

@@ -3,6 +3,7 @@
 mod choice;
 mod inner;
 mod join;
+mod linear_map;
 mod operand;
 mod program;
 mod sandwich;

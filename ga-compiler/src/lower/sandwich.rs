@@ -1,7 +1,8 @@
 //! The action of a versor, by one of several rules that agree wherever they apply.
 
+use super::linear_map::{commutator, kept, linear_map};
 use super::split;
-use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
+use crate::algebra::{Algebra, Product, Unary};
 use crate::ir::{Arena, Facts, Multivector};
 
 /// How `M X ~M` is worked out.
@@ -101,54 +102,6 @@ fn right_first(
         &half,
         kept(versor, image),
     )
-}
-
-pub(super) fn commutator(
-    arena: &mut Arena,
-    algebra: &Algebra,
-    versor: &Multivector,
-    image: &Multivector,
-) -> Multivector {
-    let reverse = versor.unary(arena, algebra, Unary::Reverse);
-    let change = versor
-        .product(arena, algebra, Product::Commutator, image, |_| true)
-        .scaled(Ratio::integer(2))
-        .product(
-            arena,
-            algebra,
-            Product::Geometric,
-            &reverse,
-            kept(versor, image),
-        );
-    image.sum(arena, &change)
-}
-
-pub(super) fn linear_map(
-    arena: &mut Arena,
-    algebra: &Algebra,
-    versor: &Multivector,
-    image: &Multivector,
-) -> Multivector {
-    let mut terms = Vec::new();
-    for &(blade, value) in image.terms() {
-        let basis = Multivector::new(arena, [(blade, crate::ir::Value::ONE)]);
-        let column = commutator(arena, algebra, versor, &basis);
-        for &(row, entry) in column.terms() {
-            terms.push((row, arena.product(entry, value)));
-        }
-    }
-    Multivector::new(arena, terms)
-}
-
-/// Which blades the action can have: those of the operand's grades for a unit versor, any for
-/// another.
-fn kept(versor: &Multivector, image: &Multivector) -> impl Fn(Blade) -> bool + use<> {
-    let all = !versor.facts.unit_versor;
-    let grades = image
-        .terms()
-        .iter()
-        .fold(0_u32, |set, (blade, _)| set | 1 << blade.grade());
-    move |blade| all || grades & 1 << blade.grade() != 0
 }
 
 fn is_odd(versor: &Multivector) -> bool {

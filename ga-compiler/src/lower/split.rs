@@ -10,7 +10,7 @@
 //! - `τ² = 0`, so `T Y ~T = Y + [τ, Y] − τ Y τ = Y + 2 τ × (Y + τ × Y)` with
 //!   `a × b = (a b − b a)/2`.
 
-use super::sandwich::linear_map;
+use super::linear_map::linear_map;
 use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
 use crate::ir::{Arena, Facts, Multivector, Value};
 

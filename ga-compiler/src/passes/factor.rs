@@ -16,8 +16,8 @@
 use std::collections::BTreeMap;
 
 use super::flatten;
-use super::rate::Rates;
 use super::rewrite::{Graph, collect_factors, image, reads, rewrite};
+use super::uniformity::Uniformity;
 use crate::algebra::Ratio;
 use crate::ir::{Arena, Node, NodeId, Value};
 
@@ -34,7 +34,7 @@ pub fn factor(arena: &Arena, outputs: &[Value], uniform: &[bool]) -> Option<Grap
     if !arena.ids().any(is_candidate) {
         return None;
     }
-    let mut rates = Rates::new(uniform);
+    let mut uniformity = Uniformity::new(uniform);
     rewrite(arena, outputs, &reads, |copy, id, images| {
         let Node::Sum(terms) = arena.node(id) else {
             return None;
@@ -46,7 +46,7 @@ pub fn factor(arena: &Arena, outputs: &[Value], uniform: &[bool]) -> Option<Grap
             .iter()
             .map(|&term| Term::new(arena, &reads, images, term))
             .collect();
-        let terms = with_variables_taken_out(copy, terms, &mut rates);
+        let terms = with_variables_taken_out(copy, terms, &mut uniformity);
         let terms = with_constants_taken_out(copy, &terms);
         Some(copy.sum(terms))
     })
@@ -106,15 +106,15 @@ fn has_common_constant(terms: &[Value]) -> bool {
 fn with_variables_taken_out(
     copy: &mut Arena,
     terms: Vec<Term>,
-    rates: &mut Rates<'_>,
+    uniformity: &mut Uniformity<'_>,
 ) -> Vec<Value> {
     let mut terms = Products::new(terms);
-    while let Some(common) = terms.best(copy, rates) {
+    while let Some(common) = terms.best(copy, uniformity) {
         let rest: Vec<Term> = terms
             .take(common)
             .into_iter()
             .map(|(factor, factors)| Term {
-                value: product(copy, &factors, rates).scaled(factor),
+                value: product(copy, &factors, uniformity).scaled(factor),
                 factors: if factors.len() > 1 {
                     factors
                 } else {
@@ -122,15 +122,12 @@ fn with_variables_taken_out(
                 },
             })
             .collect();
-        let rest = with_variables_taken_out(copy, rest, rates);
+        let rest = with_variables_taken_out(copy, rest, uniformity);
         let (shared, plain): (Vec<Value>, Vec<Value>) = rest
             .into_iter()
             .partition(|value| matches!(copy.node(value.node), Node::Sum(_)));
         let bracket = flatten::sum(copy, &plain, &shared);
-        let factor = Value {
-            factor: Ratio::ONE,
-            node: common,
-        };
+        let factor = Value::of(common);
         let whole = copy.product(factor, bracket);
         terms.push(Term {
             value: whole,
@@ -144,15 +141,13 @@ fn with_variables_taken_out(
 }
 
 /// The product of some nodes, what is uniform first.
-fn product(copy: &mut Arena, factors: &[NodeId], rates: &mut Rates<'_>) -> Value {
-    let (first, second): (Vec<NodeId>, Vec<NodeId>) =
-        factors.iter().partition(|id| rates.is_uniform(copy, **id));
+fn product(copy: &mut Arena, factors: &[NodeId], uniformity: &mut Uniformity<'_>) -> Value {
+    let (first, second): (Vec<NodeId>, Vec<NodeId>) = factors
+        .iter()
+        .partition(|id| uniformity.is_uniform(copy, **id));
     let mut whole = Value::ONE;
     for node in first.into_iter().chain(second) {
-        let factor = Value {
-            factor: Ratio::ONE,
-            node,
-        };
+        let factor = Value::of(node);
         whole = copy.product(whole, factor);
     }
     whole
@@ -212,7 +207,7 @@ impl Products {
     }
 
     /// The factor that saves most: first of what varies, then of all; of equals the earliest node.
-    fn best(&mut self, arena: &Arena, rates: &mut Rates<'_>) -> Option<NodeId> {
+    fn best(&mut self, arena: &Arena, uniformity: &mut Uniformity<'_>) -> Option<NodeId> {
         let mut best = None;
         for (common, group) in &mut self.groups {
             if group.members.len() < 2 {
@@ -232,10 +227,10 @@ impl Products {
                 terms.is_some_and(|terms| arena.known_sum(terms).is_some())
             });
             // Unlike the products, a sum in brackets is uniform where all of its terms are.
-            let is_moved = !rates.is_uniform(arena, *common)
+            let is_moved = !uniformity.is_uniform(arena, *common)
                 && members.iter().all(|member| {
                     let mut rest = member.rest.iter();
-                    rest.all(|node| rates.is_uniform(arena, *node))
+                    rest.all(|node| uniformity.is_uniform(arena, *node))
                 });
             let saved = if is_at_hand { 2 * fewer } else { fewer };
             let gain = (if is_moved { saved + fewer } else { saved }, saved);

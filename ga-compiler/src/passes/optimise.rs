@@ -1,8 +1,8 @@
 //! The passes together.
 
-use super::rate::Rates;
 use super::rewrite::{Graph, reads, with_first};
-use super::{cost, factor, flatten, part, reduce, scale, share, substitute};
+use super::uniformity::Uniformity;
+use super::{cost, factor, flatten, hoist, reduce, scale, share, substitute};
 use crate::ir::{Arena, Value};
 
 /// Rewrites a graph to an equal one that costs no more.
@@ -19,7 +19,7 @@ pub fn optimise(arena: Arena, outputs: Vec<Value>, uniform: &[bool], relations: 
     for start in &starts {
         for graph in restructured(start, uniform) {
             let graph = apply(graph, substitute);
-            let graph = apply(graph, |arena, outputs| part(arena, outputs, uniform));
+            let graph = apply(graph, |arena, outputs| hoist(arena, outputs, uniform));
             let graph = apply(graph, |arena, outputs| scale(arena, outputs, uniform));
             let next = Candidate::new(graph, uniform);
             if next.price < best.price {
@@ -87,11 +87,11 @@ impl Candidate {
 /// The cost without the nodes that are uniform.
 fn varying_cost(arena: &Arena, outputs: &[Value], uniform: &[bool]) -> usize {
     let reads = reads(arena, outputs);
-    let mut rates = Rates::new(uniform);
+    let mut uniformity = Uniformity::new(uniform);
     let uniform_nodes: Vec<Value> = arena
         .ids()
-        .filter(|&id| reads[id.index()] > 0 && rates.is_uniform(arena, id))
-        .map(|node| Value { node, ..Value::ONE })
+        .filter(|&id| reads[id.index()] > 0 && uniformity.is_uniform(arena, id))
+        .map(Value::of)
         .collect();
     cost(arena, outputs).total() - cost(arena, &uniform_nodes).total()
 }

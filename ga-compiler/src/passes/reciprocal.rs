@@ -36,7 +36,7 @@ pub fn reciprocal(arena: &Arena, outputs: &[Value]) -> Option<Graph> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ir::Prime;
+    use crate::ir::Residue;
     use crate::passes::cost;
 
     #[test]
@@ -57,7 +57,7 @@ mod tests {
             ),
             (1, 3)
         );
-        let inputs = [5, 7, 11, 13].map(Prime::new);
+        let inputs = [5, 7, 11, 13].map(Residue::new);
         let (before, after) = (arena.evaluate(&inputs), new.evaluate(&inputs));
         for (old, new) in outputs.iter().zip(&found) {
             assert_eq!(before[old.node.index()], after[new.node.index()]);

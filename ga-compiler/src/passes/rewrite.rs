@@ -13,23 +13,12 @@ pub(super) fn reads(arena: &Arena, outputs: &[Value]) -> Vec<usize> {
     }
     for id in arena.ids().rev() {
         if reads[id.index()] > 0 {
-            for_each_operand(arena.node(id), |operand| reads[operand.index()] += 1);
+            arena
+                .node(id)
+                .for_each_operand(|operand| reads[operand.index()] += 1);
         }
     }
     reads
-}
-
-/// Calls back for every node that a node reads, as often as it reads it.
-pub(super) fn for_each_operand(node: &Node, mut call: impl FnMut(NodeId)) {
-    match node {
-        Node::One | Node::Input(_) => {}
-        Node::Sum(terms) => terms.iter().for_each(|term| call(term.node)),
-        Node::Function(_, arguments) => arguments.iter().for_each(|value| call(value.node)),
-        Node::Product(a, b) | Node::Quotient(a, b) => {
-            call(*a);
-            call(*b);
-        }
-    }
 }
 
 /// The factors of a product, those of products in it that nothing else reads instead of these. A

@@ -17,8 +17,8 @@
 
 use std::collections::BTreeMap;
 
-use super::rate::Rates;
 use super::rewrite::{Graph, reads, rewrite};
+use super::uniformity::Uniformity;
 use crate::algebra::Ratio;
 use crate::ir::{Arena, Node, NodeId, Value};
 
@@ -77,8 +77,8 @@ const VARYING: usize = 1 << 20;
 
 impl<'a> Scales<'a> {
     fn new(arena: &'a Arena, outputs: &[Value], reads: &[usize], uniform: &[bool]) -> Self {
-        let mut rates = Rates::new(uniform);
-        let mut weight = |id| match rates.is_uniform(arena, id) {
+        let mut uniformity = Uniformity::new(uniform);
+        let mut weight = |id| match uniformity.is_uniform(arena, id) {
             true => 1,
             false => VARYING,
         };
@@ -156,7 +156,7 @@ impl<'a> Scales<'a> {
                     self.want(argument.node, argument.factor.abs(), is_added);
                 }
             }
-            node => super::rewrite::for_each_operand(node, |operand| {
+            node => node.for_each_operand(|operand| {
                 self.want(operand, Ratio::ONE, is_added);
             }),
         }

@@ -5,8 +5,8 @@
 
 use super::{Program, Step, StepId, Witness};
 use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
-use crate::function::Operand;
 use crate::ir::{Facts, Function};
+use crate::signature::Operand;
 
 /// A program under construction, with its values at random points.
 #[derive(Clone)]
@@ -189,9 +189,9 @@ impl Builder<'_> {
         let square = self.geometric(b, b)?;
         let scalar = self.scalar_of(square)?;
         let [cosine, sine, slope] = [
-            Function::VersorCosine,
-            Function::VersorSine,
-            Function::VersorSineSlope,
+            Function::StumpffCosine,
+            Function::StumpffSine,
+            Function::StumpffSineSlope,
         ]
         .map(|function| self.function(function, &[scalar]));
         let (cosine, sine) = (cosine?, sine?);

@@ -2,8 +2,8 @@
 
 use super::{Program, Step, StepId};
 use crate::algebra::{Algebra, Blade};
-use crate::ir::Prime;
-use crate::verify::numeric::{self, Numbers};
+use crate::ir::Residue;
+use crate::member::{Numbers, numbers};
 
 /// The value of every step for given members of the operands' types, operation by operation as they
 /// are written: no identity, no fact, no graph. `None` where a root does not exist or a divisor is
@@ -31,30 +31,30 @@ pub(super) fn evaluate_step(
     values: &[Numbers],
 ) -> Option<Numbers> {
     let value = |id: StepId| &values[id.index()];
-    let scalar = |id: StepId| numeric::coefficient(value(id), Blade::SCALAR);
+    let scalar = |id: StepId| numbers::coefficient(value(id), Blade::SCALAR);
     Some(match program.step(id) {
         Step::Operand(number) => members[*number].clone(),
-        Step::Constant(blade, factor) => Numbers::from([(*blade, Prime::from_ratio(*factor))]),
-        Step::Unary(operation, a) => numeric::unary(algebra, *operation, value(*a)),
-        Step::Binary(product, a, b) => numeric::product(algebra, *product, value(*a), value(*b)),
-        Step::Sandwich(m, x) => numeric::sandwich(algebra, value(*m), value(*x)),
+        Step::Constant(blade, factor) => Numbers::from([(*blade, Residue::from_ratio(*factor))]),
+        Step::Unary(operation, a) => numbers::unary(algebra, *operation, value(*a)),
+        Step::Binary(product, a, b) => numbers::product(algebra, *product, value(*a), value(*b)),
+        Step::Sandwich(m, x) => numbers::sandwich(algebra, value(*m), value(*x)),
         Step::Sum(a, b) => {
             let mut sum = value(*a).clone();
             for (&blade, &number) in value(*b) {
-                numeric::add(&mut sum, blade, number);
+                numbers::add(&mut sum, blade, number);
             }
             sum
         }
         Step::Quotient(a, b) => {
             let divisor = scalar(*b);
-            if divisor == Prime::ZERO {
+            if divisor == Residue::ZERO {
                 return None;
             }
-            numeric::scaled(value(*a), divisor.recip())
+            numbers::scaled(value(*a), divisor.recip())
         }
-        Step::Negative(a) => numeric::scaled(value(*a), -Prime::ONE),
+        Step::Negative(a) => numbers::scaled(value(*a), -Residue::ONE),
         Step::Coefficient(a, blade) => {
-            Numbers::from([(Blade::SCALAR, numeric::coefficient(value(*a), *blade))])
+            Numbers::from([(Blade::SCALAR, numbers::coefficient(value(*a), *blade))])
         }
         Step::Function(function, arguments) => {
             let arguments: Vec<_> = arguments.iter().map(|&id| scalar(id)).collect();

@@ -5,8 +5,8 @@ use super::{Step, StepId};
 use crate::algebra::{Blade, NamedBlade};
 use crate::define::{Definition, TypeDefinition};
 use crate::emit::formula;
-use crate::kernel::Kernel;
-use crate::verify::Reason;
+use crate::member::Reason;
+use crate::task::Task;
 
 /// How long a coefficient may be written out where several are listed.
 const LONGEST: usize = 100;
@@ -73,8 +73,7 @@ fn coefficient_text(
         is_negative: false,
     }];
     let program = &builder.program;
-    let uniform = vec![false; program.operands.len()];
-    let kernel = Kernel::of_program(builder.algebra, program, &uniform, &[(id, wanted.to_vec())]);
+    let kernel = Task::of_program(builder.algebra, program, vec![(id, wanted.to_vec())]).compile();
     let (arena, value) = (&kernel.arena, kernel.outputs[0]);
     formula::of_value(definition, &builder.operands, arena, value)
 }

@@ -11,6 +11,7 @@ mod evaluate;
 mod mismatch;
 pub(crate) mod nearest;
 mod resolve;
+mod shape;
 mod witness;
 
 pub use evaluate::evaluate;

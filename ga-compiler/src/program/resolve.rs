@@ -8,12 +8,12 @@ use super::build::{Builder, Outcome};
 use super::nearest::nearest;
 use super::{Program, Step, StepId, Witness};
 use crate::algebra::{Blade, NameError, Product, Ratio, Unary};
-use crate::define::{Definition, Role, TypeDefinition};
-use crate::function::{Operand, SCALAR_TYPE, Shape};
+use crate::define::{Definition, Role, SCALAR_TYPE, TypeDefinition};
 use crate::ir::Function;
 use crate::parse::{
     Block, Formula, FormulaKind, FunctionSyntax, LetSyntax, Operator, PatternSyntax, ShapeSyntax,
 };
+use crate::signature::{Operand, Shape};
 
 /// How deep calls of other functions may go.
 const MAX_DEPTH: usize = 64;

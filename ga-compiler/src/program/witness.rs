@@ -5,8 +5,8 @@ use super::evaluate::evaluate_step;
 use super::{Program, Step, StepId};
 use crate::algebra::{Algebra, Blade, Product, Unary};
 use crate::define::TypeDefinition;
-use crate::ir::{Facts, Function, Prime};
-use crate::verify::{self, numeric, numeric::Numbers};
+use crate::ir::{Facts, Function, Residue};
+use crate::member::{self, Numbers, numbers};
 
 /// How many points are looked for before a program is given up.
 const TRIES: u64 = 4096;
@@ -64,11 +64,11 @@ impl Witness {
     }
 
     fn start(&mut self, algebra: &Algebra, program: &Program<'_>) -> Option<Point> {
-        let mut sequence = verify::sequence(self.tried);
+        let mut sequence = member::sequence(self.tried);
         self.tried += 1;
         let members = program.operands.iter();
         let members: Option<Vec<_>> = members
-            .map(|kind| verify::sample(algebra, kind, &mut sequence))
+            .map(|kind| member::sample(algebra, kind, &mut sequence))
             .collect();
         members.map(|members| Point {
             members,
@@ -120,7 +120,7 @@ impl Witness {
         let mut blades: Vec<Blade> = self
             .values(id)
             .flatten()
-            .filter(|(_, number)| **number != Prime::ZERO)
+            .filter(|(_, number)| **number != Residue::ZERO)
             .map(|(blade, _)| *blade)
             .collect();
         blades.sort();
@@ -147,10 +147,10 @@ impl Witness {
         algebra: &Algebra,
         id: StepId,
         kind: Option<&TypeDefinition>,
-    ) -> Vec<verify::Reason> {
+    ) -> Vec<member::Reason> {
         let mut reasons = Vec::new();
         for value in self.values(id) {
-            for reason in verify::membership(algebra, kind, value) {
+            for reason in member::membership(algebra, kind, value) {
                 if !reasons.contains(&reason) {
                     reasons.push(reason);
                 }
@@ -166,11 +166,11 @@ impl Witness {
         let keeps_vectors = |value: &Numbers| {
             algebra.dimension() <= 5
                 || (0..algebra.dimension()).all(|index| {
-                    let vector = Numbers::from([(Blade::vector(index), Prime::ONE)]);
-                    let moved = numeric::sandwich(algebra, value, &vector);
+                    let vector = Numbers::from([(Blade::vector(index), Residue::ONE)]);
+                    let moved = numbers::sandwich(algebra, value, &vector);
                     moved
                         .iter()
-                        .all(|(blade, &number)| blade.grade() == 1 || number == Prime::ZERO)
+                        .all(|(blade, &number)| blade.grade() == 1 || number == Residue::ZERO)
                 })
         };
         let parity: Vec<_> = self
@@ -178,12 +178,12 @@ impl Witness {
             .iter()
             .map(|blade| blade.grade() % 2)
             .collect();
-        let one = Numbers::from([(Blade::SCALAR, Prime::ONE)]);
+        let one = Numbers::from([(Blade::SCALAR, Residue::ONE)]);
         parity.windows(2).all(|pair| pair[0] == pair[1])
             && self.values(id).all(|value| {
-                let reverse = numeric::unary(algebra, Unary::Reverse, value);
-                let norm = numeric::product(algebra, Product::Geometric, value, &reverse);
-                numeric::equal(&norm, &one) && keeps_vectors(value)
+                let reverse = numbers::unary(algebra, Unary::Reverse, value);
+                let norm = numbers::product(algebra, Product::Geometric, value, &reverse);
+                numbers::equal(&norm, &one) && keeps_vectors(value)
             })
     }
 
@@ -193,8 +193,8 @@ impl Witness {
         let is_vector = self.blades(id).iter().all(|blade| blade.grade() == 1);
         let null = is_vector
             && self.values(id).all(|value| {
-                let square = numeric::product(algebra, Product::ScalarProduct, value, value);
-                numeric::equal(&square, &Numbers::new())
+                let square = numbers::product(algebra, Product::ScalarProduct, value, value);
+                numbers::equal(&square, &Numbers::new())
             });
         Facts {
             unit_versor: self.is_unit_versor(algebra, id),

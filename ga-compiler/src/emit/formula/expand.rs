@@ -4,7 +4,6 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::polynomial::Polynomial;
 use crate::algebra::Ratio;
-use crate::emit::stage::children;
 use crate::ir::{Arena, Node, NodeId, Value};
 
 /// A graph being expanded.
@@ -54,7 +53,7 @@ impl<'a> Expander<'a> {
             }
             let node = self.arena.node(next);
             if !matches!(node, Node::Function(..)) {
-                open.extend(children(node));
+                open.extend(node.operands());
             }
         }
         // In rising order, so that every node comes after what it reads.

@@ -72,16 +72,7 @@ impl Polynomial {
 
     /// The positive factor that leaves integers without a common divisor, and what it leaves.
     pub(super) fn split_content(&self) -> (Ratio, Self) {
-        let (mut numerator, mut denominator) = (0, Some(1_i128));
-        for factor in self.terms.values() {
-            numerator = divisor(numerator, factor.numerator());
-            denominator = denominator.and_then(|below| {
-                below.checked_mul(factor.denominator() / divisor(below, factor.denominator()))
-            });
-        }
-        let content = denominator
-            .and_then(|below| Ratio::new(numerator, below))
-            .filter(|content| !content.is_zero());
+        let content = Ratio::content(self.terms.values().copied());
         let Some((content, inverse)) = content.and_then(|c| Some((c, c.recip()?))) else {
             return (Ratio::ONE, self.clone());
         };
@@ -89,14 +80,6 @@ impl Polynomial {
         rest.add_scaled(self, inverse);
         (content, rest)
     }
-}
-
-/// The greatest common divisor.
-fn divisor(mut a: i128, mut b: i128) -> i128 {
-    while b != 0 {
-        (a, b) = (b, a % b);
-    }
-    a.abs()
 }
 
 fn joined(left: &Monomial, right: &Monomial) -> Monomial {

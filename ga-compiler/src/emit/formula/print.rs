@@ -220,9 +220,9 @@ pub(in crate::emit) fn name(function: Function) -> &'static str {
         Function::ArcTangent => "atan2",
         Function::Exponential => "exp",
         Function::NaturalLogarithm => "ln",
-        Function::VersorCosine => "C",
-        Function::VersorSine => "S",
-        Function::VersorSineSlope => "S′",
+        Function::StumpffCosine => "C",
+        Function::StumpffSine => "S",
+        Function::StumpffSineSlope => "S′",
         Function::VersorAngle => "A",
         Function::VersorAngleSlope => "A′",
     }
@@ -231,9 +231,9 @@ pub(in crate::emit) fn name(function: Function) -> &'static str {
 /// What a function is that textbooks have no name for.
 pub(super) fn explanation(function: Function) -> Option<&'static str> {
     Some(match function {
-        Function::VersorCosine => "C(x) = cos √(-x), for x > 0 cosh √x",
-        Function::VersorSine => "S(x) = sin √(-x) / √(-x), for x > 0 sinh √x / √x",
-        Function::VersorSineSlope => "S′(x) = dS/dx",
+        Function::StumpffCosine => "C(x) = cos √(-x), for x > 0 cosh √x",
+        Function::StumpffSine => "S(x) = sin √(-x) / √(-x), for x > 0 sinh √x / √x",
+        Function::StumpffSineSlope => "S′(x) = dS/dx",
         Function::VersorAngle => "A(C(x), S(x)² x) = 1 / S(x)",
         Function::VersorAngleSlope => "A′(C(x), S(x)² x) = -2 S′(x) / S(x)³",
         _ => return None,

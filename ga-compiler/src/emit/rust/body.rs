@@ -6,10 +6,9 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::algebra::Ratio;
-use crate::emit::stage::Stage;
 use crate::ir::{Arena, Function, Node, NodeId, Value};
 use crate::kernel::Kernel;
-use crate::passes::schedule;
+use crate::passes::{Stage, schedule};
 
 /// The code of a graph.
 pub(super) struct Body {
@@ -155,7 +154,7 @@ impl Writer<'_> {
         let runtime = self.source.runtime;
         let call = match family[0] {
             Function::Sine => quote! { <S as #runtime::scalar::Real>::sin_cos },
-            Function::VersorCosine => quote! { #runtime::scalar::versor_exponential },
+            Function::StumpffCosine => quote! { #runtime::scalar::versor_exponential },
             _ => quote! { #runtime::scalar::versor_logarithm },
         };
         quote! { let (#(#names),*) = #call(#(#values),*); }

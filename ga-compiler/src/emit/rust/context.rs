@@ -7,7 +7,8 @@ use syn::ext::IdentExt;
 use super::body::{Body, body};
 use crate::define::{Definition, TypeDefinition};
 use crate::expression::Expression;
-use crate::kernel::Kernel;
+use crate::kernel::wanted;
+use crate::task::Task;
 
 /// A definition under emission.
 pub(super) struct Context<'a> {
@@ -98,7 +99,8 @@ impl<'a> Context<'a> {
         kinds.extend(scalars.iter().map(|_| &scalar));
         let mut inputs = fields(operands);
         inputs.extend(scalars.iter().map(|name| quote! { #name }));
-        let kernel = Kernel::compile(&self.definition.algebra, &kinds, expression, result);
+        let algebra = &self.definition.algebra;
+        let kernel = Task::of_expression(algebra, &kinds, expression, wanted(result)).compile();
         let Body {
             statements,
             outputs,

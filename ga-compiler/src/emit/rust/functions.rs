@@ -8,12 +8,11 @@ use syn::ext::IdentExt;
 
 use super::body::{Body, Source, stage_body};
 use super::context::camel_case;
-use crate::algebra::Ratio;
 use crate::define::{Definition, TypeDefinition};
-use crate::emit::stage::Stages;
 use crate::function::{CompiledFunction, Operand, Shape};
 use crate::ir::{NodeId, Value};
 use crate::parse::{FunctionSyntax, ShapeSyntax};
+use crate::passes::Stages;
 
 /// The functions as items, or a single closure as an expression. `path` is where the module of the
 /// algebra is found.
@@ -100,7 +99,7 @@ impl Emitter<'_> {
         let inputs = self.inputs(&function.operands);
         let parameters = self.parameters(function.operands.iter());
         let result = self.shape_path(&function.result);
-        let stages = Stages::new(&function.kernel);
+        let stages = function.kernel.stages();
         let source = Source {
             runtime: self.runtime,
             inputs: &inputs,
@@ -133,15 +132,9 @@ impl Emitter<'_> {
             prologue,
             inner,
             handed,
-        } = Stages::new(kernel);
+        } = kernel.stages();
         let fields: Vec<_> = (0..handed.len()).map(|k| format_ident!("c{k}")).collect();
-        let handed_values: Vec<_> = handed
-            .iter()
-            .map(|&node| Value {
-                factor: Ratio::ONE,
-                node,
-            })
-            .collect();
+        let handed_values: Vec<_> = handed.iter().map(|&node| Value::of(node)).collect();
         let first = Source {
             runtime: self.runtime,
             inputs: &inputs,

@@ -8,14 +8,14 @@ mod conversions;
 mod functions;
 mod interoperation;
 mod involutions;
+mod product_tests;
 mod products;
-mod tests;
 mod types;
 mod versors;
 
 pub use blocks::{ask_for_import, block_handover, pending};
 pub use functions::{function_stand_ins, functions};
-pub use tests::product_tests;
+pub use product_tests::product_tests;
 
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};

@@ -8,7 +8,7 @@ use super::context::{Context, receiver};
 use crate::algebra::{Blade, NamedBlade, Ratio};
 use crate::define::{Coefficient, PolynomialStep, Role, TypeDefinition};
 use crate::expression::Expression;
-use crate::kernel::Kernel;
+use crate::task::Task;
 
 pub(super) fn emit(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     if kind.is_constant() {
@@ -147,16 +147,12 @@ fn coefficient_body(
     kind: &TypeDefinition,
     coefficient: &Coefficient,
 ) -> (TokenStream, bool) {
-    let wanted = [NamedBlade {
+    let wanted = vec![NamedBlade {
         blade: coefficient.blade,
         is_negative: coefficient.is_negative,
     }];
-    let kernel = Kernel::of_blades(
-        &context.definition.algebra,
-        &[kind],
-        &Expression::Operand(0),
-        &wanted,
-    );
+    let (algebra, operand) = (&context.definition.algebra, Expression::Operand(0));
+    let kernel = Task::of_expression(algebra, &[kind], &operand, wanted).compile();
     let inputs = super::context::fields(&[(kind, receiver())]);
     let body = body(&kernel, context.runtime, &inputs);
     let (statements, output) = (body.statements, &body.outputs[0]);

@@ -9,7 +9,7 @@ use crate::algebra::{Blade, NamedBlade, Product, Ratio, Unary};
 use crate::define::{Coefficient, Role, TypeDefinition};
 use crate::expression::Expression;
 use crate::ir::Facts;
-use crate::kernel::Kernel;
+use crate::task::Task;
 use crate::verify;
 
 pub(super) fn emit(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
@@ -96,7 +96,7 @@ fn try_new(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let candidate = unknown(kind);
     let defect = Expression::difference(norm(), Expression::Constant(Ratio::ONE));
     let blades = wanted(verify::result_blades(algebra, &[&candidate], &defect));
-    let kernel = Kernel::of_blades(algebra, &[&candidate], &defect, &blades);
+    let kernel = Task::of_expression(algebra, &[&candidate], &defect, blades).compile();
     let arguments: Vec<_> = kind.stored().map(|c| &c.name).collect();
     // Read from the fields, since a variable of the code could have the name of a blade.
     let inputs = fields(&[(kind, format_ident!("versor"))]);

@@ -4,8 +4,8 @@ use std::collections::{BTreeSet, HashMap};
 
 use super::names::Names;
 use crate::algebra::Ratio;
-use crate::emit::stage::Stage;
 use crate::ir::{Arena, Function, Node, NodeId, Value};
+use crate::passes::Stage;
 
 /// Writes one stage of a graph.
 pub(super) struct Body<'a> {

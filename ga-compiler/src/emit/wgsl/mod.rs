@@ -11,8 +11,9 @@
 //! Names that mean something in WGSL get an underscore at their end.
 
 mod body;
-mod functions;
+
 mod names;
+mod scalar_functions;
 mod shapes;
 
 use std::collections::{BTreeSet, HashMap};
@@ -22,11 +23,10 @@ use quote::ToTokens;
 use syn::Attribute;
 use syn::ext::IdentExt;
 
-use super::stage::{Stage, Stages};
-use crate::algebra::Ratio;
 use crate::define::Definition;
 use crate::function::{CompiledFunction, Operand};
 use crate::ir::{Function, Node, NodeId, Value};
+use crate::passes::Stage;
 use body::Body;
 use names::Names;
 use shapes::{Shapes, call};
@@ -67,8 +67,8 @@ pub fn module(definition: &Definition, functions: &[CompiledFunction]) -> String
         writer.shapes.name(&function.result, &mut writer.names);
     }
     for function in ALL_FUNCTIONS {
-        if functions::is_own(function) {
-            let name = writer.names.give(functions::name(function));
+        if scalar_functions::is_own(function) {
+            let name = writer.names.give(scalar_functions::name(function));
             writer.own.insert(function, name);
         }
     }
@@ -104,9 +104,9 @@ const ALL_FUNCTIONS: [Function; 12] = [
     Function::ArcTangent,
     Function::Exponential,
     Function::NaturalLogarithm,
-    Function::VersorCosine,
-    Function::VersorSine,
-    Function::VersorSineSlope,
+    Function::StumpffCosine,
+    Function::StumpffSine,
+    Function::StumpffSineSlope,
     Function::VersorAngle,
     Function::VersorAngleSlope,
 ];
@@ -149,7 +149,7 @@ impl Writer<'_> {
             .map(|operand| scope.give(&operand.name.unraw().to_string()))
             .collect();
         let inputs = self.inputs(&function.operands, &parameters);
-        let stages = Stages::new(&function.kernel);
+        let stages = function.kernel.stages();
 
         let mut text = String::new();
         let mut known: HashMap<NodeId, String> = HashMap::new();
@@ -226,7 +226,7 @@ impl Writer<'_> {
         let own = &self.own;
         let name = |function: Function| match own.get(&function) {
             Some(name) => name.clone(),
-            None => functions::name(function).to_owned(),
+            None => scalar_functions::name(function).to_owned(),
         };
         let mut body = Body {
             arena: &function.kernel.arena,
@@ -248,12 +248,12 @@ impl Writer<'_> {
     fn own_functions(&self) -> String {
         let mut wanted = self.called.clone();
         for &function in &self.called {
-            wanted.extend(functions::needs(function));
+            wanted.extend(scalar_functions::needs(function));
         }
         let name = |function: Function| self.own.get(&function).cloned().unwrap_or_default();
         let declarations: Vec<_> = wanted
             .into_iter()
-            .filter_map(|function| functions::declaration(function, &name))
+            .filter_map(|function| scalar_functions::declaration(function, &name))
             .map(|text| text + "\n")
             .collect();
         declarations.concat()
@@ -308,10 +308,7 @@ fn member_names(function: &CompiledFunction, handed: &[NodeId], inputs: &[String
 }
 
 fn whole(node: NodeId) -> Value {
-    Value {
-        factor: Ratio::ONE,
-        node,
-    }
+    Value::of(node)
 }
 
 /// Statements and what is returned, indented.

@@ -2,15 +2,15 @@
 
 use crate::ir::{Arena, Node, NodeId};
 
-/// The rates of the nodes of a growing arena.
+/// The uniformity of the nodes of a growing arena.
 #[derive(Clone, Debug)]
-pub(super) struct Rates<'a> {
+pub(super) struct Uniformity<'a> {
     uniform: &'a [bool],
     has_uniform: bool,
     known: Vec<bool>,
 }
 
-impl<'a> Rates<'a> {
+impl<'a> Uniformity<'a> {
     /// With the inputs that are marked uniform; those beyond the end of the list vary.
     #[must_use]
     pub(super) fn new(uniform: &'a [bool]) -> Self {
@@ -34,7 +34,7 @@ impl<'a> Rates<'a> {
                 Node::Input(number) => self.uniform.get(*number).copied().unwrap_or(false),
                 node => {
                     let mut all = true;
-                    super::rewrite::for_each_operand(node, |operand| all &= known[operand.index()]);
+                    node.for_each_operand(|operand| all &= known[operand.index()]);
                     all
                 }
             };

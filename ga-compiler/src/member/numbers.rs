@@ -3,23 +3,23 @@
 use std::collections::BTreeMap;
 
 use crate::algebra::{Algebra, Blade, Product, Unary};
-use crate::ir::Prime;
+use crate::ir::Residue;
 
 /// A multivector over the prime field. Blades that are absent are zero.
-pub type Numbers = BTreeMap<Blade, Prime>;
+pub type Numbers = BTreeMap<Blade, Residue>;
 
 /// The coefficient of a blade.
-pub(crate) fn coefficient(value: &Numbers, blade: Blade) -> Prime {
-    value.get(&blade).copied().unwrap_or(Prime::ZERO)
+pub(crate) fn coefficient(value: &Numbers, blade: Blade) -> Residue {
+    value.get(&blade).copied().unwrap_or(Residue::ZERO)
 }
 
 /// The value, or its negative.
-pub(super) fn signed(value: Prime, is_negative: bool) -> Prime {
+pub(super) fn signed(value: Residue, is_negative: bool) -> Residue {
     if is_negative { -value } else { value }
 }
 
 /// The multiple of a multivector.
-pub(crate) fn scaled(value: &Numbers, factor: Prime) -> Numbers {
+pub(crate) fn scaled(value: &Numbers, factor: Residue) -> Numbers {
     value
         .iter()
         .map(|(&blade, &number)| (blade, number * factor))
@@ -46,7 +46,7 @@ pub(crate) fn product(
         for (&b, &second) in right {
             let both = first * second;
             for (blade, factor) in operation.of_blades(algebra, a, b) {
-                add(&mut result, blade, both * Prime::from_ratio(factor));
+                add(&mut result, blade, both * Residue::from_ratio(factor));
             }
         }
     }
@@ -57,7 +57,7 @@ pub(crate) fn unary(algebra: &Algebra, operation: Unary, operand: &Numbers) -> N
     let mut result = Numbers::new();
     for (&blade, &value) in operand {
         for (image, factor) in operation.of_blade(algebra, blade) {
-            add(&mut result, image, value * Prime::from_ratio(factor));
+            add(&mut result, image, value * Residue::from_ratio(factor));
         }
     }
     result
@@ -67,7 +67,7 @@ pub(crate) fn unary(algebra: &Algebra, operation: Unary, operand: &Numbers) -> N
 pub(crate) fn sandwich(algebra: &Algebra, versor: &Numbers, operand: &Numbers) -> Numbers {
     let mut blades = versor
         .iter()
-        .filter(|(_, value)| **value != Prime::ZERO)
+        .filter(|(_, value)| **value != Residue::ZERO)
         .peekable();
     let is_odd = blades.peek().is_some() && blades.all(|(blade, _)| blade.involute_is_negative());
     let operand = if is_odd {
@@ -85,7 +85,7 @@ pub(crate) fn sandwich(algebra: &Algebra, versor: &Numbers, operand: &Numbers) -
 pub(super) fn is_blade(algebra: &Algebra, value: &Numbers) -> bool {
     let mut grades = value
         .iter()
-        .filter(|(_, v)| **v != Prime::ZERO)
+        .filter(|(_, v)| **v != Residue::ZERO)
         .map(|(blade, _)| blade.grade());
     let Some(grade) = grades.next() else {
         return true;
@@ -110,12 +110,12 @@ pub(super) fn is_blade(algebra: &Algebra, value: &Numbers) -> bool {
             }
             product(algebra, Product::Wedge, &vector, value)
                 .values()
-                .all(|&v| v == Prime::ZERO)
+                .all(|&v| v == Residue::ZERO)
         })
 }
 
 /// Adds to the coefficient of a blade.
-pub(crate) fn add(sums: &mut Numbers, blade: Blade, value: Prime) {
-    let sum = sums.entry(blade).or_insert(Prime::ZERO);
+pub(crate) fn add(sums: &mut Numbers, blade: Blade, value: Residue) {
+    let sum = sums.entry(blade).or_insert(Residue::ZERO);
     *sum = *sum + value;
 }

@@ -5,28 +5,28 @@
 //!
 //! It is right because addition and multiplication are associative and commutative.
 
-use super::rate::Rates;
 use super::rewrite::{Graph, collect_factors, image, reads, rewrite};
+use super::uniformity::Uniformity;
 use crate::ir::{Arena, Node, NodeId, Value};
 
 /// Parts what is uniform from the rest; `None` where there is nothing to part.
 #[must_use]
-pub fn part(arena: &Arena, outputs: &[Value], uniform: &[bool]) -> Option<Graph> {
+pub fn hoist(arena: &Arena, outputs: &[Value], uniform: &[bool]) -> Option<Graph> {
     if !uniform.contains(&true) {
         return None;
     }
     let reads = reads(arena, outputs);
-    let mut rates = Rates::new(uniform);
+    let mut uniformity = Uniformity::new(uniform);
     let mut changed = false;
     let graph = rewrite(arena, outputs, &reads, |copy, id, images| {
-        let mut is_uniform = |id: NodeId| rates.is_uniform(arena, id);
+        let mut is_uniform = |id: NodeId| uniformity.is_uniform(arena, id);
         let (first, second): (Vec<Value>, Vec<Value>) = match arena.node(id) {
             Node::Sum(terms) => terms.iter().partition(|term| is_uniform(term.node)),
             Node::Product(a, b) if !is_uniform(*a) || !is_uniform(*b) => {
                 let mut factors = Vec::new();
                 collect_factors(arena, &reads, *a, &mut factors);
                 collect_factors(arena, &reads, *b, &mut factors);
-                let factors = factors.into_iter().map(|node| Value { node, ..Value::ONE });
+                let factors = factors.into_iter().map(Value::of);
                 factors.partition(|factor| is_uniform(factor.node))
             }
             _ => return None,

@@ -12,7 +12,7 @@ use crate::ir::{Arena, Node, NodeId, Value};
 /// The sums of the result start with a positive term but are not in canonical order any more, so
 /// this comes last.
 #[must_use]
-pub fn orient(arena: &Arena, outputs: &[Value]) -> Option<Graph> {
+pub fn choose_signs(arena: &Arena, outputs: &[Value]) -> Option<Graph> {
     let reads = reads(arena, outputs);
     let mut votes = vec![0_i32; arena.len()];
     for output in outputs.iter().filter(|value| !value.is_zero()) {
@@ -68,7 +68,7 @@ fn turnable(arena: &Arena, reads: &[usize], id: NodeId) -> Option<NodeId> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ir::Prime;
+    use crate::ir::Residue;
     use crate::passes::cost;
 
     #[test]
@@ -80,15 +80,15 @@ mod tests {
         let whole = arena.sum([product, c]);
         let outputs = [-difference, whole];
         assert_eq!(cost(&arena, &outputs).negations, 1);
-        let Some((turned, found)) = orient(&arena, &outputs) else {
+        let Some((turned, found)) = choose_signs(&arena, &outputs) else {
             panic!("an output is negative")
         };
         assert_eq!(cost(&turned, &found).negations, 0);
-        let inputs = [3, 5, 11].map(Prime::new);
+        let inputs = [3, 5, 11].map(Residue::new);
         let (before, after) = (arena.evaluate(&inputs), turned.evaluate(&inputs));
         for (old, new) in outputs.iter().zip(&found) {
-            let value = |values: &[Prime], value: &Value| {
-                values[value.node.index()] * Prime::from_ratio(value.factor)
+            let value = |values: &[Residue], value: &Value| {
+                values[value.node.index()] * Residue::from_ratio(value.factor)
             };
             assert_eq!(value(&before, old), value(&after, new));
         }

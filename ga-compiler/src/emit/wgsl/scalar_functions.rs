@@ -12,9 +12,9 @@ pub(super) fn name(function: Function) -> &'static str {
         Function::ArcTangent => "atan2",
         Function::Exponential => "exp",
         Function::NaturalLogarithm => "log",
-        Function::VersorCosine => "versor_cosine",
-        Function::VersorSine => "versor_sine",
-        Function::VersorSineSlope => "versor_sine_slope",
+        Function::StumpffCosine => "versor_cosine",
+        Function::StumpffSine => "versor_sine",
+        Function::StumpffSineSlope => "versor_sine_slope",
         Function::VersorAngle => "versor_angle",
         Function::VersorAngleSlope => "versor_angle_slope",
     }
@@ -23,7 +23,7 @@ pub(super) fn name(function: Function) -> &'static str {
 /// The functions of our own that the declaration of another one calls.
 pub(super) fn needs(function: Function) -> &'static [Function] {
     match function {
-        Function::VersorSineSlope => &[Function::VersorCosine, Function::VersorSine],
+        Function::StumpffSineSlope => &[Function::StumpffCosine, Function::StumpffSine],
         Function::VersorAngleSlope => &[Function::VersorAngle],
         _ => &[],
     }
@@ -40,10 +40,10 @@ pub(super) fn is_own(function: Function) -> bool {
 /// there, to the last term that single precision sees.
 pub(super) fn declaration(function: Function, name: &dyn Fn(Function) -> String) -> Option<String> {
     let this = name(function);
-    let (cosine, sine) = (name(Function::VersorCosine), name(Function::VersorSine));
+    let (cosine, sine) = (name(Function::StumpffCosine), name(Function::StumpffSine));
     let angle = name(Function::VersorAngle);
     Some(match function {
-        Function::VersorCosine => format!(
+        Function::StumpffCosine => format!(
             "\
 // C(x) of exp B = C(B²) + S(B²) B: cos √−x or cosh √x.
 fn {this}(x: f32) -> f32 {{
@@ -55,7 +55,7 @@ fn {this}(x: f32) -> f32 {{
 }}
 "
         ),
-        Function::VersorSine => format!(
+        Function::StumpffSine => format!(
             "\
 // S(x) of exp B = C(B²) + S(B²) B: sin √−x / √−x or sinh √x / √x.
 fn {this}(x: f32) -> f32 {{
@@ -70,7 +70,7 @@ fn {this}(x: f32) -> f32 {{
 }}
 "
         ),
-        Function::VersorSineSlope => format!(
+        Function::StumpffSineSlope => format!(
             "\
 // The derivative of S, (C − S)/(2x).
 fn {this}(x: f32) -> f32 {{

@@ -17,8 +17,8 @@ use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
 use syn::{BinOp, Block, Error, Expr, Item, ItemFn, Pat, Result, Stmt, UnOp};
 
-use super::rust;
 use crate::define::{Definition, Role};
+use crate::emit::rust;
 use crate::function::CompiledFunction;
 
 /// Numbers of operations.

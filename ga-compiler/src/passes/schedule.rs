@@ -7,7 +7,7 @@
 //! expressions", 1970). For trees that is optimal. Graphs share nodes, so the order as written is
 //! tried too, and the one stands in which fewer values wait.
 
-use super::rewrite::{for_each_operand, reads};
+use super::rewrite::reads;
 use crate::ir::{Arena, Node, NodeId, Value};
 
 /// The nodes that some outputs need, in an order in which they can be computed.
@@ -27,7 +27,7 @@ impl Schedule {
         let mut left = self.uses.clone();
         let (mut waiting, mut most) = (0_usize, 0);
         for &id in &self.order {
-            for_each_operand(arena.node(id), |operand| {
+            arena.node(id).for_each_operand(|operand| {
                 left[operand.index()] -= 1;
                 if left[operand.index()] == 0 && is_computed(arena, operand) {
                     waiting -= 1;
@@ -80,7 +80,9 @@ fn depth_first(
                 is_done[id.index()] = true;
                 open.push((id, true));
                 let mut operands = Vec::new();
-                for_each_operand(arena.node(id), |operand| operands.push(operand));
+                arena
+                    .node(id)
+                    .for_each_operand(|operand| operands.push(operand));
                 arrange(&mut operands);
                 open.extend(operands.into_iter().rev().map(|operand| (operand, false)));
             }
@@ -98,9 +100,9 @@ fn registers(arena: &Arena, uses: &[usize]) -> Vec<usize> {
             continue;
         }
         needs.clear();
-        for_each_operand(arena.node(id), |operand| {
-            needs.push(registers[operand.index()])
-        });
+        arena
+            .node(id)
+            .for_each_operand(|operand| needs.push(registers[operand.index()]));
         needs.sort_unstable_by_key(|need| std::cmp::Reverse(*need));
         let waiting = needs.iter().enumerate().map(|(before, need)| match need {
             0 => 1,

@@ -8,9 +8,9 @@ const MODULUS: u64 = (1 << 61) - 1;
 
 /// A residue modulo 2⁶¹ − 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Prime(u64);
+pub struct Residue(u64);
 
-impl Prime {
+impl Residue {
     /// Zero.
     pub const ZERO: Self = Self(0);
     /// One.
@@ -79,28 +79,28 @@ impl Prime {
     }
 }
 
-impl Add for Prime {
+impl Add for Residue {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         Self::new(self.0 + other.0)
     }
 }
 
-impl Sub for Prime {
+impl Sub for Residue {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         Self::new(self.0 + MODULUS - other.0)
     }
 }
 
-impl Neg for Prime {
+impl Neg for Residue {
     type Output = Self;
     fn neg(self) -> Self {
         Self::ZERO - self
     }
 }
 
-impl Mul for Prime {
+impl Mul for Residue {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         let wide = u128::from(self.0) * u128::from(other.0);
@@ -111,22 +111,27 @@ impl Mul for Prime {
 
 /// A reproducible sequence of residues (SplitMix64: Steele, Lea and Flood 2014).
 #[derive(Clone, Debug)]
-pub struct PrimeSequence(u64);
+pub struct ResidueSequence(u64);
 
-impl PrimeSequence {
+impl ResidueSequence {
     /// The sequence of a seed.
     #[must_use]
     pub const fn new(seed: u64) -> Self {
         Self(seed)
     }
 
+    /// Another name of [`next_residue`](Self::next_residue).
+    pub fn next_prime(&mut self) -> Residue {
+        self.next_residue()
+    }
+
     /// The next residue.
-    pub fn next_prime(&mut self) -> Prime {
+    pub fn next_residue(&mut self) -> Residue {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut bits = self.0;
         bits = (bits ^ bits >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         bits = (bits ^ bits >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-        Prime::new(bits ^ bits >> 31)
+        Residue::new(bits ^ bits >> 31)
     }
 }
 
@@ -136,10 +141,14 @@ mod tests {
 
     #[test]
     fn inverses_and_fractions() {
-        let half = Prime::from_ratio(Ratio::new(-1, 2).unwrap());
-        assert_eq!(half + half, -Prime::ONE);
-        let value = Prime::new(123_456_789_012_345_678);
-        assert_eq!(value * value.recip(), Prime::ONE);
-        assert_eq!(Prime(MODULUS - 1) * Prime(MODULUS - 1), Prime::ONE, "(−1)²");
+        let half = Residue::from_ratio(Ratio::new(-1, 2).unwrap());
+        assert_eq!(half + half, -Residue::ONE);
+        let value = Residue::new(123_456_789_012_345_678);
+        assert_eq!(value * value.recip(), Residue::ONE);
+        assert_eq!(
+            Residue(MODULUS - 1) * Residue(MODULUS - 1),
+            Residue::ONE,
+            "(−1)²"
+        );
     }
 }

@@ -1,0 +1,40 @@
+//! Checks declarations: names are resolved to blades and types, and every error is found.
+
+mod basis;
+mod polynomial;
+mod products;
+mod types;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::define::Definition;
+use crate::diag::Diagnostics;
+use crate::parse::DeclarationSyntax;
+
+impl Definition {
+    /// Checks a parsed declaration. `runtime` is the path of ga-runtime, where the declaration does
+    /// not say it.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the declaration, each error at its token. What depends on a
+    /// faulty part is not judged, so that no error merely follows from another.
+    pub fn check(syntax: DeclarationSyntax, runtime: TokenStream) -> syn::Result<Self> {
+        let mut diagnostics = Diagnostics::default();
+        let algebra = basis::check(&syntax.basis, &syntax.metric, &mut diagnostics)?;
+        let is_sound = diagnostics.count() == 0;
+        let (types, sound) = types::check(&algebra, is_sound, &syntax.types, &mut diagnostics);
+        let products =
+            products::check(&algebra, &types, &sound, &syntax.products, &mut diagnostics);
+        diagnostics.into_result()?;
+        Ok(Self {
+            attributes: syntax.attributes,
+            visibility: syntax.visibility,
+            name: syntax.name,
+            runtime: syntax.runtime.map_or(runtime, |path| quote!(#path)),
+            algebra,
+            types,
+            products,
+        })
+    }
+}

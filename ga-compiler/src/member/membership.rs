@@ -1,0 +1,79 @@
+//! Whether a multivector is a member of a type.
+
+use super::numbers::{self, Numbers};
+use super::reason::Reason;
+use super::stored::{from_stored, stored};
+use crate::algebra::{Algebra, Blade, Product, Unary};
+use crate::define::{Role, TypeDefinition};
+use crate::ir::Residue;
+
+/// Why a multivector is no member of a type; nothing if it is one.
+#[must_use]
+pub fn membership(
+    algebra: &Algebra,
+    kind: Option<&TypeDefinition>,
+    value: &Numbers,
+) -> Vec<Reason> {
+    let mut reasons = Vec::new();
+    let leftover: Vec<_> = value
+        .iter()
+        .filter(|&(&blade, &v)| {
+            let wanted = kind.map_or(blade == Blade::SCALAR, |k| k.coefficient(blade).is_some());
+            v != Residue::ZERO && !wanted
+        })
+        .map(|(&blade, _)| (blade, algebra.names().name(blade)))
+        .collect();
+    if !leftover.is_empty() {
+        reasons.push(Reason::LeftOver(leftover));
+    }
+    let Some(kind) = kind else { return reasons };
+    let member = from_stored(kind, &stored(kind, value));
+    for coefficient in &kind.coefficients {
+        let found = numbers::coefficient(value, coefficient.blade);
+        if found == numbers::coefficient(&member, coefficient.blade) {
+            continue;
+        }
+        let (blade, name) = (coefficient.blade, coefficient.name.to_string());
+        reasons.push(match &coefficient.role {
+            Role::Constant(constant) => Reason::NotConstant(blade, name, *constant),
+            _ => Reason::NotDerived(blade, name),
+        });
+    }
+    if reasons.is_empty() {
+        let broken = broken_facts(algebra, kind, &member);
+        reasons.extend(broken.into_iter().map(Reason::Fact));
+    }
+    reasons
+}
+
+/// The names of the facts that a value does not have.
+pub(super) fn broken_facts(
+    algebra: &Algebra,
+    kind: &TypeDefinition,
+    value: &Numbers,
+) -> Vec<&'static str> {
+    let mut broken = Vec::new();
+    if kind.facts.unit_versor {
+        let reverse = numbers::unary(algebra, Unary::Reverse, value);
+        let mut norm = numbers::product(algebra, Product::Geometric, value, &reverse);
+        let scalar = norm.remove(&Blade::SCALAR).unwrap_or(Residue::ZERO);
+        if scalar != Residue::ONE || norm.values().any(|&v| v != Residue::ZERO) {
+            broken.push("unit_versor");
+        }
+    }
+    if kind.facts.null {
+        let square = numbers::product(algebra, Product::Geometric, value, value);
+        if square.values().any(|&v| v != Residue::ZERO) {
+            broken.push("null");
+        }
+    }
+    if kind.facts.blade && !numbers::is_blade(algebra, value) {
+        broken.push("blade");
+    }
+    if let Some(blade) = kind.facts.weight
+        && numbers::coefficient(value, blade) != Residue::ONE
+    {
+        broken.push("weight");
+    }
+    broken
+}

@@ -1,0 +1,47 @@
+//! Members of a type from their stored coefficients, and back.
+
+use super::numbers::{Numbers, coefficient, signed};
+use crate::define::{PolynomialStep, Role, TypeDefinition};
+use crate::ir::Residue;
+
+/// The member with the given stored coefficients, in the order and with the signs of the
+/// declaration.
+#[must_use]
+pub fn from_stored(kind: &TypeDefinition, stored: &[Residue]) -> Numbers {
+    let mut fields = stored.iter().copied();
+    let written: Vec<Option<Residue>> = kind
+        .coefficients
+        .iter()
+        .map(|c| match &c.role {
+            Role::Stored => fields.next(),
+            Role::Constant(value) => Some(Residue::from_ratio(*value)),
+            Role::Derived(_) => None,
+        })
+        .collect();
+    kind.coefficients
+        .iter()
+        .enumerate()
+        .map(|(index, c)| {
+            let value = match &c.role {
+                Role::Derived(polynomial) => polynomial.evaluate(
+                    &mut Residue::from_ratio,
+                    &mut |place| written[place].unwrap_or(Residue::ZERO),
+                    &mut |step, a, b| match step {
+                        PolynomialStep::Sum => a + b,
+                        PolynomialStep::Product => a * b,
+                    },
+                ),
+                _ => written[index].unwrap_or(Residue::ZERO),
+            };
+            (c.blade, signed(value, c.is_negative))
+        })
+        .collect()
+}
+
+/// The stored coefficients of a member, in the order and with the signs of the declaration.
+#[must_use]
+pub fn stored(kind: &TypeDefinition, value: &Numbers) -> Vec<Residue> {
+    kind.stored()
+        .map(|c| signed(coefficient(value, c.blade), c.is_negative))
+        .collect()
+}

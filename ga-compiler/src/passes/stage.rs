@@ -1,0 +1,67 @@
+//! Two stages of a graph: what depends on its uniform inputs alone, and the rest.
+
+use super::schedule::schedule;
+use super::uniformity::Uniformity;
+use crate::ir::{Arena, Node, NodeId, Value};
+
+/// A graph in two stages. Without uniform inputs the first is empty.
+pub(crate) struct Stages {
+    /// What is done once.
+    pub(crate) prologue: Stage,
+    /// What is done in every call.
+    pub(crate) inner: Stage,
+    /// The nodes that the first stage hands to the second: uniform inputs and nodes that are read
+    /// there, in rising order.
+    pub(crate) handed: Vec<NodeId>,
+}
+
+/// The nodes of one stage.
+pub(crate) struct Stage {
+    /// The nodes other than inputs and the number 1, each after what it needs.
+    pub(crate) order: Vec<NodeId>,
+    /// How often each node of the arena is read in this stage, by its index.
+    pub(crate) uses: Vec<usize>,
+}
+
+impl Stages {
+    /// Divides a graph; `uniform` marks the inputs that stay the same over many calls.
+    pub(crate) fn new(arena: &Arena, outputs: &[Value], uniform: &[bool]) -> Self {
+        let live = schedule(arena, outputs);
+        let mut uniformity = Uniformity::new(uniform);
+        let mut is_uniform = |id: NodeId| uniformity.is_uniform(arena, id);
+        let (first, second): (Vec<_>, Vec<_>) =
+            live.order.into_iter().partition(|id| is_uniform(*id));
+        let inner = Stage::new(arena, second, outputs.iter().map(|value| value.node));
+        let handed: Vec<NodeId> = live_inputs(arena, &inner.uses)
+            .chain(first.iter().copied())
+            .filter(|id| inner.uses[id.index()] > 0 && is_uniform(*id))
+            .collect();
+        let prologue = Stage::new(arena, first, handed.iter().copied());
+        Self {
+            prologue,
+            inner,
+            handed,
+        }
+    }
+}
+
+impl Stage {
+    fn new(arena: &Arena, order: Vec<NodeId>, roots: impl Iterator<Item = NodeId>) -> Self {
+        let mut uses = vec![0; arena.len()];
+        for &id in &order {
+            arena
+                .node(id)
+                .for_each_operand(|operand| uses[operand.index()] += 1);
+        }
+        for root in roots {
+            uses[root.index()] += 1;
+        }
+        Self { order, uses }
+    }
+}
+
+fn live_inputs<'a>(arena: &'a Arena, uses: &'a [usize]) -> impl Iterator<Item = NodeId> + 'a {
+    arena
+        .ids()
+        .filter(|&id| matches!(arena.node(id), Node::Input(_)) && uses[id.index()] > 0)
+}

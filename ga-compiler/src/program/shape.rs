@@ -1,0 +1,42 @@
+//! Written types to shapes.
+
+use syn::{Error, Result};
+
+use super::nearest::nearest;
+use crate::define::{Definition, SCALAR_TYPE};
+use crate::parse::ShapeSyntax;
+use crate::signature::Shape;
+
+impl Shape {
+    /// The shape that a written type means.
+    ///
+    /// # Errors
+    /// The first type that the algebra does not have, at its name.
+    pub fn resolve(definition: &Definition, syntax: &ShapeSyntax) -> Result<Self> {
+        match syntax {
+            ShapeSyntax::Name(name) if name == SCALAR_TYPE => Ok(Self::Scalar),
+            ShapeSyntax::Name(name) => {
+                let types = &definition.types;
+                let found = types.iter().position(|kind| kind.name == *name);
+                found.map(Self::Type).ok_or_else(|| {
+                    let known = types.iter().map(|kind| kind.name.to_string());
+                    let known = known.chain([SCALAR_TYPE.to_owned()]);
+                    let near = match name.to_string().as_str() {
+                        "f32" | "f64" | "i64" | "S" => "; plain numbers are `Scalar`".to_owned(),
+                        text => nearest(text, known),
+                    };
+                    Error::new(name.span(), format!("unknown type `{name}`{near}"))
+                })
+            }
+            ShapeSyntax::Array(element, count) => {
+                let element = Self::resolve(definition, element)?;
+                Ok(Self::Array(Box::new(element), *count))
+            }
+            ShapeSyntax::Tuple(parts) => parts
+                .iter()
+                .map(|part| Self::resolve(definition, part))
+                .collect::<Result<_>>()
+                .map(Self::Tuple),
+        }
+    }
+}
