@@ -204,7 +204,7 @@ impl Counter {
                 for coefficient in &kind.coefficients {
                     let names = match coefficient.role {
                         Role::Stored => &mut stored,
-                        _ => &mut others,
+                        Role::Constant(_) | Role::Derived(_) => &mut others,
                     };
                     names.insert(coefficient.name.to_string());
                 }

@@ -51,6 +51,7 @@ pub mod count;
 pub mod define;
 pub mod diag;
 pub mod emit;
+mod explain;
 pub mod expression;
 pub mod function;
 pub mod ir;
@@ -72,6 +73,7 @@ use define::Definition;
 use function::CompiledFunction;
 use kernel::Kernel;
 use parse::{Block, FunctionSyntax};
+use program::Mismatch;
 use task::Task;
 
 /// A compiled function with the algebra it is written in.
@@ -243,7 +245,8 @@ fn compile_one(
     function: &FunctionSyntax,
     block: &Block,
 ) -> Result<CompiledFunction> {
-    let resolved = program::resolve(definition, function, block)?;
+    let explain = |mismatch: &Mismatch<'_, '_>| explain::explain(definition, mismatch);
+    let resolved = program::resolve_with(definition, function, block, &explain)?;
     let wanted: Vec<_> = resolved
         .outputs
         .iter()

@@ -53,7 +53,11 @@ pub fn function(definition: &Definition, function: &CompiledFunction) -> String 
         for &id in &stage.order {
             let shape = match arena.node(id) {
                 Node::Function(..) => "shape=ellipse, style=filled, fillcolor=\"#fdf1d5\"",
-                _ => "shape=circle, width=0.3, fixedsize=true",
+                Node::One
+                | Node::Input(_)
+                | Node::Sum(_)
+                | Node::Product(..)
+                | Node::Quotient(..) => "shape=circle, width=0.3, fixedsize=true",
             };
             let label = quoted(&operation(arena.node(id)));
             let _ = writeln!(part, "n{} [label={label}, {shape}];", id.index());

@@ -25,9 +25,11 @@ pub enum Function {
     Exponential,
     /// `ln x`.
     NaturalLogarithm,
-    /// C(x) of `exp B = C(B²) + S(B²) B`: cos √−x or cosh √x.
+    /// The Stumpff function c₀(−x), which is C(x) of `exp B = C(B²) + S(B²) B`: cos √−x, for x > 0
+    /// cosh √x.
     StumpffCosine,
-    /// S(x) of `exp B = C(B²) + S(B²) B`: sin √−x / √−x or sinh √x / √x.
+    /// The Stumpff function c₁(−x), which is S(x) of `exp B = C(B²) + S(B²) B`: sin √−x / √−x, for
+    /// x > 0 sinh √x / √x.
     StumpffSine,
     /// The derivative of S, `(C − S)/(2x)`.
     StumpffSineSlope,
@@ -38,12 +40,36 @@ pub enum Function {
 }
 
 impl Function {
+    /// Every function.
+    pub const ALL: [Self; 12] = [
+        Self::SquareRoot,
+        Self::Absolute,
+        Self::Sine,
+        Self::Cosine,
+        Self::ArcTangent,
+        Self::Exponential,
+        Self::NaturalLogarithm,
+        Self::StumpffCosine,
+        Self::StumpffSine,
+        Self::StumpffSineSlope,
+        Self::VersorAngle,
+        Self::VersorAngleSlope,
+    ];
+
     /// The number of arguments.
     #[must_use]
     pub const fn arity(self) -> usize {
         match self {
             Self::ArcTangent | Self::VersorAngle | Self::VersorAngleSlope => 2,
-            _ => 1,
+            Self::SquareRoot
+            | Self::Absolute
+            | Self::Sine
+            | Self::Cosine
+            | Self::Exponential
+            | Self::NaturalLogarithm
+            | Self::StumpffCosine
+            | Self::StumpffSine
+            | Self::StumpffSineSlope => 1,
         }
     }
 
@@ -77,35 +103,35 @@ impl Function {
         if let Some(exact) = self.folded(x == Residue::ZERO, x == Residue::ONE) {
             return Some(Residue::from_ratio(exact));
         }
+        let random = |of: Self| random(of, arguments);
+        let circle = || {
+            // A point of the unit circle.
+            let t = random(Self::Sine);
+            let scale = (Residue::ONE + t * t).recip();
+            ((Residue::ONE - t * t) * scale, two * t * scale)
+        };
+        let conic = || {
+            // A point of the conic C² − x S² = 1.
+            let t = random(Self::StumpffSine);
+            let scale = (Residue::ONE - x * t * t).recip();
+            ((Residue::ONE + x * t * t) * scale, two * t * scale)
+        };
         Some(match self {
             Self::SquareRoot => return x.square_root(),
             Self::Absolute => x.absolute(),
-            Self::Sine | Self::Cosine => {
-                // A point of the unit circle.
-                let t = random(Self::Sine, arguments);
-                let scale = (Residue::ONE + t * t).recip();
-                match self {
-                    Self::Sine => two * t * scale,
-                    _ => (Residue::ONE - t * t) * scale,
-                }
-            }
-            Self::StumpffCosine | Self::StumpffSine | Self::StumpffSineSlope => {
-                // A point of the conic C² − x S² = 1.
-                let t = random(Self::StumpffSine, arguments);
-                let scale = (Residue::ONE - x * t * t).recip();
-                let cosine = (Residue::ONE + x * t * t) * scale;
-                let sine = two * t * scale;
-                match self {
-                    Self::StumpffCosine => cosine,
-                    Self::StumpffSine => sine,
-                    _ => (cosine - sine) * (two * x).recip(),
-                }
+            Self::Sine => circle().1,
+            Self::Cosine => circle().0,
+            Self::StumpffCosine => conic().0,
+            Self::StumpffSine => conic().1,
+            Self::StumpffSineSlope => {
+                let (cosine, sine) = conic();
+                (cosine - sine) * (two * x).recip()
             }
             Self::ArcTangent
             | Self::Exponential
             | Self::NaturalLogarithm
             | Self::VersorAngle
-            | Self::VersorAngleSlope => random(self, arguments),
+            | Self::VersorAngleSlope => random(self),
         })
     }
 
@@ -157,6 +183,27 @@ fn random(function: Function, arguments: &[Residue]) -> Residue {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn all_lists_every_function() {
+        // Exhaustive, so that a function added later must be given its place.
+        let next = |function: Function| match function {
+            Function::SquareRoot => Some(Function::Absolute),
+            Function::Absolute => Some(Function::Sine),
+            Function::Sine => Some(Function::Cosine),
+            Function::Cosine => Some(Function::ArcTangent),
+            Function::ArcTangent => Some(Function::Exponential),
+            Function::Exponential => Some(Function::NaturalLogarithm),
+            Function::NaturalLogarithm => Some(Function::StumpffCosine),
+            Function::StumpffCosine => Some(Function::StumpffSine),
+            Function::StumpffSine => Some(Function::StumpffSineSlope),
+            Function::StumpffSineSlope => Some(Function::VersorAngle),
+            Function::VersorAngle => Some(Function::VersorAngleSlope),
+            Function::VersorAngleSlope => None,
+        };
+        let every = std::iter::successors(Some(Function::SquareRoot), |&function| next(function));
+        assert!(every.eq(Function::ALL));
+    }
 
     #[test]
     fn stand_ins_satisfy_their_equations() {

@@ -60,7 +60,7 @@ fn complete(
                     PolynomialStep::Product => arena.product(a, b),
                 },
             ),
-            _ => written[index],
+            Role::Stored | Role::Constant(_) => written[index],
         };
         let is_held = held && matches!(coefficient.role, Role::Derived(_));
         let value = if is_held { arena.held(value) } else { value };

@@ -123,7 +123,11 @@ impl Lowering<'_> {
                 let a = value(a);
                 let facts = match operation {
                     Unary::Reverse => a.facts.of_reverse(),
-                    _ => Facts::default(),
+                    Unary::Involute
+                    | Unary::Conjugate
+                    | Unary::Dual
+                    | Unary::Undual
+                    | Unary::Grade(_) => Facts::default(),
                 };
                 a.unary(self.arena, self.algebra, *operation)
                     .with_facts(facts)

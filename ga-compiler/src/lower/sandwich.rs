@@ -59,7 +59,7 @@ impl SandwichRule {
             Self::UnitCommutator if is_even_unit => commutator(arena, algebra, versor, &image),
             Self::LinearMap if is_even_unit => linear_map(arena, algebra, versor, &image),
             Self::Split if is_even_unit => split::lower(arena, algebra, versor, &image)?,
-            _ => return None,
+            Self::UnitCommutator | Self::LinearMap | Self::Split => return None,
         };
         let facts = if is_odd {
             Facts::default()

@@ -36,7 +36,7 @@ pub fn membership(
         let (blade, name) = (coefficient.blade, coefficient.name.to_string());
         reasons.push(match &coefficient.role {
             Role::Constant(constant) => Reason::NotConstant(blade, name, *constant),
-            _ => Reason::NotDerived(blade, name),
+            Role::Stored | Role::Derived(_) => Reason::NotDerived(blade, name),
         });
     }
     if reasons.is_empty() {

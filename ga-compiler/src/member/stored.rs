@@ -31,7 +31,7 @@ pub fn from_stored(kind: &TypeDefinition, stored: &[Residue]) -> Numbers {
                         PolynomialStep::Product => a * b,
                     },
                 ),
-                _ => written[index].unwrap_or(Residue::ZERO),
+                Role::Stored | Role::Constant(_) => written[index].unwrap_or(Residue::ZERO),
             };
             (c.blade, signed(value, c.is_negative))
         })

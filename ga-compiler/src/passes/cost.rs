@@ -57,7 +57,17 @@ pub fn cost(arena: &Arena, outputs: &[Value]) -> Cost {
             Node::Function(function, arguments) => {
                 match function {
                     Function::SquareRoot => cost.roots += 1,
-                    _ => cost.functions += 1,
+                    Function::Absolute
+                    | Function::Sine
+                    | Function::Cosine
+                    | Function::ArcTangent
+                    | Function::Exponential
+                    | Function::NaturalLogarithm
+                    | Function::StumpffCosine
+                    | Function::StumpffSine
+                    | Function::StumpffSineSlope
+                    | Function::VersorAngle
+                    | Function::VersorAngleSlope => cost.functions += 1,
                 }
                 for argument in arguments.iter().filter(|v| v.as_constant().is_none()) {
                     cost.scale(argument.factor);

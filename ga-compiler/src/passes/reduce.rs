@@ -89,7 +89,7 @@ fn sensitive(arena: &Arena) -> Vec<bool> {
                     is_sensitive[argument.node.index()] = true;
                 }
             }
-            _ => {}
+            Node::One | Node::Input(_) | Node::Sum(_) | Node::Product(..) => {}
         }
     }
     is_sensitive

@@ -61,7 +61,11 @@ fn turnable(arena: &Arena, reads: &[usize], id: NodeId) -> Option<NodeId> {
             turnable(arena, reads, *a).or_else(|| turnable(arena, reads, *b))
         }
         Node::Quotient(a, _) if reads[id.index()] == 1 => turnable(arena, reads, *a),
-        _ => None,
+        Node::One
+        | Node::Input(_)
+        | Node::Product(..)
+        | Node::Quotient(..)
+        | Node::Function(..) => None,
     }
 }
 

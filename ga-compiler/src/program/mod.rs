@@ -15,7 +15,9 @@ mod shape;
 mod witness;
 
 pub use evaluate::evaluate;
-pub use resolve::{Resolved, resolve};
+pub(crate) use mismatch::with_remedy;
+pub use mismatch::{Mismatch, Remedy};
+pub use resolve::{Resolved, resolve, resolve_with};
 pub use witness::Witness;
 
 use std::collections::HashMap;

@@ -5,6 +5,7 @@ use proc_macro2::Span;
 use syn::{Error, Ident, Result};
 
 use super::build::{Builder, Outcome};
+use super::mismatch::Mismatch;
 use super::nearest::nearest;
 use super::{Program, Step, StepId, Witness};
 use crate::algebra::{Blade, NameError, Product, Ratio, Unary};
@@ -54,6 +55,21 @@ pub fn resolve<'a>(
     function: &FunctionSyntax,
     block: &Block,
 ) -> Result<Resolved<'a>> {
+    resolve_with(definition, function, block, &|mismatch| {
+        mismatch.to_string()
+    })
+}
+
+/// The same, where `explain` says in words why a value is not of its declared type.
+///
+/// # Errors
+/// As for [`resolve`].
+pub fn resolve_with<'a>(
+    definition: &'a Definition,
+    function: &FunctionSyntax,
+    block: &Block,
+    explain: &dyn Fn(&Mismatch<'_, '_>) -> String,
+) -> Result<Resolved<'a>> {
     let mut resolver = Resolver {
         definition,
         builder: Builder {
@@ -63,6 +79,7 @@ pub fn resolve<'a>(
             operands: Vec::new(),
         },
         block,
+        explain,
         scope: Vec::new(),
         depth: 0,
         calls: 0,
@@ -153,6 +170,7 @@ struct Resolver<'a, 's> {
     definition: &'a Definition,
     builder: Builder<'a>,
     block: &'s Block,
+    explain: &'s dyn Fn(&Mismatch<'_, '_>) -> String,
     scope: Vec<(Ident, Bound)>,
     depth: usize,
     calls: usize,
@@ -291,7 +309,8 @@ impl<'a, 's> Resolver<'a, 's> {
             return Ok(());
         }
         let name = kind.map_or(SCALAR_TYPE.to_owned(), |kind| kind.name.to_string());
-        let message = super::mismatch::explain(&self.builder, self.definition, id, kind, &reasons);
+        let mismatch = Mismatch::new(&self.builder, self.definition, id, kind, reasons);
+        let message = (self.explain)(&mismatch);
         Err(place.error(format!("{what} is no `{name}`: {message}")))
     }
 

@@ -122,7 +122,9 @@ impl<'a> Expander<'a> {
         };
         match self.arena.node(id) {
             Node::Product(a, b) => factor(*a).product(&factor(*b)),
-            _ => Polynomial::variable(id),
+            Node::One | Node::Input(_) | Node::Sum(_) | Node::Quotient(..) | Node::Function(..) => {
+                Polynomial::variable(id)
+            }
         }
     }
 

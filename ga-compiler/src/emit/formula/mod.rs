@@ -15,12 +15,13 @@ use std::fmt::Write;
 use syn::ext::IdentExt;
 
 use crate::define::{Definition, Role, TypeDefinition};
-use crate::function::{CompiledFunction, Operand, Shape};
+use crate::function::CompiledFunction;
 use crate::ir::{Arena, Node, NodeId, Value};
+use crate::signature::{Operand, Shape};
 use expand::Expander;
 use polynomial::Polynomial;
-use print::Printer;
 pub(super) use print::name as function_name;
+use print::{Printer, bare};
 
 /// A function as text: a line for the function, then one for each blade of its result, `e1: …`. The
 /// blades of an array's elements are `[0].e1`, those of a tuple's `.0.e1`; a plain number is
@@ -335,21 +336,4 @@ fn reads(printer: &mut Printer<'_>, outputs: &[Polynomial]) -> BTreeMap<NodeId, 
         }
     }
     reads
-}
-
-/// A text without the parentheses around all of it.
-fn bare(text: &str) -> &str {
-    let Some(inner) = text.strip_prefix('(').and_then(|t| t.strip_suffix(')')) else {
-        return text;
-    };
-    let mut depth = 0;
-    for letter in inner.chars() {
-        match letter {
-            '(' => depth += 1,
-            ')' if depth == 0 => return text,
-            ')' => depth -= 1,
-            _ => {}
-        }
-    }
-    inner
 }

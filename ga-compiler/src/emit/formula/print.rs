@@ -32,8 +32,8 @@ impl Printer<'_> {
                     let mut whole = monomial;
                     whole.extend(&by);
                     let mut text = self.term(&whole, factor.abs(), String::new());
-                    if factor == Ratio::ONE && !super::bare(&text).starts_with('-') {
-                        text = super::bare(&text).to_owned();
+                    if factor == Ratio::ONE && !bare(&text).starts_with('-') {
+                        text = bare(&text).to_owned();
                     }
                     terms.push((factor.is_negative(), text));
                 }
@@ -179,7 +179,9 @@ impl Printer<'_> {
                     other => format!("{}({text})", name(*other)),
                 }
             }
-            _ => format!("({})", self.part(node)),
+            Node::One | Node::Sum(_) | Node::Product(..) | Node::Quotient(..) => {
+                format!("({})", self.part(node))
+            }
         }
     }
 
@@ -236,6 +238,29 @@ pub(super) fn explanation(function: Function) -> Option<&'static str> {
         Function::StumpffSineSlope => "S′(x) = dS/dx",
         Function::VersorAngle => "A(C(x), S(x)² x) = 1 / S(x)",
         Function::VersorAngleSlope => "A′(C(x), S(x)² x) = -2 S′(x) / S(x)³",
-        _ => return None,
+        Function::SquareRoot
+        | Function::Absolute
+        | Function::Sine
+        | Function::Cosine
+        | Function::ArcTangent
+        | Function::Exponential
+        | Function::NaturalLogarithm => return None,
     })
+}
+
+/// A text without the parentheses around all of it.
+pub(super) fn bare(text: &str) -> &str {
+    let Some(inner) = text.strip_prefix('(').and_then(|t| t.strip_suffix(')')) else {
+        return text;
+    };
+    let mut depth = 0;
+    for letter in inner.chars() {
+        match letter {
+            '(' => depth += 1,
+            ')' if depth == 0 => return text,
+            ')' => depth -= 1,
+            _ => {}
+        }
+    }
+    inner
 }

@@ -151,12 +151,7 @@ impl Writer<'_> {
             .iter()
             .map(|&argument| self.value(argument))
             .collect();
-        let runtime = self.source.runtime;
-        let call = match family[0] {
-            Function::Sine => quote! { <S as #runtime::scalar::Real>::sin_cos },
-            Function::StumpffCosine => quote! { #runtime::scalar::versor_exponential },
-            _ => quote! { #runtime::scalar::versor_logarithm },
-        };
+        let call = self.call(function);
         quote! { let (#(#names),*) = #call(#(#values),*); }
     }
 
@@ -167,20 +162,28 @@ impl Writer<'_> {
             .iter()
             .map(|&argument| self.value(argument))
             .collect();
-        let name = format_ident!(
-            "{}",
-            match function {
-                Function::SquareRoot => "sqrt",
-                Function::Absolute => "abs",
-                Function::ArcTangent => "atan2",
-                Function::Exponential => "exp",
-                Function::NaturalLogarithm => "ln",
-                Function::Sine => "sin",
-                _ => "cos",
-            }
-        );
+        let call = self.call(function);
+        quote! { #call(#(#values),*) }
+    }
+
+    /// The function of ga-runtime that gives a function, or all of its family.
+    fn call(&self, function: Function) -> TokenStream {
         let runtime = self.source.runtime;
-        quote! { <S as #runtime::scalar::Real>::#name(#(#values),*) }
+        let method = match function {
+            Function::SquareRoot => quote! { sqrt },
+            Function::Absolute => quote! { abs },
+            Function::ArcTangent => quote! { atan2 },
+            Function::Exponential => quote! { exp },
+            Function::NaturalLogarithm => quote! { ln },
+            Function::Sine | Function::Cosine => quote! { sin_cos },
+            Function::StumpffCosine | Function::StumpffSine | Function::StumpffSineSlope => {
+                return quote! { #runtime::scalar::versor_exponential };
+            }
+            Function::VersorAngle | Function::VersorAngleSlope => {
+                return quote! { #runtime::scalar::versor_logarithm };
+            }
+        };
+        quote! { <S as #runtime::scalar::Real>::#method }
     }
 
     /// A value with its factor.

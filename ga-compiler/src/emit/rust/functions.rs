@@ -9,10 +9,11 @@ use syn::ext::IdentExt;
 use super::body::{Body, Source, stage_body};
 use super::context::camel_case;
 use crate::define::{Definition, TypeDefinition};
-use crate::function::{CompiledFunction, Operand, Shape};
+use crate::function::CompiledFunction;
 use crate::ir::{NodeId, Value};
 use crate::parse::{FunctionSyntax, ShapeSyntax};
 use crate::passes::Stages;
+use crate::signature::{Operand, Shape};
 
 /// The functions as items, or a single closure as an expression. `path` is where the module of the
 /// algebra is found.

@@ -19,17 +19,16 @@ mod shapes;
 use std::collections::{BTreeSet, HashMap};
 use std::fmt::Write;
 
-use quote::ToTokens;
-use syn::Attribute;
 use syn::ext::IdentExt;
 
 use crate::define::Definition;
-use crate::function::{CompiledFunction, Operand};
+use crate::function::CompiledFunction;
 use crate::ir::{Function, Node, NodeId, Value};
 use crate::passes::Stage;
+use crate::signature::Operand;
 use body::Body;
 use names::Names;
-use shapes::{Shapes, call};
+use shapes::{Shapes, call, comment};
 
 /// The functions with everything that they need, as a part of a WGSL module.
 ///
@@ -66,7 +65,7 @@ pub fn module(definition: &Definition, functions: &[CompiledFunction]) -> String
         }
         writer.shapes.name(&function.result, &mut writer.names);
     }
-    for function in ALL_FUNCTIONS {
+    for function in Function::ALL {
         if scalar_functions::is_own(function) {
             let name = writer.names.give(scalar_functions::name(function));
             writer.own.insert(function, name);
@@ -80,36 +79,6 @@ pub fn module(definition: &Definition, functions: &[CompiledFunction]) -> String
     parts.extend(texts);
     parts.concat().trim_end().to_owned() + "\n"
 }
-
-/// Doc comments as comments.
-fn comment(attributes: &[Attribute]) -> String {
-    let mut text = String::new();
-    for attribute in attributes.iter().filter(|a| a.path().is_ident("doc")) {
-        if let Ok(meta) = attribute.meta.require_name_value()
-            && let Ok(line) = syn::parse2::<syn::LitStr>(meta.value.to_token_stream())
-        {
-            for line in line.value().lines() {
-                let _ = writeln!(text, "//{}", line.trim_end());
-            }
-        }
-    }
-    text
-}
-
-const ALL_FUNCTIONS: [Function; 12] = [
-    Function::SquareRoot,
-    Function::Absolute,
-    Function::Sine,
-    Function::Cosine,
-    Function::ArcTangent,
-    Function::Exponential,
-    Function::NaturalLogarithm,
-    Function::StumpffCosine,
-    Function::StumpffSine,
-    Function::StumpffSineSlope,
-    Function::VersorAngle,
-    Function::VersorAngleSlope,
-];
 
 struct Writer<'a> {
     /// The names of the module.
@@ -161,7 +130,7 @@ impl Writer<'_> {
         }
         let result = self.shapes.name(&function.result, &mut self.names);
         if let (Some((prepare, structure)), Some(prepared)) = (&prepare_names, &prepared) {
-            let wanted: Vec<_> = stages.handed.iter().map(|&node| whole(node)).collect();
+            let wanted: Vec<_> = stages.handed.iter().map(|&node| Value::of(node)).collect();
             let written = self.stage(function, &stages.prologue, &wanted, &known, &scope);
             let members = member_names(function, &stages.handed, &inputs);
             text.push_str(&prepared_structure(function, structure, &members));
@@ -305,10 +274,6 @@ fn member_names(function: &CompiledFunction, handed: &[NodeId], inputs: &[String
             }
         })
         .collect()
-}
-
-fn whole(node: NodeId) -> Value {
-    Value::of(node)
 }
 
 /// Statements and what is returned, indented.

@@ -25,7 +25,16 @@ pub(super) fn needs(function: Function) -> &'static [Function] {
     match function {
         Function::StumpffSineSlope => &[Function::StumpffCosine, Function::StumpffSine],
         Function::VersorAngleSlope => &[Function::VersorAngle],
-        _ => &[],
+        Function::SquareRoot
+        | Function::Absolute
+        | Function::Sine
+        | Function::Cosine
+        | Function::ArcTangent
+        | Function::Exponential
+        | Function::NaturalLogarithm
+        | Function::StumpffCosine
+        | Function::StumpffSine
+        | Function::VersorAngle => &[],
     }
 }
 
@@ -112,6 +121,12 @@ fn {this}(cosine: f32, square: f32) -> f32 {{
 }}
 "
         ),
-        _ => return None,
+        Function::SquareRoot
+        | Function::Absolute
+        | Function::Sine
+        | Function::Cosine
+        | Function::ArcTangent
+        | Function::Exponential
+        | Function::NaturalLogarithm => return None,
     })
 }

@@ -2,12 +2,15 @@
 //! tuples.
 
 use std::collections::{BTreeMap, HashMap};
+use std::fmt::Write;
 
+use quote::ToTokens;
+use syn::Attribute;
 use syn::ext::IdentExt;
 
 use super::names::Names;
-use crate::define::{Definition, TypeDefinition};
-use crate::function::Shape;
+use crate::define::{Definition, SCALAR_TYPE};
+use crate::signature::Shape;
 
 /// The structures of a module.
 pub(super) struct Shapes<'a> {
@@ -139,7 +142,7 @@ impl<'a> Shapes<'a> {
             members.push(nothing());
         }
         self.structures.push(Structure {
-            docs: docs(kind),
+            docs: comment(&kind.docs),
             name: names.give(&kind.name.unraw().to_string()),
             members,
         });
@@ -177,7 +180,7 @@ impl<'a> Shapes<'a> {
     /// A shape as a part of a name.
     fn word(&self, shape: &Shape) -> String {
         match shape {
-            Shape::Scalar => "Scalar".to_owned(),
+            Shape::Scalar => SCALAR_TYPE.to_owned(),
             Shape::Type(index) => self.definition.types[*index].name.unraw().to_string(),
             Shape::Array(element, count) => format!("{}{count}", self.word(element)),
             Shape::Tuple(parts) => {
@@ -202,9 +205,19 @@ pub(super) fn call(name: &str, values: &[String]) -> String {
     format!("{name}(\n{})", lines.concat())
 }
 
-/// The doc comment of a type.
-fn docs(kind: &TypeDefinition) -> String {
-    super::comment(&kind.docs)
+/// Doc comments as comments.
+pub(super) fn comment(attributes: &[Attribute]) -> String {
+    let mut text = String::new();
+    for attribute in attributes.iter().filter(|a| a.path().is_ident("doc")) {
+        if let Ok(meta) = attribute.meta.require_name_value()
+            && let Ok(line) = syn::parse2::<syn::LitStr>(meta.value.to_token_stream())
+        {
+            for line in line.value().lines() {
+                let _ = writeln!(text, "//{}", line.trim_end());
+            }
+        }
+    }
+    text
 }
 
 /// The member of a tuple at a place.
