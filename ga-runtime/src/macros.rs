@@ -165,7 +165,7 @@ macro_rules! algebra {
 /// Divisions by zero and roots of negative numbers follow the scalar: they give infinities or NaN
 /// over floats.
 ///
-/// ```
+/// ```standalone_crate
 /// mod kernels {
 ///     ga_runtime::ga! { ga_runtime::cga3;
 ///         /// The reflection of a point in a plane.

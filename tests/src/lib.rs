@@ -1,5 +1,7 @@
-//! Tests that cross the crates of Nullcone. The programs of the README run here as they stand
-//! there.
+//! What the tests that cross crates share. The programs of the README are run as doctests of this
+//! library.
+
+pub mod plain;
 
 #[cfg(doctest)]
 #[doc = include_str!("../../README.md")]

@@ -1,8 +1,6 @@
 //! bytemuck: elements are their stored coefficients in memory, in the order of the declaration.
 
-mod every_type;
-
-use every_type::every_type;
+use crate::every_type::every_type;
 
 use bytemuck_1::{Pod, Zeroable};
 use ga_runtime::Element;
@@ -84,7 +82,7 @@ fn no_declared_type_is_left_out() {
     let read = |path: &str| std::fs::read_to_string(format!("{root}/{path}")).expect(path);
     let lists = [
         read("ga-runtime/src/interop/bytemuck.rs"),
-        read("tests/tests/every_type/mod.rs"),
+        read("tests/tests/interop/every_type.rs"),
     ];
     let mut count = 0;
     for entry in std::fs::read_dir(format!("{root}/ga-runtime/src/algebras")).unwrap() {

@@ -1,10 +1,8 @@
 //! Nearest points, reflections and inversions against plain formulas and the dense algebra.
 
-mod plain;
-
 use ga_runtime::cga3::{Direction, DualPlane, DualSphere, Infinity, Point, RoundVector};
 use ga_runtime::geometry::relation::RoundOrFlat::{Flat, Round};
-use plain::*;
+use nullcone_tests::plain::*;
 use proptest::prelude::*;
 
 /// The centre of the round vector that the part of a point in a flat is.

@@ -1,15 +1,13 @@
 //! Meets that are degenerate: radius zero, imaginary, at the edge of the tolerance, and of what is
 //! no figure.
 
-mod plain;
-
 use ga_runtime::cga3::{Circle, Line, Plane, Point, Sphere};
 use ga_runtime::geometry::relation::meet::{
     CircleAndCircle, LineAndCircle, LineAndLine, LineAndPlane, LineAndSphere, PlaneAndCircle,
     PlaneAndPlane, PlaneAndSphere, SphereAndCircle, SphereAndSphere,
 };
 use ga_runtime::geometry::relation::{Meet, Tolerance};
-use plain::*;
+use nullcone_tests::plain::*;
 
 fn meet<A: Meet<B, Scalar = f64>, B>(a: A, b: B) -> A::Outcome {
     a.meet(b, tolerance()).expect("an outcome")

@@ -1,15 +1,13 @@
 //! Meets of lines, planes, spheres and circles: each case by plain formulas, its blade and
 //! orientation by the vee product of the dense algebra.
 
-mod plain;
-
 use ga_runtime::cga3::{Point, PointPair};
 use ga_runtime::geometry::relation::Meet;
 use ga_runtime::geometry::relation::meet::{
     CircleAndCircle, LineAndCircle, LineAndLine, LineAndPlane, LineAndSphere, PlaneAndCircle,
     PlaneAndPlane, PlaneAndSphere, SphereAndCircle, SphereAndSphere,
 };
-use plain::*;
+use nullcone_tests::plain::*;
 use proptest::prelude::*;
 
 fn meet<A: Meet<B, Scalar = f64>, B>(a: A, b: B) -> A::Outcome {

@@ -1,5 +1,4 @@
 //! Plain vectors and primitives by points, for tests of geometry. Nothing here knows the algebra.
-#![allow(dead_code, reason = "each test takes what it needs")]
 
 use std::f64::consts::TAU;
 
@@ -10,18 +9,25 @@ use ga_runtime::geometry::relation::Tolerance;
 use ga_runtime::testing::{algebra_of, to_dense};
 use proptest::prelude::*;
 
-pub(crate) type Vector = [f64; 3];
+/// A vector by its components.
+pub type Vector = [f64; 3];
 
-pub(crate) const X: Vector = [1.0, 0.0, 0.0];
-pub(crate) const Y: Vector = [0.0, 1.0, 0.0];
-pub(crate) const Z: Vector = [0.0, 0.0, 1.0];
-pub(crate) const O: Vector = [0.0; 3];
+/// The unit vector along x.
+pub const X: Vector = [1.0, 0.0, 0.0];
+/// The unit vector along y.
+pub const Y: Vector = [0.0, 1.0, 0.0];
+/// The unit vector along z.
+pub const Z: Vector = [0.0, 0.0, 1.0];
+/// The origin, and the zero vector.
+pub const O: Vector = [0.0; 3];
 
-pub(crate) fn dot(a: Vector, b: Vector) -> f64 {
+/// The inner product.
+pub fn dot(a: Vector, b: Vector) -> f64 {
     (0..3).map(|k| a[k] * b[k]).sum()
 }
 
-pub(crate) fn cross(a: Vector, b: Vector) -> Vector {
+/// The cross product.
+pub fn cross(a: Vector, b: Vector) -> Vector {
     [
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],
@@ -29,87 +35,101 @@ pub(crate) fn cross(a: Vector, b: Vector) -> Vector {
     ]
 }
 
-pub(crate) fn minus(a: Vector, b: Vector) -> Vector {
+/// a − b.
+pub fn minus(a: Vector, b: Vector) -> Vector {
     std::array::from_fn(|k| a[k] - b[k])
 }
 
 /// a + s b.
-pub(crate) fn along(a: Vector, s: f64, b: Vector) -> Vector {
+pub fn along(a: Vector, s: f64, b: Vector) -> Vector {
     std::array::from_fn(|k| a[k] + s * b[k])
 }
 
-pub(crate) fn length(a: Vector) -> f64 {
+/// The Euclidean length.
+pub fn length(a: Vector) -> f64 {
     a[0].hypot(a[1]).hypot(a[2])
 }
 
-pub(crate) fn unit_of(a: Vector) -> Vector {
+/// The unit vector of the same direction.
+pub fn unit_of(a: Vector) -> Vector {
     a.map(|x| x / length(a))
 }
 
 /// Two unit vectors across a unit normal, right-handed with it.
-pub(crate) fn frame(normal: Vector) -> [Vector; 2] {
+pub fn frame(normal: Vector) -> [Vector; 2] {
     let axis = if normal[0].abs() < 0.6 { X } else { Y };
     let u = unit_of(cross(axis, normal));
     [u, cross(normal, u)]
 }
 
-pub(crate) fn vector(size: f64) -> impl Strategy<Value = Vector> + Clone {
+/// Vectors with components within ± `size`.
+pub fn vector(size: f64) -> impl Strategy<Value = Vector> + Clone {
     prop::array::uniform3(-size..size)
 }
 
-pub(crate) fn unit() -> impl Strategy<Value = Vector> + Clone {
+/// Unit vectors.
+pub fn unit() -> impl Strategy<Value = Vector> + Clone {
     vector(1.0).prop_filter_map("too short to have a direction", |v| {
         (length(v) > 0.1).then(|| unit_of(v))
     })
 }
 
-pub(crate) fn point(p: Vector) -> Point<f64> {
+/// The point with these coordinates.
+pub fn point(p: Vector) -> Point<f64> {
     Point::from(p)
 }
 
-pub(crate) fn line(p: Vector, d: Vector) -> Line<f64> {
+/// The line through p with direction d.
+pub fn line(p: Vector, d: Vector) -> Line<f64> {
     Line::from_point_direction(point(p), d)
 }
 
-pub(crate) fn plane(p: Vector, n: Vector) -> Plane<f64> {
+/// The plane through p with normal n.
+pub fn plane(p: Vector, n: Vector) -> Plane<f64> {
     Plane::from_point_normal(point(p), n)
 }
 
-pub(crate) fn sphere(c: Vector, r: f64) -> Sphere<f64> {
+/// The sphere by its centre and radius.
+pub fn sphere(c: Vector, r: f64) -> Sphere<f64> {
     Sphere::from_centre_radius(point(c), r)
 }
 
-pub(crate) fn circle(c: Vector, n: Vector, r: f64) -> Circle<f64> {
+/// The circle by its centre, normal and radius.
+pub fn circle(c: Vector, n: Vector, r: f64) -> Circle<f64> {
     Circle::from_centre_normal_radius(point(c), n, r).expect("a circle")
 }
 
-pub(crate) fn pair(p: Vector, q: Vector) -> PointPair<f64> {
+/// The point pair of p and q.
+pub fn pair(p: Vector, q: Vector) -> PointPair<f64> {
     point(p) ^ point(q)
 }
 
-/// The sphere about a centre with this squared radius, of either sign, by its five coefficients.
-pub(crate) fn sphere_of_square(c: Vector, squared: f64) -> Sphere<f64> {
+/// The sphere with this squared radius, of either sign, by its five coefficients.
+pub fn sphere_of_square(c: Vector, squared: f64) -> Sphere<f64> {
     let ei = (dot(c, c) - squared) / 2.0;
     ga_runtime::cga3::DualSphere::new(c[0], c[1], c[2], 1.0, ei).undual()
 }
 
-/// A circle with this squared radius, of either sign: where a plane cuts a sphere about a centre in
-/// it.
-pub(crate) fn circle_of_square(c: Vector, n: Vector, squared: f64) -> Circle<f64> {
+/// The circle with this squared radius, of either sign: the intersection of a plane with a sphere
+/// whose centre lies in the plane.
+pub fn circle_of_square(c: Vector, n: Vector, squared: f64) -> Circle<f64> {
     plane(c, n) & sphere_of_square(c, squared)
 }
 
 /// A point of a circle.
-pub(crate) fn on_circle(c: Vector, n: Vector, r: f64, angle: f64) -> Vector {
+pub fn on_circle(c: Vector, n: Vector, r: f64, angle: f64) -> Vector {
     let [u, v] = frame(unit_of(n));
     along(along(c, r * angle.cos(), u), r * angle.sin(), v)
 }
 
-pub(crate) fn tolerance() -> Tolerance<f64> {
+/// The tolerance of tests: 10⁻⁹, relative and absolute.
+pub fn tolerance() -> Tolerance<f64> {
     Tolerance::new(1e-9, 1e-9)
 }
 
-pub(crate) fn near(found: f64, expected: f64, bound: f64) {
+/// Asserts that two numbers differ by no more than a bound.
+#[track_caller]
+pub fn near(found: f64, expected: f64, bound: f64) {
     assert!(
         (found - expected).abs() <= bound,
         "{found} is not {expected}, by {}",
@@ -117,17 +137,21 @@ pub(crate) fn near(found: f64, expected: f64, bound: f64) {
     );
 }
 
-pub(crate) fn near_vector(found: Vector, expected: Vector, bound: f64) {
+/// Asserts that two vectors lie no further apart than a bound.
+#[track_caller]
+pub fn near_vector(found: Vector, expected: Vector, bound: f64) {
     let off = length(minus(found, expected));
     assert!(off <= bound, "{found:?} is not {expected:?}, by {off}");
 }
 
-pub(crate) fn dense<T: Element<Scalar = f64>>(element: &T) -> Multivector<f64> {
+/// All coefficients of an element, in the dense reference.
+pub fn dense<T: Element<Scalar = f64>>(element: &T) -> Multivector<f64> {
     to_dense(&algebra_of(T::METRIC), element)
 }
 
 /// Asserts that two multivectors are equal within a part of the greatest coefficient.
-pub(crate) fn near_dense(found: &Multivector<f64>, expected: &Multivector<f64>, bound: f64) {
+#[track_caller]
+pub fn near_dense(found: &Multivector<f64>, expected: &Multivector<f64>, bound: f64) {
     let size = |m: &Multivector<f64>| m.coefficients().iter().fold(0.0_f64, |s, x| s.max(x.abs()));
     let off = size(&(found - expected));
     assert!(
@@ -137,7 +161,8 @@ pub(crate) fn near_dense(found: &Multivector<f64>, expected: &Multivector<f64>, 
 }
 
 /// Asserts that one multivector is a positive multiple of another.
-pub(crate) fn positive_multiple(found: &Multivector<f64>, expected: &Multivector<f64>, bound: f64) {
+#[track_caller]
+pub fn positive_multiple(found: &Multivector<f64>, expected: &Multivector<f64>, bound: f64) {
     let norm = |m: &Multivector<f64>| m.coefficients().iter().map(|x| x * x).sum::<f64>().sqrt();
     assert!(
         norm(expected) > 0.0 && norm(found) > 0.0,
@@ -152,7 +177,7 @@ pub(crate) fn positive_multiple(found: &Multivector<f64>, expected: &Multivector
 
 /// The least value of a function of an angle, by dense sampling and golden sections about the least
 /// samples.
-pub(crate) fn least_by_sampling(samples: usize, function: impl Fn(f64) -> f64) -> f64 {
+pub fn least_by_sampling(samples: usize, function: impl Fn(f64) -> f64) -> f64 {
     let step = TAU / samples as f64;
     let values: Vec<f64> = (0..samples).map(|k| function(k as f64 * step)).collect();
     let mut best = f64::INFINITY;

@@ -1,11 +1,9 @@
 //! Joins of two primitives: what comes out holds both, is the least that does, and is the outer
 //! product of the dense algebra.
 
-mod plain;
-
 use ga_runtime::cga3::{Infinity, Point};
 use ga_runtime::geometry::relation::{Join, Primitive, Tolerance};
-use plain::*;
+use nullcone_tests::plain::*;
 use proptest::prelude::*;
 
 fn join<A: Primitive<f64>>(a: impl Fn(Tolerance<f64>, A) -> Option<Join<f64>>, b: A) -> Join<f64> {

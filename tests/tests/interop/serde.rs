@@ -1,11 +1,9 @@
 //! serde: the written form against text and numbers put down by hand, every type there and back,
 //! and what is refused.
 
-mod every_type;
-
 use std::fmt::Debug;
 
-use every_type::every_type;
+use crate::every_type::every_type;
 use ga_runtime::Element;
 use ga_runtime::cga3::{Dilator, Infinity, Motor, Point, Rotor, Similarity, Translator};
 use ga_runtime::testing::{for_all, member, strategy};

@@ -1,10 +1,8 @@
 //! Angles between primitives against plain formulas, and normals where they meet.
 
-mod plain;
-
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use plain::*;
+use nullcone_tests::plain::*;
 use proptest::prelude::*;
 
 /// Asserts an angle both ways round.

@@ -1,11 +1,9 @@
 //! Incidence, parallels and perpendiculars: what is built to lie on something does, and no longer
 //! once it is moved off.
 
-mod plain;
-
 use ga_runtime::cga3::Infinity;
 use ga_runtime::geometry::relation::Tolerance;
-use plain::*;
+use nullcone_tests::plain::*;
 use proptest::prelude::*;
 
 /// Off by a little more and a little less than the tolerance.

@@ -1,10 +1,8 @@
 //! Distances between primitives against plain formulas and dense sampling.
 
-mod plain;
-
 use ga_runtime::cga3::{Circle, DualSphere, Line, Plane, Point, RoundVector, Sphere};
 use ga_runtime::geometry::relation::Tolerance;
-use plain::*;
+use nullcone_tests::plain::*;
 use proptest::prelude::*;
 
 /// Asserts a distance both ways round.

@@ -1,4 +1,4 @@
-//! The types of the algebras of ga-runtime that have a scalar. `interop_bytemuck.rs` tests that
+//! The types of the algebras of ga-runtime that have a scalar. `bytemuck.rs` tests that
 //! none is missing.
 
 /// Hands the types by algebra to a macro.

@@ -1,8 +1,6 @@
 //! approx: types compare coefficient by coefficient, as their scalars do.
 
-mod every_type;
-
-use every_type::every_type;
+use crate::every_type::every_type;
 
 use approx_05::{
     AbsDiffEq, RelativeEq, UlpsEq, assert_abs_diff_eq, assert_relative_eq, assert_ulps_eq,

@@ -1,0 +1,9 @@
+//! Three-dimensional conformal geometry: its axioms, its elements, other libraries' vectors, and
+//! numbers of every size.
+
+mod axioms;
+mod geometry;
+mod homogeneous;
+mod oracle;
+mod primitives;
+mod sizes;

@@ -1,0 +1,5 @@
+//! Curves through motions, motions fitted to points, and means of motions.
+
+mod curves;
+mod fit;
+mod mean;

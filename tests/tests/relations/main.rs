@@ -1,0 +1,11 @@
+//! How two elements of cga3 lie to each other: angles, distances, incidence, meets, joins and
+//! projections.
+
+mod angle;
+mod distance;
+mod edges;
+mod incidence;
+mod join;
+mod meet;
+mod meet_degenerate;
+mod projection;

@@ -1,0 +1,8 @@
+//! Versors: rigid motions, similarities and general conformal versors.
+
+mod conformal;
+mod dual_quaternion;
+mod edges;
+mod logarithm;
+mod rigid;
+mod similarity;
