@@ -1,8 +1,6 @@
 //! Expressions through the whole compiler, with no macro involved.
 
-mod algebras;
-
-use algebras::cga3_tokens as cga3;
+use crate::algebras::cga3_tokens as cga3;
 use ga_compiler::algebra::{Blade, Product};
 use ga_compiler::expression::Expression;
 use ga_compiler::kernel::{Kernel, wanted};

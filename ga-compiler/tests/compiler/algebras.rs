@@ -1,35 +1,31 @@
-//! Algebras that several tests compile in.
+//! Algebras in which several tests compile.
 
 use ga_compiler::check_types;
 use ga_compiler::define::Definition;
 use proc_macro2::TokenStream;
+use quote::quote;
 
 /// The declaration of cga3 as it ships.
 pub(crate) fn cga3_tokens() -> TokenStream {
     let source = include_str!("../../../ga-runtime/src/algebras/cga3.rs");
-    let start = source.find("algebra! {").map(|at| at + "algebra! {".len());
-    let end = source.rfind('}');
-    let (Some(start), Some(end)) = (start, end) else {
-        panic!("cga3 is declared by the macro")
-    };
+    let start = source.find("algebra! {").expect("the macro") + "algebra! {".len();
+    let end = source.rfind('}').expect("the macro");
     source[start..end].parse().expect("tokens")
 }
 
 /// The types of cga3.
-#[allow(dead_code)]
 pub(crate) fn cga3() -> Definition {
     check(cga3_tokens())
 }
 
-/// A plane of space and time: nothing in it is conformal.
-#[allow(dead_code)]
+/// An algebra of signature (1, 2, 1) that is not conformal.
 pub(crate) fn minkowski() -> Definition {
-    check(quote::quote! {
+    check(quote! {
         pub mod minkowski {
             basis t, x, y, w;
             signature 1, 2, 1;
             struct Vector { t, x, y, w }
-            /// Vectors of one weight, as points are.
+            /// Vectors of constant weight, as points are.
             #[hull(Vector)]
             struct Event { t, x, y, w = 2 }
             struct Bivector { tx, ty, xy, tw, xw, yw }
@@ -41,7 +37,7 @@ pub(crate) fn minkowski() -> Definition {
 }
 
 fn check(declaration: TokenStream) -> Definition {
-    match check_types(declaration, TokenStream::new()) {
+    match check_types(declaration, quote! { ga_runtime }) {
         Ok(definition) => definition,
         Err(error) => panic!("{error}"),
     }

@@ -4,13 +4,8 @@
 //! must agree with the graph that they were written from; counts must agree with the cost that the
 //! compiler reckons with. Shaders are tested in a crate of their own.
 
-#[path = "emit/count.rs"]
 mod count;
-#[path = "emit/dot.rs"]
 mod dot;
-#[path = "emit/formula.rs"]
 mod formula;
-#[path = "emit/random.rs"]
 mod random;
-#[path = "emit/source.rs"]
 mod source;

@@ -3,6 +3,7 @@
 mod random;
 mod rotors;
 
+use crate::algebras::cga3_tokens;
 use ga_compiler::algebra::Ratio;
 use ga_compiler::compile_function;
 use ga_compiler::ir::{Arena, Node, NodeId, Prime, PrimeSequence, Value};
@@ -241,14 +242,8 @@ fn what_is_uniform_is_worked_out_apart_from_the_rest() {
 
 #[test]
 fn the_square_of_a_point_is_the_constant_zero() {
-    let source = include_str!("../../../ga-runtime/src/algebras/cga3.rs");
-    let start = source.find("algebra! {").map(|at| at + "algebra! {".len());
-    let (Some(start), Some(end)) = (start, source.rfind('}')) else {
-        panic!("cga3 is declared by the macro")
-    };
-    let declaration = source[start..end].parse().expect("tokens");
     let function = "(p: Point) -> Scalar { p * p }".parse().expect("tokens");
-    let Ok(compiled) = compile_function(declaration, function) else {
+    let Ok(compiled) = compile_function(cga3_tokens(), function) else {
         panic!("a product of points compiles")
     };
     let kernel = compiled.kernel;

@@ -2,19 +2,6 @@
 
 use ga_compiler::define::Definition;
 use ga_compiler::function::CompiledFunction;
-use proc_macro2::TokenStream;
-
-/// The algebra as it ships.
-pub(crate) fn cga3() -> Definition {
-    let source = include_str!("../../../ga-runtime/src/algebras/cga3.rs");
-    let start = source.find("algebra! {").expect("the macro") + "algebra! {".len();
-    let end = source.rfind('}').expect("the macro");
-    let declaration: TokenStream = source[start..end].parse().expect("tokens");
-    match ga_compiler::check_types(declaration, quote::quote! { ga_runtime }) {
-        Ok(definition) => definition,
-        Err(error) => panic!("{error}"),
-    }
-}
 
 /// One function.
 #[track_caller]

@@ -1,9 +1,7 @@
 //! The named identities: that each keeps the meaning of what it is applied to, and that one gone
 //! wrong is refused.
 
-mod algebras;
-
-use algebras::{cga3, minkowski};
+use crate::algebras::{cga3, minkowski};
 use ga_compiler::algebra::Product;
 use ga_compiler::define::{Definition, TypeDefinition};
 use ga_compiler::expression::Expression;

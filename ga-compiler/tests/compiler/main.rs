@@ -1,0 +1,8 @@
+//! The compiler as a library, with no macro involved.
+
+mod algebras;
+mod declarations;
+mod emit;
+mod kernels;
+mod passes;
+mod rules;
