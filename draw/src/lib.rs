@@ -72,6 +72,7 @@ mod file;
 mod label;
 mod page;
 mod picture;
+mod render;
 mod scene;
 mod shape;
 mod stroke;

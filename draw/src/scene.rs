@@ -101,27 +101,6 @@ impl Scene {
         self.elements.iter().map(|element| &element.shape)
     }
 
-    /// The scene as a picture in Scalable Vector Graphics, of the size and from the view that it
-    /// names.
-    ///
-    /// It has a title and a description for screen readers, and follows the reader's preference for
-    /// a light or a dark ground. The same scene always gives the same text.
-    #[must_use]
-    pub fn to_svg(&self) -> String {
-        crate::svg::draw(self)
-    }
-
-    /// The scene as a page that is complete in itself: it needs no network and no other file.
-    ///
-    /// Dragging with mouse or finger turns it, as arrow keys do; the wheel, two fingers, `+` and
-    /// `-` zoom; a double click, `0` or Home goes back. A fragment such as `#turn=40,20&zoom=1.5`
-    /// sets azimuth and elevation in degrees and the zoom. Without scripts the page shows the
-    /// picture of [`to_svg`](Self::to_svg).
-    #[must_use]
-    pub fn to_html(&self) -> String {
-        crate::page::write(self)
-    }
-
     pub(crate) fn elements(&self) -> &[Element] {
         &self.elements
     }

@@ -6,6 +6,7 @@ use crate::escape::{escaped, in_script};
 use crate::picture::Picture;
 use crate::scene::Scene;
 use crate::style::Colour;
+use crate::svg;
 use crate::view::{Projection, Up};
 
 const SHEET: &str = include_str!("page.css");
@@ -57,7 +58,7 @@ pub(crate) fn write(scene: &Scene) -> String {
     let json = serde_json::to_string(&data).unwrap_or_default();
     let title = escaped(&scene.title);
     let description = escaped(&scene.told());
-    let picture = scene.to_svg();
+    let picture = svg::draw(scene);
     let json = in_script(&json);
     format!(
         r#"<!DOCTYPE html>
