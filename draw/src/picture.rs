@@ -485,6 +485,30 @@ fn short(x: f64) -> f64 {
     (x * 1e5).round() / 1e5 + 0.0
 }
 
+/// The picture with the numbers that are written of it.
+#[cfg(test)]
+pub(crate) fn as_written(picture: &Picture) -> Picture {
+    let mut picture = picture.clone();
+    for ball in &mut picture.balls {
+        ball.centre = ball.centre.map(short);
+        ball.radius = short(ball.radius);
+    }
+    for patch in &mut picture.patches {
+        patch.corners = patch.corners.iter().map(|point| point.map(short)).collect();
+        patch.normal = patch.normal.map(short);
+    }
+    for curve in &mut picture.curves {
+        curve.points = curve.points.iter().map(|point| point.map(short)).collect();
+    }
+    for dot in &mut picture.dots {
+        dot.at = dot.at.map(short);
+    }
+    for label in &mut picture.labels {
+        label.at = label.at.map(short);
+    }
+    picture
+}
+
 fn rounded<S: serde::Serializer>(point: &Vector3, serializer: S) -> Result<S::Ok, S::Error> {
     point.map(short).serialize(serializer)
 }

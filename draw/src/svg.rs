@@ -382,7 +382,7 @@ enum Visible<'a> {
 }
 
 /// The corners of an arrow's head; `None` where it points to the eye.
-fn arrow_head([behind, tip]: [Pixel; 2], width: f64) -> Option<[Pixel; 3]> {
+pub(crate) fn arrow_head([behind, tip]: [Pixel; 2], width: f64) -> Option<[Pixel; 3]> {
     let [dx, dy] = [tip[0] - behind[0], tip[1] - behind[1]];
     let long = dx.hypot(dy);
     if long < 0.75 {

@@ -1,5 +1,8 @@
 //! A page that is complete in itself.
 
+#[cfg(test)]
+mod tests;
+
 use serde::Serialize;
 
 use crate::escape::{escaped, in_script};
@@ -7,9 +10,11 @@ use crate::picture::Picture;
 use crate::scene::Scene;
 use crate::style::Colour;
 use crate::svg;
-use crate::view::{Projection, Up};
+use crate::view::Projection;
 
 const SHEET: &str = include_str!("page.css");
+/// The mathematics, which need no document.
+const GEOMETRY: &str = include_str!("geometry.js");
 const SCRIPT: &str = include_str!("page.js");
 
 /// What the script draws from.
@@ -32,34 +37,42 @@ struct Entry<'a> {
     colour: Colour,
 }
 
-/// Writes a scene.
+impl<'a> Data<'a> {
+    fn of(scene: &'a Scene) -> Self {
+        let view = scene.view;
+        let sensible = |value: f64, default| if value.is_finite() { value } else { default };
+        Self {
+            picture: Picture::of(scene),
+            elements: scene
+                .elements()
+                .iter()
+                .map(|element| Entry {
+                    label: element.label.as_deref().filter(|_| scene.legend),
+                    kind: element.shape.kind(),
+                    colour: element.colour,
+                })
+                .collect(),
+            azimuth: sensible(view.azimuth % 360.0, 0.0),
+            elevation: sensible(view.elevation, 0.0).clamp(-90.0, 90.0),
+            zoom: sensible(view.zoom, 1.0).clamp(0.1, 20.0),
+            perspective: view.projection == Projection::Perspective,
+            axes: view.up.axes(),
+        }
+    }
+
+    fn json(&self) -> String {
+        // Nothing in it can fail: all keys are text, and numbers that are not finite are written as
+        // null.
+        serde_json::to_string(self).unwrap_or_default()
+    }
+}
+
+/// The page of a scene.
 pub(crate) fn write(scene: &Scene) -> String {
-    let view = scene.view;
-    let sensible = |value: f64, default| if value.is_finite() { value } else { default };
-    let data = Data {
-        picture: Picture::of(scene),
-        elements: scene
-            .elements()
-            .iter()
-            .map(|element| Entry {
-                label: element.label.as_deref().filter(|_| scene.legend),
-                kind: element.shape.kind(),
-                colour: element.colour,
-            })
-            .collect(),
-        azimuth: sensible(view.azimuth % 360.0, 0.0),
-        elevation: sensible(view.elevation, 0.0).clamp(-90.0, 90.0),
-        zoom: sensible(view.zoom, 1.0).clamp(0.1, 20.0),
-        perspective: view.projection == Projection::Perspective,
-        axes: Up::axes(view.up),
-    };
-    // Nothing in it can fail: all keys are text, and numbers that are not finite are written as
-    // null.
-    let json = serde_json::to_string(&data).unwrap_or_default();
     let title = escaped(&scene.title);
     let description = escaped(&scene.told());
     let picture = svg::draw(scene);
-    let json = in_script(&json);
+    let json = in_script(&Data::of(scene).json());
     format!(
         r#"<!DOCTYPE html>
 <html lang="en">
@@ -81,11 +94,11 @@ pub(crate) fn write(scene: &Scene) -> String {
 <div id="still">
 {picture}</div>
 <canvas id="stage" tabindex="0" role="img" aria-label="{title}" aria-describedby="description" hidden></canvas>
-<footer hidden>Drag or arrow keys turn · wheel, two fingers or + − zoom · double click or 0 resets</footer>
+<footer hidden>Drag or use the arrow keys to rotate · wheel, two fingers or + − to zoom · double click or 0 to reset</footer>
 </main>
 <script type="application/json" id="scene">{json}</script>
 <script>
-{SCRIPT}</script>
+{GEOMETRY}{SCRIPT}</script>
 </body>
 </html>
 "#
