@@ -130,7 +130,7 @@ impl Camera {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::style::PALETTE;
+    use crate::colour::PALETTE;
     use crate::view::Up;
 
     fn camera(azimuth: f64, elevation: f64, projection: Projection, up: Up) -> Camera {

@@ -66,6 +66,7 @@
 //! than once. The examples are in `draw/examples`.
 
 mod camera;
+mod colour;
 mod escape;
 mod extent;
 mod file;
@@ -82,8 +83,9 @@ mod svg;
 mod vector3;
 mod view;
 
+pub use colour::{Colour, NotAColour, PALETTE};
 pub use file::{ElementError, SceneError};
 pub use scene::Scene;
 pub use shape::{Drawable, NotDrawable, Shape, Trajectory};
-pub use style::{Colour, NotAColour, PALETTE, Style};
+pub use style::Style;
 pub use view::{Projection, Up, View};

@@ -1,7 +1,8 @@
 //! Elements to be drawn together.
 
+use crate::colour::{Colour, PALETTE};
 use crate::shape::{Drawable, NotDrawable, Shape};
-use crate::style::{Colour, PALETTE, Style};
+use crate::style::Style;
 use crate::view::View;
 
 /// Elements to be drawn together, and how they are looked at.

@@ -20,8 +20,8 @@ pub(crate) struct Stroke {
     pub(crate) depth: f64,
     /// Which curve it is a part of; those after the picture's own are the outlines of balls.
     pub(crate) curve: usize,
-    /// Where the head of an arrow points to.
-    pub(crate) head: Option<[Pixel; 2]>,
+    /// The corners of the arrow's head at its end.
+    pub(crate) head: Option<[Pixel; 3]>,
 }
 
 /// The curves of a picture with the outlines of its balls.
@@ -121,7 +121,8 @@ impl<'a> Hiding<'a> {
         {
             let tip = curve.points[curve.points.len() - 1];
             let behind = along(tip, direction, -0.05);
-            last.head = Some([behind, tip].map(|point| self.camera.project(point)));
+            let head = [behind, tip].map(|point| self.camera.project(point));
+            last.head = arrow_head(head, curve.width);
         }
         strokes
     }
@@ -155,6 +156,24 @@ impl<'a> Hiding<'a> {
         }
         at(high)
     }
+}
+
+/// The corners of an arrow's head; `None` where it points to the eye.
+fn arrow_head([behind, tip]: [Pixel; 2], width: f64) -> Option<[Pixel; 3]> {
+    let [dx, dy] = [tip[0] - behind[0], tip[1] - behind[1]];
+    let long = dx.hypot(dy);
+    if long < 0.75 {
+        return None;
+    }
+    let [dx, dy] = [dx / long, dy / long];
+    let (size, half) = (6.0 + 2.4 * width, 2.4 + 1.1 * width);
+    let tip = [tip[0] + 0.35 * size * dx, tip[1] + 0.35 * size * dy];
+    let foot = [tip[0] - size * dx, tip[1] - size * dy];
+    Some([
+        tip,
+        [foot[0] - half * dy, foot[1] + half * dx],
+        [foot[0] + half * dy, foot[1] - half * dx],
+    ])
 }
 
 /// The same line without points that are on it anyway, to a twentieth of a pixel (Douglas and

@@ -1,61 +1,6 @@
 //! How an element looks.
 
-use std::str::FromStr;
-
-/// A colour by its red, green and blue, of 255 each.
-///
-/// ```
-/// use ga_draw::Colour;
-/// let blue: Colour = "#0072b2".parse()?;
-/// assert_eq!(blue, Colour([0, 0x72, 0xb2]));
-/// assert_eq!(blue.to_string(), "#0072b2");
-/// assert!("blue".parse::<Colour>().is_err());
-/// # Ok::<(), ga_draw::NotAColour>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Colour(pub [u8; 3]);
-
-/// The colours that elements get in turn when they name none.
-///
-/// They follow Okabe and Ito's set, which people with any kind of colour vision can tell apart
-/// (Color Universal Design, 2008), darkened where need be so that each stands out against a light
-/// and a dark ground by 3 : 1 (Web Content Accessibility Guidelines 2.1, criterion 1.4.11).
-pub const PALETTE: [Colour; 7] = [
-    Colour([0x00, 0x72, 0xb2]),
-    Colour([0xd5, 0x5e, 0x00]),
-    Colour([0x00, 0x94, 0x6c]),
-    Colour([0xc0, 0x67, 0x98]),
-    Colour([0xa9, 0x78, 0x00]),
-    Colour([0x3a, 0x8f, 0xc4]),
-    Colour([0x7a, 0x7a, 0x7a]),
-];
-
-/// The text that was to be a colour is not `#` and six hexadecimal digits.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("`{0}` is no colour: it must be # and six hexadecimal digits, as in #0072b2")]
-pub struct NotAColour(pub String);
-
-impl FromStr for Colour {
-    type Err = NotAColour;
-
-    fn from_str(text: &str) -> Result<Self, NotAColour> {
-        let wrong = || NotAColour(text.to_owned());
-        let digits = text.strip_prefix('#').ok_or_else(wrong)?;
-        if digits.len() != 6 || !digits.bytes().all(|byte| byte.is_ascii_hexdigit()) {
-            return Err(wrong());
-        }
-        let number = u32::from_str_radix(digits, 16).map_err(|_| wrong())?;
-        let [_, red, green, blue] = number.to_be_bytes();
-        Ok(Self([red, green, blue]))
-    }
-}
-
-impl std::fmt::Display for Colour {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let [red, green, blue] = self.0;
-        write!(f, "#{red:02x}{green:02x}{blue:02x}")
-    }
-}
+use crate::colour::Colour;
 
 /// How an element looks. What is `None` is chosen to suit the element.
 ///

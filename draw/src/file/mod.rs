@@ -3,9 +3,9 @@
 mod build;
 mod format;
 
+use crate::colour::NotAColour;
 use crate::scene::Scene;
 use crate::shape::NotDrawable;
-use crate::style::NotAColour;
 
 /// A JSON text that holds no scene.
 #[derive(Debug, thiserror::Error)]

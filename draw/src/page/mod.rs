@@ -5,10 +5,10 @@ mod tests;
 
 use serde::Serialize;
 
+use crate::colour::Colour;
 use crate::escape::{escaped, in_script};
 use crate::picture::Picture;
 use crate::scene::Scene;
-use crate::style::Colour;
 use crate::svg;
 use crate::view::Projection;
 

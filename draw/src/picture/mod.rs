@@ -1,0 +1,37 @@
+//! A scene as balls, flat patches, curves and dots: what both SVG and the page draw.
+//!
+//! All coordinates are those in which the [extent](crate::extent) is the ball of radius 1 about the
+//! origin.
+
+mod background;
+mod data;
+mod drawing;
+mod element;
+mod pen;
+mod polyline;
+
+#[cfg(test)]
+pub(crate) use data::as_written;
+pub(crate) use data::{Ball, Curve, Form, Patch, Picture};
+pub(crate) use polyline::heading;
+
+use crate::extent::Extent;
+use crate::scene::Scene;
+use drawing::Drawing;
+
+impl Picture {
+    pub(crate) fn of(scene: &Scene) -> Self {
+        let axes = scene.view.up.axes();
+        let mut drawing = Drawing::new(Extent::of(scene), axes[2]);
+        if scene.grid {
+            drawing.grid(axes);
+        }
+        if scene.axes {
+            drawing.axes();
+        }
+        for (index, element) in scene.elements().iter().enumerate() {
+            drawing.element(index, element);
+        }
+        drawing.picture
+    }
+}
