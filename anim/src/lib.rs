@@ -1,26 +1,26 @@
 //! Three-dimensional animation on conformal geometric algebra.
 //!
-//! A mesh is a list of conformal points, a skeleton a tree of joints, a pose one motor for each
-//! joint, and skinning carries the points along. Every motion here is a
+//! A skeleton is a tree of joints, a pose one motor for each joint, and skinning moves the vertices
+//! of a mesh, which are conformal points, with the joints. Every motion here is a
 //! [`Motor`](ga_runtime::cga3::Motor): of a joint, of a bone as a line, of a vertex as a point.
 //!
 //! | module | what it does |
 //! | --- | --- |
-//! | [`mesh`], [`skeleton`], [`weights`] | the data: polygons in file order, joints with parents first, influences without a limit |
-//! | [`obj`], [`rig`], [`bvh`] | read meshes, rigs with painted weights, motion capture; [`obj`] also writes |
+//! | [`skeleton`], [`weights`] | the data: joints with parents first, influences without a limit |
+//! | [`rig`], [`bvh`] | read rigs with painted weights, and motion capture |
 //! | [`pose`], [`clip`] | motors of joints, and what lies between two frames, along screws |
 //! | [`skin`] | moves a mesh, by the mean of matrices or of motors |
 //! | [`distance_weights`] | weights from the distance to the bones |
 //! | [`retarget`] | carries a recording over to another body |
 //! | [`leg`] | the paper's leg of hip, knee and ankle: from angles to places and back |
 //! | [`human`] | makes a body, its skeleton and a walk |
-//! | [`gltf`] | writes mesh, skin and motion as binary glTF |
+//! | [`gltf`] | skeletons and clips as the data that [`ga_mesh::gltf`] writes |
 //! | [`render`], [`sheet`] | pictures of a frame, and contact sheets of a clip |
 //!
 //! # Conventions
 //!
 //! Coordinates are right-handed with y up, and a person looks along z. Lengths are in metres unless
-//! a file has another unit: readers keep the file's, and [`Mesh::scaled`](mesh::Mesh::scaled) and
+//! a file has another unit: readers keep the file's, and [`Mesh::scaled`](ga_mesh::Mesh::scaled) and
 //! [`Skeleton::scaled`](skeleton::Skeleton::scaled) convert. Angles are in radians, times in
 //! seconds, and indices count from 0; in messages lines count from 1. A motor takes a point at rest
 //! to the pose, x' = G x ~G, and in a product of motors the right one comes first.
@@ -31,14 +31,13 @@
 //! # A joint bends
 //!
 //! ```
-//! use ga_anim::obj;
 //! use ga_anim::pose::Pose;
 //! use ga_anim::skeleton::{Joint, Skeleton};
 //! use ga_anim::skin::{self, Method};
 //! use ga_anim::weights::SkinWeights;
 //! use ga_runtime::cga3::{Motor, Rotor};
 //!
-//! let mesh = obj::parse(b"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")?;
+//! let mesh = ga_mesh::obj::parse(b"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")?;
 //! let joint = |name: &str, parent, x| Joint {
 //!     name: name.into(),
 //!     parent,
@@ -71,8 +70,6 @@ pub mod distance_weights;
 pub mod gltf;
 pub mod human;
 pub mod leg;
-pub mod mesh;
-pub mod obj;
 pub mod pose;
 pub mod render;
 pub mod retarget;

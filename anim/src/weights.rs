@@ -151,7 +151,7 @@ impl SkinWeights {
         result
     }
 
-    /// The weights of these vertices in this order, as for a [`Part`](crate::mesh::Part) of a mesh,
+    /// The weights of these vertices in this order, as for a [`Part`](ga_mesh::Part) of a mesh,
     /// or `None` when one of them does not exist.
     #[must_use]
     pub fn select(&self, vertices: &[u32]) -> Option<Self> {

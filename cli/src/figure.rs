@@ -1,10 +1,10 @@
 //! A body that can be moved.
 
-use ga_anim::mesh::Mesh;
 use ga_anim::pose::Pose;
 use ga_anim::skeleton::Skeleton;
 use ga_anim::skin::{self, Method, SkinError};
 use ga_anim::weights::SkinWeights;
+use ga_mesh::Mesh;
 
 /// A mesh, its skeleton and what joins them; metres, y up.
 pub(crate) struct Figure {

@@ -2,9 +2,10 @@
 
 use anyhow::{Context, Result};
 use ga_anim::clip::Clip;
-use ga_anim::gltf::{Animation, JointNode, Material, Model, Skin, to_glb};
-use ga_anim::obj;
-use ga_anim::render::vertex_normals;
+use ga_anim::gltf;
+use ga_mesh::gltf::{Material, Model, Skin, to_glb};
+use ga_mesh::normals::vertex_normals;
+use ga_mesh::obj;
 
 use crate::figure::Figure;
 
@@ -17,7 +18,7 @@ pub(crate) fn obj(figure: &Figure) -> Vec<u8> {
 pub(crate) fn glb(figure: &Figure, clip: &Clip, clip_name: &str) -> Result<Vec<u8>> {
     let positions: Vec<[f64; 3]> = figure.mesh.coordinates().collect();
     let triangles = figure.mesh.triangles();
-    let animation = Animation::from_clip(clip_name, &figure.skeleton, clip)?;
+    let animation = gltf::animation(clip_name, &figure.skeleton, clip)?;
     let model = Model {
         name: &figure.name,
         positions: &positions,
@@ -25,8 +26,8 @@ pub(crate) fn glb(figure: &Figure, clip: &Clip, clip_name: &str) -> Result<Vec<u
         triangles: &triangles,
         material: Material::default(),
         skin: Some(Skin {
-            joints: &JointNode::from_skeleton(&figure.skeleton),
-            weights: &figure.weights,
+            joints: &gltf::joint_nodes(&figure.skeleton),
+            weights: &gltf::vertex_weights(&figure.weights),
         }),
         animations: &[animation],
     };

@@ -23,7 +23,8 @@ mod vector;
 mod walk;
 mod weights;
 
-use crate::mesh::{Faces, Mesh, Position};
+use ga_mesh::{Faces, Mesh, Position};
+
 use crate::skeleton::Skeleton;
 use crate::weights::SkinWeights;
 

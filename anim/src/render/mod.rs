@@ -28,7 +28,6 @@ mod color;
 mod depth;
 mod depth_contrast;
 mod ground;
-mod normals;
 mod overlay;
 mod raster;
 mod resolve;
@@ -45,7 +44,6 @@ pub(crate) use color::Encoder;
 pub use color::{LinearColor, from_srgb};
 pub use depth::DepthMap;
 pub use ground::Ground;
-pub use normals::vertex_normals;
 pub use shade::{Light, Lighting};
 pub use style::Style;
 

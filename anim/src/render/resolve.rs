@@ -1,12 +1,12 @@
 //! From samples to pixels: shading, ground and background, averaged in linear light.
 
+use ga_mesh::normals::{area_vector, vertex_normals};
 use rayon::prelude::*;
 
 use super::camera::Camera;
 use super::color::LinearColor;
 use super::depth::DepthMap;
 use super::ground::{GroundShading, background};
-use super::normals::{scaled_normal, vertex_normals};
 use super::shade::WorldLighting;
 use super::shadow::GroundShadow;
 use super::surface::{Samples, barycentric};
@@ -116,7 +116,7 @@ impl Resolver<'_> {
         for (corner, weight) in corners.into_iter().zip(weights) {
             normal = add_scaled(normal, self.normals[corner], weight);
         }
-        let flat = scaled_normal(corners.map(|v| self.scene.positions[v]));
+        let flat = area_vector(corners.map(|v| self.scene.positions[v].into())).coordinates();
         let towards_viewer = self.camera.world_direction(scale(ray, -1.0));
         let (Some(mut normal), Some(towards_viewer)) = (
             normalized(normal).or_else(|| normalized(flat)),

@@ -1,6 +1,5 @@
-use ga_runtime::cga3::Motor;
+use ga_runtime::cga3::{Motor, Point};
 
-use crate::mesh::Position;
 use crate::pose::moved;
 use crate::skeleton::Skeleton;
 use crate::skin::SkinError;
@@ -25,7 +24,7 @@ impl Soles {
     /// # Errors
     ///
     /// [`SkinError::VertexCount`] when the weights are for another mesh.
-    pub fn of_mesh(positions: &[Position], weights: &SkinWeights) -> Result<Self, SkinError> {
+    pub fn of_mesh(positions: &[Point<f64>], weights: &SkinWeights) -> Result<Self, SkinError> {
         let (expected, found) = (positions.len(), weights.vertex_count());
         if expected != found {
             return Err(SkinError::VertexCount { expected, found });

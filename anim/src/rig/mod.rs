@@ -20,7 +20,7 @@ use crate::skeleton::{Skeleton, SkeletonError};
 use crate::weights::{SkinWeights, WeightsError};
 
 /// The length in metres of one unit of the MakeHuman base mesh and its rigs, a decimetre; see
-/// [`Mesh::scaled`](crate::mesh::Mesh::scaled) and [`Skeleton::scaled`].
+/// [`Mesh::scaled`](ga_mesh::Mesh::scaled) and [`Skeleton::scaled`].
 pub const METRES_PER_UNIT: f64 = 0.1;
 
 /// Reads the skeleton in a rig file.

@@ -1,13 +1,12 @@
-use ga_runtime::cga3::Motor;
+use ga_runtime::cga3::{Motor, Point};
 
-use crate::mesh::Position;
 use crate::weights::{Influence, SkinWeights};
 
 pub(super) fn blend(
-    positions: &[Position],
+    positions: &[Point<f64>],
     weights: &SkinWeights,
     motions: &[Motor<f64>],
-) -> Vec<Position> {
+) -> Vec<Point<f64>> {
     let matrices: Vec<[[f64; 4]; 3]> = motions.iter().map(|motion| motion.to_matrix()).collect();
     let mean = |influences: &[Influence]| {
         let mut mean = [[0.0; 4]; 3];
@@ -28,7 +27,7 @@ pub(super) fn blend(
         .zip(weights.iter())
         .map(|(position, influences)| {
             let [x, y, z] = position.coordinates();
-            Position::from(mean(influences).map(|[a, b, c, d]| a * x + b * y + c * z + d))
+            Point::from(mean(influences).map(|[a, b, c, d]| a * x + b * y + c * z + d))
         });
     moved.collect()
 }

@@ -20,9 +20,8 @@ mod linear;
 mod motor;
 mod report;
 
-use ga_runtime::cga3::Motor;
+use ga_runtime::cga3::{Motor, Point};
 
-use crate::mesh::Position;
 use crate::pose::PoseError;
 use crate::weights::SkinWeights;
 
@@ -38,7 +37,7 @@ pub enum Method {
     Motor,
 }
 
-/// Positions, weights and motions that do not fit together.
+/// Point<f64>s, weights and motions that do not fit together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SkinError {
     /// There are weights for another number of vertices.
@@ -101,11 +100,11 @@ pub enum SkinError {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn skin(
-    positions: &[Position],
+    positions: &[Point<f64>],
     weights: &SkinWeights,
     motions: &[Motor<f64>],
     method: Method,
-) -> Result<Vec<Position>, SkinError> {
+) -> Result<Vec<Point<f64>>, SkinError> {
     let (expected, found) = (positions.len(), weights.vertex_count());
     if expected != found {
         return Err(SkinError::VertexCount { expected, found });

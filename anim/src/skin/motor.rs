@@ -1,14 +1,13 @@
-use ga_runtime::cga3::{DualQuaternion, Motor};
+use ga_runtime::cga3::{DualQuaternion, Motor, Point};
 
 use super::SkinError;
-use crate::mesh::Position;
 use crate::weights::{Influence, SkinWeights};
 
 pub(super) fn blend(
-    positions: &[Position],
+    positions: &[Point<f64>],
     weights: &SkinWeights,
     motions: &[Motor<f64>],
-) -> Result<Vec<Position>, SkinError> {
+) -> Result<Vec<Point<f64>>, SkinError> {
     let moved =
         positions
             .iter()

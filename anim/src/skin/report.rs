@@ -1,7 +1,7 @@
+use ga_runtime::cga3::Point;
 use serde::Serialize;
 
 use super::{Method, SkinError, skin};
-use crate::mesh::Position;
 use crate::pose::Pose;
 use crate::skeleton::Skeleton;
 use crate::weights::SkinWeights;
@@ -28,7 +28,7 @@ impl BodyReport {
     ///
     /// As [`skin`], and [`SkinError::NoVertices`].
     pub fn new(
-        positions: &[Position],
+        positions: &[Point<f64>],
         weights: &SkinWeights,
         skeleton: &Skeleton,
         pose: &Pose,
@@ -64,7 +64,7 @@ impl BodyReport {
 }
 
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    Position::from(a).distance(Position::from(b))
+    Point::from(a).distance(Point::from(b))
 }
 
 /// The unit vector from one place to another, or no direction at all between equal ones.

@@ -7,7 +7,6 @@ mod errors;
 
 use ga_anim::render::{
     Camera, Ground, Light, Lighting, Rendering, Scene, Style, ViewDirection, from_srgb, render,
-    vertex_normals,
 };
 use image::Rgb;
 use proptest::prelude::*;
@@ -423,23 +422,6 @@ fn depth_pictures_are_brighter_where_it_is_nearer() {
     assert!(at(45, 60) >= 254);
     assert!(at(45, 60) > at(55, 60) && at(55, 60) > at(62, 60) && at(62, 60) > 40);
     assert_eq!(at(2, 2), 0);
-}
-
-#[test]
-fn normals_of_a_sphere_point_away_from_its_centre() {
-    let centre = [3.0, -2.0, 1.0];
-    let (positions, triangles) = sphere(0.25, centre);
-    for (position, normal) in positions.iter().zip(vertex_normals(&positions, &triangles)) {
-        let outward = subtract(*position, centre);
-        // The poles are many vertices, each with one triangle on one side.
-        if outward[1].abs() < 0.2499 {
-            assert!(
-                dot(normal, outward) / 0.25 > 0.9999,
-                "{normal:?} {outward:?}"
-            );
-        }
-    }
-    assert_eq!(vertex_normals(&[[1.0; 3]], &[]), [[0.0; 3]]);
 }
 
 #[test]

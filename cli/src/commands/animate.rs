@@ -6,9 +6,10 @@ use std::time::Instant;
 use anyhow::{Context, Result, bail, ensure};
 use ga_anim::bvh::{self, Bvh};
 use ga_anim::clip::Clip;
-use ga_anim::mesh::Mesh;
 use ga_anim::retarget::{Retarget, Soles};
-use ga_anim::{obj, rig};
+use ga_anim::rig;
+use ga_mesh::Mesh;
+use ga_mesh::obj;
 
 use crate::checks::distance;
 use crate::figure::Figure;

@@ -25,8 +25,22 @@ pub const REQUIRE_SHARED: &str = "NULLCONE_REQUIRE_SHARED";
 /// When it is absent although [`REQUIRE_SHARED`] demands it.
 #[track_caller]
 pub fn shared(path: &str) -> Option<PathBuf> {
-    let required = env::var_os(REQUIRE_SHARED).is_some_and(|value| value != "" && value != "0");
-    find(&folder(), path, required)
+    find(folder().join(path), is_required())
+}
+
+/// A path that not every checkout has, such as that of an installed tool, under the same rule as
+/// [`shared`].
+///
+/// # Panics
+///
+/// As [`shared`].
+#[track_caller]
+pub fn present(path: &Path) -> Option<PathBuf> {
+    find(path.to_path_buf(), is_required())
+}
+
+fn is_required() -> bool {
+    env::var_os(REQUIRE_SHARED).is_some_and(|value| value != "" && value != "0")
 }
 
 /// The folder beside the repository.
@@ -37,21 +51,17 @@ fn folder() -> PathBuf {
 }
 
 #[track_caller]
-fn find(folder: &Path, path: &str, required: bool) -> Option<PathBuf> {
-    let file = folder.join(path);
+fn find(file: PathBuf, required: bool) -> Option<PathBuf> {
     if file.exists() {
         return Some(file);
     }
     let place = file.display();
     assert!(
         !required,
-        "the shared data {place} is absent, and {REQUIRE_SHARED} demands it"
+        "{place} is absent, and {REQUIRE_SHARED} demands it"
     );
     // `eprintln!` would be hidden for a test that passes. A closed standard error is not a failure.
-    let _ = writeln!(
-        io::stderr(),
-        "skipped a test: there is no shared data at {place}"
-    );
+    let _ = writeln!(io::stderr(), "skipped a test: {place} is absent");
     None
 }
 
@@ -61,20 +71,19 @@ mod tests {
 
     #[test]
     fn a_file_that_exists_is_found() {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
-        let found = find(folder, "Cargo.toml", true);
-        assert_eq!(found, Some(folder.join("Cargo.toml")));
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml");
+        assert_eq!(find(file.clone(), true), Some(file));
     }
 
     #[test]
     fn an_absent_file_is_none_where_none_is_required() {
-        assert_eq!(find(Path::new("nowhere"), "data.json", false), None);
+        assert_eq!(find("nowhere/data.json".into(), false), None);
     }
 
     #[test]
     #[should_panic(expected = "NULLCONE_REQUIRE_SHARED demands it")]
     fn an_absent_file_is_a_failure_where_it_is_required() {
-        find(Path::new("nowhere"), "data.json", true);
+        find("nowhere/data.json".into(), true);
     }
 
     #[test]

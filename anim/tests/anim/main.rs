@@ -1,0 +1,24 @@
+//! Skeletons, recordings and skins, against known answers and against laws.
+
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+mod bvh;
+mod distance_weights;
+mod gltf;
+mod leg;
+mod poses;
+mod retarget;
+mod retarget_real;
+mod rig;
+mod skin;
+
+/// Fails unless `found` is within `bound` of `expected`, relative to the greater of |`expected`|
+/// and 1.
+#[track_caller]
+fn assert_relative(found: f64, expected: f64, bound: f64) {
+    let error = (found - expected).abs() / expected.abs().max(1.0);
+    assert!(
+        error <= bound,
+        "{found} instead of {expected}: relative error {error:e}"
+    );
+}

@@ -1,0 +1,40 @@
+//! Polygon meshes: vertices in the order of their file, faces with any number of corners.
+//!
+//! A [`Mesh`] is a list of conformal points and a list of polygons that refer to them by index.
+//! Polygons are kept as they were read, quadrilaterals included; [`Mesh::triangles`] splits them.
+//! No function here splits or merges vertices, so that weights, morph targets and other data that
+//! are numbered by vertex stay valid.
+//!
+//! | module or type | what it is |
+//! | --- | --- |
+//! | [`Mesh`], [`Faces`], [`Texture`], [`Group`] | the data |
+//! | [`Part`] | the faces of one group as a mesh of their own |
+//! | [`normals`] | smooth normals |
+//! | [`obj`] | reads and writes Wavefront OBJ |
+//! | [`gltf`] | writes binary glTF with skins and animations |
+//!
+//! # Conventions
+//!
+//! Coordinates are right-handed. Readers keep the unit of the file; [`Mesh::scaled`] converts it.
+//! Indices count from 0. Seen from outside, the corners of a face run counter-clockwise.
+//!
+//! ```
+//! let mesh = ga_mesh::obj::parse(b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n")?;
+//! let positions: Vec<[f64; 3]> = mesh.coordinates().collect();
+//! let normals = ga_mesh::normals::vertex_normals(&positions, &mesh.triangles());
+//! assert_eq!(normals, [[0.0, 0.0, 1.0]; 4]);
+//! # Ok::<(), ga_mesh::obj::ObjError>(())
+//! ```
+
+mod error;
+mod faces;
+pub mod gltf;
+mod mesh;
+pub mod normals;
+pub mod obj;
+mod part;
+
+pub use error::MeshError;
+pub use faces::{Faces, Polygons};
+pub use mesh::{Group, Mesh, Position, Texture};
+pub use part::Part;

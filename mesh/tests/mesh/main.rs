@@ -1,0 +1,8 @@
+//! Meshes, their files and their parts.
+
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+mod gltf;
+mod normals;
+mod obj;
+mod polygons;

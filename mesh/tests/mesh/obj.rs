@@ -1,0 +1,472 @@
+//! Meshes from OBJ files: real ones with known counts, made ones with known faults, and `tobj` as a
+//! second opinion.
+
+use ga_mesh::Mesh;
+use ga_mesh::obj::{self, ObjProblem};
+use nullcone_shared_data::shared;
+use serde_json::Value;
+use tobj::LoadOptions;
+
+#[test]
+fn real_files_have_the_counts_and_sums_known_for_them() {
+    let truth: Value = serde_json::from_str(include_str!("../data/obj.json")).unwrap();
+    for name in ["human_base.obj", "spot.obj", "stanford-bunny.obj"] {
+        let Some(path) = shared(&format!("data/anim/{name}")) else {
+            return;
+        };
+        let truth = &truth[name];
+        let mesh = obj::read(path).unwrap();
+        assert_eq!(
+            mesh.vertex_count() as u64,
+            truth["v"].as_u64().unwrap(),
+            "{name}"
+        );
+        assert_eq!(
+            mesh.faces().len() as u64,
+            truth["f"].as_u64().unwrap(),
+            "{name}"
+        );
+        assert_eq!(
+            mesh.triangles().len() as u64,
+            truth["tri"].as_u64().unwrap(),
+            "{name}"
+        );
+        assert_eq!(
+            mesh.faces().corners().len() as u64,
+            truth["corners"].as_u64().unwrap(),
+            "{name}"
+        );
+        let texture = mesh
+            .texture()
+            .map_or(0, |texture| texture.coordinates.len());
+        assert_eq!(texture as u64, truth["vt"].as_u64().unwrap(), "{name}");
+        let [low, high] = mesh.bounds().unwrap();
+        for axis in 0..3 {
+            assert_eq!(low[axis], truth["min"][axis].as_f64().unwrap(), "{name}");
+            assert_eq!(high[axis], truth["max"][axis].as_f64().unwrap(), "{name}");
+            let sum: f64 = mesh.coordinates().map(|x| x[axis]).sum();
+            let expected = truth["sum"][axis].as_f64().unwrap();
+            assert!(
+                (sum - expected).abs() <= 1e-9 * expected.abs().max(1.0),
+                "{name}"
+            );
+        }
+    }
+}
+
+#[test]
+fn the_vertices_of_a_real_file_are_in_its_order() {
+    for name in ["human_base.obj", "stanford-bunny.obj"] {
+        let Some(path) = shared(&format!("data/anim/{name}")) else {
+            return;
+        };
+        let text = std::fs::read_to_string(&path).unwrap();
+        let lines: Vec<Vec<f64>> = text
+            .lines()
+            .filter_map(|line| line.strip_prefix("v "))
+            .map(|line| {
+                line.split_whitespace()
+                    .map(|word| word.parse().unwrap())
+                    .collect()
+            })
+            .collect();
+        let mesh = obj::read(&path).unwrap();
+        assert_eq!(mesh.vertex_count(), lines.len());
+        assert!(
+            mesh.coordinates()
+                .zip(&lines)
+                .all(|(vertex, line)| vertex[..] == line[..])
+        );
+    }
+}
+
+#[test]
+fn the_human_has_its_body_in_a_group() {
+    let Some(path) = shared("data/anim/human_base.obj") else {
+        return;
+    };
+    let mesh = obj::read(path).unwrap();
+    let body = mesh.part("body").unwrap();
+    // basemesh_vertex_groups.json counts the helpers from vertex 13,380 on.
+    assert_eq!(body.vertices, (0..13_380).collect::<Vec<u32>>());
+    let first_faces = mesh.faces().iter().take(body.mesh.faces().len());
+    assert!(body.mesh.faces().iter().eq(first_faces));
+    assert_eq!(
+        mesh.groups()
+            .iter()
+            .map(|group| group.faces.len())
+            .sum::<usize>(),
+        mesh.faces().len()
+    );
+    assert_eq!(mesh.part("no such group"), None);
+}
+
+/// Faces as `tobj` has them: the places of their corners, in single precision.
+fn faces_by_tobj(text: &[u8]) -> Vec<Vec<[f32; 3]>> {
+    let options = LoadOptions {
+        ignore_lines: true,
+        ignore_points: true,
+        ..LoadOptions::default()
+    };
+    let no_materials = |_: &std::path::Path| Err(tobj::LoadError::GenericFailure);
+    let (models, _) = tobj::load_obj_buf(&mut &text[..], &options, no_materials).unwrap();
+    let mut faces = Vec::new();
+    for mesh in models.iter().map(|model| &model.mesh) {
+        let mut indices = mesh.indices.iter().map(|&index| {
+            let first = 3 * index as usize;
+            [
+                mesh.positions[first],
+                mesh.positions[first + 1],
+                mesh.positions[first + 2],
+            ]
+        });
+        let triangles = vec![3; mesh.indices.len() / 3];
+        let arities = if mesh.face_arities.is_empty() {
+            &triangles
+        } else {
+            &mesh.face_arities
+        };
+        faces.extend(
+            arities
+                .iter()
+                .map(|&arity| indices.by_ref().take(arity as usize).collect::<Vec<_>>()),
+        );
+    }
+    faces
+}
+
+fn faces_of(mesh: &Mesh) -> Vec<Vec<[f32; 3]>> {
+    let places: Vec<[f32; 3]> = mesh.coordinates().map(|x| x.map(|x| x as f32)).collect();
+    mesh.faces()
+        .iter()
+        .map(|face| face.iter().map(|&vertex| places[vertex as usize]).collect())
+        .collect()
+}
+
+#[test]
+fn tobj_sees_the_same_faces_in_real_files() {
+    for name in ["human_base.obj", "spot.obj", "stanford-bunny.obj"] {
+        let Some(path) = shared(&format!("data/anim/{name}")) else {
+            return;
+        };
+        let text = std::fs::read(path).unwrap();
+        assert_eq!(
+            faces_of(&obj::parse(&text).unwrap()),
+            faces_by_tobj(&text),
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn all_forms_of_lines_are_read() {
+    let text = b"\
+# caf\xe9, in an old encoding
+mtllib unused.mtl
+v 0 0 0
+v 1 0 0 1\r
+v 1 \\
+  1 0
+v 0 1 0 0.5 0.5 0.5 # with a colour
+vt 0.25
+vt 0.5 0.75
+vt 1 1 0
+vn 0 0 1
+o thing one
+usemtl red
+g left right left
+f 1/1/1 2/2/1 3/3/1
+g
+s off
+f -4//-1 -2//-1 -1//-1
+g right
+f 1 2 3 4
+";
+    let mesh = obj::parse(text).unwrap();
+    let expected = [
+        [0.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [1.0, 1.0, 0.0],
+        [0.0, 1.0, 0.0],
+    ];
+    assert!(mesh.coordinates().eq(expected));
+    assert!(
+        mesh.faces()
+            .iter()
+            .eq([&[0, 1, 2][..], &[0, 2, 3], &[0, 1, 2, 3]])
+    );
+    let texture = mesh.texture().unwrap();
+    assert_eq!(texture.coordinates, [[0.25, 0.0], [0.5, 0.75], [1.0, 1.0]]);
+    assert_eq!(texture.corners[..4], [Some(0), Some(1), Some(2), None]);
+    assert!(texture.corners[4..].iter().all(Option::is_none));
+    let groups: Vec<_> = mesh
+        .groups()
+        .iter()
+        .map(|group| (group.name.as_str(), &group.faces[..]))
+        .collect();
+    assert_eq!(
+        groups,
+        [
+            ("thing one", &[0, 1, 2][..]),
+            ("left", &[0]),
+            ("right", &[0, 2])
+        ]
+    );
+}
+
+#[test]
+fn a_face_may_come_before_its_vertices() {
+    let mesh = obj::parse(b"f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n").unwrap();
+    assert_eq!(mesh.triangles(), [[0, 1, 2]]);
+}
+
+#[test]
+fn every_fault_is_named_with_its_line() {
+    const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    for (lines, message) in [
+        ("v 1 2 nan", "line 4: \"nan\" is not a finite number"),
+        ("v 1 2 1e999", "line 4: \"1e999\" is not a finite number"),
+        ("v 1 2 3 inf", "line 4: \"inf\" is not a finite number"),
+        ("v 1 2,5 3", "line 4: \"2,5\" is not a number"),
+        (
+            "v 1 2",
+            "line 4: a v line has 3, 4 or 6 numbers, but this one has 2",
+        ),
+        (
+            "v 1 2 3 4 5",
+            "line 4: a v line has 3, 4 or 6 numbers, but this one has 5",
+        ),
+        (
+            "v 1 2 3 4 5 6 7",
+            "line 4: a v line has 3, 4 or 6 numbers, but this one has 7",
+        ),
+        (
+            "v",
+            "line 4: a v line has 3, 4 or 6 numbers, but this one has 0",
+        ),
+        (
+            "vt",
+            "line 4: a vt line has 1, 2 or 3 numbers, but this one has 0",
+        ),
+        (
+            "vn 1 0",
+            "line 4: a vn line has 3 numbers, but this one has 2",
+        ),
+        (
+            "v 1 \\\n2 \\\n\nf 1 2 3",
+            "line 4: a v line has 3, 4 or 6 numbers, but this one has 2",
+        ),
+        ("f 1 2 4", "line 4: \"4\" refers to v 4, but there are 3"),
+        (
+            "\n\r\nf 1 2 9",
+            "line 6: \"9\" refers to v 9, but there are 3",
+        ),
+        ("f 1 2 0", "line 4: \"0\" refers to v 0, but there are 3"),
+        ("f 1 2 -4", "line 4: \"-4\" refers to v -4, but there are 3"),
+        (
+            "f 1/1 2/1 3/1",
+            "line 4: \"1\" refers to vt 1, but there are 0",
+        ),
+        (
+            "vn 0 0 1\nf 1//1 2//2 3//1",
+            "line 5: \"2\" refers to vn 2, but there are 1",
+        ),
+        (
+            "f 1 2 4294967297",
+            "line 4: \"4294967297\" refers to v 4294967297, but there are 3",
+        ),
+        (
+            "f 1 2",
+            "line 4: a face has at least 3 corners, but this one has 2",
+        ),
+        (
+            "f 1 2 3/",
+            "line 4: \"3/\" is no corner of a face (v, v/vt, v//vn or v/vt/vn)",
+        ),
+        (
+            "f 1 2 3//",
+            "line 4: \"3//\" is no corner of a face (v, v/vt, v//vn or v/vt/vn)",
+        ),
+        (
+            "f 1 2 /3",
+            "line 4: \"/3\" is no corner of a face (v, v/vt, v//vn or v/vt/vn)",
+        ),
+        (
+            "f 1 2 1/1/1/1",
+            "line 4: \"1/1/1/1\" is no corner of a face (v, v/vt, v//vn or v/vt/vn)",
+        ),
+        (
+            "f 1 2 three",
+            "line 4: \"three\" is no corner of a face (v, v/vt, v//vn or v/vt/vn)",
+        ),
+        (
+            "f 1 2 1.0",
+            "line 4: \"1.0\" is no corner of a face (v, v/vt, v//vn or v/vt/vn)",
+        ),
+        (
+            "face 1 2 3",
+            "line 4: \"face\" begins no line of a polygon mesh",
+        ),
+        (
+            "curv 0 1 1 2",
+            "line 4: \"curv\" begins no line of a polygon mesh",
+        ),
+        ("f 1 2 3\0", "line 4: this is not text"),
+        ("# only vertices", "line 4: the file ends without a face"),
+    ] {
+        let error = obj::parse(format!("{TRIANGLE}{lines}\n").as_bytes()).unwrap_err();
+        assert_eq!(error.to_string(), message, "{lines:?}");
+    }
+    assert_eq!(
+        obj::parse(b"").unwrap_err().to_string(),
+        "line 1: the file ends without a vertex"
+    );
+    let not_text = obj::parse(b"v 0 0 0\ng \xff\n").unwrap_err();
+    assert_eq!((not_text.line, not_text.problem), (2, ObjProblem::NotText));
+}
+
+#[test]
+fn errors_name_the_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let missing = folder.path().join("missing.obj");
+    let message = obj::read(&missing).unwrap_err().to_string();
+    assert!(
+        message.starts_with(&format!("cannot read {}: ", missing.display())),
+        "{message}"
+    );
+    let picture = folder.path().join("picture.obj");
+    std::fs::write(&picture, b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR").unwrap();
+    let message = obj::read(&picture).unwrap_err().to_string();
+    assert_eq!(
+        message,
+        format!("{}: line 1: this is not text", picture.display())
+    );
+}
+
+mod properties {
+    use super::*;
+    use ga_mesh::{Faces, Group, Texture};
+    use proptest::collection::vec;
+    use proptest::prelude::*;
+
+    fn meshes() -> impl Strategy<Value = Mesh> {
+        let coordinate = prop_oneof![
+            4 => -10.0..10.0f64,
+            1 => any::<f64>().prop_filter("finite", |x| x.is_finite()),
+        ];
+        let positions = vec(proptest::array::uniform3(coordinate), 3..20);
+        (positions, 1usize..12, 1usize..6).prop_flat_map(|(positions, faces, coordinates)| {
+            let vertices = positions.len() as u32;
+            let corner = (0..vertices, proptest::option::of(0..coordinates as u32));
+            let group = vec(0..faces as u32, 1..=faces);
+            (
+                Just(positions),
+                vec(vec(corner, 3..7), faces),
+                vec(proptest::array::uniform2(0.0..1.0f64), coordinates),
+                vec(group, 0..4),
+            )
+                .prop_map(|(positions, polygons, coordinates, groups)| {
+                    let vertices = polygons
+                        .iter()
+                        .map(|face| face.iter().map(|corner| corner.0).collect::<Vec<_>>());
+                    let corners = polygons.iter().flatten().map(|corner| corner.1).collect();
+                    let named = |(index, faces)| Group {
+                        name: format!("group{index}"),
+                        faces,
+                    };
+                    Mesh::new(positions, Faces::from_polygons(vertices).unwrap())
+                        .and_then(|mesh| {
+                            mesh.with_texture(Texture {
+                                coordinates,
+                                corners,
+                            })
+                        })
+                        .and_then(|mesh| {
+                            mesh.with_groups(groups.into_iter().enumerate().map(named).collect())
+                        })
+                        .unwrap()
+                })
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn a_written_mesh_reads_back_the_same(mesh in meshes()) {
+            let back = obj::parse(obj::to_text(&mesh).as_bytes()).unwrap();
+            let by_name = |mesh: &Mesh| {
+                let mut groups = mesh.groups().to_vec();
+                groups.sort_by(|a, b| a.name.cmp(&b.name));
+                groups
+            };
+            // Groups come back in the order in which faces use them.
+            prop_assert_eq!(by_name(&back), by_name(&mesh));
+            prop_assert_eq!(back.with_groups(vec![]).unwrap(), mesh.with_groups(vec![]).unwrap());
+        }
+
+        #[test]
+        fn tobj_sees_the_same_faces(mesh in meshes()) {
+            let mesh = mesh.with_positions(
+                mesh.coordinates().map(|x| x.map(|x| f64::from((x.clamp(-1e30, 1e30)) as f32))).collect(),
+            ).unwrap();
+            let mut text = String::new();
+            for line in obj::to_text(&mesh).lines() {
+                // tobj wants texture coordinates at all corners of a face or at none.
+                let words: Vec<_> = line.split(' ').collect();
+                let bare = |word: &str| word.split('/').next().unwrap().to_owned();
+                if words[0] == "f" && words[1..].iter().any(|word| !word.contains('/')) {
+                    text += &words.iter().map(|word| bare(word)).collect::<Vec<_>>().join(" ");
+                } else {
+                    text += line;
+                }
+                text.push('\n');
+            }
+            let ours = obj::parse(text.as_bytes()).unwrap();
+            prop_assert_eq!(faces_of(&ours), faces_by_tobj(text.as_bytes()));
+        }
+
+        #[test]
+        fn indices_from_the_end_mean_the_same(mesh in meshes()) {
+            let text = obj::to_text(&mesh);
+            let coordinates = mesh.texture().unwrap().coordinates.len() as i64;
+            let mut from_the_end = String::new();
+            for line in text.lines() {
+                let mut words = line.split(' ');
+                if let Some("f") = words.next() {
+                    from_the_end.push('f');
+                    for corner in words {
+                        let indices: Vec<i64> = corner.split('/').map(|index| index.parse().unwrap()).collect();
+                        from_the_end += &format!(" {}", indices[0] - mesh.vertex_count() as i64 - 1);
+                        if let Some(index) = indices.get(1) {
+                            from_the_end += &format!("/{}", index - coordinates - 1);
+                        }
+                    }
+                } else {
+                    from_the_end += line;
+                }
+                from_the_end += "\r\n";
+            }
+            prop_assert_eq!(obj::parse(from_the_end.as_bytes()), obj::parse(text.as_bytes()));
+        }
+
+        #[test]
+        fn no_bytes_make_it_panic(bytes in vec(any::<u8>(), 0..200)) {
+            let _ = obj::parse(&bytes);
+        }
+
+        #[test]
+        fn no_damage_makes_it_panic_or_yield_a_bad_mesh(
+            mesh in meshes(),
+            damage in vec((any::<prop::sample::Index>(), any::<u8>()), 1..4),
+        ) {
+            let mut text = obj::to_text(&mesh).into_bytes();
+            for (place, byte) in damage {
+                let place = place.index(text.len());
+                text[place] = byte;
+            }
+            if let Ok(mesh) = obj::parse(&text) {
+                prop_assert!(mesh.coordinates().flatten().all(f64::is_finite));
+                prop_assert!(mesh.faces().corners().iter().all(|&v| (v as usize) < mesh.vertex_count()));
+            }
+        }
+    }
+}
