@@ -29,9 +29,9 @@ pub fn evaluate(function: &CompiledFunction, inputs: &[f64]) -> Vec<f64> {
                     Function::ArcTangent => x.atan2(arguments[1]),
                     Function::Exponential => x.exp(),
                     Function::NaturalLogarithm => x.ln(),
-                    Function::VersorCosine => versor_exponential(x).0,
-                    Function::VersorSine => versor_exponential(x).1,
-                    Function::VersorSineSlope => versor_exponential(x).2,
+                    Function::StumpffCosine => versor_exponential(x).0,
+                    Function::StumpffSine => versor_exponential(x).1,
+                    Function::StumpffSineSlope => versor_exponential(x).2,
                     Function::VersorAngle => pair().0,
                     Function::VersorAngleSlope => pair().1,
                 }
