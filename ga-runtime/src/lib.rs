@@ -33,6 +33,5 @@ pub use algebras::pga3::pga3;
 pub use algebras::sta::sta;
 #[cfg(feature = "vga2")]
 pub use algebras::vga2::vga2;
-#[cfg(feature = "vga3")]
 pub use algebras::vga3::vga3;
 pub use element::Element;

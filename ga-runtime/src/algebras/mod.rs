@@ -11,5 +11,4 @@ pub(crate) mod pga3;
 pub(crate) mod sta;
 #[cfg(feature = "vga2")]
 pub(crate) mod vga2;
-#[cfg(feature = "vga3")]
 pub(crate) mod vga3;

@@ -57,8 +57,9 @@
 //! [`relation`]. 4×4 matrices are in [`homogeneous`], maps that are not conformal in [`Affine`].
 //! Means of many motions, curves through them and motions that fit points are in [`motion`].
 //!
-//! The other algebras have their geometry as inherent methods of their types too, behind the
-//! features of their names; coordinates of the plane are `[x, y]`. [`DualQuaternionParts`] are a
+//! [`vga3::Vector`](crate::vga3::Vector) is the vector of space, with its operators, lengths and
+//! angles. The other algebras have their geometry as inherent methods of their types too, behind
+//! the features of their names; coordinates of the plane are `[x, y]`. [`DualQuaternionParts`] are a
 //! motor as others write it, two quaternions.
 
 #[cfg(feature = "cga2")]
@@ -75,9 +76,9 @@ mod vector2;
 mod vector3;
 #[cfg(feature = "vga2")]
 mod vga2;
-#[cfg(feature = "vga3")]
 mod vga3;
 
+#[cfg(feature = "nalgebra-035")]
 pub(crate) use cga3::affine;
 pub use cga3::{
     Affine, DualQuaternionParts, Kind, NotConformal, NotUnit, RotationPath, Screw, homogeneous,

@@ -77,7 +77,6 @@ macro_rules! declared_types {
         $callback! { pga2 {
             Line 3, Point 3, Pseudoscalar 1, Rotor 2, Translator 2, Motor 4, MotorSum 4, Multivector 8
         } }
-        #[cfg(feature = "vga3")]
         $callback! { vga3 {
             Vector 3, Bivector 3, Trivector 1, Rotor 4, Quaternion 4, Multivector 8
         } }

@@ -2,15 +2,15 @@
 //!
 //! | here | glam | |
 //! | --- | --- | --- |
-//! | [`Point`], [`Direction`], [`Translator`] | `Vec3`, `Vec3A`, `DVec3` | both ways |
+//! | [`Vector`], [`Point`], [`Direction`], [`Translator`] | `Vec3`, `Vec3A`, `DVec3` | both ways |
 //! | [`Rotor`] | `Quat`, `DQuat`; `Mat3`, `Mat3A`, `DMat3` | to; from is checked |
 //! | [`Motor`] | `(Quat, Vec3)`, `(DQuat, DVec3)`; `Affine3`, `Affine3A`, `DAffine3`; `Mat4`, `DMat4` | to; from is checked |
 //! | [`Similarity`] | `Affine3`, `Affine3A`, `DAffine3`; `Mat4`, `DMat4` | to; from is checked |
 //! | [`Affine`] | `Affine3`, `Affine3A`, `DAffine3` | both ways |
 //! | [`Affine`] | `Mat4`, `DMat4` | to; from is checked |
 //!
-//! glam has no type of quaternions that must have length 1; a quaternion is brought to it, and one
-//! that cannot be is an error.
+//! glam does not have a type of quaternions of length 1. A quaternion is therefore normalized, and
+//! one that cannot be is an error.
 //!
 //! ```
 //! use ga_runtime::cga3::{Motor, Point, Rotor};
@@ -21,7 +21,7 @@
 //! let moved = DVec3::from(motor.transform(Point::from(p)));
 //! assert!(moved.abs_diff_eq(DAffine3::from(motor).transform_point3(p), 1e-15));
 //!
-//! // A matrix that scales is no rigid motion.
+//! // A matrix that scales is not a rigid motion.
 //! assert!(Motor::try_from(DAffine3::from_scale(DVec3::splat(2.0))).is_err());
 //! ```
 
@@ -32,9 +32,24 @@ use glam_034::{
 use super::NotRigid;
 use crate::cga3::{Direction, Motor, Point, Rotor, Similarity, Translator};
 use crate::geometry::{Affine, NotConformal};
+use crate::vga3::Vector;
 
 macro_rules! vectors {
     ($S:ty, $Vec3:ident) => {
+        impl From<$Vec3> for Vector<$S> {
+            #[inline]
+            fn from(v: $Vec3) -> Self {
+                Self::new(v.x, v.y, v.z)
+            }
+        }
+
+        impl From<Vector<$S>> for $Vec3 {
+            #[inline]
+            fn from(vector: Vector<$S>) -> Self {
+                vector.coordinates().into()
+            }
+        }
+
         impl From<$Vec3> for Point<$S> {
             #[inline]
             fn from(v: $Vec3) -> Self {
@@ -177,7 +192,7 @@ macro_rules! conversions {
             }
         }
 
-        /// The motor that turns by the quaternion's direction and then shifts.
+        /// The motor that rotates by the quaternion's direction and then translates.
         impl TryFrom<($Quat, $Vec3)> for Motor<$S> {
             type Error = NotRigid;
 
@@ -191,7 +206,7 @@ macro_rules! conversions {
             }
         }
 
-        /// The turn, which comes first, and the shift.
+        /// The rotation, which comes first, and the translation.
         impl From<Motor<$S>> for ($Quat, $Vec3) {
             #[inline]
             fn from(motor: Motor<$S>) -> Self {

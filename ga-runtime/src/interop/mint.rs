@@ -14,6 +14,7 @@ use super::NotRigid;
 use crate::cga3::{Direction, Motor, Point, Rotor};
 use crate::geometry::{Affine, NotConformal};
 use crate::scalar::{Field, Real, Ring};
+use crate::vga3::Vector;
 
 impl<S> From<Point3<S>> for Point<S> {
     #[inline]
@@ -26,6 +27,20 @@ impl<S: Ring> From<Point<S>> for Point3<S> {
     #[inline]
     fn from(point: Point<S>) -> Self {
         point.coordinates().into()
+    }
+}
+
+impl<S> From<Vector3<S>> for Vector<S> {
+    #[inline]
+    fn from(Vector3 { x, y, z }: Vector3<S>) -> Self {
+        Self::new(x, y, z)
+    }
+}
+
+impl<S> From<Vector<S>> for Vector3<S> {
+    #[inline]
+    fn from(vector: Vector<S>) -> Self {
+        <[S; 3]>::from(vector).into()
     }
 }
 
@@ -115,7 +130,7 @@ macro_rules! motors {
             }
         }
 
-        /// A rotation within √ε and a shift; the last row must be 0 0 0 1.
+        /// A rotation within √ε and a translation; the last row must be 0 0 0 1.
         impl<S: Real<Mask = bool>> TryFrom<$Matrix<S>> for Motor<S> {
             type Error = NotConformal;
 

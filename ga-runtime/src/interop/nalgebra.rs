@@ -4,7 +4,7 @@
 //! | here | nalgebra | |
 //! | --- | --- | --- |
 //! | [`Point`] | `Point3` | both ways |
-//! | [`Direction`] | `Vector3` | both ways |
+//! | [`Vector`], [`Direction`] | `Vector3` | both ways |
 //! | [`Translator`] | `Translation3` | both ways |
 //! | [`Rotor`] | `UnitQuaternion` | both ways; the sign is kept |
 //! | [`Rotor`] | `Rotation3`, `Matrix3` | to; from is checked |
@@ -37,6 +37,7 @@ use super::NotRigid;
 use crate::cga3::{Direction, Motor, Point, Rotor, Similarity, Translator};
 use crate::geometry::{Affine, NotConformal, affine};
 use crate::scalar::{Field, Real, Ring};
+use crate::vga3::Vector;
 
 impl<S: Scalar + Copy> From<Point3<S>> for Point<S> {
     #[inline]
@@ -51,6 +52,21 @@ impl<S: Scalar + Ring> From<Point<S>> for Point3<S> {
     fn from(point: Point<S>) -> Self {
         let [x, y, z] = point.coordinates();
         Self::new(x, y, z)
+    }
+}
+
+impl<S: Scalar + Copy> From<Vector3<S>> for Vector<S> {
+    #[inline]
+    fn from(vector: Vector3<S>) -> Self {
+        let [[x, y, z]] = vector.data.0;
+        Self::new(x, y, z)
+    }
+}
+
+impl<S: Scalar> From<Vector<S>> for Vector3<S> {
+    #[inline]
+    fn from(vector: Vector<S>) -> Self {
+        <[S; 3]>::from(vector).into()
     }
 }
 

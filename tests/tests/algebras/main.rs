@@ -8,6 +8,7 @@ mod single;
 mod sta;
 mod vga2;
 mod vga3;
+mod vga3_vector;
 
 use proptest::prelude::*;
 

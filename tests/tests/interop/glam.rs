@@ -4,6 +4,7 @@
 use ga_runtime::cga3::{Dilator, Direction, Motor, Point, Rotor, Similarity, Translator};
 use ga_runtime::geometry::{Affine, NotConformal};
 use ga_runtime::interop::NotRigid;
+use ga_runtime::vga3;
 use glam_034::{
     Affine3, Affine3A, DAffine3, DMat3, DMat4, DQuat, DVec3, Mat3, Mat3A, Mat4, Quat, Vec3, Vec3A,
 };
@@ -134,11 +135,13 @@ proptest! {
     fn vectors_come_back(v in vector()) {
         prop_assert_eq!(DVec3::from(Point::from(v)), v);
         prop_assert_eq!(DVec3::from(Direction::from(v)), v);
+        prop_assert_eq!(DVec3::from(vga3::Vector::from(v)), v);
         prop_assert_eq!(DVec3::from(Translator::from(v)), v);
         let mint = mint_05::Point3 { x: v.x, y: v.y, z: v.z };
         prop_assert_eq!(mint_05::Point3::from(Point::from(mint)), mint);
         let mint = mint_05::Vector3 { x: v.x, y: v.y, z: v.z };
         prop_assert_eq!(mint_05::Vector3::from(Direction::from(mint)), mint);
+        prop_assert_eq!(mint_05::Vector3::from(vga3::Vector::from(mint)), mint);
     }
 
     #[test]

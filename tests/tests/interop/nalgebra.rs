@@ -3,6 +3,7 @@
 use ga_runtime::cga3::{Direction, Motor, Point, Rotor, Similarity, Translator};
 use ga_runtime::geometry::{Affine, NotConformal};
 use ga_runtime::interop::NotRigid;
+use ga_runtime::vga3;
 use nalgebra_035::{
     Affine3, Isometry3, IsometryMatrix3, Matrix3, Matrix4, Point3, Quaternion, Rotation3,
     Similarity3, Translation3, UnitQuaternion, Vector3,
@@ -77,6 +78,7 @@ proptest! {
     fn vectors_come_back_to_the_bit(v in vector()) {
         prop_assert_eq!(Point3::from(Point::from(Point3::from(v))), Point3::from(v));
         prop_assert_eq!(Vector3::from(Direction::from(v)), v);
+        prop_assert_eq!(Vector3::from(vga3::Vector::from(v)), v);
         let shift = Translation3::from(v);
         prop_assert_eq!(Translation3::from(Translator::from(shift)), shift);
         prop_assert_eq!(Point::from(Point3::new(1_i64, 2, 3)), Point::new(1, 2, 3));

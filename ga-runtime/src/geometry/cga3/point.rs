@@ -1,8 +1,8 @@
 //! Points.
 
 use crate::cga3::Point;
-use crate::geometry::vector3::{difference, dot, length};
 use crate::scalar::{Real, Ring};
+use crate::vga3::Vector;
 
 impl<S: Ring> Point<S> {
     /// The coordinates `[x, y, z]`.
@@ -17,13 +17,25 @@ impl<S: Ring> Point<S> {
         [self.e1(), self.e2(), self.e3()]
     }
 
+    /// The vector from this point to another, `other − self`.
+    ///
+    /// ```
+    /// use ga_runtime::{cga3::Point, vga3::Vector};
+    /// let (p, q) = (Point::new(1, 2, 3), Point::new(5, 5, 5));
+    /// assert_eq!(p.vector_to(q), Vector::new(4, 3, 2));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn vector_to(self, other: Self) -> Vector<S> {
+        Vector::from(other) - Vector::from(self)
+    }
+
     /// The squared distance of two points, `−2 P·Q`, worked out from differences of coordinates so
     /// that nothing cancels far from the origin.
     #[inline]
     #[must_use]
     pub fn distance_squared(self, other: Self) -> S {
-        let between = difference(self.coordinates(), other.coordinates());
-        dot(between, between)
+        other.vector_to(self).length_squared()
     }
 }
 
@@ -40,7 +52,7 @@ impl<S: Real<Mask = bool>> Point<S> {
     #[inline]
     #[must_use]
     pub fn distance(self, other: Self) -> S {
-        length(difference(self.coordinates(), other.coordinates()))
+        other.vector_to(self).length()
     }
 }
 

@@ -1,5 +1,7 @@
-//! Euclidean geometry in vga3: directions, areas and turns about the origin.
+//! The geometry of vga3: vectors, areas and rotations of space.
 
 mod bivector;
+mod component;
+mod orthonormal;
 mod rotor;
 mod vector;

@@ -1,15 +1,20 @@
-//! Vectors of vga3.
+//! Vectors of vga3: products, lengths, angles and projections.
 
-use crate::geometry::vector3::{are_numbers, cross, difference, dot, length, normalized, scaled};
+use crate::cga3;
 use crate::scalar::{Real, Ring};
 use crate::vga3::Vector;
 
 impl<S: Ring> Vector<S> {
-    /// The coordinates `[x, y, z]`.
+    /// The inner product `a · b`, the sum of the products of the components.
+    ///
+    /// ```
+    /// use ga_runtime::vga3::Vector;
+    /// assert_eq!(Vector::new(1, 2, 3).dot(Vector::new(4, 5, 6)), 32);
+    /// ```
     #[inline]
     #[must_use]
-    pub fn coordinates(self) -> [S; 3] {
-        [self.e1, self.e2, self.e3]
+    pub fn dot(self, other: Self) -> S {
+        self.e1 * other.e1 + self.e2 * other.e2 + self.e3 * other.e3
     }
 
     /// The cross product, right-handed: the dual of the outer product,
@@ -23,35 +28,100 @@ impl<S: Ring> Vector<S> {
     #[inline]
     #[must_use]
     pub fn cross(self, other: Self) -> Self {
-        cross(self.coordinates(), other.coordinates()).into()
+        Self::new(
+            self.e2 * other.e3 - self.e3 * other.e2,
+            self.e3 * other.e1 - self.e1 * other.e3,
+            self.e1 * other.e2 - self.e2 * other.e1,
+        )
+    }
+
+    /// The squared length `a · a`. It overflows and underflows where the square of a component
+    /// does.
+    #[inline]
+    #[must_use]
+    pub fn length_squared(self) -> S {
+        self.dot(self)
+    }
+
+    /// The linear interpolation `(1 − t) a + t b`: exactly `self` at t = 0 and `other` at t = 1.
+    ///
+    /// ```
+    /// use ga_runtime::vga3::Vector;
+    /// let (a, b) = (Vector::new(1.0, 0.0, 2.0), Vector::new(3.0, 4.0, 2.0));
+    /// assert_eq!(a.lerp(b, 0.25), Vector::new(1.5, 1.0, 2.0));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn lerp(self, other: Self, t: S) -> Self {
+        self * (S::one() - t) + other * t
+    }
+}
+
+impl<S: Real> Vector<S> {
+    /// The length `√(a · a)`, without overflow or underflow on the way; not a number where a
+    /// component is not a number.
+    ///
+    /// ```
+    /// use ga_runtime::vga3::Vector;
+    /// assert_eq!(Vector::new(2.0, 3.0, 6.0).length(), 7.0);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn length(self) -> S {
+        let largest = self.largest_component();
+        let is_regular = S::zero().less_than(largest) & largest.is_finite();
+        // Zero, infinity and NaN stay what they are.
+        let size = S::select(is_regular, largest, S::one());
+        let unit = self.divided(size);
+        unit.dot(unit).sqrt() * size
+    }
+
+    /// The distance of the ends of two vectors from a common origin, `|a − b|`.
+    #[inline]
+    #[must_use]
+    pub fn distance(self, other: Self) -> S {
+        (self - other).length()
+    }
+
+    /// Each component divided. The operator multiplies by the reciprocal, which is infinite for a
+    /// subnormal number.
+    #[inline]
+    pub(crate) fn divided(self, scalar: S) -> Self {
+        Self::new(self.e1 / scalar, self.e2 / scalar, self.e3 / scalar)
+    }
+
+    #[inline]
+    fn largest_component(self) -> S {
+        self.e1.abs().max(self.e2.abs()).max(self.e3.abs())
     }
 }
 
 impl<S: Real<Mask = bool>> Vector<S> {
-    /// The length, without overflow or underflow on the way.
-    #[inline]
-    #[must_use]
-    pub fn length(self) -> S {
-        length(self.coordinates())
-    }
-
     /// The vector of length 1 in the same direction; `None` where it is zero or not finite.
+    ///
+    /// ```
+    /// use ga_runtime::vga3::Vector;
+    /// assert_eq!(Vector::new(0.0, 3.0, 4.0).normalized(), Some(Vector::new(0.0, 0.6, 0.8)));
+    /// assert_eq!(Vector::new(0.0, 0.0, 0.0).normalized(), None);
+    /// ```
     #[inline]
     #[must_use]
     pub fn normalized(self) -> Option<Self> {
-        normalized(self.coordinates()).map(Self::from)
+        let largest = self.largest_component();
+        if !self.is_finite() || !S::zero().less_than(largest) {
+            return None;
+        }
+        let unit = self.divided(largest);
+        Some(unit.divided(unit.dot(unit).sqrt()))
     }
 
     /// The angle to another vector, in [0, π]; `None` where one is zero or not finite.
     ///
-    /// From sine and cosine, so that small angles are right to rounding.
+    /// It comes from sine and cosine, so that small angles are correct to rounding.
     #[must_use]
     pub fn angle(self, other: Self) -> Option<S> {
-        let (a, b) = (
-            normalized(self.coordinates())?,
-            normalized(other.coordinates())?,
-        );
-        Some(length(cross(a, b)).atan2(dot(a, b)))
+        let (a, b) = (self.normalized()?, other.normalized()?);
+        Some(a.cross(b).length().atan2(a.dot(b)))
     }
 
     /// The part along another vector, its projection `(a·b) b⁻¹`; `None` where b is zero or a
@@ -65,21 +135,21 @@ impl<S: Real<Mask = bool>> Vector<S> {
     /// ```
     #[must_use]
     pub fn project(self, other: Self) -> Option<Self> {
-        let direction = normalized(other.coordinates())?;
-        let part = scaled(direction, dot(self.coordinates(), direction));
-        are_numbers(part).then(|| part.into())
+        let direction = other.normalized()?;
+        let part = direction * self.dot(direction);
+        part.is_finite().then_some(part)
     }
 
-    /// The part across another vector, its rejection `(a∧b) b⁻¹`; `None` where b is zero or a
-    /// number is not finite.
+    /// The part perpendicular to another vector, its rejection `(a∧b) b⁻¹`; `None` where b is zero
+    /// or a number is not finite.
     #[must_use]
     pub fn reject(self, other: Self) -> Option<Self> {
-        let part = difference(self.coordinates(), self.project(other)?.coordinates());
-        are_numbers(part).then(|| part.into())
+        let part = self - self.project(other)?;
+        part.is_finite().then_some(part)
     }
 
-    /// The mirror image in the plane across a normal n, `−n a n⁻¹`; `None` where n is zero or a
-    /// number is not finite.
+    /// The mirror image in the plane perpendicular to a normal n, `−n a n⁻¹`; `None` where n is
+    /// zero or a number is not finite.
     ///
     /// ```
     /// use ga_runtime::vga3::Vector;
@@ -88,22 +158,40 @@ impl<S: Real<Mask = bool>> Vector<S> {
     /// ```
     #[must_use]
     pub fn reflect(self, normal: Self) -> Option<Self> {
-        let along = self.project(normal)?.coordinates();
-        let image = difference(difference(self.coordinates(), along), along);
-        are_numbers(image).then(|| image.into())
+        let along = self.project(normal)?;
+        let image = self - along - along;
+        image.is_finite().then_some(image)
     }
 }
 
-impl<S> From<[S; 3]> for Vector<S> {
+/// The position vector of the point.
+impl<S: Ring> From<cga3::Point<S>> for Vector<S> {
     #[inline]
-    fn from([x, y, z]: [S; 3]) -> Self {
-        Self::new(x, y, z)
+    fn from(point: cga3::Point<S>) -> Self {
+        Self::new(point.e1(), point.e2(), point.e3())
     }
 }
 
-impl<S> From<Vector<S>> for [S; 3] {
+/// The point with this position vector.
+impl<S> From<Vector<S>> for cga3::Point<S> {
     #[inline]
     fn from(Vector { e1, e2, e3 }: Vector<S>) -> Self {
-        [e1, e2, e3]
+        Self::new(e1, e2, e3)
+    }
+}
+
+/// The vector v of `v∧ei`.
+impl<S> From<cga3::Direction<S>> for Vector<S> {
+    #[inline]
+    fn from(direction: cga3::Direction<S>) -> Self {
+        Self::new(direction.e1i, direction.e2i, direction.e3i)
+    }
+}
+
+/// The direction `v∧ei`.
+impl<S> From<Vector<S>> for cga3::Direction<S> {
+    #[inline]
+    fn from(Vector { e1, e2, e3 }: Vector<S>) -> Self {
+        Self::new(e1, e2, e3)
     }
 }

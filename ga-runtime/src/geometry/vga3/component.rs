@@ -1,0 +1,161 @@
+//! Vectors of vga3 by components.
+
+use core::iter::Sum;
+use core::ops::{DivAssign, Index, IndexMut};
+
+use crate::scalar::{Field, Real, Ring};
+use crate::vga3::Vector;
+
+impl<S: Ring> Vector<S> {
+    /// The coordinates `[x, y, z]`.
+    #[inline]
+    #[must_use]
+    pub fn coordinates(self) -> [S; 3] {
+        [self.e1, self.e2, self.e3]
+    }
+
+    /// The product component by component, `(a₁b₁, a₂b₂, a₃b₃)`: a scaling along the axes.
+    ///
+    /// ```
+    /// use ga_runtime::vga3::Vector;
+    /// let scaled = Vector::new(1, 2, 3).component_product(Vector::new(4, 5, 6));
+    /// assert_eq!(scaled, Vector::new(4, 10, 18));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn component_product(self, other: Self) -> Self {
+        Self::new(self.e1 * other.e1, self.e2 * other.e2, self.e3 * other.e3)
+    }
+}
+
+impl<S: Real> Vector<S> {
+    /// The smaller of each two components; that of `self` where one is not a number.
+    ///
+    /// With [`max`](Self::max) it gives the corners of a box around points:
+    ///
+    /// ```
+    /// use ga_runtime::vga3::Vector;
+    /// let (a, b) = (Vector::new(1.0, 5.0, -3.0), Vector::new(2.0, 4.0, -3.0));
+    /// assert_eq!((a.min(b), a.max(b)), (Vector::new(1.0, 4.0, -3.0), Vector::new(2.0, 5.0, -3.0)));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn min(self, other: Self) -> Self {
+        Self::new(
+            self.e1.min(other.e1),
+            self.e2.min(other.e2),
+            self.e3.min(other.e3),
+        )
+    }
+
+    /// The larger of each two components; that of `self` where one is not a number.
+    #[inline]
+    #[must_use]
+    pub fn max(self, other: Self) -> Self {
+        Self::new(
+            self.e1.max(other.e1),
+            self.e2.max(other.e2),
+            self.e3.max(other.e3),
+        )
+    }
+
+    /// The absolute value of each component.
+    #[inline]
+    #[must_use]
+    pub fn abs(self) -> Self {
+        Self::new(self.e1.abs(), self.e2.abs(), self.e3.abs())
+    }
+
+    /// Whether every component is neither infinite nor NaN; in lanes one answer for each lane.
+    #[inline]
+    #[must_use]
+    pub fn is_finite(self) -> S::Mask {
+        self.e1.is_finite() & self.e2.is_finite() & self.e3.is_finite()
+    }
+}
+
+macro_rules! constants {
+    ($($S:ty),*) => { $(
+        impl Vector<$S> {
+            /// The zero vector.
+            pub const ZERO: Self = Self::new(0.0, 0.0, 0.0);
+            /// The unit vector e1 along the x axis.
+            pub const X: Self = Self::new(1.0, 0.0, 0.0);
+            /// The unit vector e2 along the y axis.
+            pub const Y: Self = Self::new(0.0, 1.0, 0.0);
+            /// The unit vector e3 along the z axis.
+            pub const Z: Self = Self::new(0.0, 0.0, 1.0);
+        }
+    )* };
+}
+
+constants!(f32, f64);
+
+/// The component along x, y or z for 0, 1 or 2. Any other index panics, as for an array.
+///
+/// ```
+/// use ga_runtime::vga3::Vector;
+/// let mut v = Vector::new(1.0, 2.0, 3.0);
+/// v[1] += v[2];
+/// assert_eq!(v, Vector::new(1.0, 5.0, 3.0));
+/// ```
+impl<S> Index<usize> for Vector<S> {
+    type Output = S;
+
+    #[inline]
+    fn index(&self, index: usize) -> &S {
+        match index {
+            0 => &self.e1,
+            1 => &self.e2,
+            2 => &self.e3,
+            _ => panic!("a vector has components 0, 1 and 2, not {index}"),
+        }
+    }
+}
+
+impl<S> IndexMut<usize> for Vector<S> {
+    #[inline]
+    fn index_mut(&mut self, index: usize) -> &mut S {
+        match index {
+            0 => &mut self.e1,
+            1 => &mut self.e2,
+            2 => &mut self.e3,
+            _ => panic!("a vector has components 0, 1 and 2, not {index}"),
+        }
+    }
+}
+
+impl<S: Field> DivAssign<S> for Vector<S> {
+    #[inline]
+    fn div_assign(&mut self, scalar: S) {
+        *self = *self / scalar;
+    }
+}
+
+impl<S: Ring> Sum for Vector<S> {
+    #[inline]
+    fn sum<I: Iterator<Item = Self>>(vectors: I) -> Self {
+        vectors.fold(Self::default(), |sum, vector| sum + vector)
+    }
+}
+
+impl<'a, S: Ring> Sum<&'a Self> for Vector<S> {
+    #[inline]
+    fn sum<I: Iterator<Item = &'a Self>>(vectors: I) -> Self {
+        vectors.copied().sum()
+    }
+}
+
+impl<S> From<[S; 3]> for Vector<S> {
+    #[inline]
+    fn from([x, y, z]: [S; 3]) -> Self {
+        Self::new(x, y, z)
+    }
+}
+
+impl<S> From<Vector<S>> for [S; 3] {
+    #[inline]
+    fn from(Vector { e1, e2, e3 }: Vector<S>) -> Self {
+        [e1, e2, e3]
+    }
+}
