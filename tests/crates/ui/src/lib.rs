@@ -1,0 +1,1 @@
+//! What `algebra!` and `ga!` say of faulty declarations and functions: see `tests/ui`.

@@ -1,0 +1,107 @@
+//! Facts that are unknown or do not follow from the blades.
+
+// Not every bivector of four dimensions is a blade.
+ga_runtime::algebra! {
+    mod fact_blade_does_not_follow {
+        basis e1, e2, e3, e4;
+        signature 4, 0, 0;
+
+        #[hull(Sums)]
+        #[facts(blade)]
+        struct Plane { e12, e13, e14, e23, e24, e34 }
+        struct Sums { e12, e13, e14, e23, e24, e34 }
+    }
+}
+
+// A fact does not follow from the blades.
+ga_runtime::algebra! {
+    mod fact_does_not_follow {
+        basis e1, e2, e3;
+        signature 3, 0, 0;
+
+        #[hull(Sums)]
+        #[facts(null)]
+        struct Vector { e1, e2, e3 }
+        struct Sums { e1, e2, e3 }
+    }
+}
+
+// A fact is unknown.
+ga_runtime::algebra! {
+    mod fact_unknown {
+        basis e1, e2, e3;
+        signature 3, 0, 0;
+
+        #[hull(Even)]
+        #[facts(unit)]
+        struct Rotor { scalar, e12, e13, e23 }
+        struct Even { scalar, e12, e13, e23 }
+    }
+}
+
+// A type lacks blades of the unit versors that its bivectors generate.
+ga_runtime::algebra! {
+    mod unit_versor_without_family {
+        basis e1, e2, e3;
+        signature 3, 0, 0;
+
+        #[hull(Sums)]
+        #[facts(unit_versor)]
+        struct Rotor { scalar, e12, e13 }
+        struct Sums { scalar, e12, e13 }
+    }
+}
+
+// The weight is not the constant that the fact states.
+ga_runtime::algebra! {
+    mod weight_does_not_follow {
+        basis e1, e2, e3;
+        signature 3, 0, 0;
+
+        #[hull(Sums)]
+        #[facts(weight(e3))]
+        struct Point { e1, e2, e3 = 2 }
+        struct Sums { e1, e2, e3 }
+    }
+}
+
+// A weight names the vectors of a blade out of order.
+ga_runtime::algebra! {
+    mod weight_reordered {
+        basis e1, e2, e3;
+        signature 3, 0, 0;
+
+        #[hull(Sums)]
+        #[facts(weight(e31))]
+        struct Point { e12, e23, e31 = 1 }
+        struct Sums { e12, e23, e31 }
+    }
+}
+
+// A weight names something that is not a blade of the algebra.
+ga_runtime::algebra! {
+    mod weight_unknown_blade {
+        basis e1, e2, e3;
+        signature 3, 0, 0;
+
+        #[hull(Sums)]
+        #[facts(weight(eo))]
+        struct Point { e1, e2, e3 = 1 }
+        struct Sums { e1, e2, e3 }
+    }
+}
+
+// A weight without a blade.
+ga_runtime::algebra! {
+    mod weight_without_blade {
+        basis e1, e2, e3;
+        signature 3, 0, 0;
+
+        #[hull(Sums)]
+        #[facts(weight)]
+        struct Point { e1, e2, e3 = 1 }
+        struct Sums { e1, e2, e3 }
+    }
+}
+
+fn main() {}

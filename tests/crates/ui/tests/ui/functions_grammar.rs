@@ -1,0 +1,126 @@
+//! Faults of the grammar of `ga!`, of its numbers and of its patterns.
+
+// A statement after the value.
+mod after_value {
+    use ga_runtime::ga;
+
+    ga! { ga_runtime::cga3;
+        fn f(a: Scalar) -> Scalar { a; let b = a; b }
+    }
+}
+
+// An assignment.
+mod assignment {
+    use ga_runtime::ga;
+
+    ga! { ga_runtime::cga3;
+        fn f(a: Scalar) -> Scalar { a += 1; a }
+    }
+}
+
+// A fault in a closure.
+mod closure {
+    fn g() -> f64 {
+        ga_runtime::ga! { ga_runtime::cga3; |p: Point, q: Point| -> Scalar { p | r } };
+        0.0
+    }
+}
+
+// Arrays whose length is not the declared one, and elements beyond the end.
+mod elements {
+    use ga_runtime::ga;
+
+    ga! { ga_runtime::cga3;
+        fn f(a: Scalar) -> [Scalar; 3] { [a, a] }
+        fn g(a: [Scalar; 2]) -> Scalar { a[2] }
+        fn h(a: Scalar) -> Scalar { a[0] }
+        fn i(a: [Scalar; 2]) -> Scalar { a * 2 }
+    }
+}
+
+// A block without a function.
+mod empty {
+    use ga_runtime::ga;
+
+    ga! { ga_runtime::cga3; }
+}
+
+// A body without a value.
+mod empty_body {
+    use ga_runtime::ga;
+
+    ga! { ga_runtime::cga3;
+        fn f(a: Scalar) -> Scalar { let b = a; }
+    }
+}
+
+// A `let` whose value does not have the stated type.
+mod let_type {
+    use ga_runtime::ga;
+
+    ga! { ga_runtime::cga3;
+        fn f(p: Point, q: Point) -> Scalar { let line: Line = p ^ q; norm(line) }
+    }
+}
+
+// Products and sums mixed without parentheses.
+mod mixed_operators {
+    use ga_runtime::ga;
+
+    ga! { ga_runtime::cga3;
+        fn f(p: Point, q: Point, r: Point) -> PointPair { p ^ q - r }
+    }
+}
+
+// A function without the type of its result.
+mod no_result {
+    use ga_runtime::ga;
+
+    ga! { ga_runtime::cga3;
+        fn f(a: Scalar) { a }
+    }
+}
+
+// Numbers whose product exceeds 128 bits, and one number with too many digits.
+mod number_range {
+    use ga_runtime::ga;
+
+    ga! { ga_runtime::cga3;
+        fn f(x: Scalar) -> Scalar { x * 1000000007 * 1000000009 * 1000000021 * 1000000033 * 1000000087 }
+        fn g(x: Scalar) -> Scalar { x * 3.14159265358979 }
+    }
+
+    ga! { ga_runtime::cga3;
+        fn h(x: Scalar) -> Scalar { x * 3.14159265358979323846 }
+    }
+}
+
+// A number with a type suffix.
+mod number_suffix {
+    use ga_runtime::ga;
+
+    ga! { ga_runtime::cga3;
+        fn f(p: Point) -> RoundVector { 2.0_f64 * p }
+    }
+}
+
+// Patterns that do not match their values.
+mod pattern {
+    use ga_runtime::ga;
+
+    ga! { ga_runtime::cga3;
+        fn f(a: (Scalar, Scalar)) -> Scalar { let (x, y, z) = a; x }
+        fn g(a: Scalar) -> Scalar { let [x] = a; x }
+    }
+}
+
+// A mutable pattern.
+mod pattern_mutable {
+    use ga_runtime::ga;
+
+    ga! { ga_runtime::cga3;
+        fn f(a: Scalar) -> Scalar { let mut x = a; x }
+    }
+}
+
+fn main() {}

@@ -1,9 +1,0 @@
-//! Two operands of one name.
-
-use ga_runtime::ga;
-
-ga! { ga_runtime::cga3;
-    fn f(a: Scalar, a: Scalar) -> Scalar { a }
-}
-
-fn main() {}
