@@ -15,7 +15,6 @@
 //! | [`leg`] | the paper's leg of hip, knee and ankle: from angles to places and back |
 //! | [`human`] | makes a body, its skeleton and a walk |
 //! | [`gltf`] | skeletons and clips as the data that [`ga_mesh::gltf`] writes |
-//! | [`render`], [`sheet`] | pictures of a frame, and contact sheets of a clip |
 //!
 //! # Conventions
 //!
@@ -71,10 +70,8 @@ pub mod gltf;
 pub mod human;
 pub mod leg;
 pub mod pose;
-pub mod render;
 pub mod retarget;
 pub mod rig;
-pub mod sheet;
 pub mod skeleton;
 pub mod skin;
 pub mod weights;

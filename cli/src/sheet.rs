@@ -1,12 +1,9 @@
 //! The contact sheet of a motion.
 
-use std::io::Cursor;
-
 use anyhow::{Context, Result};
-use ga_anim::render::{Style, ViewDirection};
-use ga_anim::sheet::{Frame, Layout, Options, contact_sheet};
 use ga_anim::skin::Method;
-use image::ImageFormat;
+use ga_render::sheet::{Frame, Layout, Options, contact_sheet};
+use ga_render::{Style, ViewDirection};
 
 use crate::figure::Figure;
 use crate::storyboard::Storyboard;
@@ -61,12 +58,8 @@ pub(crate) fn draw(figure: &Figure, storyboard: &Storyboard, title: &str) -> Res
     let image = contact_sheet(&frames, &figure.mesh.triangles(), &options)
         .context("cannot draw the contact sheet")?
         .image;
-    let mut png = Cursor::new(Vec::new());
-    image
-        .write_to(&mut png, ImageFormat::Png)
-        .context("cannot encode the contact sheet")?;
     Ok(Sheet {
-        png: png.into_inner(),
+        png: ga_image::png::encode(&image).context("cannot encode the contact sheet")?,
         width: image.width(),
         height: image.height(),
     })

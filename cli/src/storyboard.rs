@@ -2,7 +2,7 @@
 
 use ga_anim::clip::Clip;
 use ga_anim::pose::Pose;
-use ga_anim::sheet::Kind;
+use ga_render::sheet::Kind;
 
 /// Rows of the sheet, each from one key frame to the next.
 const ROWS: usize = 4;

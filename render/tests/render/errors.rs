@@ -1,6 +1,7 @@
 //! Scenes, cameras and styles that make no picture.
 
-use ga_anim::render::{
+use ga_image::colour::LinearColour;
+use ga_render::{
     Camera, Ground, Light, Lighting, RenderError, Scene, Style, ViewDirection, render,
 };
 
@@ -68,14 +69,14 @@ fn bad_input_is_named() {
             ..style
         },
         Style {
-            surface: [-1.0; 3],
+            surface: LinearColour::new(-1.0, -1.0, -1.0),
             ..style
         },
         Style {
             lighting: Lighting {
                 key: Light {
                     direction: [1.0, 0.0, 0.0],
-                    color: [1.0; 3],
+                    colour: LinearColour::WHITE,
                 },
                 ..style.lighting
             },
@@ -85,7 +86,7 @@ fn bad_input_is_named() {
             lighting: Lighting {
                 fill: Light {
                     direction: [0.0; 3],
-                    color: [1.0; 3],
+                    colour: LinearColour::WHITE,
                 },
                 ..style.lighting
             },

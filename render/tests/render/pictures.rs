@@ -1,43 +1,19 @@
 //! Pictures against projections, depths and colours worked out by hand.
 
-#![allow(clippy::unwrap_used, reason = "a test may panic")]
-
-mod camera;
-mod errors;
-
-use ga_anim::render::{
-    Camera, Ground, Light, Lighting, Rendering, Scene, Style, ViewDirection, from_srgb, render,
-};
+use ga_image::colour::LinearColour;
+use ga_render::{Camera, Ground, Light, Lighting, Rendering, Scene, Style, ViewDirection, render};
+use ga_runtime::vga3::Vector;
 use image::Rgb;
 use proptest::prelude::*;
 
-use camera::point;
-
-type Vector = [f64; 3];
-
-const FIELD_OF_VIEW: f64 = 0.8;
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn subtract(a: Vector, b: Vector) -> Vector {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-fn small() -> Style {
-    Style {
-        width: 90,
-        height: 120,
-        ..Style::default()
-    }
-}
+use crate::camera::point;
+use crate::{FIELD_OF_VIEW, front, small};
 
 /// Light from all around and none from a side: a surface shows its own colour.
-fn flat(surface: [f64; 3]) -> Style {
+fn flat(surface: LinearColour) -> Style {
     let dark = Light {
         direction: [0.0, 1.0, 0.0],
-        color: [0.0; 3],
+        colour: LinearColour::BLACK,
     };
     Style {
         surface,
@@ -46,28 +22,16 @@ fn flat(surface: [f64; 3]) -> Style {
         lighting: Lighting {
             key: dark,
             fill: dark,
-            sky: [1.0; 3],
-            bounce: [1.0; 3],
+            sky: LinearColour::WHITE,
+            bounce: LinearColour::WHITE,
         },
-        background: [[0.0; 3]; 2],
+        background: [LinearColour::BLACK; 2],
         ..small()
     }
 }
 
-/// From +z, looking at the origin.
-fn front(distance: f64) -> Camera {
-    Camera::look_at(
-        [0.0, 0.0, distance],
-        [0.0; 3],
-        [0.0, 1.0, 0.0],
-        FIELD_OF_VIEW,
-        0.01,
-    )
-    .unwrap()
-}
-
 /// The direction, of depth 1, in which [`front`] sees the middle of a pixel.
-fn front_ray(style: &Style, column: u32, row: u32) -> Vector {
+fn front_ray(style: &Style, column: u32, row: u32) -> [f64; 3] {
     let half = f64::from(style.height) / 2.0;
     let slope = (FIELD_OF_VIEW / 2.0).tan() / half;
     [
@@ -77,7 +41,7 @@ fn front_ray(style: &Style, column: u32, row: u32) -> Vector {
     ]
 }
 
-fn sphere(radius: f64, centre: Vector) -> (Vec<Vector>, Vec<[u32; 3]>) {
+fn sphere(radius: f64, centre: [f64; 3]) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
     let (rings, sides) = (48u32, 96u32);
     let (mut positions, mut triangles) = (Vec::new(), Vec::new());
     for ring in 0..=rings {
@@ -104,7 +68,7 @@ fn sphere(radius: f64, centre: Vector) -> (Vec<Vector>, Vec<[u32; 3]>) {
 
 fn brightness(picture: &Rendering, column: u32, row: u32) -> u32 {
     picture
-        .color
+        .colour
         .get_pixel(column, row)
         .0
         .iter()
@@ -115,24 +79,25 @@ fn brightness(picture: &Rendering, column: u32, row: u32) -> u32 {
 #[test]
 fn a_sphere_has_the_outline_and_the_depths_of_a_sphere() {
     let (positions, triangles) = sphere(1.0, [0.0; 3]);
-    let style = flat([1.0; 3]);
+    let style = flat(LinearColour::WHITE);
     let picture = render(&Scene::new(&positions, &triangles), &front(5.0), &style).unwrap();
     for row in 0..style.height {
         for column in 0..style.width {
             let ray = front_ray(&style, column, row);
             // |eye + d ray|² = 1 with eye = (0, 0, 5).
-            let (a, b, c) = (dot(ray, ray), 5.0 * ray[2], 24.0);
+            let [x, y, z] = ray;
+            let (a, b, c) = (x * x + y * y + z * z, 5.0 * z, 24.0);
             let discriminant = b * b - a * c;
             let seen = picture.depth.get(column, row);
             if discriminant > 0.3 {
                 let depth = (-b - discriminant.sqrt()) / a;
                 // Two samples per side see up to a quarter pixel beside the middle.
                 assert!((seen.unwrap() - depth).abs() < 0.02, "({column}, {row})");
-                assert_eq!(*picture.color.get_pixel(column, row), Rgb([255; 3]));
+                assert_eq!(*picture.colour.get_pixel(column, row), Rgb([255; 3]));
                 assert_eq!(picture.depth.coverage(column, row), 1.0);
             } else if discriminant < -0.3 {
                 assert_eq!(seen, None);
-                assert_eq!(*picture.color.get_pixel(column, row), Rgb([0; 3]));
+                assert_eq!(*picture.colour.get_pixel(column, row), Rgb([0; 3]));
             }
         }
     }
@@ -149,7 +114,7 @@ fn a_floor_under_the_camera_and_behind_it_is_cut_at_the_near_depth() {
     let triangles = [[0, 1, 2], [0, 2, 3]];
     let style = Style {
         supersampling: 1,
-        ..flat([1.0; 3])
+        ..flat(LinearColour::WHITE)
     };
     let near = 3.0;
     let camera = Camera::look_at(
@@ -186,7 +151,7 @@ fn a_floor_under_the_camera_and_behind_it_is_cut_at_the_near_depth() {
 fn what_is_nearer_hides_what_is_further_in_any_order() {
     let (far, far_triangles) = sphere(1.0, [0.0, 0.0, -1.0]);
     let (near, near_triangles) = sphere(0.4, [0.2, 0.1, 1.5]);
-    let join = |a: (&[Vector], &[[u32; 3]]), b: (&[Vector], &[[u32; 3]])| {
+    let join = |a: (&[[f64; 3]], &[[u32; 3]]), b: (&[[f64; 3]], &[[u32; 3]])| {
         let offset = a.0.len() as u32;
         let moved = b.1.iter().map(|t| t.map(|v| v + offset));
         (
@@ -196,11 +161,11 @@ fn what_is_nearer_hides_what_is_further_in_any_order() {
     };
     let one = join((&far, &far_triangles), (&near, &near_triangles));
     let other = join((&near, &near_triangles), (&far, &far_triangles));
-    let draw = |mesh: &(Vec<Vector>, Vec<[u32; 3]>)| {
+    let draw = |mesh: &(Vec<[f64; 3]>, Vec<[u32; 3]>)| {
         render(&Scene::new(&mesh.0, &mesh.1), &front(6.0), &small()).unwrap()
     };
     let (one, other) = (draw(&one), draw(&other));
-    assert_eq!(one.color, other.color);
+    assert_eq!(one.colour, other.colour);
     assert_eq!(one.depth, other.depth);
     let [column, row, depth] = front(6.0).project([0.2, 0.1, 1.9], 90, 120).unwrap();
     assert!((one.depth.get(column as u32, row as u32).unwrap() - depth).abs() < 0.01);
@@ -213,7 +178,7 @@ fn half_a_pixel_of_white_is_half_the_light() {
         width: 1,
         height: 1,
         supersampling: 4,
-        ..flat([1.0; 3])
+        ..flat(LinearColour::WHITE)
     };
     let camera = Camera::look_at(
         [0.0, 0.0, 1.0],
@@ -236,7 +201,7 @@ fn half_a_pixel_of_white_is_half_the_light() {
     )
     .unwrap();
     assert_eq!(picture.depth.coverage(0, 0), 0.5);
-    assert_eq!(*picture.color.get_pixel(0, 0), Rgb([188; 3]));
+    assert_eq!(*picture.colour.get_pixel(0, 0), Rgb([188; 3]));
 }
 
 #[test]
@@ -263,8 +228,8 @@ fn the_side_towards_the_key_light_is_the_brightest() {
     // The front camera's right, up and backward are the world's axes, and a unit sphere's points
     // are its normals.
     let light = style.lighting.key.direction;
-    let cosine = dot(place, light) / (dot(light, light) * dot(place, place)).sqrt();
-    assert!(cosine > 0.9, "{place:?} is not towards {light:?}");
+    let angle = Vector::from(place).angle(Vector::from(light)).unwrap();
+    assert!(angle.cos() > 0.9, "{place:?} is not towards {light:?}");
 }
 
 #[test]
@@ -282,10 +247,10 @@ fn what_lies_close_behind_an_edge_is_darkened() {
     let with = |depth_contrast| {
         let style = Style {
             depth_contrast,
-            ..flat([1.0; 3])
+            ..flat(LinearColour::WHITE)
         };
         let picture = render(&Scene::new(&positions, &triangles), &front(5.0), &style).unwrap();
-        move |point: Vector| {
+        move |point: [f64; 3]| {
             let [column, row, _] = front(5.0).project(point, 90, 120).unwrap();
             brightness(&picture, column as u32, row as u32)
         }
@@ -307,7 +272,7 @@ fn degenerate_triangles_change_nothing() {
     let draw = |triangles: &[[u32; 3]]| {
         render(&Scene::new(&positions, triangles), &front(5.0), &small()).unwrap()
     };
-    assert_eq!(draw(&triangles).color, draw(&more).color);
+    assert_eq!(draw(&triangles).colour, draw(&more).colour);
 }
 
 #[test]
@@ -374,7 +339,7 @@ fn the_ground_carries_a_shadow_away_from_the_light_and_hides_what_is_below() {
 
 #[test]
 fn bones_are_drawn_where_their_ends_are_projected() {
-    let style = flat([1.0; 3]);
+    let style = flat(LinearColour::WHITE);
     let bones = [
         [[0.0; 3], [0.5, 0.5, 0.0]],
         [[0.0, 0.0, 50.0], [0.0, -1.0, 50.0]],
@@ -386,18 +351,18 @@ fn bones_are_drawn_where_their_ends_are_projected() {
     };
     let camera = front(5.0);
     let picture = render(&scene, &camera, &style).unwrap();
-    let at = |point: Vector| {
+    let at = |point: [f64; 3]| {
         let [column, row, _] = camera.project(point, style.width, style.height).unwrap();
-        *picture.color.get_pixel(column as u32, row as u32)
+        *picture.colour.get_pixel(column as u32, row as u32)
     };
-    let only = |color| {
+    let only = |colour| {
         let scene = Style {
-            background: [color; 2],
+            background: [colour; 2],
             ..style
         };
         *render(&Scene::new(&[], &[]), &camera, &scene)
             .unwrap()
-            .color
+            .colour
             .get_pixel(0, 0)
     };
     assert_eq!(at([0.0; 3]), only(style.joint));
@@ -441,16 +406,22 @@ fn the_largest_allowed_coordinates_give_a_picture() {
 
 #[test]
 fn sky_and_shadow_colours_follow_srgb() {
-    assert_eq!(from_srgb([0, 255, 0]), [0.0, 1.0, 0.0]);
+    assert_eq!(
+        LinearColour::from_srgb([0, 255, 0]),
+        LinearColour::new(0.0, 1.0, 0.0)
+    );
     let empty = render(
         &Scene::new(&[], &[]),
         &front(5.0),
         &Style {
-            background: [from_srgb([10, 120, 240]); 2],
+            background: [LinearColour::from_srgb([10, 120, 240]); 2],
             ..small()
         },
     );
-    assert_eq!(*empty.unwrap().color.get_pixel(30, 30), Rgb([10, 120, 240]));
+    assert_eq!(
+        *empty.unwrap().colour.get_pixel(30, 30),
+        Rgb([10, 120, 240])
+    );
 }
 
 proptest! {

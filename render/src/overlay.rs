@@ -1,10 +1,9 @@
 //! Bones drawn over a picture.
 
-use super::Style;
-use super::camera::{Camera, Lens};
-use super::clip::Clipper;
-use super::color::LinearColor;
-use super::vector::mix;
+use crate::camera::{Camera, Lens};
+use crate::clip::Clipper;
+use crate::{Style, Vector};
+use ga_image::colour::LinearColour;
 
 /// The dot at a joint is this much wider than a bone.
 const DOT: f64 = 2.2;
@@ -13,8 +12,8 @@ const DOT: f64 = 2.2;
 const LEAST_WIDTH: f64 = 1.5;
 
 /// Draws each bone as a line with dots at its ends, dots on top.
-pub(super) fn draw_bones(
-    light: &mut [LinearColor],
+pub(crate) fn draw_bones(
+    light: &mut [LinearColour],
     bones: &[[[f64; 3]; 2]],
     camera: &Camera,
     style: &Style,
@@ -27,21 +26,16 @@ pub(super) fn draw_bones(
         width: style.width as usize,
         height: style.height as usize,
     };
-    let project = |[x, y, depth]: [f64; 3]| {
-        [
-            lens.centre[0] + x / depth * lens.focal,
-            lens.centre[1] - y / depth * lens.focal,
-        ]
-    };
+    let project = |point: Vector| lens.project([point.e1, point.e2], 1.0 / point.e3);
     for ends in bones {
-        if let Some(visible) = clipper.clip_segment(ends.map(|p| camera.view(p))) {
+        if let Some(visible) = clipper.clip_segment(ends.map(|p| camera.view(p.into()))) {
             let [a, b] = visible.map(project);
             canvas.segment(a, b, width / 2.0, style.bone);
         }
     }
     for end in bones.iter().flatten() {
-        let view = camera.view(*end);
-        if view[2] >= camera.near() {
+        let view = camera.view(Vector::from(*end));
+        if view.e3 >= camera.near() {
             let place = project(view);
             canvas.segment(place, place, width / 2.0 * DOT, style.joint);
         }
@@ -49,14 +43,14 @@ pub(super) fn draw_bones(
 }
 
 struct Canvas<'a> {
-    light: &'a mut [LinearColor],
+    light: &'a mut [LinearColour],
     width: usize,
     height: usize,
 }
 
 impl Canvas<'_> {
     /// Everything within `radius` of the segment, with a soft edge one pixel wide.
-    fn segment(&mut self, a: [f64; 2], b: [f64; 2], radius: f64, color: LinearColor) {
+    fn segment(&mut self, a: [f64; 2], b: [f64; 2], radius: f64, colour: LinearColour) {
         let reach = radius + 1.0;
         // A cast from float saturates, so that ends far outside the picture leave an empty or a
         // clamped range.
@@ -70,7 +64,7 @@ impl Canvas<'_> {
                 let cover = (radius + 0.5 - distance_to_segment(place, a, b)).clamp(0.0, 1.0);
                 if cover > 0.0 {
                     let pixel = &mut self.light[row * self.width + column];
-                    *pixel = mix(*pixel, color, cover);
+                    *pixel = pixel.lerp(colour, cover);
                 }
             }
         }

@@ -1,6 +1,6 @@
 //! Clipping of polygons in the camera's frame, so that every corner that is left can be projected.
 
-use super::vector::{Vector, add_scaled, subtract};
+use crate::Vector;
 
 /// How far beyond the picture's centre a corner may fall, in half heights or widths of the picture.
 /// Wide enough that few triangles are cut, small enough that the rasteriser's integers do not
@@ -9,20 +9,20 @@ const GUARD: f64 = 8.0;
 
 /// The half-spaces that a polygon has to lie in: beyond the near depth, and within a pyramid around
 /// the picture.
-pub(super) struct Clipper {
+pub(crate) struct Clipper {
     near: f64,
     /// Guard slope `x / depth`, `y / depth`.
     slope: [f64; 2],
 }
 
 /// The corners of a clipped triangle: one more than it had for each of the five planes, at most.
-pub(super) struct Polygon {
+pub(crate) struct Polygon {
     corners: [Vector; 8],
     len: usize,
 }
 
 impl Polygon {
-    pub(super) fn corners(&self) -> &[Vector] {
+    pub(crate) fn corners(&self) -> &[Vector] {
         &self.corners[..self.len]
     }
 
@@ -33,7 +33,7 @@ impl Polygon {
 
     fn empty() -> Self {
         Self {
-            corners: [[0.0; 3]; 8],
+            corners: [Vector::default(); 8],
             len: 0,
         }
     }
@@ -41,7 +41,7 @@ impl Polygon {
 
 impl Clipper {
     /// `half_width` and `half_height` are the picture's half extents as slopes.
-    pub(super) fn new(near: f64, half_width: f64, half_height: f64) -> Self {
+    pub(crate) fn new(near: f64, half_width: f64, half_height: f64) -> Self {
         Self {
             near,
             slope: [half_width * GUARD, half_height * GUARD],
@@ -50,7 +50,7 @@ impl Clipper {
 
     /// The part of a triangle, given by right offset, up offset and depth, that lies in all
     /// half-spaces.
-    pub(super) fn clip(&self, triangle: [Vector; 3]) -> Polygon {
+    pub(crate) fn clip(&self, triangle: [Vector; 3]) -> Polygon {
         let mut polygon = Polygon::empty();
         for corner in triangle {
             polygon.push(corner);
@@ -65,7 +65,7 @@ impl Clipper {
     }
 
     /// The part of a segment beyond the near depth.
-    pub(super) fn clip_segment(&self, ends: [Vector; 2]) -> Option<[Vector; 2]> {
+    pub(crate) fn clip_segment(&self, ends: [Vector; 2]) -> Option<[Vector; 2]> {
         let [a, b] = ends;
         let (da, db) = (self.signed_distance(0, a), self.signed_distance(0, b));
         match (da >= 0.0, db >= 0.0) {
@@ -97,7 +97,8 @@ impl Clipper {
     }
 
     /// Positive inside, linear in the point.
-    fn signed_distance(&self, plane: usize, [x, y, depth]: Vector) -> f64 {
+    fn signed_distance(&self, plane: usize, point: Vector) -> f64 {
+        let [x, y, depth] = point.coordinates();
         match plane {
             0 => depth - self.near,
             1 => self.slope[0] * depth - x,
@@ -111,9 +112,9 @@ impl Clipper {
 /// Always computed from the inner end, so that two triangles cut a shared edge at the same place.
 fn crossing(a: Vector, b: Vector, da: f64, db: f64) -> Vector {
     if da >= 0.0 {
-        add_scaled(a, subtract(b, a), da / (da - db))
+        a + (b - a) * (da / (da - db))
     } else {
-        add_scaled(b, subtract(a, b), db / (db - da))
+        b + (a - b) * (db / (db - da))
     }
 }
 
@@ -127,8 +128,8 @@ mod tests {
             .windows(2)
             .skip(1)
             .map(|pair| {
-                let (a, b) = (subtract(pair[0], corners[0]), subtract(pair[1], corners[0]));
-                a[0] * b[1] - a[1] * b[0]
+                let (a, b) = (pair[0] - corners[0], pair[1] - corners[0]);
+                a.cross(b).e3
             })
             .sum()
     }
@@ -136,11 +137,10 @@ mod tests {
     #[test]
     fn a_triangle_half_behind_the_near_plane_keeps_its_front_part() {
         let clipper = Clipper::new(1.0, 1e3, 1e3);
-        let polygon = clipper.clip([[0.0, 0.0, 3.0], [1.0, 0.0, -1.0], [-1.0, 0.0, -1.0]]);
-        assert_eq!(
-            polygon.corners(),
-            [[0.0, 0.0, 3.0], [0.5, 0.0, 1.0], [-0.5, 0.0, 1.0]]
-        );
+        let triangle = [[0.0, 0.0, 3.0], [1.0, 0.0, -1.0], [-1.0, 0.0, -1.0]];
+        let front = [[0.0, 0.0, 3.0], [0.5, 0.0, 1.0], [-0.5, 0.0, 1.0]];
+        let polygon = clipper.clip(triangle.map(Vector::from));
+        assert_eq!(polygon.corners(), front.map(Vector::from));
     }
 
     proptest! {
@@ -149,7 +149,7 @@ mod tests {
         #[test]
         fn a_right_triangle_loses_its_corners(size in 8.5f64..15.9) {
             let clipper = Clipper::new(0.5, 1.0, 1.0);
-            let triangle = [[0.0, 0.0, 1.0], [size, 0.0, 1.0], [0.0, size, 1.0]];
+            let triangle = [[0.0, 0.0, 1.0], [size, 0.0, 1.0], [0.0, size, 1.0]].map(Vector::from);
             let cut_off = size - GUARD;
             let area = size * size - 2.0 * cut_off * cut_off;
             prop_assert!((twice_area(clipper.clip(triangle).corners()) - area).abs() < 1e-9);
@@ -158,7 +158,7 @@ mod tests {
         #[test]
         fn every_corner_left_is_inside(triangle in prop::array::uniform3(prop::array::uniform3(-20f64..20.0))) {
             let clipper = Clipper::new(0.5, 0.3, 0.4);
-            for corner in clipper.clip(triangle).corners() {
+            for corner in clipper.clip(triangle.map(Vector::from)).corners() {
                 for plane in 0..5 {
                     prop_assert!(clipper.signed_distance(plane, *corner) > -1e-9);
                 }

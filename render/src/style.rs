@@ -1,8 +1,8 @@
 //! How a picture looks, apart from what is in it.
 
-use super::RenderError;
-use super::color::{LinearColor, from_srgb};
-use super::shade::{Light, Lighting};
+use crate::RenderError;
+use crate::shade::{Light, Lighting};
+use ga_image::colour::LinearColour;
 
 /// Size, light and colours of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,17 +14,17 @@ pub struct Style {
     /// Samples along each side of a pixel, 1 to 8.
     pub supersampling: u32,
     /// The mesh's colour.
-    pub surface: LinearColor,
+    pub surface: LinearColour,
     /// Strength of the mesh's highlights.
     pub gloss: f64,
     /// The lights.
     pub lighting: Lighting,
     /// The background at the top and at the bottom.
-    pub background: [LinearColor; 2],
+    pub background: [LinearColour; 2],
     /// The ground's colour.
-    pub ground: LinearColor,
+    pub ground: LinearColour,
     /// The colour of the lines of the ground's grid.
-    pub grid: LinearColor,
+    pub grid: LinearColour,
     /// How much of the ground's light the key light's shadow takes away, 0 to 1.
     pub shadow: f64,
     /// How much of the ground's light is taken away close under the mesh, 0 to 1.
@@ -34,9 +34,9 @@ pub struct Style {
     /// they lie behind; 0 for none.
     pub depth_contrast: f64,
     /// The colour of bones.
-    pub bone: LinearColor,
+    pub bone: LinearColour,
     /// The colour of the dots at their ends.
-    pub joint: LinearColor,
+    pub joint: LinearColour,
     /// The width of bones, as a fraction of the picture's height.
     pub bone_width: f64,
 }
@@ -48,28 +48,31 @@ impl Default for Style {
             width: 480,
             height: 640,
             supersampling: 2,
-            surface: from_srgb([214, 203, 190]),
+            surface: LinearColour::from_srgb([214, 203, 190]),
             gloss: 0.10,
             lighting: Lighting {
                 key: Light {
                     direction: [-0.75, 1.0, 0.6],
-                    color: [0.95, 0.90, 0.82],
+                    colour: LinearColour::new(0.95, 0.90, 0.82),
                 },
                 fill: Light {
                     direction: [0.9, 0.15, 0.45],
-                    color: [0.10, 0.13, 0.18],
+                    colour: LinearColour::new(0.10, 0.13, 0.18),
                 },
-                sky: [0.26, 0.29, 0.34],
-                bounce: [0.14, 0.12, 0.11],
+                sky: LinearColour::new(0.26, 0.29, 0.34),
+                bounce: LinearColour::new(0.14, 0.12, 0.11),
             },
-            background: [from_srgb([226, 231, 238]), from_srgb([178, 187, 199])],
-            ground: from_srgb([205, 210, 217]),
-            grid: from_srgb([174, 182, 193]),
+            background: [
+                LinearColour::from_srgb([226, 231, 238]),
+                LinearColour::from_srgb([178, 187, 199]),
+            ],
+            ground: LinearColour::from_srgb([205, 210, 217]),
+            grid: LinearColour::from_srgb([174, 182, 193]),
             shadow: 0.42,
             occlusion: 0.35,
             depth_contrast: 3.5,
-            bone: from_srgb([28, 88, 160]),
-            joint: from_srgb([250, 168, 40]),
+            bone: LinearColour::from_srgb([28, 88, 160]),
+            joint: LinearColour::from_srgb([250, 168, 40]),
             bone_width: 0.006,
         }
     }
@@ -81,7 +84,7 @@ impl Style {
         f64::from(self.width) / f64::from(self.height)
     }
 
-    pub(super) fn check(&self) -> Result<(), RenderError> {
+    pub(crate) fn check(&self) -> Result<(), RenderError> {
         const MOST_SAMPLES: u32 = 16_384;
         if self.width == 0 || self.height == 0 {
             return Err(RenderError::Style("its width or height is zero"));
@@ -111,10 +114,10 @@ impl Style {
 
     fn numbers(&self) -> impl Iterator<Item = f64> {
         let lighting = &self.lighting;
-        [
+        let colours = [
             self.surface,
-            lighting.key.color,
-            lighting.fill.color,
+            lighting.key.colour,
+            lighting.fill.colour,
             lighting.sky,
             lighting.bounce,
             self.background[0],
@@ -123,10 +126,15 @@ impl Style {
             self.grid,
             self.bone,
             self.joint,
-            [self.gloss, self.shadow, self.occlusion],
-            [self.bone_width, self.depth_contrast, 0.0],
-        ]
-        .into_iter()
-        .flatten()
+        ];
+        let strengths = [
+            self.gloss,
+            self.shadow,
+            self.occlusion,
+            self.bone_width,
+            self.depth_contrast,
+        ];
+        let channels = colours.into_iter().flat_map(LinearColour::channels);
+        channels.chain(strengths)
     }
 }

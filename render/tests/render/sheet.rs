@@ -1,13 +1,9 @@
 //! Contact sheets, taken apart again.
 
-#![allow(clippy::unwrap_used, reason = "a test may panic")]
-
-use ga_anim::render::{RenderError, Style, ViewDirection};
-use ga_anim::sheet::{Frame, Framing, Kind, Layout, Options, Sheet, SheetError, contact_sheet};
+use ga_render::sheet::{Frame, Framing, Kind, Layout, Options, Sheet, SheetError, contact_sheet};
+use ga_render::{RenderError, Style, ViewDirection};
 use image::{Rgb, RgbImage};
 use proptest::prelude::*;
-
-type Vector = [f64; 3];
 
 const TRIANGLES: [[u32; 3]; 8] = [
     [0, 2, 4],
@@ -21,7 +17,7 @@ const TRIANGLES: [[u32; 3]; 8] = [
 ];
 
 /// An octahedron, slim and upright like a figure.
-fn octahedron([x, y, z]: Vector) -> Vec<Vector> {
+fn octahedron([x, y, z]: [f64; 3]) -> Vec<[f64; 3]> {
     vec![
         [x + 0.3, y, z],
         [x - 0.3, y, z],
@@ -43,7 +39,7 @@ fn kinds(keys: usize, between: usize) -> Vec<Kind> {
         .collect()
 }
 
-fn frames<'a>(kinds: &[Kind], positions: &'a [Vec<Vector>]) -> Vec<Frame<'a>> {
+fn frames<'a>(kinds: &[Kind], positions: &'a [Vec<[f64; 3]>]) -> Vec<Frame<'a>> {
     let numbered = kinds.iter().zip(positions).enumerate();
     numbered
         .map(|(number, (&kind, positions))| Frame {
@@ -56,7 +52,7 @@ fn frames<'a>(kinds: &[Kind], positions: &'a [Vec<Vector>]) -> Vec<Frame<'a>> {
         .collect()
 }
 
-fn walk(count: usize, step: Vector) -> Vec<Vec<Vector>> {
+fn walk(count: usize, step: [f64; 3]) -> Vec<Vec<[f64; 3]>> {
     (0..count)
         .map(|i| octahedron(step.map(|c| c * i as f64)))
         .collect()
@@ -75,7 +71,7 @@ fn small() -> Options {
     }
 }
 
-fn sheet(kinds: &[Kind], positions: &[Vec<Vector>], options: &Options) -> Sheet {
+fn sheet(kinds: &[Kind], positions: &[Vec<[f64; 3]>], options: &Options) -> Sheet {
     contact_sheet(&frames(kinds, positions), &TRIANGLES, options).unwrap()
 }
 
@@ -108,7 +104,7 @@ fn rows_run_from_key_to_key() {
     let found: Vec<_> = sheet
         .pictures
         .iter()
-        .map(|p| places(&sheet.image, &p.color))
+        .map(|p| places(&sheet.image, &p.colour))
         .collect();
     // The key in the middle ends the first row and begins the second.
     let copies: Vec<usize> = found.iter().map(Vec::len).collect();
@@ -146,7 +142,7 @@ fn columns_hold_each_frame_once() {
     let found: Vec<_> = sheet
         .pictures
         .iter()
-        .map(|p| places(&sheet.image, &p.color))
+        .map(|p| places(&sheet.image, &p.colour))
         .collect();
     assert!(found.iter().all(|places| places.len() == 1));
     let at = |index: usize| found[index][0];
@@ -175,7 +171,7 @@ fn depth_pictures_stand_under_their_pictures_and_share_a_range() {
     let depth = sheet.pictures[1].depth.to_image(near, far);
     let depth = RgbImage::from_fn(48, 64, |x, y| Rgb([depth.get_pixel(x, y).0[0]; 3]));
     let (above, below) = (
-        places(&sheet.image, &sheet.pictures[1].color),
+        places(&sheet.image, &sheet.pictures[1].colour),
         places(&sheet.image, &depth),
     );
     assert_eq!((above.len(), below.len()), (1, 1));
@@ -187,7 +183,7 @@ fn depth_pictures_stand_under_their_pictures_and_share_a_range() {
 fn captions_of_keys_and_of_frames_between_have_their_own_colours() {
     let sheet = sheet(&kinds(2, 1), &walk(3, [0.1, 0.0, 0.0]), &small());
     let ink = |index: usize| -> Vec<Rgb<u8>> {
-        let (x, y) = places(&sheet.image, &sheet.pictures[index].color)[0];
+        let (x, y) = places(&sheet.image, &sheet.pictures[index].colour)[0];
         let caption =
             (y + 64 + 6..y + 64 + 24).flat_map(|row| (x..x + 48).map(move |column| (column, row)));
         caption.map(|(x, y)| *sheet.image.get_pixel(x, y)).collect()
@@ -261,7 +257,7 @@ fn the_number_of_threads_changes_nothing() {
 fn bad_input_is_named() {
     let positions = walk(3, [0.1, 0.0, 0.0]);
     let good = kinds(2, 1);
-    let make = |kinds: &[Kind], positions: &[Vec<Vector>], options: &Options| {
+    let make = |kinds: &[Kind], positions: &[Vec<[f64; 3]>], options: &Options| {
         contact_sheet(&frames(kinds, positions), &TRIANGLES, options).map(|_| ())
     };
     assert_eq!(make(&[], &[], &small()), Err(SheetError::NoFrames));

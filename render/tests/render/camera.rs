@@ -1,11 +1,12 @@
 //! Where cameras stand and where they see points.
 
-use ga_anim::render::{Camera, ViewDirection};
+use ga_render::{Camera, ViewDirection};
+use ga_runtime::vga3::Vector;
 use proptest::prelude::*;
 
-use crate::{FIELD_OF_VIEW, Vector, dot, subtract};
+use crate::FIELD_OF_VIEW;
 
-pub(crate) fn point() -> impl Strategy<Value = Vector> {
+pub(crate) fn point() -> impl Strategy<Value = [f64; 3]> {
     prop::array::uniform3(-50f64..50.0)
 }
 
@@ -31,20 +32,21 @@ proptest! {
             most = most.max(x.abs()).max(y.abs());
         }
         prop_assert!(most < 1.001, "{most}");
-        let depths = points.iter().map(|&p| dot(subtract(p, camera.eye()), camera.forward()));
+        let (eye, forward) = (Vector::from(camera.eye()), Vector::from(camera.forward()));
+        let depths = points.iter().map(|&p| (Vector::from(p) - eye) | forward);
         let nearest = depths.clone().fold(f64::INFINITY, f64::min);
         let extent = depths.fold(0.0, f64::max);
         prop_assert!(most > 0.999 || nearest < 0.06 * extent, "{most} leaves room");
         prop_assert!(camera.up()[1] > 0.0 && camera.right()[1].abs() < 1e-12);
         let side = [azimuth.sin() * elevation.cos(), elevation.sin(), azimuth.cos() * elevation.cos()];
-        prop_assert!(dot(side, camera.forward()) < -1.0 + 1e-9);
+        prop_assert!((Vector::from(side) | forward) < -1.0 + 1e-9);
     }
 
     /// `project` against the textbook: the line from the eye through the point pierces the picture
     /// plane.
     #[test]
     fn projected_points_lie_on_their_lines_of_sight(eye in point(), target in point(), at in point()) {
-        prop_assume!(dot(subtract(eye, target), subtract(eye, target)) > 1.0);
+        prop_assume!((Vector::from(eye) - Vector::from(target)).length() > 1.0);
         let up = [0.1, 1.0, 0.2];
         let Ok(camera) = Camera::look_at(eye, target, up, FIELD_OF_VIEW, 1e-3) else {
             return Ok(());

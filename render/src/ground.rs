@@ -1,9 +1,9 @@
 //! The level ground under a model, and the background behind both.
 
-use super::Style;
-use super::color::LinearColor;
-use super::shadow::GroundShadow;
-use super::vector::{Vector, mix, scale, smooth_step};
+use crate::Style;
+use crate::Vector;
+use crate::shadow::GroundShadow;
+use ga_image::colour::LinearColour;
 
 /// A level ground with a faint grid, fading into the background.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,16 +14,16 @@ pub struct Ground {
     pub grid: f64,
 }
 
-/// What the ground needs to know to be coloured at one place.
-pub(super) struct GroundShading<'a> {
-    pub(super) ground: Ground,
-    pub(super) style: &'a Style,
+/// What determines the colour of the ground at each place.
+pub(crate) struct GroundShading<'a> {
+    pub(crate) ground: Ground,
+    pub(crate) style: &'a Style,
     /// What reaches the ground of the key light, and of the sky.
-    pub(super) key_shadow: Option<GroundShadow>,
-    pub(super) sky_shadow: Option<GroundShadow>,
+    pub(crate) key_shadow: Option<GroundShadow>,
+    pub(crate) sky_shadow: Option<GroundShadow>,
     /// The place around which the ground is fully visible, and the distance at which it has faded.
-    pub(super) centre: Vector,
-    pub(super) fade: f64,
+    pub(crate) centre: Vector,
+    pub(crate) fade: f64,
 }
 
 /// Share of the grid's period that a line takes.
@@ -32,38 +32,43 @@ const LINE: f64 = 0.03;
 impl GroundShading<'_> {
     /// The ground's colour at a point of it, over a given background. `footprint` is the width of a
     /// pixel there.
-    pub(super) fn color(&self, point: Vector, footprint: f64, behind: LinearColor) -> LinearColor {
-        let [x, _, z] = point;
-        let (from_x, from_z) = (x - self.centre[0], z - self.centre[2]);
-        let distance = (from_x * from_x + from_z * from_z).sqrt();
+    pub(crate) fn colour(
+        &self,
+        point: Vector,
+        footprint: f64,
+        behind: LinearColour,
+    ) -> LinearColour {
+        let (x, z) = (point.e1, point.e3);
+        let offset = point - self.centre;
+        let distance = offset.e1.hypot(offset.e3);
         let presence = 1.0 - smooth_step(0.15 * self.fade, self.fade, distance);
         if presence == 0.0 {
             return behind;
         }
         let line = |c: f64| line_share(c / self.ground.grid, footprint / self.ground.grid);
         let on_line = 1.0 - (1.0 - line(x)) * (1.0 - line(z));
-        let base = mix(self.style.ground, self.style.grid, on_line);
+        let base = self.style.ground.lerp(self.style.grid, on_line);
 
         let reaching =
             |shadow: &Option<GroundShadow>| shadow.as_ref().map_or(1.0, |s| s.visibility(x, z));
         let light = 1.0
             - self.style.shadow * (1.0 - reaching(&self.key_shadow))
             - self.style.occlusion * (1.0 - reaching(&self.sky_shadow));
-        mix(behind, scale(base, light.max(0.0)), presence)
+        behind.lerp(base * light.max(0.0), presence)
     }
 }
 
-/// The background's colour at a row given as a fraction of the picture's height.
-///
-/// ```text
-/// top ── horizon, smoothly
-/// ```
-pub(super) fn background(style: &Style, row: f64) -> LinearColor {
-    mix(
-        style.background[0],
-        style.background[1],
-        smooth_step(0.0, 1.0, row),
-    )
+/// The background's colour at a row given as a fraction of the picture's height: a smooth passage
+/// from the top colour to the bottom colour.
+pub(crate) fn background(style: &Style, row: f64) -> LinearColour {
+    let [top, bottom] = style.background;
+    top.lerp(bottom, smooth_step(0.0, 1.0, row))
+}
+
+/// Hermite step: 0 up to `low`, 1 from `high` on, smooth between.
+fn smooth_step(low: f64, high: f64, x: f64) -> f64 {
+    let t = ((x - low) / (high - low)).clamp(0.0, 1.0);
+    t * t * (3.0 - 2.0 * t)
 }
 
 /// How much of a window of the given width around `c` is line, for lines of width [`LINE`] around

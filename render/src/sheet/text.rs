@@ -19,7 +19,7 @@ pub(super) fn write(
     width: u32,
     text: &str,
     weight: Weight,
-    color: Rgb<u8>,
+    colour: Rgb<u8>,
 ) {
     let weight = match weight {
         Weight::Regular => FontWeight::Regular,
@@ -35,7 +35,7 @@ pub(super) fn write(
             for (column, &ink) in line.iter().enumerate() {
                 let place = (left + column as u32, y + row as u32);
                 if let Some(pixel) = image.get_pixel_mut_checked(place.0, place.1) {
-                    *pixel = Rgb(std::array::from_fn(|i| blend(pixel.0[i], color.0[i], ink)));
+                    *pixel = Rgb(std::array::from_fn(|i| blend(pixel.0[i], colour.0[i], ink)));
                 }
             }
         }

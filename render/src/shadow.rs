@@ -1,8 +1,8 @@
 //! Soft shadows that a model casts on a level ground.
 
-use super::blur::Field;
-use super::raster;
-use super::vector::Vector;
+use crate::Vector;
+use crate::raster;
+use ga_image::plane::Plane;
 
 /// How much of a light each place of the ground sees.
 ///
@@ -10,12 +10,11 @@ use super::vector::Vector;
 /// the lowest surface above it. A light of half angle α seen past an edge at height *h* is covered
 /// little by little over a width of about *2 h tan α*, so each texel's darkness is spread that
 /// wide: sharp at the feet, soft at the head.
-pub(super) struct GroundShadow {
+pub(crate) struct GroundShadow {
     /// Least *x* and *z* of the map, and texels per unit of length.
     origin: [f64; 2],
     density: f64,
-    size: usize,
-    darkness: Vec<f32>,
+    darkness: Plane,
 }
 
 /// Texels along a side of the map.
@@ -28,22 +27,20 @@ const RADII: [usize; 6] = [1, 3, 6, 12, 24, 40];
 impl GroundShadow {
     /// The shadow on the plane `y = ground`, for a light in the direction `towards_light` (above
     /// the horizon) whose half angle has the given tangent; `None` for a model that casts none.
-    pub(super) fn new(
-        positions: &[Vector],
+    pub(crate) fn new(
+        positions: &[[f64; 3]],
         triangles: &[[u32; 3]],
         ground: f64,
         towards_light: Vector,
         light_tangent: f64,
     ) -> Option<Self> {
-        let slant = [
-            towards_light[0] / towards_light[1],
-            towards_light[2] / towards_light[1],
-        ];
-        let project = |p: &Vector| {
-            let height = p[1] - ground;
-            [p[0] - slant[0] * height, p[2] - slant[1] * height, height]
+        let slant = [towards_light.e1, towards_light.e3].map(|c| c / towards_light.e2);
+        // x and z on the ground, and the height above it.
+        let project = |&[x, y, z]: &[f64; 3]| {
+            let height = y - ground;
+            [x - slant[0] * height, z - slant[1] * height, height]
         };
-        let projected: Vec<Vector> = positions.iter().map(project).collect();
+        let projected: Vec<[f64; 3]> = positions.iter().map(project).collect();
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for point in &projected {
             for axis in 0..2 {
@@ -58,36 +55,36 @@ impl GroundShadow {
         }
 
         let origin = low.map(|c| c - border as f64 / density);
-        let mut lowest = vec![f32::INFINITY; SIZE * SIZE];
+        let mut lowest = Plane::filled(SIZE, SIZE, f32::INFINITY);
+        let texels = lowest.values_mut();
         for triangle in triangles {
             let corners = triangle.map(|v| {
                 let [x, z, height] = projected[v as usize];
                 [(x - origin[0]) * density, (z - origin[1]) * density, height]
             });
             raster::fill(SIZE, SIZE, corners, |texel, height| {
-                lowest[texel] = lowest[texel].min(height);
+                texels[texel] = texels[texel].min(height);
             });
         }
         Some(Self {
             origin,
             density,
-            size: SIZE,
             darkness: spread(&lowest, light_tangent * density),
         })
     }
 
     /// The share of the light that reaches the ground at `(x, z)`, from 0 to 1.
-    pub(super) fn visibility(&self, x: f64, z: f64) -> f64 {
+    pub(crate) fn visibility(&self, x: f64, z: f64) -> f64 {
         let column = (x - self.origin[0]) * self.density - 0.5;
         let row = (z - self.origin[1]) * self.density - 0.5;
-        let last = (self.size - 1) as f64;
+        let last = (SIZE - 1) as f64;
         let inside = column >= 0.0 && row >= 0.0 && column < last && row < last;
         if !inside {
             return 1.0;
         }
         let (i, j) = (column as usize, row as usize);
         let (u, v) = (column - i as f64, row - j as f64);
-        let texel = |i: usize, j: usize| f64::from(self.darkness[j * self.size + i]);
+        let texel = |i: usize, j: usize| f64::from(self.darkness.values()[j * SIZE + i]);
         let near = texel(i, j) * (1.0 - u) + texel(i + 1, j) * u;
         let far = texel(i, j + 1) * (1.0 - u) + texel(i + 1, j + 1) * u;
         1.0 - (near * (1.0 - v) + far * v)
@@ -95,31 +92,25 @@ impl GroundShadow {
 }
 
 /// Darkness from 0 to 1: each covered texel spread over the radius that its height asks for.
-fn spread(lowest: &[f32], texels_per_height: f64) -> Vec<f32> {
-    let mut darkness = vec![0f32; SIZE * SIZE];
+fn spread(lowest: &Plane, texels_per_height: f64) -> Plane {
+    let mut darkness = Plane::filled(SIZE, SIZE, 0.0);
     for (band, &radius) in RADII.iter().enumerate() {
-        let covered: Vec<f32> = lowest
-            .iter()
-            .map(|&height| {
-                if height.is_finite() {
-                    band_share(band, f64::from(height.max(0.0)) * texels_per_height)
-                } else {
-                    0.0
-                }
-            })
-            .collect();
-        if covered.iter().all(|&c| c == 0.0) {
+        let covered = lowest.map(|height| {
+            if height.is_finite() {
+                band_share(band, f64::from(height.max(0.0)) * texels_per_height)
+            } else {
+                0.0
+            }
+        });
+        if covered.values().iter().all(|&c| c == 0.0) {
             continue;
         }
-        let blurred = Field::new(SIZE, covered).blurred(radius);
-        for (sum, &part) in darkness.iter_mut().zip(blurred.values()) {
+        let blurred = covered.blurred(radius);
+        for (sum, &part) in darkness.values_mut().iter_mut().zip(blurred.values()) {
             *sum += part;
         }
     }
-    for value in &mut darkness {
-        *value = value.clamp(0.0, 1.0);
-    }
-    darkness
+    darkness.map(|value| value.clamp(0.0, 1.0))
 }
 
 /// The share of a texel of the wanted radius that a band spreads: the shares of all bands add to 1.
@@ -144,7 +135,7 @@ mod tests {
     use super::*;
 
     /// A square plate of side 2 at height `h` over the ground, two triangles.
-    fn plate(height: f64) -> ([Vector; 4], [[u32; 3]; 2]) {
+    fn plate(height: f64) -> ([[f64; 3]; 4], [[u32; 3]; 2]) {
         let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
         (corners.map(|[x, z]| [x, height, z]), [[0, 1, 2], [0, 2, 3]])
     }
@@ -153,8 +144,14 @@ mod tests {
     fn a_plate_under_a_slanting_light_shadows_the_place_beside_it() {
         let (positions, triangles) = plate(3.0);
         // Down from the left: the shadow moves right by the height.
-        let shadow =
-            GroundShadow::new(&positions, &triangles, 0.0, [-0.5, 0.5, 0.0], 0.01).unwrap();
+        let shadow = GroundShadow::new(
+            &positions,
+            &triangles,
+            0.0,
+            Vector::new(-0.5, 0.5, 0.0),
+            0.01,
+        )
+        .unwrap();
         assert!(shadow.visibility(3.0, 0.0) < 1e-3);
         assert!(shadow.visibility(2.2, 0.8) < 1e-3);
         for lit in [[1.7, 0.0], [4.3, 0.0], [3.0, 1.3], [3.0, -1.3], [90.0, 0.0]] {
@@ -167,7 +164,8 @@ mod tests {
         let softness = |height: f64| {
             let (positions, triangles) = plate(height);
             let shadow =
-                GroundShadow::new(&positions, &triangles, 0.0, [0.0, 1.0, 0.0], 0.1).unwrap();
+                GroundShadow::new(&positions, &triangles, 0.0, Vector::new(0.0, 1.0, 0.0), 0.1)
+                    .unwrap();
             let half_shadow = shadow.visibility(1.0, 0.0);
             assert!(
                 (half_shadow - 0.5).abs() < 0.1,

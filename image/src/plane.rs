@@ -1,23 +1,80 @@
-//! Blurring of fields of numbers on a grid of pixels.
+//! Planes of pixels and their blur.
 
-/// A grid of numbers, row by row.
-pub(super) struct Field {
+/// A grid of numbers, one for each pixel, row by row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plane {
     width: usize,
     values: Vec<f32>,
 }
 
-impl Field {
-    pub(super) fn new(width: usize, values: Vec<f32>) -> Self {
-        Self { width, values }
+impl Plane {
+    /// A plane with the same value everywhere.
+    ///
+    /// ```
+    /// use ga_image::plane::Plane;
+    ///
+    /// let mut plane = Plane::filled(3, 2, 0.0);
+    /// plane.values_mut()[3] = 0.5;
+    /// assert_eq!(plane.get(0, 1), Some(0.5));
+    /// assert_eq!(plane.map(|value| 2.0 * value).get(0, 1), Some(1.0));
+    /// assert_eq!(plane.get(3, 0), None);
+    /// ```
+    #[must_use]
+    pub fn filled(width: usize, height: usize, value: f32) -> Self {
+        Self {
+            width,
+            values: vec![value; width * height],
+        }
     }
 
-    pub(super) fn values(&self) -> &[f32] {
+    /// The plane of the values `change` gives for those of this one.
+    #[must_use]
+    pub fn map(&self, change: impl FnMut(f32) -> f32) -> Self {
+        Self {
+            width: self.width,
+            values: self.values.iter().copied().map(change).collect(),
+        }
+    }
+
+    /// Columns.
+    #[must_use]
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// Rows.
+    #[must_use]
+    pub fn height(&self) -> usize {
+        self.values.len().checked_div(self.width).unwrap_or(0)
+    }
+
+    /// All values, row by row.
+    #[must_use]
+    pub fn values(&self) -> &[f32] {
         &self.values
     }
 
-    /// Averages over a square neighbourhood of about `radius`, weighted like a tent along each axis
-    /// (two box filters). Beyond its border the field is zero.
-    pub(super) fn blurred(self, radius: usize) -> Self {
+    /// All values, to be changed.
+    pub fn values_mut(&mut self) -> &mut [f32] {
+        &mut self.values
+    }
+
+    /// The value of a pixel, or `None` outside the plane.
+    #[must_use]
+    pub fn get(&self, column: usize, row: usize) -> Option<f32> {
+        let index = row.checked_mul(self.width)?.checked_add(column)?;
+        (column < self.width)
+            .then(|| self.values.get(index).copied())
+            .flatten()
+    }
+
+    /// Averages over a square neighbourhood of about `radius` pixels, weighted like a tent along
+    /// each axis (two box filters). Outside its border the plane counts as zero.
+    #[must_use]
+    pub fn blurred(self, radius: usize) -> Self {
+        if self.values.is_empty() {
+            return self;
+        }
         let reach = radius.div_ceil(2);
         let down = self.averaged_down(reach).averaged_down(reach);
         let across = down.transposed().averaged_down(reach).averaged_down(reach);
@@ -82,9 +139,9 @@ mod tests {
     #[test]
     fn a_single_value_becomes_a_tent_of_the_same_sum() {
         let (width, height) = (21, 17);
-        let mut values = vec![0.0; width * height];
-        values[8 * width + 10] = 1.0;
-        let blurred = Field::new(width, values).blurred(4);
+        let mut plane = Plane::filled(width, height, 0.0);
+        plane.values_mut()[8 * width + 10] = 1.0;
+        let blurred = plane.blurred(4);
         let tent = |d: usize| (5.0 - d as f32).max(0.0) / 25.0;
         for row in 0..height {
             for column in 0..width {
@@ -99,8 +156,9 @@ mod tests {
     }
 
     #[test]
-    fn a_neighbourhood_wider_than_the_field_is_no_trouble() {
-        let blurred = Field::new(2, vec![1.0; 6]).blurred(20);
+    fn a_neighbourhood_may_be_wider_than_the_plane() {
+        let blurred = Plane::filled(2, 3, 1.0).blurred(20);
         assert!(blurred.values().iter().all(|v| v.is_finite()));
+        assert_eq!(Plane::filled(0, 5, 1.0).blurred(3).values(), []);
     }
 }

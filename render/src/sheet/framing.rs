@@ -1,7 +1,7 @@
 //! Where the camera stands for each frame.
 
 use super::{Frame, Options, SheetError};
-use crate::render::{Camera, Ground, RenderError};
+use crate::{Camera, Ground, RenderError};
 
 /// Whether the camera goes along with the figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

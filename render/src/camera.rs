@@ -1,9 +1,8 @@
 //! The pinhole camera of a picture.
 
-use super::vector::{Vector, add, add_scaled, cross, dot, normalized, scale, subtract};
-use super::{LARGEST_COORDINATE, RenderError};
+use crate::{LARGEST_COORDINATE, RenderError, Vector};
 
-/// A pinhole camera: where it stands, where it looks, how wide it sees.
+/// A pinhole camera: position, viewing direction and field of view.
 ///
 /// Its frame is right-handed with *x* to the right, *y* up and *z* towards the viewer; a point's
 /// *depth* is its distance along the viewing direction, so `-z`. Pixel *(0, 0)* is at the top left,
@@ -50,11 +49,11 @@ impl ViewDirection {
     fn towards_camera(self) -> Vector {
         let (sin_azimuth, cos_azimuth) = self.azimuth.sin_cos();
         let (sin_elevation, cos_elevation) = self.elevation.sin_cos();
-        [
+        Vector::new(
             sin_azimuth * cos_elevation,
             sin_elevation,
             cos_azimuth * cos_elevation,
-        ]
+        )
     }
 }
 
@@ -74,26 +73,29 @@ impl Camera {
         vertical_field_of_view: f64,
         near: f64,
     ) -> Result<Self, RenderError> {
-        let reasonable = |v: Vector| v.iter().all(|c| c.abs() <= LARGEST_COORDINATE);
+        let reasonable = |v: [f64; 3]| v.iter().all(|c| c.abs() <= LARGEST_COORDINATE);
         if !(reasonable(eye) && reasonable(target) && reasonable(up)) {
             return Err(RenderError::Camera("a position is not finite"));
         }
-        let forward = normalized(subtract(target, eye))
+        let eye = Vector::from(eye);
+        let forward = (Vector::from(target) - eye)
+            .normalized()
             .ok_or(RenderError::Camera("it stands on its target"))?;
-        let up = normalized(up).ok_or(RenderError::Camera("its up vector is zero"))?;
-        let across = cross(forward, up);
-        if dot(across, across) < 1e-18 {
-            return Err(RenderError::Camera("it looks along its up vector"));
-        }
-        let right =
-            normalized(across).ok_or(RenderError::Camera("it looks along its up vector"))?;
+        let up = Vector::from(up)
+            .normalized()
+            .ok_or(RenderError::Camera("its up vector is zero"))?;
+        let across = forward.cross(up);
+        let right = across
+            .normalized()
+            .filter(|_| across.length() >= 1e-9)
+            .ok_or(RenderError::Camera("it looks along its up vector"))?;
         if !(near > 0.0 && near <= LARGEST_COORDINATE) {
             return Err(RenderError::Camera("its near depth is not positive"));
         }
         Ok(Self {
             eye,
             right,
-            up: cross(right, forward),
+            up: right.cross(forward),
             forward,
             tangent: half_tangent(vertical_field_of_view)?,
             near,
@@ -132,9 +134,9 @@ impl Camera {
             return Err(RenderError::Camera("its elevation reaches a right angle"));
         }
         let backward = view.towards_camera();
-        let right = [view.azimuth.cos(), 0.0, -view.azimuth.sin()];
-        let up = cross(backward, right);
-        let forward = scale(backward, -1.0);
+        let right = Vector::new(view.azimuth.cos(), 0.0, -view.azimuth.sin());
+        let up = backward.cross(right);
+        let forward = -backward;
 
         let (tangent_x, tangent_y) = (tangent * aspect * (1.0 - margin), tangent * (1.0 - margin));
         let mut span_x = Span::default();
@@ -146,9 +148,10 @@ impl Camera {
                 return Err(RenderError::Camera("a point to be seen is not finite"));
             }
             largest = point.iter().fold(largest, |most, c| most.max(c.abs()));
-            let depth = dot(point, forward);
-            span_x.include(dot(point, right), tangent_x * depth);
-            span_y.include(dot(point, up), tangent_y * depth);
+            let point = Vector::from(point);
+            let depth = point | forward;
+            span_x.include(point | right, tangent_x * depth);
+            span_y.include(point | up, tangent_y * depth);
             nearest = nearest.min(depth);
             farthest = farthest.max(depth);
         }
@@ -161,11 +164,8 @@ impl Camera {
         // Along a line of sight the cone condition alone would let the camera touch the nearest
         // point.
         let eye_depth = foremost.min(nearest - 0.05 * extent);
-        let mut eye = scale(forward, eye_depth);
-        eye = add_scaled(eye, right, span_x.centre());
-        eye = add_scaled(eye, up, span_y.centre());
         Ok(Self {
-            eye,
+            eye: forward * eye_depth + right * span_x.centre() + up * span_y.centre(),
             right,
             up,
             forward,
@@ -177,29 +177,29 @@ impl Camera {
     /// The same camera, displaced.
     pub fn moved_by(&self, displacement: [f64; 3]) -> Self {
         Self {
-            eye: add(self.eye, displacement),
+            eye: self.eye + Vector::from(displacement),
             ..*self
         }
     }
 
     /// The centre of projection.
     pub fn eye(&self) -> [f64; 3] {
-        self.eye
+        self.eye.coordinates()
     }
 
     /// The unit viewing direction.
     pub fn forward(&self) -> [f64; 3] {
-        self.forward
+        self.forward.coordinates()
     }
 
     /// The unit vector to the right in the picture.
     pub fn right(&self) -> [f64; 3] {
-        self.right
+        self.right.coordinates()
     }
 
     /// The unit vector up in the picture.
     pub fn up(&self) -> [f64; 3] {
-        self.up
+        self.up.coordinates()
     }
 
     /// The least depth that is drawn.
@@ -210,57 +210,60 @@ impl Camera {
     /// Column, row and depth at which a picture of the given size shows `point`; `None` when it is
     /// nearer than the near depth or behind the camera.
     pub fn project(&self, point: [f64; 3], width: u32, height: u32) -> Option<[f64; 3]> {
-        let [x, y, depth] = self.view(point);
+        let Vector {
+            e1: x,
+            e2: y,
+            e3: depth,
+        } = self.view(point.into());
         (depth >= self.near).then(|| {
-            let lens = Lens::new(self, width, height);
-            [
-                lens.centre[0] + x / depth * lens.focal,
-                lens.centre[1] - y / depth * lens.focal,
-                depth,
-            ]
+            let [column, row] = Lens::new(self, width, height).project([x, y], 1.0 / depth);
+            [column, row, depth]
         })
     }
 
     /// Right offset, up offset and depth of a point.
-    pub(super) fn view(&self, point: Vector) -> Vector {
-        let offset = subtract(point, self.eye);
-        [
-            dot(offset, self.right),
-            dot(offset, self.up),
-            dot(offset, self.forward),
-        ]
+    pub(crate) fn view(&self, point: Vector) -> Vector {
+        let offset = point - self.eye;
+        Vector::new(offset | self.right, offset | self.up, offset | self.forward)
     }
 
     /// The world vector of a vector given by right offset, up offset and depth.
-    pub(super) fn world_direction(&self, view: Vector) -> Vector {
-        let sideways = add_scaled(scale(self.right, view[0]), self.up, view[1]);
-        add_scaled(sideways, self.forward, view[2])
+    pub(crate) fn world_direction(&self, view: Vector) -> Vector {
+        self.right * view.e1 + self.up * view.e2 + self.forward * view.e3
     }
 }
 
 /// A camera's projection onto the pixels of one picture.
 #[derive(Clone, Copy)]
-pub(super) struct Lens {
+pub(crate) struct Lens {
     /// Pixels per unit of `x / depth`.
-    pub(super) focal: f64,
-    pub(super) centre: [f64; 2],
+    pub(crate) focal: f64,
+    pub(crate) centre: [f64; 2],
 }
 
 impl Lens {
-    pub(super) fn new(camera: &Camera, width: u32, height: u32) -> Self {
+    pub(crate) fn new(camera: &Camera, width: u32, height: u32) -> Self {
         Self {
             focal: f64::from(height) / (2.0 * camera.tangent),
             centre: [f64::from(width) / 2.0, f64::from(height) / 2.0],
         }
     }
 
-    /// The view vector of depth 1 through a place in the picture.
-    pub(super) fn ray(&self, column: f64, row: f64) -> Vector {
+    /// Column and row of the point at these right and up offsets and the given inverse depth.
+    pub(crate) fn project(&self, [x, y]: [f64; 2], inverse_depth: f64) -> [f64; 2] {
         [
+            self.centre[0] + x * inverse_depth * self.focal,
+            self.centre[1] - y * inverse_depth * self.focal,
+        ]
+    }
+
+    /// The view vector of depth 1 through a place in the picture.
+    pub(crate) fn ray(&self, column: f64, row: f64) -> Vector {
+        Vector::new(
             (column - self.centre[0]) / self.focal,
             (self.centre[1] - row) / self.focal,
             1.0,
-        ]
+        )
     }
 }
 

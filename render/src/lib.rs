@@ -1,13 +1,14 @@
 //! Pictures of triangle meshes: a small software renderer.
 //!
 //! [`render`] draws a mesh, given as plain positions and triangles, with smooth shading, on a level
-//! ground that carries its shadow, optionally with its skeleton on top; and beside the picture it
-//! returns the [`DepthMap`]. Hidden surfaces are removed by a depth buffer at several samples per
-//! pixel, lighting is computed in linear light, and equal input gives equal pictures, bit for bit.
-//! The world's *y* axis points up; lengths are in the unit of the model.
+//! ground that shows its shadow, and optionally line segments such as bones on top. It returns the
+//! picture and its [`DepthMap`]. Hidden surfaces are removed by a depth buffer at several samples
+//! per pixel, and lighting is computed in linear light. Equal input gives equal pictures, bit for
+//! bit, for any number of threads. The world's *y* axis points up; lengths are in the unit of the
+//! model. [`sheet`] puts the pictures of an animation side by side.
 //!
 //! ```
-//! use ga_anim::render::{Camera, Scene, Style, ViewDirection, render};
+//! use ga_render::{Camera, Scene, Style, ViewDirection, render};
 //!
 //! let positions = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 //! let triangles = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
@@ -15,16 +16,14 @@
 //! let style = Style { width: 60, height: 80, ..Style::default() };
 //! let camera = Camera::fit(positions, ViewDirection::default(), 0.5, style.aspect(), 0.1)?;
 //! let picture = render(&scene, &camera, &style)?;
-//! assert_eq!(picture.color.dimensions(), (60, 80));
+//! assert_eq!(picture.colour.dimensions(), (60, 80));
 //! let [column, row, depth] = camera.project([0.3, 0.3, 0.3], 60, 80).unwrap();
 //! assert!(picture.depth.get(column as u32, row as u32).unwrap() < depth);
-//! # Ok::<(), ga_anim::render::RenderError>(())
+//! # Ok::<(), ga_render::RenderError>(())
 //! ```
 
-mod blur;
 mod camera;
 mod clip;
-mod color;
 mod depth;
 mod depth_contrast;
 mod ground;
@@ -33,21 +32,20 @@ mod raster;
 mod resolve;
 mod shade;
 mod shadow;
+pub mod sheet;
 mod style;
 mod surface;
-pub(crate) mod vector;
 
+use ga_image::colour::SrgbEncoder;
 use image::RgbImage;
 
 pub use camera::{Camera, ViewDirection};
-pub(crate) use color::Encoder;
-pub use color::{LinearColor, from_srgb};
 pub use depth::DepthMap;
 pub use ground::Ground;
 pub use shade::{Light, Lighting};
 pub use style::Style;
 
-/// What is to be seen.
+/// What a picture shows.
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<'a> {
     /// One point for each vertex.
@@ -76,12 +74,12 @@ impl<'a> Scene<'a> {
 #[derive(Clone, Debug)]
 pub struct Rendering {
     /// The shaded picture, sRGB.
-    pub color: RgbImage,
+    pub colour: RgbImage,
     /// The depth of the mesh at every pixel.
     pub depth: DepthMap,
 }
 
-/// Why there is no picture.
+/// Why a scene cannot be drawn.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum RenderError {
     /// A position has a coordinate that is NaN, infinite, or beyond 10³⁰.
@@ -109,10 +107,10 @@ pub enum RenderError {
     /// The ground's height is not finite or its grid is not positive.
     #[error("the ground's height is not finite or its grid not positive")]
     Ground,
-    /// The camera sees nothing; the text says why.
+    /// The camera is not usable; the text says why.
     #[error("no such camera: {0}")]
     Camera(&'static str),
-    /// The style makes no picture; the text says why.
+    /// The style is not usable; the text says why.
     #[error("no such picture: {0}")]
     Style(&'static str),
 }
@@ -124,8 +122,7 @@ pub enum RenderError {
 ///
 /// # Errors
 ///
-/// [`RenderError`] for coordinates that are not finite, indices out of range, and styles that make
-/// no picture.
+/// [`RenderError`] for coordinates that are not finite, indices out of range, and unusable styles.
 pub fn render(scene: &Scene, camera: &Camera, style: &Style) -> Result<Rendering, RenderError> {
     style.check()?;
     check(scene)?;
@@ -135,12 +132,15 @@ pub fn render(scene: &Scene, camera: &Camera, style: &Style) -> Result<Rendering
     depth_contrast::darken_behind_edges(&mut light, &depth, extent, style.depth_contrast);
     overlay::draw_bones(&mut light, scene.bones, camera, style);
 
-    let encoder = Encoder::new();
+    let encoder = SrgbEncoder::new();
     let bytes = light.iter().flat_map(|&c| encoder.encode(c)).collect();
-    let color = RgbImage::from_vec(style.width, style.height, bytes)
+    let colour = RgbImage::from_vec(style.width, style.height, bytes)
         .ok_or(RenderError::Style("it is too large"))?;
-    Ok(Rendering { color, depth })
+    Ok(Rendering { colour, depth })
 }
+
+/// A vector in the world, or in a camera's frame: right offset, up offset and depth.
+type Vector = ga_runtime::vga3::Vector<f64>;
 
 /// Squares and triple products of coordinates up to here stay finite.
 const LARGEST_COORDINATE: f64 = 1e30;

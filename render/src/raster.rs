@@ -10,14 +10,14 @@ const STEPS: i64 = 4096;
 
 /// A corner: column and row in pixels, and a value that is affine across the triangle on the
 /// picture (such as the inverse depth).
-pub(super) type Corner = [f64; 3];
+pub(crate) type Corner = [f64; 3];
 
 /// Calls `visit(index, value)` for each pixel of a `width` × `height` picture whose centre the
 /// triangle covers.
 ///
 /// Corners may lie up to 65,536 pixels away. Triangles without area cover nothing; both
 /// orientations are drawn.
-pub(super) fn fill(
+pub(crate) fn fill(
     width: usize,
     height: usize,
     mut triangle: [Corner; 3],

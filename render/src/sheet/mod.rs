@@ -6,7 +6,7 @@
 //! A [`Frame`] is the mesh at one moment: plain positions, however they were found.
 //!
 //! ```
-//! use ga_anim::sheet::{Frame, Kind, Options, contact_sheet};
+//! use ga_render::sheet::{Frame, Kind, Options, contact_sheet};
 //!
 //! let triangles = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
 //! let corners = |x: f64| [[x, 0.0, 0.0], [x + 1.0, 0.0, 0.0], [x, 1.0, 0.0], [x, 0.0, 1.0]];
@@ -37,7 +37,7 @@ mod text;
 use image::RgbImage;
 use rayon::prelude::*;
 
-use crate::render::{RenderError, Rendering, Scene, Style, ViewDirection, render};
+use crate::{RenderError, Rendering, Scene, Style, ViewDirection, render};
 pub use framing::Framing;
 pub use layout::Layout;
 

@@ -5,7 +5,7 @@ use image::{Rgb, RgbImage, imageops};
 use super::layout::{BORDER, CAPTION, Size};
 use super::text::{self, Weight};
 use super::{Frame, Kind, Options};
-use crate::render::Rendering;
+use crate::Rendering;
 
 const PAPER: Rgb<u8> = Rgb([250, 250, 252]);
 const INK: Rgb<u8> = Rgb([44, 52, 64]);
@@ -44,7 +44,7 @@ pub(super) fn sheet(
             let kind = frames[index].kind;
             place(
                 &mut sheet,
-                &pictures[index].color,
+                &pictures[index].colour,
                 size.picture(column, row),
                 kind,
             );
@@ -95,7 +95,7 @@ fn place(sheet: &mut RgbImage, picture: &RgbImage, [x, y]: [u32; 2], kind: Kind)
 
 fn caption(sheet: &mut RgbImage, frame: &Frame, [x, y]: [u32; 2], width: u32) {
     let moment = format!("frame {} · t = {:.2} s", frame.number, frame.time);
-    let (part, weight, color) = match frame.kind {
+    let (part, weight, colour) = match frame.kind {
         Kind::Key => ("key".to_owned(), Weight::Bold, KEY),
         Kind::InBetween { step, steps } => (
             format!("in-between {step}/{steps}"),
@@ -104,6 +104,6 @@ fn caption(sheet: &mut RgbImage, frame: &Frame, [x, y]: [u32; 2], width: u32) {
         ),
     };
     let top = y + (CAPTION - 2 * LINE) / 2;
-    text::write(sheet, [x, top], width, &part, weight, color);
+    text::write(sheet, [x, top], width, &part, weight, colour);
     text::write(sheet, [x, top + LINE], width, &moment, Weight::Regular, INK);
 }

@@ -1,24 +1,23 @@
 //! Which triangle is seen at which sample, and how far away.
 
-use super::camera::{Camera, Lens};
-use super::clip::Clipper;
-use super::vector::{Vector, cross, dot};
-use super::{Scene, Style, raster};
+use crate::camera::{Camera, Lens};
+use crate::clip::Clipper;
+use crate::{Scene, Style, Vector, raster};
 
 /// The visible surface at every sample of a picture.
-pub(super) struct Samples {
-    pub(super) width: usize,
+pub(crate) struct Samples {
+    pub(crate) width: usize,
     /// 1 / depth of the nearest surface; 0 where there is none.
-    pub(super) inverse_depth: Vec<f32>,
+    pub(crate) inverse_depth: Vec<f32>,
     /// The triangle seen, where `inverse_depth` is not 0.
-    pub(super) triangle: Vec<u32>,
+    pub(crate) triangle: Vec<u32>,
     /// Each vertex in the camera's frame: right offset, up offset, depth.
-    pub(super) view: Vec<Vector>,
-    pub(super) lens: Lens,
+    pub(crate) view: Vec<Vector>,
+    pub(crate) lens: Lens,
 }
 
 impl Samples {
-    pub(super) fn draw(scene: &Scene, camera: &Camera, style: &Style) -> Self {
+    pub(crate) fn draw(scene: &Scene, camera: &Camera, style: &Style) -> Self {
         let (columns, rows) = (
             style.width * style.supersampling,
             style.height * style.supersampling,
@@ -32,14 +31,15 @@ impl Samples {
         );
         let mut inverse_depth = vec![0f32; width * height];
         let mut seen = vec![0u32; width * height];
-        let view: Vec<Vector> = scene.positions.iter().map(|&p| camera.view(p)).collect();
-        let project = |[x, y, depth]: Vector| {
-            let inverse = 1.0 / depth;
-            [
-                lens.centre[0] + x * inverse * lens.focal,
-                lens.centre[1] - y * inverse * lens.focal,
-                inverse,
-            ]
+        let view: Vec<Vector> = scene
+            .positions
+            .iter()
+            .map(|&position| camera.view(position.into()))
+            .collect();
+        let project = |point: Vector| {
+            let inverse = 1.0 / point.e3;
+            let [column, row] = lens.project([point.e1, point.e2], inverse);
+            [column, row, inverse]
         };
 
         for (index, triangle) in scene.triangles.iter().enumerate() {
@@ -71,12 +71,8 @@ impl Samples {
 /// The ray direction is `Σ λᵢ pᵢ` up to scale, so by Cramer's rule `λᵢ ∝ det(ray, pⱼ, pₖ)`: exact
 /// under perspective, wherever the corners lie. A triangle seen edge-on has no such place and gets
 /// its middle.
-pub(super) fn barycentric(ray: Vector, [a, b, c]: [Vector; 3]) -> Vector {
-    let volumes = [
-        dot(ray, cross(b, c)),
-        dot(ray, cross(c, a)),
-        dot(ray, cross(a, b)),
-    ];
+pub(crate) fn barycentric(ray: Vector, [a, b, c]: [Vector; 3]) -> [f64; 3] {
+    let volumes = [ray | b.cross(c), ray | c.cross(a), ray | a.cross(b)];
     let total: f64 = volumes.iter().sum();
     let weights = volumes.map(|v| (v / total).clamp(0.0, 1.0));
     // Clamping keeps a sample on a sliver's rounded outline from being extrapolated.

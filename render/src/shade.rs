@@ -1,7 +1,7 @@
 //! The colour of a lit surface.
 
-use super::color::LinearColor;
-use super::vector::{Vector, add, add_scaled, dot, multiply, normalized, scale};
+use crate::Vector;
+use ga_image::colour::LinearColour;
 
 /// A distant light.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -10,7 +10,7 @@ pub struct Light {
     /// lights stand around the camera as in a studio, but stay level when it looks up or down.
     pub direction: [f64; 3],
     /// Linear colour times strength.
-    pub color: LinearColor,
+    pub colour: LinearColour,
 }
 
 /// A key light that models the form, a weaker fill light that opens its shadows, and light from all
@@ -22,17 +22,17 @@ pub struct Lighting {
     /// The second light.
     pub fill: Light,
     /// What a surface that faces straight up receives from all around.
-    pub sky: LinearColor,
+    pub sky: LinearColour,
     /// What a surface that faces straight down receives from all around.
-    pub bounce: LinearColor,
+    pub bounce: LinearColour,
 }
 
 /// The lights with their directions in the world.
-pub(super) struct WorldLighting {
-    key: (Vector, LinearColor),
-    fill: (Vector, LinearColor),
-    sky: LinearColor,
-    bounce: LinearColor,
+pub(crate) struct WorldLighting {
+    key: (Vector, LinearColour),
+    fill: (Vector, LinearColour),
+    sky: LinearColour,
+    bounce: LinearColour,
     gloss: f64,
 }
 
@@ -41,19 +41,20 @@ const SHARPNESS: i32 = 28;
 
 impl WorldLighting {
     /// `None` when a light has no direction.
-    pub(super) fn new(
+    pub(crate) fn new(
         lighting: &Lighting,
         gloss: f64,
         forward: Vector,
         right: Vector,
     ) -> Option<Self> {
-        let backward = normalized([-forward[0], 0.0, -forward[2]])
-            .or_else(|| normalized([-right[2], 0.0, right[0]]))?;
-        let across = [backward[2], 0.0, -backward[0]];
+        let backward = Vector::new(-forward.e1, 0.0, -forward.e3)
+            .normalized()
+            .or_else(|| Vector::new(-right.e3, 0.0, right.e1).normalized())?;
+        let across = Vector::new(backward.e3, 0.0, -backward.e1);
         let world = |light: &Light| {
-            let [right, up, towards] = normalized(light.direction)?;
-            let level = add_scaled(scale(across, right), backward, towards);
-            Some((add(level, [0.0, up, 0.0]), light.color))
+            let direction = Vector::from(light.direction).normalized()?;
+            let level = across * direction.e1 + backward * direction.e3;
+            Some((level + Vector::new(0.0, direction.e2, 0.0), light.colour))
         };
         Some(Self {
             key: world(&lighting.key)?,
@@ -65,29 +66,28 @@ impl WorldLighting {
     }
 
     /// The unit direction towards the key light.
-    pub(super) fn towards_key(&self) -> Vector {
+    pub(crate) fn towards_key(&self) -> Vector {
         self.key.0
     }
 
     /// The light that a surface of the given colour and unit normal sends in the unit direction
     /// `towards_viewer`.
-    pub(super) fn shade(
+    pub(crate) fn shade(
         &self,
-        surface: LinearColor,
+        surface: LinearColour,
         normal: Vector,
         towards_viewer: Vector,
-    ) -> LinearColor {
-        let from_above = 0.5 + 0.5 * normal[1];
-        let mut diffuse = add_scaled(scale(self.bounce, 1.0 - from_above), self.sky, from_above);
-        let mut highlight = [0.0; 3];
-        for (direction, color) in [self.key, self.fill] {
-            let facing = dot(normal, direction).max(0.0);
-            diffuse = add_scaled(diffuse, color, facing);
-            if let Some(half) = normalized(add(direction, towards_viewer)) {
-                let closeness = dot(normal, half).max(0.0).powi(SHARPNESS);
-                highlight = add_scaled(highlight, color, self.gloss * closeness * facing.sqrt());
+    ) -> LinearColour {
+        let mut diffuse = self.bounce.lerp(self.sky, 0.5 + 0.5 * normal.e2);
+        let mut highlight = LinearColour::BLACK;
+        for (direction, colour) in [self.key, self.fill] {
+            let facing = (normal | direction).max(0.0);
+            diffuse += colour * facing;
+            if let Some(half) = (direction + towards_viewer).normalized() {
+                let closeness = (normal | half).max(0.0).powi(SHARPNESS);
+                highlight += colour * (self.gloss * closeness * facing.sqrt());
             }
         }
-        add(multiply(surface, diffuse), highlight)
+        surface * diffuse + highlight
     }
 }

@@ -3,15 +3,14 @@
 use ga_mesh::normals::{area_vector, vertex_normals};
 use rayon::prelude::*;
 
-use super::camera::Camera;
-use super::color::LinearColor;
-use super::depth::DepthMap;
-use super::ground::{GroundShading, background};
-use super::shade::WorldLighting;
-use super::shadow::GroundShadow;
-use super::surface::{Samples, barycentric};
-use super::vector::{Vector, add, add_scaled, dot, length, normalized, scale, subtract};
-use super::{RenderError, Scene, Style};
+use crate::camera::Camera;
+use crate::depth::DepthMap;
+use crate::ground::{GroundShading, background};
+use crate::shade::WorldLighting;
+use crate::shadow::GroundShadow;
+use crate::surface::{Samples, barycentric};
+use crate::{RenderError, Scene, Style, Vector};
+use ga_image::colour::LinearColour;
 
 /// Tangents of the half angles of the key light and of the part of the sky that counts for the
 /// contact shadow.
@@ -19,17 +18,17 @@ const KEY_TANGENT: f64 = 0.06;
 const SKY_TANGENT: f64 = 0.9;
 
 /// The linear light of each pixel, row by row, and the depths.
-pub(super) fn resolve(
+pub(crate) fn resolve(
     scene: &Scene,
     camera: &Camera,
     style: &Style,
     samples: &Samples,
-) -> Result<(Vec<LinearColor>, DepthMap), RenderError> {
+) -> Result<(Vec<LinearColour>, DepthMap), RenderError> {
     let lighting = WorldLighting::new(
         &style.lighting,
         style.gloss,
-        camera.forward(),
-        camera.right(),
+        camera.forward().into(),
+        camera.right().into(),
     )
     .ok_or(RenderError::Style("a light has no direction"))?;
     let resolver = Resolver {
@@ -37,7 +36,10 @@ pub(super) fn resolve(
         camera,
         style,
         samples,
-        normals: vertex_normals(scene.positions, scene.triangles),
+        normals: vertex_normals(scene.positions, scene.triangles)
+            .into_iter()
+            .map(Vector::from)
+            .collect(),
         ground: ground_shading(scene, camera, style, &lighting),
         lighting,
     };
@@ -68,7 +70,7 @@ struct Resolver<'a> {
 }
 
 struct Pixel {
-    light: LinearColor,
+    light: LinearColour,
     depth: f32,
     coverage: f32,
 }
@@ -77,7 +79,7 @@ impl Resolver<'_> {
     fn pixel(&self, column: usize, row: usize) -> Pixel {
         let n = self.style.supersampling as usize;
         let per_sample = 1.0 / (n * n) as f64;
-        let mut light = [0.0; 3];
+        let mut light = LinearColour::BLACK;
         let (mut covered, mut nearest) = (0, 0f32);
         for j in 0..n {
             for i in 0..n {
@@ -91,15 +93,15 @@ impl Resolver<'_> {
                 if self.ground_depth(ray) < 1.0 / f64::from(inverse) {
                     continue;
                 }
-                light = add(light, self.surface(self.samples.triangle[index], ray));
+                light += self.surface(self.samples.triangle[index], ray);
                 nearest = nearest.max(inverse);
                 covered += 1;
             }
         }
         let coverage = f64::from(covered) * per_sample;
-        light = scale(light, per_sample);
+        light = light * per_sample;
         if coverage < 1.0 {
-            light = add_scaled(light, self.surroundings(column, row), 1.0 - coverage);
+            light += self.surroundings(column, row) * (1.0 - coverage);
         }
         Pixel {
             light,
@@ -109,30 +111,30 @@ impl Resolver<'_> {
     }
 
     /// The mesh's light towards the eye along a ray of the camera's frame.
-    fn surface(&self, triangle: u32, ray: Vector) -> LinearColor {
+    fn surface(&self, triangle: u32, ray: Vector) -> LinearColour {
         let corners = self.scene.triangles[triangle as usize].map(|v| v as usize);
         let weights = barycentric(ray, corners.map(|v| self.samples.view[v]));
-        let mut normal = [0.0; 3];
+        let mut normal = Vector::default();
         for (corner, weight) in corners.into_iter().zip(weights) {
-            normal = add_scaled(normal, self.normals[corner], weight);
+            normal += self.normals[corner] * weight;
         }
-        let flat = area_vector(corners.map(|v| self.scene.positions[v].into())).coordinates();
-        let towards_viewer = self.camera.world_direction(scale(ray, -1.0));
+        let flat = area_vector(corners.map(|v| self.scene.positions[v].into()));
+        let towards_viewer = self.camera.world_direction(-ray);
         let (Some(mut normal), Some(towards_viewer)) = (
-            normalized(normal).or_else(|| normalized(flat)),
-            normalized(towards_viewer),
+            normal.normalized().or_else(|| flat.normalized()),
+            towards_viewer.normalized(),
         ) else {
             return self.style.surface;
         };
-        if dot(flat, towards_viewer) < 0.0 {
-            normal = scale(normal, -1.0);
+        if (flat | towards_viewer) < 0.0 {
+            normal = -normal;
         }
         self.lighting
             .shade(self.style.surface, normal, towards_viewer)
     }
 
     /// What is seen beside the mesh, at the middle of a pixel.
-    fn surroundings(&self, column: usize, row: usize) -> LinearColor {
+    fn surroundings(&self, column: usize, row: usize) -> LinearColour {
         let n = f64::from(self.style.supersampling);
         let (x, y) = ((column as f64 + 0.5) * n, (row as f64 + 0.5) * n);
         let ray = self.samples.lens.ray(x, y);
@@ -144,12 +146,12 @@ impl Resolver<'_> {
         match &self.ground {
             Some(ground) if depth.is_finite() => {
                 let direction = self.camera.world_direction(ray);
-                let point = add_scaled(self.camera.eye(), direction, depth);
+                let point = Vector::from(self.camera.eye()) + direction * depth;
                 // A pixel's patch of ground is longer than wide by one over the sine of the ray's
                 // slope.
-                let sine = direction[1].abs() / length(direction);
+                let sine = direction.e2.abs() / direction.length();
                 let pixel = depth * n / self.samples.lens.focal;
-                ground.color(point, pixel / sine.sqrt(), behind)
+                ground.colour(point, pixel / sine.sqrt(), behind)
             }
             _ => behind,
         }
@@ -160,7 +162,7 @@ impl Resolver<'_> {
         let Some(ground) = &self.ground else {
             return f64::INFINITY;
         };
-        let fall = self.camera.world_direction(ray)[1];
+        let fall = self.camera.world_direction(ray).e2;
         let depth = (ground.ground.height - self.camera.eye()[1]) / fall;
         if depth >= self.camera.near() {
             depth
@@ -188,22 +190,25 @@ fn ground_shading<'a>(
     };
     let (key_shadow, sky_shadow) = rayon::join(
         || shadow(lighting.towards_key(), KEY_TANGENT),
-        || shadow([0.0, 1.0, 0.0], SKY_TANGENT),
+        || shadow(Vector::new(0.0, 1.0, 0.0), SKY_TANGENT),
     );
-    let centre = centre_of(scene.positions).unwrap_or(camera.eye());
-    let distance = length(subtract(centre, camera.eye()));
+    let eye = Vector::from(camera.eye());
+    let centre = centre_of(scene.positions).unwrap_or(eye);
     Some(GroundShading {
         ground,
         style,
         key_shadow,
         sky_shadow,
         centre,
-        fade: distance,
+        fade: (centre - eye).length(),
     })
 }
 
 /// The mean of some points.
-fn centre_of(positions: &[Vector]) -> Option<Vector> {
-    let sum = positions.iter().copied().reduce(add)?;
-    Some(scale(sum, 1.0 / positions.len() as f64))
+fn centre_of(positions: &[[f64; 3]]) -> Option<Vector> {
+    let sum = positions
+        .iter()
+        .map(|&position| Vector::from(position))
+        .reduce(|a, b| a + b)?;
+    Some(sum * (1.0 / positions.len() as f64))
 }
