@@ -11,7 +11,7 @@
 //! irregularly-spaced data", ACM National Conference 1968) as eq. 33 of Y. Cui, "Geometric
 //! algebra-based modeling techniques for 3D animation and their application to visual
 //! communication" has it. Distance goes straight through the air: the left leg also follows the
-//! right thigh where the two are close. [`human`](crate::human) shows a way round that.
+//! right thigh where the two are close. The crate ga-mannequin shows how to avoid that.
 
 use crate::weights::{SkinWeights, WeightsError};
 

@@ -13,7 +13,6 @@
 //! | [`distance_weights`] | weights from the distance to the bones |
 //! | [`retarget`] | carries a recording over to another body |
 //! | [`leg`] | the paper's leg of hip, knee and ankle: from angles to places and back |
-//! | [`human`] | makes a body, its skeleton and a walk |
 //! | [`gltf`] | skeletons and clips as the data that [`ga_mesh::gltf`] writes |
 //!
 //! # Conventions
@@ -67,7 +66,6 @@ pub mod bvh;
 pub mod clip;
 pub mod distance_weights;
 pub mod gltf;
-pub mod human;
 pub mod leg;
 pub mod pose;
 pub mod retarget;

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use anyhow::{Context, Result};
-use ga_anim::human::{Human, KEY_TIME, KEYS_PER_STRIDE, walk};
+use ga_mannequin::{Human, KEY_TIME, KEYS_PER_STRIDE, walk};
 
 use crate::figure::Figure;
 use crate::pipeline::{self, OutputArguments, Performance, perform};

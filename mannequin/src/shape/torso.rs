@@ -2,7 +2,7 @@
 
 use super::loft::{Loft, Section, section};
 use super::solid::{Bump, Shape, Solid, ellipsoid};
-use crate::human::frame::Frame;
+use crate::frame::Frame;
 
 /// Level sections of the middle of the body from the pelvis to the top of the neck.
 const SECTIONS: [Section; 19] = [

@@ -1,7 +1,7 @@
 //! Solids as signed distances, and their smooth union.
 
 use super::loft::Loft;
-use crate::human::vector::{Vector, add, dot, mirror, mix, norm, scale, sub};
+use crate::vector::{Vector, add, dot, mirror, mix, norm, scale, sub};
 
 /// A solid known by the signed distance to its surface, negative inside.
 #[derive(Clone, Debug)]

@@ -10,7 +10,7 @@ mod weighting;
 
 use std::sync::LazyLock;
 
-use ga_anim::human::Human;
+use ga_mannequin::Human;
 
 /// Made once: that takes seconds without optimisation.
 static HUMAN: LazyLock<Human> = LazyLock::new(Human::new);

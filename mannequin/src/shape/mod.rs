@@ -7,8 +7,8 @@ mod loft;
 pub(crate) mod solid;
 mod torso;
 
-use super::landmarks::Landmarks;
-use super::vector::{Vector, mirror};
+use crate::landmarks::Landmarks;
+use crate::vector::{Vector, mirror};
 use solid::{Bump, Solid, smooth_minimum};
 
 /// Rises from 0 to 1 as `t` does, without a kink.

@@ -8,8 +8,8 @@
 
 use super::marching_tetrahedra::Surface;
 use super::topology::Topology;
-use crate::human::shape::solid::project;
-use crate::human::vector::{Vector, add, cross, dot, mix, norm, scale, sub, unit};
+use crate::shape::solid::project;
+use crate::vector::{Vector, add, cross, dot, mix, norm, scale, sub, unit};
 
 /// Makes the edges of a surface about `length(position)` long, and its vertices stay where
 /// `distance` vanishes.
@@ -255,7 +255,7 @@ fn normal([a, b, c]: [Vector; 3]) -> Vector {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::human::surface::marching_tetrahedra::{Grid, march};
+    use crate::surface::marching_tetrahedra::{Grid, march};
     use std::collections::HashMap;
 
     fn ball(point: Vector) -> f64 {

@@ -9,13 +9,13 @@
 mod gait;
 mod leg;
 
-use ga_runtime::cga3::{Motor, Rotor, Translator};
+use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 
-use super::landmarks::{ARM_DROP, HEEL, Landmarks, TOE_TIP};
-use super::skeleton::{ARM, CHEST, COUNT, HEAD, HIPS, LEG, NECK, SPINE, skeleton};
-use super::vector::{Vector, add, sub};
-use crate::clip::Clip;
-use crate::pose::{Pose, moved};
+use crate::landmarks::{ARM_DROP, HEEL, Landmarks, TOE_TIP};
+use crate::skeleton::{ARM, CHEST, COUNT, HEAD, HIPS, LEG, NECK, SPINE, skeleton};
+use crate::vector::{Vector, add, sub};
+use ga_anim::clip::Clip;
+use ga_anim::pose::Pose;
 use gait::{HEEL_OFF, HEEL_STRIKE, LegMoment, TOE_OFF};
 use leg::{Leg, LegAngles};
 
@@ -34,7 +34,7 @@ pub const KEY_TIME: f64 = 60.0 / 110.0 / 4.0;
 /// # Examples
 ///
 /// ```
-/// use ga_anim::human::{KEYS_PER_STRIDE, walk};
+/// use ga_mannequin::{KEYS_PER_STRIDE, walk};
 ///
 /// let two_strides = walk(2);
 /// assert_eq!(two_strides.frames().len(), 2 * KEYS_PER_STRIDE + 1);
@@ -342,5 +342,5 @@ fn turn(axis: Vector, angle: f64) -> Rotor<f64> {
 }
 
 fn turned(rotor: Rotor<f64>, vector: Vector) -> Vector {
-    moved(Motor::from(rotor), vector)
+    rotor.transform(Point::from(vector)).coordinates()
 }

@@ -2,9 +2,9 @@
 
 use super::loft::{Loft, Section, section};
 use super::solid::{Bump, Shape, Solid};
-use crate::human::frame::Frame;
-use crate::human::landmarks::{ELBOW, Landmarks, WRIST, WRIST_FORWARD};
-use crate::human::vector::{Vector, add, scale, unit};
+use crate::frame::Frame;
+use crate::landmarks::{ELBOW, Landmarks, WRIST, WRIST_FORWARD};
+use crate::vector::{Vector, add, scale, unit};
 
 /// Sections across the arm from the shoulder to the knuckles: palm and back of the hand, back and
 /// front of the arm (on the hand from the little finger to the index).

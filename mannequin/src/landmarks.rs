@@ -4,8 +4,8 @@
 //! Control of Human Movement (4th edition, 2009, figure 4.1, after Drillis and Contini) gives, for
 //! a stature of 1.75 m.
 
-use super::frame::Frame;
-use super::vector::Vector;
+use crate::frame::Frame;
+use crate::vector::Vector;
 
 /// Stature in metres.
 pub(crate) const STATURE: f64 = 1.75;

@@ -5,9 +5,9 @@ mod marching_tetrahedra;
 mod remesh;
 mod topology;
 
-use super::landmarks::{Landmarks, WRIST};
-use super::shape::{Body, smooth_step};
-use super::vector::{Vector, dot, mirror, norm, sub};
+use crate::landmarks::{Landmarks, WRIST};
+use crate::shape::{Body, smooth_step};
+use crate::vector::{Vector, dot, mirror, norm, sub};
 pub(crate) use marching_tetrahedra::Surface;
 use marching_tetrahedra::{Grid, march};
 use remesh::remesh;

@@ -7,13 +7,13 @@
 //! parts are mixed by how far the point is from either solid. Everything in this is a smooth
 //! function of the place.
 
-use super::landmarks::{HEEL, Landmarks};
-use super::shape::{Body, smooth_step};
-use super::skeleton::{ARM, CHEST, COUNT, HEAD, HIPS, LEG, NECK, SPINE};
-use super::vector::{Vector, mirror};
-use crate::distance_weights::distance_to_bone;
-use crate::skeleton::Skeleton;
-use crate::weights::SkinWeights;
+use crate::landmarks::{HEEL, Landmarks};
+use crate::shape::{Body, smooth_step};
+use crate::skeleton::{ARM, CHEST, COUNT, HEAD, HIPS, LEG, NECK, SPINE};
+use crate::vector::{Vector, mirror};
+use ga_anim::distance_weights::distance_to_bone;
+use ga_anim::skeleton::Skeleton;
+use ga_anim::weights::SkinWeights;
 
 /// Exponent m of eq. 33: how sharply the bones share a bend.
 const EXPONENT: f64 = 5.0;

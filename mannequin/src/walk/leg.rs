@@ -4,8 +4,8 @@
 //! about x and then about z. Angles are rotations from rest in radians, positive by the right-hand
 //! rule: bending the knee is positive about x, lifting the thigh to the front negative.
 
-use crate::human::landmarks::Landmarks;
-use crate::human::vector::{Vector, dot, sub};
+use crate::landmarks::Landmarks;
+use crate::vector::{Vector, dot, sub};
 
 /// The rotations of hip and knee from rest.
 #[derive(Clone, Copy, Debug, PartialEq)]

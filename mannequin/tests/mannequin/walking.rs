@@ -4,8 +4,8 @@ use std::f64::consts::FRAC_PI_2;
 use std::sync::LazyLock;
 
 use ga_anim::clip::Clip;
-use ga_anim::human::{KEY_NAMES, KEY_TIME, KEYS_PER_STRIDE, walk};
 use ga_anim::skin::{self, Method};
+use ga_mannequin::{KEY_NAMES, KEY_TIME, KEYS_PER_STRIDE, walk};
 
 use crate::closed::{dot, norm, sub, volume};
 use crate::{HUMAN, joint, positions};

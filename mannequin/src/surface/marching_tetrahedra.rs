@@ -8,7 +8,7 @@
 
 use std::collections::HashMap;
 
-use crate::human::vector::{Vector, mix};
+use crate::vector::{Vector, mix};
 
 /// Triangles, counter-clockwise seen from outside.
 #[derive(Clone, Debug, Default)]

@@ -1,8 +1,8 @@
 //! A solid through a row of cross-sections, given the way a body is measured: breadth and depth at
 //! each height.
 
-use crate::human::frame::Frame;
-use crate::human::vector::{Vector, dot, sub};
+use crate::frame::Frame;
+use crate::vector::{Vector, dot, sub};
 
 /// One cross-section: where along the axis it stands and how far it reaches across it, in metres.
 #[derive(Clone, Copy, Debug)]

@@ -2,8 +2,8 @@
 
 use super::loft::{Loft, Section, section};
 use super::solid::{Bump, Shape, Solid, ellipsoid};
-use crate::human::frame::Frame;
-use crate::human::landmarks::Landmarks;
+use crate::frame::Frame;
+use crate::landmarks::Landmarks;
 
 /// Level sections from the ankle to the hip: towards and away from the middle, back and front.
 const SECTIONS: [Section; 18] = [

@@ -9,7 +9,7 @@
 //! | --- | --- |
 //! | shape | a signed distance: trunk, limbs and head as lofts through cross-sections given by breadth and depth, smoothly joined |
 //! | surface | marching tetrahedra over the left half, remeshed to even triangles, completed by its mirror image: closed, oriented, one piece, without handles |
-//! | weights | inverse distance to the bones (eq. 33 of the paper, see [`distance_weights`](crate::distance_weights)) within the part of the body that a point belongs to |
+//! | weights | inverse distance to the bones (eq. 33 of the paper, see [`distance_weights`](ga_anim::distance_weights)) within the part of the body that a point belongs to |
 //! | walk | gait curves of the textbooks at eight moments of the stride, put on the ground by forward and inverse kinematics |
 //!
 //! The result is the same on every run.
@@ -25,8 +25,8 @@ mod weights;
 
 use ga_mesh::{Faces, Mesh, Position};
 
-use crate::skeleton::Skeleton;
-use crate::weights::SkinWeights;
+use ga_anim::skeleton::Skeleton;
+use ga_anim::weights::SkinWeights;
 
 pub use walk::{KEY_NAMES, KEY_TIME, KEYS_PER_STRIDE, walk};
 
@@ -38,7 +38,7 @@ pub const STATURE: f64 = landmarks::STATURE;
 /// # Examples
 ///
 /// ```
-/// use ga_anim::human::{Human, STATURE, walk};
+/// use ga_mannequin::{Human, STATURE, walk};
 ///
 /// let human = Human::new();
 /// let [low, high] = human.mesh.bounds().ok_or("no vertices")?;

@@ -1,6 +1,6 @@
 //! The mesh and the skeleton at rest.
 
-use ga_anim::human::{Human, STATURE};
+use ga_mannequin::{Human, STATURE};
 
 use crate::closed::{
     assert_one_ring_each, assert_without_boundary, euler_characteristic, least_angles, norm,

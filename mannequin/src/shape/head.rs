@@ -2,8 +2,8 @@
 
 use super::loft::{Loft, Section, section};
 use super::solid::{Bump, Shape, Solid, ellipsoid};
-use crate::human::frame::Frame;
-use crate::human::vector::{cross, unit};
+use crate::frame::Frame;
+use crate::vector::{cross, unit};
 
 /// Level sections of the skull; the caps make its base and its crown.
 const SKULL: [Section; 2] = [

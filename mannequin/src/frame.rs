@@ -1,6 +1,6 @@
 //! Frames along which the parts of the body are measured.
 
-use super::vector::Vector;
+use crate::vector::Vector;
 
 /// A point on a straight axis and the directions of the axis and of the two reaches, orthonormal.
 #[derive(Clone, Copy, Debug)]

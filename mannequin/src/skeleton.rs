@@ -1,8 +1,8 @@
 //! The joints of the body and their bones at rest.
 
-use super::landmarks::{ELBOW, HAND, Landmarks, TOE_TIP, WRIST, WRIST_FORWARD};
-use super::vector::{Vector, mirror};
-use crate::skeleton::{Joint, Skeleton};
+use crate::landmarks::{ELBOW, HAND, Landmarks, TOE_TIP, WRIST, WRIST_FORWARD};
+use crate::vector::{Vector, mirror};
+use ga_anim::skeleton::{Joint, Skeleton};
 
 pub(crate) const HIPS: usize = 0;
 pub(crate) const SPINE: usize = 1;
