@@ -91,9 +91,12 @@ impl Prime61 {
     }
 }
 
+// Sums and products are calls, since the largest products of multivectors have thousands of them:
+// LLVM takes minutes for a function with as many comparisons.
+
 impl Add for Prime61 {
     type Output = Self;
-    #[inline]
+    #[inline(never)]
     fn add(self, other: Self) -> Self {
         Self::canonical(self.0 + other.0)
     }
@@ -101,7 +104,7 @@ impl Add for Prime61 {
 
 impl Sub for Prime61 {
     type Output = Self;
-    #[inline]
+    #[inline(never)]
     fn sub(self, other: Self) -> Self {
         Self::canonical(self.0 + Self::MODULUS - other.0)
     }
@@ -109,7 +112,7 @@ impl Sub for Prime61 {
 
 impl Mul for Prime61 {
     type Output = Self;
-    #[inline]
+    #[inline(never)]
     fn mul(self, other: Self) -> Self {
         // 2⁶¹ ≡ 1, so the high digit of the product in base 2⁶¹ is added to the low one.
         let product = u128::from(self.0) * u128::from(other.0);

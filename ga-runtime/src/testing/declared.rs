@@ -4,12 +4,12 @@ use alloc::vec::Vec;
 
 use proptest::collection::vec;
 use proptest::prelude::*;
-use proptest::test_runner::{Config, TestRunner};
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
 use super::strategy::prime;
 use crate::Element;
 use crate::dense::{Algebra, Multivector};
-use crate::scalar::{Field, Prime61, Ring};
+use crate::scalar::{Field, Prime61};
 
 /// Emits one test for each declared product of an algebra, which demands exact equality with the
 /// dense reference over the prime field on random members of the operands' types, and one for the
@@ -101,27 +101,9 @@ where
     T::Scalar: Field,
     N: Strategy<Value = T::Scalar> + Clone,
 {
-    let algebra = algebra_of::<T::Scalar>(T::METRIC);
-    let planes = if T::IS_FREE {
-        Vec::new()
-    } else {
-        planes::<T>(&algebra)
-    };
-    let count = if T::IS_FREE {
-        T::BLADES.len()
-    } else {
-        planes.len()
-    };
-    vec(number, count).prop_filter_map("a plane with α²b² = 1", move |numbers| {
-        if T::IS_FREE {
-            let mut numbers = numbers.iter().copied();
-            let mut next = |_| numbers.next().unwrap_or_else(T::Scalar::zero);
-            return Some(T::from_coefficients_unchecked(&mut next));
-        }
-        let versor = unit_versor::<T>(&algebra, &planes, &numbers)?;
-        Some(T::from_coefficients_unchecked(&mut |blade| {
-            versor.coefficient(blade)
-        }))
+    let members = Members::new(T::METRIC, T::BLADES, T::IS_FREE);
+    vec(number, members.count()).prop_filter_map("a plane with α²b² = 1", move |numbers| {
+        members.member(&numbers)
     })
 }
 
@@ -142,23 +124,109 @@ pub fn only<T: Clone + core::fmt::Debug>(value: T) -> impl Strategy<Value = T> +
 /// # Panics
 /// With the smallest failing values that were found.
 pub fn for_all<V: Strategy>(strategy: V, test: impl Fn(V::Value)) {
-    let config = Config {
-        cases: CASES,
-        failure_persistence: None,
-        ..Config::default()
-    };
-    let mut runner = TestRunner::new_with_rng(
-        config,
-        proptest::test_runner::TestRng::deterministic_rng(
-            proptest::test_runner::RngAlgorithm::XorShift,
-        ),
-    );
-    let outcome = runner.run(&strategy, |values| {
+    let outcome = runner().run(&strategy, |values| {
         test(values);
         Ok(())
     });
     if let Err(failure) = outcome {
         panic!("{failure}");
+    }
+}
+
+/// A runner that tries the same cases in every run.
+pub(super) fn runner() -> TestRunner {
+    let config = Config {
+        cases: CASES,
+        failure_persistence: None,
+        ..Config::default()
+    };
+    let rng = TestRng::deterministic_rng(RngAlgorithm::XorShift);
+    TestRunner::new_with_rng(config, rng)
+}
+
+/// How members of a type are made from free numbers. It does not depend on the type itself, so that
+/// it is compiled once for all types.
+#[derive(Clone)]
+pub struct Members<S> {
+    algebra: Algebra<S>,
+    blades: &'static [usize],
+    is_free: bool,
+    planes: Vec<BasisPlane<S>>,
+}
+
+impl<S: Field> Members<S> {
+    /// For a type of some blades, which any numbers may have if `is_free`, or else those of unit
+    /// versors.
+    ///
+    /// # Panics
+    /// If the metric is not that of a declared algebra.
+    #[must_use]
+    pub fn new(metric: &[&[(i64, i64)]], blades: &'static [usize], is_free: bool) -> Self {
+        let algebra = algebra_of(metric);
+        let planes = if is_free {
+            Vec::new()
+        } else {
+            planes(&algebra, blades)
+        };
+        Self {
+            algebra,
+            blades,
+            is_free,
+            planes,
+        }
+    }
+
+    /// How many numbers make a member.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        if self.is_free {
+            self.blades.len()
+        } else {
+            self.planes.len()
+        }
+    }
+
+    /// The member of some numbers. `None` where two of them happen to cancel in a divisor.
+    #[must_use]
+    pub fn member<T: Element<Scalar = S>>(&self, numbers: &[S]) -> Option<T> {
+        if self.is_free {
+            let mut numbers = numbers.iter().copied();
+            let mut next = |_| numbers.next().unwrap_or_else(S::zero);
+            return Some(T::from_coefficients_unchecked(&mut next));
+        }
+        let versor = self.unit_versor(numbers)?;
+        Some(T::from_coefficients_unchecked(&mut |blade| {
+            versor.coefficient(blade)
+        }))
+    }
+
+    fn unit_versor(&self, numbers: &[S]) -> Option<Multivector<S>> {
+        let one = S::one();
+        let mut versor = self.algebra.one();
+        for (plane, &alpha) in self.planes.iter().zip(numbers) {
+            let square = alpha * alpha * plane.square;
+            let norm = one - square;
+            if norm == S::zero() {
+                return None;
+            }
+            // (1 + αb)² = 1 + α²b² + 2αb
+            let (scalar, bivector) = ((one + square) / norm, (alpha + alpha) / norm);
+            versor = versor.scale(scalar) + versor.geometric(&plane.blade.scale(bivector));
+        }
+        let is_even = |blade: &usize| blade.count_ones().is_multiple_of(2);
+        if self.blades.iter().any(is_even) {
+            return Some(versor);
+        }
+        let unit = self
+            .blades
+            .iter()
+            .filter_map(|&blade| self.algebra.blade(blade).ok())
+            .find(|vector| vector.scalar_product(vector) == one)?;
+        Some(if self.blades.iter().all(|blade| blade.count_ones() == 1) {
+            versor.sandwich(&unit)
+        } else {
+            versor.geometric(&unit)
+        })
     }
 }
 
@@ -169,13 +237,11 @@ struct BasisPlane<S> {
     square: S,
 }
 
-/// The planes in which the versors of a type turn: its 2-blades, and those that its vectors span.
-fn planes<T: Element>(algebra: &Algebra<T::Scalar>) -> Vec<BasisPlane<T::Scalar>> {
+/// The planes in which the versors of a type rotate: its 2-blades, and those that its vectors span.
+fn planes<S: Field>(algebra: &Algebra<S>, blades: &[usize]) -> Vec<BasisPlane<S>> {
     let of_grade = |grade: u32| {
-        T::BLADES
-            .iter()
-            .copied()
-            .filter(move |b| b.count_ones() == grade)
+        let is_of_grade = move |blade: &usize| blade.count_ones() == grade;
+        blades.iter().copied().filter(is_of_grade)
     };
     let vectors: Vec<_> = of_grade(1).collect();
     let spanned = vectors
@@ -191,41 +257,4 @@ fn planes<T: Element>(algebra: &Algebra<T::Scalar>) -> Vec<BasisPlane<T::Scalar>
             blade,
         })
         .collect()
-}
-
-fn unit_versor<T: Element>(
-    algebra: &Algebra<T::Scalar>,
-    planes: &[BasisPlane<T::Scalar>],
-    numbers: &[T::Scalar],
-) -> Option<Multivector<T::Scalar>>
-where
-    T::Scalar: Field,
-{
-    let one = T::Scalar::one();
-    let mut versor = algebra.one();
-    for (plane, &alpha) in planes.iter().zip(numbers) {
-        let square = alpha * alpha * plane.square;
-        let norm = one - square;
-        if norm == T::Scalar::zero() {
-            return None;
-        }
-        // (1 + αb)² = 1 + α²b² + 2αb
-        let (scalar, bivector) = ((one + square) / norm, (alpha + alpha) / norm);
-        versor = versor.scale(scalar) + versor.geometric(&plane.blade.scale(bivector));
-    }
-    if T::BLADES
-        .iter()
-        .any(|blade| blade.count_ones().is_multiple_of(2))
-    {
-        return Some(versor);
-    }
-    let unit = T::BLADES
-        .iter()
-        .filter_map(|&blade| algebra.blade(blade).ok())
-        .find(|vector| vector.scalar_product(vector) == one)?;
-    Some(if T::BLADES.iter().all(|blade| blade.count_ones() == 1) {
-        versor.sandwich(&unit)
-    } else {
-        versor.geometric(&unit)
-    })
 }

@@ -34,6 +34,7 @@ mod close;
 mod declared;
 mod sample;
 pub mod strategy;
+mod written;
 
 pub use crate::__bench_product as bench_product;
 pub use crate::__product_tests as product_tests;
@@ -43,5 +44,9 @@ pub use crate::scalar::Prime61;
 #[doc(hidden)]
 pub use bench::{OPERANDS, operand, pass};
 pub use close::{Coefficients, Deviation, check_close};
+#[doc(hidden)]
+pub use declared::Members;
 pub use declared::{algebra_of, constant_to_dense, exact_member, for_all, member, only, to_dense};
 pub use sample::sample;
+#[doc(hidden)]
+pub use written::{assert_same, for_all_numbers, members};

@@ -41,10 +41,6 @@ fn product_test(
     let locals: Vec<_> = (0..kinds.len())
         .map(|place| format_ident!("operand{place}"))
         .collect();
-    let strategies: Vec<_> = kinds
-        .iter()
-        .map(|kind| strategy(runtime, path, kind))
-        .collect();
     let dense_operands = kinds
         .iter()
         .zip(&locals)
@@ -64,48 +60,76 @@ fn product_test(
             } else {
                 (
                     quote! { #path::#name<#scalar> },
-                    quote! { #runtime::testing::to_dense(&algebra, &result) },
+                    quote! { #runtime::testing::to_dense(algebra, &result) },
                 )
             }
         }
         None => (
             scalar,
-            quote! { #runtime::dense::Algebra::scalar(&algebra, result) },
+            quote! { #runtime::dense::Algebra::scalar(algebra, result) },
         ),
     };
     let expected = match product.operation {
         Operation::Product(Product::ScalarProduct) => {
-            quote! { #runtime::dense::Algebra::scalar(&algebra, #reference) }
+            quote! { #runtime::dense::Algebra::scalar(algebra, #reference) }
         }
         _ => reference,
     };
-    quote! {
-        #[::core::prelude::v1::test]
-        fn #name() {
-            let algebra = #runtime::testing::algebra_of(#path::METRIC);
-            #runtime::testing::for_all((#(#strategies,)*), |(#(#locals,)*)| {
-                let dense = [#(#dense_operands),*];
-                let result: #result = #call;
-                ::std::assert_eq!(#found, #expected);
+    let text = name.to_string();
+    let body = quote! {
+        let dense = [#(#dense_operands),*];
+        let result: #result = #call;
+        #runtime::testing::assert_same(#text, &[#(&#locals),*], &#found, &#expected);
+    };
+    test(runtime, path, &name, &kinds, &body)
+}
+
+/// A test of random members of some types, which are called `operand0` and so on, or `number` for
+/// further numbers beside them.
+fn test(
+    runtime: &TokenStream,
+    path: &TokenStream,
+    name: &Ident,
+    kinds: &[&TypeDefinition],
+    body: &TokenStream,
+) -> TokenStream {
+    let (mut makers, mut counts, mut values) = (Vec::new(), Vec::new(), Vec::new());
+    for (place, kind) in kinds.iter().enumerate() {
+        let (local, maker) = (
+            format_ident!("operand{place}"),
+            format_ident!("members{place}"),
+        );
+        let name = &kind.name;
+        if kind.is_constant() {
+            counts.push(quote! { 0 });
+            values.push(quote! { let #local = #path::#name; });
+        } else {
+            makers.push(quote! { let #maker = #runtime::testing::members::<#path::#name<_>>(); });
+            counts.push(quote! { #runtime::testing::Members::count(&#maker) });
+            values.push(quote! {
+                let #local: #path::#name<_> =
+                    #runtime::testing::Members::member(&#maker, &numbers[#place])?;
             });
         }
     }
-}
-
-/// Members of a type; a type without stored coefficients has but one.
-fn strategy(runtime: &TokenStream, path: &TokenStream, kind: &TypeDefinition) -> TokenStream {
-    let name = &kind.name;
-    if kind.is_constant() {
-        quote! { #runtime::testing::only(#path::#name) }
-    } else {
-        quote! { #runtime::testing::exact_member::<#path::#name<_>>() }
+    quote! {
+        #[::core::prelude::v1::test]
+        fn #name() {
+            #(#makers)*
+            let counts = [#(#counts,)* 1];
+            #runtime::testing::for_all_numbers(#path::METRIC, &counts, &|algebra, numbers| {
+                #(#values)*
+                #body
+                ::core::option::Option::Some(())
+            });
+        }
     }
 }
 
 /// The dense form of a member that is called `local`.
 fn dense(runtime: &TokenStream, kind: &TypeDefinition, local: &Ident) -> TokenStream {
     if !kind.is_constant() {
-        return quote! { #runtime::testing::to_dense(&algebra, &#local) };
+        return quote! { #runtime::testing::to_dense(algebra, &#local) };
     }
     let terms = kind.coefficients.iter().map(|c| {
         let value = match &c.role {
@@ -118,7 +142,7 @@ fn dense(runtime: &TokenStream, kind: &TypeDefinition, local: &Ident) -> TokenSt
         let blade = c.blade.0 as usize;
         quote! { (#blade, #numerator, #denominator) }
     });
-    quote! { #runtime::testing::constant_to_dense(&algebra, &[#(#terms),*]) }
+    quote! { #runtime::testing::constant_to_dense(algebra, &[#(#terms),*]) }
 }
 
 fn call(operation: Operation, locals: &[Ident]) -> TokenStream {
@@ -164,39 +188,63 @@ fn reference(
 /// Involutions, norm and arithmetic of a type against the reference.
 fn type_test(definition: &Definition, path: &TokenStream, kind: &TypeDefinition) -> TokenStream {
     let runtime = &definition.runtime;
-    let (name, test) = (&kind.name, format_ident!("type_{}", snake_case(&kind.name)));
+    let test_name = format_ident!("type_{}", snake_case(&kind.name));
     let multivector = quote! { #runtime::dense::Multivector };
     let dimension = definition.algebra.dimension();
-    quote! {
-        #[::core::prelude::v1::test]
-        fn #test() {
-            let algebra = #runtime::testing::algebra_of(#path::METRIC);
-            let operands = (
-                #runtime::testing::exact_member::<#path::#name<_>>(),
-                #runtime::testing::exact_member::<#path::#name<_>>(),
-                #runtime::testing::strategy::prime(),
+    let same = |text: &str, found: TokenStream, expected: TokenStream| {
+        quote! {
+            #runtime::testing::assert_same(
+                #text,
+                &[&a, &b, &factor],
+                &#runtime::testing::to_dense(algebra, &#found),
+                &#expected,
             );
-            #runtime::testing::for_all(operands, |(a, b, factor)| {
-                let x = #runtime::testing::to_dense(&algebra, &a);
-                let y = #runtime::testing::to_dense(&algebra, &b);
-                ::std::assert_eq!(#runtime::testing::to_dense(&algebra, &a.reverse()), #multivector::reverse(&x));
-                ::std::assert_eq!(#runtime::testing::to_dense(&algebra, &a.involute()), #multivector::involute(&x));
-                ::std::assert_eq!(#runtime::testing::to_dense(&algebra, &a.conjugate()), #multivector::conjugate(&x));
-                ::std::assert_eq!(a.norm_squared(), #multivector::norm_squared(&x));
-                ::std::assert_eq!(#runtime::testing::to_dense(&algebra, &(a + b)), &x + &y);
-                ::std::assert_eq!(#runtime::testing::to_dense(&algebra, &(a - b)), &x - &y);
-                ::std::assert_eq!(#runtime::testing::to_dense(&algebra, &-a), -&x);
-                ::std::assert_eq!(#runtime::testing::to_dense(&algebra, &(a * factor)), #multivector::scale(&x, factor));
-                ::std::assert_eq!(
-                    #runtime::testing::to_dense(&algebra, &(a / factor)),
-                    #multivector::scale(&x, #runtime::scalar::Field::recip(factor))
-                );
-                for grade in 0..=#dimension {
-                    ::std::assert_eq!(
-                        #runtime::testing::to_dense(&algebra, &a.grade(grade)), #multivector::grade(&x, grade)
-                    );
-                }
-            });
         }
-    }
+    };
+    let checks = [
+        same(
+            "~a",
+            quote! { a.reverse() },
+            quote! { #multivector::reverse(&x) },
+        ),
+        same(
+            "involute(a)",
+            quote! { a.involute() },
+            quote! { #multivector::involute(&x) },
+        ),
+        same(
+            "conjugate(a)",
+            quote! { a.conjugate() },
+            quote! { #multivector::conjugate(&x) },
+        ),
+        same("a + b", quote! { (a + b) }, quote! { (&x + &y) }),
+        same("a - b", quote! { (a - b) }, quote! { (&x - &y) }),
+        same("-a", quote! { (-a) }, quote! { (-&x) }),
+        same(
+            "a * factor",
+            quote! { (a * factor) },
+            quote! { #multivector::scale(&x, factor) },
+        ),
+        same(
+            "a / factor",
+            quote! { (a / factor) },
+            quote! { #multivector::scale(&x, #runtime::scalar::Field::recip(factor)) },
+        ),
+    ];
+    let of_grade = same(
+        "a part of a",
+        quote! { a.grade(grade) },
+        quote! { #multivector::grade(&x, grade) },
+    );
+    let body = quote! {
+        let (a, b, factor) = (operand0, operand1, numbers[2][0]);
+        let x = #runtime::testing::to_dense(algebra, &a);
+        let y = #runtime::testing::to_dense(algebra, &b);
+        #(#checks)*
+        ::std::assert_eq!(a.norm_squared(), #multivector::norm_squared(&x));
+        for grade in 0..=#dimension {
+            #of_grade
+        }
+    };
+    test(runtime, path, &test_name, &[kind, kind], &body)
 }
