@@ -53,6 +53,7 @@ pub mod diag;
 pub mod emit;
 mod explain;
 pub mod expression;
+mod fingerprint;
 pub mod function;
 pub mod ir;
 pub mod kernel;
@@ -70,6 +71,7 @@ use proc_macro2::TokenStream;
 use syn::{Error, Result};
 
 use define::Definition;
+use fingerprint::fingerprint;
 use function::CompiledFunction;
 use kernel::Kernel;
 use parse::{Block, FunctionSyntax};
@@ -131,7 +133,7 @@ pub fn expand_functions(tokens: TokenStream) -> TokenStream {
         let (imports, path) = (&pending.imports, &pending.path);
         let whole = quote::quote! { [#imports] #source };
         let block: Block = syn::parse2(whole.clone())?;
-        let algebra = fingerprint(&pending.declaration);
+        let algebra = fingerprint(&pending.declaration.to_string());
         let definition = check_types(pending.declaration, pending.runtime)?;
         Ok(match compile_block(&definition, &block) {
             Ok(compiled) => {
@@ -162,7 +164,7 @@ pub fn expand_import(tokens: TokenStream) -> TokenStream {
             rest,
         } = import;
         let pending = parse::parse_pending(rest)?;
-        if algebra != fingerprint(&pending.declaration) {
+        if algebra != fingerprint(&pending.declaration.to_string()) {
             let message =
                 "this is a function of another algebra: its types have other meanings here";
             return Err(Error::new_spanned(names, message));
@@ -175,14 +177,6 @@ pub fn expand_import(tokens: TokenStream) -> TokenStream {
         })))
     });
     expanded.unwrap_or_else(Error::into_compile_error)
-}
-
-/// A number by which declarations are told apart (FNV-1a over their text).
-fn fingerprint(declaration: &TokenStream) -> u64 {
-    let text = declaration.to_string();
-    text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    })
 }
 
 /// The types of a declaration without its products, which a function has no use for.

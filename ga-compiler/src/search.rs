@@ -6,9 +6,8 @@
 
 use std::cmp::Ordering;
 
-use crate::algebra::{Algebra, NamedBlade, Product, Unary};
+use crate::algebra::{Product, Unary};
 use crate::define::{Role, TypeDefinition};
-use crate::expression::Expression;
 use crate::kernel::Kernel;
 use crate::lower::{Choice, Choices, InnerRule, JoinRule, SandwichRule};
 use crate::program::{Program, Step, StepId};
@@ -136,43 +135,4 @@ fn has_product(program: &Program<'_>, products: &[Product]) -> bool {
 fn is_derived(kind: &&TypeDefinition) -> bool {
     let mut roles = kind.coefficients.iter().map(|c| &c.role);
     roles.any(|role| matches!(role, Role::Derived(_)))
-}
-
-impl Kernel {
-    /// Compiles an expression with given rules.
-    #[must_use]
-    pub fn by_choice(
-        algebra: &Algebra,
-        operands: &[&TypeDefinition],
-        expression: &Expression,
-        wanted: &[NamedBlade],
-        choice: Choice,
-    ) -> Self {
-        let task = Task::of_expression(algebra, operands, expression, wanted.to_vec());
-        task.with_choices(choice).compile()
-    }
-
-    /// Compiles an expression, wanting the coefficients of the given blades.
-    #[must_use]
-    pub fn of_blades(
-        algebra: &Algebra,
-        operands: &[&TypeDefinition],
-        expression: &Expression,
-        wanted: &[NamedBlade],
-    ) -> Self {
-        Task::of_expression(algebra, operands, expression, wanted.to_vec()).compile()
-    }
-
-    /// Compiles a program with given rules.
-    #[must_use]
-    pub fn of_program_by_choices(
-        algebra: &Algebra,
-        program: &Program<'_>,
-        uniform: &[bool],
-        wanted: &[(StepId, Vec<NamedBlade>)],
-        choices: &Choices,
-    ) -> Self {
-        let task = Task::of_program(algebra, program, wanted.to_vec()).with_uniform(uniform);
-        task.with_choices(choices.clone()).compile()
-    }
 }

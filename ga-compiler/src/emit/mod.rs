@@ -2,6 +2,7 @@
 
 #[cfg(feature = "count")]
 pub use crate::count;
+mod case;
 pub mod dot;
 pub mod formula;
 pub mod rust;

@@ -4,7 +4,8 @@ use crate::algebras::cga3_tokens as cga3;
 use ga_compiler::algebra::{Blade, Product};
 use ga_compiler::expression::Expression;
 use ga_compiler::kernel::{Kernel, wanted};
-use ga_compiler::lower::SandwichRule;
+use ga_compiler::lower::{Choice, SandwichRule};
+use ga_compiler::task::Task;
 use ga_compiler::{Compiled, compile_function};
 use proc_macro2::TokenStream;
 
@@ -241,13 +242,9 @@ fn every_rule_keeps_the_meaning() {
             let types = [kind(versor), kind(operand)];
             for rule in SandwichRule::ALL {
                 let blades = wanted(Some(result));
-                let kernel = Kernel::by_choice(
-                    &definition.algebra,
-                    &types,
-                    &expression,
-                    &blades,
-                    rule.into(),
-                );
+                let kernel = Task::of_expression(&definition.algebra, &types, &expression, blades)
+                    .with_choices(Choice::from(rule))
+                    .compile();
                 for seed in 0..3 {
                     assert!(
                         kernel.agrees(&definition.algebra, &types, &expression, Some(result), seed),

@@ -11,6 +11,7 @@ use ga_compiler::lower::{Choice, InnerRule, JoinRule, Rule, SandwichRule};
 use ga_compiler::parse::{Block, parse_functions};
 use ga_compiler::passes::schedule;
 use ga_compiler::program::resolve;
+use ga_compiler::task::Task;
 use ga_compiler::verify;
 
 /// An expression with the types of its operands and of its result.
@@ -40,7 +41,9 @@ impl<'a> Case<'a> {
     fn compile(&self, choice: Choice) -> Kernel {
         let blades = wanted(self.result);
         let algebra = &self.definition.algebra;
-        Kernel::by_choice(algebra, &self.operands, &self.expression, &blades, choice)
+        Task::of_expression(algebra, &self.operands, &self.expression, blades)
+            .with_choices(choice)
+            .compile()
     }
 
     /// Whether the kernel agrees with the plain meaning at random members of the operands' types.
@@ -244,8 +247,10 @@ fn a_broken_rule_is_refused_in_functions() {
             .collect();
         let (program, uniform) = (&resolved.program, &resolved.uniform);
         let agrees = |choice: Choice| {
-            let choices = choice.into();
-            Kernel::of_program_by_choices(&cga3.algebra, program, uniform, &outputs, &choices)
+            Task::of_program(&cga3.algebra, program, outputs.clone())
+                .with_uniform(uniform)
+                .with_choices(choice)
+                .compile()
                 .agrees_with(program, &resolved.witness, &outputs)
         };
         assert!(agrees(choice), "{source}");
@@ -271,7 +276,8 @@ fn a_wrong_node_anywhere_is_refused() {
     ] {
         let blades = wanted(case.result);
         let algebra = &cga3.algebra;
-        let kernel = Kernel::of_blades(algebra, &case.operands, &case.expression, &blades);
+        let kernel =
+            Task::of_expression(algebra, &case.operands, &case.expression, blades).compile();
         assert!(case.agrees(&kernel));
         for wrong in schedule(&kernel.arena, &kernel.outputs).order {
             let (arena, outputs) = with_negated(&kernel, wrong);
@@ -314,7 +320,7 @@ fn with_negated(kernel: &Kernel, wrong: NodeId) -> (Arena, Vec<Value>) {
 }
 
 /// The outputs at a random point that the check does not use.
-fn evaluate(case: &Case<'_>, kernel: &Kernel) -> Vec<ga_compiler::ir::Prime> {
+fn evaluate(case: &Case<'_>, kernel: &Kernel) -> Vec<ga_compiler::ir::Residue> {
     let mut sequence = verify::sequence(99);
     let inputs: Vec<_> = case
         .operands

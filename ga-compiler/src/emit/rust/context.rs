@@ -2,7 +2,6 @@
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
-use syn::ext::IdentExt;
 
 use super::body::{Body, body};
 use crate::define::{Definition, TypeDefinition};
@@ -133,32 +132,4 @@ pub(super) fn receiver() -> Ident {
 /// The second operand of an operator.
 pub(super) fn other() -> Ident {
     format_ident!("other")
-}
-
-/// `move_point` as `MovePoint`.
-pub(super) fn camel_case(name: &Ident) -> String {
-    let name = name.unraw().to_string();
-    let mut text = String::new();
-    for part in name.split('_') {
-        let mut letters = part.chars();
-        text.extend(letters.next().into_iter().flat_map(char::to_uppercase));
-        text.extend(letters);
-    }
-    text
-}
-
-/// `RoundVector` as `round_vector`.
-pub(super) fn snake_case(name: &Ident) -> String {
-    let mut text = String::new();
-    for letter in name.unraw().to_string().chars() {
-        if letter.is_uppercase() {
-            if !text.is_empty() {
-                text.push('_');
-            }
-            text.extend(letter.to_lowercase());
-        } else {
-            text.push(letter);
-        }
-    }
-    text
 }

@@ -2,9 +2,11 @@
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
+use syn::ext::IdentExt;
 
-use super::context::{Context, receiver, snake_case};
+use super::context::{Context, receiver};
 use crate::define::TypeDefinition;
+use crate::emit::case::snake_case;
 use crate::expression::Expression;
 use crate::verify;
 
@@ -65,7 +67,7 @@ fn lossy(context: &Context<'_>, kind: &TypeDefinition, target: &TypeDefinition) 
         context.path(target),
         context.bound(needs_field),
     );
-    let name = format_ident!("extract_{}", snake_case(&target.name));
+    let name = format_ident!("extract_{}", snake_case(&target.name.unraw().to_string()));
     let text = format!(
         "The coefficients that [`{}`] has; all others are dropped.",
         target.name

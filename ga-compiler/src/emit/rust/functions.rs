@@ -7,8 +7,8 @@ use quote::{format_ident, quote};
 use syn::ext::IdentExt;
 
 use super::body::{Body, Source, stage_body};
-use super::context::camel_case;
 use crate::define::{Definition, TypeDefinition};
+use crate::emit::case::pascal_case;
 use crate::function::CompiledFunction;
 use crate::ir::{NodeId, Value};
 use crate::parse::{FunctionSyntax, ShapeSyntax};
@@ -158,7 +158,11 @@ impl Emitter<'_> {
         let uniform = self.parameters(function.operands.iter().filter(|o| o.is_uniform));
         let varying = self.parameters(function.operands.iter().filter(|o| !o.is_uniform));
         let result = self.shape_path(&function.result);
-        let prepared = format_ident!("{}", camel_case(name), span = name.span());
+        let prepared = format_ident!(
+            "{}",
+            pascal_case(&name.unraw().to_string()),
+            span = name.span()
+        );
         let (first_bound, second_bound) = (self.bound(&first), self.bound(&second));
         let (statements, values) = (&first.statements, &first.outputs);
         let inner_statements = &second.statements;

@@ -23,6 +23,7 @@ use syn::Visibility;
 use syn::ext::IdentExt;
 
 use crate::define::{CONSTANTS, Definition};
+use crate::fingerprint::fingerprint;
 use crate::parse::{Outline, parse_outline};
 use context::Context;
 
@@ -194,13 +195,9 @@ fn macro_of(
     }
 }
 
+/// A name that no other declaration gives: by its text and its place.
 fn unique_name(name: &Ident, source: &TokenStream) -> Ident {
-    // FNV-1a over the text and its place: the same in every build, and different for every
-    // declaration.
-    let text = format!("{source}{:?}", name.span());
-    let hash = text.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    });
+    let hash = fingerprint(&format!("{source}{:?}", name.span()));
     let name = name.unraw();
     format_ident!("__nullcone_{name}_{hash:016x}", span = Span::call_site())
 }

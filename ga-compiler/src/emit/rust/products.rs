@@ -23,7 +23,10 @@ pub(super) fn emit(context: &Context<'_>) -> TokenStream {
     for product in &context.definition.products {
         items.extend(match product.operation {
             Operation::Unary(_) => unary(context, product),
-            operation => binary(context, product, &face(context, operation)),
+            Operation::Product(operation) => {
+                binary(context, product, &product_face(context, operation))
+            }
+            Operation::Sandwich => binary(context, product, &sandwich_face(context)),
         });
     }
     for (index, kind) in context.definition.types.iter().enumerate() {
@@ -32,8 +35,7 @@ pub(super) fn emit(context: &Context<'_>) -> TokenStream {
     items
 }
 
-fn face(context: &Context<'_>, operation: Operation) -> Face {
-    let runtime = context.runtime;
+fn product_face(context: &Context<'_>, product: Product) -> Face {
     let operator = |name: &str, method, formula| {
         let name = format_ident!("{name}");
         Face {
@@ -42,27 +44,35 @@ fn face(context: &Context<'_>, operation: Operation) -> Face {
             formula,
         }
     };
-    let own = |name: &str, method, formula| {
-        let name = format_ident!("{name}");
-        Face {
-            path: quote! { #runtime::products::#name },
-            method,
-            formula,
+    match product {
+        Product::Geometric => operator("Mul", "mul", "a b"),
+        Product::Wedge => operator("BitXor", "bitxor", "a ∧ b"),
+        Product::LeftContraction => operator("BitOr", "bitor", "a ⌋ b"),
+        Product::Vee => operator("BitAnd", "bitand", "a ∨ b"),
+        Product::RightContraction => {
+            own_face(context, "RightContraction", "right_contraction", "a ⌊ b")
         }
-    };
-    match operation {
-        Operation::Product(Product::Geometric) => operator("Mul", "mul", "a b"),
-        Operation::Product(Product::Wedge) => operator("BitXor", "bitxor", "a ∧ b"),
-        Operation::Product(Product::LeftContraction) => operator("BitOr", "bitor", "a ⌋ b"),
-        Operation::Product(Product::Vee) => operator("BitAnd", "bitand", "a ∨ b"),
-        Operation::Product(Product::RightContraction) => {
-            own("RightContraction", "right_contraction", "a ⌊ b")
-        }
-        Operation::Product(Product::ScalarProduct) => {
-            own("ScalarProduct", "scalar_product", "⟨a b⟩₀")
-        }
-        Operation::Product(Product::Commutator) => own("Commutator", "commutator", "(a b − b a)/2"),
-        Operation::Sandwich | Operation::Unary(_) => own("Sandwich", "sandwich", "a b ~a"),
+        Product::ScalarProduct => own_face(context, "ScalarProduct", "scalar_product", "⟨a b⟩₀"),
+        Product::Commutator => own_face(context, "Commutator", "commutator", "(a b − b a)/2"),
+    }
+}
+
+fn sandwich_face(context: &Context<'_>) -> Face {
+    own_face(context, "Sandwich", "sandwich", "a b ~a")
+}
+
+/// A trait of ga-runtime, for what has no operator.
+fn own_face(
+    context: &Context<'_>,
+    name: &str,
+    method: &'static str,
+    formula: &'static str,
+) -> Face {
+    let (runtime, name) = (context.runtime, format_ident!("{name}"));
+    Face {
+        path: quote! { #runtime::products::#name },
+        method,
+        formula,
     }
 }
 
@@ -148,9 +158,9 @@ fn methods(context: &Context<'_>, index: usize, kind: &TypeDefinition) -> TokenS
     let mut methods = TokenStream::new();
     let operations = Product::ALL
         .into_iter()
-        .map(Operation::Product)
-        .chain([Operation::Sandwich]);
-    for operation in operations {
+        .map(|product| (Operation::Product(product), product_face(context, product)))
+        .chain([(Operation::Sandwich, sandwich_face(context))]);
+    for (operation, face) in operations {
         let starts = |product: &ProductDefinition| {
             product.operation == operation && product.operands[0] == index
         };
@@ -161,7 +171,7 @@ fn methods(context: &Context<'_>, index: usize, kind: &TypeDefinition) -> TokenS
             path,
             method,
             formula,
-        } = face(context, operation);
+        } = face;
         let (name, method) = (
             format_ident!("{}", operation.name()),
             format_ident!("{method}"),
@@ -207,9 +217,9 @@ fn method_text(operation: Operation, formula: &str, kind: &TypeDefinition) -> St
             "The action of an odd versor, `a b̂ ~a` with the grade involution of b.".to_owned()
         }
         Operation::Sandwich => "The action of a versor, `a b ~a`.".to_owned(),
-        other => format!(
+        Operation::Product(_) | Operation::Unary(_) => format!(
             "The {} product, `{formula}`.",
-            other.name().replace('_', " ")
+            operation.name().replace('_', " ")
         )
         .replace("contraction product", "contraction")
         .replace("scalar product product", "scalar product")

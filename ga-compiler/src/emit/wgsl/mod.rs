@@ -22,6 +22,7 @@ use std::fmt::Write;
 use syn::ext::IdentExt;
 
 use crate::define::Definition;
+use crate::emit::case::pascal_case;
 use crate::function::CompiledFunction;
 use crate::ir::{Function, Node, NodeId, Value};
 use crate::passes::Stage;
@@ -282,15 +283,4 @@ fn returning(statements: &str, value: &str) -> String {
         "{statements}    return {};\n",
         value.replace('\n', "\n    ")
     )
-}
-
-/// `move_point` as `MovePoint`.
-fn pascal_case(name: &str) -> String {
-    name.split('_')
-        .flat_map(|word| {
-            let mut letters = word.chars();
-            let first = letters.next().map(|first| first.to_uppercase().collect());
-            [first.unwrap_or(String::new()), letters.collect()]
-        })
-        .collect()
 }

@@ -6,7 +6,7 @@ use ga_compiler::algebra::Ratio;
 use ga_compiler::define::Definition;
 use ga_compiler::emit::{dot, formula};
 use ga_compiler::function::CompiledFunction;
-use ga_compiler::ir::{Function, Prime};
+use ga_compiler::ir::{Function, Residue};
 use proptest::prelude::*;
 
 use super::{random, source};
@@ -56,22 +56,22 @@ fn read(text: &str) -> Picture {
     picture
 }
 
-fn factor(label: &str) -> Prime {
+fn factor(label: &str) -> Residue {
     let number = label.replace('−', "-");
     match number.trim_start_matches('×') {
-        "" | "divisor" => Prime::ONE,
-        "-" => -Prime::ONE,
+        "" | "divisor" => Residue::ONE,
+        "-" => -Residue::ONE,
         number => {
             let (numerator, denominator) = number.split_once('/').unwrap_or((number, "1"));
             let part = |text: &str| text.parse().expect("a number");
             let ratio = Ratio::new(part(numerator), part(denominator));
-            Prime::from_ratio(ratio.expect("a fraction"))
+            Residue::from_ratio(ratio.expect("a fraction"))
         }
     }
 }
 
 impl Picture {
-    fn value(&self, node: &str, known: &mut HashMap<String, Prime>) -> Prime {
+    fn value(&self, node: &str, known: &mut HashMap<String, Residue>) -> Residue {
         if let Some(&value) = known.get(node) {
             return value;
         }
@@ -79,7 +79,7 @@ impl Picture {
         for (from, label) in self.edges.get(node).into_iter().flatten() {
             operands.push(self.value(from, known) * factor(label));
         }
-        let sum = |operands: &[Prime]| operands.iter().fold(Prime::ZERO, |sum, &x| sum + x);
+        let sum = |operands: &[Residue]| operands.iter().fold(Residue::ZERO, |sum, &x| sum + x);
         let value = match self.labels[node].as_str() {
             "+" | "=" => sum(&operands),
             "×" => operands[0] * operands[1],
@@ -90,7 +90,7 @@ impl Picture {
             }
             "√" => Function::SquareRoot
                 .evaluate(&operands)
-                .unwrap_or(Prime::ZERO),
+                .unwrap_or(Residue::ZERO),
             "atan2" => Function::ArcTangent.evaluate(&operands).expect("total"),
             _ if node.starts_with("out") => sum(&operands),
             constant => factor(constant),

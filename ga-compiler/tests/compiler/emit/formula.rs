@@ -5,15 +5,15 @@ use std::collections::HashMap;
 use ga_compiler::define::Definition;
 use ga_compiler::emit::formula;
 use ga_compiler::function::CompiledFunction;
-use ga_compiler::ir::{Function, Prime};
+use ga_compiler::ir::{Function, Residue};
 use proptest::prelude::*;
 
 use super::{random, source};
 use crate::algebras::cga3;
 
 /// Evaluates the text of a function: what stands after each label.
-fn evaluate(text: &str, names: &[(String, usize)], inputs: &[Prime]) -> Vec<(String, Prime)> {
-    let mut known: HashMap<String, Prime> = names
+fn evaluate(text: &str, names: &[(String, usize)], inputs: &[Residue]) -> Vec<(String, Residue)> {
+    let mut known: HashMap<String, Residue> = names
         .iter()
         .zip(inputs)
         .map(|((name, _), &value)| (name.clone(), value))
@@ -41,16 +41,16 @@ fn evaluate(text: &str, names: &[(String, usize)], inputs: &[Prime]) -> Vec<(Str
 /// A recursive descent through one expression.
 struct Reader<'a> {
     rest: &'a str,
-    known: &'a mut HashMap<String, Prime>,
+    known: &'a mut HashMap<String, Residue>,
     definitions: &'a HashMap<String, String>,
 }
 
 impl Reader<'_> {
     fn value(
         text: &str,
-        known: &mut HashMap<String, Prime>,
+        known: &mut HashMap<String, Residue>,
         definitions: &HashMap<String, String>,
-    ) -> Prime {
+    ) -> Residue {
         let mut reader = Reader {
             rest: text,
             known,
@@ -71,7 +71,7 @@ impl Reader<'_> {
         }
     }
 
-    fn sum(&mut self) -> Prime {
+    fn sum(&mut self) -> Residue {
         let mut sum = if self.take("-") {
             -self.term()
         } else {
@@ -88,7 +88,7 @@ impl Reader<'_> {
         }
     }
 
-    fn term(&mut self) -> Prime {
+    fn term(&mut self) -> Residue {
         let mut product = self.power();
         loop {
             if self.take(" / ") {
@@ -105,7 +105,7 @@ impl Reader<'_> {
         }
     }
 
-    fn power(&mut self) -> Prime {
+    fn power(&mut self) -> Residue {
         let base = self.atom();
         let digits = "⁰¹²³⁴⁵⁶⁷⁸⁹";
         let mut exponent = 0;
@@ -115,10 +115,10 @@ impl Reader<'_> {
             exponent = 10 * exponent + digit;
             self.rest = &self.rest[next.len_utf8()..];
         }
-        (0..exponent.max(1)).fold(Prime::ONE, |power, _| power * base)
+        (0..exponent.max(1)).fold(Residue::ONE, |power, _| power * base)
     }
 
-    fn atom(&mut self) -> Prime {
+    fn atom(&mut self) -> Residue {
         if self.take("(") {
             let value = self.sum();
             assert!(self.take(")"), "at {}", self.rest);
@@ -138,7 +138,7 @@ impl Reader<'_> {
         let word = word.to_owned();
         self.rest = rest;
         if let Ok(number) = word.parse::<u64>() {
-            return Prime::new(number);
+            return Residue::new(number);
         }
         if let Some(definition) = self.definitions.get(&word)
             && !self.known.contains_key(&word)
@@ -152,13 +152,13 @@ impl Reader<'_> {
         }
     }
 
-    fn call(&mut self, function: Function) -> Prime {
+    fn call(&mut self, function: Function) -> Residue {
         let mut arguments = vec![self.sum()];
         while self.take(", ") {
             arguments.push(self.sum());
         }
         assert!(self.take(")"), "at {}", self.rest);
-        function.evaluate(&arguments).unwrap_or(Prime::ZERO)
+        function.evaluate(&arguments).unwrap_or(Residue::ZERO)
     }
 }
 

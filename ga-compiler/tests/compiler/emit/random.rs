@@ -2,7 +2,7 @@
 
 use ga_compiler::algebra::Ratio;
 use ga_compiler::function::{CompiledFunction, Operand, Shape};
-use ga_compiler::ir::{Arena, Function, Node, Prime, PrimeSequence, Value};
+use ga_compiler::ir::{Arena, Function, Node, Residue, ResidueSequence, Value};
 use ga_compiler::kernel::Kernel;
 use proptest::prelude::*;
 
@@ -47,22 +47,26 @@ pub(crate) fn functions(is_staged: bool) -> impl Strategy<Value = Recipe> {
 
 /// Inputs for a function, the same for the same seed, at which its roots exist in the prime field.
 /// `None` where there are too many roots to find such inputs.
-pub(crate) fn inputs(function: &CompiledFunction, seed: u64) -> Option<Vec<Prime>> {
-    let mut sequence = PrimeSequence::new(seed);
+pub(crate) fn inputs(function: &CompiledFunction, seed: u64) -> Option<Vec<Residue>> {
+    let mut sequence = ResidueSequence::new(seed);
     let arena = &function.kernel.arena;
-    let has_roots = |inputs: &Vec<Prime>| {
+    let has_roots = |inputs: &Vec<Residue>| {
         let values = arena.evaluate(inputs);
         arena.ids().all(|id| match arena.node(id) {
             Node::Function(Function::SquareRoot, arguments) => {
                 let argument = arguments[0];
-                let value = values[argument.node.index()] * Prime::from_ratio(argument.factor);
+                let value = values[argument.node.index()] * Residue::from_ratio(argument.factor);
                 value.square_root().is_some()
             }
             _ => true,
         })
     };
     (0..64)
-        .map(|_| (0..arena.inputs()).map(|_| sequence.next_prime()).collect())
+        .map(|_| {
+            (0..arena.inputs())
+                .map(|_| sequence.next_residue())
+                .collect()
+        })
         .find(has_roots)
 }
 

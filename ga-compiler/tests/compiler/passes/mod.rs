@@ -6,9 +6,9 @@ mod rotors;
 use crate::algebras::cga3_tokens;
 use ga_compiler::algebra::Ratio;
 use ga_compiler::compile_function;
-use ga_compiler::ir::{Arena, Node, NodeId, Prime, PrimeSequence, Value};
+use ga_compiler::ir::{Arena, Node, NodeId, Residue, ResidueSequence, Value};
 use ga_compiler::passes::{
-    Cost, Graph, cost, factor, flatten, optimise, part, reciprocal, reduce, schedule,
+    Cost, Graph, cost, factor, flatten, hoist, optimise, reciprocal, reduce, schedule,
 };
 
 #[test]
@@ -172,7 +172,7 @@ fn relations_serve_sums_that_were_built_before_them() {
         relation = arena.sum([squares[0], squares[1], -product]);
         vec![sum]
     });
-    let point = [3, 1, 7, 5, 2].map(Prime::new);
+    let point = [3, 1, 7, 5, 2].map(Residue::new);
     let expected = evaluate(&sums, &point);
     if let Some(reduced) = reduce(&sums.0, &sums.1, &[relation]) {
         assert_eq!(evaluate(&reduced, &point), expected);
@@ -234,8 +234,8 @@ fn what_is_uniform_is_worked_out_apart_from_the_rest() {
         vec![arena.sum([u, v, w]), arena.product(u, product), doubled]
     });
     assert_eq!(varying(&sums, &uniform), 2 + 2 + 2);
-    let parted = part(&sums.0, &sums.1, &uniform).expect("uniform terms");
-    assert_eq!(varying(&parted, &uniform), 1 + 1 + 2);
+    let hoisted = hoist(&sums.0, &sums.1, &uniform).expect("uniform terms");
+    assert_eq!(varying(&hoisted, &uniform), 1 + 1 + 2);
     let best = optimise(sums.0, sums.1, &uniform, &[]);
     assert_eq!(varying(&best, &uniform), 3);
 }
@@ -251,15 +251,15 @@ fn the_square_of_a_point_is_the_constant_zero() {
     assert_eq!(outputs, [Value::ZERO]);
 }
 
-fn evaluate((arena, outputs): &Graph, inputs: &[Prime]) -> Vec<Prime> {
+fn evaluate((arena, outputs): &Graph, inputs: &[Residue]) -> Vec<Residue> {
     let values = arena.evaluate(inputs);
-    let value = |output: &Value| values[output.node.index()] * Prime::from_ratio(output.factor);
+    let value = |output: &Value| values[output.node.index()] * Residue::from_ratio(output.factor);
     outputs.iter().map(value).collect()
 }
 
-fn point(seed: u64, count: usize) -> Vec<Prime> {
-    let mut sequence = PrimeSequence::new(seed);
-    (0..count).map(|_| sequence.next_prime()).collect()
+fn point(seed: u64, count: usize) -> Vec<Residue> {
+    let mut sequence = ResidueSequence::new(seed);
+    (0..count).map(|_| sequence.next_residue()).collect()
 }
 
 fn count(graph: &Graph) -> Cost {

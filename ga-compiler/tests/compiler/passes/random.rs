@@ -1,9 +1,9 @@
 //! Random graphs: no pass changes a value, and all of them together make nothing dearer.
 
 use ga_compiler::algebra::Ratio;
-use ga_compiler::ir::{Arena, Function, Node, Prime, Value};
+use ga_compiler::ir::{Arena, Function, Node, Residue, Value};
 use ga_compiler::passes::{
-    Graph, cost, factor, flatten, optimise, part, reduce, scale, schedule, share, substitute,
+    Graph, cost, factor, flatten, hoist, optimise, reduce, scale, schedule, share, substitute,
 };
 use proptest::prelude::*;
 
@@ -73,7 +73,7 @@ proptest! {
             ("share", share(arena, outputs)),
             ("substitute", substitute(arena, outputs)),
             ("scale", scale(arena, outputs, &uniform)),
-            ("part", part(arena, outputs, &uniform)),
+            ("hoist", hoist(arena, outputs, &uniform)),
         ];
         for (name, result) in passes {
             if let Some(result) = result {
@@ -151,8 +151,8 @@ proptest! {
         let outputs = build(&mut arena, &starts, &steps);
         let mut point = point(seed, INPUTS);
         let values = arena.evaluate(&point);
-        point[4] = terms[..3].iter().fold(Prime::ZERO, |sum, term| {
-            sum + values[term.node.index()] * Prime::from_ratio(term.factor)
+        point[4] = terms[..3].iter().fold(Residue::ZERO, |sum, term| {
+            sum + values[term.node.index()] * Residue::from_ratio(term.factor)
         });
         let graph = (arena, outputs);
         let expected = evaluate(&graph, &point);

@@ -1,7 +1,7 @@
 //! The 3×3 map of a rotor, in as few operations as are known.
 
 use ga_compiler::algebra::Ratio;
-use ga_compiler::ir::{Prime, Value};
+use ga_compiler::ir::{Residue, Value};
 use ga_compiler::passes::{Graph, optimise};
 
 use super::{count, evaluate, graph, total, twice, varying};
@@ -34,7 +34,7 @@ fn the_norm_of_a_rotor_reduces_its_map() {
         Ratio::new(-2, 3),
         Some(Ratio::ZERO),
     ];
-    let unit = unit.map(|v| Prime::from_ratio(v.expect("a fraction")));
+    let unit = unit.map(|v| Residue::from_ratio(v.expect("a fraction")));
     assert_eq!(evaluate(&best, &unit), evaluate(&map, &unit));
     assert_eq!(evaluate(&best, &unit), evaluate(&rotor_map(false).0, &unit));
 }
