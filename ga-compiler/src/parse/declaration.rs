@@ -3,21 +3,26 @@
 //! ```text
 //! declaration  = docs visibility "mod" name "{" [ "crate" "=" path ";" ] basis metric item* "}"
 //! basis        = "basis" name ("," name)* ";"
-//! metric       = "metric" [ name "*" name "=" number ("," …)* ] ";" | "signature" p "," q "," r ";"
+//! metric       = "metric" [ entry ("," entry)* ] ";" | "signature" p "," q "," r ";"
+//! entry        = name "*" name "=" number
 //! item         = type | products
-//! type         = docs [ "#[hull(" type ")]" ] [ "#[facts(" fact ("," fact)* ")]" ] "struct" name "{" coefficient* "}"
+//! type         = docs attribute* "struct" name "{" coefficient* "}"
+//! attribute    = "#[hull(" type ")]" | "#[facts(" fact ("," fact)* ")]"
 //! coefficient  = blade [ "=" (number | polynomial in the type's stored blades) ] ","
 //! fact         = "unit_versor" | "null" | "blade" | "weight" "(" blade ")"
-//! products     = "products" "{" ( operation "(" operands ["," operands] ")" [ "->" type ] ";" )* "}"
+//! products     = "products" "{" product* "}"
+//! product      = operation "(" operands ["," operands] ")" [ "->" type ] ";"
 //! operands     = type | "{" type ("," type)* "}"
 //! ```
 
 use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
+use syn::ext::IdentExt;
 use syn::parse::discouraged::Speculative;
 use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
 use syn::{Attribute, Error, Expr, Ident, LitInt, Path, Result, Token, Visibility, braced};
 
+use super::nesting::{check_brackets, check_expression};
 use crate::diag::Diagnostics;
 
 mod keyword {
@@ -164,7 +169,8 @@ impl Parse for DeclarationSyntax {
 impl Parse for BasisSyntax {
     fn parse(input: ParseStream<'_>) -> Result<Self> {
         input.parse::<keyword::basis>()?;
-        let names = Punctuated::<Ident, Token![,]>::parse_separated_nonempty(input)?;
+        let vector = |input: ParseStream<'_>| name(input, "a basis vector");
+        let names = Punctuated::<_, Token![,]>::parse_separated_nonempty_with(input, vector)?;
         input.parse::<Token![;]>()?;
         Ok(Self {
             names: names.into_iter().collect(),
@@ -200,6 +206,7 @@ impl Parse for MetricSyntax {
             input.parse::<Token![*]>()?;
             let right = input.parse()?;
             input.parse::<Token![=]>()?;
+            check_expression(input)?;
             let value = input.parse()?;
             entries.push(MetricEntrySyntax { left, right, value });
             if !input.peek(Token![;]) {
@@ -238,7 +245,7 @@ impl Parse for TypeSyntax {
             return Err(input.error("expected a `struct` of blades, or `products`"));
         }
         input.parse::<Token![struct]>()?;
-        let name = input.parse()?;
+        let name = name(input, "a type")?;
         let body;
         braced!(body in input);
         let coefficients = Punctuated::<CoefficientSyntax, Token![,]>::parse_terminated(&body)?;
@@ -268,9 +275,13 @@ impl Parse for FactSyntax {
 
 impl Parse for CoefficientSyntax {
     fn parse(input: ParseStream<'_>) -> Result<Self> {
-        let blade = input.parse()?;
+        let blade = name(
+            input,
+            "a blade; name it with its basis vectors in another order",
+        )?;
         let value = if input.peek(Token![=]) {
             input.parse::<Token![=]>()?;
+            check_expression(input)?;
             Some(input.parse()?)
         } else {
             None
@@ -320,6 +331,17 @@ impl Parse for ProductSyntax {
     }
 }
 
+/// Reads a name; `what` says what it is for, in case it is a keyword.
+fn name(input: ParseStream<'_>, what: &str) -> Result<Ident> {
+    if !input.peek(Ident)
+        && let Ok(keyword) = input.fork().call(Ident::parse_any)
+    {
+        let message = format!("`{keyword}` is a keyword of Rust and cannot be the name of {what}");
+        return Err(input.error(message));
+    }
+    input.parse()
+}
+
 /// Reads an item; where it leaves the grammar, the error is kept and the item passed over.
 fn parse_or_skip<T: Parse>(input: ParseStream<'_>, diagnostics: &mut Diagnostics) -> Option<T> {
     let attempt = input.fork();
@@ -351,5 +373,33 @@ fn parse_or_skip<T: Parse>(input: ParseStream<'_>, diagnostics: &mut Diagnostics
 /// The places where the tokens leave the grammar: the first in the head, and the first in each type
 /// and product.
 pub fn parse_declaration(tokens: TokenStream) -> Result<DeclarationSyntax> {
+    check_brackets(&tokens)?;
     syn::parse2(tokens)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keywords_are_refused_as_names() {
+        for (source, message) in [
+            (
+                "basis i, f; signature 2; struct B { if }",
+                "`if` is a keyword of Rust and cannot be the name of a blade",
+            ),
+            (
+                "basis fn, x; signature 2; struct V { x }",
+                "`fn` is a keyword of Rust and cannot be the name of a basis vector",
+            ),
+            (
+                "basis x; signature 1; struct dyn { x }",
+                "`dyn` is a keyword of Rust and cannot be the name of a type",
+            ),
+        ] {
+            let tokens = format!("mod v {{ {source} }}").parse().expect("tokens");
+            let error = parse_declaration(tokens).err().expect("faulty").to_string();
+            assert!(error.starts_with(message), "{error}");
+        }
+    }
 }

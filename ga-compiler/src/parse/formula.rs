@@ -1,4 +1,4 @@
-//! Formulas as they are written: names, numbers, operators, calls.
+//! Formulas as they are written: names, numbers, operators and calls.
 
 use std::fmt;
 
@@ -6,18 +6,54 @@ use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
-use syn::punctuated::Punctuated;
 use syn::{Error, Ident, Lit, Result, Token, bracketed, parenthesized, token};
 
+use super::nesting::{MAX_NESTING, MAX_OPERATORS, too_deep, too_long};
 use crate::algebra::Ratio;
 
-/// A formula with the place where it stands.
+/// A formula with its place in the source.
 #[derive(Clone, Debug)]
 pub struct Formula {
-    /// What it is.
+    /// Its form and its parts.
     pub kind: FormulaKind,
+    place: Place,
+    /// How many levels it nests, not counting operators.
+    nesting: usize,
+    /// How many formulas contain each other, operators included.
+    depth: usize,
+}
+
+/// A place in the source: the tokens from one to another.
+#[derive(Clone, Copy, Debug)]
+pub struct Place {
     start: Span,
     end: Span,
+}
+
+impl Place {
+    /// The place of one token.
+    #[must_use]
+    pub const fn of(token: Span) -> Self {
+        Self {
+            start: token,
+            end: token,
+        }
+    }
+
+    /// An error at this place.
+    #[must_use]
+    pub fn error(self, message: impl fmt::Display) -> Error {
+        // Stable procedural macros cannot join spans; a row of two tokens is reported as a whole.
+        let mut tokens = TokenStream::new();
+        for span in [self.start, self.end] {
+            Ident::new("place", span).to_tokens(&mut tokens);
+        }
+        Error::new_spanned(tokens, message)
+    }
+
+    const fn to(self, end: Span) -> Self {
+        Self { end, ..self }
+    }
 }
 
 /// The forms of formulas.
@@ -92,7 +128,7 @@ impl Operator {
     }
 
     fn peek(input: ParseStream<'_>) -> Option<Self> {
-        // Compound operators such as `||` or `&&` are no operators here.
+        // Compound operators such as `||` and `&&` do not occur in formulas.
         let doubled = input.peek(Token![||]) || input.peek(Token![&&]) || input.peek(Token![->]);
         if doubled {
             return None;
@@ -112,11 +148,10 @@ impl Operator {
     }
 
     fn parse(input: ParseStream<'_>) -> Result<()> {
-        // One punctuation mark, whichever it is.
-        let next: TokenTree = input.parse()?;
-        drop(next);
+        // All operators are a single punctuation mark.
+        input.parse::<TokenTree>()?;
         if input.peek(Token![=]) {
-            return Err(input.error("assignments have no meaning here; bind a name with `let`"));
+            return Err(input.error("names cannot be assigned to; bind a new name with `let`"));
         }
         Ok(())
     }
@@ -126,29 +161,68 @@ impl Formula {
     /// Reads a formula.
     ///
     /// # Errors
-    /// The tokens leave the grammar, or `^ & |` and `+ - * /` are mixed without parentheses.
+    /// The tokens leave the grammar, `^ & |` and `+ - * /` are mixed without parentheses, or the
+    /// formula nests more than [`MAX_NESTING`] levels deep or has more than [`MAX_OPERATORS`]
+    /// operators in a row.
     pub fn parse(input: ParseStream<'_>) -> Result<Self> {
-        Self::parse_above(input, 0)
+        Self::parse_at(input, 0)
+    }
+
+    /// The place of the whole formula.
+    #[must_use]
+    pub const fn place(&self) -> Place {
+        self.place
     }
 
     /// An error that points at the whole formula.
     #[must_use]
     pub fn error(&self, message: impl fmt::Display) -> Error {
-        let ends = [self.start, self.end].map(|span| Ident::new("place", span));
-        let mut tokens = TokenStream::new();
-        ends[0].to_tokens(&mut tokens);
-        ends[1].to_tokens(&mut tokens);
-        Error::new_spanned(tokens, message)
+        self.place.error(message)
     }
 
-    fn parse_above(input: ParseStream<'_>, least: u8) -> Result<Self> {
-        let mut left = Self::parse_prefix(input)?;
+    /// A formula over its parts, unless it nests too deep with them.
+    fn new(kind: FormulaKind, place: Place) -> Result<Self> {
+        let level = usize::from(!matches!(kind, FormulaKind::Binary(..)));
+        let (mut nesting, mut depth) = (0, 0);
+        for part in kind.parts() {
+            nesting = nesting.max(part.nesting + level);
+            depth = depth.max(part.depth + 1);
+        }
+        if nesting > MAX_NESTING {
+            return Err(place.error(too_deep()));
+        }
+        if depth > MAX_OPERATORS + MAX_NESTING {
+            return Err(place.error(too_long()));
+        }
+        Ok(Self {
+            kind,
+            place,
+            nesting,
+            depth,
+        })
+    }
+
+    /// Reads a formula that stands `level` levels deep in another one.
+    fn parse_at(input: ParseStream<'_>, level: usize) -> Result<Self> {
+        if level > MAX_NESTING {
+            return Err(Error::new(input.span(), too_deep()));
+        }
+        Self::parse_above(input, 0, level)
+    }
+
+    fn parse_above(input: ParseStream<'_>, least: u8, level: usize) -> Result<Self> {
+        let mut left = Self::parse_prefix(input, level)?;
+        let mut operators = 0;
         while let Some(operator) = Operator::peek(input) {
             if operator.precedence() < least.max(1) {
                 break;
             }
+            operators += 1;
+            if operators > MAX_OPERATORS {
+                return Err(input.error(too_long()));
+            }
             Operator::parse(input)?;
-            let right = Self::parse_above(input, operator.precedence() + 1)?;
+            let right = Self::parse_above(input, operator.precedence() + 1, level)?;
             left = Self::combined(operator, left, right)?;
         }
         Ok(left)
@@ -177,132 +251,152 @@ impl Formula {
         } else {
             None
         };
-        let (start, end) = (left.start, right.end);
-        let kind = FormulaKind::Binary(operator, Box::new(left), Box::new(right));
-        let whole = Self { kind, start, end };
+        let place = left.place.to(right.place.end);
         let Some((first, second)) = choices else {
-            return Ok(whole);
+            let kind = FormulaKind::Binary(operator, Box::new(left), Box::new(right));
+            return Self::new(kind, place);
         };
-        Err(whole.error(format!(
-            "`^ & |` bind looser than `+ - * /` in Rust: put in parentheses what you mean, \
+        Err(place.error(format!(
+            "`^ & |` bind looser than `+ - * /` in Rust: add parentheses, either \
              `{first}` (as Rust reads it) or `{second}`"
         )))
     }
 
-    fn parse_prefix(input: ParseStream<'_>) -> Result<Self> {
-        if input.peek(Token![-]) {
-            let start = input.span();
-            input.parse::<Token![-]>()?;
-            let operand = Self::parse_prefix(input)?;
-            let end = operand.end;
-            return Ok(Self {
-                kind: FormulaKind::Negative(Box::new(operand)),
-                start,
-                end,
-            });
+    fn parse_prefix(input: ParseStream<'_>, level: usize) -> Result<Self> {
+        let mut signs = Vec::new();
+        while input.peek(Token![-]) {
+            if level + signs.len() >= MAX_NESTING {
+                return Err(input.error(too_deep()));
+            }
+            signs.push(input.parse::<Token![-]>()?);
         }
-        let mut formula = Self::parse_atom(input)?;
+        let mut formula = Self::parse_postfix(input, level + signs.len())?;
+        for sign in signs.iter().rev() {
+            let place = Place::of(sign.spans[0]).to(formula.place.end);
+            formula = Self::new(FormulaKind::Negative(Box::new(formula)), place)?;
+        }
+        Ok(formula)
+    }
+
+    fn parse_postfix(input: ParseStream<'_>, level: usize) -> Result<Self> {
+        let mut formula = Self::parse_atom(input, level)?;
         loop {
             if input.peek(Token![.]) {
-                formula = Self::parse_after_dot(formula, input)?;
+                formula = Self::parse_after_dot(formula, input, level)?;
             } else if input.peek(token::Bracket) {
                 let index;
                 let brackets = bracketed!(index in input);
-                let place: syn::LitInt = index.parse()?;
-                formula = Self {
-                    start: formula.start,
-                    end: brackets.span.close(),
-                    kind: FormulaKind::Element(Box::new(formula), place.base10_parse()?),
-                };
+                let number: syn::LitInt = index.parse()?;
+                let place = formula.place.to(brackets.span.close());
+                let kind = FormulaKind::Element(Box::new(formula), number.base10_parse()?);
+                formula = Self::new(kind, place)?;
             } else {
                 return Ok(formula);
             }
         }
     }
 
-    fn parse_after_dot(receiver: Self, input: ParseStream<'_>) -> Result<Self> {
+    fn parse_after_dot(receiver: Self, input: ParseStream<'_>, level: usize) -> Result<Self> {
         input.parse::<Token![.]>()?;
-        let start = receiver.start;
+        let place = receiver.place;
         if input.peek(syn::LitInt) {
-            let place: syn::LitInt = input.parse()?;
-            return Ok(Self {
-                start,
-                end: place.span(),
-                kind: FormulaKind::Element(Box::new(receiver), place.base10_parse()?),
-            });
+            let number: syn::LitInt = input.parse()?;
+            let kind = FormulaKind::Element(Box::new(receiver), number.base10_parse()?);
+            return Self::new(kind, place.to(number.span()));
         }
         let name = input.call(Ident::parse_any)?;
         if !input.peek(token::Paren) {
-            return Ok(Self {
-                start,
-                end: name.span(),
-                kind: FormulaKind::Coefficient(Box::new(receiver), name),
-            });
+            let end = name.span();
+            let kind = FormulaKind::Coefficient(Box::new(receiver), name);
+            return Self::new(kind, place.to(end));
         }
-        let (mut arguments, end) = Self::parse_list(input)?;
+        let (mut arguments, end) = Self::parse_arguments(input, level)?;
         arguments.insert(0, receiver);
-        Ok(Self {
-            start,
-            end,
-            kind: FormulaKind::Call(name, arguments),
-        })
+        Self::new(FormulaKind::Call(name, arguments), place.to(end))
     }
 
-    fn parse_list(input: ParseStream<'_>) -> Result<(Vec<Self>, Span)> {
+    fn parse_arguments(input: ParseStream<'_>, level: usize) -> Result<(Vec<Self>, Span)> {
         let list;
         let parentheses = parenthesized!(list in input);
-        let arguments = Punctuated::<_, Token![,]>::parse_terminated_with(&list, Self::parse)?;
-        Ok((arguments.into_iter().collect(), parentheses.span.close()))
+        let (arguments, _) = Self::parse_list(&list, level + 1)?;
+        Ok((arguments, parentheses.span.close()))
     }
 
-    fn parse_atom(input: ParseStream<'_>) -> Result<Self> {
-        let start = input.span();
-        let one = |kind| Self {
-            kind,
-            start,
-            end: start,
-        };
+    /// Reads formulas with commas between them, and says whether one follows the last.
+    fn parse_list(input: ParseStream<'_>, level: usize) -> Result<(Vec<Self>, bool)> {
+        let mut parts = Vec::new();
+        while !input.is_empty() {
+            parts.push(Self::parse_at(input, level)?);
+            if input.is_empty() {
+                return Ok((parts, false));
+            }
+            input.parse::<Token![,]>()?;
+        }
+        let ends_with_comma = !parts.is_empty();
+        Ok((parts, ends_with_comma))
+    }
+
+    fn parse_atom(input: ParseStream<'_>, level: usize) -> Result<Self> {
+        let place = Place::of(input.span());
         if input.peek(Lit) {
             let literal: Lit = input.parse()?;
-            return number(&literal).map(|value| one(FormulaKind::Number(value)));
+            return Self::new(FormulaKind::Number(number(&literal)?), place);
         }
         if input.peek(token::Paren) {
             let list;
             let parentheses = parenthesized!(list in input);
-            let end = parentheses.span.close();
-            let parts = Punctuated::<Self, Token![,]>::parse_terminated_with(&list, Self::parse)?;
-            let is_tuple = parts.len() != 1 || parts.trailing_punct();
-            let mut parts: Vec<_> = parts.into_iter().collect();
+            let (mut parts, ends_with_comma) = Self::parse_list(&list, level + 1)?;
             let kind = match parts.pop() {
-                Some(inner) if !is_tuple => FormulaKind::Parenthesised(Box::new(inner)),
+                Some(inner) if parts.is_empty() && !ends_with_comma => {
+                    FormulaKind::Parenthesised(Box::new(inner))
+                }
                 last => FormulaKind::Tuple(parts.into_iter().chain(last).collect()),
             };
-            return Ok(Self { kind, start, end });
+            return Self::new(kind, place.to(parentheses.span.close()));
         }
         if input.peek(token::Bracket) {
             let list;
             let brackets = bracketed!(list in input);
-            let parts = Punctuated::<Self, Token![,]>::parse_terminated_with(&list, Self::parse)?;
-            return Ok(Self {
-                kind: FormulaKind::Array(parts.into_iter().collect()),
-                start,
-                end: brackets.span.close(),
-            });
+            let (parts, _) = Self::parse_list(&list, level + 1)?;
+            return Self::new(FormulaKind::Array(parts), place.to(brackets.span.close()));
         }
         if !input.peek(Ident) {
-            return Err(input.error("expected a formula: a name, a number, a call or parentheses"));
+            return Err(not_a_formula(input));
         }
         let name: Ident = input.parse()?;
         if !input.peek(token::Paren) {
-            return Ok(one(FormulaKind::Name(name)));
+            return Self::new(FormulaKind::Name(name), place);
         }
-        let (arguments, end) = Self::parse_list(input)?;
-        Ok(Self {
-            kind: FormulaKind::Call(name, arguments),
-            start,
-            end,
-        })
+        let (arguments, end) = Self::parse_arguments(input, level)?;
+        Self::new(FormulaKind::Call(name, arguments), place.to(end))
     }
+}
+
+impl FormulaKind {
+    /// The formulas that this one is made of.
+    fn parts(&self) -> impl Iterator<Item = &Formula> {
+        let (one, other, list): (Option<&Formula>, Option<&Formula>, &[Formula]) = match self {
+            Self::Name(_) | Self::Number(_) => (None, None, &[]),
+            Self::Negative(a)
+            | Self::Coefficient(a, _)
+            | Self::Element(a, _)
+            | Self::Parenthesised(a) => (Some(a), None, &[]),
+            Self::Binary(_, a, b) => (Some(a), Some(b), &[]),
+            Self::Call(_, parts) | Self::Tuple(parts) | Self::Array(parts) => (None, None, parts),
+        };
+        one.into_iter().chain(other).chain(list)
+    }
+}
+
+/// The error where a formula should start and none does.
+fn not_a_formula(input: ParseStream<'_>) -> Error {
+    if let Ok(keyword) = input.fork().call(Ident::parse_any) {
+        return input.error(format!(
+            "`{keyword}` is a keyword of Rust and cannot stand in a formula; \
+             write a blade of this name with its basis vectors in another order"
+        ));
+    }
+    input.error("expected a formula: a name, a number, a call or parentheses")
 }
 
 /// The fraction that a literal writes.
@@ -407,6 +501,49 @@ mod tests {
         for text in ["(a + b) ^ c", "a ^ b & c", "a * (b | c)", "-a ^ b"] {
             assert!(read(text).is_ok(), "{text}");
         }
+    }
+
+    #[test]
+    fn levels_and_operators_are_bounded() {
+        // The deepest that is accepted is dropped again without harm; one more is refused.
+        let nested = |open: &str, close: &str, levels: usize| {
+            let text = format!("{}a{}", open.repeat(levels), close.repeat(levels));
+            read(&text).map(drop).map_err(|error| error.to_string())
+        };
+        for (open, close) in [
+            ("(", ")"),
+            ("-", ""),
+            ("f(b, ", ")"),
+            ("1 + a * (", ")"),
+            ("[b, ", "]"),
+            ("", ".f()"),
+            ("", ".e12"),
+            ("", "[0]"),
+        ] {
+            assert_eq!(nested(open, close, MAX_NESTING), Ok(()), "{open}a{close}");
+            for levels in [MAX_NESTING + 1, 300] {
+                let message = nested(open, close, levels).expect_err("too deep");
+                assert!(message.contains("at most 128 levels"), "{message}");
+            }
+        }
+        assert_eq!(nested("-", "", MAX_NESTING), Ok(()));
+        assert!(nested("-", "", 20_000).is_err());
+
+        assert_eq!(nested("", " + b", MAX_OPERATORS), Ok(()));
+        let message = nested("", " * b", MAX_OPERATORS + 1).expect_err("too long");
+        assert!(message.contains("at most 1024 operators"), "{message}");
+        // A long row at every level.
+        let rows = nested("(", &format!("{})", " + b".repeat(1000)), 100);
+        let message = rows.expect_err("too long");
+        assert!(message.contains("at most 1024 operators"), "{message}");
+    }
+
+    #[test]
+    fn keywords_are_named() {
+        let message = read("a + as").expect_err("a keyword").to_string();
+        assert!(message.starts_with("`as` is a keyword"), "{message}");
+        let message = read("a + @").expect_err("a mark").to_string();
+        assert!(message.starts_with("expected a formula"), "{message}");
     }
 
     #[test]

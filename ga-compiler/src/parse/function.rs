@@ -1,18 +1,20 @@
-//! The grammar of functions in an algebra: `fn name(m: Motor, p: Point) -> Point { m * p *
-//! m.reverse() }`.
+//! The grammar of functions in an algebra:
+//! `fn name(m: Motor, p: Point) -> Point { m * p * m.reverse() }`.
 //!
-//! Products are `*` geometric, `^` wedge, `|` left contraction and `&` vee; everything else is a
-//! method or a function of the same name: `reverse(m)`, `m.sandwich(p)`, `commutator(a, b)`. A
+//! Products are `*` geometric, `^` wedge, `|` left contraction and `&` vee; every other operation is
+//! a method and a function of the same name: `reverse(m)`, `m.sandwich(p)`, `commutator(a, b)`. A
 //! closure, `|m: Motor, p: Point| -> Point { … }`, is a function without a name.
 
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
 use syn::{
-    Attribute, Ident, LitInt, Result, Token, Visibility, braced, bracketed, parenthesized, token,
+    Attribute, Error, Ident, LitInt, Result, Token, Visibility, braced, bracketed, parenthesized,
+    token,
 };
 
 use super::formula::Formula;
+use super::nesting::check_brackets;
 
 /// The longest array.
 const MAX_LENGTH: usize = 1024;
@@ -32,7 +34,7 @@ pub struct FunctionSyntax {
     pub result: ShapeSyntax,
     /// The `let` statements.
     pub statements: Vec<LetSyntax>,
-    /// What comes out.
+    /// The formula of the result.
     pub value: Formula,
 }
 
@@ -61,7 +63,7 @@ pub enum ShapeSyntax {
 /// `let pattern: Type = formula;`
 #[derive(Clone)]
 pub struct LetSyntax {
-    /// What is bound.
+    /// The names that are bound.
     pub pattern: PatternSyntax,
     /// The type that the value must have.
     pub shape: Option<ShapeSyntax>,
@@ -85,10 +87,11 @@ pub enum PatternSyntax {
 /// # Errors
 /// The first place where the tokens leave the grammar, or a mix of operators without parentheses.
 pub fn parse_function(tokens: proc_macro2::TokenStream) -> Result<FunctionSyntax> {
+    check_brackets(&tokens)?;
     syn::parse2(tokens)
 }
 
-/// Functions that may call each other, and others that they use.
+/// Functions that may call each other, and functions of other blocks that they may call.
 #[derive(Clone, Default)]
 pub struct Block {
     /// The functions.
@@ -164,59 +167,18 @@ impl Parse for Block {
     }
 }
 
-/// `use path::of::function as name;`
-pub struct UseSyntax {
-    /// The path, whose macro hands the function over.
-    pub path: syn::Path,
-    /// The name of the function there.
-    pub original: Ident,
-    /// Its name here.
-    pub name: Ident,
-}
-
-impl Parse for UseSyntax {
-    fn parse(input: ParseStream<'_>) -> Result<Self> {
-        input.parse::<Token![use]>()?;
-        let path = input.call(syn::Path::parse_mod_style)?;
-        let Some(last) = path.segments.last() else {
-            return Err(input.error("expected the path of a function"));
-        };
-        let original = last.ident.clone();
-        let name = if input.peek(Token![as]) {
-            input.parse::<Token![as]>()?;
-            input.parse()?
-        } else {
-            original.clone()
-        };
-        input.parse::<Token![;]>()?;
-        Ok(Self {
-            path,
-            original,
-            name,
-        })
-    }
-}
-
-/// Reads a leading `use`, if there is one, and gives what follows it.
+/// Reads one or more functions.
 ///
 /// # Errors
-/// The tokens start with `use` and go on in another way.
-pub fn parse_use(
-    tokens: proc_macro2::TokenStream,
-) -> Result<(Option<UseSyntax>, proc_macro2::TokenStream)> {
-    let parser = |input: ParseStream<'_>| {
-        let first = input.peek(Token![use]).then(|| input.parse());
-        Ok((first.transpose()?, input.parse()?))
-    };
-    syn::parse::Parser::parse2(parser, tokens)
-}
-
-/// Reads any number of functions.
-///
-/// # Errors
-/// As for one; none at all is an error too.
+/// As for one; also where there is no function, or two of the same name.
 pub fn parse_functions(tokens: proc_macro2::TokenStream) -> Result<Vec<FunctionSyntax>> {
+    check_brackets(&tokens)?;
     let parser = |input: ParseStream<'_>| {
+        if input.is_empty() {
+            let message = "there is no function here; write one as \
+                           `fn name(p: Point, q: Point) -> Scalar { p | q }`";
+            return Err(Error::new(input.span(), message));
+        }
         let mut functions = vec![input.parse()?];
         while !input.is_empty() {
             if input.peek(Token![use]) {
@@ -228,8 +190,8 @@ pub fn parse_functions(tokens: proc_macro2::TokenStream) -> Result<Vec<FunctionS
                     .iter()
                     .any(|other: &FunctionSyntax| other.name.as_ref() == Some(name))
             {
-                let message = format!("`{name}` is a function of this block already");
-                return Err(syn::Error::new(name.span(), message));
+                let message = format!("this block already has a function `{name}`");
+                return Err(Error::new(name.span(), message));
             }
             functions.push(function);
         }
@@ -257,6 +219,12 @@ impl Parse for FunctionSyntax {
                 input.parse::<Token![fn]>()?;
                 Some(input.parse()?)
             };
+            if input.peek(Token![<]) {
+                return Err(input.error(
+                    "functions are generic over the scalar by themselves: \
+                     leave out `<…>`, and write `Scalar` for the type of a plain number",
+                ));
+            }
             let list;
             parenthesized!(list in input);
             (name, Punctuated::<_, Token![,]>::parse_terminated(&list)?)
@@ -270,11 +238,14 @@ impl Parse for FunctionSyntax {
             statements.push(block.parse()?);
         }
         if block.is_empty() {
-            return Err(block.error("the body ends with the formula of its result"));
+            return Err(block.error("the body must end with the formula of the result"));
         }
         let value = Formula::parse(&block)?;
         if block.peek(Token![;]) {
-            return Err(block.error("the formula of the result comes last, without `;`; what comes before are `let` statements"));
+            return Err(block.error(
+                "the formula of the result comes last, without `;`; \
+                 only `let` statements may stand before it",
+            ));
         }
         if !block.is_empty() {
             return Err(block.error("expected an operator or the end of the formula"));
@@ -316,9 +287,9 @@ impl Parse for ShapeSyntax {
             let length: usize = count.base10_parse()?;
             if length > MAX_LENGTH {
                 let message = format!(
-                    "every element is compiled by itself; arrays have at most {MAX_LENGTH}"
+                    "each element is compiled separately; an array has at most {MAX_LENGTH}"
                 );
-                return Err(syn::Error::new(count.span(), message));
+                return Err(Error::new(count.span(), message));
             }
             return Ok(Self::Array(Box::new(element), length));
         }
@@ -329,7 +300,21 @@ impl Parse for ShapeSyntax {
             let parts: Punctuated<Self, Token![,]> = parts;
             return Ok(Self::Tuple(parts.into_iter().collect()));
         }
-        input.parse().map(Self::Name)
+        if input.peek(Token![&]) {
+            return Err(input.error("values are passed without references here; leave out the `&`"));
+        }
+        let name: Ident = input.parse()?;
+        if input.peek(Token![<]) {
+            return Err(input.error(format!(
+                "functions are generic over the scalar by themselves: write `{name}` without `<…>`"
+            )));
+        }
+        if input.peek(Token![::]) {
+            return Err(input.error(
+                "types of the algebra are written without a path, by their last name alone",
+            ));
+        }
+        Ok(Self::Name(name))
     }
 }
 
@@ -345,6 +330,9 @@ impl Parse for LetSyntax {
         };
         input.parse::<Token![=]>()?;
         let value = Formula::parse(input)?;
+        if !input.peek(Token![;]) {
+            return Err(input.error("expected an operator, or the `;` that ends a `let` statement"));
+        }
         input.parse::<Token![;]>()?;
         Ok(Self {
             pattern,
@@ -361,7 +349,7 @@ impl Parse for PatternSyntax {
             return Ok(Self::Wildcard);
         }
         if input.peek(Token![mut]) {
-            return Err(input.error("names are bound once here; leave out `mut`"));
+            return Err(input.error("names are bound only once here; leave out `mut`"));
         }
         let parts;
         let span = if input.peek(token::Paren) {
@@ -373,5 +361,41 @@ impl Parse for PatternSyntax {
         };
         let list = Punctuated::<Self, Token![,]>::parse_terminated(&parts)?;
         Ok(Self::Parts(span, list.into_iter().collect()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn messages_say_what_to_write_instead() {
+        for (source, message) in [
+            ("", "there is no function here"),
+            ("fn f<S>(a: Scalar) -> Scalar { a }", "leave out `<…>`"),
+            ("fn f(a: &Point) -> Scalar { a }", "leave out the `&`"),
+            ("fn f(a: Point) -> &Point { a }", "leave out the `&`"),
+            (
+                "fn f(a: Point<f64>) -> Scalar { a }",
+                "write `Point` without `<…>`",
+            ),
+            ("fn f(a: cga3::Point) -> Scalar { a }", "without a path"),
+            (
+                "fn f(a: Scalar) -> Scalar { let b = a b }",
+                "the `;` that ends a `let`",
+            ),
+            (
+                "fn f(a: Scalar) -> Scalar { a; }",
+                "comes last, without `;`",
+            ),
+            (
+                "fn f(a: Scalar) -> Scalar { let b = a; }",
+                "must end with the formula",
+            ),
+        ] {
+            let tokens = source.parse().expect("tokens");
+            let error = parse_functions(tokens).err().expect("faulty").to_string();
+            assert!(error.contains(message), "{source}: {error}");
+        }
     }
 }

@@ -4,6 +4,8 @@ use proc_macro2::TokenStream;
 use syn::parse::{ParseStream, Parser};
 use syn::{Result, braced, bracketed};
 
+use super::nesting::check_brackets;
+
 /// What the macro of an algebra hands to another macro: `[runtime] { declaration } input`.
 pub struct Handover {
     /// The path of ga-runtime.
@@ -19,6 +21,7 @@ pub struct Handover {
 /// # Errors
 /// The tokens have another shape.
 pub fn parse_handover(tokens: TokenStream) -> Result<Handover> {
+    check_brackets(&tokens)?;
     let parser = |input: ParseStream<'_>| {
         let runtime = runtime(input)?;
         let declaration;
@@ -37,6 +40,7 @@ pub fn parse_handover(tokens: TokenStream) -> Result<Handover> {
 /// # Errors
 /// The tokens have another shape.
 pub fn parse_placed(tokens: TokenStream) -> Result<(TokenStream, TokenStream)> {
+    check_brackets(&tokens)?;
     let parser = |input: ParseStream<'_>| Ok((runtime(input)?, input.parse()?));
     parser.parse2(tokens)
 }
@@ -108,6 +112,7 @@ pub struct Imported {
 /// # Errors
 /// The tokens have another shape.
 pub fn parse_import(tokens: TokenStream) -> Result<Imported> {
+    check_brackets(&tokens)?;
     let parser = |input: ParseStream<'_>| {
         let (block, names);
         braced!(block in input);

@@ -4,18 +4,22 @@ mod declaration;
 mod formula;
 mod function;
 mod handover;
+mod import;
+mod nesting;
 mod outline;
 
 pub use declaration::{
     BasisSyntax, CoefficientSyntax, DeclarationSyntax, FactSyntax, MetricEntrySyntax, MetricSyntax,
     ProductSyntax, TypeSyntax, parse_declaration,
 };
-pub use formula::{Formula, FormulaKind, Operator};
+pub use formula::{Formula, FormulaKind, Operator, Place};
 pub use function::{
-    Block, FunctionSyntax, Import, LetSyntax, OperandSyntax, PatternSyntax, ShapeSyntax, UseSyntax,
-    parse_function, parse_functions, parse_use,
+    Block, FunctionSyntax, Import, LetSyntax, OperandSyntax, PatternSyntax, ShapeSyntax,
+    parse_function, parse_functions,
 };
 pub use handover::{
     Handover, Imported, Pending, parse_handover, parse_import, parse_pending, parse_placed,
 };
+pub use import::{UseSyntax, parse_use};
+pub use nesting::{MAX_NESTING, MAX_OPERATORS, check_brackets};
 pub use outline::{Outline, parse_outline};

@@ -5,6 +5,8 @@ use quote::ToTokens;
 use syn::parse::{ParseStream, Parser};
 use syn::{Attribute, Ident, Result, Token, Visibility, braced};
 
+use super::nesting::check_brackets;
+
 /// What can be told of any declaration that starts like a module.
 pub struct Outline {
     /// Doc comments and other attributes of the module.
@@ -22,6 +24,7 @@ pub struct Outline {
 /// # Errors
 /// The tokens do not start like a module.
 pub fn parse_outline(tokens: TokenStream) -> Result<Outline> {
+    check_brackets(&tokens)?;
     let parser = |input: ParseStream<'_>| {
         let attributes = input.call(Attribute::parse_outer)?;
         let visibility = input.parse()?;
