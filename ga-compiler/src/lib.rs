@@ -75,7 +75,7 @@ use fingerprint::fingerprint;
 use function::CompiledFunction;
 use kernel::Kernel;
 use parse::{Block, FunctionSyntax};
-use program::Mismatch;
+use program::{Mismatch, ResolveError, ResolveErrorKind, Resolved};
 use task::Task;
 
 /// A compiled function with the algebra it is written in.
@@ -221,11 +221,25 @@ pub fn compile(definition: &Definition, source: TokenStream) -> Result<Vec<Compi
     compile_block(definition, &block)
 }
 
-fn compile_block(definition: &Definition, block: &Block) -> Result<Vec<CompiledFunction>> {
+/// Compiles the functions of a block, as [`compile`] does, with those that it uses.
+///
+/// # Errors
+/// The first error of each function, at its token; functions that call each other in a circle have
+/// one error together.
+pub fn compile_block(definition: &Definition, block: &Block) -> Result<Vec<CompiledFunction>> {
     let mut diagnostics = diag::Diagnostics::default();
-    let mut compiled = Vec::new();
+    let (mut compiled, mut circles) = (Vec::new(), Vec::new());
     for function in &block.functions {
-        match compile_one(definition, function, block) {
+        let resolved = match resolve(definition, function, block) {
+            Ok(resolved) => resolved,
+            Err(error) => {
+                if !is_told(&error, &mut circles) {
+                    diagnostics.push(error.into());
+                }
+                continue;
+            }
+        };
+        match compile_resolved(definition, function, resolved) {
             Ok(done) => compiled.push(done),
             Err(error) => diagnostics.push(error),
         }
@@ -234,13 +248,35 @@ fn compile_block(definition: &Definition, block: &Block) -> Result<Vec<CompiledF
     Ok(compiled)
 }
 
-fn compile_one(
-    definition: &Definition,
+/// Whether an error is a circle of calls that is listed already, wherever it is entered; if it is
+/// another one, it is added.
+fn is_told(error: &ResolveError, circles: &mut Vec<Vec<String>>) -> bool {
+    let ResolveErrorKind::Recursion(circle) = error.kind() else {
+        return false;
+    };
+    let mut circle = circle.clone();
+    circle.sort();
+    if circles.contains(&circle) {
+        return true;
+    }
+    circles.push(circle);
+    false
+}
+
+fn resolve<'a>(
+    definition: &'a Definition,
     function: &FunctionSyntax,
     block: &Block,
-) -> Result<CompiledFunction> {
+) -> std::result::Result<Resolved<'a>, ResolveError> {
     let explain = |mismatch: &Mismatch<'_, '_>| explain::explain(definition, mismatch);
-    let resolved = program::resolve_with(definition, function, block, &explain)?;
+    program::resolve_with(definition, function, block, &explain)
+}
+
+fn compile_resolved(
+    definition: &Definition,
+    function: &FunctionSyntax,
+    resolved: Resolved<'_>,
+) -> Result<CompiledFunction> {
     let wanted: Vec<_> = resolved
         .outputs
         .iter()
@@ -279,6 +315,7 @@ fn compile_one(
 pub fn compile_function(declaration: TokenStream, function: TokenStream) -> Result<Compiled> {
     let definition = check_types(declaration, TokenStream::new())?;
     let function = parse::parse_function(function)?;
-    let CompiledFunction { kernel, .. } = compile_one(&definition, &function, &Block::default())?;
+    let resolved = resolve(&definition, &function, &Block::default())?;
+    let CompiledFunction { kernel, .. } = compile_resolved(&definition, &function, resolved)?;
     Ok(Compiled { definition, kernel })
 }

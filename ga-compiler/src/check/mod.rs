@@ -8,7 +8,7 @@ mod types;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::define::Definition;
+use crate::define::{Definition, TypeDefinition};
 use crate::diag::Diagnostics;
 use crate::parse::DeclarationSyntax;
 
@@ -33,6 +33,7 @@ impl Definition {
             name: syntax.name,
             runtime: syntax.runtime.map_or(runtime, |path| quote!(#path)),
             algebra,
+            scalar: TypeDefinition::scalar(),
             types,
             products,
         })

@@ -27,6 +27,8 @@ pub struct Definition {
     pub runtime: TokenStream,
     /// The basis and the metric.
     pub algebra: Algebra,
+    /// The type of plain numbers, which every algebra has.
+    pub scalar: TypeDefinition,
     /// The types in the order of their declaration.
     pub types: Vec<TypeDefinition>,
     /// The products to emit, in the order of their declaration.

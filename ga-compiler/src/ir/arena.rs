@@ -8,13 +8,13 @@ use crate::algebra::Ratio;
 
 /// The place of a node in its arena. A node comes after everything that it refers to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct NodeId(u32);
+pub struct NodeId(usize);
 
 impl NodeId {
     /// The place as an index.
     #[must_use]
     pub const fn index(self) -> usize {
-        self.0 as usize
+        self.0
     }
 }
 
@@ -172,8 +172,7 @@ impl Arena {
 
     /// The nodes from a place on.
     pub fn ids_from(&self, place: usize) -> impl DoubleEndedIterator<Item = NodeId> + use<> {
-        let index = |place: usize| u32::try_from(place).unwrap_or(u32::MAX);
-        (index(place)..index(self.nodes.len())).map(NodeId)
+        (place..self.nodes.len()).map(NodeId)
     }
 
     /// The number of inputs so far.
@@ -285,7 +284,7 @@ impl Arena {
         if let Some(&id) = self.known.get(&node) {
             return id;
         }
-        let id = NodeId(u32::try_from(self.nodes.len()).unwrap_or(u32::MAX));
+        let id = NodeId(self.nodes.len());
         self.nodes.push(node.clone());
         self.known.insert(node, id);
         id

@@ -1,9 +1,9 @@
 //! Operations that are made of several steps: inverses, norms, exponentials and logarithms.
 //!
-//! Each asks the witness which form its operand allows, and says what is missing where there is
-//! none.
+//! Each asks the witness which form its operand allows; where it allows none, the error says what is
+//! missing.
 
-use super::{Program, Step, StepId, Witness};
+use super::{MAX_STEPS, OperationError, Program, Step, StepId, Witness};
 use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
 use crate::ir::{Facts, Function};
 use crate::signature::Operand;
@@ -18,21 +18,24 @@ pub(super) struct Builder<'a> {
     pub(super) operands: Vec<Operand>,
 }
 
-/// Why an operation has no meaning here.
-pub(super) type Outcome = Result<StepId, String>;
+/// The step that an operation gives.
+pub(super) type Outcome = Result<StepId, OperationError>;
 
 impl Builder<'_> {
     /// A step that exists at random points.
     pub(super) fn push(&mut self, step: Step) -> Outcome {
+        if self.program.len() >= MAX_STEPS {
+            return Err(OperationError::TooManySteps);
+        }
         let is_quotient = matches!(step, Step::Quotient(..));
         let id = self.program.push(step);
         if self.witness.extend(self.algebra, &self.program) {
             return Ok(id);
         }
         Err(if is_quotient {
-            "the divisor is always zero".to_owned()
+            OperationError::DivisorZero
         } else {
-            "no operands were found for which this exists".to_owned()
+            OperationError::NoValue
         })
     }
 
@@ -66,8 +69,7 @@ impl Builder<'_> {
     pub(super) fn function(&mut self, function: Function, arguments: &[StepId]) -> Outcome {
         for &argument in arguments {
             if !self.witness.is_scalar(argument) {
-                let found = self.blade_names(argument);
-                return Err(format!("takes a scalar, and this has {found}"));
+                return Err(OperationError::NotScalar(self.blade_names(argument)));
             }
         }
         self.push(Step::Function(function, arguments.to_vec()))
@@ -111,10 +113,7 @@ impl Builder<'_> {
         }
         let norm = self.geometric(a, reverse)?;
         if !self.witness.is_scalar(norm) {
-            let found = self.blade_names(norm);
-            return Err(format!(
-                "takes a blade or a versor, for which a ~a is a scalar; here it has {found}"
-            ));
+            return Err(OperationError::NotVersor(self.blade_names(norm)));
         }
         let norm = self.scalar_of(norm)?;
         self.push(Step::Quotient(reverse, norm))
@@ -181,10 +180,7 @@ impl Builder<'_> {
         }
         let blades = self.witness.blades(b);
         if blades.iter().any(|blade| blade.grade() != 2) {
-            let found = self.blade_names(b);
-            return Err(format!(
-                "takes a scalar or a bivector, and this has {found}"
-            ));
+            return Err(OperationError::NotBivector(self.blade_names(b)));
         }
         let square = self.geometric(b, b)?;
         let scalar = self.scalar_of(square)?;
@@ -212,7 +208,7 @@ impl Builder<'_> {
         self.unit_versor(result)
     }
 
-    /// The bivector B with `exp B = M`: `⟨M⟩₂ = S(B²) B`, and what is of grade 4 changes B² as
+    /// The bivector B with `exp B = M`: `⟨M⟩₂ = S(B²) B`, and the part of grade 4 changes B² as
     /// above.
     pub(super) fn logarithm(&mut self, m: StepId) -> Outcome {
         if self.witness.is_scalar(m) && !self.witness.is_unit_versor(self.algebra, m) {
@@ -224,9 +220,7 @@ impl Builder<'_> {
             .iter()
             .all(|b| [0, 2, 4].contains(&b.grade()));
         if !is_even || !self.witness.is_unit_versor(self.algebra, m) {
-            return Err(
-                "takes a scalar or an even versor with M ~M = 1; `normalize` makes one".to_owned(),
-            );
+            return Err(OperationError::NotEvenUnitVersor);
         }
         let scalar = self.scalar_of(m)?;
         let part = self.push(Step::Unary(Unary::Grade(2), m))?;
@@ -245,16 +239,19 @@ impl Builder<'_> {
     }
 
     /// Checks that a part squares to zero and commutes with what it comes from.
-    fn check_null_part(&mut self, part: StepId, with: StepId, what: &str) -> Result<(), String> {
+    fn check_null_part(
+        &mut self,
+        part: StepId,
+        with: StepId,
+        what: &'static str,
+    ) -> Result<(), OperationError> {
         let square = self.geometric(part, part)?;
         let commutator = self.push(Step::Binary(Product::Commutator, part, with))?;
         if self.witness.is_zero(square) && self.witness.is_zero(commutator) {
             return Ok(());
         }
         let found = self.blade_names(part);
-        Err(format!(
-            "is known here where {what} is a scalar but for a commuting part of square zero; that part has {found}"
-        ))
+        Err(OperationError::NotScalarAndNullPart(what, found))
     }
 
     /// States that a step is a unit versor, if it is.

@@ -7,6 +7,7 @@
 //! their borders.
 
 mod build;
+mod error;
 mod evaluate;
 mod mismatch;
 pub(crate) mod nearest;
@@ -14,6 +15,7 @@ mod resolve;
 mod shape;
 mod witness;
 
+pub use error::{Count, OperationError, ResolveError, ResolveErrorKind};
 pub use evaluate::evaluate;
 pub(crate) use mismatch::with_remedy;
 pub use mismatch::{Mismatch, Remedy};
@@ -27,15 +29,18 @@ use crate::define::TypeDefinition;
 use crate::expression::Expression;
 use crate::ir::{Facts, Function};
 
+/// How many steps a function may have, its operands included.
+pub const MAX_STEPS: usize = 1 << 20;
+
 /// The place of a step in its program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct StepId(u32);
+pub struct StepId(usize);
 
 impl StepId {
     /// The place as an index.
     #[must_use]
     pub const fn index(self) -> usize {
-        self.0 as usize
+        self.0
     }
 }
 
@@ -126,7 +131,7 @@ impl<'a> Program<'a> {
         if let Some(&id) = self.known.get(&step) {
             return id;
         }
-        let id = StepId(u32::try_from(self.steps.len()).unwrap_or(u32::MAX));
+        let id = StepId(self.steps.len());
         let is_constant = !matches!(step, Step::Operand(_))
             && step.reads().iter().all(|read| self.is_constant(*read));
         self.constant.push(is_constant);
@@ -149,7 +154,7 @@ impl<'a> Program<'a> {
 
     /// All steps in order.
     pub fn steps(&self) -> impl DoubleEndedIterator<Item = (StepId, &Step)> {
-        let ids = (0..u32::try_from(self.steps.len()).unwrap_or(u32::MAX)).map(StepId);
+        let ids = (0..self.steps.len()).map(StepId);
         ids.zip(&self.steps)
     }
 

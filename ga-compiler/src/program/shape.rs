@@ -1,10 +1,9 @@
 //! Written types to shapes.
 
-use syn::{Error, Result};
-
+use super::error::{ResolveError, ResolveErrorKind};
 use super::nearest::nearest;
 use crate::define::{Definition, SCALAR_TYPE};
-use crate::parse::ShapeSyntax;
+use crate::parse::{Place, ShapeSyntax};
 use crate::signature::Shape;
 
 impl Shape {
@@ -12,7 +11,7 @@ impl Shape {
     ///
     /// # Errors
     /// The first type that the algebra does not have, at its name.
-    pub fn resolve(definition: &Definition, syntax: &ShapeSyntax) -> Result<Self> {
+    pub fn resolve(definition: &Definition, syntax: &ShapeSyntax) -> Result<Self, ResolveError> {
         match syntax {
             ShapeSyntax::Name(name) if name == SCALAR_TYPE => Ok(Self::Scalar),
             ShapeSyntax::Name(name) => {
@@ -21,11 +20,13 @@ impl Shape {
                 found.map(Self::Type).ok_or_else(|| {
                     let known = types.iter().map(|kind| kind.name.to_string());
                     let known = known.chain([SCALAR_TYPE.to_owned()]);
-                    let near = match name.to_string().as_str() {
+                    let text = name.to_string();
+                    let hint = match text.as_str() {
                         "f32" | "f64" | "i64" | "S" => "; plain numbers are `Scalar`".to_owned(),
-                        text => nearest(text, known),
+                        _ => nearest(&text, known),
                     };
-                    Error::new(name.span(), format!("unknown type `{name}`{near}"))
+                    let kind = ResolveErrorKind::UnknownType(text, hint);
+                    ResolveError::new(kind, Place::of(name.span()))
                 })
             }
             ShapeSyntax::Array(element, count) => {
@@ -35,7 +36,7 @@ impl Shape {
             ShapeSyntax::Tuple(parts) => parts
                 .iter()
                 .map(|part| Self::resolve(definition, part))
-                .collect::<Result<_>>()
+                .collect::<Result<_, _>>()
                 .map(Self::Tuple),
         }
     }

@@ -1,0 +1,151 @@
+//! Calls: of operations, of coefficients, and of functions, which are copied in.
+
+use syn::Ident;
+
+use super::super::Step;
+use super::super::error::{ResolveError, ResolveErrorKind};
+use super::super::nearest::nearest;
+use super::operation::{GRADE, Operation};
+use super::{Bound, Resolver, Result};
+use crate::algebra::Unary;
+use crate::parse::{Block, Formula, FormulaKind, FunctionSyntax, Place};
+
+/// How deep calls of functions may go.
+pub(in super::super) const MAX_CALL_DEPTH: usize = 64;
+
+/// How many calls of functions may be copied into one function.
+pub(in super::super) const MAX_CALLS: usize = 4096;
+
+impl<'s> Resolver<'_, 's> {
+    /// A call of a function or an operation; the name of a blade gives its coefficient.
+    pub(super) fn call(
+        &mut self,
+        formula: &'s Formula,
+        name: &Ident,
+        arguments: &'s [Formula],
+    ) -> Result<Bound> {
+        let text = name.to_string();
+        if let Some((callee, block)) = self.block.function(&text) {
+            return self.inline(formula, name, callee, block, arguments);
+        }
+        if text == GRADE {
+            check_count(name, 2, arguments)?;
+            return self.part_of_grade(formula, &arguments[0], &arguments[1]);
+        }
+        if let Some((known, operation)) = Operation::from_name(&text) {
+            check_count(name, operation.arity(), arguments)?;
+            return self.apply(formula, known, operation, arguments);
+        }
+        if let [operand] = arguments
+            && self.definition.algebra.names().resolve(&text).is_ok()
+        {
+            return self.coefficient(operand, name);
+        }
+        let known = Operation::names().map(str::to_owned);
+        let hint = nearest(&text, self.block.names().chain(known));
+        let kind = ResolveErrorKind::UnknownOperation(text, hint);
+        Err(ResolveError::new(kind, Place::of(name.span())))
+    }
+
+    fn apply(
+        &mut self,
+        formula: &Formula,
+        name: &'static str,
+        operation: Operation,
+        arguments: &'s [Formula],
+    ) -> Result<Bound> {
+        let operands: Result<Vec<_>> = arguments.iter().map(|a| self.single(a)).collect();
+        let step = operation.apply(&mut self.builder, &operands?);
+        step.map(Bound::One).map_err(|error| {
+            let kind = ResolveErrorKind::Operation(name, error);
+            ResolveError::new(kind, formula.place())
+        })
+    }
+
+    fn part_of_grade(
+        &mut self,
+        formula: &Formula,
+        operand: &'s Formula,
+        grade: &Formula,
+    ) -> Result<Bound> {
+        let FormulaKind::Number(number) = grade.kind else {
+            let kind = ResolveErrorKind::GradeNotWhole;
+            return Err(ResolveError::new(kind, grade.place()));
+        };
+        if !number.is_integer() || number.is_negative() {
+            let kind = ResolveErrorKind::GradeNotWhole;
+            return Err(ResolveError::new(kind, grade.place()));
+        }
+        // No blade has a grade beyond the range.
+        let grade = u32::try_from(number.numerator()).unwrap_or(u32::MAX);
+        let operand = self.single(operand)?;
+        let step = self.builder.push(Step::Unary(Unary::Grade(grade), operand));
+        step.map(Bound::One).map_err(|error| {
+            let kind = ResolveErrorKind::Operation(GRADE, error);
+            ResolveError::new(kind, formula.place())
+        })
+    }
+
+    /// A call of another function: its body in place of the call.
+    fn inline(
+        &mut self,
+        formula: &'s Formula,
+        name: &Ident,
+        function: &'s FunctionSyntax,
+        block: &'s Block,
+        arguments: &'s [Formula],
+    ) -> Result<Bound> {
+        self.check_call(name, function)?;
+        check_count(name, function.operands.len(), arguments)?;
+        let mut scope = Vec::new();
+        for (operand, argument) in function.operands.iter().zip(arguments) {
+            let value = self.formula(argument)?;
+            let shape = self.shape(&operand.shape)?;
+            let what = format!("operand `{}` of `{name}`", operand.name);
+            self.fit(argument, &value, &shape, &what, &mut Vec::new())?;
+            scope.push((operand.name.clone(), value));
+        }
+        std::mem::swap(&mut self.scope, &mut scope);
+        let caller = std::mem::replace(&mut self.block, block);
+        self.callers.push(function);
+        let value = self.body(function);
+        self.callers.pop();
+        self.block = caller;
+        self.scope = scope;
+        let value = value?;
+        let shape = self.shape(&function.result)?;
+        let what = format!("the value of `{name}`");
+        self.fit(formula, &value, &shape, &what, &mut Vec::new())?;
+        Ok(value)
+    }
+
+    /// Checks that a call does not lead back to a function that is being copied in, and that there
+    /// are not too many.
+    fn check_call(&mut self, name: &Ident, function: &FunctionSyntax) -> Result<()> {
+        let error = |kind| Err(ResolveError::new(kind, Place::of(name.span())));
+        let mut callers = self.callers.iter();
+        if let Some(first) = callers.position(|caller| std::ptr::eq(*caller, function)) {
+            let name = |caller: &&FunctionSyntax| {
+                caller.name.as_ref().map_or(String::new(), Ident::to_string)
+            };
+            let circle = self.callers[first..].iter().map(name).collect();
+            return error(ResolveErrorKind::Recursion(circle));
+        }
+        if self.callers.len() > MAX_CALL_DEPTH {
+            return error(ResolveErrorKind::CallsTooDeep(name.to_string()));
+        }
+        self.calls += 1;
+        if self.calls > MAX_CALLS {
+            return error(ResolveErrorKind::TooManyCalls);
+        }
+        Ok(())
+    }
+}
+
+fn check_count(name: &Ident, wanted: usize, arguments: &[Formula]) -> Result<()> {
+    if arguments.len() == wanted {
+        return Ok(());
+    }
+    let kind = ResolveErrorKind::OperandCount(name.to_string(), wanted, arguments.len());
+    Err(ResolveError::new(kind, Place::of(name.span())))
+}

@@ -1,0 +1,208 @@
+//! What is said of functions that have no meaning, and how far calls may go.
+
+use quote::quote;
+
+use super::super::{OperationError, ResolveErrorKind};
+use super::{MAX_CALL_DEPTH, MAX_LEVELS, resolve};
+use crate::parse::{Block, MAX_NESTING, parse_functions};
+
+/// The messages about a block of functions of the plane.
+fn messages(functions: &str) -> Vec<String> {
+    let definition = crate::check_types(
+        quote! { mod vga2 { basis e1, e2; signature 2; struct Vector { e1, e2 } } },
+        quote! { ga_runtime },
+    );
+    let tokens = functions.parse().expect("tokens");
+    match crate::compile(&definition.expect("sound"), tokens) {
+        Ok(_) => Vec::new(),
+        Err(errors) => errors.into_iter().map(|error| error.to_string()).collect(),
+    }
+}
+
+/// The only message about a block.
+#[track_caller]
+fn message(functions: &str) -> String {
+    match &messages(functions)[..] {
+        [single] => single.clone(),
+        several => panic!("not one message: {several:?}"),
+    }
+}
+
+/// Functions that call each other one after the other, each inside the same formula.
+fn chain(count: usize, open: &str, close: &str) -> String {
+    let calling = (1..count).map(|number| {
+        let (name, next) = (number - 1, number);
+        format!("fn f{name}(a: Scalar) -> Scalar {{ {open}f{next}(a){close} }}\n")
+    });
+    let last = format!("fn f{}(a: Scalar) -> Scalar {{ a }}", count - 1);
+    calling.chain([last]).collect()
+}
+
+#[test]
+fn a_recursion_is_one_error() {
+    let never_ends = "; a function is copied in where it is called, which would never end";
+    for (functions, circle) in [
+        ("fn f(a: Scalar) -> Scalar { f(a) }", "`f` calls itself"),
+        (
+            "fn f(a: Scalar) -> Scalar { g(a) } fn g(a: Scalar) -> Scalar { f(a) }",
+            "`f` calls itself through `g`",
+        ),
+        (
+            "fn k(a: Scalar) -> Scalar { g(a) } fn f(a: Scalar) -> Scalar { g(a) + 1 }
+             fn g(a: Scalar) -> Scalar { 2 * h(a) } fn h(a: Scalar) -> Scalar { f(a) }",
+            "`g` calls itself through `h` and `f`",
+        ),
+    ] {
+        assert_eq!(message(functions), format!("{circle}{never_ends}"));
+    }
+    // Two circles are two errors.
+    let two = "fn f(a: Scalar) -> Scalar { f(a) } fn g(a: Scalar) -> Scalar { g(a) }";
+    assert_eq!(messages(two).len(), 2);
+    // The same function may be called several times, one call in the operand of another.
+    let twice = "fn f(a: Scalar) -> Scalar { g(g(a)) + g(a) } fn g(a: Scalar) -> Scalar { a * a }";
+    assert_eq!(messages(twice), [""; 0]);
+}
+
+#[test]
+fn a_long_chain_of_calls_is_not_a_recursion() {
+    assert_eq!(messages(&chain(MAX_CALL_DEPTH + 1, "", "")), [""; 0]);
+    let message = message(&chain(MAX_CALL_DEPTH + 2, "", ""));
+    assert!(
+        message.starts_with("the call of `f65` is more than 64 calls deep"),
+        "{message}"
+    );
+}
+
+#[test]
+fn calls_and_formulas_are_bounded_together() {
+    // Each formula is within the bound of formulas, and the calls within that of calls.
+    let (open, close) = ("(a + (".repeat(50), "))".repeat(50));
+    assert!(100 < MAX_NESTING && 100 * MAX_CALL_DEPTH > MAX_LEVELS);
+    let messages = messages(&chain(MAX_CALL_DEPTH, &open, &close));
+    assert!(!messages.is_empty());
+    for message in messages {
+        assert!(message.contains("more than 512 levels"), "{message}");
+    }
+}
+
+#[test]
+fn errors_say_what_was_found() {
+    for (function, text) in [
+        (
+            "fn f(a: Vector) -> Scalar { a }",
+            "the result is not of type `Scalar`: left over: e1 = a.e1, e2 = a.e2; it fits `Vector`",
+        ),
+        (
+            "fn f(a: Scalar) -> Vecto { a }",
+            "unknown type `Vecto`; did you mean `Vector`?",
+        ),
+        (
+            "fn f(angle: Scalar) -> Scalar { angl }",
+            "unknown name `angl`: it is not an operand, bound by `let`, or a blade; did you mean `angle`?",
+        ),
+        (
+            "fn f(a: Scalar) -> Scalar { sqr(a) }",
+            "unknown operation `sqr`: the algebra does not have it, nor this block a function of that name; did you mean `sqrt`?",
+        ),
+        (
+            "fn f(a: Vector) -> Scalar { a.x }",
+            "`x` is not a blade of the algebra",
+        ),
+        (
+            "fn f(a: Vector) -> Scalar { a.e12 }",
+            "`a` does not have the blade e12; it has e1, e2",
+        ),
+        (
+            "fn f(a: Vector) -> Vector { Vector }",
+            "`Vector` is a type, not a value",
+        ),
+        (
+            "fn f(a: (Scalar, Scalar)) -> Scalar { a + 1 }",
+            "these are several values, where one is needed",
+        ),
+        (
+            "fn f(a: Scalar) -> Scalar { a[0] }",
+            "this is one value, which does not have elements",
+        ),
+        (
+            "fn f(a: [Scalar; 3]) -> Scalar { a[3] }",
+            "there are 3 elements, numbered from 0 to 2",
+        ),
+        (
+            "fn f(a: [Scalar; 1]) -> Scalar { a[1] }",
+            "there is 1 element, number 0",
+        ),
+        (
+            "fn f(a: [Scalar; 2]) -> Scalar { let [b] = a; b }",
+            "the pattern has 1 part, but this is 2 values",
+        ),
+        (
+            "fn f(a: Scalar) -> [Scalar; 2] { a }",
+            "the result is one value, but its type is `[Scalar; 2]`",
+        ),
+        (
+            "fn f(a: Scalar, b: Vector) -> Vector { a / b }",
+            "the divisor is not a scalar, it has e1, e2; `a * inverse(b)` divides by a blade or a versor",
+        ),
+        (
+            "fn f(a: Vector) -> Vector { grade(a, 0.5) }",
+            "the grade must be a whole number",
+        ),
+        (
+            "fn f(a: Vector) -> Vector { grade(a) }",
+            "`grade` takes 2 operands, not 1",
+        ),
+        (
+            "fn f(a: Scalar) -> Scalar { a / (a - a) }",
+            "the divisor is always zero",
+        ),
+        (
+            "fn f(a: Scalar) -> Scalar { recip(a - a) }",
+            "`recip`: the divisor is always zero",
+        ),
+        (
+            "fn f(a: Vector) -> Scalar { sin(a) }",
+            "`sin` takes a scalar, but this has e1, e2",
+        ),
+        (
+            "fn f(a: Vector) -> Vector { exp(a) }",
+            "`exp` takes a scalar or a bivector, but this has e1, e2",
+        ),
+        (
+            "fn f(a: [[Scalar; 1024]; 1024], b: Scalar) -> Scalar { b }",
+            "the operands hold more than 1048576 values together",
+        ),
+        (
+            "fn f(a: [[[[Scalar; 1024]; 1024]; 1024]; 1024]) -> Scalar { 1 }",
+            "the operands hold more than 1048576 values together",
+        ),
+    ] {
+        assert_eq!(message(function), text);
+    }
+}
+
+#[test]
+fn values_that_are_copied_are_shared() {
+    // Written out, the last name would hold 2⁶⁰ values.
+    let pairs: String = (1..=60)
+        .map(|number| format!("let p{number} = (p{}, p{});", number - 1, number - 1))
+        .collect();
+    let part = "[0]".repeat(60);
+    let function = format!("fn f(p0: Scalar) -> Scalar {{ {pairs} p60{part} }}");
+    assert_eq!(messages(&function), [""; 0]);
+}
+
+#[test]
+fn errors_are_told_apart_by_kind() {
+    let definition = crate::check_types(
+        quote! { mod vga2 { basis e1, e2; signature 2; struct Vector { e1, e2 } } },
+        quote! { ga_runtime },
+    )
+    .expect("sound");
+    let function = quote! { fn f(a: Vector) -> Vector { recip(a) } };
+    let function = &parse_functions(function).expect("a function")[0];
+    let error = resolve(&definition, function, &Block::default()).err();
+    let found = OperationError::NotScalar("e1, e2".to_owned());
+    let expected = ResolveErrorKind::Operation("recip", found);
+    assert_eq!(error.expect("faulty").kind(), &expected);
+}
