@@ -1,7 +1,9 @@
 //! From space to the picture, and what hides what.
 
+use ga_runtime::vga3::Vector;
+
 use crate::picture::{Ball, Patch};
-use crate::vector3::{Vector3, along, cross, difference, dot, length, scaled};
+use crate::plane::Plane;
 use crate::view::{Projection, View};
 
 /// How far the eye is from the middle of the scene, by the scene's radius.
@@ -12,10 +14,10 @@ pub(crate) type Pixel = [f64; 2];
 /// Brings space to the picture.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Camera {
-    right: Vector3,
-    up: Vector3,
+    right: Vector<f64>,
+    up: Vector<f64>,
     /// From the middle of the scene towards the eye, of length 1.
-    pub(crate) toward: Vector3,
+    pub(crate) toward: Vector<f64>,
     perspective: bool,
     /// Pixels to the scene's radius, and where its middle is.
     pub(crate) scale: f64,
@@ -35,12 +37,12 @@ impl Camera {
         };
         let (sin_azimuth, cos_azimuth) = sensible(view.azimuth % 360.0).sin_cos();
         let (sin_elevation, cos_elevation) = sensible(view.elevation.clamp(-90.0, 90.0)).sin_cos();
-        let out = along(scaled(ahead, cos_azimuth), aside, sin_azimuth);
-        let right = along(scaled(aside, cos_azimuth), ahead, -sin_azimuth);
-        let toward = along(scaled(out, cos_elevation), up, sin_elevation);
+        let out = ahead * cos_azimuth + aside * sin_azimuth;
+        let right = aside * cos_azimuth - ahead * sin_azimuth;
+        let toward = out * cos_elevation + up * sin_elevation;
         Self {
             right,
-            up: cross(toward, right),
+            up: toward.cross(right),
             toward,
             perspective: view.projection == Projection::Perspective,
             scale: 1.0,
@@ -48,81 +50,81 @@ impl Camera {
         }
     }
 
-    pub(crate) fn depth(&self, point: Vector3) -> f64 {
-        dot(point, self.toward)
+    pub(crate) fn depth(&self, point: Vector<f64>) -> f64 {
+        point.dot(self.toward)
     }
 
-    pub(crate) fn project(&self, point: Vector3) -> Pixel {
+    pub(crate) fn project(&self, point: Vector<f64>) -> Pixel {
         let scale = if self.perspective {
             self.scale * EYE / (EYE - self.depth(point)).max(0.2)
         } else {
             self.scale
         };
         [
-            self.middle[0] + scale * dot(point, self.right),
-            self.middle[1] - scale * dot(point, self.up),
+            self.middle[0] + scale * point.dot(self.right),
+            self.middle[1] - scale * point.dot(self.up),
         ]
     }
 
     /// The direction from a point to the eye, of length 1, and how far that is.
-    fn ray(&self, point: Vector3) -> (Vector3, f64) {
+    fn ray(&self, point: Vector<f64>) -> (Vector<f64>, f64) {
         if !self.perspective {
             return (self.toward, f64::INFINITY);
         }
-        let way = difference(scaled(self.toward, EYE), point);
-        let distance = length(way).max(1e-9);
-        (scaled(way, distance.recip()), distance)
+        let way = self.toward * EYE - point;
+        let distance = way.length().max(1e-9);
+        (way * distance.recip(), distance)
     }
 
-    /// Whether the eye is on the positive side of a plane m·x = k.
-    pub(crate) fn is_above(&self, (m, k): (Vector3, f64)) -> bool {
-        let toward = dot(m, self.toward);
+    /// Whether the eye is on the positive side of a plane.
+    pub(crate) fn is_above(&self, plane: Plane) -> bool {
+        let toward = plane.normal.dot(self.toward);
         if self.perspective {
-            EYE * toward > k
+            EYE * toward > plane.distance
         } else {
             toward > 0.0
         }
     }
 
-    /// The plane m·x = k on whose positive side the visible part of a ball is, through its outline;
-    /// m has length 1.
-    pub(crate) fn horizon(&self, centre: Vector3, radius: f64) -> (Vector3, f64) {
-        let (m, distance) = self.ray(centre);
-        // The pole and polar of a sphere: r²/∞ is zero.
-        (
-            m,
-            dot(m, centre) + (radius * radius / distance).min(0.999 * radius),
-        )
+    /// The plane through the outline of a ball, with the visible part on its positive side.
+    pub(crate) fn horizon(&self, centre: Vector<f64>, radius: f64) -> Plane {
+        let (normal, distance) = self.ray(centre);
+        // The polar plane of the eye; along parallel rays r²/∞ is zero.
+        let height = (radius * radius / distance).min(0.999 * radius);
+        Plane {
+            normal,
+            distance: normal.dot(centre) + height,
+        }
     }
 
     /// Whether a ball hides a point. One on its front is not hidden.
-    pub(crate) fn is_behind_ball(&self, point: Vector3, ball: &Ball) -> bool {
+    pub(crate) fn is_behind_ball(&self, point: Vector<f64>, ball: &Ball) -> bool {
         let (ray, _) = self.ray(point);
-        let from = difference(point, ball.centre);
-        let ahead = dot(from, ray);
-        let discriminant = ahead * ahead - dot(from, from) + ball.radius * ball.radius;
+        let from = point - ball.centre;
+        let ahead = from.dot(ray);
+        let discriminant = ahead * ahead - from.dot(from) + ball.radius * ball.radius;
         discriminant > 0.0 && discriminant.sqrt() - ahead > 1e-4 + 0.02 * ball.radius
     }
 
     /// Whether a patch hides a point. One on it is not hidden.
-    pub(crate) fn is_behind_patch(&self, point: Vector3, patch: &Patch) -> bool {
+    pub(crate) fn is_behind_patch(&self, point: Vector<f64>, patch: &Patch) -> bool {
         let (ray, distance) = self.ray(point);
-        let slope = dot(patch.normal, ray);
+        let slope = patch.normal.dot(ray);
         if slope.abs() < 1e-6 {
             return false;
         }
-        let t = dot(patch.normal, difference(patch.corners[0], point)) / slope;
+        let t = patch.normal.dot(patch.corners[0] - point) / slope;
         if !(t > 1e-3 && t < distance) {
             return false;
         }
-        let through = along(point, ray, t);
+        let through = point + ray * t;
         let sides = patch
             .corners
             .iter()
             .zip(patch.corners.iter().cycle().skip(1));
         sides.into_iter().all(|(from, to)| {
-            let across = cross(difference(*to, *from), difference(through, *from));
-            dot(across, patch.normal) >= 0.0
+            let across = (*to - *from).cross(through - *from);
+            across.dot(patch.normal) >= 0.0
         })
     }
 }
@@ -152,7 +154,7 @@ mod tests {
 
     #[test]
     fn known_points_along_parallel_rays() {
-        let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Vector::from);
         // From +x with z up, y points right.
         let front = camera(0.0, 0.0, Projection::Orthographic, Up::Z);
         assert_near(front.project(x), [400.0, 300.0]);
@@ -172,8 +174,8 @@ mod tests {
     fn an_eye_sees_near_things_larger() {
         let front = camera(0.0, 0.0, Projection::Perspective, Up::Z);
         // At depth 2 of 4 twice as large, at depth −4 half as large.
-        assert_near(front.project([2.0, 1.0, 0.0]), [600.0, 300.0]);
-        assert_near(front.project([-4.0, 0.0, 1.0]), [400.0, 250.0]);
+        assert_near(front.project(Vector::new(2.0, 1.0, 0.0)), [600.0, 300.0]);
+        assert_near(front.project(Vector::new(-4.0, 0.0, 1.0)), [400.0, 250.0]);
     }
 
     #[test]
@@ -181,7 +183,7 @@ mod tests {
         let ball = Ball {
             element: None,
             colour: PALETTE[0],
-            centre: [0.5, 0.0, 0.0],
+            centre: Vector::new(0.5, 0.0, 0.0),
             radius: 0.25,
             opacity: 1.0,
             width: 1.0,
@@ -197,7 +199,11 @@ mod tests {
                 ([0.9, 0.0, 0.0], false),
                 ([0.0, 0.4, 0.0], false),
             ] {
-                assert_eq!(front.is_behind_ball(point, &ball), hidden, "{point:?}");
+                assert_eq!(
+                    front.is_behind_ball(point.into(), &ball),
+                    hidden,
+                    "{point:?}"
+                );
             }
         }
     }
@@ -207,22 +213,24 @@ mod tests {
         let patch = Patch {
             element: None,
             colour: PALETTE[0],
-            corners: vec![
+            corners: [
                 [0.0, -1.0, -1.0],
                 [0.0, 1.0, -1.0],
                 [0.0, 1.0, 1.0],
                 [0.0, -1.0, 1.0],
-            ],
-            normal: [1.0, 0.0, 0.0],
+            ]
+            .map(Vector::from)
+            .to_vec(),
+            normal: Vector::new(1.0, 0.0, 0.0),
             opacity: 0.2,
         };
         for projection in [Projection::Orthographic, Projection::Perspective] {
             for (azimuth, behind) in [(0.0, -0.5), (180.0, 0.5)] {
                 let camera = camera(azimuth, 0.0, projection, Up::Z);
-                assert!(camera.is_behind_patch([behind, 0.5, 0.5], &patch));
-                assert!(!camera.is_behind_patch([-behind, 0.5, 0.5], &patch));
-                assert!(!camera.is_behind_patch([0.0, 0.5, 0.5], &patch));
-                assert!(!camera.is_behind_patch([behind, 2.5, 0.5], &patch));
+                assert!(camera.is_behind_patch([behind, 0.5, 0.5].into(), &patch));
+                assert!(!camera.is_behind_patch([-behind, 0.5, 0.5].into(), &patch));
+                assert!(!camera.is_behind_patch([0.0, 0.5, 0.5].into(), &patch));
+                assert!(!camera.is_behind_patch([behind, 2.5, 0.5].into(), &patch));
             }
         }
     }

@@ -1,13 +1,15 @@
 //! How much of space a scene takes up.
 
+use ga_runtime::cga3::Point;
+use ga_runtime::vga3::Vector;
+
 use crate::scene::Scene;
 use crate::shape::Shape;
-use crate::vector3::{Vector3, along, difference, dot, length, scaled, sum};
 
 /// The ball that holds what is finite in a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Extent {
-    pub(crate) centre: Vector3,
+    pub(crate) centre: Point<f64>,
     pub(crate) radius: f64,
 }
 
@@ -18,81 +20,77 @@ impl Extent {
             finite(shape, &mut bounds);
         }
         if scene.axes || scene.grid {
-            bounds.hold([0.0; 3]);
+            bounds.hold(Vector::default());
         }
         // Lines and planes come in where they are nearest to the rest.
         let middle = bounds.middle();
         for shape in scene.shapes() {
             match *shape {
                 Shape::Line { support, direction } => {
-                    let t = dot(difference(middle, support), direction);
-                    bounds.hold(along(support, direction, t));
+                    let support = Vector::from(support);
+                    bounds.hold(support + direction * (middle - support).dot(direction));
                 }
                 Shape::Plane { support, normal } => {
-                    let t = dot(difference(support, middle), normal);
-                    bounds.hold(along(middle, normal, t));
+                    let height = (Vector::from(support) - middle).dot(normal);
+                    bounds.hold(middle + normal * height);
                 }
                 _ => {}
             }
         }
         let centre = bounds.middle();
-        let radius = length(difference(bounds.high, centre));
-        // A single place gets a neighbourhood in proportion to where it is.
-        let least = 1e-9 * length(centre);
-        if radius > least && radius.is_normal() {
-            Self { centre, radius }
-        } else {
-            let radius = if least > 0.0 {
-                1.0_f64.max(0.1 * length(centre))
+        let radius = (bounds.high - centre).length();
+        let from_origin = centre.length();
+        let is_single = radius <= 1e-9 * from_origin || !radius.is_normal();
+        Self {
+            centre: centre.coordinates().into(),
+            // A single place gets a neighbourhood in proportion to where it is.
+            radius: if is_single {
+                1.0_f64.max(0.1 * from_origin)
             } else {
-                1.0
-            };
-            Self { centre, radius }
+                radius
+            },
         }
     }
 
     /// A place in the coordinates of the picture, in which the ball is that of radius 1 about the
     /// origin.
-    pub(crate) fn place(&self, point: Vector3) -> Vector3 {
-        difference(point, self.centre).map(|x| x / self.radius)
+    pub(crate) fn place(&self, point: Point<f64>) -> Vector<f64> {
+        (Vector::from(point) - Vector::from(self.centre)) / self.radius
     }
 }
 
 /// A box.
 #[derive(Clone, Copy)]
 struct Bounds {
-    low: Vector3,
-    high: Vector3,
+    low: Vector<f64>,
+    high: Vector<f64>,
 }
 
 impl Default for Bounds {
     fn default() -> Self {
         Self {
-            low: [f64::INFINITY; 3],
-            high: [f64::NEG_INFINITY; 3],
+            low: Vector::from([f64::INFINITY; 3]),
+            high: Vector::from([f64::NEG_INFINITY; 3]),
         }
     }
 }
 
 impl Bounds {
-    fn hold(&mut self, point: Vector3) {
-        for (k, x) in point.into_iter().enumerate() {
-            self.low[k] = self.low[k].min(x);
-            self.high[k] = self.high[k].max(x);
-        }
+    fn hold(&mut self, point: Vector<f64>) {
+        (self.low, self.high) = (self.low.min(point), self.high.max(point));
     }
 
-    fn hold_about(&mut self, centre: Vector3, extent: Vector3) {
-        self.hold(difference(centre, extent));
-        self.hold(sum(centre, extent));
+    fn hold_about(&mut self, centre: Vector<f64>, extent: Vector<f64>) {
+        self.hold(centre - extent);
+        self.hold(centre + extent);
     }
 
     /// The centre of the box; the origin where nothing is in it.
-    fn middle(&self) -> Vector3 {
-        if self.low[0] > self.high[0] {
-            return [0.0; 3];
+    fn middle(&self) -> Vector<f64> {
+        if self.low.e1 > self.high.e1 {
+            return Vector::default();
         }
-        scaled(sum(self.low, self.high), 0.5)
+        (self.low + self.high) * 0.5
     }
 }
 
@@ -102,13 +100,13 @@ fn finite(shape: &Shape, bounds: &mut Bounds) {
         Shape::Point { at }
         | Shape::FlatPoint { at }
         | Shape::TangentVector { at, .. }
-        | Shape::TangentBivector { at, .. } => bounds.hold(*at),
+        | Shape::TangentBivector { at, .. } => bounds.hold(Vector::from(*at)),
         Shape::PointPair {
             centre,
             direction,
             radius,
             ..
-        } => bounds.hold_about(*centre, direction.map(|d| d.abs() * radius)),
+        } => bounds.hold_about(Vector::from(*centre), direction.abs() * *radius),
         Shape::Circle {
             centre,
             normal,
@@ -116,19 +114,22 @@ fn finite(shape: &Shape, bounds: &mut Bounds) {
             ..
         } => {
             // Along an axis a circle reaches as far as the sine of the angle to its normal.
-            let reach = normal.map(|n| radius * (1.0 - n * n).max(0.0).sqrt());
-            bounds.hold_about(*centre, reach);
+            let sine = |n: f64| (1.0 - n * n).max(0.0).sqrt();
+            let reach = Vector::from(normal.coordinates().map(sine)) * *radius;
+            bounds.hold_about(Vector::from(*centre), reach);
         }
-        Shape::Sphere { centre, radius, .. } => bounds.hold_about(*centre, [*radius; 3]),
+        Shape::Sphere { centre, radius, .. } => {
+            bounds.hold_about(Vector::from(*centre), Vector::from([*radius; 3]))
+        }
         Shape::Line { .. } | Shape::Plane { .. } => {}
         Shape::Direction { vector } => {
-            bounds.hold([0.0; 3]);
+            bounds.hold(Vector::default());
             bounds.hold(*vector);
         }
-        Shape::Frame { origin, .. } => bounds.hold(*origin),
+        Shape::Frame { origin, .. } => bounds.hold(Vector::from(*origin)),
         Shape::Trajectory { points, frames } => {
             for point in points.iter().chain(frames.iter().map(|(origin, _)| origin)) {
-                bounds.hold(*point);
+                bounds.hold(Vector::from(*point));
             }
         }
     }

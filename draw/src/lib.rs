@@ -73,14 +73,15 @@ mod file;
 mod label;
 mod page;
 mod picture;
+mod plane;
 mod render;
+mod ring;
 mod scene;
 mod shape;
 mod stroke;
 mod style;
 mod surface;
 mod svg;
-mod vector3;
 mod view;
 
 pub use colour::{Colour, NotAColour, PALETTE};

@@ -1,11 +1,10 @@
 //! Curves cut where they pass behind something.
 
-use std::f64::consts::TAU;
+use ga_runtime::vga3::Vector;
 
 use crate::camera::{Camera, Pixel};
 use crate::picture::{Curve, Picture, heading};
-use crate::surface::{Piece, Surface, horizon_circle};
-use crate::vector3::{Vector3, along, difference, on_circle};
+use crate::surface::{Piece, Surface, outline};
 
 /// How many points a visible part of a curve has at most, so that parts of crossing curves can be
 /// painted by depth.
@@ -26,20 +25,14 @@ pub(crate) struct Stroke {
 
 /// The curves of a picture with the outlines of its balls.
 pub(crate) fn all_curves(picture: &Picture, camera: &Camera) -> Vec<Curve> {
-    let outlines = picture.balls.iter().map(|ball| {
-        let (centre, basis, radius) = horizon_circle(ball, camera);
-        let angle = |k: u32| TAU * f64::from(k % 96) / 96.0;
-        Curve {
-            element: ball.element,
-            colour: ball.colour,
-            points: (0..=96)
-                .map(|k| on_circle(centre, basis, radius, angle(k)))
-                .collect(),
-            width: ball.width,
-            opacity: 1.0,
-            dashed: ball.imaginary,
-            arrow: false,
-        }
+    let outlines = picture.balls.iter().map(|ball| Curve {
+        element: ball.element,
+        colour: ball.colour,
+        points: outline(ball, camera).points(96),
+        width: ball.width,
+        opacity: 1.0,
+        dashed: ball.imaginary,
+        arrow: false,
     });
     picture.curves.iter().cloned().chain(outlines).collect()
 }
@@ -77,7 +70,7 @@ impl<'a> Hiding<'a> {
 
     /// The place in the order of pieces before which a point is painted; `None` where nothing hides
     /// it.
-    pub(crate) fn before(&self, point: Vector3) -> Option<usize> {
+    pub(crate) fn before(&self, point: Vector<f64>) -> Option<usize> {
         let hiding = self.first.iter().filter(|(surface, _)| match *surface {
             Surface::Ball(index) => self
                 .camera
@@ -94,7 +87,7 @@ impl<'a> Hiding<'a> {
         let mut strokes = Vec::new();
         let mut state = self.before(curve.points[0]);
         let mut part = vec![curve.points[0]];
-        let finish = |part: &mut Vec<Vector3>, state, strokes: &mut Vec<Stroke>| {
+        let finish = |part: &mut Vec<Vector<f64>>, state, strokes: &mut Vec<Stroke>| {
             if part.len() > 1 {
                 strokes.push(self.stroke(index, part, state));
             }
@@ -120,14 +113,14 @@ impl<'a> Hiding<'a> {
             (curve.arrow, strokes.last_mut(), heading(&curve.points))
         {
             let tip = curve.points[curve.points.len() - 1];
-            let behind = along(tip, direction, -0.05);
+            let behind = tip - direction * 0.05;
             let head = [behind, tip].map(|point| self.camera.project(point));
             last.head = arrow_head(head, curve.width);
         }
         strokes
     }
 
-    fn stroke(&self, curve: usize, part: &[Vector3], before: Option<usize>) -> Stroke {
+    fn stroke(&self, curve: usize, part: &[Vector<f64>], before: Option<usize>) -> Stroke {
         let depths = part.iter().map(|point| self.camera.depth(*point));
         let points: Vec<Pixel> = part
             .iter()
@@ -143,9 +136,9 @@ impl<'a> Hiding<'a> {
     }
 
     /// Where on the way from a point to the next the first ceases to be in the state that it is in.
-    fn border(&self, from: Vector3, to: Vector3, state: Option<usize>) -> Vector3 {
+    fn border(&self, from: Vector<f64>, to: Vector<f64>, state: Option<usize>) -> Vector<f64> {
         let (mut low, mut high) = (0.0, 1.0);
-        let at = |t| along(from, difference(to, from), t);
+        let at = |t| from + (to - from) * t;
         for _ in 0..10 {
             let middle = 0.5 * (low + high);
             if self.before(at(middle)) == state {

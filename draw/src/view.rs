@@ -1,5 +1,7 @@
 //! Where a scene is looked at from.
 
+use ga_runtime::vga3::Vector;
+
 /// The way in which space is brought to the plane of the picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -53,8 +55,10 @@ impl Default for View {
 
 impl Up {
     /// The horizontal axes at 0 and 90 degrees, and the upward one.
-    pub(crate) fn axes(self) -> [[f64; 3]; 3] {
-        let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    pub(crate) fn axes(self) -> [Vector<f64>; 3] {
+        let x = Vector::new(1.0, 0.0, 0.0);
+        let y = Vector::new(0.0, 1.0, 0.0);
+        let z = Vector::new(0.0, 0.0, 1.0);
         match self {
             Self::Y => [z, x, y],
             Self::Z => [x, y, z],

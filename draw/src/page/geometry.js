@@ -99,17 +99,15 @@ const geometry = (() => {
       hidingPatches.some((patch) => isBehindPatch(camera, point, patch));
   }
 
-  /** Two vectors that make a right-handed orthonormal basis with a unit vector; u is horizontal. */
+  /**
+   * Two vectors that make a right-handed orthonormal basis with a unit vector; u is horizontal. In a
+   * horizontal plane u is the x axis.
+   */
   function basisAcross(normal) {
-    let u = cross([0, 0, 1], normal);
-    if (!(length(u) > 1e-6)) {
-      const sizes = normal.map(Math.abs);
-      const axis = [0, 0, 0];
-      axis[(sizes.indexOf(Math.max(...sizes)) + 1) % 3] = 1;
-      u = along(axis, normal, -dot(axis, normal));
-    }
-    u = scaled(u, 1 / length(u));
-    return [u, cross(normal, u)];
+    const isHorizontal = length(cross([0, 0, 1], normal)) < 1e-6;
+    const u = cross(isHorizontal ? [0, normal[2], 0] : [0, 0, 1], normal);
+    const unit = scaled(u, 1 / length(u));
+    return [unit, cross(normal, unit)];
   }
 
   /** The outline of a ball as points in space. */

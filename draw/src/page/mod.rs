@@ -56,7 +56,7 @@ impl<'a> Data<'a> {
             elevation: sensible(view.elevation, 0.0).clamp(-90.0, 90.0),
             zoom: sensible(view.zoom, 1.0).clamp(0.1, 20.0),
             perspective: view.projection == Projection::Perspective,
-            axes: view.up.axes(),
+            axes: view.up.axes().map(<[f64; 3]>::from),
         }
     }
 

@@ -1,43 +1,42 @@
 //! The coordinate axes and the grid.
 
+use ga_runtime::cga3::Point;
+use ga_runtime::vga3::Vector;
+
 use super::drawing::Drawing;
 use super::pen::Pen;
 use super::polyline::{REACH, clipped, segment};
-use crate::vector3::{Vector3, along, difference, dot, scaled};
+use crate::view::Up;
 
 impl Drawing {
     /// The coordinate axes through the origin.
-    pub(super) fn axes(&mut self) {
-        let origin = self.extent.place([0.0; 3]);
-        for (axis, name) in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
-            .into_iter()
-            .zip(["x", "y", "z"])
-        {
+    pub(super) fn coordinate_axes(&mut self) {
+        let origin = self.extent.place(Point::default());
+        for (axis, name) in Up::Z.axes().into_iter().zip(["x", "y", "z"]) {
             let (middle, half) = clipped(origin, axis);
-            let (from, to) = (along(middle, axis, -half), along(middle, axis, half));
+            let (from, to) = (middle - axis * half, middle + axis * half);
             let curve = self.curve(Pen::GREY, segment(from, to, 64));
             (curve.arrow, curve.opacity) = (true, 0.9);
-            self.axis_name(None, along(to, axis, 0.05), name);
+            self.axis_name(None, to + axis * 0.05, name);
         }
     }
 
     /// Lines in the horizontal plane through the origin; their distance is 1, 2 or 5 times a power
     /// of ten.
-    pub(super) fn grid(&mut self, [u, v, up]: [Vector3; 3]) {
+    pub(super) fn grid(&mut self) {
+        let [u, v, up] = self.axes;
         let extent = self.extent;
+        let centre = Vector::from(extent.centre);
         let step = round_step(extent.radius / 4.0);
         // In units of the scene the grid is a square about the middle, with lines at multiples of
         // the step.
-        let [a, b] = [u, v].map(|axis| (dot(extent.centre, axis) / step).round());
+        let [a, b] = [u, v].map(|axis| (centre.dot(axis) / step).round());
         let reach = (REACH * extent.radius / step).floor().clamp(1.0, 12.0);
-        let height = -dot(extent.centre, up) / extent.radius;
+        let height = -centre.dot(up) / extent.radius;
         let corner = |s: f64, t: f64| {
-            let point = along(scaled(u, (a + s) * step), v, (b + t) * step);
-            let flat = difference(
-                extent.place(point),
-                scaled(up, dot(extent.place(point), up)),
-            );
-            along(flat, up, height)
+            let point = u * ((a + s) * step) + v * ((b + t) * step);
+            let point = extent.place(point.coordinates().into());
+            point + up * (height - point.dot(up))
         };
         let count = reach as i32;
         for k in -count..=count {

@@ -1,9 +1,9 @@
 //! The data of a picture, and how they are written as JSON.
 
+use ga_runtime::vga3::Vector;
 use serde::Serialize;
 
 use crate::colour::Colour;
-use crate::vector3::Vector3;
 
 /// Everything to be drawn.
 #[derive(Clone, Debug, Default, Serialize)]
@@ -22,7 +22,7 @@ pub(crate) struct Ball {
     pub(crate) element: Option<usize>,
     pub(crate) colour: Colour,
     #[serde(serialize_with = "rounded")]
-    pub(crate) centre: Vector3,
+    pub(crate) centre: Vector<f64>,
     #[serde(serialize_with = "rounded_number")]
     pub(crate) radius: f64,
     pub(crate) opacity: f64,
@@ -37,9 +37,9 @@ pub(crate) struct Patch {
     pub(crate) element: Option<usize>,
     pub(crate) colour: Colour,
     #[serde(serialize_with = "rounded_list")]
-    pub(crate) corners: Vec<Vector3>,
+    pub(crate) corners: Vec<Vector<f64>>,
     #[serde(serialize_with = "rounded")]
-    pub(crate) normal: Vector3,
+    pub(crate) normal: Vector<f64>,
     pub(crate) opacity: f64,
 }
 
@@ -49,7 +49,7 @@ pub(crate) struct Curve {
     pub(crate) element: Option<usize>,
     pub(crate) colour: Colour,
     #[serde(serialize_with = "rounded_list")]
-    pub(crate) points: Vec<Vector3>,
+    pub(crate) points: Vec<Vector<f64>>,
     pub(crate) width: f64,
     pub(crate) opacity: f64,
     pub(crate) dashed: bool,
@@ -63,7 +63,7 @@ pub(crate) struct Dot {
     pub(crate) element: Option<usize>,
     pub(crate) colour: Colour,
     #[serde(serialize_with = "rounded")]
-    pub(crate) at: Vector3,
+    pub(crate) at: Vector<f64>,
     pub(crate) radius: f64,
     pub(crate) form: Form,
 }
@@ -82,52 +82,57 @@ pub(crate) enum Form {
 pub(crate) struct Label {
     pub(crate) element: Option<usize>,
     #[serde(serialize_with = "rounded")]
-    pub(crate) at: Vector3,
+    pub(crate) at: Vector<f64>,
     pub(crate) text: String,
     /// Whether it belongs to an element and not to an axis.
     pub(crate) strong: bool,
 }
 
-fn short(x: f64) -> f64 {
-    // Adding zero turns a negative zero into zero.
-    (x * 1e5).round() / 1e5 + 0.0
-}
-
 /// The picture with the numbers that are written of it.
 #[cfg(test)]
 pub(crate) fn as_written(picture: &Picture) -> Picture {
+    let short = |point: Vector<f64>| Vector::from(shortened(point));
     let mut picture = picture.clone();
     for ball in &mut picture.balls {
-        ball.centre = ball.centre.map(short);
-        ball.radius = short(ball.radius);
+        (ball.centre, ball.radius) = (short(ball.centre), short_number(ball.radius));
     }
     for patch in &mut picture.patches {
-        patch.corners = patch.corners.iter().map(|point| point.map(short)).collect();
-        patch.normal = patch.normal.map(short);
+        patch.corners = patch.corners.iter().copied().map(short).collect();
+        patch.normal = short(patch.normal);
     }
     for curve in &mut picture.curves {
-        curve.points = curve.points.iter().map(|point| point.map(short)).collect();
+        curve.points = curve.points.iter().copied().map(short).collect();
     }
     for dot in &mut picture.dots {
-        dot.at = dot.at.map(short);
+        dot.at = short(dot.at);
     }
     for label in &mut picture.labels {
-        label.at = label.at.map(short);
+        label.at = short(label.at);
     }
     picture
 }
 
-fn rounded<S: serde::Serializer>(point: &Vector3, serializer: S) -> Result<S::Ok, S::Error> {
-    point.map(short).serialize(serializer)
+/// A number to five decimals, which is less than a pixel of any screen.
+fn short_number(x: f64) -> f64 {
+    // Adding zero turns a negative zero into zero.
+    (x * 1e5).round() / 1e5 + 0.0
+}
+
+fn shortened(point: Vector<f64>) -> [f64; 3] {
+    point.coordinates().map(short_number)
+}
+
+fn rounded<S: serde::Serializer>(point: &Vector<f64>, serializer: S) -> Result<S::Ok, S::Error> {
+    shortened(*point).serialize(serializer)
 }
 
 fn rounded_number<S: serde::Serializer>(number: &f64, serializer: S) -> Result<S::Ok, S::Error> {
-    short(*number).serialize(serializer)
+    short_number(*number).serialize(serializer)
 }
 
 fn rounded_list<S: serde::Serializer>(
-    points: &[Vector3],
+    points: &[Vector<f64>],
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
-    serializer.collect_seq(points.iter().map(|point| point.map(short)))
+    serializer.collect_seq(points.iter().map(|point| shortened(*point)))
 }

@@ -1,11 +1,13 @@
 //! A picture that is being drawn, and the primitives that it is drawn with.
 
+use ga_runtime::vga3::Vector;
+
 use super::data::{Ball, Curve, Dot, Form, Label, Patch, Picture};
 use super::pen::Pen;
-use super::polyline::{REACH, ring, segment};
+use super::polyline::{REACH, segment};
 use crate::colour::Colour;
 use crate::extent::Extent;
-use crate::vector3::{Vector3, along, basis_across, scaled, sum};
+use crate::ring::{Ring, basis_across};
 
 /// The length of the axes of a frame.
 pub(super) const FRAME: f64 = 0.24;
@@ -19,22 +21,23 @@ const AXES: [Colour; 3] = [
 
 pub(super) struct Drawing {
     pub(super) extent: Extent,
-    pub(super) up: Vector3,
+    /// The horizontal axes at azimuth 0 and 90 degrees, and the upward one.
+    pub(super) axes: [Vector<f64>; 3],
     pub(super) picture: Picture,
 }
 
 impl Drawing {
-    pub(super) fn new(extent: Extent, up: Vector3) -> Self {
+    pub(super) fn new(extent: Extent, axes: [Vector<f64>; 3]) -> Self {
         let picture = Picture::default();
         Self {
             extent,
-            up,
+            axes,
             picture,
         }
     }
 
     /// Adds a curve, to be changed further.
-    pub(super) fn curve(&mut self, pen: Pen, points: Vec<Vector3>) -> &mut Curve {
+    pub(super) fn curve(&mut self, pen: Pen, points: Vec<Vector<f64>>) -> &mut Curve {
         let index = self.picture.curves.len();
         self.picture.curves.push(Curve {
             element: pen.element,
@@ -48,7 +51,7 @@ impl Drawing {
         &mut self.picture.curves[index]
     }
 
-    pub(super) fn dot(&mut self, pen: Pen, at: Vector3, form: Form) {
+    pub(super) fn dot(&mut self, pen: Pen, at: Vector<f64>, form: Form) {
         self.picture.dots.push(Dot {
             element: pen.element,
             colour: pen.colour,
@@ -58,12 +61,12 @@ impl Drawing {
         });
     }
 
-    pub(super) fn arrow(&mut self, pen: Pen, from: Vector3, vector: Vector3) {
-        self.curve(pen, segment(from, sum(from, vector), 16)).arrow = true;
+    pub(super) fn arrow(&mut self, pen: Pen, from: Vector<f64>, vector: Vector<f64>) {
+        self.curve(pen, segment(from, from + vector, 16)).arrow = true;
     }
 
     /// The name of a coordinate axis.
-    pub(super) fn axis_name(&mut self, element: Option<usize>, at: Vector3, name: &str) {
+    pub(super) fn axis_name(&mut self, element: Option<usize>, at: Vector<f64>, name: &str) {
         self.picture.labels.push(Label {
             element,
             at,
@@ -72,10 +75,10 @@ impl Drawing {
         });
     }
 
-    pub(super) fn frame(&mut self, pen: Pen, at: Vector3, axes: &[Vector3; 3], size: f64) {
+    pub(super) fn frame(&mut self, pen: Pen, at: Vector<f64>, axes: &[Vector<f64>; 3], size: f64) {
         for (axis, colour) in axes.iter().zip(AXES) {
             let pen = Pen { colour, ..pen };
-            self.arrow(pen, at, scaled(*axis, size));
+            self.arrow(pen, at, *axis * size);
         }
     }
 
@@ -83,7 +86,8 @@ impl Drawing {
     pub(super) fn ball(
         &mut self,
         pen: Pen,
-        (centre, radius): (Vector3, f64),
+        centre: Vector<f64>,
+        radius: f64,
         imaginary: bool,
         opacity: f64,
     ) {
@@ -96,9 +100,17 @@ impl Drawing {
             width: 0.75 * pen.width,
             imaginary,
         });
-        let [u, v] = basis_across(self.up, self.up);
-        for basis in [[u, v], [u, self.up], [v, self.up]] {
-            let curve = self.curve(pen.fine(), ring(centre, basis, radius, 72));
+        let [u, v, up] = self.axes;
+        for basis in [[u, v], [u, up], [v, up]] {
+            let curve = self.curve(
+                pen.fine(),
+                Ring {
+                    centre,
+                    basis,
+                    radius,
+                }
+                .points(72),
+            );
             (curve.opacity, curve.dashed) = (0.55, imaginary);
         }
     }
@@ -108,13 +120,13 @@ impl Drawing {
     pub(super) fn plane(
         &mut self,
         pen: Pen,
-        middle: Vector3,
-        normal: Vector3,
+        middle: Vector<f64>,
+        normal: Vector<f64>,
         opacity: f64,
-    ) -> Vector3 {
-        let [u, v] = basis_across(normal, self.up);
+    ) -> Vector<f64> {
+        let [u, v] = basis_across(normal, self.axes);
         let half = 0.92 * REACH;
-        let corner = |a: f64, b: f64| along(along(middle, u, a * half), v, b * half);
+        let corner = |a: f64, b: f64| middle + u * (a * half) + v * (b * half);
         let corners = vec![
             corner(-1.0, -1.0),
             corner(1.0, -1.0),
@@ -142,7 +154,7 @@ impl Drawing {
             }
         }
         let foot = corner(0.75, 0.75);
-        self.arrow(pen.thin(), foot, scaled(normal, 0.8 * FRAME));
+        self.arrow(pen.thin(), foot, normal * (0.8 * FRAME));
         corner(-0.9, 0.9)
     }
 }

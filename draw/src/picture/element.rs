@@ -1,12 +1,15 @@
 //! The elements of a scene, each kind by the primitives that show it.
 
+use ga_runtime::cga3::Point;
+use ga_runtime::vga3::Vector;
+
 use super::data::{Form, Label};
 use super::drawing::{Drawing, FRAME};
 use super::pen::Pen;
-use super::polyline::{clipped, refined, ring, segment};
+use super::polyline::{clipped, refined, segment};
+use crate::ring::{Ring, basis_across};
 use crate::scene::Element;
-use crate::shape::{Shape, ends};
-use crate::vector3::{Vector3, along, basis_across, dot, on_circle, scaled};
+use crate::shape::Shape;
 
 impl Drawing {
     /// Draws an element with its label.
@@ -28,7 +31,7 @@ impl Drawing {
     }
 
     /// Draws a shape; returns the point that its label belongs to.
-    fn shape(&mut self, pen: Pen, shape: &Shape, opacity: f64) -> Vector3 {
+    fn shape(&mut self, pen: Pen, shape: &Shape, opacity: f64) -> Vector<f64> {
         let extent = self.extent;
         let length = |radius: &f64| radius / extent.radius;
         match shape {
@@ -40,12 +43,13 @@ impl Drawing {
                 radius,
                 imaginary,
             } => {
-                let ends = ends(*centre, *direction, *radius).map(|end| extent.place(end));
+                let (centre, half) = (extent.place(*centre), *direction * length(radius));
+                let ends = [centre - half, centre + half];
                 self.point_pair(pen, ends, *imaginary)
             }
             Shape::TangentVector { at, direction } => {
                 let at = self.anchored_dot(pen, extent.place(*at), Form::Full);
-                self.arrow(pen, at, scaled(*direction, FRAME));
+                self.arrow(pen, at, *direction * FRAME);
                 at
             }
             Shape::Circle {
@@ -54,10 +58,13 @@ impl Drawing {
                 radius,
                 imaginary,
             } => {
-                let (centre, radius) = (extent.place(*centre), length(radius));
-                let basis = basis_across(*normal, self.up);
-                self.curve(pen, ring(centre, basis, radius, 96)).dashed = *imaginary;
-                on_circle(centre, basis, radius, 0.7)
+                let ring = Ring {
+                    centre: extent.place(*centre),
+                    basis: basis_across(*normal, self.axes),
+                    radius: length(radius),
+                };
+                self.curve(pen, ring.points(96)).dashed = *imaginary;
+                ring.at(0.7)
             }
             Shape::TangentBivector { at, normal } => {
                 self.tangent_bivector(pen, extent.place(*at), *normal)
@@ -68,25 +75,25 @@ impl Drawing {
                 imaginary,
             } => {
                 let (centre, radius) = (extent.place(*centre), length(radius));
-                self.ball(pen, (centre, radius), *imaginary, opacity);
+                self.ball(pen, centre, radius, *imaginary, opacity);
                 // On the outline as seen from most sides.
-                along(centre, self.up, radius)
+                centre + self.axes[2] * radius
             }
             Shape::Line { support, direction } => {
                 let (middle, half) = clipped(extent.place(*support), *direction);
-                let [from, to] = [-half, half].map(|t| along(middle, *direction, t));
+                let [from, to] = [-half, half].map(|t| middle + *direction * t);
                 self.curve(pen, segment(from, to, 64)).arrow = true;
-                along(middle, *direction, 0.8 * half)
+                middle + *direction * (0.8 * half)
             }
             Shape::Plane { support, normal } => {
-                let distance = dot(extent.place(*support), *normal);
-                self.plane(pen, scaled(*normal, distance), *normal, opacity)
+                let distance = extent.place(*support).dot(*normal);
+                self.plane(pen, *normal * distance, *normal, opacity)
             }
             Shape::Direction { vector } => {
-                let from = extent.place([0.0; 3]);
-                let vector = scaled(*vector, extent.radius.recip());
+                let from = extent.place(Point::default());
+                let vector = *vector * extent.radius.recip();
                 self.arrow(pen, from, vector);
-                along(from, vector, 0.6)
+                from + vector * 0.6
             }
             Shape::Frame { origin, axes } => self.named_frame(pen, extent.place(*origin), axes),
             Shape::Trajectory { points, frames } => {
@@ -101,36 +108,40 @@ impl Drawing {
         }
     }
 
-    fn anchored_dot(&mut self, pen: Pen, at: Vector3, form: Form) -> Vector3 {
+    fn anchored_dot(&mut self, pen: Pen, at: Vector<f64>, form: Form) -> Vector<f64> {
         self.dot(pen, at, form);
         at
     }
 
-    fn point_pair(&mut self, pen: Pen, [p, q]: [Vector3; 2], imaginary: bool) -> Vector3 {
+    fn point_pair(&mut self, pen: Pen, [p, q]: [Vector<f64>; 2], imaginary: bool) -> Vector<f64> {
         self.curve(pen.thin(), segment(p, q, 24)).dashed = imaginary;
         let form = if imaginary { Form::Hollow } else { Form::Full };
         self.dot(pen, p, form);
         self.anchored_dot(pen, q, form)
     }
 
-    fn tangent_bivector(&mut self, pen: Pen, at: Vector3, normal: Vector3) -> Vector3 {
-        let basis = basis_across(normal, self.up);
-        self.curve(pen.thin(), ring(at, basis, 0.4 * FRAME, 48));
-        self.arrow(pen.thin(), at, scaled(normal, 0.6 * FRAME));
+    fn tangent_bivector(&mut self, pen: Pen, at: Vector<f64>, normal: Vector<f64>) -> Vector<f64> {
+        let ring = Ring {
+            centre: at,
+            basis: basis_across(normal, self.axes),
+            radius: 0.4 * FRAME,
+        };
+        self.curve(pen.thin(), ring.points(48));
+        self.arrow(pen.thin(), at, normal * (0.6 * FRAME));
         self.anchored_dot(pen, at, Form::Full)
     }
 
     /// A frame with the names of its axes.
-    fn named_frame(&mut self, pen: Pen, at: Vector3, axes: &[Vector3; 3]) -> Vector3 {
+    fn named_frame(&mut self, pen: Pen, at: Vector<f64>, axes: &[Vector<f64>; 3]) -> Vector<f64> {
         self.frame(pen, at, axes, FRAME);
         for (axis, name) in axes.iter().zip(["x", "y", "z"]) {
-            self.axis_name(pen.element, along(at, *axis, 1.12 * FRAME), name);
+            self.axis_name(pen.element, at + *axis * (1.12 * FRAME), name);
         }
         self.anchored_dot(pen, at, Form::Full)
     }
 
     /// A path through at least one point.
-    fn path(&mut self, pen: Pen, points: Vec<Vector3>) -> Vector3 {
+    fn path(&mut self, pen: Pen, points: Vec<Vector<f64>>) -> Vector<f64> {
         let middle = points[points.len() / 2];
         let (first, last) = (points[0], points[points.len() - 1]);
         if points.iter().all(|point| *point == first) {

@@ -21,13 +21,12 @@ use drawing::Drawing;
 
 impl Picture {
     pub(crate) fn of(scene: &Scene) -> Self {
-        let axes = scene.view.up.axes();
-        let mut drawing = Drawing::new(Extent::of(scene), axes[2]);
+        let mut drawing = Drawing::new(Extent::of(scene), scene.view.up.axes());
         if scene.grid {
-            drawing.grid(axes);
+            drawing.grid();
         }
         if scene.axes {
-            drawing.axes();
+            drawing.coordinate_axes();
         }
         for (index, element) in scene.elements().iter().enumerate() {
             drawing.element(index, element);

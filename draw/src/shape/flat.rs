@@ -1,9 +1,10 @@
 //! Lines, planes, flat points and directions.
 
 use ga_runtime::cga3::{Direction, DualPlane, FlatPoint, Line, MotorGenerator, Plane, Point};
+use ga_runtime::vga3::Vector;
 
-use super::{Drawable, NotDrawable, Shape, balanced, check_coefficients};
-use crate::vector3::scaled;
+use super::drawable::{balanced, check_coefficients};
+use super::{Drawable, NotDrawable, Shape};
 
 impl Drawable for FlatPoint<f64> {
     fn shape(&self) -> Result<Shape, NotDrawable> {
@@ -12,7 +13,7 @@ impl Drawable for FlatPoint<f64> {
             // The length of a free vector is part of it.
             return Direction::new(self.e1i, self.e2i, self.e3i).shape();
         }
-        let at = point.to_point().ok_or(NotDrawable::NoWeight)?.coordinates();
+        let at = point.to_point().ok_or(NotDrawable::NoWeight)?;
         Shape::FlatPoint { at }.checked()
     }
 }
@@ -21,6 +22,7 @@ impl Drawable for Direction<f64> {
     fn shape(&self) -> Result<Shape, NotDrawable> {
         let vector = self.vector();
         check_coefficients(vector)?;
+        let vector = Vector::from(vector);
         Shape::Direction { vector }.checked()
     }
 }
@@ -28,8 +30,8 @@ impl Drawable for Direction<f64> {
 impl Drawable for Line<f64> {
     fn shape(&self) -> Result<Shape, NotDrawable> {
         let line = balanced(self)?;
-        let direction = line.unit_direction().ok_or(NotDrawable::NoWeight)?;
-        let support = line.support().ok_or(NotDrawable::NoWeight)?.coordinates();
+        let direction = Vector::from(line.unit_direction().ok_or(NotDrawable::NoWeight)?);
+        let support = line.support().ok_or(NotDrawable::NoWeight)?;
         Shape::Line { support, direction }.checked()
     }
 }
@@ -43,10 +45,10 @@ impl Drawable for MotorGenerator<f64> {
 impl Drawable for Plane<f64> {
     fn shape(&self) -> Result<Shape, NotDrawable> {
         let plane = balanced(self)?;
-        let normal = plane.unit_normal().ok_or(NotDrawable::NoWeight)?;
+        let normal = Vector::from(plane.unit_normal().ok_or(NotDrawable::NoWeight)?);
         let distance = plane.signed_distance(Point::default());
         let distance = distance.ok_or(NotDrawable::NoWeight)?;
-        let support = scaled(normal, -distance);
+        let support = Point::from(normal * -distance);
         Shape::Plane { support, normal }.checked()
     }
 }

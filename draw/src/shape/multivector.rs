@@ -3,7 +3,8 @@
 use ga_runtime::Element;
 use ga_runtime::cga3::{Circle, Motor, Multivector, PointPair, RoundVector, Sphere};
 
-use super::{Drawable, NotDrawable, Shape, balanced};
+use super::drawable::balanced;
+use super::{Drawable, NotDrawable, Shape};
 
 /// How far a coefficient may be from zero and still count as zero, by the largest one.
 const TOLERANCE: f64 = 1e-12;

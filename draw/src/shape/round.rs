@@ -4,14 +4,14 @@ use ga_runtime::cga3::{
     Circle, DualCircle, DualFlatPoint, DualPointPair, DualSphere, FlatPoint, Line, Plane, Point,
     PointPair, RoundVector, Sphere,
 };
+use ga_runtime::vga3::Vector;
 
-use super::{Drawable, NotDrawable, Radius, Shape, balanced};
-use crate::vector3::along;
+use super::drawable::balanced;
+use super::{Drawable, NotDrawable, Shape};
 
 impl Drawable for Point<f64> {
     fn shape(&self) -> Result<Shape, NotDrawable> {
-        let at = self.coordinates();
-        Shape::Point { at }.checked()
+        Shape::Point { at: *self }.checked()
     }
 }
 
@@ -27,7 +27,7 @@ impl Drawable for Sphere<f64> {
         if sphere.e123o == 0.0 {
             return Plane::new(sphere.e123i, sphere.e12oi, sphere.e13oi, sphere.e23oi).shape();
         }
-        let centre = sphere.centre().ok_or(NotDrawable::NoWeight)?.coordinates();
+        let centre = sphere.centre().ok_or(NotDrawable::NoWeight)?;
         let squared = sphere.radius_squared().ok_or(NotDrawable::NoWeight)?;
         let (radius, imaginary) = match Radius::new(squared, centre) {
             Radius::Zero => return Shape::Point { at: centre }.checked(),
@@ -58,8 +58,8 @@ impl Drawable for Circle<f64> {
             )
             .shape();
         }
-        let centre = circle.centre().ok_or(NotDrawable::NoWeight)?.coordinates();
-        let normal = circle.unit_normal().ok_or(NotDrawable::NoWeight)?;
+        let centre = circle.centre().ok_or(NotDrawable::NoWeight)?;
+        let normal = Vector::from(circle.unit_normal().ok_or(NotDrawable::NoWeight)?);
         let squared = circle.radius_squared().ok_or(NotDrawable::NoWeight)?;
         let (radius, imaginary) = match Radius::new(squared, centre) {
             Radius::Zero => return Shape::TangentBivector { at: centre, normal }.checked(),
@@ -83,8 +83,8 @@ impl Drawable for PointPair<f64> {
             // Unbalanced, since the length of a free vector is part of it.
             return FlatPoint::new(self.e1i, self.e2i, self.e3i, self.eoi).shape();
         }
-        let direction = pair.unit_direction().ok_or(NotDrawable::NoWeight)?;
-        let centre = pair.centre().ok_or(NotDrawable::NoWeight)?.coordinates();
+        let direction = Vector::from(pair.unit_direction().ok_or(NotDrawable::NoWeight)?);
+        let centre = pair.centre().ok_or(NotDrawable::NoWeight)?;
         let squared = pair.radius_squared().ok_or(NotDrawable::NoWeight)?;
         let (radius, imaginary) = match Radius::new(squared, centre) {
             Radius::Zero => {
@@ -119,7 +119,25 @@ macro_rules! by_the_direct_form {
 
 by_the_direct_form!(DualFlatPoint DualPointPair DualCircle DualSphere);
 
-/// The two points of a pair, the first of the outer product first.
-pub(crate) fn ends(centre: [f64; 3], direction: [f64; 3], radius: f64) -> [[f64; 3]; 2] {
-    [-radius, radius].map(|t| along(centre, direction, t))
+/// What a squared radius amounts to.
+enum Radius {
+    Real(f64),
+    Zero,
+    Imaginary(f64),
+}
+
+impl Radius {
+    /// With the squared distance of the centre from the origin as the measure of what is zero.
+    fn new(squared: f64, centre: Point<f64>) -> Self {
+        let measure = centre.distance_squared(Point::default());
+        if squared.abs() <= 1e-12 * measure {
+            Self::Zero
+        } else if squared < 0.0 {
+            Self::Imaginary((-squared).sqrt())
+        } else if squared == 0.0 {
+            Self::Zero
+        } else {
+            Self::Real(squared.sqrt())
+        }
+    }
 }

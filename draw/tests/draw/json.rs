@@ -1,6 +1,7 @@
 //! Scenes read from JSON, and the errors of those that cannot be read.
 
 use ga_draw::{ElementError, Scene, SceneError, Shape};
+use ga_runtime::cga3::Point;
 
 use crate::{assert_well_formed, close, parsed};
 
@@ -114,7 +115,7 @@ fn curves_of_one_plane_meet() {
     assert_eq!(
         crossing,
         Shape::FlatPoint {
-            at: [2.0, 0.0, 0.0]
+            at: Point::new(2.0, 0.0, 0.0)
         }
     );
     for (a, b, names, middle) in [

@@ -13,7 +13,8 @@ fn parsed(elements: &str) -> Result<Scene, SceneError> {
     Scene::from_json(format!("{{\"elements\": [{elements}]}}").as_bytes())
 }
 
-fn close(a: [f64; 3], b: [f64; 3]) -> bool {
+fn close(a: impl Into<[f64; 3]>, b: [f64; 3]) -> bool {
+    let a = a.into();
     (0..3).all(|k| (a[k] - b[k]).abs() < 1e-12)
 }
 

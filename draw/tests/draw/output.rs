@@ -2,6 +2,7 @@
 
 use ga_draw::{Colour, PALETTE, Scene, Shape, Style};
 use ga_runtime::cga3::{Point, Sphere};
+use ga_runtime::vga3::Vector;
 use proptest::prelude::*;
 
 use crate::{assert_well_formed, parsed};
@@ -91,12 +92,9 @@ fn colours_stand_out_against_both_grounds() {
 
 fn shape() -> impl Strategy<Value = Shape> {
     let number = prop_oneof![-10.0..10.0, -1e90..1e90, -1e-90..1e-90, Just(0.0)];
-    let place = proptest::array::uniform3(number);
-    let side =
-        proptest::array::uniform3(-1.0..1.0).prop_filter_map("no direction", |v: [f64; 3]| {
-            let length = v.iter().map(|x| x * x).sum::<f64>().sqrt();
-            (length > 1e-3).then(|| v.map(|x| x / length))
-        });
+    let place = proptest::array::uniform3(number).prop_map(Point::from);
+    let side = proptest::array::uniform3(-1.0..1.0).prop_map(Vector::from);
+    let side = side.prop_filter_map("no direction", Vector::normalized);
     let radius = prop_oneof![0.0..10.0, 0.0..1e90, Just(0.0)];
     (place.clone(), side, radius, any::<bool>(), 0..8, place).prop_map(
         |(centre, side, radius, imaginary, kind, other)| match kind {
@@ -130,7 +128,9 @@ fn shape() -> impl Strategy<Value = Shape> {
                 points: vec![centre, other],
                 frames: vec![(other, [side; 3])],
             },
-            _ => Shape::Direction { vector: centre },
+            _ => Shape::Direction {
+                vector: centre.into(),
+            },
         },
     )
 }

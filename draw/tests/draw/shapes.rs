@@ -100,7 +100,7 @@ fn dual_forms_look_as_what_they_stand_for() {
     assert_eq!(
         flat.shape(),
         Ok(Shape::FlatPoint {
-            at: [1.0, -2.0, 3.0]
+            at: Point::new(1.0, -2.0, 3.0)
         })
     );
 }

@@ -1,5 +1,7 @@
 //! The mathematics of the page against the modules that draw SVG.
 
+use ga_runtime::cga3::Point;
+use ga_runtime::vga3::Vector;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree as _;
 use proptest::test_runner::TestRunner;
@@ -14,60 +16,63 @@ use crate::scene::Scene;
 use crate::shape::Shape;
 use crate::stroke::{Hiding, all_curves};
 use crate::style::Style;
-use crate::vector3::Vector3;
 use crate::view::{Projection, Up};
 
 const SCENES: usize = 48;
 
-fn place() -> impl Strategy<Value = Vector3> {
-    proptest::array::uniform3(-2.0..2.0)
+fn place() -> impl Strategy<Value = Vector<f64>> {
+    proptest::array::uniform3(-2.0..2.0).prop_map(Vector::from)
 }
 
-fn unit() -> impl Strategy<Value = Vector3> {
-    place().prop_filter_map("no direction", crate::vector3::normalized)
+fn unit() -> impl Strategy<Value = Vector<f64>> {
+    place().prop_filter_map("no direction", Vector::normalized)
 }
 
 fn shape() -> impl Strategy<Value = Shape> {
     (place(), unit(), 0.2..1.5, any::<bool>(), 0..9, place()).prop_map(
-        |(centre, side, radius, imaginary, kind, other)| match kind {
-            0 => Shape::Point { at: centre },
-            1 => Shape::PointPair {
-                centre,
-                direction: side,
-                radius,
-                imaginary,
-            },
-            2 => Shape::Circle {
-                centre,
-                normal: side,
-                radius,
-                imaginary,
-            },
-            3 | 4 => Shape::Sphere {
-                centre,
-                radius,
-                imaginary,
-            },
-            5 => Shape::Line {
-                support: centre,
-                direction: side,
-            },
-            6 => Shape::Plane {
-                support: centre,
-                normal: side,
-            },
-            7 => Shape::Trajectory {
-                points: vec![centre, other],
-                frames: vec![(other, [side; 3])],
-            },
-            _ => Shape::Direction { vector: centre },
+        |(centre, side, radius, imaginary, kind, other)| {
+            let vector = centre;
+            let [centre, other] = [centre, other].map(Point::from);
+            match kind {
+                0 => Shape::Point { at: centre },
+                1 => Shape::PointPair {
+                    centre,
+                    direction: side,
+                    radius,
+                    imaginary,
+                },
+                2 => Shape::Circle {
+                    centre,
+                    normal: side,
+                    radius,
+                    imaginary,
+                },
+                3 | 4 => Shape::Sphere {
+                    centre,
+                    radius,
+                    imaginary,
+                },
+                5 => Shape::Line {
+                    support: centre,
+                    direction: side,
+                },
+                6 => Shape::Plane {
+                    support: centre,
+                    normal: side,
+                },
+                7 => Shape::Trajectory {
+                    points: vec![centre, other],
+                    frames: vec![(other, [side; 3])],
+                },
+                _ => Shape::Direction { vector },
+            }
         },
     )
 }
 
 /// A scene, the size of the page, and places to be asked about. No surface is opaque, since the
 /// picture cuts curves also where one opaque surface gives way to another.
-fn case() -> impl Strategy<Value = (Scene, Pixel, Vec<Vector3>)> {
+fn case() -> impl Strategy<Value = (Scene, Pixel, Vec<Vector<f64>>)> {
     let opacity = prop_oneof![1 => Just(0.01), 4 => 0.1..0.85];
     let elements = proptest::collection::vec((shape(), opacity, "[a-zà-ü]{0,9}"), 2..7);
     let view = (-400.0..400.0, -90.0..90.0, 0.3..4.0, any::<[bool; 4]>());
@@ -121,6 +126,7 @@ fn the_page_projects_hides_and_labels_as_the_picture_does() {
             .iter()
             .map(|label| text_width(&label.text, LETTER))
             .collect();
+        let points: Vec<[f64; 3]> = points.iter().map(|point| point.coordinates()).collect();
         json!({"data": data, "size": size, "points": points, "widths": widths})
     });
     let input = json!({"source": GEOMETRY, "cases": asked.collect::<Vec<_>>()});
@@ -148,7 +154,7 @@ fn the_page_projects_hides_and_labels_as_the_picture_does() {
     );
 }
 
-fn compare_points(picture: &Picture, camera: &Camera, points: &[Vector3], answer: &Value) {
+fn compare_points(picture: &Picture, camera: &Camera, points: &[Vector<f64>], answer: &Value) {
     let pieces = picture.pieces(camera);
     let hiding = Hiding::new(picture, camera, &pieces);
     for (k, &point) in points.iter().enumerate() {
