@@ -1,4 +1,4 @@
-//! From space to the picture, and what hides what.
+//! Projection from space to the picture, and what hides what.
 
 use ga_runtime::vga3::Vector;
 
@@ -6,12 +6,13 @@ use crate::picture::{Ball, Patch};
 use crate::plane::Plane;
 use crate::view::{Projection, View};
 
-/// How far the eye is from the middle of the scene, by the scene's radius.
+/// The distance of the eye from the middle of the scene, in radii of the scene.
 pub(crate) const EYE: f64 = 4.0;
 
+/// A place in the picture: pixels to the right and down from its upper left corner.
 pub(crate) type Pixel = [f64; 2];
 
-/// Brings space to the picture.
+/// Projects points of space to the picture.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Camera {
     right: Vector<f64>,
@@ -19,13 +20,15 @@ pub(crate) struct Camera {
     /// From the middle of the scene towards the eye, of length 1.
     pub(crate) toward: Vector<f64>,
     perspective: bool,
-    /// Pixels to the scene's radius, and where its middle is.
+    /// The number of pixels of the scene's radius.
     pub(crate) scale: f64,
+    /// The place of the scene's middle.
     pub(crate) middle: Pixel,
 }
 
 impl Camera {
-    /// Looks at the scene from a side; its middle is at pixel (0, 0) and its radius one pixel.
+    /// The camera of a view. The middle of the scene is at pixel (0, 0) and its radius is one
+    /// pixel.
     pub(crate) fn new(view: &View) -> Self {
         let [ahead, aside, up] = view.up.axes();
         let sensible = |degrees: f64| {
@@ -50,6 +53,7 @@ impl Camera {
         }
     }
 
+    /// How near a point is to the eye, measured along the direction of view.
     pub(crate) fn depth(&self, point: Vector<f64>) -> f64 {
         point.dot(self.toward)
     }
@@ -66,7 +70,7 @@ impl Camera {
         ]
     }
 
-    /// The direction from a point to the eye, of length 1, and how far that is.
+    /// The direction from a point to the eye, of length 1, and the distance of the eye.
     fn ray(&self, point: Vector<f64>) -> (Vector<f64>, f64) {
         if !self.perspective {
             return (self.toward, f64::INFINITY);
@@ -89,7 +93,7 @@ impl Camera {
     /// The plane through the outline of a ball, with the visible part on its positive side.
     pub(crate) fn horizon(&self, centre: Vector<f64>, radius: f64) -> Plane {
         let (normal, distance) = self.ray(centre);
-        // The polar plane of the eye; along parallel rays r²/∞ is zero.
+        // The plane is the polar plane of the eye. For parallel rays r²/∞ is zero.
         let height = (radius * radius / distance).min(0.999 * radius);
         Plane {
             normal,
@@ -97,7 +101,7 @@ impl Camera {
         }
     }
 
-    /// Whether a ball hides a point. One on its front is not hidden.
+    /// Whether a ball hides a point. A point on its front is not hidden.
     pub(crate) fn is_behind_ball(&self, point: Vector<f64>, ball: &Ball) -> bool {
         let (ray, _) = self.ray(point);
         let from = point - ball.centre;
@@ -106,7 +110,7 @@ impl Camera {
         discriminant > 0.0 && discriminant.sqrt() - ahead > 1e-4 + 0.02 * ball.radius
     }
 
-    /// Whether a patch hides a point. One on it is not hidden.
+    /// Whether a patch hides a point. A point on the patch is not hidden.
     pub(crate) fn is_behind_patch(&self, point: Vector<f64>, patch: &Patch) -> bool {
         let (ray, distance) = self.ray(point);
         let slope = patch.normal.dot(ray);
@@ -161,7 +165,7 @@ mod tests {
         assert_near(front.project(y), [500.0, 300.0]);
         assert_near(front.project(z), [400.0, 200.0]);
         assert_eq!(front.depth(x), 1.0);
-        // A quarter round: from +y, x points left.
+        // From +y with z up, x points left.
         let side = camera(90.0, 0.0, Projection::Orthographic, Up::Z);
         assert_near(side.project(x), [300.0, 300.0]);
         // From above with y up: x to the right, z down the picture.

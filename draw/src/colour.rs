@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use serde::Serialize;
 
-/// A colour by its red, green and blue, of 255 each.
+/// A colour by its red, green and blue parts, each from 0 to 255.
 ///
 /// ```
 /// use ga_draw::Colour;
@@ -17,11 +17,12 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Colour(pub [u8; 3]);
 
-/// The colours that elements get in turn when they name none.
+/// The colours of elements for which no colour is given, one after the other.
 ///
 /// They follow Okabe and Ito's set, which people with any kind of colour vision can tell apart
-/// (Color Universal Design, 2008), darkened where need be so that each stands out against a light
-/// and a dark ground by 3 : 1 (Web Content Accessibility Guidelines 2.1, criterion 1.4.11).
+/// (Color Universal Design, 2008). Some are darker than there, so that each has a contrast of at
+/// least 3 : 1 to a light and to a dark background (Web Content Accessibility Guidelines 2.1,
+/// criterion 1.4.11).
 pub const PALETTE: [Colour; 7] = [
     Colour([0x00, 0x72, 0xb2]),
     Colour([0xd5, 0x5e, 0x00]),
@@ -32,9 +33,9 @@ pub const PALETTE: [Colour; 7] = [
     Colour([0x7a, 0x7a, 0x7a]),
 ];
 
-/// The text that was to be a colour is not `#` and six hexadecimal digits.
+/// A text that is not a colour: it is not `#` and six hexadecimal digits.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("`{0}` is no colour: it must be # and six hexadecimal digits, as in #0072b2")]
+#[error("`{0}` is not a colour: it must be # and six hexadecimal digits, as in #0072b2")]
 pub struct NotAColour(pub String);
 
 impl FromStr for Colour {

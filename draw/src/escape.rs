@@ -1,7 +1,8 @@
-//! Text in markup.
+//! Texts in XML, HTML and scripts.
 
-/// A text as it stands in XML and HTML, between tags or in an attribute. What XML has no place for,
-/// such as control characters, becomes the replacement character.
+/// A text as it is written in XML and HTML, between tags or in an attribute. Characters that XML
+/// does not allow, such as control characters, become the replacement character. The libraries for
+/// escaping leave these in place, which makes the document invalid.
 pub(crate) fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for letter in text.chars() {
@@ -21,7 +22,7 @@ pub(crate) fn escaped(text: &str) -> String {
     out
 }
 
-/// JSON as it stands in a script element: no tag can begin or end in it.
+/// JSON as it is written in a script element: it cannot contain the beginning or end of a tag.
 pub(crate) fn in_script(json: &str) -> String {
     json.replace('<', "\\u003c")
         .replace('>', "\\u003e")

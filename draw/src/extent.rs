@@ -1,4 +1,4 @@
-//! How much of space a scene takes up.
+//! The part of space that a scene takes up.
 
 use ga_runtime::cga3::Point;
 use ga_runtime::vga3::Vector;
@@ -6,7 +6,7 @@ use ga_runtime::vga3::Vector;
 use crate::scene::Scene;
 use crate::shape::Shape;
 
-/// The ball that holds what is finite in a scene.
+/// The ball that contains the finite elements of a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Extent {
     pub(crate) centre: Point<f64>,
@@ -22,7 +22,7 @@ impl Extent {
         if scene.axes || scene.grid {
             bounds.hold(Vector::default());
         }
-        // Lines and planes come in where they are nearest to the rest.
+        // Of a line or a plane, the point that is nearest to the other elements.
         let middle = bounds.middle();
         for shape in scene.shapes() {
             match *shape {
@@ -43,7 +43,7 @@ impl Extent {
         let is_single = radius <= 1e-9 * from_origin || !radius.is_normal();
         Self {
             centre: centre.coordinates().into(),
-            // A single place gets a neighbourhood in proportion to where it is.
+            // A single place gets a neighbourhood in proportion to its distance from the origin.
             radius: if is_single {
                 1.0_f64.max(0.1 * from_origin)
             } else {
@@ -52,14 +52,14 @@ impl Extent {
         }
     }
 
-    /// A place in the coordinates of the picture, in which the ball is that of radius 1 about the
-    /// origin.
+    /// A place in the coordinates of the picture, in which the ball has radius 1 and the origin as
+    /// its centre.
     pub(crate) fn place(&self, point: Point<f64>) -> Vector<f64> {
         (Vector::from(point) - Vector::from(self.centre)) / self.radius
     }
 }
 
-/// A box.
+/// A box with edges parallel to the axes.
 #[derive(Clone, Copy)]
 struct Bounds {
     low: Vector<f64>,
@@ -85,7 +85,7 @@ impl Bounds {
         self.hold(centre + extent);
     }
 
-    /// The centre of the box; the origin where nothing is in it.
+    /// The centre of the box, or the origin for an empty box.
     fn middle(&self) -> Vector<f64> {
         if self.low.e1 > self.high.e1 {
             return Vector::default();
@@ -94,7 +94,7 @@ impl Bounds {
     }
 }
 
-/// Holds what has an end.
+/// Extends the bounds to the parts of a shape that are finite.
 fn finite(shape: &Shape, bounds: &mut Bounds) {
     match shape {
         Shape::Point { at }
@@ -113,7 +113,8 @@ fn finite(shape: &Shape, bounds: &mut Bounds) {
             radius,
             ..
         } => {
-            // Along an axis a circle reaches as far as the sine of the angle to its normal.
+            // Along each axis a circle extends by the radius times the sine of the angle between
+            // the axis and the normal.
             let sine = |n: f64| (1.0 - n * n).max(0.0).sqrt();
             let reach = Vector::from(normal.coordinates().map(sine)) * *radius;
             bounds.hold_about(Vector::from(*centre), reach);

@@ -1,4 +1,4 @@
-//! Where texts go.
+//! The places of labels.
 
 use crate::camera::{Camera, Pixel};
 use crate::picture::Picture;
@@ -6,18 +6,18 @@ use crate::picture::Picture;
 /// The size of the letters in pixels.
 pub(crate) const LETTER: f64 = 15.0;
 
-/// A text and the middle of its box.
+/// The index of a label, and the middle of its box.
 #[derive(Clone, Debug)]
 pub(crate) struct PlacedLabel {
     pub(crate) label: usize,
     pub(crate) middle: Pixel,
 }
 
-/// A box from its lowest to its highest coordinates.
+/// A box: its upper left and its lower right corner.
 pub(crate) type Frame = [Pixel; 2];
 
-/// About how wide a text is: a little over half its height a letter, and all of it for the wide
-/// ones of East Asia.
+/// The approximate width of a text: 0.58 of the letter size for each letter, the whole size for the
+/// wide letters of East Asia, and nothing for combining marks.
 pub(crate) fn text_width(text: &str, size: f64) -> f64 {
     let letters = text.chars().map(|letter| match letter as u32 {
         0x300..0x370 => 0.0,
@@ -27,8 +27,8 @@ pub(crate) fn text_width(text: &str, size: f64) -> f64 {
     size * letters.sum::<f64>()
 }
 
-/// Places the texts beside their places, away from the middle of the picture where that can be, so
-/// that they cover neither each other nor dots nor what is taken.
+/// Places labels beside their anchors, so that they cover neither each other nor dots nor the boxes
+/// that are taken, and so that they stand away from the middle of the picture where possible.
 pub(crate) fn placed(
     picture: &Picture,
     camera: &Camera,
@@ -42,7 +42,7 @@ pub(crate) fn placed(
         taken.push([[x - r, y - r], [x + r, y + r]]);
     }
     let mut labels = Vec::new();
-    // Those of elements choose before those of axes.
+    // The labels of elements are placed before those of axes.
     for strong in [true, false] {
         for (index, label) in picture.labels.iter().enumerate() {
             if label.strong != strong {
@@ -59,7 +59,7 @@ pub(crate) fn placed(
                     (preference, middle)
                 })
                 .collect();
-            // Stable, so that of equal ones the first listed wins.
+            // A stable sort: of equal candidates the first one listed stays first.
             candidates.sort_by(|a, b| b.0.total_cmp(&a.0));
             let cost = |middle: &Pixel| {
                 let own = frame(*middle, half);
@@ -91,7 +91,7 @@ pub(crate) fn placed(
     labels
 }
 
-/// Where a text may be as seen from its place.
+/// The directions in which a label may stand from its anchor.
 const SIDES: [Pixel; 8] = [
     [0.8, -0.8],
     [-0.8, -0.8],

@@ -1,9 +1,9 @@
 //! Draws conformal geometric algebra: points, point pairs, circles, spheres, lines, planes, free
 //! vectors, frames and paths.
 //!
-//! A [`Scene`] takes elements of [`cga3`](ga_runtime::cga3) and becomes a picture
-//! ([`Scene::to_svg`]) or a page that turns under the mouse ([`Scene::to_html`]). Each element is
-//! first read as Euclidean geometry, a [`Shape`]; see [`Drawable`].
+//! A [`Scene`] holds elements of [`cga3`](ga_runtime::cga3). It is written as a picture in SVG
+//! ([`Scene::to_svg`]) or as an HTML page on which the mouse rotates it ([`Scene::to_html`]). Each
+//! element is first read as Euclidean geometry, a [`Shape`]; see [`Drawable`].
 //!
 //! ```
 //! use ga_draw::{Scene, Style};
@@ -20,50 +20,65 @@
 //! # Ok::<(), ga_draw::NotDrawable>(())
 //! ```
 //!
-//! # How things look
+//! # How elements look
 //!
-//! What a sphere or plane hides is dotted and paler. Imaginary elements have long dashes and are
-//! drawn as their real counterparts: the radius is √−r². A flat point is a square, an imaginary
-//! point a hollow dot, a tangent vector a dot with an arrow, a tangent bivector a dot with a small
-//! circle. Lines and planes are cut off around the finite elements. The axes x, y, z of frames are
-//! orange, green and blue.
+//! Lines that a sphere or a plane hides are dotted and paler.
+//!
+//! - An imaginary element has long dashes, and is drawn as its real counterpart: the radius is
+//!   √−r².
+//! - A point is a dot, a flat point a square, and the points of an imaginary pair are hollow dots.
+//! - A tangent vector is a dot with an arrow, a tangent bivector a dot with a small circle.
+//! - Lines and planes are cut off around the finite elements.
+//! - The axes x, y, z of a frame are orange, green and blue.
 //!
 //! # Scenes in JSON
 //!
-//! [`Scene::from_json`] and `nullcone draw` read an object with these members, all optional but
-//! `elements`. Others are errors.
+//! [`Scene::from_json`] and `nullcone draw` read an object with the following members. Only
+//! `elements` is required; a member that is not listed is an error.
 //!
-//! | member | value |
-//! | --- | --- |
-//! | `title`, `description` | texts; the description is for those who cannot see the picture |
-//! | `view` | `{"turn": [azimuth, elevation], "zoom": 1, "projection": "perspective" or "orthographic", "up": "z" or "y"}`; degrees |
-//! | `size` | `[width, height]` in pixels, each from 64 to 8192; [800, 600] without it |
-//! | `axes`, `grid`, `legend` | `true` or `false`; without them there is only the legend |
-//! | `elements` | a list of elements |
+//! - `title`, `description`: texts. The description is for readers who cannot see the picture.
+//! - `view`: an object with
+//!   - `turn`: `[azimuth, elevation]` in degrees,
+//!   - `zoom`: a factor, 1 by default,
+//!   - `projection`: `"perspective"` (the default) or `"orthographic"`,
+//!   - `up`: the upward axis, `"z"` (the default) or `"y"`.
+//! - `size`: `[width, height]` in pixels, each from 64 to 8192; `[800, 600]` by default.
+//! - `axes`, `grid`, `legend`: `true` or `false`. By default only the legend is drawn.
+//! - `elements`: a list of elements.
 //!
-//! An element may have a `name`, by which later ones refer to it and which is its label, a `label`
-//! of its own, a `colour` (`"#0072b2"`), a `width` in pixels, an `opacity` from 0 to 1, and
-//! `"hidden": true` where it is only referred to. It has exactly one of these members, in which a
-//! place or vector is `[x, y, z]`:
+//! Every element may have these members:
 //!
-//! | kind | value |
-//! | --- | --- |
-//! | `point`, `flat_point` | a place |
-//! | `point_pair` | two places |
-//! | `circle` | `{"through": three places}`, a line where they are on one, or `{"centre", "normal", "radius"}` |
-//! | `sphere` | `{"through": four places}` or `{"centre", "radius"}` |
-//! | `line` | `{"through": two places}` or `{"point", "direction"}` |
-//! | `plane` | `{"through": three places}`, `{"point", "normal"}` or `{"normal", "distance"}`, the distance along the normal from the origin |
-//! | `direction` | a vector |
-//! | `motor` | `{"axis", "through", "degrees", "translation"}`: a turn about an axis through a place, then a shift; drawn as a frame |
-//! | `trajectory` | `{"points": places}`, `{"motors": list}` or `{"screw": {"axis", "through", "degrees", "shift"}}`; the last two take `steps`, the `point` that is carried, and the number of `frames` to be shown |
-//! | `blade` | coefficients by blade, as `{"e123o": 1, "e123i": 0.5}`; drawn as what it is |
-//! | `meet` | the names of two elements: `a ∨ b`, for two lines or circles also where they lie in one plane |
-//! | `join` | the names of two elements: `a ∧ b` |
-//! | `moved` | `{"element": name, "by": motor}` |
+//! - `name`: later elements refer to it by this name, which is also its label.
+//! - `label`: a label instead of the name.
+//! - `colour`: for instance `"#0072b2"`.
+//! - `width`: the width of lines in pixels.
+//! - `opacity`: of surfaces, from 0 to 1.
+//! - `hidden`: `true` for an element that is not drawn, and to which others only refer.
 //!
-//! Motors of a trajectory are joined along screws by the short way round; a `screw` may turn more
-//! than once. The examples are in `draw/examples`.
+//! It has exactly one of the following members. A place or a vector is `[x, y, z]`.
+//!
+//! - `point`, `flat_point`: a place.
+//! - `point_pair`: two places.
+//! - `circle`: `{"through": three places}`, which is a line where they are collinear, or
+//!   `{"centre", "normal", "radius"}`.
+//! - `sphere`: `{"through": four places}` or `{"centre", "radius"}`.
+//! - `line`: `{"through": two places}` or `{"point", "direction"}`.
+//! - `plane`: `{"through": three places}`, `{"point", "normal"}` or `{"normal", "distance"}`, where
+//!   the distance is that from the origin along the normal.
+//! - `direction`: a vector.
+//! - `motor`: `{"axis", "through", "degrees", "translation"}`, a rotation about an axis through a
+//!   place, followed by a translation. It is drawn as a frame.
+//! - `trajectory`: `{"points": places}`, `{"motors": list}` or
+//!   `{"screw": {"axis", "through", "degrees", "shift"}}`, where `shift` is the distance along the
+//!   axis. Motors and a screw also take the number of `steps`, the `point` that is moved, and the
+//!   number of `frames` to be drawn.
+//! - `blade`: coefficients of basis blades, such as `{"e123o": 1, "e123i": 0.5}`.
+//! - `meet`: the names of two elements, `a ∨ b`. Two lines or circles may also lie in one plane.
+//! - `join`: the names of two elements, `a ∧ b`.
+//! - `moved`: `{"element": name, "by": motor}`.
+//!
+//! The motors of a trajectory are joined by screw motions with a rotation of at most 180 degrees; a
+//! `screw` may rotate by more than 360 degrees. Examples are in `draw/examples`.
 
 mod camera;
 mod colour;

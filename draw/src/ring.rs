@@ -27,9 +27,9 @@ impl Ring {
     }
 }
 
-/// Two vectors that make a right-handed orthonormal basis with a unit vector: `u × v = n`. Of the
-/// axes at azimuth 0 and 90 degrees and the upward one, u is perpendicular to the last; in a
-/// horizontal plane u is the first.
+/// Two vectors u and v that form a right-handed orthonormal basis with a unit vector n,
+/// `u × v = n`. Given the axes at azimuth 0 and 90 degrees and the upward axis, u is horizontal;
+/// where n is vertical, u is the axis at azimuth 0.
 pub(crate) fn basis_across(
     normal: Vector<f64>,
     [_, aside, up]: [Vector<f64>; 3],

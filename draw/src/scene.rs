@@ -5,7 +5,7 @@ use crate::shape::{Drawable, NotDrawable, Shape};
 use crate::style::Style;
 use crate::view::View;
 
-/// Elements to be drawn together, and how they are looked at.
+/// Elements to be drawn together, and the view of them.
 ///
 /// The scene is framed by its finite elements; lines and planes are cut off around them.
 ///
@@ -24,15 +24,14 @@ use crate::view::View;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
-    /// What the scene shows, in a few words.
+    /// The title: what the scene shows, in a few words.
     pub title: String,
-    /// What the scene shows, for those who cannot see it. Where it is empty the elements are
-    /// listed.
+    /// A description for readers who cannot see the picture. Where it is empty, a list of the
+    /// elements takes its place.
     pub description: String,
-    /// Where it is looked at from.
+    /// The direction from which the scene is seen, and the zoom.
     pub view: View,
-    /// Width and height of the picture in pixels, each from 64 to 8192; others are taken as the
-    /// nearest of these.
+    /// Width and height of the picture in pixels. Each is clamped to the range from 64 to 8192.
     pub size: [u32; 2],
     /// Whether the coordinate axes are drawn.
     pub axes: bool,
@@ -43,7 +42,7 @@ pub struct Scene {
     elements: Vec<Element>,
 }
 
-/// An element with everything about its look but its place settled.
+/// An element with its label and its complete style.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Element {
     pub(crate) shape: Shape,
@@ -69,13 +68,13 @@ impl Scene {
         }
     }
 
-    /// Adds an element. Widths and opacities that make no sense are taken as the nearest that do:
-    /// widths from 0.25 to 20 pixels, opacities from 0 to 1, and what is no number as not given.
+    /// Adds an element. Its width is clamped to the range from 0.25 to 20 pixels and its opacity to
+    /// the range from 0 to 1; NaN counts as not given.
     ///
     /// # Errors
     ///
     /// [`NotDrawable`] where the element has no place, or numbers that cannot be drawn. The scene
-    /// stays as it was.
+    /// is then unchanged.
     pub fn add(&mut self, element: impl Drawable, style: Style) -> Result<&mut Self, NotDrawable> {
         let shape = element.shape()?;
         let next = PALETTE[self.elements.len() % PALETTE.len()];
@@ -97,7 +96,7 @@ impl Scene {
         Ok(self)
     }
 
-    /// What was added, in its order.
+    /// The shapes of the elements, in the order in which they were added.
     pub fn shapes(&self) -> impl Iterator<Item = &Shape> {
         self.elements.iter().map(|element| &element.shape)
     }
@@ -107,18 +106,18 @@ impl Scene {
     }
 
     /// The description, or a list of the elements.
-    pub(crate) fn told(&self) -> String {
+    pub(crate) fn description_or_list(&self) -> String {
         if !self.description.trim().is_empty() {
             return self.description.clone();
         }
-        let tell = |element: &Element| match &element.label {
+        let describe = |element: &Element| match &element.label {
             Some(label) => format!("{} {label}", element.shape.kind()),
             None => element.shape.kind().to_owned(),
         };
-        let list: Vec<String> = self.elements.iter().map(tell).collect();
+        let list: Vec<String> = self.elements.iter().map(describe).collect();
         match list.len() {
             0 => "An empty scene.".to_owned(),
-            _ => format!("Shown are: {}.", list.join(", ")),
+            _ => format!("Elements: {}.", list.join(", ")),
         }
     }
 }

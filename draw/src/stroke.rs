@@ -1,4 +1,4 @@
-//! Curves cut where they pass behind something.
+//! Curves, divided where they pass behind a surface.
 
 use ga_runtime::vga3::Vector;
 
@@ -6,24 +6,24 @@ use crate::camera::{Camera, Pixel};
 use crate::picture::{Curve, Picture, heading};
 use crate::surface::{Piece, Surface, outline};
 
-/// How many points a visible part of a curve has at most, so that parts of crossing curves can be
-/// painted by depth.
+/// The largest number of points of a visible part of a curve. Parts are short so that crossing
+/// curves can be painted in the order of their depth.
 const LONGEST: usize = 24;
 
-/// A part of a curve, all of it visible or all hidden.
+/// A part of a curve that is either completely visible or completely hidden.
 #[derive(Clone, Debug)]
 pub(crate) struct Stroke {
     pub(crate) points: Vec<Pixel>,
-    /// The place in the order of pieces before which it is painted; `None` where nothing hides it.
+    /// The index of the piece before which it is painted; `None` where nothing hides it.
     pub(crate) before: Option<usize>,
     pub(crate) depth: f64,
-    /// Which curve it is a part of; those after the picture's own are the outlines of balls.
+    /// The index of its curve in [`all_curves`].
     pub(crate) curve: usize,
     /// The corners of the arrow's head at its end.
     pub(crate) head: Option<[Pixel; 3]>,
 }
 
-/// The curves of a picture with the outlines of its balls.
+/// The curves of a picture, followed by the outlines of its balls.
 pub(crate) fn all_curves(picture: &Picture, camera: &Camera) -> Vec<Curve> {
     let outlines = picture.balls.iter().map(|ball| Curve {
         element: ball.element,
@@ -37,11 +37,11 @@ pub(crate) fn all_curves(picture: &Picture, camera: &Camera) -> Vec<Curve> {
     picture.curves.iter().cloned().chain(outlines).collect()
 }
 
-/// What hides places of a picture.
+/// The surfaces that hide points of a picture.
 pub(crate) struct Hiding<'a> {
     picture: &'a Picture,
     camera: &'a Camera,
-    /// Where each surface first comes in the order of pieces.
+    /// Each surface with the index of its first piece.
     first: Vec<(Surface, usize)>,
 }
 
@@ -55,7 +55,7 @@ impl<'a> Hiding<'a> {
                 Surface::Ball(index) => picture.balls[index].opacity,
                 Surface::Patch(index) => picture.patches[index].opacity,
             };
-            // What shines through is painted over the surfaces, so that it keeps its colour.
+            // What a translucent surface hides is painted over it, so that it keeps its colour.
             let place = if opacity > 0.9 { place } else { pieces.len() };
             if opacity > 0.02 && !known {
                 first.push((piece.surface, place));
@@ -68,8 +68,7 @@ impl<'a> Hiding<'a> {
         }
     }
 
-    /// The place in the order of pieces before which a point is painted; `None` where nothing hides
-    /// it.
+    /// The index of the piece before which a point is painted; `None` where nothing hides it.
     pub(crate) fn before(&self, point: Vector<f64>) -> Option<usize> {
         let hiding = self.first.iter().filter(|(surface, _)| match *surface {
             Surface::Ball(index) => self
@@ -135,7 +134,7 @@ impl<'a> Hiding<'a> {
         }
     }
 
-    /// Where on the way from a point to the next the first ceases to be in the state that it is in.
+    /// The place between two points where the state of the first one ends, by bisection.
     fn border(&self, from: Vector<f64>, to: Vector<f64>, state: Option<usize>) -> Vector<f64> {
         let (mut low, mut high) = (0.0, 1.0);
         let at = |t| from + (to - from) * t;
@@ -169,7 +168,7 @@ fn arrow_head([behind, tip]: [Pixel; 2], width: f64) -> Option<[Pixel; 3]> {
     ])
 }
 
-/// The same line without points that are on it anyway, to a twentieth of a pixel (Douglas and
+/// A line without the points that are within a twentieth of a pixel of the rest (Douglas and
 /// Peucker, 1973).
 fn simplified(points: &[Pixel]) -> Vec<Pixel> {
     let mut keep = vec![false; points.len()];

@@ -2,7 +2,7 @@
 
 use crate::colour::Colour;
 
-/// How an element looks. What is `None` is chosen to suit the element.
+/// How an element looks. A member that is `None` gets a default that suits the element.
 ///
 /// ```
 /// use ga_draw::{PALETTE, Style};
@@ -13,12 +13,12 @@ use crate::colour::Colour;
 pub struct Style {
     /// The text beside the element and in the legend.
     pub label: Option<String>,
-    /// The colour; without it the next of the [`PALETTE`].
+    /// The colour; by default the next one of the [`PALETTE`](crate::PALETTE).
     pub colour: Option<Colour>,
-    /// The width of lines in pixels; 2 without it. Points are drawn to suit.
+    /// The width of lines in pixels, 2 by default. The size of points follows from it.
     pub width: Option<f64>,
-    /// How much of what is behind a surface it hides, from 0 to 1; 0.3 for spheres and 0.16 for
-    /// planes without it. Lines and points are always opaque.
+    /// The opacity of surfaces, from 0 to 1; by default 0.3 for spheres and 0.16 for planes. Lines
+    /// and points are always opaque.
     pub opacity: Option<f64>,
 }
 
@@ -32,21 +32,21 @@ impl Style {
         }
     }
 
-    /// The same in a colour.
+    /// The same style in a colour.
     #[must_use]
     pub fn coloured(self, colour: Colour) -> Self {
         let colour = Some(colour);
         Self { colour, ..self }
     }
 
-    /// The same with lines of a width in pixels.
+    /// The same style with lines of a width in pixels.
     #[must_use]
     pub fn with_width(self, width: f64) -> Self {
         let width = Some(width);
         Self { width, ..self }
     }
 
-    /// The same with surfaces of an opacity from 0 to 1.
+    /// The same style with surfaces of an opacity from 0 to 1.
     #[must_use]
     pub fn with_opacity(self, opacity: f64) -> Self {
         let opacity = Some(opacity);

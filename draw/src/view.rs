@@ -1,14 +1,14 @@
-//! Where a scene is looked at from.
+//! The direction from which a scene is seen.
 
 use ga_runtime::vga3::Vector;
 
-/// The way in which space is brought to the plane of the picture.
+/// The projection from space to the plane of the picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Projection {
-    /// Along parallel rays: what is farther away is drawn as large.
+    /// Along parallel rays: distance does not change the size.
     Orthographic,
-    /// Towards an eye at four times the radius of the scene from its centre.
+    /// Towards an eye whose distance from the centre of the scene is four times the scene's radius.
     #[default]
     Perspective,
 }
@@ -24,18 +24,18 @@ pub enum Up {
     Z,
 }
 
-/// Where a scene is looked at from.
+/// The direction from which a scene is seen, and the projection.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
-    /// By how many degrees the eye goes round the upward axis, counterclockwise as seen from above.
-    /// At 0 it looks from the next axis after the upward one: from +x where z is up, from +z where
-    /// y is.
+    /// The angle of the eye about the upward axis in degrees, counterclockwise as seen from above.
+    /// At 0 the eye is on the axis that cyclically follows the upward one: on +x where z is up, on
+    /// +z where y is up.
     pub azimuth: f64,
-    /// How many degrees the eye is above the horizontal plane, from −90 to 90.
+    /// The angle of the eye above the horizontal plane in degrees, from −90 to 90.
     pub elevation: f64,
-    /// How much larger than fits by itself the scene is drawn; 1 fits.
+    /// The factor by which the scene is enlarged; at 1 it fills the picture.
     pub zoom: f64,
-    /// Parallel rays or an eye.
+    /// Along parallel rays or towards an eye.
     pub projection: Projection,
     /// The axis that points up.
     pub up: Up,
@@ -54,7 +54,7 @@ impl Default for View {
 }
 
 impl Up {
-    /// The horizontal axes at 0 and 90 degrees, and the upward one.
+    /// The horizontal axes at azimuth 0 and 90 degrees, and the upward axis.
     pub(crate) fn axes(self) -> [Vector<f64>; 3] {
         let x = Vector::new(1.0, 0.0, 0.0);
         let y = Vector::new(0.0, 1.0, 0.0);

@@ -3,27 +3,27 @@
 use crate::colour::NotAColour;
 use crate::shape::NotDrawable;
 
-/// A JSON text that holds no scene.
+/// The reason why a JSON text is not a scene.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum SceneError {
-    /// It is no JSON, or not of the format; the message has line and column.
+    /// It is not JSON, or not in the format of scenes; the message has line and column.
     #[error("{0}")]
     Json(#[from] serde_json::Error),
-    /// A member of the scene itself makes no sense.
+    /// A member of the scene itself has a value out of range.
     #[error("`{member}` is {value}, but must be {expected}")]
     Member {
-        /// The member.
+        /// The name of the member.
         member: &'static str,
-        /// What it is.
+        /// Its value.
         value: String,
-        /// What it may be.
+        /// The values that are allowed.
         expected: &'static str,
     },
-    /// An element makes no sense.
+    /// An element is wrong.
     #[error("element {index}{}: {problem}", name.as_ref().map(|name| format!(" (`{name}`)")).unwrap_or_default())]
     Element {
-        /// The element, counted from 0.
+        /// The index of the element, counted from 0.
         index: usize,
         /// Its name, where it has one.
         name: Option<String>,
@@ -32,45 +32,47 @@ pub enum SceneError {
     },
 }
 
-/// What is wrong with an element of a scene.
+/// The reason why an element of a scene is wrong.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ElementError {
-    /// It names no kind, or more than one.
+    /// It has a member for none of the kinds, or for more than one.
     #[error("it must name one kind of element and names {0}")]
     Kinds(String),
-    /// A name that no earlier element has.
+    /// It refers to a name that no earlier element has.
     #[error("no element before it is named `{0}`")]
     UnknownName(String),
-    /// A name that an earlier element has already.
+    /// An earlier element has the same name.
     #[error("an element before it has the same name")]
     DuplicateName,
-    /// The element that it names is no blade, so that it cannot be met, joined or moved.
+    /// It refers to an element that is not a blade and cannot be met, joined or moved.
     #[error("`{0}` is not a blade")]
     NotABlade(String),
-    /// A coefficient of a blade that the algebra has not.
-    #[error("`{0}` is no blade of cga3: blades are written as in scalar, e1, e12, e1o, e12oi, eoi")]
+    /// It names a basis blade that the algebra does not have.
+    #[error(
+        "`{0}` is not a basis blade of cga3: these are written as scalar, e1, e12, e1o, e12oi, eoi"
+    )]
     UnknownBlade(String),
-    /// A number that makes no sense where it is.
+    /// A number is out of range.
     #[error("`{member}` is {value}, but must be {expected}")]
     Number {
-        /// The member.
+        /// The name of the member.
         member: &'static str,
-        /// What it is.
+        /// Its value.
         value: f64,
-        /// What it may be.
+        /// The values that are allowed.
         expected: &'static str,
     },
-    /// A direction of length zero.
+    /// A direction has length zero.
     #[error("`{0}` is zero and has no direction")]
     NoDirection(&'static str),
-    /// Two elements that do not meet, not even in imaginary points.
+    /// The two elements do not meet, not even in imaginary points.
     #[error("`{0}` and `{1}` do not meet: they have nothing in common that could be drawn")]
     NoMeet(String, String),
-    /// Not the name of a colour.
+    /// The text is not a colour.
     #[error(transparent)]
     Colour(#[from] NotAColour),
-    /// The element has no picture.
+    /// The element cannot be drawn.
     #[error(transparent)]
     NotDrawable(#[from] NotDrawable),
 }

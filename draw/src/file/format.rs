@@ -39,7 +39,7 @@ pub(super) struct ViewText {
     pub(super) up: Up,
 }
 
-/// An element: its looks, and one of the kinds.
+/// An element: its style, and a member for its kind.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct ElementText {
@@ -117,7 +117,7 @@ pub(super) enum PlaneText {
     Distant { normal: Place, distance: f64 },
 }
 
-/// A turn about an axis, then a shift.
+/// A rotation about an axis, followed by a translation.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct MotorText {

@@ -1,4 +1,4 @@
-//! Elements that have been made.
+//! Elements made from the JSON text.
 
 use ga_runtime::Element;
 use ga_runtime::cga3::Multivector;

@@ -13,12 +13,12 @@ pub use error::{ElementError, SceneError};
 use crate::scene::Scene;
 
 impl Scene {
-    /// Reads a scene from the bytes of a JSON text; the format is on [the page of the
-    /// crate](crate#scenes-in-json).
+    /// Reads a scene from the bytes of a JSON text; the [documentation of the
+    /// crate](crate#scenes-in-json) describes the format.
     ///
     /// # Errors
     ///
-    /// [`SceneError`], which tells line and column, or the element and the value.
+    /// [`SceneError`], which names the line and column, or the element and the value.
     ///
     /// ```
     /// use ga_draw::Scene;

@@ -1,4 +1,4 @@
-//! Elements made from earlier ones: what they meet in, and where they are moved.
+//! Elements made from earlier ones: meets, and elements that are moved.
 
 use std::collections::BTreeMap;
 
@@ -36,7 +36,7 @@ pub(super) fn meet([a, b]: [String; 2], named: &Named) -> Result<Made, ElementEr
         square.abs() <= 1e-9 * (vector.eo * vector.ei).abs()
     };
     let has_vector = [meet.e1, meet.e2, meet.e3, meet.eo, meet.ei] != [0.0; 5];
-    // A vector that is not a point is a dual sphere or plane, and has no point on it in common.
+    // In direct form a vector stands for a point; one that is not null contains no point.
     if has_vector && !is_null(&meet) {
         return Err(ElementError::NoMeet(a, b));
     }
@@ -48,8 +48,8 @@ pub(super) fn meet([a, b]: [String; 2], named: &Named) -> Result<Made, ElementEr
     }
 }
 
-/// What two lines or circles share; `None` for other elements. The product of two that lie in one
-/// plane vanishes, although they may cross.
+/// The meet of two lines or circles; `None` for other elements. The product `a ∨ b` of two that lie
+/// in one plane vanishes, although they may cross.
 fn curves_meet(a: Multivector<f64>, b: Multivector<f64>) -> Option<Option<Multivector<f64>>> {
     let [a, b] = [curve(a)?, curve(b)?];
     let tolerance = Tolerance::new(1e-9, 1e-9);
@@ -89,7 +89,7 @@ fn curves_meet(a: Multivector<f64>, b: Multivector<f64>) -> Option<Option<Multiv
     })
 }
 
-/// A line or circle, as a circle; `None` for what has blades of another grade.
+/// A line or circle, as a circle; `None` for elements with blades of another grade.
 fn curve(element: Multivector<f64>) -> Option<Circle<f64>> {
     let is_other = |blade: usize| blade.count_ones() != 3 && element.coefficient(blade) != 0.0;
     let circle = Circle::from_coefficients_unchecked(&mut |blade| element.coefficient(blade));
@@ -108,7 +108,7 @@ pub(super) fn moved(element: Multivector<f64>, motor: Motor<f64>) -> Result<Made
     });
     let flat = element.wedge(infinity) == Multivector::default();
     let moved = if flat {
-        // Nothing but rounding errors in the blades without infinity.
+        // The blades without infinity have rounding errors only.
         Multivector::from_coefficients_unchecked(&mut |blade| {
             if blade & 0b10000 == 0 {
                 0.0

@@ -1,7 +1,8 @@
 "use strict";
 /**
- * The mathematics of the page: the camera, what hides what, and where the labels stand. It needs no
- * document. It repeats the modules camera, stroke and label of ga-draw, whose tests compare the two.
+ * The mathematics of the page: the camera, what hides what, and the places of labels. It needs no
+ * document. It repeats the modules camera, stroke and label of ga-draw, whose tests compare the
+ * two.
  *
  * A point is [x, y, z] in the coordinates of the picture, a pixel is [x, y].
  */
@@ -24,8 +25,8 @@ const geometry = (() => {
   const clamp = (x, low, high) => Math.min(Math.max(x, low), high);
 
   /**
-   * A camera. `axes` are the horizontal axes at azimuth 0 and 90 degrees and the upward one, `scale`
-   * is the number of pixels of a unit, and `middle` the pixel of the scene's middle.
+   * A camera. `axes` are the horizontal axes at azimuth 0 and 90 degrees and the upward axis,
+   * `scale` is the number of pixels of a unit, and `middle` the pixel of the scene's middle.
    */
   function makeCamera({ azimuth, elevation, perspective, axes, scale, middle }) {
     const radians = Math.PI / 180;
@@ -53,7 +54,7 @@ const geometry = (() => {
 
   /** The camera with which a picture fits into a canvas. */
   function fittedCamera(data, view, [width, height]) {
-    // Patches reach beyond the ball that holds the rest.
+    // Patches reach beyond the ball that contains the rest.
     const room = data.picture.patches.length ? 2.8 : 2.05;
     return makeCamera({
       azimuth: view.azimuth,
@@ -100,8 +101,8 @@ const geometry = (() => {
   }
 
   /**
-   * Two vectors that make a right-handed orthonormal basis with a unit vector; u is horizontal. In a
-   * horizontal plane u is the x axis.
+   * Two vectors u and v that form a right-handed orthonormal basis with a unit vector. u is
+   * horizontal; where the unit vector is vertical, u is the x axis.
    */
   function basisAcross(normal) {
     const isHorizontal = length(cross([0, 0, 1], normal)) < 1e-6;

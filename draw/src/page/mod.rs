@@ -1,4 +1,4 @@
-//! A page that is complete in itself.
+//! An HTML page that needs no other file.
 
 #[cfg(test)]
 mod tests;
@@ -13,11 +13,11 @@ use crate::svg;
 use crate::view::Projection;
 
 const SHEET: &str = include_str!("page.css");
-/// The mathematics, which need no document.
+/// The mathematics of the page. They need no document, so that they can be tested alone.
 const GEOMETRY: &str = include_str!("geometry.js");
 const SCRIPT: &str = include_str!("page.js");
 
-/// What the script draws from.
+/// The data from which the script draws.
 #[derive(Serialize)]
 struct Data<'a> {
     picture: Picture,
@@ -61,7 +61,7 @@ impl<'a> Data<'a> {
     }
 
     fn json(&self) -> String {
-        // Nothing in it can fail: all keys are text, and numbers that are not finite are written as
+        // This cannot fail: all keys are texts, and numbers that are not finite are written as
         // null.
         serde_json::to_string(self).unwrap_or_default()
     }
@@ -70,7 +70,7 @@ impl<'a> Data<'a> {
 /// The page of a scene.
 pub(crate) fn write(scene: &Scene) -> String {
     let title = escaped(&scene.title);
-    let description = escaped(&scene.told());
+    let description = escaped(&scene.description_or_list());
     let picture = svg::draw(scene);
     let json = in_script(&Data::of(scene).json());
     format!(

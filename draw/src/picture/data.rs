@@ -1,11 +1,11 @@
-//! The data of a picture, and how they are written as JSON.
+//! The data of a picture, and its JSON for the page.
 
 use ga_runtime::vga3::Vector;
 use serde::Serialize;
 
 use crate::colour::Colour;
 
-/// Everything to be drawn.
+/// Everything that is drawn.
 #[derive(Clone, Debug, Default, Serialize)]
 pub(crate) struct Picture {
     pub(crate) balls: Vec<Ball>,
@@ -18,7 +18,7 @@ pub(crate) struct Picture {
 /// A sphere.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Ball {
-    /// The element that it belongs to.
+    /// The index of the element that it belongs to.
     pub(crate) element: Option<usize>,
     pub(crate) colour: Colour,
     #[serde(serialize_with = "rounded")]
@@ -27,11 +27,11 @@ pub(crate) struct Ball {
     pub(crate) radius: f64,
     pub(crate) opacity: f64,
     pub(crate) width: f64,
-    /// Whether its outline is dashed, and nothing inside it.
+    /// Whether it is drawn with dashed lines and hides nothing.
     pub(crate) imaginary: bool,
 }
 
-/// A part of a plane, convex.
+/// A convex part of a plane.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Patch {
     pub(crate) element: Option<usize>,
@@ -43,7 +43,7 @@ pub(crate) struct Patch {
     pub(crate) opacity: f64,
 }
 
-/// A line through points, which lie closely enough for a smooth one.
+/// A line through points, which are close enough for the line to look smooth.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Curve {
     pub(crate) element: Option<usize>,
@@ -53,11 +53,11 @@ pub(crate) struct Curve {
     pub(crate) width: f64,
     pub(crate) opacity: f64,
     pub(crate) dashed: bool,
-    /// Whether it ends in the head of an arrow.
+    /// Whether it ends in an arrow's head.
     pub(crate) arrow: bool,
 }
 
-/// A point, of a size in pixels.
+/// A point, with a radius in pixels.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Dot {
     pub(crate) element: Option<usize>,
@@ -68,7 +68,7 @@ pub(crate) struct Dot {
     pub(crate) form: Form,
 }
 
-/// What a dot looks like.
+/// The form of a dot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Form {
@@ -77,18 +77,18 @@ pub(crate) enum Form {
     Square,
 }
 
-/// A text beside a place.
+/// A text beside its anchor.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Label {
     pub(crate) element: Option<usize>,
     #[serde(serialize_with = "rounded")]
     pub(crate) at: Vector<f64>,
     pub(crate) text: String,
-    /// Whether it belongs to an element and not to an axis.
+    /// Whether it is the label of an element and not the name of an axis.
     pub(crate) strong: bool,
 }
 
-/// The picture with the numbers that are written of it.
+/// The picture with its numbers rounded as in its JSON.
 #[cfg(test)]
 pub(crate) fn as_written(picture: &Picture) -> Picture {
     let short = |point: Vector<f64>| Vector::from(shortened(point));

@@ -1,4 +1,4 @@
-//! A picture that is being drawn, and the primitives that it is drawn with.
+//! A picture while it is drawn, and the primitives for that.
 
 use ga_runtime::vga3::Vector;
 
@@ -36,7 +36,7 @@ impl Drawing {
         }
     }
 
-    /// Adds a curve, to be changed further.
+    /// Adds a curve, and returns it for further changes.
     pub(super) fn curve(&mut self, pen: Pen, points: Vec<Vector<f64>>) -> &mut Curve {
         let index = self.picture.curves.len();
         self.picture.curves.push(Curve {
@@ -65,7 +65,7 @@ impl Drawing {
         self.curve(pen, segment(from, from + vector, 16)).arrow = true;
     }
 
-    /// The name of a coordinate axis.
+    /// Adds the name of an axis.
     pub(super) fn axis_name(&mut self, element: Option<usize>, at: Vector<f64>, name: &str) {
         self.picture.labels.push(Label {
             element,

@@ -1,4 +1,4 @@
-//! The elements of a scene, each kind by the primitives that show it.
+//! The elements of a scene, each kind drawn with primitives.
 
 use ga_runtime::cga3::Point;
 use ga_runtime::vga3::Vector;

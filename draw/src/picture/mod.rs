@@ -1,7 +1,7 @@
 //! A scene as balls, flat patches, curves and dots: what both SVG and the page draw.
 //!
-//! All coordinates are those in which the [extent](crate::extent) is the ball of radius 1 about the
-//! origin.
+//! In the coordinates of the picture the [extent](crate::extent) of the scene is the ball of radius
+//! 1 about the origin.
 
 mod background;
 mod data;

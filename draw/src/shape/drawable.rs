@@ -2,27 +2,27 @@
 
 use super::Shape;
 
-/// An element that has no picture.
+/// The reason why an element cannot be drawn.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NotDrawable {
     /// All coefficients are zero.
     #[error("all its coefficients are zero")]
     Zero,
-    /// A coefficient, or a place worked out from them, is not finite.
+    /// A coefficient, or a coordinate computed from the coefficients, is not finite.
     #[error("one of its numbers is {0}, which is not finite")]
     NotFinite(f64),
-    /// A coordinate or a length is beyond 1e100 in size.
-    #[error("one of its coordinates or lengths is {0:e}, and nothing beyond 1e100 is drawn")]
+    /// The absolute value of a coordinate or a length is larger than 1e100.
+    #[error("one of its coordinates or lengths is {0:e}, which is beyond the limit of 1e100")]
     TooLarge(f64),
-    /// Its weight is zero: it is at infinity, or an attitude without a place.
+    /// Its weight is zero: it is at infinity, or a direction without a place.
     #[error("its weight is zero: it is at infinity and has no place")]
     NoWeight,
     /// It is neither a blade, which is an outer product of vectors, nor a motor.
     #[error("it is neither a blade nor a motor")]
     NeitherBladeNorMotor,
-    /// A trajectory of no places.
-    #[error("the trajectory has no place")]
+    /// The trajectory has no points.
+    #[error("the trajectory has no points")]
     EmptyTrajectory,
 }
 
@@ -34,8 +34,8 @@ pub enum NotDrawable {
 /// ([`MotorGenerator`](ga_runtime::cga3::MotorGenerator)) are read in dual form, all other blades
 /// in direct form.
 ///
-/// Squared radii within 1e-12 of zero, measured by the squared distance of the centre from the
-/// origin, count as zero.
+/// A squared radius counts as zero where it is at most 1e-12 times the squared distance of the
+/// centre from the origin.
 ///
 /// ```
 /// use ga_draw::{Drawable, Shape};
@@ -47,7 +47,7 @@ pub enum NotDrawable {
 /// # Ok::<(), ga_draw::NotDrawable>(())
 /// ```
 pub trait Drawable {
-    /// What the element is in Euclidean terms.
+    /// The Euclidean shape of the element.
     ///
     /// # Errors
     ///
@@ -84,15 +84,15 @@ pub(super) fn check_coefficients(
     Ok(())
 }
 
-/// The coefficients of an element, divided by a power of two that brings the largest to about 1, so
-/// that products of them stay in range; an error where one is not finite or all are zero.
+/// An element divided by a power of two such that its largest coefficient is about 1 and products
+/// of coefficients stay in range; an error where a coefficient is not finite or all are zero.
 pub(super) fn balanced<E: ga_runtime::Element<Scalar = f64>>(
     element: &E,
 ) -> Result<E, NotDrawable> {
     let coefficients = || E::BLADES.iter().map(|&blade| element.coefficient(blade));
     check_coefficients(coefficients())?;
     let largest = coefficients().fold(0.0_f64, |largest, x| largest.max(x.abs()));
-    // In two steps, since the reciprocal of the smallest numbers is out of range.
+    // In two steps, since the reciprocals of the smallest numbers are out of range.
     let root = (-0.5 * largest.log2()).round().exp2();
     Ok(E::from_coefficients_unchecked(&mut |blade| {
         element.coefficient(blade) * root * root

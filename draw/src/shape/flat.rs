@@ -10,7 +10,7 @@ impl Drawable for FlatPoint<f64> {
     fn shape(&self) -> Result<Shape, NotDrawable> {
         let point = balanced(self)?;
         if point.eoi == 0.0 {
-            // The length of a free vector is part of it.
+            // The original coefficients: the length of a free vector is part of its shape.
             return Direction::new(self.e1i, self.e2i, self.e3i).shape();
         }
         let at = point.to_point().ok_or(NotDrawable::NoWeight)?;

@@ -1,4 +1,4 @@
-//! What an element of the algebra is in Euclidean terms.
+//! Elements of the algebra as Euclidean shapes.
 
 mod drawable;
 mod flat;
@@ -14,11 +14,11 @@ pub use trajectory::Trajectory;
 use ga_runtime::cga3::Point;
 use ga_runtime::vga3::Vector;
 
-/// What an element is as Euclidean geometry: places, lengths and directions instead of
-/// coefficients.
+/// An element as Euclidean geometry: places, lengths and directions instead of coefficients.
 ///
-/// Weights are gone: an element and its multiples have the same shape, but for
-/// [`Direction`](Self::Direction), which has a length, and for the sign of normals and directions.
+/// A shape has no weight: an element and its multiples have the same shape, except that a
+/// [`Direction`](Self::Direction) has a length, and that a negative factor reverses normals and
+/// directions.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Shape {
@@ -32,16 +32,17 @@ pub enum Shape {
         /// The place.
         at: Point<f64>,
     },
-    /// Two points `p∧q`: `centre ± radius · direction`, q being the one with plus.
+    /// Two points `p∧q`, with `p = centre − radius · direction` and
+    /// `q = centre + radius · direction`.
     PointPair {
-        /// Half way between them.
+        /// The midpoint.
         centre: Point<f64>,
-        /// From p to q, of length 1.
+        /// The direction from p to q, of length 1.
         direction: Vector<f64>,
-        /// Half their distance.
+        /// Half the distance of the points.
         radius: f64,
-        /// Whether the square of the blade is negative: the squared distance of the points is, and
-        /// `radius` is √−r².
+        /// Whether the square of the blade is negative. The squared distance of the points is then
+        /// negative, and `radius` is √−r².
         imaginary: bool,
     },
     /// A point pair whose points coincide: a point with a direction.
@@ -57,7 +58,7 @@ pub enum Shape {
         centre: Point<f64>,
         /// The normal of its plane, of length 1.
         normal: Vector<f64>,
-        /// The radius, of an imaginary circle √−r².
+        /// The radius; of an imaginary circle √−r².
         radius: f64,
         /// Whether the squared radius is negative.
         imaginary: bool,
@@ -73,7 +74,7 @@ pub enum Shape {
     Sphere {
         /// The centre.
         centre: Point<f64>,
-        /// The radius, of an imaginary sphere √−r².
+        /// The radius; of an imaginary sphere √−r².
         radius: f64,
         /// Whether the squared radius is negative.
         imaginary: bool,
@@ -97,16 +98,16 @@ pub enum Shape {
         /// The vector.
         vector: Vector<f64>,
     },
-    /// A frame: the image of the origin and of the three axes.
+    /// A frame: the images of the origin and of the three axes.
     Frame {
-        /// The origin's image.
+        /// The image of the origin.
         origin: Point<f64>,
         /// The images of the axes, each of length 1.
         axes: [Vector<f64>; 3],
     },
     /// A path.
     Trajectory {
-        /// The places along it, at least one.
+        /// The points along it, at least one.
         points: Vec<Point<f64>>,
         /// Frames along it.
         frames: Vec<(Point<f64>, [Vector<f64>; 3])>,
@@ -114,7 +115,7 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// The name of its kind, as the legend has it.
+    /// The name of its kind, as in the legend.
     #[must_use]
     pub fn kind(&self) -> &'static str {
         match self {
@@ -142,7 +143,7 @@ impl Shape {
         }
     }
 
-    /// The same where all its numbers can be drawn.
+    /// The shape, or an error where one of its numbers cannot be drawn.
     fn checked(self) -> Result<Self, NotDrawable> {
         let vectors = self.vectors();
         let mut numbers = vectors
@@ -221,5 +222,5 @@ impl Shape {
     }
 }
 
-/// The largest number that is drawn: its square and the sum of a few such are in range.
+/// The largest number that is drawn. Sums of a few squares of it are still finite.
 const LARGEST: f64 = 1e100;

@@ -1,4 +1,4 @@
-//! General elements, classified by what they are.
+//! General multivectors, classified by their grades.
 
 use ga_runtime::Element;
 use ga_runtime::cga3::{Circle, Motor, Multivector, PointPair, RoundVector, Sphere};
@@ -6,12 +6,12 @@ use ga_runtime::cga3::{Circle, Motor, Multivector, PointPair, RoundVector, Spher
 use super::drawable::balanced;
 use super::{Drawable, NotDrawable, Shape};
 
-/// How far a coefficient may be from zero and still count as zero, by the largest one.
+/// A coefficient counts as zero where it is at most this part of the largest one.
 const TOLERANCE: f64 = 1e-12;
 
 impl Drawable for Multivector<f64> {
-    /// A blade is read in direct form but for vectors, of which those that are no points are dual
-    /// spheres and planes. A sum of even grades must be a motor.
+    /// Vectors are read in dual form, as spheres, planes and points; other blades are read in
+    /// direct form. A sum of even grades must be a motor.
     fn shape(&self) -> Result<Shape, NotDrawable> {
         let element = balanced(self)?;
         let blades = Self::BLADES.iter().copied();
@@ -32,7 +32,7 @@ impl Drawable for Multivector<f64> {
                 part::<PointPair<f64>>(self).shape()
             }
             [3] => {
-                // A trivector is a blade where its dual bivector is.
+                // A trivector is a blade where its dual bivector is a blade.
                 check_blade(&element.dual())?;
                 part::<Circle<f64>>(self).shape()
             }
@@ -45,18 +45,18 @@ impl Drawable for Multivector<f64> {
     }
 }
 
-/// The part of an element in the blades of a type of free coefficients.
+/// The part of a multivector that is of a given type with free coefficients.
 pub(crate) fn part<E: Element<Scalar = f64>>(element: &Multivector<f64>) -> E {
     debug_assert!(E::IS_FREE);
     E::from_coefficients_unchecked(&mut |blade| element.coefficient(blade))
 }
 
-/// The whole of an element.
+/// An element as a multivector.
 pub(crate) fn whole<E: Element<Scalar = f64>>(element: &E) -> Multivector<f64> {
     Multivector::from_coefficients_unchecked(&mut |blade| element.coefficient(blade))
 }
 
-/// A bivector B is the outer product of two vectors where `B∧B = 0`.
+/// Fails where a bivector B is not the outer product of two vectors, that is, where `B∧B ≠ 0`.
 fn check_blade(bivector: &Multivector<f64>) -> Result<(), NotDrawable> {
     let square = bivector.wedge(*bivector);
     let size = |element: &Multivector<f64>| {

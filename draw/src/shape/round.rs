@@ -80,7 +80,7 @@ impl Drawable for PointPair<f64> {
     fn shape(&self) -> Result<Shape, NotDrawable> {
         let pair = balanced(self)?;
         if [pair.e1o, pair.e2o, pair.e3o, pair.e12, pair.e13, pair.e23] == [0.0; 6] {
-            // Unbalanced, since the length of a free vector is part of it.
+            // The original coefficients: the length of a free vector is part of its shape.
             return FlatPoint::new(self.e1i, self.e2i, self.e3i, self.eoi).shape();
         }
         let direction = Vector::from(pair.unit_direction().ok_or(NotDrawable::NoWeight)?);
@@ -119,7 +119,7 @@ macro_rules! by_the_direct_form {
 
 by_the_direct_form!(DualFlatPoint DualPointPair DualCircle DualSphere);
 
-/// What a squared radius amounts to.
+/// A radius, classified by the sign of its square.
 enum Radius {
     Real(f64),
     Zero,
@@ -127,7 +127,7 @@ enum Radius {
 }
 
 impl Radius {
-    /// With the squared distance of the centre from the origin as the measure of what is zero.
+    /// The squared radius is compared with the squared distance of the centre from the origin.
     fn new(squared: f64, centre: Point<f64>) -> Self {
         let measure = centre.distance_squared(Point::default());
         if squared.abs() <= 1e-12 * measure {

@@ -1,16 +1,16 @@
-//! Paths.
+//! Trajectories.
 
 use ga_runtime::cga3::{Motor, MotorGenerator, Point};
 
 use super::motion::frame;
 use super::{Drawable, NotDrawable, Shape};
 
-/// A path: places in their order, or motors that carry a point along.
+/// A path through points, or the path of a point that motors move.
 ///
 /// ```
 /// use ga_draw::{Drawable, Shape, Trajectory};
 /// use ga_runtime::cga3::{MotorGenerator, Point};
-/// // Half a turn about the z axis, and up by 2.
+/// // A rotation by 180° about the z axis and a translation by 2 along it.
 /// let generator = MotorGenerator::new(-0.5 * std::f64::consts::PI, 0.0, 0.0, 0.0, 0.0, -1.0);
 /// let path = Trajectory::screw(generator, 10).carrying(Point::new(1.0, 0.0, 0.0)).with_frames(3);
 /// let Shape::Trajectory { points, frames } = path.shape()? else { panic!() };
@@ -32,7 +32,7 @@ enum Path {
 }
 
 impl Trajectory {
-    /// The path through points, straight from each to the next.
+    /// The path that goes straight from each point to the next.
     #[must_use]
     pub fn through(points: impl IntoIterator<Item = Point<f64>>) -> Self {
         Self {
@@ -41,8 +41,8 @@ impl Trajectory {
         }
     }
 
-    /// The path of the origin under motors, straight from each place to the next. Give many for a
-    /// smooth one.
+    /// The path of the origin under motors, straight from each image to the next. Many motors give
+    /// a smooth path.
     #[must_use]
     pub fn of_motors(motors: impl IntoIterator<Item = Motor<f64>>) -> Self {
         Self {
@@ -52,14 +52,14 @@ impl Trajectory {
     }
 
     /// The path of the origin under `exp(t G)` for t from 0 to 1 in a number of steps, which is a
-    /// helix. The generator may turn more than once.
+    /// helix. The generator may rotate by more than 360°.
     #[must_use]
     pub fn screw(generator: MotorGenerator<f64>, steps: usize) -> Self {
         let steps = steps.max(1);
         Self::of_motors((0..=steps).map(|step| (generator * (step as f64 / steps as f64)).exp()))
     }
 
-    /// The path of another point than the origin. A path through points stays as it is.
+    /// The path of a given point instead of the origin. A path through points stays as it is.
     #[must_use]
     pub fn carrying(self, point: Point<f64>) -> Self {
         let path = match self.path {
@@ -69,8 +69,8 @@ impl Trajectory {
         Self { path, ..self }
     }
 
-    /// With this many of the motors drawn as frames along the path, evenly spread from the first to
-    /// the last.
+    /// The path with a number of its motors drawn as frames, evenly spaced from the first to the
+    /// last.
     #[must_use]
     pub fn with_frames(self, frames: usize) -> Self {
         Self { frames, ..self }
@@ -106,7 +106,7 @@ ga_runtime::ga! {
     fn carrying(uniform point: Point, motor: Motor) -> Point { sandwich(motor, point) }
 }
 
-/// `wanted` of the numbers below `count`, evenly spread from the first to the last.
+/// `wanted` of the numbers below `count`, evenly spaced from the first to the last.
 fn evenly(count: usize, wanted: usize) -> impl Iterator<Item = usize> {
     let wanted = wanted.min(count);
     (0..wanted).map(move |k| match wanted {

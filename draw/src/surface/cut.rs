@@ -103,8 +103,8 @@ impl Picture {
     }
 }
 
-/// The plane of the circle in which two balls meet, its positive side that of the second; `None`
-/// where they do not.
+/// The plane of the circle in which two balls meet, with the second ball on its positive side;
+/// `None` where they do not meet.
 pub(super) fn meeting_plane(a: &Ball, b: &Ball) -> Option<Plane> {
     let way = b.centre - a.centre;
     let apart = way.length();
@@ -120,7 +120,7 @@ pub(super) fn meeting_plane(a: &Ball, b: &Ball) -> Option<Plane> {
     Some(Plane { normal, distance })
 }
 
-/// Whether a part of a piece of a ball faces the eye, by a few hundred points on the ball.
+/// Whether any part of a piece of a ball faces the eye, sampled at 400 points of the ball.
 fn is_visible(ball: &Ball, piece: &Piece, camera: &Camera) -> bool {
     let horizon = camera.horizon(ball.centre, ball.radius);
     let golden = PI * (3.0 - 5.0_f64.sqrt());

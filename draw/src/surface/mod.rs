@@ -3,7 +3,7 @@
 //! Every surface is cut where another passes through it: a patch by the planes of other patches, a
 //! ball by the planes of patches and by the planes of the circles in which it meets other balls. Of
 //! two pieces, a plane then tells which is nearer to the eye, and sorting by these relations gives
-//! an order in which each is painted after all that it hides.
+//! an order in which each piece is painted after the pieces that it hides.
 
 mod cut;
 mod order;
@@ -16,7 +16,7 @@ pub(crate) use piece::{Piece, Surface};
 use crate::camera::Camera;
 use crate::picture::Picture;
 
-/// More surfaces than this are not cut: their number makes a picture confusing enough.
+/// Scenes with more surfaces than this are not cut, since the number of pieces grows fast.
 const MOST_CUT: usize = 16;
 
 impl Picture {

@@ -14,7 +14,7 @@ impl Picture {
         let overlap = |a: usize, b: usize| {
             (0..2).all(|k| bounds[a][0][k] <= bounds[b][1][k] && bounds[b][0][k] <= bounds[a][1][k])
         };
-        // How many pieces have still to come before each, and which come after it.
+        // For each piece, how many others must still come before it, and which come after it.
         let mut before = vec![0; pieces.len()];
         let mut after = vec![Vec::new(); pieces.len()];
         for a in 0..pieces.len() {
@@ -50,7 +50,7 @@ impl Picture {
             .collect()
     }
 
-    /// Whether the first piece hides the second where both are; `None` where neither does.
+    /// Whether the first piece hides the second where they overlap; `None` where neither does.
     fn hides(&self, a: &Piece, b: &Piece, camera: &Camera) -> Option<bool> {
         match (a.surface, b.surface) {
             (Surface::Patch(i), Surface::Patch(j)) if i != j => {
@@ -80,7 +80,7 @@ impl Picture {
         let way = b.centre - a.centre;
         let apart = way.length();
         if apart <= (a.radius - b.radius).abs() {
-            // The outer one's front is in front of the inner one.
+            // The front of the outer ball is in front of the inner ball.
             return a.radius > b.radius;
         }
         if meeting_plane(a, b).is_none() {
@@ -94,7 +94,7 @@ impl Picture {
         let within = |piece: &Piece, other| piece.side_of(Surface::Ball(other)).unwrap_or(false);
         match (within(pieces[0], j), within(pieces[1], i)) {
             (false, false) => meeting_plane(a, b).is_none_or(|plane| !camera.is_above(plane)),
-            // What is within the other ball is behind its surface.
+            // The part within the other ball is behind its surface.
             (within_b, _) => !within_b,
         }
     }

@@ -29,7 +29,7 @@ pub(super) fn whole(ring: Ring, camera: &Camera) -> Vec<Pixel> {
     arc(ring, 0.0, TAU, camera)
 }
 
-/// The part of the picture in which the front of a ball is on one side of a plane.
+/// The part of the picture where the front of a ball is on one side of a plane.
 pub(super) fn region(
     ball: &Ball,
     plane: Plane,

@@ -27,8 +27,8 @@ pub(crate) struct Piece {
 }
 
 impl Piece {
-    /// Whether a piece of a ball is on the positive side of a surface's plane; `None` where the plane
-    /// is not known to the piece.
+    /// Whether a piece of a ball is on the positive side of a surface's plane; `None` where that
+    /// plane does not cut the ball.
     pub(super) fn side_of(&self, surface: Surface) -> Option<bool> {
         let mut sides = self.sides.iter();
         sides.find(|side| side.0 == surface).map(|side| side.2)

@@ -1,4 +1,4 @@
-//! The camera with which a picture fills its place.
+//! The camera that makes a scene fill the picture.
 
 use super::legend::Legend;
 use crate::camera::{Camera, Pixel};
@@ -9,7 +9,7 @@ use crate::stroke::all_curves;
 /// The space around the scene for labels and heads of arrows, in pixels.
 const MARGIN: f64 = 34.0;
 
-/// The camera with which all that is drawn fits beside the legend.
+/// The camera with which the scene fits into the picture beside the legend.
 pub(super) fn fitted(
     scene: &Scene,
     picture: &Picture,

@@ -10,7 +10,7 @@ use crate::escape::escaped;
 use crate::label::{Frame, text_width};
 use crate::scene::Scene;
 
-/// The title and the list of elements with labels, in the upper left corner.
+/// The title and the list of elements that have a label, in the upper left corner.
 pub(super) struct Legend {
     title: String,
     title_size: f64,
@@ -52,7 +52,7 @@ impl Legend {
         }
     }
 
-    /// The boxes that the list and the title take up.
+    /// The boxes of the list and of the title.
     pub(super) fn boxes(&self) -> [Frame; 2] {
         let lines = self.entries.len() as f64;
         let title = 16.0 + text_width(&self.title, self.title_size);

@@ -1,4 +1,4 @@
-//! Scalable Vector Graphics.
+//! Pictures in Scalable Vector Graphics (SVG).
 
 mod fit;
 mod legend;
@@ -32,7 +32,7 @@ pub(crate) fn draw(scene: &Scene) -> String {
          <title id=\"picture-title\">{}</title>\n<desc id=\"picture-description\">{}</desc>\n<style>{STYLE}</style>\n\
          <defs>\n{}</defs>\n<rect class=\"ground\" width=\"100%\" height=\"100%\" fill=\"{GROUND}\"/>\n{}</svg>\n",
         escaped(&scene.title),
-        escaped(&scene.told()),
+        escaped(&scene.description_or_list()),
         writer.defs,
         writer.body,
     )

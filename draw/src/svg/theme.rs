@@ -13,5 +13,5 @@ pub(super) const STYLE: &str = "\
 pub(super) const GROUND: &str = "#ffffff";
 /// Titles and labels.
 pub(super) const INK: &str = "#1b1f24";
-/// Texts of less weight.
+/// The names of axes and of kinds.
 pub(super) const FAINT: &str = "#5a626c";

@@ -1,4 +1,4 @@
-//! The elements of SVG for what a picture holds.
+//! SVG elements for the parts of a picture.
 
 use std::fmt::Write as _;
 
@@ -63,7 +63,7 @@ impl<'a> Writer<'a> {
         let free = strokes.iter().filter(|stroke| stroke.before.is_none());
         visible.extend(free.map(|stroke| (stroke.depth, Visible::Stroke(stroke))));
         let free = (0..dots.len()).filter(|dot| dots[*dot].is_none());
-        // A dot is on the lines through it.
+        // A dot is painted over the lines through it.
         visible
             .extend(free.map(|dot| (camera.depth(picture.dots[dot].at) + 0.1, Visible::Dot(dot))));
         visible.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -204,7 +204,7 @@ impl<'a> Writer<'a> {
         };
     }
 
-    /// Writes the labels where they do not cover what is taken.
+    /// Writes the labels beside the boxes that are taken.
     pub(super) fn labels(&mut self, camera: &Camera, size: Pixel, taken: &[Frame]) {
         for text in placed(self.picture, camera, size, taken) {
             let label = &self.picture.labels[text.label];
@@ -230,7 +230,7 @@ enum Visible<'a> {
     Dot(usize),
 }
 
-/// A colour with a part of grey in it.
+/// A colour mixed with a part of grey.
 fn mixed(colour: Colour, grey: f64, part: f64) -> Colour {
     Colour(
         colour

@@ -75,7 +75,7 @@ fn a_screw_about_an_axis_beside_the_origin() {
     let Shape::Trajectory { points, .. } = scene.unwrap().shapes().next().unwrap().clone() else {
         panic!()
     };
-    // Half a turn about x = 1 takes the origin to (2, 0), by (1, −1).
+    // A rotation by 180° about x = 1 takes the origin to (2, 0) through (1, −1).
     assert!(
         close(points[1], [1.0, -1.0, 2.0]) && close(points[2], [2.0, 0.0, 4.0]),
         "{points:?}"
@@ -165,11 +165,11 @@ fn errors_name_the_place_and_the_value() {
         ),
         (
             r#"{"point": [1e101, 0, 0]}"#,
-            "element 0: one of its coordinates or lengths is 1e101, and nothing beyond 1e100 is drawn",
+            "element 0: one of its coordinates or lengths is 1e101, which is beyond the limit of 1e100",
         ),
         (
             r#"{"blade": {"e21": 1}}"#,
-            "element 0: `e21` is no blade of cga3: blades are written as in scalar, e1, e12, e1o, e12oi, eoi",
+            "element 0: `e21` is not a basis blade of cga3: these are written as scalar, e1, e12, e1o, e12oi, eoi",
         ),
         (
             r#"{"blade": {"ei": 1}}"#,
@@ -177,7 +177,7 @@ fn errors_name_the_place_and_the_value() {
         ),
         (
             r#"{"point": [0, 0, 0], "colour": "red"}"#,
-            "element 0: `red` is no colour: it must be # and six hexadecimal digits, as in #0072b2",
+            "element 0: `red` is not a colour: it must be # and six hexadecimal digits, as in #0072b2",
         ),
         (
             r#"{"point": [0, 0, 0], "opacity": 2}"#,
@@ -189,7 +189,7 @@ fn errors_name_the_place_and_the_value() {
         ),
         (
             r#"{"trajectory": {"points": []}}"#,
-            "element 0: the trajectory has no place",
+            "element 0: the trajectory has no points",
         ),
     ] {
         assert_eq!(parsed(elements).unwrap_err().to_string(), message);

@@ -66,7 +66,7 @@ fn the_page_follows_keys_pointer_legend_and_address() {
         with_ball,
         down,
         dragged,
-        turned,
+        from_address,
         reset,
         wheel,
         double_click,
@@ -85,7 +85,7 @@ fn the_page_follows_keys_pointer_legend_and_address() {
     assert_eq!(down, &json!([]));
     // Moving by 25 pixels to the right rotates by −10 degrees, from azimuth 35 to 25.
     assert_ne!(dragged, first);
-    assert_eq!(turned, dragged);
+    assert_eq!(from_address, dragged);
     assert_eq!(reset, first);
     assert_ne!(wheel, first);
     assert_eq!(double_click, first);
