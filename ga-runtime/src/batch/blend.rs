@@ -1,9 +1,10 @@
-//! Weighted means of motors. They gather from all over the palette, which no path makes faster.
+//! Weighted means of motors. They gather from all over the palette, which no set of instructions
+//! makes faster.
 
 use core::fmt;
 
 use super::{Batch, LengthMismatch, same_length};
-use crate::cga3::{DualQuaternion, Motor};
+use crate::cga3::Motor;
 use crate::scalar::Real;
 
 /// Why motors cannot be blended.
@@ -20,7 +21,7 @@ pub enum BlendError {
         /// The number of motors in the palette.
         palette: usize,
     },
-    /// The weighted sum of this result is no multiple of a motor: the weights are all zero or not
+    /// The weighted sum of this result is not a multiple of a motor: the weights are all zero or not
     /// finite, or the motors cancel.
     NoDirection {
         /// The result.
@@ -79,29 +80,11 @@ impl Batch {
             }
         }
         for (element, (list, mean)) in influences.iter().zip(means).enumerate() {
-            *mean = weighted_mean(palette, list).ok_or(BlendError::NoDirection { element })?;
+            let counting = list.iter().filter(|(_, weight)| *weight != S::zero());
+            let weighted =
+                counting.filter_map(|&(place, weight)| Some((weight, *palette.get(place)?)));
+            *mean = Motor::blend_influences(weighted).ok_or(BlendError::NoDirection { element })?;
         }
         Ok(())
     }
-}
-
-fn weighted_mean<S: Real<Mask = bool>>(
-    palette: &[Motor<S>],
-    influences: &[(usize, S)],
-) -> Option<Motor<S>> {
-    let mut first: Option<Motor<S>> = None;
-    let mut sum = DualQuaternion::from(Motor::default()) * S::zero();
-    for &(place, weight) in influences {
-        let Some(motor) = palette.get(place).filter(|_| weight != S::zero()) else {
-            continue;
-        };
-        let reference = *first.get_or_insert(*motor);
-        let along = reference.scalar() * motor.scalar()
-            + reference.e12() * motor.e12()
-            + reference.e13() * motor.e13()
-            + reference.e23() * motor.e23();
-        let signed = S::select(along.less_than(S::zero()), -weight, weight);
-        sum += *motor * signed;
-    }
-    sum.normalize()
 }

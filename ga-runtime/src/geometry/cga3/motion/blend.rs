@@ -2,6 +2,7 @@
 
 use core::fmt::{Debug, Display, Formatter, Result as FmtResult};
 
+use super::alignment::aligned;
 use super::weight::{WeightError, checked};
 use crate::cga3::{DualQuaternion, Motor, Rotor};
 use crate::scalar::Real;
@@ -52,7 +53,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// of equal ones the first, and the result has that one's sign. So the sum cannot vanish.
     /// Weights count by their ratios. Of two motors with equal weights it is the middle of the
     /// screw from one to the other; elsewhere it is close to [`Motor::mean`] and costs no
-    /// logarithm.
+    /// logarithm. Without checks and for any list of influences it is
+    /// [`Motor::blend_influences`].
     ///
     /// # Errors
     /// No motors, a weight that is negative or not finite, no weight above zero, a motor that is
@@ -75,18 +77,37 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// );
     /// ```
     pub fn blend(weighted: &[(S, Self)]) -> Result<Self, BlendError<S>> {
-        let strongest = strongest(weighted)?;
-        let sum = aligned(weighted, strongest).fold(
-            DualQuaternion::default(),
-            |mut sum, (weight, motor)| {
-                sum += motor * weight;
-                sum
-            },
-        );
-        let blend = sum.normalize().ok_or(BlendError::OutOfRange)?;
-        is_finite(blend)
-            .then_some(blend)
+        let largest = largest_weight(weighted)?;
+        Self::blend_influences(counting(weighted, largest))
+            .filter(|&blend| is_finite(blend))
             .ok_or(BlendError::OutOfRange)
+    }
+
+    /// The same sum, `Σ wᵢ ±Mᵢ / |Σ wᵢ ±Mᵢ|`, for a caller with a list of its own: nothing is
+    /// allocated, and nothing is checked beforehand. This is the inner loop of skinning.
+    ///
+    /// Each motor enters with the sign that is nearer to the one of the largest weight, of equal
+    /// ones the first. `None` where the sum is not a multiple of a motor: there are no motors, the
+    /// weights are all zero or a number is not finite.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Motor, Translator};
+    /// let palette = [1.0, 5.0].map(|x| Motor::from(Translator::from_displacement([x, 0.0, 0.0])));
+    /// let influences = [(0, 0.25), (1, 0.75)];
+    /// let blend =
+    ///     Motor::blend_influences(influences.iter().map(|&(joint, weight)| (weight, palette[joint])));
+    /// assert_eq!(blend.unwrap().translator().displacement(), [4.0, 0.0, 0.0]);
+    /// ```
+    #[inline]
+    pub fn blend_influences<I>(weighted: I) -> Option<Self>
+    where
+        I: IntoIterator<Item = (S, Self), IntoIter: Clone>,
+    {
+        let mut sum = DualQuaternion::default();
+        for (weight, motor) in aligned(weighted.into_iter())? {
+            sum += motor * weight;
+        }
+        sum.normalize()
     }
 }
 
@@ -113,75 +134,35 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     }
 }
 
-/// Which motor has the largest weight, of equal ones the first.
-pub(super) fn strongest<S: Real<Mask = bool>>(
+/// Checks the motors and their weights, and gives the largest weight.
+pub(super) fn largest_weight<S: Real<Mask = bool>>(
     weighted: &[(S, Motor<S>)],
-) -> Result<usize, BlendError<S>> {
-    let mut best = 0;
+) -> Result<S, BlendError<S>> {
+    let mut largest = S::zero();
     for (index, &(weight, motor)) in weighted.iter().enumerate() {
-        checked(index, weight)?;
+        largest = largest.max(checked(index, weight)?);
         if !is_finite(motor) {
             return Err(BlendError::NotFinite { index });
         }
-        if weighted[best].0.less_than(weight) {
-            best = index;
-        }
     }
-    let &(largest, _) = weighted.get(best).ok_or(BlendError::Empty)?;
+    if weighted.is_empty() {
+        return Err(BlendError::Empty);
+    }
     if !S::zero().less_than(largest) {
         return Err(WeightError::AllZero.into());
     }
-    Ok(best)
+    Ok(largest)
 }
 
-/// The motors of weights above zero, with the sign nearer to that of the strongest, whose weight
-/// becomes 1. What is half a turn away from that one, as far as can be told, takes the sign nearer
-/// to the sum of the others.
-pub(super) fn aligned<S: Real<Mask = bool>>(
+/// The motors of weights above zero; the largest weight becomes 1.
+pub(super) fn counting<S: Real<Mask = bool>>(
     weighted: &[(S, Motor<S>)],
-    strongest: usize,
-) -> impl Iterator<Item = (S, Motor<S>)> {
-    let (largest, guide) = weighted[strongest];
-    let guide = coordinates(guide);
-    let counting = || {
-        weighted
-            .iter()
-            .filter(|(weight, _)| S::zero().less_than(*weight))
-            .map(move |&(weight, motor)| {
-                (
-                    weight / largest,
-                    motor,
-                    rotor_product(guide, coordinates(motor)),
-                )
-            })
-    };
-    let doubtful = S::epsilon() * S::from_integer(64);
-    let others = counting()
-        .filter(|(_, _, product)| doubtful.less_than(product.abs()))
-        .fold([S::zero(); 4], |sum, (weight, motor, product)| {
-            let weight = S::select(product.less_than(S::zero()), -weight, weight);
-            let rotor = coordinates(motor);
-            core::array::from_fn(|k| rotor[k].mul_add(weight, sum[k]))
-        });
-    counting().map(move |(weight, motor, product)| {
-        let product = if doubtful.less_than(product.abs()) {
-            product
-        } else {
-            rotor_product(others, coordinates(motor))
-        };
-        let is_turned_back = product.less_than(S::zero());
-        (weight, if is_turned_back { -motor } else { motor })
-    })
-}
-
-/// The coefficients of the turn: a unit quaternion, but for the signs of its basis.
-pub(super) fn coordinates<S: Real>(motor: Motor<S>) -> [S; 4] {
-    [motor.scalar(), motor.e12(), motor.e13(), motor.e23()]
-}
-
-/// For two rotors the cosine of half the angle between them.
-fn rotor_product<S: Real>(a: [S; 4], b: [S; 4]) -> S {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3]
+    largest: S,
+) -> impl Iterator<Item = (S, Motor<S>)> + Clone {
+    weighted
+        .iter()
+        .filter(|(weight, _)| S::zero().less_than(*weight))
+        .map(move |&(weight, motor)| (weight / largest, motor))
 }
 
 pub(super) fn is_finite<S: Real<Mask = bool>>(motor: Motor<S>) -> bool {

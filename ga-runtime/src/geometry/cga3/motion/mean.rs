@@ -3,7 +3,8 @@
 use alloc::vec::Vec;
 use core::fmt::{Debug, Display, Formatter, Result as FmtResult};
 
-use super::blend::{BlendError, aligned, coordinates, is_finite, strongest};
+use super::alignment::{aligned, rotor_coordinates};
+use super::blend::{BlendError, counting, is_finite, largest_weight};
 use super::enclosing::lie_in_quarter_ball;
 use super::matrix::{Matrix, solve};
 use crate::cga3::{DualQuaternion, Motor, MotorGenerator, Rotor, Translator};
@@ -141,11 +142,17 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// ));
     /// ```
     pub fn mean(weighted: &[(S, Self)]) -> Result<Mean<Self, S>, MeanError<S>> {
-        let strongest = strongest(weighted)?;
-        let terms: Vec<_> = aligned(weighted, strongest).collect();
+        let largest = largest_weight(weighted)?;
+        let terms: Vec<_> = aligned(counting(weighted, largest))
+            .into_iter()
+            .flatten()
+            .collect();
         let blend = Self::blend(weighted)?;
-        let rotors: Vec<_> = terms.iter().map(|&(_, motor)| coordinates(motor)).collect();
-        if !lie_in_quarter_ball(&rotors, coordinates(blend)) {
+        let rotors: Vec<_> = terms
+            .iter()
+            .map(|&(_, motor)| rotor_coordinates(motor))
+            .collect();
+        if !lie_in_quarter_ball(&rotors, rotor_coordinates(blend)) {
             let (index, angle) = farthest(weighted, blend);
             return Err(MeanError::NotUnique { index, angle });
         }

@@ -24,6 +24,7 @@
 //! [`Similarity::from_point_pairs`]: crate::cga3::Similarity::from_point_pairs
 //! [`Rotor::from_direction_pairs`]: crate::cga3::Rotor::from_direction_pairs
 
+mod alignment;
 mod blend;
 mod curve;
 mod enclosing;
