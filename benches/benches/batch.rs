@@ -1,7 +1,7 @@
 //! Slices of elements moved at once, beside loops over glam's types.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use ga_runtime::batch::{Batch, Moved, Path};
+use ga_runtime::batch::{Batch, InstructionSet, Moved};
 use ga_runtime::cga3::{Direction, Infinity, Line, Motor, Point, Sphere};
 use ga_runtime::ga;
 use nullcone_benches::comparison::{self, Comparison};
@@ -13,9 +13,9 @@ ga! { ga_runtime::cga3;
     fn moving(uniform m: Motor, p: Point) -> Point { m * p * rev(m) }
 }
 
-const PATHS: [(Path, &str); 2] = [
-    (Path::Baseline, "nullcone baseline"),
-    (Path::Avx2, "nullcone dispatched"),
+const INSTRUCTION_SETS: [(InstructionSet, &str); 2] = [
+    (InstructionSet::Baseline, "nullcone baseline"),
+    (InstructionSet::Avx2, "nullcone dispatched"),
 ];
 
 fn one_motor_points<S: Precision>(criterion: &mut Criterion) {
@@ -32,14 +32,18 @@ fn one_motor_points<S: Precision>(criterion: &mut Criterion) {
             *moved = moving.apply(*point);
         }
     });
-    by_paths(&mut group, motor, &points);
+    by_instruction_sets(&mut group, motor, &points);
     group.map(S::MATRIX, &vectors, |v| S::by_matrix(&matrix, v));
     group.map(S::AFFINE, &vectors, |v| S::by_affine(&affine, v));
 }
 
-fn by_paths<S: Precision, X: Moved<S>>(group: &mut Comparison<'_>, motor: Motor<S>, things: &[X]) {
-    for (path, name) in PATHS {
-        let batch = Batch::on(path);
+fn by_instruction_sets<S: Precision, X: Moved<S>>(
+    group: &mut Comparison<'_>,
+    motor: Motor<S>,
+    things: &[X],
+) {
+    for (set, name) in INSTRUCTION_SETS {
+        let batch = Batch::on(set);
         group.whole(name, things, things, |things, moved| {
             // The lengths are equal.
             let _ = batch.transform_into(&motor, things, moved);
@@ -65,14 +69,14 @@ fn one_motor<S: Precision>(criterion: &mut Criterion) {
         .collect();
     let name = format!("batch/one-motor-directions-{}", S::NAME);
     let mut group = Comparison::new(criterion, &name);
-    by_paths(&mut group, motor, &directions);
+    by_instruction_sets(&mut group, motor, &directions);
     group.map(S::AFFINE, &vectors, |v| S::turned_by_affine(&affine, v));
     drop(group);
 
     let lines: Vec<Line<S>> = points.iter().map(|[p, q, ..]| *p ^ *q ^ Infinity).collect();
     let name = format!("batch/one-motor-lines-{}", S::NAME);
     let mut group = Comparison::new(criterion, &name);
-    by_paths(&mut group, motor, &lines);
+    by_instruction_sets(&mut group, motor, &lines);
     drop(group);
 
     let spheres: Vec<Sphere<S>> = points
@@ -81,7 +85,7 @@ fn one_motor<S: Precision>(criterion: &mut Criterion) {
         .collect();
     let name = format!("batch/one-motor-spheres-{}", S::NAME);
     let mut group = Comparison::new(criterion, &name);
-    by_paths(&mut group, motor, &spheres);
+    by_instruction_sets(&mut group, motor, &spheres);
 }
 
 fn each_motor<S: Precision>(criterion: &mut Criterion) {
@@ -92,8 +96,8 @@ fn each_motor<S: Precision>(criterion: &mut Criterion) {
     let vectors: Vec<_> = points.iter().map(|p| S::vector(p.coordinates())).collect();
     let name = format!("batch/each-motor-point-{}", S::NAME);
     let mut group = Comparison::new(criterion, &name);
-    for (path, name) in PATHS {
-        let batch = Batch::on(path);
+    for (set, name) in INSTRUCTION_SETS {
+        let batch = Batch::on(set);
         group.whole(name, &motors, &points, |motors, moved| {
             let _ = batch.transform_each(motors, &points, moved);
         });
@@ -104,8 +108,8 @@ fn each_motor<S: Precision>(criterion: &mut Criterion) {
     let affines: Vec<_> = motors.iter().map(|m| S::affine(m.to_matrix())).collect();
     let name = format!("batch/motor-motor-{}", S::NAME);
     let mut group = Comparison::new(criterion, &name);
-    for (path, name) in PATHS {
-        let batch = Batch::on(path);
+    for (set, name) in INSTRUCTION_SETS {
+        let batch = Batch::on(set);
         group.whole(name, &motors, &motors, |motors, products| {
             let _ = batch.compose(motors, motors, products);
         });

@@ -2,6 +2,12 @@
 #![cfg_attr(not(feature = "std"), no_std)]
 extern crate alloc;
 
+#[cfg(not(any(feature = "std", feature = "libm")))]
+compile_error!(
+    "ga-runtime needs a source of elementary functions: enable its feature `std` (the default), or \
+     `libm` for builds without the standard library"
+);
+
 #[doc(hidden)]
 #[path = "private.rs"]
 pub mod __private;
@@ -18,6 +24,7 @@ pub mod products;
 pub mod scalar;
 #[cfg(feature = "testing")]
 pub mod testing;
+mod unsafe_code;
 
 #[doc = include_str!("../docs/translation.md")]
 pub mod translation {}

@@ -1,62 +1,31 @@
-//! All unsafe code: the choice of instructions when the program runs, and types as plain memory.
+//! All unsafe code of the workspace, in one file so that it can be reviewed at once. There are two
+//! kinds:
+//!
+//! - A loop compiled for AVX2 is called after the processor was asked whether it has AVX2. To call
+//!   it on another processor would be undefined behaviour; [`run`] is the only caller.
+//! - bytemuck's traits `Zeroable` and `Pod` are implemented for the declared types. They promise
+//!   that a type has no padding and that any bits are a valid value; the layout is checked by
+//!   assertions when the crate is compiled.
 
 #![allow(unsafe_code)]
 
-/// Instructions for which the loops of this module are compiled.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Path {
-    /// Those of the target that the program is built for.
-    Baseline,
-    /// AVX2 with FMA registers, on x86-64 processors that have them. Needs the feature `std`, which
-    /// can ask the processor.
-    Avx2,
-}
-
-impl Path {
-    /// Whether the processor has the instructions.
-    #[must_use]
-    pub fn is_available(self) -> bool {
-        match self {
-            Self::Baseline => true,
-            Self::Avx2 => has_avx2(),
-        }
-    }
-
-    /// The fastest path that the processor has.
-    #[must_use]
-    pub fn best() -> Self {
-        if has_avx2() {
-            Self::Avx2
-        } else {
-            Self::Baseline
-        }
-    }
-}
-
-#[cfg(all(feature = "std", target_arch = "x86_64"))]
-fn has_avx2() -> bool {
-    std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma")
-}
-
-#[cfg(not(all(feature = "std", target_arch = "x86_64")))]
-fn has_avx2() -> bool {
-    false
-}
+use crate::batch::InstructionSet;
 
 /// A loop that can be compiled for several sets of instructions. `run` must be `#[inline(always)]`,
 /// so that it becomes part of the function that asks for them.
-pub(super) trait Work {
+pub(crate) trait Work {
     fn run(self);
 }
 
-/// Runs a loop on a path.
+/// Runs a loop with a set of instructions, or with those of the target where the processor lacks
+/// it.
 #[inline]
-pub(super) fn run(path: Path, work: impl Work) {
-    match path {
+pub(crate) fn run(set: InstructionSet, work: impl Work) {
+    match set {
         #[cfg(all(feature = "std", target_arch = "x86_64"))]
-        Path::Avx2 if has_avx2() => {
-            // SAFETY: the function needs the processor to have AVX2 and FMA and nothing else, and
-            // it was asked just now.
+        InstructionSet::Avx2 if set.is_available() => {
+            // SAFETY: the only requirement of the function is that the processor has AVX2 and FMA,
+            // which `is_available` has just asked it.
             unsafe { run_with_avx2(work) }
         }
         _ => work.run(),
@@ -69,15 +38,15 @@ fn run_with_avx2(work: impl Work) {
     work.run();
 }
 
-/// Plain memory by the traits of bytemuck. It is here because it takes unsafe code, and all of that
-/// stays in one file; `interop::bytemuck` documents it and lists the types.
+/// Marks the declared types as plain memory by the traits of bytemuck. `interop::bytemuck`
+/// documents this and lists the types.
 #[cfg(feature = "bytemuck-1")]
 macro_rules! plain_memory {
     ($module:ident { $($name:ident $count:literal),* }) => { $(
         // SAFETY: what `algebra!` declares is `repr(C)` with one field of type S for each stored
         // coefficient, so that its size is a multiple of its alignment, which is that of S, and
-        // there is no padding. The assertion shows that the fields are those and no others. Any
-        // values of them are a valid value: facts are no matter of memory safety.
+        // there is no padding. The assertions check the count of the fields. Any values of them
+        // are a valid value: a broken fact gives wrong results, not undefined behaviour.
         unsafe impl<S: bytemuck_1::Zeroable> bytemuck_1::Zeroable for crate::$module::$name<S> {}
         // SAFETY: the same.
         unsafe impl<S: bytemuck_1::Pod> bytemuck_1::Pod for crate::$module::$name<S> {}

@@ -20,19 +20,19 @@
 //!
 //! Elements stand in memory as everywhere, one after the other. The loops that move them are
 //! compiled twice, for the target of the build and for AVX2, and [`Batch`] chooses when the program
-//! runs. On both ways the compiler turns them into vector instructions, which is faster than
-//! gathering into [`Lanes`](crate::scalar::Lanes) number by number (0.7 ns a point instead of 1.3).
-//! Products are fused with sums only if the whole program is built for a processor that does so,
-//! and then on both ways: the results of both are the same to the last bit. Those of
+//! runs. In both the compiler turns them into vector instructions, which is faster than gathering
+//! into [`Lanes`](crate::scalar::Lanes) number by number (0.7 ns a point instead of 1.3). Products
+//! are fused with sums only if the whole program is built for a processor that does so, and then in
+//! both: their results are the same to the last bit. Those of
 //! [`transform_each`] and [`compose`] are also those of the methods on single elements;
 //! [`transform`] multiplies by a matrix, which rounds in another order, to within a few dozen ε of
-//! the largest coefficient of what is moved and the shift.
+//! the largest coefficient of what is moved and the translation.
 //!
 //! Infinite and NaN coefficients go through the arithmetic. Slices of different lengths are an
 //! error, and then nothing is written.
 
 mod blend;
-mod dispatch;
+mod instruction_set;
 mod moved;
 mod screw;
 mod transform;
@@ -40,7 +40,10 @@ mod transform;
 use core::fmt;
 
 pub use blend::BlendError;
-pub use dispatch::Path;
+pub use instruction_set::InstructionSet;
+/// The short name of [`InstructionSet`].
+#[doc(no_inline)]
+pub use instruction_set::InstructionSet as Path;
 pub use moved::Moved;
 
 use crate::cga3::{Motor, MotorGenerator};
@@ -75,19 +78,19 @@ fn same_length(expected: usize, found: usize) -> Result<(), LengthMismatch> {
     }
 }
 
-/// The operations on slices by a given path of instructions. The functions of this module take the
+/// The operations on slices by a given set of instructions. The functions of this module take the
 /// best one.
 ///
 /// ```
-/// use ga_runtime::batch::{Batch, Path};
+/// use ga_runtime::batch::{Batch, InstructionSet};
 /// use ga_runtime::cga3::{Motor, Point};
-/// let baseline = Batch::on(Path::Baseline);
+/// let baseline = Batch::on(InstructionSet::Baseline);
 /// let mut points = [Point::new(1.0, 2.0, 3.0)];
 /// baseline.transform(&Motor::default(), &mut points);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Batch {
-    path: Path,
+    instruction_set: InstructionSet,
 }
 
 impl Default for Batch {
@@ -97,27 +100,34 @@ impl Default for Batch {
 }
 
 impl Batch {
-    /// The best path that the processor has.
+    /// The best set of instructions that the processor has.
     #[must_use]
     pub fn new() -> Self {
-        Self::on(Path::best())
+        Self::on(InstructionSet::best())
     }
 
-    /// A given path; one that the processor lacks is replaced by [`Path::Baseline`].
+    /// A given set of instructions; one that the processor lacks is replaced by
+    /// [`InstructionSet::Baseline`].
     #[must_use]
-    pub fn on(path: Path) -> Self {
-        let path = if path.is_available() {
-            path
+    pub fn on(set: InstructionSet) -> Self {
+        let instruction_set = if set.is_available() {
+            set
         } else {
-            Path::Baseline
+            InstructionSet::Baseline
         };
-        Self { path }
+        Self { instruction_set }
     }
 
-    /// The path that is taken.
+    /// The set of instructions in use.
     #[must_use]
-    pub fn path(self) -> Path {
-        self.path
+    pub fn instruction_set(self) -> InstructionSet {
+        self.instruction_set
+    }
+
+    /// The same as [`instruction_set`](Self::instruction_set), which says what it is.
+    #[must_use]
+    pub fn path(self) -> InstructionSet {
+        self.instruction_set
     }
 }
 
@@ -177,9 +187,10 @@ pub fn compose<S: Real>(
 /// Weighted means of motors from a palette, normalised: each result has K influences, pairs of a
 /// place in the palette and a weight.
 ///
-/// A motor and its negative move alike; those that point away from the first influence whose weight
-/// is not zero are turned round, so that the mean goes the short way. Influences of weight zero are
-/// passed over, whatever their place.
+/// This is [`Motor::blend_influences`] of each list: a motor and its negative move alike, so each
+/// enters with the sign that is nearer to the one of the largest weight, of equal ones the first.
+/// The mean goes the short way and has the sign of that one. Influences of weight zero are passed
+/// over, whatever their place.
 ///
 /// ```
 /// use ga_runtime::batch;

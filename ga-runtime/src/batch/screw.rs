@@ -1,9 +1,9 @@
 //! Logarithms and exponentials of slices.
 
-use super::dispatch::{Work, run};
 use super::{Batch, LengthMismatch, same_length};
 use crate::cga3::{Motor, MotorGenerator};
 use crate::scalar::Real;
+use crate::unsafe_code::{Work, run};
 
 impl Batch {
     /// See [`log`](super::log).
@@ -16,7 +16,7 @@ impl Batch {
         generators: &mut [MotorGenerator<S>],
     ) -> Result<(), LengthMismatch> {
         same_length(motors.len(), generators.len())?;
-        run(self.path, Logarithms { motors, generators });
+        run(self.instruction_set, Logarithms { motors, generators });
         Ok(())
     }
 
@@ -30,7 +30,7 @@ impl Batch {
         motors: &mut [Motor<S>],
     ) -> Result<(), LengthMismatch> {
         same_length(generators.len(), motors.len())?;
-        run(self.path, Exponentials { generators, motors });
+        run(self.instruction_set, Exponentials { generators, motors });
         Ok(())
     }
 }

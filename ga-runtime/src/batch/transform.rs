@@ -1,15 +1,15 @@
 //! Motors on slices.
 
-use super::dispatch::{Work, run};
 use super::{Batch, LengthMismatch, Moved, same_length};
 use crate::cga3::Motor;
 use crate::scalar::Real;
+use crate::unsafe_code::{Work, run};
 
 impl Batch {
     /// See [`transform`](super::transform).
     pub fn transform<S: Real, X: Moved<S>>(self, motor: &Motor<S>, elements: &mut [X]) {
         let map = X::map(*motor);
-        run(self.path, InPlace { map, elements });
+        run(self.instruction_set, InPlace { map, elements });
     }
 
     /// See [`transform_into`](super::transform_into).
@@ -25,7 +25,7 @@ impl Batch {
         same_length(elements.len(), moved.len())?;
         let map = X::map(*motor);
         run(
-            self.path,
+            self.instruction_set,
             Into {
                 map,
                 elements,
@@ -48,7 +48,7 @@ impl Batch {
         same_length(motors.len(), elements.len())?;
         same_length(motors.len(), moved.len())?;
         run(
-            self.path,
+            self.instruction_set,
             Each {
                 motors,
                 elements,
@@ -71,7 +71,7 @@ impl Batch {
         same_length(left.len(), right.len())?;
         same_length(left.len(), products.len())?;
         run(
-            self.path,
+            self.instruction_set,
             Compose {
                 left,
                 right,

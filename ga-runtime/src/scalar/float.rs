@@ -9,11 +9,19 @@ macro_rules! elementary {
         <$type>::$standard($($argument),+)
     };
 }
-#[cfg(not(feature = "std"))]
+#[cfg(all(not(feature = "std"), feature = "libm"))]
 macro_rules! elementary {
     ($type:ty, $standard:ident, $free:ident, $($argument:expr),+) => {
         libm::$free($($argument),+)
     };
+}
+// Without either, the crate says so in one error; this keeps others from joining it.
+#[cfg(not(any(feature = "std", feature = "libm")))]
+macro_rules! elementary {
+    ($type:ty, $standard:ident, $free:ident, $($argument:expr),+) => {{
+        $(let _ = $argument;)+
+        <$type>::NAN
+    }};
 }
 
 macro_rules! implement_float {

@@ -1,10 +1,10 @@
 //! Batches against the same operations on single elements, to the last bit, for every length and on
-//! every path.
+//! every set of instructions.
 
-use ga_runtime::batch::{self, Batch, BlendError, LengthMismatch, Moved, Path};
+use ga_runtime::batch::{self, Batch, BlendError, InstructionSet, LengthMismatch, Moved};
 use ga_runtime::cga3::{
-    Circle, Direction, DualPlane, FlatPoint, Line, Motor, Plane, Point, PointPair, RoundVector,
-    Sphere, Translator,
+    Circle, Direction, DualPlane, FlatPoint, Line, Motor, Plane, Point, PointPair, Rotor,
+    RoundVector, Sphere, Translator,
 };
 use ga_runtime::scalar::{Field, Real};
 use ga_runtime::testing::{assert_close, member};
@@ -13,7 +13,7 @@ use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 
-const PATHS: [Path; 2] = [Path::Baseline, Path::Avx2];
+const INSTRUCTION_SETS: [InstructionSet; 2] = [InstructionSet::Baseline, InstructionSet::Avx2];
 
 /// Reproducible members of a type.
 fn members<T>(count: usize) -> Vec<T>
@@ -45,8 +45,8 @@ where
             .map(|(m, x)| m.transform(*x))
             .collect();
         let mut by_baseline = None;
-        for path in PATHS {
-            let batch = Batch::on(path);
+        for set in INSTRUCTION_SETS {
+            let batch = Batch::on(set);
             let mut moved = vec![elements.first().copied(); length]
                 .into_iter()
                 .flatten()
@@ -54,7 +54,7 @@ where
             batch
                 .transform_each(motors, elements, &mut moved)
                 .expect("one length");
-            assert_eq!(moved, each, "{path:?}, {length} elements");
+            assert_eq!(moved, each, "{set:?}, {length} elements");
             // One motor: a linear map, which rounds in another order than the product of one
             // element.
             let motor = members::<Motor<S>>(42)[41];
@@ -63,7 +63,7 @@ where
                 .expect("one length");
             let mut in_place = elements.to_vec();
             batch.transform(&motor, &mut in_place);
-            assert_eq!(in_place, moved, "{path:?}, {length} elements");
+            assert_eq!(in_place, moved, "{set:?}, {length} elements");
             assert_eq!(
                 *by_baseline.get_or_insert_with(|| moved.clone()),
                 moved,
@@ -112,8 +112,8 @@ where
     let other: Vec<_> = motors.iter().rev().copied().collect();
     for length in 0..=40 {
         let (left, right) = (&motors[..length], &other[..length]);
-        for path in PATHS {
-            let batch = Batch::on(path);
+        for set in INSTRUCTION_SETS {
+            let batch = Batch::on(set);
             let mut products = vec![Motor::default(); length];
             batch
                 .compose(left, right, &mut products)
@@ -153,9 +153,58 @@ fn blends_are_normalised_sums_the_short_way() {
             let mut found = [Motor::default()];
             batch::blend(&palette, &[[(i, 0.25), (j, 0.75)]], &mut found).expect("a mean");
             let sign = if dot(a, b) < 0.0 { -1.0 } else { 1.0 };
-            assert_close!(found[0], mean(*a, *b, 0.25, sign * 0.75), 1e-13);
+            assert_close!(found[0], mean(*a, *b, sign * 0.25, 0.75), 1e-13);
         }
     }
+}
+
+#[test]
+fn every_blend_has_the_sign_of_the_heaviest() {
+    let about = |angle: f64| {
+        let rotor = Rotor::from_axis_angle([0.0, 0.0, 1.0], angle).expect("an axis");
+        Translator::from_displacement([angle, 0.0, 2.0]) * rotor
+    };
+    // By the weights, and of equal weights by the order, the second of these decides.
+    for weights in [[0.2, 0.5, 0.3], [0.1, 0.45, 0.45]] {
+        for signs in [
+            [1.0, 1.0, 1.0],
+            [-1.0, 1.0, 1.0],
+            [1.0, -1.0, 1.0],
+            [1.0, -1.0, -1.0],
+        ] {
+            let motors: Vec<_> = [0.3, 0.5, 1.0]
+                .iter()
+                .zip(signs)
+                .map(|(&angle, sign)| {
+                    if sign < 0.0 {
+                        -about(angle)
+                    } else {
+                        about(angle)
+                    }
+                })
+                .collect();
+            let weighted: Vec<_> = weights.into_iter().zip(motors.iter().copied()).collect();
+            let influences = [0, 1, 2].map(|k| (k, weights[k]));
+            let mut batched = [Motor::default()];
+            batch::blend(&motors, &[influences], &mut batched).expect("a mean");
+            let found = [
+                Motor::blend(&weighted).expect("a mean"),
+                Motor::blend_influences(weighted).expect("a mean"),
+                batched[0],
+            ];
+            // The half-angle of the sum is between those of its terms, where its cosine is
+            // positive: a negative scalar is the sign of the heaviest.
+            for motor in found {
+                assert!(
+                    motor.scalar() * signs[1] > 0.0,
+                    "{weights:?} {signs:?} {motor:?}"
+                );
+                assert!((motor.scalar().abs() - 0.3_f64.cos()).abs() < 0.05);
+                assert_close!(motor, found[0], 1e-14);
+            }
+        }
+    }
+    assert_eq!(Motor::<f64>::blend_influences([]), None);
 }
 
 #[test]
@@ -206,11 +255,11 @@ fn what_is_wrong_is_said() {
 #[test]
 fn what_is_not_finite_goes_through() {
     let motor = Motor::from(Translator::from_displacement([1.0, 0.0, 0.0]));
-    for path in PATHS {
+    for set in INSTRUCTION_SETS {
         let mut points = vec![Point::new(0.0, 0.0, 0.0); 9];
         points[4] = Point::new(f64::NAN, 0.0, 0.0);
         points[5] = Point::new(0.0, f64::INFINITY, 0.0);
-        Batch::on(path).transform(&motor, &mut points);
+        Batch::on(set).transform(&motor, &mut points);
         assert!(points[4].e1().is_nan());
         assert!(!points[5].e2().is_finite());
         for place in [0, 3, 6, 8] {
@@ -220,8 +269,11 @@ fn what_is_not_finite_goes_through() {
 }
 
 #[test]
-fn paths_are_those_of_the_processor() {
-    assert!(Path::Baseline.is_available() && Path::best().is_available());
-    let path = Batch::on(Path::Avx2).path();
-    assert_eq!(path == Path::Avx2, Path::Avx2.is_available());
+fn instruction_sets_are_those_of_the_processor() {
+    assert!(InstructionSet::Baseline.is_available() && InstructionSet::best().is_available());
+    let set = Batch::on(InstructionSet::Avx2).instruction_set();
+    assert_eq!(
+        set == InstructionSet::Avx2,
+        InstructionSet::Avx2.is_available()
+    );
 }

@@ -2,7 +2,7 @@
 //! knows of other crates.
 #![no_std]
 
-use ga_runtime::batch::{Batch, Path};
+use ga_runtime::batch::{Batch, InstructionSet};
 use ga_runtime::cga3::{Motor, MotorGenerator, Point, Rotor, Translator};
 
 ga_runtime::ga! { ga_runtime::cga3;
@@ -26,7 +26,7 @@ pub fn part(motor: Motor<f64>, t: f64) -> Motor<f64> {
 
 /// Moves all points by the instructions that every processor has.
 pub fn move_all(motor: &Motor<f32>, points: &mut [Point<f32>]) {
-    Batch::on(Path::Baseline).transform(motor, points);
+    Batch::on(InstructionSet::Baseline).transform(motor, points);
 }
 
 /// The motion of a vector and quaternion of glam, taken through nalgebra; `None` where the

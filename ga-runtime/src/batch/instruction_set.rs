@@ -1,0 +1,42 @@
+//! Sets of instructions that a processor may have.
+
+/// Instructions for which the loops of [`batch`](crate::batch) are compiled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum InstructionSet {
+    /// Those of the target that the program is built for.
+    Baseline,
+    /// AVX2 with FMA registers, on x86-64 processors that have them. Needs the feature `std`, which
+    /// can ask the processor.
+    Avx2,
+}
+
+impl InstructionSet {
+    /// Whether the processor has the instructions.
+    #[must_use]
+    pub fn is_available(self) -> bool {
+        match self {
+            Self::Baseline => true,
+            Self::Avx2 => has_avx2(),
+        }
+    }
+
+    /// The fastest set that the processor has.
+    #[must_use]
+    pub fn best() -> Self {
+        if has_avx2() {
+            Self::Avx2
+        } else {
+            Self::Baseline
+        }
+    }
+}
+
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+fn has_avx2() -> bool {
+    std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma")
+}
+
+#[cfg(not(all(feature = "std", target_arch = "x86_64")))]
+fn has_avx2() -> bool {
+    false
+}
