@@ -6,34 +6,10 @@ use ga_runtime::cga2::{
     Circle, Dilator, Direction, DualLine, Infinity, Line, Motor, MotorGenerator, Point, PointPair,
     Rotor, RoundVector, Translator,
 };
+use nullcone_tests::plain::near_all;
 use proptest::prelude::*;
 
-use super::assert_near;
-
-fn vector() -> impl Strategy<Value = [f64; 2]> + Clone {
-    prop::array::uniform2(-5.0..5.0_f64)
-}
-
-fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
-    let (sine, cosine) = angle.sin_cos();
-    [cosine * x - sine * y, sine * x + cosine * y]
-}
-
-fn plus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
-    [a[0] + b[0], a[1] + b[1]]
-}
-
-fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
-    [a[0] - b[0], a[1] - b[1]]
-}
-
-fn times(a: [f64; 2], factor: f64) -> [f64; 2] {
-    a.map(|x| x * factor)
-}
-
-fn length([x, y]: [f64; 2]) -> f64 {
-    x.hypot(y)
-}
+use super::plane::{length, minus, plus, rotated, times, vector};
 
 fn coefficients(m: Motor<f64>) -> [f64; 4] {
     [m.scalar(), m.e12(), m.e1i(), m.e2i()]
@@ -42,36 +18,36 @@ fn coefficients(m: Motor<f64>) -> [f64; 4] {
 proptest! {
     #[test]
     fn three_points_lie_on_their_circle(
-        centre in vector(), radius in 0.5..4.0_f64, start in -PI..PI, b in 0.5..2.5_f64, c in 0.5..2.5_f64,
+        centre in vector(5.0), radius in 0.5..4.0_f64, start in -PI..PI, b in 0.5..2.5_f64, c in 0.5..2.5_f64,
     ) {
-        let on = |angle: f64| Point::from(plus(centre, turned([radius, 0.0], angle)));
+        let on = |angle: f64| Point::from(plus(centre, rotated([radius, 0.0], angle)));
         let (p, q, r) = (on(start), on(start + b), on(start + b + c));
         let circle = Circle::through(p, q, r);
-        assert_near(circle.centre().unwrap().coordinates(), centre, 1e-11);
-        assert_near([circle.radius().unwrap()], [radius], 1e-11);
+        near_all(circle.centre().unwrap().coordinates(), centre, 1e-11);
+        near_all([circle.radius().unwrap()], [radius], 1e-11);
         // Counterclockwise points give a positive weight, twice the area of their triangle.
         let (u, v) = (minus(q.coordinates(), p.coordinates()), minus(r.coordinates(), p.coordinates()));
-        assert_near([circle.e12o], [u[0] * v[1] - u[1] * v[0]], 1e-12);
+        near_all([circle.e12o], [u[0] * v[1] - u[1] * v[0]], 1e-12);
         let made = Circle::from_centre_radius(Point::from(centre), radius);
-        assert_near(
+        near_all(
             [made.e12o, made.e12i, made.e1oi, made.e2oi],
             [circle.e12o, circle.e12i, circle.e1oi, circle.e2oi].map(|x| x / circle.e12o),
             1e-10,
         );
         // A fourth point of the circle, and one that is not.
-        assert_near([(made ^ on(start - 1.0)).e12oi], [0.0], 1e-12);
+        near_all([(made ^ on(start - 1.0)).e12oi], [0.0], 1e-12);
         let outside = Point::from(plus(centre, [radius + 1.0, 0.0]));
-        assert_near([(made ^ outside).e12oi.abs()], [0.5 * (2.0 * radius + 1.0)], 1e-11);
+        near_all([(made ^ outside).e12oi.abs()], [0.5 * (2.0 * radius + 1.0)], 1e-11);
         prop_assert_eq!(Circle::through(p, q, r), p ^ q ^ r);
-        assert_near([made.dual().centre().unwrap().e1(), made.dual().radius_squared().unwrap()], [centre[0], radius * radius], 1e-12);
+        near_all([made.dual().centre().unwrap().e1(), made.dual().radius_squared().unwrap()], [centre[0], radius * radius], 1e-12);
     }
 
     #[test]
     fn circles_meet_in_points_of_both(
-        a in vector(), angle in -PI..PI, distance in 1.0..4.0_f64, share in 0.1..0.9_f64, r in 1.0..3.0_f64,
+        a in vector(5.0), angle in -PI..PI, distance in 1.0..4.0_f64, share in 0.1..0.9_f64, r in 1.0..3.0_f64,
     ) {
         // The other radius is chosen so that they cut each other.
-        let b = plus(a, turned([distance, 0.0], angle));
+        let b = plus(a, rotated([distance, 0.0], angle));
         let s = (distance - r).abs() + share * (distance + r - (distance - r).abs());
         let (first, second) = (
             Circle::from_centre_radius(Point::from(a), r),
@@ -79,98 +55,98 @@ proptest! {
         );
         let [p, q] = (first & second).endpoints().unwrap().map(Point::coordinates);
         for x in [p, q] {
-            assert_near([length(minus(x, a)), length(minus(x, b))], [r, s], 1e-9);
+            near_all([length(minus(x, a)), length(minus(x, b))], [r, s], 1e-9);
         }
         // Their middle lies where the radical axis crosses the line of centres.
         let along = (distance * distance + r * r - s * s) / (2.0 * distance);
-        let middle = plus(a, turned([along, 0.0], angle));
-        assert_near(times(plus(p, q), 0.5), middle, 1e-11);
-        assert_near([length(minus(p, q))], [2.0 * (r * r - along * along).sqrt()], 1e-8);
+        let middle = plus(a, rotated([along, 0.0], angle));
+        near_all(times(plus(p, q), 0.5), middle, 1e-11);
+        near_all([length(minus(p, q))], [2.0 * (r * r - along * along).sqrt()], 1e-8);
         // Disjoint ones meet in an imaginary pair.
-        let far = Circle::from_centre_radius(Point::from(plus(a, turned([distance + 10.0, 0.0], angle))), s);
+        let far = Circle::from_centre_radius(Point::from(plus(a, rotated([distance + 10.0, 0.0], angle))), s);
         let pair = first & far;
         prop_assert_eq!(pair.endpoints(), None);
         prop_assert!(pair.radius_squared().unwrap() < 0.0);
     }
 
     #[test]
-    fn pairs_give_back_their_points(p in vector(), q in vector(), weight in 0.1..9.0_f64) {
+    fn pairs_give_back_their_points(p in vector(5.0), q in vector(5.0), weight in 0.1..9.0_f64) {
         prop_assume!(length(minus(p, q)) > 0.1);
         let pair = (Point::from(p) ^ Point::from(q)) * weight;
         let [a, b] = pair.endpoints().unwrap().map(Point::coordinates);
-        assert_near([a[0], a[1], b[0], b[1]], [p[0], p[1], q[0], q[1]], 1e-10);
-        assert_near(pair.direction(), times(minus(q, p), weight), 1e-12);
-        assert_near(pair.centre().unwrap().coordinates(), times(plus(p, q), 0.5), 1e-11);
+        near_all([a[0], a[1], b[0], b[1]], [p[0], p[1], q[0], q[1]], 1e-10);
+        near_all(pair.direction(), times(minus(q, p), weight), 1e-12);
+        near_all(pair.centre().unwrap().coordinates(), times(plus(p, q), 0.5), 1e-11);
         let expected = 0.25 * length(minus(p, q)).powi(2);
-        assert_near([pair.radius_squared().unwrap()], [expected], 1e-10);
+        near_all([pair.radius_squared().unwrap()], [expected], 1e-10);
     }
 
     #[test]
-    fn lines_measure_and_meet(p in vector(), d in vector(), q in vector(), angle in 0.2..2.9_f64) {
+    fn lines_measure_and_meet(p in vector(5.0), d in vector(5.0), q in vector(5.0), angle in 0.2..2.9_f64) {
         prop_assume!(length(d) > 0.1);
         let line = Line::from_point_direction(Point::from(p), d);
         let unit = times(d, 1.0 / length(d));
-        let left = turned(unit, 0.5 * PI);
+        let left = rotated(unit, 0.5 * PI);
         let offset = minus(q, p);
         let height = offset[0] * left[0] + offset[1] * left[1];
-        assert_near([line.signed_distance(Point::from(q)).unwrap()], [height], 1e-13);
-        assert_near(line.foot(Point::from(q)).unwrap().coordinates(), minus(q, times(left, height)), 1e-12);
+        near_all([line.signed_distance(Point::from(q)).unwrap()], [height], 1e-13);
+        near_all(line.foot(Point::from(q)).unwrap().coordinates(), minus(q, times(left, height)), 1e-12);
         let through = Line::through(Point::from(p), Point::from(plus(p, d)));
-        assert_near([through.e12i, through.e1oi, through.e2oi], [line.e12i, line.e1oi, line.e2oi], 1e-13);
-        let meet = line & Line::from_point_direction(Point::from(p), turned(d, angle));
-        assert_near(meet.to_point().unwrap().coordinates(), p, 1e-12);
+        near_all([through.e12i, through.e1oi, through.e2oi], [line.e12i, line.e1oi, line.e2oi], 1e-13);
+        let meet = line & Line::from_point_direction(Point::from(p), rotated(d, angle));
+        near_all(meet.to_point().unwrap().coordinates(), p, 1e-12);
         // The dual line has the normal of the line.
         let dual = DualLine::from_normal_distance(left, left[0] * p[0] + left[1] * p[1]).undual();
-        assert_near(dual.direction(), unit, 1e-13);
-        assert_near([dual.moment()], [p[0] * unit[1] - p[1] * unit[0]], 1e-13);
-        assert_near([(Infinity | line).e1i.abs(), (Infinity | line).e2i.abs()], d.map(f64::abs), 0.0);
+        near_all(dual.direction(), unit, 1e-13);
+        near_all([dual.moment()], [p[0] * unit[1] - p[1] * unit[0]], 1e-13);
+        near_all([(Infinity | line).e1i.abs(), (Infinity | line).e2i.abs()], d.map(f64::abs), 0.0);
         let normalized = line.normalized().unwrap();
-        assert_near(normalized.direction(), unit, 1e-14);
+        near_all(normalized.direction(), unit, 1e-14);
     }
 
     #[test]
-    fn motors_move_as_matrices_do(angle in -6.2..6.2_f64, t in vector(), x in vector(), v in vector()) {
+    fn motors_move_as_matrices_do(angle in -6.2..6.2_f64, t in vector(5.0), x in vector(5.0), v in vector(5.0)) {
         let motor: Motor<f64> = Translator::from_displacement(t) * Rotor::from_angle(angle).unwrap();
         let image = motor.transform(Point::from(x)).coordinates();
-        assert_near(image, plus(turned(x, angle), t), 1e-13);
-        assert_near(motor.transform(Direction::from_vector(v)).vector(), turned(v, angle), 1e-13);
-        assert_near(motor.translator().displacement(), t, 1e-13);
-        assert_near([motor.rotor().angle()], [angle], 1e-15 * 4.0);
+        near_all(image, plus(rotated(x, angle), t), 1e-13);
+        near_all(motor.transform(Direction::from_vector(v)).vector(), rotated(v, angle), 1e-13);
+        near_all(motor.translator().displacement(), t, 1e-13);
+        near_all([motor.rotor().angle()], [angle], 1e-15 * 4.0);
         let log = motor.log().unwrap();
         let conditioning = if angle.abs() > PI { 1.0 / (0.5 * angle).sin().abs() } else { 1.0 };
-        assert_near(coefficients(log.exp()), coefficients(motor), 1e-14 * conditioning);
+        near_all(coefficients(log.exp()), coefficients(motor), 1e-14 * conditioning);
         let about = Motor::about(Point::from(t), Rotor::from_angle(angle).unwrap());
-        let expected = plus(t, turned(minus(x, t), angle));
-        assert_near(about.transform(Point::from(x)).coordinates(), expected, 1e-13);
+        let expected = plus(t, rotated(minus(x, t), angle));
+        near_all(about.transform(Point::from(x)).coordinates(), expected, 1e-13);
         if angle.abs() > 0.1 {
             let sine = (0.5 * angle).sin().abs();
-            assert_near(about.centre().unwrap().coordinates(), t, 1e-13 / sine);
+            near_all(about.centre().unwrap().coordinates(), t, 1e-13 / sine);
         }
     }
 
     #[test]
-    fn similarities_scale(angle in -3.0..3.0_f64, t in vector(), factor in 0.1..10.0_f64, x in vector(), r in 0.1..3.0_f64) {
+    fn similarities_scale(angle in -3.0..3.0_f64, t in vector(5.0), factor in 0.1..10.0_f64, x in vector(5.0), r in 0.1..3.0_f64) {
         let motor = Translator::from_displacement(t) * Rotor::from_angle(angle).unwrap();
         let dilator = Dilator::from_factor(factor).unwrap();
         let similarity = motor * dilator;
-        let expected = plus(turned(times(x, factor), angle), t);
+        let expected = plus(rotated(times(x, factor), angle), t);
         let size = 1.0 + factor;
         let image = similarity.transform(Point::from(x));
-        assert_near(image.centre().unwrap().coordinates(), expected, 1e-11 * size);
+        near_all(image.centre().unwrap().coordinates(), expected, 1e-11 * size);
         let circle = similarity.transform(Circle::from_centre_radius(Point::from(x), r));
-        assert_near(circle.centre().unwrap().coordinates(), expected, 1e-11 * size);
-        assert_near([circle.radius_squared().unwrap() / (factor * factor)], [r * r], 1e-8 * (1.0 + 1.0 / (factor * factor)));
-        assert_near([dilator.factor() / factor, similarity.factor() / factor], [1.0, 1.0], 1e-14);
+        near_all(circle.centre().unwrap().coordinates(), expected, 1e-11 * size);
+        near_all([circle.radius_squared().unwrap() / (factor * factor)], [r * r], 1e-8 * (1.0 + 1.0 / (factor * factor)));
+        near_all([dilator.factor() / factor, similarity.factor() / factor], [1.0, 1.0], 1e-14);
     }
 
     #[test]
-    fn inversion_keeps_the_product_of_distances(centre in vector(), radius in 0.5..3.0_f64, x in vector()) {
+    fn inversion_keeps_the_product_of_distances(centre in vector(5.0), radius in 0.5..3.0_f64, x in vector(5.0)) {
         let offset = minus(x, centre);
         prop_assume!(length(offset) > 0.1);
         let mirror = RoundVector::dual_circle(Point::from(centre), radius * radius);
         let image = mirror.sandwich(Point::from(x)).centre().unwrap().coordinates();
         let expected = plus(centre, times(offset, radius * radius / length(offset).powi(2)));
-        assert_near(image, expected, 1e-9);
+        near_all(image, expected, 1e-9);
     }
 }
 

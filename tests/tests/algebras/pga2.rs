@@ -3,30 +3,10 @@
 use std::f64::consts::PI;
 
 use ga_runtime::pga2::{Line, Motor, MotorSum, Point, Rotor, Translator};
+use nullcone_tests::plain::near_all;
 use proptest::prelude::*;
 
-use super::assert_near;
-
-fn vector() -> impl Strategy<Value = [f64; 2]> + Clone {
-    prop::array::uniform2(-5.0..5.0_f64)
-}
-
-fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
-    let (sine, cosine) = angle.sin_cos();
-    [cosine * x - sine * y, sine * x + cosine * y]
-}
-
-fn plus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
-    [a[0] + b[0], a[1] + b[1]]
-}
-
-fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
-    [a[0] - b[0], a[1] - b[1]]
-}
-
-fn area(a: [f64; 2], b: [f64; 2]) -> f64 {
-    a[0] * b[1] - a[1] * b[0]
-}
+use super::plane::{area, minus, plus, rotated, vector};
 
 fn place(point: Point<f64>) -> [f64; 2] {
     point.coordinates().expect("a finite point")
@@ -38,73 +18,73 @@ fn coefficients(m: Motor<f64>) -> [f64; 4] {
 
 proptest! {
     #[test]
-    fn lines_meet_and_points_join(p in vector(), q in vector(), r in vector(), weight in 0.1..9.0_f64) {
+    fn lines_meet_and_points_join(p in vector(5.0), q in vector(5.0), r in vector(5.0), weight in 0.1..9.0_f64) {
         prop_assume!(area(minus(q, p), minus(r, p)).abs() > 0.1);
         let [a, b, c] = [p, q, r].map(|x| Point::from_homogeneous(x.map(|x| x * weight), weight));
         let line = Line::through(a, b);
-        assert_near(line.direction().map(|x| x / (weight * weight)), minus(q, p), 1e-13);
+        near_all(line.direction().map(|x| x / (weight * weight)), minus(q, p), 1e-13);
         // Twice the area of a triangle is the height over a side times the side.
         let side = minus(q, p)[0].hypot(minus(q, p)[1]);
         let height = area(minus(q, p), minus(r, p)) / side;
-        assert_near([line.signed_distance(c).unwrap()], [height], 1e-12 / side.min(1.0));
+        near_all([line.signed_distance(c).unwrap()], [height], 1e-12 / side.min(1.0));
         let meet = place(line ^ Line::through(a, c));
-        assert_near(meet, p, 1e-9);
+        near_all(meet, p, 1e-9);
         let foot = place(line.foot(c).unwrap());
         let unit = minus(q, p).map(|x| x / side);
         let along = (r[0] - p[0]) * unit[0] + (r[1] - p[1]) * unit[1];
-        assert_near(foot, plus(p, unit.map(|x| x * along)), 1e-11 / side.min(1.0));
-        assert_near([a.distance(b).unwrap()], [side], 1e-13);
-        let other = Line::from_point_direction(r, turned(minus(q, p), 1.25));
-        assert_near([line.angle(other).unwrap()], [1.25], 1e-13);
-        assert_near([other.signed_distance(c).unwrap()], [0.0], 1e-12 / side.min(1.0));
+        near_all(foot, plus(p, unit.map(|x| x * along)), 1e-11 / side.min(1.0));
+        near_all([a.distance(b).unwrap()], [side], 1e-13);
+        let other = Line::from_point_direction(r, rotated(minus(q, p), 1.25));
+        near_all([line.angle(other).unwrap()], [1.25], 1e-13);
+        near_all([other.signed_distance(c).unwrap()], [0.0], 1e-12 / side.min(1.0));
         let normal = [-unit[1], unit[0]];
         let again = Line::from_normal_distance(normal, normal[0] * p[0] + normal[1] * p[1]);
-        assert_near([again.signed_distance(c).unwrap()], [height], 1e-12 / side.min(1.0));
+        near_all([again.signed_distance(c).unwrap()], [height], 1e-12 / side.min(1.0));
     }
 
     #[test]
-    fn motors_move_as_matrices_do(angle in -7.0..7.0_f64, t in vector(), x in vector(), d in vector()) {
+    fn motors_move_as_matrices_do(angle in -7.0..7.0_f64, t in vector(5.0), x in vector(5.0), d in vector(5.0)) {
         prop_assume!(d[0].hypot(d[1]) > 0.1);
         let motor: Motor<f64> =
             Translator::from_displacement(t) * Rotor::from_angle(angle).unwrap();
-        let expected = plus(turned(x, angle), t);
-        assert_near(place(motor.transform(Point::from(x))), expected, 1e-13);
+        let expected = plus(rotated(x, angle), t);
+        near_all(place(motor.transform(Point::from(x))), expected, 1e-13);
         let [a, b] = motor.to_matrix();
-        assert_near([a, b].map(|row| row[0] * x[0] + row[1] * x[1] + row[2]), expected, 1e-13);
+        near_all([a, b].map(|row| row[0] * x[0] + row[1] * x[1] + row[2]), expected, 1e-13);
         let again = Motor::from_matrix([a, b]).unwrap();
-        assert_near(place(again.transform(Point::from(x))), expected, 1e-13);
-        assert_near(motor.translator().displacement(), t, 1e-13);
+        near_all(place(again.transform(Point::from(x))), expected, 1e-13);
+        near_all(motor.translator().displacement(), t, 1e-13);
         let line = motor.transform(Line::from_point_direction(x, d));
-        assert_near(line.direction(), turned(d, angle), 1e-13);
-        assert_near([line.signed_distance(Point::from(expected)).unwrap()], [0.0], 1e-12);
+        near_all(line.direction(), rotated(d, angle), 1e-13);
+        near_all([line.signed_distance(Point::from(expected)).unwrap()], [0.0], 1e-12);
     }
 
     #[test]
-    fn turns_stay_about_their_centre(centre in vector(), angle in -6.0..6.0_f64, x in vector()) {
+    fn turns_stay_about_their_centre(centre in vector(5.0), angle in -6.0..6.0_f64, x in vector(5.0)) {
         prop_assume!(angle.abs() > 0.01);
         let motor = Motor::about(centre, Rotor::from_angle(angle).unwrap());
-        let expected = plus(centre, turned(minus(x, centre), angle));
-        assert_near(place(motor.transform(Point::from(x))), expected, 1e-13);
-        assert_near(place(motor.centre().unwrap()), centre, 1e-13 / (0.5 * angle).sin().abs());
+        let expected = plus(centre, rotated(minus(x, centre), angle));
+        near_all(place(motor.transform(Point::from(x))), expected, 1e-13);
+        near_all(place(motor.centre().unwrap()), centre, 1e-13 / (0.5 * angle).sin().abs());
         let exponential = (Point::from(centre) * (-0.5 * angle)).exp();
-        assert_near(coefficients(exponential), coefficients(motor), 1e-13);
+        near_all(coefficients(exponential), coefficients(motor), 1e-13);
         // Half the way is half the angle, by the short way round.
         let angle = angle - if angle.abs() > PI { (2.0 * PI).copysign(angle) } else { 0.0 };
         let half = Motor::default().interpolate(motor, 0.5);
-        let expected = plus(centre, turned(minus(x, centre), 0.5 * angle));
+        let expected = plus(centre, rotated(minus(x, centre), 0.5 * angle));
         prop_assume!(angle.abs() < 3.0);
-        assert_near(place(half.transform(Point::from(x))), expected, 1e-12);
+        near_all(place(half.transform(Point::from(x))), expected, 1e-12);
     }
 
     #[test]
-    fn logarithms_come_back(angle in -6.2..6.2_f64, t in vector()) {
+    fn logarithms_come_back(angle in -6.2..6.2_f64, t in vector(5.0)) {
         let motor: Motor<f64> = Translator::from_displacement(t) * Rotor::from_angle(angle).unwrap();
         let log = motor.log().unwrap();
-        assert_near([log.e12], [-0.5 * angle], 1e-15 * 4.0);
+        near_all([log.e12], [-0.5 * angle], 1e-15 * 4.0);
         // Near a whole turn the centre is told by little.
         let is_near_whole = angle.abs() > PI;
         let conditioning = if is_near_whole { 1.0 / (0.5 * angle).sin().abs() } else { 1.0 };
-        assert_near(coefficients(log.exp()), coefficients(motor), 1e-14 * conditioning);
+        near_all(coefficients(log.exp()), coefficients(motor), 1e-14 * conditioning);
     }
 }
 
@@ -113,13 +93,13 @@ fn tiny_angles_and_shifts_keep_their_digits() {
     for angle in [1e-300_f64, 1e-100, 1e-20, 1e-9] {
         let motor = (Point::from([3.0, -4.0]) * (-0.5 * angle)).exp();
         // p − R p, to first order.
-        assert_near(
+        near_all(
             motor.translator().displacement(),
             [-4.0 * angle, -3.0 * angle],
             1e-8 * angle,
         );
         let log = motor.log().unwrap();
-        assert_near(
+        near_all(
             [log.e12, log.e20, log.e01],
             [-0.5 * angle, -1.5 * angle, 2.0 * angle],
             1e-15 * angle,
@@ -137,7 +117,7 @@ fn tiny_angles_and_shifts_keep_their_digits() {
 fn minus_one_has_a_logarithm_and_minus_a_shift_has_none() {
     let still = (-Motor::<f64>::default()).log().unwrap();
     assert_eq!(still.e12, PI);
-    assert_near(coefficients(still.exp()), [-1.0, 0.0, 0.0, 0.0], 2e-16);
+    near_all(coefficients(still.exp()), [-1.0, 0.0, 0.0, 0.0], 2e-16);
     let shift: Motor<f64> = Translator::from_displacement([1.0, 0.0]).into();
     assert_eq!((-shift).log(), None);
     assert_eq!(shift.centre(), None);

@@ -4,11 +4,10 @@ use std::f64::consts::PI;
 
 use ga_runtime::cga3;
 use ga_runtime::pga3::{Direction, Line, Motor, Plane, Point, Rotor, Translator};
-use proptest::prelude::*;
-
-use super::{
-    Vector, across, assert_near, cross, dot, length, minus, plus, rodrigues, times, unit, vector,
+use nullcone_tests::plain::{
+    Vector, cross, dot, frame, length, minus, near_all, plus, rotated, times, unit, vector,
 };
+use proptest::prelude::*;
 
 fn motors() -> impl Strategy<Value = Motor<f64>> + Clone {
     (unit(), -2.0 * PI..2.0 * PI, vector(10.0)).prop_map(|(axis, angle, t)| {
@@ -41,28 +40,28 @@ proptest! {
         let volume = dot(cross(a, b), c);
         prop_assume!(volume.abs() > 0.05);
         let [x, y, z] = [a, b, c].map(|n| Plane::from_point_normal(p, times(n, weight)));
-        assert_near(place(x ^ y ^ z), p, 1e-12 / volume.abs());
+        near_all(place(x ^ y ^ z), p, 1e-12 / volume.abs());
         // The meet of two has the direction of the normals' cross product, and goes through the
         // point.
         let line = x ^ y;
-        assert_near(line.direction(), times(cross(a, b), weight * weight), 1e-13);
-        assert_near(line.moment(), cross(p, line.direction()), 1e-12);
+        near_all(line.direction(), times(cross(a, b), weight * weight), 1e-13);
+        near_all(line.moment(), cross(p, line.direction()), 1e-12);
     }
 
     #[test]
     fn points_join(p in vector(5.0), q in vector(5.0), r in vector(5.0)) {
         let [a, b, c] = [p, q, r].map(Point::from_coordinates);
         let line = Line::through(a, b);
-        assert_near(line.direction(), minus(q, p), 1e-13);
-        assert_near(line.moment(), cross(p, q), 1e-12);
+        near_all(line.direction(), minus(q, p), 1e-13);
+        near_all(line.moment(), cross(p, q), 1e-12);
         let along = Line::through(a, Direction::from_vector(minus(q, p)).into());
-        assert_near(along.moment(), line.moment(), 1e-12);
+        near_all(along.moment(), line.moment(), 1e-12);
         let plane = Plane::through(a, b, c);
         let normal = cross(minus(q, p), minus(r, p));
-        assert_near(plane.normal(), normal, 1e-12);
-        assert_near([plane.e0], [-dot(normal, p)], 1e-11);
-        assert_near((a & Direction::from_vector(r)).direction(), times(r, -1.0), 0.0);
-        assert_near((a & Direction::from_vector(r)).moment(), cross(r, p), 1e-12);
+        near_all(plane.normal(), normal, 1e-12);
+        near_all([plane.e0], [-dot(normal, p)], 1e-11);
+        near_all((a & Direction::from_vector(r)).direction(), times(r, -1.0), 0.0);
+        near_all((a & Direction::from_vector(r)).moment(), cross(r, p), 1e-12);
     }
 
     #[test]
@@ -72,16 +71,16 @@ proptest! {
         let point = Point::from_homogeneous(times(p, weight), weight);
         let plane = Plane::from_normal_distance(times(n, weight), d * weight);
         let height = dot(n, p) - d;
-        assert_near([plane.signed_distance(point).unwrap()], [height], 1e-13);
-        assert_near(place(plane.foot(point).unwrap()), minus(p, times(n, height)), 1e-13);
+        near_all([plane.signed_distance(point).unwrap()], [height], 1e-13);
+        near_all(place(plane.foot(point).unwrap()), minus(p, times(n, height)), 1e-13);
         prop_assert!((point.distance(Point::from(q)).unwrap() - length(minus(p, q))).abs() < 1e-13);
 
         let line = Line::from_point_direction(q, times(n, weight));
         let foot = plus(q, times(n, dot(minus(p, q), n)));
-        assert_near(place(line.foot(point).unwrap()), foot, 1e-12);
-        assert_near([line.distance(point).unwrap()], [length(minus(p, foot))], 1e-12);
+        near_all(place(line.foot(point).unwrap()), foot, 1e-12);
+        near_all([line.distance(point).unwrap()], [length(minus(p, foot))], 1e-12);
         let support = place(line.support().unwrap());
-        assert_near([dot(support, n)], [0.0], 1e-12);
+        near_all([dot(support, n)], [0.0], 1e-12);
     }
 
     #[test]
@@ -89,34 +88,34 @@ proptest! {
         foot in vector(5.0), direction in unit(), angle in 0.1..3.0_f64, gap in 0.0..4.0_f64,
         s in -3.0..3.0_f64, t in -3.0..3.0_f64,
     ) {
-        let perpendicular = across(direction);
-        let other = rodrigues(perpendicular, angle, direction);
+        let perpendicular = frame(direction)[0];
+        let other = rotated(perpendicular, angle, direction);
         let a = Line::from_point_direction(plus(foot, times(direction, s)), times(direction, 2.0));
         let start = plus(plus(foot, times(perpendicular, gap)), times(other, t));
         let b = Line::from_point_direction(start, other);
-        assert_near([a.distance_to_line(b).unwrap()], [gap], 1e-11);
-        assert_near([a.angle(b).unwrap()], [angle], 1e-13);
+        near_all([a.distance_to_line(b).unwrap()], [gap], 1e-11);
+        near_all([a.angle(b).unwrap()], [angle], 1e-13);
         let parallel = Line::from_point_direction(start, times(direction, -3.0));
         let between = minus(start, foot);
         let apart = length(cross(between, direction));
-        assert_near([a.distance_to_line(parallel).unwrap()], [apart], 1e-12);
+        near_all([a.distance_to_line(parallel).unwrap()], [apart], 1e-12);
     }
 
     #[test]
     fn angles_are_those_of_normals_and_directions(n in unit(), angle in -1.5..1.5_f64, d in -2.0..2.0_f64) {
-        let tilted = rodrigues(across(n), angle, n);
+        let tilted = rotated(frame(n)[0], angle, n);
         let (a, b) = (Plane::from_normal_distance(n, d), Plane::from_normal_distance(times(tilted, 3.0), 1.0));
-        assert_near([a.angle(b).unwrap()], [angle.abs()], 1e-13);
-        let line = Line::from_point_direction([1.0, 2.0, 3.0], rodrigues(across(n), angle, cross(across(n), n)));
+        near_all([a.angle(b).unwrap()], [angle.abs()], 1e-13);
+        let line = Line::from_point_direction([1.0, 2.0, 3.0], rotated(frame(n)[0], angle, cross(frame(n)[0], n)));
         let sine = dot(line.unit_direction().unwrap(), n);
-        assert_near([line.angle_to_plane(a).unwrap().sin()], [sine], 1e-13);
+        near_all([line.angle_to_plane(a).unwrap().sin()], [sine], 1e-13);
         // The projection lies in the plane, below the line.
         if sine.abs() < 0.95 {
             let below = a.project(line).unwrap();
-            assert_near([dot(below.direction(), n)], [0.0], 1e-13);
+            near_all([dot(below.direction(), n)], [0.0], 1e-13);
             let foot = place(a.foot(Point::from([1.0, 2.0, 3.0])).unwrap());
-            assert_near([below.distance(Point::from(foot)).unwrap()], [0.0], 1e-12);
-            assert_near([length(below.direction())], [(1.0 - sine * sine).sqrt()], 1e-13);
+            near_all([below.distance(Point::from(foot)).unwrap()], [0.0], 1e-12);
+            near_all([length(below.direction())], [(1.0 - sine * sine).sqrt()], 1e-13);
         }
     }
 
@@ -124,19 +123,19 @@ proptest! {
     fn motors_move_as_matrices_do(axis in unit(), angle in -7.0..7.0_f64, t in vector(5.0), x in vector(5.0)) {
         let motor: Motor<f64> =
             Translator::from_displacement(t) * Rotor::from_axis_angle(axis, angle).unwrap();
-        let expected = plus(rodrigues(axis, angle, x), t);
-        assert_near(place(motor.transform(Point::from(x))), expected, 1e-13);
+        let expected = plus(rotated(axis, angle, x), t);
+        near_all(place(motor.transform(Point::from(x))), expected, 1e-13);
         let matrix = motor.to_matrix();
-        assert_near(matrix.map(|[a, b, c, d]| dot([a, b, c], x) + d), expected, 1e-13);
+        near_all(matrix.map(|[a, b, c, d]| dot([a, b, c], x) + d), expected, 1e-13);
         let again = Motor::from_matrix(matrix).unwrap();
-        assert_near(place(again.transform(Point::from(x))), expected, 1e-13);
-        assert_near(motor.translator().displacement(), t, 1e-13);
+        near_all(place(again.transform(Point::from(x))), expected, 1e-13);
+        near_all(motor.translator().displacement(), t, 1e-13);
         // Free vectors turn only, and a line moves with its points.
         let turned = motor.transform(Direction::from_vector(x)).vector();
-        assert_near(turned, rodrigues(axis, angle, x), 1e-13);
+        near_all(turned, rotated(axis, angle, x), 1e-13);
         let line = motor.transform(Line::from_point_direction(x, axis));
-        assert_near(line.direction(), axis, 1e-13);
-        assert_near([line.distance(Point::from(expected)).unwrap()], [0.0], 1e-12);
+        near_all(line.direction(), axis, 1e-13);
+        near_all([line.distance(Point::from(expected)).unwrap()], [0.0], 1e-12);
     }
 
     #[test]
@@ -145,8 +144,8 @@ proptest! {
     ) {
         let line = Line::from_point_direction(foot, times(axis, 4.0));
         let screw = Motor::from_screw(line, angle, shift).unwrap();
-        let turned = plus(foot, rodrigues(axis, angle, minus(x, foot)));
-        assert_near(place(screw.transform(Point::from(x))), plus(turned, times(axis, shift)), 1e-12);
+        let turned = plus(foot, rotated(axis, angle, minus(x, foot)));
+        near_all(place(screw.transform(Point::from(x))), plus(turned, times(axis, shift)), 1e-12);
     }
 
     #[test]
@@ -154,14 +153,14 @@ proptest! {
         // Near a whole turn the axis is told by little.
         let sine = (1.0 - motor.scalar() * motor.scalar()).sqrt();
         let conditioning = if motor.scalar() < 0.0 { 1.0 / sine } else { 1.0 };
-        assert_near(coefficients(motor.log().exp()), coefficients(motor), 1e-13 * conditioning);
+        near_all(coefficients(motor.log().exp()), coefficients(motor), 1e-13 * conditioning);
         let whole = Motor::default().interpolate(motor, 1.0);
         let x = Point::from([1.0, -2.0, 3.0]);
-        assert_near(place(whole.transform(x)), place(motor.transform(x)), 1e-11);
+        near_all(place(whole.transform(x)), place(motor.transform(x)), 1e-11);
         // Along the way the speed is constant: two equal steps are one of twice the length.
         let step = Motor::default().interpolate(motor, 0.5 * t);
         let twice = Motor::default().interpolate(motor, t);
-        assert_near(place((step * step).transform(x)), place(twice.transform(x)), 1e-11);
+        near_all(place((step * step).transform(x)), place(twice.transform(x)), 1e-11);
     }
 
     #[test]
@@ -184,20 +183,20 @@ proptest! {
         prop_assert_eq!(Point::from(cga3::FlatPoint::from(point)), point);
         // Moving and converting commute.
         let moved = motor.transform(point).to_conformal().unwrap().coordinates();
-        assert_near(moved, conformal.transform(cga3::Point::from(p)).coordinates(), 1e-13);
+        near_all(moved, conformal.transform(cga3::Point::from(p)).coordinates(), 1e-13);
         let (a, b) = (
             cga3::Line::from(motor.transform(line)),
             conformal.transform(cga3::Line::from(line)),
         );
-        assert_near(a.direction(), b.direction(), 1e-12);
-        assert_near(a.moment(), b.moment(), 1e-11);
+        near_all(a.direction(), b.direction(), 1e-12);
+        near_all(a.moment(), b.moment(), 1e-11);
         let (a, b) = (
             cga3::Plane::from(motor.transform(plane)),
             conformal.transform(cga3::Plane::from(plane)),
         );
-        assert_near([a.e12oi, a.e13oi, a.e23oi, a.e123i], [b.e12oi, b.e13oi, b.e23oi, b.e123i], 1e-12);
+        near_all([a.e12oi, a.e13oi, a.e23oi, a.e123i], [b.e12oi, b.e13oi, b.e23oi, b.e123i], 1e-12);
         let signed = plane.signed_distance(Point::from(q)).unwrap();
-        assert_near([signed], [cga3::Plane::from(plane).signed_distance(q.into()).unwrap()], 1e-12);
+        near_all([signed], [cga3::Plane::from(plane).signed_distance(q.into()).unwrap()], 1e-12);
     }
 }
 
@@ -210,10 +209,10 @@ fn tiny_angles_keep_all_digits() {
         let shift = motor.translator().displacement();
         let (sine, versine) = (angle.sin(), 2.0 * (0.5 * angle).sin().powi(2));
         let expected = [versine + 2.0 * sine, 2.0 * versine - sine, 0.0];
-        assert_near(shift, expected, 1e-15 * angle);
+        near_all(shift, expected, 1e-15 * angle);
         let log = motor.log();
-        assert_near([log.e12], [-0.5 * angle], 1e-16 * angle);
-        assert_near(
+        near_all([log.e12], [-0.5 * angle], 1e-16 * angle);
+        near_all(
             [log.e10, log.e20],
             [axis.e10 * -0.5 * angle, axis.e20 * -0.5 * angle],
             2e-16 * angle,

@@ -1,15 +1,14 @@
 //! The same in single precision: what comes back is right to a few roundings of f32.
 
 use ga_runtime::{cga2, pga2, pga3, sta, vga2, vga3};
-
-use super::assert_near;
+use nullcone_tests::plain::near_all;
 
 /// A few times the rounding of f32.
 const TOLERANCE: f64 = 5e-7;
 
 #[track_caller]
 fn assert_single<const N: usize>(a: [f32; N], b: [f32; N]) {
-    assert_near(a.map(f64::from), b.map(f64::from), TOLERANCE);
+    near_all(a.map(f64::from), b.map(f64::from), TOLERANCE);
 }
 
 #[test]

@@ -5,9 +5,10 @@ use std::f64::consts::PI;
 
 use ga_runtime::geometry::{relative_velocity, velocity_sum};
 use ga_runtime::sta::{Bivector, Rotor, Vector as Event};
+use nullcone_tests::plain::{
+    Vector, cross, dot, length, minus, near_all, plus, rotated, times, unit, vector,
+};
 use proptest::prelude::*;
-
-use super::{Vector, assert_near, cross, dot, length, minus, plus, rodrigues, times, unit, vector};
 
 type Matrix = [[f64; 4]; 4];
 
@@ -106,42 +107,42 @@ proptest! {
     #[test]
     fn boosts_are_those_of_textbooks(v in velocity(), t in -5.0..5.0_f64, x in vector(5.0)) {
         let boost = Rotor::from_velocity(v).unwrap();
-        assert_near(flat(boost.to_matrix()), flat(boost_matrix(v)), 1e-12);
-        assert_near(boost.velocity(), v, 1e-14);
+        near_all(flat(boost.to_matrix()), flat(boost_matrix(v)), 1e-12);
+        near_all(boost.velocity(), v, 1e-14);
         let event = Event::from_time_place(t, x);
         let image = boost.transform(event);
         let gamma = boost_matrix(v)[0][0];
-        assert_near([image.time()], [gamma * (t + dot(v, x))], 1e-12);
-        assert_near([image.interval_squared()], [t * t - dot(x, x)], 1e-10);
-        assert_near(components(Event::from_velocity(v).unwrap()), boost_matrix(v).map(|row| row[0]), 1e-12);
+        near_all([image.time()], [gamma * (t + dot(v, x))], 1e-12);
+        near_all([image.interval_squared()], [t * t - dot(x, x)], 1e-10);
+        near_all(components(Event::from_velocity(v).unwrap()), boost_matrix(v).map(|row| row[0]), 1e-12);
         // By rapidity.
         prop_assume!(length(v) > 0.01);
         let again = Rotor::from_rapidity(times(v, 3.0), length(v).atanh()).unwrap();
-        assert_near(coefficients(again), coefficients(boost), 1e-13);
+        near_all(coefficients(again), coefficients(boost), 1e-13);
         let rapidity = Event::from_velocity(v).unwrap().rapidity().unwrap();
-        assert_near([rapidity], [length(v).atanh()], 1e-13);
-        assert_near(Event::from_velocity(v).unwrap().velocity().unwrap(), v, 1e-15);
+        near_all([rapidity], [length(v).atanh()], 1e-13);
+        near_all(Event::from_velocity(v).unwrap().velocity().unwrap(), v, 1e-15);
     }
 
     #[test]
     fn turns_leave_time_alone(axis in unit(), angle in -7.0..7.0_f64, t in -5.0..5.0_f64, x in vector(5.0)) {
         let turn = Rotor::from_axis_angle(times(axis, 2.0), angle).unwrap();
         let image = turn.transform(Event::from_time_place(t, x));
-        assert_near([image.time()], [t], 1e-14);
-        assert_near(image.place(), rodrigues(axis, angle, x), 1e-13);
+        near_all([image.time()], [t], 1e-14);
+        near_all(image.place(), rotated(axis, angle, x), 1e-13);
     }
 
     #[test]
     fn velocities_add_as_boosts_do(u in velocity(), v in velocity()) {
         let both = product(boost_matrix(u), boost_matrix(v));
         let expected = [1, 2, 3].map(|k| both[k][0] / both[0][0]);
-        assert_near(velocity_sum(u, v).unwrap(), expected, 1e-12);
+        near_all(velocity_sum(u, v).unwrap(), expected, 1e-12);
         let rotor = Rotor::from_velocity(u).unwrap() * Rotor::from_velocity(v).unwrap();
-        assert_near(rotor.velocity(), expected, 1e-12);
+        near_all(rotor.velocity(), expected, 1e-12);
         prop_assert!(length(velocity_sum(u, v).unwrap()) <= 1.0);
         // The relative velocity undoes the sum.
         let again = velocity_sum(u, relative_velocity(u, v).unwrap()).unwrap();
-        assert_near(again, v, 1e-9);
+        near_all(again, v, 1e-9);
     }
 
     #[test]
@@ -151,13 +152,13 @@ proptest! {
             * Rotor::from_velocity(v).unwrap();
         let (boost, turn) = rotor.boost_and_turn();
         let size = largest(rotor.to_matrix());
-        assert_near(coefficients(boost * turn), coefficients(rotor), 1e-13 * size);
+        near_all(coefficients(boost * turn), coefficients(rotor), 1e-13 * size);
         let rest = turn.transform(Event::from_time_place(1.0, [0.0; 3]));
-        assert_near(components(rest), [1.0, 0.0, 0.0, 0.0], 1e-14);
-        assert_near(boost.velocity(), rotor.velocity(), 1e-12 * size);
+        near_all(components(rest), [1.0, 0.0, 0.0, 0.0], 1e-14);
+        near_all(boost.velocity(), rotor.velocity(), 1e-12 * size);
         // A boost has a symmetric matrix.
         let matrix = boost.to_matrix();
-        assert_near([matrix[0][1], matrix[1][2]], [matrix[1][0], matrix[2][1]], 1e-13 * size);
+        near_all([matrix[0][1], matrix[1][2]], [matrix[1][0], matrix[2][1]], 1e-13 * size);
     }
 
     #[test]
@@ -168,16 +169,16 @@ proptest! {
         let along = |x: Vector| times(v, gamma * gamma / (gamma + 1.0) * dot(v, x));
         let electric = minus(times(plus(e, cross(v, b)), gamma), along(e));
         let magnetic = minus(times(minus(b, cross(v, e)), gamma), along(b));
-        assert_near(seen.electric(), electric, 1e-12 * gamma);
-        assert_near(seen.magnetic(), magnetic, 1e-12 * gamma);
+        near_all(seen.electric(), electric, 1e-12 * gamma);
+        near_all(seen.magnetic(), magnetic, 1e-12 * gamma);
         let (first, second) = field.invariants();
-        assert_near([first, second], [dot(e, e) - dot(b, b), dot(e, b)], 1e-13);
+        near_all([first, second], [dot(e, e) - dot(b, b), dot(e, b)], 1e-13);
         let (third, fourth) = seen.invariants();
-        assert_near([third, fourth], [first, second], 1e-11 * gamma * gamma);
+        near_all([third, fourth], [first, second], 1e-11 * gamma * gamma);
         // The force on a moving charge, γ (E·v, E + v × B).
         let force = field.commutator(Event::from_velocity(v).unwrap());
-        assert_near([force.time() / gamma], [dot(e, v)], 1e-13);
-        assert_near(times(force.place(), 1.0 / gamma), plus(e, cross(v, b)), 1e-13);
+        near_all([force.time() / gamma], [dot(e, v)], 1e-13);
+        near_all(times(force.place(), 1.0 / gamma), plus(e, cross(v, b)), 1e-13);
     }
 
     #[test]
@@ -185,9 +186,9 @@ proptest! {
         let (e, b) = (times(e, scale), times(b, scale));
         let rotor = Bivector::from_fields(e, b).exp().unwrap();
         let expected = exponential(generator_matrix(e, b));
-        assert_near(flat(rotor.to_matrix()), flat(expected), 1e-12 * largest(expected));
+        near_all(flat(rotor.to_matrix()), flat(expected), 1e-12 * largest(expected));
         let half = Bivector::from_fields(times(e, 0.5), times(b, 0.5)).exp().unwrap();
-        assert_near(coefficients(half * half), coefficients(rotor), 1e-13 * largest(expected));
+        near_all(coefficients(half * half), coefficients(rotor), 1e-13 * largest(expected));
     }
 
     #[test]
@@ -199,19 +200,19 @@ proptest! {
         // Near −1 and near null bivectors F is told by little.
         let sine = (rotor.scalar() + 1.0).hypot(rotor.g0123());
         let size = largest(rotor.to_matrix());
-        assert_near(coefficients(again), coefficients(rotor), 1e-12 * size * (1.0 + 1.0 / sine));
+        near_all(coefficients(again), coefficients(rotor), 1e-12 * size * (1.0 + 1.0 / sine));
     }
 
     #[test]
     fn proper_times_are_those_at_rest(v in velocity(), tau in 0.001..1e3_f64) {
         let gamma = 1.0 / (1.0 - dot(v, v)).sqrt();
         let path = Event::from_time_place(gamma * tau, times(v, gamma * tau));
-        assert_near([path.proper_time().unwrap() / tau], [1.0], 1e-12);
-        assert_near([(-path).proper_time().unwrap() / tau], [-1.0], 1e-12);
+        near_all([path.proper_time().unwrap() / tau], [1.0], 1e-12);
+        near_all([(-path).proper_time().unwrap() / tau], [-1.0], 1e-12);
         prop_assert_eq!(path.proper_distance().is_none(), true);
         let across = Event::from_time_place(times(v, gamma)[0].abs(), [gamma * 1.0, 0.0, 0.0]);
         let expected = (gamma * gamma - across.time() * across.time()).sqrt();
-        assert_near([across.proper_distance().unwrap()], [expected], 1e-12 * gamma);
+        near_all([across.proper_distance().unwrap()], [expected], 1e-12 * gamma);
     }
 }
 
@@ -227,12 +228,12 @@ fn small_and_null_generators_keep_their_digits() {
         ] {
             let field = Bivector::from_fields(e, b);
             let log = field.exp().unwrap().log().unwrap();
-            assert_near(log.electric(), e, 2e-15 * size);
-            assert_near(log.magnetic(), b, 2e-15 * size);
+            near_all(log.electric(), e, 2e-15 * size);
+            near_all(log.magnetic(), b, 2e-15 * size);
         }
     }
     let wave = Bivector::from_fields([2.0, 0.0, 0.0], [0.0, 2.0, 0.0]);
-    assert_near(
+    near_all(
         coefficients(wave.exp().unwrap()),
         [1.0, 2.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0],
         0.0,
@@ -245,7 +246,7 @@ fn minus_one_has_a_logarithm_and_minus_a_null_rotor_has_none() {
     assert_eq!(one.log(), Some(Bivector::default()));
     let turn = (-one).log().unwrap();
     assert_eq!(turn.magnetic(), [0.0, 0.0, PI]);
-    assert_near(coefficients(turn.exp().unwrap()), coefficients(-one), 1e-15);
+    near_all(coefficients(turn.exp().unwrap()), coefficients(-one), 1e-15);
     let wave = Bivector::from_fields([2.0, 0.0, 0.0], [0.0, 2.0, 0.0])
         .exp()
         .unwrap();
@@ -253,7 +254,7 @@ fn minus_one_has_a_logarithm_and_minus_a_null_rotor_has_none() {
     // Minus a boost turns by a whole turn besides.
     let boost = Rotor::from_rapidity([1.0, 0.0, 0.0], 1.0).unwrap();
     let log = (-boost).log().unwrap();
-    assert_near(
+    near_all(
         coefficients(log.exp().unwrap()),
         coefficients(-boost),
         1e-15,

@@ -3,67 +3,63 @@
 use std::f64::consts::PI;
 
 use ga_runtime::vga2::{Bivector, Complex, Rotor, Vector};
+use nullcone_tests::plain::near_all;
 use proptest::prelude::*;
 
-use super::assert_near;
+use super::plane::rotated;
 
 fn vector() -> impl Strategy<Value = [f64; 2]> + Clone {
     prop::array::uniform2(-5.0..5.0_f64).prop_filter("no direction", |[x, y]| x.hypot(*y) > 0.1)
-}
-
-fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
-    let (sine, cosine) = angle.sin_cos();
-    [cosine * x - sine * y, sine * x + cosine * y]
 }
 
 proptest! {
     #[test]
     fn rotors_turn_as_matrices_do(x in vector(), angle in -7.0..7.0_f64, more in -7.0..7.0_f64) {
         let rotor = Rotor::from_angle(angle).unwrap();
-        assert_near(rotor.transform(Vector::from(x)).into(), turned(x, angle), 1e-14);
+        near_all(rotor.transform(Vector::from(x)).into(), rotated(x, angle), 1e-14);
         let [a, b] = rotor.to_matrix();
-        assert_near([a[0] * x[0] + a[1] * x[1], b[0] * x[0] + b[1] * x[1]], turned(x, angle), 1e-14);
+        near_all([a[0] * x[0] + a[1] * x[1], b[0] * x[0] + b[1] * x[1]], rotated(x, angle), 1e-14);
         let product = Rotor::from_angle(more).unwrap() * rotor;
-        assert_near(product.transform(Vector::from(x)).into(), turned(x, angle + more), 1e-13);
+        near_all(product.transform(Vector::from(x)).into(), rotated(x, angle + more), 1e-13);
         // As a complex number, by one product on the right: e1 z turned is e1 z w.
         let number = Vector::from(x).to_complex() * rotor.to_complex();
-        assert_near(number.to_vector().into(), turned(x, angle), 1e-14);
+        near_all(number.to_vector().into(), rotated(x, angle), 1e-14);
     }
 
     #[test]
     fn angles_come_back(angle in -2.0 * PI..2.0 * PI) {
         let rotor = Rotor::from_angle(angle).unwrap();
-        assert_near([rotor.angle()], [angle], 1e-15 * 4.0);
-        assert_near([rotor.log().e12], [-0.5 * angle], 1e-15 * 2.0);
+        near_all([rotor.angle()], [angle], 1e-15 * 4.0);
+        near_all([rotor.log().e12], [-0.5 * angle], 1e-15 * 2.0);
         let again = rotor.log().exp();
-        assert_near([again.scalar(), again.e12()], [rotor.scalar(), rotor.e12()], 1e-15);
+        near_all([again.scalar(), again.e12()], [rotor.scalar(), rotor.e12()], 1e-15);
     }
 
     #[test]
     fn vectors_make_the_turn_between_them(a in vector(), b in vector()) {
         let angle = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]);
         let (u, v) = (Vector::from(a), Vector::from(b));
-        assert_near([u.angle(v).unwrap()], [angle], 1e-14);
+        near_all([u.angle(v).unwrap()], [angle], 1e-14);
         let rotor = Rotor::between(u, v).unwrap();
-        assert_near([rotor.angle()], [angle], 1e-14);
+        near_all([rotor.angle()], [angle], 1e-14);
         let size = b[0].hypot(b[1]) / a[0].hypot(a[1]);
-        assert_near((rotor.transform(u) * size).into(), b, 1e-13);
-        assert_near([(u * v).argument().unwrap()], [angle], 1e-14);
+        near_all((rotor.transform(u) * size).into(), b, 1e-13);
+        near_all([(u * v).argument().unwrap()], [angle], 1e-14);
         let along = (a[0] * b[0] + a[1] * b[1]) / (b[0] * b[0] + b[1] * b[1]);
-        assert_near(u.project(v).unwrap().into(), b.map(|x| x * along), 1e-13);
+        near_all(u.project(v).unwrap().into(), b.map(|x| x * along), 1e-13);
         let reflected = u.reflect(v).unwrap();
-        assert_near(reflected.into(), [a[0] - 2.0 * along * b[0], a[1] - 2.0 * along * b[1]], 1e-13);
-        assert_near((u.project(v).unwrap() + u.reject(v).unwrap()).into(), a, 1e-13);
+        near_all(reflected.into(), [a[0] - 2.0 * along * b[0], a[1] - 2.0 * along * b[1]], 1e-13);
+        near_all((u.project(v).unwrap() + u.reject(v).unwrap()).into(), a, 1e-13);
     }
 
     #[test]
     fn complex_numbers_multiply(a in vector(), b in vector()) {
         let product = Complex::new(a[0], a[1]) * Complex::new(b[0], b[1]);
         let expected = [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]];
-        assert_near([product.real(), product.imaginary()], expected, 1e-14);
+        near_all([product.real(), product.imaginary()], expected, 1e-14);
         let (modulus, argument) = (product.modulus(), product.argument().unwrap());
         let again = Complex::from_polar(modulus, argument).unwrap();
-        assert_near([again.real(), again.imaginary()], expected, 1e-13);
+        near_all([again.real(), again.imaginary()], expected, 1e-13);
     }
 }
 
@@ -75,7 +71,7 @@ fn opposite_vectors_are_a_half_turn_apart() {
     for tiny in [1e-9, -1e-9, 1e-300] {
         let rotor = Rotor::between(Vector::new(1.0, 0.0), Vector::new(-1.0, tiny)).unwrap();
         let image = rotor.transform(Vector::new(1.0, 0.0));
-        assert_near(image.into(), [-1.0, tiny], 3e-16);
+        near_all(image.into(), [-1.0, tiny], 3e-16);
     }
 }
 

@@ -3,9 +3,8 @@
 use ga_runtime::cga3::{Direction, Point};
 use ga_runtime::scalar::{Lanes, Real};
 use ga_runtime::vga3::Vector;
+use nullcone_tests::plain::{cross, dot, length, minus, near_all, plus, times, unit, vector};
 use proptest::prelude::*;
-
-use super::{assert_near, cross, dot, length, minus, plus, times, unit, vector};
 
 type V = Vector<f64>;
 
@@ -20,7 +19,7 @@ proptest! {
         prop_assert_eq!((-u).coordinates(), a.map(|x| -x));
         prop_assert_eq!((u * t).coordinates(), times(a, t));
         prop_assert_eq!((t * u).coordinates(), times(a, t));
-        assert_near((u / t).coordinates(), a.map(|x| x / t), 1e-14);
+        near_all((u / t).coordinates(), a.map(|x| x / t), 1e-14);
         let mut w = u;
         w += v;
         w *= t;
@@ -41,8 +40,8 @@ proptest! {
     fn interpolation_starts_and_ends_where_it_is_told(a in vector(5.0), b in vector(5.0), t in 0.0..1.0_f64) {
         let (u, v) = (V::from(a), V::from(b));
         prop_assert_eq!((u.lerp(v, 0.0), u.lerp(v, 1.0)), (u, v));
-        assert_near(u.lerp(v, t).into(), plus(a, times(minus(b, a), t)), 1e-14);
-        assert_near([u.lerp(v, t).distance(u)], [t * length(minus(b, a))], 1e-14 * 10.0);
+        near_all(u.lerp(v, t).into(), plus(a, times(minus(b, a), t)), 1e-14);
+        near_all([u.lerp(v, t).distance(u)], [t * length(minus(b, a))], 1e-14 * 10.0);
     }
 
     #[test]
@@ -51,15 +50,15 @@ proptest! {
         for pair in [normal.orthonormal_pair(), normal.orthonormal_pair_with_up(V::from(up) * size)] {
             let [u, v] = pair.map(V::coordinates);
             let products = [dot(u, u), dot(v, v), dot(u, v), dot(u, n), dot(v, n)];
-            assert_near(products, [1.0, 1.0, 0.0, 0.0, 0.0], 1e-14);
-            assert_near(cross(u, v), n, 1e-14);
+            near_all(products, [1.0, 1.0, 0.0, 0.0, 0.0], 1e-14);
+            near_all(cross(u, v), n, 1e-14);
         }
         let [u, v] = normal.orthonormal_pair_with_up(V::from(up));
-        assert_near([dot(u.into(), up)], [0.0], 1e-14);
+        near_all([dot(u.into(), up)], [0.0], 1e-14);
         // v is the direction of up with its part along the normal taken away.
         prop_assert!(dot(v.into(), up) > 0.0);
         let across = (normal * size).any_perpendicular().unwrap().coordinates();
-        assert_near([dot(across, n), dot(across, across)], [0.0, 1.0], 1e-14);
+        near_all([dot(across, n), dot(across, across)], [0.0, 1.0], 1e-14);
     }
 
     #[test]
@@ -79,7 +78,7 @@ fn lengths_neither_overflow_nor_underflow() {
         assert!((v.length() / scale - 7.0).abs() < 1e-13);
         assert!((v.distance(V::ZERO) / scale - 7.0).abs() < 1e-13);
         let unit = v.normalized().unwrap();
-        assert_near(unit.into(), [2.0 / 7.0, -3.0 / 7.0, 6.0 / 7.0], 1e-13);
+        near_all(unit.into(), [2.0 / 7.0, -3.0 / 7.0, 6.0 / 7.0], 1e-13);
     }
 }
 

@@ -7,48 +7,11 @@ use ga_runtime::cga3::{
     Point, Rotor, RoundVector, Sphere, Translator,
 };
 use ga_runtime::testing::{member, strategy};
+use nullcone_tests::plain::{
+    Vector, cross, dot, largest_difference, length, minus, motor_coefficients, rotated, unit,
+    vector,
+};
 use proptest::prelude::*;
-
-type Vector = [f64; 3];
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    (0..3).map(|k| a[k] * b[k]).sum()
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-fn minus(a: Vector, b: Vector) -> Vector {
-    std::array::from_fn(|k| a[k] - b[k])
-}
-
-fn length(a: Vector) -> f64 {
-    dot(a, a).sqrt()
-}
-
-/// Rodrigues' formula: the turn of x by an angle about a unit axis.
-fn rodrigues(axis: Vector, angle: f64, x: Vector) -> Vector {
-    let (sine, cosine) = angle.sin_cos();
-    let side = cross(axis, x);
-    let along = dot(axis, x) * (1.0 - cosine);
-    std::array::from_fn(|k| x[k] * cosine + side[k] * sine + axis[k] * along)
-}
-
-fn vector(size: f64) -> impl Strategy<Value = Vector> + Clone {
-    prop::array::uniform3(-size..size)
-}
-
-fn unit() -> impl Strategy<Value = Vector> + Clone {
-    vector(1.0).prop_filter_map("too short to have a direction", |v| {
-        let size = length(v);
-        (size > 0.1).then(|| v.map(|x| x / size))
-    })
-}
 
 fn motors() -> impl Strategy<Value = Motor<f64>> + Clone {
     (unit(), -2.0 * PI..2.0 * PI, vector(10.0)).prop_map(|(axis, angle, t)| {
@@ -56,36 +19,17 @@ fn motors() -> impl Strategy<Value = Motor<f64>> + Clone {
     })
 }
 
-fn coefficients(m: Motor<f64>) -> [f64; 8] {
-    [
-        m.scalar(),
-        m.e12(),
-        m.e13(),
-        m.e23(),
-        m.e1i(),
-        m.e2i(),
-        m.e3i(),
-        m.e123i(),
-    ]
-}
-
-fn deviation(a: Motor<f64>, b: Motor<f64>) -> f64 {
-    let pairs = coefficients(a).into_iter().zip(coefficients(b));
-    pairs.fold(0.0, |most, (x, y)| {
-        if x.is_nan() || y.is_nan() {
-            f64::NAN
-        } else {
-            (x - y).abs().max(most)
-        }
-    })
-}
-
 /// Asserts `exp(log M) = M` relative to the size of the motor, the errors scaled by a conditioning.
+/// The largest difference of two coefficients.
+fn apart(a: Motor<f64>, b: Motor<f64>) -> f64 {
+    largest_difference(motor_coefficients(a), motor_coefficients(b))
+}
+
 fn check_round_trip(motor: Motor<f64>, conditioning: f64) {
-    let size = coefficients(motor)
+    let size = motor_coefficients(motor)
         .iter()
         .fold(1.0_f64, |m, x| m.max(x.abs()));
-    let error = deviation(motor.log().exp(), motor);
+    let error = apart(motor.log().exp(), motor);
     assert!(
         error <= 1e-14 * size * conditioning,
         "{motor} is off by {error}"
@@ -97,26 +41,26 @@ proptest! {
     fn rotors_turn_as_rodrigues_says(axis in unit(), angle in -7.0..7.0_f64, x in vector(5.0), scale in 0.1..9.0) {
         let rotor = Rotor::from_axis_angle(axis.map(|a| a * scale), angle).unwrap();
         let image = rotor.transform(Point::from(x)).coordinates();
-        prop_assert!(length(minus(image, rodrigues(axis, angle, x))) < 1e-14 * 10.0);
+        prop_assert!(length(minus(image, rotated(axis, angle, x))) < 1e-14 * 10.0);
         let matrix = rotor.to_matrix().map(|row| dot(row, x));
         prop_assert!(length(minus(matrix, image)) < 1e-14 * 10.0);
         // The matrix and the quaternion lose the sign at most.
         let again = Rotor::from_matrix(rotor.to_matrix()).unwrap();
         let same = Motor::from(again);
-        let error = deviation(same, rotor.into()).min(deviation(-same, rotor.into()));
+        let error = apart(same, rotor.into()).min(apart(-same, rotor.into()));
         prop_assert!(error < 1e-14);
         let (v, w) = rotor.to_quaternion();
-        prop_assert!(deviation(Rotor::from_quaternion(v, w).unwrap().into(), rotor.into()) < 1e-15);
+        prop_assert!(apart(Rotor::from_quaternion(v, w).unwrap().into(), rotor.into()) < 1e-15);
         let (found, turned) = rotor.to_axis_angle();
         let back = Rotor::from_axis_angle(found, turned).unwrap();
-        prop_assert!(deviation(back.into(), rotor.into()) < 1e-15);
+        prop_assert!(apart(back.into(), rotor.into()) < 1e-15);
     }
 
     #[test]
     fn half_turns_come_back_from_matrices(axis in unit(), off in -1e-7..1e-7_f64) {
         let rotor = Rotor::from_axis_angle(axis, PI + off).unwrap();
         let again = Motor::from(Rotor::from_matrix(rotor.to_matrix()).unwrap());
-        let error = deviation(again, rotor.into()).min(deviation(-again, rotor.into()));
+        let error = apart(again, rotor.into()).min(apart(-again, rotor.into()));
         prop_assert!(error < 1e-14);
     }
 
@@ -136,12 +80,12 @@ proptest! {
     fn motors_turn_then_shift(axis in unit(), angle in -7.0..7.0_f64, t in vector(5.0), x in vector(5.0)) {
         let rotor = Rotor::from_axis_angle(axis, angle).unwrap();
         let motor = Translator::from_displacement(t) * rotor;
-        let turned = rodrigues(axis, angle, x);
+        let turned = rotated(axis, angle, x);
         let expected: Vector = std::array::from_fn(|k| turned[k] + t[k]);
         let image = motor.transform(Point::from(x)).coordinates();
         prop_assert!(length(minus(image, expected)) < 1e-13);
         prop_assert!(length(minus(motor.translator().displacement(), t)) < 1e-14 * 10.0);
-        prop_assert!(deviation(motor.rotor().into(), rotor.into()) < 1e-16);
+        prop_assert!(apart(motor.rotor().into(), rotor.into()) < 1e-16);
         // Directions turn and do not shift.
         let direction = motor.transform(Direction::from_vector(x)).vector();
         prop_assert!(length(minus(direction, turned)) < 1e-13);
@@ -149,11 +93,11 @@ proptest! {
         let by_matrix: Vector = matrix.map(|[a, b, c, d]| dot([a, b, c], x) + d);
         prop_assert!(length(minus(by_matrix, expected)) < 1e-13);
         let again = Motor::from_matrix(matrix).unwrap();
-        prop_assert!(deviation(again, motor).min(deviation(-again, motor)) < 1e-13);
+        prop_assert!(apart(again, motor).min(apart(-again, motor)) < 1e-13);
         // About a point: it stays, and the rest turns about it.
         let about = Motor::about(Point::from(t), rotor);
         prop_assert!(about.transform(Point::from(t)).distance(Point::from(t)) < 1e-13);
-        let offset = rodrigues(axis, angle, minus(x, t));
+        let offset = rotated(axis, angle, minus(x, t));
         let expected: Vector = std::array::from_fn(|k| offset[k] + t[k]);
         prop_assert!(length(minus(about.transform(Point::from(x)).coordinates(), expected)) < 1e-13);
     }
@@ -183,11 +127,11 @@ proptest! {
         prop_assume!(between.scalar().abs() > 1e-3);
         let at = |t| a.interpolate(b, t);
         let tolerance = 1e-12;
-        prop_assert!(deviation(at(0.0), a) < tolerance);
-        prop_assert!(deviation(at(1.0), b).min(deviation(at(1.0), -b)) < tolerance);
+        prop_assert!(apart(at(0.0), a) < tolerance);
+        prop_assert!(apart(at(1.0), b).min(apart(at(1.0), -b)) < tolerance);
         // Equal steps in time are equal motions, and the whole turn is at most half a round.
         let step = |from: f64| at(from).inverse() * at(from + 0.25);
-        prop_assert!(deviation(step(t * 0.75), step(0.0)) < tolerance);
+        prop_assert!(apart(step(t * 0.75), step(0.0)) < tolerance);
         let (_, angle) = step(0.0).rotor().to_axis_angle();
         prop_assert!(angle <= 0.25 * PI + 1e-9 || angle >= 2.0 * PI - 0.25 * PI - 1e-9);
     }
@@ -227,7 +171,7 @@ proptest! {
         // A point on the circle is on the sphere and in the plane; their meet is the circle.
         let side = cross(normal, if normal[0].abs() < 0.6 { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] });
         let start = side.map(|s| s * radius / length(side));
-        let arm = rodrigues(normal, angle, start);
+        let arm = rotated(normal, angle, start);
         let on = Point::from(std::array::from_fn(|k| centre[k] + arm[k]));
         prop_assert!((sphere & on).abs() < 1e-12 && (circle.carrier() & on).abs() < 1e-12);
         let meet = sphere & Plane::from_point_normal(middle, normal);
@@ -256,8 +200,8 @@ proptest! {
 
     #[test]
     fn random_members_of_float_types_are_members(motor in member::<Motor<f64>, _>(strategy::float(0.9))) {
-        let [s, a, b, c, d, e, f, g] = coefficients(motor);
-        let size = coefficients(motor).iter().fold(1.0_f64, |m, x| m.max(x.abs()));
+        let [s, a, b, c, d, e, f, g] = motor_coefficients(motor);
+        let size = motor_coefficients(motor).iter().fold(1.0_f64, |m, x| m.max(x.abs()));
         prop_assert!(Motor::try_new(s, a, b, c, d, e, f, g, 1e-13 * size * size).is_some());
     }
 }
@@ -300,8 +244,8 @@ fn logarithms_at_the_edges() {
     );
     let whole = (-Motor::<f64>::default()).log();
     assert_eq!(whole, MotorGenerator::new(PI, 0.0, 0.0, 0.0, 0.0, 0.0));
-    assert!(deviation(whole.exp(), -Motor::default()) < 1e-15);
-    assert!(deviation((-shift).log().exp(), -shift) < 1e-14);
+    assert!(apart(whole.exp(), -Motor::default()) < 1e-15);
+    assert!(apart((-shift).log().exp(), -shift) < 1e-14);
 }
 
 #[test]

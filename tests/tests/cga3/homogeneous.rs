@@ -12,6 +12,7 @@ use ga_runtime::geometry::homogeneous::{
 use ga_runtime::geometry::{Affine, NotConformal};
 use ga_runtime::scalar::{Prime61, Ring};
 use ga_runtime::testing::{exact_member, for_all, strategy};
+use nullcone_tests::plain::{rotated, unit_of};
 use proptest::prelude::*;
 
 const EPSILON: f64 = f64::EPSILON;
@@ -44,18 +45,9 @@ fn applied<S: Ring>(matrix: Matrix<S>, [x, y, z]: [S; 3]) -> [S; 4] {
     matrix.map(|row| row[0] * x + row[1] * y + row[2] * z + row[3])
 }
 
-/// Rodrigues' formula: `p cos θ + n × p sin θ + n (n·p)(1 − cos θ)`.
+/// The rotation of p by an angle about an axis of any length.
 fn turned(axis: [f64; 3], angle: f64, p: [f64; 3]) -> [f64; 3] {
-    let length = axis.iter().map(|x| x * x).sum::<f64>().sqrt();
-    let n = axis.map(|x| x / length);
-    let along = n[0] * p[0] + n[1] * p[1] + n[2] * p[2];
-    let cross = [
-        n[1] * p[2] - n[2] * p[1],
-        n[2] * p[0] - n[0] * p[2],
-        n[0] * p[1] - n[1] * p[0],
-    ];
-    let (sine, cosine) = angle.sin_cos();
-    [0, 1, 2].map(|k| p[k] * cosine + cross[k] * sine + n[k] * along * (1.0 - cosine))
+    rotated(unit_of(axis), angle, p)
 }
 
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {

@@ -1,12 +1,13 @@
 //! The typed conformal algebra against vectors that other libraries computed.
 
-use std::path::Path;
+use std::iter;
 
 use ga_runtime::Element;
 use ga_runtime::cga3::{
     Circle, DualPlane, Even, Infinity, Line, Motor, MotorGenerator, Multivector, Plane, Point,
     Rotor, RoundVector, Sphere, Translator,
 };
+use nullcone_tests::oracle;
 use serde_json::Value;
 
 /// The coefficients of a record's multivector, by blade.
@@ -62,20 +63,12 @@ fn near(what: &str, found: &[f64], expected: &[f64], tolerance: f64) {
     }
 }
 
-fn read(path: impl AsRef<Path>) -> Option<Value> {
-    let text = std::fs::read_to_string(path).ok()?;
-    Some(serde_json::from_str(&text).expect("JSON"))
-}
-
 /// The committed extract, and all vectors where they lie beside the repository.
 fn sources(extract: &str, key: Option<&str>) -> Vec<Value> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let mut sources = vec![read(root.join("data/ga").join(extract)).expect("the extract")];
-    match read(root.join("../../shared/oracle/ga/cga3_seed1.json")) {
-        Some(all) => sources.push(key.map_or(all.clone(), |key| all[key].clone())),
-        None => println!("the complete vectors are not there; only the extract is tested"),
-    }
-    sources
+    let complete = oracle::complete().map(|all| key.map_or(all, |key| &all[key]).clone());
+    iter::once(oracle::extract(extract))
+        .chain(complete)
+        .collect()
 }
 
 fn records<'a>(source: &'a Value, kind: &str) -> &'a Vec<Value> {
@@ -84,7 +77,7 @@ fn records<'a>(source: &'a Value, kind: &str) -> &'a Vec<Value> {
 
 #[test]
 fn products_of_multivectors() {
-    for source in sources("products.json", None) {
+    for source in sources("ga/products.json", None) {
         for pair in records(&source, "products") {
             let (a, b): (Multivector<f64>, Multivector<f64>) =
                 (element(&pair["a"]), element(&pair["b"]));
@@ -117,7 +110,7 @@ fn products_of_multivectors() {
 
 #[test]
 fn rounds_and_flats_through_points() {
-    for source in sources("geometry.json", Some("geometry")) {
+    for source in sources("ga/geometry.json", Some("geometry")) {
         for record in records(&source, "circles") {
             let [p, q, r] = points(record)[..] else {
                 panic!("three points")
@@ -241,7 +234,7 @@ fn rounds_and_flats_through_points() {
 
 #[test]
 fn meets() {
-    for source in sources("geometry.json", Some("geometry")) {
+    for source in sources("ga/geometry.json", Some("geometry")) {
         for record in records(&source, "sphere_plane") {
             let centre = Point::from(vector(&record["center"]));
             let radius = record["radius"].as_f64().expect("a number");
@@ -293,7 +286,7 @@ fn meets() {
 
 #[test]
 fn motions() {
-    for source in sources("geometry.json", Some("geometry")) {
+    for source in sources("ga/geometry.json", Some("geometry")) {
         for record in records(&source, "motors") {
             let angle = record["angle"].as_f64().expect("a number");
             let rotor = Rotor::from_axis_angle(vector(&record["axis"]), angle).expect("an axis");
@@ -348,7 +341,7 @@ fn motions() {
 
 #[test]
 fn general_versors() {
-    for source in sources("geometry.json", Some("geometry")) {
+    for source in sources("ga/geometry.json", Some("geometry")) {
         for record in records(&source, "versors") {
             let versor: Even<f64> = element(&record["versor"]);
             let point = Point::from(vector(&record["point"]));

@@ -9,26 +9,8 @@ use ga_runtime::cga3::{
 use ga_runtime::geometry::Kind;
 use ga_runtime::products::Sandwich;
 use ga_runtime::testing::{Prime61, assert_close, member, strategy};
+use nullcone_tests::plain::{along, dot, unit, vector};
 use proptest::prelude::*;
-
-fn place(size: f64) -> impl Strategy<Value = [f64; 3]> + Clone {
-    prop::array::uniform3(-size..size)
-}
-
-fn unit() -> impl Strategy<Value = [f64; 3]> + Clone {
-    place(1.0).prop_filter_map("a direction", |v| {
-        let length = dot(v, v).sqrt();
-        (length > 0.1).then(|| v.map(|x| x / length))
-    })
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn along(a: [f64; 3], t: f64, b: [f64; 3]) -> [f64; 3] {
-    [0, 1, 2].map(|k| a[k] + t * b[k])
-}
 
 fn some_across(n: [f64; 3]) -> [f64; 3] {
     let least = (0..3)
@@ -42,7 +24,7 @@ fn some_across(n: [f64; 3]) -> [f64; 3] {
 
 proptest! {
     #[test]
-    fn a_pair_gives_back_its_points(p in place(5.0), q in place(5.0)) {
+    fn a_pair_gives_back_its_points(p in vector(5.0), q in vector(5.0)) {
         let gap = along(p, -1.0, q);
         prop_assume!(dot(gap, gap) > 0.01);
         let pair = PointPair::through(Point::from(p), Point::from(q));
@@ -58,7 +40,7 @@ proptest! {
     }
 
     #[test]
-    fn multiples_of_a_pair_have_the_same_points(p in place(5.0), q in place(5.0), factor in 0.01..100.0) {
+    fn multiples_of_a_pair_have_the_same_points(p in vector(5.0), q in vector(5.0), factor in 0.01..100.0) {
         let gap = along(p, -1.0, q);
         prop_assume!(dot(gap, gap) > 0.01);
         let pair = PointPair::through(Point::from(p), Point::from(q));
@@ -69,7 +51,7 @@ proptest! {
     }
 
     #[test]
-    fn pairs_by_centre_and_squared_radius(c in place(5.0), d in unit(), squared in -4.0..4.0_f64) {
+    fn pairs_by_centre_and_squared_radius(c in vector(5.0), d in unit(), squared in -4.0..4.0_f64) {
         let pair = PointPair::from_centre_axis_radius_squared(Point::from(c), d, squared).expect("a pair");
         assert_close!(pair.centre().expect("a centre").coordinates(), c, 1e-12, 5.0);
         assert_close!(pair.radius_squared().expect("a pair"), squared, 1e-12, 100.0);
@@ -95,7 +77,7 @@ proptest! {
     }
 
     #[test]
-    fn circles_by_centre_and_squared_radius(c in place(5.0), n in unit(), squared in -4.0..4.0_f64) {
+    fn circles_by_centre_and_squared_radius(c in vector(5.0), n in unit(), squared in -4.0..4.0_f64) {
         let circle = Circle::from_centre_normal_radius_squared(Point::from(c), n, squared).expect("a circle");
         assert_close!(circle.centre().expect("a centre").coordinates(), c, 1e-12, 5.0);
         assert_close!(circle.radius_squared().expect("a circle"), squared, 1e-12, 100.0);
@@ -114,7 +96,7 @@ proptest! {
     }
 
     #[test]
-    fn kinds_do_not_depend_on_weight(c in place(2.0), n in unit(), squared in -2.0..2.0_f64, weight in 1e-3..1e3_f64) {
+    fn kinds_do_not_depend_on_weight(c in vector(2.0), n in unit(), squared in -2.0..2.0_f64, weight in 1e-3..1e3_f64) {
         prop_assume!(squared.abs() > 1e-9);
         let expected = if squared > 0.0 { Kind::Real } else { Kind::Imaginary };
         let point = Point::from(c);
@@ -146,7 +128,7 @@ proptest! {
     }
 
     #[test]
-    fn what_touches_has_radius_zero(c in place(10.0), n in unit(), r in 0.5..10.0_f64, weight in 0.1..10.0_f64) {
+    fn what_touches_has_radius_zero(c in vector(10.0), n in unit(), r in 0.5..10.0_f64, weight in 0.1..10.0_f64) {
         let point = Point::from(c);
         let tangent = PointPair::tangent(point, n).expect("a direction") * weight;
         let ends = tangent.endpoints().expect("a real pair");

@@ -4,6 +4,7 @@ use ga_runtime::cga3::{
     Circle, Dilator, DualQuaternion, FlatPoint, Line, Motor, MotorGenerator, Plane, Point, Rotor,
     RoundVector, Sphere,
 };
+use nullcone_tests::plain::motor_coefficients;
 
 /// The dual quaternion `size (1 + 2 e12 + 2 e13 + 4 e23 + 25 shift e123i)`, whose length is 5 size.
 /// With `M ~M = size² (25 + 50 shift e123i)` the nearest motor is `(1 + 2 e12 + 2 e13 + 4 e23)(1 −
@@ -19,21 +20,8 @@ fn nearest(shift: f64) -> [f64; 8] {
     [0.2, 0.4, 0.4, 0.8, a, b, c, d]
 }
 
-fn coefficients(motor: Motor<f64>) -> [f64; 8] {
-    [
-        motor.scalar(),
-        motor.e12(),
-        motor.e13(),
-        motor.e23(),
-        motor.e1i(),
-        motor.e2i(),
-        motor.e3i(),
-        motor.e123i(),
-    ]
-}
-
 fn check(motor: Motor<f64>, expected: [f64; 8], what: &str) {
-    for (found, expected) in coefficients(motor).into_iter().zip(expected) {
+    for (found, expected) in motor_coefficients(motor).into_iter().zip(expected) {
         let deviation = (found - expected).abs();
         assert!(
             deviation <= 1e-15 * expected.abs(),
@@ -156,7 +144,7 @@ fn turns_by_large_angles_advance_far() {
             shift * cosine,
             shift * sine,
         ];
-        for (found, expected) in coefficients(motor).into_iter().zip(expected) {
+        for (found, expected) in motor_coefficients(motor).into_iter().zip(expected) {
             let deviation = (found - expected).abs();
             assert!(
                 deviation <= 1e-15 * expected.abs(),

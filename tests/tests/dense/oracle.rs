@@ -1,24 +1,20 @@
 //! The dense reference against coefficients from independent libraries.
 //!
-//! The extracts in `data/ga` are always tested, the complete vectors where `../shared/oracle` lies
-//! beside the workspace.
-
-use std::fs;
-use std::path::Path;
+//! The extracts in `data/ga` are always tested, the complete vectors where the shared data is there.
 
 use ga_runtime::dense::{Algebra, Multivector};
 use ga_runtime::testing::check_close;
+use nullcone_tests::oracle;
 use serde_json::Value;
 
 type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 
-const COMPLETE: &str = "../../shared/oracle/ga/cga3_seed1.json";
 const INFINITY: usize = 0b10000;
 
 #[test]
 fn products_of_the_extract() -> Result<()> {
     assert_eq!(
-        check_products(&read("data/ga/products.json")?["products"])?,
+        check_products(&oracle::extract("ga/products.json")["products"])?,
         20
     );
     Ok(())
@@ -26,19 +22,16 @@ fn products_of_the_extract() -> Result<()> {
 
 #[test]
 fn figures_of_the_extract() -> Result<()> {
-    assert_eq!(check_figures(&read("data/ga/geometry.json")?)?, 8 * 6);
+    assert_eq!(check_figures(&oracle::extract("ga/geometry.json"))?, 8 * 6);
     Ok(())
 }
 
 #[test]
 fn complete_vectors() -> Result<()> {
-    if !root().join(COMPLETE).exists() {
-        println!("not run: there is no {COMPLETE}");
-        return Ok(());
+    if let Some(all) = oracle::complete() {
+        assert_eq!(check_products(&all["products"])?, 240);
+        assert_eq!(check_figures(&all["geometry"])?, 8 * 60);
     }
-    let oracle = read(COMPLETE)?;
-    assert_eq!(check_products(&oracle["products"])?, 240);
-    assert_eq!(check_figures(&oracle["geometry"])?, 8 * 60);
     Ok(())
 }
 
@@ -230,19 +223,10 @@ fn largest(a: &Multivector<f64>) -> f64 {
         .fold(0.0, |largest, value| largest.max(value.abs()))
 }
 
-fn read(path: &str) -> Result<Value> {
-    let text = fs::read_to_string(root().join(path)).map_err(|error| format!("{path}: {error}"))?;
-    Ok(serde_json::from_str(&text)?)
-}
-
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
-
 fn list(value: &Value) -> Result<&Vec<Value>> {
     value
         .as_array()
-        .ok_or_else(|| format!("{value} is no list").into())
+        .ok_or_else(|| format!("{value} is not a list").into())
 }
 
 fn numbers(value: &Value) -> Result<Vec<f64>> {
@@ -252,5 +236,5 @@ fn numbers(value: &Value) -> Result<Vec<f64>> {
 fn number(value: &Value) -> Result<f64> {
     value
         .as_f64()
-        .ok_or_else(|| format!("{value} is no number").into())
+        .ok_or_else(|| format!("{value} is not a number").into())
 }

@@ -6,14 +6,10 @@ use ga_runtime::cga3::{DualQuaternion, Motor, MotorGenerator, Point, Rotor, Tran
 use ga_runtime::geometry::motion::{MotorSpline, RotorSpline, SplineError};
 use ga_runtime::scalar::Dual;
 use ga_runtime::testing::assert_close;
+use nullcone_tests::plain::{Vector, motor_coefficients, vector};
 use proptest::prelude::*;
 
-type Vector = [f64; 3];
 type Key = (f64, Motor<f64>);
-
-fn vector(size: f64) -> impl Strategy<Value = Vector> + Clone {
-    prop::array::uniform3(-size..size)
-}
 
 /// A motor that turns by no more than an angle.
 fn motor(angle: f64) -> impl Strategy<Value = Motor<f64>> + Clone {
@@ -41,15 +37,10 @@ fn keys() -> impl Strategy<Value = Vec<Key>> + Clone {
     })
 }
 
-fn coefficients<S: Copy + ga_runtime::scalar::Ring>(m: Motor<S>) -> [S; 8] {
-    let (s, [a, b, c]) = (m.scalar(), [m.e12(), m.e13(), m.e23()]);
-    [s, a, b, c, m.e1i(), m.e2i(), m.e3i(), m.e123i()]
-}
-
 /// The largest difference of coefficients of two motors, whatever their signs.
 fn deviation(a: Motor<f64>, b: Motor<f64>) -> f64 {
     let apart = |b: Motor<f64>| {
-        let pairs = coefficients(a).into_iter().zip(coefficients(b));
+        let pairs = motor_coefficients(a).into_iter().zip(motor_coefficients(b));
         pairs.fold(0.0, |most: f64, (x, y)| {
             assert!(x.is_finite() && y.is_finite());
             most.max((x - y).abs())
@@ -59,19 +50,19 @@ fn deviation(a: Motor<f64>, b: Motor<f64>) -> f64 {
 }
 
 fn constant(m: Motor<f64>) -> Motor<Dual<f64>> {
-    let [s, a, b, c, x, y, z, w] = coefficients(m).map(Dual::constant);
+    let [s, a, b, c, x, y, z, w] = motor_coefficients(m).map(Dual::constant);
     Motor::new_unchecked(s, a, b, c, x, y, z, w)
 }
 
 fn value(m: Motor<Dual<f64>>) -> Motor<f64> {
-    let [s, a, b, c, x, y, z, w] = coefficients(m).map(|x| x.value);
+    let [s, a, b, c, x, y, z, w] = motor_coefficients(m).map(|x| x.value);
     Motor::new_unchecked(s, a, b, c, x, y, z, w)
 }
 
 /// `~M M'`, the velocity as seen from the moved body. Derivatives of functions of an angle lose
 /// figures as it gets small.
 fn velocity(m: Motor<Dual<f64>>) -> [f64; 6] {
-    let [s, a, b, c, x, y, z, w] = coefficients(m).map(|x| x.derivative());
+    let [s, a, b, c, x, y, z, w] = motor_coefficients(m).map(|x| x.derivative());
     let rate = DualQuaternion::new(s, a, b, c, x, y, z, w);
     let v = DualQuaternion::from(value(m).reverse()) * rate;
     assert!(
@@ -219,9 +210,9 @@ proptest! {
             let here = parts(spline.velocity(time).unwrap());
             assert_close!(velocity(at(time)).to_vec(), here.to_vec(), 1e-8, scale);
             let h = 1e-4;
-            let [a, b] = [time - h, time + h].map(|t| coefficients(spline.evaluate(t).unwrap()));
+            let [a, b] = [time - h, time + h].map(|t| motor_coefficients(spline.evaluate(t).unwrap()));
             let rate: Vec<f64> = b.iter().zip(a).map(|(b, a)| (b - a) / (2.0 * h)).collect();
-            let exact = coefficients(at(time)).map(|x| x.derivative()).to_vec();
+            let exact = motor_coefficients(at(time)).map(|x| x.derivative()).to_vec();
             assert_close!(rate, exact, 2e-3, scale);
         }
     }
@@ -451,7 +442,7 @@ fn what_is_no_time_gives_no_motion() {
             a.squad(b, c, d, t),
         ] {
             assert!(
-                coefficients(motor).iter().any(|x| !x.is_finite()),
+                motor_coefficients(motor).iter().any(|x| !x.is_finite()),
                 "{t}: {motor}"
             );
         }

@@ -1,59 +1,16 @@
 //! Motions fitted to points and directions, against planted motions and another library.
 
 use core::f64::consts::{FRAC_PI_2, PI};
-use std::path::Path;
 
 use ga_runtime::cga3::{Motor, Point, Rotor, Similarity, Translator};
 use ga_runtime::geometry::motion::{FitError, WeightError};
 use ga_runtime::testing::assert_close;
+use nullcone_tests::oracle;
+use nullcone_tests::plain::{Vector, cross, dot, length, minus, plus, rotated, unit, vector};
 use proptest::prelude::*;
 use serde_json::Value;
 
-type Vector = [f64; 3];
 type Pairs = Vec<(Point<f64>, Point<f64>)>;
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    (0..3).map(|k| a[k] * b[k]).sum()
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-fn plus(a: Vector, b: Vector) -> Vector {
-    std::array::from_fn(|k| a[k] + b[k])
-}
-
-fn minus(a: Vector, b: Vector) -> Vector {
-    std::array::from_fn(|k| a[k] - b[k])
-}
-
-fn length(a: Vector) -> f64 {
-    dot(a, a).sqrt()
-}
-
-/// Rodrigues' formula: the turn of x by an angle about a unit axis.
-fn rodrigues(axis: Vector, angle: f64, x: Vector) -> Vector {
-    let (sine, cosine) = angle.sin_cos();
-    let side = cross(axis, x);
-    let along = dot(axis, x) * (1.0 - cosine);
-    std::array::from_fn(|k| x[k] * cosine + side[k] * sine + axis[k] * along)
-}
-
-fn vector(size: f64) -> impl Strategy<Value = Vector> + Clone {
-    prop::array::uniform3(-size..size)
-}
-
-fn unit() -> impl Strategy<Value = Vector> + Clone {
-    vector(1.0).prop_filter_map("too short to have a direction", |v| {
-        let size = length(v);
-        (size > 0.1).then(|| v.map(|x| x / size))
-    })
-}
 
 /// Four points that span space well, and more.
 fn points() -> impl Strategy<Value = Vec<Vector>> + Clone {
@@ -94,13 +51,13 @@ proptest! {
     fn exact_motions_come_back(
         from in points(), axis in unit(), angle in prop_oneof![-PI..PI, Just(PI), Just(0.0), -1e-9..1e-9], t in vector(10.0)
     ) {
-        let to: Vec<_> = from.iter().map(|&x| plus(rodrigues(axis, angle, x), t)).collect();
+        let to: Vec<_> = from.iter().map(|&x| plus(rotated(axis, angle, x), t)).collect();
         let fit = Motor::from_point_pairs(&paired(&from, &to)).unwrap();
         let rows = fit.motion.to_matrix();
         for column in 0..3 {
             let mut e = [0.0; 3];
             e[column] = 1.0;
-            assert_close!(rows.map(|row| row[column]), rodrigues(axis, angle, e), 1e-13, 1.0);
+            assert_close!(rows.map(|row| row[column]), rotated(axis, angle, e), 1e-13, 1.0);
         }
         assert_close!(rows.map(|row| row[3]), t, 1e-13, 10.0);
         prop_assert!(fit.residual < 1e-14 && fit.motion.scalar() >= 0.0);
@@ -126,7 +83,7 @@ proptest! {
     ) {
         let weighted: Vec<_> = from.iter().zip(&noise).map(|(&x, &(n, w))| {
             let [a, b, c] = x;
-            let y = rodrigues(axis, angle, if mirrored { [a, b, -c] } else { x });
+            let y = rotated(axis, angle, if mirrored { [a, b, -c] } else { x });
             (w, x, plus(y, n))
         }).collect();
         let pairs: Vec<_> = weighted.iter().map(|&(w, x, y)| (w, Point::from(x), Point::from(y))).collect();
@@ -150,7 +107,7 @@ proptest! {
         let centroid = weighted.iter().fold([0.0; 3], |sum, &(w, _, y)| plus(sum, y.map(|c| c * w / total)));
         for (axis, angle) in others {
             for angle in [angle, angle * 1e-3] {
-                let moved = |x: Vector| plus(centroid, rodrigues(axis, angle, minus(image(rows, x), centroid)));
+                let moved = |x: Vector| plus(centroid, rotated(axis, angle, minus(image(rows, x), centroid)));
                 let origin = moved([0.0; 3]);
                 let e = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|e| minus(moved(e), origin));
                 let rows = [0, 1, 2].map(|k| [e[0][k], e[1][k], e[2][k], origin[k]]);
@@ -163,7 +120,7 @@ proptest! {
     fn directions_come_back(axis in unit(), angle in -PI..PI, a in unit(), b in unit(), sizes in prop::array::uniform4(1e-3..1e3)) {
         let apart = length(cross(a, b));
         prop_assume!(apart > 1e-3);
-        let turned = |x: Vector, size: f64| rodrigues(axis, angle, x).map(|c| c * size);
+        let turned = |x: Vector, size: f64| rotated(axis, angle, x).map(|c| c * size);
         let [p, q, r, s] = sizes;
         let pairs = [(a.map(|c| c * p), turned(a, q)), (b.map(|c| c * r), turned(b, s))];
         let fit = Rotor::from_direction_pairs(&pairs).unwrap();
@@ -184,7 +141,7 @@ proptest! {
         let thin = 10.0_f64.powf(-thickness);
         let from: Vec<_> = [(-1.0, 0.0), (0.0, thin), (1.0, 0.0), (0.5, -thin)]
             .map(|(s, t)| plus(along.map(|c| c * s), side.map(|c| c * t))).to_vec();
-        let to: Vec<_> = from.iter().map(|&x| rodrigues(axis, angle, x)).collect();
+        let to: Vec<_> = from.iter().map(|&x| rotated(axis, angle, x)).collect();
         let fit = Motor::from_point_pairs(&paired(&from, &to)).unwrap();
         let expected = Rotor::from_axis_angle(axis, angle).unwrap();
         let error = (fit.motion.rotor().reverse() * expected).to_axis_angle().1;
@@ -209,9 +166,7 @@ fn mean_distance(pairs: &Pairs, moved: impl Fn(Point<f64>) -> Point<f64>) -> f64
 
 #[test]
 fn another_library_fits_alike() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("data/anim/procrustes.json");
-    let text = std::fs::read_to_string(path).unwrap();
-    let vectors_file: Value = serde_json::from_str(&text).unwrap();
+    let vectors_file = oracle::extract("anim/procrustes.json");
     let cases = vectors_file["cases"].as_array().unwrap();
     assert_eq!(cases.len(), 4);
     for case in cases {
@@ -459,7 +414,7 @@ fn size_and_place_cost_no_figures_but_their_own() {
     let expected = Rotor::from_axis_angle(axis, angle).unwrap();
     for size in [1e-300, 1e-100, 1e-12, 1e12, 1e100, 1e300] {
         let from = from.map(|x| x.map(|c| c * size));
-        let to = from.map(|x| rodrigues(axis, angle, x));
+        let to = from.map(|x| rotated(axis, angle, x));
         let fit = Motor::from_point_pairs(&paired(&from, &to)).unwrap();
         assert_close!(fit.motion.rotor(), expected, 1e-14);
         assert!(fit.residual < 1e-14 * size, "{size}: {}", fit.residual);
@@ -472,7 +427,7 @@ fn size_and_place_cost_no_figures_but_their_own() {
     }
     // A million away, coordinates are known to 1e-10, and so is the turn.
     let far = [1e6, -2e6, 5e5];
-    let to = from.map(|x| plus(rodrigues(axis, angle, x), far));
+    let to = from.map(|x| plus(rotated(axis, angle, x), far));
     let fit = Motor::from_point_pairs(&paired(&from, &to)).unwrap();
     assert_close!(fit.motion.rotor(), expected, 1e-9);
     assert!(fit.residual < 1e-9);
@@ -491,7 +446,7 @@ fn single_precision_fits_too() {
     let pairs = from.map(|x| {
         (
             narrow(x),
-            narrow(plus(rodrigues(axis, angle, x), [1.0, 2.0, 3.0])),
+            narrow(plus(rotated(axis, angle, x), [1.0, 2.0, 3.0])),
         )
     });
     let fit = Motor::from_point_pairs(&pairs).unwrap();

@@ -5,39 +5,22 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use ga_runtime::cga3::{Motor, MotorGenerator, Rotor, Translator};
 use ga_runtime::geometry::motion::{BlendError, MeanError, WeightError};
 use ga_runtime::testing::assert_close;
+use nullcone_tests::plain::{length, motor_coefficients};
+use nullcone_tests::random::SplitMix64;
 
 type Matrix = [[f64; 4]; 4];
 
-/// Numbers that only a seed decides (Steele, Lea and Flood's SplitMix64).
-struct Random(u64);
+/// Random motions and weights.
+trait Draw {
+    /// A rotation by this angle and a translation of this size.
+    fn motor(&mut self, angle: f64, size: f64) -> Motor<f64>;
+    /// A weight, often 0 or 1, or of another order of magnitude.
+    fn weight(&mut self) -> f64;
+    /// The motor or its negative, which is the same motion.
+    fn sign(&mut self, motor: Motor<f64>) -> Motor<f64>;
+}
 
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut bits = self.0;
-        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((bits ^ (bits >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn below(&mut self, size: f64) -> f64 {
-        (2.0 * self.unit() - 1.0) * size
-    }
-
-    fn vector(&mut self, size: f64) -> [f64; 3] {
-        [(); 3].map(|()| self.below(size))
-    }
-
-    fn axis(&mut self) -> [f64; 3] {
-        loop {
-            let v = self.vector(1.0);
-            let size = length(v);
-            if 0.1 < size && size < 1.0 {
-                return v.map(|x| x / size);
-            }
-        }
-    }
-
+impl Draw for SplitMix64 {
     fn motor(&mut self, angle: f64, size: f64) -> Motor<f64> {
         let rotor = Rotor::from_axis_angle(self.axis(), angle).expect("an axis");
         Translator::from_displacement(self.vector(size)) * rotor
@@ -46,7 +29,7 @@ impl Random {
     fn weight(&mut self) -> f64 {
         match (self.unit() * 4.0) as usize {
             0 => 1.0,
-            1 => 10.0_f64.powf(self.below(3.0)),
+            1 => 10.0_f64.powf(self.within(3.0)),
             2 => 0.0,
             _ => self.unit(),
         }
@@ -57,10 +40,6 @@ impl Random {
     }
 }
 
-fn length(v: [f64; 3]) -> f64 {
-    v.iter().map(|x| x * x).sum::<f64>().sqrt()
-}
-
 fn shift(t: [f64; 3]) -> Motor<f64> {
     Translator::from_displacement(t).into()
 }
@@ -69,17 +48,12 @@ fn turn(axis: [f64; 3], angle: f64) -> Motor<f64> {
     Rotor::from_axis_angle(axis, angle).expect("an axis").into()
 }
 
-fn coefficients(m: Motor<f64>) -> [f64; 8] {
-    let (s, [a, b, c]) = (m.scalar(), [m.e12(), m.e13(), m.e23()]);
-    [s, a, b, c, m.e1i(), m.e2i(), m.e3i(), m.e123i()]
-}
-
 /// The largest difference of coefficients of two motors, whatever their signs, relative to the size
 /// of the displacements.
 fn deviation(a: Motor<f64>, b: Motor<f64>) -> f64 {
     let size = 1.0 + length(b.translator().displacement());
     let apart = |b: Motor<f64>| {
-        let pairs = coefficients(a).into_iter().zip(coefficients(b));
+        let pairs = motor_coefficients(a).into_iter().zip(motor_coefficients(b));
         pairs.fold(0.0, |most: f64, (x, y)| {
             assert!(x.is_finite() && y.is_finite());
             most.max((x - y).abs())
@@ -113,7 +87,7 @@ fn of_matrix([a, b, c, _]: Matrix) -> Motor<f64> {
 
 /// Motors whose logarithms from a centre have the weighted sum zero, with their weights; all
 /// rotations within an angle of the centre.
-fn planted(random: &mut Random, centre: Motor<f64>, angle: f64) -> Vec<(f64, Motor<f64>)> {
+fn planted(random: &mut SplitMix64, centre: Motor<f64>, angle: f64) -> Vec<(f64, Motor<f64>)> {
     let count = 1 + (random.unit() * 12.0) as usize;
     let mut sums = [[0.0; 3]; 2];
     let mut cloud = Vec::new();
@@ -152,8 +126,8 @@ fn planted(random: &mut Random, centre: Motor<f64>, angle: f64) -> Vec<(f64, Mot
 fn planted_means_are_found() {
     for (angle, most_steps) in [(30.0_f64, 4), (90.0, 6)] {
         for seed in 0..2000 {
-            let mut random = Random(seed);
-            let turned = random.below(PI);
+            let mut random = SplitMix64(seed);
+            let turned = random.within(PI);
             let centre = random.motor(turned, 10.0);
             let cloud = planted(&mut random, centre, angle.to_radians());
             let found = Motor::mean(&cloud)
@@ -170,8 +144,8 @@ fn planted_means_are_found() {
 }
 
 /// Clouds as uneven as they come: any number, any weights, all within an angle of some motor.
-fn cloud(random: &mut Random, angle: f64) -> Vec<(f64, Motor<f64>)> {
-    let turned = random.below(PI);
+fn cloud(random: &mut SplitMix64, angle: f64) -> Vec<(f64, Motor<f64>)> {
+    let turned = random.within(PI);
     let centre = random.motor(turned, 10.0);
     let count = 1 + (random.unit() * 30.0) as usize;
     let is_at_the_edge = random.unit() < 0.3;
@@ -234,7 +208,7 @@ fn uneven_clouds_come_to_rest_in_few_steps() {
     for (angle, most_steps) in [(30.0_f64, 4), (60.0, 5), (90.0, 6)] {
         let mut worst = 0;
         for seed in 0..2000 {
-            let cloud = cloud(&mut Random(seed), angle.to_radians());
+            let cloud = cloud(&mut SplitMix64(seed), angle.to_radians());
             let found = Motor::mean(&cloud)
                 .unwrap_or_else(|error| panic!("{angle}°, seed {seed}: {error}"));
             worst = worst.max(found.steps);
@@ -251,7 +225,7 @@ fn uneven_clouds_come_to_rest_in_few_steps() {
 #[test]
 fn means_go_along_with_changes_of_frames() {
     for seed in 0..500 {
-        let mut random = Random(seed);
+        let mut random = SplitMix64(seed);
         let cloud = cloud(&mut random, 80.0_f64.to_radians());
         let (before, after) = (random.motor(2.0, 3.0), random.motor(-1.0, 3.0));
         let moved: Vec<_> = cloud
@@ -271,8 +245,8 @@ fn means_go_along_with_changes_of_frames() {
 #[test]
 fn the_mean_of_two_is_on_their_screw() {
     for seed in 0..500 {
-        let mut random = Random(seed);
-        let (turned, angle) = (random.below(PI), random.below(3.1));
+        let mut random = SplitMix64(seed);
+        let (turned, angle) = (random.within(PI), random.within(3.1));
         let (from, screw) = (random.motor(turned, 5.0), random.motor(angle, 5.0));
         let share = random.unit();
         let to = from * screw;
@@ -314,7 +288,7 @@ fn shifts_have_the_mean_of_their_displacements() {
 #[test]
 fn rotors_have_the_mean_of_their_motors() {
     for seed in 0..300 {
-        let mut random = Random(seed);
+        let mut random = SplitMix64(seed);
         let cloud = cloud(&mut random, FRAC_PI_2);
         let turns: Vec<_> = cloud.iter().map(|&(w, m)| (w, m.rotor())).collect();
         let (mean, whole) = (Rotor::mean(&turns).unwrap(), Motor::mean(&cloud).unwrap());
@@ -331,7 +305,7 @@ fn rotors_have_the_mean_of_their_motors() {
 #[test]
 fn blends_are_normalised_sums() {
     for seed in 0..500 {
-        let mut random = Random(seed);
+        let mut random = SplitMix64(seed);
         let cloud = cloud(&mut random, 1.0);
         let blend = Motor::blend(&cloud).unwrap();
         // The rotor part is the normalised sum of the rotor parts, by plain numbers.
@@ -444,8 +418,8 @@ fn rotations_all_around_have_no_mean() {
 #[test]
 fn fans_over_half_a_turn_have_their_middle_as_mean() {
     for seed in 0..400 {
-        let mut random = Random(seed);
-        let (axis, turned) = (random.axis(), random.below(PI));
+        let mut random = SplitMix64(seed);
+        let (axis, turned) = (random.axis(), random.within(PI));
         let start = random.motor(turned, 1.0);
         let count = 3 + 2 * (random.unit() * 5.0) as i32;
         let fan: Vec<_> = (0..count)
@@ -475,7 +449,7 @@ fn clouds_that_just_fit_have_a_mean() {
     // All a quarter turn from a centre, two of them as good as opposite, with weights from one to a
     // million.
     for seed in 0..4000 {
-        let mut random = Random(seed);
+        let mut random = SplitMix64(seed);
         let centre = random.motor(2.0, 1.0);
         let axis = random.axis();
         let off = 10.0_f64.powf(-1.0 - 8.0 * random.unit());
@@ -489,7 +463,7 @@ fn clouds_that_just_fit_have_a_mean() {
             .into_iter()
             .map(|motor| {
                 (
-                    10.0_f64.powf(random.below(3.0)),
+                    10.0_f64.powf(random.within(3.0)),
                     random.sign(centre * motor),
                 )
             })
@@ -515,7 +489,7 @@ fn a_ball_is_found_wherever_its_centre_is() {
     // centre shows one.
     let mut refused = 0;
     for seed in 0..400 {
-        let mut random = Random(seed);
+        let mut random = SplitMix64(seed);
         let spread = 1.2 + 0.8 * random.unit();
         let motors: Vec<_> = (0..6)
             .map(|_| {
@@ -628,11 +602,11 @@ fn far_displacements_keep_their_figures() {
 #[test]
 fn single_precision_comes_to_rest_too() {
     for seed in 0..1000 {
-        let mut random = Random(seed);
-        let turned = random.below(PI);
+        let mut random = SplitMix64(seed);
+        let turned = random.within(PI);
         let centre = random.motor(turned, 10.0);
         let narrow = |m: Motor<f64>| {
-            let [a, b, c, d, e, f, g, h] = coefficients(m).map(|x| x as f32);
+            let [a, b, c, d, e, f, g, h] = motor_coefficients(m).map(|x| x as f32);
             Motor::new_unchecked(a, b, c, d, e, f, g, h)
         };
         let cloud: Vec<_> = planted(&mut random, centre, FRAC_PI_2 - 0.01)
@@ -664,13 +638,13 @@ fn single_precision_comes_to_rest_too() {
 fn long_sums_keep_their_figures() {
     // First all motors of one side, then all of the other, so that sums grow large before they
     // vanish.
-    let mut random = Random(1);
+    let mut random = SplitMix64(1);
     let centre = random.motor(1.0, 1.0);
     let sides: Vec<_> = (0..20_000)
         .map(|_| (random.axis().map(|x| x.abs()), 0.5 + 0.2 * random.unit()))
         .collect();
     let narrow = |m: Motor<f64>| {
-        let [a, b, c, d, e, f, g, h] = coefficients(m).map(|x| x as f32);
+        let [a, b, c, d, e, f, g, h] = motor_coefficients(m).map(|x| x as f32);
         (1.0_f32, Motor::new_unchecked(a, b, c, d, e, f, g, h))
     };
     let moved = |sign: f64| {

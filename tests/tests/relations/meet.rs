@@ -7,6 +7,7 @@ use ga_runtime::geometry::relation::meet::{
     CircleAndCircle, LineAndCircle, LineAndLine, LineAndPlane, LineAndSphere, PlaneAndCircle,
     PlaneAndPlane, PlaneAndSphere, SphereAndCircle, SphereAndSphere,
 };
+use nullcone_tests::oracle;
 use nullcone_tests::plain::*;
 use proptest::prelude::*;
 
@@ -363,15 +364,9 @@ proptest! {
 /// What other libraries computed: the meet of a sphere with a plane and with a line.
 #[test]
 fn vectors_of_other_libraries() {
-    let read = |path: &str| -> Option<serde_json::Value> {
-        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
-        let text = std::fs::read_to_string(path).ok()?;
-        Some(serde_json::from_str(&text).expect("JSON"))
-    };
-    check_vectors(&read("data/ga/geometry.json").expect("the extract"), 12);
-    match read("../../shared/oracle/ga/cga3_seed1.json") {
-        Some(all) => check_vectors(&all["geometry"], 120),
-        None => println!("the complete vectors are not there; only the extract is tested"),
+    check_vectors(&oracle::extract("ga/geometry.json"), 12);
+    if let Some(all) = oracle::complete() {
+        check_vectors(&all["geometry"], 120);
     }
 }
 

@@ -8,6 +8,7 @@ use ga_runtime::cga3::{
     Circle, Dilator, FlatPoint, Line, Motor, Plane, Point, PointPair, Rotor, Sphere, Translator,
 };
 use ga_runtime::testing::{assert_close, cga3, sample};
+use nullcone_tests::plain::{cross, dot, length, minus, unit_of};
 use proptest::strategy::Strategy;
 
 const SIZE: f64 = 10.0;
@@ -31,30 +32,6 @@ fn assert_share<T>(cases: &[T], expected: f64, predicate: impl FnMut(&T) -> bool
         (found - expected).abs() <= tolerance,
         "{found} of the cases, where {expected} is expected"
     );
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-fn length(a: [f64; 3]) -> f64 {
-    dot(a, a).sqrt()
-}
-
-fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-fn unit(a: [f64; 3]) -> [f64; 3] {
-    a.map(|x| x / length(a))
 }
 
 #[test]
@@ -460,8 +437,8 @@ fn pairs_of_lines_take_every_position() {
     let position = |[a, b]: &[Line<f64>; 2]| {
         let [(u, m), (v, n)] = [a, b].map(|line| {
             let weight = length(line.direction());
-            let unit = |v: [f64; 3]| v.map(|x| x / weight);
-            (unit(line.direction()), unit(line.moment()))
+            let by_weight = |v: [f64; 3]| v.map(|x| x / weight);
+            (by_weight(line.direction()), by_weight(line.moment()))
         });
         Position {
             sine: length(cross(u, v)),
@@ -496,7 +473,7 @@ fn pairs_of_lines_take_every_position() {
 fn pairs_of_planes_take_every_position() {
     let pairs: Vec<[Plane<f64>; 2]> = drawn(cga3::pairs_of_planes(SIZE));
     let position = |[a, b]: &[Plane<f64>; 2]| {
-        let (m, n) = (unit(a.normal()), unit(b.normal()));
+        let (m, n) = (unit_of(a.normal()), unit_of(b.normal()));
         let offsets =
             [a, b].map(|plane| plane.signed_distance(Point::default()).expect("a weight"));
         let same_side = dot(m, n).signum();

@@ -2,7 +2,7 @@
 //! inversions, how they act.
 
 use std::f64::consts::PI;
-use std::path::Path;
+use std::iter;
 
 use ga_runtime::Element;
 use ga_runtime::cga3::{
@@ -12,6 +12,9 @@ use ga_runtime::cga3::{
 };
 use ga_runtime::dense;
 use ga_runtime::testing::{algebra_of, assert_close, exact_member, for_all, to_dense};
+use nullcone_tests::oracle;
+use nullcone_tests::plain::{along, dot, vector};
+use nullcone_tests::random::SplitMix64;
 use proptest::prelude::*;
 use serde_json::Value;
 
@@ -58,25 +61,8 @@ fn bivector(c: [f64; 10]) -> PointPair<f64> {
     PointPair::new(a, b, c, d, e, f, g, h, i, j)
 }
 
-/// Numbers in [−1, 1), the same in every run (Steele, Lea and Flood's splitmix64).
-struct Numbers(u64);
-
-impl Numbers {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-
-    fn vector(&mut self) -> [f64; 3] {
-        [self.next(), self.next(), self.next()]
-    }
-
-    fn bivector(&mut self) -> PointPair<f64> {
-        bivector([(); 10].map(|()| self.next()))
-    }
+fn random_bivector(n: &mut SplitMix64) -> PointPair<f64> {
+    bivector([(); 10].map(|()| n.within(1.0)))
 }
 
 /// The distance of a bivector from the edge of the branch, where the sum of the half angles of its
@@ -94,15 +80,26 @@ fn room(b: PointPair<f64>) -> f64 {
 
 /// Bivectors of all kinds: of any size, those of the special versors, and such as are nearly of a
 /// special kind.
-fn family(kind: usize, n: &mut Numbers) -> PointPair<f64> {
-    let spread = 10_f64.powf(-3.0 * n.next().abs());
-    let angle = 3.0 * n.next();
-    let [x, y, z] = n.vector();
+fn family(kind: usize, n: &mut SplitMix64) -> PointPair<f64> {
+    let spread = 10_f64.powf(-3.0 * n.within(1.0).abs());
+    let angle = 3.0 * n.within(1.0);
+    let [x, y, z] = n.vector(1.0);
     let turn = MotorGenerator::new(x * angle, y * angle, z * angle, 0.0, 0.0, 0.0);
-    let [x, y, z] = n.vector().map(|x| 10.0 * x);
+    let [x, y, z] = n.vector(1.0).map(|x| 10.0 * x);
     let shift = MotorGenerator::new(0.0, 0.0, 0.0, x, y, z);
-    let scaling = bivector([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 3.0 * n.next()]);
-    let bend = Transversor::from_vector(n.vector()).log();
+    let scaling = bivector([
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        3.0 * n.within(1.0),
+    ]);
+    let bend = Transversor::from_vector(n.vector(1.0)).log();
     // Turns by equal angles in e12 and in the plane of e3 and the timelike vector's complement.
     let equal = bivector([
         angle / 2.0,
@@ -117,10 +114,10 @@ fn family(kind: usize, n: &mut Numbers) -> PointPair<f64> {
         0.0,
     ]);
     match kind {
-        0 => n.bivector(),
-        1 => n.bivector() * 3.0,
-        2 => n.bivector() * 6.0,
-        3 => n.bivector() * 10_f64.powf(-150.0 + 150.0 * n.next()),
+        0 => random_bivector(n),
+        1 => random_bivector(n) * 3.0,
+        2 => random_bivector(n) * 6.0,
+        3 => random_bivector(n) * 10_f64.powf(-150.0 + 150.0 * n.within(1.0)),
         4 => turn.into(),
         5 => shift.into(),
         6 => scaling,
@@ -129,13 +126,13 @@ fn family(kind: usize, n: &mut Numbers) -> PointPair<f64> {
         9 => PointPair::from(turn + shift) + scaling,
         10 => PointPair::from(turn) + bend,
         11 => equal,
-        12 => PointPair::from(turn) + n.bivector() * spread,
-        13 => PointPair::from(shift) + n.bivector() * spread,
-        14 => scaling + n.bivector() * spread,
-        15 => bend + n.bivector() * spread,
-        16 => equal + n.bivector() * spread,
-        17 => PointPair::from(turn + shift) + n.bivector() * (spread * 1e-6),
-        _ => equal + n.bivector() * (spread * 1e-8),
+        12 => PointPair::from(turn) + random_bivector(n) * spread,
+        13 => PointPair::from(shift) + random_bivector(n) * spread,
+        14 => scaling + random_bivector(n) * spread,
+        15 => bend + random_bivector(n) * spread,
+        16 => equal + random_bivector(n) * spread,
+        17 => PointPair::from(turn + shift) + random_bivector(n) * (spread * 1e-6),
+        _ => equal + random_bivector(n) * (spread * 1e-8),
     }
 }
 
@@ -143,7 +140,7 @@ const KINDS: usize = 19;
 
 #[test]
 fn exponentials_and_logarithms_undo_each_other() {
-    let mut n = Numbers(1);
+    let mut n = SplitMix64(1);
     for k in 0..100_000 {
         let kind = k % KINDS;
         let b = family(kind, &mut n);
@@ -171,7 +168,7 @@ fn exponentials_and_logarithms_undo_each_other() {
 #[test]
 fn exponentials_are_those_of_the_series() {
     let algebra = algebra_of(PointPair::<f64>::METRIC);
-    let mut n = Numbers(2);
+    let mut n = SplitMix64(2);
     for k in 0..20 * KINDS {
         let b = family(k % KINDS, &mut n);
         let versor = b.exp().expect("in range");
@@ -186,20 +183,6 @@ fn exponentials_are_those_of_the_series() {
     }
 }
 
-fn sources() -> Vec<Value> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let read = |path: std::path::PathBuf| {
-        let text = std::fs::read_to_string(path).ok()?;
-        Some(serde_json::from_str::<Value>(&text).expect("JSON"))
-    };
-    let mut sources = vec![read(root.join("data/ga/geometry.json")).expect("the extract")];
-    match read(root.join("../../shared/oracle/ga/cga3_seed1.json")) {
-        Some(all) => sources.push(all["geometry"].clone()),
-        None => println!("the complete vectors are not there; only the extract is tested"),
-    }
-    sources
-}
-
 fn element<T: Element<Scalar = f64>>(value: &Value) -> T {
     let list = value.as_array().expect("a list of coefficients");
     T::from_coefficients_unchecked(&mut |blade| list[blade].as_f64().expect("a number"))
@@ -207,7 +190,8 @@ fn element<T: Element<Scalar = f64>>(value: &Value) -> T {
 
 #[test]
 fn versors_of_another_library() {
-    for source in sources() {
+    let complete = oracle::complete().map(|all| all["geometry"].clone());
+    for source in iter::once(oracle::extract("ga/geometry.json")).chain(complete) {
         for record in source["versors"].as_array().expect("records") {
             let versor: EvenVersor<f64> = element(&record["versor"]);
             let b: PointPair<f64> = element(&record["bivector"]);
@@ -227,10 +211,11 @@ fn versors_of_another_library() {
 
 #[test]
 fn rigid_motions_have_the_logarithm_that_they_have_as_motors() {
-    let mut n = Numbers(3);
+    let mut n = SplitMix64(3);
     for _ in 0..1000 {
-        let turn = Rotor::from_axis_angle(n.vector(), PI * (1.0 + n.next())).expect("an axis");
-        let motor = Translator::from_displacement(n.vector().map(|x| 5.0 * x)) * turn;
+        let turn =
+            Rotor::from_axis_angle(n.vector(1.0), PI * (1.0 + n.within(1.0))).expect("an axis");
+        let motor = Translator::from_displacement(n.vector(1.0).map(|x| 5.0 * x)) * turn;
         let expected = PointPair::from(motor.log());
         let found = EvenVersor::from(motor).log();
         let conditioning = 1.0 / room(expected).min(1.0);
@@ -241,9 +226,9 @@ fn rigid_motions_have_the_logarithm_that_they_have_as_motors() {
 
 #[test]
 fn tiny_bivectors_keep_their_digits() {
-    let mut n = Numbers(4);
+    let mut n = SplitMix64(4);
     for exponent in (8..=300).step_by(4) {
-        let b = n.bivector() * 10_f64.powi(-exponent);
+        let b = random_bivector(&mut n) * 10_f64.powi(-exponent);
         let log = b.exp().expect("in range").log();
         assert!(deviation(&log, &b) <= 1e-15, "1e-{exponent}");
     }
@@ -286,13 +271,13 @@ fn whole_turns_have_logarithms() {
             ..PointPair::default()
         }
     );
-    let mut n = Numbers(5);
+    let mut n = SplitMix64(5);
     for (what, versor) in on_the_edge() {
         for k in 0..500 {
             let frame = if k == 0 {
                 EvenVersor::default()
             } else {
-                n.bivector().exp().expect("in range")
+                random_bivector(&mut n).exp().expect("in range")
             };
             let moved = frame * versor * frame.reverse();
             let again = moved.log().exp().expect("in range");
@@ -345,7 +330,7 @@ fn what_is_not_finite_has_no_exponential() {
 
 #[test]
 fn single_precision() {
-    let mut n = Numbers(6);
+    let mut n = SplitMix64(6);
     for k in 0..2000 {
         let b = family(k % KINDS, &mut n);
         let narrow = |b: PointPair<f64>| {
@@ -366,7 +351,7 @@ fn single_precision() {
 
 #[test]
 fn roots_powers_and_the_way_between() {
-    let mut n = Numbers(7);
+    let mut n = SplitMix64(7);
     for k in 0..50 * KINDS {
         let b = family(k % KINDS, &mut n);
         if room(b) < 0.1 || k % KINDS == 2 {
@@ -381,7 +366,7 @@ fn roots_powers_and_the_way_between() {
         let backwards = versor.powf(-1.0).expect("in range");
         assert!(deviation(&backwards, &versor.inverse()) <= 1e-12);
 
-        let start = n.bivector().exp().expect("in range");
+        let start = random_bivector(&mut n).exp().expect("in range");
         let end = start * (b * 0.5).exp().expect("in range");
         let quarter = start.interpolate(end, 0.25).expect("in range");
         let expected = start * (b * 0.125).exp().expect("in range");
@@ -399,11 +384,11 @@ fn roots_powers_and_the_way_between() {
 /// `X ~X` and `X ~V` of a sum and the versor nearest to it.
 #[test]
 fn sums_have_nearest_versors() {
-    let mut n = Numbers(8);
+    let mut n = SplitMix64(8);
     for _ in 0..2000 {
         let (a, b) = (
-            n.bivector().exp().expect("in range"),
-            n.bivector().exp().expect("in range"),
+            random_bivector(&mut n).exp().expect("in range"),
+            random_bivector(&mut n).exp().expect("in range"),
         );
         let sum = Even::from(a) * 0.7 + Even::from(b) * 0.3;
         let norm = sum * sum.reverse();
@@ -524,21 +509,9 @@ fn products_and_actions_are_exact() {
     );
 }
 
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn along(a: [f64; 3], t: f64, b: [f64; 3]) -> [f64; 3] {
-    [0, 1, 2].map(|k| a[k] + t * b[k])
-}
-
-fn place() -> impl Strategy<Value = [f64; 3]> {
-    prop::array::uniform3(-3.0..3.0)
-}
-
 proptest! {
     #[test]
-    fn inversions_in_spheres(x in place(), c in place(), r in 0.1..3.0) {
+    fn inversions_in_spheres(x in vector(3.0), c in vector(3.0), r in 0.1..3.0) {
         let from_centre = along(x, -1.0, c);
         let squared = dot(from_centre, from_centre);
         prop_assume!(squared > 1e-2);
@@ -556,7 +529,7 @@ proptest! {
     }
 
     #[test]
-    fn reflections_in_planes(x in place(), n in place(), d in -3.0..3.0) {
+    fn reflections_in_planes(x in vector(3.0), n in vector(3.0), d in -3.0..3.0) {
         let squared = dot(n, n);
         prop_assume!(squared > 1e-2);
         let mirror = OddVersor::reflection(DualPlane::new(n[0], n[1], n[2], d)).expect("a plane");
@@ -570,7 +543,7 @@ proptest! {
     }
 
     #[test]
-    fn transversors_are_special_conformal_maps(x in place(), k in place(), t in -2.0..2.0) {
+    fn transversors_are_special_conformal_maps(x in vector(3.0), k in vector(3.0), t in -2.0..2.0) {
         let (square, inner) = (dot(x, x), dot(k, x));
         let divisor = 1.0 + 2.0 * inner + dot(k, k) * square;
         prop_assume!(divisor > 1e-2);

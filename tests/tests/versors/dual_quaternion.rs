@@ -3,6 +3,7 @@
 use ga_runtime::cga3::{DualQuaternion, Motor, Point, Rotor, Translator};
 use ga_runtime::geometry::{DualQuaternionParts, NotUnit};
 use ga_runtime::testing::{member, strategy};
+use nullcone_tests::plain::{near_all, vector};
 use proptest::prelude::*;
 
 /// `[x, y, z, w]`.
@@ -52,24 +53,13 @@ fn parts_of([[x, y, z, w], [dx, dy, dz, dw]]: Dual) -> DualQuaternionParts<f64> 
 }
 
 #[track_caller]
-fn assert_near<const N: usize>(a: [f64; N], b: [f64; N], tolerance: f64) {
-    for (x, y) in a.into_iter().zip(b) {
-        assert!((x - y).abs() <= tolerance, "{a:?} and {b:?}");
-    }
-}
-
-#[track_caller]
 fn assert_dual_near(a: Dual, b: Dual, tolerance: f64) {
-    assert_near(a[0], b[0], tolerance);
-    assert_near(a[1], b[1], tolerance);
+    near_all(a[0], b[0], tolerance);
+    near_all(a[1], b[1], tolerance);
 }
 
 fn motors() -> impl Strategy<Value = Motor<f64>> + Clone {
     member(strategy::float(0.9))
-}
-
-fn vector() -> impl Strategy<Value = [f64; 3]> + Clone {
-    prop::array::uniform3(-5.0..5.0_f64)
 }
 
 proptest! {
@@ -83,7 +73,7 @@ proptest! {
     }
 
     #[test]
-    fn the_dual_part_is_half_the_shift_times_the_turn(axis in vector(), angle in -7.0..7.0_f64, t in vector()) {
+    fn the_dual_part_is_half_the_shift_times_the_turn(axis in vector(5.0), angle in -7.0..7.0_f64, t in vector(5.0)) {
         prop_assume!(axis.iter().map(|x| x * x).sum::<f64>() > 0.01);
         let rotor = Rotor::from_axis_angle(axis, angle).unwrap();
         let parts = (Translator::from_displacement(t) * rotor).to_dual_quaternion();
@@ -96,7 +86,7 @@ proptest! {
     }
 
     #[test]
-    fn points_move_as_kavan_says(motor in motors(), x in vector()) {
+    fn points_move_as_kavan_says(motor in motors(), x in vector(5.0)) {
         let hat = dual_of(motor.to_dual_quaternion());
         let [q, d] = hat;
         let point: Dual = [[0.0, 0.0, 0.0, 1.0], [x[0], x[1], x[2], 0.0]];
@@ -131,7 +121,7 @@ proptest! {
         let norm: f64 = p.iter().map(|x| x * x).sum();
         let study: f64 = (0..4).map(|k| p[k] * e[k]).sum();
         let size = e.iter().fold(1.0_f64, |most, x| most.max(x.abs()));
-        assert_near([norm, study / size], [1.0, 0.0], 1e-15 * 8.0);
+        near_all([norm, study / size], [1.0, 0.0], 1e-15 * 8.0);
         assert_dual_near([p, e], [q, d], 1e-8 * size);
     }
 }
@@ -169,7 +159,7 @@ fn what_is_no_motion_says_why() {
     // Sizes whose squares leave the range are fine.
     for size in [1e-200, 1e200] {
         let motor = from([0.0, 0.6 * size, 0.0, 0.8 * size], [0.0; 4]).unwrap();
-        assert_near(
+        near_all(
             dual_of(motor.to_dual_quaternion())[0],
             [0.0, 0.6, 0.0, 0.8],
             1e-15,

@@ -8,56 +8,13 @@ use ga_runtime::cga3::{
 };
 use ga_runtime::geometry::{RotationPath, Screw};
 use ga_runtime::scalar::{Lanes, Real};
+use nullcone_tests::plain::{
+    Vector, cross, largest_difference, length, motor_coefficients, motor_of, times, unit, vector,
+};
 use proptest::prelude::*;
-
-type Vector = [f64; 3];
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-fn times(a: Vector, factor: f64) -> Vector {
-    a.map(|x| x * factor)
-}
-
-fn length(a: Vector) -> f64 {
-    dot(a, a).sqrt()
-}
-
-fn apart<const N: usize>(a: [f64; N], b: [f64; N]) -> f64 {
-    a.into_iter().zip(b).fold(0.0, |most: f64, (x, y)| {
-        let difference = (x - y).abs();
-        if difference <= most { most } else { difference }
-    })
-}
 
 fn rotor_parts<S: Real>(r: Rotor<S>) -> [S; 4] {
     [r.scalar(), r.e12(), r.e13(), r.e23()]
-}
-
-fn parts<S: Real>(m: Motor<S>) -> [S; 8] {
-    [
-        m.scalar(),
-        m.e12(),
-        m.e13(),
-        m.e23(),
-        m.e1i(),
-        m.e2i(),
-        m.e3i(),
-        m.e123i(),
-    ]
-}
-
-fn motor([s, a, b, c, d, e, f, g]: [f64; 8]) -> Motor<f64> {
-    Motor::new_unchecked(s, a, b, c, d, e, f, g)
 }
 
 /// The turn by θ about n, as a rotor's coefficients.
@@ -78,16 +35,6 @@ fn screw(p: Vector, n: Vector, angle: f64, advance: f64) -> [f64; 8] {
     [c, e12, e13, e23, shift(0), shift(1), shift(2), e123i]
 }
 
-fn unit() -> impl Strategy<Value = Vector> {
-    prop::array::uniform3(-1.0..1.0_f64)
-        .prop_filter("too short", |v| length(*v) > 0.1)
-        .prop_map(|v| times(v, 1.0 / length(v)))
-}
-
-fn place(size: f64) -> impl Strategy<Value = Vector> {
-    prop::array::uniform3(-size..size)
-}
-
 /// Close to a whole turn the axis is known to the sine of half the angle.
 fn conditioning(angle: f64) -> f64 {
     if angle < PI {
@@ -99,38 +46,38 @@ fn conditioning(angle: f64) -> f64 {
 
 proptest! {
     #[test]
-    fn powers_turn_by_a_part(n in unit(), p in place(5.0), angle in 0.0..6.2_f64, advance in -5.0..5.0_f64, t in -2.0..2.0_f64) {
+    fn powers_turn_by_a_part(n in unit(), p in vector(5.0), angle in 0.0..6.2_f64, advance in -5.0..5.0_f64, t in -2.0..2.0_f64) {
         let tolerance = 2e-14 * conditioning(angle);
-        let power = motor(screw(p, n, angle, advance)).powf(t);
+        let power = motor_of(screw(p, n, angle, advance)).powf(t);
         let expected = screw(p, n, t * angle, t * advance);
-        prop_assert!(apart(parts(power), expected) <= 4.0 * tolerance);
+        prop_assert!(largest_difference(motor_coefficients(power), expected) <= 4.0 * tolerance);
         let [c, e12, e13, e23] = turn(n, angle);
         let rotor = Rotor::new_unchecked(c, e12, e13, e23);
-        prop_assert!(apart(rotor_parts(rotor.powf(t)), turn(n, t * angle)) <= tolerance);
+        prop_assert!(largest_difference(rotor_parts(rotor.powf(t)), turn(n, t * angle)) <= tolerance);
         let [x, y, z] = rotor.to_rotation_vector();
-        prop_assert!(apart([x, y, z], times(n, angle)) <= tolerance);
+        prop_assert!(largest_difference([x, y, z], times(n, angle)) <= tolerance);
         let again = Rotor::from_rotation_vector([x, y, z]).expect("finite");
-        prop_assert!(apart(rotor_parts(again), rotor_parts(rotor)) <= tolerance);
+        prop_assert!(largest_difference(rotor_parts(again), rotor_parts(rotor)) <= tolerance);
         let log = rotor.log();
         prop_assert_eq!([log.e1i, log.e2i, log.e3i], [0.0; 3]);
-        prop_assert!(apart(parts(log.exp()), parts(rotor.into())) <= tolerance);
+        prop_assert!(largest_difference(motor_coefficients(log.exp()), motor_coefficients(rotor.into())) <= tolerance);
     }
 
     #[test]
-    fn roots_go_half_the_way(n in unit(), p in place(5.0), angle in 0.0..6.2_f64, advance in -5.0..5.0_f64) {
+    fn roots_go_half_the_way(n in unit(), p in vector(5.0), angle in 0.0..6.2_f64, advance in -5.0..5.0_f64) {
         let tolerance = 1e-14 * conditioning(angle);
-        let root = motor(screw(p, n, angle, advance)).sqrt();
-        prop_assert!(apart(parts(root), screw(p, n, 0.5 * angle, 0.5 * advance)) <= tolerance);
+        let root = motor_of(screw(p, n, angle, advance)).sqrt();
+        prop_assert!(largest_difference(motor_coefficients(root), screw(p, n, 0.5 * angle, 0.5 * advance)) <= tolerance);
         let [c, e12, e13, e23] = turn(n, angle);
         let root = Rotor::new_unchecked(c, e12, e13, e23).sqrt();
-        prop_assert!(apart(rotor_parts(root), turn(n, 0.5 * angle)) <= tolerance);
+        prop_assert!(largest_difference(rotor_parts(root), turn(n, 0.5 * angle)) <= tolerance);
     }
 
     #[test]
-    fn shifts_and_scalings_have_powers(shift in place(100.0), factor in 1e-3..1e3_f64, t in -3.0..3.0_f64) {
+    fn shifts_and_scalings_have_powers(shift in vector(100.0), factor in 1e-3..1e3_f64, t in -3.0..3.0_f64) {
         let translator = Translator::from_displacement(shift);
-        prop_assert!(apart(translator.powf(t).displacement(), times(shift, t)) <= 1e-13);
-        prop_assert!(apart(translator.sqrt().displacement(), times(shift, 0.5)) <= 1e-14);
+        prop_assert!(largest_difference(translator.powf(t).displacement(), times(shift, t)) <= 1e-13);
+        prop_assert!(largest_difference(translator.sqrt().displacement(), times(shift, 0.5)) <= 1e-14);
         prop_assert_eq!(translator.log().exp(), translator.into());
         let dilator = Dilator::from_factor(factor).expect("positive");
         prop_assert!((dilator.log() - 0.5 * factor.ln()).abs() <= 1e-15 * factor.ln().abs().max(1.0));
@@ -155,30 +102,30 @@ proptest! {
                 (((1.0 - t) * half).sin() * from[k] + (t * half).sin() * sign * to[k]) / half.sin()
             });
             let found = rotor_parts(start.interpolate_along(end, t, path));
-            prop_assert!(apart(found, expected) <= 1e-12, "{path:?}");
+            prop_assert!(largest_difference(found, expected) <= 1e-12, "{path:?}");
         }
         prop_assert_eq!(start.interpolate(end, t), start.interpolate_along(end, t, RotationPath::Short));
     }
 
     #[test]
-    fn motors_go_either_way(n in unit(), p in place(5.0), angle in 0.1..3.0_f64, advance in -5.0..5.0_f64, t in 0.0..1.0_f64, start in unit(), shift in place(5.0)) {
+    fn motors_go_either_way(n in unit(), p in vector(5.0), angle in 0.1..3.0_f64, advance in -5.0..5.0_f64, t in 0.0..1.0_f64, start in unit(), shift in vector(5.0)) {
         let from = Translator::from_displacement(shift) * Rotor::from_axis_angle(start, 4.0).expect("an axis");
         let between = screw(p, n, angle, advance);
-        let to = from * motor(between);
-        let short = from * motor(screw(p, n, t * angle, t * advance));
+        let to = from * motor_of(between);
+        let short = from * motor_of(screw(p, n, t * angle, t * advance));
         // The other way round the same axis, with the same shift along it.
-        let long = from * motor(screw(p, n, t * (angle - 2.0 * PI), t * advance));
+        let long = from * motor_of(screw(p, n, t * (angle - 2.0 * PI), t * advance));
         for end in [to, -to] {
             let found = from.interpolate(end, t);
-            prop_assert!(apart(parts(found), parts(short)) <= 1e-12);
+            prop_assert!(largest_difference(motor_coefficients(found), motor_coefficients(short)) <= 1e-12);
             let found = from.interpolate_along(end, t, RotationPath::Long);
-            prop_assert!(apart(parts(found), parts(long)) <= 1e-11 / angle);
+            prop_assert!(largest_difference(motor_coefficients(found), motor_coefficients(long)) <= 1e-11 / angle);
         }
     }
 
     #[test]
-    fn a_versor_and_its_negative_are_the_two_ways(n in unit(), p in place(5.0), angle in 0.0..6.2_f64, x in place(3.0)) {
-        let any = motor(screw(p, n, angle, 1.0));
+    fn a_versor_and_its_negative_are_the_two_ways(n in unit(), p in vector(5.0), angle in 0.0..6.2_f64, x in vector(3.0)) {
+        let any = motor_of(screw(p, n, angle, 1.0));
         let path = if angle <= PI { RotationPath::Short } else { RotationPath::Long };
         prop_assert_eq!(any.path(), path);
         let (short, long) = (any.along(RotationPath::Short), any.along(RotationPath::Long));
@@ -198,48 +145,48 @@ proptest! {
         prop_assert_eq!(Rotor::between_along(a, b, RotationPath::Short), Some(short));
         let long = Rotor::between_along(a, b, RotationPath::Long).expect("directions");
         let image = long.transform(Point::from(a)).coordinates();
-        prop_assert!(apart(image, b) <= 1e-14);
+        prop_assert!(largest_difference(image, b) <= 1e-14);
         let ((n, small), (m, large)) = (short.to_axis_angle(), long.to_axis_angle());
         prop_assert!((small + large - 2.0 * PI).abs() <= 1e-14 && large >= PI - 1e-14);
-        prop_assert!(small < 1e-6 || apart(n, times(m, -1.0)) <= 1e-14);
+        prop_assert!(small < 1e-6 || largest_difference(n, times(m, -1.0)) <= 1e-14);
         // Eq. 24: −R = exp(½ (2π − θ) I) with I the unit bivector from a to b.
         let sine = length(cross(a, b));
         prop_assume!(sine > 1e-3);
         let [x, y, z] = times(cross(a, b), 0.5 * large / sine);
         let by_exponential = MotorGenerator::new(z, -y, x, 0.0, 0.0, 0.0).exp();
-        prop_assert!(apart(parts(by_exponential), parts(long.into())) <= 1e-14 / sine);
+        prop_assert!(largest_difference(motor_coefficients(by_exponential), motor_coefficients(long.into())) <= 1e-14 / sine);
     }
 
     #[test]
-    fn screws_are_found_and_built(n in unit(), p in place(5.0), angle in 0.01..6.2_f64, advance in -5.0..5.0_f64) {
+    fn screws_are_found_and_built(n in unit(), p in vector(5.0), angle in 0.01..6.2_f64, advance in -5.0..5.0_f64) {
         let given = screw(p, n, angle, advance);
-        let found = motor(given).screw().expect("finite");
+        let found = motor_of(given).screw().expect("finite");
         let worst = 1.0 / (0.5 * angle).sin();
         let tolerance = 1e-13 * worst;
         prop_assert!((found.angle - angle).abs() <= tolerance);
         prop_assert!((found.displacement - advance).abs() <= tolerance * worst);
-        prop_assert!(apart(found.axis.direction(), n) <= tolerance);
+        prop_assert!(largest_difference(found.axis.direction(), n) <= tolerance);
         prop_assert!(found.axis.distance(Point::from(p)).expect("a line") <= tolerance);
         prop_assert!((found.pitch().expect("a turn") - advance / angle).abs() <= 10.0 * tolerance * worst);
-        prop_assert!(apart(parts(found.to_motor().expect("finite")), given) <= tolerance);
+        prop_assert!(largest_difference(motor_coefficients(found.to_motor().expect("finite")), given) <= tolerance);
         let generator = found.generator().expect("finite");
-        let log = motor(given).log();
-        prop_assert!(apart([generator.e12, generator.e1i, generator.e3i], [log.e12, log.e1i, log.e3i]) <= tolerance);
+        let log = motor_of(given).log();
+        prop_assert!(largest_difference([generator.e12, generator.e1i, generator.e3i], [log.e12, log.e1i, log.e3i]) <= tolerance);
         // Of any weight, and a part of it.
         let heavy = Screw { axis: Line::from_point_direction(Point::from(p), times(n, 3.0)), angle, displacement: advance };
-        prop_assert!(apart(parts(heavy.to_motor().expect("finite")), given) <= 1e-14);
+        prop_assert!(largest_difference(motor_coefficients(heavy.to_motor().expect("finite")), given) <= 1e-14);
         let half = heavy.part(0.5).to_motor().expect("finite");
-        prop_assert!(apart(parts(half), screw(p, n, 0.5 * angle, 0.5 * advance)) <= 1e-14);
+        prop_assert!(largest_difference(motor_coefficients(half), screw(p, n, 0.5 * angle, 0.5 * advance)) <= 1e-14);
     }
 
     /// The nearest motor to `q + ω d` is `q/|q|` with the part of d along q left out.
     #[test]
-    fn normalising_repairs_length_and_study_condition(n in unit(), p in place(5.0), angle in 0.0..6.2_f64, size in 0.1..10.0_f64, noise in prop::array::uniform8(-0.1..0.1_f64)) {
+    fn normalising_repairs_length_and_study_condition(n in unit(), p in vector(5.0), angle in 0.0..6.2_f64, size in 0.1..10.0_f64, noise in prop::array::uniform8(-0.1..0.1_f64)) {
         let exact = screw(p, n, angle, 1.0);
         let off: [f64; 8] = std::array::from_fn(|k| size * (exact[k] + noise[k]));
         let [s, e12, e13, e23, e1i, e2i, e3i, e123i] = off;
         let found = Motor::normalize(DualQuaternion::new(s, e12, e13, e23, e1i, e2i, e3i, e123i));
-        let found = parts(found.expect("not zero"));
+        let found = motor_coefficients(found.expect("not zero"));
         // ω = e123i takes 1, e12, e13, e23 to e123i, −e3i, e2i, −e1i.
         let (q, d) = ([s, e12, e13, e23], [e123i, -e3i, e2i, -e1i]);
         let product = |a: [f64; 4], b: [f64; 4]| -> f64 { a.iter().zip(b).map(|(x, y)| x * y).sum() };
@@ -247,13 +194,13 @@ proptest! {
         let along = product(q, d) / (norm * norm);
         let [x0, x3, x2, x1]: [f64; 4] = std::array::from_fn(|k| (d[k] - along * q[k]) / norm);
         let expected = [s / norm, e12 / norm, e13 / norm, e23 / norm, -x1, x2, -x3, x0];
-        prop_assert!(apart(found, expected) <= 1e-14);
+        prop_assert!(largest_difference(found, expected) <= 1e-14);
         // Length one and the Study condition, and what has them already stays.
         let (q, d) = ([found[0], found[1], found[2], found[3]], [found[7], -found[6], found[5], -found[4]]);
         prop_assert!((product(q, q) - 1.0).abs() <= 1e-15 && product(q, d).abs() <= 1e-14);
         let [s, e12, e13, e23, e1i, e2i, e3i, e123i] = exact;
         let same = Motor::normalize(DualQuaternion::new(s, e12, e13, e23, e1i, e2i, e3i, e123i));
-        prop_assert!(apart(parts(same.expect("not zero")), exact) <= 1e-14);
+        prop_assert!(largest_difference(motor_coefficients(same.expect("not zero")), exact) <= 1e-14);
     }
 }
 
@@ -271,7 +218,7 @@ fn slerp_is_stable_where_rotors_agree_or_oppose() {
             for t in [0.0, 0.25, 0.5, 1.0] {
                 let found = rotor_parts(Rotor::default().interpolate(end, t));
                 let expected = turn(n, t * off);
-                assert!(apart(found, expected) <= 1e-15, "{off:e}");
+                assert!(largest_difference(found, expected) <= 1e-15, "{off:e}");
                 assert!(
                     (found[1] - expected[1]).abs() <= 1e-15 * expected[1].abs(),
                     "{off:e}"
@@ -282,20 +229,23 @@ fn slerp_is_stable_where_rotors_agree_or_oppose() {
         let [c, x, y, z] = turn(n, PI - off);
         let found =
             rotor_parts(Rotor::default().interpolate(Rotor::new_unchecked(c, x, y, z), 0.5));
-        assert!(apart(found, turn(n, 0.5 * (PI - off))) <= 1e-15, "{off:e}");
+        assert!(
+            largest_difference(found, turn(n, 0.5 * (PI - off))) <= 1e-15,
+            "{off:e}"
+        );
     }
     // The long way between equal rotors is a whole turn in e12.
     let one = Rotor::<f64>::default();
     let half = one.interpolate_along(one, 0.5, RotationPath::Long);
-    assert!(apart(rotor_parts(half), [0.0, 1.0, 0.0, 0.0]) <= 1e-15);
+    assert!(largest_difference(rotor_parts(half), [0.0, 1.0, 0.0, 0.0]) <= 1e-15);
 }
 
 #[test]
 fn roots_of_whole_turns() {
     let minus_one = -Motor::<f64>::default();
     assert!(
-        apart(
-            parts(minus_one.sqrt()),
+        largest_difference(
+            motor_coefficients(minus_one.sqrt()),
             [0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
         ) <= 1e-15
     );
@@ -306,12 +256,14 @@ fn roots_of_whole_turns() {
     // Minus a shift: squared it is there again.
     let shift = -Motor::from(Translator::from_displacement([2.0, -4.0, 4.0]));
     let root = shift.sqrt();
-    assert!(apart(parts(root * root), parts(shift)) <= 1e-14);
+    assert!(
+        largest_difference(motor_coefficients(root * root), motor_coefficients(shift)) <= 1e-14
+    );
     assert!(root.scalar().abs() <= 1e-15);
     // Half turns go by a quarter, in the direction of their sign.
     let half = Rotor::new_unchecked(0.0, 0.0, 0.0, -1.0);
     assert!(
-        apart(
+        largest_difference(
             rotor_parts(half.sqrt()),
             [0.5_f64.sqrt(), 0.0, 0.0, -(0.5_f64.sqrt())]
         ) <= 1e-15
@@ -322,7 +274,7 @@ fn roots_of_whole_turns() {
             Rotor::new_unchecked(-(1.0 - sine * sine).sqrt(), 0.0, 0.6 * sine, 0.8 * sine).sqrt();
         let expected = [0.5 * sine, 0.0, 0.6, 0.8];
         assert!(
-            apart(rotor_parts(root), expected) <= sine * sine + 1e-15,
+            largest_difference(rotor_parts(root), expected) <= sine * sine + 1e-15,
             "{sine:e}"
         );
         assert!(
@@ -335,7 +287,12 @@ fn roots_of_whole_turns() {
 #[test]
 fn powers_of_whole_turns() {
     let quarter = (-Motor::<f64>::default()).powf(0.5);
-    assert!(apart(parts(quarter), [0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]) <= 1e-15);
+    assert!(
+        largest_difference(
+            motor_coefficients(quarter),
+            [0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+        ) <= 1e-15
+    );
     let shift = -Motor::from(Translator::from_displacement([0.0, 0.0, 6.0]));
     // A third of the whole turn about the axis of the shift, with a third of the shift along it.
     let third = shift
@@ -350,7 +307,7 @@ fn screws_of_special_motions() {
     let origin = Point::<f64>::default();
     let check = |motor: Motor<f64>, direction: Vector, angle: f64, displacement: f64| {
         let found = motor.screw().expect("finite");
-        let error = apart(found.axis.direction(), direction);
+        let error = largest_difference(found.axis.direction(), direction);
         assert!(error <= 1e-15, "{motor}: {found:?}");
         assert!(
             found.axis.distance(origin).expect("a line") <= 1e-15,
@@ -363,7 +320,8 @@ fn screws_of_special_motions() {
         );
         let again = found.to_motor().expect("finite");
         assert!(
-            apart(parts(again), parts(motor)) <= 1e-15 * (1.0 + displacement.abs()),
+            largest_difference(motor_coefficients(again), motor_coefficients(motor))
+                <= 1e-15 * (1.0 + displacement.abs()),
             "{motor}"
         );
     };
@@ -382,18 +340,31 @@ fn screws_of_special_motions() {
         (found.angle - 2.0 * PI).abs() <= 1e-15
             && found.axis.distance(origin).expect("a line") <= 1e-15
     );
-    assert!(apart(parts(found.to_motor().expect("finite")), parts(-shift)) <= 1e-14);
+    assert!(
+        largest_difference(
+            motor_coefficients(found.to_motor().expect("finite")),
+            motor_coefficients(-shift)
+        ) <= 1e-14
+    );
     // Almost a whole turn, about an axis away from the origin.
     let almost = screw([1.0, 2.0, 0.0], [0.0, 0.0, 1.0], 2.0 * PI - 1e-6, 0.5);
-    let found = motor(almost).screw().expect("finite");
+    let found = motor_of(almost).screw().expect("finite");
     let support = found.axis.support().expect("a line").coordinates();
-    assert!(apart(support, [1.0, 2.0, 0.0]) <= 1e-9 && (found.displacement - 0.5).abs() <= 1e-9);
-    assert!(apart(parts(found.to_motor().expect("finite")), almost) <= 1e-9);
+    assert!(
+        largest_difference(support, [1.0, 2.0, 0.0]) <= 1e-9
+            && (found.displacement - 0.5).abs() <= 1e-9
+    );
+    assert!(
+        largest_difference(
+            motor_coefficients(found.to_motor().expect("finite")),
+            almost
+        ) <= 1e-9
+    );
     // Small turns about near and far axes; so far that no number tells, they are shifts.
     for angle in [1e-3, 1e-8, 1e-100, 1e-200] {
         for far in [1.0, 1e8, 1e100] {
             let given = screw([far, 0.0, 0.0], [0.0, 0.0, 1.0], angle, 1.0);
-            let found = motor(given).screw().expect("finite");
+            let found = motor_of(given).screw().expect("finite");
             let support = found.axis.support().expect("a line").coordinates();
             // The shift along the axis rounds off what is much smaller across it.
             if far * angle > 1e-8 {
@@ -413,7 +384,7 @@ fn what_is_no_screw_is_none() {
         for place in 0..8 {
             let mut given = base;
             given[place] = wrong;
-            assert_eq!(motor(given).screw(), None, "{wrong} at {place}");
+            assert_eq!(motor_of(given).screw(), None, "{wrong} at {place}");
         }
         let axis = Line::from_point_direction(Point::default(), [0.0, 0.0, 1.0]);
         let bent = Line::from_point_direction(Point::default(), [0.0, wrong, 1.0]);
@@ -458,14 +429,14 @@ fn nan_does_not_vanish_from_roots_and_powers() {
     for base in [
         screw([1.0, 2.0, 3.0], [0.6, 0.0, 0.8], 1.0, 0.5),
         screw([1.0, 2.0, 3.0], [0.6, 0.0, 0.8], 4.0, 0.5),
-        parts(-Motor::default()),
+        motor_coefficients(-Motor::default()),
     ] {
         for place in 0..8 {
             let mut given = base;
             given[place] = f64::NAN;
-            for result in [motor(given).sqrt(), motor(given).powf(0.3)] {
+            for result in [motor_of(given).sqrt(), motor_of(given).powf(0.3)] {
                 assert!(
-                    parts(result).iter().any(|x| x.is_nan()),
+                    motor_coefficients(result).iter().any(|x| x.is_nan()),
                     "{given:?}: {result}"
                 );
             }
@@ -508,7 +479,7 @@ fn single_precision() {
         let rotor = Rotor::from_axis_angle(n, angle).expect("an axis");
         let half = Rotor::from_axis_angle(n, 0.5 * angle).expect("an axis");
         for found in [rotor.sqrt(), rotor.powf(0.5)] {
-            let error = apart(
+            let error = largest_difference(
                 rotor_parts(found).map(f64::from),
                 rotor_parts(half).map(f64::from),
             );
@@ -516,7 +487,10 @@ fn single_precision() {
         }
         let motor = Translator::from_displacement([1.0, 2.0, 3.0]) * rotor;
         let again = motor.screw().expect("finite").to_motor().expect("finite");
-        let error = apart(parts(again).map(f64::from), parts(motor).map(f64::from));
+        let error = largest_difference(
+            motor_coefficients(again).map(f64::from),
+            motor_coefficients(motor).map(f64::from),
+        );
         assert!(error <= 4e-6, "{angle}: {error:e}");
     }
 }
@@ -555,8 +529,8 @@ fn lanes_are_singles_side_by_side() {
     let together = Motor::new_unchecked(s, a, b, c, d, e, f, g);
     for (lane, alone) in motors.into_iter().enumerate() {
         assert_eq!(
-            parts(together.sqrt()).map(|x| x[lane]),
-            parts(motor(alone).sqrt())
+            motor_coefficients(together.sqrt()).map(|x| x[lane]),
+            motor_coefficients(motor_of(alone).sqrt())
         );
     }
 }

@@ -4,37 +4,8 @@ use ga_runtime::cga3::{
     Dilator, EvenVersor, Motor, Point, PointPair, Rotor, Similarity, Translator,
 };
 use ga_runtime::testing::assert_close;
+use nullcone_tests::plain::{dot, rotated, unit, vector};
 use proptest::prelude::*;
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-/// Euler's and Rodrigues' turn of x about a unit axis.
-fn turned(axis: [f64; 3], angle: f64, x: [f64; 3]) -> [f64; 3] {
-    let (sine, cosine) = angle.sin_cos();
-    let (across, along) = (cross(axis, x), dot(axis, x));
-    [0, 1, 2].map(|k| x[k] * cosine + across[k] * sine + axis[k] * along * (1.0 - cosine))
-}
-
-fn place(size: f64) -> impl Strategy<Value = [f64; 3]> + Clone {
-    prop::array::uniform3(-size..size)
-}
-
-fn axis() -> impl Strategy<Value = [f64; 3]> + Clone {
-    place(1.0).prop_filter_map("a direction", |v| {
-        let length = dot(v, v).sqrt();
-        (length > 0.1).then(|| v.map(|x| x / length))
-    })
-}
 
 fn factor() -> impl Strategy<Value = f64> + Clone {
     (-3.0..3.0).prop_map(f64::exp)
@@ -73,10 +44,10 @@ fn deviation(found: Similarity<f64>, expected: Similarity<f64>) -> f64 {
 proptest! {
     #[test]
     fn points_are_scaled_turned_and_shifted(
-        t in place(5.0), n in axis(), angle in -6.0..6.0, s in factor(), x in place(5.0)
+        t in vector(5.0), n in unit(), angle in -6.0..6.0, s in factor(), x in vector(5.0)
     ) {
         let similarity = similarity(t, n, angle, s);
-        let turned = turned(n, angle, x);
+        let turned = rotated(n, angle, x);
         let expected = [0, 1, 2].map(|k| s * turned[k] + t[k]);
         assert_close!(similarity.transform_point(Point::from(x)).coordinates(), expected, 1e-13, 100.0);
         // The parts come back, the rotor up to its sign.
@@ -89,7 +60,7 @@ proptest! {
     }
 
     #[test]
-    fn one_point_stays(t in place(5.0), n in axis(), angle in -6.0..6.0, s in factor()) {
+    fn one_point_stays(t in vector(5.0), n in unit(), angle in -6.0..6.0, s in factor()) {
         prop_assume!((s - 1.0).abs() > 1e-2);
         let similarity = similarity(t, n, angle, s);
         let fixed = similarity.fixed_point().expect("a factor off 1");
@@ -98,7 +69,7 @@ proptest! {
     }
 
     #[test]
-    fn scalings_about_a_point(c in place(5.0), s in factor(), x in place(5.0)) {
+    fn scalings_about_a_point(c in vector(5.0), s in factor(), x in vector(5.0)) {
         let scaling = Dilator::from_factor(s).expect("positive").about(Point::from(c));
         let expected = [0, 1, 2].map(|k| c[k] + s * (x[k] - c[k]));
         assert_close!(scaling.transform_point(Point::from(x)).coordinates(), expected, 1e-13, 100.0);
@@ -109,7 +80,7 @@ proptest! {
 
     #[test]
     fn exponential_and_logarithm_undo_each_other(
-        t in place(5.0), n in axis(), angle in 0.0..6.2, s in factor()
+        t in vector(5.0), n in unit(), angle in 0.0..6.2, s in factor()
     ) {
         let similarity = similarity(t, n, angle, s);
         let log = similarity.log();
@@ -123,7 +94,7 @@ proptest! {
     }
 
     #[test]
-    fn factors_close_to_one(t in place(5.0), n in axis(), angle in 0.1..6.0, exponent in 3_i32..18) {
+    fn factors_close_to_one(t in vector(5.0), n in unit(), angle in 0.1..6.0, exponent in 3_i32..18) {
         let s = 1.0 + 10_f64.powi(-exponent);
         let near = similarity(t, n, angle, s);
         let motor = Translator::from_displacement(t) * Rotor::from_axis_angle(n, angle).expect("an axis");
@@ -142,7 +113,7 @@ proptest! {
     /// ratios.
     #[test]
     fn the_way_between_is_a_spiral(
-        c in place(3.0), n in axis(), angle in -3.0..3.0, s in factor(), x in place(3.0), time in 0.0..1.0
+        c in vector(3.0), n in unit(), angle in -3.0..3.0, s in factor(), x in vector(3.0), time in 0.0..1.0
     ) {
         let about = |angle: f64, s: f64| {
             let there = Translator::from_displacement(c);
@@ -153,7 +124,7 @@ proptest! {
         for end in [end, -end] {
             let between = start.interpolate(end, time).expect("in range");
             let from_centre = [0, 1, 2].map(|k| x[k] - c[k]);
-            let turned = turned(n, 0.4 + time * angle, from_centre);
+            let turned = rotated(n, 0.4 + time * angle, from_centre);
             let ratio = 2.0 * s.powf(time);
             let expected = [0, 1, 2].map(|k| c[k] + ratio * turned[k]);
             assert_close!(between.transform_point(Point::from(x)).coordinates(), expected, 1e-12, 100.0);

@@ -1,0 +1,36 @@
+//! Coefficients that other libraries computed: extracts in `data`, and all of them in the shared
+//! data beside the repository.
+
+use std::path::Path;
+use std::sync::OnceLock;
+
+use nullcone_shared_data::shared;
+use serde_json::Value;
+
+/// An extract of this package, by its path in `data`.
+///
+/// # Panics
+/// If it is absent or is not JSON.
+pub fn extract(path: &str) -> Value {
+    read(
+        &Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("data")
+            .join(path),
+    )
+}
+
+/// All vectors of cga3, where the shared data lies beside the repository.
+///
+/// # Panics
+/// If the file is not JSON, or is absent although the environment demands it.
+pub fn complete() -> Option<&'static Value> {
+    static COMPLETE: OnceLock<Value> = OnceLock::new();
+    let path = shared("oracle/ga/cga3_seed1.json")?;
+    Some(COMPLETE.get_or_init(|| read(&path)))
+}
+
+fn read(path: &Path) -> Value {
+    let text =
+        std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    serde_json::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
