@@ -1,9 +1,11 @@
 //! Pinhole cameras.
 
+use ga_runtime::batch;
 use ga_runtime::cga3::{Direction, Line, Motor, Point};
+use ga_runtime::vga3::Vector;
 
-/// What a camera does between its frame and its picture: `u = f_x x/z + c_x`, `v = f_y y/z + c_y`,
-/// no skew.
+/// The projection of a camera from its frame to its picture: `u = f_x x/z + c_x`,
+/// `v = f_y y/z + c_y`, without skew.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Intrinsics {
     focal: [f64; 2],
@@ -29,11 +31,13 @@ pub struct Ray {
     pub centre: Point<f64>,
 }
 
-/// Why something is no camera, or a camera does not see something.
+/// Why numbers do not form a camera, or a camera does not see a point.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum CameraError {
     /// A focal length is not positive and finite, or the principal point is not finite.
-    #[error("focal lengths {focal:?} and principal point {principal:?} make no camera: {problem}")]
+    #[error(
+        "focal lengths {focal:?} and principal point {principal:?} do not form a camera: {problem}"
+    )]
     Intrinsics {
         /// The focal lengths in pixels.
         focal: [f64; 2],
@@ -54,8 +58,8 @@ pub enum CameraError {
         /// What it must be.
         expected: f64,
     },
-    /// Rotation and translation are no rigid motion.
-    #[error("the pose {rotation:?}, {translation:?} is no rigid motion")]
+    /// Rotation and translation are not a rigid motion.
+    #[error("the pose {rotation:?}, {translation:?} is not a rigid motion")]
     Pose {
         /// The matrix by rows.
         rotation: [[f64; 3]; 3],
@@ -70,7 +74,7 @@ pub enum CameraError {
         /// Its coordinate along the optical axis.
         depth: f64,
     },
-    /// A pixel or a point has a coordinate that is infinite or no number.
+    /// A pixel or a point has a coordinate that is infinite or not a number.
     #[error("the coordinates {0:?} are not finite")]
     NotFinite([f64; 3]),
 }
@@ -79,7 +83,7 @@ impl Intrinsics {
     /// Intrinsics from focal lengths and principal point in pixels.
     ///
     /// # Errors
-    /// [`CameraError::Intrinsics`] where a focal length is not positive or something is not finite.
+    /// [`CameraError::Intrinsics`] where a focal length is not positive or a number is not finite.
     pub fn new(focal: [f64; 2], principal: [f64; 2]) -> Result<Self, CameraError> {
         let refuse = |problem| {
             Err(CameraError::Intrinsics {
@@ -100,7 +104,7 @@ impl Intrinsics {
     /// Intrinsics from a calibration matrix K by rows.
     ///
     /// # Errors
-    /// [`CameraError::Matrix`] names an entry that must be 0 or 1 and is not; else as
+    /// [`CameraError::Matrix`] names an entry that must be 0 or 1 and is not; otherwise as
     /// [`Intrinsics::new`].
     pub fn from_matrix(matrix: [[f64; 3]; 3]) -> Result<Self, CameraError> {
         let fixed = [
@@ -145,8 +149,8 @@ impl Intrinsics {
 }
 
 impl Camera {
-    /// A camera at a place, looking at another, upright with respect to a direction that is up.
-    /// Where it looks along that direction, or the places coincide, there is none.
+    /// A camera at `eye` that looks at `target`, with the direction `up` upwards in its picture.
+    /// `None` where it would look along that direction, or where the two points coincide.
     #[must_use]
     pub fn look_at(
         intrinsics: Intrinsics,
@@ -154,16 +158,11 @@ impl Camera {
         target: Point<f64>,
         up: [f64; 3],
     ) -> Option<Self> {
-        use crate::vector::{cross, difference, dot};
-        let unit = |v: [f64; 3]| {
-            let length = dot(v, v).sqrt();
-            (length.is_finite() && length > 0.0).then(|| v.map(|x| x / length))
-        };
-        let eye = eye.coordinates();
-        let forward = unit(difference(target.coordinates(), eye))?;
-        let right = unit(cross(forward, up))?;
-        let down = cross(forward, right);
-        let row = |axis: [f64; 3]| [axis[0], axis[1], axis[2], -dot(axis, eye)];
+        let [eye, target] = [eye, target].map(|point| Vector::from(point.coordinates()));
+        let forward = (target - eye).normalized()?;
+        let right = forward.cross(Vector::from(up)).normalized()?;
+        let down = forward.cross(right);
+        let row = |axis: Vector<f64>| [axis.e1, axis.e2, axis.e3, -(axis | eye)];
         let world_to_camera = Motor::from_matrix([row(right), row(down), row(forward)])?;
         Some(Self {
             intrinsics,
@@ -183,7 +182,36 @@ impl Camera {
     /// [`CameraError::Behind`] for a point that is not in front, [`CameraError::NotFinite`] for a
     /// point or pixel that is not finite.
     pub fn project(&self, point: Point<f64>) -> Result<[f64; 2], CameraError> {
-        let [x, y, depth] = self.world_to_camera.transform(point).coordinates();
+        self.project_from_frame(point, self.world_to_camera.transform(point))
+    }
+
+    /// The pixels at which the camera sees points of the world.
+    ///
+    /// # Errors
+    /// The index of the first point that the camera does not see, with the error of
+    /// [`project`](Self::project).
+    pub fn project_all(
+        &self,
+        points: &[Point<f64>],
+    ) -> Result<Vec<[f64; 2]>, (usize, CameraError)> {
+        let mut in_frame = points.to_vec();
+        batch::transform(&self.world_to_camera, &mut in_frame);
+        let pairs = points.iter().zip(in_frame).enumerate();
+        pairs
+            .map(|(index, (&point, in_frame))| {
+                let pixel = self.project_from_frame(point, in_frame);
+                pixel.map_err(|error| (index, error))
+            })
+            .collect()
+    }
+
+    /// The pixel of a point of the world that the camera's frame has at `in_frame`.
+    fn project_from_frame(
+        &self,
+        point: Point<f64>,
+        in_frame: Point<f64>,
+    ) -> Result<[f64; 2], CameraError> {
+        let [x, y, depth] = in_frame.coordinates();
         if !(x.is_finite() && y.is_finite() && depth.is_finite()) {
             return Err(CameraError::NotFinite(point.coordinates()));
         }
@@ -234,10 +262,10 @@ impl Ray {
         self.line.direction()
     }
 
-    /// How far along the ray a point is, in metres; negative behind the camera.
+    /// The distance of a point from the camera along the ray, in metres; negative behind the camera.
     #[must_use]
     pub fn depth(&self, point: Point<f64>) -> f64 {
-        let from_centre = crate::vector::difference(point.coordinates(), self.centre.coordinates());
-        crate::vector::dot(from_centre, self.direction())
+        let [from, to] = [self.centre, point].map(|point| Vector::from(point.coordinates()));
+        (to - from) | Vector::from(self.direction())
     }
 }

@@ -1,9 +1,10 @@
-//! Stereo vision on conformal geometric algebra.
+//! Stereo vision on conformal geometric algebra, after Y. Cui, "Geometric algebra-based modeling
+//! techniques for 3D animation and their application to visual communication".
 //!
-//! - [`camera`]: pinhole cameras; what they see of a point, and the ray that a pixel looks along.
+//! - [`camera`]: pinhole cameras; the pixel of a point, and the ray of a pixel.
 //! - [`rig`]: two cameras and the motor between them.
-//! - [`triangulation`]: the place where two rays come closest.
-//! - [`observation`]: pictures of points with measured noise, for tests and demonstrations.
+//! - [`triangulation`]: the point where two rays come closest.
+//! - [`observation`]: simulated observations with noise, for tests and demonstrations.
 //! - [`pose_error`]: how far reconstructed joints are from the true ones.
 //!
 //! # Conventions
@@ -36,4 +37,3 @@ pub mod observation;
 pub mod pose_error;
 pub mod rig;
 pub mod triangulation;
-mod vector;

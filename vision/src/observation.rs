@@ -1,4 +1,4 @@
-//! Pictures of points, exact or with noise.
+//! Simulated observations: the pixels of known points, exact or with noise.
 
 use ga_runtime::cga3::Point;
 use rand_chacha::ChaCha8Rng;
@@ -19,7 +19,7 @@ pub enum ObservationError {
         error: CameraError,
     },
     /// The noise is negative or not finite.
-    #[error("{0} px is no standard deviation")]
+    #[error("{0} px is not a standard deviation")]
     Noise(f64),
 }
 
@@ -40,16 +40,9 @@ pub fn observe(
     }
     let normal = Normal::new(0.0, noise).map_err(|_| ObservationError::Noise(noise))?;
     let mut random = ChaCha8Rng::seed_from_u64(seed);
-    points
-        .iter()
-        .enumerate()
-        .map(|(index, &point)| {
-            let exact = camera.project(point);
-            let pixel = exact.map_err(|error| ObservationError::Camera {
-                point: index,
-                error,
-            })?;
-            Ok(pixel.map(|u| u + normal.sample(&mut random)))
-        })
-        .collect()
+    let exact = camera
+        .project_all(points)
+        .map_err(|(point, error)| ObservationError::Camera { point, error })?;
+    let noisy = |pixel: [f64; 2]| pixel.map(|u| u + normal.sample(&mut random));
+    Ok(exact.into_iter().map(noisy).collect())
 }

@@ -1,4 +1,4 @@
-//! How far reconstructed joints are from the true ones.
+//! The distance of reconstructed joints from the true ones.
 
 use ga_runtime::cga3::Point;
 
@@ -6,7 +6,7 @@ use ga_runtime::cga3::Point;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ComparisonError {
     /// The poses have different numbers of joints.
-    #[error("{found} joints reconstructed, {expected} true ones")]
+    #[error("{found} joints were reconstructed, but there are {expected} true ones")]
     Counts {
         /// How many there should be.
         expected: usize,
@@ -18,11 +18,11 @@ pub enum ComparisonError {
     Empty,
 }
 
-/// The mean distance between reconstructed and true joints, in the unit of the coordinates (MPJPE;
-/// the paper's table 2).
+/// The mean distance between reconstructed and true joints, in the unit of the coordinates (mean per
+/// joint position error, MPJPE; Cui, table 2).
 ///
 /// # Errors
-/// [`ComparisonError`] where there are no joints, or not equally many.
+/// [`ComparisonError`] where there are no joints, or different numbers of them.
 ///
 /// ```
 /// use ga_runtime::cga3::Point;

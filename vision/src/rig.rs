@@ -14,7 +14,7 @@ pub struct StereoRig {
     pub right: Camera,
 }
 
-/// Why two pictures fix no places.
+/// Why two pictures do not determine points.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum RigError {
     /// A pixel gives no ray.
@@ -25,7 +25,7 @@ pub enum RigError {
         /// What is wrong with it.
         error: CameraError,
     },
-    /// Two rays fix no place.
+    /// Two rays do not determine a point.
     #[error("point {point}: {error}")]
     Triangulation {
         /// Which point, from 0.
@@ -48,7 +48,7 @@ impl StereoRig {
     /// `x_right = R x_left + t`.
     ///
     /// # Errors
-    /// [`CameraError::Pose`] where R is no rotation or t not finite.
+    /// [`CameraError::Pose`] where R is not a rotation or t is not finite.
     pub fn from_matrices(
         left: Intrinsics,
         right: Intrinsics,
@@ -83,13 +83,13 @@ impl StereoRig {
         self.right.world_to_camera * self.left.world_to_camera.reverse()
     }
 
-    /// The distance of the cameras' centres in metres.
+    /// The distance between the cameras' centres in metres.
     #[must_use]
     pub fn baseline(&self) -> f64 {
         self.left.centre().distance(self.right.centre())
     }
 
-    /// The place that is seen at one pixel in each picture.
+    /// The point that is seen at one pixel in each picture.
     ///
     /// # Errors
     /// [`RigError`] where a pixel is not finite or the rays are parallel.
@@ -97,11 +97,11 @@ impl StereoRig {
         self.triangulate_point(0, left, right)
     }
 
-    /// The places that are seen at pairs of pixels.
+    /// The points that are seen at pairs of pixels.
     ///
     /// # Errors
-    /// [`RigError`] for pictures of different numbers of points, and for the first pair that fixes
-    /// no place.
+    /// [`RigError`] for pictures of different numbers of points, and for the first pair that does
+    /// not determine a point.
     pub fn triangulate_all(
         &self,
         left: &[[f64; 2]],

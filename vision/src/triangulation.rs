@@ -1,34 +1,37 @@
-//! Where two rays come closest.
+//! The point where two rays come closest.
 //!
-//! Two lines that are neither parallel nor meet have one common perpendicular. With unit directions
-//! d₁, d₂, moments m₁, m₂ and `n = d₁ × d₂`, the plane through the second line along n is
-//! `d₂ × n + (m₂·n) ei` in dual form, and the first line meets it in the foot of the perpendicular,
-//! `F₁∧ei = L₁ ∨ P₂`; the second foot is found likewise. The point halfway between the feet is what
-//! the two rays say of the place. It minimises the sum of squared distances from the rays, not that
-//! of squared pixel errors (Hartley and Sturm, Triangulation, 1997): fine for pictures that are
-//! good to a fraction of the angle between the rays, biased for almost parallel ones.
+//! Two lines that are not parallel have one [common perpendicular][perpendicular], of
+//! length zero where they meet. The point halfway between its feet is the triangulated position. It
+//! minimises the sum of squared distances from the rays, not that of squared pixel errors (R.
+//! Hartley and P. Sturm, Triangulation, Computer Vision and Image Understanding 68, 1997): this is
+//! accurate where the pixel errors are small against the angle between the rays, and biased for
+//! almost parallel rays.
+//!
+//! [perpendicular]: ga_runtime::cga3::Line::common_perpendicular
 
-use ga_runtime::cga3::{DualPlane, Line, Point};
+use ga_runtime::cga3::Point;
+use ga_runtime::geometry::relation::{CommonPerpendicular, Tolerance};
+use ga_runtime::vga3::Vector;
 
 use crate::camera::Ray;
-use crate::vector::{cross, dot};
 
-/// The place that two rays agree on, and how well.
+/// The point that two rays determine, and how well they agree on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Triangulation {
     /// The middle of the common perpendicular.
     pub position: Point<f64>,
-    /// Its ends on the first and on the second ray.
+    /// The ends of the common perpendicular on the first and on the second ray.
     pub feet: [Point<f64>; 2],
-    /// Its length: the shortest distance of the rays, in metres.
+    /// The length of the common perpendicular: the distance of the rays, in metres.
     pub gap: f64,
-    /// How far along each ray its foot is, in metres; negative behind the camera.
+    /// The distance along each ray from its camera to its foot, in metres; negative behind the
+    /// camera.
     pub depths: [f64; 2],
     /// The angle between the rays in radians, in (0, π).
     pub angle: f64,
 }
 
-/// Why two rays fix no place.
+/// Why two rays do not determine a point.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum TriangulationError {
     /// The rays are parallel up to rounding.
@@ -37,20 +40,24 @@ pub enum TriangulationError {
         /// The sine of the angle.
         sine: f64,
     },
-    /// A ray has a coefficient that is infinite or no number.
+    /// A ray has a coefficient that is infinite or not a number.
     #[error("a ray is not finite")]
     NotFinite,
 }
 
+/// Rays whose directions have a smaller sine count as parallel: the directions then differ by no
+/// more than their rounding.
+const PARALLEL: f64 = 16.0 * f64::EPSILON;
+
 impl Triangulation {
-    /// Whether the place is in front of both cameras.
+    /// Whether the point is in front of both cameras.
     #[must_use]
     pub fn is_in_front(&self) -> bool {
         self.depths.iter().all(|depth| *depth > 0.0)
     }
 }
 
-/// The place where two rays come closest.
+/// The point where two rays come closest.
 ///
 /// # Errors
 /// [`TriangulationError`] for rays that are parallel or not finite.
@@ -78,40 +85,24 @@ impl Triangulation {
 /// # Ok::<(), ga_vision::triangulation::TriangulationError>(())
 /// ```
 pub fn triangulate(first: &Ray, second: &Ray) -> Result<Triangulation, TriangulationError> {
-    let (d1, d2) = (first.direction(), second.direction());
-    let normal = cross(d1, d2);
-    let square = dot(normal, normal);
-    if !square.is_finite() {
+    let [d1, d2] = [first, second].map(|ray| Vector::from(ray.direction()));
+    let (sine, cosine) = (d1.cross(d2).length(), d1 | d2);
+    if !(sine.is_finite() && cosine.is_finite()) {
         return Err(TriangulationError::NotFinite);
     }
-    // Below this the directions differ by no more than they are rounded.
-    let sine = square.sqrt();
-    if sine <= 4.0 * f64::EPSILON {
+    if sine < PARALLEL {
         return Err(TriangulationError::Parallel { sine });
     }
-    let meet = |line: Line<f64>, other: Line<f64>| {
-        let normal_of_wall = cross(other.direction(), normal);
-        let distance = dot(other.moment(), normal);
-        let wall = DualPlane::from_normal_distance(normal_of_wall, distance).undual();
-        (line & wall)
-            .to_point()
-            .ok_or(TriangulationError::NotFinite)
-    };
-    let feet = [
-        meet(first.line, second.line)?,
-        meet(second.line, first.line)?,
-    ];
-    let [a, b] = feet.map(Point::coordinates);
-    let position = Point::from([0, 1, 2].map(|k| 0.5 * (a[k] + b[k])));
-    let gap = feet[0].distance(feet[1]);
-    if !gap.is_finite() {
-        return Err(TriangulationError::NotFinite);
-    }
+    let CommonPerpendicular { feet, distance, .. } = first
+        .line
+        .common_perpendicular(second.line, Tolerance::new(0.0, 0.0))
+        .ok_or(TriangulationError::NotFinite)?;
+    let [a, b] = feet.map(|foot| Vector::from(foot.coordinates()));
     Ok(Triangulation {
-        position,
+        position: Point::from(((a + b) * 0.5).coordinates()),
         feet,
-        gap,
+        gap: distance,
         depths: [first.depth(feet[0]), second.depth(feet[1])],
-        angle: sine.atan2(dot(d1, d2)),
+        angle: sine.atan2(cosine),
     })
 }
