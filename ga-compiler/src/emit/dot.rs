@@ -11,31 +11,42 @@ use crate::algebra::Ratio;
 use crate::define::Definition;
 use crate::function::CompiledFunction;
 use crate::ir::{Function, Node, NodeId, Value};
+use crate::passes::Stages;
 
 /// A function as a directed graph in the language of Graphviz.
 #[must_use]
 pub fn function(definition: &Definition, function: &CompiledFunction) -> String {
-    let kernel = &function.kernel;
-    let arena = &kernel.arena;
-    let stages = kernel.stages();
-    let inputs = formula::inputs(definition, &function.operands);
-    let headline = formula::headline(definition, function);
+    let stages = function.kernel.stages();
     let name = match &function.name {
         Some(name) => name.to_string(),
         None => "closure".to_owned(),
     };
     let mut text = format!("digraph {} {{\n", quoted(&name));
-    let _ = writeln!(
-        text,
+    text.push_str(&attributes(&formula::headline(definition, function)));
+    text.push_str(&nodes(definition, function, &stages));
+    text.push_str(&edges(definition, function, &stages));
+    text.push_str("}\n");
+    text
+}
+
+/// How the graph looks, with its title.
+fn attributes(title: &str) -> String {
+    format!(
         "    label={};\n    labelloc=t;\n    rankdir=LR;\n    ranksep=0.6;\n    nodesep=0.12;\n    \
          fontname=\"Helvetica\";\n    node [fontname=\"Helvetica\", fontsize=12, height=0.3, margin=\"0.08,0.03\"];\n    \
-         edge [fontname=\"Helvetica\", fontsize=10, arrowsize=0.5, color=\"#555555\"];",
-        quoted(headline.trim_end())
-    );
+         edge [fontname=\"Helvetica\", fontsize=10, arrowsize=0.5, color=\"#555555\"];\n",
+        quoted(title.trim_end())
+    )
+}
 
+/// Inputs and operations, those of the prologue in a frame of their own.
+fn nodes(definition: &Definition, function: &CompiledFunction, stages: &Stages) -> String {
+    let kernel = &function.kernel;
+    let arena = &kernel.arena;
+    let inputs = formula::inputs(definition, &function.operands);
+    let (mut once, mut always) = (String::new(), String::new());
     let is_read =
         |id: NodeId| stages.inner.uses[id.index()] > 0 || stages.prologue.uses[id.index()] > 0;
-    let (mut once, mut always) = (String::new(), String::new());
     for id in arena.ids().filter(|&id| is_read(id)) {
         if let Node::Input(number) = arena.node(id) {
             let label = inputs.get(*number).map_or("?", |(name, _)| name.as_str());
@@ -63,61 +74,53 @@ pub fn function(definition: &Definition, function: &CompiledFunction) -> String 
             let _ = writeln!(part, "n{} [label={label}, {shape}];", id.index());
         }
     }
-    if !once.is_empty() {
-        let _ = write!(
-            text,
+    let frame = if once.is_empty() {
+        String::new()
+    } else {
+        format!(
             "    subgraph cluster_uniform {{\n        label=\"uniform\";\n        style=\"rounded,dashed\";\n{}    }}\n",
             indented(&once, 8)
-        );
-    }
-    text.push_str(&indented(&always, 4));
+        )
+    };
+    frame + &indented(&always, 4)
+}
 
-    let mut drawn = Edges {
+/// What each operation reads, and the outputs.
+fn edges(definition: &Definition, function: &CompiledFunction, stages: &Stages) -> String {
+    let kernel = &function.kernel;
+    let mut edges = Edges {
         text: String::new(),
         constants: 0,
     };
     for &id in stages.prologue.order.iter().chain(&stages.inner.order) {
-        match arena.node(id) {
+        match kernel.arena.node(id) {
             Node::One | Node::Input(_) => {}
-            Node::Sum(terms) => {
-                for &term in terms {
-                    drawn.edge(term, id, "");
-                }
-            }
-            Node::Function(_, arguments) => {
-                for &argument in arguments {
-                    drawn.edge(argument, id, "");
+            Node::Sum(values) | Node::Function(_, values) => {
+                for &value in values {
+                    edges.edge(value, id, "");
                 }
             }
             Node::Product(a, b) => {
-                drawn.edge(Value::of(*a), id, "");
-                drawn.edge(Value::of(*b), id, "");
+                edges.edge(Value::of(*a), id, "");
+                edges.edge(Value::of(*b), id, "");
             }
             Node::Quotient(a, b) => {
-                drawn.edge(Value::of(*a), id, "");
-                drawn.edge(Value::of(*b), id, "divisor");
+                edges.edge(Value::of(*a), id, "");
+                edges.edge(Value::of(*b), id, "divisor");
             }
         }
     }
-    text.push_str(&indented(&drawn.text, 4));
     let labels = formula::paths(definition, &function.result);
     for (place, (output, label)) in kernel.outputs.iter().zip(labels).enumerate() {
         let label = if label.is_empty() { "scalar" } else { &label };
         let _ = writeln!(
-            text,
-            "    out{place} [label={}, shape=box, style=filled, fillcolor=\"#d9f0d8\"];",
+            edges.text,
+            "out{place} [label={}, shape=box, style=filled, fillcolor=\"#d9f0d8\"];",
             quoted(label)
         );
-        let mut last = Edges {
-            text: String::new(),
-            constants: drawn.constants,
-        };
-        last.edge_to(*output, &format!("out{place}"), "");
-        drawn.constants = last.constants;
-        text.push_str(&indented(&last.text, 4));
+        edges.edge_to(*output, &format!("out{place}"), "");
     }
-    text.push_str("}\n");
-    text
+    indented(&edges.text, 4)
 }
 
 /// The edges drawn so far.

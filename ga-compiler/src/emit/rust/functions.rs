@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
+use syn::Visibility;
 use syn::ext::IdentExt;
 
 use super::body::{Body, Source, stage_body};
@@ -127,77 +128,41 @@ impl Emitter<'_> {
     fn staged(&self, function: &CompiledFunction, name: &Ident) -> TokenStream {
         let (attributes, visibility) = (&function.attributes, &function.visibility);
         let inputs = self.inputs(&function.operands);
-        let prefix = prefix(&function.operands);
         let kernel = &function.kernel;
         let Stages {
             prologue,
             inner,
             handed,
         } = kernel.stages();
-        let fields: Vec<_> = (0..handed.len()).map(|k| format_ident!("c{k}")).collect();
-        let handed_values: Vec<_> = handed.iter().map(|&node| Value::of(node)).collect();
-        let first = Source {
-            runtime: self.runtime,
-            inputs: &inputs,
-            given: &HashMap::new(),
-            prefix,
-        };
-        let first = stage_body(&kernel.arena, prologue, &handed_values, &first);
+        let prepared = Prepared::new(function, name, handed.len());
+        let handed_values: Vec<_> = handed.iter().copied().map(Value::of).collect();
         let given: HashMap<NodeId, TokenStream> = handed
             .iter()
-            .zip(&fields)
+            .zip(&prepared.fields)
             .map(|(&node, field)| (node, quote! { self.#field }))
             .collect();
-        let second = Source {
+        let source = |given| Source {
             runtime: self.runtime,
             inputs: &inputs,
-            given: &given,
-            prefix,
+            given,
+            prefix: prefix(&function.operands),
         };
-        let second = stage_body(&kernel.arena, inner, &kernel.outputs, &second);
+        let nothing = HashMap::new();
+        let first = stage_body(&kernel.arena, prologue, &handed_values, &source(&nothing));
+        let second = stage_body(&kernel.arena, inner, &kernel.outputs, &source(&given));
         let uniform = self.parameters(function.operands.iter().filter(|o| o.is_uniform));
         let varying = self.parameters(function.operands.iter().filter(|o| !o.is_uniform));
         let result = self.shape_path(&function.result);
-        let prepared = format_ident!(
-            "{}",
-            pascal_case(&name.unraw().to_string()),
-            span = name.span()
-        );
         let (first_bound, second_bound) = (self.bound(&first), self.bound(&second));
-        let (statements, values) = (&first.statements, &first.outputs);
-        let inner_statements = &second.statements;
+        let (statements, inner_statements) = (&first.statements, &second.statements);
         let built = self.build(&function.result, &mut second.outputs.iter());
-        let text = format!(
-            " What [`{}`] works out once of its uniform operands.",
-            name.unraw()
-        );
-        // Where the uniform operands leave no work, the scalar type must still occur.
-        let marker = handed
-            .is_empty()
-            .then(|| quote! { scalar: ::core::marker::PhantomData<S> });
-        let marked = handed
-            .is_empty()
-            .then(|| quote! { scalar: ::core::marker::PhantomData });
+        let structure = prepared.structure();
+        let (prepared_name, prepared_value) = (&prepared.name, prepared.value(&first.outputs));
         quote! {
-            #[doc = #text]
-            #[derive(
-                ::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq
-            )]
-            #visibility struct #prepared<S> { #(#fields: S,)* #marker }
+            #structure
 
             #[allow(clippy::all, clippy::pedantic, unused_variables, dead_code)]
-            impl<S> #prepared<S> {
-                /// The same over another scalar, number by number: lanes of one number each, for
-                /// instance.
-                #[inline(always)]
-                #[must_use]
-                #visibility fn map<T>(self, #[allow(unused_mut)] mut function: impl ::core::ops::FnMut(S) -> T) -> #prepared<T> {
-                    #prepared { #(#fields: function(self.#fields),)* #marked }
-                }
-            }
-
-            #[allow(clippy::all, clippy::pedantic, unused_variables, dead_code)]
-            impl<S: #second_bound> #prepared<S> {
+            impl<S: #second_bound> #prepared_name<S> {
                 /// The function's value for the operands that are not uniform.
                 #[inline(always)]
                 #[must_use]
@@ -211,9 +176,9 @@ impl Emitter<'_> {
             #[inline]
             #[must_use]
             #[allow(clippy::all, clippy::pedantic, unused_variables)]
-            #visibility fn #name<S: #first_bound>(#(#uniform),*) -> #prepared<S> {
+            #visibility fn #name<S: #first_bound>(#(#uniform),*) -> #prepared_name<S> {
                 #statements
-                #prepared { #(#fields: #values,)* #marked }
+                #prepared_value
             }
         }
     }
@@ -339,6 +304,76 @@ impl Emitter<'_> {
             format_ident!("new_unchecked")
         };
         quote! { #path::#name::#constructor(#(#fields),*) }
+    }
+}
+
+/// The struct that holds what a function works out once of its uniform operands.
+struct Prepared<'a> {
+    function: &'a Ident,
+    visibility: &'a Visibility,
+    name: Ident,
+    fields: Vec<Ident>,
+}
+
+impl<'a> Prepared<'a> {
+    fn new(compiled: &'a CompiledFunction, function: &'a Ident, count: usize) -> Self {
+        let name = pascal_case(&function.unraw().to_string());
+        Self {
+            function,
+            visibility: &compiled.visibility,
+            name: format_ident!("{name}", span = function.span()),
+            fields: (0..count).map(|k| format_ident!("c{k}")).collect(),
+        }
+    }
+
+    /// The declaration, with a method that takes it to another scalar.
+    fn structure(&self) -> TokenStream {
+        let Self {
+            visibility,
+            name,
+            fields,
+            ..
+        } = self;
+        let text = format!(
+            " What [`{}`] works out once of its uniform operands.",
+            self.function.unraw()
+        );
+        // Where the uniform operands leave no work, the scalar type must still occur.
+        let marker = fields
+            .is_empty()
+            .then(|| quote! { scalar: ::core::marker::PhantomData<S> });
+        let mapped: Vec<_> = fields
+            .iter()
+            .map(|field| quote! { function(self.#field) })
+            .collect();
+        let mapped = self.value(&mapped);
+        quote! {
+            #[doc = #text]
+            #[derive(
+                ::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq
+            )]
+            #visibility struct #name<S> { #(#fields: S,)* #marker }
+
+            #[allow(clippy::all, clippy::pedantic, unused_variables, dead_code)]
+            impl<S> #name<S> {
+                /// The same over another scalar, number by number: lanes of one number each, for
+                /// instance.
+                #[inline(always)]
+                #[must_use]
+                #visibility fn map<T>(self, #[allow(unused_mut)] mut function: impl ::core::ops::FnMut(S) -> T) -> #name<T> {
+                    #mapped
+                }
+            }
+        }
+    }
+
+    /// The struct with the given values of its fields.
+    fn value(&self, values: &[TokenStream]) -> TokenStream {
+        let Self { name, fields, .. } = self;
+        let marked = fields
+            .is_empty()
+            .then(|| quote! { scalar: ::core::marker::PhantomData });
+        quote! { #name { #(#fields: #values,)* #marked } }
     }
 }
 

@@ -49,11 +49,28 @@ pub(super) fn is_own(function: Function) -> bool {
 /// there, to the last term that single precision sees.
 pub(super) fn declaration(function: Function, name: &dyn Fn(Function) -> String) -> Option<String> {
     let this = name(function);
-    let (cosine, sine) = (name(Function::StumpffCosine), name(Function::StumpffSine));
-    let angle = name(Function::VersorAngle);
-    Some(match function {
-        Function::StumpffCosine => format!(
-            "\
+    match function {
+        Function::StumpffCosine => Some(stumpff_cosine(&this)),
+        Function::StumpffSine => Some(stumpff_sine(&this)),
+        Function::StumpffSineSlope => {
+            let (cosine, sine) = (name(Function::StumpffCosine), name(Function::StumpffSine));
+            Some(stumpff_sine_slope(&this, &cosine, &sine))
+        }
+        Function::VersorAngle => Some(versor_angle(&this)),
+        Function::VersorAngleSlope => Some(versor_angle_slope(&this, &name(Function::VersorAngle))),
+        Function::SquareRoot
+        | Function::Absolute
+        | Function::Sine
+        | Function::Cosine
+        | Function::ArcTangent
+        | Function::Exponential
+        | Function::NaturalLogarithm => None,
+    }
+}
+
+fn stumpff_cosine(this: &str) -> String {
+    format!(
+        "\
 // C(x) of exp B = C(B²) + S(B²) B: cos √−x or cosh √x.
 fn {this}(x: f32) -> f32 {{
     let root = sqrt(abs(x));
@@ -63,9 +80,12 @@ fn {this}(x: f32) -> f32 {{
     return cos(root);
 }}
 "
-        ),
-        Function::StumpffSine => format!(
-            "\
+    )
+}
+
+fn stumpff_sine(this: &str) -> String {
+    format!(
+        "\
 // S(x) of exp B = C(B²) + S(B²) B: sin √−x / √−x or sinh √x / √x.
 fn {this}(x: f32) -> f32 {{
     if abs(x) < 1.0 {{
@@ -78,9 +98,12 @@ fn {this}(x: f32) -> f32 {{
     return sin(root) / root;
 }}
 "
-        ),
-        Function::StumpffSineSlope => format!(
-            "\
+    )
+}
+
+fn stumpff_sine_slope(this: &str, cosine: &str, sine: &str) -> String {
+    format!(
+        "\
 // The derivative of S, (C − S)/(2x).
 fn {this}(x: f32) -> f32 {{
     if abs(x) < 1.0 {{
@@ -89,9 +112,12 @@ fn {this}(x: f32) -> f32 {{
     return ({cosine}(x) - {sine}(x)) / (2.0 * x);
 }}
 "
-        ),
-        Function::VersorAngle => format!(
-            "\
+    )
+}
+
+fn versor_angle(this: &str) -> String {
+    format!(
+        "\
 // 1/S(B²) from C(B²) and S(B²)² B²: half the angle of a turn over its sine.
 fn {this}(cosine: f32, square: f32) -> f32 {{
     // At cosine −1 no bivector is told from another; what grows has no logarithm where the cosine
@@ -109,9 +135,12 @@ fn {this}(cosine: f32, square: f32) -> f32 {{
     return atan2(sine, cosine) / sine;
 }}
 "
-        ),
-        Function::VersorAngleSlope => format!(
-            "\
+    )
+}
+
+fn versor_angle_slope(this: &str, angle: &str) -> String {
+    format!(
+        "\
 // −2 S′(B²)/S(B²)³ from C(B²) and S(B²)² B².
 fn {this}(cosine: f32, square: f32) -> f32 {{
     if abs(square) < 0.0625 && (cosine > 0.0 || square >= 0.0) {{
@@ -120,13 +149,5 @@ fn {this}(cosine: f32, square: f32) -> f32 {{
     return (1.0 - cosine * {angle}(cosine, square)) / square;
 }}
 "
-        ),
-        Function::SquareRoot
-        | Function::Absolute
-        | Function::Sine
-        | Function::Cosine
-        | Function::ArcTangent
-        | Function::Exponential
-        | Function::NaturalLogarithm => return None,
-    })
+    )
 }
