@@ -1,11 +1,11 @@
 //! A count of operations, read from the Rust code that is emitted.
 //!
-//! The count is taken of the code itself and not of the graph that it was written from, so that it
-//! holds whatever an emitter does. What is counted: `+` and `-` are an addition, `*` a
-//! multiplication (also one by 2 or ½), `/` and `recip` a division, a fused multiplication and
-//! addition is one of each, `sqrt` a root; a negation and a call of any other function are each one
-//! *other*. Reading, naming and building cost nothing. Anything that is not known here is an error,
-//! so that no operation is overlooked.
+//! The count is taken from the code itself and not from the graph behind it, so that it is right
+//! for every emitter. What is counted: `+` and `-` are an addition, `*` a multiplication (also one
+//! by 2 or ½), `/` and `recip` a division, a fused multiplication and addition is one of each,
+//! `sqrt` a root; a negation and a call of any other function are each one *other*. Reading, naming
+//! and building cost nothing. Anything that is not known here is an error, so that no operation is
+//! overlooked.
 
 use std::collections::{HashMap, HashSet};
 use std::fmt;
@@ -121,7 +121,7 @@ pub fn function(
 /// `Type::method`.
 ///
 /// # Errors
-/// The code is no list of items, or holds a construct that is not counted; the error names it.
+/// The code is not a list of items, or holds a construct that is not counted; the error names it.
 ///
 /// ```
 /// let code =
@@ -183,8 +183,7 @@ fn owner(kind: &syn::Type) -> String {
     }
 }
 
-/// Knows what costs nothing besides what the language itself has: reading and building members of
-/// types.
+/// Knows which calls cost nothing: those that read or build members of types.
 #[derive(Default)]
 struct Counter {
     /// The names under which methods give a stored coefficient.

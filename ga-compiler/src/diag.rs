@@ -29,7 +29,7 @@ impl Diagnostics {
         }
     }
 
-    /// How many errors there are, so that it can be told whether a step of the checks added any.
+    /// The number of errors, to find out whether a check added any.
     #[must_use]
     pub fn count(&self) -> usize {
         self.errors
@@ -40,7 +40,7 @@ impl Diagnostics {
     /// All errors as one, if there are any.
     ///
     /// # Errors
-    /// Whatever was collected.
+    /// The errors that were collected.
     pub fn into_result(self) -> syn::Result<()> {
         self.errors.map_or(Ok(()), Err)
     }

@@ -1,4 +1,4 @@
-//! Expressions over typed operands, as trees: how the compiler itself writes formulas down.
+//! Expressions over typed operands as trees, for formulas that the compiler itself writes.
 
 use crate::algebra::{Product, Ratio, Unary};
 

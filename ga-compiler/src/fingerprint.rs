@@ -1,6 +1,6 @@
-//! Numbers by which texts are told apart.
+//! Hashes that identify texts.
 
-/// FNV-1a: the same in every build, and different for every text that is likely to meet another.
+/// FNV-1a, which is the same in every build.
 pub(crate) fn fingerprint(text: &str) -> u64 {
     text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)

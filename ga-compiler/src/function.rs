@@ -1,4 +1,4 @@
-//! A compiled function: what `ga!` makes of its source, before any code is written.
+//! A compiled function: what `ga!` makes from its source, before any code is written.
 
 use std::fmt;
 

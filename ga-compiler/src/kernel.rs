@@ -19,13 +19,14 @@ pub struct Kernel {
     pub outputs: Vec<Value>,
     /// The rules that won.
     pub choices: Choices,
-    /// For each input, whether it stays the same over many calls. What depends on such inputs alone
-    /// is the prologue.
+    /// For each input, whether it stays the same over many calls. The nodes that depend on such
+    /// inputs alone are the prologue.
     pub uniform: Vec<bool>,
 }
 
 impl Kernel {
-    /// What decides between graphs: the operations of each call, then those of the prologue.
+    /// The cost by which graphs are compared: the operations of each call, then those of the
+    /// prologue.
     pub(crate) fn rank(&self) -> (usize, usize) {
         let prologue = self.prologue_cost().total();
         (self.cost().total() - prologue, prologue)
@@ -52,7 +53,7 @@ impl Kernel {
         passes::cost(&self.arena, &self.outputs)
     }
 
-    /// Whether some constant in it is beyond what is worked out exactly.
+    /// Whether some constant in it is out of the range of exact arithmetic.
     #[must_use]
     pub fn is_out_of_range(&self) -> bool {
         let is_beyond = |value: &Value| value.factor.is_out_of_range();

@@ -1,8 +1,8 @@
 //! Which rules make the cheapest graph.
 //!
-//! One kind of rule is tried after the other, each with the best of those before it: all
-//! combinations would be too many. Then each step in which a versor acts may have a rule of its
-//! own.
+//! The kinds of rules are tried one after the other, each with the best rules of the kinds before,
+//! since all combinations would be too many. Then rules of single steps in which a versor acts are
+//! tried.
 
 use std::cmp::Ordering;
 
@@ -13,7 +13,7 @@ use crate::lower::{Choice, Choices, InnerRule, JoinRule, SandwichRule};
 use crate::program::{Program, Step, StepId};
 use crate::task::Task;
 
-/// Up to how many actions of versors are given rules of their own.
+/// The largest number of actions of versors that may have rules of their own.
 const MOST_SITES: usize = 8;
 
 impl Task<'_> {
@@ -97,8 +97,8 @@ impl Search<'_, '_> {
         }
     }
 
-    /// Takes other rules if they make a cheaper graph. Of equals the one by differences stands,
-    /// which rounds less.
+    /// Takes other rules if they make a cheaper graph. Of equals, rules that work with differences
+    /// are preferred, since they round less.
     fn try_choices(&mut self, choices: &Choices) {
         if *choices == self.best.choices {
             return;

@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 
 use super::{Blade, Ratio};
 
-/// A constant symmetric bilinear form on the basis vectors; it need not be diagonal nor regular.
+/// A constant symmetric bilinear form on the basis vectors. It may be singular, and need not be
+/// diagonal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Metric {
     dimension: usize,
@@ -60,7 +61,7 @@ impl Metric {
         let limit = f64::from(1_u32 << 31).powi(2);
         let mut common = Ratio::ONE;
         for entry in &self.entries {
-            // As d grows by the part of a denominator that it lacks, it stays a whole number.
+            // d grows by the missing part of each denominator, so it stays a whole number.
             let lacking = (common * *entry).denominator();
             common = common * Ratio::integer(lacking);
             if common.to_f64() > limit {
@@ -113,10 +114,11 @@ impl Metric {
 
     /// The geometric product of two basis blades, as a sum of basis blades.
     ///
-    /// By Wick's theorem the product of two blades is the sum over all ways to contract some
-    /// vectors of the left one with vectors of the right one, of what is left wedged together. The
-    /// vectors of the left blade are met from the last to the first; each is kept, or contracted
-    /// with one vector of the right blade, with a sign for every vector that it passes on the way.
+    /// By Wick's theorem the product of two blades is a sum over all ways to contract some vectors
+    /// of the left blade with vectors of the right one; each term is the outer product of the
+    /// remaining vectors. The vectors of the left blade are taken from the last to the first. Each
+    /// is kept, or contracted with one vector of the right blade, with a sign for every vector
+    /// between them.
     #[must_use]
     pub fn geometric(&self, left: Blade, right: Blade) -> Vec<(Blade, Ratio)> {
         let mut terms = BTreeMap::from([((Blade::SCALAR, right), Ratio::ONE)]);

@@ -18,10 +18,10 @@ pub struct NamedBlade {
     pub is_negative: bool,
 }
 
-/// Why a written name is no blade.
+/// Why a written name is not a blade.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum NameError {
-    /// Some part of the name is no basis vector.
+    /// Some part of the name is not a basis vector.
     Unknown,
     /// The name can be read in several ways.
     Ambiguous(Vec<String>),
@@ -72,8 +72,8 @@ impl BladeNames {
     /// Reads a blade name.
     ///
     /// # Errors
-    /// The name contains something else than basis vectors, one of them twice, or can be split in
-    /// several ways.
+    /// The name contains something other than basis vectors, contains one of them twice, or can be
+    /// read in several ways.
     pub fn resolve(&self, name: &str) -> Result<NamedBlade, NameError> {
         if name == SCALAR {
             return Ok(NamedBlade {

@@ -5,9 +5,9 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// An exact fraction in lowest terms with a positive denominator.
 ///
-/// What would need more than 128 bits is [out of range](Self::is_out_of_range), and so is all that
-/// is worked out from it, except for zero times it: no number is ever wrong, and code is refused
-/// that would need one out of range.
+/// A number that needs more than 128 bits is [out of range](Self::is_out_of_range), and so is every
+/// result that depends on it, except for its product with zero. So no number is ever wrong, and
+/// code that needs a number out of range is refused.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Ratio {
     numerator: i128,
@@ -103,8 +103,8 @@ impl Ratio {
         self.numerator.saturating_abs().max(self.denominator)
     }
 
-    /// The largest fraction of which all of these are whole multiples: the greatest common divisor of
-    /// the numerators over the least common multiple of the denominators. `None` where that
+    /// The largest fraction of which all of these are whole multiples: the greatest common divisor
+    /// of the numerators over the least common multiple of the denominators. `None` where that
     /// multiple is out of range, or all are zero.
     #[must_use]
     pub fn content(values: impl IntoIterator<Item = Self>) -> Option<Self> {
@@ -205,7 +205,7 @@ impl Mul for Ratio {
 
 impl Div for Ratio {
     type Output = Self;
-    /// The caller has excluded a divisor of zero; zero comes back for it.
+    /// Callers must exclude a divisor of zero; the quotient by it is zero.
     fn div(self, other: Self) -> Self {
         if other == Self::ONE {
             return self;

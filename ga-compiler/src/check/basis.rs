@@ -8,7 +8,7 @@ use crate::algebra::{Algebra, MAX_DIMENSION, Metric, Ratio, SCALAR};
 use crate::diag::Diagnostics;
 use crate::parse::{BasisSyntax, MetricEntrySyntax, MetricSyntax};
 
-/// The algebra, with a metric of zeros where something is wrong with the one that is stated.
+/// The algebra, with a metric of zeros if the declared one has errors.
 ///
 /// # Errors
 /// There are too many basis vectors, so that no blade can be read.
@@ -37,7 +37,7 @@ pub(super) fn check(
     }
     let metric = match metric {
         MetricSyntax::Signature(counts, span) => {
-            // Saturating, so that absurd counts end in the message below.
+            // Saturating, so that counts that overflow lead to the message below.
             let sum = counts.iter().fold(0_usize, |a, &b| a.saturating_add(b));
             if sum == names.len() {
                 Metric::signature(counts[0], counts[1], counts[2])
@@ -67,7 +67,7 @@ fn check_entries(
     for MetricEntrySyntax { left, right, value } in entries {
         let mut place = |ident: &Ident| {
             let found = names.iter().position(|name| ident.unraw() == name);
-            // What is wrong with a listed one was said there.
+            // Errors in the list of basis vectors have been reported there.
             if found.is_none() && !basis.names.contains(ident) {
                 diagnostics.error(ident.span(), format!("unknown basis vector `{ident}`"));
             }

@@ -13,12 +13,12 @@ use crate::diag::Diagnostics;
 use crate::parse::DeclarationSyntax;
 
 impl Definition {
-    /// Checks a parsed declaration. `runtime` is the path of ga-runtime, where the declaration does
-    /// not say it.
+    /// Checks a parsed declaration. `runtime` is the path of ga-runtime, if the declaration does
+    /// not give it.
     ///
     /// # Errors
     /// Everything that is wrong with the declaration, each error at its token. What depends on a
-    /// faulty part is not judged, so that no error merely follows from another.
+    /// faulty part is not checked, so that no error is only a consequence of another.
     pub fn check(syntax: DeclarationSyntax, runtime: TokenStream) -> syn::Result<Self> {
         let mut diagnostics = Diagnostics::default();
         let algebra = basis::check(&syntax.basis, &syntax.metric, &mut diagnostics)?;

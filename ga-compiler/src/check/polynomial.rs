@@ -24,7 +24,7 @@ impl Polynomial {
             Expr::Group(inner) => Self::resolve(&inner.expr, lookup),
             Expr::Lit(literal) => match &literal.lit {
                 Lit::Int(number) => {
-                    // What does not even fit is as much too large.
+                    // A number that does not even fit is too large as well.
                     let value = number.base10_parse().unwrap_or(i128::MAX);
                     Self::Constant(Ratio::integer(value)).within_bounds(syntax)
                 }
@@ -74,8 +74,8 @@ impl Polynomial {
         }
     }
 
-    /// The polynomial, a constant as one number, unless its numbers are too large; those of its
-    /// parts are not.
+    /// The polynomial, with a constant folded to one number. An error if its numbers are too large,
+    /// where those of its parts are not.
     fn within_bounds(self, syntax: &Expr) -> Result<Self> {
         let folded = self.as_constant().map_or(self, Self::Constant);
         let (numerator, denominator) = folded.size();
@@ -93,7 +93,7 @@ impl Polynomial {
     }
 
     /// A bound on the sum of the absolute values of all factors after expansion, over their common
-    /// denominator. It bounds every constant that comes from putting the polynomial for a
+    /// denominator. It bounds every constant that arises when the polynomial is inserted for a
     /// coefficient.
     fn size(&self) -> (i128, i128) {
         self.evaluate(
@@ -101,8 +101,8 @@ impl Polynomial {
             &mut |_| (1, 1),
             &mut |step, (a, below_a), (b, below_b)| match step {
                 PolynomialStep::Sum => {
-                    // In lowest terms the one denominator is what the other lacks of their common
-                    // multiple.
+                    // In lowest terms, the denominator of `below_a / below_b` is the factor from
+                    // `below_a` to their least common multiple.
                     let lacking = Ratio::new(below_a, below_b).map_or(1, Ratio::denominator);
                     let common = below_a.saturating_mul(lacking);
                     let (a, b) = (

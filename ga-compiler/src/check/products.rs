@@ -98,7 +98,7 @@ fn resolve_operands(
     complete.then_some(choices)
 }
 
-/// What a declaration says of a result.
+/// What a declaration says about a result.
 enum Stated<'a> {
     /// Nothing: it is to be found.
     Nothing,
@@ -147,7 +147,7 @@ fn combinations(choices: &[Vec<usize>]) -> Vec<Vec<usize>> {
 struct Context<'a> {
     algebra: &'a Algebra,
     types: &'a [TypeDefinition],
-    /// For each type whether something can be concluded from it.
+    /// For each type, whether it is free of errors.
     sound: &'a [bool],
     operation: Operation,
     operands: &'a [usize],
@@ -155,7 +155,7 @@ struct Context<'a> {
 }
 
 impl Context<'_> {
-    /// The type of the result: some index, none for a scalar; `None` where an error was reported.
+    /// The type of the result as an index, or none for a scalar; `None` if an error was reported.
     fn result(&self, stated: &Stated<'_>, diagnostics: &mut Diagnostics) -> Option<Option<usize>> {
         if !self.operands.iter().all(|&o| self.sound[o]) {
             return None;

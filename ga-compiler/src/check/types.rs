@@ -14,8 +14,8 @@ use crate::ir::{Facts, Residue};
 use crate::member;
 use crate::parse::{CoefficientSyntax, FactSyntax, TypeSyntax};
 
-/// The types, and for each whether nothing is wrong with it, so that something can be concluded
-/// from it. `is_sound` says so of the algebra.
+/// The types, and for each whether it is free of errors, so that others can be checked against it.
+/// `is_sound` says this of the algebra.
 pub(super) fn check(
     algebra: &Algebra,
     is_sound: bool,
@@ -122,7 +122,7 @@ fn check_coefficients(
         }
         if is_method(&blade.unraw().to_string()) {
             let message = format!(
-                "`{blade}` is the name of a method of every type: call the basis vectors otherwise"
+                "`{blade}` is the name of a method of every type: choose other names of basis vectors"
             );
             diagnostics.error(blade.span(), message);
         }
@@ -142,7 +142,7 @@ fn check_coefficients(
             match place {
                 None => Err(Error::new(
                     name.span(),
-                    format!("`{name}` is no blade of this type"),
+                    format!("`{name}` is not a blade of this type"),
                 )),
                 Some(place) if values[place].is_some() => Err(Error::new(
                     name.span(),
@@ -166,7 +166,7 @@ fn check_coefficients(
     coefficients
 }
 
-/// Whether emitted code needs the name for something else than a blade.
+/// Whether emitted code needs the name for something other than a blade.
 fn is_method(name: &str) -> bool {
     let methods = [
         "new",
@@ -273,8 +273,8 @@ fn check_hull(
     }
 }
 
-/// Decides whether the facts follow from the blades. Only a unit versor may restrict the stored
-/// coefficients, since only there it is known how to draw members at random.
+/// Decides whether the facts follow from the blades. Only `unit_versor` may restrict the stored
+/// coefficients, since only then it is known how to draw random members.
 fn establish_facts(
     algebra: &Algebra,
     kind: &mut TypeDefinition,
@@ -304,8 +304,8 @@ fn establish_facts(
     }
 }
 
-/// Whether random members are found, all of one parity, that have every blade of the type: only
-/// then do they stand for all of its unit versors.
+/// Whether random members are found that have every blade of the type, and all blades have one
+/// parity: only then do they represent all of its unit versors.
 fn is_family(algebra: &Algebra, kind: &TypeDefinition) -> bool {
     let first = kind.coefficients.first();
     let parity = first.map(|c| c.blade.involute_is_negative());

@@ -46,7 +46,7 @@ impl Operation {
         }
     }
 
-    /// The operation on operands 0 and 1.
+    /// The operation as an expression of operands 0 and 1.
     #[must_use]
     pub fn expression(self) -> Expression {
         let (first, second) = (Expression::Operand(0), Expression::Operand(1));

@@ -24,8 +24,8 @@ pub struct TypeDefinition {
     pub coefficients: Vec<Coefficient>,
     /// What every member satisfies.
     pub facts: Facts,
-    /// Whether the facts hold for any stored coefficients, so that every member can be built
-    /// freely.
+    /// Whether the facts hold for all stored coefficients, so that members can be built without a
+    /// check.
     pub facts_are_implied: bool,
     /// The type of sums and multiples, as an index; none where it is the type itself.
     pub hull: Option<usize>,
@@ -83,7 +83,7 @@ impl TypeDefinition {
             .filter(|coefficient| coefficient.role == Role::Stored)
     }
 
-    /// Whether nothing is stored, so that the type has one member and no scalar type.
+    /// Whether nothing is stored, so that the type has one member and no scalar parameter.
     #[must_use]
     pub fn is_constant(&self) -> bool {
         self.stored().next().is_none()

@@ -1,8 +1,8 @@
 //! The graph as a picture: text for Graphviz.
 //!
 //! Inputs are boxes named `operand.blade`, outputs boxes named by the blades of the result; between
-//! them are the operations, each once. An edge bears the factor by which its value is multiplied.
-//! What depends on uniform operands alone stands in a frame of its own.
+//! them are the operations, each once. An edge is labelled with the factor by which its value is
+//! multiplied. What depends on uniform operands alone is framed.
 
 use std::fmt::Write;
 

@@ -1,4 +1,4 @@
-//! Back ends.
+//! Back ends: Rust, WGSL, formulas, and graphs as pictures.
 
 #[cfg(feature = "count")]
 pub use crate::count;

@@ -25,8 +25,8 @@ pub enum Node {
     One,
     /// An input, by its number.
     Input(usize),
-    /// A sum of values whose nodes differ and rise, the first with a positive factor, the factors
-    /// without a common divisor; or a single value with a positive factor, see [`Arena::held`].
+    /// A sum of values with different nodes in rising order. The factors are coprime integers, the
+    /// first of them positive. Or a single value with a positive factor, see [`Arena::held`].
     Sum(Box<[Value]>),
     /// A product of two nodes in rising order.
     Product(NodeId, NodeId),
@@ -159,7 +159,7 @@ impl Arena {
         self.nodes.len()
     }
 
-    /// Never: the node of the number 1 is always there.
+    /// Always false, since the node of the number 1 is in every arena.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.nodes.is_empty()
@@ -229,7 +229,7 @@ impl Arena {
         }
     }
 
-    /// The sum of some values, if it is there already.
+    /// The sum of some values, if the arena has it already.
     #[must_use]
     pub fn known_sum(&self, values: impl IntoIterator<Item = Value>) -> Option<Value> {
         match normal_sum(values) {
@@ -250,8 +250,8 @@ impl Arena {
         Value::of(node)
     }
 
-    /// A multiple as a node of its own, so that what several operations read is multiplied once:
-    /// factors move outwards otherwise, and `2 x` times `y` would be 2 times `x y`. The sign stays
+    /// A multiple as a node of its own, so that it is multiplied once for several operations.
+    /// Otherwise factors move outwards, and `2 x` times `y` becomes 2 times `x y`. The sign stays
     /// outside.
     pub fn held(&mut self, value: Value) -> Value {
         let size = value.factor.abs();
@@ -291,7 +291,7 @@ impl Arena {
     }
 
     /// The values of all nodes for the given inputs, over the prime field. A root that does not
-    /// exist there is a residue of which nothing is known.
+    /// exist there is an arbitrary residue.
     #[must_use]
     pub fn evaluate(&self, inputs: &[Residue]) -> Vec<Residue> {
         let mut results = Vec::with_capacity(self.nodes.len());

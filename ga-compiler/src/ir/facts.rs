@@ -2,8 +2,7 @@
 
 use crate::algebra::Blade;
 
-/// Facts of an operand or a result. A fact is only ever stated, never denied: `false` means
-/// unknown.
+/// Facts of an operand or a result. `false` means that a fact is not known to hold.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Facts {
     /// `M ~M = 1` in every grade, and M is a product of vectors.
@@ -32,9 +31,9 @@ impl Facts {
         self
     }
 
-    /// What is known of `M X ~M`: for a unit versor M the map is an automorphism, so all that is
-    /// said of X without a basis stays true. A weight refers to a basis blade, and not every versor
-    /// keeps it.
+    /// What is known of `M X ~M`: for a unit versor M the map is an automorphism, so every fact of
+    /// X that does not refer to a basis stays true. A weight refers to a basis blade, and not every
+    /// versor keeps it.
     #[must_use]
     pub fn of_sandwich(self, operand: Self) -> Self {
         if self.unit_versor {
@@ -47,7 +46,7 @@ impl Facts {
         }
     }
 
-    /// What is known if both are.
+    /// What is known if both sets of facts hold.
     #[must_use]
     pub fn and(self, other: Self) -> Self {
         Self {

@@ -3,12 +3,12 @@
 use super::{Residue, ResidueSequence};
 use crate::algebra::Ratio;
 
-/// A function of scalars that is no arithmetic: the graph knows nothing of it but that equal
-/// arguments give equal results.
+/// A function of scalars beyond arithmetic. The graph knows only that equal arguments give equal
+/// results.
 ///
-/// Over the prime field each has a stand-in that satisfies the equations that membership in a type
-/// may rest on: squares of roots, `sin² + cos² = 1`, and the like. What has no such equation is a
-/// random function of its arguments.
+/// Over the prime field each has a stand-in that satisfies the equations on which membership in a
+/// type may depend: squares of roots, `sin² + cos² = 1`, and the like. A function without such an
+/// equation is a random function of its arguments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Function {
     /// `√x`.
@@ -135,8 +135,8 @@ impl Function {
         })
     }
 
-    /// What stands for a root of a constant that has none in the prime field: a residue of which
-    /// nothing is known, not even its square.
+    /// The stand-in for a root of a constant that has none in the prime field: an arbitrary
+    /// residue, whose square is not that constant.
     #[must_use]
     pub fn stand_in(self, arguments: &[Residue]) -> Residue {
         random(self, arguments)

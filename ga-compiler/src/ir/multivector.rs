@@ -53,8 +53,8 @@ impl Multivector {
         self
     }
 
-    /// The multivector with a wrong sign in its last coefficient that is no constant: a fault on
-    /// purpose.
+    /// The multivector with a wrong sign in its last coefficient that is not constant, for tests of
+    /// the checks.
     #[must_use]
     pub(crate) fn with_last_negated(mut self) -> Self {
         let is_open = |(_, value): &&mut (Blade, Value)| value.as_constant().is_none();
@@ -64,7 +64,7 @@ impl Multivector {
         self
     }
 
-    /// The part whose blades satisfy a condition, nothing known of it.
+    /// The part whose blades satisfy a condition, without facts.
     #[must_use]
     pub fn filtered(&self, keep: impl Fn(Blade) -> bool) -> Self {
         Self {

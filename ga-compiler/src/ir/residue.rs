@@ -36,8 +36,8 @@ impl Residue {
         (root * root == self).then_some(root)
     }
 
-    /// The one of the residue and its negative that is a square: as of real numbers, it has a root,
-    /// and that of a product is the product of those of its factors.
+    /// The residue or its negative, whichever is a square. As with real numbers, it has a root, and
+    /// the absolute value of a product is the product of the absolute values.
     #[must_use]
     pub fn absolute(self) -> Self {
         if self.square_root().is_some() {

@@ -19,7 +19,7 @@ pub struct Choice {
     /// Whether derived coefficients of operands keep their constant factors instead of passing them
     /// on.
     pub held: bool,
-    /// A rule that is to go wrong, so that it can be seen that the check of expansions notices.
+    /// A rule that is broken on purpose, to test that the check of expansions notices it.
     pub broken: Option<Rule>,
 }
 
@@ -27,7 +27,7 @@ pub struct Choice {
 /// rules.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Choices {
-    /// What holds where nothing else is said.
+    /// The rules of all other steps.
     pub all: Choice,
     /// Steps with rules of their own.
     pub sites: Vec<(StepId, SandwichRule)>,

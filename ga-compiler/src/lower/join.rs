@@ -11,7 +11,7 @@ pub enum JoinRule {
     LeftFirst,
     /// From right to left, equal by associativity.
     RightFirst,
-    /// The first two and the rest apart, so that both are made of 2×2 minors:
+    /// The first two and the rest separately, so that both consist of 2×2 minors:
     /// `(v₁ ∧ v₂) ∧ (v₃ ∧ v₄)`, equal by associativity (Laplace's expansion of determinants).
     Minors,
     /// `v₁ ∧ (v₂ − λ₂ v₁) ∧ … `, equal since `v₁ ∧ v₁ = 0`. With λ the quotient of constant

@@ -19,9 +19,9 @@ pub fn operand(arena: &mut Arena, kind: &TypeDefinition, held: bool) -> Multivec
     complete(arena, kind, &written, held)
 }
 
-/// A value that is known to be a member of a type, with its constant coefficients as constants and
-/// its derived ones worked out from the stored ones: nothing else of what led to them is needed any
-/// more.
+/// A value that is known to be a member of a type, with constants for its constant coefficients and
+/// with its derived ones worked out from the stored ones, so that nothing else that led to them is
+/// needed.
 pub(super) fn rederived(
     arena: &mut Arena,
     kind: &TypeDefinition,

@@ -18,7 +18,7 @@ pub fn lower(
     choices: &Choices,
 ) -> Lowered {
     let mut uses = vec![0; program.len()];
-    // Steps that nothing wanted needs are no readers: checks on the way have left some behind.
+    // Only steps that the wanted ones need count as readers: checks have left others behind.
     let mut is_live = vec![false; program.len()];
     for id in wanted {
         is_live[id.index()] = true;
@@ -64,7 +64,7 @@ pub fn lower(
     }
 }
 
-/// What became of a program.
+/// A lowered program.
 pub struct Lowered {
     /// The wanted steps.
     pub values: Vec<Multivector>,
@@ -166,7 +166,7 @@ impl Lowering<'_> {
             }
             Step::Negative(a) => {
                 let a = value(a);
-                // −M moves as M does, and its norm is the same.
+                // −M acts as M does, and has the same norm.
                 let facts = Facts {
                     weight: None,
                     ..a.facts
@@ -231,8 +231,8 @@ impl Lowering<'_> {
         left.product(self.arena, self.algebra, product, right, |_| true)
     }
 
-    /// What a rule gives; spoiled where the rule is to go wrong, by a sign in its last coefficient
-    /// that is no constant.
+    /// The result of a rule. If the rule is to be broken, the sign of its last coefficient that is
+    /// not constant is wrong.
     fn applied(&self, rule: Rule, value: Multivector) -> Multivector {
         if self.choice.broken != Some(rule) {
             return value;

@@ -1,4 +1,4 @@
-//! The action of a versor, by one of several rules that agree wherever they apply.
+//! The action of a versor, by one of several rules that agree where they apply.
 
 use super::linear_map::{commutator, kept, linear_map};
 use super::split;
@@ -36,8 +36,8 @@ impl SandwichRule {
 
     /// Lowers the action of `versor` on `operand`; `None` where the rule does not apply.
     ///
-    /// Whichever rule, a unit versor keeps the grades of what it acts on, so no other blade is
-    /// built. For an odd versor the operand is involuted first: `M X̂ ~M`.
+    /// A unit versor keeps the grades of what it acts on, so by every rule only blades of these
+    /// grades are built. For an odd versor the operand is involuted first: `M X̂ ~M`.
     #[must_use]
     pub fn lower(
         self,

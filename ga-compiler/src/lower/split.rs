@@ -1,4 +1,4 @@
-//! A versor as a turn after which comes a shift.
+//! A versor as a rotation followed by a translation.
 //!
 //! Let v be a basis vector with v² = 0 that is orthogonal to every other vector that occurs in the
 //! blades of M. The number of times that v occurs in a blade then adds up in products, and two
@@ -26,28 +26,28 @@ pub(super) fn lower(
         unit_versor: true,
         ..Facts::default()
     };
-    let turn = versor
+    let rotation = versor
         .filtered(|blade| !blade.contains(null))
         .with_facts(unit);
     let rest = versor.filtered(|blade| blade.contains(null));
-    let reverse = turn.unary(arena, algebra, Unary::Reverse);
-    let shift = rest.product(arena, algebra, Product::Geometric, &reverse, |blade| {
+    let reverse = rotation.unary(arena, algebra, Unary::Reverse);
+    let translation = rest.product(arena, algebra, Product::Geometric, &reverse, |blade| {
         blade.reverse_is_negative()
     });
-    let turned = linear_map(arena, algebra, &turn, operand);
-    let step = shift.product(arena, algebra, Product::Commutator, &turned, |_| true);
-    let middle = turned.sum(arena, &step);
-    let change = shift.product(arena, algebra, Product::Commutator, &middle, |_| true);
-    Some(turned.sum(arena, &change.scaled(Ratio::integer(2))))
+    let rotated = linear_map(arena, algebra, &rotation, operand);
+    let step = translation.product(arena, algebra, Product::Commutator, &rotated, |_| true);
+    let middle = rotated.sum(arena, &step);
+    let change = translation.product(arena, algebra, Product::Commutator, &middle, |_| true);
+    Some(rotated.sum(arena, &change.scaled(Ratio::integer(2))))
 }
 
-/// The vector that splits the versor, by its index.
+/// The index of the vector that splits the versor.
 fn null_vector(algebra: &Algebra, versor: &Multivector) -> Option<usize> {
     let occurring = versor
         .terms()
         .iter()
         .fold(0, |set, (blade, _)| set | blade.0);
-    let has_turn = |null: usize| {
+    let has_rotation = |null: usize| {
         let mut blades = versor.terms().iter().map(|(blade, _)| *blade);
         blades.any(|blade| blade != Blade::SCALAR && !blade.contains(null))
     };
@@ -56,6 +56,6 @@ fn null_vector(algebra: &Algebra, versor: &Multivector) -> Option<usize> {
             .vectors()
             .all(|other| algebra.metric().get(null, other).is_zero());
         let scalar = versor.coefficient(Blade::SCALAR);
-        orthogonal && has_turn(null) && scalar != Value::ZERO
+        orthogonal && has_rotation(null) && scalar != Value::ZERO
     })
 }

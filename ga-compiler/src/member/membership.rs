@@ -7,7 +7,7 @@ use crate::algebra::{Algebra, Blade, Product, Unary};
 use crate::define::{Role, TypeDefinition};
 use crate::ir::Residue;
 
-/// Why a multivector is no member of a type; nothing if it is one.
+/// The reasons why a multivector is not a member of a type; none if it is one.
 #[must_use]
 pub fn membership(
     algebra: &Algebra,
@@ -46,7 +46,7 @@ pub fn membership(
     reasons
 }
 
-/// The names of the facts that a value does not have.
+/// The names of the facts of a type that a value does not satisfy.
 pub(super) fn broken_facts(
     algebra: &Algebra,
     kind: &TypeDefinition,

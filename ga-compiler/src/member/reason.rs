@@ -1,4 +1,4 @@
-//! Why a value is no member of a type.
+//! Why a value is not a member of a type.
 
 use std::fmt;
 
@@ -7,12 +7,11 @@ use crate::algebra::{Blade, Ratio};
 /// One reason.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Reason {
-    /// These blades are there, and the type has them not.
+    /// The value has these blades, and the type does not.
     LeftOver(Vec<(Blade, String)>),
-    /// The coefficient of the blade of that name is not the constant that it is in the type.
+    /// The coefficient of this blade is not the constant that the type declares.
     NotConstant(Blade, String, Ratio),
-    /// The coefficient of the blade of that name does not follow from the others as it does in the
-    /// type.
+    /// The coefficient of this blade does not follow from the others as the type declares.
     NotDerived(Blade, String),
     /// A fact of the type does not hold.
     Fact(&'static str),

@@ -63,7 +63,7 @@ pub fn sample(
         .then_some(candidate)
 }
 
-/// The member with random stored coefficients, whatever the facts say.
+/// The multivector with random stored coefficients, without regard to facts.
 pub(super) fn free_member(kind: &TypeDefinition, sequence: &mut ResidueSequence) -> Numbers {
     let stored: Vec<_> = kind.stored().map(|_| sequence.next_residue()).collect();
     from_stored(kind, &stored)

@@ -2,7 +2,7 @@
 //!
 //! `a b + a c` becomes `a (b + c)`, and `k a + k b` becomes `k (a + b)` for a constant k: one
 //! multiplication less for each term but the first, and one addition less too for each where the
-//! sum in the brackets is at hand already. In each sum the factor is taken out first that saves
+//! sum in the brackets is already computed. In each sum the factor is taken out first that saves
 //! most, and again until none saves.
 //!
 //! Where some inputs are uniform, what saves most of the rest comes first: of `u v + w v` with
@@ -55,8 +55,8 @@ pub fn factor(arena: &Arena, outputs: &[Value], uniform: &[bool]) -> Option<Grap
 /// A term of a sum, in the copy.
 struct Term {
     value: Value,
-    /// The factors of a product that nothing else reads, so that it is saved if the term goes; none
-    /// for another term.
+    /// The factors of a product that nothing else reads, so that it is saved if the term is
+    /// removed; empty for other terms.
     factors: Vec<NodeId>,
 }
 
@@ -164,8 +164,8 @@ struct Products {
 #[derive(Default)]
 struct Group {
     members: Vec<Member>,
-    /// Whether the sum of what the products have besides is at hand; unknown until looked for.
-    is_at_hand: Option<bool>,
+    /// Whether the sum of the remaining factors is already computed; unknown until examined.
+    is_known: Option<bool>,
 }
 
 /// A product without one of its factors.
@@ -197,7 +197,7 @@ impl Products {
             let mut rest = term.factors.clone();
             rest.remove(number);
             let group = self.groups.entry(*common).or_default();
-            group.is_at_hand = None;
+            group.is_known = None;
             group.members.push(Member {
                 place,
                 factor: term.value.factor,
@@ -206,7 +206,7 @@ impl Products {
         }
     }
 
-    /// The factor that saves most: first of what varies, then of all; of equals the earliest node.
+    /// The factor that saves most, first in what varies, then in all; of equals, the earliest node.
     fn best(&mut self, arena: &Arena, uniformity: &mut Uniformity<'_>) -> Option<NodeId> {
         let mut best = None;
         for (common, group) in &mut self.groups {
@@ -215,7 +215,7 @@ impl Products {
             }
             let fewer = group.members.len() - 1;
             let members = &group.members;
-            let is_at_hand = *group.is_at_hand.get_or_insert_with(|| {
+            let is_known = *group.is_known.get_or_insert_with(|| {
                 let single = |member: &Member| match *member.rest {
                     [node] => Some(Value {
                         factor: member.factor,
@@ -232,7 +232,7 @@ impl Products {
                     let mut rest = member.rest.iter();
                     rest.all(|node| uniformity.is_uniform(arena, *node))
                 });
-            let saved = if is_at_hand { 2 * fewer } else { fewer };
+            let saved = if is_known { 2 * fewer } else { fewer };
             let gain = (if is_moved { saved + fewer } else { saved }, saved);
             if best.is_none_or(|(most, _)| gain > most) {
                 best = Some((gain, *common));
@@ -241,7 +241,7 @@ impl Products {
         best.map(|(_, common)| common)
     }
 
-    /// Takes away the products with a factor; gives what they have besides.
+    /// Removes the products with a factor; returns their other factors.
     fn take(&mut self, common: NodeId) -> Vec<(Ratio, Vec<NodeId>)> {
         let taken = self.groups.remove(&common).unwrap_or_default().members;
         for member in &taken {
@@ -249,7 +249,7 @@ impl Products {
             for node in &member.rest {
                 if let Some(group) = self.groups.get_mut(node) {
                     group.members.retain(|other| other.place != member.place);
-                    group.is_at_hand = None;
+                    group.is_known = None;
                 }
             }
         }

@@ -46,7 +46,7 @@ pub fn flatten(arena: &Arena, outputs: &[Value]) -> Option<Graph> {
     })
 }
 
-/// The sum of some values and of some sums, of which those are merged that make it no dearer.
+/// The sum of some values and of some sums. Those sums are merged that do not make it costlier.
 pub(super) fn sum(arena: &mut Arena, plain: &[Value], shared: &[Value]) -> Value {
     let mut terms = collected(plain.iter().chain(shared).copied());
     for sum in shared {

@@ -1,4 +1,4 @@
-//! Uniform parts of sums and products, apart from the rest.
+//! Hoisting: uniform parts of sums and products become nodes of their own.
 //!
 //! Where some inputs are uniform, `u + w + v` with uniform u and w is one addition for each v if
 //! u + w is a node of its own, and `u (w v)` one multiplication as `(u w) v`.
@@ -9,7 +9,7 @@ use super::rewrite::{Graph, collect_factors, image, reads, rewrite};
 use super::uniformity::Uniformity;
 use crate::ir::{Arena, Node, NodeId, Value};
 
-/// Parts what is uniform from the rest; `None` where there is nothing to part.
+/// Separates uniform parts from the rest; `None` where there are none to separate.
 #[must_use]
 pub fn hoist(arena: &Arena, outputs: &[Value], uniform: &[bool]) -> Option<Graph> {
     if !uniform.contains(&true) {

@@ -30,12 +30,12 @@ pub fn optimise(arena: Arena, outputs: Vec<Value>, uniform: &[bool], relations: 
     best.graph
 }
 
-/// The graph flattened and reduced, if the relations serve.
+/// The graph flattened and reduced, if the relations make it cheaper.
 fn reduced(arena: &Arena, outputs: &[Value], relations: &[Value]) -> Option<Graph> {
     if relations.is_empty() {
         return None;
     }
-    // The relations come first, so that every sum can take them in, and are flattened along with
+    // The relations come first, so that every sum can use them, and are flattened together with
     // the graph.
     let ((arena, outputs), relations) = with_first(arena, outputs, relations)?;
     let all: Vec<Value> = outputs.iter().chain(&relations).copied().collect();
@@ -64,7 +64,7 @@ fn apply(graph: Graph, pass: impl Fn(&Arena, &[Value]) -> Option<Graph>) -> Grap
     pass(&graph.0, &graph.1).unwrap_or(graph)
 }
 
-/// A graph with what it costs: first what varies, then the whole, then negations.
+/// A graph with its cost: first of what varies, then of the whole, then negations.
 struct Candidate {
     graph: Graph,
     price: (usize, usize, usize),

@@ -6,7 +6,7 @@
 use super::rewrite::{Graph, reads, rewrite};
 use crate::ir::{Arena, Node, Value};
 
-/// From how many quotients on it pays.
+/// The smallest number of quotients for which this pays.
 const LEAST: usize = 3;
 
 /// Rewrites the quotients of a graph; `None` where no divisor occurs often enough.

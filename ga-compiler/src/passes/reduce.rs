@@ -2,18 +2,18 @@
 //!
 //! What is known of operands says that some sums are zero: of a unit rotor `s² + a² + b² + c² − 1`,
 //! of a unit motor also the scalar and pseudoscalar of `M ~M − 1` with its null part (the Study
-//! condition). A multiple of such a sum may be added to any sum, and is where the result is
-//! cheaper: `s² + a² − b² − c²` becomes `1 − 2 (b² + c²)`.
+//! condition). A multiple of such a sum may be added to any sum, and it is added where the result
+//! is cheaper: `s² + a² − b² − c²` becomes `1 − 2 (b² + c²)`.
 //!
-//! It is right wherever the relations hold, which is on the members of the operands' types.
+//! It is right where the relations hold, which is on the members of the operands' types.
 
 use super::flatten::{collected, price};
 use super::rewrite::{Graph, image, reads, rewrite};
 use crate::algebra::{Algebra, Blade, Product, Unary};
 use crate::ir::{Arena, Multivector, Node, Value};
 
-/// What is zero for an operand by its facts: the coefficients of `M ~M − 1` for a unit versor, of
-/// `X²` for a null X, of `X ∧ X` for a blade.
+/// The values that are zero by the facts of an operand: the coefficients of `M ~M − 1` for a unit
+/// versor, of `X²` for a null X, of `X ∧ X` for a blade.
 pub fn relations(arena: &mut Arena, algebra: &Algebra, operand: &Multivector) -> Vec<Value> {
     let mut zero = Vec::new();
     if operand.facts.unit_versor {
@@ -76,8 +76,8 @@ pub fn reduce(arena: &Arena, outputs: &[Value], relations: &[Value]) -> Option<G
     })
 }
 
-/// Which nodes are divisors or arguments of functions: where their value is small, what it has lost
-/// to cancellation is all that counts. The sine of a small half angle is `√(a² + b² + c²)`, but not
+/// Which nodes are divisors or arguments of functions. Where such a value is small, its relative
+/// error from cancellation matters. The sine of a small half angle is `√(a² + b² + c²)`, but not
 /// `√(1 − s²)`.
 fn sensitive(arena: &Arena) -> Vec<bool> {
     let mut is_sensitive = vec![false; arena.len()];
@@ -101,7 +101,7 @@ fn gains_a_number(before: &[Value], after: &[Value]) -> bool {
     after.len() > 1 && has_number(after) && !has_number(before)
 }
 
-/// The terms of a value, those of sums in it instead of these.
+/// The terms of a value, with sums in it replaced by their terms.
 fn without_sums(arena: &Arena, value: Value) -> Vec<Value> {
     match arena.node(value.node) {
         Node::Sum(terms) => terms
@@ -112,7 +112,7 @@ fn without_sums(arena: &Arena, value: Value) -> Vec<Value> {
     }
 }
 
-/// The terms of a sum reduced as often as it gets cheaper, if it does.
+/// The terms of a sum, reduced while it gets cheaper; `None` if it does not.
 fn cheaper(
     arena: &Arena,
     terms: &[Value],

@@ -2,7 +2,7 @@
 
 use crate::ir::{Arena, Node, NodeId, Value};
 
-/// A graph and what is wanted of it.
+/// A graph and its outputs.
 pub type Graph = (Arena, Vec<Value>);
 
 /// How often each node is read by what the outputs need; zero for a dead node.
@@ -21,8 +21,8 @@ pub(super) fn reads(arena: &Arena, outputs: &[Value]) -> Vec<usize> {
     reads
 }
 
-/// The factors of a product, those of products in it that nothing else reads instead of these. A
-/// node that others read stands for itself.
+/// The factors of a product. Products in it that nothing else reads are replaced by their factors;
+/// a node that others read stands for itself.
 pub(super) fn collect_factors(
     arena: &Arena,
     reads: &[usize],
@@ -38,10 +38,10 @@ pub(super) fn collect_factors(
     }
 }
 
-/// Copies the live nodes of a graph. `change` may give another value for a node, built in the copy
-/// from the images of earlier nodes; where it gives none the node is copied.
+/// Copies the live nodes of a graph. `change` may return another value for a node, built in the
+/// copy from the images of earlier nodes; if it returns none, the node is copied.
 ///
-/// `None` where a divisor turned out to be zero.
+/// `None` if a divisor is zero.
 pub(super) fn rewrite(
     arena: &Arena,
     outputs: &[Value],
@@ -51,7 +51,7 @@ pub(super) fn rewrite(
     rewrite_in_order(arena, outputs, arena.ids(), reads, change)
 }
 
-/// Copies a graph so that what some values need comes before all else. Gives these values in the
+/// Copies a graph so that the nodes that some values need come first. Returns these values in the
 /// copy, too.
 pub(super) fn with_first(
     arena: &Arena,

@@ -6,14 +6,14 @@
 //! that is computed, and counts for each node the *multiples* that are read. Each multiple other
 //! than the scale costs a multiplication, so the number of those is brought down:
 //!
-//! 1. a factor that is asked of a sum moves to its terms, and one that is asked of a product moves
-//!    to an operand that is a sum;
+//! 1. a factor of a sum moves to its terms, and a factor of a product moves to an operand that is a
+//!    sum;
 //! 2. while it saves something, the multiple of a node is added that serves most of the products
 //!    which read the node;
 //! 3. a sum takes another scale where that saves something.
 //!
-//! The first two steps are left out as an alternative, and the cheaper result stands. It is right
-//! because what a node's scale divides out is multiplied in again wherever the node is read.
+//! An alternative leaves out the first two steps, and the cheaper result is taken. It is right
+//! because the scale of a node is divided out again where the node is read.
 
 use std::collections::BTreeMap;
 
@@ -48,7 +48,7 @@ pub fn scale(arena: &Arena, outputs: &[Value], uniform: &[bool]) -> Option<Graph
     } else {
         plain
     };
-    // A uniform multiple is better held even where it is read once.
+    // A uniform multiple is worth a node even if it is read once.
     let is_better = best.total < start.total || uniform.contains(&true);
     is_better.then(|| best.build(outputs, &reads))?
 }
@@ -72,7 +72,7 @@ struct Scales<'a> {
     total: usize,
 }
 
-/// What a multiplication that is repeated for every element costs, when one that is not costs 1.
+/// The cost of a multiplication for every element, where one in the prologue costs 1.
 const VARYING: usize = 1 << 20;
 
 impl<'a> Scales<'a> {
@@ -188,7 +188,7 @@ impl<'a> Scales<'a> {
         best.map(|(multiple, _)| *multiple)
     }
 
-    /// Lets factors go to the operands, from the outputs to the inputs.
+    /// Moves factors to the operands, from the outputs to the inputs.
     fn push_down(&mut self) {
         let is_sum = |id: NodeId| matches!(self.arena.node(id), Node::Sum(_));
         for id in self.live.clone().into_iter().rev() {
@@ -229,7 +229,7 @@ impl<'a> Scales<'a> {
         }
     }
 
-    /// Operands with the factors that products miss which read them. One product alone gains
+    /// Operands, each with the factor that a product which reads it lacks. A single product gains
     /// nothing by a multiple that is not read yet.
     fn candidates(&self) -> Vec<(NodeId, Ratio)> {
         let mut found: BTreeMap<(NodeId, Ratio), bool> = BTreeMap::new();
@@ -256,7 +256,8 @@ impl<'a> Scales<'a> {
         useful.map(|(candidate, _)| candidate).collect()
     }
 
-    /// Lets every product that gains by it read another multiple of a node; gives what was before.
+    /// Lets every product that gains by it read another multiple of a node; returns the former
+    /// state.
     fn serve(&mut self, id: NodeId, multiple: Ratio) -> Vec<(NodeId, [Ratio; 2])> {
         let mut undo = Vec::new();
         for product in self.products[id.index()].clone() {
@@ -351,8 +352,8 @@ impl<'a> Scales<'a> {
         if is_scale { value } else { copy.held(value) }
     }
 
-    /// The terms of a sum whose scale is given. A whole factor that only this sum asks for stays at
-    /// its term, unless it would be common to all terms and move outwards.
+    /// The terms of a sum whose scale is given. A whole factor that only this sum needs stays at
+    /// its term, unless it is common to all terms and moves outwards.
     fn scaled_terms(
         &self,
         copy: &mut Arena,

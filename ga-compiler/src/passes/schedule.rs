@@ -2,10 +2,10 @@
 //!
 //! Outputs are worked out from the first to the last, each depth first, so that a value is computed
 //! close to where it is first used. Which operand of a node comes first decides how many values
-//! wait at the same time: the one that itself needs most registers should, since while it is worked
-//! out nothing else waits yet (Sethi and Ullman, "The generation of optimal code for arithmetic
-//! expressions", 1970). For trees that is optimal. Graphs share nodes, so the order as written is
-//! tried too, and the one stands in which fewer values wait.
+//! wait at the same time. The one that needs most registers should come first, since no other value
+//! waits yet while it is worked out (Sethi and Ullman, "The generation of optimal code for
+//! arithmetic expressions", 1970). For trees this is optimal. Graphs share nodes, so the order as
+//! written is tried too, and the one in which fewer values wait is taken.
 
 use super::rewrite::reads;
 use crate::ir::{Arena, Node, NodeId, Value};
@@ -15,7 +15,7 @@ use crate::ir::{Arena, Node, NodeId, Value};
 pub struct Schedule {
     /// The nodes other than inputs and the number 1.
     pub order: Vec<NodeId>,
-    /// How often each node of the arena is read, by its index; zero for a dead one.
+    /// How often each node of the arena is read, by its index; zero for a dead node.
     pub uses: Vec<usize>,
 }
 
@@ -91,7 +91,7 @@ fn depth_first(
     order
 }
 
-/// The number of registers that each live node takes to work out, as if nothing were shared.
+/// The number of registers that the computation of each live node takes if nothing is shared.
 fn registers(arena: &Arena, uses: &[usize]) -> Vec<usize> {
     let mut registers = vec![0; arena.len()];
     let mut needs: Vec<usize> = Vec::new();

@@ -3,7 +3,7 @@
 //! Where two terms stand together in several sums, up to a common factor or sign, their sum becomes
 //! a node of its own, which saves an addition in each but one of them. The pair that saves most
 //! goes first, and the new node takes part in further pairs, so that longer common parts are found
-//! by and by.
+//! step by step.
 //!
 //! It is right because addition is associative and commutative.
 
@@ -14,7 +14,7 @@ use super::rewrite::{Graph, image, reads, rewrite};
 use crate::algebra::Ratio;
 use crate::ir::{Arena, Node, NodeId, Value};
 
-/// The longest sum that is looked at: the number of pairs grows with its square.
+/// The longest sum that is examined: the number of pairs grows with its square.
 const LONGEST: usize = 40;
 
 /// Shares common parts; `None` where there are none.
@@ -73,7 +73,7 @@ struct Search {
     sums: Vec<Vec<Term>>,
     /// The pairs, with the sums in which they stand and what factors out of them there.
     pairs: BTreeMap<Pair, Vec<(usize, Ratio)>>,
-    /// Pairs with what they saved when they were last looked at.
+    /// Pairs with the operations that they saved when last examined.
     queue: BinaryHeap<(usize, Reverse<Pair>)>,
     found: Vec<Pair>,
     nodes: usize,

@@ -1,13 +1,13 @@
-//! Which way round differences are worked out: `a − b` or `b − a`.
+//! The signs of differences: whether `a − b` or `b − a` is worked out.
 //!
-//! The graph holds both as one node with factors 1 and −1. Where an output wants the negative of a
-//! difference that others read as well, the difference is turned round, and the others take their
-//! sign from it: in sums and products that is free.
+//! The graph holds both as one node with factors 1 and −1. Where an output is the negative of a
+//! difference that others read as well, the difference is negated, and the others take its
+//! negative: in sums and products this costs nothing.
 
 use super::rewrite::{Graph, image, reads, rewrite};
 use crate::ir::{Arena, Node, NodeId, Value};
 
-/// Turns sums round whose negatives more outputs want than themselves; `None` where there are none.
+/// Negates sums of which more outputs are the negatives; `None` if there are none.
 ///
 /// The sums of the result start with a positive term but are not in canonical order any more, so
 /// this comes last.
@@ -50,7 +50,7 @@ pub fn choose_signs(arena: &Arena, outputs: &[Value]) -> Option<Graph> {
     })
 }
 
-/// The sum whose turning turns a value: itself, or a factor of a product that is read once.
+/// The sum whose negation negates a value: itself, or a factor of a product that is read once.
 fn turnable(arena: &Arena, reads: &[usize], id: NodeId) -> Option<NodeId> {
     match arena.node(id) {
         Node::Sum(terms) => {
@@ -76,7 +76,7 @@ mod tests {
     use crate::passes::cost;
 
     #[test]
-    fn a_shared_difference_is_turned_round() {
+    fn a_shared_difference_is_negated() {
         let mut arena = Arena::default();
         let [a, b, c] = [(); 3].map(|()| arena.input());
         let difference = arena.difference(a, b);

@@ -1,8 +1,7 @@
 //! Sums in terms of other sums.
 //!
-//! Where a sum is at hand that has terms in common with another, the other may be cheaper as a
-//! multiple of it and a remainder: with `m = x + d` at hand, `x + 2 d` is `m + d`, a doubling that
-//! costs nothing.
+//! Where two sums have terms in common, one may be cheaper as a multiple of the other and a
+//! remainder: if `m = x + d` is computed anyway, `x + 2 d` is `m + d`, which saves the doubling.
 //!
 //! It is right because the multiple of the one sum is taken from the other's terms and added as a
 //! whole. A sum is only expressed by sums that come before it, so that none comes to depend on
@@ -15,8 +14,7 @@ use super::rewrite::{Graph, image, reads, rewrite};
 use crate::algebra::Ratio;
 use crate::ir::{Arena, Node, NodeId, Value};
 
-/// How many sums a node may stand in to be looked at: those of a node such as the number 1 are too
-/// many to compare.
+/// How many of the sums that read a node are compared: a node such as the number 1 is in too many.
 const MOST: usize = 16;
 
 /// Expresses sums by others; `None` where none gets cheaper.

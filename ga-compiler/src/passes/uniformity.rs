@@ -2,7 +2,7 @@
 
 use crate::ir::{Arena, Node, NodeId};
 
-/// The uniformity of the nodes of a growing arena.
+/// Which nodes of a growing arena are uniform.
 #[derive(Clone, Debug)]
 pub(super) struct Uniformity<'a> {
     uniform: &'a [bool],
@@ -11,7 +11,7 @@ pub(super) struct Uniformity<'a> {
 }
 
 impl<'a> Uniformity<'a> {
-    /// With the inputs that are marked uniform; those beyond the end of the list vary.
+    /// For inputs that are marked uniform; those beyond the end of the list vary.
     #[must_use]
     pub(super) fn new(uniform: &'a [bool]) -> Self {
         Self {
@@ -21,8 +21,7 @@ impl<'a> Uniformity<'a> {
         }
     }
 
-    /// Whether a node depends on uniform inputs only. Where no input is marked this says no of
-    /// every node but constants.
+    /// Whether a node depends on uniform inputs only. If no input is marked, only constants do.
     pub(super) fn is_uniform(&mut self, arena: &Arena, id: NodeId) -> bool {
         if !self.has_uniform {
             return id == Arena::ONE;

@@ -3,8 +3,8 @@
 //!
 //! A [`Program`] stands between the source and the graph. Its steps are operations on whole
 //! multivectors; which rule works a step out, and which of its coefficients are needed at all, is
-//! decided when it is lowered. Calls of other functions are copied in, so that nothing stops at
-//! their borders.
+//! decided when it is lowered. Calls of other functions are copied in, so that rules apply
+//! across them.
 
 mod build;
 mod error;
@@ -146,7 +146,7 @@ impl<'a> Program<'a> {
         &self.steps[id.index()]
     }
 
-    /// Whether a step has one value, whatever the operands.
+    /// Whether a step has the same value for all operands.
     #[must_use]
     pub fn is_constant(&self, id: StepId) -> bool {
         self.constant[id.index()]

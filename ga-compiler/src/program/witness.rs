@@ -1,5 +1,5 @@
-//! What a program's steps are at random points: the ground on which types are checked while names
-//! are resolved.
+//! The values of a program's steps at random points, by which types are checked while names are
+//! resolved.
 
 use super::evaluate::evaluate_step;
 use super::{Program, Step, StepId};
@@ -8,11 +8,11 @@ use crate::define::TypeDefinition;
 use crate::ir::{Facts, Function, Residue};
 use crate::member::{self, Numbers, numbers};
 
-/// How many points are looked for before a program is given up.
+/// How many points are tried before the search is given up.
 const TRIES: u64 = 4096;
 
-/// How many points tell what is always so. Where absolute values are taken, a sign is right at half
-/// of them by chance.
+/// How many points decide what holds everywhere. Where absolute values are taken, a wrong sign
+/// agrees at half of the points by chance.
 const POINTS: usize = 2;
 const POINTS_WITH_SIGNS: usize = 16;
 
@@ -76,8 +76,8 @@ impl Witness {
         })
     }
 
-    /// Evaluates the steps that a point lacks. Where one does not exist, the operands that it reads
-    /// are drawn anew, without those that earlier roots read: these have been settled.
+    /// Evaluates the missing steps at a point. Where a step does not exist, the operands that it
+    /// reads are drawn again, except for those that earlier roots read, which are settled.
     fn settle(
         &mut self,
         algebra: &Algebra,
@@ -114,7 +114,7 @@ impl Witness {
             .map(|point| (point.members.as_slice(), point.values.as_slice()))
     }
 
-    /// The blades that a step really has.
+    /// The blades whose coefficients are not always zero.
     #[must_use]
     pub fn blades(&self, id: StepId) -> Vec<Blade> {
         let mut blades: Vec<Blade> = self
@@ -140,7 +140,7 @@ impl Witness {
         self.blades(id).is_empty()
     }
 
-    /// Why a step is no member of a type; nothing if it is one.
+    /// The reasons why a step is not a member of a type; none if it is one.
     #[must_use]
     pub fn reasons(
         &self,
@@ -205,7 +205,7 @@ impl Witness {
 }
 
 impl Point {
-    /// Evaluates what is missing, up to the first step that does not exist here.
+    /// Evaluates the missing steps, up to the first that does not exist here.
     fn extend(&mut self, algebra: &Algebra, program: &Program<'_>) -> Result<(), StepId> {
         for (id, _) in program.steps().skip(self.values.len()) {
             let value = evaluate_step(algebra, program, id, &self.members, &self.values);
@@ -215,7 +215,7 @@ impl Point {
     }
 }
 
-/// The operands that a step depends on and no root before it does.
+/// The operands that a step depends on and that no earlier root depends on.
 fn free_operands(program: &Program<'_>, failed: StepId) -> Vec<usize> {
     let mut read: Vec<Vec<usize>> = Vec::new();
     let mut settled = Vec::new();

@@ -1,4 +1,4 @@
-//! The nodes of a graph as polynomials of a size that can be read.
+//! The nodes of a graph as polynomials of readable size.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -9,9 +9,9 @@ use crate::ir::{Arena, Node, NodeId, Value};
 /// A graph being expanded.
 pub(super) struct Expander<'a> {
     arena: &'a Arena,
-    /// The most terms of a polynomial. Beyond that, parts of it stay parts.
+    /// The largest number of terms of a polynomial. Beyond that, its parts are not expanded.
     most_terms: usize,
-    /// The nodes that stay parts wherever they are read.
+    /// The nodes that are never expanded into those that read them.
     parts: BTreeSet<NodeId>,
     polynomials: BTreeMap<NodeId, Polynomial>,
 }
@@ -26,7 +26,7 @@ impl<'a> Expander<'a> {
         }
     }
 
-    /// The same graph with some nodes that stay parts wherever they are read.
+    /// The same graph with some nodes that are never expanded into those that read them.
     pub(super) fn with_parts(&self, parts: BTreeSet<NodeId>) -> Self {
         Self {
             parts,
@@ -64,7 +64,7 @@ impl<'a> Expander<'a> {
         self.polynomials.entry(id).or_default()
     }
 
-    /// A node whose children are expanded.
+    /// A node whose operands are expanded.
     fn expand(&self, id: NodeId) -> Polynomial {
         match self.arena.node(id) {
             Node::One => Polynomial::constant(Ratio::ONE),
@@ -110,7 +110,7 @@ impl<'a> Expander<'a> {
         }
     }
 
-    /// A node of several terms as a part; of a product, its factors.
+    /// A node of several terms as a variable, or a product as that of its factors.
     fn unexpanded(&self, id: NodeId) -> Polynomial {
         let factor = |id| {
             let known = self.known(id);

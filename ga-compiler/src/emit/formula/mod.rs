@@ -1,9 +1,9 @@
 //! Formulas to read: one expression for each blade of the result.
 //!
 //! Products stand side by side, powers are raised, coefficients of operands are written
-//! `operand.blade`. The graph is multiplied out and its terms collected, as far as that stays
-//! readable; what would grow too large, and what is needed more than once, gets a name and a line
-//! of its own before the blades.
+//! `operand.blade`. The graph is multiplied out and its terms are collected, as far as the result
+//! stays readable. What would grow too large and what is needed more than once get a name and a
+//! line of their own before the blades.
 
 mod expand;
 mod polynomial;
@@ -50,7 +50,7 @@ use print::{Printer, bare};
 #[must_use]
 pub fn function(definition: &Definition, function: &CompiledFunction) -> String {
     let inputs = inputs(definition, &function.operands);
-    // Multiplied out where that leaves short lines, otherwise less and less so.
+    // Multiplied out if the lines stay short, otherwise with smaller and smaller parts.
     let mut best: Option<String> = None;
     for most_terms in MOST_TERMS {
         let text = with_terms(definition, function, &inputs, most_terms);
@@ -106,7 +106,7 @@ fn with_terms(
 }
 
 /// The text of one value of a graph whose inputs are the stored coefficients of the operands. It is
-/// cut off where it is longer than what fits a message.
+/// cut off where it is too long for a message.
 #[must_use]
 pub fn of_value(
     definition: &Definition,
@@ -117,7 +117,7 @@ pub fn of_value(
     const LONGEST: usize = 240;
     let inputs = inputs(definition, operands);
     let mut printer = printer(arena, &inputs, MOST_TERMS[0]);
-    // Parts that are read often are named, for written out they might grow without end.
+    // Parts that are read often are named: written out, they could become very long.
     let expanded = bind(&mut printer, &[value]);
     let mut text: String = expanded.iter().map(|one| printer.whole(one)).collect();
     for (node, name) in printer.bound.clone() {
@@ -149,7 +149,7 @@ pub fn inputs(definition: &Definition, operands: &[Operand]) -> Vec<(String, usi
     names
 }
 
-/// The blades of a shape that are stored, with the way to them.
+/// The stored blades of a shape, with the path to each.
 pub(super) fn paths(definition: &Definition, shape: &Shape) -> Vec<String> {
     match shape {
         Shape::Scalar => vec![String::new()],
@@ -207,7 +207,7 @@ enum Line {
     Known(String),
 }
 
-/// The blades of a result in order, those that are not stored among them.
+/// All blades of a result in order, stored or not.
 fn lines(definition: &Definition, shape: &Shape) -> Vec<(String, Line)> {
     match shape {
         Shape::Scalar => vec![("scalar".to_owned(), Line::Stored)],
@@ -297,7 +297,7 @@ fn bind(printer: &mut Printer<'_>, values: &[Value]) -> Vec<Polynomial> {
         values.map(|&value| printer.expander.value(value)).collect()
     };
     let expanded = expand(printer);
-    // What has a name is read by it everywhere, even where it would be short enough to be
+    // A named part is written by its name everywhere, even where it is short enough to be
     // multiplied out.
     let parts = shared(printer, &expanded);
     printer.expander = printer.expander.with_parts(parts);

@@ -1,4 +1,4 @@
-//! Sums of products of powers, over what a formula does not look into.
+//! Sums of products of powers, whose variables are nodes that a formula does not expand.
 
 use std::collections::BTreeMap;
 
@@ -8,7 +8,7 @@ use crate::ir::NodeId;
 /// A product of powers in rising order; exponents are not zero, negative ones divide.
 pub(super) type Monomial = Vec<(NodeId, i32)>;
 
-/// A polynomial with terms of any sign of exponent. The variables are nodes: inputs, functions, and
+/// A polynomial whose exponents may be negative. The variables are nodes: inputs, functions, and
 /// what would grow too large if it were expanded.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Polynomial {
@@ -61,8 +61,8 @@ impl Polynomial {
         if self.len() > 1 {
             return None;
         }
-        let turned = monomial.iter().map(|&(node, power)| (node, -power));
-        Some(Self::term(turned.collect(), factor.recip()?))
+        let inverted = monomial.iter().map(|&(node, power)| (node, -power));
+        Some(Self::term(inverted.collect(), factor.recip()?))
     }
 
     /// The variables, each as often as it occurs in a term.
@@ -70,7 +70,7 @@ impl Polynomial {
         self.terms.keys().flatten().map(|&(node, _)| node)
     }
 
-    /// The positive factor that leaves integers without a common divisor, and what it leaves.
+    /// The positive factor that leaves coprime integers, and the polynomial that remains.
     pub(super) fn split_content(&self) -> (Ratio, Self) {
         let content = Ratio::content(self.terms.values().copied());
         let Some((content, inverse)) = content.and_then(|c| Some((c, c.recip()?))) else {

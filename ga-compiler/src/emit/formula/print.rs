@@ -13,9 +13,9 @@ pub(super) struct Printer<'a> {
     pub(super) expander: Expander<'a>,
     /// The names of the inputs, and for each the operand that it belongs to.
     pub(super) inputs: &'a [(String, usize)],
-    /// The names of parts that are written apart.
+    /// The names of parts that have lines of their own.
     pub(super) bound: BTreeMap<NodeId, String>,
-    /// The functions of versors that have been written, for they need an explanation.
+    /// The functions that have been written and need an explanation.
     pub(super) explained: BTreeSet<Function>,
 }
 
@@ -41,9 +41,9 @@ impl Printer<'_> {
                 let (content, mut rest) = coefficient.split_content();
                 let is_negative = sorted(&rest).iter().all(|(_, factor)| factor.is_negative());
                 if is_negative {
-                    let mut turned = Polynomial::default();
-                    turned.add_scaled(&rest, Ratio::integer(-1));
-                    rest = turned;
+                    let mut negative = Polynomial::default();
+                    negative.add_scaled(&rest, Ratio::integer(-1));
+                    rest = negative;
                 }
                 let inner = format!("({})", self.sum(&rest));
                 terms.push((is_negative, self.term(&by, content, inner)));
@@ -70,7 +70,7 @@ impl Printer<'_> {
         }
     }
 
-    /// A polynomial as a sum whose common factor is drawn out.
+    /// A polynomial as a sum, with its common factor taken out.
     pub(super) fn whole(&mut self, polynomial: &Polynomial) -> String {
         let (content, rest) = polynomial.split_content();
         if content == Ratio::ONE || rest.len() < 2 {
@@ -230,7 +230,7 @@ pub(in crate::emit) fn name(function: Function) -> &'static str {
     }
 }
 
-/// What a function is that textbooks have no name for.
+/// The definition of a function that textbooks have no name for.
 pub(super) fn explanation(function: Function) -> Option<&'static str> {
     Some(match function {
         Function::StumpffCosine => "C(x) = cos √(-x), for x > 0 cosh √x",

@@ -1,5 +1,5 @@
-//! Sums, differences, negatives and multiples, in the type itself where they stay there, else in
-//! its hull.
+//! Sums, differences, negatives and multiples, in the type itself if it is closed under them, else
+//! in its hull.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -50,7 +50,7 @@ fn sums(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
 }
 
 fn negative(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
-    // A constant or derived blade does not follow the sign; every fact but the weight does.
+    // Negation does not change a constant or derived blade; all facts but the weight are kept.
     let stays = kind.is_stored_whole() && kind.facts.weight.is_none();
     let result = if stays { kind } else { context.hull(kind) };
     let negative = Expression::Negative(Box::new(Expression::Operand(0)));

@@ -1,4 +1,4 @@
-//! How blocks of functions reach each other: a macro of each function's name hands its whole block
+//! How blocks of functions use each other: a macro named like each function passes its whole block
 //! on.
 
 use proc_macro2::TokenStream;
@@ -8,7 +8,7 @@ use syn::Visibility;
 use super::unique_name;
 use crate::parse::{Block, Pending, UseSyntax};
 
-/// The tokens of functions on their way, in the shape in which they are read.
+/// The tokens of functions that wait for imports, in the form in which they are parsed.
 #[must_use]
 pub fn pending(pending: &Pending) -> TokenStream {
     let Pending {
@@ -44,8 +44,8 @@ pub fn ask_for_import(all: &Pending, import: &UseSyntax, rest: &TokenStream) -> 
     }
 }
 
-/// The macro that hands a block on, under the names of its functions. `algebra` tells its algebra
-/// from others, `source` are the tokens of the block.
+/// The macro that passes a block on, under the names of its functions. `algebra` identifies its
+/// algebra, `source` are the tokens of the block.
 #[must_use]
 pub fn block_handover(block: &Block, algebra: u64, source: &TokenStream) -> TokenStream {
     let Some(first) = block

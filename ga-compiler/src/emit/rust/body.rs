@@ -125,7 +125,7 @@ impl Writer<'_> {
         constant(self.source.runtime, value)
     }
 
-    /// The call that gives all results of a family of functions, unless it has been made.
+    /// The call that gives all results of a family of functions; nothing if it has been made.
     fn family(&mut self, function: Function, arguments: &[Value]) -> TokenStream {
         self.needs_real = true;
         let family = function.family();
@@ -202,22 +202,22 @@ impl Writer<'_> {
         quote! { #factor * #node }
     }
 
-    /// The negative of a node; a difference that is read here only is turned round.
+    /// The negative of a node; a difference that is read only here is reversed.
     fn negative(&mut self, id: NodeId) -> TokenStream {
         if let Node::Sum(terms) = self.arena.node(id)
             && self.stage.uses[id.index()] == 1
             && !self.source.given.contains_key(&id)
             && let Some(first) = terms.iter().position(|term| term.factor.is_negative())
         {
-            let mut turned: Vec<_> = terms.iter().map(|&term| -term).collect();
-            turned[..=first].rotate_right(1);
-            return self.sum(&turned);
+            let mut reversed: Vec<_> = terms.iter().map(|&term| -term).collect();
+            reversed[..=first].rotate_right(1);
+            return self.sum(&reversed);
         }
         let node = self.operand(id);
         quote! { -#node }
     }
 
-    /// A sum whose first term has a positive factor. A product that is read here only is fused with
+    /// A sum whose first term has a positive factor. A product that is read only here is fused with
     /// the addition.
     fn sum(&mut self, terms: &[Value]) -> TokenStream {
         let mut tokens = TokenStream::new();
@@ -293,7 +293,7 @@ impl Writer<'_> {
         self.stage.uses[id.index()] == 1 && !self.source.given.contains_key(&id)
     }
 
-    /// Whether a node is written as something that binds no tighter than a sum.
+    /// Whether a node is written as an expression that needs parentheses as a factor.
     fn is_loose(&self, id: NodeId) -> bool {
         self.is_here(id)
             && match self.arena.node(id) {
@@ -360,7 +360,7 @@ impl Writer<'_> {
                 self.needs_field = true;
                 let (dividend, divisor) = (self.operand(a), self.operand(b));
                 let is_input = matches!(self.arena.node(b), Node::Input(_));
-                // A product in the divisor would bind the wrong way.
+                // A product in the divisor needs parentheses.
                 let divisor = if is_input {
                     divisor
                 } else {

@@ -1,4 +1,4 @@
-//! What all emitters need: paths, generics, and the way in and out of a type.
+//! What all emitters need: paths, generics, reading and building types.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -47,7 +47,7 @@ impl<'a> Context<'a> {
         result.map_or_else(|| quote! { S }, |kind| self.path(kind))
     }
 
-    /// The least trait that a body asks of the scalar.
+    /// The weakest trait that a body requires of the scalar.
     pub(super) fn bound(&self, needs_field: bool) -> TokenStream {
         let runtime = self.runtime;
         if needs_field {

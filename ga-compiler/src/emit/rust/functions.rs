@@ -45,8 +45,8 @@ pub fn functions(
         .collect()
 }
 
-/// Functions of the same signatures that never return, to stand in for those with errors, so that
-/// their callers add none.
+/// Functions of the same signatures that never return. They stand in for functions with errors, so
+/// that their callers cause no further errors.
 #[must_use]
 pub fn function_stand_ins(
     definition: &Definition,
@@ -123,8 +123,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// A function of uniform operands that gives a struct with their part of the work done, and the
-    /// rest as its method.
+    /// A function of the uniform operands that returns a struct, whose method takes the others.
     fn staged(&self, function: &CompiledFunction, name: &Ident) -> TokenStream {
         let (attributes, visibility) = (&function.attributes, &function.visibility);
         let inputs = self.inputs(&function.operands);
@@ -247,8 +246,7 @@ impl Emitter<'_> {
                     if kind.is_linear() {
                         quote! { #value.#field }
                     } else {
-                        // Named in full, since a trait of the call site may have a method of that
-                        // name.
+                        // By its path, since a trait in scope may have a method of that name.
                         quote! { #path::#name::#field(&#value) }
                     }
                 }));
@@ -326,7 +324,7 @@ impl<'a> Prepared<'a> {
         }
     }
 
-    /// The declaration, with a method that takes it to another scalar.
+    /// The declaration, with a method that converts it to another scalar.
     fn structure(&self) -> TokenStream {
         let Self {
             visibility,
@@ -338,7 +336,7 @@ impl<'a> Prepared<'a> {
             " What [`{}`] works out once of its uniform operands.",
             self.function.unraw()
         );
-        // Where the uniform operands leave no work, the scalar type must still occur.
+        // A struct without fields must still mention its scalar type.
         let marker = fields
             .is_empty()
             .then(|| quote! { scalar: ::core::marker::PhantomData<S> });
@@ -377,7 +375,7 @@ impl<'a> Prepared<'a> {
     }
 }
 
-/// How variables are called so that no operand is in their way.
+/// The beginning of variables' names, so that they differ from all operands.
 fn prefix(operands: &[Operand]) -> &'static str {
     let is_taken = |operand: &Operand| {
         let name = operand.name.to_string();

@@ -1,7 +1,7 @@
 //! What the traits of other crates need to know of the types.
 //!
-//! The descriptions go to a macro of ga-runtime, whose features choose the traits: nothing comes of
-//! them where all are off, and a crate that declares an algebra needs no features of its own.
+//! The descriptions go to a macro of ga-runtime, whose features choose the traits. It expands to
+//! nothing if all are off, and a crate that declares an algebra needs no features of its own.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -12,7 +12,7 @@ use super::types::is_identity;
 use crate::algebra::{Blade, Product, Ratio};
 use crate::define::{Coefficient, Operation, TypeDefinition};
 
-/// One invocation for all types, since each costs the compiler a search for its macro.
+/// One invocation for all types, since rustc resolves the macro for each invocation.
 pub(super) fn emit(context: &Context<'_>) -> TokenStream {
     let runtime = context.runtime;
     let types = context.definition.types.iter();

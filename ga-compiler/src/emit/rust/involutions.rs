@@ -105,7 +105,7 @@ fn grade(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
 fn norm_squared(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let reverse = Expression::unary(Unary::Reverse, Expression::Operand(0));
     let norm = Expression::binary(Product::ScalarProduct, Expression::Operand(0), reverse);
-    // The facts of a versor say 1, and whoever asks wants to know how far rounding has led from it.
+    // By the facts of a versor this is 1; callers want to know how far rounding has changed it.
     let without_facts = TypeDefinition {
         facts: Facts::default(),
         ..kind.clone()
@@ -114,7 +114,7 @@ fn norm_squared(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let (path, bound) = (context.path(kind), context.bound(needs_field));
     quote! {
         impl<S: #bound> #path {
-            /// `⟨x ~x⟩₀`, worked out from the coefficients whatever the facts of the type say.
+            /// `⟨x ~x⟩₀`, worked out from the coefficients without regard to the facts of the type.
             /// It is negative or zero for some elements of a metric that is not positive.
             #[inline]
             #[must_use]

@@ -1,4 +1,4 @@
-//! Rust code: a module with the types, and a macro that hands the definition on.
+//! Rust code: a module with the types, and a macro that passes the definition on.
 
 mod arithmetic;
 mod blocks;
@@ -49,9 +49,9 @@ pub fn algebra(definition: &Definition, source: &TokenStream) -> TokenStream {
 
 /// Stand-ins for the module and the macro of a declaration with errors.
 ///
-/// The compiler is silent about names that are imported from a module with a `compile_error!` in
-/// it, and about whatever is done with them. So the errors go into a module of their own, and all
-/// names are imported from there.
+/// rustc reports no errors about names that are imported from a module with a `compile_error!` in
+/// it, nor about their uses. So the errors go into a module of their own, from which all names are
+/// imported.
 #[must_use]
 pub fn stand_ins(source: &TokenStream, errors: &TokenStream) -> TokenStream {
     let Ok(Outline {

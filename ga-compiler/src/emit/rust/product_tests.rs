@@ -40,7 +40,7 @@ fn product_test(
         .iter()
         .map(|kind| snake_case(&kind.name.unraw().to_string()))
         .collect();
-    // With a word between, so that `PointPair, Line` and `Point, PairLine` differ.
+    // With `and` between the names, so that `PointPair, Line` and `Point, PairLine` differ.
     let name = format_ident!("{}_{}", product.operation.name(), names.join("_and_"));
     let locals: Vec<_> = (0..kinds.len())
         .map(|place| format_ident!("operand{place}"))

@@ -109,9 +109,10 @@ fn binary(context: &Context<'_>, product: &ProductDefinition, face: &Face) -> To
     }
 }
 
-/// A product becomes part of its caller, and so is compiled for the instructions that the caller
-/// may use: a loop over lanes in a function with `#[target_feature]` would else call one that is
-/// not. Products of the largest types stay apart, since each copy of them is long.
+/// A product is inlined into its caller, and so is compiled for the instructions that the caller
+/// may use: otherwise a loop over lanes in a function with `#[target_feature]` would call a
+/// function without it. Products of the largest types are not inlined, since each copy of them is
+/// long.
 fn inline(operands: &[&TypeDefinition]) -> TokenStream {
     const LARGEST: usize = 12;
     let is_small = operands

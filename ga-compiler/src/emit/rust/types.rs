@@ -43,7 +43,7 @@ fn structure(kind: &TypeDefinition) -> TokenStream {
     let (docs, name, table) = (&kind.docs, &kind.name, coefficients_text(kind));
     let fields = kind.stored().map(|c| {
         let (field, text) = (&c.name, format!("Coefficient of `{}`.", c.name));
-        // A type with facts guards its members; elsewhere the fields are the interface.
+        // The fields of a type with facts are private; other types are used by their fields.
         let visibility = kind.is_linear().then(|| quote! { pub });
         quote! { #[doc = #text] #visibility #field: S }
     });
@@ -85,7 +85,7 @@ fn constructor(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     } else {
         (
             format_ident!("new_unchecked"),
-            "The member with these stored coefficients. The caller vouches for the facts of the type; products of anything else are wrong.",
+            "The member with these stored coefficients. The caller makes sure that the facts of the type hold; products of anything else are wrong.",
         )
     };
     quote! {
@@ -106,7 +106,7 @@ fn accessors(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let methods = kind.coefficients.iter().map(|c| {
         let name = &c.name;
         let (bound, value, text) = match &c.role {
-            // Public fields speak for themselves.
+            // Public fields need no accessors.
             Role::Stored if kind.is_linear() => return TokenStream::new(),
             Role::Stored => (
                 quote! { ::core::marker::Copy },
@@ -159,8 +159,8 @@ fn coefficient_body(
     (quote! { #statements #output }, body.needs_field)
 }
 
-/// The identity for unit versors with a scalar, else zero in all that is stored: the origin for a
-/// point. A type of which neither is a member has no default.
+/// The identity for unit versors with a scalar, else the member whose stored coefficients are zero,
+/// which is the origin for a point. A type without such a member has no default.
 fn default(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let stored = |c: &Coefficient| {
         let is_identity = kind.facts.unit_versor && c.blade == Blade::SCALAR;

@@ -1,4 +1,4 @@
-//! Inverses, and for types of unit versors the ways in that check or repair.
+//! Inverses, and for types of unit versors the constructors that check or normalise.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -36,7 +36,7 @@ fn norm() -> Expression {
 fn inverse(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let algebra = &context.definition.algebra;
     let reverse = Expression::unary(Unary::Reverse, Expression::Operand(0));
-    // A constant blade of a grade that reversing negates takes the reverse out of the type.
+    // The reverse is not in the type if it negates a constant coefficient.
     let stays = verify::result_fits(algebra, &[kind], &reverse, Some(kind)).is_ok();
     let result = if stays { kind } else { context.hull(kind) };
     let (code, needs_field) = context.compile(&[(kind, receiver())], &reverse, Some(result));
@@ -67,8 +67,8 @@ fn try_inverse(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let field = context.bound(true);
     quote! {
         impl<S: #field> #path {
-            /// The inverse `~x / (x ~x)`, or `None` where `x ~x` is zero, in lanes where one of
-            /// them is.
+            /// The inverse `~x / (x ~x)`, or `None` where `x ~x` is zero; of lanes, where it is
+            /// zero in one of them.
             #[inline]
             #[must_use]
             pub fn try_inverse(self) -> ::core::option::Option<#output> {
@@ -82,7 +82,7 @@ fn try_inverse(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     }
 }
 
-/// The type without its facts: nothing is known of what a caller hands in.
+/// The type without its facts, since the argument of a caller may not satisfy them.
 fn unknown(kind: &TypeDefinition) -> TypeDefinition {
     TypeDefinition {
         facts: Facts::default(),
@@ -98,7 +98,7 @@ fn try_new(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let blades = wanted(verify::result_blades(algebra, &[&candidate], &defect));
     let kernel = Task::of_expression(algebra, &[&candidate], &defect, blades).compile();
     let arguments: Vec<_> = kind.stored().map(|c| &c.name).collect();
-    // Read from the fields, since a variable of the code could have the name of a blade.
+    // Read from the fields, since a variable of the code could be named like a blade.
     let inputs = fields(&[(kind, format_ident!("versor"))]);
     let code = body(&kernel, runtime, &inputs);
     let (statements, defects) = (code.statements, code.outputs);
@@ -116,7 +116,7 @@ fn try_new(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
                 let defects = [#(#defects),*];
                 for defect in defects {
                     let size = <S as #real>::abs(defect);
-                    // Asked so that no comparison with NaN lets anything pass.
+                    // Written so that NaN is refused: every comparison with it is false.
                     let is_within = <S as #real>::less_than(size, tolerance) || size == tolerance;
                     if !<S as #real>::is_finite(size) || !is_within {
                         return ::core::option::Option::None;
@@ -166,7 +166,7 @@ fn normalize_body(
         Some(candidate),
     );
     let operand = [(candidate, value)];
-    // The norm as of a candidate: by the facts of the type it would be 1.
+    // The norm of a candidate, since by the facts of the type it would be 1.
     let (norm, _) = context.compile(&operand, &norm(), None);
     let (nearest, _) =
         context.compile_scaled(&operand, &scalars, &scaled(repaired, 2), Some(candidate));

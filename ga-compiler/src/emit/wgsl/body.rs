@@ -53,15 +53,15 @@ impl Body<'_> {
         format!("{} * {}", constant(value.factor), self.operand(value.node))
     }
 
-    /// The negative of a node; a difference that is read here only is turned round.
+    /// The negative of a node; a difference that is read only here is reversed.
     fn negative(&mut self, id: NodeId) -> String {
         if let Node::Sum(terms) = self.arena.node(id)
             && self.is_inlined(id)
             && let Some(first) = terms.iter().position(|term| term.factor.is_negative())
         {
-            let mut turned: Vec<_> = terms.iter().map(|&term| -term).collect();
-            turned[..=first].rotate_right(1);
-            return self.sum(&turned);
+            let mut reversed: Vec<_> = terms.iter().map(|&term| -term).collect();
+            reversed[..=first].rotate_right(1);
+            return self.sum(&reversed);
         }
         format!("-{}", self.operand(id))
     }
@@ -80,7 +80,7 @@ impl Body<'_> {
                 (_, true) => text.push_str(" - "),
             }
             let term = if size.factor == Ratio::ONE && term.node != Arena::ONE {
-                // What comes first needs no parentheses.
+                // The first term needs no parentheses.
                 match place {
                     0 => self.read(term.node),
                     _ => self.operand(term.node),
@@ -120,12 +120,12 @@ impl Body<'_> {
         let arena = self.arena;
         match arena.node(id) {
             Node::One => constant(Ratio::ONE),
-            // Every live input is known.
+            // Every input that is read is known.
             Node::Input(_) => constant(Ratio::ZERO),
             Node::Product(a, b) => format!("{} * {}", self.operand(*a), self.operand(*b)),
             Node::Quotient(a, b) => {
                 let (dividend, divisor) = (self.operand(*a), self.operand(*b));
-                // A product in the divisor would bind the wrong way.
+                // A product in the divisor needs parentheses.
                 if self.is_inlined(*b) && matches!(arena.node(*b), Node::Product(..)) {
                     format!("{dividend} / ({divisor})")
                 } else {

@@ -3,12 +3,12 @@
 //! A type of the algebra becomes a structure with a member of type `f32` for each stored blade, so
 //! that an array of them in a buffer has the layout of the same array in Rust. A plain number is
 //! `f32`, arrays are arrays, and a tuple is a structure with the members `value0`, `value1`, ….
-//! What stores nothing has one member, `nothing`, since WGSL knows no empty structures.
+//! What stores nothing has one member, `nothing`, since structures of WGSL cannot be empty.
 //!
 //! A function `f` with uniform operands becomes two: `f_prepare` takes those operands and gives an
 //! `FPrepared`, which `f` takes before its other operands.
 //!
-//! Names that mean something in WGSL get an underscore at their end.
+//! Names that have a meaning in WGSL end in an underscore.
 
 mod body;
 
@@ -230,7 +230,7 @@ impl Writer<'_> {
     }
 }
 
-/// The structure of what is prepared.
+/// The structure of prepared values.
 fn prepared_structure(function: &CompiledFunction, name: &str, members: &[String]) -> String {
     let what = match &function.name {
         Some(name) => format!("`{name}`"),
@@ -244,7 +244,7 @@ fn prepared_structure(function: &CompiledFunction, name: &str, members: &[String
     format!("// What {what} needs of its uniform operands.\nstruct {name} {{\n{members}}}\n\n")
 }
 
-/// At least one text, for a structure must have a member.
+/// At least one text, since a structure must have a member.
 fn non_empty(mut texts: Vec<String>, otherwise: &str) -> Vec<String> {
     if texts.is_empty() {
         texts.push(otherwise.to_owned());
@@ -252,7 +252,7 @@ fn non_empty(mut texts: Vec<String>, otherwise: &str) -> Vec<String> {
     texts
 }
 
-/// The members of what is prepared: inputs by their names, values by their numbers.
+/// The members of prepared values: inputs by their names, others by their numbers.
 fn member_names(function: &CompiledFunction, handed: &[NodeId], inputs: &[String]) -> Vec<String> {
     let mut names = Names::default();
     let mut next = 0;

@@ -9,8 +9,8 @@ pub(super) struct Names {
 }
 
 impl Names {
-    /// A name as close as can be to the wished one: no word of the language, nothing predeclared,
-    /// not given before.
+    /// The wished name, with changes where it is a word of the language, is predeclared or has been
+    /// given before.
     pub(super) fn give(&mut self, wished: &str) -> String {
         let mut name = wished.trim_start_matches("r#").to_owned();
         if name == "_" || name.starts_with("__") {
@@ -24,7 +24,7 @@ impl Names {
     }
 }
 
-/// Whether a name has a meaning in the language already.
+/// Whether a name already has a meaning in the language.
 fn is_reserved(name: &str) -> bool {
     [KEYWORDS, RESERVED, TYPES, FUNCTIONS]
         .iter()
@@ -36,7 +36,7 @@ const KEYWORDS: &str =
     "alias break case const const_assert continue continuing default diagnostic discard else enable
     false fn for if let loop override requires return struct switch true var while";
 
-/// The words that the language keeps for later.
+/// The words that the language reserves for later.
 const RESERVED: &str = "NULL Self abstract active alignas alignof as asm asm_fragment async attribute auto await become
     binding_array cast catch class co_await co_return co_yield coherent column_major common compile compile_fragment concept
     const_cast consteval constexpr constinit crate debugger decltype delete demote demote_to_helper do dynamic_cast enum
@@ -48,7 +48,7 @@ const RESERVED: &str = "NULL Self abstract active alignas alignof as asm asm_fra
     static_assert static_cast std subroutine super target template this thread_local throw trait try type typedef typeid
     typename typeof union unless unorm unsafe unsized use using varying virtual volatile wgsl where with writeonly yield";
 
-/// The predeclared types, and what makes types.
+/// The predeclared types, and the words of which types are made.
 const TYPES: &str = "array atomic bool f16 f32 f64 i32 i64 u32 u64 ptr sampler sampler_comparison vec2 vec3 vec4 vec2i vec3i
     vec4i vec2u vec3u vec4u vec2f vec3f vec4f vec2h vec3h vec4h mat2x2 mat2x3 mat2x4 mat3x2 mat3x3 mat3x4 mat4x2 mat4x3
     mat4x4 mat2x2f mat2x3f mat2x4f mat3x2f mat3x3f mat3x4f mat4x2f mat4x3f mat4x4f mat2x2h mat2x3h mat2x4h mat3x2h mat3x3h
@@ -58,7 +58,7 @@ const TYPES: &str = "array atomic bool f16 f32 f64 i32 i64 u32 u64 ptr sampler s
     texture_depth_cube_array acceleration_structure ray_query read write read_write function private workgroup uniform
     storage handle immediate push_constant";
 
-/// The predeclared functions. They might be redefined, but code around ours would miss them.
+/// The predeclared functions. They may be redefined, but code beside ours may need them.
 const FUNCTIONS: &str = "bitcast all any select arrayLength abs acos acosh asin asinh atan atanh atan2 ceil clamp cos cosh
     countLeadingZeros countOneBits countTrailingZeros cross degrees determinant distance dot dot4U8Packed dot4I8Packed exp
     exp2 extractBits faceForward firstLeadingBit firstTrailingBit floor fma fract frexp insertBits inverse inverseSqrt ldexp

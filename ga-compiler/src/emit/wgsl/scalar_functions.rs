@@ -1,8 +1,8 @@
-//! Functions of scalars in WGSL: the built-in ones, and our own where there is none.
+//! Functions of scalars in WGSL: built-in ones, and our own where WGSL has none.
 
 use crate::ir::Function;
 
-/// The name of a function, before it is made safe where it is one of our own.
+/// The name of a function; that of one of our own may still be changed to avoid a clash.
 pub(super) fn name(function: Function) -> &'static str {
     match function {
         Function::SquareRoot => "sqrt",
@@ -20,7 +20,7 @@ pub(super) fn name(function: Function) -> &'static str {
     }
 }
 
-/// The functions of our own that the declaration of another one calls.
+/// The functions of our own that the declaration of another calls.
 pub(super) fn needs(function: Function) -> &'static [Function] {
     match function {
         Function::StumpffSineSlope => &[Function::StumpffCosine, Function::StumpffSine],
@@ -118,10 +118,10 @@ fn {this}(x: f32) -> f32 {{
 fn versor_angle(this: &str) -> String {
     format!(
         "\
-// 1/S(B²) from C(B²) and S(B²)² B²: half the angle of a turn over its sine.
+// 1/S(B²) from C(B²) and S(B²)² B²: half the angle of a rotation over its sine.
 fn {this}(cosine: f32, square: f32) -> f32 {{
-    // At cosine −1 no bivector is told from another; what grows has no logarithm where the cosine
-    // is negative, but its negative has.
+    // At cosine −1 the bivector is not determined. A hyperbolic versor with a negative cosine has
+    // no logarithm, but its negative has one.
     let is_negative = cosine < 0.0 && square > 0.0;
     if abs(square) < 0.0625 && (cosine > 0.0 || square >= 0.0) {{
         let series = 1.0 + square * (-1.0 / 6.0 + square * (3.0 / 40.0 + square * (-5.0 / 112.0 + square * (35.0 / 1152.0 - square * 63.0 / 2816.0))));

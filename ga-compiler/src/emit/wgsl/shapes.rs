@@ -41,7 +41,7 @@ impl<'a> Shapes<'a> {
         }
     }
 
-    /// The name of a shape as a type. What it is made of is declared where it has not been.
+    /// The name of a shape as a type. Structures that it needs are declared, if they are not yet.
     pub(super) fn name(&mut self, shape: &Shape, names: &mut Names) -> String {
         match shape {
             Shape::Scalar => "f32".to_owned(),
@@ -225,7 +225,7 @@ fn member(place: usize) -> String {
     format!("value{place}")
 }
 
-/// The member of what stores nothing, for structures must have one.
+/// The member of a structure that stores nothing, since it must have one.
 fn nothing() -> (String, String) {
     ("nothing".to_owned(), "f32".to_owned())
 }
