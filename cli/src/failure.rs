@@ -1,19 +1,20 @@
-//! Errors as a person reads them.
+//! Errors as they are printed.
 
 use anyhow::Error;
 
 use crate::commands::expand::SourceError;
 
-/// An error in source text with the line that it is in; any other in one line.
+/// The text of an error, which starts with `error: `. Errors in source text show the lines that they
+/// are in; any other error is one line.
 pub(crate) fn text(error: &Error) -> String {
     match error.downcast_ref::<SourceError>() {
         Some(error) => error.to_string(),
-        None => one_line(error),
+        None => format!("error: {}", one_line(error)),
     }
 }
 
-/// What went wrong and why, outermost first, in one line. A cause that the message before it has
-/// told already is left out.
+/// The error and its causes, outermost first, in one line. A cause is left out where the message
+/// before it ends with it.
 fn one_line(error: &Error) -> String {
     let mut line = String::new();
     for cause in error.chain().map(ToString::to_string) {
@@ -32,7 +33,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_cause_told_already_is_not_repeated() {
+    fn a_cause_is_not_repeated() {
         let cause = std::io::Error::other("the disk is full");
         let error = Error::new(cause).context("cannot write a: the disk is full");
         assert_eq!(

@@ -52,7 +52,7 @@ fn main() -> ExitCode {
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("error: {}", failure::text(&error));
+            eprintln!("{}", failure::text(&error));
             ExitCode::FAILURE
         }
     }

@@ -208,6 +208,111 @@ fn functions_from_files_and_standard_input() {
     assert_eq!(text(&output.stdout), "moved: 21 mul, 18 add\n");
 }
 
+/// A file with blocks in modules that use functions of each other.
+const BLOCKS: &str = "
+    mod products {
+        ga_runtime::ga! { ga_runtime::cga3;
+            pub fn inner(p: Point, q: Point) -> Scalar { p | q }
+            pub fn join(p: Point, q: Point) -> Line { twice(p, p ^ q ^ ei) }
+            fn twice(p: Point, l: Line) -> Line { 2 * l }
+        }
+        pub mod squares {
+            ga_runtime::ga! { ga_runtime::cga3;
+                use super::inner as half;
+                pub fn square(p: Point, q: Point) -> Scalar { -2 * half(p, q) }
+            }
+        }
+    }
+    ga_runtime::ga! { ga_runtime::cga3;
+        use crate::any::products::{inner, squares::{square}, join as line};
+        fn both(p: Point, q: Point) -> (Scalar, Line) { (square(p, q) + inner(p, q), line(p, q)) }
+    }
+";
+
+#[test]
+fn blocks_use_functions_of_other_blocks() {
+    let all = expanded(BLOCKS, &["--emit", "formula"]);
+    let written_out =
+        "fn both(p: Point, q: Point) -> (Scalar, Line) { (-(p | q), 2 * (p ^ q ^ ei)) }";
+    let both = expanded(written_out, &["--emit", "formula"]);
+    assert!(all.ends_with(&both), "{all}\nends otherwise than\n{both}");
+
+    for (change, with, parts) in [
+        // Where a name stands for nothing, or another block is not asked for it.
+        (
+            "join as line",
+            "joined",
+            vec!["`joined` is not in a `ga!` block of this file", "16:62"],
+        ),
+        (
+            "any::products::{inner",
+            "any::sums::{inner",
+            vec!["`inner` is not in"],
+        ),
+        (
+            "line(p, q)",
+            "twice(p, p ^ q ^ ei)",
+            vec!["unknown operation `twice`"],
+        ),
+        (
+            "fn both",
+            "fn square",
+            vec!["an earlier `ga!` block has a function `square`"],
+        ),
+        (
+            "pub fn inner",
+            "use squares::square; pub fn inner",
+            vec!["use functions of each other in a circle"],
+        ),
+    ] {
+        assert!(BLOCKS.contains(change));
+        let changed = BLOCKS.replacen(change, with, 1);
+        let output = nullcone(Path::new("."), ["expand", "--expr", &changed]);
+        assert_eq!(output.status.code(), Some(1), "{with}");
+        for part in parts {
+            let message = text(&output.stderr);
+            assert!(message.contains(part), "{message}");
+        }
+    }
+}
+
+#[test]
+fn text_that_nests_too_deep_is_an_error() {
+    let folder = tempdir().unwrap();
+    let within = |open: &str, close: &str, count: usize| {
+        let (open, close) = (open.repeat(count), close.repeat(count));
+        format!("fn f(a: Scalar) -> Scalar {{ {open}a{close} }}")
+    };
+    for (functions, part) in [
+        (within("(", ")", 129), "at most 128 levels deep"),
+        (within("(", ")", 5_000), "at most 128 levels deep"),
+        (within("(", ")", 100_000), "at most 128 levels deep"),
+        (within("-", "", 20_000), "at most 128 levels deep"),
+        (within("sqrt(", ")", 5_000), "at most 128 levels deep"),
+        (
+            within("", " + a", 20_000),
+            "at most 1024 operators in a row",
+        ),
+    ] {
+        std::fs::write(folder.path().join("deep.rs"), functions).unwrap();
+        let output = nullcone(folder.path(), ["expand", "deep.rs"]);
+        assert_eq!(output.status.code(), Some(1));
+        let message = text(&output.stderr);
+        assert!(
+            message.starts_with("error: ") && message.contains(part),
+            "{part}"
+        );
+    }
+    for (functions, operations) in [
+        (within("(", ")", 128), "f: 0 mul, 0 add\n"),
+        (within("-", "", 128), "f: 0 mul, 0 add\n"),
+        (within("1 + a * (", ")", 128), "f: 128 mul, 128 add\n"),
+        (within("", " + a", 1024), "f: 1 mul, 0 add\n"),
+    ] {
+        assert_eq!(expanded(&functions, &["--emit", "ops"]), operations);
+    }
+}
+
 #[test]
 fn the_algebra_is_the_one_that_is_named() {
     let projective = "fn f(m: Motor, p: Plane) -> Plane { m * p * rev(m) }";
@@ -260,7 +365,7 @@ fn an_algebra_of_no_name_is_told_with_those_that_are() {
     assert_lines(
         &nullcone(folder.path(), arguments),
         &[
-            "error: --algebra pga4: neither one of cga2, cga3, pga2, pga3, sta, vga2, vga3 nor a file",
+            "error: --algebra pga4: this is neither one of cga2, cga3, pga2, pga3, sta, vga2, vga3 nor a file",
         ],
     );
 }
@@ -274,10 +379,10 @@ fn errors_show_the_line() {
         &nullcone(folder.path(), ["expand", "f.txt"]),
         &[
             "error: unknown type `Pont`; did you mean `Point`?",
-            " --> f.txt:2:5",
+            "  --> f.txt:2:5",
             "  |",
-            "2 |  p: Pont) -> Point {",
-            "  |     ^^^^",
+            "2 |     p: Pont) -> Point {",
+            "  |        ^^^^",
         ],
     );
     let text_of = |functions| {
@@ -289,9 +394,15 @@ fn errors_show_the_line() {
     for (functions, parts) in [
         ("fn f(p: Point) -> Point { q }", ["`q`", "--expr:1:27"]),
         ("fn f(p: Point) -> Sphere { p }", ["Sphere", "--expr:1:"]),
-        ("fn f(p: Point", ["no tokens of Rust", "--expr:1:5"]),
+        ("fn f(p: Point", ["not tokens of Rust", "--expr:1:5"]),
         ("fn f(p: Point) -> Point { p # }", ["expected", "--expr:1:"]),
-        ("", ["", "--expr"]),
+        ("", ["no function here", "in --expr"]),
+        ("ga! {}", ["path of an algebra and `;`", "--expr:1:5"]),
+        (
+            "ga! { cga3 fn f(p: Point) -> Point { p } }",
+            ["path of an algebra and `;`", "--expr:1:7"],
+        ),
+        ("ga! { cga3; }", ["no function here", "--expr"]),
         ("hello", ["expected", "--expr:1:1"]),
     ] {
         let message = text_of(functions);

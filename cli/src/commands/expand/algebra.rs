@@ -44,7 +44,7 @@ impl Algebra {
             }
             if !Path::new(wanted).exists() {
                 let names = SHIPPED.map(|(name, _)| name).join(", ");
-                bail!("--algebra {wanted}: neither one of {names} nor a file");
+                bail!("--algebra {wanted}: this is neither one of {names} nor a file");
             }
             let source = Source::read(Path::new(wanted))?;
             return Self::declared(&source, named.as_deref());
@@ -73,11 +73,11 @@ impl Algebra {
         Self::check(&source, source.tokens(), quote! { ga_runtime::#name }).map(Some)
     }
 
-    /// The algebra that a text declares; of several the one that is named.
+    /// The algebra that a text declares; of several, the one of that name.
     fn declared(source: &Source, named: Option<&str>) -> Result<Self> {
         let mut declarations = declarations(source);
         if declarations.is_empty() {
-            // The bare declaration.
+            // The text is a declaration without the macro around it.
             declarations.push(source.tokens());
         }
         let name_of = |declaration: &TokenStream| {
@@ -108,7 +108,7 @@ impl Algebra {
     }
 }
 
-/// What stands in the calls of `algebra! { … }`.
+/// The declarations in the calls of `algebra! { … }`.
 fn declarations(source: &Source) -> Vec<TokenStream> {
     calls(&source.tokens(), "algebra")
         .into_iter()

@@ -1,12 +1,18 @@
-//! Errors that show where in a text they are.
+//! Errors in a text, printed with the lines that they are in.
 
 use std::fmt;
+use std::ops::Range;
 
+use codespan_reporting::diagnostic::{Diagnostic, Label};
+use codespan_reporting::files::SimpleFile;
+use codespan_reporting::term::{Chars, Config, emit_into_string};
 use proc_macro2::Span;
 
 /// Errors in a text.
 #[derive(Debug)]
 pub(crate) struct SourceError {
+    name: String,
+    text: String,
     faults: Vec<Fault>,
 }
 
@@ -14,91 +20,52 @@ pub(crate) struct SourceError {
 #[derive(Debug)]
 struct Fault {
     message: String,
-    /// None for an error of the text as a whole.
-    place: Option<Place>,
-    source: String,
-}
-
-#[derive(Debug)]
-struct Place {
-    /// From 1.
-    line: usize,
-    /// From 1, in characters.
-    column: usize,
-    /// How many characters are marked.
-    width: usize,
-    text: String,
+    /// The bytes at fault; none for an error of the text as a whole.
+    place: Option<Range<usize>>,
 }
 
 impl SourceError {
-    /// Finds the places of errors in the text that they are in.
-    pub(super) fn new(source: &str, text: &str, error: &syn::Error) -> Self {
-        let faults = error
-            .into_iter()
-            .map(|error| Fault {
-                message: error.to_string(),
-                place: place(error.span(), text),
-                source: source.to_owned(),
-            })
-            .collect();
-        Self { faults }
+    /// Errors in the text of that name.
+    pub(super) fn new(name: &str, text: &str, errors: &syn::Error) -> Self {
+        let faults = errors.into_iter().map(|error| Fault {
+            message: error.to_string(),
+            place: place(error.span(), text),
+        });
+        Self {
+            name: name.to_owned(),
+            text: text.to_owned(),
+            faults: faults.collect(),
+        }
     }
 }
 
-fn place(span: Span, text: &str) -> Option<Place> {
-    // A span without text is that of the whole.
+fn place(span: Span, text: &str) -> Option<Range<usize>> {
+    // A span without text stands for the whole.
     span.source_text()?;
-    let (start, end) = (span.start(), span.end());
-    let line = text.lines().nth(start.line.checked_sub(1)?)?;
-    let length = line.chars().count();
-    if start.column > length {
-        return None;
-    }
-    let end = if end.line == start.line {
-        end.column.min(length)
-    } else {
-        length
-    };
-    Some(Place {
-        line: start.line,
-        column: start.column + 1,
-        width: end.saturating_sub(start.column).max(1),
-        text: line.replace('\t', " "),
-    })
+    let place = span.byte_range();
+    text.get(place.clone()).map(|_| place)
 }
 
 impl fmt::Display for SourceError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let file = SimpleFile::new(&self.name, &self.text);
+        let config = Config {
+            chars: Chars::ascii(),
+            ..Config::default()
+        };
         for (number, fault) in self.faults.iter().enumerate() {
+            let diagnostic = Diagnostic::error().with_message(&fault.message);
+            let diagnostic = match &fault.place {
+                Some(place) => diagnostic.with_label(Label::primary((), place.clone())),
+                None => diagnostic.with_note(format!("in {}", self.name)),
+            };
+            let text = emit_into_string(&config, &file, &diagnostic).map_err(|_| fmt::Error)?;
             if number > 0 {
-                f.write_str("\nerror: ")?;
+                f.write_str("\n\n")?;
             }
-            write!(f, "{fault}")?;
+            f.write_str(text.trim_end())?;
         }
         Ok(())
-    }
-}
-
-impl fmt::Display for Fault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.message)?;
-        let source = &self.source;
-        let Some(place) = &self.place else {
-            return write!(f, "\n --> {source}");
-        };
-        let Place {
-            line,
-            column,
-            width,
-            text,
-        } = place;
-        let margin = " ".repeat(line.to_string().len());
-        let marks = "^".repeat(*width);
-        let indent = " ".repeat(column - 1);
-        write!(
-            f,
-            "\n{margin}--> {source}:{line}:{column}\n{margin} |\n{line} | {text}\n{margin} | {indent}{marks}"
-        )
     }
 }
 

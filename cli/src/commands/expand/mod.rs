@@ -1,6 +1,7 @@
-//! `nullcone expand`: what the compiler makes of functions in an algebra.
+//! `nullcone expand`: the code that the compiler writes for functions in an algebra.
 
 mod algebra;
+mod blocks;
 mod diagnostic;
 mod operations;
 mod source;
@@ -18,13 +19,13 @@ use algebra::Algebra;
 pub(crate) use diagnostic::SourceError;
 use source::Source;
 
-/// Print what the compiler makes of functions in an algebra: Rust, a shader, formulas, a graph or
-/// the number of operations.
+/// Print what functions in an algebra are compiled to: Rust, a shader, formulas, a graph or the
+/// number of operations.
 ///
-/// The functions stand as they do in `ga! { … }`, for instance
+/// The functions are written as in `ga! { … }`, for instance
 /// `fn f(m: Motor, p: Point) -> Point { m * p * rev(m) }`. They come from --expr, from a file or,
-/// where the file is `-`, from standard input. A Rust file may be given as it is: the contents of
-/// every `ga! { … }` in it are taken.
+/// where the file is `-`, from standard input. A Rust file may be given as it is: the functions of
+/// every `ga! { … }` in it are compiled. A `use` in one of them finds functions of the others.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct Arguments {
     /// A file with the functions; `-` for standard input.
@@ -49,8 +50,8 @@ pub(crate) struct Arguments {
     emit: Form,
     /// With --emit ops: print {"mul", "add", "div", "sqrt", "other", "uniform": {…}} as JSON.
     ///
-    /// `uniform` counts what is done once for the uniform operands, the rest what is done in every
-    /// call. For several functions it is one object with the functions' names as keys.
+    /// `uniform` counts the operations that are done once for the uniform operands, the other keys
+    /// those of every call. For several functions it is one object with their names as keys.
     #[arg(long)]
     json: bool,
 }
@@ -80,20 +81,16 @@ pub(crate) fn run(arguments: &Arguments) -> Result<()> {
         (None, None) => bail!("there is nothing to expand: give --expr or a file"),
     };
     let algebra = Algebra::find(arguments.algebra.as_deref(), &source)?;
-    let mut functions =
-        source.explain(|tokens| ga_compiler::compile(&algebra.definition, tokens))?;
-    if functions.is_empty() {
-        bail!("{} holds no function", source.name());
-    }
+    let mut functions = source.compile(&algebra.definition)?;
     for function in &mut functions {
-        // A closure is shown as a function of that name.
+        // A closure is printed as a function of this name.
         function
             .name
             .get_or_insert_with(|| quote::format_ident!("closure"));
     }
     let text = written(arguments, &algebra, &functions)?;
     match std::io::stdout().lock().write_all(text.as_bytes()) {
-        // Whoever reads has seen enough.
+        // The reader has closed the pipe, as `head` does.
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
         other => other.context("cannot write to standard output"),
     }
@@ -108,7 +105,7 @@ fn written(
     Ok(match arguments.emit {
         Form::Rust => {
             let tokens = rust::functions(definition, &algebra.path, functions);
-            let file = syn::parse2(tokens).context("the emitted code is no Rust")?;
+            let file = syn::parse2(tokens).context("the emitted code is not Rust")?;
             prettyplease::unparse(&file)
         }
         Form::Wgsl => wgsl::module(definition, functions),

@@ -1,4 +1,4 @@
-//! The number of operations of functions, as a person reads it and as JSON.
+//! The number of operations of functions, as text and as JSON.
 
 use std::fmt::Write;
 

@@ -4,8 +4,12 @@ use std::io::Read;
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use proc_macro2::{TokenStream, TokenTree};
+use ga_compiler::define::Definition;
+use ga_compiler::function::CompiledFunction;
+use ga_compiler::parse::check_brackets;
+use proc_macro2::{Span, TokenStream, TokenTree};
 
+use super::blocks;
 use super::diagnostic::SourceError;
 
 /// A text with its tokens.
@@ -17,8 +21,12 @@ pub(super) struct Source {
 
 /// A call of a macro, `name! { … }`.
 pub(super) struct Call {
-    /// What stands between the brackets.
+    /// The tokens between the brackets.
     pub(super) contents: TokenStream,
+    /// The brackets.
+    place: Span,
+    /// The modules around it, outermost first.
+    modules: Vec<String>,
 }
 
 impl Source {
@@ -38,10 +46,12 @@ impl Source {
     /// Takes a text as it is.
     pub(super) fn of_text(name: &str, text: &str) -> Result<Self> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let tokens = text.parse().map_err(|error: proc_macro2::LexError| {
-            let message = "no tokens of Rust: a bracket or a quote without its counterpart, or a strange character";
+        let tokens: TokenStream = text.parse().map_err(|error: proc_macro2::LexError| {
+            let message = "these are not tokens of Rust: \
+                           a bracket or quote is not closed, or a character has no meaning";
             SourceError::new(name, text, &syn::Error::new(error.span(), message))
         })?;
+        check_brackets(&tokens).map_err(|error| SourceError::new(name, text, &error))?;
         Ok(Self {
             name: name.to_owned(),
             text: text.to_owned(),
@@ -53,12 +63,22 @@ impl Source {
         &self.name
     }
 
-    /// Does something with the functions; errors show where they are in the text.
-    pub(super) fn explain<T>(
+    /// Compiles all functions, those of each `ga! { … }` as a block of their own.
+    pub(super) fn compile(
         &self,
-        compile: impl FnOnce(TokenStream) -> syn::Result<T>,
-    ) -> Result<T, SourceError> {
-        compile(self.functions()).map_err(|error| self.error(&error))
+        definition: &Definition,
+    ) -> Result<Vec<CompiledFunction>, SourceError> {
+        let blocks = self.blocks().and_then(blocks::link);
+        let blocks = blocks.map_err(|error| self.error(&error))?;
+        let (mut functions, mut errors) = (Vec::new(), None::<syn::Error>);
+        for block in &blocks {
+            match (ga_compiler::compile_block(definition, block), &mut errors) {
+                (Ok(compiled), _) => functions.extend(compiled),
+                (Err(error), Some(errors)) => errors.combine(error),
+                (Err(error), none) => *none = Some(error),
+            }
+        }
+        errors.map_or(Ok(functions), |error| Err(self.error(&error)))
     }
 
     /// An error in this text.
@@ -71,17 +91,24 @@ impl Source {
         self.tokens.clone()
     }
 
-    /// The functions: what stands in `ga! { … }` after the path of the algebra, or the whole text
-    /// where there is no such call.
-    fn functions(&self) -> TokenStream {
+    /// The blocks of functions, each with the modules around it: in every `ga! { … }` what follows
+    /// the path of the algebra, or the whole text where there is no such call.
+    fn blocks(&self) -> syn::Result<Vec<(Vec<String>, TokenStream)>> {
         let calls = calls(&self.tokens, "ga");
         if calls.is_empty() {
-            return self.tokens();
+            return Ok(vec![(Vec::new(), self.tokens())]);
         }
-        calls
-            .into_iter()
-            .flat_map(|call| split_path(call.contents).1)
-            .collect()
+        let block = |call: Call| match split_path(call.contents.clone()) {
+            (Some(_), functions) => Ok((call.modules, functions)),
+            (None, _) => {
+                let message = "`ga!` starts with the path of an algebra and `;`";
+                Err(match call.contents.into_iter().next() {
+                    Some(first) => syn::Error::new(first.span(), message),
+                    None => syn::Error::new(call.place, message),
+                })
+            }
+        };
+        calls.into_iter().map(block).collect()
     }
 
     /// The name of the algebra that the first `ga! { … }` is in.
@@ -109,6 +136,11 @@ fn split_path(contents: TokenStream) -> (Option<TokenStream>, TokenStream) {
 /// The calls of a macro, by its last name, wherever they stand.
 pub(super) fn calls(tokens: &TokenStream, name: &str) -> Vec<Call> {
     let mut found = Vec::new();
+    find_calls(tokens, name, &[], &mut found);
+    found
+}
+
+fn find_calls(tokens: &TokenStream, name: &str, modules: &[String], found: &mut Vec<Call>) {
     let tokens: Vec<TokenTree> = tokens.clone().into_iter().collect();
     let mut place = 0;
     while place < tokens.len() {
@@ -121,15 +153,26 @@ pub(super) fn calls(tokens: &TokenStream, name: &str) -> Vec<Call> {
             ] if called == name && mark.as_char() == '!' => {
                 found.push(Call {
                     contents: group.stream(),
+                    place: group.span(),
+                    modules: modules.to_vec(),
                 });
                 place += 3;
             }
+            [
+                TokenTree::Ident(keyword),
+                TokenTree::Ident(module),
+                TokenTree::Group(group),
+                ..,
+            ] if keyword == "mod" => {
+                let inner = [modules, &[module.to_string()]].concat();
+                find_calls(&group.stream(), name, &inner, found);
+                place += 3;
+            }
             [TokenTree::Group(group), ..] => {
-                found.extend(calls(&group.stream(), name));
+                find_calls(&group.stream(), name, modules, found);
                 place += 1;
             }
             _ => place += 1,
         }
     }
-    found
 }
