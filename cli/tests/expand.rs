@@ -314,6 +314,33 @@ fn text_that_nests_too_deep_is_an_error() {
 }
 
 #[test]
+fn long_functions_are_written_in_parts() {
+    // Each sum is read by the next one only, so that all would be one expression.
+    let statements: String = (1..=2000)
+        .map(|place| format!("let x{place} = b * x{} + a;", place - 1))
+        .collect();
+    let function =
+        format!("fn f(a: Scalar, b: Scalar) -> Scalar {{ let x0 = a; {statements} x2000 }}");
+    assert_eq!(
+        expanded(&function, &["--emit", "ops"]),
+        "f: 2000 mul, 2000 add\n"
+    );
+    for form in ["rust", "wgsl"] {
+        let printed = expanded(&function, &["--emit", form]);
+        let (mut depth, mut deepest) = (0, 0);
+        for character in printed.chars() {
+            match character {
+                '(' => depth += 1,
+                ')' => depth -= 1,
+                _ => {}
+            }
+            deepest = deepest.max(depth);
+        }
+        assert!((32..=65).contains(&deepest), "{form}: {deepest}");
+    }
+}
+
+#[test]
 fn the_algebra_is_the_one_that_is_named() {
     let projective = "fn f(m: Motor, p: Plane) -> Plane { m * p * rev(m) }";
     let printed = expanded(projective, &["--algebra", "pga3", "--emit", "formula"]);

@@ -1,7 +1,7 @@
-//! The procedural macros of Nullcone: a thin door to [`ga_compiler`].
+//! The procedural macros of Nullcone. Each only hands its tokens to [`ga_compiler`].
 //!
 //! Crates use them through ga-runtime, whose macros add the path at which the emitted code finds
-//! it.
+//! ga-runtime.
 
 use proc_macro::TokenStream;
 
@@ -17,7 +17,7 @@ pub fn functions(tokens: TokenStream) -> TokenStream {
     ga_compiler::expand_functions(tokens.into()).into()
 }
 
-/// Takes in a function of another block, and goes on with those that use it.
+/// Takes over the block of a function that is used, and continues with the functions that use it.
 #[proc_macro]
 pub fn import(tokens: TokenStream) -> TokenStream {
     ga_compiler::expand_import(tokens.into()).into()

@@ -1,4 +1,4 @@
-//! The macros by which algebras are declared and functions in them compiled.
+//! The macros that declare algebras and compile functions in them.
 
 /// Declares a geometric algebra: its basis, its types and the products between them.
 ///
@@ -15,7 +15,7 @@
 ///         struct Bivector { e12 }
 ///         /// Any sum of scalar and bivector: the complex numbers.
 ///         struct Complex { scalar, e12 }
-///         /// A turn about the origin.
+///         /// A rotation about the origin.
 ///         #[hull(Complex)]
 ///         #[facts(unit_versor)]
 ///         struct Rotor { scalar, e12 }
@@ -36,17 +36,17 @@
 /// assert_eq!(a ^ b, Bivector::new(6.0));
 /// // The turn by 90°, R = cos 45° − sin 45° e12.
 /// let quarter = Rotor::try_new(0.5_f64.sqrt(), -0.5_f64.sqrt(), 1e-12).unwrap();
-/// let turned = quarter.transform(a);
-/// assert!(turned.e1.abs() < 1e-12 && (turned.e2 - 3.0).abs() < 1e-12);
+/// let rotated = quarter.transform(a);
+/// assert!(rotated.e1.abs() < 1e-12 && (rotated.e2 - 3.0).abs() < 1e-12);
 /// # }
 /// ```
 ///
 /// # Basis and metric
 ///
-/// `basis` names up to 16 vectors; a blade is named by joining what follows their common prefix:
-/// `e1`, `e2`, `eo` give `e12`, `e1o`, `e2o`, and `e21` for `−e12`. The metric is
-/// `signature p, q, r;` (squares 1, −1, 0) or any constant symmetric form, where products not
-/// stated are zero:
+/// `basis` names up to 16 vectors. The name of a blade joins the names of its vectors after their
+/// common prefix: `e1`, `e2`, `eo` give `e12`, `e1o`, `e2o`; another order changes the sign, `e21`
+/// is `−e12`. The metric is `signature p, q, r;` (squares 1, −1, 0) or any constant symmetric form,
+/// where products that are not stated are zero:
 ///
 /// ```text
 /// metric e1*e1 = 1, e2*e2 = 1, e3*e3 = 1, eo*ei = -1;
@@ -66,27 +66,32 @@
 /// | `blade` | X is an outer product of vectors |
 /// | `weight(b)` | the coefficient of the blade b is 1 |
 ///
-/// All but `unit_versor` must follow from constant and derived blades. `#[hull(Type)]` names the
-/// type of sums and multiples wherever they leave the type; it must store all the blades.
+/// All facts but `unit_versor` must follow from constant and derived blades. `#[hull(Type)]` names
+/// the type of sums and multiples wherever they leave the type; it must store all the blades.
 ///
-/// Fields are public where any coefficients make a member. Elsewhere they are private, with a
-/// reader for each blade, and a type whose facts restrict its coefficients is built by
-/// `new_unchecked`, `try_new(…, tolerance)` or `normalize(hull)`.
+/// Fields are public where any coefficients make a member of the type. Elsewhere they are private,
+/// with a method for each blade that reads it, and a type whose facts restrict its coefficients is
+/// built by `new_unchecked`, `try_new(…, tolerance)` or `normalize(hull)`.
 ///
 /// # Products
 ///
-/// `products` lists what is emitted: `geometric` (`*`), `wedge` (`^`), `left_contraction` (`|`),
-/// `vee` (`&`), `right_contraction`, `scalar_product`, `commutator`, `sandwich`, `dual`, `undual`.
-/// Braces list several types in one line. The result is stated with `->`, where `Self` is the type
-/// of the last operand and `Scalar` a plain number, or left out where exactly one declared type
-/// without facts has just the blades of the result. That a result lies in its type is proved when
-/// the macro runs, by exact evaluation at random points.
+/// `products` lists the products to emit: `geometric` (`*`), `wedge` (`^`), `left_contraction`
+/// (`|`), `vee` (`&`), `right_contraction`, `scalar_product`, `commutator`, `sandwich`, `dual`,
+/// `undual`. Braces list several types in one line. The result is stated with `->`, where `Self` is
+/// the type of the last operand and `Scalar` a plain number, or left out where exactly one declared
+/// type without facts has just the blades of the result. That a result lies in its type is proved
+/// when the macro runs, by exact evaluation at random points.
 ///
-/// # The other half
+/// # The macro of the algebra
 ///
 /// Beside the module there is a macro of the same name, which hands the definition to macros such
-/// as `ga_runtime::testing::product_tests!`. `crate = path;` before the basis says where the
-/// emitted code finds ga-runtime, if not through this macro.
+/// as [`ga!`](crate::ga) and `ga_runtime::testing::product_tests!`. `crate = path;` before the
+/// basis says where the emitted code finds ga-runtime, if not through this macro.
+///
+/// # Limits
+///
+/// The coefficient of a blade nests at most 128 levels deep and has at most 1024 operators. Basis
+/// vectors, blades and types cannot have the name of a keyword of Rust, which no field can have.
 #[macro_export]
 macro_rules! algebra {
     ($($declaration:tt)*) => {
@@ -96,10 +101,10 @@ macro_rules! algebra {
 
 /// Compiles functions written in an algebra, each as one piece.
 ///
-/// A person writes textbook algebra and gets straight-line code: only the coefficients of the
-/// result are worked out, constants fold, common parts are shared, and the unit norm of a motor or
-/// the null square of a point is made use of. What the code does is checked against the plain
-/// meaning of the formula, exactly, before it is emitted.
+/// Formulas are written as in a textbook and become straight-line code: only the coefficients of
+/// the result are computed, constants are folded, common parts are shared, and facts such as the
+/// unit norm of a motor and the null square of a point are used. Before the code is emitted it is
+/// checked against the plain meaning of the formula, exactly.
 ///
 /// ```
 /// use ga_runtime::cga3::{Motor, Plane, Point, Rotor};
@@ -109,7 +114,8 @@ macro_rules! algebra {
 ///     /// The point moved: 21 multiplications and 18 additions.
 ///     pub fn moved(m: Motor, p: Point) -> Point { m * p * reverse(m) }
 ///
-///     /// The plane through three points, and its distance from a fourth times the size of the triangle's cross product.
+///     /// The plane through three points, and its distance from a fourth point times the length of
+///     /// the cross product of the triangle's edges.
 ///     fn plane_and_height(p: Point, q: Point, r: Point, s: Point) -> (Plane, Scalar) {
 ///         let plane = p ^ q ^ r ^ ei;
 ///         (plane, dual(plane) | s)
@@ -133,36 +139,44 @@ macro_rules! algebra {
 /// `ga! { path::of::algebra; functions… }` gives functions generic over the scalar, with the
 /// weakest bound that the body needs: [`Ring`](crate::scalar::Ring),
 /// [`Field`](crate::scalar::Field) or [`Real`](crate::scalar::Real). Types are those of the algebra
-/// by name, `Scalar`, arrays `[Point; 3]` and tuples. A body is a row of `let` statements, patterns
-/// included, and the formula of the result. Functions of one block may call each other, and with
-/// `use path::of::function;` at its start those of another; the calls are compiled as if they were
-/// written out. A closure, `ga! { cga3; |p: Point, q: Point| -> Scalar { p | q } }`, is an
-/// expression.
+/// by name, `Scalar`, arrays `[Point; 3]` and tuples. A body is any number of `let` statements,
+/// with patterns, and the formula of the result. Functions of one block may call each other, and
+/// those of another block with `use path::of::function;` or `use path::of::{one, other as name};`
+/// at the start. A call is compiled as if the body of the function stood in its place, so functions
+/// cannot call themselves. A closure, `ga! { cga3; |p: Point, q: Point| -> Scalar { p | q } }`, is
+/// an expression.
 ///
 /// | written | means |
 /// | --- | --- |
-/// | `a * b`, `a ^ b`, <code>a &#124; b</code>, `a & b` | geometric product, wedge, left contraction, vee |
+/// | `a * b`, `geometric(a, b)` | geometric product |
+/// | `a ^ b`, `wedge(a, b)` | outer product |
+/// | <code>a &#124; b</code>, `left_contraction(a, b)` | left contraction |
+/// | `a & b`, `vee(a, b)` | regressive product |
+/// | `right_contraction`, `scalar_product`, `commutator` | the other products |
 /// | `a + b`, `a - b`, `-a`, `a / x` | sum, difference, negative, quotient by a scalar |
-/// | `geometric`, `wedge`, `left_contraction`, `right_contraction`, `scalar_product`, `commutator`, `vee` | the products by name |
-/// | `reverse` or `rev`, `involute`, `conjugate`, `dual`, `undual`, `grade(a, 2)` | linear operations |
+/// | `reverse` or `rev`, `involute`, `conjugate` | involutions |
+/// | `dual`, `undual`, `grade(a, 2)` | duals, the part of a grade |
 /// | `sandwich(m, x)` or `transform` | `m x ~m`, for odd m `m x̂ ~m` |
-/// | `norm_squared`, `norm`, `normalize`, `inverse` or `inv` | `⟨a ~a⟩₀`, its root, `a` with norm 1, `~a/(a ~a)` |
-/// | `exp`, `log` | of scalars; exp of bivectors, log of even unit versors, where B² is a scalar but for a null part |
+/// | `norm_squared`, `norm`, `normalize` | `⟨a ~a⟩₀`, its root, `a` with norm 1 |
+/// | `inverse` or `inv` | `~a/(a ~a)` |
+/// | `exp` | of scalars, and of bivectors B where B² is a scalar but for a null part |
+/// | `log` | of scalars, and of even unit versors that are such an `exp` |
 /// | `sqrt`, `abs`, `sin`, `cos`, `atan2(y, x)`, `ln`, `recip` | of scalars |
 /// | `2`, `0.5`, `e12`, `Infinity` | exact numbers, basis blades, constant types |
 /// | `a.e12`, `xs[0]`, `t.1` | a coefficient; an element of an array or tuple |
 ///
 /// Each operation is a function and a method: `reverse(m)` is `m.reverse()`. Precedence is that of
 /// Rust, where `^ & |` bind looser than `+ - * /`; a mix of both without parentheses is an error
-/// that shows both readings.
+/// that shows both readings. A formula nests at most 128 levels deep (parentheses, calls, methods
+/// and signs) and has at most 1024 operators in a row; `let` splits a longer one.
 ///
 /// # Types of results
 ///
-/// A result is returned as a `Point` only if it is one, weight 1 and null; otherwise the error says
-/// what was found, and whether a division by the weight would do. `let x: Line = …` checks a value
-/// on the way.
+/// A result is returned as a `Point` only if it is one, of weight 1 and null; otherwise the error
+/// says what was found, and whether a division by the weight would help. `let x: Line = …` checks
+/// an intermediate value.
 ///
-/// Divisions by zero and roots of negative numbers follow the scalar: they give infinities or NaN
+/// Divisions by zero and roots of negative numbers give what the scalar gives: infinities or NaN
 /// over floats.
 ///
 /// ```standalone_crate
@@ -174,7 +188,7 @@ macro_rules! algebra {
 /// }
 /// ga_runtime::ga! { ga_runtime::cga3;
 ///     use crate::kernels::reflected;
-///     /// Two reflections: a motion. Nothing of the point between them is worked out that does not count.
+///     /// Two reflections are a motion. Of the point between them only what counts is computed.
 ///     pub fn reflected_twice(p: Point, a: Plane, b: Plane) -> Scalar {
 ///         ei | sandwich(dual(b), reflected(p, a))
 ///     }
@@ -185,8 +199,9 @@ macro_rules! algebra {
 /// # Uniform operands
 ///
 /// An operand marked `uniform` stays the same over many calls. The function then takes the uniform
-/// operands alone and gives a struct, called like the function in camel case, that holds all work
-/// done on them; its `apply` takes the rest. `map` changes the scalar, to lanes for instance.
+/// operands alone and returns a struct, named as the function in camel case, that holds everything
+/// computed from them; its method `apply` takes the other operands. `map` changes the scalar, to
+/// lanes for instance.
 ///
 /// ```
 /// use ga_runtime::cga3::{Motor, Point, Translator};
@@ -209,5 +224,11 @@ macro_rules! ga {
     };
     (:: $($path:ident)::+ ; $($functions:tt)*) => {
         :: $($path)::+ ! { [$crate::__private::macros::functions] [:: $($path)::+] $($functions)* }
+    };
+    ($($other:tt)*) => {
+        ::core::compile_error! {
+            "`ga!` starts with the path of an algebra and `;`, as in \
+             `ga! { ga_runtime::cga3; fn inner(p: Point, q: Point) -> Scalar { p | q } }`"
+        }
     };
 }

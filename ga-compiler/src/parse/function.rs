@@ -1,9 +1,9 @@
 //! The grammar of functions in an algebra:
 //! `fn name(m: Motor, p: Point) -> Point { m * p * m.reverse() }`.
 //!
-//! Products are `*` geometric, `^` wedge, `|` left contraction and `&` vee; every other operation is
-//! a method and a function of the same name: `reverse(m)`, `m.sandwich(p)`, `commutator(a, b)`. A
-//! closure, `|m: Motor, p: Point| -> Point { … }`, is a function without a name.
+//! Products are `*` geometric, `^` wedge, `|` left contraction and `&` vee; every other operation
+//! is a method and a function of the same name: `reverse(m)`, `m.sandwich(p)`, `commutator(a, b)`.
+//! A closure, `|m: Motor, p: Point| -> Point { … }`, is a function without a name.
 
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};

@@ -1,8 +1,8 @@
 //! Bounds on how deep source text nests.
 //!
 //! Reading a formula, working it out and dropping it recurse over its tree. The bounds keep all of
-//! that within the smallest stack that a thread usually has, so that text which nests too deep is an
-//! error instead of a stack overflow.
+//! that within the smallest stack that a thread usually has, so that text which nests too deep is
+//! an error instead of a stack overflow.
 
 use proc_macro2::{Span, TokenStream, TokenTree};
 use syn::parse::ParseStream;

@@ -1,6 +1,6 @@
 //! Two stages of a graph: what depends on its uniform inputs alone, and the rest.
 
-use super::schedule::schedule;
+use super::schedule::{Schedule, schedule};
 use super::uniformity::Uniformity;
 use crate::ir::{Arena, Node, NodeId, Value};
 
@@ -19,9 +19,14 @@ pub(crate) struct Stages {
 pub(crate) struct Stage {
     /// The nodes other than inputs and the number 1, each after what it needs.
     pub(crate) order: Vec<NodeId>,
-    /// How often each node of the arena is read in this stage, by its index.
+    /// How often each node of the arena is read in this stage, by its index. A node that is read
+    /// more than once is written as a variable; one that would stand too deep inside the expressions
+    /// of others counts as read twice.
     pub(crate) uses: Vec<usize>,
 }
+
+/// How deep expressions are written inside each other. Emitted code is parsed again, by recursion.
+const MAX_DEPTH: usize = 64;
 
 impl Stages {
     /// Divides a graph; `uniform` marks the inputs that stay the same over many calls.
@@ -46,6 +51,12 @@ impl Stages {
 }
 
 impl Stage {
+    /// A graph that is not divided.
+    pub(crate) fn whole(arena: &Arena, outputs: &[Value]) -> Self {
+        let Schedule { order, uses } = schedule(arena, outputs);
+        Self { order, uses }.with_bounded_depth(arena)
+    }
+
     fn new(arena: &Arena, order: Vec<NodeId>, roots: impl Iterator<Item = NodeId>) -> Self {
         let mut uses = vec![0; arena.len()];
         for &id in &order {
@@ -56,7 +67,24 @@ impl Stage {
         for root in roots {
             uses[root.index()] += 1;
         }
-        Self { order, uses }
+        Self { order, uses }.with_bounded_depth(arena)
+    }
+
+    fn with_bounded_depth(mut self, arena: &Arena) -> Self {
+        let mut depths = vec![0; arena.len()];
+        for &id in &self.order {
+            let mut depth = 0;
+            arena.node(id).for_each_operand(|operand| {
+                if self.uses[operand.index()] == 1 {
+                    depth = depth.max(depths[operand.index()] + 1);
+                }
+            });
+            if depth == MAX_DEPTH {
+                self.uses[id.index()] = self.uses[id.index()].max(2);
+            }
+            depths[id.index()] = depth;
+        }
+        self
     }
 }
 

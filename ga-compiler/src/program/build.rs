@@ -1,7 +1,7 @@
 //! Operations that are made of several steps: inverses, norms, exponentials and logarithms.
 //!
-//! Each asks the witness which form its operand allows; where it allows none, the error says what is
-//! missing.
+//! Each asks the witness which form its operand allows; where it allows none, the error says what
+//! is missing.
 
 use super::{MAX_STEPS, OperationError, Program, Step, StepId, Witness};
 use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};

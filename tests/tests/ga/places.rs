@@ -68,6 +68,14 @@ mod importing {
         use super::inner::by_super;
         use crate::places::inner::by_super as other;
         pub fn sum(a: Vector, b: Vector) -> Complex { by_super(a, b) + other(b, a) }
+        pub fn twice(a: Vector) -> Vector { a + a }
+    }
+}
+
+mod importing_several {
+    ga_runtime::ga! { super::plane;
+        use super::{importing::{sum, twice as double}, inner::by_super};
+        pub fn sums(a: Vector, b: Vector) -> Complex { sum(a, double(b)) + by_super(b, a) }
     }
 }
 
@@ -82,6 +90,8 @@ fn every_path_leads_to_the_algebra() {
     assert_eq!(inner::to_parent(a) + inner::within(a), a * 5);
     assert_eq!(local(), (13, 12));
     assert_eq!(importing::sum(a, b), plane::Complex::new(26, 0));
+    // a 2b + 2b a = 4 a·b = 52, and b a = 13 + e12.
+    assert_eq!(importing_several::sums(a, b), plane::Complex::new(65, 1));
     use ga_runtime::cga3::Point;
     let (origin, p) = (Point::new(0.0, 0.0, 0.0), Point::new(1.0, 1.0, 0.0));
     assert_eq!(inner::absolute(origin).apply(p), -1.0);

@@ -8,7 +8,7 @@ use quote::{format_ident, quote};
 use crate::algebra::Ratio;
 use crate::ir::{Arena, Function, Node, NodeId, Value};
 use crate::kernel::Kernel;
-use crate::passes::{Stage, schedule};
+use crate::passes::Stage;
 
 /// The code of a graph.
 pub(super) struct Body {
@@ -24,11 +24,7 @@ pub(super) struct Body {
 
 /// Writes the code of a kernel; `inputs` are the expressions of its inputs.
 pub(super) fn body(kernel: &Kernel, runtime: &TokenStream, inputs: &[TokenStream]) -> Body {
-    let schedule = schedule(&kernel.arena, &kernel.outputs);
-    let stage = Stage {
-        order: schedule.order,
-        uses: schedule.uses,
-    };
+    let stage = Stage::whole(&kernel.arena, &kernel.outputs);
     let source = Source {
         runtime,
         inputs,

@@ -10,6 +10,25 @@ ga_runtime::algebra! {
     }
 }
 
+// A blade, and a basis vector, have the name of a keyword.
+ga_runtime::algebra! {
+    mod blade_named_like_keyword {
+        basis i, f, m;
+        signature 3;
+
+        struct Vector { i, f, m }
+        struct Bivector { if, mf, im }
+    }
+}
+ga_runtime::algebra! {
+    mod vector_named_like_keyword {
+        basis x, fn;
+        signature 2;
+
+        struct Vector { x, fn }
+    }
+}
+
 // A blade has the name of a method.
 ga_runtime::algebra! {
     mod blade_named_like_method {

@@ -45,6 +45,11 @@ mod empty {
     ga! { ga_runtime::cga3; }
 }
 
+// Nothing at all.
+mod empty_macro {
+    ga_runtime::ga! {}
+}
+
 // A body without a value.
 mod empty_body {
     use ga_runtime::ga;
@@ -54,12 +59,59 @@ mod empty_body {
     }
 }
 
+// A function that names the parameter for its scalar, and one that names its scalar.
+mod generic {
+    use ga_runtime::ga;
+
+    ga! { ga_runtime::cga3;
+        fn f<S>(a: Scalar) -> Scalar { a }
+    }
+
+    ga! { ga_runtime::cga3;
+        fn g(p: Point<f64>) -> Point { p }
+    }
+}
+
+// Keywords of Rust.
+mod keyword {
+    use ga_runtime::ga;
+
+    ga! { ga_runtime::cga3;
+        fn f(a: Scalar) -> Scalar { if a { 1 } else { 2 } }
+    }
+}
+
+// A `let` without its semicolon.
+mod let_semicolon {
+    use ga_runtime::ga;
+
+    ga! { ga_runtime::cga3;
+        fn f(p: Point, q: Point) -> Line {
+            let pair = p ^ q
+            pair ^ ei
+        }
+    }
+}
+
 // A `let` whose value does not have the stated type.
 mod let_type {
     use ga_runtime::ga;
 
     ga! { ga_runtime::cga3;
         fn f(p: Point, q: Point) -> Scalar { let line: Line = p ^ q; norm(line) }
+    }
+}
+
+// A formula that nests too deep.
+mod levels {
+    use ga_runtime::ga;
+
+    ga! { ga_runtime::cga3;
+        fn f(a: Scalar) -> Scalar {
+            ----------------------------------------------------------------
+            ----------------------------------------------------------------
+            -a
+        }
     }
 }
 
@@ -104,6 +156,20 @@ mod number_suffix {
     }
 }
 
+// A path without its semicolon.
+mod path_semicolon {
+    ga_runtime::ga! { ga_runtime::cga3 fn f(a: Scalar) -> Scalar { a } }
+}
+
+// A type with its path.
+mod path_of_type {
+    use ga_runtime::ga;
+
+    ga! { ga_runtime::cga3;
+        fn f(p: ga_runtime::cga3::Point) -> Scalar { p | p }
+    }
+}
+
 // Patterns that do not match their values.
 mod pattern {
     use ga_runtime::ga;
@@ -120,6 +186,25 @@ mod pattern_mutable {
 
     ga! { ga_runtime::cga3;
         fn f(a: Scalar) -> Scalar { let mut x = a; x }
+    }
+}
+
+// References.
+mod reference {
+    use ga_runtime::ga;
+
+    ga! { ga_runtime::cga3;
+        fn f(p: &Point, q: &Point) -> Scalar { p | q }
+    }
+}
+
+// All functions of a module.
+mod use_of_all {
+    use ga_runtime::ga;
+
+    ga! { ga_runtime::cga3;
+        use super::closure::*;
+        fn f(a: Scalar) -> Scalar { a }
     }
 }
 

@@ -128,6 +128,13 @@ mod recursion {
         fn f(a: Scalar) -> Scalar { g(a - 1) }
         fn g(a: Scalar) -> Scalar { a * f(a) }
     }
+
+    ga! { ga_runtime::cga3;
+        fn first(a: Scalar) -> Scalar { second(a - 1) }
+        fn second(a: Scalar) -> Scalar { a * third(a) }
+        fn third(a: Scalar) -> Scalar { first(a) + 1 }
+        fn caller(a: Scalar) -> Scalar { third(a) }
+    }
 }
 
 // A function of scalars, applied to a vector.
