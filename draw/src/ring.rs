@@ -42,3 +42,52 @@ pub(crate) fn basis_across(
     };
     normal.orthonormal_pair_with_up(up)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::view::Up;
+
+    #[test]
+    fn bases_are_orthonormal_right_handed_and_horizontal() {
+        for up in [Up::Y, Up::Z] {
+            let axes = up.axes();
+            let up = axes[2];
+            for normal in [
+                up,
+                -up,
+                axes[0],
+                Vector::new(0.36, 0.48, -0.8),
+                Vector::new(-2.0, 1.0, 2.0) / 3.0,
+            ] {
+                let [u, v] = basis_across(normal, axes);
+                assert!((u.length() - 1.0).abs() < 1e-15 && (v.length() - 1.0).abs() < 1e-15);
+                assert!(u.dot(v).abs() < 1e-15 && u.dot(normal).abs() < 1e-15);
+                assert!((u.cross(v) - normal).length() < 1e-15);
+                assert!(u.dot(up).abs() < 1e-15);
+            }
+            assert_eq!(basis_across(up, axes), [axes[0], axes[1]]);
+            assert_eq!(basis_across(-up, axes)[0], axes[0]);
+        }
+    }
+
+    #[test]
+    fn points_of_a_ring_go_round_counterclockwise() {
+        let ring = Ring {
+            centre: Vector::new(1.0, 2.0, 3.0),
+            basis: [Vector::new(1.0, 0.0, 0.0), Vector::new(0.0, 1.0, 0.0)],
+            radius: 2.0,
+        };
+        let expected = [
+            [3.0, 2.0, 3.0],
+            [1.0, 4.0, 3.0],
+            [-1.0, 2.0, 3.0],
+            [1.0, 0.0, 3.0],
+        ];
+        let points = ring.points(4);
+        assert_eq!(points[4], points[0]);
+        for (point, expected) in points.into_iter().zip(expected) {
+            assert!((point - Vector::from(expected)).length() < 1e-15);
+        }
+    }
+}

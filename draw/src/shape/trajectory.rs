@@ -1,5 +1,6 @@
 //! Trajectories.
 
+use ga_runtime::batch;
 use ga_runtime::cga3::{Motor, MotorGenerator, Point};
 
 use super::motion::frame;
@@ -56,7 +57,11 @@ impl Trajectory {
     #[must_use]
     pub fn screw(generator: MotorGenerator<f64>, steps: usize) -> Self {
         let steps = steps.max(1);
-        Self::of_motors((0..=steps).map(|step| (generator * (step as f64 / steps as f64)).exp()))
+        let part = |step| generator * (step as f64 / steps as f64);
+        let generators: Vec<_> = (0..=steps).map(part).collect();
+        let mut motors = vec![Motor::default(); generators.len()];
+        batch::exp(&generators, &mut motors).expect("a motor for each generator");
+        Self::of_motors(motors)
     }
 
     /// The path of a given point instead of the origin. A path through points stays as it is.

@@ -202,6 +202,10 @@ fn errors_name_the_place_and_the_value() {
             ..
         })
     ));
+}
+
+#[test]
+fn errors_of_the_text_name_the_line_or_the_member() {
     for (text, part) in [
         (
             "{\"elements\": [\n{\"spher\": 1}]}",
