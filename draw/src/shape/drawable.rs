@@ -28,11 +28,11 @@ pub enum NotDrawable {
 
 /// An element that can be drawn.
 ///
-/// It is implemented for the types of [`cga3`](ga_runtime::cga3) over `f64`, for [`Trajectory`] and
-/// for [`Shape`] itself. Types of a single vector ([`RoundVector`](ga_runtime::cga3::RoundVector),
-/// [`DualPlane`](ga_runtime::cga3::DualPlane)) and the dual line
-/// ([`MotorGenerator`](ga_runtime::cga3::MotorGenerator)) are read in dual form, all other blades
-/// in direct form.
+/// It is implemented for the types of [`cga3`](ga_runtime::cga3) over `f64`, for
+/// [`Trajectory`](super::Trajectory) and for [`Shape`] itself. Types of a single vector
+/// ([`RoundVector`](ga_runtime::cga3::RoundVector), [`DualPlane`](ga_runtime::cga3::DualPlane)) and
+/// the dual line ([`MotorGenerator`](ga_runtime::cga3::MotorGenerator)) are read in dual form, all
+/// other blades in direct form.
 ///
 /// A squared radius counts as zero where it is at most 1e-12 times the squared distance of the
 /// centre from the origin.
