@@ -172,8 +172,8 @@ macro_rules! affine_maps {
     };
 }
 
-macro_rules! conversions {
-    ($S:ty, $Vec3:ident, $Quat:ident, $Mat4:ident) => {
+macro_rules! quaternions {
+    ($S:ty, $Vec3:ident, $Quat:ident) => {
         /// The rotor of the quaternion's direction; its size is left out.
         impl TryFrom<$Quat> for Rotor<$S> {
             type Error = NotRigid;
@@ -213,7 +213,11 @@ macro_rules! conversions {
                 (motor.rotor().into(), motor.translator().into())
             }
         }
+    };
+}
 
+macro_rules! matrices {
+    ($S:ty, $Mat4:ident) => {
         impl From<Affine<$S>> for $Mat4 {
             #[inline]
             fn from(map: Affine<$S>) -> Self {
@@ -277,5 +281,7 @@ rotations!(f64, DMat3);
 affine_maps!(f32, Mat4, Affine3);
 affine_maps!(f32, Mat4, Affine3A);
 affine_maps!(f64, DMat4, DAffine3);
-conversions!(f32, Vec3, Quat, Mat4);
-conversions!(f64, DVec3, DQuat, DMat4);
+quaternions!(f32, Vec3, Quat);
+quaternions!(f64, DVec3, DQuat);
+matrices!(f32, Mat4);
+matrices!(f64, DMat4);

@@ -24,8 +24,8 @@ macro_rules! elementary {
     }};
 }
 
-macro_rules! implement_float {
-    ($type:ident, $sqrt:ident, $fabs:ident, $sin:ident, $cos:ident, $atan2:ident, $exp:ident, $log:ident) => {
+macro_rules! implement_field {
+    ($type:ident) => {
         impl Ring for $type {
             #[inline]
             fn zero() -> Self {
@@ -67,7 +67,11 @@ macro_rules! implement_float {
                 numerator as $type / denominator as $type
             }
         }
+    };
+}
 
+macro_rules! implement_real {
+    ($type:ident, $sqrt:ident, $fabs:ident, $sin:ident, $cos:ident, $atan2:ident, $exp:ident, $log:ident) => {
         impl Real for $type {
             type Mask = bool;
 
@@ -136,5 +140,7 @@ macro_rules! implement_float {
     };
 }
 
-implement_float!(f32, sqrtf, fabsf, sinf, cosf, atan2f, expf, logf);
-implement_float!(f64, sqrt, fabs, sin, cos, atan2, exp, log);
+implement_field!(f32);
+implement_field!(f64);
+implement_real!(f32, sqrtf, fabsf, sinf, cosf, atan2f, expf, logf);
+implement_real!(f64, sqrt, fabs, sin, cos, atan2, exp, log);

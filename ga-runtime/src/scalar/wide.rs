@@ -33,8 +33,8 @@ use super::{Field, Mask, Real, Ring};
 #[repr(transparent)]
 pub struct WideMask<V>(V);
 
-macro_rules! implement_wide {
-    ($type:ident of $scalar:ident, largest angle $angle:literal) => {
+macro_rules! implement_field {
+    ($type:ident of $scalar:ident) => {
         impl Ring for $type {
             #[inline(always)]
             fn zero() -> Self {
@@ -77,7 +77,11 @@ macro_rules! implement_wide {
                 !self.simd_eq(Self::ZERO).any()
             }
         }
+    };
+}
 
+macro_rules! implement_real {
+    ($type:ident of $scalar:ident, largest angle $angle:literal) => {
         impl Real for $type {
             type Mask = WideMask<Self>;
 
@@ -141,7 +145,11 @@ macro_rules! implement_wide {
                 mask.0.select(if_true, if_false)
             }
         }
+    };
+}
 
+macro_rules! implement_mask {
+    ($type:ident of $scalar:ident) => {
         impl Mask for WideMask<$type> {
             #[inline(always)]
             fn splat(value: bool) -> Self {
@@ -184,7 +192,17 @@ macro_rules! implement_wide {
     };
 }
 
-implement_wide!(f32x4 of f32, largest angle 1e3);
-implement_wide!(f32x8 of f32, largest angle 1e3);
-implement_wide!(f64x2 of f64, largest angle 1e5);
-implement_wide!(f64x4 of f64, largest angle 1e5);
+macro_rules! implement_wide {
+    ($($type:ident of $scalar:ident, largest angle $angle:literal;)*) => { $(
+        implement_field!($type of $scalar);
+        implement_real!($type of $scalar, largest angle $angle);
+        implement_mask!($type of $scalar);
+    )* };
+}
+
+implement_wide! {
+    f32x4 of f32, largest angle 1e3;
+    f32x8 of f32, largest angle 1e3;
+    f64x2 of f64, largest angle 1e5;
+    f64x4 of f64, largest angle 1e5;
+}

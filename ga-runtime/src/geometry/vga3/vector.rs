@@ -35,6 +35,12 @@ impl<S: Ring> Vector<S> {
         )
     }
 
+    /// The part perpendicular to a vector of length 1, `a − (a·u) u`.
+    #[inline]
+    pub(crate) fn across(self, unit: Self) -> Self {
+        self - unit * self.dot(unit)
+    }
+
     /// The squared length `a · a`. It overflows and underflows where the square of a component
     /// does.
     #[inline]

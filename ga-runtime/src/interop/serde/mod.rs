@@ -56,8 +56,7 @@ macro_rules! __serialize {
     (constant $name:ident $text:literal) => {
         impl $crate::__private::serde::Serialize for $name {
             fn serialize<Z: $crate::__private::serde::Serializer>(
-                &self,
-                serializer: Z,
+                &self, serializer: Z,
             ) -> ::core::result::Result<Z::Ok, Z::Error> {
                 <Z as $crate::__private::serde::Serializer>::serialize_unit_struct(serializer, $text)
             }
@@ -102,8 +101,7 @@ macro_rules! __serialize {
     (write $name:ident $text:literal { $($field:ident $blade:literal),* }) => {
         impl<S: $crate::__private::serde::Serialize> $crate::__private::serde::Serialize for $name<S> {
             fn serialize<Z: $crate::__private::serde::Serializer>(
-                &self,
-                serializer: Z,
+                &self, serializer: Z,
             ) -> ::core::result::Result<Z::Ok, Z::Error> {
                 $crate::__private::coefficients::serialize(
                     serializer,

@@ -1,13 +1,13 @@
 //! Motions that fit measured points and directions.
 
 use alloc::vec::Vec;
-use core::fmt::{Debug, Display, Formatter, Result as FmtResult};
 
+use super::fit_error::FitError;
 use super::registration::{Pair, Sides, fixed_rotation, root_mean_square};
 use super::weight::{WeightError, checked};
 use crate::cga3::{Dilator, Motor, Point, Rotor, Similarity, Translator};
-use crate::geometry::vector3::{are_numbers, difference, dot, normalized, scaled};
 use crate::scalar::Real;
+use crate::vga3::Vector;
 
 /// The motion that fits best, and how well it does.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,69 +16,6 @@ pub struct Fit<V, S> {
     pub motion: V,
     /// The root mean square of the distances left, `√(Σ wᵢ |yᵢ − xᵢ'|² / Σ wᵢ)`.
     pub residual: S,
-}
-
-/// Pairs that fix no motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum FitError<S> {
-    /// There are too few pairs with a weight above zero.
-    TooFewPairs {
-        /// The number of such pairs.
-        found: usize,
-        /// The number needed: three of points, two of directions.
-        needed: usize,
-    },
-    /// The weights make no average.
-    Weight(WeightError<S>),
-    /// A point or direction of a pair is not finite.
-    NotFinite {
-        /// Which of the pairs, from 0.
-        index: usize,
-    },
-    /// A direction of a pair is zero.
-    NoDirection {
-        /// Which of the pairs, from 0.
-        index: usize,
-    },
-    /// All points of one side are at one place.
-    Coincident,
-    /// All points of one side lie on a line, all directions of one side are parallel: a turn about
-    /// it changes nothing.
-    Collinear,
-    /// Several turns fit equally well, as when one side is the mirror image of a regular body, or
-    /// when the sides have nothing to do with each other.
-    NotUnique,
-    /// The result is beyond the range of the scalar.
-    OutOfRange,
-}
-
-impl<S: Debug> Display for FitError<S> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> FmtResult {
-        match self {
-            Self::TooFewPairs { found, needed } => {
-                write!(
-                    f,
-                    "{needed} pairs with a weight above zero are needed, not {found}"
-                )
-            }
-            Self::Weight(error) => Display::fmt(error, f),
-            Self::NotFinite { index } => write!(f, "pair {index} is not finite"),
-            Self::NoDirection { index } => write!(f, "pair {index} has a direction of length zero"),
-            Self::Coincident => f.write_str("all points of one side are at one place"),
-            Self::Collinear => f.write_str("all points of one side lie on a line"),
-            Self::NotUnique => f.write_str("several turns fit equally well"),
-            Self::OutOfRange => f.write_str("the result is beyond the range of the scalar"),
-        }
-    }
-}
-
-impl<S: Debug> core::error::Error for FitError<S> {}
-
-impl<S> From<WeightError<S>> for FitError<S> {
-    fn from(error: WeightError<S>) -> Self {
-        Self::Weight(error)
-    }
 }
 
 impl<S: Real<Mask = bool>> Motor<S> {
@@ -215,9 +152,12 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     pub fn from_weighted_direction_pairs(
         weighted: &[(S, [S; 3], [S; 3])],
     ) -> Result<Fit<Self, S>, FitError<S>> {
-        let mut pairs = counting(weighted, 2)?;
+        let mut pairs = counting(weighted.iter().copied(), 2)?;
         for (index, pair) in &mut pairs {
-            let of_length_one = |v| normalized(v).ok_or(FitError::NoDirection { index: *index });
+            let of_length_one = |v: Vector<S>| {
+                v.normalized()
+                    .ok_or(FitError::NoDirection { index: *index })
+            };
             (pair.from, pair.to) = (of_length_one(pair.from)?, of_length_one(pair.to)?);
         }
         let pairs: Vec<_> = pairs.into_iter().map(|(_, pair)| pair).collect();
@@ -232,21 +172,17 @@ impl<S: Real<Mask = bool>> Rotor<S> {
 struct Centred<S> {
     pairs: Vec<Pair<S>>,
     sides: Sides<S>,
-    centroids: [[S; 3]; 2],
+    centroids: [Vector<S>; 2],
 }
 
 impl<S: Real<Mask = bool>> Centred<S> {
     fn from(weighted: &[(S, Point<S>, Point<S>)]) -> Result<Self, FitError<S>> {
-        let coordinates: Vec<_> = weighted
-            .iter()
-            .map(|(weight, x, y)| (*weight, x.coordinates(), y.coordinates()))
-            .collect();
-        let mut pairs: Vec<_> = counting(&coordinates, 3)?
+        let mut pairs: Vec<_> = counting(weighted.iter().copied(), 3)?
             .into_iter()
             .map(|(_, pair)| pair)
             .collect();
         let total = pairs.iter().fold(S::zero(), |sum, pair| sum + pair.weight);
-        let mut centroids = [[S::zero(); 3]; 2];
+        let mut centroids = [Vector::default(); 2];
         let mut largest = [S::zero(); 2];
         for pair in &pairs {
             let share = pair.weight / total;
@@ -258,9 +194,9 @@ impl<S: Real<Mask = bool>> Centred<S> {
             }
         }
         for pair in &mut pairs {
-            pair.from = difference(pair.from, centroids[0]);
-            pair.to = difference(pair.to, centroids[1]);
-            if !(are_numbers(pair.from) && are_numbers(pair.to)) {
+            pair.from -= centroids[0];
+            pair.to -= centroids[1];
+            if !(pair.from.is_finite() && pair.to.is_finite()) {
                 return Err(FitError::OutOfRange);
             }
         }
@@ -275,10 +211,11 @@ impl<S: Real<Mask = bool>> Centred<S> {
     /// The shift that carries the image of the one centroid to the other.
     fn shift(&self, rotor: Rotor<S>, factor: S) -> Result<Translator<S>, FitError<S>> {
         let [from, to] = self.centroids;
-        let image = rotor.transform(Point::from(scaled(from, factor)));
-        let displacement = difference(to, image.coordinates());
-        are_numbers(displacement)
-            .then(|| Translator::from_displacement(displacement))
+        let image = rotor.transform(Point::from(from * factor));
+        let displacement = to - Vector::from(image);
+        displacement
+            .is_finite()
+            .then(|| Translator::from_displacement(displacement.into()))
             .ok_or(FitError::OutOfRange)
     }
 
@@ -288,12 +225,12 @@ impl<S: Real<Mask = bool>> Centred<S> {
             .pairs
             .iter()
             .fold([S::zero(); 2], |[along, square], pair| {
-                let x = pair.from.map(|x| x / from);
-                let image = rotor.transform(Point::from(x)).coordinates();
-                let y = pair.to.map(|y| y / to);
+                let x = pair.from.divided(from);
+                let image = Vector::from(rotor.transform(Point::from(x)));
+                let y = pair.to.divided(to);
                 [
-                    along + dot(image, y) * pair.weight,
-                    square + dot(x, x) * pair.weight,
+                    along + image.dot(y) * pair.weight,
+                    square + x.dot(x) * pair.weight,
                 ]
             });
         sums[0] / sums[1] * (to / from)
@@ -301,29 +238,27 @@ impl<S: Real<Mask = bool>> Centred<S> {
 }
 
 /// The pairs of weights above zero, by their indices; the largest weight becomes 1.
-fn counting<S: Real<Mask = bool>>(
-    weighted: &[(S, [S; 3], [S; 3])],
+fn counting<S: Real<Mask = bool>, V: Into<Vector<S>>>(
+    weighted: impl ExactSizeIterator<Item = (S, V, V)>,
     needed: usize,
 ) -> Result<Vec<(usize, Pair<S>)>, FitError<S>> {
     let mut largest = S::zero();
-    for (index, &(weight, from, to)) in weighted.iter().enumerate() {
+    let mut pairs = Vec::with_capacity(weighted.len());
+    for (index, (weight, from, to)) in weighted.enumerate() {
+        let (from, to) = (from.into(), to.into());
         largest = largest.max(checked(index, weight)?);
-        if !(from.iter().chain(&to)).all(|x| x.is_finite()) {
+        if !(from.is_finite() && to.is_finite()) {
             return Err(FitError::NotFinite { index });
         }
+        pairs.push((index, Pair { weight, from, to }));
     }
-    if !weighted.is_empty() && !S::zero().less_than(largest) {
+    if !pairs.is_empty() && !S::zero().less_than(largest) {
         return Err(WeightError::AllZero.into());
     }
-    let pairs: Vec<_> = weighted
-        .iter()
-        .enumerate()
-        .filter(|(_, (weight, ..))| S::zero().less_than(*weight))
-        .map(|(index, &(weight, from, to))| {
-            let weight = weight / largest;
-            (index, Pair { weight, from, to })
-        })
-        .collect();
+    pairs.retain(|(_, pair)| S::zero().less_than(pair.weight));
+    for (_, pair) in &mut pairs {
+        pair.weight = pair.weight / largest;
+    }
     if pairs.len() < needed {
         let found = pairs.len();
         return Err(FitError::TooFewPairs { found, needed });

@@ -8,8 +8,8 @@ use super::blend::{BlendError, counting, is_finite, largest_weight};
 use super::enclosing::lie_in_quarter_ball;
 use super::matrix::{Matrix, solve};
 use crate::cga3::{DualQuaternion, Motor, MotorGenerator, Rotor, Translator};
-use crate::geometry::vector3::length;
 use crate::scalar::Real;
+use crate::vga3::Vector;
 
 /// More steps than any motions need that have one mean.
 const MOST_STEPS: usize = 25;
@@ -201,7 +201,7 @@ fn iterate<S: Real<Mask = bool>>(
     let epsilon = |multiple| S::epsilon() * S::from_integer(multiple);
     // Displacements cannot be told more closely than the largest of them is stored.
     let reach = terms.iter().fold(S::zero(), |most, (_, motor)| {
-        most.max(length(motor.translator().displacement()))
+        most.max(Vector::from(motor.translator().displacement()).length())
     });
     let (mut mean, mut here) = (start, Deviation::from(start, terms));
     let mut before = None;
@@ -238,8 +238,8 @@ fn iterate<S: Real<Mask = bool>>(
 /// How motors deviate from one: weighted means over `log(~M Mᵢ)`.
 struct Deviation<S> {
     /// Half the rotation vector.
-    turn: [S; 3],
-    displacement: [S; 3],
+    turn: Vector<S>,
+    displacement: Vector<S>,
     /// The second derivative H of half the sum of squares of half-angles.
     curvature: Matrix<S, 3>,
 }
@@ -256,9 +256,9 @@ impl<S: Real<Mask = bool>> Deviation<S> {
                 between = -between;
             }
             let log = between.log();
-            let half = [-log.e23, log.e13, -log.e12];
-            let angle = length(half);
-            let sine = length([between.e12(), between.e13(), between.e23()]);
+            let half = Vector::new(-log.e23, log.e13, -log.e12);
+            let angle = half.length();
+            let sine = Vector::new(between.e12(), between.e13(), between.e23()).length();
             // φ cot φ
             let across = if zero.less_than(sine) {
                 angle * between.scalar() / sine
@@ -266,11 +266,11 @@ impl<S: Real<Mask = bool>> Deviation<S> {
                 one
             };
             let axis = if zero.less_than(angle) {
-                half.map(|x| x / angle)
+                half.divided(angle)
             } else {
-                [zero; 3]
+                Vector::default()
             };
-            let shift = [log.e1i, log.e2i, log.e3i];
+            let shift = Vector::new(log.e1i, log.e2i, log.e3i);
             for k in 0..3 {
                 turn[k].add(half[k] * weight);
                 displacement[k].add(-(shift[k] + shift[k]) * weight);
@@ -284,26 +284,29 @@ impl<S: Real<Mask = bool>> Deviation<S> {
         let total = total.value();
         let mean_of = |sum: Sum<S>| sum.value() / total;
         Self {
-            turn: turn.map(mean_of),
-            displacement: displacement.map(mean_of),
+            turn: turn.map(mean_of).into(),
+            displacement: displacement.map(mean_of).into(),
             curvature: curvature.map(|row| row.map(mean_of)),
         }
     }
 
     fn residual(&self) -> Residual<S> {
         Residual {
-            angle: length(self.turn) * S::from_integer(2),
-            displacement: length(self.displacement),
+            angle: self.turn.length() * S::from_integer(2),
+            displacement: self.displacement.length(),
         }
     }
 
     /// The motion by `H⁻¹` times the deviation; by the deviation itself where H has no inverse.
     fn step(&self) -> Motor<S> {
-        let divided = |vector| solve(self.curvature, vector).unwrap_or(vector);
-        let [x, y, z] = divided(self.turn);
+        let solved = |vector: Vector<S>| {
+            let vector = vector.coordinates();
+            solve(self.curvature, vector).unwrap_or(vector)
+        };
+        let [x, y, z] = solved(self.turn);
         let zero = S::zero();
         let turn = MotorGenerator::new(-z, y, -x, zero, zero, zero).exp();
-        Translator::from_displacement(divided(self.displacement)) * turn.rotor()
+        Translator::from_displacement(solved(self.displacement)) * turn.rotor()
     }
 }
 
@@ -345,7 +348,7 @@ fn farthest<S: Real<Mask = bool>>(weighted: &[(S, Motor<S>)], from: Motor<S>) ->
     let mut most = (0, S::zero());
     for (index, &(weight, motor)) in weighted.iter().enumerate() {
         let between = from.rotor().reverse() * motor.rotor();
-        let sine = length([between.e12(), between.e13(), between.e23()]);
+        let sine = Vector::new(between.e12(), between.e13(), between.e23()).length();
         let half = sine.atan2(between.scalar().abs());
         if S::zero().less_than(weight) && most.1.less_than(half) {
             most = (index, half);

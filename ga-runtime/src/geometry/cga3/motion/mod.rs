@@ -29,6 +29,7 @@ mod blend;
 mod curve;
 mod enclosing;
 mod fit;
+mod fit_error;
 mod matrix;
 mod mean;
 mod registration;
@@ -36,7 +37,8 @@ mod spline;
 mod weight;
 
 pub use blend::BlendError;
-pub use fit::{Fit, FitError};
+pub use fit::Fit;
+pub use fit_error::FitError;
 pub use mean::{Mean, MeanError, Residual};
 pub use spline::{MotorSpline, RotorSpline, SplineError};
 pub use weight::WeightError;

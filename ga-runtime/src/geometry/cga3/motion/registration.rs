@@ -1,16 +1,16 @@
 //! The turn that carries vectors to vectors, by least squares.
 
-use super::fit::FitError;
+use super::fit_error::FitError;
 use super::matrix::{Matrix, solve, symmetric_eigen};
 use crate::cga3::{MotorGenerator, Point, Rotor};
-use crate::geometry::vector3::{cross, difference, dot, length, scaled};
 use crate::scalar::Real;
+use crate::vga3::Vector;
 
 /// Two vectors of which one is to be turned to the other.
 pub(super) struct Pair<S> {
     pub(super) weight: S,
-    pub(super) from: [S; 3],
-    pub(super) to: [S; 3],
+    pub(super) from: Vector<S>,
+    pub(super) to: Vector<S>,
 }
 
 /// How long the longest vectors of both sides are.
@@ -23,21 +23,21 @@ impl<S: Real<Mask = bool>> Sides<S> {
     /// Measures vectors, given the largest numbers from whose differences they come; an error where
     /// those of a side all vanish or lie on a line.
     pub(super) fn measured(pairs: &[Pair<S>], largest: [S; 2]) -> Result<Self, FitError<S>> {
-        let side = |of: fn(&Pair<S>) -> [S; 3], largest: S| {
+        let side = |of: fn(&Pair<S>) -> Vector<S>, largest: S| {
             let rounding = largest * S::epsilon() * S::from_integer(4);
             let longest = pairs
                 .iter()
                 .map(of)
-                .map(|vector| (vector, length(vector)))
+                .map(|vector| (vector, vector.length()))
                 .reduce(|most, next| if most.1.less_than(next.1) { next } else { most });
             let Some((vector, extent)) = longest.filter(|(_, extent)| rounding.less_than(*extent))
             else {
                 return Err(FitError::Coincident);
             };
-            let along = vector.map(|x| x / extent);
+            let along = vector.divided(extent);
             let width = pairs.iter().fold(S::zero(), |most, pair| {
-                let unit = of(pair).map(|x| x / extent);
-                most.max(length(cross(along, unit)))
+                let unit = of(pair).divided(extent);
+                most.max(along.cross(unit).length())
             });
             let thinnest = S::epsilon().sqrt() * S::from_integer(8) + rounding / extent;
             if !thinnest.less_than(width) {
@@ -62,7 +62,7 @@ pub(super) fn fixed_rotation<S: Real<Mask = bool>>(
     let [from, to] = sides.extents;
     let units = || {
         pairs.iter().map(move |pair| {
-            let (x, y) = (pair.from.map(|x| x / from), pair.to.map(|y| y / to));
+            let (x, y) = (pair.from.divided(from), pair.to.divided(to));
             (pair.weight, x, y)
         })
     };
@@ -70,8 +70,8 @@ pub(super) fn fixed_rotation<S: Real<Mask = bool>>(
     let mut squares = [S::zero(); 2];
     for (weight, x, y) in units() {
         add_products(&mut moments, weight, x, y);
-        squares[0] += dot(x, x) * weight;
-        squares[1] += dot(y, y) * weight;
+        squares[0] += x.dot(x) * weight;
+        squares[1] += y.dot(y) * weight;
     }
     let [(first, quaternion), (second, _), ..] = symmetric_eigen(horn(moments));
     let rounding = (squares[0] * squares[1]).sqrt() * S::epsilon() * S::from_integer(16);
@@ -107,21 +107,21 @@ fn horn<S: Real>(moments: Matrix<S, 3>) -> Matrix<S, 4> {
 /// so that little of it is lost where the fit is good.
 fn improved<S: Real<Mask = bool>>(
     rotor: Rotor<S>,
-    units: impl Iterator<Item = (S, [S; 3], [S; 3])> + Clone,
+    units: impl Iterator<Item = (S, Vector<S>, Vector<S>)> + Clone,
 ) -> Rotor<S> {
     let turned =
-        units.map(|(weight, x, y)| (weight, rotor.transform(Point::from(x)).coordinates(), y));
+        units.map(|(weight, x, y)| (weight, Vector::from(rotor.transform(Point::from(x))), y));
     let mut moments = [[S::zero(); 3]; 3];
     let mut square = S::zero();
     for (weight, p, y) in turned.clone() {
         add_products(&mut moments, weight, p, y);
-        square += dot(p, p) * weight;
+        square += p.dot(p) * weight;
     }
     let trace = moments[0][0] + moments[1][1] + moments[2][2];
     let scale = trace / square;
     let mut torque = [S::zero(); 3];
     for (weight, p, y) in turned {
-        let part = cross(p, difference(y, scaled(p, scale)));
+        let part = p.cross(y - p * scale);
         torque = core::array::from_fn(|k| part[k].mul_add(weight, torque[k]));
     }
     let half = S::from_ratio(1, 2);
@@ -135,20 +135,20 @@ fn improved<S: Real<Mask = bool>>(
             }
         })
     });
-    let step = solve(stiffness, torque).unwrap_or([S::zero(); 3]);
+    let step = solve(stiffness, torque).map_or(Vector::default(), Vector::from);
     // A larger step is none of a good start, but one of a stiffness lost in rounding.
-    if !length(step).less_than(S::from_ratio(1, 4)) {
+    if !step.length().less_than(S::from_ratio(1, 4)) {
         return rotor;
     }
-    let [x, y, z] = scaled(step, half);
+    let [x, y, z] = (step * half).coordinates();
     let zero = S::zero();
     let turn = MotorGenerator::new(-z, y, -x, zero, zero, zero).exp();
     turn.rotor() * rotor
 }
 
-fn add_products<S: Real>(moments: &mut Matrix<S, 3>, weight: S, x: [S; 3], y: [S; 3]) {
-    for (row, &a) in moments.iter_mut().zip(&x) {
-        for (entry, &b) in row.iter_mut().zip(&y) {
+fn add_products<S: Real>(moments: &mut Matrix<S, 3>, weight: S, x: Vector<S>, y: Vector<S>) {
+    for (row, a) in moments.iter_mut().zip(x.coordinates()) {
+        for (entry, b) in row.iter_mut().zip(y.coordinates()) {
             *entry = (a * weight).mul_add(b, *entry);
         }
     }
@@ -161,8 +161,8 @@ pub(super) fn root_mean_square<S: Real<Mask = bool>>(
     factor: S,
 ) -> S {
     let left = |pair: &Pair<S>| {
-        let image = rotor.transform(Point::from(scaled(pair.from, factor)));
-        length(difference(pair.to, image.coordinates()))
+        let image = rotor.transform(Point::from(pair.from * factor));
+        (pair.to - Vector::from(image)).length()
     };
     let largest = pairs
         .iter()

@@ -43,11 +43,10 @@
 //! assert_eq!(a.angle_to(b), Some(PI / 2.0));
 //! ```
 
-use super::distance::across;
-use super::{Figure, Primitive, parallel};
+use super::{Figure, Primitive, hypotenuse, parallel};
 use crate::cga3::{Circle, DualCircle, DualPlane, DualSphere, Line, MotorGenerator, Plane, Sphere};
-use crate::geometry::vector3::{cross, difference, dot, length};
 use crate::scalar::Real;
+use crate::vga3::Vector;
 
 /// A primitive with extent, which can make an angle: a line, a plane, a circle, a sphere.
 pub trait Extended<S>: Primitive<S> {}
@@ -113,7 +112,7 @@ inversive_distances!(Plane Sphere DualPlane DualSphere);
 
 fn angle<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<S> {
     use Figure::{Circle, Line, Plane, Sphere};
-    let between = |u: [S; 3], v: [S; 3]| length(cross(u, v)).atan2(dot(u, v));
+    let between = |u: Vector<S>, v: Vector<S>| u.cross(v).length().atan2(u.dot(v));
     let found = match (a, b) {
         (Line { direction: u, .. }, Line { direction: v, .. })
         | (
@@ -121,18 +120,18 @@ fn angle<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<S> {
             Plane { normal: v, .. } | Circle { normal: v, .. },
         ) => between(u, v),
         (Line { direction, .. }, Plane { normal, .. } | Circle { normal, .. })
-        | (Plane { normal, .. } | Circle { normal, .. }, Line { direction, .. }) => {
-            dot(direction, normal).atan2(length(cross(direction, normal)))
-        }
+        | (Plane { normal, .. } | Circle { normal, .. }, Line { direction, .. }) => direction
+            .dot(normal)
+            .atan2(direction.cross(normal).length()),
         (Sphere { centre, radius }, Plane { normal, distance })
         | (Plane { normal, distance }, Sphere { centre, radius }) => {
-            let height = dot(centre, normal) - distance;
+            let height = centre.dot(normal) - distance;
             let chord = half_chord(height, radius, rounding(centre, radius))?;
             chord.atan2(height)
         }
         (Sphere { centre, radius }, Line { point, direction })
         | (Line { point, direction }, Sphere { centre, radius }) => {
-            let height = length(across(difference(centre, point), direction));
+            let height = (centre - point).across(direction).length();
             let chord = half_chord(height, radius, rounding(centre, radius))?;
             chord.atan2(height)
         }
@@ -143,7 +142,7 @@ fn angle<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<S> {
             },
             Sphere { centre, radius },
         ) => {
-            let sides = [length(difference(centre, c)), r, radius];
+            let sides = [(centre - c).length(), r, radius];
             let area = heron(sides, rounding(c, r) + rounding(centre, radius))?;
             let unit = sides[0].max(r).max(radius);
             if !S::zero().less_than(r) || !S::zero().less_than(radius) {
@@ -173,37 +172,43 @@ fn angle<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<S> {
                 centre: c,
                 radius: r,
             },
-        ) => {
-            let from = difference(c, centre);
-            let height = dot(from, normal);
-            // The plane of the circle cuts the sphere in a circle of this radius, and the two
-            // circles meet.
-            let rounded = rounding(c, r) + rounding(centre, radius);
-            let cut = half_chord(height, r, rounded)?;
-            let between = length(across(from, normal));
-            let sides = [between, radius, cut];
-            let area = heron(sides, rounded)?;
-            let unit = between.max(radius).max(cut);
-            if !S::zero().less_than(radius) {
-                return None;
-            }
-            let [d, q, s] = sides.map(|x| x / unit);
-            let cosine = length([q * q + s * s - d * d, (q + q) * (height / unit), S::zero()]);
-            area.atan2(cosine)
-        }
+        ) => sphere_and_circle([c, centre], normal, [r, radius])?,
         (Figure::Point(_) | Figure::PointPair(_), _)
         | (_, Figure::Point(_) | Figure::PointPair(_)) => return None,
     };
     found.is_finite().then_some(found)
 }
 
+/// The angle of a sphere and a circle, by their centres, the normal of the circle and their radii.
+fn sphere_and_circle<S: Real<Mask = bool>>(
+    [c, centre]: [Vector<S>; 2],
+    normal: Vector<S>,
+    [r, radius]: [S; 2],
+) -> Option<S> {
+    let from = c - centre;
+    let height = from.dot(normal);
+    // The plane of the circle cuts the sphere in a circle of this radius, and the two circles meet.
+    let rounded = rounding(c, r) + rounding(centre, radius);
+    let cut = half_chord(height, r, rounded)?;
+    let between = from.across(normal).length();
+    let sides = [between, radius, cut];
+    let area = heron(sides, rounded)?;
+    let unit = between.max(radius).max(cut);
+    if !S::zero().less_than(radius) {
+        return None;
+    }
+    let [d, q, s] = sides.map(|x| x / unit);
+    let cosine = hypotenuse(q * q + s * s - d * d, (q + q) * (height / unit));
+    Some(area.atan2(cosine))
+}
+
 fn inversive_distance<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<S> {
     use Figure::{Plane, Sphere};
     let found = match (a, b) {
-        (Plane { normal, .. }, Plane { normal: m, .. }) => dot(normal, m),
+        (Plane { normal, .. }, Plane { normal: m, .. }) => normal.dot(m),
         (Sphere { centre, radius }, Plane { normal, distance })
         | (Plane { normal, distance }, Sphere { centre, radius }) => {
-            (dot(centre, normal) - distance) / radius
+            (centre.dot(normal) - distance) / radius
         }
         (
             Sphere {
@@ -212,7 +217,7 @@ fn inversive_distance<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Optio
             },
             Sphere { centre, radius },
         ) => {
-            let d = length(difference(centre, c));
+            let d = (centre - c).length();
             // (r² + s² − d²)/(2 r s) = 1 − (d − r + s)(d + r − s)/(2 r s).
             let cut = ((d - r + radius) / r) * ((d + r - radius) / radius);
             S::one() - cut * S::from_ratio(1, 2)
@@ -224,8 +229,8 @@ fn inversive_distance<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Optio
 
 /// The length whose ε bounds by how much a radius and a centre are rounded: a blade knows the
 /// radius by its square beside that of the centre's distance from the origin.
-fn rounding<S: Real<Mask = bool>>(centre: [S; 3], radius: S) -> S {
-    let distance = length(centre);
+fn rounding<S: Real<Mask = bool>>(centre: Vector<S>, radius: S) -> S {
+    let distance = centre.length();
     radius + distance + distance * (distance / radius)
 }
 

@@ -1,11 +1,10 @@
 //! The common perpendicular of two lines: the shortest way from one to the other.
 
-use super::distance::across;
 use super::tolerance::within;
 use super::{Figure, Primitive, Tolerance, parallel};
 use crate::cga3::{Line, Point};
-use crate::geometry::vector3::{are_numbers, cross, difference, dot, length, scaled, sum};
 use crate::scalar::Real;
+use crate::vga3::Vector;
 
 /// The common perpendicular of two lines, with its feet.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,37 +61,37 @@ impl<S: Real<Mask = bool>> Line<S> {
         else {
             return None;
         };
-        let between = difference(q, p);
-        let normal = cross(d, e);
-        let sine = length(normal);
-        let angle = sine.atan2(dot(d, e).abs());
+        let between = q - p;
+        let normal = d.cross(e);
+        let sine = normal.length();
+        let angle = sine.atan2(d.dot(e).abs());
         if within(angle, tolerance.angle) || sine.less_than(parallel()) {
-            let way = across(between, d);
-            let distance = length(way);
+            let way = between.across(d);
+            let distance = way.length();
             if within(distance, tolerance.distance) {
                 return None;
             }
-            return assemble(p, sum(p, way), way.map(|x| x / distance), distance);
+            return assemble(p, p + way, way.divided(distance), distance);
         }
-        let normal = normal.map(|x| x / sine);
+        let normal = normal.divided(sine);
         // p + s d and q + t e differ by a multiple of the normal.
-        let first = sum(p, scaled(d, dot(cross(between, e), normal) / sine));
-        let second = sum(q, scaled(e, dot(cross(between, d), normal) / sine));
-        assemble(first, second, normal, dot(between, normal).abs())
+        let first = p + d * (between.cross(e).dot(normal) / sine);
+        let second = q + e * (between.cross(d).dot(normal) / sine);
+        assemble(first, second, normal, between.dot(normal).abs())
     }
 }
 
 fn assemble<S: Real<Mask = bool>>(
-    first: [S; 3],
-    second: [S; 3],
-    direction: [S; 3],
+    first: Vector<S>,
+    second: Vector<S>,
+    direction: Vector<S>,
     distance: S,
 ) -> Option<CommonPerpendicular<S>> {
-    let line = Line::from_point_direction(Point::from(first), direction);
-    let finite = are_numbers(first)
-        && are_numbers(second)
-        && are_numbers(line.moment())
-        && are_numbers(direction)
+    let line = Line::from_point_direction(first.into(), direction.into());
+    let finite = first.is_finite()
+        && second.is_finite()
+        && Vector::from(line.moment()).is_finite()
+        && direction.is_finite()
         && distance.is_finite();
     finite.then(|| CommonPerpendicular {
         line,

@@ -49,13 +49,13 @@
 //! ```
 
 use super::least::{circle_to_circle, line_to_circle};
-use super::{Figure, Primitive, parallel};
+use super::{Figure, Primitive, hypotenuse, parallel};
 use crate::cga3::{
     Circle, DualCircle, DualFlatPoint, DualPlane, DualPointPair, DualSphere, FlatPoint, Line,
     MotorGenerator, Plane, Point, PointPair, Sphere,
 };
-use crate::geometry::vector3::{cross, difference, dot, length, scaled};
 use crate::scalar::Real;
+use crate::vga3::Vector;
 
 macro_rules! distances {
     ($($Primitive:ident)*) => {$(
@@ -86,129 +86,114 @@ distances! {
 }
 
 pub(super) fn distance<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<S> {
-    let zero = S::zero();
+    use Figure::{Circle, Line, Plane, Point, PointPair, Sphere};
     let found = match (a, b) {
-        (Figure::PointPair([p, q]), x) | (x, Figure::PointPair([p, q])) => {
-            let [p, q] = [Figure::Point(p), Figure::Point(q)];
-            distance(p, x)?.min(distance(q, x)?)
+        (PointPair([p, q]), x) | (x, PointPair([p, q])) => {
+            distance(Point(p), x)?.min(distance(Point(q), x)?)
         }
-        (Figure::Sphere { centre, radius }, x) | (x, Figure::Sphere { centre, radius }) => {
-            let [least, most] = from_sphere(x, centre)?;
-            let outside = (least - radius).max(zero);
-            // What is unbounded reaches out of every sphere.
-            let inside = if most.is_finite() {
-                radius - most
-            } else {
-                zero
-            };
-            outside.max(inside)
+        (Sphere { centre, radius }, x) | (x, Sphere { centre, radius }) => {
+            from_surface(from_sphere(x, centre)?, radius)
         }
-        (Figure::Plane { normal, distance }, x) | (x, Figure::Plane { normal, distance }) => {
+        (Plane { normal, distance }, x) | (x, Plane { normal, distance }) => {
             gap(heights(x, normal, distance)).abs()
         }
-        (Figure::Point(p), Figure::Point(q)) => length(difference(p, q)),
-        (Figure::Point(p), Figure::Line { point, direction })
-        | (Figure::Line { point, direction }, Figure::Point(p)) => {
-            length(across(difference(p, point), direction))
+        (Point(p), Point(q)) => p.distance(q),
+        (Point(p), Line { point, direction }) | (Line { point, direction }, Point(p)) => {
+            (p - point).across(direction).length()
+        }
+        (Point(p), circle @ Circle { .. }) | (circle @ Circle { .. }, Point(p)) => {
+            from_sphere(circle, p)?[0]
         }
         (
-            Figure::Point(p),
-            Figure::Circle {
-                centre,
-                normal,
-                radius,
-            },
-        )
-        | (
-            Figure::Circle {
-                centre,
-                normal,
-                radius,
-            },
-            Figure::Point(p),
-        ) => {
-            let from = difference(p, centre);
-            let reach = length(across(from, normal));
-            length([reach - radius, dot(from, normal), zero])
-        }
-        (
-            Figure::Line {
-                point: p,
-                direction: d,
-            },
-            Figure::Line {
+            Line { point, direction },
+            Line {
                 point: q,
                 direction: e,
             },
-        ) => {
-            let between = difference(q, p);
-            let normal = cross(d, e);
-            let sine = length(normal);
-            if sine.less_than(parallel()) {
-                length(across(between, d))
-            } else {
-                (dot(between, normal) / sine).abs()
-            }
-        }
+        ) => line_to_line([point, direction], [q, e]),
         (
-            Figure::Line { point, direction },
-            Figure::Circle {
+            Line { point, direction },
+            Circle {
                 centre,
                 normal,
                 radius,
             },
         )
         | (
-            Figure::Circle {
+            Circle {
                 centre,
                 normal,
                 radius,
             },
-            Figure::Line { point, direction },
+            Line { point, direction },
         ) => {
-            let from = across(difference(centre, point), direction);
+            let from = (centre - point).across(direction);
             line_to_circle(direction, from, normal, radius)
         }
         (
-            Figure::Circle {
+            Circle {
                 centre,
                 normal,
                 radius,
             },
-            Figure::Circle {
+            Circle {
                 centre: c,
                 normal: m,
                 radius: r,
             },
         ) => {
-            let from = difference(c, centre);
+            let from = c - centre;
             // Along the smaller circle the other one looks smooth.
             if r.less_than(radius) {
                 circle_to_circle(from, m, r, normal, radius)
             } else {
-                circle_to_circle(from.map(|x| -x), normal, radius, m, r)
+                circle_to_circle(-from, normal, radius, m, r)
             }
         }
     };
     found.is_finite().then_some(found)
 }
 
+/// The distance of two lines, each by a point and its unit direction.
+fn line_to_line<S: Real<Mask = bool>>([p, d]: [Vector<S>; 2], [q, e]: [Vector<S>; 2]) -> S {
+    let between = q - p;
+    let normal = d.cross(e);
+    let sine = normal.length();
+    if sine.less_than(parallel()) {
+        between.across(d).length()
+    } else {
+        (between.dot(normal) / sine).abs()
+    }
+}
+
+/// The least distance from the surface of a sphere, for points that are between two distances from
+/// its centre.
+fn from_surface<S: Real<Mask = bool>>([least, most]: [S; 2], radius: S) -> S {
+    let zero = S::zero();
+    let outside = (least - radius).max(zero);
+    // What is unbounded reaches out of every sphere.
+    let inside = if most.is_finite() {
+        radius - most
+    } else {
+        zero
+    };
+    outside.max(inside)
+}
+
 fn signed_distance<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<S> {
+    use Figure::{Plane, Sphere};
     let found = match (a, b) {
         (
-            Figure::Sphere {
-                centre: p,
+            Sphere { centre, radius },
+            Sphere {
+                centre: c,
                 radius: r,
             },
-            Figure::Sphere {
-                centre: q,
-                radius: s,
-            },
-        ) => length(difference(p, q)) - r - s,
-        (Figure::Sphere { centre, radius }, x) | (x, Figure::Sphere { centre, radius }) => {
+        ) => centre.distance(c) - radius - r,
+        (Sphere { centre, radius }, x) | (x, Sphere { centre, radius }) => {
             from_sphere(x, centre)?[0] - radius
         }
-        (Figure::Plane { normal, distance }, x) | (x, Figure::Plane { normal, distance }) => {
+        (Plane { normal, distance }, x) | (x, Plane { normal, distance }) => {
             gap(heights(x, normal, distance))
         }
         _ => return distance(a, b),
@@ -216,22 +201,17 @@ fn signed_distance<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<S
     found.is_finite().then_some(found)
 }
 
-/// The part of a vector across a unit direction.
-pub(super) fn across<S: Real>(v: [S; 3], unit: [S; 3]) -> [S; 3] {
-    difference(v, scaled(unit, dot(v, unit)))
-}
-
 /// The least and the greatest distance of a figure's points from the centre of a sphere, or from a
 /// sphere's surface negative within it; the greatest is infinite for what is unbounded.
 pub(super) fn from_sphere<S: Real<Mask = bool>>(
     figure: Figure<S>,
-    centre: [S; 3],
+    centre: Vector<S>,
 ) -> Option<[S; 2]> {
     let zero = S::zero();
     Some(match figure {
-        Figure::Point(p) => [length(difference(p, centre)); 2],
+        Figure::Point(p) => [(p - centre).length(); 2],
         Figure::PointPair([p, q]) => {
-            let [p, q] = [p, q].map(|p| length(difference(p, centre)));
+            let [p, q] = [p, q].map(|p| (p - centre).length());
             [p.min(q), p.max(q)]
         }
         Figure::Line { .. } | Figure::Plane { .. } => {
@@ -243,15 +223,15 @@ pub(super) fn from_sphere<S: Real<Mask = bool>>(
             normal,
             radius,
         } => {
-            let from = difference(centre, c);
-            let (height, reach) = (dot(from, normal), length(across(from, normal)));
+            let from = centre - c;
+            let (height, reach) = (from.dot(normal), from.across(normal).length());
             [
-                length([reach - radius, height, zero]),
-                length([reach + radius, height, zero]),
+                hypotenuse(reach - radius, height),
+                hypotenuse(reach + radius, height),
             ]
         }
         Figure::Sphere { centre: c, radius } => {
-            let between = length(difference(centre, c));
+            let between = (centre - c).length();
             let least = (between - radius).max(radius - between);
             [least, between + radius]
         }
@@ -259,8 +239,8 @@ pub(super) fn from_sphere<S: Real<Mask = bool>>(
 }
 
 /// The least and the greatest height of a figure's points above a plane.
-fn heights<S: Real<Mask = bool>>(figure: Figure<S>, normal: [S; 3], distance: S) -> [S; 2] {
-    let height = |p| dot(p, normal) - distance;
+fn heights<S: Real<Mask = bool>>(figure: Figure<S>, normal: Vector<S>, distance: S) -> [S; 2] {
+    let height = |p: Vector<S>| p.dot(normal) - distance;
     // All heights occur where a direction leaves the plane.
     let everywhere = [-S::one(), S::one()];
     let around = |middle: S, reach: S| [middle - reach, middle + reach];
@@ -271,7 +251,7 @@ fn heights<S: Real<Mask = bool>>(figure: Figure<S>, normal: [S; 3], distance: S)
             [p.min(q), p.max(q)]
         }
         Figure::Line { point, direction } => {
-            if dot(direction, normal).abs().less_than(parallel()) {
+            if direction.dot(normal).abs().less_than(parallel()) {
                 [height(point); 2]
             } else {
                 everywhere
@@ -281,8 +261,8 @@ fn heights<S: Real<Mask = bool>>(figure: Figure<S>, normal: [S; 3], distance: S)
             normal: m,
             distance,
         } => {
-            if length(cross(normal, m)).less_than(parallel()) {
-                [height(scaled(m, distance)); 2]
+            if normal.cross(m).length().less_than(parallel()) {
+                [height(m * distance); 2]
             } else {
                 everywhere
             }
@@ -291,7 +271,7 @@ fn heights<S: Real<Mask = bool>>(figure: Figure<S>, normal: [S; 3], distance: S)
             centre,
             normal: m,
             radius,
-        } => around(height(centre), length(cross(normal, m)) * radius),
+        } => around(height(centre), normal.cross(m).length() * radius),
         Figure::Sphere { centre, radius } => around(height(centre), radius),
     }
 }

@@ -4,44 +4,44 @@ use crate::cga3::{
     Circle, DualCircle, DualFlatPoint, DualPlane, DualPointPair, DualSphere, FlatPoint, Line,
     MotorGenerator, Plane, Point, PointPair, Sphere,
 };
-use crate::geometry::vector3::{are_numbers, length};
 use crate::scalar::Real;
+use crate::vga3::Vector;
 
-/// A primitive as a set of points of space, by plain vectors. All numbers are finite, directions
-/// and normals have length 1, radii are not negative.
+/// A primitive as a set of points of space, by position vectors and directions. All numbers are
+/// finite, directions and normals have length 1, radii are not negative.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Figure<S> {
     /// One point.
-    Point([S; 3]),
+    Point(Vector<S>),
     /// The two points of a pair, as in `p∧q`.
-    PointPair([[S; 3]; 2]),
+    PointPair([Vector<S>; 2]),
     /// A line.
     Line {
         /// Its point that is nearest to the origin.
-        point: [S; 3],
+        point: Vector<S>,
         /// Its direction.
-        direction: [S; 3],
+        direction: Vector<S>,
     },
     /// The plane of the points x with `n·x = d`.
     Plane {
         /// The normal n.
-        normal: [S; 3],
+        normal: Vector<S>,
         /// The distance d.
         distance: S,
     },
     /// A circle.
     Circle {
         /// Its centre.
-        centre: [S; 3],
+        centre: Vector<S>,
         /// The normal of its plane, from whose tip it turns counterclockwise.
-        normal: [S; 3],
+        normal: Vector<S>,
         /// Its radius.
         radius: S,
     },
     /// A sphere.
     Sphere {
         /// Its centre.
-        centre: [S; 3],
+        centre: Vector<S>,
         /// Its radius.
         radius: S,
     },
@@ -58,8 +58,10 @@ pub trait Primitive<S>: Copy {
     /// ```
     /// use ga_runtime::cga3::{Line, Point};
     /// use ga_runtime::geometry::relation::{Figure, Primitive};
+    /// use ga_runtime::vga3::Vector;
     /// let line = Line::through(Point::new(1.0, 2.0, 0.0), Point::new(5.0, 2.0, 0.0));
-    /// let figure = Figure::Line { point: [0.0, 2.0, 0.0], direction: [1.0, 0.0, 0.0] };
+    /// let (point, direction) = (Vector::new(0.0, 2.0, 0.0), Vector::new(1.0, 0.0, 0.0));
+    /// let figure = Figure::Line { point, direction };
     /// assert_eq!(line.figure(), Some(figure));
     /// ```
     fn figure(self) -> Option<Figure<S>>;
@@ -68,8 +70,8 @@ pub trait Primitive<S>: Copy {
 impl<S: Real<Mask = bool>> Primitive<S> for Point<S> {
     #[inline]
     fn figure(self) -> Option<Figure<S>> {
-        let place = self.coordinates();
-        are_numbers(place).then_some(Figure::Point(place))
+        let place = Vector::from(self);
+        place.is_finite().then_some(Figure::Point(place))
     }
 }
 
@@ -86,7 +88,7 @@ impl<S: Real<Mask = bool>> Primitive<S> for PointPair<S> {
             // p∧ei, as far as p is finite.
             return FlatPoint::new(self.e1i, self.e2i, self.e3i, self.eoi).figure();
         }
-        let [p, q] = self.endpoints()?.map(Point::coordinates);
+        let [p, q] = self.endpoints()?.map(Vector::from);
         Some(if p == q {
             Figure::Point(p)
         } else {
@@ -98,7 +100,7 @@ impl<S: Real<Mask = bool>> Primitive<S> for PointPair<S> {
 impl<S: Real<Mask = bool>> Primitive<S> for Line<S> {
     #[inline]
     fn figure(self) -> Option<Figure<S>> {
-        let (point, direction) = (self.support()?.coordinates(), self.unit_direction()?);
+        let (point, direction) = (self.support()?.into(), self.unit_direction()?.into());
         Some(Figure::Line { point, direction })
     }
 }
@@ -106,9 +108,9 @@ impl<S: Real<Mask = bool>> Primitive<S> for Line<S> {
 impl<S: Real<Mask = bool>> Primitive<S> for Plane<S> {
     #[inline]
     fn figure(self) -> Option<Figure<S>> {
-        let normal = self.unit_normal()?;
+        let normal = self.unit_normal()?.into();
         let dual = self.dual();
-        let distance = dual.ei / length(dual.normal());
+        let distance = dual.ei / Vector::from(dual.normal()).length();
         let figure = Figure::Plane { normal, distance };
         distance.is_finite().then_some(figure)
     }
@@ -170,15 +172,17 @@ macro_rules! by_the_direct_form {
 by_the_direct_form!(DualFlatPoint DualPointPair MotorGenerator DualPlane DualCircle DualSphere);
 
 /// Centre, unit normal and squared radius, negative for an imaginary circle.
-pub(super) fn circle_parts<S: Real<Mask = bool>>(circle: Circle<S>) -> Option<([S; 3], [S; 3], S)> {
-    let (centre, normal) = (circle.centre()?.coordinates(), circle.unit_normal()?);
+pub(super) fn circle_parts<S: Real<Mask = bool>>(
+    circle: Circle<S>,
+) -> Option<(Vector<S>, Vector<S>, S)> {
+    let (centre, normal) = (circle.centre()?.into(), circle.unit_normal()?.into());
     let squared = circle.radius_squared()?;
     squared.is_finite().then_some((centre, normal, squared))
 }
 
 /// Centre and squared radius, negative for an imaginary sphere.
-pub(super) fn sphere_parts<S: Real<Mask = bool>>(sphere: Sphere<S>) -> Option<([S; 3], S)> {
-    let (centre, squared) = (sphere.centre()?.coordinates(), sphere.radius_squared()?);
-    let finite = are_numbers(centre) && squared.is_finite();
+pub(super) fn sphere_parts<S: Real<Mask = bool>>(sphere: Sphere<S>) -> Option<(Vector<S>, S)> {
+    let (centre, squared) = (Vector::from(sphere.centre()?), sphere.radius_squared()?);
+    let finite = centre.is_finite() && squared.is_finite();
     finite.then_some((centre, squared))
 }

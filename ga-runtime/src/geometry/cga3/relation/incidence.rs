@@ -38,8 +38,8 @@ use crate::cga3::{
     Circle, DualCircle, DualFlatPoint, DualPlane, DualPointPair, DualSphere, FlatPoint, Line,
     MotorGenerator, Plane, Point, PointPair, Sphere,
 };
-use crate::geometry::vector3::{cross, difference, dot, length, scaled};
 use crate::scalar::Real;
+use crate::vga3::Vector;
 
 /// A primitive with a direction: a line, a plane by its normal, a circle by the normal of its
 /// plane.
@@ -113,7 +113,7 @@ attitude!(Line Plane Circle MotorGenerator DualPlane DualCircle);
 fn slope<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<[S; 2]> {
     let (u, u_is_normal) = direction(a)?;
     let (v, v_is_normal) = direction(b)?;
-    let [sine, cosine] = [length(cross(u, v)), dot(u, v).abs()];
+    let [sine, cosine] = [u.cross(v).length(), u.dot(v).abs()];
     Some(if u_is_normal == v_is_normal {
         [sine, cosine]
     } else {
@@ -122,7 +122,7 @@ fn slope<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<[S; 2]> {
 }
 
 /// The direction of a figure, and whether it is a normal.
-fn direction<S>(figure: Figure<S>) -> Option<([S; 3], bool)> {
+fn direction<S>(figure: Figure<S>) -> Option<(Vector<S>, bool)> {
     match figure {
         Figure::Line { direction, .. } => Some((direction, false)),
         Figure::Plane { normal, .. } | Figure::Circle { normal, .. } => Some((normal, true)),
@@ -136,9 +136,10 @@ pub(super) fn is_on<S: Real<Mask = bool>>(
     tolerance: Tolerance<S>,
 ) -> bool {
     let near = |x: S| within(x, tolerance.distance);
-    let point_is_on = |p: [S; 3], b| distance(Figure::Point(p), b).is_some_and(near);
-    let turned =
-        |u: [S; 3], v: [S; 3]| within(length(cross(u, v)).atan2(dot(u, v).abs()), tolerance.angle);
+    let point_is_on = |p: Vector<S>, b| distance(Figure::Point(p), b).is_some_and(near);
+    let turned = |u: Vector<S>, v: Vector<S>| {
+        within(u.cross(v).length().atan2(u.dot(v).abs()), tolerance.angle)
+    };
     match (a, b) {
         (Figure::Point(p), b) => point_is_on(p, b),
         (Figure::Circle { centre, radius, .. } | Figure::Sphere { centre, radius }, b)
@@ -152,13 +153,13 @@ pub(super) fn is_on<S: Real<Mask = bool>>(
         }
         (Figure::Line { point, direction }, Figure::Plane { normal, .. }) => {
             let [sine, cosine] = [
-                dot(direction, normal).abs(),
-                length(cross(direction, normal)),
+                direction.dot(normal).abs(),
+                direction.cross(normal).length(),
             ];
             within(sine.atan2(cosine), tolerance.angle) && point_is_on(point, b)
         }
         (Figure::Plane { normal, distance }, Figure::Plane { normal: m, .. }) => {
-            turned(normal, m) && point_is_on(scaled(normal, distance), b)
+            turned(normal, m) && point_is_on(normal * distance, b)
         }
         (
             Figure::Sphere { centre, radius },
@@ -166,7 +167,7 @@ pub(super) fn is_on<S: Real<Mask = bool>>(
                 centre: c,
                 radius: r,
             },
-        ) => near(length(difference(centre, c))) && near(radius - r),
+        ) => near((centre - c).length()) && near(radius - r),
         (
             Figure::Circle {
                 centre,
@@ -177,7 +178,7 @@ pub(super) fn is_on<S: Real<Mask = bool>>(
                 normal: m,
                 distance,
             },
-        ) => near((dot(centre, m) - distance).abs() + length(cross(normal, m)) * radius),
+        ) => near((centre.dot(m) - distance).abs() + normal.cross(m).length() * radius),
         (Figure::Circle { .. }, Figure::Sphere { centre, radius }) => from_sphere(a, centre)
             .is_some_and(|[least, most]| near(least - radius) && near(most - radius)),
         (
@@ -192,8 +193,8 @@ pub(super) fn is_on<S: Real<Mask = bool>>(
                 radius: r,
             },
         ) => {
-            let tilt = length(cross(normal, m)) * radius;
-            near(length(difference(centre, c))) && near(radius - r) && near(tilt)
+            let tilt = normal.cross(m).length() * radius;
+            near((centre - c).length()) && near(radius - r) && near(tilt)
         }
         _ => false,
     }

@@ -45,9 +45,9 @@ use super::tolerance::within;
 use super::{Figure, Primitive, Tolerance};
 use crate::Element;
 use crate::cga3::{Circle, FlatPoint, Line, Plane, Point, PointPair, Sphere, Translator};
-use crate::geometry::vector3::{are_numbers, difference, length, scaled, sum};
 use crate::products::Sandwich;
 use crate::scalar::{Field, Real};
+use crate::vga3::Vector;
 
 /// A round element, or the flat one that it has become.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -65,14 +65,14 @@ impl<S: Real<Mask = bool>> Point<S> {
     #[must_use]
     pub fn invert_in(self, sphere: Sphere<S>, tolerance: Tolerance<S>) -> Option<Self> {
         let (centre, radius) = mirror(sphere)?;
-        let arm = difference(self.coordinates(), centre);
-        let away = length(arm);
+        let arm = Vector::from(self) - centre;
+        let away = arm.length();
         if within(away, tolerance.distance) || !S::zero().less_than(away) {
             return None;
         }
         let stretch = radius / away;
-        let place = sum(centre, scaled(scaled(arm, stretch), stretch));
-        are_numbers(place).then(|| Point::from(place))
+        let place = centre + arm * stretch * stretch;
+        place.is_finite().then(|| Point::from(place))
     }
 }
 
@@ -112,7 +112,7 @@ inversions! {
 }
 
 /// Centre and radius of a sphere to invert in.
-fn mirror<S: Real<Mask = bool>>(sphere: Sphere<S>) -> Option<([S; 3], S)> {
+fn mirror<S: Real<Mask = bool>>(sphere: Sphere<S>) -> Option<(Vector<S>, S)> {
     let (centre, squared) = sphere_parts(sphere)?;
     S::zero()
         .less_than(squared)
@@ -122,7 +122,7 @@ fn mirror<S: Real<Mask = bool>>(sphere: Sphere<S>) -> Option<([S; 3], S)> {
 /// The image of an element, in the round type that holds it. With the centre brought to the origin
 /// the inversion exchanges eo and ei but for a factor, `eo → ½r² ei` and `ei → 2/r² eo`, and keeps
 /// e1, e2, e3.
-fn inverted<T, R>(element: T, centre: [R::Scalar; 3], radius: R::Scalar) -> Option<R>
+fn inverted<T, R>(element: T, centre: Vector<R::Scalar>, radius: R::Scalar) -> Option<R>
 where
     T: Element<Scalar = R::Scalar>,
     R: Element<Scalar: Real<Mask = bool>>,
@@ -130,7 +130,7 @@ where
 {
     const ORIGIN: usize = 0b01000;
     const INFINITY: usize = 0b10000;
-    let there = Translator::from_displacement(centre);
+    let there = Translator::from_displacement(centre.into());
     let moved = there.reverse().sandwich(recast::<T, R>(element));
     let half_square = radius * radius * R::Scalar::from_ratio(1, 2);
     let exchanged =

@@ -46,16 +46,13 @@
 //! assert_eq!(axis.join(circle, tolerance), Some(Join::Space));
 //! ```
 
-use super::distance::{across, distance};
+use super::distance::distance;
 use super::incidence::is_on;
-use super::least::frame;
 use super::tolerance::within;
-use super::{Figure, Primitive, Tolerance, parallel};
+use super::{Figure, Primitive, Tolerance, hypotenuse, parallel};
 use crate::cga3::{Circle, FlatPoint, Line, Plane, Point, PointPair, Sphere};
-use crate::geometry::vector3::{
-    are_numbers, cross, difference, dot, length, normalized, scaled, sum,
-};
 use crate::scalar::Real;
+use crate::vga3::Vector;
 
 /// The least primitive that holds two others.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -107,7 +104,7 @@ fn rank<S>(figure: Figure<S>) -> usize {
 /// A figure, or its centre where it is no larger than the tolerance.
 fn reduced<S: Real<Mask = bool>>(figure: Figure<S>, tolerance: Tolerance<S>) -> Figure<S> {
     match figure {
-        Figure::PointPair([p, q]) if within(length(difference(q, p)), tolerance.distance) => {
+        Figure::PointPair([p, q]) if within((q - p).length(), tolerance.distance) => {
             Figure::Point(middle(p, q))
         }
         Figure::Circle { centre, radius, .. } | Figure::Sphere { centre, radius }
@@ -153,89 +150,57 @@ fn span<S: Real<Mask = bool>>(
     tolerance: Tolerance<S>,
     sign: S,
 ) -> Option<Join<S>> {
-    let near = |x: S| within(x, tolerance.distance);
+    use Figure::{Circle, Line, Point, PointPair};
     match (a, b) {
-        (Figure::Point(p), Figure::Point(q)) => line(p, difference(q, p)),
-        (Figure::Point(p), Figure::PointPair([q, r])) => three_points([q, r, p], tolerance),
-        (Figure::Point(p), Figure::Line { point, direction }) => {
-            plane(p, scaled(cross(difference(point, p), direction), sign))
-        }
+        (Point(p), Point(q)) => line(p, q - p),
+        (Point(p), PointPair([q, r])) => three_points([q, r, p], tolerance),
+        (Point(p), Line { point, direction }) => plane(p, (point - p).cross(direction) * sign),
         (
-            Figure::Point(p),
-            Figure::Circle {
+            Point(p),
+            Circle {
                 centre,
                 normal,
                 radius,
             },
         ) => {
-            if near(dot(difference(p, centre), normal)) {
+            if within((p - centre).dot(normal), tolerance.distance) {
                 return plane(centre, normal);
             }
             let above = Above::new(centre, normal, radius, p);
             above.to_sphere(-sign)
         }
-        (Figure::PointPair(first), Figure::PointPair(second)) => {
-            four_points(first, second, tolerance)
-        }
-        (Figure::PointPair([p, q]), Figure::Line { point, direction }) => {
-            let arm = |x| across(difference(x, point), direction);
-            let [p_arm, q_arm] = [p, q].map(arm);
-            let (farther, other) = if length(p_arm).less_than(length(q_arm)) {
-                (q_arm, p)
-            } else {
-                (p_arm, q)
-            };
-            let normal = normalized(cross(direction, farther))?;
-            if near(dot(difference(other, point), normal)) {
-                plane(point, normal)
-            } else {
-                Some(Join::Space)
-            }
+        (PointPair(first), PointPair(second)) => four_points(first, second, tolerance),
+        (PointPair(pair), Line { point, direction }) => {
+            pair_and_line(pair, point, direction, tolerance)
         }
         (
-            Figure::PointPair([p, q]),
-            Figure::Circle {
+            PointPair([p, q]),
+            Circle {
                 centre,
                 normal,
                 radius,
             },
         ) => {
-            let height = |x| dot(difference(x, centre), normal).abs();
+            let height = |x: Vector<S>| (x - centre).dot(normal).abs();
             let (farther, other) = if height(p).less_than(height(q)) {
                 (q, p)
             } else {
                 (p, q)
             };
-            if near(height(farther)) {
+            if within(height(farther), tolerance.distance) {
                 return plane(centre, normal);
             }
-            Above::new(centre, normal, radius, farther).holding(Figure::Point(other), tolerance)
+            Above::new(centre, normal, radius, farther).holding(Point(other), tolerance)
         }
         (
-            Figure::Line {
-                point,
-                direction: d,
-            },
-            Figure::Line {
+            Line { point, direction },
+            Line {
                 point: q,
                 direction: e,
             },
-        ) => {
-            let normal = cross(d, e);
-            if within(length(normal).atan2(dot(d, e).abs()), tolerance.angle) {
-                plane(point, cross(d, difference(q, point)))
-            } else if near(distance(a, b)?) {
-                // Midway between the two.
-                plane(
-                    middle(point, sum(point, along(difference(q, point), normal))),
-                    normal,
-                )
-            } else {
-                Some(Join::Space)
-            }
-        }
-        (Figure::Line { .. }, Figure::Circle { centre, normal, .. }) => {
-            let distance = dot(normal, centre);
+        ) => two_lines([point, direction], [q, e], tolerance),
+        (Line { .. }, Circle { centre, normal, .. }) => {
+            let distance = normal.dot(centre);
             if is_on(a, Figure::Plane { normal, distance }, tolerance) {
                 plane(centre, normal)
             } else {
@@ -243,34 +208,15 @@ fn span<S: Real<Mask = bool>>(
             }
         }
         (
-            Figure::Circle {
+            Circle {
                 centre,
                 normal,
                 radius,
             },
-            Figure::Circle {
-                centre: c,
-                normal: m,
-                radius: r,
-            },
+            Circle { .. },
         ) => {
-            // The point of the second that is farthest from the plane of the first: up or down its
-            // steepest radius, any one in parallel planes.
-            let tilt = across(normal, m);
-            let steepest = if length(tilt).less_than(parallel()) {
-                frame(m)[0]
-            } else {
-                // Once more, for what rounding has left along the normal.
-                normalized(across(normalized(tilt)?, m))?
-            };
-            let height = |x| dot(difference(x, centre), normal);
-            let [up, down] = [r, -r].map(|r| sum(c, scaled(steepest, r)));
-            let farthest = if height(up).abs().less_than(height(down).abs()) {
-                down
-            } else {
-                up
-            };
-            if near(height(farthest)) {
+            let farthest = farthest_from_plane(b, centre, normal)?;
+            if within((farthest - centre).dot(normal), tolerance.distance) {
                 return plane(centre, normal);
             }
             Above::new(centre, normal, radius, farthest).holding(b, tolerance)
@@ -279,25 +225,97 @@ fn span<S: Real<Mask = bool>>(
     }
 }
 
+/// The plane of a line and of the point of a pair that is farther from it, if it holds the other.
+fn pair_and_line<S: Real<Mask = bool>>(
+    [p, q]: [Vector<S>; 2],
+    point: Vector<S>,
+    direction: Vector<S>,
+    tolerance: Tolerance<S>,
+) -> Option<Join<S>> {
+    let [p_arm, q_arm] = [p, q].map(|x| (x - point).across(direction));
+    let (farther, other) = if p_arm.length().less_than(q_arm.length()) {
+        (q_arm, p)
+    } else {
+        (p_arm, q)
+    };
+    let normal = direction.cross(farther).normalized()?;
+    if within((other - point).dot(normal), tolerance.distance) {
+        plane(point, normal)
+    } else {
+        Some(Join::Space)
+    }
+}
+
+/// The plane of two lines, each by a point and its unit direction, if they are parallel or meet.
+fn two_lines<S: Real<Mask = bool>>(
+    [p, d]: [Vector<S>; 2],
+    [q, e]: [Vector<S>; 2],
+    tolerance: Tolerance<S>,
+) -> Option<Join<S>> {
+    let normal = d.cross(e);
+    if within(normal.length().atan2(d.dot(e).abs()), tolerance.angle) {
+        return plane(p, d.cross(q - p));
+    }
+    let [first, second] =
+        [(p, d), (q, e)].map(|(point, direction)| Figure::Line { point, direction });
+    if within(distance(first, second)?, tolerance.distance) {
+        let midway = middle(p, p + along(q - p, normal));
+        plane(midway, normal)
+    } else {
+        Some(Join::Space)
+    }
+}
+
+/// The point of a circle that is farthest from a plane: up or down its steepest radius, any one in
+/// parallel planes.
+fn farthest_from_plane<S: Real<Mask = bool>>(
+    circle: Figure<S>,
+    place: Vector<S>,
+    normal: Vector<S>,
+) -> Option<Vector<S>> {
+    let Figure::Circle {
+        centre,
+        normal: m,
+        radius,
+    } = circle
+    else {
+        return None;
+    };
+    let tilt = normal.across(m);
+    let steepest = if tilt.length().less_than(parallel()) {
+        m.orthonormal_pair()[0]
+    } else {
+        // Once more, for what rounding has left along the normal.
+        tilt.normalized()?.across(m).normalized()?
+    };
+    let height = |x: Vector<S>| (x - place).dot(normal).abs();
+    let [up, down] = [radius, -radius].map(|r| centre + steepest * r);
+    Some(if height(up).less_than(height(down)) {
+        down
+    } else {
+        up
+    })
+}
+
 /// The sphere through a circle and a point off its plane.
 struct Above<S> {
-    centre: [S; 3],
+    centre: Vector<S>,
     radius: S,
     /// The height of the point above the plane of the circle, for the orientation.
     height: S,
 }
 
 impl<S: Real<Mask = bool>> Above<S> {
-    fn new(centre: [S; 3], normal: [S; 3], radius: S, point: [S; 3]) -> Self {
-        let from = difference(point, centre);
-        let height = dot(from, normal);
+    fn new(centre: Vector<S>, normal: Vector<S>, radius: S, point: Vector<S>) -> Self {
+        let from = point - centre;
+        let height = from.dot(normal);
         // The centre of the sphere is t above that of the circle, where w² − 2 t h = r² with w from
         // there to the point.
-        let reach = length(across(from, normal));
+        let reach = from.across(normal).length();
         let up = (height + (reach - radius) * ((reach + radius) / height)) * S::from_ratio(1, 2);
         Self {
-            centre: sum(centre, scaled(normal, up)),
-            radius: length([up, radius, S::zero()]),
+            centre: centre + normal * up,
+            radius: hypotenuse(up, radius),
             height,
         }
     }
@@ -319,7 +337,7 @@ impl<S: Real<Mask = bool>> Above<S> {
 }
 
 fn three_points<S: Real<Mask = bool>>(
-    [p, q, r]: [[S; 3]; 3],
+    [p, q, r]: [Vector<S>; 3],
     tolerance: Tolerance<S>,
 ) -> Option<Join<S>> {
     match through([p, q, r], tolerance)? {
@@ -328,17 +346,17 @@ fn three_points<S: Real<Mask = bool>>(
             normal,
             radius,
         }) => circle(centre, normal, radius),
-        _ => line(p, difference(q, p)),
+        _ => line(p, q - p),
     }
 }
 
 fn four_points<S: Real<Mask = bool>>(
-    [p, q]: [[S; 3]; 2],
-    [r, s]: [[S; 3]; 2],
+    [p, q]: [Vector<S>; 2],
+    [r, s]: [Vector<S>; 2],
     tolerance: Tolerance<S>,
 ) -> Option<Join<S>> {
-    let direction = normalized(difference(q, p))?;
-    let off = |x| length(across(difference(x, p), direction));
+    let direction = (q - p).normalized()?;
+    let off = |x: Vector<S>| (x - p).across(direction).length();
     // Of the second pair the point that makes the better triangle comes first; to exchange both
     // changes the sign.
     let (third, fourth, sign) = if off(r).less_than(off(s)) {
@@ -360,7 +378,7 @@ fn four_points<S: Real<Mask = bool>>(
     let near = |x: S| within(x, tolerance.distance);
     if near(distance(Figure::Point(fourth), found)?) {
         circle(centre, normal, radius)
-    } else if near(dot(difference(fourth, centre), normal)) {
+    } else if near((fourth - centre).dot(normal)) {
         plane(centre, normal)
     } else {
         Above::new(centre, normal, radius, fourth).to_sphere(sign)
@@ -369,38 +387,38 @@ fn four_points<S: Real<Mask = bool>>(
 
 /// The circle through three points, or none where the third is on the line through the others.
 fn through<S: Real<Mask = bool>>(
-    [p, q, r]: [[S; 3]; 3],
+    [p, q, r]: [Vector<S>; 3],
     tolerance: Tolerance<S>,
 ) -> Option<Option<Figure<S>>> {
-    let (u, v) = (difference(q, p), difference(r, p));
-    let direction = normalized(u)?;
-    if within(length(across(v, direction)), tolerance.distance) {
+    let (u, v) = (q - p, r - p);
+    let direction = u.normalized()?;
+    if within(v.across(direction).length(), tolerance.distance) {
         return Some(None);
     }
-    let normal = normalized(cross(u, v))?;
+    let normal = u.cross(v).normalized()?;
     // In the plane of both: half along the first, and up to equal distance from the third.
-    let side = cross(normal, direction);
-    let (x, y) = (dot(v, direction), dot(v, side));
-    let half = dot(u, direction) * S::from_ratio(1, 2);
+    let side = normal.cross(direction);
+    let (x, y) = (v.dot(direction), v.dot(side));
+    let half = u.dot(direction) * S::from_ratio(1, 2);
     let up = (y + x * ((x - half - half) / y)) * S::from_ratio(1, 2);
-    let centre = sum(p, sum(scaled(direction, half), scaled(side, up)));
-    let radius = length([half, up, S::zero()]);
+    let centre = p + (direction * half + side * up);
+    let radius = hypotenuse(half, up);
     let circle = Figure::Circle {
         centre,
         normal,
         radius,
     };
-    let finite = are_numbers(centre) && radius.is_finite();
+    let finite = centre.is_finite() && radius.is_finite();
     finite.then_some(Some(circle))
 }
 
-fn middle<S: Real>(p: [S; 3], q: [S; 3]) -> [S; 3] {
-    sum(p, scaled(difference(q, p), S::from_ratio(1, 2)))
+fn middle<S: Real>(p: Vector<S>, q: Vector<S>) -> Vector<S> {
+    p + (q - p) * S::from_ratio(1, 2)
 }
 
 /// The part of a vector along another one that is not zero.
-fn along<S: Real<Mask = bool>>(v: [S; 3], other: [S; 3]) -> [S; 3] {
-    normalized(other).map_or(other, |unit| scaled(unit, dot(v, unit)))
+fn along<S: Real<Mask = bool>>(v: Vector<S>, other: Vector<S>) -> Vector<S> {
+    other.normalized().map_or(other, |unit| unit * v.dot(unit))
 }
 
 /// The element that a figure is.
@@ -408,10 +426,10 @@ fn itself<S: Real<Mask = bool>>(figure: Figure<S>) -> Option<Join<S>> {
     match figure {
         Figure::Point(p) => Some(Join::Point(Point::from(p))),
         Figure::PointPair([p, q]) => {
-            let half = length(difference(q, p)) * S::from_ratio(1, 2);
+            let half = (q - p).length() * S::from_ratio(1, 2);
             let centre = Point::from(middle(p, q));
             let pair =
-                PointPair::from_centre_axis_radius_squared(centre, difference(q, p), half * half);
+                PointPair::from_centre_axis_radius_squared(centre, (q - p).into(), half * half);
             pair.map(Join::PointPair)
         }
         Figure::Line { point, direction } => line(point, direction),
@@ -420,27 +438,33 @@ fn itself<S: Real<Mask = bool>>(figure: Figure<S>) -> Option<Join<S>> {
             normal,
             radius,
         } => circle(centre, normal, radius),
-        Figure::Plane { normal, distance } => plane(scaled(normal, distance), normal),
+        Figure::Plane { normal, distance } => plane(normal * distance, normal),
         Figure::Sphere { centre, radius } => sphere(centre, radius, S::one()),
     }
 }
 
-fn line<S: Real<Mask = bool>>(point: [S; 3], direction: [S; 3]) -> Option<Join<S>> {
-    let line = Line::from_point_direction(Point::from(point), normalized(direction)?);
-    are_numbers(line.moment()).then_some(Join::Line(line))
+fn line<S: Real<Mask = bool>>(point: Vector<S>, direction: Vector<S>) -> Option<Join<S>> {
+    let line = Line::from_point_direction(point.into(), direction.normalized()?.into());
+    Vector::from(line.moment())
+        .is_finite()
+        .then_some(Join::Line(line))
 }
 
-fn circle<S: Real<Mask = bool>>(centre: [S; 3], normal: [S; 3], radius: S) -> Option<Join<S>> {
-    Circle::from_centre_normal_radius(Point::from(centre), normal, radius).map(Join::Circle)
+fn circle<S: Real<Mask = bool>>(
+    centre: Vector<S>,
+    normal: Vector<S>,
+    radius: S,
+) -> Option<Join<S>> {
+    Circle::from_centre_normal_radius(centre.into(), normal.into(), radius).map(Join::Circle)
 }
 
-fn plane<S: Real<Mask = bool>>(point: [S; 3], normal: [S; 3]) -> Option<Join<S>> {
-    let plane = Plane::from_point_normal(Point::from(point), normalized(normal)?);
+fn plane<S: Real<Mask = bool>>(point: Vector<S>, normal: Vector<S>) -> Option<Join<S>> {
+    let plane = Plane::from_point_normal(point.into(), normal.normalized()?.into());
     plane.figure().map(|_| Join::Plane(plane))
 }
 
 /// The sphere about a centre, or minus it.
-fn sphere<S: Real<Mask = bool>>(centre: [S; 3], radius: S, sign: S) -> Option<Join<S>> {
+fn sphere<S: Real<Mask = bool>>(centre: Vector<S>, radius: S, sign: S) -> Option<Join<S>> {
     let sphere = Sphere::from_centre_radius(Point::from(centre), radius);
     let oriented = if sign.less_than(S::zero()) {
         -sphere

@@ -8,9 +8,8 @@
 //! as they shrink. Nothing is lost between samples, and the result depends on nothing but the
 //! input.
 
-use super::distance::across;
-use crate::geometry::vector3::{cross, difference, dot, length, normalized, scaled, sum};
 use crate::scalar::Real;
+use crate::vga3::Vector;
 use alloc::vec::Vec;
 
 /// Cells at first.
@@ -23,30 +22,30 @@ const STEPS: usize = 120;
 /// The least distance of a circle from a line of unit direction; `from` leads from the line's
 /// nearest point to the centre of the circle.
 pub(super) fn line_to_circle<S: Real<Mask = bool>>(
-    direction: [S; 3],
-    from: [S; 3],
-    normal: [S; 3],
+    direction: Vector<S>,
+    from: Vector<S>,
+    normal: Vector<S>,
     radius: S,
 ) -> S {
-    let size = radius.max(length(from));
+    let size = radius.max(from.length());
     let Some((from, radius)) = in_units(size, from, radius) else {
         return size;
     };
-    let [u, v] = frame(normal);
-    let bound = twice(radius) * (twice(radius) + length(from));
+    let [u, v] = normal.orthonormal_pair();
+    let bound = twice(radius) * (twice(radius) + from.length());
     let least = least(bound, &|angle, width| {
         let (sine, cosine) = angle.sin_cos();
-        let arm = sum(scaled(u, radius * cosine), scaled(v, radius * sine));
-        let step = difference(scaled(v, radius * cosine), scaled(u, radius * sine));
-        let off = across(sum(from, arm), direction);
-        let change = across(step, direction);
-        let bend = dot(change, change) - dot(off, arm);
+        let arm = u * (radius * cosine) + v * (radius * sine);
+        let step = v * (radius * cosine) - u * (radius * sine);
+        let off = (from + arm).across(direction);
+        let change = step.across(direction);
+        let bend = change.dot(change) - off.dot(arm);
         // g''' is at most 6 r² + 2 r √g.
-        let reach = length(off) + radius * width;
+        let reach = off.length() + radius * width;
         Sample {
             angle,
-            value: dot(off, off),
-            slope: twice(dot(off, step)),
+            value: off.dot(off),
+            slope: twice(off.dot(step)),
             bend: twice(bend),
             jerk: twice(radius * (S::from_integer(3) * radius + reach)),
         }
@@ -57,38 +56,38 @@ pub(super) fn line_to_circle<S: Real<Mask = bool>>(
 /// The least distance of a circle from another, fixed one; `from` leads from the centre of the
 /// fixed circle to that of the other.
 pub(super) fn circle_to_circle<S: Real<Mask = bool>>(
-    from: [S; 3],
-    normal: [S; 3],
+    from: Vector<S>,
+    normal: Vector<S>,
     radius: S,
-    fixed_normal: [S; 3],
+    fixed_normal: Vector<S>,
     fixed_radius: S,
 ) -> S {
-    let size = fixed_radius.max(radius).max(length(from));
+    let size = fixed_radius.max(radius).max(from.length());
     let Some((from, radius)) = in_units(size, from, radius) else {
         return size;
     };
     let fixed_radius = fixed_radius / size;
-    let [u, v] = frame(normal);
+    let [u, v] = normal.orthonormal_pair();
     let zero = S::zero();
     // g = |p|² + s² − 2 s ρ with ρ the distance from the axis; ρ'' is nowhere below minus the
     // radius.
-    let bound = twice(radius) * (length(from) + fixed_radius);
+    let bound = twice(radius) * (from.length() + fixed_radius);
     let least = least(bound, &|angle, width| {
         let (sine, cosine) = angle.sin_cos();
-        let arm = sum(scaled(u, radius * cosine), scaled(v, radius * sine));
-        let step = difference(scaled(v, radius * cosine), scaled(u, radius * sine));
-        let place = sum(from, arm);
+        let arm = u * (radius * cosine) + v * (radius * sine);
+        let step = v * (radius * cosine) - u * (radius * sine);
+        let place = from + arm;
         // Height, distance from the axis, and their derivatives.
-        let [z, z1, z2] = [place, step, arm].map(|x| dot(x, fixed_normal));
-        let flat = difference(place, scaled(fixed_normal, z));
-        let rho = length(flat);
+        let [z, z1, z2] = [place, step, arm].map(|x| x.dot(fixed_normal));
+        let flat = place - fixed_normal * z;
+        let rho = flat.length();
         let short = rho - fixed_radius;
         let value = short * short + z * z;
         let away = rho - radius * width;
         if !zero.less_than(away) {
             // At the axis ρ has a kink upwards, and only the bound holds.
             let change = if zero.less_than(rho) {
-                dot(flat, step) / rho
+                flat.dot(step) / rho
             } else {
                 zero
             };
@@ -102,9 +101,9 @@ pub(super) fn circle_to_circle<S: Real<Mask = bool>>(
                 jerk,
             };
         }
-        let rho1 = dot(flat, step) / rho;
-        let flat_step = difference(step, scaled(fixed_normal, z1));
-        let rho2 = (dot(flat_step, flat_step) - dot(flat, arm) - rho1 * rho1) / rho;
+        let rho1 = flat.dot(step) / rho;
+        let flat_step = step - fixed_normal * z1;
+        let rho2 = (flat_step.dot(flat_step) - flat.dot(arm) - rho1 * rho1) / rho;
         let bend = rho1 * rho1 + short * rho2 + z1 * z1 - z * z2;
         // |ρ'| ≤ r, |ρ''| ≤ r (1 + e) and |ρ'''| ≤ r (1 + 6 e + 6 e²) with e = r/ρ.
         let e = radius / away;
@@ -127,25 +126,9 @@ fn twice<S: Real>(x: S) -> S {
 }
 
 /// Lengths in units of a size; `None` where that is zero or not finite.
-fn in_units<S: Real<Mask = bool>>(size: S, from: [S; 3], radius: S) -> Option<([S; 3], S)> {
+fn in_units<S: Real<Mask = bool>>(size: S, from: Vector<S>, radius: S) -> Option<(Vector<S>, S)> {
     let usable = S::zero().less_than(size) && size.is_finite();
-    usable.then(|| (from.map(|x| x / size), radius / size))
-}
-
-/// Two unit vectors that make a right-handed frame with a unit normal.
-pub(super) fn frame<S: Real<Mask = bool>>(normal: [S; 3]) -> [[S; 3]; 2] {
-    // Across the axis that the normal is farthest from.
-    let [x, y, z] = normal.map(S::abs);
-    let (zero, one) = (S::zero(), S::one());
-    let axis = if !y.less_than(x) && !z.less_than(x) {
-        [one, zero, zero]
-    } else if !z.less_than(y) {
-        [zero, one, zero]
-    } else {
-        [zero, zero, one]
-    };
-    let u = normalized(cross(axis, normal)).unwrap_or(axis);
-    [u, cross(normal, u)]
+    usable.then(|| (from.divided(size), radius / size))
 }
 
 /// A function at an angle, with its first and second derivatives and a bound of the third within a

@@ -50,8 +50,16 @@ pub use meet::Meet;
 pub use reflection::Mirror;
 pub use tolerance::Tolerance;
 
+use crate::scalar::Real;
+use crate::vga3::Vector;
+
+/// The longer side of a right triangle, `√(a² + b²)`, without overflow or underflow on the way.
+fn hypotenuse<S: Real>(a: S, b: S) -> S {
+    Vector::new(a, b, S::zero()).length()
+}
+
 /// Directions whose sine differs from zero by less count as parallel where no tolerance is given:
 /// 16 ε.
-fn parallel<S: crate::scalar::Real>() -> S {
+fn parallel<S: Real>() -> S {
     S::epsilon() * S::from_integer(16)
 }

@@ -33,14 +33,11 @@
 //! assert_eq!(line.project_onto(ground).unwrap().unit_direction(), Some([1.0, 0.0, 0.0]));
 //! ```
 
-use super::distance::across;
 use super::incidence::Directed;
 use super::{Figure, Primitive, parallel};
 use crate::cga3::{Circle, Direction, FlatPoint, Line, Plane, Point, Sphere};
-use crate::geometry::vector3::{
-    are_numbers, cross, difference, dot, length, normalized, scaled, sum,
-};
 use crate::scalar::Real;
+use crate::vga3::Vector;
 
 impl<S: Real<Mask = bool>> Point<S> {
     /// The point of the other primitive that is nearest to this one; see
@@ -48,17 +45,16 @@ impl<S: Real<Mask = bool>> Point<S> {
     /// other is no figure.
     #[must_use]
     pub fn project_onto<T: Primitive<S>>(self, other: T) -> Option<Self> {
-        let place = nearest(self.coordinates(), other.figure()?)?;
-        are_numbers(place).then(|| Point::from(place))
+        let place = nearest(self.into(), other.figure()?)?;
+        place.is_finite().then(|| Point::from(place))
     }
 
     /// The free vector that leads here from the [nearest point](Self::project_onto) of the other
     /// primitive: `p − p'`, as long as the distance. `None` where there is no nearest point.
     #[must_use]
     pub fn reject_from<T: Primitive<S>>(self, other: T) -> Option<Direction<S>> {
-        let foot = self.project_onto(other)?.coordinates();
-        let way = difference(self.coordinates(), foot);
-        are_numbers(way).then(|| Direction::from_vector(way))
+        let way = self.project_onto(other)?.vector_to(self);
+        way.is_finite().then(|| Direction::from(way))
     }
 }
 
@@ -100,17 +96,17 @@ impl<S: Real<Mask = bool>> Direction<S> {
 
     /// Projection and rejection.
     fn parts(self, figure: Figure<S>) -> Option<[Self; 2]> {
-        let vector = self.vector();
-        let along = |unit| scaled(unit, dot(vector, unit));
+        let vector = Vector::from(self);
+        let along = |unit| unit * vector.dot(unit);
         let parts = match figure {
-            Figure::Line { direction, .. } => [along(direction), across(vector, direction)],
+            Figure::Line { direction, .. } => [along(direction), vector.across(direction)],
             Figure::Plane { normal, .. } | Figure::Circle { normal, .. } => {
-                [across(vector, normal), along(normal)]
+                [vector.across(normal), along(normal)]
             }
             Figure::Point(_) | Figure::PointPair(_) | Figure::Sphere { .. } => return None,
         };
-        let finite = are_numbers(parts[0]) && are_numbers(parts[1]);
-        finite.then(|| parts.map(Direction::from_vector))
+        let finite = parts[0].is_finite() && parts[1].is_finite();
+        finite.then(|| parts.map(Direction::from))
     }
 }
 
@@ -125,12 +121,12 @@ impl<S: Real<Mask = bool>> Line<S> {
             normal,
             distance,
         } = line_and_plane(self, plane)?;
-        let flat = across(direction, normal);
-        if length(flat).less_than(parallel()) {
+        let flat = direction.across(normal);
+        if flat.length().less_than(parallel()) {
             return None;
         }
-        let foot = difference(point, scaled(normal, dot(point, normal) - distance));
-        line(foot, normalized(flat)?)
+        let foot = point - normal * (point.dot(normal) - distance);
+        line(foot, flat.normalized()?)
     }
 
     /// What the [projection](Self::project_onto) onto a plane leaves of this line, `L − (L⌋Π) Π⁻¹`:
@@ -155,16 +151,13 @@ impl<S: Real<Mask = bool>> Line<S> {
             normal,
             distance,
         } = line_and_plane(self, plane)?;
-        let slope = dot(direction, normal);
+        let slope = direction.dot(normal);
         if slope.abs().less_than(parallel()) {
             return None;
         }
-        let crossing = sum(
-            point,
-            scaled(direction, (distance - dot(point, normal)) / slope),
-        );
+        let crossing = point + direction * ((distance - point.dot(normal)) / slope);
         let upright = if slope.less_than(S::zero()) {
-            normal.map(|x| -x)
+            -normal
         } else {
             normal
         };
@@ -193,52 +186,47 @@ impl<S: Real<Mask = bool>> Line<S> {
         let Figure::Sphere { centre, radius } = sphere.figure()? else {
             return None;
         };
-        let arm = across(difference(point, centre), direction);
-        let least = length(point).max(length(centre)) * parallel();
-        if !least.less_than(length(arm)) {
+        let arm = (point - centre).across(direction);
+        let least = point.length().max(centre.length()) * parallel();
+        if !least.less_than(arm.length()) {
             return None;
         }
-        let normal = normalized(cross(arm, direction))?;
-        Circle::from_centre_normal_radius(Point::from(centre), normal, radius)
+        let normal = arm.cross(direction).normalized()?;
+        Circle::from_centre_normal_radius(centre.into(), normal.into(), radius)
     }
 }
 
 /// The nearest point of a figure.
-fn nearest<S: Real<Mask = bool>>(p: [S; 3], figure: Figure<S>) -> Option<[S; 3]> {
-    if !are_numbers(p) {
+fn nearest<S: Real<Mask = bool>>(p: Vector<S>, figure: Figure<S>) -> Option<Vector<S>> {
+    if !p.is_finite() {
         return None;
     }
     match figure {
         Figure::Point(q) => Some(q),
         Figure::PointPair([a, b]) => {
-            let [to_a, to_b] = [a, b].map(|q| length(difference(p, q)));
+            let [to_a, to_b] = [a, b].map(|q| (p - q).length());
             if to_a.less_than(to_b) {
                 Some(a)
             } else {
                 to_b.less_than(to_a).then_some(b)
             }
         }
-        Figure::Line { point, direction } => Some(sum(
-            point,
-            scaled(direction, dot(difference(p, point), direction)),
-        )),
-        Figure::Plane { normal, distance } => {
-            Some(difference(p, scaled(normal, dot(p, normal) - distance)))
-        }
-        Figure::Sphere { centre, radius } => radius_towards(centre, difference(p, centre), radius),
+        Figure::Line { point, direction } => Some(point + direction * (p - point).dot(direction)),
+        Figure::Plane { normal, distance } => Some(p - normal * (p.dot(normal) - distance)),
+        Figure::Sphere { centre, radius } => radius_towards(centre, p - centre, radius),
         Figure::Circle {
             centre,
             normal,
             radius,
         } => {
-            let from = difference(p, centre);
-            let flat = across(from, normal);
+            let from = p - centre;
+            let flat = from.across(normal);
             // What is left of a vector along the normal is rounding, and has no direction.
-            let noise = length(from) * parallel();
-            let flat = if noise.less_than(length(flat)) {
+            let noise = from.length() * parallel();
+            let flat = if noise.less_than(flat.length()) {
                 flat
             } else {
-                [S::zero(); 3]
+                Vector::default()
             };
             radius_towards(centre, flat, radius)
         }
@@ -246,18 +234,22 @@ fn nearest<S: Real<Mask = bool>>(p: [S; 3], figure: Figure<S>) -> Option<[S; 3]>
 }
 
 /// The end of a radius in a direction; the centre itself where the radius is zero.
-fn radius_towards<S: Real<Mask = bool>>(centre: [S; 3], way: [S; 3], radius: S) -> Option<[S; 3]> {
+fn radius_towards<S: Real<Mask = bool>>(
+    centre: Vector<S>,
+    way: Vector<S>,
+    radius: S,
+) -> Option<Vector<S>> {
     if radius == S::zero() {
         return Some(centre);
     }
-    Some(sum(centre, scaled(normalized(way)?, radius)))
+    Some(centre + way.normalized()? * radius)
 }
 
 /// A line and a plane as plain vectors.
 struct LineAndPlane<S> {
-    point: [S; 3],
-    direction: [S; 3],
-    normal: [S; 3],
+    point: Vector<S>,
+    direction: Vector<S>,
+    normal: Vector<S>,
     distance: S,
 }
 
@@ -276,7 +268,7 @@ fn line_and_plane<S: Real<Mask = bool>>(line: Line<S>, plane: Plane<S>) -> Optio
 }
 
 /// The line through a point, where it is finite.
-fn line<S: Real<Mask = bool>>(point: [S; 3], direction: [S; 3]) -> Option<Line<S>> {
-    let line = Line::from_point_direction(Point::from(point), direction);
-    are_numbers(line.moment()).then_some(line)
+fn line<S: Real<Mask = bool>>(point: Vector<S>, direction: Vector<S>) -> Option<Line<S>> {
+    let line = Line::from_point_direction(point.into(), direction.into());
+    Vector::from(line.moment()).is_finite().then_some(line)
 }

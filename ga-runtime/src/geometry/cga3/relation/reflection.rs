@@ -35,8 +35,8 @@ use crate::cga3::{
     DualSphere, FlatPoint, Line, Motor, MotorGenerator, Plane, Point, PointPair, Rotor,
     RoundVector, Sphere, Translator,
 };
-use crate::geometry::vector3::{are_numbers, scaled};
 use crate::scalar::Real;
+use crate::vga3::Vector;
 
 /// What can be reflected in: a plane, a line, a point.
 pub trait Mirror<S> {
@@ -50,7 +50,7 @@ impl<S: Real<Mask = bool>> Mirror<S> for Plane<S> {
         let Figure::Plane { normal, distance } = self.figure()? else {
             return None;
         };
-        let shift = shift(scaled(normal, distance + distance))?;
+        let shift = shift(normal * (distance + distance))?;
         Some((shift * half_turn(normal), true))
     }
 }
@@ -62,14 +62,14 @@ impl<S: Real<Mask = bool>> Mirror<S> for Line<S> {
         };
         // The point nearest to the origin is across the direction: a half turn about the origin
         // makes it its negative.
-        let shift = shift(scaled(point, S::from_integer(2)))?;
+        let shift = shift(point * S::from_integer(2))?;
         Some((shift * half_turn(direction), false))
     }
 }
 
 impl<S: Real<Mask = bool>> Mirror<S> for Point<S> {
     fn reflection(self) -> Option<(Motor<S>, bool)> {
-        let shift = shift(scaled(self.coordinates(), S::from_integer(2)))?;
+        let shift = shift(Vector::from(self) * S::from_integer(2))?;
         Some((shift.into(), true))
     }
 }
@@ -120,12 +120,14 @@ fn finite<T: Element<Scalar: Real<Mask = bool>>>(element: T) -> Option<T> {
 }
 
 /// The half turn about a unit axis through the origin.
-fn half_turn<S: Real>([x, y, z]: [S; 3]) -> Rotor<S> {
-    Rotor::new_unchecked(S::zero(), -z, y, -x)
+fn half_turn<S: Real>(Vector { e1, e2, e3 }: Vector<S>) -> Rotor<S> {
+    Rotor::new_unchecked(S::zero(), -e3, e2, -e1)
 }
 
-fn shift<S: Real<Mask = bool>>(displacement: [S; 3]) -> Option<Translator<S>> {
-    are_numbers(displacement).then(|| Translator::from_displacement(displacement))
+fn shift<S: Real<Mask = bool>>(displacement: Vector<S>) -> Option<Translator<S>> {
+    displacement
+        .is_finite()
+        .then(|| Translator::from_displacement(displacement.into()))
 }
 
 /// The image under the change of sign of e1, e2 and e3.

@@ -3,12 +3,12 @@
 use super::spheres::{power_plane, same_radius, touch};
 use super::{Meet, finite_point, less_square, line_parts, pair, plane_parts, radius};
 use crate::cga3::{Circle, Line, Plane, Point, PointPair, Sphere};
-use crate::geometry::relation::distance::{across, distance, from_sphere};
+use crate::geometry::relation::distance::{distance, from_sphere};
 use crate::geometry::relation::figure::{circle_parts, sphere_parts};
 use crate::geometry::relation::tolerance::within;
 use crate::geometry::relation::{Figure, Tolerance};
-use crate::geometry::vector3::{cross, difference, dot, length, normalized, scaled, sum};
 use crate::scalar::Real;
+use crate::vga3::Vector;
 
 /// How a line and a circle meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -112,16 +112,19 @@ impl<S: Real<Mask = bool>> Meet<Circle<S>> for Line<S> {
         let ((start, direction), (centre, normal, squared)) =
             (line_parts(self)?, circle_parts(circle)?);
         let near = |x: S| within(x, tolerance.distance);
-        let off = across(difference(centre, start), direction);
-        let foot = difference(centre, off);
-        let slope = dot(direction, normal);
-        let angle = slope.abs().atan2(length(cross(direction, normal)));
+        let off = (centre - start).across(direction);
+        let foot = centre - off;
+        let slope = direction.dot(normal);
+        let angle = slope.abs().atan2(direction.cross(normal).length());
         let is_flat = within(angle, tolerance.angle);
-        if is_flat && near(dot(off, normal)) {
-            let distance = length(off);
+        if is_flat && near(off.dot(normal)) {
+            let distance = off.length();
             if radius(squared, tolerance).is_some_and(|r| near(distance - r)) {
                 let point = finite_point(foot)?;
-                return Some(LineAndCircle::Tangent { point, direction });
+                return Some(LineAndCircle::Tangent {
+                    point,
+                    direction: direction.into(),
+                });
             }
             let half_squared = less_square(squared, distance);
             let pair = pair(foot, direction, half_squared)?;
@@ -135,9 +138,9 @@ impl<S: Real<Mask = bool>> Meet<Circle<S>> for Line<S> {
         if is_flat || real.is_none() {
             return Some(LineAndCircle::Apart);
         }
-        let place = sum(foot, scaled(direction, dot(off, normal) / slope));
+        let place = foot + direction * (off.dot(normal) / slope);
         let point = finite_point(place)?;
-        let away = length(difference(place, centre));
+        let away = (place - centre).length();
         Some(if real.is_some_and(|r| near(away - r)) {
             LineAndCircle::Point(point)
         } else {
@@ -153,14 +156,14 @@ impl<S: Real<Mask = bool>> Meet<Circle<S>> for Plane<S> {
         let ((m, distance), (centre, normal, squared)) =
             (plane_parts(self)?, circle_parts(circle)?);
         let near = |x: S| within(x, tolerance.distance);
-        let height = dot(centre, m) - distance;
-        let along = cross(m, normal);
-        let sine = length(along);
+        let height = centre.dot(m) - distance;
+        let along = m.cross(normal);
+        let sine = along.length();
         let real = radius(squared, tolerance);
         if real.is_some_and(|r| near(height.abs() + sine * r)) {
             return Some(PlaneAndCircle::Contained(circle));
         }
-        if within(sine.atan2(dot(normal, m).abs()), tolerance.angle) {
+        if within(sine.atan2(normal.dot(m).abs()), tolerance.angle) {
             return Some(if near(height) {
                 PlaneAndCircle::Contained(circle)
             } else {
@@ -168,14 +171,17 @@ impl<S: Real<Mask = bool>> Meet<Circle<S>> for Plane<S> {
             });
         }
         // Where the circle comes nearest to the plane, or farthest: down its steepest radius.
-        let direction = along.map(|x| x / sine);
-        let descent = cross(normal, direction);
+        let direction = along.divided(sine);
+        let descent = normal.cross(direction);
         let reach = height / sine;
-        let foot = difference(centre, scaled(descent, reach));
+        let foot = centre - descent * reach;
         let touches = |r: S| near(height.abs() - r * sine);
         if real.is_some_and(touches) {
             let point = finite_point(foot)?;
-            return Some(PlaneAndCircle::Tangent { point, direction });
+            return Some(PlaneAndCircle::Tangent {
+                point,
+                direction: direction.into(),
+            });
         }
         let half_squared = less_square(squared, reach.abs());
         let pair = pair(foot, direction, half_squared)?;
@@ -194,9 +200,9 @@ impl<S: Real<Mask = bool>> Meet<Circle<S>> for Sphere<S> {
         let ((c, sphere_squared), (centre, normal, squared)) =
             (sphere_parts(self)?, circle_parts(circle)?);
         let near = |x: S| within(x, tolerance.distance);
-        let from = difference(c, centre);
-        let flat = across(from, normal);
-        let off = length(flat);
+        let from = c - centre;
+        let flat = from.across(normal);
+        let off = flat.length();
         let radii = radius(squared, tolerance).zip(radius(sphere_squared, tolerance));
         // How far the nearest and the farthest point of the circle are from the sphere.
         let gaps = radii.and_then(|(r, s)| {
@@ -213,19 +219,22 @@ impl<S: Real<Mask = bool>> Meet<Circle<S>> for Sphere<S> {
         if near(off) || off == S::zero() {
             return Some(SphereAndCircle::Concentric);
         }
-        let out = flat.map(|x| x / off);
-        let direction = cross(out, normal);
+        let out = flat.divided(off);
+        let direction = out.cross(normal);
         if let Some(([least, most], (r, _))) = gaps.zip(radii)
             && (near(least) || near(most))
         {
             let reach = if near(least) { r } else { -r };
-            let point = finite_point(sum(centre, scaled(out, reach)))?;
-            return Some(SphereAndCircle::Tangent { point, direction });
+            let point = finite_point(centre + out * reach)?;
+            return Some(SphereAndCircle::Tangent {
+                point,
+                direction: direction.into(),
+            });
         }
-        let cut = less_square(sphere_squared, dot(from, normal).abs());
+        let cut = less_square(sphere_squared, from.dot(normal).abs());
         let along = power_plane(off, squared, cut);
         let half_squared = less_square(squared, along.abs());
-        let pair = pair(sum(centre, scaled(out, along)), direction, half_squared)?;
+        let pair = pair(centre + out * along, direction, half_squared)?;
         Some(if half_squared.less_than(S::zero()) {
             SphereAndCircle::Imaginary(pair)
         } else {
@@ -241,18 +250,18 @@ impl<S: Real<Mask = bool>> Meet<Circle<S>> for Circle<S> {
         let (a, n, a_squared) = circle_parts(self)?;
         let (b, m, b_squared) = circle_parts(other)?;
         let near = |x: S| within(x, tolerance.distance);
-        let from = difference(b, a);
-        let sine = length(cross(n, m));
-        let is_flat = within(sine.atan2(dot(n, m).abs()), tolerance.angle)
+        let from = b - a;
+        let sine = n.cross(m).length();
+        let is_flat = within(sine.atan2(n.dot(m).abs()), tolerance.angle)
             || near(sine * a_squared.max(b_squared).max(S::zero()).sqrt());
         if !is_flat {
             return in_two_planes(self, other, tolerance);
         }
-        if !near(dot(from, n)) {
+        if !near(from.dot(n)) {
             return Some(CircleAndCircle::Apart);
         }
-        let flat = across(from, n);
-        let off = length(flat);
+        let flat = from.across(n);
+        let off = flat.length();
         if near(off) || off == S::zero() {
             return Some(if same_radius(a_squared, b_squared, tolerance) {
                 CircleAndCircle::Coincident(self)
@@ -260,13 +269,16 @@ impl<S: Real<Mask = bool>> Meet<Circle<S>> for Circle<S> {
                 CircleAndCircle::Concentric
             });
         }
-        let out = flat.map(|x| x / off);
-        let direction = cross(out, n);
+        let out = flat.divided(off);
+        let direction = out.cross(n);
         let along = power_plane(off, a_squared, b_squared);
-        let place = sum(a, scaled(out, along));
+        let place = a + out * along;
         if touch(off, a_squared, b_squared, tolerance) {
             let point = finite_point(place)?;
-            return Some(CircleAndCircle::Tangent { point, direction });
+            return Some(CircleAndCircle::Tangent {
+                point,
+                direction: direction.into(),
+            });
         }
         let half_squared = less_square(a_squared, along.abs());
         let pair = pair(place, direction, half_squared)?;
@@ -288,14 +300,14 @@ fn in_two_planes<S: Real<Mask = bool>>(
     let Some(r) = radius(squared, tolerance) else {
         return Some(CircleAndCircle::Apart);
     };
-    let plane = Plane::from_point_normal(Point::from(b), m);
+    let plane = Plane::from_point_normal(b.into(), m.into());
     let figure = Figure::Circle {
         centre: b,
         normal: m,
         radius: r,
     };
     let is_on = |p: Point<S>| {
-        let distance = distance(Figure::Point(p.coordinates()), figure);
+        let distance = distance(Figure::Point(p.into()), figure);
         distance.is_some_and(|x| within(x, tolerance.distance))
     };
     Some(match plane.meet(first, tolerance)? {
@@ -311,12 +323,9 @@ fn in_two_planes<S: Real<Mask = bool>>(
         PlaneAndCircle::Tangent { point, direction } if is_on(point) => {
             // The tangents are one where that of the first, which is in both planes, is across the
             // radius of the second.
-            let arm = normalized(difference(point.coordinates(), b));
-            let lean = arm.map(|arm| {
-                dot(arm, direction)
-                    .abs()
-                    .atan2(length(cross(arm, direction)))
-            });
+            let arm = (Vector::from(point) - b).normalized();
+            let tangent = Vector::from(direction);
+            let lean = arm.map(|arm| arm.dot(tangent).abs().atan2(arm.cross(tangent).length()));
             if lean.is_none_or(|lean| within(lean, tolerance.angle)) {
                 CircleAndCircle::Tangent { point, direction }
             } else {

@@ -2,11 +2,10 @@
 
 use super::{Meet, finite_point, line_parts, plane_parts};
 use crate::cga3::{Direction, DualDirection, Line, Plane, Point};
-use crate::geometry::relation::distance::across;
 use crate::geometry::relation::tolerance::within;
 use crate::geometry::relation::{CommonPerpendicular, Tolerance};
-use crate::geometry::vector3::{are_numbers, cross, difference, dot, length, scaled, sum};
 use crate::scalar::Real;
+use crate::vga3::Vector;
 
 /// How two lines meet. Their vee product is zero unless they are skew, and then a scalar times ei;
 /// nothing here is oriented by it.
@@ -65,16 +64,16 @@ impl<S: Real<Mask = bool>> Meet<Line<S>> for Line<S> {
     type Outcome = LineAndLine<S>;
     fn meet(self, other: Self, tolerance: Tolerance<S>) -> Option<LineAndLine<S>> {
         let ((p, d), (q, e)) = (line_parts(self)?, line_parts(other)?);
-        let angle = length(cross(d, e)).atan2(dot(d, e).abs());
+        let angle = d.cross(e).length().atan2(d.dot(e).abs());
         if within(angle, tolerance.angle) {
-            let distance = length(across(difference(q, p), d));
+            let distance = (q - p).across(d).length();
             if !distance.is_finite() {
                 return None;
             }
             return Some(if within(distance, tolerance.distance) {
                 LineAndLine::Coincident(self)
             } else {
-                let direction = Direction::from_vector(d);
+                let direction = Direction::from(d);
                 LineAndLine::Parallel {
                     direction,
                     distance,
@@ -85,8 +84,8 @@ impl<S: Real<Mask = bool>> Meet<Line<S>> for Line<S> {
         if !within(between.distance, tolerance.distance) {
             return Some(LineAndLine::Skew(between));
         }
-        let [a, b] = between.feet.map(Point::coordinates);
-        let middle = sum(a, scaled(difference(b, a), S::from_ratio(1, 2)));
+        let [a, b] = between.feet.map(Vector::from);
+        let middle = a + (b - a) * S::from_ratio(1, 2);
         finite_point(middle).map(LineAndLine::Point)
     }
 }
@@ -96,17 +95,17 @@ impl<S: Real<Mask = bool>> Meet<Plane<S>> for Line<S> {
     type Outcome = LineAndPlane<S>;
     fn meet(self, plane: Plane<S>, tolerance: Tolerance<S>) -> Option<LineAndPlane<S>> {
         let ((point, direction), (normal, distance)) = (line_parts(self)?, plane_parts(plane)?);
-        let slope = dot(direction, normal);
-        let height = dot(point, normal) - distance;
-        let angle = slope.abs().atan2(length(cross(direction, normal)));
+        let slope = direction.dot(normal);
+        let height = point.dot(normal) - distance;
+        let angle = slope.abs().atan2(direction.cross(normal).length());
         if !within(angle, tolerance.angle) {
-            let place = difference(point, scaled(direction, height / slope));
+            let place = point - direction * (height / slope);
             return finite_point(place).map(LineAndPlane::Point);
         }
         if within(height, tolerance.distance) {
             return Some(LineAndPlane::Contained(self));
         }
-        let direction = Direction::from_vector(direction);
+        let direction = Direction::from(direction);
         let outcome = LineAndPlane::Parallel {
             direction,
             distance: height,
@@ -120,25 +119,24 @@ impl<S: Real<Mask = bool>> Meet<Plane<S>> for Plane<S> {
     type Outcome = PlaneAndPlane<S>;
     fn meet(self, other: Self, tolerance: Tolerance<S>) -> Option<PlaneAndPlane<S>> {
         let ((n, d), (m, e)) = (plane_parts(self)?, plane_parts(other)?);
-        let along = cross(n, m);
-        let sine = length(along);
-        if within(sine.atan2(dot(n, m).abs()), tolerance.angle) {
-            let distance = dot(n, scaled(m, e)) - d;
+        let along = n.cross(m);
+        let sine = along.length();
+        if within(sine.atan2(n.dot(m).abs()), tolerance.angle) {
+            let distance = n.dot(m * e) - d;
             if within(distance, tolerance.distance) {
                 return Some(PlaneAndPlane::Coincident(self));
             }
-            let attitude = DualDirection::from_normal(n);
+            let attitude = DualDirection::from_normal(n.into());
             let outcome = PlaneAndPlane::Parallel { attitude, distance };
             return distance.is_finite().then_some(outcome);
         }
-        let direction = along.map(|x| x / sine);
+        let direction = along.divided(sine);
         // The point of the line nearest to the origin: (d m × u + e u × n) / sin with u the
         // direction.
-        let place = sum(
-            scaled(cross(m, direction), d),
-            scaled(cross(direction, n), e),
-        );
-        let line = Line::from_point_direction(Point::from(place.map(|x| x / sine)), direction);
-        are_numbers(line.moment()).then_some(PlaneAndPlane::Line(line))
+        let place = m.cross(direction) * d + direction.cross(n) * e;
+        let line = Line::from_point_direction(place.divided(sine).into(), direction.into());
+        Vector::from(line.moment())
+            .is_finite()
+            .then_some(PlaneAndPlane::Line(line))
     }
 }

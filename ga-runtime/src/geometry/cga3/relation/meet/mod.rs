@@ -72,8 +72,8 @@ pub use spheres::{LineAndSphere, PlaneAndSphere, SphereAndSphere};
 use super::tolerance::within;
 use super::{Figure, Primitive, Tolerance};
 use crate::cga3::{Circle, Line, Plane, Point, PointPair, Sphere};
-use crate::geometry::vector3::are_numbers;
 use crate::scalar::Real;
+use crate::vga3::Vector;
 
 /// A primitive that can meet another.
 pub trait Meet<B>: Sized {
@@ -127,7 +127,7 @@ either_way! {
 }
 
 /// The point nearest to the origin and the unit direction of a line.
-fn line_parts<S: Real<Mask = bool>>(line: Line<S>) -> Option<([S; 3], [S; 3])> {
+fn line_parts<S: Real<Mask = bool>>(line: Line<S>) -> Option<(Vector<S>, Vector<S>)> {
     match line.figure()? {
         Figure::Line { point, direction } => Some((point, direction)),
         _ => None,
@@ -135,7 +135,7 @@ fn line_parts<S: Real<Mask = bool>>(line: Line<S>) -> Option<([S; 3], [S; 3])> {
 }
 
 /// The unit normal and the distance of a plane.
-fn plane_parts<S: Real<Mask = bool>>(plane: Plane<S>) -> Option<([S; 3], S)> {
+fn plane_parts<S: Real<Mask = bool>>(plane: Plane<S>) -> Option<(Vector<S>, S)> {
     match plane.figure()? {
         Figure::Plane { normal, distance } => Some((normal, distance)),
         _ => None,
@@ -162,18 +162,22 @@ fn less_square<S: Real<Mask = bool>>(squared: S, y: S) -> S {
     (x - y) * (x + y)
 }
 
-fn finite_point<S: Real<Mask = bool>>(place: [S; 3]) -> Option<Point<S>> {
-    are_numbers(place).then(|| Point::from(place))
+fn finite_point<S: Real<Mask = bool>>(place: Vector<S>) -> Option<Point<S>> {
+    place.is_finite().then(|| Point::from(place))
 }
 
 fn pair<S: Real<Mask = bool>>(
-    centre: [S; 3],
-    direction: [S; 3],
+    centre: Vector<S>,
+    direction: Vector<S>,
     squared: S,
 ) -> Option<PointPair<S>> {
-    PointPair::from_centre_axis_radius_squared(Point::from(centre), direction, squared)
+    PointPair::from_centre_axis_radius_squared(centre.into(), direction.into(), squared)
 }
 
-fn circle<S: Real<Mask = bool>>(centre: [S; 3], normal: [S; 3], squared: S) -> Option<Circle<S>> {
-    Circle::from_centre_normal_radius_squared(Point::from(centre), normal, squared)
+fn circle<S: Real<Mask = bool>>(
+    centre: Vector<S>,
+    normal: Vector<S>,
+    squared: S,
+) -> Option<Circle<S>> {
+    Circle::from_centre_normal_radius_squared(centre.into(), normal.into(), squared)
 }

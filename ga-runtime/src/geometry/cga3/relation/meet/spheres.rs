@@ -3,10 +3,8 @@
 use super::{Meet, circle, finite_point, less_square, line_parts, pair, plane_parts, radius};
 use crate::cga3::{Circle, Line, Plane, Point, PointPair, Sphere};
 use crate::geometry::relation::Tolerance;
-use crate::geometry::relation::distance::across;
 use crate::geometry::relation::figure::sphere_parts;
 use crate::geometry::relation::tolerance::within;
-use crate::geometry::vector3::{difference, dot, length, scaled, sum};
 use crate::scalar::Real;
 
 /// How a line and a sphere meet.
@@ -69,13 +67,16 @@ impl<S: Real<Mask = bool>> Meet<Sphere<S>> for Line<S> {
     type Outcome = LineAndSphere<S>;
     fn meet(self, sphere: Sphere<S>, tolerance: Tolerance<S>) -> Option<LineAndSphere<S>> {
         let ((start, direction), (centre, squared)) = (line_parts(self)?, sphere_parts(sphere)?);
-        let off = across(difference(centre, start), direction);
-        let foot = difference(centre, off);
-        let distance = length(off);
+        let off = (centre - start).across(direction);
+        let foot = centre - off;
+        let distance = off.length();
         let is_tangent = |r: S| within(distance - r, tolerance.distance);
         if radius(squared, tolerance).is_some_and(is_tangent) {
             let point = finite_point(foot)?;
-            return Some(LineAndSphere::Tangent { point, direction });
+            return Some(LineAndSphere::Tangent {
+                point,
+                direction: direction.into(),
+            });
         }
         let half_squared = less_square(squared, distance);
         let pair = pair(foot, direction, half_squared)?;
@@ -110,13 +111,16 @@ fn plane_and_sphere<S: Real<Mask = bool>>(
     sign: S,
 ) -> Option<PlaneAndSphere<S>> {
     let ((normal, distance), (centre, squared)) = (plane_parts(plane)?, sphere_parts(sphere)?);
-    let height = dot(centre, normal) - distance;
-    let foot = difference(centre, scaled(normal, height));
-    let normal = scaled(normal, sign);
+    let height = centre.dot(normal) - distance;
+    let foot = centre - normal * height;
+    let normal = normal * sign;
     let is_tangent = |r: S| within(height.abs() - r, tolerance.distance);
     if radius(squared, tolerance).is_some_and(is_tangent) {
         let point = finite_point(foot)?;
-        return Some(PlaneAndSphere::Tangent { point, normal });
+        return Some(PlaneAndSphere::Tangent {
+            point,
+            normal: normal.into(),
+        });
     }
     let circle_squared = less_square(squared, height.abs());
     let circle = circle(foot, normal, circle_squared)?;
@@ -132,8 +136,8 @@ impl<S: Real<Mask = bool>> Meet<Sphere<S>> for Sphere<S> {
     type Outcome = SphereAndSphere<S>;
     fn meet(self, other: Self, tolerance: Tolerance<S>) -> Option<SphereAndSphere<S>> {
         let ((a, a_squared), (b, b_squared)) = (sphere_parts(self)?, sphere_parts(other)?);
-        let way = difference(b, a);
-        let distance = length(way);
+        let way = b - a;
+        let distance = way.length();
         if within(distance, tolerance.distance) || distance == S::zero() {
             return Some(if same_radius(a_squared, b_squared, tolerance) {
                 SphereAndSphere::Coincident(self)
@@ -141,12 +145,15 @@ impl<S: Real<Mask = bool>> Meet<Sphere<S>> for Sphere<S> {
                 SphereAndSphere::Concentric
             });
         }
-        let way = way.map(|x| x / distance);
+        let way = way.divided(distance);
         let along = power_plane(distance, a_squared, b_squared);
-        let place = sum(a, scaled(way, along));
+        let place = a + way * along;
         if touch(distance, a_squared, b_squared, tolerance) {
             let point = finite_point(place)?;
-            return Some(SphereAndSphere::Tangent { point, normal: way });
+            return Some(SphereAndSphere::Tangent {
+                point,
+                normal: way.into(),
+            });
         }
         let squared = less_square(a_squared, along.abs());
         let circle = circle(place, way, squared)?;

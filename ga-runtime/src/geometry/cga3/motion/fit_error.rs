@@ -1,0 +1,68 @@
+//! Why no motion fits pairs of points or directions.
+
+use core::fmt::{Debug, Display, Formatter, Result as FmtResult};
+
+use super::weight::WeightError;
+
+/// Pairs that fix no motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum FitError<S> {
+    /// There are too few pairs with a weight above zero.
+    TooFewPairs {
+        /// The number of such pairs.
+        found: usize,
+        /// The number needed: three of points, two of directions.
+        needed: usize,
+    },
+    /// The weights make no average.
+    Weight(WeightError<S>),
+    /// A point or direction of a pair is not finite.
+    NotFinite {
+        /// Which of the pairs, from 0.
+        index: usize,
+    },
+    /// A direction of a pair is zero.
+    NoDirection {
+        /// Which of the pairs, from 0.
+        index: usize,
+    },
+    /// All points of one side are at one place.
+    Coincident,
+    /// All points of one side lie on a line, all directions of one side are parallel: a turn about
+    /// it changes nothing.
+    Collinear,
+    /// Several turns fit equally well, as when one side is the mirror image of a regular body, or
+    /// when the sides have nothing to do with each other.
+    NotUnique,
+    /// The result is beyond the range of the scalar.
+    OutOfRange,
+}
+
+impl<S: Debug> Display for FitError<S> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> FmtResult {
+        match self {
+            Self::TooFewPairs { found, needed } => {
+                write!(
+                    f,
+                    "{needed} pairs with a weight above zero are needed, not {found}"
+                )
+            }
+            Self::Weight(error) => Display::fmt(error, f),
+            Self::NotFinite { index } => write!(f, "pair {index} is not finite"),
+            Self::NoDirection { index } => write!(f, "pair {index} has a direction of length zero"),
+            Self::Coincident => f.write_str("all points of one side are at one place"),
+            Self::Collinear => f.write_str("all points of one side lie on a line"),
+            Self::NotUnique => f.write_str("several turns fit equally well"),
+            Self::OutOfRange => f.write_str("the result is beyond the range of the scalar"),
+        }
+    }
+}
+
+impl<S: Debug> core::error::Error for FitError<S> {}
+
+impl<S> From<WeightError<S>> for FitError<S> {
+    fn from(error: WeightError<S>) -> Self {
+        Self::Weight(error)
+    }
+}
