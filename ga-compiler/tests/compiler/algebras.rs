@@ -1,7 +1,8 @@
-//! Algebras in which several tests compile.
+//! Algebras in which several tests compile, and functions in them.
 
 use ga_compiler::check_types;
 use ga_compiler::define::Definition;
+use ga_compiler::function::CompiledFunction;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -34,6 +35,41 @@ pub(crate) fn minkowski() -> Definition {
             struct Boost { scalar, tx, ty, xy, tw, xw, yw, txyw }
         }
     })
+}
+
+/// Types of cga3 under other names and in another order of the basis.
+pub(crate) fn renamed() -> Definition {
+    check(quote! {
+        pub mod conformal {
+            basis infinity, x, y, z, origin;
+            metric x*x = 1, y*y = 1, z*z = 1, infinity*origin = -1;
+            #[hull(Weighted)] #[facts(null)]
+            struct Place { x, y, z, origin = 1, infinity = (x*x + y*y + z*z)/2 }
+            struct Weighted { infinity, z, origin, x, y }
+            struct Flat { infinityxyz, infinityyxorigin, infinityxzorigin, infinityyzorigin }
+            struct Ball { xyzorigin, infinityxyz, infinityxyorigin, infinityxzorigin, infinityyzorigin }
+            struct Axis { infinityxy, infinityxz, infinityyz, infinityxorigin, infinityyorigin, infinityzorigin }
+            struct Ring {
+                xyz, xyorigin, xzorigin, yzorigin, infinityxy, infinityxz, infinityyz,
+                infinityxorigin, infinityyorigin, infinityzorigin
+            }
+            struct Pair {
+                xy, xz, yz, xorigin, yorigin, zorigin, infinityx, infinityy, infinityz, infinityorigin
+            }
+            struct Sum { zx, scalar, xy, yz, infinityxyz, infinityx, infinityy, infinityz }
+            #[hull(Sum)] #[facts(unit_versor)]
+            struct Motion { scalar, yx, xz, yz, infinityx, infinityy, infinityz, infinityxyz }
+        }
+    })
+}
+
+/// One function from its text.
+#[track_caller]
+pub(crate) fn compile(definition: &Definition, text: &str) -> CompiledFunction {
+    match ga_compiler::compile(definition, text.parse().expect("tokens")) {
+        Ok(mut functions) => functions.remove(0),
+        Err(error) => panic!("{text}: {error}"),
+    }
 }
 
 fn check(declaration: TokenStream) -> Definition {

@@ -1,8 +1,10 @@
 //! The compiler as a library, with no macro involved.
 
 mod algebras;
+mod counts;
 mod declarations;
 mod emit;
 mod kernels;
 mod passes;
 mod rules;
+mod snapshots;

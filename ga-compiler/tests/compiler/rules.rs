@@ -109,6 +109,9 @@ fn cases<'a>(cga3: &'a Definition, minkowski: &'a Definition) -> Vec<Case<'a>> {
         }
     }
     for versor in ["Dilator", "Similarity"] {
+        // A scaling takes a point to a weighted one.
+        let scaled = Case::new(cga3, &[versor, "Point"], sandwich(), "RoundVector");
+        cases.push(scaled);
         for kind in &moved[1..] {
             cases.push(Case::new(cga3, &[versor, kind], sandwich(), kind));
         }
@@ -288,6 +291,11 @@ fn a_wrong_node_anywhere_is_refused() {
             };
             assert!(!case.agrees(&spoiled), "{wrong:?}");
             faults += 1;
+        }
+        for wrong in 0..kernel.outputs.len() {
+            let mut spoiled = kernel.clone();
+            spoiled.outputs[wrong] = -spoiled.outputs[wrong];
+            assert!(!case.agrees(&spoiled), "output {wrong}");
         }
     }
     assert!(faults > 200, "{faults}");

@@ -151,29 +151,3 @@ fn counts_agree_with_the_cost_of_kernels() {
         assert_counts_agree(&definition, &function);
     }
 }
-
-#[test]
-fn kernels_cost_what_was_counted_by_hand() {
-    let definition = cga3();
-    let path = quote::quote! { ga_runtime::cga3 };
-    for (text, multiplications, additions) in [
-        ("fn f(p: Point, q: Point) -> RoundVector { p - q }", 7, 8),
-        ("fn f(m: Rotor, n: Rotor) -> Rotor { m * n }", 16, 12),
-        (
-            "fn f(s: Translator, t: Translator) -> Translator { s * t }",
-            0,
-            3,
-        ),
-        ("fn f(a: Sphere, b: Sphere) -> Circle { a & b }", 20, 10),
-    ] {
-        let function = source::compile(&definition, text);
-        let found = count::function(&definition, &path, &function)
-            .expect("known constructs")
-            .call;
-        assert_eq!(
-            (found.multiplications, found.additions),
-            (multiplications, additions),
-            "{text}"
-        );
-    }
-}

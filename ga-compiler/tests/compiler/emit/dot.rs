@@ -10,7 +10,7 @@ use ga_compiler::ir::{Function, Residue};
 use proptest::prelude::*;
 
 use super::{random, source};
-use crate::algebras::cga3;
+use crate::algebras::{cga3, compile};
 
 /// What is known of a picture.
 #[derive(Default)]
@@ -154,7 +154,7 @@ fn pictures_of_kernels_mean_what_the_graph_does() {
     for function in source::kernels(&definition) {
         assert_picture_agrees(&definition, &function);
     }
-    let once = source::compile(
+    let once = compile(
         &definition,
         "fn once(uniform m: Motor, p: Point) -> Point { sandwich(m, p) }",
     );

@@ -9,7 +9,7 @@ use ga_compiler::ir::{Function, Residue};
 use proptest::prelude::*;
 
 use super::{random, source};
-use crate::algebras::cga3;
+use crate::algebras::{cga3, compile};
 
 /// Evaluates the text of a function: what stands after each label.
 fn evaluate(text: &str, names: &[(String, usize)], inputs: &[Residue]) -> Vec<(String, Residue)> {
@@ -203,7 +203,7 @@ fn formulas_of_kernels_mean_what_the_graph_does() {
 #[test]
 fn formulas_read_as_in_a_textbook() {
     let definition = cga3();
-    let text = |function| formula::function(&definition, &source::compile(&definition, function));
+    let text = |function| formula::function(&definition, &compile(&definition, function));
     assert_eq!(
         text("fn f(p: Point, q: Point) -> Point { p }"),
         "f(p: Point, q: Point) -> Point\ne1: p.e1\ne2: p.e2\ne3: p.e3\neo: 1\nei: (e1² + e2² + e3²) / 2\n"

@@ -3,14 +3,7 @@
 use ga_compiler::define::Definition;
 use ga_compiler::function::CompiledFunction;
 
-/// One function.
-#[track_caller]
-pub(crate) fn compile(definition: &Definition, text: &str) -> CompiledFunction {
-    match ga_compiler::compile(definition, text.parse().expect("tokens")) {
-        Ok(mut functions) => functions.remove(0),
-        Err(error) => panic!("{text}: {error}"),
-    }
-}
+use crate::algebras::compile;
 
 /// Functions of every kind.
 pub(crate) fn kernels(definition: &Definition) -> Vec<CompiledFunction> {
