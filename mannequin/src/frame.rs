@@ -1,6 +1,6 @@
 //! Frames along which the parts of the body are measured.
 
-use crate::vector::Vector;
+use crate::Vector;
 
 /// A point on a straight axis and the directions of the axis and of the two reaches, orthonormal.
 #[derive(Clone, Copy, Debug)]
@@ -14,16 +14,14 @@ pub(crate) struct Frame {
 impl Frame {
     /// At the origin, along straight up, across to the left, depth to the front.
     pub(crate) const UPRIGHT: Frame = Frame {
-        origin: [0.0; 3],
-        along: [0.0, 1.0, 0.0],
-        across: [1.0, 0.0, 0.0],
-        depth: [0.0, 0.0, 1.0],
+        origin: Vector::ZERO,
+        along: Vector::Y,
+        across: Vector::X,
+        depth: Vector::Z,
     };
 
     /// The point at the given position along the axis and off it.
     pub(crate) fn point(&self, along: f64, across: f64, depth: f64) -> Vector {
-        std::array::from_fn(|i| {
-            self.origin[i] + along * self.along[i] + across * self.across[i] + depth * self.depth[i]
-        })
+        self.origin + self.along * along + self.across * across + self.depth * depth
     }
 }

@@ -4,8 +4,8 @@
 //! Control of Human Movement (4th edition, 2009, figure 4.1, after Drillis and Contini) gives, for
 //! a stature of 1.75 m.
 
+use crate::Vector;
 use crate::frame::Frame;
-use crate::vector::Vector;
 
 /// Stature in metres.
 pub(crate) const STATURE: f64 = 1.75;
@@ -47,26 +47,26 @@ pub(crate) const TOE_TIP: f64 = 0.200;
 
 impl Landmarks {
     pub(crate) fn new() -> Self {
-        let ankle = [0.102, 0.078, -0.028];
+        let ankle = Vector::new(0.102, 0.078, -0.028);
         let (sin, cos) = TOE_OUT.sin_cos();
         let (arm_sin, arm_cos) = ARM_DROP.sin_cos();
         let foot = Frame {
-            origin: [ankle[0], 0.0, ankle[2]],
-            along: [sin, 0.0, cos],
-            across: [cos, 0.0, -sin],
-            depth: [0.0, 1.0, 0.0],
+            origin: Vector::new(ankle.e1, 0.0, ankle.e3),
+            along: Vector::new(sin, 0.0, cos),
+            across: Vector::new(cos, 0.0, -sin),
+            depth: Vector::Y,
         };
         Landmarks {
-            hip: [0.088, 0.915, 0.0],
-            knee: [0.094, 0.500, 0.006],
+            hip: Vector::new(0.088, 0.915, 0.0),
+            knee: Vector::new(0.094, 0.500, 0.006),
             ankle,
             ball: foot.point(BALL, 0.0, 0.016),
             foot,
             arm: Frame {
-                origin: [0.182, 1.408, -0.018],
-                along: [arm_cos, -arm_sin, 0.0],
-                across: [arm_sin, arm_cos, 0.0],
-                depth: [0.0, 0.0, 1.0],
+                origin: Vector::new(0.182, 1.408, -0.018),
+                along: Vector::new(arm_cos, -arm_sin, 0.0),
+                across: Vector::new(arm_sin, arm_cos, 0.0),
+                depth: Vector::Z,
             },
         }
     }

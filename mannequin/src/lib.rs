@@ -19,7 +19,6 @@ mod landmarks;
 mod shape;
 mod skeleton;
 mod surface;
-mod vector;
 mod walk;
 mod weights;
 
@@ -29,6 +28,14 @@ use ga_anim::skeleton::Skeleton;
 use ga_anim::weights::SkinWeights;
 
 pub use walk::{KEY_NAMES, KEY_TIME, KEYS_PER_STRIDE, walk};
+
+/// A vector or a place: x to the left of the body, y up, z to the front, in metres.
+type Vector = ga_runtime::vga3::Vector<f64>;
+
+/// The mirror image in the plane x = 0, the body's plane of symmetry.
+fn mirror(v: Vector) -> Vector {
+    Vector::new(-v.e1, v.e2, v.e3)
+}
 
 /// The person's height in metres.
 pub const STATURE: f64 = landmarks::STATURE;

@@ -1,7 +1,7 @@
 //! The joints of the body and their bones at rest.
 
 use crate::landmarks::{ELBOW, HAND, Landmarks, TOE_TIP, WRIST, WRIST_FORWARD};
-use crate::vector::{Vector, mirror};
+use crate::{Vector, mirror};
 use ga_anim::skeleton::{Joint, Skeleton};
 
 pub(crate) const HIPS: usize = 0;
@@ -22,12 +22,12 @@ const LEG_NAMES: [&str; 4] = ["UpperLeg", "LowerLeg", "Foot", "Toe"];
 /// left and the right leg.
 pub(crate) fn skeleton(landmarks: &Landmarks) -> Skeleton {
     let spine: [Vector; 6] = [
-        [0.0, 0.955, -0.005],
-        [0.0, 1.050, -0.014],
-        [0.0, 1.190, -0.022],
-        [0.0, 1.465, -0.028],
-        [0.0, 1.560, -0.006],
-        [0.0, 1.745, 0.004],
+        Vector::new(0.0, 0.955, -0.005),
+        Vector::new(0.0, 1.050, -0.014),
+        Vector::new(0.0, 1.190, -0.022),
+        Vector::new(0.0, 1.465, -0.028),
+        Vector::new(0.0, 1.560, -0.006),
+        Vector::new(0.0, 1.745, 0.004),
     ];
     let names = ["Hips", "Spine", "Chest", "Neck", "Head"];
     let mut joints: Vec<Joint> = names
@@ -36,7 +36,7 @@ pub(crate) fn skeleton(landmarks: &Landmarks) -> Skeleton {
         .map(|(i, name)| joint((*name).to_owned(), i.checked_sub(1), spine[i], spine[i + 1]))
         .collect();
     let arm = [
-        [0.022, 1.436, -0.004],
+        Vector::new(0.022, 1.436, -0.004),
         landmarks.arm.origin,
         landmarks.arm.point(ELBOW, 0.0, 0.001),
         landmarks.arm.point(WRIST, 0.0, WRIST_FORWARD),
@@ -71,7 +71,7 @@ fn joint(name: String, parent: Option<usize>, head: Vector, tail: Vector) -> Joi
     Joint {
         name,
         parent,
-        head,
-        tail,
+        head: head.coordinates(),
+        tail: tail.coordinates(),
     }
 }

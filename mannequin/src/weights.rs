@@ -10,7 +10,7 @@
 use crate::landmarks::{HEEL, Landmarks};
 use crate::shape::{Body, smooth_step};
 use crate::skeleton::{ARM, CHEST, COUNT, HEAD, HIPS, LEG, NECK, SPINE};
-use crate::vector::{Vector, mirror};
+use crate::{Vector, mirror};
 use ga_anim::distance_weights::distance_to_bone;
 use ga_anim::skeleton::Skeleton;
 use ga_anim::weights::SkinWeights;
@@ -41,7 +41,9 @@ pub(crate) fn weights(
 ) -> SkinWeights {
     let bone = |joint: usize| Bone {
         joint,
-        segments: vec![[skeleton.joints()[joint].head, skeleton.joints()[joint].tail]],
+        segments: vec![
+            [skeleton.joints()[joint].head, skeleton.joints()[joint].tail].map(Vector::from),
+        ],
     };
     let limb = |first: usize| (first..first + 4).map(bone).collect::<Vec<_>>();
     let mut trunk: Vec<Bone> = [HIPS, SPINE, CHEST, NECK, HEAD, ARM[0], ARM[1]]
@@ -50,13 +52,13 @@ pub(crate) fn weights(
     // What is broad is more than a line: the pelvis, the rib cage, the jaw.
     trunk[HIPS]
         .segments
-        .push([[-0.09, 0.95, 0.0], [0.09, 0.95, 0.0]]);
+        .push([Vector::new(-0.09, 0.95, 0.0), Vector::new(0.09, 0.95, 0.0)]);
     trunk[CHEST]
         .segments
-        .push([[-0.08, 1.32, 0.0], [0.08, 1.32, 0.0]]);
+        .push([Vector::new(-0.08, 1.32, 0.0), Vector::new(0.08, 1.32, 0.0)]);
     trunk[HEAD]
         .segments
-        .push([[0.0, 1.62, 0.0], [0.0, 1.56, 0.085]]);
+        .push([Vector::new(0.0, 1.62, 0.0), Vector::new(0.0, 1.56, 0.085)]);
     let [left_arm, right_arm] = ARM.map(limb);
     let [mut left_leg, mut right_leg] = LEG.map(limb);
     // The heel belongs to the foot, though the shank ends as near to it.
@@ -93,7 +95,7 @@ fn inverse_distance(bones: &[Bone], point: Vector) -> Vec<(usize, f64)> {
         let distances = bone
             .segments
             .iter()
-            .map(|&segment| distance_to_bone(point, segment));
+            .map(|&ends| distance_to_bone(point.coordinates(), ends.map(Vector::coordinates)));
         distances.fold(f64::INFINITY, f64::min)
     };
     let distances: Vec<f64> = bones.iter().map(|bone| distance(bone).max(1e-6)).collect();
@@ -121,8 +123,8 @@ fn shares(body: &Body, point: Vector) -> [f64; 5] {
     );
     let core = (1.0 - left_arm - right_arm).max(0.0);
     // The crease of the hip rises from the crotch to the sides.
-    let crease = 0.860 + 0.045 * smooth_step(point[0].abs() / 0.13);
-    let above = smooth_step((point[1] - crease) / 0.20 + 0.5);
+    let crease = 0.860 + 0.045 * smooth_step(point.e1.abs() / 0.13);
+    let above = smooth_step((point.e2 - crease) / 0.20 + 0.5);
     let left = nearer(left_leg, right_leg, LEG_SEAM);
     let legs = core * (1.0 - above);
     [

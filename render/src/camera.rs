@@ -149,9 +149,9 @@ impl Camera {
             }
             largest = point.iter().fold(largest, |most, c| most.max(c.abs()));
             let point = Vector::from(point);
-            let depth = point | forward;
-            span_x.include(point | right, tangent_x * depth);
-            span_y.include(point | up, tangent_y * depth);
+            let depth = point.dot(forward);
+            span_x.include(point.dot(right), tangent_x * depth);
+            span_y.include(point.dot(up), tangent_y * depth);
             nearest = nearest.min(depth);
             farthest = farthest.max(depth);
         }
@@ -224,7 +224,11 @@ impl Camera {
     /// Right offset, up offset and depth of a point.
     pub(crate) fn view(&self, point: Vector) -> Vector {
         let offset = point - self.eye;
-        Vector::new(offset | self.right, offset | self.up, offset | self.forward)
+        Vector::new(
+            offset.dot(self.right),
+            offset.dot(self.up),
+            offset.dot(self.forward),
+        )
     }
 
     /// The world vector of a vector given by right offset, up offset and depth.

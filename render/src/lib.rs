@@ -179,12 +179,9 @@ fn check(scene: &Scene) -> Result<(), RenderError> {
     }
 }
 
+/// The length of the bounding box's diagonal; 0 without positions.
 fn bounding_diagonal(positions: &[[f64; 3]]) -> f64 {
-    let squares = (0..3).map(|axis| {
-        let coordinates = positions.iter().map(|p| p[axis]);
-        let least = coordinates.clone().fold(f64::INFINITY, f64::min);
-        let greatest = coordinates.fold(f64::NEG_INFINITY, f64::max);
-        (greatest - least).powi(2)
-    });
-    squares.sum::<f64>().sqrt()
+    let corners = positions.iter().map(|&p| [Vector::from(p); 2]);
+    let bounds = corners.reduce(|[low, high], [a, b]| [low.min(a), high.max(b)]);
+    bounds.map_or(0.0, |[low, high]| low.distance(high))
 }

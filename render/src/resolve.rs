@@ -126,7 +126,7 @@ impl Resolver<'_> {
         ) else {
             return self.style.surface;
         };
-        if (flat | towards_viewer) < 0.0 {
+        if flat.dot(towards_viewer) < 0.0 {
             normal = -normal;
         }
         self.lighting
@@ -190,7 +190,7 @@ fn ground_shading<'a>(
     };
     let (key_shadow, sky_shadow) = rayon::join(
         || shadow(lighting.towards_key(), KEY_TANGENT),
-        || shadow(Vector::new(0.0, 1.0, 0.0), SKY_TANGENT),
+        || shadow(Vector::Y, SKY_TANGENT),
     );
     let eye = Vector::from(camera.eye());
     let centre = centre_of(scene.positions).unwrap_or(eye);
@@ -200,7 +200,7 @@ fn ground_shading<'a>(
         key_shadow,
         sky_shadow,
         centre,
-        fade: (centre - eye).length(),
+        fade: centre.distance(eye),
     })
 }
 

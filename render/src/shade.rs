@@ -81,10 +81,10 @@ impl WorldLighting {
         let mut diffuse = self.bounce.lerp(self.sky, 0.5 + 0.5 * normal.e2);
         let mut highlight = LinearColour::BLACK;
         for (direction, colour) in [self.key, self.fill] {
-            let facing = (normal | direction).max(0.0);
+            let facing = normal.dot(direction).max(0.0);
             diffuse += colour * facing;
             if let Some(half) = (direction + towards_viewer).normalized() {
-                let closeness = (normal | half).max(0.0).powi(SHARPNESS);
+                let closeness = normal.dot(half).max(0.0).powi(SHARPNESS);
                 highlight += colour * (self.gloss * closeness * facing.sqrt());
             }
         }

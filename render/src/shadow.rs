@@ -163,9 +163,7 @@ mod tests {
     fn the_edge_of_a_shadow_is_as_soft_as_the_blocker_is_high() {
         let softness = |height: f64| {
             let (positions, triangles) = plate(height);
-            let shadow =
-                GroundShadow::new(&positions, &triangles, 0.0, Vector::new(0.0, 1.0, 0.0), 0.1)
-                    .unwrap();
+            let shadow = GroundShadow::new(&positions, &triangles, 0.0, Vector::Y, 0.1).unwrap();
             let half_shadow = shadow.visibility(1.0, 0.0);
             assert!(
                 (half_shadow - 0.5).abs() < 0.1,

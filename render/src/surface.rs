@@ -72,7 +72,11 @@ impl Samples {
 /// under perspective, wherever the corners lie. A triangle seen edge-on has no such place and gets
 /// its middle.
 pub(crate) fn barycentric(ray: Vector, [a, b, c]: [Vector; 3]) -> [f64; 3] {
-    let volumes = [ray | b.cross(c), ray | c.cross(a), ray | a.cross(b)];
+    let volumes = [
+        ray.dot(b.cross(c)),
+        ray.dot(c.cross(a)),
+        ray.dot(a.cross(b)),
+    ];
     let total: f64 = volumes.iter().sum();
     let weights = volumes.map(|v| (v / total).clamp(0.0, 1.0));
     // Clamping keeps a sample on a sliver's rounded outline from being extrapolated.

@@ -158,11 +158,10 @@ impl Camera {
         target: Point<f64>,
         up: [f64; 3],
     ) -> Option<Self> {
-        let [eye, target] = [eye, target].map(|point| Vector::from(point.coordinates()));
-        let forward = (target - eye).normalized()?;
+        let forward = eye.vector_to(target).normalized()?;
         let right = forward.cross(Vector::from(up)).normalized()?;
         let down = forward.cross(right);
-        let row = |axis: Vector<f64>| [axis.e1, axis.e2, axis.e3, -(axis | eye)];
+        let row = |axis: Vector<f64>| [axis.e1, axis.e2, axis.e3, -axis.dot(eye.into())];
         let world_to_camera = Motor::from_matrix([row(right), row(down), row(forward)])?;
         Some(Self {
             intrinsics,
@@ -265,7 +264,6 @@ impl Ray {
     /// The distance of a point from the camera along the ray, in metres; negative behind the camera.
     #[must_use]
     pub fn depth(&self, point: Point<f64>) -> f64 {
-        let [from, to] = [self.centre, point].map(|point| Vector::from(point.coordinates()));
-        (to - from) | Vector::from(self.direction())
+        self.centre.vector_to(point).dot(self.direction().into())
     }
 }

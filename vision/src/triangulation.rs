@@ -86,7 +86,7 @@ impl Triangulation {
 /// ```
 pub fn triangulate(first: &Ray, second: &Ray) -> Result<Triangulation, TriangulationError> {
     let [d1, d2] = [first, second].map(|ray| Vector::from(ray.direction()));
-    let (sine, cosine) = (d1.cross(d2).length(), d1 | d2);
+    let (sine, cosine) = (d1.cross(d2).length(), d1.dot(d2));
     if !(sine.is_finite() && cosine.is_finite()) {
         return Err(TriangulationError::NotFinite);
     }
@@ -97,9 +97,9 @@ pub fn triangulate(first: &Ray, second: &Ray) -> Result<Triangulation, Triangula
         .line
         .common_perpendicular(second.line, Tolerance::new(0.0, 0.0))
         .ok_or(TriangulationError::NotFinite)?;
-    let [a, b] = feet.map(|foot| Vector::from(foot.coordinates()));
+    let [a, b] = feet.map(Vector::from);
     Ok(Triangulation {
-        position: Point::from(((a + b) * 0.5).coordinates()),
+        position: a.lerp(b, 0.5).into(),
         feet,
         gap: distance,
         depths: [first.depth(feet[0]), second.depth(feet[1])],

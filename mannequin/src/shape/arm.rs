@@ -2,9 +2,9 @@
 
 use super::loft::{Loft, Section, section};
 use super::solid::{Bump, Shape, Solid};
+use crate::Vector;
 use crate::frame::Frame;
 use crate::landmarks::{ELBOW, Landmarks, WRIST, WRIST_FORWARD};
-use crate::vector::{Vector, add, scale, unit};
 
 /// Sections across the arm from the shoulder to the knuckles: palm and back of the hand, back and
 /// front of the arm (on the hand from the little finger to the index).
@@ -80,7 +80,7 @@ pub(crate) fn solid(landmarks: &Landmarks) -> Solid {
         let mut bend = 0.06;
         for (i, length) in finger.lengths.iter().enumerate() {
             let length = if i == 0 { length + 0.006 } else { *length };
-            let to = add(from, scale(direction(&hand, sideways, bend), length));
+            let to = from + direction(&hand, sideways, bend) * length;
             let radii = [finger.radii[i], finger.radii[i + 1]];
             solid.join(
                 if i == 0 { 0.012 } else { 0.0 },
@@ -114,13 +114,13 @@ pub(crate) fn bumps(landmarks: &Landmarks) -> Vec<Bump> {
         // The point of the elbow.
         Bump {
             centre: arm.point(ELBOW, 0.0, -0.040),
-            radii: [0.018, 0.018, 0.02],
+            radii: Vector::new(0.018, 0.018, 0.02),
             height: 0.005,
         },
         // The hollow of the palm.
         Bump {
             centre: arm.point(WRIST + 0.055, -0.016, WRIST_FORWARD),
-            radii: [0.02, 0.02, 0.02],
+            radii: Vector::new(0.02, 0.02, 0.02),
             height: -0.003,
         },
     ]
@@ -134,14 +134,8 @@ fn hand_frame(landmarks: &Landmarks) -> Frame {
     }
 }
 
-/// Along the hand, turned towards the thumb by `sideways` and towards the palm by `bend`.
+/// The unit vector along the hand, turned towards the thumb by `sideways` and towards the palm by `bend`.
 fn direction(hand: &Frame, sideways: f64, bend: f64) -> Vector {
-    let level = add(
-        scale(hand.along, sideways.cos()),
-        scale(hand.depth, sideways.sin()),
-    );
-    unit(add(
-        scale(level, bend.cos()),
-        scale(hand.across, -bend.sin()),
-    ))
+    let level = hand.along * sideways.cos() + hand.depth * sideways.sin();
+    level * bend.cos() - hand.across * bend.sin()
 }

@@ -2,8 +2,8 @@
 
 use super::loft::{Loft, Section, section};
 use super::solid::{Bump, Shape, Solid, ellipsoid};
+use crate::Vector;
 use crate::frame::Frame;
-use crate::vector::{cross, unit};
 
 /// Level sections of the skull; the caps make its base and its crown.
 const SKULL: [Section; 2] = [
@@ -35,19 +35,23 @@ pub(crate) fn add_to(solid: &mut Solid) {
         Shape::Loft(Loft::new(Frame::UPRIGHT, &FACE, [0.026, 0.040])),
     );
     let nose = Shape::Cone {
-        from: [0.0, 1.645, 0.103],
-        to: [0.0, 1.605, 0.117],
+        from: Vector::new(0.0, 1.645, 0.103),
+        to: Vector::new(0.0, 1.605, 0.117),
         radii: [0.006, 0.0095],
     };
     solid.join(0.012, nose);
-    let nostril = ellipsoid([0.009, 1.601, 0.110], [0.0075, 0.0065, 0.009]);
+    let nostril = ellipsoid(
+        Vector::new(0.009, 1.601, 0.110),
+        Vector::new(0.0075, 0.0065, 0.009),
+    );
     solid.join_pair(0.008, nostril);
-    let back = unit([0.30, 0.0, -0.95]);
-    let up = [0.0, 1.0, 0.0];
+    // A horizontal unit vector.
+    let back = Vector::new(0.30, 0.0, -0.95) / 0.30f64.hypot(0.95);
+    let up = Vector::Y;
     let ear = Shape::Ellipsoid {
-        centre: [0.072, 1.632, -0.012],
-        axes: [back, up, cross(back, up)],
-        radii: [0.018, 0.031, 0.009],
+        centre: Vector::new(0.072, 1.632, -0.012),
+        axes: [back, up, back.cross(up)],
+        radii: Vector::new(0.018, 0.031, 0.009),
     };
     solid.join_pair(0.010, ear);
 }
@@ -56,56 +60,56 @@ pub(crate) fn bumps() -> Vec<Bump> {
     vec![
         // The hollows of the eyes with the closed lids in them, and the brow above.
         Bump {
-            centre: [0.032, 1.641, 0.102],
-            radii: [0.023, 0.014, 0.02],
+            centre: Vector::new(0.032, 1.641, 0.102),
+            radii: Vector::new(0.023, 0.014, 0.02),
             height: -0.010,
         },
         Bump {
-            centre: [0.032, 1.638, 0.098],
-            radii: [0.012, 0.009, 0.02],
+            centre: Vector::new(0.032, 1.638, 0.098),
+            radii: Vector::new(0.012, 0.009, 0.02),
             height: 0.006,
         },
         Bump {
-            centre: [0.030, 1.661, 0.106],
-            radii: [0.024, 0.008, 0.02],
+            centre: Vector::new(0.030, 1.661, 0.106),
+            radii: Vector::new(0.024, 0.008, 0.02),
             height: 0.003,
         },
         // Cheekbones.
         Bump {
-            centre: [0.050, 1.615, 0.075],
-            radii: [0.018, 0.014, 0.03],
+            centre: Vector::new(0.050, 1.615, 0.075),
+            radii: Vector::new(0.018, 0.014, 0.03),
             height: 0.003,
         },
         // Lips with the mouth between them, and the dent above the chin.
         Bump {
-            centre: [0.0, 1.578, 0.110],
-            radii: [0.022, 0.006, 0.02],
+            centre: Vector::new(0.0, 1.578, 0.110),
+            radii: Vector::new(0.022, 0.006, 0.02),
             height: 0.005,
         },
         Bump {
-            centre: [0.0, 1.564, 0.110],
-            radii: [0.019, 0.006, 0.02],
+            centre: Vector::new(0.0, 1.564, 0.110),
+            radii: Vector::new(0.019, 0.006, 0.02),
             height: 0.005,
         },
         Bump {
-            centre: [0.0, 1.571, 0.112],
-            radii: [0.024, 0.0025, 0.02],
+            centre: Vector::new(0.0, 1.571, 0.112),
+            radii: Vector::new(0.024, 0.0025, 0.02),
             height: -0.004,
         },
         Bump {
-            centre: [0.0, 1.553, 0.110],
-            radii: [0.020, 0.006, 0.02],
+            centre: Vector::new(0.0, 1.553, 0.110),
+            radii: Vector::new(0.020, 0.006, 0.02),
             height: -0.004,
         },
         Bump {
-            centre: [0.0, 1.536, 0.108],
-            radii: [0.016, 0.010, 0.02],
+            centre: Vector::new(0.0, 1.536, 0.108),
+            radii: Vector::new(0.016, 0.010, 0.02),
             height: 0.004,
         },
         // Temples.
         Bump {
-            centre: [0.070, 1.668, 0.055],
-            radii: [0.02, 0.022, 0.03],
+            centre: Vector::new(0.070, 1.668, 0.055),
+            radii: Vector::new(0.02, 0.022, 0.03),
             height: -0.004,
         },
     ]

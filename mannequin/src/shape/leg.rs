@@ -2,6 +2,7 @@
 
 use super::loft::{Loft, Section, section};
 use super::solid::{Bump, Shape, Solid, ellipsoid};
+use crate::Vector;
 use crate::frame::Frame;
 use crate::landmarks::Landmarks;
 
@@ -49,47 +50,53 @@ pub(crate) fn solid(landmarks: &Landmarks) -> Solid {
         Shape::Loft(Loft::new(landmarks.foot, &FOOT, [0.060, 0.042])),
     );
     // The ankle bones, the inner one higher.
-    let [x, y, z] = landmarks.ankle;
+    let [x, y, z] = landmarks.ankle.coordinates();
     solid.join(
         0.012,
-        ellipsoid([x - 0.026, y + 0.012, z + 0.004], [0.009, 0.016, 0.016]),
+        ellipsoid(
+            Vector::new(x - 0.026, y + 0.012, z + 0.004),
+            Vector::new(0.009, 0.016, 0.016),
+        ),
     );
     solid.join(
         0.012,
-        ellipsoid([x + 0.026, y - 0.002, z - 0.006], [0.009, 0.016, 0.015]),
+        ellipsoid(
+            Vector::new(x + 0.026, y - 0.002, z - 0.006),
+            Vector::new(0.009, 0.016, 0.015),
+        ),
     );
     solid
 }
 
 pub(crate) fn bumps(landmarks: &Landmarks) -> Vec<Bump> {
-    let [x, y, _] = landmarks.knee;
+    let [x, y, _] = landmarks.knee.coordinates();
     vec![
         // The kneecap and the tendon under it; the hollow of the knee.
         Bump {
-            centre: [x, y + 0.012, 0.066],
-            radii: [0.024, 0.024, 0.03],
+            centre: Vector::new(x, y + 0.012, 0.066),
+            radii: Vector::new(0.024, 0.024, 0.03),
             height: 0.006,
         },
         Bump {
-            centre: [x, y - 0.045, 0.056],
-            radii: [0.014, 0.020, 0.03],
+            centre: Vector::new(x, y - 0.045, 0.056),
+            radii: Vector::new(0.014, 0.020, 0.03),
             height: 0.002,
         },
         Bump {
-            centre: [x, y, -0.052],
-            radii: [0.022, 0.035, 0.02],
+            centre: Vector::new(x, y, -0.052),
+            radii: Vector::new(0.022, 0.035, 0.02),
             height: -0.004,
         },
         // The two heads of the calf.
         Bump {
-            centre: [x - 0.024, 0.36, -0.080],
-            radii: [0.022, 0.06, 0.03],
+            centre: Vector::new(x - 0.024, 0.36, -0.080),
+            radii: Vector::new(0.022, 0.06, 0.03),
             height: 0.004,
         },
         // The arch of the foot.
         Bump {
-            centre: [x - 0.034, 0.004, 0.02],
-            radii: [0.022, 0.016, 0.045],
+            centre: Vector::new(x - 0.034, 0.004, 0.02),
+            radii: Vector::new(0.022, 0.016, 0.045),
             height: -0.010,
         },
     ]

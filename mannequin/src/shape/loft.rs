@@ -1,8 +1,8 @@
 //! A solid through a row of cross-sections, given the way a body is measured: breadth and depth at
 //! each height.
 
+use crate::Vector;
 use crate::frame::Frame;
-use crate::vector::{Vector, dot, sub};
 
 /// One cross-section: where along the axis it stands and how far it reaches across it, in metres.
 #[derive(Clone, Copy, Debug)]
@@ -80,12 +80,12 @@ impl Loft {
 
     /// Distance to the surface to first order: exact on it, negative inside.
     pub(crate) fn distance(&self, point: Vector) -> f64 {
-        let local = sub(point, self.frame.origin);
-        let along = dot(local, self.frame.along);
+        let local = point - self.frame.origin;
+        let along = local.dot(self.frame.along);
         let (value, slope, over, cap) = self.at(along);
         let [centre_u, half_u, centre_v, half_v, exponent] = value;
-        let u = (dot(local, self.frame.across) - centre_u) / half_u;
-        let v = (dot(local, self.frame.depth) - centre_v) / half_v;
+        let u = (local.dot(self.frame.across) - centre_u) / half_u;
+        let v = (local.dot(self.frame.depth) - centre_v) / half_v;
 
         let (pu, pv) = (power(u.abs(), exponent), power(v.abs(), exponent));
         let ring = power(pu + pv, 1.0 / exponent);
@@ -108,7 +108,7 @@ impl Loft {
 
     /// Corners of a box that holds the solid.
     pub(crate) fn bounds(&self) -> [Vector; 2] {
-        let mut bounds = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+        let mut bounds: Option<[Vector; 2]> = None;
         let last = self.knots.len() - 1;
         for (i, knot) in self.knots.iter().enumerate() {
             let before = if i == 0 { self.caps[0] } else { 0.0 };
@@ -118,15 +118,13 @@ impl Loft {
                 for across in [cu - hu, cu + hu] {
                     for depth in [cv - hv, cv + hv] {
                         let p = self.frame.point(along, across, depth);
-                        for k in 0..3 {
-                            bounds[0][k] = bounds[0][k].min(p[k]);
-                            bounds[1][k] = bounds[1][k].max(p[k]);
-                        }
+                        let [low, high] = bounds.unwrap_or([p; 2]);
+                        bounds = Some([low.min(p), high.max(p)]);
                     }
                 }
             }
         }
-        bounds
+        bounds.unwrap_or([self.frame.origin; 2])
     }
 
     /// Channels and slopes at a position, how far it lies beyond the nearer end, and the height of
@@ -216,12 +214,12 @@ mod tests {
     #[test]
     fn a_ball_has_the_distance_of_a_ball() {
         for point in [
-            [0.6, 0.2, 0.3],
-            [1.5, 0.4, -0.2],
-            [0.0, 2.0, 0.0],
-            [0.0, -0.9, 0.1],
+            Vector::new(0.6, 0.2, 0.3),
+            Vector::new(1.5, 0.4, -0.2),
+            Vector::new(0.0, 2.0, 0.0),
+            Vector::new(0.0, -0.9, 0.1),
         ] {
-            let expected = dot(point, point).sqrt() - 1.0;
+            let expected = point.length() - 1.0;
             assert!(
                 (ball().distance(point) - expected).abs() < 1e-6,
                 "{point:?}"
@@ -242,7 +240,7 @@ mod tests {
         };
         let sections: Vec<Section> = (-20..=10).map(|i| ring(f64::from(i) * 0.1)).collect();
         let cone = Loft::new(Frame::UPRIGHT, &sections, [0.1, 0.1]);
-        let found = cone.distance([2.01 * 0.6, 0.0, 2.01 * 0.8]);
+        let found = cone.distance(Vector::new(2.01 * 0.6, 0.0, 2.01 * 0.8));
         assert!((found - 0.01 / 2.0_f64.sqrt()).abs() < 1e-4, "{found}");
     }
 
@@ -257,10 +255,12 @@ mod tests {
         for s in &sections {
             let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
             for across in s.across {
-                assert!(loft.distance([across, s.along, middle(s.depth)]).abs() < 1e-12);
+                let place = Vector::new(across, s.along, middle(s.depth));
+                assert!(loft.distance(place).abs() < 1e-12);
             }
             for depth in s.depth {
-                assert!(loft.distance([middle(s.across), s.along, depth]).abs() < 1e-12);
+                let place = Vector::new(middle(s.across), s.along, depth);
+                assert!(loft.distance(place).abs() < 1e-12);
             }
         }
     }

@@ -8,7 +8,7 @@ pub(crate) mod solid;
 mod torso;
 
 use crate::landmarks::Landmarks;
-use crate::vector::{Vector, mirror};
+use crate::{Vector, mirror};
 use solid::{Bump, Solid, smooth_minimum};
 
 /// Rises from 0 to 1 as `t` does, without a kink.
@@ -62,7 +62,7 @@ impl Body {
         let arms = left_arm.min(right_arm);
         // Through the pelvis the legs pass over into the trunk by interpolation: a union of two
         // solids of nearly the same outline would bulge.
-        let above = smooth_step((point[1] - PELVIS[0]) / (PELVIS[1] - PELVIS[0]));
+        let above = smooth_step((point.e2 - PELVIS[0]) / (PELVIS[1] - PELVIS[0]));
         let pelvis = if above <= 0.0 {
             legs
         } else if above >= 1.0 {
@@ -75,7 +75,7 @@ impl Body {
         if bare > reach {
             return bare;
         }
-        let folded = [point[0].abs(), point[1], point[2]];
+        let folded = Vector::new(point.e1.abs(), point.e2, point.e3);
         // A bump whose centre stands off the plane of symmetry also reaches across it from the
         // other side.
         let height: f64 = self
@@ -83,7 +83,7 @@ impl Body {
             .iter()
             .map(|bump| {
                 let here = bump.height_at(folded);
-                if bump.centre[0] > 0.0 {
+                if bump.centre.e1 > 0.0 {
                     here + bump.height_at(mirror(folded))
                 } else {
                     here
@@ -107,18 +107,12 @@ impl Body {
 
     /// Corners of a box that holds the left half of the body with room to spare.
     pub(crate) fn left_bounds(&self) -> [Vector; 2] {
-        const ROOM: f64 = 0.03;
-        let mut bounds = [[0.0, f64::INFINITY, f64::INFINITY], [f64::NEG_INFINITY; 3]];
-        for solid in [&self.trunk, &self.arm, &self.leg] {
-            if let Some([low, high]) = solid.bounds() {
-                for k in 0..3 {
-                    if k > 0 {
-                        bounds[0][k] = f64::min(bounds[0][k], low[k] - ROOM);
-                    }
-                    bounds[1][k] = f64::max(bounds[1][k], high[k] + ROOM);
-                }
-            }
-        }
-        bounds
+        const ROOM: Vector = Vector::new(0.03, 0.03, 0.03);
+        let solids = [&self.trunk, &self.arm, &self.leg];
+        let bounds = solids.into_iter().filter_map(Solid::bounds);
+        let whole = bounds.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]);
+        let [low, high] = whole.unwrap_or_default();
+        let low = low - ROOM;
+        [Vector::new(0.0, low.e2, low.e3), high + ROOM]
     }
 }

@@ -1,7 +1,7 @@
 //! Solids as signed distances, and their smooth union.
 
 use super::loft::Loft;
-use crate::vector::{Vector, add, dot, mirror, mix, norm, scale, sub};
+use crate::{Vector, mirror};
 
 /// A solid known by the signed distance to its surface, negative inside.
 #[derive(Clone, Debug)]
@@ -27,7 +27,7 @@ pub(crate) enum Shape {
 pub(crate) fn ellipsoid(centre: Vector, radii: Vector) -> Shape {
     Shape::Ellipsoid {
         centre,
-        axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        axes: [Vector::X, Vector::Y, Vector::Z],
         radii,
     }
 }
@@ -41,24 +41,24 @@ impl Shape {
                 axes,
                 radii,
             } => {
-                let offset = sub(point, *centre);
+                let offset = point - *centre;
                 let mut scaled = 0.0;
                 let mut gradient = 0.0;
-                for (axis, radius) in axes.iter().zip(radii) {
-                    let t = dot(offset, *axis) / radius;
+                for (axis, radius) in axes.iter().zip(radii.coordinates()) {
+                    let t = offset.dot(*axis) / radius;
                     scaled += t * t;
                     gradient += (t / radius) * (t / radius);
                 }
                 if scaled < 1e-12 {
-                    return -radii[0].min(radii[1]).min(radii[2]);
+                    return -radii.e1.min(radii.e2).min(radii.e3);
                 }
                 let scaled = scaled.sqrt();
                 scaled * (scaled - 1.0) / gradient.sqrt()
             }
             Shape::Cone { from, to, radii } => {
-                let axis = sub(*to, *from);
-                let t = (dot(sub(point, *from), axis) / dot(axis, axis)).clamp(0.0, 1.0);
-                norm(sub(point, mix(*from, *to, t))) - radii[0] - t * (radii[1] - radii[0])
+                let axis = *to - *from;
+                let t = ((point - *from).dot(axis) / axis.length_squared()).clamp(0.0, 1.0);
+                point.distance(from.lerp(*to, t)) - radii[0] - t * (radii[1] - radii[0])
             }
         }
     }
@@ -71,18 +71,19 @@ impl Shape {
                 axes,
                 radii,
             } => {
-                let reach: Vector = std::array::from_fn(|k| {
-                    (0..3)
-                        .map(|i| (axes[i][k] * radii[i]).powi(2))
-                        .sum::<f64>()
-                        .sqrt()
+                let reach = [0, 1, 2].map(|k| {
+                    let parts = Vector::from(axes.map(|axis| axis[k]));
+                    parts.component_product(*radii).length()
                 });
-                [sub(*centre, reach), add(*centre, reach)]
+                let reach = Vector::from(reach);
+                [*centre - reach, *centre + reach]
             }
             Shape::Cone { from, to, radii } => {
-                let low = |k: usize| (from[k] - radii[0]).min(to[k] - radii[1]);
-                let high = |k: usize| (from[k] + radii[0]).max(to[k] + radii[1]);
-                [std::array::from_fn(low), std::array::from_fn(high)]
+                let [first, last] = radii.map(|radius| Vector::new(radius, radius, radius));
+                [
+                    (*from - first).min(*to - last),
+                    (*from + first).max(*to + last),
+                ]
             }
         }
     }
@@ -121,16 +122,13 @@ impl Solid {
     fn push(&mut self, fillet: f64, shape: Shape, paired: bool) {
         let mut bounds = shape.bounds();
         if paired {
-            let reach = bounds[1][0].max(-bounds[0][0]);
-            bounds[0][0] = -reach;
-            bounds[1][0] = reach;
+            let reach = bounds[1].e1.max(-bounds[0].e1);
+            bounds[0].e1 = -reach;
+            bounds[1].e1 = reach;
         }
         self.bounds = Some(match self.bounds {
             None => bounds,
-            Some(old) => [
-                std::array::from_fn(|k| old[0][k].min(bounds[0][k])),
-                std::array::from_fn(|k| old[1][k].max(bounds[1][k])),
-            ],
+            Some([low, high]) => [low.min(bounds[0]), high.max(bounds[1])],
         });
         self.widest = self.widest.max(fillet);
         self.members.push(Member {
@@ -195,7 +193,7 @@ pub(crate) struct Bump {
 
 impl Bump {
     pub(crate) fn height_at(&self, point: Vector) -> f64 {
-        let offset = sub(point, self.centre);
+        let offset = point - self.centre;
         let square: f64 = (0..3).map(|k| (offset[k] / self.radii[k]).powi(2)).sum();
         // Beyond this it is under 0.01 mm for every bump here, and exp is what costs.
         if square > 9.0 {
@@ -215,27 +213,21 @@ pub(crate) fn project(distance: impl Fn(Vector) -> f64, point: Vector) -> Vector
         if d.abs() < 1e-7 {
             break;
         }
-        let gradient: Vector = std::array::from_fn(|k| {
-            let mut moved = p;
-            moved[k] += STEP;
-            (distance(moved) - d) / STEP
-        });
-        let square = dot(gradient, gradient);
+        let gradient =
+            [Vector::X, Vector::Y, Vector::Z].map(|axis| (distance(p + axis * STEP) - d) / STEP);
+        let gradient = Vector::from(gradient);
+        let square = gradient.length_squared();
         if square < 1e-6 {
             break;
         }
-        p = sub(p, scale(gradient, d / square));
+        p -= gradient * (d / square);
     }
     p
 }
 
-fn box_distance(bounds: &[Vector; 2], point: Vector) -> f64 {
-    let outside: Vector = std::array::from_fn(|k| {
-        (bounds[0][k] - point[k])
-            .max(point[k] - bounds[1][k])
-            .max(0.0)
-    });
-    norm(outside)
+fn box_distance(&[low, high]: &[Vector; 2], point: Vector) -> f64 {
+    let outside = (low - point).max(point - high).max(Vector::ZERO);
+    outside.length()
 }
 
 #[cfg(test)]
@@ -259,10 +251,10 @@ mod tests {
         #[test]
         fn a_pair_is_symmetric(x in -1.0..1.0f64, y in -1.0..1.0f64, z in -1.0..1.0f64) {
             let mut solid = Solid::default();
-            solid.join(0.0, ellipsoid([0.0, 0.2, 0.0], [0.3, 0.4, 0.2]));
-            let shape = Shape::Cone { from: [0.2, 0.0, 0.1], to: [0.6, 0.5, 0.0], radii: [0.2, 0.1] };
+            solid.join(0.0, ellipsoid(Vector::new(0.0, 0.2, 0.0), Vector::new(0.3, 0.4, 0.2)));
+            let shape = Shape::Cone { from: Vector::new(0.2, 0.0, 0.1), to: Vector::new(0.6, 0.5, 0.0), radii: [0.2, 0.1] };
             solid.join_pair(0.1, shape);
-            let (here, there) = (solid.distance([x, y, z], 10.0), solid.distance([-x, y, z], 10.0));
+            let (here, there) = (solid.distance(Vector::new(x, y, z), 10.0), solid.distance(Vector::new(-x, y, z), 10.0));
             prop_assert_eq!(here, there);
         }
     }
@@ -270,16 +262,16 @@ mod tests {
     #[test]
     fn passing_over_what_is_far_changes_nothing_near() {
         let mut solid = Solid::default();
-        solid.join(0.0, ellipsoid([0.0; 3], [0.3, 0.4, 0.2]));
+        solid.join(0.0, ellipsoid(Vector::ZERO, Vector::new(0.3, 0.4, 0.2)));
         let cone = Shape::Cone {
-            from: [0.3, 0.0, 0.0],
-            to: [0.9, 0.0, 0.0],
+            from: Vector::new(0.3, 0.0, 0.0),
+            to: Vector::new(0.9, 0.0, 0.0),
             radii: [0.15, 0.1],
         };
         solid.join(0.05, cone);
         for i in 0..200 {
             let t = f64::from(i) * 0.01;
-            let point = [t - 1.0, 0.3 * (7.0 * t).sin(), 0.3 * (5.0 * t).cos()];
+            let point = Vector::new(t - 1.0, 0.3 * (7.0 * t).sin(), 0.3 * (5.0 * t).cos());
             let exact = solid.distance(point, f64::INFINITY);
             let short = solid.distance(point, 0.1);
             assert!(
@@ -296,9 +288,16 @@ mod tests {
     #[test]
     fn projection_ends_on_the_surface() {
         let mut solid = Solid::default();
-        solid.join(0.0, ellipsoid([0.1, 0.0, 0.0], [0.3, 0.4, 0.2]));
+        solid.join(
+            0.0,
+            ellipsoid(Vector::new(0.1, 0.0, 0.0), Vector::new(0.3, 0.4, 0.2)),
+        );
         let distance = |p| solid.distance(p, f64::INFINITY);
-        for start in [[0.5, 0.1, 0.1], [0.1, 0.3, 0.05], [-0.1, -0.2, 0.2]] {
+        for start in [
+            Vector::new(0.5, 0.1, 0.1),
+            Vector::new(0.1, 0.3, 0.05),
+            Vector::new(-0.1, -0.2, 0.2),
+        ] {
             assert!(distance(project(distance, start)).abs() < 1e-7);
         }
     }

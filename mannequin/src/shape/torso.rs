@@ -2,6 +2,7 @@
 
 use super::loft::{Loft, Section, section};
 use super::solid::{Bump, Shape, Solid, ellipsoid};
+use crate::Vector;
 use crate::frame::Frame;
 
 /// Level sections of the middle of the body from the pelvis to the top of the neck.
@@ -37,12 +38,15 @@ pub(crate) fn solid() -> Solid {
         0.0,
         Shape::Loft(Loft::new(Frame::UPRIGHT, &SECTIONS, [0.05, 0.05])),
     );
-    let chest = ellipsoid([0.080, 1.330, 0.061], [0.088, 0.066, 0.058]);
+    let chest = ellipsoid(
+        Vector::new(0.080, 1.330, 0.061),
+        Vector::new(0.088, 0.066, 0.058),
+    );
     solid.join_pair(0.05, chest);
     // The slope of the trapezius from the neck to the shoulder.
     let slope = Shape::Cone {
-        from: [0.030, 1.495, -0.032],
-        to: [0.150, 1.418, -0.026],
+        from: Vector::new(0.030, 1.495, -0.032),
+        to: Vector::new(0.150, 1.418, -0.026),
         radii: [0.030, 0.036],
     };
     solid.join_pair(0.05, slope);
@@ -54,7 +58,10 @@ pub(crate) fn buttocks() -> Solid {
     let mut solid = Solid::default();
     solid.join_pair(
         0.01,
-        ellipsoid([0.074, 0.876, -0.060], [0.076, 0.084, 0.069]),
+        ellipsoid(
+            Vector::new(0.074, 0.876, -0.060),
+            Vector::new(0.076, 0.084, 0.069),
+        ),
     );
     solid
 }
@@ -63,52 +70,52 @@ pub(crate) fn bumps() -> Vec<Bump> {
     vec![
         // The furrow of the spine.
         Bump {
-            centre: [0.0, 1.20, -0.105],
-            radii: [0.022, 0.20, 0.05],
+            centre: Vector::new(0.0, 1.20, -0.105),
+            radii: Vector::new(0.022, 0.20, 0.05),
             height: -0.007,
         },
         // Between the buttocks.
         Bump {
-            centre: [0.0, 0.885, -0.125],
-            radii: [0.014, 0.065, 0.06],
+            centre: Vector::new(0.0, 0.885, -0.125),
+            radii: Vector::new(0.014, 0.065, 0.06),
             height: -0.016,
         },
         // Between the breast muscles, and the edge under them.
         Bump {
-            centre: [0.0, 1.31, 0.12],
-            radii: [0.024, 0.07, 0.04],
+            centre: Vector::new(0.0, 1.31, 0.12),
+            radii: Vector::new(0.024, 0.07, 0.04),
             height: -0.004,
         },
         Bump {
-            centre: [0.085, 1.250, 0.115],
-            radii: [0.070, 0.024, 0.05],
+            centre: Vector::new(0.085, 1.250, 0.115),
+            radii: Vector::new(0.070, 0.024, 0.05),
             height: -0.003,
         },
         // Navel, and the line from it up to the breastbone.
         Bump {
-            centre: [0.0, 1.055, 0.104],
-            radii: [0.009, 0.011, 0.02],
+            centre: Vector::new(0.0, 1.055, 0.104),
+            radii: Vector::new(0.009, 0.011, 0.02),
             height: -0.006,
         },
         Bump {
-            centre: [0.0, 1.15, 0.106],
-            radii: [0.014, 0.09, 0.03],
+            centre: Vector::new(0.0, 1.15, 0.106),
+            radii: Vector::new(0.014, 0.09, 0.03),
             height: -0.003,
         },
         // The pit of the throat, the collarbones, the shoulder blades.
         Bump {
-            centre: [0.0, 1.455, 0.045],
-            radii: [0.014, 0.014, 0.03],
+            centre: Vector::new(0.0, 1.455, 0.045),
+            radii: Vector::new(0.014, 0.014, 0.03),
             height: -0.006,
         },
         Bump {
-            centre: [0.070, 1.449, 0.045],
-            radii: [0.055, 0.011, 0.03],
+            centre: Vector::new(0.070, 1.449, 0.045),
+            radii: Vector::new(0.055, 0.011, 0.03),
             height: 0.003,
         },
         Bump {
-            centre: [0.085, 1.35, -0.115],
-            radii: [0.045, 0.065, 0.04],
+            centre: Vector::new(0.085, 1.35, -0.115),
+            radii: Vector::new(0.045, 0.065, 0.04),
             height: 0.007,
         },
     ]

@@ -8,7 +8,7 @@
 
 use std::collections::HashMap;
 
-use crate::vector::{Vector, mix};
+use crate::Vector;
 
 /// Triangles, counter-clockwise seen from outside.
 #[derive(Clone, Debug, Default)]
@@ -53,7 +53,7 @@ pub(crate) fn march(grid: Grid, stretch: f64, distance: impl Fn(Vector, f64) -> 
                 }
                 for (i, value) in values.iter_mut().enumerate() {
                     let offset = [i % corners, i / corners % corners, i / (corners * corners)];
-                    let at: Vector = std::array::from_fn(|k| (base[k] + offset[k]) as f64);
+                    let at = std::array::from_fn(|k| (base[k] + offset[k]) as f64);
                     *value = distance(grid.point(at), grid.spacing * 2.0);
                 }
                 marcher.block(base, &values);
@@ -64,8 +64,9 @@ pub(crate) fn march(grid: Grid, stretch: f64, distance: impl Fn(Vector, f64) -> 
 }
 
 impl Grid {
-    fn point(&self, at: Vector) -> Vector {
-        std::array::from_fn(|k| self.origin[k] + self.spacing * at[k])
+    /// The place of these coordinates, counted in cubes from the least corner.
+    fn point(&self, at: [f64; 3]) -> Vector {
+        self.origin + Vector::from(at) * self.spacing
     }
 }
 
@@ -161,7 +162,7 @@ impl Marcher {
             // Kept off the ends of the edge, so that no triangle is without area.
             let t = (a.value / (a.value - b.value)).clamp(0.02, 0.98);
             let point = |corner: &Corner| grid.point(corner.at.map(|c| c as f64));
-            surface.positions.push(mix(point(a), point(b), t));
+            surface.positions.push(point(a).lerp(point(b), t));
             (surface.positions.len() - 1) as u32
         })
     }

@@ -7,7 +7,7 @@ mod topology;
 
 use crate::landmarks::{Landmarks, WRIST};
 use crate::shape::{Body, smooth_step};
-use crate::vector::{Vector, dot, mirror, norm, sub};
+use crate::{Vector, mirror};
 pub(crate) use marching_tetrahedra::Surface;
 use marching_tetrahedra::{Grid, march};
 use remesh::remesh;
@@ -48,11 +48,19 @@ fn edge_length(landmarks: &Landmarks, point: Vector) -> f64 {
     let between = |fine: f64, [from, to]: [f64; 2], distance: f64| {
         fine + (COARSE - fine) * smooth_step((distance - from) / (to - from))
     };
-    let past_wrist = dot(sub(point, landmarks.arm.origin), landmarks.arm.along) - WRIST;
+    let past_wrist = (point - landmarks.arm.origin).dot(landmarks.arm.along) - WRIST;
     let hand = between(HAND, [-0.06, 0.03], -past_wrist);
-    let face = between(FACE, [0.05, 0.16], norm(sub(point, [0.0, 1.60, 0.12])));
-    let head = between(HEAD, [0.11, 0.18], norm(sub(point, [0.0, 1.635, 0.01])));
-    let foot = between(FOOT, [0.04, 0.14], point[1]);
+    let face = between(
+        FACE,
+        [0.05, 0.16],
+        point.distance(Vector::new(0.0, 1.60, 0.12)),
+    );
+    let head = between(
+        HEAD,
+        [0.11, 0.18],
+        point.distance(Vector::new(0.0, 1.635, 0.01)),
+    );
+    let foot = between(FOOT, [0.04, 0.14], point.e2);
     hand.min(face).min(head).min(foot)
 }
 
@@ -65,7 +73,7 @@ fn mirrored(half: Surface) -> Surface {
     let count = positions.len();
     let mut image = Vec::with_capacity(count);
     for vertex in 0..count {
-        if positions[vertex][0] == 0.0 {
+        if positions[vertex].e1 == 0.0 {
             image.push(vertex as u32);
         } else {
             image.push(positions.len() as u32);

@@ -6,10 +6,12 @@
 //! surface may be cut off by the plane x = 0: its rim stays in the plane, so that the surface and
 //! its mirror image close up to a manifold.
 
+use ga_mesh::normals::area_vector;
+
 use super::marching_tetrahedra::Surface;
 use super::topology::Topology;
+use crate::Vector;
 use crate::shape::solid::project;
-use crate::vector::{Vector, add, cross, dot, mix, norm, scale, sub, unit};
 
 /// Makes the edges of a surface about `length(position)` long, and its vertices stay where
 /// `distance` vanishes.
@@ -34,10 +36,10 @@ pub(crate) fn remesh(
     }
     let mut surface = mesh.finish();
     for position in &mut surface.positions {
-        let on_rim = position[0] == 0.0;
+        let on_rim = position.e1 == 0.0;
         *position = project(&distance, *position);
         if on_rim {
-            position[0] = 0.0;
+            position.e1 = 0.0;
         }
     }
     surface
@@ -70,7 +72,7 @@ impl<L: Fn(Vector) -> f64> Remesher<L> {
     /// Length of an edge as a multiple of what is wanted there.
     fn relative_length(&self, a: u32, b: u32) -> f64 {
         let (a, b) = (a as usize, b as usize);
-        norm(sub(self.positions[b], self.positions[a])) * 2.0 / (self.lengths[a] + self.lengths[b])
+        self.positions[a].distance(self.positions[b]) * 2.0 / (self.lengths[a] + self.lengths[b])
     }
 
     fn split_long_edges(&mut self) {
@@ -78,7 +80,7 @@ impl<L: Fn(Vector) -> f64> Remesher<L> {
             if self.relative_length(a, b) <= 4.0 / 3.0 {
                 continue;
             }
-            let position = mix(self.positions[a as usize], self.positions[b as usize], 0.5);
+            let position = self.positions[a as usize].lerp(self.positions[b as usize], 0.5);
             let on_rim = self.topology.triangles_at_edge(a, b).len() == 1;
             self.topology.split(a, b);
             self.positions.push(position);
@@ -114,7 +116,7 @@ impl<L: Fn(Vector) -> f64> Remesher<L> {
         }
         let (keep, drop) = if rim_b && !rim_a { (b, a) } else { (a, b) };
         let target = if rim_a == rim_b {
-            mix(self.positions[a as usize], self.positions[b as usize], 0.5)
+            self.positions[a as usize].lerp(self.positions[b as usize], 0.5)
         } else {
             self.positions[keep as usize]
         };
@@ -136,8 +138,7 @@ impl<L: Fn(Vector) -> f64> Remesher<L> {
             return;
         }
         let wanted = self.lengths[keep as usize].max(self.lengths[drop as usize]);
-        let too_long =
-            |n: &u32| norm(sub(self.positions[*n as usize], target)) > wanted * 4.0 / 3.0;
+        let too_long = |n: &u32| self.positions[*n as usize].distance(target) > wanted * 4.0 / 3.0;
         if around_keep.iter().chain(&around_drop).any(too_long) {
             return;
         }
@@ -173,9 +174,10 @@ impl<L: Fn(Vector) -> f64> Remesher<L> {
                 continue;
             }
             let [pa, pb, pc, pd] = [a, b, c, d].map(|v| self.positions[v as usize]);
-            let old = add(normal([pa, pb, pc]), normal([pb, pa, pd]));
+            let old = normal([pa, pb, pc]) + normal([pb, pa, pd]);
             let new = [normal([pc, pa, pd]), normal([pd, pb, pc])];
-            if new.iter().all(|n| dot(*n, unit(old)) > 0.7) {
+            let old = old.normalized().unwrap_or_default();
+            if new.iter().all(|n| n.dot(old) > 0.7) {
                 self.topology.flip(a, b, c, d);
             }
         }
@@ -186,29 +188,29 @@ impl<L: Fn(Vector) -> f64> Remesher<L> {
         for v in 0..self.positions.len() {
             let triangles = self.topology.triangles_around(v as u32);
             let here = self.positions[v];
-            let (mut up, mut centre, mut total) = ([0.0; 3], [0.0; 3], 0.0);
+            let (mut up, mut centre, mut total) = (Vector::ZERO, Vector::ZERO, 0.0);
             for t in &triangles {
                 let [a, b, c] = t.map(|i| self.positions[i as usize]);
-                let area = cross(sub(b, a), sub(c, a));
+                let area = area_vector([a, b, c]);
                 // Small where short edges are wanted, so that these areas do not drain.
                 let wanted: f64 = t.iter().map(|i| self.lengths[*i as usize]).sum();
-                let weight = norm(area) / (wanted * wanted);
-                centre = add(centre, scale(add(add(a, b), c), weight / 3.0));
+                let weight = area.length() / (wanted * wanted);
+                centre += (a + b + c) * (weight / 3.0);
                 total += weight;
-                up = add(up, area);
+                up += area;
             }
             if total <= 0.0 {
                 continue;
             }
-            let mut step = sub(scale(centre, 1.0 / total), here);
+            let mut step = centre * (1.0 / total) - here;
             if self.rim[v] {
                 // With its mirror image, what draws a vertex of the rim stays in the plane.
-                step[0] = 0.0;
-                up[0] = 0.0;
+                step.e1 = 0.0;
+                up.e1 = 0.0;
             }
-            let up = unit(up);
-            let drifted = add(here, sub(step, scale(up, dot(step, up))));
-            let target = sub(drifted, scale(up, distance(drifted)));
+            let up = up.normalized().unwrap_or_default();
+            let drifted = here + step - up * step.dot(up);
+            let target = drifted - up * distance(drifted);
             if !self.turns_over(v as u32, target, &triangles) {
                 self.positions[v] = target;
                 self.lengths[v] = (self.length)(target);
@@ -227,7 +229,7 @@ impl<L: Fn(Vector) -> f64> Remesher<L> {
                     self.positions[v as usize]
                 }
             });
-            dot(normal(old), normal(new)) < 0.5
+            normal(old).dot(normal(new)) < 0.5
         })
     }
 
@@ -248,8 +250,9 @@ impl<L: Fn(Vector) -> f64> Remesher<L> {
     }
 }
 
-fn normal([a, b, c]: [Vector; 3]) -> Vector {
-    unit(cross(sub(b, a), sub(c, a)))
+/// The unit normal of a triangle; zero for one without area.
+fn normal(corners: [Vector; 3]) -> Vector {
+    area_vector(corners).normalized().unwrap_or_default()
 }
 
 #[cfg(test)]
@@ -259,13 +262,13 @@ mod tests {
     use std::collections::HashMap;
 
     fn ball(point: Vector) -> f64 {
-        norm(point) - 1.0
+        point.length() - 1.0
     }
 
     /// Half a ball, cut off at x = 0.
     fn half_ball() -> Surface {
         let grid = Grid {
-            origin: [0.0, -1.25, -1.25],
+            origin: Vector::new(0.0, -1.25, -1.25),
             spacing: 0.1,
             cubes: [13, 25, 25],
         };
@@ -291,7 +294,7 @@ mod tests {
         );
         let mut rim = 0;
         for (a, b) in edges.keys() {
-            let in_plane = [a, b].map(|v| surface.positions[*v as usize][0] == 0.0);
+            let in_plane = [a, b].map(|v| surface.positions[*v as usize].e1 == 0.0);
             if edges.contains_key(&(*b, *a)) {
                 assert_ne!(in_plane, [true; 2], "an inner edge is its own mirror image");
             } else {
@@ -299,7 +302,7 @@ mod tests {
                 assert_eq!(in_plane, [true; 2], "the rim leaves the plane");
             }
         }
-        let on_plane = surface.positions.iter().filter(|p| p[0] == 0.0).count();
+        let on_plane = surface.positions.iter().filter(|p| p.e1 == 0.0).count();
         assert_eq!(on_plane, rim, "the plane holds the rim and nothing else");
         let edge_count = (edges.len() + rim) / 2;
         assert_eq!(
@@ -316,7 +319,7 @@ mod tests {
             .triangles
             .iter()
             .map(|t| t.map(|v| surface.positions[v as usize]));
-        let volume: f64 = corners.map(|[a, b, c]| dot(a, cross(b, c)) / 6.0).sum();
+        let volume: f64 = corners.map(|[a, b, c]| a.dot(b.cross(c)) / 6.0).sum();
         assert!(
             (volume / (2.0 / 3.0 * std::f64::consts::PI) - 1.0).abs() < 0.01,
             "{volume}"
@@ -330,10 +333,8 @@ mod tests {
             assert_half(&surface);
             assert!(surface.positions.iter().all(|p| ball(*p).abs() < 1e-6));
             for (a, b) in edges(&surface).keys() {
-                let length = norm(sub(
-                    surface.positions[*a as usize],
-                    surface.positions[*b as usize],
-                ));
+                let [a, b] = [a, b].map(|v| surface.positions[*v as usize]);
+                let length = a.distance(b);
                 assert!(
                     (0.5..1.7).contains(&(length / wanted)),
                     "{length} of {wanted}"
@@ -345,17 +346,16 @@ mod tests {
     #[test]
     fn what_is_thinner_than_an_edge_keeps_its_topology() {
         // A finger to the side, two upright ones beside the plane, a slab in it.
-        let reach =
-            |p: Vector, axis: Vector| norm(sub(p, scale(axis, dot(p, axis).clamp(-0.9, 0.9))));
+        let reach = |p: Vector, axis: Vector| p.distance(axis * p.dot(axis).clamp(-0.9, 0.9));
         let solids: [&dyn Fn(Vector) -> f64; 3] = [
-            &|p| reach(p, [1.0, 0.0, 0.0]) - 0.1,
-            &|p| reach(p, [0.0, 1.0, 0.0]) - 0.1,
-            &|p| norm([6.0 * p[0], p[1], p[2]]) - 1.0,
+            &|p| reach(p, Vector::X) - 0.1,
+            &|p| reach(p, Vector::Y) - 0.1,
+            &|p| Vector::new(6.0 * p.e1, p.e2, p.e3).length() - 1.0,
         ];
         for distance in solids {
             for wanted in [0.1, 0.15, 0.2, 0.3, 0.5] {
                 let grid = Grid {
-                    origin: [0.0, -1.25, -1.25],
+                    origin: Vector::new(0.0, -1.25, -1.25),
                     spacing: 0.05,
                     cubes: [25, 50, 50],
                 };
@@ -367,10 +367,10 @@ mod tests {
 
     #[test]
     fn edges_are_short_where_short_ones_are_wanted() {
-        let wanted = |p: Vector| if p[1] > 0.0 { 0.07 } else { 0.15 };
+        let wanted = |p: Vector| if p.e2 > 0.0 { 0.07 } else { 0.15 };
         let surface = remesh(half_ball(), 5, wanted, ball);
         assert_half(&surface);
-        let above = surface.positions.iter().filter(|p| p[1] > 0.0).count();
+        let above = surface.positions.iter().filter(|p| p.e2 > 0.0).count();
         // The number of vertices goes with the inverse square of the length.
         let ratio = above as f64 / (surface.positions.len() - above) as f64;
         assert!((3.0..6.0).contains(&ratio), "{ratio}");

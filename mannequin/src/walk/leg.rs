@@ -4,8 +4,8 @@
 //! about x and then about z. Angles are rotations from rest in radians, positive by the right-hand
 //! rule: bending the knee is positive about x, lifting the thigh to the front negative.
 
+use crate::Vector;
 use crate::landmarks::Landmarks;
-use crate::vector::{Vector, dot, sub};
 
 /// The rotations of hip and knee from rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,15 +28,15 @@ pub(crate) struct Leg {
 impl Leg {
     pub(crate) fn new(landmarks: &Landmarks) -> Self {
         Leg {
-            thigh: sub(landmarks.knee, landmarks.hip),
-            shank: sub(landmarks.ankle, landmarks.knee),
+            thigh: landmarks.knee - landmarks.hip,
+            shank: landmarks.ankle - landmarks.knee,
         }
     }
 
     /// The rotations from rest for the angles that gait analysis measures: how far the thigh is in
     /// front of the vertical, and how far the shank lies behind the line of the thigh.
     pub(crate) fn clinical(&self, hip_flexion: f64, knee_flexion: f64) -> LegAngles {
-        let lean = |bone: Vector| bone[2].atan2(-bone[1]);
+        let lean = |bone: Vector| bone.e3.atan2(-bone.e2);
         LegAngles {
             flexion: lean(self.thigh) - hip_flexion,
             spread: 0.0,
@@ -46,9 +46,9 @@ impl Leg {
 
     /// From the hip to the ankle.
     pub(crate) fn ankle(&self, angles: LegAngles) -> Vector {
-        let [x, y, z] = about_x(self.bent(angles.knee), angles.flexion);
+        let [x, y, z] = about_x(self.bent(angles.knee), angles.flexion).coordinates();
         let (sin, cos) = angles.spread.sin_cos();
-        [x * cos - y * sin, x * sin + y * cos, z]
+        Vector::new(x * cos - y * sin, x * sin + y * cos, z)
     }
 
     /// The angles that take the ankle to a place relative to the hip, the knee bent to the back;
@@ -56,9 +56,10 @@ impl Leg {
     pub(crate) fn reach(&self, ankle: Vector) -> Option<LegAngles> {
         let (t, s) = (self.thigh, self.shank);
         // |thigh + shank turned by the knee|² = |ankle|² is a cos + b sin = c.
-        let a = t[1] * s[1] + t[2] * s[2];
-        let b = t[2] * s[1] - t[1] * s[2];
-        let c = 0.5 * (dot(ankle, ankle) - dot(t, t) - dot(s, s)) - t[0] * s[0];
+        let a = t.e2 * s.e2 + t.e3 * s.e3;
+        let b = t.e3 * s.e2 - t.e2 * s.e3;
+        let squares = ankle.length_squared() - t.length_squared() - s.length_squared();
+        let c = 0.5 * squares - t.e1 * s.e1;
         let cosine = c / a.hypot(b);
         if !(-1.0..=1.0).contains(&cosine) {
             return None;
@@ -66,28 +67,28 @@ impl Leg {
         let knee = b.atan2(a) + cosine.acos();
         let bent = self.bent(knee);
         // About x the distance from the x axis stays, about z the height along z.
-        let down = dot(bent, bent) - bent[0] * bent[0] - ankle[2] * ankle[2];
+        let down = bent.e2 * bent.e2 + bent.e3 * bent.e3 - ankle.e3 * ankle.e3;
         if down < 0.0 {
             return None;
         }
         let y = -down.sqrt();
         Some(LegAngles {
-            flexion: ankle[2].atan2(y) - bent[2].atan2(bent[1]),
-            spread: ankle[1].atan2(ankle[0]) - y.atan2(bent[0]),
+            flexion: ankle.e3.atan2(y) - bent.e3.atan2(bent.e2),
+            spread: ankle.e2.atan2(ankle.e1) - y.atan2(bent.e1),
             knee,
         })
     }
 
     fn bent(&self, knee: f64) -> Vector {
-        let shank = about_x(self.shank, knee);
-        std::array::from_fn(|k| self.thigh[k] + shank[k])
+        self.thigh + about_x(self.shank, knee)
     }
 }
 
-/// Turned about the x axis.
-pub(crate) fn about_x([x, y, z]: Vector, angle: f64) -> Vector {
+/// A vector rotated about the x axis.
+fn about_x(vector: Vector, angle: f64) -> Vector {
+    let [x, y, z] = vector.coordinates();
     let (sin, cos) = angle.sin_cos();
-    [x, y * cos - z * sin, y * sin + z * cos]
+    Vector::new(x, y * cos - z * sin, y * sin + z * cos)
 }
 
 #[cfg(test)]
@@ -106,9 +107,7 @@ mod tests {
             let ankle = leg.ankle(LegAngles { flexion, spread, knee });
             let found = leg.reach(ankle).expect("it was reached");
             let again = leg.ankle(found);
-            for k in 0..3 {
-                prop_assert!((again[k] - ankle[k]).abs() < 1e-12);
-            }
+            prop_assert!(again.distance(ankle) < 1e-12);
             prop_assert!((found.knee - knee).abs() < 1e-7);
         }
     }
@@ -122,9 +121,7 @@ mod tests {
             spread: 0.0,
             knee: 0.0,
         });
-        let expected = sub(landmarks.ankle, landmarks.hip);
-        let error = sub(rest, expected);
-        assert!(dot(error, error).sqrt() < 1e-15);
+        assert!(rest.distance(landmarks.ankle - landmarks.hip) < 1e-15);
     }
 
     #[test]
@@ -132,18 +129,18 @@ mod tests {
         let leg = Leg::new(&Landmarks::new());
         let straight = leg.clinical(0.0, 0.0);
         let ankle = leg.ankle(straight);
-        assert!(ankle[2].abs() < 1e-15, "a straight leg hangs straight down");
+        assert!(ankle.e3.abs() < 1e-15, "a straight leg hangs straight down");
         let bent =
             leg.ankle(leg.clinical(std::f64::consts::FRAC_PI_2, std::f64::consts::FRAC_PI_2));
-        let thigh = leg.thigh[1].hypot(leg.thigh[2]);
-        let shank = leg.shank[1].hypot(leg.shank[2]);
-        assert!((bent[2] - thigh).abs() < 1e-15 && (bent[1] + shank).abs() < 1e-15);
+        let thigh = leg.thigh.e2.hypot(leg.thigh.e3);
+        let shank = leg.shank.e2.hypot(leg.shank.e3);
+        assert!((bent.e3 - thigh).abs() < 1e-15 && (bent.e2 + shank).abs() < 1e-15);
     }
 
     #[test]
     fn what_is_out_of_reach_has_no_angles() {
         let leg = Leg::new(&Landmarks::new());
-        assert_eq!(leg.reach([0.0, -1.0, 0.0]), None);
-        assert_eq!(leg.reach([0.0, 0.0, f64::NAN]), None);
+        assert_eq!(leg.reach(Vector::new(0.0, -1.0, 0.0)), None);
+        assert_eq!(leg.reach(Vector::new(0.0, 0.0, f64::NAN)), None);
     }
 }

@@ -9,11 +9,11 @@
 mod gait;
 mod leg;
 
-use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
+use ga_runtime::cga3::{Direction, Motor, Rotor, Translator};
 
 use crate::landmarks::{ARM_DROP, HEEL, Landmarks, TOE_TIP};
 use crate::skeleton::{ARM, CHEST, COUNT, HEAD, HIPS, LEG, NECK, SPINE, skeleton};
-use crate::vector::{Vector, add, sub};
+use crate::{Vector, mirror};
 use ga_anim::clip::Clip;
 use ga_anim::pose::Pose;
 use gait::{HEEL_OFF, HEEL_STRIKE, LegMoment, TOE_OFF};
@@ -43,11 +43,11 @@ pub const KEY_TIME: f64 = 60.0 / 110.0 / 4.0;
 pub fn walk(strides: u16) -> Clip {
     let landmarks = Landmarks::new();
     let skeleton = skeleton(&landmarks);
-    let stride = stride(&landmarks, skeleton.joints()[HIPS].head);
+    let stride = stride(&landmarks, skeleton.joints()[HIPS].head.into());
     let frames = (0..=usize::from(strides) * KEYS_PER_STRIDE).map(|frame| {
         let key = &stride.keys[frame % KEYS_PER_STRIDE];
         let before = (frame / KEYS_PER_STRIDE) as f64 * stride.length;
-        let place = Translator::from_displacement(add(key.root, [0.0, 0.0, before]));
+        let place = Translator::from_displacement((key.root + Vector::Z * before).coordinates());
         Pose::from_rotors(&skeleton, Motor::from(place), &key.rotors)
             .expect("a rotor for each joint")
     });
@@ -88,14 +88,14 @@ fn stride(landmarks: &Landmarks, hips: Vector) -> Stride {
     let pelvis: Vec<Pelvis> = (0..=KEYS_PER_STRIDE / 2)
         .map(|key| walker.pelvis(key, heel_off))
         .collect();
-    let step = pelvis[KEYS_PER_STRIDE / 2].place[2] - pelvis[0].place[2];
+    let step = pelvis[KEYS_PER_STRIDE / 2].place.e3 - pelvis[0].place.e3;
     let keys = (0..KEYS_PER_STRIDE).map(|key| {
         let half = key / (KEYS_PER_STRIDE / 2);
         let mut now = pelvis[key % (KEYS_PER_STRIDE / 2)];
         if half == 1 {
             now = now.mirrored();
         }
-        now.place[2] += half as f64 * step;
+        now.place.e3 += half as f64 * step;
         walker.key(key, now, heel_off, step)
     });
     Stride {
@@ -121,9 +121,8 @@ struct Pelvis {
 
 impl Pelvis {
     fn mirrored(self) -> Self {
-        let [x, y, z] = self.place;
         Pelvis {
-            place: [-x, y, z],
+            place: mirror(self.place),
             turn: -self.turn,
             list: -self.list,
         }
@@ -131,13 +130,9 @@ impl Pelvis {
 
     /// How it is turned; on the right side, how its mirror image is.
     fn rotor(&self, side: Side) -> Rotor<f64> {
-        side.turn(Y, self.turn) * side.turn(Z, self.list)
+        side.turn(Vector::Y, self.turn) * side.turn(Vector::Z, self.list)
     }
 }
-
-const X: Vector = [1.0, 0.0, 0.0];
-const Y: Vector = [0.0, 1.0, 0.0];
-const Z: Vector = [0.0, 0.0, 1.0];
 
 impl Walker<'_> {
     /// The pelvis from the left leg, which stands with its footprint at z = 0: forward kinematics
@@ -146,7 +141,7 @@ impl Walker<'_> {
         let moment = gait::LEG[key];
         let trunk = gait::trunk(key);
         let mut pelvis = Pelvis {
-            place: [trunk.sway, 0.0, 0.0],
+            place: Vector::X * trunk.sway,
             turn: trunk.turn,
             list: trunk.list,
         };
@@ -156,20 +151,19 @@ impl Walker<'_> {
         let hip = self.hip(&pelvis);
         let below = self.leg.ankle(angles);
         let (ankle, _) = self.planted(key, heel_off, 0.0);
-        for k in 1..3 {
-            pelvis.place[k] = ankle[k] - below[k] - hip[k];
-        }
+        let reached = ankle - below - hip;
+        pelvis.place = Vector::new(trunk.sway, reached.e2, reached.e3);
         pelvis
     }
 
     /// The slope of the rear sole as the other heel touches the ground: that with which both legs
     /// reach the ground from one pelvis.
     fn heel_off(&self) -> f64 {
-        let front = self.pelvis(HEEL_STRIKE, 0.0).place[1];
+        let front = self.pelvis(HEEL_STRIKE, 0.0).place.e2;
         let (mut low, mut high) = (-0.9, 0.0);
         for _ in 0..60 {
             let middle = 0.5 * (low + high);
-            if self.pelvis(HEEL_OFF, middle).place[1] > front {
+            if self.pelvis(HEEL_OFF, middle).place.e2 > front {
                 low = middle;
             } else {
                 high = middle;
@@ -180,8 +174,8 @@ impl Walker<'_> {
 
     /// The left hip joint of a pelvis.
     fn hip(&self, pelvis: &Pelvis) -> Vector {
-        let arm = turned(pelvis.rotor(Side::Left), sub(self.landmarks.hip, self.hips));
-        add(add(self.hips, pelvis.place), arm)
+        let arm = rotated(pelvis.rotor(Side::Left), self.landmarks.hip - self.hips);
+        self.hips + pelvis.place + arm
     }
 
     /// The ankle of a left foot that touches the ground at this moment of its stride, and the slope
@@ -193,22 +187,21 @@ impl Walker<'_> {
         } else {
             gait::LEG[moment].sole.to_radians()
         };
-        let at = |along: f64, up: f64| sub(foot.point(along, 0.0, up), foot.origin);
-        let ankle = sub(self.landmarks.ankle, foot.origin);
-        let swung = |pivot: Vector, slope: f64, p: Vector| {
-            add(pivot, turned(self.slope(slope), sub(p, pivot)))
-        };
-        let ball = sub(self.landmarks.ball, foot.origin);
+        let at = |along: f64, up: f64| foot.point(along, 0.0, up) - foot.origin;
+        let ankle = self.landmarks.ankle - foot.origin;
+        let swung =
+            |pivot: Vector, slope: f64, p: Vector| pivot + rotated(self.slope(slope), p - pivot);
+        let ball = self.landmarks.ball - foot.origin;
         let over = match moment {
             HEEL_STRIKE => swung(at(HEEL + 0.018, 0.004), sole, ankle),
             TOE_OFF => {
                 let tip = at(TOE_TIP - 0.008, 0.004);
                 let lifted = swung(tip, PUSH_OFF, ball);
-                add(lifted, turned(self.slope(sole), sub(ankle, ball)))
+                lifted + rotated(self.slope(sole), ankle - ball)
             }
             _ => swung(ball, sole, ankle),
         };
-        (add([TRACK, 0.0, z], over), sole)
+        (Vector::new(TRACK, 0.0, z) + over, sole)
     }
 
     /// The left foot turned so that its sole rises towards the toes.
@@ -264,7 +257,7 @@ impl Walker<'_> {
         let hip = self.hip(pelvis);
         let (angles, sole, toes) = if moment <= TOE_OFF {
             let (ankle, sole) = self.planted(moment, heel_off, print);
-            let target = turned(frame.reverse(), sub(ankle, hip));
+            let target = rotated(frame.reverse(), ankle - hip);
             let angles = self.leg.reach(target).unwrap_or(literature);
             let toes = match moment {
                 HEEL_OFF => -sole,
@@ -277,8 +270,8 @@ impl Walker<'_> {
             (angles, sole.to_radians(), 0.0)
         };
         let across = self.landmarks.foot.across;
-        let thigh = side.turn(Z, angles.spread) * side.turn(X, angles.flexion);
-        let shank = side.turn(X, angles.knee);
+        let thigh = side.turn(Vector::Z, angles.spread) * side.turn(Vector::X, angles.flexion);
+        let shank = side.turn(Vector::X, angles.knee);
         let above = pelvis.rotor(side) * thigh * shank;
         [
             thigh,
@@ -291,8 +284,8 @@ impl Walker<'_> {
     /// The leg spread so that the ankle passes over the foot's track.
     fn over_track(&self, mut angles: LegAngles, frame: Rotor<f64>, hip: Vector) -> LegAngles {
         for _ in 0..8 {
-            let ankle = add(hip, turned(frame, self.leg.ankle(angles)));
-            angles.spread += (TRACK - ankle[0]) / (hip[1] - ankle[1]);
+            let ankle = hip + rotated(frame, self.leg.ankle(angles));
+            angles.spread += (TRACK - ankle.e1) / (hip.e2 - ankle.e2);
         }
         angles
     }
@@ -302,7 +295,7 @@ impl Walker<'_> {
         let arm = gait::left_arm(key);
         let drop = std::f64::consts::FRAC_PI_2 - ARM_DROP - ARM_SPREAD;
         let bend = |angle: f64| side.turn(self.landmarks.arm.across, -angle);
-        let upper = side.turn(X, -arm.shoulder) * side.turn(Z, -drop);
+        let upper = side.turn(Vector::X, -arm.shoulder) * side.turn(Vector::Z, -drop);
         let (lower, hand) = (bend(arm.elbow), bend(0.08));
         [Rotor::default(), upper, lower, hand]
     }
@@ -310,7 +303,9 @@ impl Walker<'_> {
     /// The spine turns the chest against the pelvis and the neck turns the head back to look ahead.
     fn spine_rotors(&self, pelvis: &Pelvis, rotors: &mut [Rotor<f64>]) {
         let part = |turns: f64, lists: f64, lean: f64| {
-            turn(Y, turns * pelvis.turn) * turn(Z, lists * pelvis.list) * turn(X, lean)
+            turn(Vector::Y, turns * pelvis.turn)
+                * turn(Vector::Z, lists * pelvis.list)
+                * turn(Vector::X, lean)
         };
         rotors[SPINE] = part(-0.8, -0.6, 0.6 * LEAN);
         rotors[CHEST] = part(-0.9, -0.5, 0.4 * LEAN);
@@ -329,18 +324,18 @@ enum Side {
 impl Side {
     /// A rotation of the left side, or its mirror image in the plane x = 0 on the right: there the
     /// axis keeps its x and turns the other way round in y and z.
-    fn turn(self, [x, y, z]: Vector, angle: f64) -> Rotor<f64> {
+    fn turn(self, axis: Vector, angle: f64) -> Rotor<f64> {
         match self {
-            Side::Left => turn([x, y, z], angle),
-            Side::Right => turn([x, -y, -z], angle),
+            Side::Left => turn(axis, angle),
+            Side::Right => turn(-mirror(axis), angle),
         }
     }
 }
 
 fn turn(axis: Vector, angle: f64) -> Rotor<f64> {
-    Rotor::from_axis_angle(axis, angle).unwrap_or_default()
+    Rotor::from_axis_angle(axis.coordinates(), angle).unwrap_or_default()
 }
 
-fn turned(rotor: Rotor<f64>, vector: Vector) -> Vector {
-    rotor.transform(Point::from(vector)).coordinates()
+fn rotated(rotor: Rotor<f64>, vector: Vector) -> Vector {
+    rotor.transform(Direction::from(vector)).into()
 }

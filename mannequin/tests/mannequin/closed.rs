@@ -2,6 +2,8 @@
 
 use std::collections::{HashMap, HashSet};
 
+use ga_runtime::vga3::Vector;
+
 /// Directed edges with the triangle to their left. Fails when an edge is there twice, as where
 /// three triangles meet or two neighbours are wound against each other.
 pub(crate) fn directed_edges(triangles: &[[u32; 3]]) -> HashMap<(u32, u32), usize> {
@@ -94,8 +96,10 @@ pub(crate) fn pieces(
 
 /// Volume by the divergence theorem; positive when the triangles face outwards.
 pub(crate) fn volume(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> f64 {
-    let corners = triangles.iter().map(|t| t.map(|v| positions[v as usize]));
-    corners.map(|[a, b, c]| dot(a, cross(b, c)) / 6.0).sum()
+    let corners = triangles
+        .iter()
+        .map(|t| t.map(|v| Vector::from(positions[v as usize])));
+    corners.map(|[a, b, c]| a.dot(b.cross(c)) / 6.0).sum()
 }
 
 /// How often the surface goes round a point: 1 inside, 0 outside (A. Van Oosterom, J. Strackee,
@@ -107,10 +111,10 @@ pub(crate) fn winding_number(
 ) -> f64 {
     let mut angle = 0.0;
     for t in triangles {
-        let [a, b, c] = t.map(|v| sub(positions[v as usize], point));
-        let (la, lb, lc) = (norm(a), norm(b), norm(c));
-        let below = la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb;
-        angle += 2.0 * dot(a, cross(b, c)).atan2(below);
+        let [a, b, c] = t.map(|v| Vector::from(positions[v as usize]) - Vector::from(point));
+        let (la, lb, lc) = (a.length(), b.length(), c.length());
+        let below = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
+        angle += 2.0 * a.dot(b.cross(c)).atan2(below);
     }
     angle / (4.0 * std::f64::consts::PI)
 }
@@ -118,34 +122,14 @@ pub(crate) fn winding_number(
 /// The least angle of each triangle in degrees, in rising order.
 pub(crate) fn least_angles(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Vec<f64> {
     let least = |t: &[u32; 3]| {
-        let p = t.map(|v| positions[v as usize]);
+        let p = t.map(|v| Vector::from(positions[v as usize]));
         let angle = |k: usize| {
-            let (u, v) = (sub(p[(k + 1) % 3], p[k]), sub(p[(k + 2) % 3], p[k]));
-            norm(cross(u, v)).atan2(dot(u, v)).to_degrees()
+            let (u, v) = (p[(k + 1) % 3] - p[k], p[(k + 2) % 3] - p[k]);
+            u.cross(v).length().atan2(u.dot(v)).to_degrees()
         };
         angle(0).min(angle(1)).min(angle(2))
     };
     let mut angles: Vec<f64> = triangles.iter().map(least).collect();
     angles.sort_by(f64::total_cmp);
     angles
-}
-
-pub(crate) fn sub(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [0, 1, 2].map(|k| a[k] - b[k])
-}
-
-pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub(crate) fn norm(a: [f64; 3]) -> f64 {
-    dot(a, a).sqrt()
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
 }

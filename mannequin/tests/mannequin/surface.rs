@@ -2,9 +2,11 @@
 
 use ga_mannequin::{Human, STATURE};
 
+use ga_runtime::vga3::Vector;
+
 use crate::closed::{
-    assert_one_ring_each, assert_without_boundary, euler_characteristic, least_angles, norm,
-    pieces, sub, volume, winding_number,
+    assert_one_ring_each, assert_without_boundary, euler_characteristic, least_angles, pieces,
+    volume, winding_number,
 };
 use crate::{HUMAN, joint, positions};
 
@@ -101,7 +103,7 @@ fn breadth(height: f64, reach: f64) -> f64 {
 fn proportions_are_those_of_an_adult() {
     let length = |name: &str| {
         let bone = &HUMAN.skeleton.joints()[joint(name)];
-        norm(sub(bone.tail, bone.head)) / STATURE
+        Vector::from(bone.tail).distance(bone.head.into()) / STATURE
     };
     // Segment lengths as fractions of stature: Drillis and Contini 1966, as tabulated by Winter.
     for (name, expected) in [

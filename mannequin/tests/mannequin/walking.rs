@@ -6,8 +6,9 @@ use std::sync::LazyLock;
 use ga_anim::clip::Clip;
 use ga_anim::skin::{self, Method};
 use ga_mannequin::{KEY_NAMES, KEY_TIME, KEYS_PER_STRIDE, walk};
+use ga_runtime::vga3::Vector;
 
-use crate::closed::{dot, norm, sub, volume};
+use crate::closed::volume;
 use crate::{HUMAN, joint, positions};
 
 static WALK: LazyLock<Clip> = LazyLock::new(|| walk(2));
@@ -122,7 +123,10 @@ fn strides_repeat_and_go_ahead_at_walking_speed() {
     let length = second[0][0][2] - first[0][0][2];
     for (a, b) in first.iter().zip(&second) {
         for end in 0..2 {
-            assert!(norm(sub(b[end], [a[end][0], a[end][1], a[end][2] + length])) < 1e-12);
+            assert!(
+                Vector::from(b[end]).distance(Vector::from(a[end]) + Vector::new(0.0, 0.0, length))
+                    < 1e-12
+            );
         }
     }
     let speed = length / STRIDE;
@@ -153,7 +157,7 @@ fn the_second_step_is_the_mirror_image_of_the_first() {
             let right = joint(&left.name.replace("Left", "Right"));
             let [x, y, z] = first[i][1];
             assert!(
-                norm(sub(second[right][1], [-x, y, z + step])) < 1e-9,
+                Vector::from(second[right][1]).distance(Vector::new(-x, y, z + step)) < 1e-9,
                 "{} at key {keys}",
                 left.name
             );
@@ -174,7 +178,7 @@ fn arms_swing_against_the_legs_and_knees_bend_backwards() {
     let bend = |bones: &[[[f64; 3]; 2]], upper: &str, lower: &str| {
         let along = |name: &str| {
             let [head, tail] = bones[joint(name)];
-            sub(tail, head)
+            Vector::from(tail) - Vector::from(head)
         };
         let (u, l) = (along(upper), along(lower));
         // About x: positive when the lower bone goes to the back of the upper one.
@@ -203,11 +207,12 @@ fn arms_swing_against_the_legs_and_knees_bend_backwards() {
 fn it_stays_upright() {
     for sample in 0..64 {
         let bones = bones_at(f64::from(sample) / 8.0);
-        let up = sub(bones[joint("Head")][1], bones[0][0]);
-        let lean = FRAC_PI_2 - (up[1] / norm(up)).asin();
+        let [neck, crown] = bones[joint("Head")].map(Vector::from);
+        let up = crown - Vector::from(bones[0][0]);
+        let lean = FRAC_PI_2 - (up.e2 / up.length()).asin();
         assert!(lean.to_degrees() < 8.0);
-        let head = sub(bones[joint("Head")][1], bones[joint("Head")][0]);
-        assert!(dot(head, [0.0, 1.0, 0.0]) / norm(head) > 0.97);
+        let head = crown - neck;
+        assert!(head.e2 / head.length() > 0.97);
     }
 }
 

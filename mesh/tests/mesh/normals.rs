@@ -40,7 +40,7 @@ fn normals_of_a_sphere_point_away_from_its_centre() {
     let normals = vertex_normals(&positions, &triangles);
     for vertex in inner {
         let outward = (Vector::from(positions[vertex]) - centre) * 4.0;
-        let cosine = outward | Vector::from(normals[vertex]);
+        let cosine = outward.dot(normals[vertex].into());
         assert!(cosine > 0.9999, "{:?} {outward:?}", normals[vertex]);
     }
 }

@@ -33,20 +33,20 @@ proptest! {
         }
         prop_assert!(most < 1.001, "{most}");
         let (eye, forward) = (Vector::from(camera.eye()), Vector::from(camera.forward()));
-        let depths = points.iter().map(|&p| (Vector::from(p) - eye) | forward);
+        let depths = points.iter().map(|&p| (Vector::from(p) - eye).dot(forward));
         let nearest = depths.clone().fold(f64::INFINITY, f64::min);
         let extent = depths.fold(0.0, f64::max);
         prop_assert!(most > 0.999 || nearest < 0.06 * extent, "{most} leaves room");
         prop_assert!(camera.up()[1] > 0.0 && camera.right()[1].abs() < 1e-12);
         let side = [azimuth.sin() * elevation.cos(), elevation.sin(), azimuth.cos() * elevation.cos()];
-        prop_assert!((Vector::from(side) | forward) < -1.0 + 1e-9);
+        prop_assert!(Vector::from(side).dot(forward) < -1.0 + 1e-9);
     }
 
     /// `project` against the textbook: the line from the eye through the point pierces the picture
     /// plane.
     #[test]
     fn projected_points_lie_on_their_lines_of_sight(eye in point(), target in point(), at in point()) {
-        prop_assume!((Vector::from(eye) - Vector::from(target)).length() > 1.0);
+        prop_assume!(Vector::from(eye).distance(target.into()) > 1.0);
         let up = [0.1, 1.0, 0.2];
         let Ok(camera) = Camera::look_at(eye, target, up, FIELD_OF_VIEW, 1e-3) else {
             return Ok(());
