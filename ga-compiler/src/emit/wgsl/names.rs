@@ -48,7 +48,7 @@ const RESERVED: &str = "NULL Self abstract active alignas alignof as asm asm_fra
     static_assert static_cast std subroutine super target template this thread_local throw trait try type typedef typeid
     typename typeof union unless unorm unsafe unsized use using varying virtual volatile wgsl where with writeonly yield";
 
-/// The predeclared types, and the words of which types are made.
+/// The predeclared types, and the words of which types are made: address spaces, accesses, formats.
 const TYPES: &str = "array atomic bool f16 f32 f64 i32 i64 u32 u64 ptr sampler sampler_comparison vec2 vec3 vec4 vec2i vec3i
     vec4i vec2u vec3u vec4u vec2f vec3f vec4f vec2h vec3h vec4h mat2x2 mat2x3 mat2x4 mat3x2 mat3x3 mat3x4 mat4x2 mat4x3
     mat4x4 mat2x2f mat2x3f mat2x4f mat3x2f mat3x3f mat3x4f mat4x2f mat4x3f mat4x4f mat2x2h mat2x3h mat2x4h mat3x2h mat3x3h
@@ -56,7 +56,10 @@ const TYPES: &str = "array atomic bool f16 f32 f64 i32 i64 u32 u64 ptr sampler s
     texture_multisampled_2d texture_depth_multisampled_2d texture_external texture_storage_1d texture_storage_2d
     texture_storage_2d_array texture_storage_3d texture_depth_2d texture_depth_2d_array texture_depth_cube
     texture_depth_cube_array acceleration_structure ray_query read write read_write function private workgroup uniform
-    storage handle immediate push_constant";
+    storage handle immediate push_constant rgba8unorm rgba8snorm rgba8uint rgba8sint rgba16unorm rgba16snorm rgba16uint
+    rgba16sint rgba16float rg8unorm rg8snorm rg8uint rg8sint rg16unorm rg16snorm rg16uint rg16sint rg16float r32uint r32sint
+    r32float rg32uint rg32sint rg32float rgba32uint rgba32sint rgba32float bgra8unorm r8unorm r8snorm r8uint r8sint r16unorm
+    r16snorm r16uint r16sint r16float rgb10a2unorm rgb10a2uint rg11b10ufloat r64uint";
 
 /// The predeclared functions. They may be redefined, but code beside ours may need them.
 const FUNCTIONS: &str = "bitcast all any select arrayLength abs acos acosh asin asinh atan atanh atan2 ceil clamp cos cosh
