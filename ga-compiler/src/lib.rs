@@ -286,8 +286,9 @@ fn compile_resolved(
     let task = Task::of_program(algebra, program, wanted.clone()).with_uniform(&resolved.uniform);
     let kernel = task.compile();
     if kernel.is_out_of_range() {
-        let message = "the numbers in this function have too many digits together: what is worked out of them \
-                       beforehand needs more than 128 bits; make one of them an operand";
+        let message = "the numbers in this function have too many digits together: \
+                       constants computed from them need more than 128 bits; \
+                       make one of the numbers an operand";
         return Err(function.value.error(message));
     }
     if !kernel.agrees_with(program, &resolved.witness, &wanted) {

@@ -392,8 +392,8 @@ impl FormulaKind {
 fn not_a_formula(input: ParseStream<'_>) -> Error {
     if let Ok(keyword) = input.fork().call(Ident::parse_any) {
         return input.error(format!(
-            "`{keyword}` is a keyword of Rust and cannot stand in a formula; \
-             write a blade of this name with its basis vectors in another order"
+            "`{keyword}` is a keyword of Rust, which a formula cannot contain; \
+             if it is a blade, write its basis vectors in another order"
         ));
     }
     input.error("expected a formula: a name, a number, a call or parentheses")

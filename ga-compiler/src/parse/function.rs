@@ -229,6 +229,9 @@ impl Parse for FunctionSyntax {
             parenthesized!(list in input);
             (name, Punctuated::<_, Token![,]>::parse_terminated(&list)?)
         };
+        if !input.peek(Token![->]) {
+            return Err(input.error("expected `->` and the type of the result"));
+        }
         input.parse::<Token![->]>()?;
         let result = input.parse()?;
         let block;
@@ -310,9 +313,9 @@ impl Parse for ShapeSyntax {
             )));
         }
         if input.peek(Token![::]) {
-            return Err(input.error(
-                "types of the algebra are written without a path, by their last name alone",
-            ));
+            return Err(
+                input.error("types of the algebra are written by their name alone, without a path")
+            );
         }
         Ok(Self::Name(name))
     }

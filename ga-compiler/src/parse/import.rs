@@ -76,7 +76,7 @@ fn parse_tree(input: ParseStream<'_>, mut path: Path, used: &mut Vec<UseSyntax>)
             return Ok(());
         }
         if input.peek(Token![*]) {
-            return Err(input.error("each function is named in a `use` of `ga!`; `*` is not known"));
+            return Err(input.error("a `use` in `ga!` names each function; `*` is not possible"));
         }
         let name = input.call(Ident::parse_any)?;
         path.segments.push(PathSegment::from(name.clone()));
@@ -145,7 +145,7 @@ mod tests {
     #[test]
     fn faulty_uses_are_refused() {
         for (source, message) in [
-            (quote! { use a::*; }, "`*` is not known"),
+            (quote! { use a::*; }, "`*` is not possible"),
             (
                 quote! { use a::f fn g() -> Scalar { 1 } },
                 "expected the `;`",

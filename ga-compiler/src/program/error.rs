@@ -175,12 +175,11 @@ impl fmt::Display for ResolveErrorKind {
             Self::UnknownType(name, hint) => write!(f, "unknown type `{name}`{hint}"),
             Self::UnknownName(name, hint) => write!(
                 f,
-                "unknown name `{name}`: it is not an operand, bound by `let`, or a blade{hint}"
+                "unknown name `{name}`: it is neither an operand, nor bound by `let`, nor a blade{hint}"
             ),
             Self::UnknownOperation(name, hint) => write!(
                 f,
-                "unknown operation `{name}`: the algebra does not have it, nor this block a function \
-                 of that name{hint}"
+                "unknown operation `{name}`: neither the algebra nor this block has it{hint}"
             ),
             Self::AmbiguousBlade(name, readings) => {
                 write!(f, "`{name}` can be read as {}", readings.join(" or "))
@@ -285,5 +284,5 @@ fn recursion(f: &mut fmt::Formatter<'_>, circle: &[String]) -> fmt::Result {
         };
         write!(f, "{link} `{other}`")?;
     }
-    f.write_str("; a function is copied in where it is called, which would never end")
+    f.write_str("; the body of a function takes the place of each call, which would never end here")
 }

@@ -40,7 +40,8 @@ fn chain(count: usize, open: &str, close: &str) -> String {
 
 #[test]
 fn a_recursion_is_one_error() {
-    let never_ends = "; a function is copied in where it is called, which would never end";
+    let never_ends =
+        "; the body of a function takes the place of each call, which would never end here";
     for (functions, circle) in [
         ("fn f(a: Scalar) -> Scalar { f(a) }", "`f` calls itself"),
         (
@@ -98,11 +99,11 @@ fn errors_say_what_was_found() {
         ),
         (
             "fn f(angle: Scalar) -> Scalar { angl }",
-            "unknown name `angl`: it is not an operand, bound by `let`, or a blade; did you mean `angle`?",
+            "unknown name `angl`: it is neither an operand, nor bound by `let`, nor a blade; did you mean `angle`?",
         ),
         (
             "fn f(a: Scalar) -> Scalar { sqr(a) }",
-            "unknown operation `sqr`: the algebra does not have it, nor this block a function of that name; did you mean `sqrt`?",
+            "unknown operation `sqr`: neither the algebra nor this block has it; did you mean `sqrt`?",
         ),
         (
             "fn f(a: Vector) -> Scalar { a.x }",
