@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Build times in fresh crates outside the workspace, default profiles and features: lines of what, limit and figure.
 #
-# Each figure is the least of three builds, the contenders taking turns.
+# Each figure is the least of three builds; the builds of the contenders alternate.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD
@@ -34,7 +34,7 @@ for name in only_runtime only_glam; do
     cargo fetch -q --manifest-path "$work/$name/Cargo.toml"
 done
 
-# Everything from nothing, and the crate itself when all that it needs is there.
+# A build from nothing, and a build of the crate alone when its dependencies have been built.
 for _ in 1 2 3; do
     for name in only_runtime only_glam; do
         manifest=$work/$name/Cargo.toml

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Instructions for one operation of the main kernels, counted by callgrind: lines of kernel, contender and count.
 #
-# Each kernel runs N and 2N times; the difference, by N and by the inputs of one round, is what one operation takes, and
-# everything around it cancels.
+# Each kernel runs N and 2N times. The difference divided by N and by the inputs of one round is the count of one
+# operation; everything around it cancels.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -10,7 +10,7 @@ if ! command -v valgrind >/dev/null; then
     apt-get update -qq && apt-get install -y -qq valgrind
 fi
 target=${CARGO_TARGET_DIR:-target}/instructions
-# A level that valgrind knows in full.
+# A level of instructions that valgrind supports completely.
 export CARGO_TARGET_DIR=$target RUSTFLAGS="-C target-cpu=x86-64-v3"
 cargo build --release --locked -q -p nullcone-benches --bin kernels
 program=$target/release/kernels

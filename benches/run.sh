@@ -10,7 +10,7 @@ cd "$(dirname "$0")/.."
 runs=${RUNS:-5}
 features=()
 if [ "${RIVALS:-1}" = 1 ]; then features=(--features rivals); fi
-# Criterion would take a relative folder for one within benches/.
+# Criterion would take a relative path as relative to benches/.
 target=$(realpath -m "${CARGO_TARGET_DIR:-target}")
 native="-C target-cpu=native"
 
@@ -20,11 +20,11 @@ bench() { # folder, flags, run, arguments of cargo
     CARGO_TARGET_DIR=$folder RUSTFLAGS=$flags cargo bench --locked -p nullcone-benches "$@" -- --save-baseline "run-$run" --noplot
 }
 
-# Runs of another day do not count.
+# Earlier runs do not count.
 rm -rf "$target/native/criterion" "$target/default/criterion"
 for run in $(seq "$runs"); do
     bench "$target/native" "$native" "$run" "${features[@]}"
-    # Without flags only what chooses its instructions when it runs is of interest.
+    # Without flags only the code that chooses its instructions at run time is of interest.
     bench "$target/default" "" "$run" --bench batch
 done
 

@@ -1,4 +1,4 @@
-//! Slices of elements moved at once, beside loops over glam's types.
+//! Slices of elements moved at once, compared with loops over glam's types.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use ga_runtime::batch::{Batch, InstructionSet, Moved};
@@ -70,7 +70,7 @@ fn one_motor<S: Precision>(criterion: &mut Criterion) {
     let name = format!("batch/one-motor-directions-{}", S::NAME);
     let mut group = Comparison::new(criterion, &name);
     by_instruction_sets(&mut group, motor, &directions);
-    group.map(S::AFFINE, &vectors, |v| S::turned_by_affine(&affine, v));
+    group.map(S::AFFINE, &vectors, |v| S::rotated_by_affine(&affine, v));
     drop(group);
 
     let lines: Vec<Line<S>> = points.iter().map(|[p, q, ..]| *p ^ *q ^ Infinity).collect();

@@ -1,4 +1,4 @@
-//! The compiler itself, optimised; `build-time.sh` measures what users wait for.
+//! The optimised compiler itself; `build-time.sh` measures the time that users wait for.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use nullcone_benches::{comparison, declaration};

@@ -1,4 +1,4 @@
-//! Motors moving things, beside matrices and the motors of other crates.
+//! Motors that move elements, compared with matrices and the motors of other crates.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use ga_runtime::cga3::{
@@ -16,14 +16,14 @@ fn point<S: Rivals>(criterion: &mut Criterion) {
     let matrices: Vec<_> = motors.iter().map(|m| S::matrix(m.to_matrix())).collect();
     let affines: Vec<_> = motors.iter().map(|m| S::affine(m.to_matrix())).collect();
     let vectors: Vec<_> = points.iter().map(|p| S::vector(p.coordinates())).collect();
-    let turns: Vec<_> = motors.iter().map(quaternion_and_shift).collect();
+    let quaternions: Vec<_> = motors.iter().map(quaternion_and_translation).collect();
 
     let mut group = Comparison::new(criterion, &format!("sandwich/motor-point-{}", S::NAME));
     group.zip("nullcone", &motors, &points, |m, p| m.transform(*p));
     group.zip(S::MATRIX, &matrices, &vectors, S::by_matrix);
     group.zip(S::AFFINE, &affines, &vectors, S::by_affine);
-    let quaternion = format!("{} and shift", S::QUATERNION);
-    group.zip(&quaternion, &turns, &vectors, |(q, t), p| {
+    let name = format!("{} and translation", S::QUATERNION);
+    group.zip(&name, &quaternions, &vectors, |(q, t), p| {
         S::by_quaternion(q, t, p)
     });
     S::motor_point(&mut group);
@@ -36,13 +36,13 @@ fn point<S: Rivals>(criterion: &mut Criterion) {
     group.one_by_one(S::AFFINE, &affines, &vectors, S::by_affine);
 }
 
-fn quaternion_and_shift<S: Precision>(motor: &Motor<S>) -> (S::Quaternion, S::Vector) {
+fn quaternion_and_translation<S: Precision>(motor: &Motor<S>) -> (S::Quaternion, S::Vector) {
     let (vector, scalar) = motor.rotor().to_quaternion();
-    let shift = motor.translator().displacement();
-    (S::quaternion(vector, scalar), S::vector(shift))
+    let translation = motor.translator().displacement();
+    (S::quaternion(vector, scalar), S::vector(translation))
 }
 
-/// Motors move things of one type; `others` lets the rivals join.
+/// Motors that move elements of one type; `others` adds the rivals.
 fn moved<S, X>(
     criterion: &mut Criterion,
     what: &str,
@@ -98,7 +98,7 @@ fn everything_else<S: Rivals>(criterion: &mut Criterion) {
     moved::<S, _>(criterion, "point-pair", &pairs, S::motor_point_pair);
 }
 
-/// What users of matrices take for a line: a point and a direction, each moved in its own way.
+/// A line as users of matrices represent it: a point and a direction, each moved in its own way.
 fn points_and_directions<S: Precision>(group: &mut Comparison<'_>, points: &[[Point<S>; 4]]) {
     let motors = inputs::list(1, Numbers::motor::<S>);
     let affines: Vec<_> = motors.iter().map(|m| S::affine(m.to_matrix())).collect();
@@ -109,7 +109,7 @@ fn points_and_directions<S: Precision>(group: &mut Comparison<'_>, points: &[[Po
     let rays: Vec<_> = points.iter().map(ray).collect();
     let name = format!("{}, point and direction", S::AFFINE);
     group.zip(&name, &affines, &rays, |m, (point, direction)| {
-        (S::by_affine(m, point), S::turned_by_affine(m, direction))
+        (S::by_affine(m, point), S::rotated_by_affine(m, direction))
     });
 }
 

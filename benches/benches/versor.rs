@@ -1,4 +1,4 @@
-//! Exponentials, logarithms and what lies between two motions.
+//! Exponentials, logarithms and interpolations of motions.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use ga_runtime::cga3::MotorGenerator;
@@ -57,15 +57,15 @@ fn interpolations<S: Rivals>(criterion: &mut Criterion) {
         .iter()
         .map(|(a, b, t)| (a.rotor(), b.rotor(), *t))
         .collect();
-    group.map("nullcone, turns alone", &rotors, |(a, b, t)| {
+    group.map("nullcone, rotations alone", &rotors, |(a, b, t)| {
         a.interpolate(*b, *t)
     });
-    let slerp = format!("{} slerp, turns alone", S::QUATERNION);
+    let slerp = format!("{} slerp, rotations alone", S::QUATERNION);
     group.map(&slerp, &quaternions, |(a, b, t)| S::slerp(a, b, *t));
     S::interpolation(&mut group);
 }
 
-/// A point moved by a matrix, as a measure of the machine: the figures are multiples of it.
+/// A point moved by a matrix, as a unit of measurement for the speed of the machine.
 fn moved_points(group: &mut Comparison<'_>) {
     let moves = inputs::list(1, |numbers| {
         let matrix = f32::matrix(numbers.motor::<f32>().to_matrix());

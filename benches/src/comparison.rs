@@ -1,4 +1,4 @@
-//! One benchmark group: an operation, and who performs it.
+//! One benchmark group: an operation, and the contenders that perform it.
 
 use std::hint::black_box;
 use std::time::Duration;
@@ -8,8 +8,8 @@ use criterion::{BenchmarkGroup, Criterion, Throughput};
 
 use crate::inputs::INPUTS;
 
-/// Criterion with short runs: `run.sh` repeats whole passes instead, so that a slow moment of the
-/// machine falls on all alike.
+/// Criterion with short runs. `run.sh` repeats whole passes instead, so that a slow moment of the
+/// machine affects all contenders alike.
 #[must_use]
 pub fn criterion() -> Criterion {
     Criterion::default()
@@ -33,8 +33,8 @@ impl<'a> Comparison<'a> {
         Self { group }
     }
 
-    /// Times an operation over a list of inputs, results written to a list: a user's loop, which
-    /// the compiler may reorder and vectorise as it may theirs.
+    /// Times an operation over a list of inputs, with the results written to a list. This is a loop
+    /// as users write it, which the compiler may reorder and vectorise.
     pub fn map<A, R>(&mut self, contender: &str, inputs: &[A], operation: impl Fn(&A) -> R) {
         let mut results: Vec<R> = inputs.iter().map(&operation).collect();
         self.group.bench_function(contender, |bencher| {
@@ -48,7 +48,7 @@ impl<'a> Comparison<'a> {
         });
     }
 
-    /// As [`Comparison::map`], over two lists of operands.
+    /// Like [`Comparison::map`], over two lists of operands.
     pub fn zip<A, B, R>(
         &mut self,
         contender: &str,
@@ -72,7 +72,7 @@ impl<'a> Comparison<'a> {
         });
     }
 
-    /// Times an operation that takes a list of inputs and fills a list of results by itself.
+    /// Times an operation that itself takes a list of inputs and fills a list of results.
     pub fn whole<A, R: Clone>(
         &mut self,
         contender: &str,
@@ -86,8 +86,8 @@ impl<'a> Comparison<'a> {
         });
     }
 
-    /// Times an operation whose every operand and result is opaque to the compiler, so that each is
-    /// done by itself.
+    /// Times an operation with each operand and result opaque to the compiler, so that each call is
+    /// performed on its own.
     pub fn one_by_one<A, B, R>(
         &mut self,
         contender: &str,

@@ -2,8 +2,8 @@
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
-/// The tokens within `algebra! { … }` of ga-runtime's conformal algebra; none if the file does not
-/// parse as tokens.
+/// The tokens within `algebra! { … }` of ga-runtime's conformal algebra; `None` if the file cannot
+/// be read as tokens.
 #[must_use]
 pub fn cga3() -> Option<TokenStream> {
     let source = include_str!("../../ga-runtime/src/algebras/cga3.rs");

@@ -1,4 +1,4 @@
-//! Elements of cga3 in the dense reference algebra, all 32 coefficients of them.
+//! Elements of cga3 in the dense reference algebra, with all 32 coefficients.
 
 use ga_runtime::Element;
 use ga_runtime::cga3::Multivector;
@@ -7,7 +7,7 @@ use ga_runtime::dense::{self, Algebra, DenseError};
 /// The dense form of each element.
 ///
 /// # Errors
-/// None that a declared algebra gives rise to.
+/// None for a declared algebra.
 pub fn all<T: Element<Scalar = f64>>(
     elements: &[T],
 ) -> Result<Vec<dense::Multivector<f64>>, DenseError> {

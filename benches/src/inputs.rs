@@ -4,8 +4,8 @@ use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 
 use crate::precision::Precision;
 
-/// How many inputs each benchmark goes through in turn: enough that nothing is a constant, few
-/// enough for the first-level cache.
+/// The number of inputs of each benchmark: enough that the compiler cannot treat them as constants,
+/// few enough for the first-level cache.
 pub const INPUTS: usize = 1024;
 
 /// Reproducible numbers in (−1, 1) (SplitMix64: Steele, Lea and Flood 2014).
@@ -29,17 +29,17 @@ impl Numbers {
         S::from_f64((bits >> 11) as f64 / (1_u64 << 52) as f64 - 1.0)
     }
 
-    /// The next numbers.
+    /// The next N numbers.
     pub fn numbers<S: Precision, const N: usize>(&mut self) -> [S; N] {
         std::array::from_fn(|_| self.number())
     }
 
-    /// A point of the cube from −1 to 1.
+    /// A point of the cube from −1 to 1 along each axis.
     pub fn point<S: Precision>(&mut self) -> Point<S> {
         Point::from(self.numbers())
     }
 
-    /// A turn by up to 3 radians.
+    /// A rotation by up to 3 radians.
     pub fn rotor<S: Precision>(&mut self) -> Rotor<S> {
         let (axis, angle) = (self.numbers(), self.number());
         Rotor::from_axis_angle(axis, S::from_integer(3) * angle).unwrap_or_default()

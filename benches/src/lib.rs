@@ -1,6 +1,6 @@
-//! What the benchmarks share: inputs, the way of measuring, the compared functions and the rivals.
+//! The parts that the benchmarks share: inputs, measurement, functions and rivals.
 //!
-//! `METHODOLOGY.md` says how the figures of `RESULTS.md` come about.
+//! `METHODOLOGY.md` describes how the figures of `RESULTS.md` are measured.
 
 pub mod comparison;
 pub mod declaration;

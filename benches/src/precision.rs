@@ -1,8 +1,8 @@
-//! Single and double precision, each with the types of glam that a user would take instead.
+//! Single and double precision, each with the types of glam that users would choose instead.
 
 use ga_runtime::scalar::Real;
 
-/// A floating-point type, with glam's transformations over it.
+/// A floating-point type, with glam's transformations of that precision.
 pub trait Precision: Real<Mask = bool> + Copy + 'static {
     /// `f32` or `f64`.
     const NAME: &'static str;
@@ -22,25 +22,25 @@ pub trait Precision: Real<Mask = bool> + Copy + 'static {
     /// A quaternion.
     type Quaternion: Copy;
 
-    /// The vector of its coordinates.
+    /// The vector with these coordinates.
     fn vector(coordinates: [Self; 3]) -> Self::Vector;
-    /// The matrix `[R | t]` of these rows.
+    /// The matrix `[R | t]` with these rows.
     fn matrix(rows: [[Self; 4]; 3]) -> Self::Matrix;
-    /// The affine map `[R | t]` of these rows.
+    /// The affine map `[R | t]` with these rows.
     fn affine(rows: [[Self; 4]; 3]) -> Self::Affine;
-    /// The quaternion of its vector and scalar part.
+    /// The quaternion with these vector and scalar parts.
     fn quaternion(vector: [Self; 3], scalar: Self) -> Self::Quaternion;
 
     /// A point moved by a matrix.
     fn by_matrix(matrix: &Self::Matrix, point: &Self::Vector) -> Self::Vector;
     /// A point moved by an affine map.
     fn by_affine(affine: &Self::Affine, point: &Self::Vector) -> Self::Vector;
-    /// A direction turned by an affine map.
-    fn turned_by_affine(affine: &Self::Affine, direction: &Self::Vector) -> Self::Vector;
-    /// A point turned by a quaternion and shifted.
+    /// A direction rotated by an affine map.
+    fn rotated_by_affine(affine: &Self::Affine, direction: &Self::Vector) -> Self::Vector;
+    /// A point rotated by a quaternion and translated.
     fn by_quaternion(
         quaternion: &Self::Quaternion,
-        shift: &Self::Vector,
+        translation: &Self::Vector,
         point: &Self::Vector,
     ) -> Self::Vector;
     /// The product of two matrices.
@@ -88,16 +88,16 @@ macro_rules! precision {
                 affine.transform_point3(*point)
             }
             #[inline(always)]
-            fn turned_by_affine(affine: &Self::Affine, direction: &Self::Vector) -> Self::Vector {
+            fn rotated_by_affine(affine: &Self::Affine, direction: &Self::Vector) -> Self::Vector {
                 affine.transform_vector3(*direction)
             }
             #[inline(always)]
             fn by_quaternion(
                 quaternion: &Self::Quaternion,
-                shift: &Self::Vector,
+                translation: &Self::Vector,
                 point: &Self::Vector,
             ) -> Self::Vector {
-                *quaternion * *point + *shift
+                *quaternion * *point + *translation
             }
             #[inline(always)]
             fn matrix_product(a: &Self::Matrix, b: &Self::Matrix) -> Self::Matrix {

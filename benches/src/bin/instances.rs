@@ -1,5 +1,5 @@
-//! Prints a crate that calls every declared product of cga3 at `f32` and `f64`, for measuring what
-//! building all of them takes.
+//! Prints a crate that calls every declared product of cga3 at `f32` and `f64`, for measuring how
+//! long it takes to build all of them.
 
 use anyhow::{Context, Result, anyhow};
 use ga_compiler::define::{Definition, Operation, TypeDefinition};

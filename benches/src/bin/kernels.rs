@@ -1,11 +1,11 @@
-//! Runs one kernel over and over, for tools that count instructions: `kernels --list`,
+//! Runs one kernel repeatedly, for tools that count instructions: `kernels --list`,
 //! `kernels KERNEL CONTENDER ROUNDS`.
 
 use std::hint::black_box;
 
 use anyhow::{Context, Result};
 use clap::Parser;
-use ga_runtime::cga3::{Infinity, Line, Plane, Point, Sphere};
+use ga_runtime::cga3::{Infinity, Line, Motor, Plane, Point, Sphere};
 use ga_runtime::ga;
 use nullcone_benches::inputs::{self, INPUTS, Numbers};
 use nullcone_benches::precision::Precision;
@@ -19,7 +19,7 @@ ga! { ga_runtime::cga3;
     fn sphere(p: Point, q: Point, r: Point, s: Point) -> Sphere { p ^ q ^ r ^ s }
 }
 
-/// Runs one kernel over and over.
+/// Runs one kernel repeatedly.
 #[derive(Parser)]
 struct Arguments {
     /// Print kernels, contenders and the number of inputs of a round, separated by tabs.
@@ -27,9 +27,9 @@ struct Arguments {
     list: bool,
     /// The kernel.
     kernel: Option<String>,
-    /// Who performs it.
+    /// The contender that performs it.
     contender: Option<String>,
-    /// How often it goes through all inputs.
+    /// The number of passes through all inputs.
     #[arg(default_value_t = 1)]
     rounds: usize,
 }
@@ -66,136 +66,44 @@ fn main() -> Result<()> {
 }
 
 fn kernels<S: Precision>() -> Vec<Kernel> {
-    let motors = inputs::list(1, Numbers::motor::<S>);
-    let points = inputs::list(2, |numbers| [(); 4].map(|()| numbers.point::<S>()));
-    let single: Vec<Point<S>> = points.iter().map(|[p, ..]| *p).collect();
-    let lines: Vec<Line<S>> = points.iter().map(|[p, q, ..]| *p ^ *q ^ Infinity).collect();
-    let planes: Vec<Plane<S>> = points
-        .iter()
-        .map(|[p, q, r, _]| *p ^ *q ^ *r ^ Infinity)
-        .collect();
-    let spheres: Vec<Sphere<S>> = points
-        .iter()
-        .map(|[p, q, r, s]| *p ^ *q ^ *r ^ *s)
-        .collect();
-    let circles: Vec<_> = points.iter().map(|[p, q, r, _]| *p ^ *q ^ *r).collect();
-    let generators: Vec<_> = motors.iter().map(|m| m.log()).collect();
-    let matrices: Vec<_> = motors.iter().map(|m| S::matrix(m.to_matrix())).collect();
-    let affines: Vec<_> = motors.iter().map(|m| S::affine(m.to_matrix())).collect();
-    let vectors: Vec<_> = single.iter().map(|p| S::vector(p.coordinates())).collect();
-
-    let mut list = Kernels::<S>::default();
-    list.pairs(
-        "motor ≫ point",
-        "nullcone",
-        motors.clone(),
-        single.clone(),
-        |m, p| m.transform(*p),
-    );
-    list.pairs(
-        "motor ≫ point",
-        S::MATRIX,
-        matrices,
-        vectors.clone(),
-        S::by_matrix,
-    );
-    list.pairs(
-        "motor ≫ line",
-        "nullcone",
-        motors.clone(),
-        lines.clone(),
-        |m, x| m.transform(*x),
-    );
-    list.pairs(
-        "motor ≫ plane",
-        "nullcone",
-        motors.clone(),
-        planes.clone(),
-        |m, x| m.transform(*x),
-    );
-    list.pairs(
-        "motor ≫ sphere",
-        "nullcone",
-        motors.clone(),
-        spheres.clone(),
-        |m, x| m.transform(*x),
-    );
-    list.pairs(
-        "motor ≫ circle",
-        "nullcone",
-        motors.clone(),
-        circles,
-        |m, x| m.transform(*x),
-    );
-    list.pairs(
-        "motor · motor",
-        "nullcone",
-        motors.clone(),
-        motors.clone(),
-        |a, b| *a * *b,
-    );
-    list.pairs(
-        "motor · motor",
-        S::AFFINE,
-        affines.clone(),
-        affines.clone(),
-        S::affine_product,
-    );
-    list.pairs(
-        "p ∧ q ∧ r",
-        "nullcone",
-        points.clone(),
-        single.clone(),
-        |[p, q, r, _], _| circle(*p, *q, *r),
-    );
-    list.pairs(
-        "p ∧ q ∧ r ∧ s",
-        "nullcone",
-        points,
-        single.clone(),
-        |[p, q, r, s], _| sphere(*p, *q, *r, *s),
-    );
-    list.pairs(
-        "sphere ∨ plane",
-        "nullcone",
-        spheres.clone(),
-        planes,
-        |s, p| *s & *p,
-    );
-    list.pairs("line ∨ sphere", "nullcone", lines, spheres, |l, s| {
-        *l & *s
-    });
-    list.pairs(
-        "log of a motor",
-        "nullcone",
-        motors.clone(),
-        single.clone(),
-        |m, _| m.log(),
-    );
-    list.pairs(
-        "exp of a generator",
-        "nullcone",
-        generators,
-        single.clone(),
-        |g, _| g.exp(),
-    );
-    let (motor, affine) = (motors[0], affines[0]);
-    let moving = moving(motor);
-    list.pairs(
-        "one motor ≫ points",
-        "nullcone",
-        single.clone(),
-        single,
-        move |p, _| moving.apply(*p),
-    );
-    list.pairs(
-        "one motor ≫ points",
-        S::AFFINE,
-        vectors.clone(),
-        vectors,
-        move |p, _| S::by_affine(&affine, p),
-    );
+    let inputs = Inputs::<S>::new();
+    let mut list = Kernels::default();
+    list.actions(&inputs);
+    list.products(&inputs);
+    list.exponentials(&inputs);
+    list.one_motor(&inputs);
     list.kernels
+}
+
+struct Inputs<S: Precision> {
+    motors: Vec<Motor<S>>,
+    points: Vec<[Point<S>; 4]>,
+    single: Vec<Point<S>>,
+    lines: Vec<Line<S>>,
+    planes: Vec<Plane<S>>,
+    spheres: Vec<Sphere<S>>,
+    affines: Vec<S::Affine>,
+    vectors: Vec<S::Vector>,
+}
+
+impl<S: Precision> Inputs<S> {
+    fn new() -> Self {
+        let motors = inputs::list(1, Numbers::motor::<S>);
+        let points = inputs::list(2, |numbers| [(); 4].map(|()| numbers.point::<S>()));
+        let single: Vec<Point<S>> = points.iter().map(|[p, ..]| *p).collect();
+        let plane = |[p, q, r, _]: &[Point<S>; 4]| *p ^ *q ^ *r ^ Infinity;
+        let sphere = |[p, q, r, s]: &[Point<S>; 4]| *p ^ *q ^ *r ^ *s;
+        Self {
+            lines: points.iter().map(|[p, q, ..]| *p ^ *q ^ Infinity).collect(),
+            planes: points.iter().map(plane).collect(),
+            spheres: points.iter().map(sphere).collect(),
+            affines: motors.iter().map(|m| S::affine(m.to_matrix())).collect(),
+            vectors: single.iter().map(|p| S::vector(p.coordinates())).collect(),
+            motors,
+            points,
+            single,
+        }
+    }
 }
 
 struct Kernels<S> {
@@ -213,6 +121,140 @@ impl<S> Default for Kernels<S> {
 }
 
 impl<S: Precision> Kernels<S> {
+    /// A motor moves an element.
+    fn actions(&mut self, inputs: &Inputs<S>) {
+        let motors = inputs.motors.iter();
+        let matrices: Vec<_> = motors.map(|m| S::matrix(m.to_matrix())).collect();
+        let points = inputs.points.iter();
+        let circles: Vec<_> = points.map(|[p, q, r, _]| *p ^ *q ^ *r).collect();
+        self.pairs(
+            "motor ≫ point",
+            "nullcone",
+            inputs.motors.clone(),
+            inputs.single.clone(),
+            |m, p| m.transform(*p),
+        );
+        self.pairs(
+            "motor ≫ point",
+            S::MATRIX,
+            matrices,
+            inputs.vectors.clone(),
+            S::by_matrix,
+        );
+        self.pairs(
+            "motor ≫ line",
+            "nullcone",
+            inputs.motors.clone(),
+            inputs.lines.clone(),
+            |m, x| m.transform(*x),
+        );
+        self.pairs(
+            "motor ≫ plane",
+            "nullcone",
+            inputs.motors.clone(),
+            inputs.planes.clone(),
+            |m, x| m.transform(*x),
+        );
+        self.pairs(
+            "motor ≫ sphere",
+            "nullcone",
+            inputs.motors.clone(),
+            inputs.spheres.clone(),
+            |m, x| m.transform(*x),
+        );
+        self.pairs(
+            "motor ≫ circle",
+            "nullcone",
+            inputs.motors.clone(),
+            circles,
+            |m, x| m.transform(*x),
+        );
+    }
+
+    /// Geometric, outer and regressive products.
+    fn products(&mut self, inputs: &Inputs<S>) {
+        self.pairs(
+            "motor · motor",
+            "nullcone",
+            inputs.motors.clone(),
+            inputs.motors.clone(),
+            |a, b| *a * *b,
+        );
+        self.pairs(
+            "motor · motor",
+            S::AFFINE,
+            inputs.affines.clone(),
+            inputs.affines.clone(),
+            S::affine_product,
+        );
+        self.pairs(
+            "p ∧ q ∧ r",
+            "nullcone",
+            inputs.points.clone(),
+            inputs.single.clone(),
+            |[p, q, r, _], _| circle(*p, *q, *r),
+        );
+        self.pairs(
+            "p ∧ q ∧ r ∧ s",
+            "nullcone",
+            inputs.points.clone(),
+            inputs.single.clone(),
+            |[p, q, r, s], _| sphere(*p, *q, *r, *s),
+        );
+        self.pairs(
+            "sphere ∨ plane",
+            "nullcone",
+            inputs.spheres.clone(),
+            inputs.planes.clone(),
+            |s, p| *s & *p,
+        );
+        self.pairs(
+            "line ∨ sphere",
+            "nullcone",
+            inputs.lines.clone(),
+            inputs.spheres.clone(),
+            |l, s| *l & *s,
+        );
+    }
+
+    fn exponentials(&mut self, inputs: &Inputs<S>) {
+        let generators: Vec<_> = inputs.motors.iter().map(|m| m.log()).collect();
+        self.pairs(
+            "log of a motor",
+            "nullcone",
+            inputs.motors.clone(),
+            inputs.single.clone(),
+            |m, _| m.log(),
+        );
+        self.pairs(
+            "exp of a generator",
+            "nullcone",
+            generators,
+            inputs.single.clone(),
+            |g, _| g.exp(),
+        );
+    }
+
+    /// One motor moves many points.
+    fn one_motor(&mut self, inputs: &Inputs<S>) {
+        let (motor, affine) = (inputs.motors[0], inputs.affines[0]);
+        let moving = moving(motor);
+        self.pairs(
+            "one motor ≫ points",
+            "nullcone",
+            inputs.single.clone(),
+            inputs.single.clone(),
+            move |p, _| moving.apply(*p),
+        );
+        self.pairs(
+            "one motor ≫ points",
+            S::AFFINE,
+            inputs.vectors.clone(),
+            inputs.vectors.clone(),
+            move |p, _| S::by_affine(&affine, p),
+        );
+    }
+
     fn pairs<A: 'static, B: 'static, R: 'static>(
         &mut self,
         name: &str,

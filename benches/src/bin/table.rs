@@ -6,17 +6,17 @@ use anyhow::{Context, Result};
 use clap::Parser;
 use nullcone_benches::results::{self, Measurements, Report, Setting};
 
-/// Writes one report of the runs that criterion has kept, with counts of instructions and build
-/// times where given.
+/// Writes a report of the runs that criterion has kept, with counts of instructions and build times
+/// where they are given.
 #[derive(Parser)]
 struct Arguments {
-    /// A folder of criterion's; repeat it for each setting of the compiler.
+    /// A folder of criterion; repeat the option for each setting of the compiler.
     #[arg(long = "criterion", default_value = "target/criterion")]
     criterion: Vec<PathBuf>,
     /// The flags that rustc was given for each folder, in the same order.
     #[arg(long, allow_hyphen_values = true)]
     flags: Vec<String>,
-    /// How the names of the runs (criterion's baselines) begin.
+    /// The beginning of the names of the runs, which are criterion's baselines.
     #[arg(long, default_value = "run-")]
     prefix: String,
     /// Lines of kernel, contender and instructions for one operation, separated by tabs.
@@ -25,10 +25,10 @@ struct Arguments {
     /// Lines of what was built, the limit and the figure, separated by tabs.
     #[arg(long)]
     build_times: Option<PathBuf>,
-    /// The day of the measurement.
+    /// The date of the measurement.
     #[arg(long)]
     date: String,
-    /// The processor; by default what the system calls it.
+    /// The name of the processor; by default the name that the system gives.
     #[arg(long)]
     processor: Option<String>,
     /// The report to write.

@@ -1,9 +1,9 @@
-//! What can go wrong between measurements and their tables.
+//! Errors of reading measurements and writing their tables.
 
 use std::io;
 use std::path::PathBuf;
 
-/// Measurements could not be read, or their tables not be written.
+/// The reason why measurements could not be read, or their tables could not be written.
 #[derive(Debug, thiserror::Error)]
 pub enum ResultsError {
     /// A file or folder could not be read.
@@ -11,15 +11,15 @@ pub enum ResultsError {
     Read {
         /// The file or folder.
         path: PathBuf,
-        /// What the operating system said.
+        /// The error of the operating system.
         source: io::Error,
     },
-    /// A file of criterion is not what criterion writes.
+    /// A file does not have the form that criterion writes.
     #[error("{} is not a file of criterion: {source}", path.display())]
     Criterion {
         /// The file.
         path: PathBuf,
-        /// Where it departs from the expected form.
+        /// The first difference from the expected form.
         source: serde_json::Error,
     },
     /// A time or a count of elements is not a positive number.
@@ -27,33 +27,33 @@ pub enum ResultsError {
     NoTime {
         /// The file.
         path: PathBuf,
-        /// What stands for the time.
+        /// The value found in place of a time.
         value: f64,
     },
-    /// The folder holds no run of the name that runs must have.
-    #[error("{} holds no runs named {prefix}1, {prefix}2 and so on", path.display())]
+    /// The folder contains no run with the required name.
+    #[error("{} contains no runs named {prefix}1, {prefix}2 and so on", path.display())]
     NoRuns {
         /// The folder.
         path: PathBuf,
-        /// How the names of runs begin.
+        /// The beginning of the names of runs.
         prefix: String,
     },
-    /// A line of a list of figures does not have name, contender and number.
+    /// A line of a list of figures does not consist of name, contender and number.
     #[error("{}, line {line}: expected name, contender and number, found {text:?}", path.display())]
     Record {
         /// The file.
         path: PathBuf,
-        /// The line, from 1.
+        /// The line, counted from 1.
         line: usize,
-        /// What stands there.
+        /// The text of the line.
         text: String,
     },
-    /// The tables could not be written; whatever stood under the name before still does.
+    /// The tables could not be written; an earlier file of that name is unchanged.
     #[error("cannot write {}: {source}", path.display())]
     Write {
         /// The file.
         path: PathBuf,
-        /// What the operating system said.
+        /// The error of the operating system.
         source: io::Error,
     },
 }

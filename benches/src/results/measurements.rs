@@ -16,19 +16,19 @@ pub struct Measurements {
     pub groups: BTreeMap<String, Group>,
 }
 
-/// One operation: who performs it, and the nanoseconds each took in each run.
+/// One operation: the contenders, and the nanoseconds that each took in each run.
 #[derive(Debug, Default)]
 pub struct Group {
-    /// Nanoseconds for one operation by run, by contender.
+    /// For each contender, the nanoseconds of one operation by run.
     pub contenders: BTreeMap<String, BTreeMap<String, f64>>,
 }
 
 /// One figure of a list.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Record {
-    /// What was measured.
+    /// The operation or build that was measured.
     pub name: String,
-    /// On whom, or against what limit.
+    /// The contender, or the limit.
     pub contender: String,
     /// The figure.
     pub value: f64,
@@ -100,13 +100,13 @@ impl Measurements {
 }
 
 impl Group {
-    /// Our own contenders: all whose names begin with ours.
+    /// The contenders of this project, whose names begin with `nullcone`.
     pub fn ours(&self) -> impl Iterator<Item = &str> {
         let names = self.contenders.keys().map(String::as_str);
         names.filter(|name| is_ours(name))
     }
 
-    /// Everyone else.
+    /// The other contenders.
     pub fn rivals(&self) -> impl Iterator<Item = &str> {
         let names = self.contenders.keys().map(String::as_str);
         names.filter(|name| !is_ours(name))
@@ -118,7 +118,7 @@ impl Group {
         median(self.contenders.get(contender)?.values().copied().collect())
     }
 
-    /// The ratios of two contenders' times in the runs that both took part in, from the smallest.
+    /// The ratios of two contenders' times in the runs that both took part in, in ascending order.
     #[must_use]
     pub fn ratios(&self, contender: &str, rival: &str) -> Vec<f64> {
         let (Some(own), Some(other)) = (self.contenders.get(contender), self.contenders.get(rival))
@@ -141,7 +141,7 @@ fn is_ours(contender: &str) -> bool {
 /// Reads lines of name, contender and number, separated by tabs.
 ///
 /// # Errors
-/// If the file cannot be read or a line is of another form.
+/// If the file cannot be read or a line has another form.
 pub fn records(path: &Path) -> Result<Vec<Record>, ResultsError> {
     let text = fs::read_to_string(path).map_err(|source| unreadable(path, source))?;
     let record = |(index, line): (usize, &str)| {
@@ -167,7 +167,7 @@ pub fn records(path: &Path) -> Result<Vec<Record>, ResultsError> {
     text.lines().enumerate().map(record).collect()
 }
 
-/// The median of some numbers: the middle one, or half way between the two in the middle.
+/// The median of numbers: the middle one, or the mean of the two in the middle.
 pub(super) fn median(mut numbers: Vec<f64>) -> Option<f64> {
     numbers.sort_by(f64::total_cmp);
     let middle = numbers.len() / 2;
@@ -226,7 +226,7 @@ mod tests {
     #[test]
     fn times_are_for_one_operation_and_ratios_within_one_run() {
         let folder = tempfile::tempdir().unwrap();
-        // The machine is three times slower in the second run; the ratio does not notice.
+        // The machine is three times slower in the second run, which does not change the ratio.
         for (run, ours, theirs) in [
             ("run-1", 4.0, 8.0),
             ("run-2", 12.0, 24.0),

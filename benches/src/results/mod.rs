@@ -1,4 +1,4 @@
-//! From what was measured to the tables of `RESULTS.md`.
+//! From measurements to the tables of `RESULTS.md`.
 
 mod error;
 mod measurements;

@@ -1,4 +1,4 @@
-//! The tables themselves.
+//! The tables of a report.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -10,10 +10,10 @@ use super::measurements::median;
 use super::targets::{TOLERANCE, target};
 use super::{Group, Measurements, Record, ResultsError};
 
-/// All that a report is made from.
+/// The data of a report.
 #[derive(Debug)]
 pub struct Report {
-    /// The day of the measurement.
+    /// The date of the measurement.
     pub date: String,
     /// The processor's name.
     pub processor: String,
@@ -21,7 +21,7 @@ pub struct Report {
     pub settings: Vec<Setting>,
     /// Instructions by kernel and contender.
     pub instructions: Vec<Record>,
-    /// Build times: what, the limit in words, the figure.
+    /// Build times: what was built, the limit in words, and the figure.
     pub build_times: Vec<Record>,
 }
 
@@ -30,14 +30,14 @@ pub struct Report {
 pub struct Setting {
     /// The flags given to rustc; empty for none.
     pub flags: String,
-    /// What criterion measured.
+    /// The measurements of criterion.
     pub measurements: Measurements,
 }
 
-/// Writes a report as Markdown, whole or not at all.
+/// Writes a report as Markdown, either completely or not at all.
 ///
 /// # Errors
-/// [`ResultsError::Write`]; an earlier file of the name then stays as it was.
+/// [`ResultsError::Write`]; an earlier file of that name is then unchanged.
 pub fn write(path: &Path, report: &Report) -> Result<(), ResultsError> {
     replace(path, report.to_markdown().as_bytes()).map_err(|source| ResultsError::Write {
         path: path.to_path_buf(),
@@ -53,14 +53,14 @@ impl Report {
         line(
             &mut text,
             &format!(
-                "Measured on {}, {}. [METHODOLOGY.md](METHODOLOGY.md) says how.",
+                "Measured on {}, {}. [METHODOLOGY.md](METHODOLOGY.md) describes how.",
                 self.date, self.processor
             ),
         );
         line(
             &mut text,
-            "Times are nanoseconds for one operation, medians of the runs. A ratio is our time over the rival's within one run: the \
-             median over the runs, and the range. Compare ratios, not times.",
+            "Times are in nanoseconds for one operation, medians over the runs. A ratio is our time divided by the rival's \
+             within one run; the table has the median over the runs and the range. Compare ratios, not times.",
         );
         for setting in &self.settings {
             let flags = if setting.flags.is_empty() {
@@ -112,7 +112,7 @@ fn line(text: &mut String, line: &str) {
     let _ = writeln!(text, "{line}");
 }
 
-/// Groups by what stands before the slash in their names.
+/// Groups by the part of their names before the slash.
 fn families(measurements: &Measurements) -> BTreeMap<&str, Vec<(&str, &Group)>> {
     let mut families: BTreeMap<&str, Vec<_>> = BTreeMap::new();
     for (name, group) in &measurements.groups {
@@ -220,14 +220,14 @@ fn instructions(text: &mut String, records: &[Record]) {
     flush(text, own.filter(|_| pending));
 }
 
-/// A kernel that nobody is compared with.
+/// A kernel without a rival.
 fn flush(text: &mut String, alone: Option<&Record>) {
     if let Some(Record { name, value, .. }) = alone {
         line(text, &format!("| {name} | {} | | | |", number(*value)));
     }
 }
 
-/// Three significant digits, or all before the point.
+/// Three significant digits, or all digits before the decimal point.
 fn number(value: f64) -> String {
     let digits = if value >= 99.95 {
         0
@@ -259,7 +259,7 @@ fn replace(path: &Path, contents: &[u8]) -> io::Result<()> {
     Ok(())
 }
 
-/// Temporary files are private to their owner by default; a report obeys the umask like any other
+/// Temporary files are private to their owner by default; a report follows the umask like any other
 /// file.
 #[cfg(unix)]
 fn ordinary_permissions() -> Option<Permissions> {

@@ -1,9 +1,10 @@
-//! The ratios that we hold ourselves to.
+//! The ratios that are the targets of this project.
 
-/// How far above a ratio still counts as reached: two runs of the same code differ by as much.
+/// A ratio counts as reached up to this part above it, since two runs of the same code differ by as
+/// much.
 pub(super) const TOLERANCE: f64 = 0.05;
 
-/// The ratio that one of ours is to keep against a rival, if one is set.
+/// The largest ratio that one of our contenders should have to a rival, if there is a target.
 pub(super) fn target(flags: &str, group: &str, ours: &str, rival: &str) -> Option<f64> {
     let is_native = flags.contains("target-cpu=native");
     match (group, ours, rival) {

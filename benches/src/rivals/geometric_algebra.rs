@@ -1,5 +1,5 @@
-//! The projective algebra of the crate `geometric_algebra`, in single precision: motors of eight
-//! coefficients, as ours.
+//! The projective algebra of the crate `geometric_algebra`, in single precision. Its motors have
+//! eight coefficients, as ours have.
 
 use geometric_algebra::ppga3d::{Line, Motor, Plane, Point, Rotor};
 use geometric_algebra::{Exp, GeometricProduct, Ln, Transformation};

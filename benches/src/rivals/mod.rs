@@ -1,5 +1,4 @@
-//! Crates other than glam that do the same work. Without the feature `rivals` none of them takes
-//! part.
+//! Crates other than glam that do the same work. They take part with the feature `rivals` only.
 
 #[cfg(feature = "rivals")]
 mod clifford;
@@ -11,7 +10,7 @@ mod ultraviolet;
 use crate::comparison::Comparison;
 use crate::precision::Precision;
 
-/// The crates that can do each operation in this precision join its group.
+/// Adds the crates that can perform an operation in this precision to the group of the operation.
 pub trait Rivals: Precision {
     /// A motor moves a point.
     fn motor_point(group: &mut Comparison<'_>);
@@ -43,7 +42,7 @@ pub trait Rivals: Precision {
     fn exponential(group: &mut Comparison<'_>);
     /// The logarithm of a motor.
     fn logarithm(group: &mut Comparison<'_>);
-    /// A turn between two turns.
+    /// The interpolation of two rotations.
     fn interpolation(group: &mut Comparison<'_>);
 }
 
