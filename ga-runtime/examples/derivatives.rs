@@ -1,9 +1,7 @@
-//! Derivatives without a formula for them: when does a point that moves along a screw come to a
-//! sphere?
+//! Automatic derivatives: at what time does a point that moves along a screw reach a sphere?
 //!
-//! The question is put once, as a function that is generic over its scalar. Asked with dual
-//! numbers, the function also answers how fast its value changes, and that is what Newton's method
-//! needs.
+//! The depth of the point in the sphere is one function of time that is generic over its scalar.
+//! Called with dual numbers it also gives the derivative, which Newton's method needs.
 //!
 //! Run it with `cargo run -p ga-runtime --example derivatives`.
 
@@ -12,7 +10,7 @@ use ga_runtime::scalar::{Dual, Real};
 
 ga_runtime::ga! { ga_runtime::cga3;
     /// The inner product of the moved point and a dual sphere: `½(r² − d²)` for a point at the
-    /// distance d from the centre, so zero on the sphere.
+    /// distance d from the centre, which is zero on the sphere.
     fn inside(motor: Motor, point: Point, sphere: DualSphere) -> Scalar {
         (motor * point * reverse(motor)) | sphere
     }
@@ -21,19 +19,21 @@ ga_runtime::ga! { ga_runtime::cga3;
 const START: [f64; 3] = [2.0, 0.0, 0.0];
 const CENTRE: [f64; 3] = [-2.0, 0.5, 1.5];
 const RADIUS: f64 = 1.0;
-/// Each second the screw turns by TURN radians about the z axis and slides by SLIDE along it.
-const TURN: f64 = 0.8;
-const SLIDE: f64 = 0.4;
+/// In each second the screw rotates by RATE radians about the z axis and advances by SPEED along
+/// it.
+const RATE: f64 = 0.8;
+const SPEED: f64 = 0.4;
 
-/// The motion after a time: the exponential of the time times the generator
-/// `−½ TURN e12 − ½ SLIDE e3∧ei`.
+/// The motion up to a time t: the exponential of t times the generator
+/// `−½ RATE e12 − ½ SPEED e3∧ei`.
 fn motion<S: Real<Mask = bool>>(time: S) -> Motor<S> {
-    let [turn, slide] = [TURN, SLIDE].map(|x| time * S::from_f64(-0.5 * x));
+    let [angle, advance] = [RATE, SPEED].map(|x| time * S::from_f64(-0.5 * x));
     let zero = S::zero();
-    MotorGenerator::new(turn, zero, zero, zero, zero, slide).exp()
+    MotorGenerator::new(angle, zero, zero, zero, zero, advance).exp()
 }
 
-/// How far inside the sphere the point is at a time. Nothing here mentions derivatives.
+/// A measure of how far inside the sphere the point is at a time. The code does not mention
+/// derivatives.
 fn depth<S: Real<Mask = bool>>(time: S) -> S {
     let point = Point::from(START.map(S::from_f64));
     let centre = Point::from(CENTRE.map(S::from_f64));
@@ -45,7 +45,7 @@ fn main() {
     let mut time = 2.5;
     println!("step      time           depth       its derivative");
     for step in 0..8 {
-        // A variable has the derivative 1; everything worked out from it carries its own.
+        // A variable has the derivative 1; everything computed from it has its own derivative.
         let depth = depth(Dual::variable(time));
         println!(
             "{step:4}  {time:.12}  {:12.3e}  {:10.6}",
@@ -53,10 +53,10 @@ fn main() {
             depth.derivative()
         );
 
-        // The derivative in plain coordinates: minus the way to the centre times the velocity ω ×
-        // x + v.
+        // The derivative in coordinates: with the centre c and the velocity ω × x + v of the point
+        // x, it is (c − x)·(ω × x + v).
         let [x, y, z] = motion(time).transform(Point::from(START)).coordinates();
-        let velocity = [-TURN * y, TURN * x, SLIDE];
+        let velocity = [-RATE * y, RATE * x, SPEED];
         let by_hand: f64 = (0..3)
             .map(|k| (CENTRE[k] - [x, y, z][k]) * velocity[k])
             .sum();

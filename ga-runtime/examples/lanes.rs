@@ -1,8 +1,8 @@
-//! Eight drops of rain at once: the same code on one number and on eight side by side.
+//! Eight drops of rain at once: the same code on one number and on eight numbers side by side.
 //!
 //! A function that is generic over its scalar runs on `Lanes<f32, 8>` as it does on `f32`, and the
-//! compiler turns each operation into a vector instruction. The one thing to give up is the branch,
-//! since lanes may differ: compute both outcomes, then select.
+//! compiler makes each operation a vector instruction. The code cannot branch, since lanes may
+//! differ: it computes both outcomes and then selects.
 //!
 //! Run it with `cargo run -p ga-runtime --example lanes`.
 
@@ -10,7 +10,7 @@ use ga_runtime::cga3::{Direction, DualPlane, Point};
 use ga_runtime::scalar::{Lanes, Real};
 
 ga_runtime::ga! { ga_runtime::cga3;
-    /// The height over a plane with a normal of length 1.
+    /// The height above a plane with a normal of length 1.
     fn height(point: Point, roof: DualPlane) -> Scalar { point | roof }
 
     /// A velocity reflected in a plane.
@@ -28,18 +28,17 @@ fn roof<S: Real>() -> DualPlane<S> {
     DualPlane::from_normal_distance([0.6, 0.0, 0.8].map(S::from_f64), S::zero())
 }
 
-/// One hundredth of a second of falling. A drop that has come through the roof while going down
-/// jumps off.
+/// The fall during one hundredth of a second. A drop that is below the roof and moves towards it
+/// is reflected.
 fn step<S: Real>(drop: Drop<S>) -> Drop<S> {
     let (time, gravity) = (S::from_f64(0.01), S::from_f64(9.81));
     let [vx, vy, vz] = drop.velocity.vector();
     let falling = Direction::from_vector([vx, vy, vz - gravity * time]);
 
-    // Both outcomes are worked out, and the mask chooses: a bool for one drop, eight of them for
-    // eight.
+    // Both outcomes are computed, and the mask selects: one bool for one drop, eight for eight.
     let bounced = reflected(falling, roof());
     let below = height(drop.place, roof()).less_than(S::zero());
-    let approaching = bounced_height(falling).less_than(S::zero());
+    let approaching = speed_away(falling).less_than(S::zero());
     let hit = below & approaching;
     let (old, new) = (falling.vector(), bounced.vector());
     let velocity = [0, 1, 2].map(|k| S::select(hit, new[k], old[k]));
@@ -51,8 +50,8 @@ fn step<S: Real>(drop: Drop<S>) -> Drop<S> {
     }
 }
 
-/// How fast a velocity leads away from the roof.
-fn bounced_height<S: Real>(velocity: Direction<S>) -> S {
+/// The speed at which a velocity leads away from the roof.
+fn speed_away<S: Real>(velocity: Direction<S>) -> S {
     height(Point::from(velocity.vector()), roof())
 }
 
@@ -68,7 +67,7 @@ fn main() {
         place: Point::from(places),
         velocity: still,
     };
-    println!("heights of eight drops over the roof, in metres");
+    println!("heights of eight drops above the roof, in metres");
     for count in 0..=STEPS {
         if count % 10 == 0 {
             let heights = height(eight.place, roof());
@@ -77,7 +76,7 @@ fn main() {
         eight = step(eight);
     }
 
-    // The same drops, one by one: not nearly the same, but the same bits.
+    // The same drops one by one give the same results to the last bit.
     for lane in 0..8 {
         let mut one = Drop {
             place: Point::from(start(lane)),
@@ -91,7 +90,7 @@ fn main() {
             eight.place.coordinates().map(|x| x[lane])
         );
     }
-    println!("each is where it is when it falls alone");
+    println!("each drop is where it is when it falls alone");
 }
 
 #[test]

@@ -1,15 +1,15 @@
-//! An algebra of one's own: that of a hexagonal crystal, whose basis vectors are neither of length
-//! 1 nor at right angles.
+//! An algebra declared by the user: that of a hexagonal crystal, whose basis vectors neither have
+//! length 1 nor are orthogonal.
 //!
-//! The metric goes into the declaration, and from then on nobody has to think of it: lengths,
-//! angles and rotations come out right in the coordinates that crystallographers use. The crystal
-//! is the closest packing of balls that magnesium and zinc resemble.
+//! The metric is part of the declaration, and all products follow it: lengths, angles and rotations
+//! are right in the coordinates that crystallographers use. The crystal is the hexagonal closest
+//! packing of balls, which the crystals of magnesium and zinc resemble.
 //!
 //! Run it with `cargo run -p ga-runtime --example own_algebra`.
 
 ga_runtime::algebra! {
-    /// Space with the axes of a hexagonal crystal: a and b of length 1 at 120°, c of length √(8/3)
-    /// across both.
+    /// Space with the axes of a hexagonal crystal: a and b of length 1 at an angle of 120°, c of
+    /// length √(8/3) perpendicular to both.
     mod hexagonal {
         basis a, b, c;
         metric a*a = 1, b*b = 1, c*c = 8/3, a*b = -1/2;
@@ -22,7 +22,7 @@ ga_runtime::algebra! {
         struct Volume { abc }
         /// Products of two vectors.
         struct Even { scalar, ab, ac, bc }
-        /// A turn about an atom.
+        /// A rotation about an atom.
         #[hull(Even)]
         #[facts(unit_versor)]
         struct Rotor { scalar, ab, ac, bc }
@@ -40,14 +40,14 @@ ga_runtime::algebra! {
 use hexagonal::{Rotor, Vector};
 
 ga_runtime::ga! { hexagonal;
-    /// A function compiled in the new algebra, metric included.
+    /// A function in the new algebra, with its metric.
     fn squared_length(v: Vector) -> Scalar { v | v }
 
     /// The volume that three vectors span.
     fn volume(u: Vector, v: Vector, w: Vector) -> Scalar { norm(u ^ v ^ w) }
 }
 
-/// All other atoms up to two cells away from the one at the origin. A cell holds two.
+/// The atoms near the one at the origin, without that one. A cell contains two atoms.
 fn atoms() -> Vec<Vector<f64>> {
     let mut atoms = Vec::new();
     let second = Vector::new(2.0 / 3.0, 1.0 / 3.0, 0.5);
@@ -66,7 +66,7 @@ fn atoms() -> Vec<Vector<f64>> {
 fn main() {
     let atoms = atoms();
 
-    // How many atoms are at which distance. The shells of the closest packing are known: 12, 6, 2,
+    // The numbers of atoms by squared distance. Those of the closest packing are known: 12, 6, 2,
     // 18, 12.
     let shells = [
         (1.0, 12),
@@ -83,7 +83,7 @@ fn main() {
         assert_eq!(count, expected);
     }
 
-    // Balls of diameter 1, two to a cell, fill π/√18 of space.
+    // Balls of diameter 1, two in each cell, fill π/√18 of space.
     let cell = volume(
         Vector::new(1.0, 0.0, 0.0),
         Vector::new(0.0, 1.0, 0.0),
@@ -93,24 +93,28 @@ fn main() {
     println!("{:.2} % of space is filled", 100.0 * filled);
     assert!((filled - std::f64::consts::PI / 18.0_f64.sqrt()).abs() < 1e-12);
 
-    // The product of two unit vectors turns by twice the angle between them: a and a + b are 60°
-    // apart.
+    // The product of two unit vectors rotates by twice the angle between them. That of a and a + b
+    // is 60°.
     let a = Vector::new(1.0, 0.0, 0.0);
     let third = Rotor::normalize(Vector::new(1.0, 1.0, 0.0) * a).expect("the product is not zero");
-    println!("a third of a turn: {third:.4}");
-    // Three of them are a whole turn, and the rotor of that is −1.
+    println!("a rotation by 120°: {third:.4}");
+    // Three of them are a rotation by 360°, whose rotor is −1.
     let whole: Rotor<f64> = third * third * third;
     assert!((whole.scalar() + 1.0).abs() < 1e-12);
 
-    // It takes the crystal to itself: every neighbour comes to the place of a neighbour.
+    // The rotation maps the crystal to itself: every neighbour is moved to the place of a
+    // neighbour.
     let near = |v: Vector<f64>| squared_length(v) < 1.0 + 1e-12;
     let neighbours: Vec<_> = atoms.iter().copied().filter(|&atom| near(atom)).collect();
     for &atom in &neighbours {
-        let turned = third.transform(atom);
-        let is_there = |other: &Vector<f64>| squared_length(*other - turned) < 1e-20;
-        assert!(neighbours.iter().any(is_there), "{turned} is no neighbour");
+        let rotated = third.transform(atom);
+        let is_there = |other: &Vector<f64>| squared_length(*other - rotated) < 1e-20;
+        assert!(
+            neighbours.iter().any(is_there),
+            "{rotated} is not a neighbour"
+        );
     }
-    println!("it takes the {} neighbours to each other", neighbours.len());
+    println!("it permutes the {} neighbours", neighbours.len());
 }
 
 #[test]

@@ -1,7 +1,7 @@
-//! Property tests, as a crate that builds on ga-runtime would write them: with the dense reference,
+//! Property tests as a crate that uses ga-runtime would write them: with the dense reference,
 //! the exact scalar and the strategies of `ga_runtime::testing`.
 //!
-//! In a crate of its own, the functions below would be in `tests/` under `#[test]`, with these
+//! In such a crate the functions below would be in `tests/` under `#[test]`, with these
 //! lines in Cargo.toml:
 //!
 //! ```toml
@@ -32,7 +32,7 @@ ga_runtime::algebra! {
     }
 }
 
-// Every declared product against the dense reference, exactly: one line.
+// One line tests every declared product against the dense reference, exactly.
 #[cfg(test)]
 mod declared {
     ga_runtime::testing::product_tests!(super::pga2);
@@ -48,9 +48,8 @@ ga_runtime::ga! { ga_runtime::cga3;
     fn mirrored(plane: Plane, point: Point) -> RoundVector { sandwich(dual(plane), point) }
 }
 
-/// A compiled function equals its formula, worked out by the reference algebra, which shares no
-/// code with the compiler. Over the prime field nothing is rounded, so the two are equal, and no
-/// tolerance hides a mistake.
+/// A compiled function equals its formula, evaluated by the reference algebra, which shares no code
+/// with the compiler. Over the prime field nothing is rounded, so the two are exactly equal.
 #[cfg_attr(test, test)]
 fn compiled_function_equals_its_formula() {
     let algebra = algebra_of::<Prime61>(<pga2::Line<Prime61> as Element>::METRIC);
@@ -64,8 +63,8 @@ fn compiled_function_equals_its_formula() {
     });
 }
 
-/// The same function means what it should: the foot is on the line. A line l and a point P are
-/// incident where `l ∧ P` is zero.
+/// The foot of the perpendicular is on the line. A line l and a point P are incident where `l ∧ P`
+/// is zero.
 #[cfg_attr(test, test)]
 fn foot_is_on_the_line() {
     let algebra = algebra_of::<Prime61>(<pga2::Line<Prime61> as Element>::METRIC);
@@ -79,8 +78,8 @@ fn foot_is_on_the_line() {
     });
 }
 
-/// In floating point, with points and planes as geometry has them, special positions included: the
-/// image is as far behind the plane as the point is before it, and the point is straight across.
+/// In floating point, with random points and planes and with special positions: the image is as far
+/// behind the plane as the point is in front of it, on the same perpendicular.
 #[cfg_attr(test, test)]
 fn mirror_image_is_across_the_plane() {
     let operands = (cga3::planes(10.0), cga3::points(10.0));
@@ -90,7 +89,7 @@ fn mirror_image_is_across_the_plane() {
             .expect("a plane has a weight");
         let [before, behind] =
             [point, image].map(|p| plane.signed_distance(p).expect("a plane has a weight"));
-        // Relative to the size of the figure, since a distance may be zero.
+        // Relative to the size of the configuration, since a distance may be zero.
         assert_close!(behind, -before, 1e-12, 20.0);
         assert_close!(point.distance(image), 2.0 * before.abs(), 1e-12, 20.0);
     });
@@ -104,7 +103,7 @@ fn main() {
         ),
         ("the foot is on the line", foot_is_on_the_line),
         (
-            "a mirror image is across the plane",
+            "a mirror image is on the other side of the plane",
             mirror_image_is_across_the_plane,
         ),
     ];

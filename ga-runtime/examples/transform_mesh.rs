@@ -1,5 +1,5 @@
-//! Moves a mesh by a rigid motion: the vertices with one call, the normals with a function compiled
-//! for the purpose.
+//! Moves a mesh by a rigid motion: the vertices with one call of `batch`, the normals with a
+//! function of `ga!`.
 //!
 //! Run it with `cargo run -p ga-runtime --example transform_mesh`.
 
@@ -7,12 +7,12 @@ use ga_runtime::batch;
 use ga_runtime::cga3::{Circle, Direction, Motor, Point, Rotor, Translator};
 
 ga_runtime::ga! { ga_runtime::cga3;
-    /// The textbook formula. `uniform` says that one motor serves many directions: it becomes a
+    /// The textbook formula. `uniform` says that one motor moves many directions: it becomes a
     /// matrix once, and each direction then costs nine multiplications.
-    fn turning(uniform motor: Motor, normal: Direction) -> Direction { motor * normal * reverse(motor) }
+    fn rotating(uniform motor: Motor, normal: Direction) -> Direction { motor * normal * reverse(motor) }
 }
 
-/// The torus: RING is the radius of the circle in its middle, TUBE that of the tube around it.
+/// The torus: RING is the radius of the circle in its middle, TUBE the radius of the tube.
 const RING: f32 = 2.0;
 const TUBE: f32 = 0.5;
 
@@ -52,7 +52,7 @@ fn bounds(vertices: &[Point<f32>]) -> [[f32; 3]; 2] {
     corners
 }
 
-/// How far a point is from a circle that the motor has moved as it moved the mesh.
+/// The distance of a point from a circle.
 fn distance_from(circle: Circle<f32>, point: Point<f32>) -> Option<f32> {
     let height = circle.carrier().signed_distance(point)?;
     let from_centre = circle.centre()?.distance(point);
@@ -69,15 +69,15 @@ fn main() {
         bounds(&mesh.vertices)[1]
     );
 
-    // First a quarter turn about the x axis, then a shift: the right factor acts first.
+    // First a rotation by 90° about the x axis, then a translation: the right factor acts first.
     let quarter = std::f32::consts::FRAC_PI_2;
-    let turn = Rotor::from_axis_angle([1.0, 0.0, 0.0], quarter).expect("the axis is not zero");
-    let motor: Motor<f32> = Translator::from_displacement([0.0, 0.0, 3.0]) * turn;
+    let rotor = Rotor::from_axis_angle([1.0, 0.0, 0.0], quarter).expect("the axis is not zero");
+    let motor: Motor<f32> = Translator::from_displacement([0.0, 0.0, 3.0]) * rotor;
 
     batch::transform(&motor, &mut mesh.vertices);
-    let turning = turning(motor);
+    let rotating = rotating(motor);
     for normal in &mut mesh.normals {
-        *normal = turning.apply(*normal);
+        *normal = rotating.apply(*normal);
     }
     println!(
         "after:  from {:.2?} to {:.2?}",
@@ -85,11 +85,11 @@ fn main() {
         bounds(&mesh.vertices)[1]
     );
 
-    // Motors move circles as they move points. So the vertices are still in the tube around the
-    // circle in the middle, …
+    // Motors move circles as they move points. So the distance of every vertex from the moved
+    // circle is still TUBE, …
     let [p, q, r] = [[RING, 0.0, 0.0], [0.0, RING, 0.0], [-RING, 0.0, 0.0]].map(Point::from);
     let middle = motor.transform(Circle::through(p, q, r));
-    // … and one step against the normal from each vertex is on that circle.
+    // … and the point at distance TUBE against the normal of a vertex is on the circle.
     let mut worst = 0.0_f32;
     for (vertex, normal) in mesh.vertices.iter().zip(&mesh.normals) {
         let from_middle = distance_from(middle, *vertex).expect("the circle has a radius");
@@ -98,7 +98,7 @@ fn main() {
             distance_from(middle, inward.transform(*vertex)).expect("the circle has a radius");
         worst = worst.max((from_middle - TUBE).abs()).max(left);
     }
-    // In single precision, and with a square root of a difference on the way.
+    // The bound is for single precision, with a square root of a difference.
     assert!(worst < 2e-3, "a vertex is off by {worst}");
     let axis = middle.unit_normal().expect("the circle has a radius");
     println!("the torus is where its circle is, and its axis is {axis:.2?}");

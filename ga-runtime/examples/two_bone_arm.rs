@@ -1,9 +1,9 @@
-//! Inverse kinematics of an arm with two bones: where is the elbow when the hand is to be at a
-//! given place?
+//! Inverse kinematics of an arm with two bones: where is the elbow when the hand is at a given
+//! place?
 //!
 //! The elbow is on a sphere around the shoulder and on another around the hand. The two meet in a
-//! circle, and the plane in which the arm is to bend meets that circle in two points. Three
-//! products, no trigonometry.
+//! circle, and the plane in which the arm bends meets that circle in two points. This takes a few
+//! products and no trigonometry.
 //!
 //! Run it with `cargo run -p ga-runtime --example two_bone_arm`.
 
@@ -16,8 +16,8 @@ struct Arm {
 }
 
 impl Arm {
-    /// The elbow with the hand at a target, on the side of the pole; `None` where the target is out
-    /// of reach.
+    /// The place of the elbow when the hand is at a target, on the side of the pole; `None` where
+    /// the target is out of reach.
     fn elbow(&self, target: Point<f64>, pole: Point<f64>) -> Option<Point<f64>> {
         let around_shoulder = Sphere::from_centre_radius(self.shoulder, self.upper);
         let around_hand = Sphere::from_centre_radius(target, self.lower);
@@ -25,7 +25,7 @@ impl Arm {
         let candidates: Circle<f64> = around_shoulder & around_hand;
         let bending = Plane::through(self.shoulder, target, pole);
         let two: PointPair<f64> = candidates & bending;
-        // Spheres that do not touch meet in an imaginary circle, and that has no points to give.
+        // Spheres that do not meet have an imaginary circle in common, which has no real points.
         let [p, q] = two.endpoints()?;
         Some(if p.distance(pole) < q.distance(pole) {
             p
@@ -33,11 +33,6 @@ impl Arm {
             q
         })
     }
-}
-
-fn from_to(start: Point<f64>, end: Point<f64>) -> [f64; 3] {
-    let (start, end) = (start.coordinates(), end.coordinates());
-    [0, 1, 2].map(|k| end[k] - start[k])
 }
 
 fn main() {
@@ -51,7 +46,7 @@ fn main() {
 
     println!("       target              elbow        bend at the elbow");
     for step in 0..7 {
-        // The hand goes along a line, at first within reach.
+        // The hand moves along a line that begins within reach.
         let target = Point::new(0.15 + 0.1 * f64::from(step), 0.1, 1.4);
         let [x, y, z] = target.coordinates();
         print!("{x:6.2} {y:5.2} {z:5.2}   ");
@@ -65,13 +60,14 @@ fn main() {
 
         // The motors of the bones. At rest both lie along the x axis, the upper one with its end at
         // the origin.
-        let (along_upper, along_lower) = (from_to(arm.shoulder, elbow), from_to(elbow, target));
+        let along_upper = arm.shoulder.vector_to(elbow).coordinates();
+        let along_lower = elbow.vector_to(target).coordinates();
         let at_shoulder =
             Rotor::between([1.0, 0.0, 0.0], along_upper).expect("the bone has a length");
         let at_elbow = Rotor::between(along_upper, along_lower).expect("the bone has a length");
         let upper: Motor<f64> =
             Translator::from_displacement(arm.shoulder.coordinates()) * at_shoulder;
-        // The lower bone follows the upper one and then turns about the elbow.
+        // The lower bone follows the upper one and then rotates about the elbow.
         let lower = Motor::about(elbow, at_elbow) * upper;
 
         let (_, bend) = at_elbow.to_axis_angle();
@@ -87,7 +83,7 @@ fn main() {
             let end = motor.transform(Point::new(at_rest, 0.0, 0.0));
             assert!(end.distance(expected) < 1e-12);
         }
-        // … and the bend is that of the law of cosines.
+        // … and the bend satisfies the law of cosines.
         let product = 2.0 * arm.upper * arm.lower * bend.cos();
         let squared = arm.upper.powi(2) + arm.lower.powi(2) + product;
         assert!((distance.powi(2) - squared).abs() < 1e-12);
