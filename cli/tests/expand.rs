@@ -1,4 +1,4 @@
-//! `nullcone expand`: what it prints in each form, and how it tells what is wrong.
+//! `nullcone expand`: what it prints in each form, and the errors that it reports.
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
@@ -62,7 +62,7 @@ fn operations_as_json() {
         "{\"mul\":0,\"add\":0,\"div\":1,\"sqrt\":1,\"other\":0,\
          \"uniform\":{\"mul\":0,\"add\":0,\"div\":0,\"sqrt\":0,\"other\":0}}\n"
     );
-    // One motor over many points is a matrix, worked out once.
+    // One motor over many points is a matrix, computed once.
     let staged = of("fn f(uniform m: Motor, p: Point) -> Point { m * p * rev(m) }");
     assert_eq!((&staged["mul"], &staged["add"]), (&json!(9), &json!(9)));
     assert!(staged["uniform"]["mul"].as_u64().unwrap() > 0);
@@ -156,7 +156,7 @@ fn functions_from_files_and_standard_input() {
     std::fs::write(folder.path().join("bare"), MOVED).unwrap();
     assert_eq!(run(&["bare", "--emit", "ops"]), "moved: 21 mul, 18 add\n");
 
-    // A Rust file as it is: with an algebra of its own and two calls of the macro, one of them
+    // A Rust file as it is: it has an algebra of its own and two calls of the macro, one of them
     // nested.
     let source = "
         use ga_runtime::{algebra, ga};
@@ -238,7 +238,7 @@ fn blocks_use_functions_of_other_blocks() {
     assert!(all.ends_with(&both), "{all}\nends otherwise than\n{both}");
 
     for (change, with, parts) in [
-        // Where a name stands for nothing, or another block is not asked for it.
+        // Names that are not known, not used, or known twice.
         (
             "join as line",
             "joined",
@@ -386,7 +386,7 @@ fn every_algebra_that_ships_is_known_by_name() {
 }
 
 #[test]
-fn an_algebra_of_no_name_is_told_with_those_that_are() {
+fn an_unknown_algebra_is_an_error_that_lists_the_known_ones() {
     let folder = tempdir().unwrap();
     let arguments = ["expand", "--expr", MOVED, "--algebra", "pga4"];
     assert_lines(
@@ -438,13 +438,13 @@ fn errors_show_the_line() {
             assert!(message.contains(part), "{functions}: {message}");
         }
     }
-    // Each error of each function is told.
+    // The errors of all functions are reported.
     let two = text_of("fn f(p: A) -> A { p } fn g(p: B) -> B { p }");
     assert_eq!(two.matches("error: ").count(), 2, "{two}");
 }
 
 #[test]
-fn what_cannot_be_read_is_told_in_one_line() {
+fn unreadable_input_is_an_error_of_one_line() {
     let folder = tempdir().unwrap();
     std::fs::write(folder.path().join("empty.rs"), "").unwrap();
     for (arguments, parts) in [

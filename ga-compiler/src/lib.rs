@@ -166,7 +166,7 @@ pub fn expand_import(tokens: TokenStream) -> TokenStream {
         let pending = parse::parse_pending(rest)?;
         if algebra != fingerprint(&pending.declaration.to_string()) {
             let message =
-                "this is a function of another algebra: its types have other meanings here";
+                "this function is written in another algebra, whose types have other meanings";
             return Err(Error::new_spanned(names, message));
         }
         let imports = &pending.imports;
@@ -233,7 +233,7 @@ pub fn compile_block(definition: &Definition, block: &Block) -> Result<Vec<Compi
         let resolved = match resolve(definition, function, block) {
             Ok(resolved) => resolved,
             Err(error) => {
-                if !is_told(&error, &mut circles) {
+                if !is_reported(&error, &mut circles) {
                     diagnostics.push(error.into());
                 }
                 continue;
@@ -248,9 +248,9 @@ pub fn compile_block(definition: &Definition, block: &Block) -> Result<Vec<Compi
     Ok(compiled)
 }
 
-/// Whether an error is a circle of calls that is listed already, wherever it is entered; if it is
-/// another one, it is added.
-fn is_told(error: &ResolveError, circles: &mut Vec<Vec<String>>) -> bool {
+/// Whether an error is a circle of calls that is listed already, from whichever of its functions;
+/// if not, the circle is added to the list.
+fn is_reported(error: &ResolveError, circles: &mut Vec<Vec<String>>) -> bool {
     let ResolveErrorKind::Recursion(circle) = error.kind() else {
         return false;
     };

@@ -34,7 +34,7 @@
 /// # fn main() {
 /// let (a, b) = (Vector::new(3.0, 0.0), Vector::new(1.0, 2.0));
 /// assert_eq!(a ^ b, Bivector::new(6.0));
-/// // The turn by 90°, R = cos 45° − sin 45° e12.
+/// // The rotation by 90°, R = cos 45° − sin 45° e12.
 /// let quarter = Rotor::try_new(0.5_f64.sqrt(), -0.5_f64.sqrt(), 1e-12).unwrap();
 /// let rotated = quarter.transform(a);
 /// assert!(rotated.e1.abs() < 1e-12 && (rotated.e2 - 3.0).abs() < 1e-12);
@@ -188,7 +188,7 @@ macro_rules! algebra {
 /// }
 /// ga_runtime::ga! { ga_runtime::cga3;
 ///     use crate::kernels::reflected;
-///     /// Two reflections are a motion. Of the point between them only what counts is computed.
+///     /// Two reflections are a motion. Only the needed part of the point between is computed.
 ///     pub fn reflected_twice(p: Point, a: Plane, b: Plane) -> Scalar {
 ///         ei | sandwich(dual(b), reflected(p, a))
 ///     }

@@ -60,7 +60,7 @@ pub struct BasisSyntax {
 
 /// The inner products of the basis vectors.
 pub enum MetricSyntax {
-    /// Entry by entry; what is not stated is zero.
+    /// Entry by entry; products that are not stated are zero.
     Entries(Vec<MetricEntrySyntax>),
     /// Squares of 1, −1 and 0.
     Signature([usize; 3], Span),
@@ -70,7 +70,7 @@ pub enum MetricSyntax {
 pub struct MetricEntrySyntax {
     /// One basis vector.
     pub left: Ident,
-    /// The other, or the same.
+    /// The other basis vector, or the same.
     pub right: Ident,
     /// Their inner product.
     pub value: Expr,
@@ -112,7 +112,7 @@ pub struct ProductSyntax {
     pub operation: Ident,
     /// The types of each operand.
     pub operands: Vec<Vec<Ident>>,
-    /// The type of the result; `Self` stands for the last operand's.
+    /// The type of the result; `Self` stands for the type of the last operand.
     pub result: Option<Ident>,
 }
 
@@ -227,7 +227,7 @@ impl Parse for TypeSyntax {
                 docs.push(attribute);
             } else if path.is_ident("hull") {
                 if hull.is_some() {
-                    return Err(Error::new_spanned(path, "a type has one hull"));
+                    return Err(Error::new_spanned(path, "a type has only one hull"));
                 }
                 hull = Some(attribute.parse_args()?);
             } else if path.is_ident("facts") {
@@ -342,7 +342,7 @@ fn name(input: ParseStream<'_>, what: &str) -> Result<Ident> {
     input.parse()
 }
 
-/// Reads an item; where it leaves the grammar, the error is kept and the item passed over.
+/// Reads an item; where it leaves the grammar, the error is collected and the item is skipped.
 fn parse_or_skip<T: Parse>(input: ParseStream<'_>, diagnostics: &mut Diagnostics) -> Option<T> {
     let attempt = input.fork();
     match attempt.parse() {

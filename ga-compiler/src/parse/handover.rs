@@ -1,4 +1,4 @@
-//! How macros pass things on: paths in brackets, declarations in braces.
+//! What macros hand to each other: paths in brackets, declarations and blocks in braces.
 
 use proc_macro2::TokenStream;
 use syn::parse::{ParseStream, Parser};
@@ -12,7 +12,7 @@ pub struct Handover {
     pub runtime: TokenStream,
     /// The tokens of the declaration.
     pub declaration: TokenStream,
-    /// Whatever the caller added.
+    /// The tokens that the caller added.
     pub input: TokenStream,
 }
 
@@ -51,7 +51,7 @@ fn runtime(input: ParseStream<'_>) -> Result<TokenStream> {
     path.parse()
 }
 
-/// Functions on their way to being compiled: what has been handed over so far.
+/// Functions that wait for the blocks that they use: the tokens handed over so far.
 pub struct Pending {
     /// The path of ga-runtime.
     pub runtime: TokenStream,
@@ -65,7 +65,7 @@ pub struct Pending {
     pub source: TokenStream,
 }
 
-/// Reads `[runtime] { declaration } [path] [imports] source`, the imports being left out at first.
+/// Reads `[runtime] { declaration } [path] [imports] source`; at first there are no imports.
 ///
 /// # Errors
 /// The tokens have another shape.
@@ -101,9 +101,9 @@ pub struct Imported {
     pub algebra: u64,
     /// The tokens of the block.
     pub block: TokenStream,
-    /// The name of the function here and there.
+    /// The name of the function where it is used, and its name in its own block.
     pub names: TokenStream,
-    /// What was pending.
+    /// The functions that use it, as [`parse_pending`] reads them.
     pub rest: TokenStream,
 }
 

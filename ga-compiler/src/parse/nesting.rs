@@ -132,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn brackets_beyond_all_measure_are_an_error() {
+    fn brackets_that_nest_too_deep_are_an_error() {
         for levels in [129, 511, 5_000, 100_000] {
             for (open, close) in [("(", ")"), ("[", "]"), ("f(", ")")] {
                 let message = refusal(&function(open, close, levels));
@@ -145,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn signs_and_terms_beyond_all_measure_are_an_error() {
+    fn too_many_signs_or_terms_are_an_error() {
         let message = refusal(&function("-", "", 20_000));
         assert!(message.contains("at most 128 levels deep"), "{message}");
         let message = refusal(&function("", " + a", 20_000));

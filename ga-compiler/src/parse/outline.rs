@@ -1,4 +1,4 @@
-//! The names that a declaration would have declared, whether or not it follows the grammar.
+//! The names that a declaration would declare, which can be read even where it is faulty.
 
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
@@ -7,7 +7,7 @@ use syn::{Attribute, Ident, Result, Token, Visibility, braced};
 
 use super::nesting::check_brackets;
 
-/// What can be told of any declaration that starts like a module.
+/// The parts of a declaration that can be read wherever it starts like a module.
 pub struct Outline {
     /// Doc comments and other attributes of the module.
     pub attributes: Vec<Attribute>,
@@ -50,7 +50,7 @@ fn types(body: TokenStream) -> Vec<Ident> {
     for pair in tokens.windows(2) {
         if let [TokenTree::Ident(keyword), name] = pair
             && keyword == "struct"
-            // Not a keyword, which no item can bear.
+            // A keyword cannot be the name of an item.
             && let Ok(name) = syn::parse2::<Ident>(name.to_token_stream())
             && !names.contains(&name)
         {

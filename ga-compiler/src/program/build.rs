@@ -22,7 +22,7 @@ pub(super) struct Builder<'a> {
 pub(super) type Outcome = Result<StepId, OperationError>;
 
 impl Builder<'_> {
-    /// A step that exists at random points.
+    /// Adds a step, which must exist at random points.
     pub(super) fn push(&mut self, step: Step) -> Outcome {
         if self.program.len() >= MAX_STEPS {
             return Err(OperationError::TooManySteps);
@@ -152,11 +152,11 @@ impl Builder<'_> {
     fn has_definite_norm(&self, a: StepId) -> bool {
         let blades = self.witness.blades(a);
         let is_square = |left: Blade, right: Blade| {
-            let is_turned = right.reverse_is_negative();
+            let is_negative = right.reverse_is_negative();
             Product::ScalarProduct
                 .of_blades(self.algebra, left, right)
                 .iter()
-                .all(|(_, value)| left == right && value.is_negative() == is_turned)
+                .all(|(_, value)| left == right && value.is_negative() == is_negative)
         };
         let mut pairs = blades
             .iter()
@@ -238,7 +238,7 @@ impl Builder<'_> {
         self.push(Step::Sum(first, change))
     }
 
-    /// Checks that a part squares to zero and commutes with what it comes from.
+    /// Checks that a part squares to zero and commutes with the value that it comes from.
     fn check_null_part(
         &mut self,
         part: StepId,
