@@ -1,17 +1,17 @@
 //! Skin weights from the distance to the bones.
 //!
-//! A point follows the n nearest bones, each the less the further away it is. With L the distance
-//! from the point to the bone as a segment and m the rate at which influence falls off,
+//! A point follows the n nearest bones, and the influence of each decreases with its distance. With
+//! L the distance from the point to the bone as a segment and m the exponent of the decrease,
 //!
 //! ```text
 //! wᵢ = Lᵢ⁻ᵐ / Σₖ Lₖ⁻ᵐ,   k over the n nearest bones
 //! ```
 //!
 //! which is inverse distance weighting (D. Shepard, "A two-dimensional interpolation function for
-//! irregularly-spaced data", ACM National Conference 1968) as eq. 33 of Y. Cui, "Geometric
-//! algebra-based modeling techniques for 3D animation and their application to visual
-//! communication" has it. Distance goes straight through the air: the left leg also follows the
-//! right thigh where the two are close. The crate ga-mannequin shows how to avoid that.
+//! irregularly-spaced data", ACM National Conference 1968; Cui, eq. 33). Distance ignores the shape
+//! of the body: the left leg also follows the right thigh where the two are close. The crate ga-mannequin shows how to avoid that.
+
+use ga_runtime::vga3::Vector;
 
 use crate::weights::{SkinWeights, WeightsError};
 
@@ -25,7 +25,7 @@ pub enum DistanceWeightsError {
     #[error("every point follows at least 1 bone, not 0")]
     NoInfluences,
     /// The exponent is 0, negative, infinite or not a number.
-    #[error("{exponent} is no exponent for a weight that falls off with distance")]
+    #[error("{exponent} is not an exponent for a weight that decreases with distance")]
     BadExponent {
         /// The exponent.
         exponent: f64,
@@ -130,15 +130,13 @@ pub fn distance_weights(
 /// point.
 #[must_use]
 pub fn distance_to_bone(point: [f64; 3], [head, tail]: [[f64; 3]; 2]) -> f64 {
-    let axis: [f64; 3] = std::array::from_fn(|k| tail[k] - head[k]);
-    let from_head: [f64; 3] = std::array::from_fn(|k| point[k] - head[k]);
-    let product = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    let square = product(axis, axis);
+    let [point, head, tail] = [point, head, tail].map(Vector::from);
+    let (axis, from_head) = (tail - head, point - head);
+    let square = axis.length_squared();
     let t = if square > 0.0 {
-        (product(from_head, axis) / square).clamp(0.0, 1.0)
+        (from_head.dot(axis) / square).clamp(0.0, 1.0)
     } else {
         0.0
     };
-    let across: [f64; 3] = std::array::from_fn(|k| from_head[k] - t * axis[k]);
-    product(across, across).sqrt()
+    (from_head - axis * t).length()
 }

@@ -4,6 +4,7 @@ use anyhow::Result;
 use ga_anim::clip::Clip;
 use ga_anim::pose::Pose;
 use ga_anim::skin::{BodyReport, Method};
+use ga_runtime::vga3::Vector;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -100,5 +101,5 @@ fn from_vertical([x, y, z]: [f64; 3]) -> f64 {
 
 /// The distance between two places.
 pub(crate) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2])
+    Vector::from(a).distance(b.into())
 }

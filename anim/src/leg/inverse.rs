@@ -7,14 +7,15 @@ use super::{Leg, LegAngles, LegError, finite};
 impl Leg {
     /// The inverse problem: hip and angles from the motors of thigh, calf and foot.
     ///
-    /// The hip's angle about y comes back in [−π/2, π/2], the other angles in [−π, π]. Where it is
-    /// ±π/2 the hip's two other axes are one, and the whole turn about it is given to x. Angles
-    /// come from atan2 of the parts of rotors and matrices, which is accurate for all of them.
+    /// The hip's angle about y is returned in [−π/2, π/2], the other angles in [−π, π]. Where it is
+    /// ±π/2 the hip's two other axes coincide, and the angle about x gets the whole rotation about
+    /// them. Angles come from atan2 of the parts of rotors and matrices, which is accurate for all
+    /// of them.
     ///
     /// # Errors
     /// [`LegError::Apart`] where two segments do not meet within the tolerance in metres, and
-    /// [`LegError::NotHinged`] where knee or ankle turn about an axis that they do not have by more
-    /// than the tolerance in radians.
+    /// [`LegError::NotHinged`] where knee or ankle are rotated about an axis that they do not have by
+    /// more than the tolerance in radians.
     pub fn inverse(
         &self,
         motions: &[Motor<f64>; 3],
@@ -37,8 +38,8 @@ impl Leg {
             tolerance,
         )?;
 
-        let [hip_z, hip_y, hip_x] = turns_about_zyx(thigh.rotor().to_matrix());
-        // The knee turns about x alone: its rotor is cos ½δ − sin ½δ e23.
+        let [hip_z, hip_y, hip_x] = angles_about_zyx(thigh.rotor().to_matrix());
+        // The knee rotates about x alone: its rotor is cos ½δ − sin ½δ e23.
         let at_knee = thigh.rotor().reverse() * calf.rotor();
         let sideways = 2.0 * at_knee.e12().hypot(at_knee.e13()).min(1.0).asin();
         hinged("knee", sideways, tolerance)?;
@@ -62,10 +63,10 @@ impl Leg {
     }
 }
 
-/// The angles α, β, γ of `Rz(α) Ry(β) Rx(γ)` from its matrix. The turn about x is read off what is
-/// left after that about z, so that near the lock, where α is lost, the three still make the same
-/// turn together.
-pub(super) fn turns_about_zyx(matrix: [[f64; 3]; 3]) -> [f64; 3] {
+/// The angles α, β, γ of `Rz(α) Ry(β) Rx(γ)` from its matrix. The angle about x is computed from the
+/// matrix without the rotation about z, so that near the gimbal lock, where α is not determined, the
+/// product of the three is still the same rotation.
+pub(super) fn angles_about_zyx(matrix: [[f64; 3]; 3]) -> [f64; 3] {
     let [first, second, third] = matrix;
     let cosine = first[0].hypot(second[0]);
     let about_y = (-third[0]).atan2(cosine);
@@ -93,7 +94,7 @@ fn meets(
     }
 }
 
-/// Whether a joint's turn about an axis that it does not have is small enough.
+/// Whether a joint's rotation about an axis that it does not have is small enough.
 pub(super) fn hinged(joint: &'static str, angle: f64, tolerance: f64) -> Result<(), LegError> {
     if angle.abs() <= tolerance {
         Ok(())

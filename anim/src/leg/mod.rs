@@ -1,27 +1,27 @@
-//! The leg of hip, knee and ankle (the paper's §2.3.3): points joined by bones that are lines.
+//! The leg of hip, knee and ankle (Cui, §2.3.3): points joined by bones that are lines.
 //!
 //! At rest the leg hangs straight down from the origin: the knee at (0, −a, 0), the ankle at (0, −a
 //! − b, 0) and the tip of the foot at (0, −a − b, c), with the lengths a of the thigh, b of the
-//! calf and c of the foot. The *forward* problem goes from angles to places: each segment has a
+//! calf and c of the foot. The *forward* problem goes from angles to positions: each segment has a
 //! motor from rest to the pose,
 //!
 //! ```text
 //! G_thigh = T(hip) Rz(α) Ry(β) Rx(γ)
-//! G_calf  = G_thigh · turn about the knee at rest by Rx(δ)
-//! G_foot  = G_calf  · turn about the ankle at rest by Rx(ε) Rz(ζ)
+//! G_calf  = G_thigh · (Rx(δ) about the knee at rest)
+//! G_foot  = G_calf  · (Rx(ε) Rz(ζ) about the ankle at rest)
 //! ```
 //!
 //! and points of the skin follow these motors by weights. The *inverse* problem goes back to
-//! angles: from motors by [`Leg::inverse`], from the places of the joints by
-//! [`Leg::inverse_of_points`], from where the ankle shall be by [`Leg::reach`]. Angles are in
-//! radians, right-handed; a positive knee angle bends the calf backwards, to −z.
+//! angles: from motors by [`Leg::inverse`], from the positions of the joints by
+//! [`Leg::inverse_of_points`], from a target for the ankle by [`Leg::reach`]. Angles are in radians,
+//! right-handed; a positive knee angle bends the calf backwards, to −z.
 
 mod inverse;
 mod points;
 mod reach;
-mod vector;
 
 use ga_runtime::cga3::{Line, Motor, Point, Rotor, Translator};
+use ga_runtime::vga3::Vector;
 
 use crate::skin::{Method, SkinError, skin};
 use crate::weights::SkinWeights;
@@ -48,13 +48,13 @@ pub struct Leg {
     foot: f64,
 }
 
-/// The angles of a leg's joints in radians. The turns are about axes that have turned along
-/// (intrinsic), in the order z, y, x at the hip and x, z at the ankle.
+/// The angles of a leg's joints in radians. The rotations are intrinsic, about axes that rotate with
+/// the segment, in the order z, y, x at the hip and x, z at the ankle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LegAngles {
     /// α: about z, swings the leg sideways.
     pub hip_z: f64,
-    /// β: about y, turns it in and out.
+    /// β: about y, rotates it inwards and outwards.
     pub hip_y: f64,
     /// γ: about x, swings it to the front and back.
     pub hip_x: f64,
@@ -66,7 +66,7 @@ pub struct LegAngles {
     pub ankle_z: f64,
 }
 
-/// Where a leg is.
+/// The pose of a leg.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LegPose {
     /// The hip joint.
@@ -81,7 +81,7 @@ pub struct LegPose {
     pub motions: [Motor<f64>; 3],
 }
 
-/// Why a leg cannot be, or cannot be so.
+/// Why a leg cannot have these lengths, or cannot take a pose.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum LegError {
     /// A segment's length is not positive and finite.
@@ -100,7 +100,7 @@ pub enum LegError {
         /// Its value.
         value: f64,
     },
-    /// A place is not finite.
+    /// A position is not finite.
     #[error("the {place} is at {coordinates:?}")]
     Place {
         /// What is there.
@@ -108,7 +108,7 @@ pub enum LegError {
         /// Its coordinates.
         coordinates: [f64; 3],
     },
-    /// A bone is not as long between its joints as it should be.
+    /// The distance between two joints differs from the length of their bone.
     #[error("the {segment} is {found} m long between its joints; it should be {expected} m")]
     Bone {
         /// The segment.
@@ -119,15 +119,15 @@ pub enum LegError {
         found: f64,
     },
     /// Two segments do not meet in their joint.
-    #[error("the segments come apart by {gap} m at the {joint}")]
+    #[error("the segments are {gap} m apart at the {joint}")]
     Apart {
         /// The joint.
         joint: &'static str,
         /// How far they are apart.
         gap: f64,
     },
-    /// A joint turns about an axis that it does not have.
-    #[error("the {joint} turns by {angle} rad about an axis that it does not have")]
+    /// A joint is rotated about an axis that it does not have.
+    #[error("the {joint} is rotated by {angle} rad about an axis that it does not have")]
     NotHinged {
         /// The joint.
         joint: &'static str,
@@ -146,13 +146,15 @@ pub enum LegError {
         /// The greatest distance.
         most: f64,
     },
-    /// The target is the hip, so that the thigh may point anywhere.
-    #[error("the target is {distance} m from the hip, so close that the thigh may point anywhere")]
+    /// The target is the hip, so that the direction of the thigh is not determined.
+    #[error(
+        "the target is {distance} m from the hip, too close to determine the direction of the thigh"
+    )]
     Folded {
         /// The distance of the target from the hip.
         distance: f64,
     },
-    /// The pole is on the line from hip to target, so that it shows no side.
+    /// The pole is on the line from hip to target, so that it does not determine a side.
     #[error("the pole is on the line from the hip to the target")]
     Pole,
 }
@@ -190,7 +192,7 @@ impl Leg {
         .map(Point::from)
     }
 
-    /// The forward problem: where the leg is, given the hip and the angles.
+    /// The forward problem: the pose of the leg, given the hip and the angles.
     ///
     /// # Errors
     /// [`LegError`] where an angle or the hip is not finite.
@@ -202,8 +204,9 @@ impl Leg {
         }
         finite("hip", hip)?;
         let [_, knee, ankle, _] = self.rest();
-        let shift = Translator::from_displacement(hip.coordinates());
-        let thigh = shift * (about_z(angles.hip_z) * about_y(angles.hip_y) * about_x(angles.hip_x));
+        let to_hip = Translator::from_displacement(hip.coordinates());
+        let thigh =
+            to_hip * (about_z(angles.hip_z) * about_y(angles.hip_y) * about_x(angles.hip_x));
         let calf = thigh * Motor::about(knee, about_x(angles.knee));
         let foot = calf * Motor::about(ankle, about_x(angles.ankle_x) * about_z(angles.ankle_z));
         Ok(self.posed([thigh, calf, foot]))
@@ -239,18 +242,19 @@ impl LegPose {
     #[must_use]
     pub fn knee_interior_angle(&self) -> f64 {
         let [thigh, calf, _] = self.bones();
-        let turn = thigh * calf;
-        turn.e12.hypot(turn.e13).hypot(turn.e23).atan2(-turn.scalar)
+        let product = thigh * calf;
+        let bivector = product.e12.hypot(product.e13).hypot(product.e23);
+        bivector.atan2(-product.scalar)
     }
 
-    /// The distance from hip to ankle, `√(−2 P·Q)` (the paper's eq. 32, corrected).
+    /// The distance from hip to ankle, `√(−2 P·Q)` (Cui, eq. 32, corrected).
     #[must_use]
     pub fn hip_ankle_distance(&self) -> f64 {
         self.hip.distance(self.ankle)
     }
 
-    /// Where points of the skin are that are given at rest, with weights for thigh, calf and foot
-    /// in this order.
+    /// The positions in the pose of points of the skin that are given at rest, with weights for
+    /// thigh, calf and foot in this order.
     ///
     /// # Errors
     /// [`SkinError`] where points and weights do not fit together.
@@ -284,6 +288,13 @@ fn finite(place: &'static str, point: Point<f64>) -> Result<(), LegError> {
     } else {
         Err(LegError::Place { place, coordinates })
     }
+}
+
+/// The matrix, by rows, of the rotation that takes the x axis to `x` and the y axis to `y`, which
+/// are perpendicular unit vectors.
+fn rotation(x: Vector<f64>, y: Vector<f64>) -> [[f64; 3]; 3] {
+    let z = x.cross(y);
+    std::array::from_fn(|k| [x[k], y[k], z[k]])
 }
 
 /// The rotor `cos ½θ − sin ½θ B` in the plane of a unit bivector B, for a finite angle.

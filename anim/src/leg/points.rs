@@ -1,30 +1,31 @@
-//! From the places of the joints back to angles.
+//! From the positions of the joints back to angles.
 
 use ga_runtime::cga3::{Point, Rotor};
+use ga_runtime::vga3::Vector;
 
-use super::inverse::{hinged, turns_about_zyx};
-use super::vector::{across, cross, dot, length, minus, rows, unit};
-use super::{Leg, LegAngles, LegError, finite};
+use super::inverse::{angles_about_zyx, hinged};
+use super::{Leg, LegAngles, LegError, finite, rotation};
 
-/// Below this sine two directions are taken to be one.
+/// Two directions count as parallel below this sine of the angle between them.
 const PARALLEL: f64 = 1e-12;
 
 impl Leg {
-    /// The inverse problem for places: the angles of a leg whose hip, knee and ankle are seen at
-    /// these points and whose foot is turned from rest by a rotor.
+    /// The inverse problem for positions: the angles of a leg whose hip, knee and ankle are at these
+    /// points and whose foot is rotated from rest by a rotor.
     ///
-    /// The hinge of the knee is across thigh, calf and the length of the foot; it is taken from the
-    /// two of them that are farther from being in line. Of its two ways round the one nearer to the
-    /// foot's own x axis is taken, so the ankle's angle about z comes back in [−π/2, π/2], and the
-    /// knee's is negative where the knee bends the wrong way. Where thigh, calf and foot are all in
-    /// line, the points do not show the hinge: then the ankle's angle about z is 0, and the hip has
-    /// the whole turn about the line. The hip's angles are as of [`Leg::inverse`].
+    /// The hinge of the knee is perpendicular to thigh, calf and the length of the foot; it is
+    /// computed from the two of them that are farther from being parallel. Of its two orientations
+    /// the one nearer to the foot's own x axis is taken, so the ankle's angle about z is in
+    /// [−π/2, π/2], and the knee's is negative where the knee bends the wrong way. Where thigh, calf
+    /// and foot are all parallel, the points do not determine the hinge: then the ankle's angle
+    /// about z is 0, and the hip has the whole rotation about the line. The hip's angles are as in
+    /// [`Leg::inverse`].
     ///
     /// # Errors
     /// [`LegError::Place`] for a point that is not finite, [`LegError::Bone`] where thigh or calf
     /// differ from the leg's by more than the tolerance in metres, and [`LegError::NotHinged`]
-    /// where knee or ankle turn about an axis that they do not have by more than the tolerance in
-    /// radians.
+    /// where knee or ankle are rotated about an axis that they do not have by more than the
+    /// tolerance in radians.
     ///
     /// ```
     /// use ga_anim::leg::{Leg, LegAngles};
@@ -55,33 +56,34 @@ impl Leg {
         for (place, point) in [("hip", hip), ("knee", knee), ("ankle", ankle)] {
             finite(place, point)?;
         }
-        let upper = bone("thigh", minus(knee, hip), self.thigh, tolerance)?;
-        let lower = bone("calf", minus(ankle, knee), self.calf, tolerance)?;
-        let [foot_x, foot_y, foot_z] = columns(foot.to_matrix());
+        let upper = bone("thigh", hip.vector_to(knee), self.thigh, tolerance)?;
+        let lower = bone("calf", knee.vector_to(ankle), self.calf, tolerance)?;
+        let rows = foot.to_matrix();
+        let [foot_x, foot_y, foot_z] = [0, 1, 2].map(|k| Vector::from(rows.map(|row| row[k])));
 
         let hinge = hinge(upper, lower, foot_x, foot_z);
-        // The hinge is across the calf; the sines of the angles by which it is not across the
-        // others must be small.
-        hinged("knee", dot(hinge, upper).clamp(-1.0, 1.0).asin(), tolerance)?;
+        // The hinge is perpendicular to the calf; the sines of the angles by which it is not
+        // perpendicular to the others must be small.
+        hinged("knee", hinge.dot(upper).clamp(-1.0, 1.0).asin(), tolerance)?;
         hinged(
             "ankle",
-            dot(hinge, foot_z).clamp(-1.0, 1.0).asin(),
+            hinge.dot(foot_z).clamp(-1.0, 1.0).asin(),
             tolerance,
         )?;
 
-        let up = upper.map(|x| -x);
-        let hinge = unit(across(hinge, up)).unwrap_or(hinge);
-        let [hip_z, hip_y, hip_x] = turns_about_zyx(rows(hinge, up, cross(hinge, up)));
-        let knee = dot(cross(upper, lower), hinge).atan2(dot(upper, lower));
-        // The calf's axes are the hinge, the calf upwards and what is across both.
-        let forward = cross(lower, hinge);
+        let up = -upper;
+        let hinge = (hinge - up * hinge.dot(up)).normalized().unwrap_or(hinge);
+        let [hip_z, hip_y, hip_x] = angles_about_zyx(rotation(hinge, up));
+        let knee = upper.cross(lower).dot(hinge).atan2(upper.dot(lower));
+        // The calf's axes are the hinge, the upward direction of the calf and their cross product.
+        let forward = lower.cross(hinge);
         Ok(LegAngles {
             hip_z,
             hip_y,
             hip_x,
             knee,
-            ankle_x: dot(lower, foot_z).atan2(dot(forward, foot_z)),
-            ankle_z: (-dot(hinge, foot_y)).atan2(dot(hinge, foot_x)),
+            ankle_x: lower.dot(foot_z).atan2(forward.dot(foot_z)),
+            ankle_z: (-hinge.dot(foot_y)).atan2(hinge.dot(foot_x)),
         })
     }
 }
@@ -89,46 +91,49 @@ impl Leg {
 /// The unit direction of a bone, if it is as long as it should be.
 fn bone(
     segment: &'static str,
-    between: [f64; 3],
+    between: Vector<f64>,
     expected: f64,
     tolerance: f64,
-) -> Result<[f64; 3], LegError> {
-    let found = length(between);
+) -> Result<Vector<f64>, LegError> {
+    let found = between.length();
     let error = LegError::Bone {
         segment,
         expected,
         found,
     };
     if (found - expected).abs() <= tolerance {
-        unit(between).ok_or(error)
+        between.normalized().ok_or(error)
     } else {
         Err(error)
     }
 }
 
-/// The unit vector across thigh, calf and foot that is nearer to the foot's x axis than its
-/// opposite.
-fn hinge(upper: [f64; 3], lower: [f64; 3], foot_x: [f64; 3], foot_z: [f64; 3]) -> [f64; 3] {
-    let candidates = [cross(upper, lower), cross(foot_z, lower)];
-    let [at_knee, at_ankle] = candidates.map(length);
-    let seen = if at_knee > at_ankle {
-        candidates[0]
+/// The unit vector perpendicular to thigh, calf and foot that is nearer to the foot's x axis than
+/// its opposite.
+fn hinge(
+    upper: Vector<f64>,
+    lower: Vector<f64>,
+    foot_x: Vector<f64>,
+    foot_z: Vector<f64>,
+) -> Vector<f64> {
+    let (at_knee, at_ankle) = (upper.cross(lower), foot_z.cross(lower));
+    let longer = if at_knee.length() > at_ankle.length() {
+        at_knee
     } else {
-        candidates[1]
+        at_ankle
     };
-    let hinge = unit(seen).filter(|_| at_knee.max(at_ankle) > PARALLEL);
-    // A short product is off by rounding in all directions; what is along the calf can be taken
-    // away.
-    let hinge = across(hinge.unwrap_or(foot_x), lower);
-    let hinge = unit(hinge).unwrap_or(foot_x);
-    if dot(hinge, foot_x) < 0.0 {
-        hinge.map(|x| -x)
+    let seen = longer
+        .normalized()
+        .filter(|_| longer.length() > PARALLEL)
+        .unwrap_or(foot_x);
+    // A short cross product has rounding errors in all directions. The part along the calf can be
+    // removed.
+    let hinge = (seen - lower * seen.dot(lower))
+        .normalized()
+        .unwrap_or(foot_x);
+    if hinge.dot(foot_x) < 0.0 {
+        -hinge
     } else {
         hinge
     }
-}
-
-fn columns(matrix: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
-    let [x, y, z] = matrix;
-    rows(x, y, z)
 }

@@ -1,14 +1,14 @@
 //! Angles that bring the ankle to a given place.
 
 use ga_runtime::cga3::{Plane, Point, Sphere};
+use ga_runtime::vga3::Vector;
 
-use super::inverse::turns_about_zyx;
-use super::vector::{across, cross, dot, length, minus, rows, unit};
-use super::{Leg, LegAngles, LegError, finite};
+use super::inverse::angles_about_zyx;
+use super::{Leg, LegAngles, LegError, finite, rotation};
 
 impl Leg {
-    /// The angles that bring the ankle to a target, the knee on the side of a pole; the foot is not
-    /// turned.
+    /// The angles that bring the ankle to a target, with the knee on the side of a pole; the foot is
+    /// not rotated.
     ///
     /// The knee is where the sphere of the thigh's length about the hip, the sphere of the calf's
     /// length about the target and the plane through hip, target and pole meet: of this pair of
@@ -18,7 +18,7 @@ impl Leg {
     /// # Errors
     /// [`LegError::Unreachable`] for a target that is too far or too near, [`LegError::Folded`] for
     /// one at the hip itself, which any direction of the thigh reaches, [`LegError::Pole`] for a
-    /// pole in line with hip and target, [`LegError::Place`] for places that are not finite.
+    /// pole in line with hip and target, [`LegError::Place`] for points that are not finite.
     ///
     /// ```
     /// use ga_anim::leg::Leg;
@@ -41,8 +41,7 @@ impl Leg {
         }
         let [thigh, calf, _] = self.lengths();
         let (distance, least, most) = (hip.distance(target), (thigh - calf).abs(), thigh + calf);
-        // As much as the places are rounded; a leg that is stretched out must still reach where it
-        // is.
+        // The rounding of the coordinates; a stretched leg must still reach its own ankle.
         let size = [hip, target, pole]
             .iter()
             .flat_map(|p| p.coordinates())
@@ -58,26 +57,27 @@ impl Leg {
         if distance <= rounding {
             return Err(LegError::Folded { distance });
         }
-        // From here on with the hip at the origin and the stretched leg as the unit of length:
-        // spheres far from the origin, very large or very small would lose digits.
-        let scaled = |point| minus(point, hip).map(|x| x / most);
-        let target = Point::from(scaled(target));
-        let down = unit(target.coordinates()).ok_or(LegError::Folded { distance })?;
-        let aside = across(scaled(pole), down);
-        // The places' rounding moves the axis, the more the farther the pole is from the hip.
+        // From here on the hip is the origin and the stretched leg the unit of length: spheres far
+        // from the origin, very large or very small would lose digits.
+        let scaled = |point| hip.vector_to(point) / most;
+        let target = scaled(target);
+        let down = target.normalized().ok_or(LegError::Folded { distance })?;
+        let across = |vector: Vector<f64>| vector - down * vector.dot(down);
+        let aside = across(scaled(pole));
+        // The rounding of the coordinates moves the axis, the more the farther the pole is away.
         let lever = 1.0 + pole.distance(hip) / distance;
-        if length(aside) <= rounding / most * lever {
+        if aside.length() <= rounding / most * lever {
             return Err(LegError::Pole);
         }
-        let aside = unit(across(unit(aside).ok_or(LegError::Pole)?, down)).ok_or(LegError::Pole)?;
-        let hinge = cross(aside, down);
+        let aside = aside.normalized().ok_or(LegError::Pole)?;
+        let aside = across(aside).normalized().ok_or(LegError::Pole)?;
+        let hinge = aside.cross(down);
 
         let knee = knee(thigh / most, calf / most, target, aside);
-        let upper = unit(knee.coordinates()).ok_or(LegError::Pole)?;
-        let lower = unit(minus(target, knee)).ok_or(LegError::Pole)?;
-        let up = upper.map(|x| -x);
-        let [hip_z, hip_y, hip_x] = turns_about_zyx(rows(hinge, up, cross(hinge, up)));
-        let bend = dot(cross(upper, lower), hinge).atan2(dot(upper, lower));
+        let upper = knee.normalized().ok_or(LegError::Pole)?;
+        let lower = (target - knee).normalized().ok_or(LegError::Pole)?;
+        let [hip_z, hip_y, hip_x] = angles_about_zyx(rotation(hinge, -upper));
+        let bend = upper.cross(lower).dot(hinge).atan2(upper.dot(lower));
         Ok(LegAngles {
             hip_z,
             hip_y,
@@ -91,16 +91,16 @@ impl Leg {
 /// The knee on the pole's side, for a hip at the origin: where the spheres of the two bones meet
 /// the plane in which the leg bends. Where the spheres only touch, it is on the line from hip to
 /// target.
-fn knee(thigh: f64, calf: f64, target: Point<f64>, aside: [f64; 3]) -> Point<f64> {
-    let hip = Point::default();
-    let circle = Sphere::from_centre_radius(hip, thigh) & Sphere::from_centre_radius(target, calf);
-    let plane = Plane::through(hip, target, Point::from(aside));
-    let Some([first, second]) = (circle & plane).endpoints() else {
-        let square = dot(target.coordinates(), target.coordinates());
-        let part = (square + thigh * thigh - calf * calf) / (2.0 * square);
-        return Point::from(target.coordinates().map(|x| x * part));
+fn knee(thigh: f64, calf: f64, target: Vector<f64>, aside: Vector<f64>) -> Vector<f64> {
+    let (hip, ankle) = (Point::default(), Point::from(target));
+    let circle = Sphere::from_centre_radius(hip, thigh) & Sphere::from_centre_radius(ankle, calf);
+    let plane = Plane::through(hip, ankle, Point::from(aside));
+    let Some(ends) = (circle & plane).endpoints() else {
+        let square = target.length_squared();
+        return target * ((square + thigh * thigh - calf * calf) / (2.0 * square));
     };
-    if dot(first.coordinates(), aside) > dot(second.coordinates(), aside) {
+    let [first, second] = ends.map(Vector::from);
+    if first.dot(aside) > second.dot(aside) {
         first
     } else {
         second

@@ -1,15 +1,17 @@
-use ga_runtime::cga3::{Motor, Rotor};
+use ga_runtime::cga3::{Direction, Rotor};
+use ga_runtime::vga3::Vector;
 
 use super::{RetargetError, Soles};
 use crate::bvh::Bvh;
-use crate::pose::moved;
 use crate::skeleton::Skeleton;
 
-/// Of the body's height: how long a long bone is, and how far from the middle a limb begins.
+/// As fractions of the body's height: the least length of a long bone, and the least distance of a
+/// limb from the middle.
 const LONG: f64 = 1.0 / 8.0;
 const BESIDE: f64 = 1.0 / 64.0;
 
-/// Which joint of the source moves which of the target, and how their rests differ.
+/// The joints of the source that move those of the target, and the rotations between their poses at
+/// rest.
 #[derive(Clone, Debug)]
 pub(super) struct Correspondence {
     /// For each joint of the target, the one of the source that has its name.
@@ -28,10 +30,10 @@ pub(super) struct Leg {
     pub(super) source: usize,
 }
 
-/// A long bone of a limb: the way from its joint to the next at rest, in target and source.
+/// A long bone of a limb: the vector from its joint to the next at rest, in target and source.
 struct LongBone {
-    target: [f64; 3],
-    source: [f64; 3],
+    target: Vector<f64>,
+    source: Vector<f64>,
 }
 
 impl Correspondence {
@@ -54,10 +56,11 @@ impl Correspondence {
             let above = joint
                 .parent
                 .map_or(Rotor::default(), |parent| alignment[parent]);
-            let turn = bone.as_ref().and_then(|bone| {
-                Rotor::between(moved(Motor::from(above), bone.target), bone.source)
+            let correction = bone.as_ref().and_then(|bone| {
+                let inherited: Vector<f64> = above.transform(Direction::from(bone.target)).into();
+                Rotor::between(inherited.coordinates(), bone.source.coordinates())
             });
-            alignment.push(turn.map_or(above, |turn| turn * above));
+            alignment.push(correction.map_or(above, |correction| correction * above));
         }
         let (legs, scale) = legs(target, &source_of, &long_bones, soles)?;
         Ok(Self {
@@ -88,19 +91,18 @@ fn long_bones(
     for (index, joint) in joints.iter().enumerate() {
         let is_beside = (joint.head[0] - middle).abs() >= BESIDE * height;
         let goes_on = joint.parent.is_some_and(|parent| bones[parent].is_some());
-        let from_tail = |below: usize| length(joint.tail, joints[below].head);
+        let head = Vector::from(joint.head);
+        let from_tail = |below: usize| Vector::from(joint.tail).distance(joints[below].head.into());
         let below = target
             .children(index)
             .filter(|&below| source_of[below].is_some() && (is_beside || goes_on))
             .min_by(|&a, &b| from_tail(a).total_cmp(&from_tail(b)))
-            .filter(|&below| length(joint.head, joints[below].head) >= LONG * height);
+            .filter(|&below| head.distance(joints[below].head.into()) >= LONG * height);
         bones.push(below.and_then(|below| {
             Some(LongBone {
-                target: difference(joint.head, joints[below].head),
-                source: difference(
-                    source_rest[source_of[index]?],
-                    source_rest[source_of[below]?],
-                ),
+                target: Vector::from(joints[below].head) - head,
+                source: Vector::from(source_rest[source_of[below]?])
+                    - Vector::from(source_rest[source_of[index]?]),
             })
         }));
     }
@@ -114,7 +116,6 @@ fn legs(
     long_bones: &[Option<LongBone>],
     soles: &Soles,
 ) -> Result<(Vec<Leg>, f64), RetargetError> {
-    const ORIGIN: [f64; 3] = [0.0; 3];
     let mut legs: Vec<Leg> = Vec::new();
     let (mut target_length, mut source_length) = (0.0, 0.0);
     for (index, joint) in target.joints().iter().enumerate() {
@@ -123,8 +124,8 @@ fn legs(
         while let Some((joint, bone)) =
             above.and_then(|joint| Some((joint, long_bones[joint].as_ref()?)))
         {
-            target_length += length(ORIGIN, bone.target);
-            source_length += length(ORIGIN, bone.source);
+            target_length += bone.target.length();
+            source_length += bone.source.length();
             top = Some(joint);
             above = target.joints()[joint].parent;
         }
@@ -138,13 +139,4 @@ fn legs(
     } else {
         Ok((legs, scale))
     }
-}
-
-fn difference(from: [f64; 3], to: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|axis| to[axis] - from[axis])
-}
-
-fn length(from: [f64; 3], to: [f64; 3]) -> f64 {
-    let [x, y, z] = difference(from, to);
-    x.hypot(y).hypot(z)
 }

@@ -41,11 +41,12 @@ mod soles;
 
 use std::ops::RangeInclusive;
 
-use ga_runtime::cga3::{Motor, Rotor, Translator};
+use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
+use ga_runtime::vga3::Vector;
 
 use crate::bvh::Bvh;
 use crate::clip::{Clip, ClipError};
-use crate::pose::{Pose, PoseError, moved};
+use crate::pose::{Pose, PoseError};
 use crate::skeleton::Skeleton;
 use correspondence::Correspondence;
 
@@ -172,38 +173,33 @@ impl<'a> Retarget<'a> {
         };
         let source = self.source.frames_of_joints(frame).ok_or(out_of_range)?;
 
-        let mut turns: Vec<Rotor<f64>> = Vec::with_capacity(self.target.len());
+        let mut rotors: Vec<Rotor<f64>> = Vec::with_capacity(self.target.len());
         let mut own = Vec::with_capacity(self.target.len());
         for (index, joint) in self.target.joints().iter().enumerate() {
             let above = joint
                 .parent
-                .map_or(Rotor::default(), |parent| turns[parent]);
-            let turn = match self.correspondence.source_of[index] {
+                .map_or(Rotor::default(), |parent| rotors[parent]);
+            let rotor = match self.correspondence.source_of[index] {
                 Some(there) => source[there].rotor() * self.correspondence.alignment[index],
                 None => above,
             };
-            own.push(above.reverse() * turn);
-            turns.push(turn);
+            own.push(above.reverse() * rotor);
+            rotors.push(rotor);
         }
         let mut pose = Pose::from_rotors(self.target, Motor::default(), &own)?;
 
         let motions = pose.motions(self.target)?;
-        let origin = [0.0; 3];
-        let hips = self.correspondence.legs.iter().map(|leg| {
+        let legs = self.correspondence.legs.iter();
+        let between_hips = legs.map(|leg| {
             let joint = &self.target.joints()[leg.target];
-            (
-                moved(source[leg.source], origin),
-                moved(motions[leg.target], joint.head),
-            )
+            let recorded = Vector::from(source[leg.source].transform(Point::default()));
+            let head = Point::from(joint.head);
+            let own = Vector::from(motions[leg.target].transform(head));
+            recorded * self.correspondence.scale - own
         });
-        let count = self.correspondence.legs.len() as f64;
-        let mut shift = [0.0, self.lift, 0.0];
-        for (there, here) in hips {
-            for axis in 0..3 {
-                shift[axis] += (self.correspondence.scale * there[axis] - here[axis]) / count;
-            }
-        }
-        pose.root = Motor::from(Translator::from_displacement(shift));
+        let mean = between_hips.sum::<Vector<f64>>() / self.correspondence.legs.len() as f64;
+        let displacement = mean + Vector::new(0.0, self.lift, 0.0);
+        pose.root = Motor::from(Translator::from_displacement(displacement.coordinates()));
         Ok(pose)
     }
 

@@ -1,11 +1,14 @@
+use std::collections::BTreeMap;
+
+use ga_runtime::batch;
 use ga_runtime::cga3::{Motor, Point};
 
-use crate::pose::moved;
 use crate::skeleton::Skeleton;
 use crate::skin::SkinError;
 use crate::weights::{Influence, SkinWeights};
 
-/// Of the body's height: how far above the ground a bone, and a vertex, still belongs to the sole.
+/// As fractions of the body's height: the greatest height above the ground at which a bone, and a
+/// vertex, belongs to the sole.
 const BONE: f64 = 1.0 / 16.0;
 const VERTEX: f64 = 1.0 / 64.0;
 
@@ -14,12 +17,13 @@ const VERTEX: f64 = 1.0 / 64.0;
 pub struct Soles {
     /// How many joints the skeleton has.
     pub(super) joint_count: usize,
-    points: Vec<(usize, [f64; 3])>,
+    /// The points of each joint that has any, in the order of the joints.
+    points: Vec<(usize, Vec<Point<f64>>)>,
 }
 
 impl Soles {
     /// The lowest vertices of a mesh that stands upright at rest, up to 1/64 of its height above
-    /// the lowest of all, each fixed to the joint that moves it most.
+    /// the lowest one, each fixed to the joint that moves it most.
     ///
     /// # Errors
     ///
@@ -38,16 +42,12 @@ impl Soles {
             .filter_map(|(place, row)| {
                 row.first()
                     .map(|&Influence { joint, .. }| (joint as usize, place))
-            })
-            .collect();
-        Ok(Self {
-            joint_count: weights.joint_count(),
-            points,
-        })
+            });
+        Ok(Self::new(weights.joint_count(), points))
     }
 
-    /// Where there is no mesh: points under the ends of those bones of a skeleton that lie within
-    /// 1/16 of its height above its lowest point.
+    /// The soles of a skeleton without a mesh: points on the ground below the ends of those bones
+    /// that lie within 1/16 of its height above its lowest point.
     #[must_use]
     pub fn of_skeleton(skeleton: &Skeleton) -> Self {
         let joints = skeleton.joints();
@@ -61,9 +61,17 @@ impl Soles {
         let points = lies_low.flat_map(|(index, joint)| {
             [joint.head, joint.tail].map(|[x, _, z]| (index, [x, ground, z]))
         });
+        Self::new(joints.len(), points)
+    }
+
+    fn new(joint_count: usize, points: impl Iterator<Item = (usize, [f64; 3])>) -> Self {
+        let mut by_joint: BTreeMap<usize, Vec<Point<f64>>> = BTreeMap::new();
+        for (joint, place) in points {
+            by_joint.entry(joint).or_default().push(place.into());
+        }
         Self {
-            joint_count: joints.len(),
-            points: points.collect(),
+            joint_count,
+            points: by_joint.into_iter().collect(),
         }
     }
 
@@ -72,16 +80,23 @@ impl Soles {
         self.points.iter().any(|&(other, _)| other == joint)
     }
 
-    /// The height of the lowest point when the joints have moved so; not a number when one of them
-    /// has none.
+    /// The height of the lowest point after these motions of the joints; not a number when one of
+    /// the heights is not.
     pub(super) fn lowest(&self, motions: &[Motor<f64>]) -> f64 {
-        let heights = self
-            .points
-            .iter()
-            .map(|&(joint, point)| moved(motions[joint], point)[1]);
-        heights
-            .reduce(|a, b| if a < b || a.is_nan() { a } else { b })
-            .unwrap_or(f64::NAN)
+        let mut moved = Vec::new();
+        let mut lowest: Option<f64> = None;
+        for (joint, points) in &self.points {
+            moved.clone_from(points);
+            batch::transform(&motions[*joint], &mut moved);
+            for point in &moved {
+                let height = point.e2();
+                lowest = Some(match lowest {
+                    Some(least) if least < height || least.is_nan() => least,
+                    _ => height,
+                });
+            }
+        }
+        lowest.unwrap_or(f64::NAN)
     }
 }
 

@@ -1,4 +1,5 @@
 use ga_runtime::cga3::Point;
+use ga_runtime::vga3::Vector;
 use serde::Serialize;
 
 use super::{Method, SkinError, skin};
@@ -6,8 +7,8 @@ use crate::pose::Pose;
 use crate::skeleton::Skeleton;
 use crate::weights::SkinWeights;
 
-/// What a person in a pose measures, in the unit of the mesh with y up: whether the limbs are
-/// whole, the feet on the ground and the head above.
+/// Measurements of a person in a pose, in the unit of the mesh with y up: they show whether the bones
+/// keep their lengths, the feet are on the ground and the head is above.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct BodyReport {
     /// The greatest difference between the length of a bone in the pose and at rest.
@@ -16,8 +17,8 @@ pub struct BodyReport {
     pub lowest: f64,
     /// The height of the highest vertex above the lowest.
     pub height: f64,
-    /// The direction from the root joint to the joint that is highest at rest, of length 1; (0,
-    /// 1, 0) is upright.
+    /// The unit direction from the root joint to the joint that is highest at rest; (0, 1, 0) is
+    /// upright.
     pub up: [f64; 3],
 }
 
@@ -48,31 +49,22 @@ impl BodyReport {
             .iter()
             .zip(&bones)
             .map(|(joint, &[head, tail])| {
-                (distance(head, tail) - distance(joint.head, joint.tail)).abs()
+                let length = Vector::from(head).distance(tail.into());
+                (length - Vector::from(joint.head).distance(joint.tail.into())).abs()
             })
             .fold(0.0, f64::max);
         let highest_joint =
             (0..joints.len()).max_by(|&a, &b| joints[a].head[1].total_cmp(&joints[b].head[1]));
-        let up = highest_joint.map_or([0.0; 3], |top| direction(bones[0][0], bones[top][0]));
+        // Equal positions have no direction.
+        let up = highest_joint
+            .and_then(|top| (Vector::from(bones[top][0]) - Vector::from(bones[0][0])).normalized())
+            .unwrap_or_default()
+            .coordinates();
         Ok(Self {
             bone_length_error,
             lowest,
             height: highest - lowest,
             up,
         })
-    }
-}
-
-fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    Point::from(a).distance(Point::from(b))
-}
-
-/// The unit vector from one place to another, or no direction at all between equal ones.
-fn direction(from: [f64; 3], to: [f64; 3]) -> [f64; 3] {
-    let distance = distance(from, to);
-    if distance > 0.0 {
-        std::array::from_fn(|axis| (to[axis] - from[axis]) / distance)
-    } else {
-        [0.0; 3]
     }
 }

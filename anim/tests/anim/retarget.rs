@@ -8,6 +8,7 @@ use ga_anim::skeleton::{Joint, Skeleton};
 use ga_anim::skin::SkinError;
 use ga_anim::weights::SkinWeights;
 use ga_runtime::cga3::{Motor, Point, Rotor};
+use ga_runtime::vga3::Vector;
 use proptest::array::uniform3;
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -34,20 +35,9 @@ const BODY: [(&str, Option<usize>, [f64; 3]); 17] = [
     ("forearm r", Some(15), [-5.0, 15.0, 0.0]),
 ];
 
-fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|axis| a[axis] - b[axis])
-}
-
-fn length(a: [f64; 3]) -> f64 {
-    a.iter().map(|x| x * x).sum::<f64>().sqrt()
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
+/// The vector from one place to another.
+fn between(from: [f64; 3], to: [f64; 3]) -> Vector<f64> {
+    Vector::from(to) - Vector::from(from)
 }
 
 /// The body as a recording: the root has a place and all joints have three angles, in an order that
@@ -55,7 +45,8 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 fn recording(frames: &[Vec<f64>]) -> Bvh {
     fn joint(index: usize, text: &mut String) {
         let (name, parent, place) = BODY[index];
-        let [x, y, z] = minus(place, parent.map_or([0.0; 3], |parent| BODY[parent].2));
+        let above = parent.map_or([0.0; 3], |parent| BODY[parent].2);
+        let [x, y, z] = between(above, place).coordinates();
         let order = [
             "Zrotation Yrotation Xrotation",
             "Xrotation Yrotation Zrotation",
@@ -131,7 +122,7 @@ fn same_places(pairs: &[[[f64; 3]; 2]]) -> Result<(), TestCaseError> {
     for [ours, there] in pairs {
         let lifted = [there[0], there[1] + lift, there[2]];
         prop_assert!(
-            length(minus(*ours, lifted)) < 1e-11,
+            between(*ours, lifted).length() < 1e-11,
             "{ours:?} instead of {lifted:?}"
         );
     }
@@ -160,9 +151,10 @@ proptest! {
         angle in -0.8..0.8f64,
     ) {
         let joint = BODY[top].2;
-        let axis = cross(minus(BODY[top + 1].2, joint), across);
-        prop_assume!(length(axis) > 0.1);
-        let turn = Motor::about(joint.into(), Rotor::from_axis_angle(axis, angle).unwrap());
+        let axis = between(joint, BODY[top + 1].2).cross(across.into());
+        prop_assume!(axis.length() > 0.1);
+        let rotor = Rotor::from_axis_angle(axis.coordinates(), angle).unwrap();
+        let turn = Motor::about(joint.into(), rotor);
         let target = skeleton(1.0, |name, place| {
             let turned = BODY[limb.clone()].iter().any(|joint| joint.0 == name);
             if turned { turn.transform(Point::from(place)).coordinates() } else { place }
@@ -195,10 +187,9 @@ proptest! {
         for frame in 0..frames.len() {
             let pairs = both(&retarget, &source, &target, frame);
             for (from, to) in [(3, 4), (4, 5), (7, 8), (8, 9), (11, 12), (12, 13), (15, 16)] {
-                let ours = minus(pairs[to][0], pairs[from][0]);
-                let there = minus(pairs[to][1], pairs[from][1]);
-                let apart = minus(ours.map(|x| x / length(ours)), there.map(|x| x / length(there)));
-                prop_assert!(length(apart) < 1e-12);
+                let [ours, there] = [0, 1].map(|k| between(pairs[from][k], pairs[to][k]));
+                let [ours, there] = [ours, there].map(|bone| bone.normalized().unwrap());
+                prop_assert!(ours.distance(there) < 1e-12);
             }
             let motions = retarget.pose(frame).unwrap().motions(&target).unwrap();
             let turned = source.frames_of_joints(frame).unwrap();

@@ -9,15 +9,8 @@ use ga_anim::skin::{BodyReport, Method};
 use ga_anim::weights::SkinWeights;
 use ga_mesh::Mesh;
 use ga_mesh::obj;
+use ga_runtime::vga3::Vector;
 use nullcone_shared_data::shared;
-
-fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|axis| a[axis] - b[axis])
-}
-
-fn length(a: [f64; 3]) -> f64 {
-    a.iter().map(|x| x * x).sum::<f64>().sqrt()
-}
 
 /// The CMU recording 01_01 and the MakeHuman body in metres: a person who jumps forward, turns
 /// round and jumps back.
@@ -106,8 +99,9 @@ fn the_scale_is_that_of_the_real_legs() {
         for (from, to) in [("UpLeg", "Leg"), ("Leg", "Foot")] {
             let [from, to] = [from, to].map(|part| format!("{side}{part}"));
             let place = |name: &str| real.skeleton.joint(name).unwrap().head;
-            ours += length(minus(place(&to), place(&from)));
-            there += length(real.source.joints()[real.source.index(&to).unwrap()].offset);
+            ours += Vector::from(place(&to)).distance(place(&from).into());
+            let offset = real.source.joints()[real.source.index(&to).unwrap()].offset;
+            there += Vector::from(offset).length();
         }
     }
     assert!((real.retarget().scale() - ours / there).abs() < 1e-15);
@@ -122,11 +116,11 @@ fn the_real_recording_begins_with_the_arms_out() {
         .unwrap()
         .bones(&real.skeleton)
         .unwrap();
-    let place = |name: &str| bones[real.skeleton.index(name).unwrap()][0];
+    let place = |name: &str| Vector::from(bones[real.skeleton.index(name).unwrap()][0]);
     for side in ["Left", "Right"] {
-        let arm = minus(place(&format!("{side}Hand")), place(&format!("{side}Arm")));
-        let outward = if side == "Left" { arm[0] } else { -arm[0] };
-        assert!(outward > 0.99 * length(arm), "{side}: {arm:?}");
+        let arm = place(&format!("{side}Hand")) - place(&format!("{side}Arm"));
+        let outward = if side == "Left" { arm.e1 } else { -arm.e1 };
+        assert!(outward > 0.99 * arm.length(), "{side}: {arm:?}");
     }
 }
 
@@ -151,12 +145,13 @@ fn the_real_feet_slide_no_more_than_recorded() {
         );
         let (mut slides, mut recorded_slides) = (Vec::new(), Vec::new());
         for frame in 0..bones.len() - WINDOW {
-            let shift = minus(recorded[frame + WINDOW][there], recorded[frame][there])
-                .map(|x| x * retarget.scale());
-            if length(shift) < 0.01 {
-                recorded_slides.push(shift[0].hypot(shift[2]));
-                let shift = minus(bones[frame + WINDOW][ours][0], bones[frame][ours][0]);
-                slides.push(shift[0].hypot(shift[2]));
+            let [before, after] = [frame, frame + WINDOW];
+            let place = |frame: usize| Vector::from(recorded[frame][there]) * retarget.scale();
+            let step = place(after) - place(before);
+            if step.length() < 0.01 {
+                recorded_slides.push(step.e1.hypot(step.e3));
+                let step = Vector::from(bones[after][ours][0]) - bones[before][ours][0].into();
+                slides.push(step.e1.hypot(step.e3));
             }
         }
         let mean = |list: &[f64]| list.iter().sum::<f64>() / list.len() as f64;
