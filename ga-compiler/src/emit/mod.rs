@@ -2,7 +2,6 @@
 
 #[cfg(feature = "count")]
 pub use crate::count;
-mod case;
 pub mod dot;
 pub mod formula;
 pub mod rust;

@@ -1,8 +1,7 @@
 //! Hash-consed scalar nodes.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
-use super::mixer::MixerBuilder;
 use super::{Function, Residue};
 use crate::algebra::Ratio;
 
@@ -129,7 +128,7 @@ impl std::ops::Neg for Value {
 #[derive(Clone, Debug)]
 pub struct Arena {
     nodes: Vec<Node>,
-    known: HashMap<Node, NodeId, MixerBuilder>,
+    known: FxHashMap<Node, NodeId>,
     inputs: usize,
 }
 

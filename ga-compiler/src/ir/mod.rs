@@ -12,7 +12,6 @@
 mod arena;
 mod facts;
 mod function;
-mod mixer;
 mod multivector;
 mod residue;
 

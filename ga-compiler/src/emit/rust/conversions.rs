@@ -1,12 +1,12 @@
 //! Conversions between types: `From` where nothing is lost, methods by name where something may be.
 
+use heck::ToSnakeCase;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use syn::ext::IdentExt;
 
 use super::context::{Context, receiver};
 use crate::define::TypeDefinition;
-use crate::emit::case::snake_case;
 use crate::expression::Expression;
 use crate::verify;
 
@@ -67,7 +67,10 @@ fn lossy(context: &Context<'_>, kind: &TypeDefinition, target: &TypeDefinition) 
         context.path(target),
         context.bound(needs_field),
     );
-    let name = format_ident!("extract_{}", snake_case(&target.name.unraw().to_string()));
+    let name = format_ident!(
+        "extract_{}",
+        target.name.unraw().to_string().to_snake_case()
+    );
     let text = format!(
         "The coefficients that [`{}`] has; all others are dropped.",
         target.name

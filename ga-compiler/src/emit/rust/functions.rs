@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use heck::ToUpperCamelCase;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use syn::Visibility;
@@ -9,7 +10,6 @@ use syn::ext::IdentExt;
 
 use super::body::{Body, Source, stage_body};
 use crate::define::{Definition, TypeDefinition};
-use crate::emit::case::pascal_case;
 use crate::function::CompiledFunction;
 use crate::ir::{NodeId, Value};
 use crate::parse::{FunctionSyntax, ShapeSyntax};
@@ -315,7 +315,7 @@ struct Prepared<'a> {
 
 impl<'a> Prepared<'a> {
     fn new(compiled: &'a CompiledFunction, function: &'a Ident, count: usize) -> Self {
-        let name = pascal_case(&function.unraw().to_string());
+        let name = function.unraw().to_string().to_upper_camel_case();
         Self {
             function,
             visibility: &compiled.visibility,

@@ -1,13 +1,13 @@
 //! Tests of an algebra, written from its declaration: every declared product against the dense
 //! reference.
 
+use heck::ToSnakeCase;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use syn::ext::IdentExt;
 
 use crate::algebra::{Product, Ratio};
 use crate::define::{Definition, Operation, ProductDefinition, Role, TypeDefinition};
-use crate::emit::case::snake_case;
 
 /// One test for each declared product of a definition, demanding exact equality with the dense
 /// reference over the prime field. `path` is where the module of the algebra is found.
@@ -38,7 +38,7 @@ fn product_test(
         .collect();
     let names: Vec<_> = kinds
         .iter()
-        .map(|kind| snake_case(&kind.name.unraw().to_string()))
+        .map(|kind| kind.name.unraw().to_string().to_snake_case())
         .collect();
     // With `and` between the names, so that `PointPair, Line` and `Point, PairLine` differ.
     let name = format_ident!("{}_{}", product.operation.name(), names.join("_and_"));
@@ -192,7 +192,7 @@ fn reference(
 /// Involutions, norm and arithmetic of a type against the reference.
 fn type_test(definition: &Definition, path: &TokenStream, kind: &TypeDefinition) -> TokenStream {
     let runtime = &definition.runtime;
-    let test_name = format_ident!("type_{}", snake_case(&kind.name.unraw().to_string()));
+    let test_name = format_ident!("type_{}", kind.name.unraw().to_string().to_snake_case());
     let multivector = quote! { #runtime::dense::Multivector };
     let dimension = definition.algebra.dimension();
     let same = |text: &str, found: TokenStream, expected: TokenStream| {

@@ -19,10 +19,10 @@ mod shapes;
 use std::collections::{BTreeSet, HashMap};
 use std::fmt::Write;
 
+use heck::ToUpperCamelCase;
 use syn::ext::IdentExt;
 
 use crate::define::Definition;
-use crate::emit::case::pascal_case;
 use crate::function::CompiledFunction;
 use crate::ir::{Function, Node, NodeId, Value};
 use crate::passes::Stage;
@@ -108,7 +108,7 @@ impl Writer<'_> {
         let prepare_names = is_staged.then(|| {
             let structure = self
                 .names
-                .give(&format!("{}Prepared", pascal_case(&wished)));
+                .give(&format!("{}Prepared", wished.to_upper_camel_case()));
             (self.names.give(&format!("{wished}_prepare")), structure)
         });
         let mut scope = self.names.clone();
