@@ -42,7 +42,7 @@ pub(crate) fn write_all(folder: &Path, files: &[File]) -> Result<()> {
     let made = missing_folders(folder);
     write_staged(folder, files).inspect_err(|_| {
         for folder in made {
-            // Only an empty folder goes; what somebody else has put there meanwhile stays.
+            // This removes empty folders only, so that files of other programs stay.
             let _ = fs::remove_dir(folder);
         }
     })

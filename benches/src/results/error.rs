@@ -49,11 +49,6 @@ pub enum ResultsError {
         text: String,
     },
     /// The tables could not be written; an earlier file of that name is unchanged.
-    #[error("cannot write {}: {source}", path.display())]
-    Write {
-        /// The file.
-        path: PathBuf,
-        /// The error of the operating system.
-        source: io::Error,
-    },
+    #[error(transparent)]
+    Write(#[from] ga_files::WriteError),
 }

@@ -2,8 +2,6 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use std::fs::Permissions;
-use std::io::{self, Write as _};
 use std::path::Path;
 
 use super::measurements::median;
@@ -39,10 +37,7 @@ pub struct Setting {
 /// # Errors
 /// [`ResultsError::Write`]; an earlier file of that name is then unchanged.
 pub fn write(path: &Path, report: &Report) -> Result<(), ResultsError> {
-    replace(path, report.to_markdown().as_bytes()).map_err(|source| ResultsError::Write {
-        path: path.to_path_buf(),
-        source,
-    })
+    Ok(ga_files::write(path, report.to_markdown().as_bytes())?)
 }
 
 impl Report {
@@ -243,35 +238,6 @@ fn number(value: f64) -> String {
     format!("{value:.digits$}")
 }
 
-fn replace(path: &Path, contents: &[u8]) -> io::Result<()> {
-    let folder = match path.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
-    let mut builder = tempfile::Builder::new();
-    if let Some(permissions) = ordinary_permissions() {
-        builder.permissions(permissions);
-    }
-    let mut file = builder.prefix(".results-").tempfile_in(folder)?;
-    file.write_all(contents)?;
-    file.as_file().sync_all()?;
-    file.persist(path)?;
-    Ok(())
-}
-
-/// Temporary files are private to their owner by default; a report follows the umask like any other
-/// file.
-#[cfg(unix)]
-fn ordinary_permissions() -> Option<Permissions> {
-    use std::os::unix::fs::PermissionsExt;
-    Some(Permissions::from_mode(0o666))
-}
-
-#[cfg(not(unix))]
-fn ordinary_permissions() -> Option<Permissions> {
-    None
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -342,9 +308,9 @@ mod tests {
             std::fs::read_to_string(&path).unwrap(),
             report().to_markdown()
         );
-        let missing = folder.path().join("missing/RESULTS.md");
-        let error = write(&missing, &report()).unwrap_err();
-        assert!(error.to_string().contains("missing"), "{error}");
+        let below_a_file = path.join("tables.md");
+        let error = write(&below_a_file, &report()).unwrap_err();
+        assert!(error.to_string().contains("tables.md"), "{error}");
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
     }
 }
