@@ -65,6 +65,7 @@
 #[cfg(feature = "cga2")]
 mod cga2;
 mod cga3;
+mod number;
 #[cfg(feature = "pga2")]
 mod pga2;
 #[cfg(feature = "pga3")]
@@ -73,7 +74,6 @@ mod pga3;
 mod sta;
 #[cfg(any(feature = "cga2", feature = "pga2", feature = "vga2"))]
 mod vector2;
-mod vector3;
 #[cfg(feature = "vga2")]
 mod vga2;
 mod vga3;

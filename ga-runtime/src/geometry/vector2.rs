@@ -1,7 +1,7 @@
-//! Plain vectors of the plane, for what is read back.
+//! Vectors of the plane as pairs of numbers, for cga2 and pga2: their features do not include vga2.
 
-use super::vector3;
 use crate::scalar::{Real, Ring};
+use crate::vga3;
 
 pub(super) fn dot<S: Ring>(a: [S; 2], b: [S; 2]) -> S {
     a[0] * b[0] + a[1] * b[1]
@@ -20,18 +20,13 @@ pub(super) fn difference<S: Ring>(a: [S; 2], b: [S; 2]) -> [S; 2] {
     [a[0] - b[0], a[1] - b[1]]
 }
 
-/// Whether all components are finite.
-pub(super) fn are_numbers<S: Ring>(a: [S; 2]) -> bool {
-    a.into_iter().all(vector3::is_number)
-}
-
 /// The length, without overflow or underflow on the way; NaN where a component is NaN.
 pub(super) fn length<S: Real<Mask = bool>>([x, y]: [S; 2]) -> S {
-    vector3::length([x, y, S::zero()])
+    vga3::Vector::new(x, y, S::zero()).length()
 }
 
 /// The vector of length 1 in the same direction; `None` for zero, infinity and NaN.
 pub(super) fn normalized<S: Real<Mask = bool>>([x, y]: [S; 2]) -> Option<[S; 2]> {
-    let [x, y, _] = vector3::normalized([x, y, S::zero()])?;
-    Some([x, y])
+    let unit = vga3::Vector::new(x, y, S::zero()).normalized()?;
+    Some([unit.e1, unit.e2])
 }

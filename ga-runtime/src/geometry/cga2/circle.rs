@@ -1,8 +1,8 @@
 //! Circles of cga2, and vectors as their duals.
 
 use crate::cga2::{Circle, Point, RoundVector};
-use crate::geometry::vector2::{are_numbers, dot};
-use crate::geometry::vector3::is_number;
+use crate::geometry::number::{are_numbers, is_number};
+use crate::geometry::vector2::dot;
 use crate::scalar::{Field, Real};
 
 impl<S: Field> RoundVector<S> {

@@ -1,7 +1,8 @@
 //! Lines of cga2, direct and dual.
 
 use crate::cga2::{DualLine, Line, Point};
-use crate::geometry::vector2::{are_numbers, area, difference, dot, length, normalized, scaled};
+use crate::geometry::number::are_numbers;
+use crate::geometry::vector2::{area, difference, dot, length, normalized, scaled};
 use crate::scalar::{Real, Ring};
 
 impl<S: Ring> DualLine<S> {

@@ -1,7 +1,8 @@
 //! Rotors, translators and motors of cga2.
 
 use crate::cga2::{Motor, MotorGenerator, Point, Rotor, Translator};
-use crate::geometry::vector2::{are_numbers, difference, scaled};
+use crate::geometry::number::are_numbers;
+use crate::geometry::vector2::{difference, scaled};
 use crate::scalar::{Field, Real};
 
 impl<S: Real<Mask = bool>> Rotor<S> {

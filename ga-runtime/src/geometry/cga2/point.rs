@@ -1,7 +1,8 @@
 //! Points, flat points and directions of cga2.
 
 use crate::cga2::{Direction, FlatPoint, Point};
-use crate::geometry::vector2::{are_numbers, difference, dot, length};
+use crate::geometry::number::are_numbers;
+use crate::geometry::vector2::{difference, dot, length};
 use crate::scalar::{Field, Real, Ring};
 
 impl<S: Ring> Point<S> {

@@ -4,8 +4,8 @@
 //! `β = ½(c² + r²)`.
 
 use crate::cga2::{Point, PointPair};
-use crate::geometry::vector2::{are_numbers, difference, dot, length, scaled};
-use crate::geometry::vector3::is_number;
+use crate::geometry::number::{are_numbers, is_number};
+use crate::geometry::vector2::{difference, dot, length, scaled};
 use crate::scalar::{Real, Ring};
 
 impl<S: Ring> PointPair<S> {

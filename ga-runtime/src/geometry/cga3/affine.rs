@@ -6,8 +6,9 @@ use core::ops::Mul;
 use crate::cga3::{
     Dilator, Direction, DualPlane, Line, Motor, Plane, Point, Rotor, Similarity, Translator,
 };
-use crate::geometry::vector3::{are_numbers, cross, dot, is_number, scaled, sum};
+use crate::geometry::number::{are_numbers, is_number};
 use crate::scalar::{Field, Real, Ring};
+use crate::vga3::Vector;
 
 /// An affine map of space, `x' = L x + t`.
 ///
@@ -99,24 +100,21 @@ impl<S: Ring> Affine<S> {
     #[must_use]
     pub fn determinant(self) -> S {
         let [a, b, c] = self.linear;
-        dot(a, cross(b, c))
+        determinant([a, b, c])
     }
 
     /// The image of a point, `L x + t`.
     #[inline]
     #[must_use]
     pub fn transform(self, point: Point<S>) -> Point<S> {
-        Point::from(sum(
-            apply(self.linear, point.coordinates()),
-            self.translation,
-        ))
+        Point::from(apply(self.linear, point.into()) + Vector::from(self.translation))
     }
 
     /// The image of a direction, `L v`: what is shifted along stays the same.
     #[inline]
     #[must_use]
     pub fn transform_direction(self, direction: Direction<S>) -> Direction<S> {
-        let [x, y, z] = apply(self.linear, [direction.e1i, direction.e2i, direction.e3i]);
+        let [x, y, z] = apply(self.linear, direction.into()).coordinates();
         Direction::new(x, y, z)
     }
 
@@ -127,11 +125,10 @@ impl<S: Ring> Affine<S> {
     pub fn transform_line(self, line: Line<S>) -> Line<S> {
         let direction = [-line.e1oi, -line.e2oi, -line.e3oi];
         let moment = [line.e23i, -line.e13i, line.e12i];
-        let [x, y, z] = apply(self.linear, direction);
-        let [a, b, c] = sum(
-            apply(cofactors(self.linear), moment),
-            cross(self.translation, [x, y, z]),
-        );
+        let direction = apply(self.linear, direction.into());
+        let moment = apply(cofactors(self.linear), moment.into())
+            + Vector::from(self.translation).cross(direction);
+        let ([x, y, z], [a, b, c]) = (direction.coordinates(), moment.coordinates());
         Line::new(c, -b, a, -x, -y, -z)
     }
 
@@ -154,9 +151,9 @@ impl<S: Ring> Affine<S> {
         S: Field,
     {
         let dual = plane.dual();
-        let normal = apply(cofactors(self.linear), dual.normal());
-        let distance = self.determinant() * dual.ei + dot(normal, self.translation);
-        DualPlane::from_normal_distance(normal, distance).undual()
+        let normal = apply(cofactors(self.linear), dual.normal().into());
+        let distance = self.determinant() * dual.ei + normal.dot(self.translation.into());
+        DualPlane::from_normal_distance(normal.into(), distance).undual()
     }
 
     /// The 4×4 matrix `[L t; 0 1]` by rows, for columns of homogeneous coordinates:
@@ -209,7 +206,7 @@ impl<S: Real<Mask = bool>> Affine<S> {
         let inverse = transposed(cofactors(unit));
         let linear = [0, 1, 2]
             .map(|j| [0, 1, 2].map(|i| inverse[j][i] / determinant / rows[i] / columns[j]));
-        let translation = apply(linear, self.translation).map(|x| -x);
+        let translation = (-apply(linear, self.translation.into())).coordinates();
         let is_finite = linear.into_iter().all(are_numbers) && are_numbers(translation);
         is_finite.then(|| Self::new(linear, translation))
     }
@@ -225,7 +222,8 @@ impl<S: Real<Mask = bool>> Affine<S> {
         }
         let unit = self.linear.map(|row| row.map(|x| x / largest));
         let [a, b, c] = unit;
-        let mean_square = (dot(a, a) + dot(b, b) + dot(c, c)) / S::from_integer(3);
+        let [a, b, c] = [a, b, c].map(|row| Vector::from(row).length_squared());
+        let mean_square = (a + b + c) / S::from_integer(3);
         let size = mean_square.sqrt();
         let rows = unit.map(|row| row.map(|x| x / size));
         if let Some(rotor) = Rotor::from_matrix(rows) {
@@ -234,7 +232,7 @@ impl<S: Real<Mask = bool>> Affine<S> {
         let mirrored = rows.map(|row| row.map(|x| -x));
         Err(if Rotor::from_matrix(mirrored).is_some() {
             NotConformal::Mirrors
-        } else if !balanced(rows).is_some_and(|([a, b, c], _)| is_regular(dot(a, cross(b, c)))) {
+        } else if !balanced(rows).is_some_and(|(rows, _)| is_regular(determinant(rows))) {
             NotConformal::Singular
         } else {
             NotConformal::Shears
@@ -286,9 +284,11 @@ impl<S: Ring> Mul for Affine<S> {
 
     #[inline]
     fn mul(self, first: Self) -> Self {
-        let columns = transposed(first.linear).map(|column| apply(self.linear, column));
-        let translation = sum(apply(self.linear, first.translation), self.translation);
-        Self::new(transposed(columns), translation)
+        let columns =
+            transposed(first.linear).map(|column| apply(self.linear, column.into()).into());
+        let translation =
+            apply(self.linear, first.translation.into()) + Vector::from(self.translation);
+        Self::new(transposed(columns), translation.into())
     }
 }
 
@@ -362,8 +362,8 @@ impl<S: Real> From<Similarity<S>> for Affine<S> {
             w * a[2] - xz * a[0] - yz * a[1] + xy * volume,
         ];
         Self::new(
-            linear.map(|row| scaled(row, factor)),
-            scaled(shift, -(inverse + inverse)),
+            linear.map(|row| row.map(|x| x * factor)),
+            shift.map(|x| x * -(inverse + inverse)),
         )
     }
 }
@@ -457,13 +457,19 @@ fn transposed<S: Copy>([a, b, c]: [[S; 3]; 3]) -> [[S; 3]; 3] {
     [[a[0], b[0], c[0]], [a[1], b[1], c[1]], [a[2], b[2], c[2]]]
 }
 
-fn apply<S: Ring>(rows: [[S; 3]; 3], vector: [S; 3]) -> [S; 3] {
-    rows.map(|row| dot(row, vector))
+fn determinant<S: Ring>(rows: [[S; 3]; 3]) -> S {
+    let [a, b, c] = rows.map(Vector::from);
+    a.dot(b.cross(c))
+}
+
+fn apply<S: Ring>(rows: [[S; 3]; 3], vector: Vector<S>) -> Vector<S> {
+    rows.map(|row| Vector::from(row).dot(vector)).into()
 }
 
 /// `det L` times the inverse transpose: it takes cross products to those of the images.
 fn cofactors<S: Ring>([a, b, c]: [[S; 3]; 3]) -> [[S; 3]; 3] {
-    [cross(b, c), cross(c, a), cross(a, b)]
+    let [a, b, c] = [a, b, c].map(Vector::from);
+    [b.cross(c), c.cross(a), a.cross(b)].map(Vector::coordinates)
 }
 
 /// The largest absolute value of the entries.

@@ -3,8 +3,9 @@
 use super::round::{RoundBivector, real_radius};
 use crate::Element;
 use crate::cga3::{Circle, DualDirection, Infinity, Line, Plane, Point, Sphere};
-use crate::geometry::vector3::{dot, is_number, normalized};
+use crate::geometry::number::is_number;
 use crate::scalar::{Field, Real};
+use crate::vga3::Vector;
 
 impl<S: Field> Circle<S> {
     /// The circle through three points, `p∧q∧r`; a line where they are on one.
@@ -68,8 +69,8 @@ impl<S: Real<Mask = bool>> Circle<S> {
         normal: [S; 3],
         radius_squared: S,
     ) -> Option<Self> {
-        let (centre, axis) = (centre.coordinates(), normalized(normal)?);
-        let infinite = (dot(centre, centre) - radius_squared) * S::from_ratio(1, 2);
+        let (centre, axis) = (Vector::from(centre), Vector::from(normal).normalized()?);
+        let infinite = (centre.length_squared() - radius_squared) * S::from_ratio(1, 2);
         let round = RoundBivector {
             centre,
             axis,
@@ -134,7 +135,10 @@ impl<S: Real<Mask = bool>> Circle<S> {
     pub fn axis(self) -> Option<Line<S>> {
         let round = self.parts()?;
         round.signed_square()?;
-        Some(Line::from_point_direction(round.centre(), round.axis))
+        Some(Line::from_point_direction(
+            round.centre(),
+            round.axis.into(),
+        ))
     }
 
     /// The smallest sphere that holds the circle, about the same centre with the same squared

@@ -7,8 +7,8 @@
 use core::fmt::{Display, Formatter, Result as FormatResult};
 
 use crate::cga3::{DualQuaternion, Motor};
-use crate::geometry::vector3::{dot, length};
 use crate::scalar::{Real, Ring};
+use crate::vga3::Vector;
 
 /// The eight numbers of a dual quaternion `q + ε d`, as other libraries write them.
 ///
@@ -130,7 +130,7 @@ impl<S: Real<Mask = bool>> Motor<S> {
         }
         if S::zero().less_than(dual_size) {
             let (q, d) = (real.map(|x| x / size), dual.map(|x| x / dual_size));
-            let along = dot(q, d) + (w / size) * (dw / dual_size);
+            let along = Vector::from(q).dot(d.into()) + (w / size) * (dw / dual_size);
             let weight = (dual_size / size).min(S::one());
             if S::epsilon().sqrt().less_than(along.abs() * weight) {
                 return Err(NotUnit::NotPerpendicular);
@@ -146,5 +146,5 @@ impl<S: Real<Mask = bool>> Motor<S> {
 
 /// The length of a quaternion.
 fn size<S: Real<Mask = bool>>(vector: [S; 3], scalar: S) -> S {
-    length([length(vector), scalar, S::zero()])
+    Vector::new(Vector::from(vector).length(), scalar, S::zero()).length()
 }

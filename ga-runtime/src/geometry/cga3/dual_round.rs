@@ -2,8 +2,9 @@
 
 use super::round::real_radius;
 use crate::cga3::{DualCircle, DualPointPair, DualSphere, Point, RoundVector};
-use crate::geometry::vector3::{are_numbers, dot, is_number};
+use crate::geometry::number::{are_numbers, is_number};
 use crate::scalar::{Field, Real};
+use crate::vga3::Vector;
 
 impl<S: Field> DualSphere<S> {
     /// The dual sphere `c − ½r² ei` about a centre, c being its conformal point.
@@ -54,8 +55,8 @@ impl<S: Field> DualSphere<S> {
 
     /// c² and `c² − r²`.
     fn squares(self) -> Option<[S; 2]> {
-        let centre = self.centre()?.coordinates();
-        Some([dot(centre, centre), (self.ei + self.ei) / self.eo])
+        let centre = Vector::from(self.centre()?);
+        Some([centre.length_squared(), (self.ei + self.ei) / self.eo])
     }
 }
 

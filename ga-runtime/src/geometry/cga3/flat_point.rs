@@ -1,7 +1,7 @@
 //! Flat points.
 
 use crate::cga3::{FlatPoint, Infinity, Point};
-use crate::geometry::vector3::are_numbers;
+use crate::geometry::number::are_numbers;
 use crate::scalar::{Field, Ring};
 
 impl<S: Ring> From<Point<S>> for FlatPoint<S> {

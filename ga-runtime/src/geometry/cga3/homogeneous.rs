@@ -41,8 +41,9 @@
 
 use super::affine::{Affine, NotConformal};
 use crate::cga3::{Dilator, Motor, Point, Rotor, Similarity, Translator};
-use crate::geometry::vector3::{are_numbers, normalized};
+use crate::geometry::number::are_numbers;
 use crate::scalar::{Field, Real, Ring};
+use crate::vga3::Vector;
 
 /// A 4×4 matrix by rows.
 pub type Matrix<S> = [[S; 4]; 4];
@@ -106,7 +107,7 @@ pub fn rotation_about_z<S: Real<Mask = bool>>(angle: S) -> Option<Matrix<S>> {
 /// ```
 #[must_use]
 pub fn rotation<S: Real<Mask = bool>>(axis: [S; 3], angle: S) -> Option<Matrix<S>> {
-    let [x, y, z] = normalized(axis)?;
+    let [x, y, z] = Vector::from(axis).normalized()?.coordinates();
     let (sine, cosine) = sine_and_cosine(angle)?;
     let rest = S::one() - cosine;
     Some(linear([

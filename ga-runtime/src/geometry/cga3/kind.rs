@@ -6,8 +6,8 @@ use crate::cga3::{
     Circle, DualCircle, DualPlane, DualPointPair, DualSphere, FlatPoint, Line, MotorGenerator,
     Plane, PointPair, Sphere,
 };
-use crate::geometry::vector3::dot;
 use crate::scalar::Real;
+use crate::vga3::Vector;
 
 /// What a blade stands for, up to a tolerance.
 ///
@@ -110,7 +110,7 @@ impl<S: Real<Mask = bool>> DualSphere<S> {
             Shape::Round => {
                 let centre = normal.map(|x| x / sphere.eo);
                 let twice = (sphere.ei + sphere.ei) / sphere.eo;
-                of_difference(dot(centre, centre), twice, tolerance)
+                of_difference(Vector::from(centre).length_squared(), twice, tolerance)
             }
         }
     }

@@ -1,10 +1,9 @@
 //! Lines.
 
 use crate::cga3::{Direction, Line, Point};
-use crate::geometry::vector3::{
-    are_numbers, cross, difference, dot, length, normalized, scaled, sum,
-};
+use crate::geometry::number::are_numbers;
 use crate::scalar::{Real, Ring};
+use crate::vga3::Vector;
 
 impl<S: Ring> Line<S> {
     /// The line through two points, from the first to the second: `p∧q∧ei`. Zero where they
@@ -20,14 +19,15 @@ impl<S: Ring> Line<S> {
     #[inline]
     #[must_use]
     pub fn through(p: Point<S>, q: Point<S>) -> Self {
-        Self::from_point_direction(p, difference(q.coordinates(), p.coordinates()))
+        Self::from_point_direction(p, p.vector_to(q).into())
     }
 
     /// The line through a point in a direction d: `p∧d∧ei`. Zero where d is.
     #[inline]
     #[must_use]
     pub fn from_point_direction(point: Point<S>, direction: [S; 3]) -> Self {
-        let [m1, m2, m3] = cross(point.coordinates(), direction);
+        let moment = Vector::from(point).cross(direction.into());
+        let [m1, m2, m3] = moment.coordinates();
         let [d1, d2, d3] = direction;
         Self::new(m3, -m2, m1, -d1, -d2, -d3)
     }
@@ -68,8 +68,8 @@ impl<S: Real<Mask = bool>> Line<S> {
     /// ```
     #[must_use]
     pub fn from_direction_moment(direction: [S; 3], moment: [S; 3]) -> Option<Self> {
-        let unit = normalized(direction)?;
-        let [m1, m2, m3] = difference(moment, scaled(unit, dot(unit, moment)));
+        let unit = Vector::from(direction).normalized()?;
+        let [m1, m2, m3] = Vector::from(moment).across(unit).coordinates();
         let [d1, d2, d3] = direction;
         are_numbers([m1, m2, m3]).then(|| Self::new(m3, -m2, m1, -d1, -d2, -d3))
     }
@@ -78,7 +78,9 @@ impl<S: Real<Mask = bool>> Line<S> {
     #[inline]
     #[must_use]
     pub fn unit_direction(self) -> Option<[S; 3]> {
-        normalized(self.direction())
+        Vector::from(self.direction())
+            .normalized()
+            .map(Vector::coordinates)
     }
 
     /// The line with a direction of length 1; `None` for a line of weight zero, or with a moment
@@ -86,7 +88,7 @@ impl<S: Real<Mask = bool>> Line<S> {
     #[inline]
     #[must_use]
     pub fn normalized(self) -> Option<Self> {
-        let weight = length(self.direction());
+        let weight = Vector::from(self.direction()).length();
         let usable = S::zero().less_than(weight) && weight.is_finite();
         let line = usable.then(|| self / weight)?;
         are_numbers(line.moment()).then_some(line)
@@ -98,8 +100,8 @@ impl<S: Real<Mask = bool>> Line<S> {
     #[must_use]
     pub fn support(self) -> Option<Point<S>> {
         let line = self.normalized()?;
-        let place = cross(line.direction(), line.moment());
-        are_numbers(place).then(|| Point::from(place))
+        let place = Vector::from(line.direction()).cross(line.moment().into());
+        place.is_finite().then(|| Point::from(place))
     }
 
     /// The foot of the perpendicular from a point; `None` for a line of weight zero.
@@ -113,10 +115,10 @@ impl<S: Real<Mask = bool>> Line<S> {
     #[inline]
     #[must_use]
     pub fn foot(self, point: Point<S>) -> Option<Point<S>> {
-        let (direction, support) = (self.unit_direction()?, self.support()?.coordinates());
-        let along = dot(difference(point.coordinates(), support), direction);
-        let place = sum(support, scaled(direction, along));
-        are_numbers(place).then(|| Point::from(place))
+        let (direction, support) = (Vector::from(self.unit_direction()?), self.support()?);
+        let along = support.vector_to(point).dot(direction);
+        let place = Vector::from(support) + direction * along;
+        place.is_finite().then(|| Point::from(place))
     }
 
     /// The distance of a point; `None` for a line of weight zero, or beyond the range of the

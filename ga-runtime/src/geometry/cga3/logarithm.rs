@@ -20,8 +20,8 @@
 use core::f64::consts::{FRAC_PI_2, PI};
 
 use crate::cga3::{Motor, MotorGenerator, Rotor};
-use crate::geometry::vector3::{difference, dot, length, scaled, sum};
 use crate::scalar::{Field, Mask, Real};
+use crate::vga3::Vector;
 
 impl<S: Real> MotorGenerator<S> {
     /// The motor `exp(G)`: for `G = −½θB` a turn by θ in the plane B, for `G = −½ t ei` a shift by
@@ -39,12 +39,12 @@ impl<S: Real> MotorGenerator<S> {
     #[must_use]
     pub fn exp(self) -> Motor<S> {
         let (g, h) = parts(self);
-        let square = dot(g, g);
+        let square = g.dot(g);
         let (cosine, ratio, slope) = square.sine_by_angle();
-        let q = scaled(g, ratio);
-        let d0 = -dot(q, h);
-        let along = dot(g, h);
-        let d = sum(scaled(h, ratio), scaled(g, along * slope));
+        let q = g * ratio;
+        let d0 = -q.dot(h);
+        let along = g.dot(h);
+        let d = h * ratio + g * (along * slope);
         let motor = assemble(cosine, q, d0, d);
         // Zero, and NaN where a product with h may have left the range.
         let overflow = along * S::from_integer(8) * S::zero();
@@ -78,12 +78,12 @@ impl<S: Real> Motor<S> {
     #[must_use]
     pub fn log(self) -> MotorGenerator<S> {
         let Halves { c, q, d0, d } = Halves::of(self);
-        let square = dot(q, q);
+        let square = q.dot(q);
         let (ratio, slope) = angle_by_sine(c, square);
-        let g = scaled(q, ratio);
-        let h = sum(scaled(d, ratio), scaled(q, dot(q, d) * slope - d0));
+        let g = q * ratio;
+        let h = d * ratio + q * (q.dot(d) * slope - d0);
         // Zero, and NaN where a product with d may have left the range.
-        let overflow = (dot(d, d) + d0 * d0) * S::zero();
+        let overflow = (d.dot(d) + d0 * d0) * S::zero();
         let is_regular = is_regular_turn(c, square, overflow);
         if is_regular.all() {
             return generator(g, h);
@@ -116,9 +116,10 @@ impl<S: Real> Rotor<S> {
     pub fn log(self) -> MotorGenerator<S> {
         let (c, q) = (self.scalar(), [self.e12(), self.e13(), self.e23()]);
         let zero = [S::zero(); 3];
-        let square = dot(q, q);
+        let (q, zero) = (Vector::from(q), Vector::from(zero));
+        let square = q.dot(q);
         let (ratio, _) = angle_by_sine(c, square);
-        let g = scaled(q, ratio);
+        let g = q * ratio;
         let is_regular = is_regular_turn(c, square, S::zero());
         if is_regular.all() {
             return generator(g, zero);
@@ -158,15 +159,15 @@ fn tiny_square<S: Real>() -> S {
 
 /// The rotor `exp(g)`.
 #[inline(always)]
-pub(super) fn turn_exponential<S: Real>(g: [S; 3]) -> Rotor<S> {
-    let square = dot(g, g);
+pub(super) fn turn_exponential<S: Real>(g: Vector<S>) -> Rotor<S> {
+    let square = g.dot(g);
     let (cosine, ratio, _) = square.sine_by_angle();
-    let q = scaled(g, ratio);
+    let q = g * ratio;
     let is_regular = square.less_than(largest_square());
     if is_regular.all() {
         return Rotor::new_unchecked(cosine, q[0], q[1], q[2]);
     }
-    let careful = Halves::of(exponential_of_any(generator(g, [S::zero(); 3])));
+    let careful = Halves::of(exponential_of_any(generator(g, Vector::default())));
     let q = select_vector(is_regular, q, careful.q);
     Rotor::new_unchecked(S::select(is_regular, cosine, careful.c), q[0], q[1], q[2])
 }
@@ -174,24 +175,24 @@ pub(super) fn turn_exponential<S: Real>(g: [S; 3]) -> Rotor<S> {
 /// A motor as `(c + q) + ω (d0 + d)`.
 pub(super) struct Halves<S> {
     pub(super) c: S,
-    pub(super) q: [S; 3],
+    pub(super) q: Vector<S>,
     pub(super) d0: S,
-    pub(super) d: [S; 3],
+    pub(super) d: Vector<S>,
 }
 
 impl<S: Field> Halves<S> {
     pub(super) fn of(motor: Motor<S>) -> Self {
         Self {
             c: motor.scalar(),
-            q: [motor.e12(), motor.e13(), motor.e23()],
+            q: Vector::new(motor.e12(), motor.e13(), motor.e23()),
             d0: motor.e123i(),
-            d: [-motor.e3i(), motor.e2i(), -motor.e1i()],
+            d: Vector::new(-motor.e3i(), motor.e2i(), -motor.e1i()),
         }
     }
 }
 
 /// `(q0 + q) + ω (d0 + d)` by blades.
-pub(super) fn assemble<S: Field>(q0: S, q: [S; 3], d0: S, d: [S; 3]) -> Motor<S> {
+pub(super) fn assemble<S: Field>(q0: S, q: Vector<S>, d0: S, d: Vector<S>) -> Motor<S> {
     Motor::new_unchecked(q0, q[0], q[1], q[2], -d[2], d[1], -d[0], d0)
 }
 
@@ -212,8 +213,12 @@ pub(super) fn select_motor<S: Real>(mask: S::Mask, a: Motor<S>, b: Motor<S>) -> 
 }
 
 #[inline(always)]
-fn select_vector<S: Real>(mask: S::Mask, a: [S; 3], b: [S; 3]) -> [S; 3] {
-    core::array::from_fn(|k| S::select(mask, a[k], b[k]))
+fn select_vector<S: Real>(mask: S::Mask, a: Vector<S>, b: Vector<S>) -> Vector<S> {
+    Vector::new(
+        S::select(mask, a.e1, b.e1),
+        S::select(mask, a.e2, b.e2),
+        S::select(mask, a.e3, b.e3),
+    )
 }
 
 /// The exponential at any size of g and h: by the unit axis, with h scaled down until the last
@@ -225,8 +230,8 @@ fn exponential_of_any<S: Real>(any: MotorGenerator<S>) -> Motor<S> {
     let (angle, axis) = length_and_direction(g);
     // Where the angle is beyond all numbers, by that of its half.
     let half = S::from_ratio(1, 2);
-    let is_beyond = !angle.is_finite() & dot(axis, axis).is_finite();
-    let (sine, cosine) = S::select(is_beyond, length(scaled(g, half)), angle).sin_cos();
+    let is_beyond = !angle.is_finite() & axis.dot(axis).is_finite();
+    let (sine, cosine) = S::select(is_beyond, (g * half).length(), angle).sin_cos();
     let (double_sine, double_cosine) = (sine * cosine, cosine * cosine - sine * sine);
     let sine = S::select(is_beyond, double_sine + double_sine, sine);
     let cosine = S::select(is_beyond, double_cosine, cosine);
@@ -235,72 +240,74 @@ fn exponential_of_any<S: Real>(any: MotorGenerator<S>) -> Motor<S> {
     let is_zero = angle.is_zero();
     let ratio = S::select(is_zero, one, sine / S::select(is_zero, one, angle));
     let ratio = S::select(is_beyond, zero, ratio);
-    let h = scaled(h, S::from_ratio(1, 8));
-    let along = dot(axis, h);
+    let h = h * S::from_ratio(1, 8);
+    let along = axis.dot(h);
     let eight = S::from_integer(8);
-    let d = sum(scaled(h, ratio), scaled(axis, along * (cosine - ratio)));
+    let d = h * ratio + axis * (along * (cosine - ratio));
     let d0 = -(along * sine);
-    assemble(cosine, scaled(axis, sine), d0 * eight, scaled(d, eight))
+    assemble(cosine, axis * sine, d0 * eight, d * eight)
 }
 
 /// The logarithm at any size, as g and h: of the motor divided by its length, by the unit axis,
 /// with the size of d set aside until the last step.
 #[cold]
 #[inline(never)]
-fn logarithm_of_any<S: Real>(motor: Motor<S>) -> ([S; 3], [S; 3]) {
+fn logarithm_of_any<S: Real>(motor: Motor<S>) -> (Vector<S>, Vector<S>) {
     let (zero, one) = (S::zero(), S::one());
     // So that the length is no larger than numbers are.
     let quarter = S::from_ratio(1, 4);
     let Halves { c, q, d0, d } = Halves::of(motor);
     let largest = c.abs().max(q[0].abs()).max(q[1].abs()).max(q[2].abs());
     let scale = S::select(one.less_than(largest), quarter, one);
-    let (c, q) = (c * scale, scaled(q, scale));
-    let (d0, d) = (d0 * scale, scaled(d, scale));
-    let size = length([length(q), c, zero]);
+    let (c, q) = (c * scale, q * scale);
+    let (d0, d) = (d0 * scale, d * scale);
+    let size = Vector::new(q.length(), c, zero).length();
     let size = S::select(size.is_zero(), one, size);
-    let (c, q) = (c / size, q.map(|x| x / size));
+    let (c, q) = (c / size, q.divided(size));
     let largest = d0.abs().max(d[0].abs()).max(d[1].abs()).max(d[2].abs());
     let is_regular = zero.less_than(largest) & largest.is_finite();
     let largest = S::select(is_regular, largest, one);
-    let (d0, d) = (d0 / largest, d.map(|x| x / largest));
+    let (d0, d) = (d0 / largest, d.divided(largest));
 
     let (sine, axis) = length_and_direction(q);
     let angle = sine.atan2(c);
     let is_zero = sine.is_zero();
     let ratio = S::select(is_zero, one, angle / S::select(is_zero, one, sine));
-    let along = dot(axis, d);
-    let across = difference(d, scaled(axis, along));
+    let along = axis.dot(d);
+    let across = d - axis * along;
     let advance = c * along - sine * d0;
-    let g = scaled(q, ratio);
-    let h = sum(scaled(across, ratio), scaled(axis, advance));
+    let g = q * ratio;
+    let h = across * ratio + axis * advance;
 
     let is_whole = sine.less_than(S::epsilon()) & c.less_than(zero);
     let pi = S::from_f64(PI);
     let (shift, direction) = length_and_direction(d);
     let (_, turned) = length_and_direction(q);
-    let plane = select_vector(is_zero, [one, zero, zero], turned);
+    let plane = select_vector(is_zero, Vector::new(one, zero, zero), turned);
     let plane = select_vector(shift.is_zero(), plane, direction);
     // The part that a whole turn leaves out must not hide what is not a number.
-    let whole_h = d.map(|x| d0 * zero - x);
+    let none = d0 * zero;
+    let whole_h = Vector::new(none, none, none) - d;
     (
-        select_vector(is_whole, scaled(plane, pi), g),
-        select_vector(is_whole, whole_h, h).map(|x| x / size.max(one) * largest / size.min(one)),
+        select_vector(is_whole, plane * pi, g),
+        (select_vector(is_whole, whole_h, h).divided(size.max(one)) * largest)
+            .divided(size.min(one)),
     )
 }
 
 /// The length and the unit vector of the same direction, zero for zero.
-pub(super) fn length_and_direction<S: Real>(a: [S; 3]) -> (S, [S; 3]) {
+pub(super) fn length_and_direction<S: Real>(a: Vector<S>) -> (S, Vector<S>) {
     let largest = a[0].abs().max(a[1].abs()).max(a[2].abs());
     let is_regular = S::zero().less_than(largest) & largest.is_finite();
     let size = S::select(is_regular, largest, S::one());
-    let unit = a.map(|x| x / size);
-    let relative = dot(unit, unit).sqrt();
+    let unit = a.divided(size);
+    let relative = unit.dot(unit).sqrt();
     let divisor = S::select(relative.is_zero(), S::one(), relative);
-    (relative * size, unit.map(|x| x / divisor))
+    (relative * size, unit.divided(divisor))
 }
 
 /// A generator as g and h of `g + ω h`.
-fn parts<S: Field>(generator: MotorGenerator<S>) -> ([S; 3], [S; 3]) {
+fn parts<S: Field>(generator: MotorGenerator<S>) -> (Vector<S>, Vector<S>) {
     let MotorGenerator {
         e12,
         e13,
@@ -309,10 +316,10 @@ fn parts<S: Field>(generator: MotorGenerator<S>) -> ([S; 3], [S; 3]) {
         e2i,
         e3i,
     } = generator;
-    ([e12, e13, e23], [-e3i, e2i, -e1i])
+    (Vector::new(e12, e13, e23), Vector::new(-e3i, e2i, -e1i))
 }
 
 /// `g + ω h` by blades.
-fn generator<S: Field>(g: [S; 3], h: [S; 3]) -> MotorGenerator<S> {
+fn generator<S: Field>(g: Vector<S>, h: Vector<S>) -> MotorGenerator<S> {
     MotorGenerator::new(g[0], g[1], g[2], -h[2], h[1], -h[0])
 }

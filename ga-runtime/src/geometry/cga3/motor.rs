@@ -1,7 +1,6 @@
 //! Motors from their parts and matrices, and back.
 
 use crate::cga3::{DualQuaternion, Motor, Point, Rotor, Translator};
-use crate::geometry::vector3::difference;
 use crate::scalar::{Field, Real};
 
 impl<S: Field> Motor<S> {
@@ -45,8 +44,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
     #[inline]
     #[must_use]
     pub fn about(point: Point<S>, rotor: Rotor<S>) -> Self {
-        let turned = rotor.transform(point).coordinates();
-        Translator::from_displacement(difference(point.coordinates(), turned)) * rotor
+        let turned = rotor.transform(point);
+        Translator::from_displacement(turned.vector_to(point).into()) * rotor
     }
 
     /// The motor of a matrix `[R | t]` by rows; `None` where R is no rotation within √ε, or t is

@@ -1,8 +1,8 @@
 //! Planes, direct and dual.
 
 use crate::cga3::{DualDirection, DualPlane, Plane, Point};
-use crate::geometry::vector3::{are_numbers, cross, difference, dot, length, normalized, scaled};
 use crate::scalar::{Field, Real, Ring};
+use crate::vga3::Vector;
 
 impl<S: Ring> DualPlane<S> {
     /// The plane of the points x with `n·x = d`, as `n + d ei`. With a unit normal, d is the
@@ -37,15 +37,15 @@ impl<S: Field> Plane<S> {
     #[inline]
     #[must_use]
     pub fn through(p: Point<S>, q: Point<S>, r: Point<S>) -> Self {
-        let [p, q, r] = [p, q, r].map(Point::coordinates);
-        Self::from_point_normal(Point::from(p), cross(difference(q, p), difference(r, p)))
+        let normal = p.vector_to(q).cross(p.vector_to(r));
+        Self::from_point_normal(p, normal.into())
     }
 
     /// The plane through a point with a normal.
     #[inline]
     #[must_use]
     pub fn from_point_normal(point: Point<S>, normal: [S; 3]) -> Self {
-        let distance = dot(normal, point.coordinates());
+        let distance = Vector::from(normal).dot(point.into());
         DualPlane::from_normal_distance(normal, distance).undual()
     }
 
@@ -70,7 +70,9 @@ impl<S: Real<Mask = bool>> Plane<S> {
     #[inline]
     #[must_use]
     pub fn unit_normal(self) -> Option<[S; 3]> {
-        normalized(self.normal())
+        Vector::from(self.normal())
+            .normalized()
+            .map(Vector::coordinates)
     }
 
     /// The point of the plane that is nearest to the origin; `None` for a plane of weight zero, or
@@ -84,9 +86,9 @@ impl<S: Real<Mask = bool>> Plane<S> {
     #[inline]
     #[must_use]
     pub fn support(self) -> Option<Point<S>> {
-        let normal = self.unit_normal()?;
-        let place = scaled(normal, -self.signed_distance(Point::default())?);
-        are_numbers(place).then(|| Point::from(place))
+        let normal = Vector::from(self.unit_normal()?);
+        let place = normal * -self.signed_distance(Point::default())?;
+        place.is_finite().then(|| Point::from(place))
     }
 
     /// The distance of a point, positive on the side of the normal; `None` for a plane of weight
@@ -95,8 +97,9 @@ impl<S: Real<Mask = bool>> Plane<S> {
     #[must_use]
     pub fn signed_distance(self, point: Point<S>) -> Option<S> {
         let dual = self.dual();
-        let (normal, weight) = (normalized(dual.normal())?, length(dual.normal()));
-        let distance = dot(normal, point.coordinates()) - dual.ei / weight;
+        let normal = Vector::from(dual.normal());
+        let weight = normal.length();
+        let distance = normal.normalized()?.dot(point.into()) - dual.ei / weight;
         distance.is_finite().then_some(distance)
     }
 }

@@ -3,8 +3,9 @@
 use super::round::{RoundBivector, real_radius};
 use crate::Element;
 use crate::cga3::{Direction, DualCircle, Infinity, Line, Point, PointPair, Sphere};
-use crate::geometry::vector3::{are_numbers, difference, dot, is_number, normalized, scaled, sum};
+use crate::geometry::number::is_number;
 use crate::scalar::{Field, Real, Ring};
+use crate::vga3::Vector;
 
 impl<S: Field> PointPair<S> {
     /// The pair of two points, `p∧q`. Zero where they coincide; see [`tangent`](Self::tangent) for
@@ -64,8 +65,8 @@ impl<S: Real<Mask = bool>> PointPair<S> {
         axis: [S; 3],
         radius_squared: S,
     ) -> Option<Self> {
-        let (centre, axis) = (centre.coordinates(), normalized(axis)?);
-        let infinite = (dot(centre, centre) + radius_squared) * S::from_ratio(1, 2);
+        let (centre, axis) = (Vector::from(centre), Vector::from(axis).normalized()?);
+        let infinite = (centre.length_squared() + radius_squared) * S::from_ratio(1, 2);
         let round = RoundBivector {
             centre,
             axis,
@@ -99,7 +100,9 @@ impl<S: Real<Mask = bool>> PointPair<S> {
     #[inline]
     #[must_use]
     pub fn unit_direction(self) -> Option<[S; 3]> {
-        normalized(self.carrier().direction())
+        Vector::from(self.carrier().direction())
+            .normalized()
+            .map(Vector::coordinates)
     }
 
     /// The middle of the two points; `None` for a pair of weight zero, or beyond the range of the
@@ -136,9 +139,9 @@ impl<S: Real<Mask = bool>> PointPair<S> {
     pub fn endpoints(self) -> Option<[Point<S>; 2]> {
         let round = self.parts()?;
         let radius = real_radius(round.squares())?;
-        let reach = scaled(round.axis, radius);
-        let places = [difference(round.centre, reach), sum(round.centre, reach)];
-        let is_finite = places.into_iter().all(are_numbers);
+        let reach = round.axis * radius;
+        let places = [round.centre - reach, round.centre + reach];
+        let is_finite = places.iter().all(|place| place.is_finite());
         is_finite.then(|| places.map(Point::from))
     }
 

@@ -4,8 +4,8 @@
 use super::RotationPath;
 use super::logarithm::{Halves, assemble, length_and_direction, select_motor, turn_exponential};
 use crate::cga3::{Motor, Rotor};
-use crate::geometry::vector3::{difference, scaled};
 use crate::scalar::{Mask, Real};
+use crate::vga3::Vector;
 
 impl<S: Real> Rotor<S> {
     /// The part t of the turn, `Rᵗ = exp(t log R)`: by tθ in the same plane, for θ in [0, 2π]. Part
@@ -22,7 +22,7 @@ impl<S: Real> Rotor<S> {
     #[must_use]
     pub fn powf(self, t: S) -> Self {
         let turn = self.log();
-        turn_exponential([turn.e12 * t, turn.e13 * t, turn.e23 * t])
+        turn_exponential(Vector::new(turn.e12, turn.e13, turn.e23) * t)
     }
 
     /// The turn half way, by ½θ in the same plane for θ in [0, 2π]: `(1 + R)/|1 + R|`, for more
@@ -45,17 +45,19 @@ impl<S: Real> Rotor<S> {
         let more = S::one() + c.abs();
         let scale = (more + more).sqrt().recip();
         let is_past = c.less_than(S::zero());
-        let near = (more * scale, scaled(q, scale));
+        let near = (more * scale, Vector::from(q) * scale);
         if !is_past.any() {
             return Self::from_halves(near);
         }
-        let (sine, axis) = length_and_direction(q);
+        let (sine, axis) = length_and_direction(Vector::from(q));
         let first = S::select(sine.is_zero(), S::one(), axis[0]);
         let axis = [first, axis[1], axis[2]];
-        let past = (sine * scale, scaled(axis, more * scale));
+        let past = (sine * scale, Vector::from(axis) * (more * scale));
         Self::from_halves((
             S::select(is_past, past.0, near.0),
-            core::array::from_fn(|k| S::select(is_past, past.1[k], near.1[k])),
+            Vector::from(core::array::from_fn(|k| {
+                S::select(is_past, past.1[k], near.1[k])
+            })),
         ))
     }
 
@@ -104,8 +106,8 @@ impl<S: Real> Rotor<S> {
         self * (self.reverse() * other).along(path).powf(t)
     }
 
-    fn from_halves((scalar, [e12, e13, e23]): (S, [S; 3])) -> Self {
-        Self::new_unchecked(scalar, e12, e13, e23)
+    fn from_halves((scalar, vector): (S, Vector<S>)) -> Self {
+        Self::new_unchecked(scalar, vector.e1, vector.e2, vector.e3)
     }
 }
 
@@ -155,9 +157,9 @@ impl<S: Real> Motor<S> {
         let change = half * d0 / more;
         let root = assemble(
             more * scale,
-            scaled(q, scale),
+            q * scale,
             half * d0 * scale,
-            scaled(difference(d, scaled(q, change)), scale),
+            (d - q * change) * scale,
         );
         let is_past = c.less_than(S::zero());
         if !is_past.any() {

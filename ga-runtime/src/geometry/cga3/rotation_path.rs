@@ -1,7 +1,6 @@
 //! The two ways round to one orientation.
 
 use crate::cga3::{Motor, Rotor};
-use crate::geometry::vector3::scaled;
 use crate::scalar::Real;
 
 /// The two ways of turning to the same place: by an angle of at most a half turn, or the other way
@@ -82,7 +81,7 @@ impl<S: Real> Rotor<S> {
     #[must_use]
     pub fn along(self, path: RotationPath) -> Self {
         let sign = path.sign(self.scalar());
-        let [e12, e13, e23] = scaled([self.e12(), self.e13(), self.e23()], sign);
+        let [e12, e13, e23] = [self.e12(), self.e13(), self.e23()].map(|x| x * sign);
         Self::new_unchecked(self.scalar() * sign, e12, e13, e23)
     }
 }
@@ -113,8 +112,8 @@ impl<S: Real> Motor<S> {
     #[must_use]
     pub fn along(self, path: RotationPath) -> Self {
         let sign = path.sign(self.scalar());
-        let [e12, e13, e23] = scaled([self.e12(), self.e13(), self.e23()], sign);
-        let [e1i, e2i, e3i] = scaled([self.e1i(), self.e2i(), self.e3i()], sign);
+        let [e12, e13, e23] = [self.e12(), self.e13(), self.e23()].map(|x| x * sign);
+        let [e1i, e2i, e3i] = [self.e1i(), self.e2i(), self.e3i()].map(|x| x * sign);
         let (scalar, e123i) = (self.scalar() * sign, self.e123i() * sign);
         Self::new_unchecked(scalar, e12, e13, e23, e1i, e2i, e3i, e123i)
     }

@@ -2,8 +2,8 @@
 
 use super::logarithm::turn_exponential;
 use crate::cga3::{Quaternion, Rotor};
-use crate::geometry::vector3::{cross, difference, dot, normalized, scaled};
 use crate::scalar::{Real, Ring};
+use crate::vga3::Vector;
 
 impl<S: Ring> Rotor<S> {
     /// The unit quaternion of the same turn, `[x, y, z]` and w.
@@ -54,12 +54,9 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         if !angle.is_finite() {
             return None;
         }
-        let [x, y, z] = normalized(axis)?;
+        let unit = Vector::from(axis).normalized()?;
         let (sine, cosine) = (angle * S::from_ratio(1, 2)).sin_cos();
-        Some(Self::from_quaternion_unchecked(
-            [x * sine, y * sine, z * sine],
-            cosine,
-        ))
+        Some(Self::from_quaternion_unchecked(unit * sine, cosine))
     }
 
     /// The angle in [0, 2π] and the axis of length 1 of the turn; the axis is e3 where the angle is
@@ -68,9 +65,11 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     #[must_use]
     pub fn to_axis_angle(self) -> ([S; 3], S) {
         let (vector, scalar) = self.to_quaternion();
-        let half_angle = crate::geometry::vector3::length(vector).atan2(scalar);
-        let axis = normalized(vector).unwrap_or([S::zero(), S::zero(), S::one()]);
-        (axis, half_angle + half_angle)
+        let vector = Vector::from(vector);
+        let half_angle = vector.length().atan2(scalar);
+        let upright = Vector::new(S::zero(), S::zero(), S::one());
+        let axis = vector.normalized().unwrap_or(upright);
+        (axis.into(), half_angle + half_angle)
     }
 
     /// The turn by |v| radians about the direction of v, right-handed:
@@ -90,7 +89,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     pub fn from_rotation_vector([x, y, z]: [S; 3]) -> Option<Self> {
         let half = S::from_ratio(1, 2);
         let is_finite = x.is_finite() && y.is_finite() && z.is_finite();
-        is_finite.then(|| turn_exponential([-(half * z), half * y, -(half * x)]))
+        is_finite.then(|| turn_exponential(Vector::new(-(half * z), half * y, -(half * x))))
     }
 
     /// The axis of the turn, as long as its angle in [0, 2π]: minus twice the coefficients of
@@ -98,7 +97,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     #[must_use]
     pub fn to_rotation_vector(self) -> [S; 3] {
         let turn = self.log();
-        scaled([-turn.e23, turn.e13, -turn.e12], S::from_integer(2))
+        [-turn.e23, turn.e13, -turn.e12].map(|x| x * S::from_integer(2))
     }
 
     /// The turn by the shortest way from one direction to another. Opposite directions are joined
@@ -114,15 +113,18 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     /// ```
     #[must_use]
     pub fn between(from: [S; 3], to: [S; 3]) -> Option<Self> {
-        let (a, b) = (normalized(from)?, normalized(to)?);
-        if !dot(a, b).less_than(S::zero()) {
+        let [a, b] = [from, to].map(|v| Vector::from(v).normalized());
+        let (a, b) = (a?, b?);
+        if !a.dot(b).less_than(S::zero()) {
             return Self::between_close(a, b);
         }
         // More than a quarter: a half turn to −a about the same axis, and the rest of the way from
         // there. The axis comes from a + b, which loses nothing however close b is to −a.
-        let back = a.map(|x| -x);
-        let axis = normalized(cross(a, difference(b, back)))
-            .or_else(|| normalized(cross(a, smallest_axis(a))))?;
+        let back = -a;
+        let axis = a
+            .cross(b - back)
+            .normalized()
+            .or_else(|| a.cross(smallest_axis(a)).normalized())?;
         let half_turn = Self::from_quaternion_unchecked(axis, S::zero());
         let turn = Self::between_close(back, b)? * half_turn;
         Some(if turn.scalar().less_than(S::zero()) {
@@ -163,9 +165,9 @@ impl<S: Real<Mask = bool>> Rotor<S> {
             (r0, r1, S::zero()),
             (r0, r2, S::zero()),
             (r1, r2, S::zero()),
-            (cross(r0, r1), r2, S::one()),
+            (Vector::from(r0).cross(r1.into()).into(), r2, S::one()),
         ] {
-            let deviation = (dot(a, b) - expected).abs();
+            let deviation = (Vector::from(a).dot(b.into()) - expected).abs();
             if !deviation.is_finite() || tolerance.less_than(deviation) {
                 return None;
             }
@@ -212,23 +214,23 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     }
 
     /// `(1 + b a)/|1 + b a|` for unit vectors less than a half turn apart.
-    fn between_close(a: [S; 3], b: [S; 3]) -> Option<Self> {
-        let axis = cross(a, b);
+    fn between_close(a: Vector<S>, b: Vector<S>) -> Option<Self> {
+        let axis = a.cross(b);
         Self::normalize(Quaternion::new(
-            S::one() + dot(a, b),
+            S::one() + a.dot(b),
             -axis[2],
             axis[1],
             -axis[0],
         ))
     }
 
-    fn from_quaternion_unchecked([x, y, z]: [S; 3], w: S) -> Self {
-        Self::new_unchecked(w, -z, y, -x)
+    fn from_quaternion_unchecked(Vector { e1, e2, e3 }: Vector<S>, w: S) -> Self {
+        Self::new_unchecked(w, -e3, e2, -e1)
     }
 }
 
 /// The basis vector along which a vector extends least.
-fn smallest_axis<S: Real<Mask = bool>>(vector: [S; 3]) -> [S; 3] {
+fn smallest_axis<S: Real<Mask = bool>>(vector: Vector<S>) -> Vector<S> {
     let mut least = 0;
     for place in 1..3 {
         if vector[place].abs().less_than(vector[least].abs()) {
@@ -237,5 +239,5 @@ fn smallest_axis<S: Real<Mask = bool>>(vector: [S; 3]) -> [S; 3] {
     }
     let mut axis = [S::zero(); 3];
     axis[least] = S::one();
-    axis
+    Vector::from(axis)
 }

@@ -5,15 +5,16 @@
 //! of a circle has it with the normal d of its plane and `β = ½(c² − r²)`.
 
 use crate::cga3::{DualCircle, Point};
-use crate::geometry::vector3::{are_numbers, cross, dot, is_number, length, scaled, sum};
+use crate::geometry::number::is_number;
 use crate::scalar::{Field, Real};
+use crate::vga3::Vector;
 
 /// Such a bivector, taken apart.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RoundBivector<S> {
-    pub(super) centre: [S; 3],
+    pub(super) centre: Vector<S>,
     /// d, of length 1.
-    pub(super) axis: [S; 3],
+    pub(super) axis: Vector<S>,
     /// β.
     pub(super) infinite: S,
 }
@@ -22,10 +23,10 @@ impl<S: Field> RoundBivector<S> {
     /// The coefficients, with weight 1 for an axis of length 1.
     pub(super) fn to_bivector(self) -> DualCircle<S> {
         let (c, d) = (self.centre, self.axis);
-        let along = dot(c, d);
-        let [m1, m2, m3] = cross(c, d);
+        let along = c.dot(d);
+        let [m1, m2, m3] = c.cross(d).coordinates();
         let [x1, x2, x3] = [0, 1, 2].map(|k| c[k] * along - d[k] * self.infinite);
-        let [d1, d2, d3] = d;
+        let [d1, d2, d3] = d.coordinates();
         DualCircle::new(m3, -m2, m1, -d1, -d2, -d3, x1, x2, x3, along)
     }
 }
@@ -37,16 +38,17 @@ impl<S: Real<Mask = bool>> RoundBivector<S> {
         let b = bivector / scale(bivector)?;
         let direction = [-b.e1o, -b.e2o, -b.e3o];
         // Divided by d² once, so that what is exact stays so.
-        let square = dot(direction, direction);
-        let moment = [b.e23, -b.e13, b.e12];
-        let centre = sum(scaled(direction, b.eoi), cross(direction, moment)).map(|x| x / square);
-        let last = dot(direction, [b.e1i, b.e2i, b.e3i]);
+        let direction = Vector::from(direction);
+        let square = direction.dot(direction);
+        let moment = Vector::new(b.e23, -b.e13, b.e12);
+        let centre = (direction * b.eoi + direction.cross(moment)).divided(square);
+        let last = direction.dot(Vector::new(b.e1i, b.e2i, b.e3i));
         let infinite = (b.eoi * b.eoi - last) / square;
         let length = square.sqrt();
-        let is_finite = are_numbers(centre) && is_number(infinite);
+        let is_finite = centre.is_finite() && is_number(infinite);
         is_finite.then(|| Self {
             centre,
-            axis: direction.map(|x| x / length),
+            axis: direction.divided(length),
             infinite,
         })
     }
@@ -59,7 +61,7 @@ impl<S: Real<Mask = bool>> RoundBivector<S> {
     /// `2β` and `c²`: their difference is the squared radius of a point pair, minus that of a dual
     /// circle.
     pub(super) fn squares(self) -> [S; 2] {
-        [self.infinite + self.infinite, dot(self.centre, self.centre)]
+        [self.infinite + self.infinite, self.centre.dot(self.centre)]
     }
 
     /// `2β − c²`. `None` beyond the range of the scalar.
@@ -89,12 +91,12 @@ pub(super) fn real_radius<S: Real<Mask = bool>>([a, b]: [S; 2]) -> Option<S> {
 /// What to divide by so that d² is in range: 1 wherever possible. `None` where d is zero or not
 /// finite.
 fn scale<S: Real<Mask = bool>>(b: DualCircle<S>) -> Option<S> {
-    let direction = [b.e1o, b.e2o, b.e3o];
-    let square = dot(direction, direction);
+    let direction = Vector::new(b.e1o, b.e2o, b.e3o);
+    let square = direction.length_squared();
     let (least, most) = (S::from_f64(1e-12), S::from_f64(1e12));
     if least.less_than(square) && square.less_than(most) {
         return Some(S::one());
     }
-    let length = length(direction);
+    let length = direction.length();
     (S::zero().less_than(length) && length.is_finite()).then_some(length)
 }

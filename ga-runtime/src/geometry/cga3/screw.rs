@@ -2,8 +2,9 @@
 
 use super::logarithm::length_and_direction;
 use crate::cga3::{Line, Motor, MotorGenerator, Point};
-use crate::geometry::vector3::{are_numbers, difference, dot, is_number, scaled};
+use crate::geometry::number::{are_numbers, is_number};
 use crate::scalar::Real;
+use crate::vga3::Vector;
 
 /// A rigid motion as a screw: a turn about an axis and a displacement along it, in any order. Every
 /// rigid motion is one (Chasles, 1830).
@@ -75,7 +76,7 @@ impl<S: Real<Mask = bool>> Screw<S> {
         let (n, m) = (axis.direction(), axis.moment());
         let (sine, cosine) = (half * self.angle).sin_cos();
         let advance = half * self.displacement;
-        let [x, y, z] = scaled(n, sine);
+        let [x, y, z] = n.map(|x| x * sine);
         let [t1, t2, t3] = [0, 1, 2].map(|k| -(advance * cosine * n[k] + sine * m[k]));
         let usable = are_numbers([sine, cosine, advance]) && are_numbers([t1, t2, t3]);
         usable.then(|| Motor::new_unchecked(cosine, -z, y, -x, t1, t2, t3, advance * sine))
@@ -87,7 +88,7 @@ impl<S: Real<Mask = bool>> Screw<S> {
         let minus_half = S::from_ratio(-1, 2);
         let axis = self.axis.normalized()?;
         let (n, m) = (axis.direction(), axis.moment());
-        let turn = scaled(n, minus_half * self.angle);
+        let turn = n.map(|x| x * (minus_half * self.angle));
         let shift = [0, 1, 2].map(|k| minus_half * (self.displacement * n[k] + self.angle * m[k]));
         let usable = are_numbers(turn) && are_numbers(shift);
         usable
@@ -106,15 +107,15 @@ impl<S: Real<Mask = bool>> MotorGenerator<S> {
     #[must_use]
     pub fn screw(self) -> Option<Screw<S>> {
         let two = S::from_integer(2);
-        let turn = scaled([-self.e23, self.e13, -self.e12], two);
-        let velocity = scaled([self.e1i, self.e2i, self.e3i], -two);
+        let turn = Vector::new(-self.e23, self.e13, -self.e12) * two;
+        let velocity = Vector::new(self.e1i, self.e2i, self.e3i) * -two;
         let (angle, n) = length_and_direction(turn);
-        if !is_number(angle) || !are_numbers(velocity) {
+        if !is_number(angle) || !velocity.is_finite() {
             return None;
         }
-        let along = dot(n, velocity);
-        let moment = difference(velocity, scaled(n, along)).map(|x| x / angle);
-        if let Some(axis) = Line::from_direction_moment(n, moment) {
+        let along = n.dot(velocity);
+        let moment = (velocity - n * along).divided(angle);
+        if let Some(axis) = Line::from_direction_moment(n.into(), moment.into()) {
             return is_number(along).then_some(Screw {
                 axis,
                 angle,
@@ -122,14 +123,14 @@ impl<S: Real<Mask = bool>> MotorGenerator<S> {
             });
         }
         let (length, direction) = length_and_direction(velocity);
-        let upright = [S::zero(), S::zero(), S::one()];
+        let upright = Vector::new(S::zero(), S::zero(), S::one());
         let direction = if S::zero().less_than(length) {
             direction
         } else {
             upright
         };
         is_number(length).then(|| Screw {
-            axis: Line::from_point_direction(Point::default(), direction),
+            axis: Line::from_point_direction(Point::default(), direction.into()),
             angle: S::zero(),
             displacement: length,
         })

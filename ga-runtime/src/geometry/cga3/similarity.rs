@@ -5,8 +5,9 @@
 use super::affine::{self, Affine};
 use crate::Element;
 use crate::cga3::{Even, EvenVersor, Motor, Point, Quaternion, Rotor, Similarity, Translator};
-use crate::geometry::vector3::{are_numbers, cross, difference, dot, length, normalized, scaled};
+use crate::geometry::number::are_numbers;
 use crate::scalar::Real;
+use crate::vga3::Vector;
 
 impl<S: Real<Mask = bool>> Similarity<S> {
     /// `T R D`: scaling about the origin, then the turn, then the shift, so that `x' = s R x + t`.
@@ -112,10 +113,11 @@ impl<S: Real<Mask = bool>> Similarity<S> {
         if shrunk.is_zero() {
             return None;
         }
-        let half_sine = length(vector);
-        let axis = normalized(vector).unwrap_or([zero, zero, one]);
-        let along = dot(axis, t);
-        let rest = difference(t, scaled(axis, along));
+        let (vector, t) = (Vector::from(vector), Vector::from(t));
+        let half_sine = vector.length();
+        let axis = vector.normalized().unwrap_or(Vector::new(zero, zero, one));
+        let along = axis.dot(t);
+        let rest = t - axis * along;
         let along = if along.is_zero() {
             zero
         } else {
@@ -126,7 +128,7 @@ impl<S: Real<Mask = bool>> Similarity<S> {
         let real = shrunk + two * factor * half_sine * half_sine;
         let imaginary = two * factor * w * half_sine;
         let size = real * real + imaginary * imaginary;
-        let turned = cross(axis, rest);
+        let turned = axis.cross(rest);
         let coordinates =
             [0, 1, 2].map(|k| axis[k] * along + (real * rest[k] + imaginary * turned[k]) / size);
         are_numbers(coordinates).then(|| Point::from(coordinates))
@@ -207,5 +209,6 @@ impl<S: Real<Mask = bool>> Similarity<S> {
 }
 
 fn quaternion_length<S: Real<Mask = bool>>(q: Quaternion<S>) -> S {
-    length([length([q.scalar, q.e12, q.e13]), q.e23, S::zero()])
+    let part = Vector::new(q.scalar, q.e12, q.e13).length();
+    Vector::new(part, q.e23, S::zero()).length()
 }

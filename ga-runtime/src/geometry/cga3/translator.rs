@@ -1,7 +1,6 @@
 //! Translators.
 
 use crate::cga3::{MotorGenerator, Translator};
-use crate::geometry::vector3::scaled;
 use crate::scalar::Field;
 
 impl<S: Field> Translator<S> {
@@ -15,7 +14,7 @@ impl<S: Field> Translator<S> {
     #[inline]
     #[must_use]
     pub fn from_displacement(displacement: [S; 3]) -> Self {
-        let [x, y, z] = scaled(displacement, S::from_ratio(-1, 2));
+        let [x, y, z] = displacement.map(|x| x * S::from_ratio(-1, 2));
         Self::new(x, y, z)
     }
 
@@ -23,7 +22,7 @@ impl<S: Field> Translator<S> {
     #[inline]
     #[must_use]
     pub fn displacement(self) -> [S; 3] {
-        scaled([self.e1i(), self.e2i(), self.e3i()], S::from_integer(-2))
+        [self.e1i(), self.e2i(), self.e3i()].map(|x| x * S::from_integer(-2))
     }
 
     /// The generator `−½ t ei`, whose [`exp`](MotorGenerator::exp) is this shift.
@@ -44,7 +43,7 @@ impl<S: Field> Translator<S> {
     #[inline]
     #[must_use]
     pub fn powf(self, exponent: S) -> Self {
-        let [x, y, z] = scaled([self.e1i(), self.e2i(), self.e3i()], exponent);
+        let [x, y, z] = [self.e1i(), self.e2i(), self.e3i()].map(|x| x * exponent);
         Self::new(x, y, z)
     }
 

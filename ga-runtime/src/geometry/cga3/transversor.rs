@@ -2,7 +2,6 @@
 
 use super::even_versor::image_point;
 use crate::cga3::{Point, PointPair, Transversor};
-use crate::geometry::vector3::scaled;
 use crate::scalar::{Field, Real, Ring};
 
 impl<S: Field> Transversor<S> {
@@ -53,7 +52,7 @@ impl<S: Real<Mask = bool>> Transversor<S> {
     #[inline]
     #[must_use]
     pub fn powf(self, t: S) -> Self {
-        Self::from_vector(scaled(self.vector(), t))
+        Self::from_vector(self.vector().map(|x| x * t))
     }
 
     /// The transversor of half of k.

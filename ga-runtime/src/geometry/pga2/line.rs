@@ -1,6 +1,7 @@
 //! Lines of pga2.
 
-use crate::geometry::vector2::{are_numbers, area, difference, dot, length, normalized, scaled};
+use crate::geometry::number::are_numbers;
+use crate::geometry::vector2::{area, difference, dot, length, normalized, scaled};
 use crate::pga2::{Line, Point};
 use crate::scalar::{Real, Ring};
 

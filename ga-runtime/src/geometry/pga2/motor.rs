@@ -1,6 +1,7 @@
 //! Rotors, translators and motors of pga2.
 
-use crate::geometry::vector2::{are_numbers, difference, dot, scaled};
+use crate::geometry::number::are_numbers;
+use crate::geometry::vector2::{difference, dot, scaled};
 use crate::pga2::{Motor, MotorSum, Point, Rotor, Translator};
 use crate::scalar::{Field, Real};
 

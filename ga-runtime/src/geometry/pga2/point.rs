@@ -1,6 +1,7 @@
 //! Points of pga2, finite and ideal.
 
-use crate::geometry::vector2::{are_numbers, difference, length};
+use crate::geometry::number::are_numbers;
+use crate::geometry::vector2::{difference, length};
 use crate::pga2::{Motor, Point};
 use crate::scalar::{Real, Ring};
 

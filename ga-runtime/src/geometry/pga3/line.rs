@@ -1,10 +1,9 @@
 //! Lines of pga3.
 
-use crate::geometry::vector3::{
-    are_numbers, cross, difference, dot, length, normalized, scaled, sum,
-};
+use crate::geometry::number::are_numbers;
 use crate::pga3::{Line, Motor, Plane, Point};
 use crate::scalar::{Real, Ring};
+use crate::vga3::Vector;
 
 impl<S: Ring> Line<S> {
     /// The line through two points, from p to q: `q ∨ p`, so that a turn about it is right-handed
@@ -36,7 +35,8 @@ impl<S: Ring> Line<S> {
     #[inline]
     #[must_use]
     pub fn from_point_direction(place: [S; 3], direction: [S; 3]) -> Self {
-        Self::from_direction_moment(direction, cross(place, direction))
+        let moment = Vector::from(place).cross(direction.into());
+        Self::from_direction_moment(direction, moment.into())
     }
 
     /// The direction d, as long as the line's weight: the coefficients of e23, −e13, e12. For a
@@ -61,14 +61,16 @@ impl<S: Real<Mask = bool>> Line<S> {
     #[inline]
     #[must_use]
     pub fn unit_direction(self) -> Option<[S; 3]> {
-        normalized(self.direction())
+        Vector::from(self.direction())
+            .normalized()
+            .map(Vector::coordinates)
     }
 
     /// The same line with a direction of length 1; `None` for an ideal line, or where a coefficient
     /// is not finite.
     #[must_use]
     pub fn normalized(self) -> Option<Self> {
-        let weight = length(self.direction());
+        let weight = Vector::from(self.direction()).length();
         let usable = S::zero().less_than(weight) && weight.is_finite();
         let line = usable.then(|| self / weight)?;
         are_numbers(line.moment()).then_some(line)
@@ -78,8 +80,10 @@ impl<S: Real<Mask = bool>> Line<S> {
     #[must_use]
     pub fn support(self) -> Option<Point<S>> {
         let line = self.normalized()?;
-        let place = cross(line.direction(), line.moment());
-        are_numbers(place).then(|| Point::from_coordinates(place))
+        let place = Vector::from(line.direction()).cross(line.moment().into());
+        place
+            .is_finite()
+            .then(|| Point::from_coordinates(place.into()))
     }
 
     /// The foot of the perpendicular from a point, its projection; `None` for an ideal line or
@@ -93,10 +97,12 @@ impl<S: Real<Mask = bool>> Line<S> {
     /// ```
     #[must_use]
     pub fn foot(self, point: Point<S>) -> Option<Point<S>> {
-        let (direction, support) = (self.unit_direction()?, self.support()?.coordinates()?);
-        let along = dot(difference(point.coordinates()?, support), direction);
-        let place = sum(support, scaled(direction, along));
-        are_numbers(place).then(|| Point::from_coordinates(place))
+        let direction = Vector::from(self.unit_direction()?);
+        let [support, place] =
+            [self.support()?.coordinates()?, point.coordinates()?].map(Vector::from);
+        let foot = support + direction * (place - support).dot(direction);
+        foot.is_finite()
+            .then(|| Point::from_coordinates(foot.into()))
     }
 
     /// The distance of a point; `None` for an ideal line or point.
@@ -111,28 +117,32 @@ impl<S: Real<Mask = bool>> Line<S> {
     #[must_use]
     pub fn distance_to_line(self, other: Self) -> Option<S> {
         let (a, b) = (self.normalized()?, other.normalized()?);
-        let across = length(cross(a.direction(), b.direction()));
+        let [u, v] = [a.direction(), b.direction()].map(Vector::from);
+        let across = u.cross(v).length();
         if across.less_than(S::epsilon().sqrt()) {
             return a.distance(b.support()?);
         }
-        let distance =
-            (dot(a.direction(), b.moment()) + dot(b.direction(), a.moment())).abs() / across;
+        let distance = (u.dot(b.moment().into()) + v.dot(a.moment().into())).abs() / across;
         distance.is_finite().then_some(distance)
     }
 
     /// The angle between the directions of two lines, in [0, π]; `None` where one is ideal.
     #[must_use]
     pub fn angle(self, other: Self) -> Option<S> {
-        let (a, b) = (self.unit_direction()?, other.unit_direction()?);
-        Some(length(cross(a, b)).atan2(dot(a, b)))
+        let [a, b] = [self.unit_direction()?, other.unit_direction()?].map(Vector::from);
+        Some(a.cross(b).length().atan2(a.dot(b)))
     }
 
     /// The angle between the line and a plane, in [−½π, ½π]: positive where the line leaves on the
     /// side of the normal. `None` where one is ideal.
     #[must_use]
     pub fn angle_to_plane(self, plane: Plane<S>) -> Option<S> {
-        let (direction, normal) = (self.unit_direction()?, plane.unit_normal()?);
-        Some(dot(direction, normal).atan2(length(cross(direction, normal))))
+        let [direction, normal] = [self.unit_direction()?, plane.unit_normal()?].map(Vector::from);
+        Some(
+            direction
+                .dot(normal)
+                .atan2(direction.cross(normal).length()),
+        )
     }
 
     /// The motor `exp(B)` of any bivector: `B = −½θL` turns by θ about the unit line L,

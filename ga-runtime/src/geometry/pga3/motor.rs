@@ -1,9 +1,10 @@
 //! Rotors, translators and motors of pga3.
 
 use crate::cga3;
-use crate::geometry::vector3::{are_numbers, scaled, sum};
+use crate::geometry::number::are_numbers;
 use crate::pga3::{Line, Motor, MotorSum, Point, Rotor, Translator};
 use crate::scalar::{Field, Real};
+use crate::vga3::Vector;
 
 impl<S: Real<Mask = bool>> Rotor<S> {
     /// The turn by an angle in radians about an axis through the origin, right-handed:
@@ -39,7 +40,7 @@ impl<S: Field> Translator<S> {
     #[inline]
     #[must_use]
     pub fn from_displacement(displacement: [S; 3]) -> Self {
-        let [x, y, z] = scaled(displacement, S::from_ratio(1, 2));
+        let [x, y, z] = displacement.map(|x| x * S::from_ratio(1, 2));
         Self::new(x, y, z)
     }
 
@@ -47,7 +48,7 @@ impl<S: Field> Translator<S> {
     #[inline]
     #[must_use]
     pub fn displacement(self) -> [S; 3] {
-        scaled([self.e10(), self.e20(), self.e30()], S::from_integer(2))
+        [self.e10(), self.e20(), self.e30()].map(|x| x * S::from_integer(2))
     }
 }
 
@@ -84,12 +85,12 @@ impl<S: Real<Mask = bool>> Motor<S> {
         let line = axis.normalized()?;
         let direction = line.direction();
         let half = S::from_ratio(-1, 2);
-        let moment = sum(
-            scaled(line.moment(), angle),
-            scaled(direction, displacement),
+        let direction = Vector::from(direction);
+        let moment = Vector::from(line.moment()) * angle + direction * displacement;
+        let generator = Line::from_direction_moment(
+            (direction * (angle * half)).into(),
+            (moment * half).into(),
         );
-        let generator =
-            Line::from_direction_moment(scaled(direction, angle * half), scaled(moment, half));
         let usable = are_numbers(generator.direction()) && are_numbers(generator.moment());
         usable.then(|| generator.exp())
     }

@@ -1,8 +1,9 @@
 //! Planes of pga3.
 
-use crate::geometry::vector3::{are_numbers, cross, difference, dot, length, normalized, scaled};
+use crate::geometry::number::are_numbers;
 use crate::pga3::{Line, Plane, Point};
 use crate::scalar::{Real, Ring};
+use crate::vga3::Vector;
 
 impl<S: Ring> Plane<S> {
     /// The plane of the points x with `n·x = d`, as `n − d e0`. With a unit normal, d is the
@@ -23,7 +24,7 @@ impl<S: Ring> Plane<S> {
     #[inline]
     #[must_use]
     pub fn from_point_normal(place: [S; 3], normal: [S; 3]) -> Self {
-        Self::from_normal_distance(normal, dot(normal, place))
+        Self::from_normal_distance(normal, Vector::from(normal).dot(place.into()))
     }
 
     /// The plane through three points, `p∨q∨r`: its normal is `(q − p) × (r − p)`, so that p, q, r
@@ -54,14 +55,16 @@ impl<S: Real<Mask = bool>> Plane<S> {
     #[inline]
     #[must_use]
     pub fn unit_normal(self) -> Option<[S; 3]> {
-        normalized(self.normal())
+        Vector::from(self.normal())
+            .normalized()
+            .map(Vector::coordinates)
     }
 
     /// The same plane with a normal of length 1; `None` where the normal is zero, or a coefficient
     /// not finite.
     #[must_use]
     pub fn normalized(self) -> Option<Self> {
-        let weight = length(self.normal());
+        let weight = Vector::from(self.normal()).length();
         let usable = S::zero().less_than(weight) && weight.is_finite();
         let plane = usable.then(|| self / weight)?;
         plane.e0.is_finite().then_some(plane)
@@ -72,7 +75,7 @@ impl<S: Real<Mask = bool>> Plane<S> {
     #[must_use]
     pub fn signed_distance(self, point: Point<S>) -> Option<S> {
         let plane = self.normalized()?;
-        let distance = dot(plane.normal(), point.coordinates()?) + plane.e0;
+        let distance = Vector::from(plane.normal()).dot(point.coordinates()?.into()) + plane.e0;
         distance.is_finite().then_some(distance)
     }
 
@@ -88,9 +91,10 @@ impl<S: Real<Mask = bool>> Plane<S> {
     #[must_use]
     pub fn foot(self, point: Point<S>) -> Option<Point<S>> {
         let distance = self.signed_distance(point)?;
-        let (normal, place) = (self.unit_normal()?, point.coordinates()?);
-        let foot = difference(place, scaled(normal, distance));
-        are_numbers(foot).then(|| Point::from_coordinates(foot))
+        let normal = Vector::from(self.unit_normal()?);
+        let foot = Vector::from(point.coordinates()?) - normal * distance;
+        foot.is_finite()
+            .then(|| Point::from_coordinates(foot.into()))
     }
 
     /// The projection of a line, with its weight times the cosine of the angle between both; `None`
@@ -99,22 +103,22 @@ impl<S: Real<Mask = bool>> Plane<S> {
     #[must_use]
     pub fn project(self, line: Line<S>) -> Option<Line<S>> {
         let normal = self.unit_normal()?;
-        let direction = line.direction();
-        let within = difference(direction, scaled(normal, dot(direction, normal)));
+        let direction = Vector::from(line.direction());
+        let within = direction.across(normal.into());
         // What is left of a perpendicular direction is rounding.
-        let least = S::from_integer(8) * S::epsilon() * length(direction);
-        if !least.less_than(length(within)) {
+        let least = S::from_integer(8) * S::epsilon() * direction.length();
+        if !least.less_than(within.length()) {
             return None;
         }
         let foot = self.foot(line.support()?)?.coordinates()?;
-        let projection = Line::from_point_direction(foot, within);
+        let projection = Line::from_point_direction(foot, within.into());
         are_numbers(projection.moment()).then_some(projection)
     }
 
     /// The angle between the normals, in [0, π]; `None` where one is zero or not finite.
     #[must_use]
     pub fn angle(self, other: Self) -> Option<S> {
-        let (a, b) = (self.unit_normal()?, other.unit_normal()?);
-        Some(length(cross(a, b)).atan2(dot(a, b)))
+        let [a, b] = [self.unit_normal()?, other.unit_normal()?].map(Vector::from);
+        Some(a.cross(b).length().atan2(a.dot(b)))
     }
 }

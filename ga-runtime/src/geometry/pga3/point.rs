@@ -1,8 +1,9 @@
 //! Points of pga3, finite and ideal.
 
-use crate::geometry::vector3::{are_numbers, difference, length};
+use crate::geometry::number::are_numbers;
 use crate::pga3::{Direction, Point};
 use crate::scalar::{Real, Ring};
+use crate::vga3::Vector;
 
 impl<S: Ring> Point<S> {
     /// The point (x, y, z) with weight 1: `e123 − x e230 + y e130 − z e120`.
@@ -71,7 +72,8 @@ impl<S: Real<Mask = bool>> Point<S> {
     /// the range of the scalar.
     #[must_use]
     pub fn distance(self, other: Self) -> Option<S> {
-        let distance = length(difference(self.coordinates()?, other.coordinates()?));
+        let [p, q] = [self.coordinates()?, other.coordinates()?].map(Vector::from);
+        let distance = p.distance(q);
         distance.is_finite().then_some(distance)
     }
 }

@@ -2,9 +2,10 @@
 
 use super::complex::Complex;
 use super::velocity::NotSlowerThanLight;
-use crate::geometry::vector3::{are_numbers, dot};
+use crate::geometry::number::are_numbers;
 use crate::scalar::{Real, Ring};
 use crate::sta::{Bivector, Rotor};
+use crate::vga3::Vector;
 
 impl<S: Ring> Bivector<S> {
     /// The field `F = E + I B` that the observer g0 sees as electric and magnetic: `Ek` at gk0,
@@ -46,8 +47,8 @@ impl<S: Ring> Bivector<S> {
     #[inline]
     #[must_use]
     pub fn invariants(self) -> (S, S) {
-        let (e, b) = (self.electric(), self.magnetic());
-        (dot(e, e) - dot(b, b), dot(e, b))
+        let [e, b] = [self.electric(), self.magnetic()].map(Vector::from);
+        (e.dot(e) - b.dot(b), e.dot(b))
     }
 }
 

@@ -32,7 +32,7 @@ impl<S: Field> Complex<S> {
 
 impl<S: Real<Mask = bool>> Complex<S> {
     pub(super) fn modulus(self) -> S {
-        crate::geometry::vector3::length([self.real, self.imaginary, S::zero()])
+        crate::vga3::Vector::new(self.real, self.imaginary, S::zero()).length()
     }
 
     /// `self / other`, by the larger part of the divisor so that no square leaves the range of the

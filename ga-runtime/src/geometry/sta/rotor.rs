@@ -2,9 +2,10 @@
 
 use super::complex::{Complex, sinh_cosh};
 use super::velocity::{NotSlowerThanLight, lorentz_factor};
-use crate::geometry::vector3::{are_numbers, length, normalized, scaled};
+use crate::geometry::number::are_numbers;
 use crate::scalar::{Real, Ring};
 use crate::sta::{Bivector, Rotor, Vector};
+use crate::vga3;
 
 impl<S: Ring> Rotor<S> {
     /// The matrix of the transformation by rows, for vectors `[t, x, y, z]`: `x' = matrix · x`.
@@ -41,7 +42,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         let half = S::from_ratio(1, 2);
         // cosh ½φ = √(½(γ + 1)), and sinh ½φ = ½ sinh φ / cosh ½φ with sinh φ = γ|v|.
         let cosh = ((gamma + S::one()) * half).sqrt();
-        let sinh = scaled(velocity, gamma * half / cosh);
+        let sinh = velocity.map(|x| x * (gamma * half / cosh));
         Ok(Self::boost(cosh, sinh))
     }
 
@@ -57,11 +58,11 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     /// ```
     #[must_use]
     pub fn from_rapidity(direction: [S; 3], rapidity: S) -> Option<Self> {
-        let axis = normalized(direction)?;
+        let axis = vga3::Vector::from(direction).normalized()?;
         let (sinh, cosh) = sinh_cosh(rapidity * S::from_ratio(1, 2));
-        let sinh = scaled(axis, sinh);
-        let usable = cosh.is_finite() && are_numbers(sinh);
-        usable.then(|| Self::boost(cosh, sinh))
+        let sinh = axis * sinh;
+        let usable = cosh.is_finite() && sinh.is_finite();
+        usable.then(|| Self::boost(cosh, sinh.into()))
     }
 
     /// The turn of space by an angle in radians about an axis, right-handed: `cos ½θ − sin ½θ I n`.
@@ -73,8 +74,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
             return None;
         }
         let (sine, cosine) = (angle * S::from_ratio(1, 2)).sin_cos();
-        let axis = scaled(normalized(axis)?, -sine);
-        Some(Self::turn(cosine, axis))
+        let axis = vga3::Vector::from(axis).normalized()? * -sine;
+        Some(Self::turn(cosine, axis.into()))
     }
 
     /// The velocity that what rested has afterwards, that of `R g0 ~R`. For very large rapidities
@@ -105,7 +106,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     pub fn boost_and_turn(self) -> (Self, Self) {
         // With L = c + s n the part of R that commutes with g0 is c U.
         let vector = [self.g32(), self.g13(), self.g21()];
-        let cosh = length([length(vector), self.scalar(), S::zero()]);
+        let cosh = hypotenuse(vga3::Vector::from(vector).length(), self.scalar());
         let turn = Self::turn(self.scalar() / cosh, vector.map(|x| x / cosh));
         let boost = self * turn.reverse();
         (
@@ -131,11 +132,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
             [self.g10(), self.g20(), self.g30()],
             [self.g32(), self.g13(), self.g21()],
         );
-        let size = length([
-            length(whole.electric()),
-            length(whole.magnetic()),
-            S::zero(),
-        ]);
+        let [electric, magnetic] = [whole.electric(), whole.magnetic()].map(vga3::Vector::from);
+        let size = hypotenuse(electric.length(), magnetic.length());
         if !size.is_finite() || !cosine.modulus().is_finite() {
             return None;
         }
@@ -185,4 +183,9 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         let zero = S::zero();
         Self::new_unchecked(cosine, zero, zero, zero, x, y, z, zero)
     }
+}
+
+/// `√(a² + b²)` without overflow or underflow on the way.
+fn hypotenuse<S: Real>(a: S, b: S) -> S {
+    vga3::Vector::new(a, b, S::zero()).length()
 }

@@ -1,9 +1,10 @@
 //! Vectors of spacetime: events, velocities, momenta.
 
 use super::velocity::{NotSlowerThanLight, lorentz_factor};
-use crate::geometry::vector3::{are_numbers, dot, is_number, length};
+use crate::geometry::number::{are_numbers, is_number};
 use crate::scalar::{Real, Ring};
 use crate::sta::Vector;
+use crate::vga3;
 
 impl<S: Ring> Vector<S> {
     /// The event at a time and a place, `t g0 + x g1 + y g2 + z g3`, as the observer g0 sees it.
@@ -39,7 +40,7 @@ impl<S: Ring> Vector<S> {
     #[inline]
     #[must_use]
     pub fn interval_squared(self) -> S {
-        self.g0 * self.g0 - dot(self.place(), self.place())
+        self.g0 * self.g0 - vga3::Vector::from(self.place()).length_squared()
     }
 }
 
@@ -57,7 +58,7 @@ impl<S: Real<Mask = bool>> Vector<S> {
     /// ```
     #[must_use]
     pub fn proper_time(self) -> Option<S> {
-        let (time, distance) = (self.time().abs(), length(self.place()));
+        let (time, distance) = (self.time().abs(), vga3::Vector::from(self.place()).length());
         if time.less_than(distance) || !time.is_finite() || !distance.is_finite() {
             return None;
         }
@@ -74,7 +75,7 @@ impl<S: Real<Mask = bool>> Vector<S> {
     /// `√(r² − t²)`. `None` for timelike vectors, and where a number is not finite.
     #[must_use]
     pub fn proper_distance(self) -> Option<S> {
-        let (time, distance) = (self.time().abs(), length(self.place()));
+        let (time, distance) = (self.time().abs(), vga3::Vector::from(self.place()).length());
         if distance.less_than(time) || !time.is_finite() || !distance.is_finite() {
             return None;
         }
@@ -85,7 +86,7 @@ impl<S: Real<Mask = bool>> Vector<S> {
     /// timelike or lightlike, or not finite.
     #[must_use]
     pub fn velocity(self) -> Option<[S; 3]> {
-        let (time, distance) = (self.time(), length(self.place()));
+        let (time, distance) = (self.time(), vga3::Vector::from(self.place()).length());
         if time.abs().less_than(distance) || !time.is_finite() {
             return None;
         }
@@ -120,7 +121,7 @@ impl<S: Real<Mask = bool>> Vector<S> {
     /// The rapidity, `artanh |v|`; `None` for what is not timelike.
     #[must_use]
     pub fn rapidity(self) -> Option<S> {
-        let (time, distance) = (self.time().abs(), length(self.place()));
+        let (time, distance) = (self.time().abs(), vga3::Vector::from(self.place()).length());
         let proper = self.proper_time()?.abs();
         if !S::zero().less_than(proper) {
             return None;

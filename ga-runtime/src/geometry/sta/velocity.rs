@@ -2,8 +2,8 @@
 
 use core::fmt::{Display, Formatter, Result as FormatResult};
 
-use crate::geometry::vector3::{dot, length, scaled, sum};
 use crate::scalar::Real;
+use crate::vga3::Vector;
 
 /// A velocity that no body has: of size 1 or more, or not a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,16 +46,17 @@ pub fn velocity_sum<S: Real<Mask = bool>>(
     let gamma = lorentz_factor(u).ok_or(NotSlowerThanLight { velocity: u })?;
     lorentz_factor(v).ok_or(NotSlowerThanLight { velocity: v })?;
     // v_∥ + v_⊥/γ = v/γ + (1 − 1/γ) v_∥, and (1 − 1/γ)/u² = γ/(1 + γ).
-    let along = dot(u, v);
+    let (u, v) = (Vector::from(u), Vector::from(v));
+    let along = u.dot(v);
     let share = S::one() + gamma / (S::one() + gamma) * along;
-    let total = sum(scaled(u, share), v.map(|x| x / gamma));
-    let sum = total.map(|x| x / (S::one() + along));
-    if lorentz_factor(sum).is_some() {
-        return Ok(sum);
+    let total = u * share + v.divided(gamma);
+    let sum = total.divided(S::one() + along);
+    if lorentz_factor(sum.into()).is_some() {
+        return Ok(sum.into());
     }
     // Slower than light in truth, and rounded up to it.
-    let scale = (S::one() - S::epsilon() * S::from_integer(4)) / length(sum);
-    Ok(scaled(sum, scale))
+    let scale = (S::one() - S::epsilon() * S::from_integer(4)) / sum.length();
+    Ok((sum * scale).into())
 }
 
 /// The velocity that somebody who moves with u finds for what the observer sees moving with v: the
@@ -82,7 +83,7 @@ pub fn relative_velocity<S: Real<Mask = bool>>(
 
 /// γ = 1/√(1 − v²); `None` where v is not below 1 in size.
 pub(super) fn lorentz_factor<S: Real<Mask = bool>>(velocity: [S; 3]) -> Option<S> {
-    let speed = length(velocity);
+    let speed = Vector::from(velocity).length();
     let rest = (S::one() - speed) * (S::one() + speed);
     S::zero().less_than(rest).then(|| rest.sqrt().recip())
 }

@@ -1,6 +1,7 @@
 //! Complex numbers of vga2: products of two vectors.
 
-use crate::geometry::vector2::{are_numbers, length};
+use crate::geometry::number::are_numbers;
+use crate::geometry::vector2::length;
 use crate::scalar::{Real, Ring};
 use crate::vga2::{Complex, Vector};
 

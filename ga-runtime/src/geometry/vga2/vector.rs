@@ -1,6 +1,7 @@
 //! Vectors of vga2.
 
-use crate::geometry::vector2::{are_numbers, area, difference, dot, length, normalized, scaled};
+use crate::geometry::number::are_numbers;
+use crate::geometry::vector2::{area, difference, dot, length, normalized, scaled};
 use crate::scalar::{Real, Ring};
 use crate::vga2::{Complex, Vector};
 

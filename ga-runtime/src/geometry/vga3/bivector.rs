@@ -1,7 +1,6 @@
 //! Bivectors of vga3.
 
 use crate::cga3::MotorGenerator;
-use crate::geometry::vector3::{length, normalized};
 use crate::scalar::{Real, Ring};
 use crate::vga3::{Bivector, Rotor, Vector};
 
@@ -27,14 +26,16 @@ impl<S: Real<Mask = bool>> Bivector<S> {
     #[inline]
     #[must_use]
     pub fn area(self) -> S {
-        length(self.normal())
+        Vector::from(self.normal()).length()
     }
 
     /// The bivector with area 1 in the same plane; `None` where it is zero or not finite.
     #[inline]
     #[must_use]
     pub fn normalized(self) -> Option<Self> {
-        normalized(self.normal()).map(Self::from_normal)
+        Vector::from(self.normal())
+            .normalized()
+            .map(|normal| Self::from_normal(normal.into()))
     }
 
     /// The part of a vector in the plane of the bivector, `(a·B) B⁻¹`; `None` where B is zero or a

@@ -1,7 +1,6 @@
 //! Rotors of vga3, which are those of cga3, and quaternions.
 
 use crate::cga3;
-use crate::geometry::vector3::{length, normalized, scaled};
 use crate::scalar::{Real, Ring};
 use crate::vga3::{Bivector, Quaternion, Rotor, Vector};
 
@@ -72,16 +71,16 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     /// number stays so.
     #[must_use]
     pub fn log(self) -> Bivector<S> {
-        let vector = [self.e12(), self.e13(), self.e23()];
-        let (sine, cosine) = (length(vector), self.scalar());
+        let vector = Vector::new(self.e12(), self.e13(), self.e23());
+        let (sine, cosine) = (vector.length(), self.scalar());
         let angle = sine.atan2(cosine);
-        let plane = match normalized(vector) {
+        let plane = match vector.normalized() {
             Some(plane) => plane,
-            None if S::zero().less_than(angle) => [S::one(), S::zero(), S::zero()],
+            None if S::zero().less_than(angle) => Vector::new(S::one(), S::zero(), S::zero()),
             // Zero, or not a number where the rotor is none.
             None => vector,
         };
-        let [x, y, z] = scaled(plane, angle);
+        let [x, y, z] = (plane * angle).coordinates();
         Bivector::new(x, y, z)
     }
 
