@@ -9,7 +9,8 @@
 //!
 //! which is inverse distance weighting (D. Shepard, "A two-dimensional interpolation function for
 //! irregularly-spaced data", ACM National Conference 1968; Cui, eq. 33). Distance ignores the shape
-//! of the body: the left leg also follows the right thigh where the two are close. The crate ga-mannequin shows how to avoid that.
+//! of the body: the left leg also follows the right thigh where the two are close. The crate
+//! ga-mannequin shows how to avoid that.
 
 use ga_runtime::vga3::Vector;
 

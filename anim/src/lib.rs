@@ -18,8 +18,8 @@
 //! # Conventions
 //!
 //! Coordinates are right-handed with y up, and a person looks along z. Lengths are in metres unless
-//! a file has another unit: readers keep the file's, and [`Mesh::scaled`](ga_mesh::Mesh::scaled) and
-//! [`Skeleton::scaled`](skeleton::Skeleton::scaled) convert. Angles are in radians, times in
+//! a file has another unit: readers keep the file's, and [`Mesh::scaled`](ga_mesh::Mesh::scaled)
+//! and [`Skeleton::scaled`](skeleton::Skeleton::scaled) convert. Angles are in radians, times in
 //! seconds, and indices count from 0; in messages lines count from 1. A motor takes a point at rest
 //! to the pose, x' = G x ~G, and in a product of motors the right one comes first.
 //!

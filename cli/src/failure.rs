@@ -4,8 +4,8 @@ use anyhow::Error;
 
 use crate::commands::expand::SourceError;
 
-/// The text of an error, which starts with `error: `. Errors in source text show the lines that they
-/// are in; any other error is one line.
+/// The text of an error, which starts with `error: `. Errors in source text show the lines that
+/// they are in; any other error is one line.
 pub(crate) fn text(error: &Error) -> String {
     match error.downcast_ref::<SourceError>() {
         Some(error) => error.to_string(),

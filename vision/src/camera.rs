@@ -261,7 +261,8 @@ impl Ray {
         self.line.direction()
     }
 
-    /// The distance of a point from the camera along the ray, in metres; negative behind the camera.
+    /// The distance of a point from the camera along the ray, in metres; negative behind the
+    /// camera.
     #[must_use]
     pub fn depth(&self, point: Point<f64>) -> f64 {
         self.centre.vector_to(point).dot(self.direction().into())

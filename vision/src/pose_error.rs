@@ -18,8 +18,8 @@ pub enum ComparisonError {
     Empty,
 }
 
-/// The mean distance between reconstructed and true joints, in the unit of the coordinates (mean per
-/// joint position error, MPJPE; Cui, table 2).
+/// The mean distance between reconstructed and true joints, in the unit of the coordinates (mean
+/// per joint position error, MPJPE; Cui, table 2).
 ///
 /// # Errors
 /// [`ComparisonError`] where there are no joints, or different numbers of them.

@@ -14,8 +14,8 @@ impl Leg {
     ///
     /// # Errors
     /// [`LegError::Apart`] where two segments do not meet within the tolerance in metres, and
-    /// [`LegError::NotHinged`] where knee or ankle are rotated about an axis that they do not have by
-    /// more than the tolerance in radians.
+    /// [`LegError::NotHinged`] where knee or ankle are rotated about an axis that they do not have
+    /// by more than the tolerance in radians.
     pub fn inverse(
         &self,
         motions: &[Motor<f64>; 3],
@@ -63,9 +63,9 @@ impl Leg {
     }
 }
 
-/// The angles α, β, γ of `Rz(α) Ry(β) Rx(γ)` from its matrix. The angle about x is computed from the
-/// matrix without the rotation about z, so that near the gimbal lock, where α is not determined, the
-/// product of the three is still the same rotation.
+/// The angles α, β, γ of `Rz(α) Ry(β) Rx(γ)` from its matrix. The angle about x is computed from
+/// the matrix without the rotation about z, so that near the gimbal lock, where α is not
+/// determined, the product of the three is still the same rotation.
 pub(super) fn angles_about_zyx(matrix: [[f64; 3]; 3]) -> [f64; 3] {
     let [first, second, third] = matrix;
     let cosine = first[0].hypot(second[0]);

@@ -13,8 +13,8 @@
 //!
 //! and points of the skin follow these motors by weights. The *inverse* problem goes back to
 //! angles: from motors by [`Leg::inverse`], from the positions of the joints by
-//! [`Leg::inverse_of_points`], from a target for the ankle by [`Leg::reach`]. Angles are in radians,
-//! right-handed; a positive knee angle bends the calf backwards, to −z.
+//! [`Leg::inverse_of_points`], from a target for the ankle by [`Leg::reach`]. Angles are in
+//! radians, right-handed; a positive knee angle bends the calf backwards, to −z.
 
 mod inverse;
 mod points;
@@ -48,8 +48,8 @@ pub struct Leg {
     foot: f64,
 }
 
-/// The angles of a leg's joints in radians. The rotations are intrinsic, about axes that rotate with
-/// the segment, in the order z, y, x at the hip and x, z at the ankle.
+/// The angles of a leg's joints in radians. The rotations are intrinsic, about axes that rotate
+/// with the segment, in the order z, y, x at the hip and x, z at the ankle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LegAngles {
     /// α: about z, swings the leg sideways.

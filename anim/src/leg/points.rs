@@ -10,15 +10,15 @@ use super::{Leg, LegAngles, LegError, finite, rotation};
 const PARALLEL: f64 = 1e-12;
 
 impl Leg {
-    /// The inverse problem for positions: the angles of a leg whose hip, knee and ankle are at these
-    /// points and whose foot is rotated from rest by a rotor.
+    /// The inverse problem for positions: the angles of a leg whose hip, knee and ankle are at
+    /// these points and whose foot is rotated from rest by a rotor.
     ///
     /// The hinge of the knee is perpendicular to thigh, calf and the length of the foot; it is
     /// computed from the two of them that are farther from being parallel. Of its two orientations
-    /// the one nearer to the foot's own x axis is taken, so the ankle's angle about z is in
-    /// [−π/2, π/2], and the knee's is negative where the knee bends the wrong way. Where thigh, calf
-    /// and foot are all parallel, the points do not determine the hinge: then the ankle's angle
-    /// about z is 0, and the hip has the whole rotation about the line. The hip's angles are as in
+    /// the one nearer to the foot's own x axis is taken, so the ankle's angle about z is in [−π/2,
+    /// π/2], and the knee's is negative where the knee bends the wrong way. Where thigh, calf and
+    /// foot are all parallel, the points do not determine the hinge: then the ankle's angle about z
+    /// is 0, and the hip has the whole rotation about the line. The hip's angles are as in
     /// [`Leg::inverse`].
     ///
     /// # Errors

@@ -7,8 +7,8 @@ use super::inverse::angles_about_zyx;
 use super::{Leg, LegAngles, LegError, finite, rotation};
 
 impl Leg {
-    /// The angles that bring the ankle to a target, with the knee on the side of a pole; the foot is
-    /// not rotated.
+    /// The angles that bring the ankle to a target, with the knee on the side of a pole; the foot
+    /// is not rotated.
     ///
     /// The knee is where the sphere of the thigh's length about the hip, the sphere of the calf's
     /// length about the target and the plane through hip, target and pole meet: of this pair of

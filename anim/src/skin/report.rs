@@ -7,8 +7,8 @@ use crate::pose::Pose;
 use crate::skeleton::Skeleton;
 use crate::weights::SkinWeights;
 
-/// Measurements of a person in a pose, in the unit of the mesh with y up: they show whether the bones
-/// keep their lengths, the feet are on the ground and the head is above.
+/// Measurements of a person in a pose, in the unit of the mesh with y up: they show whether the
+/// bones keep their lengths, the feet are on the ground and the head is above.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct BodyReport {
     /// The greatest difference between the length of a bone in the pose and at rest.

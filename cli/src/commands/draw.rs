@@ -23,8 +23,8 @@ pub(crate) struct Arguments {
     /// The scene, as JSON.
     #[arg(value_name = "FILE.json")]
     file: PathBuf,
-    /// The file to be written: a picture if its name ends in .svg, a page in which the mouse rotates
-    /// the scene if it ends in .html.
+    /// The file to be written: a picture if its name ends in .svg, a page in which the mouse
+    /// rotates the scene if it ends in .html.
     #[arg(long, value_name = "FILE.html or FILE.svg")]
     out: PathBuf,
 }

@@ -20,8 +20,8 @@ pub(crate) struct Stage {
     /// The nodes other than inputs and the number 1, each after what it needs.
     pub(crate) order: Vec<NodeId>,
     /// How often each node of the arena is read in this stage, by its index. A node that is read
-    /// more than once is written as a variable; one that would stand too deep inside the expressions
-    /// of others counts as read twice.
+    /// more than once is written as a variable; one that would stand too deep inside the
+    /// expressions of others counts as read twice.
     pub(crate) uses: Vec<usize>,
 }
 

@@ -157,8 +157,8 @@ const KERNELS: [Row; 21] = [
     ),
 ];
 
-/// A type that a uniform motor moves, the cost of each call, and that of the matrix which is computed
-/// once.
+/// A type that a uniform motor moves, the cost of each call, and that of the matrix which is
+/// computed once.
 const UNIFORM: [(&str, Operations, Operations); 4] = [
     ("Point", cost(9, 9, 0), cost(25, 20, 0)),
     ("Direction", cost(9, 6, 0), cost(12, 11, 0)),

@@ -27,8 +27,8 @@ crate::algebra! {
     /// | [`Circle`] | e12o e12i e1oi e2oi | 3 | circle `p∧q∧r` | |
     /// | [`Line`] | e12i e1oi e2oi | 3 | line `p∧q∧ei` | |
     /// | [`Pseudoscalar`] | e12oi | 4 | all of the plane | |
-    /// | [`Rotor`] | scalar e12 | even | | turn about the origin, `exp(−½θ e12)` |
-    /// | [`Translator`] | scalar = 1, e1i e2i | even | | shift by t, `1 − ½ t ei` |
+    /// | [`Rotor`] | scalar e12 | even | | rotation about the origin, `exp(−½θ e12)` |
+    /// | [`Translator`] | scalar = 1, e1i e2i | even | | translation by t, `1 − ½ t ei` |
     /// | [`Motor`] | scalar e12 e1i e2i | even | | rigid motion `T R` |
     /// | [`Dilator`] | scalar eoi | even | | scaling about the origin |
     /// | [`Similarity`] | Motor and eoi e12oi | even | | motion and scaling |
@@ -77,11 +77,11 @@ crate::algebra! {
         /// A point without extent and infinity, `p∧ei`: where two lines meet.
         struct FlatPoint { e1i, e2i, eoi }
 
-        /// A free vector, `v∧ei`. Motions turn it and do not shift it.
+        /// A free vector, `v∧ei`. Motions rotate it and do not translate it.
         struct Direction { e1i, e2i }
 
-        /// The generator of a rigid motion: `−½θ e12` for a turn by θ about the origin, `−½ t ei`
-        /// for a shift by t.
+        /// The generator of a rigid motion: `−½θ e12` for a rotation by θ about the origin,
+        /// `−½ t ei` for a translation by t.
         struct MotorGenerator { e12, e1i, e2i }
 
         /// A circle, `p∧q∧r` for three of its points; a line where one of them is infinity.
@@ -94,12 +94,12 @@ crate::algebra! {
         /// A multiple of I = e1∧e2∧eo∧ei.
         struct Pseudoscalar { e12oi }
 
-        /// A turn about the origin: `R = exp(−½θ e12) = cos ½θ − sin ½θ e12`.
+        /// A rotation about the origin: `R = exp(−½θ e12) = cos ½θ − sin ½θ e12`.
         #[hull(Even)]
         #[facts(unit_versor)]
         struct Rotor { scalar, e12 }
 
-        /// A shift by t: `T = 1 − ½ t ei`.
+        /// A translation by t: `T = 1 − ½ t ei`.
         #[hull(Even)]
         #[facts(unit_versor)]
         struct Translator { scalar = 1, e1i, e2i }

@@ -38,8 +38,8 @@ crate::algebra! {
     /// | [`Sphere`] | all five of four vectors | 4 | sphere `p∧q∧r∧s` | |
     /// | [`Plane`] | e12oi e13oi e23oi e123i | 4 | plane `p∧q∧r∧ei` | |
     /// | [`Pseudoscalar`] | e123oi | 5 | all of space | |
-    /// | [`Rotor`] | scalar e12 e13 e23 | even | axis through the origin | turn, `exp(−½θB)` |
-    /// | [`Translator`] | scalar = 1, e1i e2i e3i | even | | shift by t, `1 − ½ t ei` |
+    /// | [`Rotor`] | scalar e12 e13 e23 | even | axis through the origin | rotation, `exp(−½θB)` |
+    /// | [`Translator`] | scalar = 1, e1i e2i e3i | even | | translation by t, `1 − ½ t ei` |
     /// | [`Motor`] | scalar e12 e13 e23 e1i e2i e3i e123i | even | screw axis | rigid motion `T R` |
     /// | [`Dilator`] | scalar eoi | even | | scaling about the origin |
     /// | [`Similarity`] | Motor and eoi e12oi e13oi e23oi | even | | motion and scaling |
@@ -51,7 +51,7 @@ crate::algebra! {
     /// | [`Even`], [`Odd`] | all sixteen of even, of odd grade | | | sums of versors |
     /// | [`Multivector`] | all 32 | all | | |
     ///
-    /// [`E1`], [`E2`], [`E3`], [`Origin`] and [`Infinity`] are the basis vectors as types of no
+    /// [`E1`], [`E2`], [`E3`], [`Origin`] and [`Infinity`] are the basis vectors as types without
     /// size, so that `p ^ q ^ Infinity` is a line at no cost.
     ///
     /// # Products
@@ -130,11 +130,11 @@ crate::algebra! {
         /// A point without extent and infinity, `p∧ei`: where a line meets a plane.
         struct FlatPoint { e1i, e2i, e3i, eoi }
 
-        /// A free vector, `v∧ei`. Motions turn it and do not shift it.
+        /// A free vector, `v∧ei`. Motions rotate it and do not translate it.
         struct Direction { e1i, e2i, e3i }
 
-        /// The generator of a rigid motion, a dual line: `−½θB` for a turn by θ in the plane of the
-        /// unit bivector B through the origin, `−½ t ei` for a shift by t.
+        /// The generator of a rigid motion, a dual line: `−½θB` for a rotation by θ in the plane of
+        /// the unit bivector B through the origin, `−½ t ei` for a translation by t.
         struct MotorGenerator { e12, e13, e23, e1i, e2i, e3i }
 
         /// A circle, `p∧q∧r` for three of its points; a line where one of them is infinity.
@@ -163,12 +163,12 @@ crate::algebra! {
         /// A multiple of I = e1∧e2∧e3∧eo∧ei.
         struct Pseudoscalar { e123oi }
 
-        /// A turn about an axis through the origin: `R = exp(−½θB) = cos ½θ − sin ½θ B`.
+        /// A rotation about an axis through the origin: `R = exp(−½θB) = cos ½θ − sin ½θ B`.
         #[hull(Quaternion)]
         #[facts(unit_versor)]
         struct Rotor { scalar, e12, e13, e23 }
 
-        /// A shift by t: `T = 1 − ½ t ei`.
+        /// A translation by t: `T = 1 − ½ t ei`.
         #[hull(DualQuaternion)]
         #[facts(unit_versor)]
         struct Translator { scalar = 1, e1i, e2i, e3i }
@@ -192,7 +192,7 @@ crate::algebra! {
         }
 
         /// The special conformal map `K = 1 − k eo`: inversion in the unit sphere about the origin,
-        /// shift by k, inversion again. It keeps the origin, and takes x to
+        /// translation by k, inversion again. It keeps the origin, and takes x to
         /// `(x + k x²)/(1 + 2 k·x + k² x²)`.
         #[hull(Even)]
         #[facts(unit_versor)]
@@ -201,7 +201,7 @@ crate::algebra! {
         /// Any conformal map of space that keeps handedness, `V ~V = 1` in every grade.
         ///
         /// An even versor with `V ~V = −1` is the pseudoscalar I times an [`OddVersor`] and mirrors
-        /// as that does, so it is no member.
+        /// as that does, so it is not a member.
         #[hull(Even)]
         #[facts(unit_versor)]
         struct EvenVersor {
@@ -215,7 +215,7 @@ crate::algebra! {
         /// as `x' = V x̂ ~V` with the grade involution x̂.
         ///
         /// An odd versor with `V ~V = −1`, such as a dual sphere of negative square, is I times an
-        /// [`EvenVersor`] and keeps handedness as that does, so it is no member.
+        /// [`EvenVersor`] and keeps handedness as that does, so it is not a member.
         #[hull(Odd)]
         #[facts(unit_versor)]
         struct OddVersor {

@@ -17,15 +17,15 @@ crate::algebra! {
     /// | type | blades | grade | as geometry | as a transformation |
     /// | --- | --- | --- | --- | --- |
     /// | [`Line`] | e1 e2 e0 | 1 | `n·x + d = 0` as `n + d e0` | reflection |
-    /// | [`Point`] | e12 e20 e01 | 2 | `(x, y)` as `e12 + x e20 + y e01`; ideal where e12 = 0 | generator of a turn about it |
+    /// | [`Point`] | e12 e20 e01 | 2 | `(x, y)` as `e12 + x e20 + y e01`; ideal where e12 = 0 | generator of a rotation about it |
     /// | [`Pseudoscalar`] | e120 | 3 | all of the plane | |
-    /// | [`Rotor`] | scalar e12 | even | | turn about the origin |
-    /// | [`Translator`] | scalar = 1, e20 e01 | even | | shift by t, `1 + ½ t e0` |
+    /// | [`Rotor`] | scalar e12 | even | | rotation about the origin |
+    /// | [`Translator`] | scalar = 1, e20 e01 | even | | translation by t, `1 + ½ t e0` |
     /// | [`Motor`] | scalar e12 e20 e01 | even | | rigid motion |
     /// | [`MotorSum`] | those of Motor | even | sums and multiples of motors | |
     /// | [`Multivector`] | all 8 | all | | |
     ///
-    /// Lines meet by `^`, points join by `&`. The turn by θ about a point P of weight 1 is
+    /// Lines meet by `^`, points join by `&`. The rotation by θ about a point P of weight 1 is
     /// `exp(−½θP)`, positive from e1 towards e2. The signs of [`Point`] are those of ganja.js,
     /// which writes the same `e12 + x e20 + y e01`.
     ///
@@ -51,11 +51,11 @@ crate::algebra! {
         struct Point { e12, e20, e01 }
         /// A multiple of I = e1∧e2∧e0.
         struct Pseudoscalar { e120 }
-        /// A turn about the origin: `R = exp(−½θ e12) = cos ½θ − sin ½θ e12`.
+        /// A rotation about the origin: `R = exp(−½θ e12) = cos ½θ − sin ½θ e12`.
         #[hull(MotorSum)]
         #[facts(unit_versor)]
         struct Rotor { scalar, e12 }
-        /// A shift by t: `T = 1 + ½ t e0`.
+        /// A translation by t: `T = 1 + ½ t e0`.
         #[hull(MotorSum)]
         #[facts(unit_versor)]
         struct Translator { scalar = 1, e20, e01 }

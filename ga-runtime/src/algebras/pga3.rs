@@ -21,8 +21,8 @@ crate::algebra! {
     /// | [`Point`] | e123, e120 e130 e230 | 3 | meet of three planes | |
     /// | [`Direction`] | e120 e130 e230 | 3 | free vector, ideal point | |
     /// | [`Pseudoscalar`] | e1230 | 4 | all of space | |
-    /// | [`Rotor`] | scalar e12 e13 e23 | even | axis through the origin | turn, `exp(−½θB)` |
-    /// | [`Translator`] | scalar = 1, e10 e20 e30 | even | | shift by t, `1 + ½ t e0` |
+    /// | [`Rotor`] | scalar e12 e13 e23 | even | axis through the origin | rotation, `exp(−½θB)` |
+    /// | [`Translator`] | scalar = 1, e10 e20 e30 | even | | translation by t, `1 + ½ t e0` |
     /// | [`Motor`] | scalar, all bivectors, e1230 | even | screw axis | rigid motion `T R` |
     /// | [`MotorSum`] | those of Motor | even | sums of motors | |
     /// | [`Multivector`] | all 16 | all | | |
@@ -33,14 +33,14 @@ crate::algebra! {
     ///
     /// A line with direction d and moment `m = p × d` is `d1 e23 − d2 e13 + d3 e12 − m∧e0`. `Π ∧ Ρ`
     /// has the direction of the cross product of the normals, `P ∨ Q` that of `P − Q`, and
-    /// `P ∨ Q ∨ R` the normal `(Q − P) × (R − P)`. So `exp(−½θL)` turns right-handed about the
+    /// `P ∨ Q ∨ R` the normal `(Q − P) × (R − P)`. So `exp(−½θL)` rotates right-handed about the
     /// direction of L, and [`Line::through`] takes its points in the order in which the line passes
     /// them.
     ///
     /// klein and ganja.js write the same elements over other blades: their e01 is −e10, their e31
     /// is −e13, and their points `e123 + x e032 + y e013 + z e021` are those of here, as
     /// `e032 = −e230`, `e013 = e130`, `e021 = −e120`. Translators are
-    /// `1 − ½ (t1 e01 + t2 e02 + t3 e03)` in both. ganja's examples turn by
+    /// `1 − ½ (t1 e01 + t2 e02 + t3 e03)` in both. ganja's examples rotate by
     /// `cos ½θ + sin ½θ (P ∨ Q)`; that is right-handed about `Q − P`, and the same as here.
     /// Versions of klein differ in the sign of the sine in the rotor made from an axis: compare a
     /// point moved by it.
@@ -68,16 +68,16 @@ crate::algebra! {
         struct Line { e12, e13, e23, e10, e20, e30 }
         /// The meet of three planes; the point (x, y, z) is `e123 − x e230 + y e130 − z e120`.
         struct Point { e123, e120, e130, e230 }
-        /// A free vector v, the ideal point `−v1 e230 + v2 e130 − v3 e120`. Motions turn it and do
-        /// not shift it.
+        /// A free vector v, the ideal point `−v1 e230 + v2 e130 − v3 e120`. Motions rotate it and
+        /// do not translate it.
         struct Direction { e120, e130, e230 }
         /// A multiple of I = e1∧e2∧e3∧e0.
         struct Pseudoscalar { e1230 }
-        /// A turn about an axis through the origin: `R = exp(−½θB) = cos ½θ − sin ½θ B`.
+        /// A rotation about an axis through the origin: `R = exp(−½θB) = cos ½θ − sin ½θ B`.
         #[hull(MotorSum)]
         #[facts(unit_versor)]
         struct Rotor { scalar, e12, e13, e23 }
-        /// A shift by t: `T = 1 + ½ t e0`.
+        /// A translation by t: `T = 1 + ½ t e0`.
         #[hull(MotorSum)]
         #[facts(unit_versor)]
         struct Translator { scalar = 1, e10, e20, e30 }

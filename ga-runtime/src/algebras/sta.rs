@@ -29,10 +29,10 @@ crate::algebra! {
     /// | type | blades | grade | as geometry | as a transformation |
     /// | --- | --- | --- | --- | --- |
     /// | [`Vector`] | g0 g1 g2 g3 | 1 | event `t g0 + x`, velocity, momentum | reflection |
-    /// | [`Bivector`] | g10 g20 g30, g32 g13 g21 | 2 | field `E + I B` | generator of boosts and turns |
+    /// | [`Bivector`] | g10 g20 g30, g32 g13 g21 | 2 | field `E + I B` | generator of boosts and rotations |
     /// | [`Trivector`] | g123 g023 g013 g012 | 3 | hyperplane | |
     /// | [`Pseudoscalar`] | g0123 | 4 | volume of spacetime | |
-    /// | [`Rotor`] | all eight of even grade | even | | boost and turn, `exp(½φσ)`, `exp(−½θ Iσ)` |
+    /// | [`Rotor`] | all eight of even grade | even | | boost and rotation, `exp(½φσ)`, `exp(−½θ Iσ)` |
     /// | [`Even`] | all eight of even grade | even | Dirac–Hestenes spinor | |
     /// | [`Multivector`] | all 16 | all | | |
     ///
@@ -62,13 +62,13 @@ crate::algebra! {
         /// A vector of spacetime: the event `t g0 + x g1 + y g2 + z g3`, a velocity, a momentum.
         struct Vector { g0, g1, g2, g3 }
         /// A bivector: the field `E + I B` with E in g10 g20 g30 and B in g32 g13 g21; a generator
-        /// of boosts and turns.
+        /// of boosts and rotations.
         struct Bivector { g10, g20, g30, g32, g13, g21 }
         /// A trivector: a hyperplane by its volume.
         struct Trivector { g123, g023, g013, g012 }
         /// A multiple of I = g0∧g1∧g2∧g3.
         struct Pseudoscalar { g0123 }
-        /// A proper orthochronous Lorentz transformation, boosts and turns in any order.
+        /// A proper orthochronous Lorentz transformation, boosts and rotations in any order.
         #[hull(Even)]
         #[facts(unit_versor)]
         struct Rotor { scalar, g10, g20, g30, g32, g13, g21, g0123 }

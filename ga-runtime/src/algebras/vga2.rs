@@ -1,31 +1,32 @@
 //! Geometric algebra of the plane.
 
 crate::algebra! {
-    /// Geometric algebra of the plane: vectors, oriented areas, and the complex numbers that turn.
+    /// Geometric algebra of the plane: vectors, oriented areas, and the complex numbers that rotate
+    /// them.
     ///
     /// # Basis
     ///
     /// e1, e2 span the plane, `e1² = e2² = 1`. `I = e12`, `I² = −1`, `dual(a) = a I⁻¹ = −a I`,
-    /// `undual(a) = a I`: `undual` turns a vector by 90° from e1 towards e2, `dual` back.
+    /// `undual(a) = a I`: `undual` rotates a vector by 90° from e1 towards e2, `dual` back.
     /// `a ∨ b = undual(dual a ∧ dual b)`.
     ///
     /// # Types
     ///
-    /// A rotor turns by `x' = R x ~R`, the right factor of a product first.
+    /// A rotor rotates by `x' = R x ~R`, the right factor of a product first.
     ///
     /// | type | blades | grade | as geometry | as a transformation |
     /// | --- | --- | --- | --- | --- |
     /// | [`Vector`] | e1 e2 | 1 | direction with length | reflection |
-    /// | [`Bivector`] | e12 | 2 | oriented area | generator of a turn |
-    /// | [`Rotor`] | scalar e12 | even | | turn by θ, `exp(−½θ e12)` |
-    /// | [`Complex`] | scalar e12 | even | complex number `re + im e12` | turn with scaling |
+    /// | [`Bivector`] | e12 | 2 | oriented area | generator of a rotation |
+    /// | [`Rotor`] | scalar e12 | even | | rotation by θ, `exp(−½θ e12)` |
+    /// | [`Complex`] | scalar e12 | even | complex number `re + im e12` | rotation with scaling |
     /// | [`Multivector`] | all 4 | all | | |
     ///
     /// # Products
     ///
-    /// `a * b` geometric, `a ^ b` wedge, `a | b` left contraction; [`Rotor::transform`] turns. A
-    /// turn by θ has the *half* angle in its rotor and the minus sign of `−½θ`; as a complex number
-    /// it is `cos θ + sin θ e12`, see [`Rotor::to_complex`].
+    /// `a * b` geometric, `a ^ b` wedge, `a | b` left contraction; [`Rotor::transform`] rotates. A
+    /// rotation by θ has the *half* angle in its rotor and the minus sign of `−½θ`; as a complex
+    /// number it is `cos θ + sin θ e12`, see [`Rotor::to_complex`].
     ///
     /// ```
     /// use ga_runtime::vga2::{Bivector, Complex, Rotor, Vector};
@@ -48,7 +49,7 @@ crate::algebra! {
         struct Vector { e1, e2 }
         /// An oriented area: positive from e1 towards e2.
         struct Bivector { e12 }
-        /// A turn about the origin: `R = exp(−½θ e12) = cos ½θ − sin ½θ e12`.
+        /// A rotation about the origin: `R = exp(−½θ e12) = cos ½θ − sin ½θ e12`.
         #[hull(Complex)]
         #[facts(unit_versor)]
         struct Rotor { scalar, e12 }

@@ -2,7 +2,7 @@
 
 crate::algebra! {
     /// Geometric algebra of space: vectors, oriented areas and volumes, and the rotors and
-    /// quaternions that turn them.
+    /// quaternions that rotate them.
     ///
     /// # Basis
     ///
@@ -13,24 +13,24 @@ crate::algebra! {
     ///
     /// # Types
     ///
-    /// A rotor turns by `x' = R x ~R`, the right factor of a product first.
+    /// A rotor rotates by `x' = R x ~R`, the right factor of a product first.
     ///
     /// | type | blades | grade | as geometry | as a transformation |
     /// | --- | --- | --- | --- | --- |
     /// | [`Vector`] | e1 e2 e3 | 1 | direction with length | reflection in the plane across it |
-    /// | [`Bivector`] | e12 e13 e23 | 2 | oriented area | generator of a turn |
+    /// | [`Bivector`] | e12 e13 e23 | 2 | oriented area | generator of a rotation |
     /// | [`Trivector`] | e123 | 3 | oriented volume | |
-    /// | [`Rotor`] | scalar e12 e13 e23 | even | axis through the origin | turn, `exp(−½θB)` |
-    /// | [`Quaternion`] | scalar e12 e13 e23 | even | sums of rotors | turn with scaling |
+    /// | [`Rotor`] | scalar e12 e13 e23 | even | axis through the origin | rotation, `exp(−½θB)` |
+    /// | [`Quaternion`] | scalar e12 e13 e23 | even | sums of rotors | rotation with scaling |
     /// | [`Multivector`] | all 8 | all | | |
     ///
     /// # Products
     ///
     /// `a * b` geometric, `a ^ b` wedge, `a | b` left contraction, `a & b` vee;
-    /// [`Rotor::transform`] turns.
+    /// [`Rotor::transform`] rotates.
     ///
-    /// The quaternion `w + x i + y j + z k` of a turn is the rotor `w − x e23 + y e13 − z e12`:
-    /// `i = −e23`, `j = e13`, `k = −e12`, which satisfy `ij = k`, and `q v q*` turns as `R x ~R`
+    /// The quaternion `w + x i + y j + z k` of a rotation is the rotor `w − x e23 + y e13 − z e12`:
+    /// `i = −e23`, `j = e13`, `k = −e12`, which satisfy `ij = k`, and `q v q*` rotates as `R x ~R`
     /// does.
     ///
     /// ```
@@ -54,7 +54,7 @@ crate::algebra! {
         struct Bivector { e12, e13, e23 }
         /// An oriented volume, a multiple of I = e123.
         struct Trivector { e123 }
-        /// A turn about an axis through the origin: `R = exp(−½θB) = cos ½θ − sin ½θ B`.
+        /// A rotation about an axis through the origin: `R = exp(−½θB) = cos ½θ − sin ½θ B`.
         #[hull(Quaternion)]
         #[facts(unit_versor)]
         struct Rotor { scalar, e12, e13, e23 }

@@ -21,8 +21,8 @@ pub enum BlendError {
         /// The number of motors in the palette.
         palette: usize,
     },
-    /// The weighted sum of this result is not a multiple of a motor: the weights are all zero or not
-    /// finite, or the motors cancel.
+    /// The weighted sum of this result is not a multiple of a motor: the weights are all zero or
+    /// not finite, or the motors cancel.
     NoDirection {
         /// The result.
         element: usize,

@@ -59,8 +59,8 @@
 //!
 //! [`vga3::Vector`](crate::vga3::Vector) is the vector of space, with its operators, lengths and
 //! angles. The other algebras have their geometry as inherent methods of their types too, behind
-//! the features of their names; coordinates of the plane are `[x, y]`. [`DualQuaternionParts`] are a
-//! motor as others write it, two quaternions.
+//! the features of their names; coordinates of the plane are `[x, y]`. [`DualQuaternionParts`] are
+//! a motor as others write it, two quaternions.
 
 #[cfg(feature = "cga2")]
 mod cga2;

@@ -17,10 +17,10 @@
 //! ga-runtime ask for.
 //!
 //! `From` stands where every value has a counterpart. Where one may have none, as a matrix that
-//! shears is no motor, it is `TryFrom` with the error [`NotRigid`] or
-//! [`NotConformal`](crate::geometry::NotConformal). Quaternions are `w + x i + y j + z k` and turn
-//! by `q v q*` in all these crates; the rotor of the same turn is `w − x e23 + y e13 − z e12`.
-//! Matrices are for columns, `x' = M x`, however a crate stores them.
+//! shears is not a motor, it is `TryFrom` with the error [`NotRigid`] or
+//! [`NotConformal`](crate::geometry::NotConformal). Quaternions are `w + x i + y j + z k` and
+//! rotate by `q v q*` in all these crates; the rotor of the same rotation is
+//! `w − x e23 + y e13 − z e12`. Matrices are for columns, `x' = M x`, however a crate stores them.
 
 #[cfg(feature = "approx-05")]
 pub mod approx;
@@ -40,7 +40,7 @@ pub mod serde;
 
 use core::fmt::{Display, Formatter, Result};
 
-/// A quaternion, displacement or matrix that makes no rigid motion: it vanishes, is not finite,
+/// A quaternion, displacement or matrix that is not a rigid motion: it vanishes, is not finite,
 /// shears, scales or mirrors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -49,16 +49,16 @@ pub enum NotRigid {
     Quaternion,
     /// The displacement is not finite.
     Displacement,
-    /// The matrix is not a rotation and a shift.
+    /// The matrix is not a rotation and a translation.
     Matrix,
 }
 
 impl Display for NotRigid {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         f.write_str(match self {
-            Self::Quaternion => "the quaternion is zero or not finite and stands for no rotation",
+            Self::Quaternion => "the quaternion is zero or not finite, so it is not a rotation",
             Self::Displacement => "the displacement is not finite",
-            Self::Matrix => "the matrix is not a rotation and a shift",
+            Self::Matrix => "the matrix is not a rotation and a translation",
         })
     }
 }

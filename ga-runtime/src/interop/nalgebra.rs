@@ -152,7 +152,7 @@ impl<S: Scalar + Real<Mask = bool>> TryFrom<Rotation3<S>> for Rotor<S> {
     }
 }
 
-/// The turn, which comes first, and the shift.
+/// The rotation, which comes first, and the translation.
 impl<S: Scalar + Field> From<Isometry3<S>> for Motor<S> {
     #[inline]
     fn from(isometry: Isometry3<S>) -> Self {
@@ -196,7 +196,7 @@ impl<S: Scalar + Field> From<Motor<S>> for Matrix4<S> {
     }
 }
 
-/// A rotation within √ε and a shift; the last row must be 0 0 0 1.
+/// A rotation within √ε and a translation; the last row must be 0 0 0 1.
 impl<S: Scalar + Real<Mask = bool>> TryFrom<Matrix4<S>> for Motor<S> {
     type Error = NotConformal;
 
@@ -213,7 +213,8 @@ impl<S: Scalar + Real<Mask = bool>> From<Similarity<S>> for Matrix4<S> {
     }
 }
 
-/// A positive multiple of a rotation, within √ε of it, and a shift; the last row must be 0 0 0 1.
+/// A positive multiple of a rotation, within √ε of it, and a translation; the last row must be 0 0
+/// 0 1.
 impl<S: Scalar + Real<Mask = bool>> TryFrom<Matrix4<S>> for Similarity<S> {
     type Error = NotConformal;
 
@@ -223,7 +224,7 @@ impl<S: Scalar + Real<Mask = bool>> TryFrom<Matrix4<S>> for Similarity<S> {
     }
 }
 
-/// The scaling, which comes first, the turn and the shift. A negative factor mirrors.
+/// The scaling, which comes first, the rotation and the translation. A negative factor mirrors.
 impl<S: RealField + Real<Mask = bool>> TryFrom<Similarity3<S>> for Similarity<S> {
     type Error = NotConformal;
 

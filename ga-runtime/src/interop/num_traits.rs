@@ -1,7 +1,7 @@
 //! num-traits 0.2: zero and one, where the laws of these traits hold.
 //!
 //! - [`Zero`] is for the types whose sums stay in the type: those without constants, derived blades
-//!   and facts. A sum of points is no point, and so a [`Point`](crate::cga3::Point) has none.
+//!   and facts. A sum of points is not a point, and so a [`Point`](crate::cga3::Point) has none.
 //! - [`One`] is for the types of which 1 is a member and whose members multiply to members. In cga3
 //!   these are the numbers [`Quaternion`](crate::cga3::Quaternion),
 //!   [`DualQuaternion`](crate::cga3::DualQuaternion), [`Even`](crate::cga3::Even),

@@ -1,6 +1,6 @@
 //! `f32` and `f64`.
 
-use super::{Field, Real, Ring, turn};
+use super::{Field, Real, Ring, half_angle};
 
 /// Elementary functions of `f64`, from whichever library the features name.
 #[cfg(feature = "std")]
@@ -104,12 +104,12 @@ macro_rules! implement_real {
             }
             #[inline(always)]
             fn sine_by_angle(self) -> (Self, Self, Self) {
-                let (cosine, ratio, slope) = turn::sine_by_angle(f64::from(self));
+                let (cosine, ratio, slope) = half_angle::sine_by_angle(f64::from(self));
                 (cosine as Self, ratio as Self, slope as Self)
             }
             #[inline(always)]
             fn angle_by_sine(self) -> (Self, Self) {
-                let (ratio, slope) = turn::angle_by_sine(f64::from(self));
+                let (ratio, slope) = half_angle::angle_by_sine(f64::from(self));
                 (ratio as Self, slope as Self)
             }
             #[inline]

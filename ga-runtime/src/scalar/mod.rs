@@ -23,11 +23,11 @@
 
 mod dual;
 mod float;
+mod half_angle;
 mod integer;
 mod lanes;
 mod mask;
 mod prime;
-mod turn;
 mod versor;
 #[cfg(feature = "wide")]
 mod wide;
@@ -54,7 +54,7 @@ pub use versor::{versor_exponential, versor_logarithm};
 /// assert_eq!(square(0.5_f32), 0.25);
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no scalar",
+    message = "`{Self}` is not a scalar",
     note = "`*` with a scalar scales; a versor moves an element by `versor.transform(element)`",
     note = "products that an algebra does not declare are written in `ga!`, or take `Multivector`s"
 )]
@@ -186,7 +186,7 @@ pub trait Real: Field {
     /// than a half turn; outside of that the numbers mean nothing. Errors are below 2 ε. For every
     /// φ alike, and at zero 1, 1 and −⅓.
     ///
-    /// They give the exponential of a turn by 2φ. B is twice the derivative of A by φ².
+    /// They give the exponential of a rotation by 2φ. B is twice the derivative of A by φ².
     ///
     /// ```
     /// use ga_runtime::scalar::Real;
@@ -198,12 +198,12 @@ pub trait Real: Field {
     /// ```
     #[inline]
     fn sine_by_angle(self) -> (Self, Self, Self) {
-        turn::sine_by_angle(self)
+        half_angle::sine_by_angle(self)
     }
     /// `A = φ/sin φ` and `B = (cos φ − A)/sin² φ` of `cos φ = self` from 0 to 1, for angles up to a
     /// quarter turn; outside of that the numbers mean little. Errors are below 2 ε.
     ///
-    /// They give the logarithm of a turn by 2φ. At φ = 0 they are 1 and −2/3.
+    /// They give the logarithm of a rotation by 2φ. At φ = 0 they are 1 and −2/3.
     /// `−B cos φ = 1 + dA/d(cos φ)`.
     ///
     /// ```
@@ -216,7 +216,7 @@ pub trait Real: Field {
     /// ```
     #[inline]
     fn angle_by_sine(self) -> (Self, Self) {
-        turn::angle_by_sine(self)
+        half_angle::angle_by_sine(self)
     }
     /// The larger of two numbers; `self` where they are equal or one is NaN.
     #[inline]

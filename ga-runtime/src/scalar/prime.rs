@@ -64,7 +64,7 @@ impl Prime61 {
         self.power(Self::MODULUS - 2)
     }
 
-    /// One of the two square roots, or `None` if the number is no square. The other root is its
+    /// One of the two square roots, or `None` if the number is not a square. The other root is its
     /// negative.
     ///
     /// As p ≡ 3 modulo 4, a square x has the root x^((p + 1) / 4).

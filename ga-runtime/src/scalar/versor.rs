@@ -4,9 +4,9 @@ use super::{Field, Mask, Real};
 
 /// C, S and S′ of `exp B = C(B²) + S(B²) B` at `x = B²`.
 ///
-/// For x < 0 a turn, C = cos √−x and S = sin √−x / √−x; for x > 0 a boost or a scaling, with cosh
-/// and sinh; at x = 0 both are 1. `S′ = (C − S)/(2x)` is the derivative of S, for bivectors whose
-/// square has a part of square zero besides the scalar.
+/// For x < 0 a rotation, C = cos √−x and S = sin √−x / √−x; for x > 0 a boost or a scaling, with
+/// cosh and sinh; at x = 0 both are 1. `S′ = (C − S)/(2x)` is the derivative of S, for bivectors
+/// whose square has a part of square zero besides the scalar.
 ///
 /// ```
 /// use ga_runtime::scalar::versor_exponential;

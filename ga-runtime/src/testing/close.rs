@@ -123,7 +123,7 @@ where
     let Some((index, difference)) = worst else {
         return Ok(());
     };
-    // Put this way round, a tolerance that is no number fails too.
+    // Put this way round, a tolerance that is not a number fails too.
     let close = difference <= tolerance * scale;
     if close {
         return Ok(());

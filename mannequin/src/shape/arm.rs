@@ -134,7 +134,8 @@ fn hand_frame(landmarks: &Landmarks) -> Frame {
     }
 }
 
-/// The unit vector along the hand, turned towards the thumb by `sideways` and towards the palm by `bend`.
+/// The unit vector along the hand, turned towards the thumb by `sideways` and towards the palm by
+/// `bend`.
 fn direction(hand: &Frame, sideways: f64, bend: f64) -> Vector {
     let level = hand.along * sideways.cos() + hand.depth * sideways.sin();
     level * bend.cos() - hand.across * bend.sin()

@@ -7,8 +7,8 @@ use gltf_json::{Accessor, Index, Root, Value};
 
 use super::GltfError;
 
-/// A document and the bytes that its accessors describe: little-endian, every accessor at a multiple
-/// of four.
+/// A document and the bytes that its accessors describe: little-endian, every accessor at a
+/// multiple of four.
 #[derive(Default)]
 pub(super) struct Document {
     pub(super) root: Root,

@@ -49,8 +49,8 @@ pub struct Model<'a> {
     pub name: &'a str,
     /// One point for each vertex, in metres.
     pub positions: &'a [[f64; 3]],
-    /// One direction for each vertex, of any length. A zero vector, as for a vertex that no triangle
-    /// uses, is written as straight up.
+    /// One direction for each vertex, of any length. A zero vector, as for a vertex that no
+    /// triangle uses, is written as straight up.
     pub normals: &'a [[f64; 3]],
     /// Three vertex indices for each triangle, counter-clockwise seen from outside. Triangles that
     /// name a vertex twice are left out.

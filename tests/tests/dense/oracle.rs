@@ -1,6 +1,7 @@
 //! The dense reference against coefficients from independent libraries.
 //!
-//! The extracts in `data/ga` are always tested, the complete vectors where the shared data is there.
+//! The extracts in `data/ga` are always tested, the complete vectors where the shared data is
+//! there.
 
 use ga_runtime::dense::{Algebra, Multivector};
 use ga_runtime::testing::check_close;

@@ -6,7 +6,7 @@ use crate::geometry::vector2::{difference, scaled};
 use crate::scalar::{Field, Real};
 
 impl<S: Real<Mask = bool>> Rotor<S> {
-    /// The turn about the origin by an angle in radians, counterclockwise:
+    /// The rotation about the origin by an angle in radians, counterclockwise:
     /// `R = cos ½θ − sin ½θ e12`. `None` where the angle is not finite.
     #[must_use]
     pub fn from_angle(angle: S) -> Option<Self> {
@@ -17,7 +17,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         Some(Self::new_unchecked(cosine, -sine))
     }
 
-    /// The angle in [−2π, 2π]; a rotor and its negative turn to the same place, and differ by 2π.
+    /// The angle in [−2π, 2π]; a rotor and its negative rotate to the same place, and differ by 2π.
     #[must_use]
     pub fn angle(self) -> S {
         let half = (-self.e12()).atan2(self.scalar());
@@ -26,12 +26,12 @@ impl<S: Real<Mask = bool>> Rotor<S> {
 }
 
 impl<S: Field> Translator<S> {
-    /// The shift by t: `T = 1 − ½ t ei`.
+    /// The translation by t: `T = 1 − ½ t ei`.
     ///
     /// ```
     /// use ga_runtime::cga2::{Point, Translator};
-    /// let shift = Translator::from_displacement([1.0, 2.0]);
-    /// assert_eq!(shift.transform(Point::new(3.0, 3.0)), Point::new(4.0, 5.0));
+    /// let translation = Translator::from_displacement([1.0, 2.0]);
+    /// assert_eq!(translation.transform(Point::new(3.0, 3.0)), Point::new(4.0, 5.0));
     /// ```
     #[inline]
     #[must_use]
@@ -49,14 +49,14 @@ impl<S: Field> Translator<S> {
 }
 
 impl<S: Field> Motor<S> {
-    /// The turn R of `M = T R`, which comes first.
+    /// The rotation R of `M = T R`, which comes first.
     #[inline]
     #[must_use]
     pub fn rotor(self) -> Rotor<S> {
         Rotor::new_unchecked(self.scalar(), self.e12())
     }
 
-    /// The shift T of `M = T R`, which comes second: that of the origin.
+    /// The translation T of `M = T R`, which comes second: that of the origin.
     #[inline]
     #[must_use]
     pub fn translator(self) -> Translator<S> {
@@ -65,7 +65,7 @@ impl<S: Field> Motor<S> {
 }
 
 impl<S: Real<Mask = bool>> Motor<S> {
-    /// The turn by a rotor about a point instead of the origin, `T(p) R T(−p)`.
+    /// The rotation by a rotor about a point instead of the origin, `T(p) R T(−p)`.
     ///
     /// ```
     /// use ga_runtime::cga2::{Motor, Point, Rotor};
@@ -79,8 +79,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
         Translator::from_displacement(difference(point.coordinates(), turned)) * rotor
     }
 
-    /// The point that stays where it is, about which the motor turns; `None` for a shift, or where
-    /// it is beyond the range of the scalar.
+    /// The point that stays where it is, about which the motor rotates; `None` for a translation,
+    /// or where it is beyond the range of the scalar.
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
         let place = [-self.e2i() / self.e12(), self.e1i() / self.e12()];
@@ -88,8 +88,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
     }
 
     /// The generator G with `exp(G) = M` and the coefficient of e12 in [−π, π]. `None` for minus a
-    /// shift that is not minus one, which is no exponential, and where a number is not finite. The
-    /// logarithm of −1 is `π e12`.
+    /// translation that is not minus one, which is not an exponential, and where a number is not
+    /// finite. The logarithm of −1 is `π e12`.
     #[must_use]
     pub fn log(self) -> Option<MotorGenerator<S>> {
         let (cosine, sine) = (self.scalar(), self.e12());
@@ -114,8 +114,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
 }
 
 impl<S: Real<Mask = bool>> MotorGenerator<S> {
-    /// The motor `exp(G)`: for `−½θ e12` a turn by θ about the origin, for `−½ t ei` a shift by t,
-    /// for a dual point a turn about that. What is not a number stays so.
+    /// The motor `exp(G)`: for `−½θ e12` a rotation by θ about the origin, for `−½ t ei` a
+    /// translation by t, for a dual point a rotation about that. What is not a number stays so.
     #[must_use]
     pub fn exp(self) -> Motor<S> {
         let (sine, cosine) = self.e12.sin_cos();

@@ -58,7 +58,7 @@ impl<S: Ring> Affine<S> {
         }
     }
 
-    /// The shift by t.
+    /// The translation by t.
     #[inline]
     #[must_use]
     pub fn from_translation(translation: [S; 3]) -> Self {
@@ -110,7 +110,7 @@ impl<S: Ring> Affine<S> {
         Point::from(apply(self.linear, point.into()) + Vector::from(self.translation))
     }
 
-    /// The image of a direction, `L v`: what is shifted along stays the same.
+    /// The image of a direction, `L v`: the translation does not change it.
     #[inline]
     #[must_use]
     pub fn transform_direction(self, direction: Direction<S>) -> Direction<S> {
@@ -134,7 +134,7 @@ impl<S: Ring> Affine<S> {
 
     /// The image of a plane: that through the images of the points by which it is spanned, weight
     /// and all. Its normal is the cofactor matrix of L, `det L` times the inverse transpose,
-    /// applied to the normal; so a map that mirrors turns it over. Zero where L makes a line or
+    /// applied to the normal; so a map that mirrors reverses it. Zero where L makes a line or
     /// point of the plane.
     ///
     /// ```
@@ -211,7 +211,7 @@ impl<S: Real<Mask = bool>> Affine<S> {
         is_finite.then(|| Self::new(linear, translation))
     }
 
-    /// The turn of L and its factor: `L = s R`.
+    /// The rotation of L and its factor: `L = s R`.
     pub(crate) fn turn_and_factor(self) -> Result<(Rotor<S>, S), NotConformal> {
         if !(self.linear.into_iter().all(are_numbers) && are_numbers(self.translation)) {
             return Err(NotConformal::NotFinite);
@@ -407,7 +407,7 @@ pub enum NotConformal {
     Mirrors,
     /// The linear part scales, which no motion does.
     Scales,
-    /// The linear part turns, which no translator and no dilator does.
+    /// The linear part rotates, which translators and dilators do not.
     Turns,
     /// The map moves the origin, which no rotor and no dilator does.
     Shifts,
@@ -424,7 +424,7 @@ impl Display for NotConformal {
             }
             Self::Mirrors => "the linear part of the map mirrors",
             Self::Scales => "the linear part of the map scales",
-            Self::Turns => "the linear part of the map turns",
+            Self::Turns => "the linear part of the map rotates",
             Self::Shifts => "the map moves the origin",
         })
     }

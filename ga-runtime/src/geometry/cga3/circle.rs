@@ -123,7 +123,7 @@ impl<S: Real<Mask = bool>> Circle<S> {
     }
 
     /// The line through the centre across the circle's plane, along its normal; `None` where there
-    /// is no [centre](Self::centre).
+    /// is not a [centre](Self::centre).
     ///
     /// ```
     /// use ga_runtime::cga3::{Circle, Line, Point};

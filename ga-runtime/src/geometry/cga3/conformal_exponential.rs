@@ -6,17 +6,17 @@
 //! the sum of, `B = B₁ + B₂` with `B₁² = λ₁ ≥ B₂² = λ₂`, `λ₁ + λ₂ = s`, `4 λ₁ λ₂ = q²` (Dorst and
 //! Valkenburg, Square Root and Logarithm of Rotors in 3D Conformal Geometric Algebra Using Polar
 //! Decomposition, 2011; Roelfs and De Keninck, Graded Symmetry Groups: Plane and Simple, 2023). λ₂
-//! is never positive: a turn is always part of the motion, by zero at least.
+//! is never positive: a rotation is always part of the motion, by zero at least.
 
 use super::number_pair::{cosh_and_sinh_ratio, cosh_factors, nested_series, sinh_ratio_factors};
 use crate::cga3::{Even, EvenVersor, PointPair, Similarity, SimilarityGenerator, Sphere};
 use crate::scalar::{Real, Ring};
 
 impl<S: Real<Mask = bool>> PointPair<S> {
-    /// The versor `exp(B)` of any bivector: for `B = −½θA` a turn by θ about the circle or line of
-    /// which the unit bivector A is the dual, for `−½ t ei` a shift by t, for `½ ln s · eo∧ei` a
-    /// scaling by s, for `−k eo` a [`Transversor`], for a sum the flow of all of them together.
-    /// Other generators embed by `From`.
+    /// The versor `exp(B)` of any bivector: for `B = −½θA` a rotation by θ about the circle or line
+    /// of which the unit bivector A is the dual, for `−½ t ei` a translation by t, for
+    /// `½ ln s · eo∧ei` a scaling by s, for `−k eo` a [`Transversor`], for a sum the flow of all of
+    /// them together. Other generators embed by `From`.
     ///
     /// `None` where a coefficient is not finite, or the versor or the square of B is beyond the
     /// range of the scalar.
@@ -45,9 +45,9 @@ impl<S: Real<Mask = bool>> PointPair<S> {
 }
 
 impl<S: Real<Mask = bool>> SimilarityGenerator<S> {
-    /// The similarity `exp(G)`: for `½ ln s · eo∧ei` a scaling by s about the origin, with a turn
-    /// and a shift the similarity about that point which stays. `None` where a coefficient is not
-    /// finite or the similarity is beyond the range of the scalar.
+    /// The similarity `exp(G)`: for `½ ln s · eo∧ei` a scaling by s about the origin, with a
+    /// rotation and a translation the similarity about that point which stays. `None` where a
+    /// coefficient is not finite or the similarity is beyond the range of the scalar.
     ///
     /// ```
     /// use ga_runtime::cga3::{Dilator, Point};
@@ -95,7 +95,8 @@ fn cosh_and_sinh_ratio_of<S: Real<Mask = bool>>(scalar: S, square: S) -> [[S; 2]
     }
     let gap = (scalar * scalar - square).max(zero).sqrt();
     if gap.less_than(scalar.abs() * half) {
-        // Two turns by nearly the same angle: the values of z where q is plus and minus its root.
+        // Two rotations by nearly the same angle: the values of z where q is plus and minus its
+        // root.
         let root = square.sqrt();
         let at = |z: S| cosh_and_sinh_ratio(z.min(zero));
         let (plus, minus) = (at(scalar + root), at(scalar - root));

@@ -3,11 +3,11 @@
 //! An even versor is `V = C + S` with the bivector S and `C = cosh √(B²)`, a scalar and a 4-vector,
 //! for `B = log V`. C commutes with S, `S² = C² − 1`, and `B = S h` where h is the function
 //! `arcosh C / √(C² − 1)` of C. With `C = cosh x cos y + J sinh x sin y` and `J² = −1` that is one
-//! scaling by x with one turn by y; where the square of the 4-vector is positive both are turns, x
-//! being imaginary.
+//! scaling by x with one rotation by y; where the square of the 4-vector is positive both are
+//! rotations, x being imaginary.
 //!
-//! Every even versor with `V ~V = 1` has a logarithm: where V is minus a scaling or minus a shift,
-//! a whole turn that commutes with it gives the sign.
+//! Every even versor with `V ~V = 1` has a logarithm: where V is minus a scaling or minus a
+//! translation, a full turn that commutes with it gives the sign.
 
 use super::conformal_exponential::{coefficients, is_finite, times};
 use super::number_pair::{arsinh_ratio, arsinh_ratio_factors, nested_series};
@@ -21,19 +21,19 @@ impl<S: Real<Mask = bool>> EvenVersor<S> {
     /// not finite all coefficients are NaN; so are some of one with coefficients whose squares are
     /// beyond the range of the scalar.
     ///
-    /// The angles of the turns are on the branch of [`Motor::log`](crate::cga3::Motor::log): a turn
-    /// is by θ in [0, 2π], so that the sign of V comes back too, and of two commuting turns by
-    /// angles `θ ≥ φ ≥ 0` the sum is at most 2π. Where `V` tells no plane for a whole turn, one is
-    /// taken: −1 is a whole turn in e12, minus a scaling or minus a shift one in a plane that
-    /// commutes with it.
+    /// The angles of the rotations are on the branch of [`Motor::log`](crate::cga3::Motor::log): a
+    /// rotation is by θ in [0, 2π], so that the sign of V comes back too, and of two commuting
+    /// rotations by angles `θ ≥ φ ≥ 0` the sum is at most 2π. Where `V` tells no plane for a full
+    /// turn, one is taken: −1 is a full turn in e12, minus a scaling or minus a translation one in
+    /// a plane that commutes with it.
     ///
-    /// Near 2π, where a small change of V changes the plane of the turn, errors grow as one over
-    /// the distance from it.
+    /// Near 2π, where a small change of V changes the plane of the rotation, errors grow as one
+    /// over the distance from it.
     ///
     /// ```
     /// use ga_runtime::cga3::{EvenVersor, Rotor, Similarity, Transversor};
-    /// let turn = Rotor::from_axis_angle([0.0, 0.6, 0.8], 2.5).unwrap();
-    /// let similarity = Similarity::from_parts([1.0, 2.0, 3.0], turn, 4.0).unwrap();
+    /// let rotation = Rotor::from_axis_angle([0.0, 0.6, 0.8], 2.5).unwrap();
+    /// let similarity = Similarity::from_parts([1.0, 2.0, 3.0], rotation, 4.0).unwrap();
     /// let bend = Transversor::from_vector([0.1, 0.2, 0.3_f64]);
     /// let versor = EvenVersor::from(bend) * EvenVersor::from(similarity);
     /// let again = versor.log().exp().unwrap();
@@ -193,9 +193,9 @@ fn is_negligible<S: Real<Mask = bool>>(square: S, terms: S) -> bool {
     !(S::from_integer(16) * S::epsilon() * terms).less_than(square)
 }
 
-/// Two turns by nearly the same angle: where the unit 4-vector J is 1 they turn by the difference
-/// of their angles, where it is −1 by the sum. The sizes are those of the 4-vector and of the
-/// largest coefficient.
+/// Two rotations by nearly the same angle: where the unit 4-vector J is 1 they rotate by the
+/// difference of their angles, where it is −1 by the sum. The sizes are those of the 4-vector and
+/// of the largest coefficient.
 fn isoclinic<S: Real<Mask = bool>>(
     scalar: S,
     sine: PointPair<S>,
@@ -244,7 +244,7 @@ fn half_of_whole_turn<S: Real<Mask = bool>>(rest: Sphere<S>, size: S, sign: S) -
     (blade + times(blade, unit) * sign) * S::from_ratio(1, 2)
 }
 
-/// A unit 2-blade that turns and commutes with a 2-blade that does not: in e12 for zero.
+/// A unit 2-blade that rotates and commutes with a 2-blade that does not: in e12 for zero.
 fn whole_turn<S: Real<Mask = bool>>(generator: PointPair<S>) -> PointPair<S> {
     let (zero, one) = (S::zero(), S::one());
     let mut best = PointPair {
@@ -266,8 +266,8 @@ fn whole_turn<S: Real<Mask = bool>>(generator: PointPair<S>) -> PointPair<S> {
     unit_plane(best)
 }
 
-/// The unit 2-blade that turns nearest to a bivector: the outer product of two vectors of its
-/// plane, since the bivector may be a blade up to rounding only, and a whole turn needs one.
+/// The unit 2-blade that rotates nearest to a bivector: the outer product of two vectors of its
+/// plane, since the bivector may be a blade up to rounding only, and a full turn needs one.
 fn unit_plane<S: Real<Mask = bool>>(bivector: PointPair<S>) -> PointPair<S> {
     let (zero, one) = (S::zero(), S::one());
     let (mut first, mut quality) = (RoundVector::default(), zero);

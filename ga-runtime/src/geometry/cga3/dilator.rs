@@ -59,7 +59,7 @@ impl<S: Real<Mask = bool>> Dilator<S> {
     }
 
     /// The coefficient a of `log D = a eo∧ei`, half of the logarithm of the factor. A dilator and
-    /// its negative scale alike; for the negative, which is no exponential, a is that of the
+    /// its negative scale alike; for the negative, which is not an exponential, a is that of the
     /// dilator.
     #[must_use]
     pub fn log(self) -> S {

@@ -12,7 +12,7 @@ use crate::vga3::Vector;
 
 /// The eight numbers of a dual quaternion `q + ε d`, as other libraries write them.
 ///
-/// A motor that turns by q and then shifts by t has `d = ½ t q`, t being the quaternion
+/// A motor that rotates by q and then translates by t has `d = ½ t q`, t being the quaternion
 /// `t1 i + t2 j + t3 k`; a point x goes to `q̂ (1 + ε x) q̂*`, where `q̂* = q* − ε d*` has both
 /// quaternions conjugated and ε negated (Kavan et al., Geometric Skinning with Approximate Dual
 /// Quaternion Blending, 2008).
@@ -24,7 +24,7 @@ pub struct DualQuaternionParts<S> {
     pub dual: ([S; 3], S),
 }
 
-/// Why a dual quaternion is no rigid motion.
+/// Why a dual quaternion is not a rigid motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum NotUnit {

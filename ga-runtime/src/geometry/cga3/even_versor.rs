@@ -88,7 +88,7 @@ impl<S: Real<Mask = bool>> EvenVersor<S> {
     }
 
     /// The map on the way from `self` at t = 0 to `other` at t = 1, `V exp(t log(~V W))`, with W or
-    /// −W, whichever leaves the smaller turn. `None` as for [`powf`](Self::powf).
+    /// −W, whichever leaves the smaller rotation. `None` as for [`powf`](Self::powf).
     ///
     /// ```
     /// use ga_runtime::cga3::{EvenVersor, Transversor};

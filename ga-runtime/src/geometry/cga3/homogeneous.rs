@@ -6,17 +6,17 @@
 //!
 //! | transformation | equations | matrix | versor |
 //! | --- | --- | --- | --- |
-//! | shift by t | 3, 4 | [`translation`] | [`Translator::from_displacement`] |
-//! | turn about the x, y or z axis | 5 to 8 | [`rotation_about_x`], [`rotation_about_y`], [`rotation_about_z`] | [`Rotor::about_x`], [`Rotor::about_y`], [`Rotor::about_z`] |
-//! | turn about an axis through the origin | 9 | [`rotation`] | [`Rotor::from_axis_angle`] |
-//! | turn about an axis through a point | | [`rotation_about_axis`] | [`Motor::about_axis`] |
+//! | translation by t | 3, 4 | [`translation`] | [`Translator::from_displacement`] |
+//! | rotation about the x, y or z axis | 5 to 8 | [`rotation_about_x`], [`rotation_about_y`], [`rotation_about_z`] | [`Rotor::about_x`], [`Rotor::about_y`], [`Rotor::about_z`] |
+//! | rotation about an axis through the origin | 9 | [`rotation`] | [`Rotor::from_axis_angle`] |
+//! | rotation about an axis through a point | | [`rotation_about_axis`] | [`Motor::about_axis`] |
 //! | scaling about the origin by one factor | 10, 11 | [`scaling`] | [`Dilator::from_factor`] |
 //! | scaling about a point by one factor | | [`scaling_about`] | [`Dilator::about`] |
 //! | scaling by a factor for each axis | 10, 11 | [`scaling`], [`scaling_about`] | none |
 //!
 //! Equation 9 holds for an axis of length 1; here the axis may have any length and is brought to 1.
-//! The last line has no versor because it is no conformal map: it takes spheres to ellipsoids and
-//! changes angles. [`Affine`] is the type for it, and for all else that these matrices can do.
+//! The last line has no versor because it is not a conformal map: it takes spheres to ellipsoids
+//! and changes angles. [`Affine`] is the type for it, and for all else that these matrices can do.
 //!
 //! `to_homogeneous` and `from_homogeneous` go from [`Translator`], [`Rotor`], [`Motor`],
 //! [`Dilator`] and [`Similarity`] to the matrix and back. A matrix does not tell a versor from its
@@ -48,16 +48,16 @@ use crate::vga3::Vector;
 /// A 4×4 matrix by rows.
 pub type Matrix<S> = [[S; 4]; 4];
 
-/// The matrix of the shift by t (eq. 4). A number that is not finite stands in the matrix, as in
-/// all matrices here that are not an `Option`.
+/// The matrix of the translation by t (eq. 4). A number that is not finite stands in the matrix, as
+/// in all matrices here that are not an `Option`.
 #[inline]
 #[must_use]
 pub fn translation<S: Ring>(displacement: [S; 3]) -> Matrix<S> {
     Affine::from_translation(displacement).to_homogeneous()
 }
 
-/// The matrix of the turn about the x axis, right-handed, by an angle in radians (eq. 6): from y to
-/// z. `None` where the angle is not finite.
+/// The matrix of the rotation about the x axis, right-handed, by an angle in radians (eq. 6): from
+/// y to z. `None` where the angle is not finite.
 #[must_use]
 pub fn rotation_about_x<S: Real<Mask = bool>>(angle: S) -> Option<Matrix<S>> {
     let (sine, cosine) = sine_and_cosine(angle)?;
@@ -69,8 +69,8 @@ pub fn rotation_about_x<S: Real<Mask = bool>>(angle: S) -> Option<Matrix<S>> {
     ]))
 }
 
-/// The matrix of the turn about the y axis, right-handed, by an angle in radians (eq. 7): from z to
-/// x. `None` where the angle is not finite.
+/// The matrix of the rotation about the y axis, right-handed, by an angle in radians (eq. 7): from
+/// z to x. `None` where the angle is not finite.
 #[must_use]
 pub fn rotation_about_y<S: Real<Mask = bool>>(angle: S) -> Option<Matrix<S>> {
     let (sine, cosine) = sine_and_cosine(angle)?;
@@ -82,8 +82,8 @@ pub fn rotation_about_y<S: Real<Mask = bool>>(angle: S) -> Option<Matrix<S>> {
     ]))
 }
 
-/// The matrix of the turn about the z axis, right-handed, by an angle in radians (eq. 8): from x to
-/// y. `None` where the angle is not finite.
+/// The matrix of the rotation about the z axis, right-handed, by an angle in radians (eq. 8): from
+/// x to y. `None` where the angle is not finite.
 #[must_use]
 pub fn rotation_about_z<S: Real<Mask = bool>>(angle: S) -> Option<Matrix<S>> {
     let (sine, cosine) = sine_and_cosine(angle)?;
@@ -95,8 +95,8 @@ pub fn rotation_about_z<S: Real<Mask = bool>>(angle: S) -> Option<Matrix<S>> {
     ]))
 }
 
-/// The matrix of the turn about an axis through the origin, right-handed, by an angle in radians
-/// (eq. 9). `None` where the axis is zero, or the axis or the angle is not finite.
+/// The matrix of the rotation about an axis through the origin, right-handed, by an angle in
+/// radians (eq. 9). `None` where the axis is zero, or the axis or the angle is not finite.
 ///
 /// ```
 /// use ga_runtime::geometry::homogeneous::rotation;
@@ -129,8 +129,8 @@ pub fn rotation<S: Real<Mask = bool>>(axis: [S; 3], angle: S) -> Option<Matrix<S
     ]))
 }
 
-/// The matrix of the turn about an axis through a point p, `T(p) R T(−p)`: `x' = p + R (x − p)`.
-/// `None` as for [`rotation`], and where the point is not finite.
+/// The matrix of the rotation about an axis through a point p, `T(p) R T(−p)`:
+/// `x' = p + R (x − p)`. `None` as for [`rotation`], and where the point is not finite.
 #[must_use]
 pub fn rotation_about_axis<S: Real<Mask = bool>>(
     point: Point<S>,
@@ -184,7 +184,7 @@ pub fn transform<S: Field>(matrix: Matrix<S>, point: Point<S>) -> Option<Point<S
 }
 
 impl<S: Real<Mask = bool>> Rotor<S> {
-    /// The turn about the x axis, right-handed, by an angle in radians: `cos ½θ − sin ½θ e23`.
+    /// The rotation about the x axis, right-handed, by an angle in radians: `cos ½θ − sin ½θ e23`.
     /// `None` where the angle is not finite.
     #[inline]
     #[must_use]
@@ -194,7 +194,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         Some(Self::new_unchecked(cosine, zero, zero, -sine))
     }
 
-    /// The turn about the y axis, right-handed, by an angle in radians: `cos ½θ + sin ½θ e13`.
+    /// The rotation about the y axis, right-handed, by an angle in radians: `cos ½θ + sin ½θ e13`.
     /// `None` where the angle is not finite.
     #[inline]
     #[must_use]
@@ -204,7 +204,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         Some(Self::new_unchecked(cosine, zero, sine, zero))
     }
 
-    /// The turn about the z axis, right-handed, by an angle in radians: `cos ½θ − sin ½θ e12`.
+    /// The rotation about the z axis, right-handed, by an angle in radians: `cos ½θ − sin ½θ e12`.
     /// `None` where the angle is not finite.
     #[inline]
     #[must_use]
@@ -217,7 +217,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     /// The rotor of a 4×4 matrix by rows.
     ///
     /// # Errors
-    /// The matrix does anything but turn about an axis through the origin, within √ε in its
+    /// The matrix is not a rotation about an axis through the origin, within √ε in its
     /// entries; the last column and row must be exact.
     pub fn from_homogeneous(rows: Matrix<S>) -> Result<Self, NotConformal> {
         let motor = Motor::from_homogeneous(rows)?;
@@ -243,8 +243,8 @@ impl<S: Field> Translator<S> {
     ///
     /// ```
     /// use ga_runtime::cga3::Translator;
-    /// let shift = Translator::from_displacement([1.0, 2.0, 0.1]);
-    /// assert_eq!(Translator::from_homogeneous(shift.to_homogeneous()), Ok(shift));
+    /// let translation = Translator::from_displacement([1.0, 2.0, 0.1]);
+    /// assert_eq!(Translator::from_homogeneous(translation.to_homogeneous()), Ok(translation));
     /// ```
     #[inline]
     #[must_use]
@@ -257,7 +257,7 @@ impl<S: Real<Mask = bool>> Translator<S> {
     /// The translator of a 4×4 matrix by rows.
     ///
     /// # Errors
-    /// The matrix does anything but shift, within √ε in its entries; the last row must be exact.
+    /// The matrix is not a translation, within √ε in its entries; the last row must be exact.
     pub fn from_homogeneous(rows: Matrix<S>) -> Result<Self, NotConformal> {
         let map = Affine::from_homogeneous(rows)?;
         Motor::try_from(map)?;
@@ -278,7 +278,7 @@ impl<S: Field> Motor<S> {
 }
 
 impl<S: Real<Mask = bool>> Motor<S> {
-    /// The turn about an axis through a point p, right-handed, by an angle in radians:
+    /// The rotation about an axis through a point p, right-handed, by an angle in radians:
     /// `T(p) R T(−p)`. The axis need not have length 1; `None` where it is zero, or a number is not
     /// finite.
     ///
@@ -308,7 +308,7 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// The motor of a 4×4 matrix by rows.
     ///
     /// # Errors
-    /// The matrix is no rigid motion within √ε in its entries; the last row must be exact.
+    /// The matrix is not a rigid motion within √ε in its entries; the last row must be exact.
     pub fn from_homogeneous(rows: Matrix<S>) -> Result<Self, NotConformal> {
         Affine::from_homogeneous(rows)?.try_into()
     }
@@ -370,7 +370,7 @@ impl<S: Real<Mask = bool>> Similarity<S> {
     /// The similarity of a 4×4 matrix by rows.
     ///
     /// # Errors
-    /// The matrix is no motion with a scaling by one positive factor, within √ε of it in its
+    /// The matrix is not a motion with a scaling by one positive factor, within √ε of it in its
     /// entries; the last row must be exact.
     pub fn from_homogeneous(rows: Matrix<S>) -> Result<Self, NotConformal> {
         Affine::from_homogeneous(rows)?.try_into()

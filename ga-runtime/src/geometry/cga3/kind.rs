@@ -26,7 +26,7 @@ use crate::vga3::Vector;
 /// - A squared radius counts as zero where it is at most τ times the numbers from whose difference
 ///   it comes, `|r²| ≤ τ (c² + |c² − r²|)` for a circle or sphere: less than that no blade can
 ///   tell.
-/// - A sum is no blade where its outer product with itself exceeds τ times the product of its
+/// - A sum is not a blade where its outer product with itself exceeds τ times the product of its
 ///   coefficients.
 ///
 /// In f64, 1e-12 is a good choice for results of a few products, in f32 1e-5. A tolerance that is
@@ -59,8 +59,8 @@ pub enum Kind {
     Free,
     /// All coefficients are zero.
     Zero,
-    /// No geometric object: a sum that is no outer product of vectors, or a coefficient that is not
-    /// finite.
+    /// No geometric object: a sum that is not an outer product of vectors, or a coefficient that is
+    /// not finite.
     NotABlade,
 }
 
@@ -133,7 +133,7 @@ kinds_through! {
     Plane: "plane, flat, or free where it is infinity itself,", Sphere::from;
     DualPlane: "plane, flat, or free where it is infinity itself,", DualSphere::from;
     Line: "line, flat, or free where its direction vanishes,", Circle::from;
-    MotorGenerator: "dual line, flat, or free where it is the generator of a shift,", DualCircle::from;
+    MotorGenerator: "dual line, flat, or free where it is the generator of a translation,", DualCircle::from;
     FlatPoint: "flat point, flat, or free where its weight vanishes,", PointPair::from;
 }
 

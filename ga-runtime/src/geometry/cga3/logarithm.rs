@@ -24,16 +24,16 @@ use crate::scalar::{Field, Mask, Real};
 use crate::vga3::Vector;
 
 impl<S: Real> MotorGenerator<S> {
-    /// The motor `exp(G)`: for `G = −½θB` a turn by θ in the plane B, for `G = −½ t ei` a shift by
-    /// t.
+    /// The motor `exp(G)`: for `G = −½θB` a rotation by θ in the plane B, for `G = −½ t ei` a
+    /// translation by t.
     ///
     /// Any finite generator has one. A coefficient beyond the range of the scalar is infinite; NaN
     /// or infinity in G gives NaN.
     ///
     /// ```
     /// use ga_runtime::cga3::{MotorGenerator, Translator};
-    /// let shift = MotorGenerator::new(0.0, 0.0, 0.0, -0.5, -1.0, -1.5).exp();
-    /// assert_eq!(shift, Translator::from_displacement([1.0, 2.0, 3.0]).into());
+    /// let translation = MotorGenerator::new(0.0, 0.0, 0.0, -0.5, -1.0, -1.5).exp();
+    /// assert_eq!(translation, Translator::from_displacement([1.0, 2.0, 3.0]).into());
     /// ```
     #[inline(always)]
     #[must_use]
@@ -57,13 +57,13 @@ impl<S: Real> MotorGenerator<S> {
 }
 
 impl<S: Real> Motor<S> {
-    /// The generator G with `exp(G) = M`, for a turn by θ in [0, 2π], so that the sign of M comes
-    /// back too.
+    /// The generator G with `exp(G) = M`, for a rotation by θ in [0, 2π], so that the sign of M
+    /// comes back too.
     ///
-    /// `−1` is taken as a whole turn in the plane e12, and minus a translator as one about the axis
-    /// of its shift; so is what differs from them by less than ε, where half the angle rounds to π.
-    /// Close to these the axis is known no better than the sine of half the angle: the error of
-    /// `exp(log M)` is that of M divided by it.
+    /// `−1` is taken as a full turn in the plane e12, and minus a translator as one about the axis
+    /// of its translation; so is what differs from them by less than ε, where half the angle rounds
+    /// to π. Close to these the axis is known no better than the sine of half the angle: the error
+    /// of `exp(log M)` is that of M divided by it.
     ///
     /// A coefficient beyond the range of the scalar is infinite; NaN or infinity in M gives NaN.
     ///
@@ -97,17 +97,17 @@ impl<S: Real> Motor<S> {
 }
 
 impl<S: Real> Rotor<S> {
-    /// The generator G with `exp(G) = R`, for a turn by θ in [0, 2π]: `−½θB` in the plane B of the
-    /// turn, without a shift.
+    /// The generator G with `exp(G) = R`, for a rotation by θ in [0, 2π]: `−½θB` in the plane B of
+    /// the rotation, without a translation.
     ///
-    /// `−1` is taken as a whole turn in the plane e12, and so is what differs from it by less than
+    /// `−1` is taken as a full turn in the plane e12, and so is what differs from it by less than
     /// ε, in its own plane. [`MotorGenerator::exp`] leads back, as a motor. NaN or infinity in R
     /// gives NaN.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, MotorGenerator, Rotor};
-    /// let turn = Rotor::from_axis_angle([0.0, 0.0, 1.0_f64], 0.5).unwrap();
-    /// let generator = turn.log();
+    /// let rotation = Rotor::from_axis_angle([0.0, 0.0, 1.0_f64], 0.5).unwrap();
+    /// let generator = rotation.log();
     /// assert!((generator.e12 + 0.25).abs() < 1e-16);
     /// assert_eq!((-Rotor::<f64>::default()).log().e12, std::f64::consts::PI);
     /// ```
@@ -143,7 +143,7 @@ fn angle_by_sine<S: Real>(c: S, square: S) -> (S, S) {
     )
 }
 
-/// Whether these are about the cosine and the squared sine of an angle, not that of a whole turn to
+/// Whether these are about the cosine and the squared sine of an angle, not that of a full turn to
 /// within ε, and `overflow` is zero instead of NaN.
 #[inline(always)]
 fn is_regular_turn<S: Real>(c: S, square: S, overflow: S) -> S::Mask {
@@ -254,7 +254,7 @@ fn exponential_of_any<S: Real>(any: MotorGenerator<S>) -> Motor<S> {
 #[inline(never)]
 fn logarithm_of_any<S: Real>(motor: Motor<S>) -> (Vector<S>, Vector<S>) {
     let (zero, one) = (S::zero(), S::one());
-    // So that the length is no larger than numbers are.
+    // So that the length stays within the range of the scalar.
     let quarter = S::from_ratio(1, 4);
     let Halves { c, q, d0, d } = Halves::of(motor);
     let largest = c.abs().max(q[0].abs()).max(q[1].abs()).max(q[2].abs());
@@ -285,7 +285,7 @@ fn logarithm_of_any<S: Real>(motor: Motor<S>) -> (Vector<S>, Vector<S>) {
     let (_, turned) = length_and_direction(q);
     let plane = select_vector(is_zero, Vector::new(one, zero, zero), turned);
     let plane = select_vector(shift.is_zero(), plane, direction);
-    // The part that a whole turn leaves out must not hide what is not a number.
+    // The part that a full turn leaves out must not hide what is not a number.
     let none = d0 * zero;
     let whole_h = Vector::new(none, none, none) - d;
     (

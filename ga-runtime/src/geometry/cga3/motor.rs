@@ -4,19 +4,19 @@ use crate::cga3::{DualQuaternion, Motor, Point, Rotor, Translator};
 use crate::scalar::{Field, Real};
 
 impl<S: Field> Motor<S> {
-    /// The turn R of `M = T R`, which comes first.
+    /// The rotation R of `M = T R`, which comes first.
     #[inline]
     #[must_use]
     pub fn rotor(self) -> Rotor<S> {
         Rotor::new_unchecked(self.scalar(), self.e12(), self.e13(), self.e23())
     }
 
-    /// The shift T of `M = T R`, which comes second: that of the origin.
+    /// The translation T of `M = T R`, which comes second: that of the origin.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Rotor, Translator};
-    /// let turn = Rotor::from_axis_angle([1.0, 2.0, 3.0], 0.7).unwrap();
-    /// let motor = Translator::from_displacement([1.0, -2.0, 0.5]) * turn;
+    /// let rotation = Rotor::from_axis_angle([1.0, 2.0, 3.0], 0.7).unwrap();
+    /// let motor = Translator::from_displacement([1.0, -2.0, 0.5]) * rotation;
     /// let [x, y, z]: [f64; 3] = motor.translator().displacement();
     /// assert!((x - 1.0).abs() < 1e-15 && (y + 2.0).abs() < 1e-15 && (z - 0.5).abs() < 1e-15);
     /// ```
@@ -40,7 +40,7 @@ impl<S: Field> Motor<S> {
 }
 
 impl<S: Real<Mask = bool>> Motor<S> {
-    /// The turn by a rotor about a point instead of the origin, `T(p) R T(−p)`.
+    /// The rotation by a rotor about a point instead of the origin, `T(p) R T(−p)`.
     #[inline]
     #[must_use]
     pub fn about(point: Point<S>, rotor: Rotor<S>) -> Self {
@@ -48,7 +48,7 @@ impl<S: Real<Mask = bool>> Motor<S> {
         Translator::from_displacement(turned.vector_to(point).into()) * rotor
     }
 
-    /// The motor of a matrix `[R | t]` by rows; `None` where R is no rotation within √ε, or t is
+    /// The motor of a matrix `[R | t]` by rows; `None` where R is not a rotation within √ε, or t is
     /// not finite.
     #[must_use]
     pub fn from_matrix(rows: [[S; 4]; 3]) -> Option<Self> {

@@ -68,7 +68,7 @@ impl<S: Real<Mask = bool>> OddVersor<S> {
     /// there is none.
     #[must_use]
     pub fn normalize(sum: Odd<S>) -> Option<Self> {
-        // V = E I has V ~V = −E ~E, so E is no unit versor. A reflection makes V even.
+        // V = E I has V ~V = −E ~E, so E is not a unit versor. A reflection makes V even.
         let mirror = Odd {
             e1: S::one(),
             ..Odd::default()

@@ -1,4 +1,4 @@
-//! Powers and square roots of turns and rigid motions, and motion at constant speed from one to
+//! Powers and square roots of rotations and rigid motions, and motion at constant speed from one to
 //! another.
 
 use super::RotationPath;
@@ -8,15 +8,15 @@ use crate::scalar::{Mask, Real};
 use crate::vga3::Vector;
 
 impl<S: Real> Rotor<S> {
-    /// The part t of the turn, `Rᵗ = exp(t log R)`: by tθ in the same plane, for θ in [0, 2π]. Part
-    /// of `−R` goes the other way round; see [`along`](Self::along). `−1` is taken as a whole turn
-    /// in the plane e12. NaN and infinity give NaN.
+    /// The part t of the rotation, `Rᵗ = exp(t log R)`: by tθ in the same plane, for θ in [0, 2π].
+    /// Part of `−R` goes the other way round; see [`along`](Self::along). `−1` is taken as a full
+    /// turn in the plane e12. NaN and infinity give NaN.
     ///
     /// ```
     /// use ga_runtime::cga3::Rotor;
-    /// let turn = Rotor::from_axis_angle([0.0, 3.0, 4.0], 1.5_f64).unwrap();
+    /// let rotation = Rotor::from_axis_angle([0.0, 3.0, 4.0], 1.5_f64).unwrap();
     /// let third = Rotor::from_axis_angle([0.0, 3.0, 4.0], 0.5).unwrap();
-    /// assert!((turn.powf(1.0 / 3.0).e12() - third.e12()).abs() < 1e-15);
+    /// assert!((rotation.powf(1.0 / 3.0).e12() - third.e12()).abs() < 1e-15);
     /// ```
     #[inline(always)]
     #[must_use]
@@ -25,7 +25,7 @@ impl<S: Real> Rotor<S> {
         turn_exponential(Vector::new(turn.e12, turn.e13, turn.e23) * t)
     }
 
-    /// The turn half way, by ½θ in the same plane for θ in [0, 2π]: `(1 + R)/|1 + R|`, for more
+    /// The rotation half way, by ½θ in the same plane for θ in [0, 2π]: `(1 + R)/|1 + R|`, for more
     /// than a half turn in a form that does not cancel. The root of `−1` is a half turn in the
     /// plane e12, `e12`.
     ///
@@ -61,8 +61,8 @@ impl<S: Real> Rotor<S> {
         ))
     }
 
-    /// The turn on the way from `self` at t = 0 to `other` at t = 1 at constant speed, by the short
-    /// way round: `R (~R R′)ᵗ`, with `−R′` for R′ where that is nearer.
+    /// The rotation on the way from `self` at t = 0 to `other` at t = 1 at constant speed, by the
+    /// short way round: `R (~R R′)ᵗ`, with `−R′` for R′ where that is nearer.
     ///
     /// This is the slerp of the paper's eqs 18 to 22, `(sin (1 − t)φ R + sin tφ R′)/sin φ` with φ
     /// half the angle between them, in a form that needs no case where φ is close to 0 or π. t may
@@ -84,7 +84,7 @@ impl<S: Real> Rotor<S> {
     }
 
     /// As [`interpolate`](Self::interpolate), by the short or the long way round. The long way
-    /// between two that are equal is a whole turn in the plane e12 of `self`.
+    /// between two that are equal is a full turn in the plane e12 of `self`.
     ///
     /// ```
     /// use ga_runtime::cga3::Rotor;
@@ -112,10 +112,10 @@ impl<S: Real> Rotor<S> {
 }
 
 impl<S: Real> Motor<S> {
-    /// The part t of the motion along its screw, `Mᵗ = exp(t log M)`: a turn by tθ about the same
-    /// axis with t times the shift along it, for θ in [0, 2π]. Part of `−M` goes the other way
-    /// round; see [`along`](Self::along), and [`log`](Self::log) for `−1` and minus a translator.
-    /// NaN and infinity give NaN.
+    /// The part t of the motion along its screw, `Mᵗ = exp(t log M)`: a rotation by tθ about the
+    /// same axis with t times the translation along it, for θ in [0, 2π]. Part of `−M` goes the
+    /// other way round; see [`along`](Self::along), and [`log`](Self::log) for `−1` and minus a
+    /// translator. NaN and infinity give NaN.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Rotor, Translator};
@@ -136,17 +136,17 @@ impl<S: Real> Motor<S> {
         (self.log() * t).exp()
     }
 
-    /// The motion half way along the screw, for a turn by θ in [0, 2π]: `(1 + M)/|1 + M|` up to a
-    /// half turn, `exp(½ log M)` beyond.
+    /// The motion half way along the screw, for a rotation by θ in [0, 2π]: `(1 + M)/|1 + M|` up to
+    /// a half turn, `exp(½ log M)` beyond.
     ///
     /// `|1 + M|² = (1 + M)(1 + ~M)` is the dual number `2 (1 + c) + 2 d0 e123i`, c and d0 being the
     /// coefficients of 1 and e123i. The root of `−1` is `e12`, that of minus a translator a half
-    /// turn about the axis of its shift with half of the shift.
+    /// rotation about the axis of its translation with half of the translation.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Translator};
-    /// let shift = Motor::from(Translator::from_displacement([2.0, 4.0, -6.0]));
-    /// assert_eq!(shift.sqrt(), Translator::from_displacement([1.0, 2.0, -3.0]).into());
+    /// let translation = Motor::from(Translator::from_displacement([2.0, 4.0, -6.0]));
+    /// assert_eq!(translation.sqrt(), Translator::from_displacement([1.0, 2.0, -3.0]).into());
     /// ```
     #[must_use]
     pub fn sqrt(self) -> Self {
@@ -186,8 +186,8 @@ impl<S: Real> Motor<S> {
     }
 
     /// As [`interpolate`](Self::interpolate), by the short or the long way round. The long way
-    /// between two that differ by a shift is a whole turn about the axis of the shift, in the plane
-    /// e12 of `self` where they are equal.
+    /// between two that differ by a translation is a full turn about the axis of the translation,
+    /// in the plane e12 of `self` where they are equal.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Point, Rotor};

@@ -4,7 +4,7 @@ use crate::cga3::{Motor, Rotor};
 use crate::scalar::Real;
 
 /// The two ways of turning to the same place: by an angle of at most a half turn, or the other way
-/// round by the rest of a whole turn.
+/// round by the rest of a full turn.
 ///
 /// A rotor and its negative move alike, and the sign says which way was taken (the paper's eqs 23
 /// and 24, as corrected): with I the unit bivector of the plane,
@@ -14,7 +14,8 @@ use crate::scalar::Real;
 /// −R = exp(½ (2π − θ) I)                       by 2π − θ the other way round, the scalar part is not positive
 /// ```
 ///
-/// The same holds for a motor, whose screw has the same axis and shift along it by either way.
+/// The same holds for a motor, whose screw has the same axis and translation along it by either
+/// way.
 ///
 /// ```
 /// use ga_runtime::cga3::Rotor;
@@ -49,15 +50,15 @@ impl RotationPath {
 }
 
 impl<S: Real<Mask = bool>> Rotor<S> {
-    /// The way that the turn takes. A half turn, whose ways are equally long, counts as short.
+    /// The way that the rotation takes. A half turn, whose ways are equally long, counts as short.
     #[inline]
     #[must_use]
     pub fn path(self) -> RotationPath {
         path(self.scalar())
     }
 
-    /// The turn by the shortest way from one direction to another, or by the longest, which goes
-    /// the other way round in the same plane: the paper's eqs 23 and 24. `None` as for
+    /// The rotation by the shortest way from one direction to another, or by the longest, which
+    /// goes the other way round in the same plane: the paper's eqs 23 and 24. `None` as for
     /// [`between`](Self::between).
     ///
     /// ```
@@ -75,8 +76,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
 }
 
 impl<S: Real> Rotor<S> {
-    /// The rotor of the same turn that takes a given way: itself or its negative. A half turn is
-    /// itself by the short way and its negative by the long way.
+    /// The rotor of the same rotation that takes a given way: itself or its negative. A half turn
+    /// is itself by the short way and its negative by the long way.
     #[inline]
     #[must_use]
     pub fn along(self, path: RotationPath) -> Self {
@@ -87,8 +88,8 @@ impl<S: Real> Rotor<S> {
 }
 
 impl<S: Real<Mask = bool>> Motor<S> {
-    /// The way that the turn of the motion takes. A half turn, whose ways are equally long, counts
-    /// as short.
+    /// The way that the rotation of the motion takes. A half turn, whose ways are equally long,
+    /// counts as short.
     #[inline]
     #[must_use]
     pub fn path(self) -> RotationPath {

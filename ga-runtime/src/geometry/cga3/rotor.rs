@@ -6,7 +6,7 @@ use crate::scalar::{Real, Ring};
 use crate::vga3::Vector;
 
 impl<S: Ring> Rotor<S> {
-    /// The unit quaternion of the same turn, `[x, y, z]` and w.
+    /// The unit quaternion of the same rotation, `[x, y, z]` and w.
     #[inline]
     #[must_use]
     pub fn to_quaternion(self) -> ([S; 3], S) {
@@ -39,7 +39,7 @@ impl<S: Ring> Rotor<S> {
 }
 
 impl<S: Real<Mask = bool>> Rotor<S> {
-    /// The turn by an angle in radians about an axis through the origin, right-handed:
+    /// The rotation by an angle in radians about an axis through the origin, right-handed:
     /// `R = cos ½θ − sin ½θ (n1 e23 − n2 e13 + n3 e12)`. The axis need not have length 1; `None`
     /// where it is zero or not finite, or the angle is not finite.
     ///
@@ -59,9 +59,9 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         Some(Self::from_quaternion_unchecked(unit * sine, cosine))
     }
 
-    /// The angle in [0, 2π] and the axis of length 1 of the turn; the axis is e3 where the angle is
-    /// 0 or 2π. A rotor and its negative turn to the same place by opposite ways: their angles add
-    /// to 2π.
+    /// The angle in [0, 2π] and the axis of length 1 of the rotation; the axis is e3 where the
+    /// angle is 0 or 2π. A rotor and its negative rotate to the same place by opposite ways: their
+    /// angles add to 2π.
     #[must_use]
     pub fn to_axis_angle(self) -> ([S; 3], S) {
         let (vector, scalar) = self.to_quaternion();
@@ -72,18 +72,18 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         (axis.into(), half_angle + half_angle)
     }
 
-    /// The turn by |v| radians about the direction of v, right-handed:
+    /// The rotation by |v| radians about the direction of v, right-handed:
     /// `exp(−½ (v1 e23 − v2 e13 + v3 e12))`. The identity for zero; `None` where v is not finite.
     ///
     /// ```
     /// use ga_runtime::cga3::Rotor;
-    /// let turn = Rotor::from_rotation_vector([0.0, 0.0, 1.5_f64]).unwrap();
+    /// let rotation = Rotor::from_rotation_vector([0.0, 0.0, 1.5_f64]).unwrap();
     /// let same = Rotor::from_axis_angle([0.0, 0.0, 1.0], 1.5).unwrap();
     /// assert!(
-    ///     (turn.scalar() - same.scalar()).abs() < 1e-15
-    ///         && (turn.e12() - same.e12()).abs() < 1e-15
+    ///     (rotation.scalar() - same.scalar()).abs() < 1e-15
+    ///         && (rotation.e12() - same.e12()).abs() < 1e-15
     /// );
-    /// assert!((turn.to_rotation_vector()[2] - 1.5).abs() < 1e-15);
+    /// assert!((rotation.to_rotation_vector()[2] - 1.5).abs() < 1e-15);
     /// ```
     #[must_use]
     pub fn from_rotation_vector([x, y, z]: [S; 3]) -> Option<Self> {
@@ -92,7 +92,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         is_finite.then(|| turn_exponential(Vector::new(-(half * z), half * y, -(half * x))))
     }
 
-    /// The axis of the turn, as long as its angle in [0, 2π]: minus twice the coefficients of
+    /// The axis of the rotation, as long as its angle in [0, 2π]: minus twice the coefficients of
     /// [`log`](Self::log).
     #[must_use]
     pub fn to_rotation_vector(self) -> [S; 3] {
@@ -100,8 +100,9 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         [-turn.e23, turn.e13, -turn.e12].map(|x| x * S::from_integer(2))
     }
 
-    /// The turn by the shortest way from one direction to another. Opposite directions are joined
-    /// by a half turn about some axis across them. `None` where a direction is zero or not finite.
+    /// The rotation by the shortest way from one direction to another. Opposite directions are
+    /// joined by a half turn about some axis across them. `None` where a direction is zero or not
+    /// finite.
     ///
     /// This is the paper's eq. 23 as corrected, `R = (b + a) a / (|a| |a + b|)` for unit a and b.
     ///
@@ -134,9 +135,9 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         })
     }
 
-    /// The rotor of the turn of a quaternion `w + x i + y j + z k`, given as `[x, y, z]` and w: i =
-    /// −e23, j = e13, k = −e12. The quaternion need not have length 1, and may be as large or small
-    /// as numbers are; `None` where it is zero or not finite.
+    /// The rotor of the rotation of a quaternion `w + x i + y j + z k`, given as `[x, y, z]` and w:
+    /// i = −e23, j = e13, k = −e12. The quaternion need not have length 1, and may be as large or
+    /// small as numbers are; `None` where it is zero or not finite.
     ///
     /// ```
     /// use ga_runtime::cga3::Rotor;
@@ -153,7 +154,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
 
     /// The rotor of a rotation matrix given by rows, by the paper's eq. 25 as corrected: of the
     /// four quotients that give the rotor the one with the largest divisor is taken, so that half
-    /// turns are no special case. `None` where the matrix is no rotation within √ε.
+    /// rotations are not special cases. `None` where the matrix is not a rotation within √ε.
     #[must_use]
     pub fn from_matrix(rows: [[S; 3]; 3]) -> Option<Self> {
         let tolerance = S::epsilon().sqrt();

@@ -6,8 +6,8 @@ use crate::geometry::number::{are_numbers, is_number};
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
-/// A rigid motion as a screw: a turn about an axis and a displacement along it, in any order. Every
-/// rigid motion is one (Chasles, 1830).
+/// A rigid motion as a screw: a rotation about an axis and a displacement along it, in any order.
+/// Every rigid motion is one (Chasles, 1830).
 ///
 /// With n the direction of the axis and `m = p × n` its moment, p being any of its points, the
 /// generator `log M` is
@@ -17,8 +17,8 @@ use crate::vga3::Vector;
 /// ```
 ///
 /// What [`Motor::screw`] gives has an axis with a direction of length 1, an angle in [0, 2π] and,
-/// for a turn by more than zero, a displacement of either sign. A screw that is built by hand may
-/// have an axis of any weight and any angle.
+/// for a rotation by more than zero, a displacement of either sign. A screw that is built by hand
+/// may have an axis of any weight and any angle.
 ///
 /// ```
 /// use ga_runtime::cga3::{Line, Point};
@@ -38,18 +38,18 @@ use crate::vga3::Vector;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Screw<S> {
-    /// The axis. The turn is right-handed about its direction.
+    /// The axis. The rotation is right-handed about its direction.
     pub axis: Line<S>,
-    /// The angle of the turn in radians.
+    /// The angle of the rotation in radians.
     pub angle: S,
     /// The displacement along the direction of the axis.
     pub displacement: S,
 }
 
 impl<S: Real<Mask = bool>> Screw<S> {
-    /// The pitch: the displacement for each radian of the turn, in the unit of length. `None` where
-    /// there is no turn, or the quotient is beyond the range of the scalar; some books call 2π
-    /// times this the pitch.
+    /// The pitch: the displacement for each radian of the rotation, in the unit of length. `None`
+    /// where there is no rotation, or the quotient is beyond the range of the scalar; some books
+    /// call 2π times this the pitch.
     #[must_use]
     pub fn pitch(self) -> Option<S> {
         let pitch = self.displacement / self.angle;
@@ -100,10 +100,10 @@ impl<S: Real<Mask = bool>> MotorGenerator<S> {
     /// The screw of the motion that this generates, or of a velocity its instantaneous screw: the
     /// axis, and the angle and the displacement, or their rates. The angle is not negative.
     ///
-    /// Without a turn the axis goes through the origin along the shift, with a displacement that is
-    /// not negative; for zero it is the axis e3. A turn so slow that its axis is farther away than
-    /// numbers reach counts as none. `None` where a coefficient is not finite, or the result would
-    /// be beyond the range of the scalar.
+    /// Without a rotation the axis goes through the origin along the translation, with a
+    /// displacement that is not negative; for zero it is the axis e3. A rotation so slow that its
+    /// axis is farther away than numbers reach counts as none. `None` where a coefficient is not
+    /// finite, or the result would be beyond the range of the scalar.
     #[must_use]
     pub fn screw(self) -> Option<Screw<S>> {
         let two = S::from_integer(2);
@@ -144,19 +144,19 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// | motion | axis | angle | displacement |
     /// | --- | --- | --- | --- |
     /// | identity | e3, through the origin | 0 | 0 |
-    /// | shift by t | t, through the origin | 0 | length of t |
+    /// | translation by t | t, through the origin | 0 | length of t |
     /// | half turn | its axis, in the direction that the sign of M gives | π | of either sign |
     /// | `−1` | −e3, through the origin | 2π | 0 |
-    /// | minus a shift by t | along t, through the origin | 2π | of either sign |
+    /// | minus a translation by t | along t, through the origin | 2π | of either sign |
     ///
-    /// The place of the axis is known to the rounding of the shift across it divided by the sine of
-    /// half the angle, so less well close to 0 and to 2π. `None` where a coefficient is not finite,
-    /// or the result would be beyond the range of the scalar.
+    /// The place of the axis is known to the rounding of the translation across it divided by the
+    /// sine of half the angle, so less well close to 0 and to 2π. `None` where a coefficient is not
+    /// finite, or the result would be beyond the range of the scalar.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Translator};
-    /// let shift = Motor::from(Translator::from_displacement([0.0, 3.0, 4.0]));
-    /// let screw = shift.screw().unwrap();
+    /// let translation = Motor::from(Translator::from_displacement([0.0, 3.0, 4.0]));
+    /// let screw = translation.screw().unwrap();
     /// assert_eq!((screw.angle, screw.displacement, screw.pitch()), (0.0, 5.0, None));
     /// assert_eq!(screw.axis.direction(), [0.0, 0.6, 0.8]);
     /// ```

@@ -10,8 +10,9 @@ use crate::scalar::Real;
 use crate::vga3::Vector;
 
 impl<S: Real<Mask = bool>> Similarity<S> {
-    /// `T R D`: scaling about the origin, then the turn, then the shift, so that `x' = s R x + t`.
-    /// `None` where the factor is not positive and finite, or the displacement is not finite.
+    /// `T R D`: scaling about the origin, then the rotation, then the translation, so that
+    /// `x' = s R x + t`. `None` where the factor is not positive and finite, or the displacement is
+    /// not finite.
     ///
     /// ```
     /// use ga_runtime::cga3::{Point, Rotor, Similarity};
@@ -69,9 +70,9 @@ impl<S: Real<Mask = bool>> Similarity<S> {
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Rotor, Similarity, Translator};
-    /// let turn = Rotor::from_axis_angle([1.0, 2.0, 3.0], 0.7).unwrap();
-    /// let similarity = Similarity::from_parts([1.0, 2.0, 3.0], turn, 5.0).unwrap();
-    /// let expected: Motor<f64> = Translator::from_displacement([1.0, 2.0, 3.0]) * turn;
+    /// let rotation = Rotor::from_axis_angle([1.0, 2.0, 3.0], 0.7).unwrap();
+    /// let similarity = Similarity::from_parts([1.0, 2.0, 3.0], rotation, 5.0).unwrap();
+    /// let expected: Motor<f64> = Translator::from_displacement([1.0, 2.0, 3.0]) * rotation;
     /// assert!((similarity.motor().e123i() - expected.e123i()).abs() < 1e-15);
     /// ```
     #[must_use]
@@ -79,7 +80,7 @@ impl<S: Real<Mask = bool>> Similarity<S> {
         Translator::from_displacement(self.displacement()) * self.rotor()
     }
 
-    /// The turn R of `T R D`.
+    /// The rotation R of `T R D`.
     #[must_use]
     pub fn rotor(self) -> Rotor<S> {
         let (turn, _) = self.scaled_rotor();
@@ -87,13 +88,13 @@ impl<S: Real<Mask = bool>> Similarity<S> {
         Rotor::new_unchecked(unit.scalar, unit.e12, unit.e13, unit.e23)
     }
 
-    /// The shift of the origin, t in `x' = s R x + t`.
+    /// The translation of the origin, t in `x' = s R x + t`.
     #[must_use]
     pub fn displacement(self) -> [S; 3] {
         Affine::from(self).translation
     }
 
-    /// The point that stays, about which the similarity turns and scales: `None` where the factor
+    /// The point that stays, about which the similarity rotates and scales: `None` where the factor
     /// is 1 or so close to it that the point is beyond the range of the scalar.
     ///
     /// ```

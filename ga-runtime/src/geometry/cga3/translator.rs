@@ -4,12 +4,12 @@ use crate::cga3::{MotorGenerator, Translator};
 use crate::scalar::Field;
 
 impl<S: Field> Translator<S> {
-    /// The shift by t: `T = 1 − ½ t ei` (the paper's eq. 26, corrected).
+    /// The translation by t: `T = 1 − ½ t ei` (the paper's eq. 26, corrected).
     ///
     /// ```
     /// use ga_runtime::cga3::{Point, Translator};
-    /// let shift = Translator::from_displacement([1.0, 2.0, 3.0]);
-    /// assert_eq!(shift.transform(Point::new(1.0, 0.0, 0.0)), Point::new(2.0, 2.0, 3.0));
+    /// let translation = Translator::from_displacement([1.0, 2.0, 3.0]);
+    /// assert_eq!(translation.transform(Point::new(1.0, 0.0, 0.0)), Point::new(2.0, 2.0, 3.0));
     /// ```
     #[inline]
     #[must_use]
@@ -25,12 +25,12 @@ impl<S: Field> Translator<S> {
         [self.e1i(), self.e2i(), self.e3i()].map(|x| x * S::from_integer(-2))
     }
 
-    /// The generator `−½ t ei`, whose [`exp`](MotorGenerator::exp) is this shift.
+    /// The generator `−½ t ei`, whose [`exp`](MotorGenerator::exp) is this translation.
     ///
     /// ```
     /// use ga_runtime::cga3::Translator;
-    /// let shift = Translator::from_displacement([1.0, 2.0, 3.0]);
-    /// assert_eq!(shift.log().exp(), shift.into());
+    /// let translation = Translator::from_displacement([1.0, 2.0, 3.0]);
+    /// assert_eq!(translation.log().exp(), translation.into());
     /// ```
     #[inline]
     #[must_use]
@@ -39,7 +39,7 @@ impl<S: Field> Translator<S> {
         MotorGenerator::new(zero, zero, zero, self.e1i(), self.e2i(), self.e3i())
     }
 
-    /// The shift by so many times the displacement, `1 − ½ s t ei`.
+    /// The translation by so many times the displacement, `1 − ½ s t ei`.
     #[inline]
     #[must_use]
     pub fn powf(self, exponent: S) -> Self {
@@ -47,15 +47,15 @@ impl<S: Field> Translator<S> {
         Self::new(x, y, z)
     }
 
-    /// The shift half way.
+    /// The translation half way.
     #[inline]
     #[must_use]
     pub fn sqrt(self) -> Self {
         self.powf(S::from_ratio(1, 2))
     }
 
-    /// The shift on the way from `self` at t = 0 to `other` at t = 1, along a straight line at
-    /// constant speed.
+    /// The translation on the way from `self` at t = 0 to `other` at t = 1, along a straight line
+    /// at constant speed.
     ///
     /// ```
     /// use ga_runtime::cga3::Translator;

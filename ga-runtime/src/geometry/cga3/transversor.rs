@@ -6,7 +6,8 @@ use crate::scalar::{Field, Real, Ring};
 
 impl<S: Field> Transversor<S> {
     /// The special conformal map `K = 1 − k eo = exp(−k eo)`: inversion in the unit sphere about
-    /// the origin, shift by k, inversion again, so that x goes to `(x + k x²)/(1 + 2 k·x + k² x²)`.
+    /// the origin, translation by k, inversion again, so that x goes to
+    /// `(x + k x²)/(1 + 2 k·x + k² x²)`.
     ///
     /// ```
     /// use ga_runtime::cga3::{Point, Transversor};

@@ -93,7 +93,7 @@ impl<S: Real<Mask = bool>> Line<S> {
         are_numbers(foot).then(|| Point::from_coordinates(foot))
     }
 
-    /// The angle of the turn from the direction of this line to that of another, in (−π, π],
+    /// The angle of the rotation from the direction of this line to that of another, in (−π, π],
     /// positive counterclockwise. `None` for ideal lines.
     #[must_use]
     pub fn angle(self, other: Self) -> Option<S> {

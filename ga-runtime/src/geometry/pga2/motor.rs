@@ -6,12 +6,12 @@ use crate::pga2::{Motor, MotorSum, Point, Rotor, Translator};
 use crate::scalar::{Field, Real};
 
 impl<S: Field> Translator<S> {
-    /// The shift by t: `T = 1 + ½ t e0 = 1 + ½ (t2 e20 − t1 e01)`.
+    /// The translation by t: `T = 1 + ½ t e0 = 1 + ½ (t2 e20 − t1 e01)`.
     ///
     /// ```
     /// use ga_runtime::pga2::{Point, Translator};
-    /// let shift = Translator::from_displacement([1.0, 2.0]);
-    /// assert_eq!(shift.transform(Point::from([3.0, 3.0])), Point::from([4.0, 5.0]));
+    /// let translation = Translator::from_displacement([1.0, 2.0]);
+    /// assert_eq!(translation.transform(Point::from([3.0, 3.0])), Point::from([4.0, 5.0]));
     /// ```
     #[inline]
     #[must_use]
@@ -29,14 +29,14 @@ impl<S: Field> Translator<S> {
 }
 
 impl<S: Field> Motor<S> {
-    /// The turn R of `M = T R`, which comes first.
+    /// The rotation R of `M = T R`, which comes first.
     #[inline]
     #[must_use]
     pub fn rotor(self) -> Rotor<S> {
         Rotor::new_unchecked(self.scalar(), self.e12())
     }
 
-    /// The shift T of `M = T R`, which comes second: that of the origin.
+    /// The translation T of `M = T R`, which comes second: that of the origin.
     #[inline]
     #[must_use]
     pub fn translator(self) -> Translator<S> {
@@ -55,7 +55,7 @@ impl<S: Field> Motor<S> {
 }
 
 impl<S: Real<Mask = bool>> Rotor<S> {
-    /// The turn about the origin by an angle in radians, counterclockwise:
+    /// The rotation about the origin by an angle in radians, counterclockwise:
     /// `R = cos ½θ − sin ½θ e12`. `None` where the angle is not finite.
     #[must_use]
     pub fn from_angle(angle: S) -> Option<Self> {
@@ -66,7 +66,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         Some(Self::new_unchecked(cosine, -sine))
     }
 
-    /// The angle in [−2π, 2π]; a rotor and its negative turn to the same place, and differ by 2π.
+    /// The angle in [−2π, 2π]; a rotor and its negative rotate to the same place, and differ by 2π.
     #[must_use]
     pub fn angle(self) -> S {
         let half = (-self.e12()).atan2(self.scalar());
@@ -75,12 +75,12 @@ impl<S: Real<Mask = bool>> Rotor<S> {
 }
 
 impl<S: Real<Mask = bool>> Motor<S> {
-    /// The turn by a rotor about a place instead of the origin, `T(p) R T(−p)`.
+    /// The rotation by a rotor about a place instead of the origin, `T(p) R T(−p)`.
     ///
     /// ```
     /// use ga_runtime::pga2::{Motor, Point, Rotor};
-    /// let turn = Motor::about([1.0, 0.0], Rotor::from_angle(std::f64::consts::PI).unwrap());
-    /// let [x, y] = turn.transform(Point::from([3.0, 0.0])).coordinates().unwrap();
+    /// let rotation = Motor::about([1.0, 0.0], Rotor::from_angle(std::f64::consts::PI).unwrap());
+    /// let [x, y] = rotation.transform(Point::from([3.0, 0.0])).coordinates().unwrap();
     /// assert!((x + 1.0).abs() < 1e-15 && y.abs() < 1e-15);
     /// ```
     #[must_use]
@@ -91,17 +91,17 @@ impl<S: Real<Mask = bool>> Motor<S> {
         Translator::from_displacement(difference(place, turned)) * rotor
     }
 
-    /// The point that stays where it is, about which the motor turns; `None` for a shift, or where
-    /// it is beyond the range of the scalar.
+    /// The point that stays where it is, about which the motor rotates; `None` for a translation,
+    /// or where it is beyond the range of the scalar.
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
         let place = [self.e20() / self.e12(), self.e01() / self.e12()];
         are_numbers(place).then(|| Point::from_coordinates(place))
     }
 
-    /// The bivector B with `exp(B) = M` and its weight in [−π, π]: a point for a turn, an ideal one
-    /// for a shift. `None` for minus a shift that is not minus one, which is no exponential, and
-    /// where a number is not finite. The logarithm of −1 is `π e12`.
+    /// The bivector B with `exp(B) = M` and its weight in [−π, π]: a point for a rotation, an ideal
+    /// one for a translation. `None` for minus a translation that is not minus one, which is not an
+    /// exponential, and where a number is not finite. The logarithm of −1 is `π e12`.
     #[must_use]
     pub fn log(self) -> Option<Point<S>> {
         let (cosine, sine) = (self.scalar(), self.e12());
@@ -139,7 +139,7 @@ impl<S: Real<Mask = bool>> Motor<S> {
         }
     }
 
-    /// The motor of a matrix `[R | t]` by rows; `None` where R is no rotation within √ε, or a
+    /// The motor of a matrix `[R | t]` by rows; `None` where R is not a rotation within √ε, or a
     /// number is not finite.
     #[must_use]
     pub fn from_matrix([a, b]: [[S; 3]; 2]) -> Option<Self> {

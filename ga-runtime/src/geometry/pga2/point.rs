@@ -57,8 +57,8 @@ impl<S: Real<Mask = bool>> Point<S> {
         distance.is_finite().then_some(distance)
     }
 
-    /// The motor `exp(B)` of any bivector: `−½θP` turns by θ about the point P of weight 1,
-    /// counterclockwise; `½ t∧e0`, an ideal point, shifts by t. What is not a number stays so.
+    /// The motor `exp(B)` of any bivector: `−½θP` rotates by θ about the point P of weight 1,
+    /// counterclockwise; `½ t∧e0`, an ideal point, translates by t. What is not a number stays so.
     ///
     /// Points square to minus their squared weight, so that it is `cos w + (sin w / w) B`.
     ///

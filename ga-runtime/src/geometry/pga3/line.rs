@@ -6,8 +6,8 @@ use crate::scalar::{Real, Ring};
 use crate::vga3::Vector;
 
 impl<S: Ring> Line<S> {
-    /// The line through two points, from p to q: `q ∨ p`, so that a turn about it is right-handed
-    /// about `q − p`. Zero where the points coincide; the ideal point of a
+    /// The line through two points, from p to q: `q ∨ p`, so that a rotation about it is
+    /// right-handed about `q − p`. Zero where the points coincide; the ideal point of a
     /// [`Direction`](crate::pga3::Direction) does for q.
     ///
     /// ```
@@ -145,9 +145,9 @@ impl<S: Real<Mask = bool>> Line<S> {
         )
     }
 
-    /// The motor `exp(B)` of any bivector: `B = −½θL` turns by θ about the unit line L,
-    /// right-handed about its direction; `B = ½ t∧e0` shifts by t; a sum of both with t along L is
-    /// a screw.
+    /// The motor `exp(B)` of any bivector: `B = −½θL` rotates by θ about the unit line L,
+    /// right-handed about its direction; `B = ½ t∧e0` translates by t; a sum of both with t along L
+    /// is a screw.
     ///
     /// Right to rounding for angles however small. What is not a number stays so.
     ///

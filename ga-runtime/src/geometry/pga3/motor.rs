@@ -7,7 +7,7 @@ use crate::scalar::{Field, Real};
 use crate::vga3::Vector;
 
 impl<S: Real<Mask = bool>> Rotor<S> {
-    /// The turn by an angle in radians about an axis through the origin, right-handed:
+    /// The rotation by an angle in radians about an axis through the origin, right-handed:
     /// `R = cos ½θ − sin ½θ (n1 e23 − n2 e13 + n3 e12)`. The axis need not have length 1; `None`
     /// where it is zero or not finite, or the angle is not finite.
     #[must_use]
@@ -21,8 +21,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         cga3::Rotor::from(self).to_axis_angle()
     }
 
-    /// The turn by the shortest way from one direction to another; `None` where one is zero or not
-    /// finite.
+    /// The rotation by the shortest way from one direction to another; `None` where one is zero or
+    /// not finite.
     #[must_use]
     pub fn between(from: [S; 3], to: [S; 3]) -> Option<Self> {
         cga3::Rotor::between(from, to).map(Self::from)
@@ -30,12 +30,12 @@ impl<S: Real<Mask = bool>> Rotor<S> {
 }
 
 impl<S: Field> Translator<S> {
-    /// The shift by t: `T = 1 + ½ t e0`, with e10, e20, e30 being half the displacement.
+    /// The translation by t: `T = 1 + ½ t e0`, with e10, e20, e30 being half the displacement.
     ///
     /// ```
     /// use ga_runtime::pga3::{Point, Translator};
-    /// let shift = Translator::from_displacement([1.0, 2.0, 3.0]);
-    /// assert_eq!(shift.transform(Point::from([1.0, 0.0, 0.0])), Point::from([2.0, 2.0, 3.0]));
+    /// let translation = Translator::from_displacement([1.0, 2.0, 3.0]);
+    /// assert_eq!(translation.transform(Point::from([1.0, 0.0, 0.0])), Point::from([2.0, 2.0, 3.0]));
     /// ```
     #[inline]
     #[must_use]
@@ -53,14 +53,14 @@ impl<S: Field> Translator<S> {
 }
 
 impl<S: Field> Motor<S> {
-    /// The turn R of `M = T R`, which comes first.
+    /// The rotation R of `M = T R`, which comes first.
     #[inline]
     #[must_use]
     pub fn rotor(self) -> Rotor<S> {
         Rotor::new_unchecked(self.scalar(), self.e12(), self.e13(), self.e23())
     }
 
-    /// The shift T of `M = T R`, which comes second: that of the origin.
+    /// The translation T of `M = T R`, which comes second: that of the origin.
     #[inline]
     #[must_use]
     pub fn translator(self) -> Translator<S> {
@@ -70,8 +70,8 @@ impl<S: Field> Motor<S> {
 }
 
 impl<S: Real<Mask = bool>> Motor<S> {
-    /// The screw about a line: a turn by an angle, right-handed about its direction, and a shift
-    /// along it. `None` for an ideal line, or where a number is not finite.
+    /// The screw about a line: a rotation by an angle, right-handed about its direction, and a
+    /// translation along it. `None` for an ideal line, or where a number is not finite.
     ///
     /// ```
     /// use ga_runtime::pga3::{Line, Motor, Point};
@@ -95,13 +95,14 @@ impl<S: Real<Mask = bool>> Motor<S> {
         usable.then(|| generator.exp())
     }
 
-    /// The bivector B with `exp(B) = M`, for a turn by θ in [0, 2π], so that the sign of M comes
-    /// back too. Conventions are those of [`cga3::Motor::log`]; what is not a number stays so.
+    /// The bivector B with `exp(B) = M`, for a rotation by θ in [0, 2π], so that the sign of M
+    /// comes back too. Conventions are those of [`cga3::Motor::log`]; what is not a number stays
+    /// so.
     ///
     /// ```
     /// use ga_runtime::pga3::{Motor, Rotor, Translator};
-    /// let turn = Rotor::from_axis_angle([0.0_f64, 1.0, 0.0], 2.0).unwrap();
-    /// let motor: Motor<f64> = Translator::from_displacement([1.0, 2.0, 3.0]) * turn;
+    /// let rotation = Rotor::from_axis_angle([0.0_f64, 1.0, 0.0], 2.0).unwrap();
+    /// let motor: Motor<f64> = Translator::from_displacement([1.0, 2.0, 3.0]) * rotation;
     /// assert!((motor.log().exp().e10() - motor.e10()).abs() < 1e-15);
     /// ```
     #[must_use]
@@ -122,7 +123,7 @@ impl<S: Real<Mask = bool>> Motor<S> {
         cga3::Motor::from(self).to_matrix()
     }
 
-    /// The motor of a matrix `[R | t]` by rows; `None` where R is no rotation within √ε, or t is
+    /// The motor of a matrix `[R | t]` by rows; `None` where R is not a rotation within √ε, or t is
     /// not finite.
     #[must_use]
     pub fn from_matrix(rows: [[S; 4]; 3]) -> Option<Self> {

@@ -28,7 +28,7 @@ impl<S: Ring> Bivector<S> {
 
     /// The magnetic field B, the coefficients of g32, g13, g21.
     ///
-    /// As a generator these are turns.
+    /// As a generator these are rotations.
     #[inline]
     #[must_use]
     pub fn magnetic(self) -> [S; 3] {
@@ -72,7 +72,7 @@ impl<S: Real<Mask = bool>> Bivector<S> {
     }
 
     /// The rotor `exp(F)`: `½φσ` with a unit relative vector σ boosts by the rapidity φ, `−½θ Iσ`
-    /// turns by θ about σ, and every other F does both in planes that commute, or is null. `None`
+    /// rotates by θ about σ, and every other F does both in planes that commute, or is null. `None`
     /// where a number is not finite, or the boost beyond the range of the scalar.
     ///
     /// F² is a number `a + b I`, so that `exp(F) = cosh z + (sinh z/z) F` with `z² = F²`. Of a null

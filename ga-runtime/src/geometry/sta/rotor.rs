@@ -65,9 +65,9 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         usable.then(|| Self::boost(cosh, sinh.into()))
     }
 
-    /// The turn of space by an angle in radians about an axis, right-handed: `cos ½θ − sin ½θ I n`.
-    /// The axis need not have length 1; `None` where it is zero or not finite, or the angle not
-    /// finite.
+    /// The rotation of space by an angle in radians about an axis, right-handed:
+    /// `cos ½θ − sin ½θ I n`. The axis need not have length 1; `None` where it is zero or not
+    /// finite, or the angle not finite.
     #[must_use]
     pub fn from_axis_angle(axis: [S; 3], angle: S) -> Option<Self> {
         if !angle.is_finite() {
@@ -87,20 +87,20 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         image.place().map(|x| x / image.time())
     }
 
-    /// The turn U and the boost L with `R = L U`: first the turn, then the boost by
+    /// The rotation U and the boost L with `R = L U`: first the rotation, then the boost by
     /// [`velocity`](Self::velocity).
     ///
-    /// The product of two boosts in different directions contains a turn, that of Wigner and
+    /// The product of two boosts in different directions contains a rotation, that of Wigner and
     /// Thomas.
     ///
     /// ```
     /// use ga_runtime::sta::Rotor;
     /// let (a, b) = ([0.6, 0.0, 0.0], [0.0, 0.6, 0.0]);
     /// let both = Rotor::from_velocity(a).unwrap() * Rotor::from_velocity(b).unwrap();
-    /// let (boost, turn): (Rotor<f64>, Rotor<f64>) = both.boost_and_turn();
+    /// let (boost, rotation): (Rotor<f64>, Rotor<f64>) = both.boost_and_turn();
     /// // tan ½θ = sinh ½φ sinh ½χ / (cosh ½φ cosh ½χ) for boosts across each other.
-    /// assert!(((turn.g21() / turn.scalar()).abs() - 1.0 / 9.0).abs() < 1e-15);
-    /// assert!(((boost * turn).g0123() - both.g0123()).abs() < 1e-15);
+    /// assert!(((rotation.g21() / rotation.scalar()).abs() - 1.0 / 9.0).abs() < 1e-15);
+    /// assert!(((boost * rotation).g0123() - both.g0123()).abs() < 1e-15);
     /// ```
     #[must_use]
     pub fn boost_and_turn(self) -> (Self, Self) {

@@ -54,7 +54,7 @@ pub fn velocity_sum<S: Real<Mask = bool>>(
     if lorentz_factor(sum.into()).is_some() {
         return Ok(sum.into());
     }
-    // Slower than light in truth, and rounded up to it.
+    // The exact sum is slower than light; rounding has raised it to that.
     let scale = (S::one() - S::epsilon() * S::from_integer(4)) / sum.length();
     Ok((sum * scale).into())
 }

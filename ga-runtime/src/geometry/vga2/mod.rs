@@ -1,4 +1,4 @@
-//! Euclidean geometry in vga2: directions of the plane, turns and complex numbers.
+//! Euclidean geometry in vga2: directions of the plane, rotations and complex numbers.
 
 mod complex;
 mod rotor;

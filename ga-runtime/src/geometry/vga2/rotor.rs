@@ -5,8 +5,8 @@ use crate::scalar::{Field, Real};
 use crate::vga2::{Bivector, Complex, Rotor, Vector};
 
 impl<S: Field> Rotor<S> {
-    /// The complex number of the turn, `cos θ + sin θ e12`: the square of the reverse. It turns the
-    /// complex numbers of vectors by one product, as a rotor turns vectors by two.
+    /// The complex number of the rotation, `cos θ + sin θ e12`: the square of the reverse. It
+    /// rotates the complex numbers of vectors by one product, as a rotor rotates vectors by two.
     #[inline]
     #[must_use]
     pub fn to_complex(self) -> Complex<S> {
@@ -25,7 +25,7 @@ impl<S: Field> Rotor<S> {
 }
 
 impl<S: Real<Mask = bool>> Rotor<S> {
-    /// The turn by an angle in radians, positive from e1 towards e2: `R = cos ½θ − sin ½θ e12`.
+    /// The rotation by an angle in radians, positive from e1 towards e2: `R = cos ½θ − sin ½θ e12`.
     /// `None` where the angle is not finite.
     ///
     /// ```
@@ -43,14 +43,14 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         Some(Self::new_unchecked(cosine, -sine))
     }
 
-    /// The angle in [−2π, 2π]; a rotor and its negative turn to the same place, and differ by 2π.
+    /// The angle in [−2π, 2π]; a rotor and its negative rotate to the same place, and differ by 2π.
     #[must_use]
     pub fn angle(self) -> S {
         let half = (-self.e12()).atan2(self.scalar());
         half + half
     }
 
-    /// The turn by the short way from the direction of one vector to that of another;
+    /// The rotation by the short way from the direction of one vector to that of another;
     /// counterclockwise where they are opposite. `None` where one is zero or not finite.
     #[must_use]
     pub fn between(from: Vector<S>, to: Vector<S>) -> Option<Self> {
@@ -61,8 +61,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         Self::from_complex(Vector::from(a) * Vector::from(b))
     }
 
-    /// The turn by the argument of a complex number, in (−π, π]; `None` for zero and what is not
-    /// finite.
+    /// The rotation by the argument of a complex number, in (−π, π]; `None` for zero and what is
+    /// not finite.
     ///
     /// ```
     /// use ga_runtime::vga2::{Complex, Rotor, Vector};
@@ -84,8 +84,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         Some(Self::new_unchecked(cosine, -sine))
     }
 
-    /// The bivector B with `exp(B) = R`: `−½θ e12` for the turn by θ, with its coefficient in [−π,
-    /// π].
+    /// The bivector B with `exp(B) = R`: `−½θ e12` for the rotation by θ, with its coefficient in
+    /// [−π, π].
     #[must_use]
     pub fn log(self) -> Bivector<S> {
         Bivector::new(self.e12().atan2(self.scalar()))
@@ -93,7 +93,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
 }
 
 impl<S: Real<Mask = bool>> Bivector<S> {
-    /// The rotor `exp(B)`: for `B = −½θ e12` the turn by θ. What is not a number stays so.
+    /// The rotor `exp(B)`: for `B = −½θ e12` the rotation by θ. What is not a number stays so.
     #[must_use]
     pub fn exp(self) -> Rotor<S> {
         let (sine, cosine) = self.e12.sin_cos();

@@ -36,7 +36,7 @@ impl<S: Real<Mask = bool>> Vector<S> {
         normalized(self.coordinates()).map(Self::from)
     }
 
-    /// The angle of the turn to another vector, in (−π, π], positive from e1 towards e2; `None`
+    /// The angle of the rotation to another vector, in (−π, π], positive from e1 towards e2; `None`
     /// where one is zero or not finite.
     ///
     /// ```

@@ -45,8 +45,8 @@ impl<S: Real<Mask = bool>> Bivector<S> {
         vector.reject(self.normal().into())
     }
 
-    /// The rotor `exp(B) = cos |B| + sin |B| B/|B|`: for `B = −½θb` with a unit bivector b, a turn
-    /// by θ in its sense. What is not a number stays so.
+    /// The rotor `exp(B) = cos |B| + sin |B| B/|B|`: for `B = −½θb` with a unit bivector b, a
+    /// rotation by θ in its sense. What is not a number stays so.
     ///
     /// ```
     /// use ga_runtime::vga3::{Bivector, Vector};

@@ -5,7 +5,7 @@ use crate::scalar::{Real, Ring};
 use crate::vga3::{Bivector, Quaternion, Rotor, Vector};
 
 impl<S: Real<Mask = bool>> Rotor<S> {
-    /// The turn by an angle in radians about an axis, right-handed:
+    /// The rotation by an angle in radians about an axis, right-handed:
     /// `R = cos ½θ − sin ½θ (n1 e23 − n2 e13 + n3 e12)`. The axis need not have length 1; `None`
     /// where it is zero or not finite, or the angle is not finite.
     #[must_use]
@@ -13,30 +13,30 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         cga3::Rotor::from_axis_angle(axis.into(), angle).map(Self::from)
     }
 
-    /// The axis of length 1 and the angle in [0, 2π] of the turn; the axis is e3 where the angle is
-    /// 0 or 2π. A rotor and its negative turn to the same place by opposite ways: their angles add
-    /// to 2π.
+    /// The axis of length 1 and the angle in [0, 2π] of the rotation; the axis is e3 where the
+    /// angle is 0 or 2π. A rotor and its negative rotate to the same place by opposite ways: their
+    /// angles add to 2π.
     #[must_use]
     pub fn to_axis_angle(self) -> (Vector<S>, S) {
         let (axis, angle) = cga3::Rotor::from(self).to_axis_angle();
         (axis.into(), angle)
     }
 
-    /// The turn by the shortest way from the direction of one vector to that of another; opposite
-    /// ones are joined by a half turn about some axis across them. `None` where one is zero or not
-    /// finite.
+    /// The rotation by the shortest way from the direction of one vector to that of another;
+    /// opposite ones are joined by a half turn about some axis across them. `None` where one is
+    /// zero or not finite.
     #[must_use]
     pub fn between(from: Vector<S>, to: Vector<S>) -> Option<Self> {
         cga3::Rotor::between(from.into(), to.into()).map(Self::from)
     }
 
-    /// The rotor of the turn of a quaternion `w + x i + y j + z k`, given as `[x, y, z]` and w:
+    /// The rotor of the rotation of a quaternion `w + x i + y j + z k`, given as `[x, y, z]` and w:
     /// `w − x e23 + y e13 − z e12`. The quaternion need not have length 1; `None` where it is zero
     /// or not finite.
     ///
     /// ```
     /// use ga_runtime::vga3::{Rotor, Vector};
-    /// // k turns by 180° about z.
+    /// // k rotates by 180° about z.
     /// let rotor = Rotor::from_quaternion([0.0, 0.0, 1.0], 0.0).unwrap();
     /// assert_eq!(rotor.e12(), -1.0);
     /// assert_eq!(rotor.transform(Vector::new(1.0, 2.0, 3.0)), Vector::new(-1.0, -2.0, 3.0));
@@ -46,15 +46,15 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         cga3::Rotor::from_quaternion(vector, scalar).map(Self::from)
     }
 
-    /// The unit quaternion of the same turn, `[x, y, z]` and w.
+    /// The unit quaternion of the same rotation, `[x, y, z]` and w.
     #[inline]
     #[must_use]
     pub fn to_quaternion(self) -> ([S; 3], S) {
         cga3::Rotor::from(self).to_quaternion()
     }
 
-    /// The rotor of a rotation matrix given by rows; `None` where the matrix is no rotation within
-    /// √ε.
+    /// The rotor of a rotation matrix given by rows; `None` where the matrix is not a rotation
+    /// within √ε.
     #[must_use]
     pub fn from_matrix(rows: [[S; 3]; 3]) -> Option<Self> {
         cga3::Rotor::from_matrix(rows).map(Self::from)
@@ -67,8 +67,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     }
 
     /// The bivector B with `exp(B) = R` and `|B|` in [0, π], so that the sign of R comes back too:
-    /// `−½θb` for a turn by θ in the unit bivector b. The logarithm of −1 is `π e12`. What is not a
-    /// number stays so.
+    /// `−½θb` for a rotation by θ in the unit bivector b. The logarithm of −1 is `π e12`. What is
+    /// not a number stays so.
     #[must_use]
     pub fn log(self) -> Bivector<S> {
         let vector = Vector::new(self.e12(), self.e13(), self.e23());
@@ -77,16 +77,16 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         let plane = match vector.normalized() {
             Some(plane) => plane,
             None if S::zero().less_than(angle) => Vector::new(S::one(), S::zero(), S::zero()),
-            // Zero, or not a number where the rotor is none.
+            // Zero, or not a number where the rotor is not one.
             None => vector,
         };
         let [x, y, z] = (plane * angle).coordinates();
         Bivector::new(x, y, z)
     }
 
-    /// The turn on the way from `self` at t = 0 to `other` at t = 1 with constant speed and by the
-    /// short way round, `R exp(t log(~R S))`: spherical linear interpolation (Shoemake, Animating
-    /// Rotation with Quaternion Curves, 1985).
+    /// The rotation on the way from `self` at t = 0 to `other` at t = 1 with constant speed and by
+    /// the short way round, `R exp(t log(~R S))`: spherical linear interpolation (Shoemake,
+    /// Animating Rotation with Quaternion Curves, 1985).
     ///
     /// ```
     /// use ga_runtime::vga3::{Rotor, Vector};

@@ -18,7 +18,7 @@
 //! let error = serde_json::from_str::<Point<f64>>(r#"{"e1": 1, "e2": 2}"#).unwrap_err();
 //! assert!(error.to_string().contains("`e3`"));
 //!
-//! // Half the identity is no rotor. The type of sums of rotors takes it, and normalises.
+//! // Half the identity is not a rotor. The type of sums of rotors takes it, and normalises.
 //! let half = r#"{"scalar": 0.5, "e12": 0, "e13": 0, "e23": 0}"#;
 //! let error = serde_json::from_str::<Rotor<f64>>(half).unwrap_err();
 //! assert!(error.to_string().contains("no `Rotor`"));

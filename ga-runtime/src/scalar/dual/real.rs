@@ -1,7 +1,7 @@
 //! Elementary functions of dual numbers.
 
 use super::Dual;
-use crate::scalar::{Real, turn};
+use crate::scalar::{Real, half_angle};
 
 impl<S: Real, const N: usize> Real for Dual<S, N> {
     type Mask = S::Mask;
@@ -38,13 +38,13 @@ impl<S: Real, const N: usize> Real for Dual<S, N> {
     #[inline(always)]
     fn sine_by_angle(self) -> (Self, Self, Self) {
         let (cosine, ratio, slope) = self.value.sine_by_angle();
-        let (a, b, c) = turn::sine_by_angle(self);
+        let (a, b, c) = half_angle::sine_by_angle(self);
         (a.at_value(cosine), b.at_value(ratio), c.at_value(slope))
     }
     #[inline(always)]
     fn angle_by_sine(self) -> (Self, Self) {
         let (ratio, slope) = self.value.angle_by_sine();
-        let (a, b) = turn::angle_by_sine(self);
+        let (a, b) = half_angle::angle_by_sine(self);
         (a.at_value(ratio), b.at_value(slope))
     }
     #[inline(always)]

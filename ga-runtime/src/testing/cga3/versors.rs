@@ -8,28 +8,28 @@ use super::points::points;
 use crate::cga3::{Dilator, Motor, Rotor, Similarity, Translator};
 use crate::scalar::Real;
 
-/// Unit rotors: turns by one of the [`angles`](super::angles) in [0, 2π] about one of the
+/// Unit rotors: rotations by one of the [`angles`](super::angles) in [0, 2π] about one of the
 /// [`directions`](super::directions), so that a rotor and its negative are both met, and so are
-/// half turns, whole turns and hardly any turn.
+/// half turns, full turns and hardly any rotation.
 pub fn rotors<S: Real<Mask = bool>>() -> impl Strategy<Value = Rotor<S>> + Clone {
     (directions(), angles()).prop_filter_map("an axis of length 1", |(axis, angle)| {
         Rotor::from_axis_angle(axis, angle)
     })
 }
 
-/// Shifts by the coordinates of one of the [`points`](super::points), so by 0 along some axis and
-/// by 10⁻³ to 10⁻¹² of `size`. One in eight is no shift.
+/// Translations by the coordinates of one of the [`points`](super::points), so by 0 along some axis
+/// and by 10⁻³ to 10⁻¹² of `size`. One in eight does not move anything.
 pub fn translators<S: Real>(size: f64) -> impl Strategy<Value = Translator<S>> + Clone {
     prop_oneof![7 => places(size), 1 => Just([0.0; 3])]
         .prop_map(|shift| Translator::from_displacement(shift.map(S::from_f64)))
 }
 
-/// Rigid motions whose shift, or axis, is within a few times `size` of the origin.
+/// Rigid motions whose translation, or axis, is within a few times `size` of the origin.
 ///
 /// Half are one of the [`rotors`] and then one of the [`translators`]. Otherwise, one in eight
-/// each: a turn about an axis through one of the [`points`](super::points), with no shift along it;
-/// a screw along such an axis; a shift alone; 1 or −1. The motor of a shift is minus the translator
-/// in half of the cases.
+/// each: a rotation about an axis through one of the [`points`](super::points), with no translation
+/// along it; a screw along such an axis; a translation alone; 1 or −1. The motor of a translation
+/// is minus the translator in half of the cases.
 pub fn motors<S: Real<Mask = bool>>(size: f64) -> impl Strategy<Value = Motor<S>> + Clone {
     let sign = select(&[1, -1]);
     prop_oneof![

@@ -7,13 +7,13 @@ use super::weight::{WeightError, checked};
 use crate::cga3::{DualQuaternion, Motor, Rotor};
 use crate::scalar::Real;
 
-/// Motions that have no blend.
+/// Motions that cannot be blended.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum BlendError<S> {
     /// There is nothing to blend.
     Empty,
-    /// The weights make no average.
+    /// The weights do not define an average.
     Weight(WeightError<S>),
     /// A coefficient of a motion is not finite.
     NotFinite {
@@ -63,11 +63,11 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// ```
     /// use ga_runtime::cga3::{Motor, Translator};
     /// use ga_runtime::geometry::motion::{BlendError, WeightError};
-    /// let shift = |x: f64| Motor::from(Translator::from_displacement([x, 0.0, 0.0]));
+    /// let translation = |x: f64| Motor::from(Translator::from_displacement([x, 0.0, 0.0]));
     /// // Three to one, and the sign of a motor makes no difference.
-    /// let blend = Motor::blend(&[(3.0, shift(2.0)), (1.0, -shift(6.0))]).unwrap();
+    /// let blend = Motor::blend(&[(3.0, translation(2.0)), (1.0, -translation(6.0))]).unwrap();
     /// assert_eq!(blend.translator().displacement(), [3.0, 0.0, 0.0]);
-    /// let refused = Motor::blend(&[(1.0, shift(2.0)), (-1.0, shift(6.0))]);
+    /// let refused = Motor::blend(&[(1.0, translation(2.0)), (-1.0, translation(6.0))]);
     /// assert_eq!(
     ///     refused,
     ///     Err(BlendError::Weight(WeightError::Invalid {
@@ -119,8 +119,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     ///
     /// ```
     /// use ga_runtime::cga3::Rotor;
-    /// let turn = |angle: f64| Rotor::from_axis_angle([0.0, 0.0, 1.0], angle).unwrap();
-    /// let (axis, angle) = Rotor::blend(&[(0.5, turn(1.0)), (0.5, turn(2.0))])
+    /// let rotation = |angle: f64| Rotor::from_axis_angle([0.0, 0.0, 1.0], angle).unwrap();
+    /// let (axis, angle) = Rotor::blend(&[(0.5, rotation(1.0)), (0.5, rotation(2.0))])
     ///     .unwrap()
     ///     .to_axis_angle();
     /// assert!((angle - 1.5).abs() < 1e-15 && axis == [0.0, 0.0, 1.0]);

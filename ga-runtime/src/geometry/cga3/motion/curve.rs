@@ -24,7 +24,7 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// use ga_runtime::cga3::{Motor, Translator};
     /// let control = [[0.0, 0.0, 0.0], [0.0, 4.0, 0.0], [4.0, 4.0, 0.0], [4.0, 0.0, 0.0]]
     ///     .map(|t: [f64; 3]| Motor::from(Translator::from_displacement(t)));
-    /// // For shifts it is the curve of points: here (P₀ + 3 P₁ + 3 P₂ + P₃)/8.
+    /// // For translations it is the curve of points: here (P₀ + 3 P₁ + 3 P₂ + P₃)/8.
     /// assert_eq!(Motor::bezier(control, 0.5).translator().displacement(), [2.0, 3.0, 0.0]);
     /// ```
     #[must_use]
@@ -51,9 +51,9 @@ impl<S: Real<Mask = bool>> Motor<S> {
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Rotor};
-    /// let turn =
+    /// let rotation =
     ///     |angle: f64| Motor::from(Rotor::from_axis_angle([0.0, 1.0, 0.0], angle).unwrap());
-    /// let keys = [0.0, 0.5, 1.5, 2.0].map(turn);
+    /// let keys = [0.0, 0.5, 1.5, 2.0].map(rotation);
     /// let from = Motor::squad_control(keys[0], keys[1], keys[2]);
     /// let to = Motor::squad_control(keys[1], keys[2], keys[3]);
     /// let middle = Motor::squad(keys[1], from, to, keys[2], 0.5);
@@ -91,8 +91,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     ///
     /// ```
     /// use ga_runtime::cga3::Rotor;
-    /// let turn = |angle: f64| Rotor::from_axis_angle([0.0, 1.0, 0.0], angle).unwrap();
-    /// let middle = Rotor::bezier([turn(0.0), turn(0.0), turn(1.0), turn(1.0)], 0.5);
+    /// let rotation = |angle: f64| Rotor::from_axis_angle([0.0, 1.0, 0.0], angle).unwrap();
+    /// let middle = Rotor::bezier([rotation(0.0), rotation(0.0), rotation(1.0), rotation(1.0)], 0.5);
     /// assert!((middle.to_axis_angle().1 - 0.5).abs() < 1e-15);
     /// ```
     #[must_use]

@@ -22,10 +22,10 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// The motor that carries the first points of three or more pairs as near as possible to the
     /// second ones: the M for which `Σ |yᵢ − M xᵢ ~M|²` is least.
     ///
-    /// The turn comes from the largest eigenvalue of Horn's symmetric 4×4 matrix (Closed-form
+    /// The rotation comes from the largest eigenvalue of Horn's symmetric 4×4 matrix (Closed-form
     /// solution of absolute orientation using unit quaternions, Journal of the Optical Society of
     /// America A 4, 1987) and two steps of Newton, which take away what its squares have lost; the
-    /// shift carries centroid to centroid. Mirror images give the best proper motion.
+    /// translation carries centroid to centroid. Mirror images give the best proper motion.
     ///
     /// # Errors
     /// Less than three pairs, numbers that are not finite, a result beyond the range of the scalar.
@@ -35,7 +35,7 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// ```
     /// use ga_runtime::cga3::{Motor, Point};
     /// use ga_runtime::geometry::motion::FitError;
-    /// // A quarter turn about e3 and a shift by 5 along e1.
+    /// // A quarter turn about e3 and a translation by 5 along e1.
     /// let from = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 2.0, 0.0]].map(Point::from);
     /// let to = [[5.0, 0.0, 0.0], [5.0, 1.0, 0.0], [3.0, 0.0, 0.0]].map(Point::from);
     /// let pairs: Vec<(Point<f64>, Point<f64>)> = from.into_iter().zip(to).collect();
@@ -74,7 +74,7 @@ impl<S: Real<Mask = bool>> Motor<S> {
 
 impl<S: Real<Mask = bool>> Similarity<S> {
     /// The similarity, a motion after a scaling, that carries the first points of three or more
-    /// pairs as near as possible to the second ones: Procrustes analysis. The turn is that of
+    /// pairs as near as possible to the second ones: Procrustes analysis. The rotation is that of
     /// [`Motor::from_point_pairs`], the factor is `s = Σ yᵢ·R xᵢ / Σ xᵢ²` with both sides taken
     /// from their centroids (Umeyama, Least-squares estimation of transformation parameters between
     /// two point patterns, IEEE Transactions on Pattern Analysis and Machine Intelligence 13,
@@ -117,7 +117,7 @@ impl<S: Real<Mask = bool>> Similarity<S> {
 }
 
 impl<S: Real<Mask = bool>> Rotor<S> {
-    /// The rotor that turns the first directions of two or more pairs as near as possible to the
+    /// The rotor that rotates the first directions of two or more pairs as near as possible to the
     /// second ones: the R for which `Σ |bᵢ − R aᵢ ~R|²` is least, for the directions made of
     /// length 1. This is Wahba's problem (SIAM Review 7, 1965), and the solution that of
     /// [`Motor::from_point_pairs`].
@@ -208,7 +208,7 @@ impl<S: Real<Mask = bool>> Centred<S> {
         })
     }
 
-    /// The shift that carries the image of the one centroid to the other.
+    /// The translation that carries the image of the one centroid to the other.
     fn shift(&self, rotor: Rotor<S>, factor: S) -> Result<Translator<S>, FitError<S>> {
         let [from, to] = self.centroids;
         let image = rotor.transform(Point::from(from * factor));

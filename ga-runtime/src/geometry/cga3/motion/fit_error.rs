@@ -4,7 +4,7 @@ use core::fmt::{Debug, Display, Formatter, Result as FmtResult};
 
 use super::weight::WeightError;
 
-/// Pairs that fix no motion.
+/// Pairs that do not determine a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum FitError<S> {
@@ -15,7 +15,7 @@ pub enum FitError<S> {
         /// The number needed: three of points, two of directions.
         needed: usize,
     },
-    /// The weights make no average.
+    /// The weights do not define an average.
     Weight(WeightError<S>),
     /// A point or direction of a pair is not finite.
     NotFinite {
@@ -29,11 +29,11 @@ pub enum FitError<S> {
     },
     /// All points of one side are at one place.
     Coincident,
-    /// All points of one side lie on a line, all directions of one side are parallel: a turn about
-    /// it changes nothing.
+    /// All points of one side lie on a line, all directions of one side are parallel: a rotation
+    /// about it changes nothing.
     Collinear,
-    /// Several turns fit equally well, as when one side is the mirror image of a regular body, or
-    /// when the sides have nothing to do with each other.
+    /// Several rotations fit equally well, as when one side is the mirror image of a regular body,
+    /// or when the sides have nothing to do with each other.
     NotUnique,
     /// The result is beyond the range of the scalar.
     OutOfRange,
@@ -53,7 +53,7 @@ impl<S: Debug> Display for FitError<S> {
             Self::NoDirection { index } => write!(f, "pair {index} has a direction of length zero"),
             Self::Coincident => f.write_str("all points of one side are at one place"),
             Self::Collinear => f.write_str("all points of one side lie on a line"),
-            Self::NotUnique => f.write_str("several turns fit equally well"),
+            Self::NotUnique => f.write_str("several rotations fit equally well"),
             Self::OutOfRange => f.write_str("the result is beyond the range of the scalar"),
         }
     }

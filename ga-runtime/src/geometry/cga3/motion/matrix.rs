@@ -49,7 +49,7 @@ pub(super) fn solve<S: Real<Mask = bool>, const N: usize>(
 /// first.
 ///
 /// By the cyclic method of Jacobi (Golub and Van Loan, Matrix Computations, 2013, section 8.5):
-/// each step makes one entry beside the diagonal zero by a turn in its plane.
+/// each step makes one entry beside the diagonal zero by a rotation in its plane.
 pub(super) fn symmetric_eigen<S: Real<Mask = bool>, const N: usize>(
     mut a: Matrix<S, N>,
 ) -> [(S, [S; N]); N] {
@@ -84,7 +84,7 @@ pub(super) fn symmetric_eigen<S: Real<Mask = bool>, const N: usize>(
     pairs
 }
 
-/// One step: the turn in the plane of two axes p < q that makes their common entry zero. The
+/// One step: the rotation in the plane of two axes p < q that makes their common entry zero. The
 /// eigenvectors are rows.
 fn turn<S: Real<Mask = bool>, const N: usize>(
     a: &mut Matrix<S, N>,

@@ -43,7 +43,7 @@ pub enum MeanError<S> {
     /// No rotation is within a quarter turn of all of them, or they are at two places half a turn
     /// apart: there may be several means.
     NotUnique {
-        /// Which of the motions turns farthest away from the blend, from 0.
+        /// Which of the motions rotates farthest away from the blend, from 0.
         index: usize,
         /// The angle from the blend, in radians.
         angle: S,
@@ -63,7 +63,7 @@ impl<S: Debug> Display for MeanError<S> {
             Self::Blend(error) => Display::fmt(error, f),
             Self::NotUnique { index, angle } => write!(
                 f,
-                "no rotation is within a quarter turn of all; motion {index} turns {angle:?} rad from the blend"
+                "no rotation is within a quarter turn of all; motion {index} is rotated by {angle:?} rad from the blend"
             ),
             Self::NotConverged { steps, residual } => write!(
                 f,
@@ -92,42 +92,42 @@ impl<S> From<BlendError<S>> for MeanError<S> {
 impl<S: Real<Mask = bool>> Motor<S> {
     /// The weighted intrinsic mean of motors: the M with `Σ wᵢ log(~M Mᵢ) = 0`.
     ///
-    /// Its turn is the Karcher mean of the turns, where the weighted sum of squared angles is least
-    /// (Moakher, Means and averaging in the group of rotations, SIAM Journal on Matrix Analysis 24,
-    /// 2002). The whole is the exponential barycentre of Pennec and Arsigny (in Matrix Information
-    /// Geometry, 2012): it goes along with any change of frames on either side,
+    /// Its rotation is the Karcher mean of the rotations, where the weighted sum of squared angles
+    /// is least (Moakher, Means and averaging in the group of rotations, SIAM Journal on Matrix
+    /// Analysis 24, 2002). The whole is the exponential barycentre of Pennec and Arsigny (in Matrix
+    /// Information Geometry, 2012): it changes along with any change of frames on either side,
     /// `mean(A Mᵢ B) = A mean(Mᵢ) B`, which no least sum of squared distances of motions does. Of
     /// two motors it is on the screw from one to the other, at the fraction of the weights. Weights
     /// count by their ratios, and the sign is that of the motor with the largest, as in
     /// [`Motor::blend`], from where the iteration starts.
     ///
-    /// The mean is unique where all turns are within a quarter turn of some common one, whichever
-    /// that is (Kendall, Probability, convexity, and harmonic maps, Proceedings of the London
-    /// Mathematical Society 61, 1990; Afsari, Riemannian Lᵖ center of mass, Proceedings of the
-    /// American Mathematical Society 139, 2011), but for turns at just two places half a turn
-    /// apart. Other motors are refused; that there is no such common turn is certain then, up to
-    /// 64ε.
+    /// The mean is unique where all rotations are within a quarter turn of some common one,
+    /// whichever that is (Kendall, Probability, convexity, and harmonic maps, Proceedings of the
+    /// London Mathematical Society 61, 1990; Afsari, Riemannian Lᵖ center of mass, Proceedings of
+    /// the American Mathematical Society 139, 2011), but for rotations at just two places half a
+    /// turn apart. Other motors are refused; that there is no such common rotation is certain then,
+    /// up to 64ε.
     ///
     /// # Method
     ///
-    /// With turns of half-angle φᵢ about uᵢ in the logarithms, the sum of squares has the second
-    /// derivative `H = Σ wᵢ (uᵢuᵢᵀ + φᵢ cot φᵢ (1 − uᵢuᵢᵀ))`, so a step by `H⁻¹` instead of the
-    /// plain `1/Σw` is one of Newton. At the mean of the turns the displacements obey a linear
-    /// system with that very H, and the same step solves it. Three steps are usual, four where the
-    /// turns are a quarter turn away; what is left is left by rounding.
+    /// With rotations of half-angle φᵢ about uᵢ in the logarithms, the sum of squares has the
+    /// second derivative `H = Σ wᵢ (uᵢuᵢᵀ + φᵢ cot φᵢ (1 − uᵢuᵢᵀ))`, so a step by `H⁻¹` instead of
+    /// the plain `1/Σw` is one of Newton. At the mean of the rotations the displacements obey a
+    /// linear system with that very H, and the same step solves it. Three steps are usual, four
+    /// where the rotations are a quarter turn away; what is left is left by rounding.
     ///
     /// # Errors
-    /// Those of [`Motor::blend`]; turns that are not all within a quarter turn of a common one; no
-    /// rest after 25 steps.
+    /// Those of [`Motor::blend`]; rotations that are not all within a quarter turn of a common one;
+    /// no rest after 25 steps.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Rotor, Translator};
     /// use ga_runtime::geometry::motion::MeanError;
-    /// let turn =
+    /// let rotation =
     ///     |angle: f64| Motor::from(Rotor::from_axis_angle([0.0, 0.0, 1.0], angle).unwrap());
     /// let lift = Motor::from(Translator::from_displacement([0.0, 0.0, 6.0]));
     /// let found =
-    ///     Motor::mean(&[(1.0, turn(0.0)), (1.0, turn(0.3)), (1.0, lift * turn(0.6))]).unwrap();
+    ///     Motor::mean(&[(1.0, rotation(0.0)), (1.0, rotation(0.3)), (1.0, lift * rotation(0.6))]).unwrap();
     /// let [x, y, z] = found.mean.translator().displacement();
     /// assert!(x.abs() < 1e-15 && y.abs() < 1e-15 && (z - 2.0).abs() < 1e-15);
     /// assert!(
@@ -135,7 +135,7 @@ impl<S: Real<Mask = bool>> Motor<S> {
     ///         && found.residual.angle < 1e-15
     /// );
     /// // Thirds of a turn have no mean: each of the three would do as well.
-    /// let thirds = [0.0, 2.0, 4.0].map(|k| (1.0, turn(k * std::f64::consts::PI / 3.0)));
+    /// let thirds = [0.0, 2.0, 4.0].map(|k| (1.0, rotation(k * std::f64::consts::PI / 3.0)));
     /// assert!(matches!(
     ///     Motor::mean(&thirds),
     ///     Err(MeanError::NotUnique { .. })
@@ -175,8 +175,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     /// ```
     /// use ga_runtime::cga3::Rotor;
     /// let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    /// let turns = axes.map(|axis| (1.0, Rotor::from_axis_angle(axis, 1.0_f64).unwrap()));
-    /// let found = Rotor::mean(&turns).unwrap();
+    /// let rotations = axes.map(|axis| (1.0, Rotor::from_axis_angle(axis, 1.0_f64).unwrap()));
+    /// let found = Rotor::mean(&rotations).unwrap();
     /// let (axis, _) = found.mean.to_axis_angle();
     /// assert!(axis.iter().all(|x| (x - 1.0 / 3.0_f64.sqrt()).abs() < 1e-15));
     /// ```
@@ -343,7 +343,7 @@ impl<S: Real<Mask = bool>> Sum<S> {
     }
 }
 
-/// Which motor turns farthest away from another, and by which angle in [0, π].
+/// Which motor rotates farthest away from another, and by which angle in [0, π].
 fn farthest<S: Real<Mask = bool>>(weighted: &[(S, Motor<S>)], from: Motor<S>) -> (usize, S) {
     let mut most = (0, S::zero());
     for (index, &(weight, motor)) in weighted.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! The turn that carries vectors to vectors, by least squares.
+//! The rotation that carries vectors to vectors, by least squares.
 
 use super::fit_error::FitError;
 use super::matrix::{Matrix, solve, symmetric_eigen};
@@ -102,9 +102,9 @@ fn horn<S: Real>(moments: Matrix<S, 3>) -> Matrix<S, 4> {
     ]
 }
 
-/// A step of Newton. With `p = R x` a turn by δ changes `Σ w y·p` by `δ·τ − ½ δᵀ(tr K − K)δ`, where
-/// `τ = Σ w p × y` and K is the symmetric part of `Σ w p yᵀ`. The torque τ is taken of differences,
-/// so that little of it is lost where the fit is good.
+/// A step of Newton. With `p = R x` a rotation by δ changes `Σ w y·p` by `δ·τ − ½ δᵀ(tr K − K)δ`,
+/// where `τ = Σ w p × y` and K is the symmetric part of `Σ w p yᵀ`. The torque τ is taken of
+/// differences, so that little of it is lost where the fit is good.
 fn improved<S: Real<Mask = bool>>(
     rotor: Rotor<S>,
     units: impl Iterator<Item = (S, Vector<S>, Vector<S>)> + Clone,
@@ -136,7 +136,7 @@ fn improved<S: Real<Mask = bool>>(
         })
     });
     let step = solve(stiffness, torque).map_or(Vector::default(), Vector::from);
-    // A larger step is none of a good start, but one of a stiffness lost in rounding.
+    // A larger step does not come from a good start, but from a stiffness lost in rounding.
     if !step.length().less_than(S::from_ratio(1, 4)) {
         return rotor;
     }

@@ -15,12 +15,12 @@ use crate::scalar::Real;
 ///
 /// with s from 0 to 1, `β₁ = 1 − (1 − s)³`, `β₂ = 3s² − 2s³`, `β₃ = s³`: the cubic Hermite curve of
 /// Kim, Kim and Shin (A general construction scheme for unit quaternion curves with simple high
-/// order derivatives, SIGGRAPH 1995), for motors. For shifts it is the cubic Hermite spline of
-/// points. Velocities are as seen from the moved body, `M' = M v`, a generator per unit of time; a
-/// body that turns by ω about its own origin, which moves by u, both in its own frame, has
+/// order derivatives, SIGGRAPH 1995), for motors. For translations it is the cubic Hermite spline
+/// of points. Velocities are as seen from the moved body, `M' = M v`, a generator per unit of time;
+/// a body that rotates at ω about its own origin, which moves by u, both in its own frame, has
 /// `v = −½(ω₁ e23 − ω₂ e13 + ω₃ e12) − ½ u ei`.
 ///
-/// The curve goes along with changes of frames on either side. Keys on one screw, at times in
+/// The curve changes along with the frames on either side. Keys on one screw, at times in
 /// proportion, give that screw at constant speed. From key to key it goes the short way, whatever
 /// the signs of the motors that come in, and the sign of what comes out does not jump, so at a key
 /// it may be the other one.
@@ -333,15 +333,15 @@ impl<S: Real<Mask = bool>> Leg<S> {
     }
 }
 
-/// A turning motion through key rotors at given times, with a speed that does not jump: a
+/// A rotation through key rotors at given times, with a speed that does not jump: a
 /// [`MotorSpline`] without displacement.
 ///
 /// ```
 /// use ga_runtime::cga3::Rotor;
 /// use ga_runtime::geometry::motion::RotorSpline;
-/// let turn = |angle: f64| Rotor::from_axis_angle([1.0, 0.0, 0.0], angle).unwrap();
+/// let rotation = |angle: f64| Rotor::from_axis_angle([1.0, 0.0, 0.0], angle).unwrap();
 /// let spline =
-///     RotorSpline::through(&[(0.0, turn(0.0)), (2.0, turn(1.0)), (3.0, -turn(1.5))]).unwrap();
+///     RotorSpline::through(&[(0.0, rotation(0.0)), (2.0, rotation(1.0)), (3.0, -rotation(1.5))]).unwrap();
 /// let (_, angle) = spline.evaluate(1.0).unwrap().to_axis_angle();
 /// assert!((angle - 0.5).abs() < 1e-15);
 /// ```

@@ -4,7 +4,7 @@ use core::fmt::{Debug, Display, Formatter, Result as FmtResult};
 
 use crate::scalar::Real;
 
-/// Weights that make no average.
+/// Weights that do not define an average.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum WeightError<S> {
@@ -23,7 +23,10 @@ impl<S: Debug> Display for WeightError<S> {
     fn fmt(&self, f: &mut Formatter<'_>) -> FmtResult {
         match self {
             Self::Invalid { index, weight } => {
-                write!(f, "weight {index} is {weight:?}, not a number from zero on")
+                write!(
+                    f,
+                    "weight {index} is {weight:?}, but must be zero or a positive number"
+                )
             }
             Self::AllZero => f.write_str("all weights are zero"),
         }

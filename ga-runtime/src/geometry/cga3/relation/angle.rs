@@ -65,7 +65,7 @@ macro_rules! angles {
         impl<S: Real<Mask = bool>> $Primitive<S> {
             /// The angle to the other primitive in radians; see
             /// [`angle`](crate::geometry::relation::angle) for all pairs. `None` where a sphere and
-            /// the other do not meet, by more than rounding, or either is no figure.
+            /// the other do not meet, by more than rounding, or either is not a figure.
             #[must_use]
             pub fn angle_to<T: Extended<S>>(self, other: T) -> Option<S> {
                 angle(self.figure()?, other.figure()?)

@@ -28,8 +28,8 @@ impl<S: Real<Mask = bool>> Line<S> {
     ///
     /// Lines parallel within `tolerance.angle` have many. The one through this line's point nearest
     /// to the origin is given, and leads to the other line. `None` where they are parallel and not
-    /// farther apart than `tolerance.distance`, where one is no line, or where a foot is beyond the
-    /// range of the scalar.
+    /// farther apart than `tolerance.distance`, where one is not a line, or where a foot is beyond
+    /// the range of the scalar.
     ///
     /// ```
     /// use ga_runtime::cga3::{Line, Point};

@@ -31,7 +31,7 @@
 //! In blades, for `x·X` with a dual plane n + d ei of unit normal and with a dual sphere σ = c −
 //! ½r² ei: `P·π = n·p − d` and `P·σ = ½(r² − ∣p − c∣²)`.
 //!
-//! `None` where one of the two is no [`Figure`]: weight zero, imaginary, not finite.
+//! `None` where one of the two is not a [`Figure`]: weight zero, imaginary, not finite.
 //!
 //! ```
 //! use ga_runtime::cga3::{Circle, Line, Plane, Point, Sphere};
@@ -62,8 +62,8 @@ macro_rules! distances {
         impl<S: Real<Mask = bool>> $Primitive<S> {
             /// The least distance from the other primitive, in the units of the coordinates, zero
             /// where they meet; see [`distance`](crate::geometry::relation::distance) for all
-            /// pairs. `None` where either is no figure or the distance is beyond the range of the
-            /// scalar.
+            /// pairs. `None` where either is not a figure or the distance is beyond the range of
+            /// the scalar.
             #[must_use]
             pub fn distance_to<T: Primitive<S>>(self, other: T) -> Option<S> {
                 distance(self.figure()?, other.figure()?)

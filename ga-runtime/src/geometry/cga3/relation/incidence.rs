@@ -15,7 +15,7 @@
 //! | sphere | sphere | the distance of the centres and the difference of the radii |
 //!
 //! All others are never on each other, but for a circle or a sphere whose radius is within the
-//! tolerance, which counts as its centre. What is no [`Figure`] is on nothing, and nothing is on
+//! tolerance, which counts as its centre. What is not a [`Figure`] is on nothing, and nothing is on
 //! it.
 //!
 //! ```
@@ -67,7 +67,7 @@ macro_rules! incidence {
             }
 
             /// Whether this and the other are the same set of points, each [on](Self::is_on) the
-            /// other; orientation and weight do not count. False where either is no figure.
+            /// other; orientation and weight do not count. False where either is not a figure.
             #[must_use]
             pub fn coincides_with<T: Primitive<S>>(self, other: T, tolerance: Tolerance<S>) -> bool {
                 match (self.figure(), other.figure()) {
@@ -84,7 +84,7 @@ macro_rules! attitude {
         impl<S: Real<Mask = bool>> $Primitive<S> {
             /// Whether the angle to the other is zero within `tolerance.angle`, orientation left
             /// aside. Lines, planes and the planes of circles are compared; what coincides is
-            /// parallel too. False where either is no figure.
+            /// parallel too. False where either is not a figure.
             #[must_use]
             pub fn is_parallel_to<T: Directed<S>>(self, other: T, tolerance: Tolerance<S>) -> bool {
                 let slope = self.figure().zip(other.figure()).and_then(|(a, b)| slope(a, b));
@@ -93,7 +93,7 @@ macro_rules! attitude {
 
             /// Whether the angle to the other is a right one within `tolerance.angle`. Lines,
             /// planes and the planes of circles are compared; they need not meet. False where
-            /// either is no figure.
+            /// either is not a figure.
             #[must_use]
             pub fn is_perpendicular_to<T: Directed<S>>(self, other: T, tolerance: Tolerance<S>) -> bool {
                 let slope = self.figure().zip(other.figure()).and_then(|(a, b)| slope(a, b));

@@ -82,7 +82,7 @@ macro_rules! inversions {
             /// The image under inversion in a sphere, `σ X̂ σ⁻¹` with the dual sphere σ; see
             /// [`inversion`](crate::geometry::relation::inversion). Flat where the centre is on it
             /// within `tolerance.distance`. `None` where the sphere has radius zero, is imaginary
-            /// or no sphere, this is no figure, or the image is beyond the range of the scalar.
+            /// or no sphere, this is not a figure, or the image is beyond the range of the scalar.
             #[must_use]
             pub fn invert_in(
                 self,

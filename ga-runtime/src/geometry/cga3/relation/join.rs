@@ -18,14 +18,15 @@
 //! sphere. Two surfaces join to all of space unless they coincide.
 //!
 //! The tolerance decides by distance what lies on what, as in [`incidence`](super::incidence), and
-//! by angle which lines are parallel. A pair, a circle or a sphere that is no larger counts as its
+//! by angle which lines are parallel. A pair, a circle or a sphere that is not larger counts as its
 //! centre.
 //!
 //! What comes out has weight 1. Where the outer product of both does not vanish, with infinity for
 //! two points, the outcome is a positive multiple of it, in the order of the call; otherwise it is
 //! oriented as the operand that it is or, for lines and circles of one plane, as the first of them.
 //!
-//! `None` where one of the two is no [`Figure`], or the outcome is beyond the range of the scalar.
+//! `None` where one of the two is not a [`Figure`], or the outcome is beyond the range of the
+//! scalar.
 //!
 //! ```
 //! use ga_runtime::cga3::{Circle, Line, Point};
@@ -77,7 +78,7 @@ macro_rules! joins {
     ($($Primitive:ident)*) => {$(
         impl<S: Real<Mask = bool>> $Primitive<S> {
             /// The least primitive that holds this and the other; see
-            /// [`join`](crate::geometry::relation::join). `None` where one is no figure or the
+            /// [`join`](crate::geometry::relation::join). `None` where one is not a figure or the
             /// outcome is beyond the range of the scalar.
             #[must_use]
             pub fn join<T: Primitive<S>>(self, other: T, tolerance: Tolerance<S>) -> Option<Join<S>> {
@@ -101,7 +102,7 @@ fn rank<S>(figure: Figure<S>) -> usize {
     }
 }
 
-/// A figure, or its centre where it is no larger than the tolerance.
+/// A figure, or its centre where it is not larger than the tolerance.
 fn reduced<S: Real<Mask = bool>>(figure: Figure<S>, tolerance: Tolerance<S>) -> Figure<S> {
     match figure {
         Figure::PointPair([p, q]) if within((q - p).length(), tolerance.distance) => {

@@ -21,10 +21,10 @@
 //! | `a.join(b, tolerance)` | the least primitive that holds both | [`join`] |
 //!
 //! Measures and tests read each primitive as a plain Euclidean [`Figure`] first and take
-//! differences of places before squares, so that points and flats hold up far from the origin. The
-//! radius of a round is known only as its blade knows it, r² to within some ε of the centre's
-//! squared distance from the origin. What is decided by comparing takes a [`Tolerance`]. A
-//! primitive that is no figure, because its weight is zero, it is imaginary or not finite, gives
+//! differences of places before squares, so that points and flats stay accurate far from the
+//! origin. The radius of a round is known only as its blade knows it, r² to within some ε of the
+//! centre's squared distance from the origin. What is decided by comparing takes a [`Tolerance`]. A
+//! primitive that is not a figure, because its weight is zero, it is imaginary or not finite, gives
 //! `None`, and `false` in a test.
 
 pub mod angle;

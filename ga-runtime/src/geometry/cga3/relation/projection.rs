@@ -14,7 +14,7 @@
 //!
 //! `None` where the nearest point is not unique: a sphere's centre, the axis of a circle, the plane
 //! midway between two points; a line across a plane, whose image is a point; a line through the
-//! centre of a sphere. Also where one of the two is no [`Figure`].
+//! centre of a sphere. Also where one of the two is not a [`Figure`].
 //!
 //! ```
 //! use ga_runtime::cga3::{Circle, Line, Plane, Point, Sphere};
@@ -42,7 +42,7 @@ use crate::vga3::Vector;
 impl<S: Real<Mask = bool>> Point<S> {
     /// The point of the other primitive that is nearest to this one; see
     /// [`projection`](crate::geometry::relation::projection). `None` where several are, or the
-    /// other is no figure.
+    /// other is not a figure.
     #[must_use]
     pub fn project_onto<T: Primitive<S>>(self, other: T) -> Option<Self> {
         let place = nearest(self.into(), other.figure()?)?;
@@ -74,7 +74,7 @@ impl<S: Real<Mask = bool>> FlatPoint<S> {
 
 impl<S: Real<Mask = bool>> Direction<S> {
     /// The part along a line or in a plane, which for a circle is its own: `(v·d) d` or
-    /// `v − (v·n) n`. It may be zero. `None` where this is not finite or the other is no figure.
+    /// `v − (v·n) n`. It may be zero. `None` where this is not finite or the other is not a figure.
     ///
     /// ```
     /// use ga_runtime::cga3::{Direction, Line, Point};
@@ -112,7 +112,7 @@ impl<S: Real<Mask = bool>> Direction<S> {
 
 impl<S: Real<Mask = bool>> Line<S> {
     /// The line of the feet of this line's points in a plane: `(L⌋Π) Π⁻¹`, its direction of
-    /// length 1. `None` where the line stands across the plane, or either is no figure.
+    /// length 1. `None` where the line stands across the plane, or either is not a figure.
     #[must_use]
     pub fn project_onto(self, plane: Plane<S>) -> Option<Self> {
         let LineAndPlane {
@@ -167,7 +167,7 @@ impl<S: Real<Mask = bool>> Line<S> {
     /// The great circle of a sphere below this line: that of the plane `c∧L` through the centre c,
     /// turning as the line passes. Its half on the side of the line holds the points of the sphere
     /// nearest to those of the line. `None` where the line passes the centre within 16 ε of its
-    /// distance from the origin, or either is no figure.
+    /// distance from the origin, or either is not a figure.
     ///
     /// ```
     /// use ga_runtime::cga3::{Line, Point, Sphere};

@@ -13,9 +13,9 @@
 //! reversed by planes and points as mirrors: I is odd under them, so that the dual of the image is
 //! minus the image of the dual. Twice gives X again. It is worked out as a motor, after the change
 //! of sign of all coordinates where the versor is odd: a reflection in a plane is that in the
-//! origin, a half turn about the normal, and a shift.
+//! origin, a half turn about the normal, and a translation.
 //!
-//! `None` where the mirror is no [`Figure`], or beyond the range of the scalar.
+//! `None` where the mirror is not a [`Figure`], or beyond the range of the scalar.
 //!
 //! ```
 //! use ga_runtime::cga3::{Line, Plane, Point};
@@ -41,7 +41,7 @@ use crate::vga3::Vector;
 /// What can be reflected in: a plane, a line, a point.
 pub trait Mirror<S> {
     /// The motor that makes the reflection, and whether all coordinates change sign before; `None`
-    /// where the mirror is no figure.
+    /// where the mirror is not a figure.
     fn reflection(self) -> Option<(Motor<S>, bool)>;
 }
 

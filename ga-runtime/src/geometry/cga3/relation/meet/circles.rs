@@ -52,7 +52,7 @@ pub enum PlaneAndCircle<S> {
         /// The height of the circle above the plane.
         distance: S,
     },
-    /// The circle lies in the plane, be its radius zero.
+    /// The circle lies in the plane, also if its radius is zero.
     Contained(Circle<S>),
 }
 
@@ -75,7 +75,7 @@ pub enum SphereAndCircle<S> {
     /// The axis of the circle passes the centre of the sphere, and they meet nowhere, not even at
     /// infinity.
     Concentric,
-    /// The circle lies on the sphere, be its radius zero.
+    /// The circle lies on the sphere, also if its radius is zero.
     Contained(Circle<S>),
 }
 

@@ -22,8 +22,8 @@
 //! are real or imaginary; the tests are made on distances in space, not on coefficients. A radius
 //! whose square is negative by less than `tolerance.distance` squared counts as zero.
 //!
-//! `None` where one of the two is none of its kind, as a sphere of weight zero is no sphere, is not
-//! finite, or the outcome is beyond the range of the scalar. Imaginary circles and spheres are
+//! `None` where one of the two is none of its kind, as a sphere of weight zero is not a sphere, is
+//! not finite, or the outcome is beyond the range of the scalar. Imaginary circles and spheres are
 //! welcome.
 //!
 //! ```
