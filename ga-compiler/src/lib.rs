@@ -225,15 +225,15 @@ pub fn compile(definition: &Definition, source: TokenStream) -> Result<Vec<Compi
 ///
 /// # Errors
 /// The first error of each function, at its token; functions that call each other in a circle have
-/// one error together.
+/// one error together, and so have functions whose calls go too deep.
 pub fn compile_block(definition: &Definition, block: &Block) -> Result<Vec<CompiledFunction>> {
     let mut diagnostics = diag::Diagnostics::default();
-    let (mut compiled, mut circles) = (Vec::new(), Vec::new());
+    let (mut compiled, mut reported) = (Vec::new(), Vec::new());
     for function in &block.functions {
         let resolved = match resolve(definition, function, block) {
             Ok(resolved) => resolved,
             Err(error) => {
-                if !is_reported(&error, &mut circles) {
+                if !is_reported(error.kind(), &mut reported) {
                     diagnostics.push(error.into());
                 }
                 continue;
@@ -248,18 +248,22 @@ pub fn compile_block(definition: &Definition, block: &Block) -> Result<Vec<Compi
     Ok(compiled)
 }
 
-/// Whether an error is a circle of calls that is listed already, from whichever of its functions;
-/// if not, the circle is added to the list.
-fn is_reported(error: &ResolveError, circles: &mut Vec<Vec<String>>) -> bool {
-    let ResolveErrorKind::Recursion(circle) = error.kind() else {
-        return false;
+/// Whether an error of several functions together is reported already; if not, it is remembered.
+fn is_reported(error: &ResolveErrorKind, reported: &mut Vec<ResolveErrorKind>) -> bool {
+    let error = match error {
+        // The circle is the same wherever it is entered.
+        ResolveErrorKind::Recursion(circle) => {
+            let mut circle = circle.clone();
+            circle.sort();
+            ResolveErrorKind::Recursion(circle)
+        }
+        ResolveErrorKind::CallsTooDeep(_) => ResolveErrorKind::CallsTooDeep(String::new()),
+        _ => return false,
     };
-    let mut circle = circle.clone();
-    circle.sort();
-    if circles.contains(&circle) {
+    if reported.contains(&error) {
         return true;
     }
-    circles.push(circle);
+    reported.push(error);
     false
 }
 

@@ -94,9 +94,9 @@ pub enum ResolveErrorKind {
     /// The last element comes before the one that is taken; there are so many.
     ElementOutOfRange(usize),
     /// A pattern has so many parts for so many values.
-    PatternParts(usize, Count),
+    PatternParts(usize, ValueCount),
     /// The thing named holds so many values, and its type is declared as this.
-    ShapeMismatch(String, Count, String),
+    ShapeMismatch(String, ValueCount, String),
     /// The thing named is not of the type of that name, for a reason.
     TypeMismatch(String, String, String),
     /// The divisor of `/` has these blades.
@@ -121,7 +121,7 @@ pub enum ResolveErrorKind {
 
 /// How many values stand somewhere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Count {
+pub enum ValueCount {
     /// One, which is not in a tuple or an array.
     One,
     /// So many in a tuple or an array.
@@ -155,7 +155,7 @@ impl From<ResolveError> for syn::Error {
     }
 }
 
-impl fmt::Display for Count {
+impl fmt::Display for ValueCount {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::One => f.write_str("one value"),

@@ -15,7 +15,7 @@ mod resolve;
 mod shape;
 mod witness;
 
-pub use error::{Count, OperationError, ResolveError, ResolveErrorKind};
+pub use error::{OperationError, ResolveError, ResolveErrorKind, ValueCount};
 pub use evaluate::evaluate;
 pub(crate) use mismatch::with_remedy;
 pub use mismatch::{Mismatch, Remedy};

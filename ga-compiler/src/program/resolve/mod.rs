@@ -15,7 +15,7 @@ use std::rc::Rc;
 use syn::Ident;
 
 use super::build::Builder;
-use super::error::{Count, ResolveError, ResolveErrorKind};
+use super::error::{ResolveError, ResolveErrorKind, ValueCount};
 use super::mismatch::Mismatch;
 use super::{MAX_STEPS, Program, Step, StepId, Witness};
 use crate::algebra::Product;
@@ -145,10 +145,10 @@ enum Bound {
 }
 
 impl Bound {
-    fn count(&self) -> Count {
+    fn count(&self) -> ValueCount {
         match self {
-            Self::One(_) => Count::One,
-            Self::Parts(parts) => Count::Several(parts.len()),
+            Self::One(_) => ValueCount::One,
+            Self::Parts(parts) => ValueCount::Several(parts.len()),
         }
     }
 }

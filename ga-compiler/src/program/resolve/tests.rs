@@ -67,7 +67,8 @@ fn a_recursion_is_one_error() {
 #[test]
 fn a_long_chain_of_calls_is_not_a_recursion() {
     assert_eq!(messages(&chain(MAX_CALL_DEPTH + 1, "", "")), [""; 0]);
-    let message = message(&chain(MAX_CALL_DEPTH + 2, "", ""));
+    // The first functions of a longer chain are all too deep, for one reason.
+    let message = message(&chain(MAX_CALL_DEPTH + 9, "", ""));
     assert!(
         message.starts_with("the call of `f65` is more than 64 calls deep"),
         "{message}"
