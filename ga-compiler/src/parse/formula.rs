@@ -2,13 +2,14 @@
 
 use std::fmt;
 
-use proc_macro2::{Span, TokenStream, TokenTree};
-use quote::ToTokens;
+use proc_macro2::{Span, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Error, Ident, Lit, Result, Token, bracketed, parenthesized, token};
 
 use super::nesting::{MAX_NESTING, MAX_OPERATORS, too_deep, too_long};
+use super::number::number;
+use super::place::Place;
 use crate::algebra::Ratio;
 
 /// A formula with its place in the source.
@@ -21,39 +22,6 @@ pub struct Formula {
     nesting: usize,
     /// How many formulas contain each other, operators included.
     depth: usize,
-}
-
-/// A place in the source: the tokens from one to another.
-#[derive(Clone, Copy, Debug)]
-pub struct Place {
-    start: Span,
-    end: Span,
-}
-
-impl Place {
-    /// The place of one token.
-    #[must_use]
-    pub const fn of(token: Span) -> Self {
-        Self {
-            start: token,
-            end: token,
-        }
-    }
-
-    /// An error at this place.
-    #[must_use]
-    pub fn error(self, message: impl fmt::Display) -> Error {
-        // Stable procedural macros cannot join spans; a row of two tokens is reported as a whole.
-        let mut tokens = TokenStream::new();
-        for span in [self.start, self.end] {
-            Ident::new("place", span).to_tokens(&mut tokens);
-        }
-        Error::new_spanned(tokens, message)
-    }
-
-    const fn to(self, end: Span) -> Self {
-        Self { end, ..self }
-    }
 }
 
 /// The forms of formulas.
@@ -399,45 +367,6 @@ fn not_a_formula(input: ParseStream<'_>) -> Error {
     input.error("expected a formula: a name, a number, a call or parentheses")
 }
 
-/// The fraction that a literal writes.
-fn number(literal: &Lit) -> Result<Ratio> {
-    let (digits, suffix) = match literal {
-        Lit::Int(number) => (
-            number.base10_digits().to_owned(),
-            number.suffix().to_owned(),
-        ),
-        Lit::Float(number) => (
-            number.base10_digits().to_owned(),
-            number.suffix().to_owned(),
-        ),
-        other => return Err(Error::new_spanned(other, "expected a number")),
-    };
-    if !suffix.is_empty() {
-        let message = "a number takes the scalar type of the function; leave out the suffix";
-        return Err(Error::new_spanned(literal, message));
-    }
-    decimal(&digits)
-        .ok_or_else(|| Error::new_spanned(literal, "the number has too many digits for 64 bits"))
-}
-
-fn decimal(text: &str) -> Option<Ratio> {
-    let (mantissa, exponent) = match text.split_once(['e', 'E']) {
-        Some((mantissa, exponent)) => (mantissa, exponent.parse::<i32>().ok()?),
-        None => (text, 0),
-    };
-    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-    let fraction = fraction.trim_end_matches('0');
-    let numerator: i64 = format!("{whole}{fraction}").parse().ok()?;
-    let shift = exponent.checked_sub(i32::try_from(fraction.len()).ok()?)?;
-    let power = 10_i64.checked_pow(shift.unsigned_abs())?;
-    if shift < 0 {
-        return Ratio::new(i128::from(numerator), i128::from(power));
-    }
-    numerator
-        .checked_mul(power)
-        .map(|value| Ratio::integer(i128::from(value)))
-}
-
 impl fmt::Display for Formula {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let list = |parts: &[Self]| {
@@ -544,22 +473,5 @@ mod tests {
         assert!(message.starts_with("`as` is a keyword"), "{message}");
         let message = read("a + @").expect_err("a mark").to_string();
         assert!(message.starts_with("expected a formula"), "{message}");
-    }
-
-    #[test]
-    fn numbers_are_exact() {
-        for (text, numerator, denominator) in [
-            ("0.5", 1, 2),
-            ("2", 2, 1),
-            ("1.25e2", 125, 1),
-            ("3e-1", 3, 10),
-            ("10.0", 10, 1),
-        ] {
-            let Ok(FormulaKind::Number(value)) = read(text).map(|formula| formula.kind) else {
-                panic!("{text} is a number")
-            };
-            assert_eq!(Some(value), Ratio::new(numerator, denominator), "{text}");
-        }
-        assert!(read("1.0f32").is_err() && read("123456789012345678901").is_err());
     }
 }

@@ -6,13 +6,15 @@ mod function;
 mod handover;
 mod import;
 mod nesting;
+mod number;
 mod outline;
+mod place;
 
 pub use declaration::{
     BasisSyntax, CoefficientSyntax, DeclarationSyntax, FactSyntax, MetricEntrySyntax, MetricSyntax,
     ProductSyntax, TypeSyntax, parse_declaration,
 };
-pub use formula::{Formula, FormulaKind, Operator, Place};
+pub use formula::{Formula, FormulaKind, Operator};
 pub use function::{
     Block, FunctionSyntax, Import, LetSyntax, OperandSyntax, PatternSyntax, ShapeSyntax,
     parse_function, parse_functions,
@@ -23,3 +25,4 @@ pub use handover::{
 pub use import::{UseSyntax, parse_use};
 pub use nesting::{MAX_NESTING, MAX_OPERATORS, check_brackets};
 pub use outline::{Outline, parse_outline};
+pub use place::Place;
