@@ -4,24 +4,30 @@
 //! between are public, so that tools can parse, simplify, evaluate and count without any macro:
 //!
 //! ```text
-//! tokens → parse → define ┐
-//!          parse → program ┴→ lower → passes → emit
-//!                     └── verify ─────────┘
+//! tokens ─ parse ─┬─ check → define ─┐
+//!                 └─ program ────────┴→ lower → passes → emit
+//!                       └── verify ───────────┘
 //! ```
 //!
-//! - [`parse`]: grammars; names are still names.
-//! - [`define`]: a checked declaration; every error is found here, at its token.
+//! Each module refers only to those that stand before it in this list:
+//!
 //! - [`algebra`]: blades, metric, and the products of basis blades.
-//! - [`program`]: the steps of a function, on whole multivectors; [`expression`]: formulas as
-//!   trees.
-//! - [`lower`]: steps to the graph, by named rules.
 //! - [`ir`]: the graph, hash-consed, and multivectors over it.
-//! - [`passes`]: rewriting of graphs, order, cost.
-//! - [`kernel`]: one compiled graph, by the rules that make it cheapest; [`function`]: one compiled
+//! - [`expression`]: formulas as trees, for what the compiler itself writes.
+//! - [`define`]: a checked declaration as plain data; [`signature`]: the operands and the result of a
 //!   function.
-//! - [`verify`]: evaluation over a prime field, which decides what a result is and checks the
-//!   compiler's work.
-//! - [`emit`]: Rust, WGSL, formulas, graphs, and counts of operations.
+//! - [`diag`]: errors, collected; [`parse`]: grammars; names are not resolved yet.
+//! - `member`: the members of a type over the prime field; [`verify`] shows it to users.
+//! - [`program`]: the steps of a function, on whole multivectors; names are resolved here.
+//! - [`verify`]: values of expressions over the prime field, which decide what a result is and
+//!   check the compiler's work.
+//! - `check`: the checks of a declaration; every error is found here, at its token.
+//! - [`lower`]: steps to the graph, by named rules.
+//! - [`passes`]: rewriting of graphs, order, stages, cost.
+//! - [`kernel`]: one compiled graph; [`task`]: what is to be compiled; `search`: the rules that make
+//!   the cheapest graph; [`function`]: one compiled function.
+//! - [`emit`]: Rust, WGSL, formulas and graphs; `count`: operations in emitted Rust.
+//! - `explain`: messages about values that are not of their declared type.
 //!
 //! # Example
 //!

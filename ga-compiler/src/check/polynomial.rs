@@ -54,7 +54,7 @@ impl Polynomial {
                         None => {
                             return Err(Error::new_spanned(
                                 &binary.right,
-                                "only a constant other than zero may divide",
+                                "only a constant other than zero may be a divisor",
                             ));
                         }
                     },

@@ -161,7 +161,7 @@ impl Context<'_> {
             return None;
         }
         if self.operands.iter().all(|&o| self.types[o].is_constant()) {
-            let message = "a product of constants alone has no scalar type to work in";
+            let message = "a product of constants alone has no scalar type: one operand must store a coefficient";
             diagnostics.error(self.span, message);
             return None;
         }
@@ -225,7 +225,7 @@ impl Context<'_> {
             [one] => Some(Some(*one)),
             [] => {
                 let message = format!(
-                    "{} has the blades {}, and no declared type has just these",
+                    "{} has the blades {}, and no declared type has exactly these",
                     self.title(),
                     names.join(", ")
                 );

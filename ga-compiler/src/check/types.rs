@@ -74,7 +74,7 @@ fn check_name(algebra: &Algebra, name: &Ident, diagnostics: &mut Diagnostics) {
     };
     diagnostics.error(
         name.span(),
-        format!("`{name}` {meaning}: no type may be called that"),
+        format!("`{name}` {meaning}: choose another name for the type"),
     );
 }
 
@@ -203,7 +203,7 @@ fn check_facts(algebra: &Algebra, syntax: &[FactSyntax], diagnostics: &mut Diagn
                 Ok(named) if named.is_negative => diagnostics.error(
                     blade.span(),
                     format!(
-                        "a weight is that of the blade in rising order, `{}`",
+                        "write the blade of a weight with its vectors in rising order: `{}`",
                         algebra.names().name(named.blade)
                     ),
                 ),
@@ -250,7 +250,7 @@ fn check_hull(
         return;
     }
     if types[index].is_linear() {
-        let message = format!("sums of `{name}` are of the same type, so it has no hull");
+        let message = format!("sums of `{name}` have the same type, so it needs no hull");
         diagnostics.error(hull.span(), message);
         return;
     }
@@ -290,7 +290,7 @@ fn establish_facts(
             .map_or_else(Span::call_site, |stated| stated.name.span());
         if fact != "unit_versor" {
             let message = format!(
-                "`{fact}` does not follow from the blades of `{}`; derive a blade so that it does",
+                "`{fact}` does not follow from the blades of `{}`; make a blade derived so that it does",
                 kind.name
             );
             diagnostics.error(span, message);
