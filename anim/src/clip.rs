@@ -1,4 +1,4 @@
-//! Clips: poses at equal steps of time, and the ones in between.
+//! Clips: poses at equal time steps, and the interpolated ones between.
 
 use crate::pose::Pose;
 
@@ -9,14 +9,14 @@ pub struct Clip {
     frames: Vec<Pose>,
 }
 
-/// Poses that make no clip, or a demand that a clip cannot meet.
+/// Poses that do not form a clip, or a rate that a clip cannot have.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum ClipError {
     /// There is no pose.
     #[error("a clip has at least one frame")]
     Empty,
     /// The time from one frame to the next is 0, negative, infinite or not a number.
-    #[error("{0} seconds are no time from one frame to the next")]
+    #[error("{0} seconds is not a time from one frame to the next")]
     FrameTime(f64),
     /// Two poses have another number of joints.
     #[error("frame {frame} has {found} joints, but the first has {expected}")]
@@ -29,7 +29,7 @@ pub enum ClipError {
         found: usize,
     },
     /// A rate is 0, negative, infinite or not a number, or gives more frames than fit in memory.
-    #[error("{0} is no number of frames per second for this clip")]
+    #[error("{0} is not a number of frames per second for this clip")]
     Rate(f64),
 }
 

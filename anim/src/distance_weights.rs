@@ -16,7 +16,7 @@ use ga_runtime::vga3::Vector;
 
 use crate::weights::{SkinWeights, WeightsError};
 
-/// Numbers from which no weights can be made. Bones and points are counted from 0.
+/// Numbers from which weights cannot be computed. Bones and points are counted from 0.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum DistanceWeightsError {
     /// There is no bone.

@@ -1,4 +1,6 @@
-//! Three-dimensional animation on conformal geometric algebra.
+//! Three-dimensional animation on conformal geometric algebra, after Y. Cui, "Geometric
+//! algebra-based modeling techniques for 3D animation and their application to visual
+//! communication", which the modules cite as "Cui".
 //!
 //! A skeleton is a tree of joints, a pose one motor for each joint, and skinning moves the vertices
 //! of a mesh, which are conformal points, with the joints. Every motion here is a
@@ -8,11 +10,11 @@
 //! | --- | --- |
 //! | [`skeleton`], [`weights`] | the data: joints with parents first, influences without a limit |
 //! | [`rig`], [`bvh`] | read rigs with painted weights, and motion capture |
-//! | [`pose`], [`clip`] | motors of joints, and what lies between two frames, along screws |
+//! | [`pose`], [`clip`] | motors of joints, and interpolation between frames along screws |
 //! | [`skin`] | moves a mesh, by the mean of matrices or of motors |
 //! | [`distance_weights`] | weights from the distance to the bones |
-//! | [`retarget`] | carries a recording over to another body |
-//! | [`leg`] | the paper's leg of hip, knee and ankle: from angles to places and back |
+//! | [`retarget`] | transfers a recording to another body |
+//! | [`leg`] | the leg of hip, knee and ankle (Cui, §2.3.3): from angles to positions and back |
 //! | [`gltf`] | skeletons and clips as the data that [`ga_mesh::gltf`] writes |
 //!
 //! # Conventions

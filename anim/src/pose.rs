@@ -1,16 +1,16 @@
-//! Poses: how every joint of a skeleton is turned, as motors.
+//! Poses: the rotation of every joint of a skeleton, as motors.
 //!
-//! With a joint at the place h at rest and a rotor R for its turn, the joint's own motion is the
-//! motor
+//! With a joint at the position h at rest and a rotor R for its rotation, the joint's own motion is
+//! the motor
 //!
 //! ```text
 //! L = T(h) R T(−h)
 //! ```
 //!
-//! which leaves h where it is, and its motion in all is that of its parent after its own, G =
-//! G_parent L. A motor takes a point at rest, in the coordinates of mesh and skeleton, to where it
-//! is in the pose: x' = G x ~G. There are no other frames: no local axes, no bone roll. The root
-//! motion comes last, over the whole skeleton.
+//! which leaves h fixed. Its total motion is its own followed by that of its parent, G = G_parent
+//! L. A motor takes a point at rest, in the coordinates of mesh and skeleton, to its position in
+//! the pose: x' = G x ~G. There are no other frames: no local axes, no bone roll. The root motion
+//! comes last and moves the whole skeleton.
 
 use ga_runtime::cga3::{Line, Motor, Point, Rotor};
 
@@ -21,12 +21,12 @@ use crate::skeleton::Skeleton;
 pub struct Pose {
     /// The motion of the whole skeleton.
     pub root: Motor<f64>,
-    /// The own motion L of each joint, in the order of [`Skeleton::joints`]. It fixes the joint's
-    /// place when it is a turn.
+    /// The own motion L of each joint, in the order of [`Skeleton::joints`]. Where it is a rotation
+    /// about the joint's position, the joint stays there.
     pub joints: Vec<Motor<f64>>,
 }
 
-/// A pose is for another skeleton.
+/// A pose does not fit a skeleton.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("a pose of {found} joints for a skeleton of {expected}")]
 pub struct PoseError {
@@ -46,8 +46,8 @@ impl Pose {
         }
     }
 
-    /// The pose in which each joint turns about its own place by a rotor, given in the axes of the
-    /// skeleton at rest.
+    /// The pose in which each joint rotates about its own position by a rotor, given in the axes of
+    /// the skeleton at rest.
     ///
     /// # Errors
     ///
@@ -96,7 +96,7 @@ impl Pose {
         })
     }
 
-    /// The motion G of each joint in all: what takes its bone from rest to the pose.
+    /// The total motion G of each joint, which takes its bone from rest to the pose.
     ///
     /// # Errors
     ///
@@ -148,8 +148,8 @@ impl Pose {
     }
 
     /// The pose a part `t` of the way from this one to `other`: every motor moves along its screw,
-    /// the shorter way round. Two turns of a joint about its own place give one about that place
-    /// (the slerp of their quaternions).
+    /// the shorter way. Between two rotations of a joint about its own position lies a rotation
+    /// about that position (the slerp of their quaternions).
     ///
     /// Only as many joints as both poses have are kept.
     #[must_use]
@@ -171,7 +171,7 @@ fn check(skeleton: &Skeleton, found: usize) -> Result<(), PoseError> {
     }
 }
 
-/// Where a motor takes a place.
+/// A position moved by a motor.
 pub(crate) fn moved(motor: Motor<f64>, place: [f64; 3]) -> [f64; 3] {
     motor.transform(Point::from(place)).coordinates()
 }

@@ -1,16 +1,16 @@
-//! Skeletons: joints in a tree, each with the bone that it turns, at rest.
+//! Skeletons: joints in a tree at rest, each with the bone that it rotates.
 
 use std::collections::HashMap;
 
 /// A joint and its bone, at rest, in the coordinates of the mesh.
 ///
-/// The joint is at `head` and the bone goes from there to `tail`. Turning the joint turns its bone,
-/// and with it everything below, about `head`.
+/// The joint is at `head` and the bone goes from there to `tail`. A rotation of the joint rotates
+/// its bone, and everything below it, about `head`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
     /// The name, unique in its skeleton.
     pub name: String,
-    /// The index of the joint above, or `None` for a root.
+    /// The index of the parent joint, or `None` for a root.
     pub parent: Option<usize>,
     /// Where the joint is and the bone begins.
     pub head: [f64; 3],
@@ -50,7 +50,7 @@ pub struct Skeleton {
     by_name: HashMap<String, usize>,
 }
 
-/// Joints that make no skeleton.
+/// Joints that do not form a skeleton.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SkeletonError {
     /// There is no joint.
@@ -65,7 +65,7 @@ pub enum SkeletonError {
         /// The index that it has as its parent.
         parent: usize,
     },
-    /// Two joints have one name.
+    /// Two joints have the same name.
     #[error("two joints are called {name:?}")]
     DuplicateName {
         /// The name.
@@ -144,7 +144,7 @@ impl Skeleton {
     ///
     /// # Errors
     ///
-    /// [`SkeletonError::NotFinite`] when a product overflows or `factor` is no number.
+    /// [`SkeletonError::NotFinite`] when a product overflows or `factor` is not a number.
     pub fn scaled(&self, factor: f64) -> Result<Self, SkeletonError> {
         let scale = |x: [f64; 3]| x.map(|x| x * factor);
         Self::new(

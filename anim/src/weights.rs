@@ -32,7 +32,7 @@ pub struct SkinWeights {
     influences: Vec<Influence>,
 }
 
-/// Numbers that are no weights. Vertices and joints are counted from 0.
+/// Numbers that are not weights. Vertices and joints are counted from 0.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum WeightsError {
     /// A vertex has no joint with a weight above 0.
@@ -42,7 +42,7 @@ pub enum WeightsError {
         vertex: usize,
     },
     /// A weight is negative, infinite or not a number, or the weights of a vertex overflow.
-    #[error("vertex {vertex}: {weight} is no weight for joint {joint}")]
+    #[error("vertex {vertex}: {weight} is not a weight for joint {joint}")]
     BadWeight {
         /// The vertex.
         vertex: usize,
@@ -75,8 +75,8 @@ pub enum WeightsError {
 }
 
 impl SkinWeights {
-    /// Weights for the vertices in turn, each a list of (joint, weight), divided by their sum. A
-    /// weight of 0 is left out.
+    /// Weights for the vertices in their order, each a list of (joint, weight), divided by their
+    /// sum. A weight of 0 is left out.
     ///
     /// # Errors
     ///

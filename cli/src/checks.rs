@@ -1,4 +1,4 @@
-//! Whether the motion does to the figure what it should.
+//! Measurements of the figure in motion.
 
 use anyhow::Result;
 use ga_anim::clip::Clip;
@@ -19,11 +19,11 @@ pub(crate) struct Checks {
     /// greatest.
     pub(crate) lowest_vertex_min_metres: f64,
     pub(crate) lowest_vertex_max_metres: f64,
-    /// The angle from the vertical to the way from the root joint to the one that is highest at
-    /// rest.
+    /// The angle between the vertical and the direction from the root joint to the joint that is
+    /// highest at rest.
     pub(crate) trunk_from_upright_mean_degrees: f64,
     pub(crate) trunk_from_upright_max_degrees: f64,
-    /// The distance between the places of a vertex under linear and under motor blend.
+    /// The distance between the positions of a vertex by linear and by motor blend.
     pub(crate) linear_to_motor_blend_mean_metres: f64,
     pub(crate) linear_to_motor_blend_max_metres: f64,
 }
@@ -99,7 +99,7 @@ fn from_vertical([x, y, z]: [f64; 3]) -> f64 {
     x.hypot(z).atan2(y).to_degrees()
 }
 
-/// The distance between two places.
+/// The distance between two points.
 pub(crate) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     Vector::from(a).distance(b.into())
 }

@@ -11,7 +11,7 @@ pub(crate) struct File {
     pub(crate) contents: Vec<u8>,
 }
 
-/// Fails where it is plain from the beginning that a folder cannot take these files.
+/// Fails early where a folder cannot take these files.
 pub(crate) fn check_place(folder: &Path, names: &[&str]) -> Result<()> {
     if let Some(existing) = folder.ancestors().find(|path| path.exists()) {
         ensure!(
@@ -35,9 +35,9 @@ pub(crate) fn check_place(folder: &Path, names: &[&str]) -> Result<()> {
 /// Writes the files into a folder, in place of any of the same names, making the folder and those
 /// above it.
 ///
-/// The files are complete in a hidden folder beside their places before the first of them is moved
-/// there. When one cannot be written, what stood in the folder stays as it was, and folders that
-/// were made are removed.
+/// All files are complete in a hidden folder beside their final names before the first of them is
+/// moved there. When one cannot be written, the folder stays as it was, and folders that were
+/// created are removed.
 pub(crate) fn write_all(folder: &Path, files: &[File]) -> Result<()> {
     let made = missing_folders(folder);
     write_staged(folder, files).inspect_err(|_| {

@@ -23,13 +23,13 @@ const GLB: &str = "model.glb";
 const SHEET: &str = "sheet.png";
 const REPORT: &str = "report.json";
 
-/// Where the files go, and what chance is made of.
+/// Where the files are written, and the seed of the random numbers.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct OutputArguments {
-    /// The folder that the files are written to; it is made where it is missing.
+    /// The folder that the files are written to; it is created where it is missing.
     #[arg(long, value_name = "DIR", default_value = "out")]
     pub(crate) out: PathBuf,
-    /// What the noise in the pictures of the two cameras is made from.
+    /// The seed of the noise in the pictures of the two cameras.
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub(crate) seed: u64,
 }
@@ -41,12 +41,12 @@ impl OutputArguments {
     }
 }
 
-/// What is to be shown.
+/// A figure with its motion, and what is written about it.
 pub(crate) struct Performance {
     pub(crate) command: &'static str,
     pub(crate) input: Input,
     pub(crate) figure: Figure,
-    /// The group of the input mesh that the figure is, and how long one unit of that is.
+    /// The group of the input mesh that the figure is, and the length of one unit of that mesh.
     pub(crate) group: Option<String>,
     pub(crate) metres_per_unit: f64,
     /// The motion as it is written.
@@ -57,7 +57,7 @@ pub(crate) struct Performance {
     pub(crate) in_between_deviation: Option<f64>,
 }
 
-/// Computes everything, then writes everything, then says so.
+/// Computes everything, then writes everything, then prints a summary.
 pub(crate) fn perform(
     performance: &Performance,
     arguments: &OutputArguments,
@@ -101,7 +101,8 @@ pub(crate) fn perform(
     );
 
     let report = report(performance, checks, two_views, listed);
-    let mut text = serde_json::to_string_pretty(&report).context("the report is no JSON")?;
+    let mut text =
+        serde_json::to_string_pretty(&report).context("the report cannot be written as JSON")?;
     text.push('\n');
     files.push(File {
         name: REPORT,

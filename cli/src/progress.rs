@@ -1,9 +1,9 @@
-//! How far the work is, on a terminal only.
+//! The progress of the work, on a terminal only.
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// A bar on standard error with the name of the present step. It shows nothing where standard error
-/// is no terminal, and is gone when it is dropped.
+/// A bar on standard error with the name of the current step. It is not shown where standard error
+/// is not a terminal, and disappears when it is dropped.
 pub(crate) struct Progress {
     bar: ProgressBar,
 }

@@ -1,15 +1,16 @@
-//! Which part of a recording is meant.
+//! The part of a recording that is the motion.
 
 use ga_anim::bvh::Bvh;
 
 use crate::checks::distance;
 
-/// How many times as far as between any other two frames the body jumps from a calibration pose.
+/// From a calibration pose a joint moves more than this many times as far as between any two later
+/// frames.
 const JUMP: f64 = 3.0;
 
-/// Whether the first frame is no part of the motion but a calibration pose, such as a T, that some
-/// converters put before it: from there to the second frame some joint goes more than three times
-/// as far as any does between two later frames.
+/// Whether the first frame is a calibration pose, such as a T, that some converters put before the
+/// motion: from there to the second frame some joint moves more than three times as far as any
+/// joint between two later frames.
 pub(crate) fn begins_with_calibration(motion: &Bvh) -> bool {
     let mut steps = (1..motion.frame_count()).filter_map(|frame| {
         let (before, after) = (
@@ -22,7 +23,7 @@ pub(crate) fn begins_with_calibration(motion: &Bvh) -> bool {
     let Some(first) = steps.next() else {
         return false;
     };
-    // A recording of two frames tells nothing.
+    // Two frames are not enough to compare steps.
     let greatest = steps.reduce(f64::max).unwrap_or(f64::INFINITY);
     first > JUMP * greatest
 }
@@ -32,7 +33,7 @@ pub(crate) fn begins_with_calibration(motion: &Bvh) -> bool {
 mod tests {
     use super::*;
 
-    /// An arm of length 1 that is turned by these angles.
+    /// An arm of length 1, rotated by these angles.
     fn arm(degrees: &[f64]) -> Bvh {
         let mut text = format!(
             "HIERARCHY\nROOT arm\n{{\nOFFSET 0 0 0\nCHANNELS 1 Zrotation\nJOINT hand\n{{\nOFFSET 1 0 0\nCHANNELS 1 Xrotation\n\

@@ -8,10 +8,11 @@ use ga_render::{Style, ViewDirection};
 use crate::figure::Figure;
 use crate::storyboard::Storyboard;
 
-/// From how far to its side the figure is seen, in radians; 0 would be from the front.
+/// The angle at which the camera looks at the figure from its front, in radians; 0 would be
+/// straight from the front.
 const ASIDE: f64 = 0.9;
 
-/// How far above the horizon the camera stands, in radians.
+/// The angle of the camera above the horizon, in radians.
 const ABOVE: f64 = 0.2;
 
 /// A contact sheet as a file.
@@ -65,8 +66,8 @@ pub(crate) fn draw(figure: &Figure, storyboard: &Storyboard, title: &str) -> Res
     })
 }
 
-/// The mean direction that the figure looks to, as an azimuth about the y axis from +z towards +x:
-/// at rest it looks along +z, and its root joint says how that has turned.
+/// The mean direction in which the figure looks, as an azimuth about the y axis from +z towards +x.
+/// At rest it looks along +z; the motion of its root joint rotates that direction.
 fn heading(figure: &Figure, storyboard: &Storyboard) -> Result<f64> {
     let (mut x, mut z) = (0.0, 0.0);
     for moment in &storyboard.moments {

@@ -1,4 +1,4 @@
-//! Which moments of a motion are shown: key frames, and three in-betweens from each to the next.
+//! The moments of a motion that are shown: key frames, and three in-betweens from each to the next.
 
 use ga_anim::clip::Clip;
 use ga_anim::pose::Pose;
@@ -10,8 +10,8 @@ const ROWS: usize = 4;
 /// Steps from a key frame to the next, one more than there are in-betweens.
 pub(crate) const STEPS: usize = 4;
 
-/// What animators leave between the key poses of a walk, in seconds; between recorded frames taken
-/// as keys, too.
+/// The usual time between the key poses of a walk in seconds, also used between recorded frames
+/// taken as keys.
 const KEY_INTERVAL: f64 = 0.135;
 
 /// A moment to be shown.

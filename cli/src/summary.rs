@@ -1,4 +1,4 @@
-//! What a person is told at the end.
+//! The summary that is printed at the end.
 
 use std::fmt::Write as _;
 use std::io::{ErrorKind, Write as _};
@@ -10,8 +10,8 @@ use anyhow::{Context, Result};
 use crate::output::File;
 use crate::report::Report;
 
-/// Prints where everything was written and what is worth knowing of it. Whoever stops reading
-/// before the end is left alone.
+/// Prints where everything was written and the main results. It is not an error when the reader of
+/// standard output closes it early.
 pub(crate) fn print(
     report: &Report,
     folder: &Path,
@@ -41,8 +41,24 @@ fn write_to(
     files: &[File],
     elapsed: Duration,
 ) -> std::fmt::Result {
-    let (figure, animation) = (&report.figure, &report.animation);
-    let (motion, checks, views) = (&report.input.motion, &animation.checks, &report.two_views);
+    write_input(text, report)?;
+    write_checks(text, report)?;
+    for (index, file) in files.iter().enumerate() {
+        let label = if index == 0 { "wrote" } else { "" };
+        let path = folder.join(file.name);
+        writeln!(
+            text,
+            "{label:10} {}, {}",
+            path.display(),
+            size(file.contents.len())
+        )?;
+    }
+    writeln!(text, "took       {:.1} s", elapsed.as_secs_f64())
+}
+
+/// The figure and its motion.
+fn write_input(text: &mut String, report: &Report) -> std::fmt::Result {
+    let (figure, animation, motion) = (&report.figure, &report.animation, &report.input.motion);
     let group = figure
         .group
         .as_ref()
@@ -82,9 +98,16 @@ fn write_to(
             motion.joints_without_counterpart.join(", ")
         )?;
     }
+    Ok(())
+}
+
+/// What was measured.
+fn write_checks(text: &mut String, report: &Report) -> std::fmt::Result {
+    let (checks, views) = (&report.animation.checks, &report.two_views);
     writeln!(
         text,
-        "body       bones keep their length to {:.1e} m; lowest point {:+.1} to {:+.1} cm; trunk {:.0}° from upright on average, {:.0}° at most",
+        "body       bones keep their length to {:.1e} m; lowest point {:+.1} to {:+.1} cm; \
+         trunk {:.0}° from upright on average, {:.0}° at most",
         checks.bone_length_deviation_max_metres,
         100.0 * checks.lowest_vertex_min_metres,
         100.0 * checks.lowest_vertex_max_metres,
@@ -99,23 +122,13 @@ fn write_to(
     )?;
     writeln!(
         text,
-        "two views  cameras {:.2} m apart find the joints to {:.1e} m without noise, {:.1} mm with 1 px of noise (MPJPE, seed {})",
+        "two views  cameras {:.2} m apart find the joints to {:.1e} m without noise, \
+         {:.1} mm with 1 px of noise (MPJPE, seed {})",
         views.baseline_metres,
         views.noise_free.mean_per_joint_position_error_metres,
         1000.0 * views.one_pixel_noise.mean_per_joint_position_error_metres,
         views.seed,
-    )?;
-    for (index, file) in files.iter().enumerate() {
-        let label = if index == 0 { "wrote" } else { "" };
-        let path = folder.join(file.name);
-        writeln!(
-            text,
-            "{label:10} {}, {}",
-            path.display(),
-            size(file.contents.len())
-        )?;
-    }
-    writeln!(text, "took       {:.1} s", elapsed.as_secs_f64())
+    )
 }
 
 /// A size in bytes as a person reads it.

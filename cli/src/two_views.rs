@@ -1,4 +1,4 @@
-//! The joints of the moving figure, seen by two cameras and found again from what they saw.
+//! The joints of the moving figure, observed by two cameras and triangulated from their pictures.
 
 use anyhow::{Context, Result};
 use ga_anim::clip::Clip;
@@ -18,10 +18,10 @@ const FOCAL_LENGTH: f64 = 1600.0;
 /// The angle between the directions that the two cameras look from.
 const ANGLE_DEGREES: f64 = 30.0;
 
-/// How much further away the cameras stand than they would have to.
+/// The distance of the cameras as a multiple of the least distance at which they see everything.
 const ROOM: f64 = 1.1;
 
-/// What two cameras saw, and how well the joints were found from that.
+/// What two cameras saw, and how accurately the joints were triangulated.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct TwoViews {
     pub(crate) picture_pixels: [f64; 2],
@@ -42,7 +42,7 @@ pub(crate) struct TwoViews {
     pub(crate) seed: u64,
 }
 
-/// How well the joints were found.
+/// How accurately the joints were triangulated.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Found {
     /// The mean distance from a joint to where it was found (MPJPE), and the greatest.

@@ -12,7 +12,8 @@ use std::ops::{Add, AddAssign, Mul};
 ///
 /// let grey = LinearColour::from_srgb([188; 3]);
 /// assert!((grey.red - 0.5).abs() < 0.005);
-/// assert_eq!(LinearColour::BLACK.lerp(LinearColour::WHITE, 0.25), LinearColour::new(0.25, 0.25, 0.25));
+/// let quarter = LinearColour::BLACK.lerp(LinearColour::WHITE, 0.25);
+/// assert_eq!(quarter, LinearColour::new(0.25, 0.25, 0.25));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LinearColour {

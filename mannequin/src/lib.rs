@@ -1,16 +1,21 @@
 //! A person made by formulas: a closed mesh, a skeleton, skin weights and a walk.
 //!
-//! Nothing is read from a file, so whoever has the library has something to animate. The person is
-//! an adult without sex, age or clothes, like an artist's mannequin: 1.75 m tall, facing +z with y
-//! up and the left side at +x, in metres. At rest it stands with its feet on the plane y = 0 and
-//! its arms half way down.
+//! Nothing is read from a file, so that there is always a figure to animate. The person is an adult
+//! without sex, age or clothes, like an artist's mannequin: 1.75 m tall, facing +z with y up and
+//! the left side at +x, in metres. At rest it stands with its feet on the plane y = 0 and its arms
+//! half way down.
 //!
-//! | step | how |
-//! | --- | --- |
-//! | shape | a signed distance: trunk, limbs and head as lofts through cross-sections given by breadth and depth, smoothly joined |
-//! | surface | marching tetrahedra over the left half, remeshed to even triangles, completed by its mirror image: closed, oriented, one piece, without handles |
-//! | weights | inverse distance to the bones (eq. 33 of the paper, see [`distance_weights`](ga_anim::distance_weights)) within the part of the body that a point belongs to |
-//! | walk | gait curves of the textbooks at eight moments of the stride, put on the ground by forward and inverse kinematics |
+//! The figure is made in four steps:
+//!
+//! - *Shape*: a signed distance. Trunk, limbs and head are lofts through cross-sections given by
+//!   breadth and depth, smoothly joined.
+//! - *Surface*: marching tetrahedra over the left half, remeshed to even triangles and completed by
+//!   its mirror image. It is closed, oriented, connected and without handles.
+//! - *Weights*: inverse distance to the bones (Cui, eq. 33, see
+//!   [`distance_weights`](ga_anim::distance_weights)) within the part of the body that a point
+//!   belongs to.
+//! - *Walk*: gait curves of the textbooks at eight moments of the stride, put on the ground by
+//!   forward and inverse kinematics.
 //!
 //! The result is the same on every run.
 

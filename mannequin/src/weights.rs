@@ -1,5 +1,5 @@
-//! The skin weights of the body: eq. 33 within each part of the body, and the parts passing over
-//! into each other.
+//! The skin weights of the body: Cui, eq. 33, within each part of the body, and a smooth transition
+//! from part to part.
 //!
 //! Distance alone binds the inside of one thigh to the other leg and the flank to the arm. So the
 //! bones that may move a point are those of the part of the body whose solid made the surface
@@ -21,7 +21,7 @@ const EXPONENT: f64 = 5.0;
 /// distance to their solids.
 const ARM_SEAM: f64 = 0.016;
 const LEG_SEAM: f64 = 0.007;
-/// Weights below this are not worth a joint.
+/// Weights below this are dropped.
 const LEAST: f64 = 0.02;
 /// The most joints that move a vertex.
 const INFLUENCES: usize = 4;
@@ -49,7 +49,7 @@ pub(crate) fn weights(
     let mut trunk: Vec<Bone> = [HIPS, SPINE, CHEST, NECK, HEAD, ARM[0], ARM[1]]
         .map(bone)
         .into();
-    // What is broad is more than a line: the pelvis, the rib cage, the jaw.
+    // The pelvis, the rib cage and the jaw are too broad for one segment.
     trunk[HIPS]
         .segments
         .push([Vector::new(-0.09, 0.95, 0.0), Vector::new(0.09, 0.95, 0.0)]);
@@ -112,8 +112,8 @@ fn inverse_distance(bones: &[Bone], point: Vector) -> Vec<(usize, f64)> {
         .collect()
 }
 
-/// How much each part of the body has to say at a point of the skin: trunk, left and right arm,
-/// left and right leg.
+/// The share of each part of the body in the weights at a point of the skin: trunk, left and right
+/// arm, left and right leg.
 fn shares(body: &Body, point: Vector) -> [f64; 5] {
     let [trunk, left_arm, right_arm, left_leg, right_leg] = body.parts(point, 0.3);
     let nearer = |a: f64, b: f64, seam: f64| 1.0 / (1.0 + ((a - b) / seam).exp());

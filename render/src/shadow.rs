@@ -4,7 +4,7 @@ use crate::Vector;
 use crate::raster;
 use ga_image::plane::Plane;
 
-/// How much of a light each place of the ground sees.
+/// How much of a light reaches each place of the ground.
 ///
 /// The model is projected along the light onto the ground, where each texel remembers the height of
 /// the lowest surface above it. A light of half angle α seen past an edge at height *h* is covered

@@ -246,9 +246,9 @@ impl Camera {
         let camera_to_world = self.world_to_camera.reverse();
         let direction = Direction::from_vector([x / length, y / length, 1.0 / length]);
         let centre = self.centre();
-        let turned = camera_to_world.transform(direction).vector();
+        let direction = camera_to_world.transform(direction).vector();
         Ok(Ray {
-            line: Line::from_point_direction(centre, turned),
+            line: Line::from_point_direction(centre, direction),
             centre,
         })
     }

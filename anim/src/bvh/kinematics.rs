@@ -16,15 +16,15 @@ impl Bvh {
         let values = self.frame(frame)?;
         let mut frames: Vec<Motor<f64>> = Vec::with_capacity(self.joints().len());
         for joint in self.joints() {
-            let mut shift = joint.offset;
-            let mut turn = Rotor::default();
+            let mut displacement = joint.offset;
+            let mut rotor = Rotor::default();
             for (channel, &value) in joint.channels.iter().zip(&values[joint.first_channel..]) {
                 match *channel {
-                    Channel::Position(axis) => shift[axis] += value,
-                    Channel::Rotation(axis) => turn = turn * about_axis(axis, value.to_radians()),
+                    Channel::Position(axis) => displacement[axis] += value,
+                    Channel::Rotation(axis) => rotor = rotor * about_axis(axis, value.to_radians()),
                 }
             }
-            let own = Translator::from_displacement(shift) * turn;
+            let own = Translator::from_displacement(displacement) * rotor;
             frames.push(joint.parent.map_or(own, |parent| frames[parent] * own));
         }
         Some(frames)

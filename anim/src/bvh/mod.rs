@@ -57,9 +57,9 @@ pub struct BvhJoint {
 /// What one number of a frame moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Channel {
-    /// A shift along an axis: 0, 1, 2 for x, y, z.
+    /// A translation along an axis: 0, 1, 2 for x, y, z.
     Position(usize),
-    /// A turn about an axis: 0, 1, 2 for x, y, z; degrees, by the right-hand rule.
+    /// A rotation about an axis: 0, 1, 2 for x, y, z; in degrees, by the right-hand rule.
     Rotation(usize),
 }
 
@@ -193,7 +193,7 @@ pub enum BvhProblem {
     #[error("a frame time is more than 0 seconds, but this one is {0}")]
     FrameTime(f64),
     /// A word is in the place of a channel; perhaps fewer channels follow than the line announces.
-    #[error("{word:?} is no channel")]
+    #[error("{word:?} is not a channel")]
     UnknownChannel {
         /// The word.
         word: String,
@@ -225,7 +225,7 @@ pub enum BvhProblem {
     /// No joint has a channel.
     #[error("no joint has a channel")]
     NoChannels,
-    /// A frame has not as many numbers as there are channels.
+    /// The numbers of a frame are not as many as the channels.
     #[error("a frame has {expected} numbers, but this one has {found}")]
     FrameLength {
         /// How many channels there are.

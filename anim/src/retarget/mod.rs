@@ -1,39 +1,39 @@
-//! Retargeting: a recorded motion carried over to another skeleton.
+//! Retargeting: the transfer of a recorded motion to another skeleton.
 //!
-//! Source (a [`Bvh`]) and target (a [`Skeleton`]) differ in unit, in proportions and in how they
-//! stand at rest. Joints are matched by name. With A the rotor that makes a target bone at rest
-//! point as the source's does at rest, and S the rotor of the source joint in a frame, all parents
-//! included, the target joint turns, all parents included, by
+//! Source (a [`Bvh`]) and target (a [`Skeleton`]) differ in unit, in proportions and in their pose
+//! at rest. Joints are matched by name. Let A be the rotor that aligns a target bone at rest with
+//! the source's bone at rest, and S the total rotor of the source joint in a frame, including all
+//! parents. Then the total rotor of the target joint is
 //!
 //! ```text
 //! R = S A
 //! ```
 //!
-//! so that its bone points as the source's does. A joint without a match moves with its parent.
+//! so that its bone is parallel to the source's. A joint without a match moves with its parent.
 //! Bones keep their lengths.
 //!
-//! # How the rests are brought together
+//! # Alignment of the poses at rest
 //!
-//! Both skeletons stand upright at rest, y up, looking the same way. What differs in the limbs is
-//! then the pose, and what differs in the trunk is how the two were built: a clavicle that begins
-//! lower, a spine that is bent where the other is straight. The first is to be undone, the second
-//! to be left alone, so going down from the root
+//! Both skeletons stand upright at rest, y up, and look in the same direction. A difference between
+//! their limbs is then a difference of pose, which A removes. A difference between their trunks is
+//! one of construction, such as a clavicle that begins lower or a spine that is bent where the
+//! other is straight, and is kept. So, from the root downwards,
 //!
-//! - a long bone of a limb (thigh, shin, upper arm, forearm) gets the shortest rotor from where its
-//!   parent's A leaves it to the direction of the source's bone, which adds no twist; long is at
-//!   least 1/8 of the skeleton's height from joint to joint, and a limb begins at least 1/64 of it
-//!   to one side of the root;
-//! - every other bone gets its parent's A, so that a hand goes with its forearm and a foot with its
-//!   shin, and a root A = 1.
+//! - a long bone of a limb (thigh, shin, upper arm, forearm), rotated by its parent's A, gets in
+//!   addition the shortest rotor to the direction of the source's bone, which adds no twist; a bone
+//!   is long from 1/8 of the skeleton's height on, and a limb begins at least 1/64 of it to one
+//!   side of the root;
+//! - every other bone gets its parent's A, so that a hand follows its forearm and a foot its shin,
+//!   and a root gets A = 1.
 //!
-//! # Where the body goes
+//! # Position of the body
 //!
 //! The scale is the ratio of the lengths of the legs, a leg being the chain of long bones above a
 //! joint with a sole (see [`Soles`]). In every frame the middle of the target's hip joints is the
-//! scaled middle of the source's, so that feet move as far as strides are long and stand still when
-//! the source's do. The height above the ground, which a recording does not tell, is one number for
-//! the whole of it: the soles' lowest points of all frames are ordered, and a quarter of them lies
-//! below y = 0. Most recordings spend more than that standing, and the few lower ones are their
+//! scaled middle of the source's, so that the feet move as far as the strides are long and stand
+//! still when the source's do. A recording does not contain the height above the ground. One height
+//! is used for all frames: it puts the lowest point of the soles below y = 0 in a quarter of the
+//! frames. In most recordings the person stands in more frames than that, and the lowest values are
 //! noise.
 
 mod correspondence;
@@ -52,7 +52,7 @@ use correspondence::Correspondence;
 
 pub use soles::Soles;
 
-/// A recording made ready to move a skeleton.
+/// A recording prepared to move a skeleton.
 #[derive(Clone, Debug)]
 pub struct Retarget<'a> {
     source: &'a Bvh,
@@ -62,7 +62,7 @@ pub struct Retarget<'a> {
     lift: f64,
 }
 
-/// A recording that cannot move a skeleton.
+/// Why a recording cannot move a skeleton.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum RetargetError {
     /// No joint of the recording has the name of one of the skeleton.
@@ -77,7 +77,7 @@ pub enum RetargetError {
     #[error("the motion has no frames")]
     NoFrames,
     /// A range of frames is empty or goes beyond the recording.
-    #[error("frames {from} to {to} are no part of a motion of {frames} frames, counted from 0")]
+    #[error("frames {from} to {to} are not in a motion of {frames} frames, counted from 0")]
     FrameRange {
         /// The first frame.
         from: usize,
@@ -86,13 +86,13 @@ pub enum RetargetError {
         /// How many frames the recording has.
         frames: usize,
     },
-    /// The recording's numbers are too large to be worked with.
+    /// The recording's numbers are so large that computations overflow.
     #[error("frame {frame} of the motion overflows")]
     Overflow {
         /// The frame, from 0.
         frame: usize,
     },
-    /// The poses make no clip.
+    /// The poses do not form a clip.
     #[error(transparent)]
     Clip(#[from] ClipError),
     /// A pose does not fit the skeleton.

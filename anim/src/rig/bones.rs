@@ -7,8 +7,8 @@ use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
 use super::RigError;
 use crate::skeleton::{Joint, Skeleton};
 
-/// The members of a JSON object in their order, also those of one name, which a map would quietly
-/// drop.
+/// The members of a JSON object in their order, including those with the same name, which a map
+/// would drop silently.
 pub(super) struct Members<V>(Vec<(String, V)>);
 
 impl<V> Members<V> {
@@ -107,8 +107,8 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Skeleton, RigError> {
             tail,
         });
     }
-    // Whoever was not reached from a root is in a cycle or below one; going up far enough ends in
-    // it.
+    // A bone that was not reached from a root is in a cycle or below one, and going up far enough
+    // ends in the cycle.
     if let Some((&above, _)) = children.first_key_value() {
         let bone = (0..bones.len())
             .fold(above, |bone, _| &bones[bone].parent)

@@ -2,10 +2,10 @@
 //!
 //! The rig file is an object of bones by name; of each bone `head.default_position`,
 //! `tail.default_position` and `parent` (a name, or empty for a root) are read. Its positions are
-//! Blender's: z up, the person looking along −y, and ten of the mesh's units long. In the mesh's
-//! coordinates (y up, looking along z, decimetres) such a position (x, y, z) is (10x, 10z, −10y),
-//! which is how the joints come out. The weights file has a member `weights`, an object of bones by
-//! name, each a list of (vertex, weight).
+//! Blender's: z up, the person looking along −y, in units that are ten of the mesh's units long.
+//! The joints have the mesh's coordinates (y up, looking along z, decimetres), in which such a
+//! position (x, y, z) is (10x, 10z, −10y). The weights file has a member `weights`, an object of
+//! bones by name, each a list of (vertex, weight).
 //!
 //! Source: the files of MPFB, the MakeHuman plug-in for Blender.
 
@@ -45,8 +45,16 @@ pub fn read(path: impl AsRef<Path>) -> Result<Skeleton, ReadError<RigError>> {
 ///
 /// ```
 /// let json = br#"{
-/// "foot": {"head": {"default_position": [0, 0, 0.1]}, "tail": {"default_position": [0, -0.2, 0]}, "parent": "leg"},
-/// "leg": {"head": {"default_position": [0, 0, 0.9]}, "tail": {"default_position": [0, 0, 0.1]}, "parent": ""}
+///     "foot": {
+///         "head": {"default_position": [0, 0, 0.1]},
+///         "tail": {"default_position": [0, -0.2, 0]},
+///         "parent": "leg"
+///     },
+///     "leg": {
+///         "head": {"default_position": [0, 0, 0.9]},
+///         "tail": {"default_position": [0, 0, 0.1]},
+///         "parent": ""
+///     }
 /// }"#;
 /// let skeleton = ga_anim::rig::parse(json)?;
 /// let foot = &skeleton.joints()[1];
@@ -79,8 +87,8 @@ pub fn read_weights(
 /// # Errors
 ///
 /// [`RigError::Json`], [`RigError::DuplicateBone`], [`RigError::UnknownBone`] for a bone that the
-/// skeleton has not, [`RigError::VertexOutOfRange`] for a vertex that the mesh has not, and
-/// [`RigError::Weights`], also for a vertex that no bone moves.
+/// skeleton does not have, [`RigError::VertexOutOfRange`] for a vertex that the mesh does not have,
+/// and [`RigError::Weights`], also for a vertex that no bone moves.
 pub fn parse_weights(
     bytes: &[u8],
     skeleton: &Skeleton,
@@ -89,14 +97,14 @@ pub fn parse_weights(
     painted::parse(bytes, skeleton, vertex_count)
 }
 
-/// A file that holds no rig, or no weights for this rig and mesh.
+/// A file that does not contain a rig, or not the weights for this rig and mesh.
 #[derive(Debug, thiserror::Error)]
 pub enum RigError {
     /// The file is not JSON, or not of this form; the message names line and column.
     #[error("{0}")]
     Json(serde_json::Error),
-    /// One bone stands in the file twice.
-    #[error("bone {bone:?} stands in the file twice")]
+    /// A bone is in the file twice.
+    #[error("bone {bone:?} is in the file twice")]
     DuplicateBone {
         /// The bone.
         bone: String,
@@ -115,16 +123,16 @@ pub enum RigError {
         /// The bone.
         bone: String,
     },
-    /// The bones make no skeleton.
+    /// The bones do not form a skeleton.
     #[error(transparent)]
     Skeleton(#[from] SkeletonError),
-    /// Weights are given for a bone that the skeleton has not.
-    #[error("the weights are for bone {bone:?}, which the skeleton has not")]
+    /// Weights are given for a bone that the skeleton does not have.
+    #[error("the weights are for bone {bone:?}, which the skeleton does not have")]
     UnknownBone {
         /// The bone.
         bone: String,
     },
-    /// A weight is given for a vertex that the mesh has not.
+    /// A weight is given for a vertex that the mesh does not have.
     #[error(
         "bone {bone:?} has a weight for vertex {vertex}, but the mesh has {vertices} vertices, counted from 0"
     )]
@@ -136,7 +144,7 @@ pub enum RigError {
         /// How many vertices the mesh has.
         vertices: usize,
     },
-    /// The weights of a vertex are no weights.
+    /// The weights of a vertex are not valid.
     #[error(transparent)]
     Weights(#[from] WeightsError),
 }

@@ -1,11 +1,13 @@
-//! Skinning: where the vertices go when the joints move.
+//! Skinning: the positions of the vertices when the joints move.
 //!
 //! Each vertex follows several joints by weights w that sum to 1, any number of them.
 //!
 //! | method | formula | keeps |
 //! | --- | --- | --- |
-//! | [`Method::Linear`] | x' = (Σ w A) x with A = \[R\|t\] the 3×4 matrix of each joint's motor | straight lines; volume is lost where joints twist |
-//! | [`Method::Motor`] | x' = B x ~B with B = Σ ± w G normalised | lengths round each joint: B is a rigid motion |
+//! | [`Method::Linear`] | x' = (Σ w A) x | straight lines; volume is lost where joints twist |
+//! | [`Method::Motor`] | x' = B x ~B | lengths about each joint: B is a rigid motion |
+//!
+//! Here A = \[R\|t\] is the 3×4 matrix of a joint's motor G, and B = Σ ± w G, normalised.
 //!
 //! In the motor blend each G takes the sign that brings it nearer to the strongest one's, since G
 //! and −G are one motion. The sum lies in the 8 coefficients of a dual quaternion and is made a
@@ -27,17 +29,17 @@ use crate::weights::SkinWeights;
 
 pub use report::BodyReport;
 
-/// How the motions of several joints become that of a vertex.
+/// How the motions of several joints are combined into that of a vertex.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Method {
-    /// The weighted mean of the places to which the joints would take the vertex.
+    /// The weighted mean of the positions to which the joints would take the vertex.
     #[default]
     Linear,
     /// The weighted mean of the joints' motors.
     Motor,
 }
 
-/// Point<f64>s, weights and motions that do not fit together.
+/// Why positions, weights and motions do not fit together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SkinError {
     /// There are weights for another number of vertices.
@@ -56,13 +58,13 @@ pub enum SkinError {
         /// How many motions there are.
         found: usize,
     },
-    /// There is no vertex to be measured.
+    /// There is no vertex to measure.
     #[error("a mesh without vertices has no height")]
     NoVertices,
     /// A pose does not fit the skeleton.
     #[error(transparent)]
     Pose(#[from] PoseError),
-    /// The motors of a vertex cannot be made one: they are not unit motors, or not finite.
+    /// The motors of a vertex have no mean: they are not unit motors, or not finite.
     #[error("the motions of vertex {vertex} have no mean")]
     NoMean {
         /// The vertex.
@@ -79,7 +81,7 @@ pub enum SkinError {
 ///
 /// # Examples
 ///
-/// Half way round a corner of a quarter turn, the linear blend falls inside the arc and the motor
+/// Half way between rest and a rotation by 90°, the linear blend lies inside the arc and the motor
 /// blend on it.
 ///
 /// ```

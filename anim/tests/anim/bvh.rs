@@ -205,7 +205,7 @@ fn every_fault_is_named_with_its_line() {
         (
             5,
             "CHANNELS 4 Xposition Zrotation Xrotation",
-            "line 6: \"JOINT\" is no channel",
+            "line 6: \"JOINT\" is not a channel",
         ),
         (
             5,
@@ -215,7 +215,7 @@ fn every_fault_is_named_with_its_line() {
         (
             5,
             "CHANNELS 2 Xposition Wrotation",
-            "line 5: \"Wrotation\" is no channel",
+            "line 5: \"Wrotation\" is not a channel",
         ),
         (
             5,

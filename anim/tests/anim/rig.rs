@@ -163,7 +163,7 @@ fn what_is_no_rig_is_named() {
 
     let twice = format!("{{\"a\": {0}, \"a\": {0}}}", bone(""));
     let error = rig::parse(twice.as_bytes()).unwrap_err();
-    assert_eq!(error.to_string(), "bone \"a\" stands in the file twice");
+    assert_eq!(error.to_string(), "bone \"a\" is in the file twice");
 
     for (text, message) in [
         ("", "EOF while parsing a value at line 1 column 0"),

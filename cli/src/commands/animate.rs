@@ -19,7 +19,7 @@ use crate::recording::begins_with_calibration;
 use crate::report::{Input, MotionInput};
 use crate::storyboard::{self, Numbering, Storyboard};
 
-/// Let a figure of your own move as a recorded person did.
+/// Move a figure of your own like a recorded person.
 ///
 /// Writes the same files as `demo`: model.obj (the mesh at rest), model.glb (mesh, skeleton, skin
 /// weights and the motion), sheet.png (key frames at four places of the range with three
@@ -43,12 +43,12 @@ pub(crate) struct Arguments {
     motion: PathBuf,
     /// The first frame of the motion, counted from 0.
     ///
-    /// Without it, 0; or 1 where frame 0 is a calibration pose (such as a T) that the body leaves
-    /// in a leap: more than three times as far as it moves between any two later frames. The
-    /// summary and the report tell when that is so.
+    /// The default is 0, or 1 where frame 0 is a calibration pose (such as a T): a joint then moves
+    /// more than three times as far from frame 0 to frame 1 as between any two later frames. The
+    /// summary and the report say when that is so.
     #[arg(long, value_name = "F")]
     from: Option<usize>,
-    /// The last frame of the motion; without it, its end.
+    /// The last frame of the motion; by default the last one of the file.
     #[arg(long, value_name = "F")]
     to: Option<usize>,
     /// Frames per second of the animation in model.glb, at most 1000. At 30, 23 seconds of 31
@@ -60,14 +60,14 @@ pub(crate) struct Arguments {
         allow_negative_numbers = true
     )]
     fps: f64,
-    /// The group of the mesh that is the figure; without it, `body` where there is such a group,
-    /// else the whole mesh.
+    /// The group of the mesh that is the figure; by default `body` where there is such a group,
+    /// otherwise the whole mesh.
     ///
-    /// Meshes made for modelling hold more than one wants to see: guides for clothes, cubes that
-    /// mark joints.
+    /// Meshes made for modelling contain more than the body: guides for clothes, cubes that mark
+    /// joints.
     #[arg(long, value_name = "NAME")]
     group: Option<String>,
-    /// How many metres one unit of the mesh is. MakeHuman's unit is the decimetre.
+    /// The length of one unit of the mesh in metres. MakeHuman's unit is the decimetre.
     #[arg(
         long,
         value_name = "N",
@@ -79,7 +79,7 @@ pub(crate) struct Arguments {
     output: OutputArguments,
 }
 
-/// The group that MakeHuman's meshes keep the person in.
+/// The group of the person in MakeHuman's meshes.
 const BODY: &str = "body";
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
@@ -91,7 +91,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let (figure, group) = figure(arguments)?;
     progress.step("reading the motion");
     let motion = bvh::read(&arguments.motion)?;
-    progress.step("carrying the motion over");
+    progress.step("transferring the motion");
     let range = frames(arguments, &motion)?;
     let retargeted = retarget(arguments, &figure, &motion, range)?;
     let clip = retargeted
@@ -171,7 +171,7 @@ fn figure(arguments: &Arguments) -> Result<(Figure, Option<String>)> {
     let (mesh, weights) = match group.as_deref().and_then(|group| scaled.part(group)) {
         Some(part) => {
             let selected = weights.select(&part.vertices);
-            let weights = selected.context("the group has vertices that the mesh has not")?;
+            let weights = selected.context("the group has vertices that the mesh does not have")?;
             (part.mesh, weights)
         }
         None => (scaled, weights),
@@ -209,7 +209,7 @@ fn group(arguments: &Arguments, mesh: &Mesh) -> Result<Option<String>> {
     Ok(Some(group.clone()))
 }
 
-/// The frames of the motion that are meant, both included.
+/// A range of frames of the motion, both ends included.
 #[derive(Clone, Copy)]
 struct Range {
     from: usize,
@@ -266,7 +266,8 @@ fn retarget(
     })
 }
 
-/// How far a joint of any moment of the storyboard is from where the recording has it at that time.
+/// The greatest distance of a joint at any moment of the storyboard from its recorded position at
+/// that time.
 fn deviation(figure: &Figure, recorded: &Clip, storyboard: &Storyboard) -> Result<f64> {
     let mut greatest = 0.0f64;
     for moment in &storyboard.moments {

@@ -1,4 +1,4 @@
-//! `nullcone demo`: a figure and a walk that the program makes itself.
+//! `nullcone demo`: a figure and a walk that the program generates.
 
 use std::time::Instant;
 
@@ -11,7 +11,7 @@ use crate::progress::Progress;
 use crate::report::{Input, MotionInput};
 use crate::storyboard::{self, Numbering, STEPS, Storyboard};
 
-/// Make a person and let it walk: no input needed.
+/// Generate a person that walks; needs no input.
 ///
 /// Writes model.obj (the mesh at rest), model.glb (mesh, skeleton, skin weights and the walk),
 /// sheet.png (key frames with three in-betweens after each, shaded and as depth) and report.json.

@@ -134,7 +134,7 @@ fn hand_frame(landmarks: &Landmarks) -> Frame {
     }
 }
 
-/// The unit vector along the hand, turned towards the thumb by `sideways` and towards the palm by
+/// The unit vector along the hand, rotated towards the thumb by `sideways` and towards the palm by
 /// `bend`.
 fn direction(hand: &Frame, sideways: f64, bend: f64) -> Vector {
     let level = hand.along * sideways.cos() + hand.depth * sideways.sin();

@@ -112,7 +112,7 @@ impl Marcher {
         }
     }
 
-    /// `positive`: whether the last three corners turn counter-clockwise seen from the first.
+    /// `positive`: whether the last three corners run counter-clockwise seen from the first.
     fn tetrahedron(&mut self, corners: &[Corner; 4], positive: bool) {
         let (mut inside, mut outside) = (Vec::with_capacity(4), Vec::with_capacity(4));
         for (i, corner) in corners.iter().enumerate() {

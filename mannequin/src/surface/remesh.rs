@@ -1,5 +1,5 @@
 //! Even triangles: splits long edges, collapses short ones, flips edges towards six neighbours a
-//! vertex, and lets the vertices drift along the surface to the middle of their neighbours.
+//! vertex, and moves the vertices along the surface to the middle of their neighbours.
 //!
 //! The method is that of Botsch and Kobbelt, A remeshing approach to multiresolution modeling,
 //! Symposium on Geometry Processing 2004, with an edge length that may vary over the surface. The
@@ -13,8 +13,8 @@ use super::topology::Topology;
 use crate::Vector;
 use crate::shape::solid::project;
 
-/// Makes the edges of a surface about `length(position)` long, and its vertices stay where
-/// `distance` vanishes.
+/// Makes the edges of a surface about `length(position)` long, with its vertices where `distance`
+/// vanishes.
 pub(crate) fn remesh(
     surface: Surface,
     rounds: usize,
@@ -218,7 +218,8 @@ impl<L: Fn(Vector) -> f64> Remesher<L> {
         }
     }
 
-    /// Whether one of the triangles would turn by more than 60° if a vertex of theirs moved.
+    /// Whether the normal of one of the triangles would rotate by more than 60° if one of its
+    /// vertices moved.
     fn turns_over(&self, vertex: u32, target: Vector, triangles: &[[u32; 3]]) -> bool {
         triangles.iter().any(|t| {
             let old = t.map(|v| self.positions[v as usize]);

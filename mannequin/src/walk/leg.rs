@@ -55,7 +55,7 @@ impl Leg {
     /// `None` when it is out of reach.
     pub(crate) fn reach(&self, ankle: Vector) -> Option<LegAngles> {
         let (t, s) = (self.thigh, self.shank);
-        // |thigh + shank turned by the knee|² = |ankle|² is a cos + b sin = c.
+        // |thigh + shank rotated by the knee|² = |ankle|² is a cos + b sin = c.
         let a = t.e2 * s.e2 + t.e3 * s.e3;
         let b = t.e3 * s.e2 - t.e2 * s.e3;
         let squares = ankle.length_squared() - t.length_squared() - s.length_squared();

@@ -1,10 +1,10 @@
 //! A walk: the gait put on the ground.
 //!
-//! The joint angles alone would let the feet slide. So where the pelvis is follows from the leg
-//! that stands: with its foot fixed on the ground, forward kinematics through ankle, knee and hip
-//! says where the hips are. Then, with hips that also sway and turn, inverse kinematics gives the
-//! last of the angles of every leg that touches the ground, so that heel, ball and toe stay where
-//! they have been set down.
+//! The joint angles alone would let the feet slide. So the position of the pelvis is computed from
+//! the standing leg: with its foot fixed on the ground, forward kinematics through ankle, knee and
+//! hip gives the hips. Then, with hips that also sway and rotate, inverse kinematics gives the
+//! final angles of every leg that touches the ground, so that heel, ball and toe stay where they
+//! were set down.
 
 mod gait;
 mod leg;
@@ -54,7 +54,8 @@ pub fn walk(strides: u16) -> Clip {
     Clip::new(KEY_TIME, frames.collect()).expect("one frame or more, all of one skeleton")
 }
 
-/// The pose of one moment: how far the whole body has moved and how each joint is turned from rest.
+/// The pose of one moment: the displacement of the whole body and the rotation of each joint from
+/// rest.
 #[derive(Clone, Debug)]
 struct Key {
     root: Vector,
@@ -111,7 +112,8 @@ struct Walker<'a> {
     hips: Vector,
 }
 
-/// The pelvis: where it is, as a displacement from rest, and how it is turned.
+/// The pelvis: its displacement from rest and its rotation about the vertical and about the way
+/// ahead.
 #[derive(Clone, Copy, Debug)]
 struct Pelvis {
     place: Vector,
@@ -128,7 +130,7 @@ impl Pelvis {
         }
     }
 
-    /// How it is turned; on the right side, how its mirror image is.
+    /// Its rotation; on the right side, that of its mirror image.
     fn rotor(&self, side: Side) -> Rotor<f64> {
         side.turn(Vector::Y, self.turn) * side.turn(Vector::Z, self.list)
     }
@@ -204,7 +206,7 @@ impl Walker<'_> {
         (Vector::new(TRACK, 0.0, z) + over, sole)
     }
 
-    /// The left foot turned so that its sole rises towards the toes.
+    /// The rotation of the left foot by which its sole rises towards the toes.
     fn slope(&self, angle: f64) -> Rotor<f64> {
         turn(self.landmarks.foot.across, -angle)
     }
@@ -300,7 +302,7 @@ impl Walker<'_> {
         [Rotor::default(), upper, lower, hand]
     }
 
-    /// The spine turns the chest against the pelvis and the neck turns the head back to look ahead.
+    /// The spine rotates the chest against the pelvis, and the neck rotates the head to look ahead.
     fn spine_rotors(&self, pelvis: &Pelvis, rotors: &mut [Rotor<f64>]) {
         let part = |turns: f64, lists: f64, lean: f64| {
             turn(Vector::Y, turns * pelvis.turn)
@@ -314,7 +316,7 @@ impl Walker<'_> {
     }
 }
 
-/// A side of the body. What holds on the left holds on the right in the mirror.
+/// A side of the body. The right side is the mirror image of the left.
 #[derive(Clone, Copy, Debug)]
 enum Side {
     Left,
@@ -323,7 +325,7 @@ enum Side {
 
 impl Side {
     /// A rotation of the left side, or its mirror image in the plane x = 0 on the right: there the
-    /// axis keeps its x and turns the other way round in y and z.
+    /// axis keeps its x component and the other two change sign.
     fn turn(self, axis: Vector, angle: f64) -> Rotor<f64> {
         match self {
             Side::Left => turn(axis, angle),

@@ -41,8 +41,7 @@ impl<'a> Lines<'a> {
         };
         self.taken += 1;
         let line = line.strip_suffix(b"\r").unwrap_or(line);
-        // A comment ends with its line: going on would let a path like C:\ in it swallow the next
-        // vertex.
+        // A comment ends with its line: otherwise a path like C:\ in it would hide the next vertex.
         Some(match line.strip_suffix(b"\\") {
             Some(start) if !has_comment(line) => (start, true),
             _ => (line, false),

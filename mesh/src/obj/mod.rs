@@ -6,23 +6,24 @@
 //!
 //! | line | read as |
 //! | --- | --- |
-//! | `v x y z`, `v x y z w`, `v x y z r g b` | a vertex; w and the colour are checked and left out |
+//! | `v x y z`, `v x y z w`, `v x y z r g b` | a vertex; w and the colour are checked and ignored |
 //! | `vt u`, `vt u v`, `vt u v w` | a texture coordinate (u, v); v is 0 when left out |
-//! | `vn x y z` | checked and counted; normals are computed from the surface where they are needed |
-//! | `f a b c …`, each `v`, `v/vt`, `v//vn` or `v/vt/vn` | a polygon; indices count from 1, or from −1 backwards from the latest |
+//! | `vn x y z` | checked and counted; normals are computed where they are needed |
+//! | `f a b c …` | a polygon; each corner is `v`, `v/vt`, `v//vn` or `v/vt/vn` |
 //! | `g name …`, `o name` | the following faces belong to these groups, and to this one |
-//! | `s`, `usemtl`, `mtllib`, `l`, `p` and other attributes | left out |
+//! | `s`, `usemtl`, `mtllib`, `l`, `p` and other attributes | ignored |
 //! | `curv`, `surf` and other free-form geometry, unknown words | an error |
 //!
-//! A line that ends in `\` goes on in the next one. Line ends may be LF or CR LF. A word that
+//! Indices count from 1, or from −1 backwards from the latest element.
+//!
+//! A line that ends in `\` continues on the next one. Line ends may be LF or CR LF. A word that
 //! begins with `#` begins a comment, which ends with its line; a line of comment may be in any
 //! encoding, everything else is UTF-8.
 //!
-//! The reader stands on its own rather than on `tobj`, which deals out vertices by group in order
-//! of use, drops those that no face uses, lets NaN through and knows no line numbers. All of that
-//! can be mended around it, by a scan of the text before and a table of vertices after, but the
-//! scan then already holds the mesh that is wanted, so that nothing is left for a second parser but
-//! to take its time. The tests keep `tobj` as a second opinion on the faces.
+//! The reader does not use `tobj`, which numbers vertices by group in order of use, drops those
+//! that no face uses, accepts NaN and does not report line numbers. A scan of the text before and a
+//! table of vertices after it could correct that, but the scan alone already gives the whole mesh.
+//! The tests compare the faces with those of `tobj`.
 //!
 //! Source: Wavefront, *Advanced Visualizer* manual, appendix B1, "Object Files".
 
@@ -114,7 +115,7 @@ pub enum ObjProblem {
         found: usize,
     },
     /// A corner of a face is not of the form `v`, `v/vt`, `v//vn` or `v/vt/vn`.
-    #[error("{word:?} is no corner of a face (v, v/vt, v//vn or v/vt/vn)")]
+    #[error("{word:?} is not a corner of a face (v, v/vt, v//vn or v/vt/vn)")]
     BadCorner {
         /// The corner.
         word: String,

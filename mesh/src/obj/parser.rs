@@ -48,7 +48,7 @@ impl Parser {
     fn statement(&mut self, line: usize, text: &[u8]) -> Result<(), ObjProblem> {
         let text = match std::str::from_utf8(text) {
             Ok(text) if !text.contains('\0') => text,
-            // Comments are of all ages and encodings.
+            // A comment may have any encoding.
             _ if text.trim_ascii_start().starts_with(b"#") && !text.contains(&0) => return Ok(()),
             _ => return Err(ObjProblem::NotText),
         };

@@ -16,8 +16,8 @@ pub fn write(path: impl AsRef<Path>, mesh: &Mesh) -> Result<(), WriteError> {
 
 /// A mesh as the text of an OBJ file.
 ///
-/// Numbers are written so that reading them gives the same `f64` back. What cannot stand in a
-/// group's name (white space, `#`, `\`) becomes `_`.
+/// Numbers are written so that reading them gives the same `f64` back. Characters that a
+/// group's name cannot have (white space, `#`, `\`) become `_`.
 ///
 /// # Examples
 ///

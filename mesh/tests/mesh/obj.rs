@@ -281,27 +281,27 @@ fn every_fault_is_named_with_its_line() {
         ),
         (
             "f 1 2 3/",
-            "line 4: \"3/\" is no corner of a face (v, v/vt, v//vn or v/vt/vn)",
+            "line 4: \"3/\" is not a corner of a face (v, v/vt, v//vn or v/vt/vn)",
         ),
         (
             "f 1 2 3//",
-            "line 4: \"3//\" is no corner of a face (v, v/vt, v//vn or v/vt/vn)",
+            "line 4: \"3//\" is not a corner of a face (v, v/vt, v//vn or v/vt/vn)",
         ),
         (
             "f 1 2 /3",
-            "line 4: \"/3\" is no corner of a face (v, v/vt, v//vn or v/vt/vn)",
+            "line 4: \"/3\" is not a corner of a face (v, v/vt, v//vn or v/vt/vn)",
         ),
         (
             "f 1 2 1/1/1/1",
-            "line 4: \"1/1/1/1\" is no corner of a face (v, v/vt, v//vn or v/vt/vn)",
+            "line 4: \"1/1/1/1\" is not a corner of a face (v, v/vt, v//vn or v/vt/vn)",
         ),
         (
             "f 1 2 three",
-            "line 4: \"three\" is no corner of a face (v, v/vt, v//vn or v/vt/vn)",
+            "line 4: \"three\" is not a corner of a face (v, v/vt, v//vn or v/vt/vn)",
         ),
         (
             "f 1 2 1.0",
-            "line 4: \"1.0\" is no corner of a face (v, v/vt, v//vn or v/vt/vn)",
+            "line 4: \"1.0\" is not a corner of a face (v, v/vt, v//vn or v/vt/vn)",
         ),
         (
             "face 1 2 3",

@@ -1,9 +1,9 @@
-//! Where the camera stands for each frame.
+//! The position of the camera for each frame.
 
 use super::{Frame, Options, SheetError};
 use crate::{Camera, Ground, RenderError};
 
-/// Whether the camera goes along with the figure.
+/// Whether the camera follows the figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Framing {
     /// One camera for all frames: the figure crosses the picture.
@@ -18,7 +18,7 @@ pub(super) struct Stage {
     pub(super) ground: Ground,
 }
 
-/// A long lens: limbs towards the camera are not blown up.
+/// Narrow, so that limbs towards the camera are not enlarged.
 const FIELD_OF_VIEW: f64 = 0.45;
 
 /// Free border, as a fraction of half the picture.
@@ -73,8 +73,7 @@ fn points<'a>(frame: &Frame<'a>) -> impl Iterator<Item = [f64; 3]> + Clone + use
         .chain(bones.iter().flatten().copied())
 }
 
-/// Found here, with the frame's number, rather than by a camera that cannot tell one frame from
-/// another.
+/// Checked here to report the frame's number, which the renderer does not know.
 fn check(frame: &Frame) -> Result<(), SheetError> {
     let finite = |p: &[f64; 3]| p.iter().all(|c| c.is_finite());
     let source = match frame.positions.iter().position(|p| !finite(p)) {

@@ -1,4 +1,4 @@
-//! Which frame stands where.
+//! The places of the frames on a sheet.
 
 use super::{Frame, Kind, Options, SheetError};
 

@@ -1,5 +1,4 @@
-//! Contact sheets: the frames of an animation side by side, key frames told apart from the frames
-//! between them.
+//! Contact sheets: the frames of an animation side by side, with key frames marked.
 //!
 //! [`contact_sheet`] draws every frame with one camera direction and one scale, chosen so that the
 //! whole figure is in every picture, and puts the pictures under each other in rows with captions.
@@ -56,7 +55,7 @@ pub struct Frame<'a> {
     pub bones: &'a [[[f64; 3]; 2]],
 }
 
-/// The part that a frame plays in an animation.
+/// The role of a frame in an animation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Given.
@@ -80,7 +79,7 @@ pub struct Options {
     pub style: Style,
     /// The side the figure is seen from.
     pub view: ViewDirection,
-    /// Whether the camera goes along with the figure.
+    /// Whether the camera follows the figure.
     pub framing: Framing,
     /// Which pictures stand side by side.
     pub layout: Layout,
@@ -94,8 +93,8 @@ pub struct Options {
 }
 
 impl Default for Options {
-    /// Pictures of 240 × 320 from three quarters, going along with the figure, in rows from key to
-    /// key, with depth.
+    /// Pictures of 240 × 320 from three quarters that follow the figure, in rows from key to key,
+    /// with depth.
     fn default() -> Self {
         Self {
             title: String::new(),
@@ -127,7 +126,7 @@ pub struct Sheet {
     pub depth_range: Option<(f64, f64)>,
 }
 
-/// Why there is no sheet.
+/// Why a sheet cannot be drawn.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum SheetError {
     /// There are no frames.
@@ -141,7 +140,7 @@ pub enum SheetError {
         /// Why not.
         source: RenderError,
     },
-    /// No camera sees the figure, or the style makes no picture.
+    /// The figure has no camera that sees it, or the style is not usable.
     #[error(transparent)]
     Picture(#[from] RenderError),
     /// Rows from key to key need at least two key frames, the first frame and the last among them.

@@ -1,4 +1,4 @@
-//! Scenes, cameras and styles that make no picture.
+//! Scenes, cameras and styles that cannot be drawn.
 
 use ga_image::colour::LinearColour;
 use ga_render::{

@@ -1,19 +1,16 @@
 //! `nullcone demo`, run as a user runs it.
 
-#![allow(clippy::unwrap_used, reason = "a test may panic")]
-
-mod common;
-
 use std::path::{Path, PathBuf};
 use std::process::{Output, Stdio};
 use std::sync::OnceLock;
 
-use common::{
+use serde_json::Value;
+use tempfile::tempdir;
+
+use crate::common::{
     FILES, assert_failure, assert_success, contents, extent, heights, names, nullcone, number,
     program, report, text,
 };
-use serde_json::Value;
-use tempfile::tempdir;
 
 /// The output of one run for all tests that only look at it, and the folder it wrote.
 fn demo() -> &'static (Output, PathBuf) {

@@ -1,10 +1,8 @@
 //! Runs the program as a user does, in a folder of its own.
 
-#![allow(dead_code, reason = "not every test file needs everything")]
-
 pub(crate) mod figure;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Output};
 
 use serde_json::Value;
@@ -85,19 +83,6 @@ pub(crate) fn number(report: &Value, path: &str) -> f64 {
         .unwrap_or_else(|| panic!("{path} is {value:?}"))
 }
 
-/// A file beside the project, too big to be part of it, or `None` with a message when it is not
-/// there.
-pub(crate) fn shared(path: &str) -> Option<PathBuf> {
-    let file = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
-        .join("../../shared")
-        .join(path);
-    if !file.exists() {
-        println!("passed over: {path} is not in ../shared");
-        return None;
-    }
-    Some(file)
-}
-
 /// The y coordinates of the vertices in the text of an OBJ file, read without the program's own
 /// reader.
 pub(crate) fn heights(obj: &str) -> Vec<f64> {
@@ -107,7 +92,7 @@ pub(crate) fn heights(obj: &str) -> Vec<f64> {
         .collect()
 }
 
-/// The greatest of some numbers less the least.
+/// The greatest of some numbers minus the least.
 pub(crate) fn extent(numbers: &[f64]) -> f64 {
     let (low, high) = numbers
         .iter()

@@ -1,16 +1,13 @@
 //! `nullcone expand`: what it prints in each form, and the errors that it reports.
 
-#![allow(clippy::unwrap_used, reason = "a test may panic")]
-
-mod common;
-
 use std::io::Write;
 use std::path::Path;
 use std::process::{Output, Stdio};
 
-use common::{assert_success, nullcone, program, text};
 use serde_json::{Value, json};
 use tempfile::tempdir;
+
+use crate::common::{assert_failure, assert_success, nullcone, program, text};
 
 const MOVED: &str = "fn moved(m: Motor, p: Point) -> Point { m * p * rev(m) }";
 
@@ -466,7 +463,7 @@ fn unreadable_input_is_an_error_of_one_line() {
             vec!["other", "--algebra"],
         ),
     ] {
-        common::assert_failure(&nullcone(folder.path(), arguments), &parts);
+        assert_failure(&nullcone(folder.path(), arguments), &parts);
     }
     let broken = nullcone(
         folder.path(),

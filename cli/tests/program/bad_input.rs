@@ -1,12 +1,9 @@
 //! Bad input: one line that names what is wrong and where, status 1, and nothing written.
 
-#![allow(clippy::unwrap_used, reason = "a test may panic")]
-
-mod common;
-
-use common::figure;
-use common::{assert_failure, nullcone};
 use tempfile::tempdir;
+
+use crate::common::figure;
+use crate::common::{assert_failure, nullcone};
 
 const FRAMES: usize = 4;
 

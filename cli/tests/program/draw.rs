@@ -1,11 +1,8 @@
 //! `nullcone draw`: what it writes, and how it tells what is wrong.
 
-#![allow(clippy::unwrap_used, reason = "a test may panic")]
-
-mod common;
-
-use common::{assert_failure, assert_success, names, nullcone, text};
 use tempfile::tempdir;
+
+use crate::common::{assert_failure, assert_success, names, nullcone, text};
 
 const SCENE: &str =
     r#"{"title": "S", "elements": [{"name": "S", "sphere": {"centre": [0, 0, 0], "radius": 1}}]}"#;

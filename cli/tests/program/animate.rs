@@ -1,17 +1,15 @@
 //! `nullcone animate` on a figure written by hand, and on a real one.
 
-#![allow(clippy::unwrap_used, reason = "a test may panic")]
-
-mod common;
-
 use std::path::Path;
 use std::process::Output;
 
-use common::figure::{self, RATE, STEP, UNITS};
-use common::{
-    FILES, assert_success, contents, extent, heights, names, nullcone, number, report, shared, text,
-};
+use nullcone_shared_data::shared;
 use tempfile::{TempDir, tempdir};
+
+use crate::common::figure::{self, RATE, STEP, UNITS};
+use crate::common::{
+    FILES, assert_success, contents, extent, heights, names, nullcone, number, report, text,
+};
 
 const FRAMES: usize = 26;
 

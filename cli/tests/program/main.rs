@@ -1,0 +1,10 @@
+//! The program, run as a user runs it.
+
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+mod animate;
+mod bad_input;
+mod common;
+mod demo;
+mod draw;
+mod expand;
