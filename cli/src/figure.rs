@@ -1,4 +1,4 @@
-//! A body that can be moved.
+//! The figure that is animated.
 
 use ga_anim::pose::Pose;
 use ga_anim::skeleton::Skeleton;
@@ -6,7 +6,7 @@ use ga_anim::skin::{self, Method, SkinError};
 use ga_anim::weights::SkinWeights;
 use ga_mesh::Mesh;
 
-/// A mesh, its skeleton and what joins them; metres, y up.
+/// A mesh, its skeleton and its skin weights, in metres with y up.
 pub(crate) struct Figure {
     pub(crate) name: String,
     pub(crate) mesh: Mesh,
@@ -32,7 +32,7 @@ impl Figure {
             .collect())
     }
 
-    /// Where the joints are in a pose.
+    /// The positions of the joints in a pose.
     pub(crate) fn joints(&self, pose: &Pose) -> Result<Vec<[f64; 3]>, SkinError> {
         let bones = pose.bones(&self.skeleton)?;
         Ok(bones.into_iter().map(|[head, _]| head).collect())

@@ -1,5 +1,4 @@
-//! `report.json`: what came in, what was made of it and how good it is. Equal input gives equal
-//! bytes.
+//! `report.json`: the input, the results and their quality. Equal input gives equal bytes.
 
 use serde::Serialize;
 
@@ -31,7 +30,7 @@ impl Tool {
     };
 }
 
-/// What came in.
+/// The input.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Input {
     /// File names without their folders, or what the program made itself.
@@ -41,7 +40,7 @@ pub(crate) struct Input {
     pub(crate) motion: MotionInput,
 }
 
-/// The motion as it came in.
+/// The motion of the input.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct MotionInput {
     pub(crate) name: String,
@@ -76,7 +75,7 @@ pub(crate) struct FigureReport {
     pub(crate) influences_max: usize,
 }
 
-/// What was made of the motion.
+/// The animation that was written.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct AnimationReport {
     pub(crate) name: String,
@@ -84,8 +83,8 @@ pub(crate) struct AnimationReport {
     pub(crate) frames_per_second: f64,
     pub(crate) duration_seconds: f64,
     pub(crate) checks: Checks,
-    /// How far a joint of an in-between on the sheet is from where the recording has it at that
-    /// time; `null` where the motion consists of key frames only.
+    /// The greatest distance of a joint of an in-between on the sheet from its recorded position at
+    /// that time; `null` where the motion consists of key frames only.
     pub(crate) in_between_deviation_max_metres: Option<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! Frames along which the parts of the body are measured.
+//! Frames in which the parts of the body are measured.
 
 use crate::Vector;
 

@@ -1,4 +1,4 @@
-//! Where the joints are, and which way the limbs point, at rest.
+//! The positions of the joints and the directions of the limbs at rest.
 //!
 //! Lengths follow the segment lengths as fractions of stature that Winter, Biomechanics and Motor
 //! Control of Human Movement (4th edition, 2009, figure 4.1, after Drillis and Contini) gives, for

@@ -1,11 +1,11 @@
 //! The skin weights of the body: Cui, eq. 33, within each part of the body, and a smooth transition
 //! from part to part.
 //!
-//! Distance alone binds the inside of one thigh to the other leg and the flank to the arm. So the
-//! bones that may move a point are those of the part of the body whose solid made the surface
-//! there; in each part eq. 33 shares the motion out among them, and near a seam the shares of two
-//! parts are mixed by how far the point is from either solid. Everything in this is a smooth
-//! function of the place.
+//! By distance alone the inside of one thigh would follow the other leg, and the flank the arm. So
+//! the bones that may move a point are those of the part of the body whose solid made the surface
+//! there. In each part eq. 33 gives their weights, and near a seam the weights of two parts are
+//! mixed by the distances of the point from both solids. All of this is a smooth function of the
+//! position.
 
 use crate::landmarks::{HEEL, Landmarks};
 use crate::shape::{Body, smooth_step};

@@ -80,7 +80,7 @@ impl Camera {
         let eye = Vector::from(eye);
         let forward = (Vector::from(target) - eye)
             .normalized()
-            .ok_or(RenderError::Camera("it stands on its target"))?;
+            .ok_or(RenderError::Camera("its eye and its target coincide"))?;
         let up = Vector::from(up)
             .normalized()
             .ok_or(RenderError::Camera("its up vector is zero"))?;

@@ -1,17 +1,17 @@
 //! BVH (Biovision hierarchy): motion capture as text, a skeleton and then its channels frame by
 //! frame.
 //!
-//! Every joint says which channels it has and in which order; the order may differ from joint to
-//! joint and is obeyed. A joint's motion relative to its parent is
+//! Every joint lists its channels, in an order that may differ from joint to joint. A joint's
+//! motion relative to its parent is
 //!
 //! ```text
 //! M = T(offset + position) R₁ R₂ R₃
 //! ```
 //!
-//! with the rotations about the fixed axes x, y, z in the order in which the channels stand, so
-//! that the last one acts on a point first, and with the position channels added to the offset.
-//! Angles are degrees in the file. Lengths have the file's unit, which it does not state, and by
-//! custom y points up.
+//! with the rotations about the fixed axes x, y, z in the order of the channels, so that the last
+//! one acts on a point first, and with the position channels added to the offset. Angles are
+//! degrees in the file. Lengths have the file's unit, which it does not state; by convention y
+//! points up.
 //!
 //! The reader is strict: an error names the line, a frame has exactly one number for each channel,
 //! and the number of frames is the one announced.
@@ -27,7 +27,7 @@ use std::path::Path;
 
 use ga_files::ReadError;
 
-/// A skeleton and its motion as a BVH file has them.
+/// A skeleton and its motion in the form of a BVH file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bvh {
     joints: Vec<BvhJoint>,
@@ -42,7 +42,7 @@ pub struct Bvh {
 pub struct BvhJoint {
     /// The name, unique in its file.
     pub name: String,
-    /// The index of the joint above, or `None` for a root. Parents come before children.
+    /// The index of the parent joint, or `None` for a root. Parents come before children.
     pub parent: Option<usize>,
     /// Where the joint is at rest, relative to its parent.
     pub offset: [f64; 3],
@@ -50,7 +50,7 @@ pub struct BvhJoint {
     pub channels: Vec<Channel>,
     /// How many channels the joints before this one have.
     pub first_channel: usize,
-    /// Where the bone ends at rest, relative to this joint, if an End Site says so.
+    /// The end of the bone at rest, relative to this joint, if the joint has an End Site.
     pub end_site: Option<[f64; 3]>,
 }
 
@@ -206,13 +206,13 @@ pub enum BvhProblem {
         /// The channel.
         word: String,
     },
-    /// Two joints have one name.
+    /// Two joints have the same name.
     #[error("two joints are called {name:?}")]
     DuplicateName {
         /// The name.
         name: String,
     },
-    /// A joint has none, or two, of what it should have once.
+    /// An element that a joint must have once is missing or there twice.
     #[error("joint {joint:?} has {found} {what} lines instead of one")]
     NotOnce {
         /// The joint.

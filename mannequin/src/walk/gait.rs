@@ -61,7 +61,7 @@ pub(crate) const LEG: [LegMoment; KEYS_PER_STRIDE] = [
     leg(26.0, 29.0, 5.0),
 ];
 
-/// The pelvis and what stands on it at one moment: angles in radians, by the right-hand rule.
+/// The pelvis at one moment: angles in radians, by the right-hand rule.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TrunkMoment {
     /// How far the pelvis is off the middle, to the left, in metres.

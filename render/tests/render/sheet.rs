@@ -92,7 +92,7 @@ fn places(sheet: &RgbImage, picture: &RgbImage) -> Vec<(u32, u32)> {
     places
 }
 
-fn colors_beside(sheet: &RgbImage, (x, y): (u32, u32)) -> Vec<Rgb<u8>> {
+fn colours_beside(sheet: &RgbImage, (x, y): (u32, u32)) -> Vec<Rgb<u8>> {
     (1..=3).map(|d| *sheet.get_pixel(x - d, y - d)).collect()
 }
 
@@ -121,7 +121,7 @@ fn rows_run_from_key_to_key() {
     );
     assert!(columns[1] - columns[0] > 48);
 
-    let beside = |index: usize| colors_beside(&sheet.image, found[index][0]);
+    let beside = |index: usize| colours_beside(&sheet.image, found[index][0]);
     assert!(beside(0).iter().all(|c| c == &beside(0)[0]));
     for (index, kind) in kinds.iter().enumerate() {
         assert_eq!(
