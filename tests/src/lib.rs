@@ -1,5 +1,5 @@
-//! What the tests that cross crates share. The programs of the README are run as doctests of this
-//! library.
+//! Helpers for the tests that use several crates. The programs in the README are run as doctests of
+//! this library.
 
 pub mod oracle;
 pub mod plain;

@@ -1,5 +1,5 @@
-//! Coefficients that other libraries computed: extracts in `data`, and all of them in the shared
-//! data beside the repository.
+//! Coefficients that other libraries computed. Extracts are in `data`, the complete set in the
+//! shared data beside the repository.
 
 use std::path::Path;
 use std::sync::OnceLock;
@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 use nullcone_shared_data::shared;
 use serde_json::Value;
 
-/// An extract of this package, by its path in `data`.
+/// Reads an extract from this package, by its path in `data`.
 ///
 /// # Panics
 /// If it is absent or is not JSON.
@@ -19,7 +19,7 @@ pub fn extract(path: &str) -> Value {
     )
 }
 
-/// All vectors of cga3, where the shared data lies beside the repository.
+/// All test vectors for cga3, where the shared data lies beside the repository.
 ///
 /// # Panics
 /// If the file is not JSON, or is absent although the environment demands it.

@@ -1,4 +1,4 @@
-//! Random numbers that are the same in every run.
+//! Reproducible random numbers.
 
 use crate::plain::{Vector, length, times};
 
@@ -41,7 +41,7 @@ impl SplitMix64 {
         }
     }
 
-    /// Any finite number, small and large alike.
+    /// A finite number of any magnitude.
     pub fn finite(&mut self) -> f64 {
         loop {
             let number = f64::from_bits(self.bits());

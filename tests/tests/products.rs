@@ -1,4 +1,4 @@
-//! Every declared product of every algebra that ships, exactly equal to the dense reference.
+//! Every declared product of every algebra of ga-runtime, exactly equal to the dense reference.
 
 mod cga2 {
     ga_runtime::testing::product_tests!(ga_runtime::cga2);

@@ -6,7 +6,7 @@ use ga_compiler::function::CompiledFunction;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The declaration of cga3 as it ships.
+/// The declaration of cga3 in ga-runtime.
 pub(crate) fn cga3_tokens() -> TokenStream {
     let source = include_str!("../../../ga-runtime/src/algebras/cga3.rs");
     let start = source.find("algebra! {").expect("the macro") + "algebra! {".len();

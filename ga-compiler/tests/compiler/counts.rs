@@ -1,6 +1,6 @@
-//! The cost of kernels: exactly these operations stand in the code that is emitted.
+//! The cost of kernels: the exact operations in the emitted code.
 //!
-//! The table of the README is a part of this one.
+//! This includes the table of the README.
 
 use ga_compiler::count::{self, Operations};
 use ga_compiler::define::Definition;
@@ -9,7 +9,7 @@ use quote::quote;
 use crate::algebras::{self, compile};
 
 /// Operands and result, the same types under the names of [`algebras::renamed`], the formula, and
-/// what it costs.
+/// its cost.
 type Row = (&'static str, &'static str, &'static str, Operations);
 
 const fn cost(multiplications: usize, additions: usize, others: usize) -> Operations {
@@ -157,7 +157,7 @@ const KERNELS: [Row; 21] = [
     ),
 ];
 
-/// A type that a uniform motor moves, the cost of each call, and that of the matrix which is
+/// A type that a uniform motor moves, the cost of each call, and the cost of its matrix, which is
 /// computed once.
 const UNIFORM: [(&str, Operations, Operations); 4] = [
     ("Point", cost(9, 9, 0), cost(25, 20, 0)),
@@ -166,7 +166,8 @@ const UNIFORM: [(&str, Operations, Operations); 4] = [
     ("Plane", cost(12, 9, 0), cost(25, 20, 0)),
 ];
 
-/// What is counted in the emitted code of a function, in each call and once.
+/// Counts the operations in the emitted code of a function: those of each call, and those done
+/// once.
 fn counted(definition: &Definition, types: &str, formula: &str) -> [Operations; 2] {
     let (operands, result) = types.split_once(" -> ").expect("a signature");
     let text = format!("fn kernel({operands}) -> {result} {{ {formula} }}");

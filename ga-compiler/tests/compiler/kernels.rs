@@ -30,7 +30,7 @@ fn constants_and_derived_blades_are_folded() {
 
 #[test]
 fn unit_facts_are_needed_for_the_unit_rules() {
-    // Without the fact, M X ~M scales, and the rules that use it must stand aside.
+    // Without the fact, M X ~M scales, and the rules that use it must not apply.
     let scaled = compile(
         &cga3(),
         "(m: DualQuaternion, p: RoundVector) -> Multivector { sandwich(m, p) }",

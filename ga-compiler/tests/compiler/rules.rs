@@ -1,5 +1,4 @@
-//! The named identities: that each keeps the meaning of what it is applied to, and that one gone
-//! wrong is refused.
+//! The named rules: each keeps the meaning of what it is applied to, and a broken rule is refused.
 
 use crate::algebras::{cga3, minkowski};
 use ga_compiler::algebra::Product;
@@ -109,7 +108,7 @@ fn cases<'a>(cga3: &'a Definition, minkowski: &'a Definition) -> Vec<Case<'a>> {
         }
     }
     for versor in ["Dilator", "Similarity"] {
-        // A scaling takes a point to a weighted one.
+        // A scaling maps a point to a weighted point.
         let scaled = Case::new(cga3, &[versor, "Point"], sandwich(), "RoundVector");
         cases.push(scaled);
         for kind in &moved[1..] {
@@ -200,7 +199,7 @@ fn a_broken_rule_is_refused() {
         let mut refused = 0;
         for (number, case) in cases.iter().enumerate() {
             let (sound, spoiled) = (case.compile(choice), case.compile(broken));
-            // A sign that no wanted coefficient sees is no fault.
+            // A sign that does not affect any output is not a fault.
             if evaluate(case, &spoiled) != evaluate(case, &sound) {
                 assert!(!case.agrees(&spoiled), "{rule:?} in case {number}");
                 refused += 1;
@@ -210,7 +209,7 @@ fn a_broken_rule_is_refused() {
     }
 }
 
-/// Functions as they are written, where the types of steps are known.
+/// Whole functions, in which the types of the steps are known.
 #[test]
 fn a_broken_rule_is_refused_in_functions() {
     let cga3 = cga3();
@@ -267,9 +266,9 @@ fn a_broken_rule_is_refused_in_functions() {
     }
 }
 
-/// Passes rewrite graphs; whatever they might do wrong shows as a wrong node.
+/// Passes rewrite graphs; any mistake of theirs shows as a wrong node.
 #[test]
-fn a_wrong_node_anywhere_is_refused() {
+fn any_wrong_node_or_output_is_refused() {
     let cga3 = cga3();
     let mut faults = 0;
     for case in [

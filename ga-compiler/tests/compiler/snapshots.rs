@@ -1,7 +1,7 @@
-//! What is emitted for the kernels that the README lists, as Rust, as WGSL and as formulas.
+//! The emitted Rust, WGSL and formulas of the kernels that the README lists.
 //!
-//! Other tests prove that emitted code is right; these files show in review what changes in it.
-//! `INSTA_UPDATE=always cargo test -p ga-compiler --test compiler snapshots` writes them anew.
+//! Other tests check that emitted code is right; these files show in review how it changes.
+//! `INSTA_UPDATE=always cargo test -p ga-compiler --test compiler snapshots` rewrites them.
 
 use ga_compiler::emit::{formula, rust, wgsl};
 use insta::Settings;
@@ -9,7 +9,7 @@ use quote::quote;
 
 use crate::algebras::{cga3, compile};
 
-/// Compares what is emitted for a function with the file of this name in `snapshots`.
+/// Compares the emitted code of a function with the file of this name in `snapshots`.
 fn check(name: &str, text: &str) {
     let cga3 = cga3();
     let function = [compile(&cga3, text)];
@@ -23,7 +23,7 @@ fn check(name: &str, text: &str) {
     settings.bind(|| insta::assert_snapshot!(name, format!("{rust}\n{wgsl}\n{formula}")));
 }
 
-/// Docs of types and of prepared functions may change without a change of what is computed.
+/// Doc comments may change although the code does not.
 fn without_comments(code: &str) -> String {
     let lines = code.split_inclusive('\n');
     lines

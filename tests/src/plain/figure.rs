@@ -1,4 +1,4 @@
-//! Elements of cga3 from plain vectors, by the shortest constructors there are.
+//! Elements of cga3, constructed from plain vectors.
 
 use ga_runtime::cga3::{Circle, DualSphere, Line, Motor, Plane, Point, PointPair, Sphere};
 use ga_runtime::scalar::Ring;
@@ -20,34 +20,34 @@ pub fn plane(p: Vector, n: Vector) -> Plane<f64> {
     Plane::from_point_normal(point(p), n)
 }
 
-/// The sphere by its centre and radius.
+/// The sphere with this centre and radius.
 pub fn sphere(c: Vector, r: f64) -> Sphere<f64> {
     Sphere::from_centre_radius(point(c), r)
 }
 
-/// The circle by its centre, normal and radius.
+/// The circle with this centre, normal and radius.
 pub fn circle(c: Vector, n: Vector, r: f64) -> Circle<f64> {
     Circle::from_centre_normal_radius(point(c), n, r).expect("a circle")
 }
 
-/// The point pair of p and q.
+/// The point pair p ∧ q.
 pub fn pair(p: Vector, q: Vector) -> PointPair<f64> {
     point(p) ^ point(q)
 }
 
-/// The sphere with this squared radius, of either sign, by its five coefficients.
+/// The sphere with this centre and squared radius, which may be negative.
 pub fn sphere_of_square(c: Vector, squared: f64) -> Sphere<f64> {
     let ei = (dot(c, c) - squared) / 2.0;
     DualSphere::new(c[0], c[1], c[2], 1.0, ei).undual()
 }
 
-/// The circle with this squared radius, of either sign: the intersection of a plane with a sphere
-/// whose centre lies in the plane.
+/// The circle with this squared radius, which may be negative: the intersection of a plane with a
+/// sphere whose centre lies in the plane.
 pub fn circle_of_square(c: Vector, n: Vector, squared: f64) -> Circle<f64> {
     plane(c, n) & sphere_of_square(c, squared)
 }
 
-/// A point of a circle.
+/// The point of a circle at this angle.
 pub fn on_circle(c: Vector, n: Vector, r: f64, angle: f64) -> Vector {
     let [u, v] = frame(unit_of(n));
     along(along(c, r * angle.cos(), u), r * angle.sin(), v)

@@ -1,5 +1,5 @@
-//! Plain arithmetic, the truth with which tests compare: the vectors here share no code with
-//! ga-runtime, whose own vectors are among what is tested.
+//! Plain vector arithmetic, with which tests compare results. It shares no code with ga-runtime,
+//! whose own vectors are tested too.
 
 mod figure;
 mod near;

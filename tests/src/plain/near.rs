@@ -12,7 +12,7 @@ pub fn tolerance() -> Tolerance<f64> {
     Tolerance::new(1e-9, 1e-9)
 }
 
-/// The largest difference of two lists of numbers; NaN where one is.
+/// The largest difference between corresponding numbers; NaN if any of them is NaN.
 pub fn largest_difference<const N: usize>(a: [f64; N], b: [f64; N]) -> f64 {
     a.into_iter().zip(b).fold(0.0, |most: f64, (x, y)| {
         let difference = (x - y).abs();
@@ -20,7 +20,7 @@ pub fn largest_difference<const N: usize>(a: [f64; N], b: [f64; N]) -> f64 {
     })
 }
 
-/// Asserts that lists of numbers agree within a bound; NaN agrees with nothing.
+/// Asserts that corresponding numbers differ by no more than a bound; NaN fails.
 #[track_caller]
 pub fn near_all<const N: usize>(found: [f64; N], expected: [f64; N], bound: f64) {
     let off = largest_difference(found, expected);
@@ -49,7 +49,7 @@ pub fn dense<T: Element<Scalar = f64>>(element: &T) -> Multivector<f64> {
     to_dense(&algebra_of(T::METRIC), element)
 }
 
-/// Asserts that two multivectors are equal within a part of the greatest coefficient.
+/// Asserts that two multivectors are equal within a bound relative to the largest coefficient.
 #[track_caller]
 pub fn near_dense(found: &Multivector<f64>, expected: &Multivector<f64>, bound: f64) {
     let size = |m: &Multivector<f64>| m.coefficients().iter().fold(0.0_f64, |s, x| s.max(x.abs()));

@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-/// The least value of a function of an angle, by dense sampling and golden sections about the least
-/// samples.
+/// The least value of a function of an angle, by dense sampling and golden-section search around
+/// the smallest samples.
 pub fn least_by_sampling(samples: usize, function: impl Fn(f64) -> f64) -> f64 {
     let step = TAU / samples as f64;
     let values: Vec<f64> = (0..samples).map(|k| function(k as f64 * step)).collect();

@@ -46,7 +46,7 @@ proptest! {
     fn circles_meet_in_points_of_both(
         a in vector(5.0), angle in -PI..PI, distance in 1.0..4.0_f64, share in 0.1..0.9_f64, r in 1.0..3.0_f64,
     ) {
-        // The other radius is chosen so that they cut each other.
+        // The other radius is chosen so that the circles intersect.
         let b = plus(a, rotated([distance, 0.0], angle));
         let s = (distance - r).abs() + share * (distance + r - (distance - r).abs());
         let (first, second) = (
@@ -57,7 +57,7 @@ proptest! {
         for x in [p, q] {
             near_all([length(minus(x, a)), length(minus(x, b))], [r, s], 1e-9);
         }
-        // Their middle lies where the radical axis crosses the line of centres.
+        // Their midpoint is the intersection of the radical axis with the line of centres.
         let along = (distance * distance + r * r - s * s) / (2.0 * distance);
         let middle = plus(a, rotated([along, 0.0], angle));
         near_all(times(plus(p, q), 0.5), middle, 1e-11);
@@ -180,7 +180,7 @@ fn a_tangent_touches_in_a_point_twice() {
 }
 
 #[test]
-fn shifts_and_whole_turns_have_their_logarithms() {
+fn translations_and_full_rotations_have_logarithms() {
     let shift: Motor<f64> = Translator::from_displacement([2.0, -4.0]).into();
     assert_eq!(shift.log(), Some(MotorGenerator::new(0.0, -1.0, 2.0)));
     assert_eq!(shift.centre(), None);
@@ -189,7 +189,7 @@ fn shifts_and_whole_turns_have_their_logarithms() {
 }
 
 #[test]
-fn what_is_not_finite_comes_back_as_none() {
+fn numbers_that_are_not_finite_give_none() {
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         assert_eq!(Rotor::from_angle(bad), None);
         assert_eq!(Dilator::from_factor(bad), None);

@@ -1,4 +1,4 @@
-//! The geometry of the algebras beside cga3, compared with plain coordinates, matrices and the
+//! The geometry of the algebras other than cga3, compared with plain coordinates, matrices and the
 //! dense reference.
 
 mod cga2;

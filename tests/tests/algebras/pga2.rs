@@ -23,7 +23,7 @@ proptest! {
         let [a, b, c] = [p, q, r].map(|x| Point::from_homogeneous(x.map(|x| x * weight), weight));
         let line = Line::through(a, b);
         near_all(line.direction().map(|x| x / (weight * weight)), minus(q, p), 1e-13);
-        // Twice the area of a triangle is the height over a side times the side.
+        // Twice the area of a triangle is a side times the height over it.
         let side = minus(q, p)[0].hypot(minus(q, p)[1]);
         let height = area(minus(q, p), minus(r, p)) / side;
         near_all([line.signed_distance(c).unwrap()], [height], 1e-12 / side.min(1.0));
@@ -60,7 +60,7 @@ proptest! {
     }
 
     #[test]
-    fn turns_stay_about_their_centre(centre in vector(5.0), angle in -6.0..6.0_f64, x in vector(5.0)) {
+    fn rotations_keep_their_centre(centre in vector(5.0), angle in -6.0..6.0_f64, x in vector(5.0)) {
         prop_assume!(angle.abs() > 0.01);
         let motor = Motor::about(centre, Rotor::from_angle(angle).unwrap());
         let expected = plus(centre, rotated(minus(x, centre), angle));
@@ -68,7 +68,7 @@ proptest! {
         near_all(place(motor.centre().unwrap()), centre, 1e-13 / (0.5 * angle).sin().abs());
         let exponential = (Point::from(centre) * (-0.5 * angle)).exp();
         near_all(coefficients(exponential), coefficients(motor), 1e-13);
-        // Half the way is half the angle, by the short way round.
+        // Half the interpolation is half the angle, the short way round.
         let angle = angle - if angle.abs() > PI { (2.0 * PI).copysign(angle) } else { 0.0 };
         let half = Motor::default().interpolate(motor, 0.5);
         let expected = plus(centre, rotated(minus(x, centre), 0.5 * angle));
@@ -77,11 +77,11 @@ proptest! {
     }
 
     #[test]
-    fn logarithms_come_back(angle in -6.2..6.2_f64, t in vector(5.0)) {
+    fn logarithms_survive_a_round_trip(angle in -6.2..6.2_f64, t in vector(5.0)) {
         let motor: Motor<f64> = Translator::from_displacement(t) * Rotor::from_angle(angle).unwrap();
         let log = motor.log().unwrap();
         near_all([log.e12], [-0.5 * angle], 1e-15 * 4.0);
-        // Near a whole turn the centre is told by little.
+        // Near a full rotation the centre is determined by small numbers.
         let is_near_whole = angle.abs() > PI;
         let conditioning = if is_near_whole { 1.0 / (0.5 * angle).sin().abs() } else { 1.0 };
         near_all(coefficients(log.exp()), coefficients(motor), 1e-14 * conditioning);
@@ -89,7 +89,7 @@ proptest! {
 }
 
 #[test]
-fn tiny_angles_and_shifts_keep_their_digits() {
+fn tiny_angles_and_translations_keep_their_digits() {
     for angle in [1e-300_f64, 1e-100, 1e-20, 1e-9] {
         let motor = (Point::from([3.0, -4.0]) * (-0.5 * angle)).exp();
         // p − R p, to first order.
@@ -114,20 +114,20 @@ fn tiny_angles_and_shifts_keep_their_digits() {
 }
 
 #[test]
-fn minus_one_has_a_logarithm_and_minus_a_shift_has_none() {
+fn minus_one_has_a_logarithm_and_the_negative_of_a_translation_has_none() {
     let still = (-Motor::<f64>::default()).log().unwrap();
     assert_eq!(still.e12, PI);
     near_all(coefficients(still.exp()), [-1.0, 0.0, 0.0, 0.0], 2e-16);
     let shift: Motor<f64> = Translator::from_displacement([1.0, 0.0]).into();
     assert_eq!((-shift).log(), None);
     assert_eq!(shift.centre(), None);
-    // The short way to minus a shift is the shift.
+    // The short way to the negative of a translator is the translation.
     let half = Motor::default().interpolate(-shift, 0.5);
     assert_eq!(half.translator().displacement(), [0.5, 0.0]);
 }
 
 #[test]
-fn what_is_ideal_or_not_finite_comes_back_as_none() {
+fn ideal_and_not_finite_elements_give_none() {
     let (point, line) = (
         Point::from([1.0, 2.0]),
         Line::from_normal_distance([0.0, 1.0], 1.0),
@@ -158,7 +158,7 @@ fn what_is_ideal_or_not_finite_comes_back_as_none() {
         assert_eq!(Motor::from_matrix([[1.0, 0.0, bad], [0.0, 1.0, 0.0]]), None);
         assert_eq!(Motor::from_matrix([[1.0, bad, 0.0], [0.0, 1.0, 0.0]]), None);
     }
-    // A mirror is no motion.
+    // A reflection is not a motion.
     assert_eq!(
         Motor::from_matrix([[1.0, 0.0, 0.0], [0.0, -1.0, 0.0]]),
         None

@@ -41,8 +41,8 @@ proptest! {
         prop_assume!(volume.abs() > 0.05);
         let [x, y, z] = [a, b, c].map(|n| Plane::from_point_normal(p, times(n, weight)));
         near_all(place(x ^ y ^ z), p, 1e-12 / volume.abs());
-        // The meet of two has the direction of the normals' cross product, and goes through the
-        // point.
+        // The meet of two planes has the direction of the cross product of their normals, and goes
+        // through the point.
         let line = x ^ y;
         near_all(line.direction(), times(cross(a, b), weight * weight), 1e-13);
         near_all(line.moment(), cross(p, line.direction()), 1e-12);
@@ -130,7 +130,7 @@ proptest! {
         let again = Motor::from_matrix(matrix).unwrap();
         near_all(place(again.transform(Point::from(x))), expected, 1e-13);
         near_all(motor.translator().displacement(), t, 1e-13);
-        // Free vectors turn only, and a line moves with its points.
+        // Free vectors are only rotated, and a line moves with its points.
         let turned = motor.transform(Direction::from_vector(x)).vector();
         near_all(turned, rotated(axis, angle, x), 1e-13);
         let line = motor.transform(Line::from_point_direction(x, axis));
@@ -139,7 +139,7 @@ proptest! {
     }
 
     #[test]
-    fn screws_turn_right_handed_about_their_line(
+    fn screws_rotate_right_handed_about_their_line(
         foot in vector(5.0), axis in unit(), angle in -7.0..7.0_f64, shift in -5.0..5.0_f64, x in vector(5.0),
     ) {
         let line = Line::from_point_direction(foot, times(axis, 4.0));
@@ -149,15 +149,15 @@ proptest! {
     }
 
     #[test]
-    fn logarithms_come_back(motor in motors(), t in 0.0..1.0_f64) {
-        // Near a whole turn the axis is told by little.
+    fn logarithms_survive_a_round_trip(motor in motors(), t in 0.0..1.0_f64) {
+        // Near a full rotation the axis is determined by small numbers.
         let sine = (1.0 - motor.scalar() * motor.scalar()).sqrt();
         let conditioning = if motor.scalar() < 0.0 { 1.0 / sine } else { 1.0 };
         near_all(coefficients(motor.log().exp()), coefficients(motor), 1e-13 * conditioning);
         let whole = Motor::default().interpolate(motor, 1.0);
         let x = Point::from([1.0, -2.0, 3.0]);
         near_all(place(whole.transform(x)), place(motor.transform(x)), 1e-11);
-        // Along the way the speed is constant: two equal steps are one of twice the length.
+        // The speed is constant: two equal steps are one of twice the length.
         let step = Motor::default().interpolate(motor, 0.5 * t);
         let twice = Motor::default().interpolate(motor, t);
         near_all(place((step * step).transform(x)), place(twice.transform(x)), 1e-11);
@@ -205,7 +205,7 @@ fn tiny_angles_keep_all_digits() {
     for angle in [0.0_f64, 1e-300, 1e-200, 1e-100, 1e-20, 1e-12, 1e-8, 1e-4] {
         let axis = Line::from_point_direction([1.0, 2.0, 0.0], [0.0, 0.0, 1.0]);
         let motor = (axis * (-0.5 * angle)).exp();
-        // (p − R p) for a turn about p, to first order in the angle where it is tiny.
+        // (p − R p) for a rotation about p, to first order for tiny angles.
         let shift = motor.translator().displacement();
         let (sine, versine) = (angle.sin(), 2.0 * (0.5 * angle).sin().powi(2));
         let expected = [versine + 2.0 * sine, 2.0 * versine - sine, 0.0];
@@ -221,7 +221,7 @@ fn tiny_angles_keep_all_digits() {
 }
 
 #[test]
-fn pure_shifts_have_logarithms() {
+fn pure_translations_have_logarithms() {
     for size in [1e-300, 1e-12, 1.0, 1e12, 1e300] {
         let motor: Motor<f64> = Translator::from_displacement([size, -2.0 * size, 0.0]).into();
         let log = motor.log();
@@ -231,7 +231,7 @@ fn pure_shifts_have_logarithms() {
 }
 
 #[test]
-fn what_is_ideal_has_no_place() {
+fn ideal_elements_have_no_coordinates() {
     let ideal_line = Line::from_direction_moment([0.0; 3], [1.0, 2.0, 3.0]);
     let ideal_plane = Plane::new(0.0, 0.0, 0.0, 1.0);
     let ideal_point: Point<f64> = Direction::from_vector([1.0, 0.0, 0.0]).into();
@@ -255,7 +255,7 @@ fn what_is_ideal_has_no_place() {
     assert_eq!(plane.foot(ideal_point), None);
     assert_eq!(line.foot(ideal_point), None);
     assert_eq!(point.distance(ideal_point), None);
-    // A line across the plane leaves no line below it.
+    // A line perpendicular to the plane has no projection.
     assert_eq!(plane.project(line), None);
     // Parallel planes meet in an ideal line, parallel lines in an ideal point.
     let meet = plane ^ Plane::from_normal_distance([0.0, 0.0, 1.0], 3.0);
@@ -264,7 +264,7 @@ fn what_is_ideal_has_no_place() {
 }
 
 #[test]
-fn what_is_not_finite_comes_back_as_none() {
+fn numbers_that_are_not_finite_give_none() {
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let point = Point::from([bad, 0.0, 0.0]);
         assert_eq!(point.coordinates(), None);

@@ -1,9 +1,9 @@
-//! The same in single precision: what comes back is right to a few roundings of f32.
+//! Single precision: results are right up to a few rounding errors of f32.
 
 use ga_runtime::{cga2, pga2, pga3, sta, vga2, vga3};
 use nullcone_tests::plain::near_all;
 
-/// A few times the rounding of f32.
+/// A few times the rounding error of f32.
 const TOLERANCE: f64 = 5e-7;
 
 #[track_caller]

@@ -1,5 +1,5 @@
-//! Events, velocities, fields and Lorentz transformations of sta, compared with matrices and the
-//! formulas of textbooks.
+//! Events, velocities, fields and Lorentz transformations of sta, compared with matrices and
+//! textbook formulas.
 
 use std::f64::consts::PI;
 
@@ -35,7 +35,7 @@ fn largest(a: Matrix) -> f64 {
     a.iter().flatten().fold(0.0, |most, x| most.max(x.abs()))
 }
 
-/// The matrix exponential by Taylor's series of a 2⁻¹⁰th part, squared ten times.
+/// The matrix exponential by the Taylor series of a / 2¹⁰, squared ten times.
 fn exponential(a: Matrix) -> Matrix {
     let small = a.map(|row| row.map(|x| x / 1024.0));
     let (mut sum, mut term) = (ONE, ONE);
@@ -51,7 +51,7 @@ fn exponential(a: Matrix) -> Matrix {
     sum
 }
 
-/// The textbook's boost that takes a clock at rest to the velocity v.
+/// The boost that takes a clock at rest to the velocity v.
 fn boost_matrix(v: Vector) -> Matrix {
     let square = dot(v, v);
     let gamma = 1.0 / (1.0 - square).sqrt();
@@ -69,8 +69,7 @@ fn boost_matrix(v: Vector) -> Matrix {
     matrix
 }
 
-/// What a field adds to a vector in unit parameter time by `x ↦ F x − x F`: twice the force, with E
-/// and B as Maxwell has them.
+/// The matrix of `x ↦ F x − x F`: twice the Lorentz force of the fields E and B.
 fn generator_matrix(e: Vector, b: Vector) -> Matrix {
     let [ex, ey, ez] = e.map(|x| 2.0 * x);
     let [bx, by, bz] = b.map(|x| 2.0 * x);
@@ -125,7 +124,7 @@ proptest! {
     }
 
     #[test]
-    fn turns_leave_time_alone(axis in unit(), angle in -7.0..7.0_f64, t in -5.0..5.0_f64, x in vector(5.0)) {
+    fn rotations_do_not_change_time(axis in unit(), angle in -7.0..7.0_f64, t in -5.0..5.0_f64, x in vector(5.0)) {
         let turn = Rotor::from_axis_angle(times(axis, 2.0), angle).unwrap();
         let image = turn.transform(Event::from_time_place(t, x));
         near_all([image.time()], [t], 1e-14);
@@ -146,7 +145,7 @@ proptest! {
     }
 
     #[test]
-    fn every_rotor_is_a_turn_and_then_a_boost(u in velocity(), v in velocity(), axis in unit(), angle in -3.0..3.0_f64) {
+    fn every_rotor_is_a_rotation_and_then_a_boost(u in velocity(), v in velocity(), axis in unit(), angle in -3.0..3.0_f64) {
         let rotor = Rotor::from_velocity(u).unwrap()
             * Rotor::from_axis_angle(axis, angle).unwrap()
             * Rotor::from_velocity(v).unwrap();
@@ -192,12 +191,12 @@ proptest! {
     }
 
     #[test]
-    fn logarithms_come_back(e in vector(2.0), b in vector(2.0), sign in prop::sample::select(&[1.0, -1.0])) {
+    fn logarithms_survive_a_round_trip(e in vector(2.0), b in vector(2.0), sign in prop::sample::select(&[1.0, -1.0])) {
         let plus = Bivector::from_fields(e, b).exp().unwrap();
         let rotor = if sign < 0.0 { -plus } else { plus };
         let log = rotor.log().unwrap();
         let again = log.exp().unwrap();
-        // Near −1 and near null bivectors F is told by little.
+        // Near −1 and near null bivectors F is determined by small numbers.
         let sine = (rotor.scalar() + 1.0).hypot(rotor.g0123());
         let size = largest(rotor.to_matrix());
         near_all(coefficients(again), coefficients(rotor), 1e-12 * size * (1.0 + 1.0 / sine));
@@ -251,7 +250,7 @@ fn minus_one_has_a_logarithm_and_minus_a_null_rotor_has_none() {
         .exp()
         .unwrap();
     assert_eq!((-wave).log(), None);
-    // Minus a boost turns by a whole turn besides.
+    // The negative of a boost includes a full rotation.
     let boost = Rotor::from_rapidity([1.0, 0.0, 0.0], 1.0).unwrap();
     let log = (-boost).log().unwrap();
     near_all(
@@ -298,7 +297,7 @@ fn nothing_reaches_the_speed_of_light() {
 }
 
 #[test]
-fn what_is_not_finite_comes_back_as_none() {
+fn numbers_that_are_not_finite_give_none() {
     let light = Event::from_time_place(2.0, [2.0, 0.0, 0.0]);
     assert_eq!(light.proper_time(), Some(0.0));
     assert_eq!(light.proper_distance(), Some(0.0));

@@ -14,20 +14,20 @@ fn vector() -> impl Strategy<Value = [f64; 2]> + Clone {
 
 proptest! {
     #[test]
-    fn rotors_turn_as_matrices_do(x in vector(), angle in -7.0..7.0_f64, more in -7.0..7.0_f64) {
+    fn rotors_agree_with_matrices(x in vector(), angle in -7.0..7.0_f64, more in -7.0..7.0_f64) {
         let rotor = Rotor::from_angle(angle).unwrap();
         near_all(rotor.transform(Vector::from(x)).into(), rotated(x, angle), 1e-14);
         let [a, b] = rotor.to_matrix();
         near_all([a[0] * x[0] + a[1] * x[1], b[0] * x[0] + b[1] * x[1]], rotated(x, angle), 1e-14);
         let product = Rotor::from_angle(more).unwrap() * rotor;
         near_all(product.transform(Vector::from(x)).into(), rotated(x, angle + more), 1e-13);
-        // As a complex number, by one product on the right: e1 z turned is e1 z w.
+        // As a complex number, by one product on the right: e1 z rotated is e1 z w.
         let number = Vector::from(x).to_complex() * rotor.to_complex();
         near_all(number.to_vector().into(), rotated(x, angle), 1e-14);
     }
 
     #[test]
-    fn angles_come_back(angle in -2.0 * PI..2.0 * PI) {
+    fn angles_survive_a_round_trip(angle in -2.0 * PI..2.0 * PI) {
         let rotor = Rotor::from_angle(angle).unwrap();
         near_all([rotor.angle()], [angle], 1e-15 * 4.0);
         near_all([rotor.log().e12], [-0.5 * angle], 1e-15 * 2.0);
@@ -36,7 +36,7 @@ proptest! {
     }
 
     #[test]
-    fn vectors_make_the_turn_between_them(a in vector(), b in vector()) {
+    fn two_vectors_give_the_rotation_between_them(a in vector(), b in vector()) {
         let angle = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]);
         let (u, v) = (Vector::from(a), Vector::from(b));
         near_all([u.angle(v).unwrap()], [angle], 1e-14);
@@ -64,10 +64,10 @@ proptest! {
 }
 
 #[test]
-fn opposite_vectors_are_a_half_turn_apart() {
+fn opposite_vectors_are_180_degrees_apart() {
     let rotor = Rotor::between(Vector::new(1.0, 0.0), Vector::new(-2.0, 0.0)).unwrap();
     assert_eq!(rotor.angle(), PI);
-    // Nearly opposite ones lose nothing, on either side.
+    // For nearly opposite vectors no digits are lost, on either side.
     for tiny in [1e-9, -1e-9, 1e-300] {
         let rotor = Rotor::between(Vector::new(1.0, 0.0), Vector::new(-1.0, tiny)).unwrap();
         let image = rotor.transform(Vector::new(1.0, 0.0));
@@ -76,7 +76,7 @@ fn opposite_vectors_are_a_half_turn_apart() {
 }
 
 #[test]
-fn what_has_no_direction_comes_back_as_none() {
+fn vectors_without_a_direction_give_none() {
     let x = Vector::new(1.0, 0.0);
     for bad in [[0.0, 0.0], [f64::NAN, 1.0], [0.0, f64::INFINITY]] {
         let v = Vector::from(bad);

@@ -39,7 +39,7 @@ proptest! {
         near_all(v.reflect(b).unwrap().into(), minus(a, times(along, 2.0)), 1e-14);
         let within = Bivector::from_normal(times(n, -size)).project(v).unwrap();
         near_all(within.into(), minus(a, along), 1e-14);
-        // The same by the products of the algebra, n⁻¹ being n / n².
+        // The same by the products of the algebra, with n⁻¹ = n / n².
         let sandwiched = V::from(n).sandwich(v);
         near_all(sandwiched.into(), minus(a, times(along, 2.0)), 1e-13);
     }
@@ -55,7 +55,7 @@ proptest! {
     }
 
     #[test]
-    fn rotors_turn_as_rodrigues_says(axis in unit(), angle in -7.0..7.0_f64, x in vector(5.0), size in 0.1..9.0_f64) {
+    fn rotors_agree_with_the_formula_of_rodrigues(axis in unit(), angle in -7.0..7.0_f64, x in vector(5.0), size in 0.1..9.0_f64) {
         let rotor = Rotor::from_axis_angle(times(axis, size).into(), angle).unwrap();
         let expected = rotated(axis, angle, x);
         near_all(rotor.transform(V::from(x)).into(), expected, 1e-14 * 10.0);
@@ -81,7 +81,7 @@ proptest! {
     }
 
     #[test]
-    fn logarithms_come_back(axis in unit(), angle in 0.0..2.0 * PI) {
+    fn logarithms_survive_a_round_trip(axis in unit(), angle in 0.0..2.0 * PI) {
         let rotor = Rotor::from_axis_angle(axis.into(), angle).unwrap();
         near_all(coefficients(rotor.log().exp()), coefficients(rotor), 1e-15 * 4.0);
         let sine = (0.5 * angle).sin().max(1e-3);
@@ -100,7 +100,7 @@ proptest! {
     }
 
     #[test]
-    fn the_shortest_turn_joins_two_vectors(a in unit(), b in unit(), s in 0.1..9.0_f64) {
+    fn the_shortest_rotation_joins_two_vectors(a in unit(), b in unit(), s in 0.1..9.0_f64) {
         let rotor = Rotor::between(times(a, s).into(), b.into()).unwrap();
         near_all(rotor.transform(V::from(a)).into(), b, 1e-14);
         let (axis, angle) = rotor.to_axis_angle();
@@ -124,7 +124,7 @@ fn small_angles_and_large_vectors_keep_their_digits() {
 }
 
 #[test]
-fn a_whole_turn_and_half_turns_have_logarithms() {
+fn rotations_by_180_and_360_degrees_have_logarithms() {
     assert_eq!(Rotor::<f64>::default().log(), Bivector::new(0.0, 0.0, 0.0));
     assert_eq!(
         (-Rotor::<f64>::default()).log(),
@@ -137,7 +137,7 @@ fn a_whole_turn_and_half_turns_have_logarithms() {
 }
 
 #[test]
-fn what_has_no_direction_comes_back_as_none() {
+fn vectors_without_a_direction_give_none() {
     let x = V::new(1.0, 0.0, 0.0);
     for bad in [
         [0.0; 3],
@@ -167,7 +167,7 @@ fn what_has_no_direction_comes_back_as_none() {
     }
     assert_eq!(V::new(f64::NAN, 0.0, 0.0).project(x), None);
     assert_eq!(Rotor::from_axis_angle(x, f64::NAN), None);
-    // What is not a number is not made one.
+    // NaN stays NaN.
     assert!(Bivector::new(f64::NAN, 0.0, 0.0).exp().scalar().is_nan());
     assert!(Bivector::new(f64::NAN, 0.0, 0.0).exp().e13().is_nan());
     assert!(

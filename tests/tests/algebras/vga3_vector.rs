@@ -55,7 +55,7 @@ proptest! {
         }
         let [u, v] = normal.orthonormal_pair_with_up(V::from(up));
         near_all([dot(u.into(), up)], [0.0], 1e-14);
-        // v is the direction of up with its part along the normal taken away.
+        // v is the direction of `up` without its part along the normal.
         prop_assert!(dot(v.into(), up) > 0.0);
         let across = (normal * size).any_perpendicular().unwrap().coordinates();
         near_all([dot(across, n), dot(across, across)], [0.0, 1.0], 1e-14);
@@ -90,7 +90,7 @@ fn vectors_without_a_direction_have_no_unit() {
     }
     assert!(V::X.is_finite() && !V::new(0.0, f64::INFINITY, 0.0).is_finite());
     assert!(!V::new(0.0, 0.0, f64::NAN).is_finite());
-    // Up along the normal, or none at all, still gives a basis.
+    // A basis exists even if `up` is along the normal or zero.
     for up in [V::Z, -V::Z, V::ZERO, V::new(0.0, 1e-12, 1.0)] {
         let [u, v] = V::Z.orthonormal_pair_with_up(up);
         assert_eq!(u.cross(v), V::Z);

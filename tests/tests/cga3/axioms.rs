@@ -1,4 +1,4 @@
-//! What holds in every geometric algebra, on the types of cga3, exactly over the prime field.
+//! The axioms of geometric algebra on the types of cga3, exactly over the prime field.
 
 use ga_runtime::Element;
 use ga_runtime::cga3::{
@@ -129,7 +129,7 @@ fn motions_are_automorphisms() {
 }
 
 #[test]
-fn duals_of_types_agree_and_come_back() {
+fn duals_of_types_agree_and_are_undone() {
     macro_rules! check {
         ($($type:ident),*) => {$(
             for_all(exact_member::<$type<Prime61>>(), |x| {
@@ -265,7 +265,7 @@ fn unit_versors_are_checked_or_repaired() {
     assert!(Rotor::try_new(half, half, 0.0, 0.0, 1e-15).is_some());
     assert!(Rotor::try_new(half, half, 0.1, 0.0, 1e-3).is_none());
     assert!(Rotor::try_new(f64::NAN, 0.0, 0.0, 0.0, 1.0).is_none());
-    // The norm is right, the Study condition is not.
+    // The norm is 1, but the Study condition does not hold.
     assert!(Motor::try_new(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5, 1e-9).is_none());
     let repaired = DualQuaternion::new(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5).normalize();
     assert_eq!(repaired, Some(Motor::default()));

@@ -19,12 +19,12 @@ fn motors() -> impl Strategy<Value = Motor<f64>> + Clone {
     })
 }
 
-/// Asserts `exp(log M) = M` relative to the size of the motor, the errors scaled by a conditioning.
 /// The largest difference of two coefficients.
 fn apart(a: Motor<f64>, b: Motor<f64>) -> f64 {
     largest_difference(motor_coefficients(a), motor_coefficients(b))
 }
 
+/// Asserts `exp(log M) = M` relative to the size of the motor, up to errors that grow by a factor.
 fn check_round_trip(motor: Motor<f64>, conditioning: f64) {
     let size = motor_coefficients(motor)
         .iter()
@@ -38,13 +38,13 @@ fn check_round_trip(motor: Motor<f64>, conditioning: f64) {
 
 proptest! {
     #[test]
-    fn rotors_turn_as_rodrigues_says(axis in unit(), angle in -7.0..7.0_f64, x in vector(5.0), scale in 0.1..9.0) {
+    fn rotors_agree_with_the_formula_of_rodrigues(axis in unit(), angle in -7.0..7.0_f64, x in vector(5.0), scale in 0.1..9.0) {
         let rotor = Rotor::from_axis_angle(axis.map(|a| a * scale), angle).unwrap();
         let image = rotor.transform(Point::from(x)).coordinates();
         prop_assert!(length(minus(image, rotated(axis, angle, x))) < 1e-14 * 10.0);
         let matrix = rotor.to_matrix().map(|row| dot(row, x));
         prop_assert!(length(minus(matrix, image)) < 1e-14 * 10.0);
-        // The matrix and the quaternion lose the sign at most.
+        // The matrix and the quaternion determine the motor up to its sign.
         let again = Rotor::from_matrix(rotor.to_matrix()).unwrap();
         let same = Motor::from(again);
         let error = apart(same, rotor.into()).min(apart(-same, rotor.into()));
@@ -57,7 +57,7 @@ proptest! {
     }
 
     #[test]
-    fn half_turns_come_back_from_matrices(axis in unit(), off in -1e-7..1e-7_f64) {
+    fn rotations_by_180_degrees_are_read_from_matrices(axis in unit(), off in -1e-7..1e-7_f64) {
         let rotor = Rotor::from_axis_angle(axis, PI + off).unwrap();
         let again = Motor::from(Rotor::from_matrix(rotor.to_matrix()).unwrap());
         let error = apart(again, rotor.into()).min(apart(-again, rotor.into()));
@@ -65,7 +65,7 @@ proptest! {
     }
 
     #[test]
-    fn the_shortest_turn_joins_two_directions(a in unit(), b in unit()) {
+    fn the_shortest_rotation_joins_two_directions(a in unit(), b in unit()) {
         let rotor = Rotor::between(a, b.map(|x| 3.0 * x)).unwrap();
         let image = rotor.transform(Point::from(a)).coordinates();
         prop_assert!(length(minus(image, b)) < 1e-14);
@@ -77,7 +77,7 @@ proptest! {
     }
 
     #[test]
-    fn motors_turn_then_shift(axis in unit(), angle in -7.0..7.0_f64, t in vector(5.0), x in vector(5.0)) {
+    fn motors_rotate_and_then_translate(axis in unit(), angle in -7.0..7.0_f64, t in vector(5.0), x in vector(5.0)) {
         let rotor = Rotor::from_axis_angle(axis, angle).unwrap();
         let motor = Translator::from_displacement(t) * rotor;
         let turned = rotated(axis, angle, x);
@@ -86,7 +86,7 @@ proptest! {
         prop_assert!(length(minus(image, expected)) < 1e-13);
         prop_assert!(length(minus(motor.translator().displacement(), t)) < 1e-14 * 10.0);
         prop_assert!(apart(motor.rotor().into(), rotor.into()) < 1e-16);
-        // Directions turn and do not shift.
+        // Directions are rotated, not translated.
         let direction = motor.transform(Direction::from_vector(x)).vector();
         prop_assert!(length(minus(direction, turned)) < 1e-13);
         let matrix = motor.to_matrix();
@@ -94,7 +94,7 @@ proptest! {
         prop_assert!(length(minus(by_matrix, expected)) < 1e-13);
         let again = Motor::from_matrix(matrix).unwrap();
         prop_assert!(apart(again, motor).min(apart(-again, motor)) < 1e-13);
-        // About a point: it stays, and the rest turns about it.
+        // A rotation about a point leaves the point fixed.
         let about = Motor::about(Point::from(t), rotor);
         prop_assert!(about.transform(Point::from(t)).distance(Point::from(t)) < 1e-13);
         let offset = rotated(axis, angle, minus(x, t));
@@ -103,15 +103,15 @@ proptest! {
     }
 
     #[test]
-    fn logarithms_come_back(motor in motors()) {
-        // Close to a whole turn the axis is known only to the sine of the angle.
+    fn logarithms_survive_a_round_trip(motor in motors()) {
+        // Close to a full rotation the error of the axis is divided by the sine of half the angle.
         let sine = (1.0 - motor.scalar().powi(2)).max(0.0).sqrt();
         let conditioning = if motor.scalar() < 0.0 { 1.0 + 4.0 / sine.max(1e-9) } else { 4.0 };
         check_round_trip(motor, conditioning);
     }
 
     #[test]
-    fn generators_come_back(axis in unit(), half in 0.0..3.1_f64, shift in vector(10.0)) {
+    fn generators_survive_a_round_trip(axis in unit(), half in 0.0..3.1_f64, shift in vector(10.0)) {
         let [x, y, z] = axis.map(|a| a * half);
         let generator = MotorGenerator::new(-z, y, -x, shift[0], shift[1], shift[2]);
         let again = generator.exp().log() - generator;
@@ -129,7 +129,7 @@ proptest! {
         let tolerance = 1e-12;
         prop_assert!(apart(at(0.0), a) < tolerance);
         prop_assert!(apart(at(1.0), b).min(apart(at(1.0), -b)) < tolerance);
-        // Equal steps in time are equal motions, and the whole turn is at most half a round.
+        // Equal steps in time are equal motions, and the whole rotation is at most 180°.
         let step = |from: f64| at(from).inverse() * at(from + 0.25);
         prop_assert!(apart(step(t * 0.75), step(0.0)) < tolerance);
         let (_, angle) = step(0.0).rotor().to_axis_angle();
@@ -151,7 +151,7 @@ proptest! {
         let height = dot(minus(x, p.coordinates()), across) / length(across);
         let tolerance = 1e-12 * 100.0 / length(across);
         prop_assert!((plane.signed_distance(Point::from(x)).unwrap() - height).abs() < tolerance);
-        // Where the line through x along the normal pierces the plane.
+        // The intersection of the plane with the line through x along the normal.
         let meet: FlatPoint<f64> = Line::from_point_direction(Point::from(x), across) & plane;
         let pierced = meet.to_point().unwrap();
         prop_assert!((pierced.distance(Point::from(x)) - height.abs()).abs() < tolerance);
@@ -288,7 +288,8 @@ fn what_does_not_exist_is_none() {
         (plane.unit_normal(), plane.signed_distance(p)),
         (None, None)
     );
-    // Three points of a line make a circle without centre, four of a plane a sphere without one.
+    // Three points of a line give a circle without a centre, four points of a plane a sphere
+    // without one.
     let [a, b, c] = [0.0, 1.0, 3.0].map(|x| Point::new(x, 0.0, 0.0));
     let circle = Circle::through(a, b, c);
     assert_eq!(
@@ -297,7 +298,7 @@ fn what_does_not_exist_is_none() {
     );
     let sphere = Sphere::through(a, b, Point::new(0.0, 1.0, 0.0), Point::new(1.0, 1.0, 0.0));
     assert_eq!((sphere.centre(), sphere.radius()), (None, None));
-    // A sphere of negative squared radius has a centre and no radius.
+    // A sphere of negative squared radius has a centre but no radius.
     let imaginary = RoundVector::new(1.0, 0.0, 0.0, 1.0, 1.0).undual();
     assert_eq!(imaginary.radius_squared(), Some(-1.0));
     assert_eq!(imaginary.radius(), None);
@@ -309,7 +310,8 @@ fn what_does_not_exist_is_none() {
     assert_eq!((p ^ Infinity).to_point(), Some(p));
 }
 
-/// Far from the origin single precision keeps what its spacing there allows.
+/// Far from the origin, errors in single precision are of the order of the spacing of the numbers
+/// there.
 #[test]
 fn single_precision_far_from_the_origin() {
     let mut seed = 12345_u64;

@@ -1,6 +1,5 @@
-//! The paper's 4×4 matrices and the versors of the same transformations, against one another and
-//! against plain coordinates: exactly over the prime field, and within a few roundings over
-//! floating point.
+//! 4×4 matrices and versors of the same transformations, compared with each other and with plain
+//! coordinates: exactly over the prime field, and within a few rounding errors over floating point.
 
 use ga_runtime::cga3::{
     Dilator, Direction, Infinity, Line, Motor, Plane, Point, Rotor, Similarity, Translator,
@@ -40,7 +39,7 @@ fn deviation(a: Matrix<f64>, b: Matrix<f64>) -> f64 {
         .fold(0.0, |largest, (a, b)| (a - b).abs().max(largest))
 }
 
-/// The image of a point in homogeneous coordinates, written out.
+/// The image of a point in homogeneous coordinates.
 fn applied<S: Ring>(matrix: Matrix<S>, [x, y, z]: [S; 3]) -> [S; 4] {
     matrix.map(|row| row[0] * x + row[1] * y + row[2] * z + row[3])
 }
@@ -66,7 +65,7 @@ fn translations_agree_exactly() {
         );
         assert_eq!(versor.to_homogeneous(), matrix);
     });
-    // Over floating point too, halving and doubling being exact.
+    // Exact over floating point too, since halving and doubling are.
     let t = [0.1, 1e-300, -3e200];
     let versor = Translator::from_displacement(t);
     assert_eq!(versor.to_homogeneous(), translation(t));
@@ -148,7 +147,7 @@ fn uneven_scalings_act_on_each_coordinate() {
     });
 }
 
-/// Powers of four have exact roots with exact halves of sums, so that nothing is rounded.
+/// Powers of four have exact square roots, so that nothing is rounded.
 #[test]
 fn scalings_by_powers_of_four_agree_to_the_bit() {
     for factor in [1.0 / 64.0, 0.25, 1.0, 4.0, 1024.0] {
@@ -295,8 +294,7 @@ proptest! {
     }
 }
 
-/// Points, directions, lines and planes go along: what is spanned by images is the image of what is
-/// spanned.
+/// Maps respect spans: the span of the images is the image of the span.
 #[test]
 fn affine_maps_respect_spans() {
     type P = Point<Prime61>;
@@ -367,7 +365,7 @@ fn inverses_stay_within_the_range() {
         Affine::from_translation([f64::NAN, 0.0, 0.0]).inverse(),
         None
     );
-    // The inverse of the shift is beyond the range.
+    // The inverse of the translation is beyond the range.
     assert_eq!(
         Affine::new(
             [[1e-300, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
@@ -407,7 +405,7 @@ fn numbers_that_are_not_finite_give_none() {
                 Err(NotConformal::NotFinite)
             );
         }
-        // A map may be put together from anything.
+        // A map may be constructed from any numbers.
         let map = Affine::from_translation([0.0, odd, 0.0]);
         assert_eq!(Motor::try_from(map), Err(NotConformal::NotFinite));
         assert_eq!(
@@ -471,7 +469,7 @@ fn matrices_of_something_else_say_what_they_are() {
     assert!(Similarity::from_homogeneous(product(shift, product(turn, double))).is_ok());
 }
 
-/// A point may go to infinity under a matrix with another last row.
+/// A matrix with a general last row may map a point to infinity.
 #[test]
 fn points_at_infinity_are_none() {
     let mut matrix = translation([0.0; 3]);
@@ -487,7 +485,7 @@ fn points_at_infinity_are_none() {
     );
 }
 
-/// Where nothing is checked, what is not finite does not get lost.
+/// Functions that check nothing propagate infinities and NaN.
 #[test]
 fn numbers_that_are_not_finite_go_on() {
     for odd in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {

@@ -1,4 +1,4 @@
-//! The typed conformal algebra against vectors that other libraries computed.
+//! The types of cga3 against test vectors that other libraries computed.
 
 use std::iter;
 
@@ -63,7 +63,7 @@ fn near(what: &str, found: &[f64], expected: &[f64], tolerance: f64) {
     }
 }
 
-/// The committed extract, and all vectors where they lie beside the repository.
+/// The extract in the repository, and all test vectors where the shared data is present.
 fn sources(extract: &str, key: Option<&str>) -> Vec<Value> {
     let complete = oracle::complete().map(|all| key.map_or(all, |key| &all[key]).clone());
     iter::once(oracle::extract(extract))
@@ -119,7 +119,7 @@ fn rounds_and_flats_through_points() {
             close("circle", &circle, &record["blade"], 1e-12, 0.0);
             let radius = record["radius"].as_f64().expect("a number");
             let centre = circle.centre().expect("no line").coordinates();
-            // The smaller the weight, the more of its digits went into the cancellation.
+            // The smaller the weight, the more of its digits were lost by cancellation.
             let conditioning = radius.max(1.0).powi(2);
             near(
                 "centre",
@@ -299,7 +299,8 @@ fn motions() {
             let half = (generator * 0.5).exp();
             close("half", &half, &record["half"], 1e-13, 0.0);
             let path = Motor::default().interpolate(motor, 0.5);
-            // The oracle halves the logarithm as it is; interpolation takes the short way.
+            // The other library halves the logarithm as it is; our interpolation takes the short
+            // way.
             if motor.scalar() >= 0.0 {
                 close("half way", &path, &record["half"], 1e-12, 0.0);
             }

@@ -1,4 +1,4 @@
-//! Primitives in both forms: built, read back, classified, moved.
+//! Primitives in direct and dual form: constructed, read back, classified and moved.
 
 use ga_runtime::Element;
 use ga_runtime::cga3::{
@@ -59,7 +59,7 @@ proptest! {
         prop_assume!(squared.abs() > 1e-12);
         prop_assert_eq!(pair.endpoints().is_some(), squared > 0.0);
         if squared > 1e-6 {
-            // The blade of the two points, up to their distance.
+            // The wedge of the two points is the pair times their distance.
             let r = squared.sqrt();
             let [p, q] = [-r, r].map(|t| Point::from(along(c, t, d)));
             let difference = (p ^ q) - pair * (2.0 * r);
@@ -136,11 +136,12 @@ proptest! {
         assert_close!(ends[0].coordinates(), c, 1e-13, 100.0);
         prop_assert_eq!((Circle::tangent(point, n).expect("a normal") * weight).radius(), Some(0.0));
         prop_assert_eq!((Sphere::from_centre_radius(point, 0.0) * weight).radius(), Some(0.0));
-        // Products that touch: a sphere and its tangent plane and line, two spheres from outside.
+        // Meets that touch: a sphere with a tangent plane and a tangent line, and two spheres that
+        // touch from outside.
         let sphere = Sphere::from_centre_radius(point, r) * weight;
         let foot = Point::from(along(c, r, n));
         let circle = sphere & Plane::from_point_normal(foot, n);
-        // What a product loses goes by the size of its operands.
+        // The rounding error of a product is relative to the size of its operands.
         let size = 1e-13 * (dot(c, c) + r * r) * (1.0 + dot(c, c) / (r * r));
         let is_zero = |squared: Option<f64>| squared.expect("a round").abs() < size;
         prop_assert!(is_zero(circle.radius_squared()));
@@ -258,7 +259,7 @@ fn degenerate_blades_are_named() {
         (none.kind(1e-12), none.centre(), none.endpoints()),
         (Kind::Zero, None, None)
     );
-    // Three points on a line: a line and no circle.
+    // Three points on a line give a line, not a circle.
     let line = Circle::through(p, q, r);
     assert_eq!(
         (line.kind(1e-12), line.centre(), line.radius(), line.axis()),
@@ -281,9 +282,9 @@ fn degenerate_blades_are_named() {
         (plane.kind(1e-12), plane.centre(), plane.radius_squared()),
         (Kind::Flat, None, None)
     );
-    // A sphere through infinity alone.
+    // A sphere that contains only the point at infinity.
     assert_eq!(Sphere::new(0.0, 1.0, 0.0, 0.0, 0.0).kind(1e-12), Kind::Free);
-    // Two skew point pairs added are no blade.
+    // The sum of two skew point pairs is not a blade.
     let pair = (p ^ q) + (Point::new(0.0, 0.0, 1.0) ^ Point::new(-1.0, 5.0, 2.0));
     assert_eq!(pair.kind(1e-12), Kind::NotABlade);
     assert_eq!(DualCircle::from(pair).kind(1e-12), Kind::NotABlade);
@@ -323,7 +324,7 @@ impl UndualAsCircle for PointPair<f64> {
 }
 
 #[test]
-fn a_tolerance_that_is_no_number_holds_for_nothing() {
+fn a_tolerance_of_nan_is_never_met() {
     let sphere = Sphere::from_centre_radius(Point::new(0.0, 0.0, 0.0), 1.0);
     assert_eq!(sphere.kind(f64::NAN), Kind::Real);
     let circle = Circle::from_centre_normal_radius(Point::default(), [0.0, 0.0, 1.0], 1.0);
@@ -341,7 +342,7 @@ fn small_rounds_in_single_precision_keep_their_radius() {
 }
 
 #[test]
-fn what_is_not_finite_gives_none() {
+fn numbers_that_are_not_finite_give_none() {
     for bad in [f64::NAN, f64::INFINITY, -f64::INFINITY, 1e200] {
         let p = Point::new(bad, 0.0, 0.0);
         let q = Point::new(1.0, 2.0, 3.0);
@@ -391,7 +392,7 @@ fn single_precision_far_from_the_origin() {
     let pair = PointPair::through(p, q);
     assert_eq!(pair.attitude().vector(), [1.0, 0.0, 0.0]);
     let centre = pair.centre().expect("a pair").coordinates();
-    // The coefficients hold squares of 1e4, so that the place is known to 1e8 · 2⁻²⁴ ≈ 6.
+    // The coefficients are of the order of 1e8, so that the position is known to 1e8 · 2⁻²⁴ ≈ 6.
     for (found, expected) in centre.into_iter().zip([1e4 + 0.5, 5e3, -1e4]) {
         assert!((found - expected).abs() < 20.0, "{centre:?}");
     }

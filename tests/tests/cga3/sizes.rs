@@ -1,4 +1,4 @@
-//! Normalisation and geometry in cga3 from the smallest numbers to the largest.
+//! Normalisation and geometry in cga3 for numbers of every magnitude.
 
 use ga_runtime::cga3::{
     Circle, Dilator, DualQuaternion, FlatPoint, Line, Motor, MotorGenerator, Plane, Point, Rotor,
@@ -40,7 +40,7 @@ fn length_and_study_condition_are_repaired_at_every_size() {
 }
 
 #[test]
-fn turn_and_shift_may_differ_in_size() {
+fn rotation_and_translation_may_differ_in_size() {
     for (turn, shift) in [
         (-200, 150),
         (-150, -150),
@@ -73,7 +73,7 @@ fn single_precision_at_every_size() {
 }
 
 #[test]
-fn quaternions_of_the_least_and_largest_numbers_turn() {
+fn quaternions_of_the_smallest_and_largest_numbers_rotate() {
     for size in [f64::from_bits(1), f64::MIN_POSITIVE, f64::MAX] {
         let rotor = Rotor::from_quaternion([0.0, -size, 0.0], 0.0).expect("not zero");
         assert_eq!(rotor.to_quaternion(), ([0.0, -1.0, 0.0], 0.0));
@@ -81,7 +81,7 @@ fn quaternions_of_the_least_and_largest_numbers_turn() {
 }
 
 #[test]
-fn what_has_no_nearest_motor_is_none() {
+fn dual_quaternions_without_a_nearest_motor_give_none() {
     let with = |scalar, e123i| DualQuaternion::new(scalar, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, e123i);
     let none = [
         with(0.0, 0.0),
@@ -93,11 +93,15 @@ fn what_has_no_nearest_motor_is_none() {
     ];
     assert_eq!(none.map(DualQuaternion::normalize), [None; 6]);
     let too_far = DualQuaternion::new(1e-200, 0.0, 0.0, 0.0, 1e200, 0.0, 0.0, 0.0);
-    assert_eq!(too_far.normalize(), None, "the shift is beyond all numbers");
+    assert_eq!(
+        too_far.normalize(),
+        None,
+        "the translation is beyond the range"
+    );
 }
 
 #[test]
-fn factors_of_dilators_come_back_at_every_size() {
+fn factors_of_dilators_survive_a_round_trip_at_every_size() {
     for exponent in -300..=300 {
         let factor = 10_f64.powi(exponent);
         let found = Dilator::from_factor(factor).expect("positive").factor();
@@ -122,7 +126,7 @@ fn planes_and_lines_measure_at_every_size() {
 }
 
 #[test]
-fn turns_by_large_angles_advance_far() {
+fn rotations_by_large_angles_advance_far() {
     // The generator G = φ e12 + h e3i: exp G = (cos φ + sin φ e12)(1 + h e3i), as both commute and
     // (h e3i)² = 0.
     for (angle, shift) in [
@@ -159,7 +163,7 @@ fn is_finite(point: Point<f64>) -> bool {
 }
 
 #[test]
-fn what_is_read_back_is_finite_or_none() {
+fn values_read_back_are_finite_or_none() {
     let sizes = [
         0.0,
         1e-320,

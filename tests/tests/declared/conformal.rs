@@ -1,5 +1,5 @@
-//! cga3 declared anew under other names and in another order of the basis: nothing is tied to
-//! either.
+//! cga3 declared again under other names and in another order of the basis, on neither of which the
+//! geometry depends.
 
 use ga_runtime::Element;
 use ga_runtime::cga3;
@@ -243,11 +243,12 @@ mod products {
     ga_runtime::testing::product_tests!(super::conformal);
 }
 
-/// For each vector here which one of cga3 it is: f is ei, z is e3, x is e1, y is e2, h is eo.
+/// The vector of cga3 that corresponds to each vector here: f is ei, z is e3, x is e1, y is e2, h
+/// is eo.
 const VECTORS: [usize; 5] = [4, 2, 0, 1, 3];
 
-/// An element of cga3 as its namesake here: blades go to blades, with a sign for the order of their
-/// vectors.
+/// An element of cga3 as the corresponding type here: blades go to blades, with a sign for the
+/// order of their vectors.
 fn translated<T: Element<Scalar = Prime61>, U: Element<Scalar = Prime61>>(element: T) -> U {
     U::from_coefficients_unchecked(&mut |blade| {
         let vectors: Vec<_> = (0..5)

@@ -1,4 +1,4 @@
-//! What a declared type can do besides its products.
+//! The interface of declared types besides their products.
 
 #![allow(clippy::float_cmp, reason = "the examples are exact")]
 #![allow(
@@ -25,11 +25,11 @@ ga_runtime::algebra! {
         struct Point { e1, eo = 1, ei = e1*e1/2 }
         /// A vector.
         struct Vector { e1, eo, ei }
-        /// A pair of points, its vectors in an order of their own.
+        /// A pair of points, with the vectors of its blades in unusual orders.
         struct Pair { eio, e1o, ei1 }
         /// A multiple of the pseudoscalar.
         struct Space { e1oi }
-        /// A shift.
+        /// A translation.
         #[hull(Even)]
         #[facts(unit_versor)]
         struct Shift { scalar = 1, e1i }
@@ -39,7 +39,7 @@ ga_runtime::algebra! {
         struct Motion { scalar, e1o, e1i, eoi }
         /// All of even grade.
         struct Even { scalar, e1o, e1i, eoi }
-        /// Everything.
+        /// A general multivector.
         struct All { scalar, e1, eo, ei, e1o, e1i, eoi, e1oi }
         /// A type with the name of a product.
         struct Wedge { eoi }
@@ -179,7 +179,7 @@ fn conversions_are_lossless_or_say_what_they_keep() {
     assert_eq!(Motion::from(Shift::new(7)).e1i(), 7);
 }
 
-/// A generic function reaches through traits what the inherent methods do.
+/// A generic function calls by traits what the inherent methods do.
 fn by_traits<S, V, P, M>(vector: V, pair: P, motion: M) -> (V, S, P, P)
 where
     P: Copy
@@ -208,7 +208,8 @@ fn methods_traits_and_operators_are_one() {
         assert_eq!(a.left_contraction(b), a | b);
         assert_eq!(p.vee(q), p & q);
         assert_eq!(q.wedge(Infinity), q ^ Infinity);
-        // Any product of two vectors is a versor, if not a unit one; the sandwich does not look.
+        // Any product of two vectors is a versor, though not a unit one; the sandwich does not
+        // check it.
         let Even {
             scalar,
             e1o,

@@ -1,8 +1,8 @@
-//! Algebras declared outside ga-runtime: in other metrics, under other names, and in every place
-//! where a module can be.
+//! Algebras declared outside ga-runtime: with other metrics, under other names, and wherever a
+//! module can be.
 //!
-//! Each brings the tests that its declaration stands for, exact against the dense reference. The
-//! lints below hold for what the macro emits too.
+//! Each is tested by the product tests of its declaration. The lints below apply to emitted code
+//! too.
 
 #![deny(
     missing_copy_implementations,

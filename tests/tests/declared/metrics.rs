@@ -30,7 +30,7 @@ ga_runtime::algebra! {
 }
 
 ga_runtime::algebra! {
-    /// The complex numbers once more: the algebra of one vector of square −1.
+    /// The complex numbers again: the algebra of one vector of square −1.
     mod imaginary {
         basis i;
         metric i*i = -1;
@@ -102,11 +102,11 @@ ga_runtime::algebra! {
         /// A vector on a parabola.
         #[hull(Vector)]
         struct Parabola { a, b = (1 - a*a)/3, c = -1/2 }
-        /// A turn.
+        /// A rotation.
         #[hull(Even)]
         #[facts(unit_versor)]
         struct Rotor { scalar, ab, ac, bc }
-        /// Sums of turns.
+        /// Sums of rotations.
         struct Even { scalar, ab, ac, bc }
         /// All eight blades.
         struct Multivector { scalar, a, b, c, ab, ac, bc, abc }
@@ -213,11 +213,11 @@ ga_runtime::algebra! {
             e123, e124, e125, e126, e134, e135, e136, e145, e146, e156,
             e234, e235, e236, e245, e246, e256, e345, e346, e356, e456
         }
-        /// Four vectors' span.
+        /// The span of four vectors.
         struct Quadrivector {
             e1234, e1235, e1236, e1245, e1246, e1256, e1345, e1346, e1356, e1456, e2345, e2346, e2356, e2456, e3456
         }
-        /// A hyperplane's span.
+        /// The span of five vectors.
         struct Hyperplane { e12345, e12346, e12356, e12456, e13456, e23456 }
         /// Everything even.
         struct Even {
@@ -306,7 +306,7 @@ fn boosts_follow_lorentz() {
     });
 }
 
-/// F² = E² − B² + 2 (E·B) I, whose two parts no observer disputes.
+/// F² = E² − B² + 2 (E·B) I, both parts of which are Lorentz invariants.
 #[test]
 fn invariants_of_the_electromagnetic_field() {
     let number = || strategy::prime();

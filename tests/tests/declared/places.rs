@@ -68,12 +68,12 @@ mod renamed_tests {
     ga_runtime::testing::product_tests!(crate::places::renamed);
 }
 
-/// Another crate's algebra, passed on under another name.
+/// Another crate's algebra, re-exported under another name.
 mod passed_on {
     pub(super) use nullcone_embedder::sta as spacetime;
 }
 
-/// An algebra whose declaration says, in terms of its own crate, where ga-runtime is.
+/// An algebra whose declaration gives the path of ga-runtime, in terms of its own crate.
 mod runtime_of_another_crate_tests {
     ga_runtime::testing::product_tests!(nullcone_embedder::with_a_path::complex);
 }

@@ -1,4 +1,4 @@
-//! Algebras of one name from one text, in several modules.
+//! Algebras of the same name and the same text, in several modules.
 
 macro_rules! declare {
     ($name:ident $(, $visibility:vis)?) => {

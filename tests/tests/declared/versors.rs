@@ -1,5 +1,5 @@
-//! Inverses and defaults of types that hold no identity, and the normalisation of large and small
-//! elements.
+//! Inverses and defaults of types that do not contain the identity, and the normalisation of large
+//! and small elements.
 
 use std::marker::PhantomData;
 
@@ -19,11 +19,11 @@ ga_runtime::algebra! {
         #[hull(Vector)]
         #[facts(unit_versor)]
         struct Mirror { e1, e2, e0 }
-        /// The half turn about a point.
+        /// The rotation by 180° about a point.
         #[hull(Even)]
         #[facts(unit_versor)]
         struct HalfTurn { e12 = 1, e10, e20 }
-        /// A turn about the origin.
+        /// A rotation about the origin.
         #[hull(Even)]
         #[facts(unit_versor)]
         struct Turn { scalar, e12 }
@@ -42,8 +42,8 @@ mod products {
     ga_runtime::testing::product_tests!(super::plane);
 }
 
-/// Tells whether a type has a default: the inherent constant hides that of the trait where its
-/// bound holds.
+/// Whether a type has a default: the inherent constant takes precedence over that of the trait
+/// where its bound holds.
 struct Probe<T>(PhantomData<T>);
 
 trait HasNoDefault {
@@ -82,7 +82,7 @@ fn inverses_leave_a_type_that_reversing_leaves() {
 }
 
 #[test]
-fn what_has_no_inverse_in_a_lane_has_none() {
+fn elements_without_an_inverse_in_one_lane_have_none() {
     let lanes = |first, second| Lanes::from_array([first, second]);
     let vector = |length| Vector::new(length, lanes(0.0, 0.0), lanes(0.0, 0.0));
     assert_eq!(vector(lanes(2.0, 0.0)).try_inverse(), None);

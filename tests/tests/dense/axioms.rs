@@ -1,7 +1,7 @@
 //! The axioms of geometric algebra, exactly, in the dense reference over the prime field.
 //!
-//! Associativity, linearity and v v = v·v determine the geometric product, the grades of its parts
-//! all others. So nothing here depends on how the reference computes.
+//! Associativity, linearity and v v = v·v determine the geometric product, and the grades of its
+//! parts determine all other products. So nothing here depends on how the reference computes.
 
 use ga_runtime::dense::{Algebra, Multivector};
 use ga_runtime::scalar::Prime61;
@@ -21,7 +21,7 @@ fn algebra() -> BoxedStrategy<Algebra<Prime61>> {
         1 => Just(signature(2, 0, 0)),
         1 => Just(signature(0, 0, 3)),
         3 => (0_usize..=5).prop_flat_map(|dimension| metric(dimension, prime())).prop_map(with_metric),
-        // Rows of one vector's multiples: of rank one at most.
+        // Rows that are multiples of one vector: rank one at most.
         1 => proptest::collection::vec(prime(), 4).prop_map(|v| {
             with_metric(v.iter().map(|&x| v.iter().map(|&y| x * y).collect()).collect())
         }),
@@ -291,7 +291,7 @@ proptest! {
     #[test]
     fn versors_act_as_automorphisms((v, w, a, b) in two_versors()) {
         let Some(inverse) = v.inverse() else {
-            // A versor without an inverse squares to zero against its reverse.
+            // For a versor V without an inverse, V ~V is zero.
             prop_assert!((&v * v.reverse()).is_zero());
             return Ok(());
         };

@@ -1,4 +1,4 @@
-//! Building, reading and writing multivectors of the dense reference, and the errors on the way.
+//! Constructing, reading and writing multivectors of the dense reference, and its errors.
 
 use ga_runtime::dense::{Algebra, DenseError};
 use ga_runtime::scalar::{Dual, Prime61};
@@ -235,7 +235,7 @@ fn sixteen_dimensions() -> Result {
     Ok(())
 }
 
-/// A determinant whose value is zero divides nothing, though its derivative may not be.
+/// A determinant whose value is zero cannot divide, even if its derivative is not zero.
 #[test]
 fn duals_where_a_determinant_has_no_inverse() {
     let metric = vec![vec![Dual::<f64>::variable(0.0)]];

@@ -1,5 +1,5 @@
-//! The dense reference, which shares no code with the compiler: its axioms, its interface, and
-//! other libraries' vectors.
+//! The dense reference, which shares no code with the compiler: its axioms, its interface, and test
+//! vectors of other libraries.
 
 mod axioms;
 mod interface;

@@ -1,7 +1,7 @@
 //! The dense reference against coefficients from independent libraries.
 //!
-//! The extracts in `data/ga` are always tested, the complete vectors where the shared data is
-//! there.
+//! The extracts in `data/ga` are always tested, the complete test vectors where the shared data is
+//! present.
 
 use ga_runtime::dense::{Algebra, Multivector};
 use ga_runtime::testing::check_close;
@@ -45,7 +45,8 @@ fn check_products(pairs: &Value) -> Result<usize> {
         let size = largest(&a) * largest(&b);
         let expect = |name: &str, found: Multivector<f64>| -> Result<()> {
             let expected = multivector(&algebra, &pair[name])?;
-            // Where coefficients cancel completely, rounding is relative to what has cancelled.
+            // Where coefficients cancel completely, the rounding error is relative to the terms
+            // that cancelled.
             let scale = if largest(&expected) < 1e-12 {
                 size
             } else {
@@ -190,7 +191,7 @@ impl Comparison<'_> {
         found: &Multivector<f64>,
         expected: &Multivector<f64>,
     ) -> Result<()> {
-        // Images of images: some digits are lost in either computation.
+        // For images of images, both computations lose some digits.
         check_close(found, expected, Some(1e-12), None).map_err(|deviation| {
             format!("{name} of {} {}: {deviation}", self.kind, self.index).into()
         })

@@ -1,5 +1,5 @@
-//! The grammar: bindings, patterns, arrays, tuples, calls and closures, on integers that can be
-//! worked out by hand.
+//! The language of `ga!`: bindings, patterns, arrays, tuples, calls and closures, on integers small
+//! enough to check by hand.
 
 use ga_runtime::cga3::{Infinity, Line, Plane, Point, RoundVector};
 use ga_runtime::ga;
@@ -12,7 +12,7 @@ mod compiled {
     use ga_runtime::ga;
 
     ga! { ga_runtime::cga3;
-        // The callee comes later, and calls a third.
+        // The callee is defined later and calls a third function.
         pub fn outer(a: RoundVector, b: RoundVector) -> Scalar { 2 * middle(a, b) + inner(b, a) }
         fn middle(p: RoundVector, q: RoundVector) -> Scalar { inner(q, p - q) }
         fn inner(a: RoundVector, b: RoundVector) -> Scalar {
@@ -54,8 +54,7 @@ mod compiled {
         fn sum(a: [Scalar; 3]) -> Scalar { a[0] + 10 * a[1] + 100 * a[2] }
 
         #[allow(non_snake_case)]
-        /// Operands may bear the names of blades, of variables in emitted code, and of what it
-        /// uses.
+        /// Operands may have the names of blades, and of variables and items in emitted code.
         pub fn collisions(
             t0: Scalar, t5: Scalar, e1: Scalar, S: Scalar, closure: Scalar, result: Scalar, node0: Scalar,
             c0: Scalar, core: Scalar, function: Scalar, r#type: Scalar, sin: Scalar,

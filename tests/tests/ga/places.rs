@@ -1,4 +1,4 @@
-//! Where functions may stand and how their algebra may be named.
+//! Where `ga!` may be used, and by which paths an algebra may be named.
 
 ga_runtime::algebra! {
     /// The plane, at the root of a module.
@@ -40,7 +40,7 @@ pub mod inner {
         pub fn absolute(p: Point, uniform q: Point) -> Scalar { p | q }
     }
     ga_runtime::ga! { self::alias;
-        /// Seen in this crate only.
+        /// Visible in this crate only.
         pub(crate) fn by_self(a: Vector, b: Vector) -> Complex { only_here(a, b) }
         pub(super) fn to_parent(a: Vector) -> Vector { 2 * a }
         fn only_here(a: Vector, b: Vector) -> Complex { a * b }
@@ -48,7 +48,7 @@ pub mod inner {
     }
 }
 
-/// An algebra and functions inside a function, and a name of the module shadowed there.
+/// An algebra and functions inside a function, with the name of the module shadowed.
 fn local() -> (i64, i64) {
     ga_runtime::algebra! {
         mod numbers {

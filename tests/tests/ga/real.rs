@@ -1,4 +1,4 @@
-//! Real functions: exponentials, logarithms, norms and roots against closed forms.
+//! Functions of real numbers: exponentials, logarithms, norms and roots against closed forms.
 
 use ga_runtime::cga3::{Motor, MotorGenerator, Point, Rotor, Translator};
 use ga_runtime::testing::{assert_close, for_all, member, strategy};
@@ -39,7 +39,7 @@ mod compiled {
         pub fn exponential(b: MotorGenerator) -> Motor { exp(b) }
         pub fn logarithm(m: Motor) -> MotorGenerator { log(m) }
         pub fn round(m: Motor) -> Motor { exp(log(m)) }
-        pub fn there_and_back(b: MotorGenerator) -> MotorGenerator { b.exp().log() }
+        pub fn round_trip(b: MotorGenerator) -> MotorGenerator { b.exp().log() }
         pub fn screw(m: Motor, n: Motor, t: Scalar) -> Motor { m * exp(t * log(rev(m) * n)) }
         pub fn turned(angle: Scalar, p: Point) -> Point { sandwich(exp(-angle / 2 * e12), p) }
         pub fn translated(x: Scalar, p: Point) -> Point { sandwich(exp(-x / 2 * e1i), p) }
@@ -121,13 +121,13 @@ fn logarithms_undo_exponentials_of_any_size() {
     for power in [-300, -160, -100, -17, -8, -4, -2, -1, 0] {
         let size = 10.0_f64.powi(power);
         for_all(generators(size), |b| {
-            assert_close!(compiled::there_and_back(b), b, 1e-13, size);
+            assert_close!(compiled::round_trip(b), b, 1e-13, size);
         });
     }
 }
 
 #[test]
-fn half_turns_and_full_turns() {
+fn rotations_by_180_and_360_degrees() {
     for axis in [[1.0, 0.0, 0.0], [0.0, 0.6, 0.8], [-0.48, 0.6, 0.64]] {
         for angle in [
             std::f64::consts::PI,
@@ -137,7 +137,7 @@ fn half_turns_and_full_turns() {
         ] {
             let turn = Rotor::from_axis_angle(axis, angle).expect("an axis");
             let m: Motor<f64> = Translator::from_displacement([1.0, -2.0, 3.0]) * turn;
-            // The logarithm lengthens what the turn leaves of a motion by up to 2π/10⁻³.
+            // Near a full rotation the logarithm amplifies errors by up to 2π/10⁻³.
             assert_close!(compiled::round(m), m, 2e-12);
         }
     }
@@ -152,7 +152,7 @@ fn screws_interpolate() {
         let start = compiled::screw(m, n, 0.0);
         assert_close!(start, m, 1e-13);
         assert_close!(compiled::screw(m, n, 1.0), n, 1e-12);
-        // The motion for t and for 1 − t on top is the whole.
+        // The motion for t followed by that for 1 − t is the whole motion.
         let rest = compiled::screw(found, n, 1.0);
         assert_close!(rest, n, 1e-12);
     });

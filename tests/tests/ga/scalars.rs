@@ -1,4 +1,4 @@
-//! One function over every scalar, with the weakest bound that its body needs.
+//! One function over every scalar, with the weakest trait bound that its body needs.
 
 use ga_runtime::Element;
 use ga_runtime::cga3::{Motor, Point, Rotor, RoundVector, Translator};
@@ -28,7 +28,7 @@ fn over<T: Element, U: Element>(element: T, change: impl Fn(T::Scalar) -> U::Sca
     U::from_coefficients_unchecked(&mut |blade| change(element.coefficient(blade)))
 }
 
-/// The bounds are as weak as may be: these compile over any scalar that has what they need.
+/// The bounds are minimal: these functions compile over any scalar with the needed operations.
 mod bounds {
     use super::{Field, Real, Ring, RoundVector, compiled};
     use ga_runtime::cga3::{Line, Plane};
@@ -114,7 +114,7 @@ fn derivatives_are_those_of_the_closed_forms() {
     let distance = compiled::distance(p, q);
     assert_close!([distance.value, distance.derivative()], [5.0, 0.6], 1e-15);
 
-    // A turn about z through an angle: d/dt (cos t, sin t, 0) = (−sin t, cos t, 0).
+    // A rotation about z: d/dt (cos t, sin t, 0) = (−sin t, cos t, 0).
     let start = over(Point::new(1.0, 0.0, 0.0), constant);
     let turned = compiled::turned(Dual::variable(0.7), start).coordinates();
     let (sine, cosine) = 0.7_f64.sin_cos();

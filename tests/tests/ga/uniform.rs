@@ -1,4 +1,4 @@
-//! Uniform operands: a struct of their part of the work, and the rest as its method.
+//! Uniform operands: a struct holds the work on them, and its method does the rest.
 
 use ga_runtime::cga3::{Motor, Point, Rotor, RoundVector, Sphere, Translator};
 use ga_runtime::scalar::{Dual, Lanes};
@@ -11,22 +11,22 @@ mod compiled {
     ga! { ga_runtime::cga3;
         /// A motion of points.
         pub fn moving(uniform m: Motor, p: Point) -> Point { m * p * reverse(m) }
-        /// The same at once.
+        /// The same without a uniform operand.
         pub fn moved(m: Motor, p: Point) -> Point { m * p * reverse(m) }
-        /// The uniform operand need not come first, and there may be several.
+        /// There may be several uniform operands, in any place.
         pub fn scaled_join(a: Sphere, uniform n: Scalar, b: Sphere, uniform c: [RoundVector; 2]) -> (Sphere, Scalar) {
             let part = (c[0] | c[1]) * (n + 1);
             (part * a - b, (dual(b) | c[0]) + n * n)
         }
-        /// No work on the uniform operand at all.
+        /// The uniform operand needs no work of its own.
         pub fn untouched(uniform n: Scalar, x: Scalar) -> Scalar { x + n }
         /// All operands uniform.
         pub fn all_of_it(uniform n: Scalar, uniform m: Scalar) -> Scalar { n * m + 1 }
-        /// A name of several words, raw at that; the operand `uniform` is no mark.
+        /// A name of several words, as a raw identifier; the operand `uniform` is not a mark.
         pub fn r#match(uniform uniform: Scalar, x: Scalar) -> Scalar { uniform * uniform * x }
         /// An operand named `uniform` without a mark.
         pub fn plain(uniform: Scalar) -> Scalar { uniform + 1 }
-        /// Functions of the block may be staged and called.
+        /// A function with uniform operands may be called by another of the block.
         pub fn calling(m: Motor, p: Point) -> Scalar { moving(m, p) | eo }
     }
 }
@@ -95,7 +95,7 @@ fn a_stage_is_copied_compared_and_shown() {
 
 mod without_work {
     ga_runtime::ga! { ga_runtime::cga3;
-        /// The shift leaves a direction as it is, so that nothing is left to do before the call.
+        /// A translation leaves a direction unchanged, so that there is no work before the call.
         pub fn unmoved(uniform t: Translator, d: Direction) -> Direction { sandwich(t, d) }
     }
 }

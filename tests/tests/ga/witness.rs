@@ -1,4 +1,5 @@
-//! What the compiler takes for a member of a type: no luck of random points, and no want of them.
+//! How the compiler decides that a result is of a type: independent of which random points it
+//! draws.
 
 use ga_runtime::cga3::{Point, Quaternion};
 use ga_runtime::testing::assert_close;

@@ -1,5 +1,5 @@
-//! Algebras of another crate, which knows ga-runtime by another name: their tests are written here,
-//! from declarations there.
+//! Algebras declared in another crate that renames ga-runtime. Their product tests are emitted
+//! here, from the declarations there.
 
 use nullcone_embedder::{area, first, moved, second};
 
@@ -35,7 +35,7 @@ fn functions_of_the_embedder_work() {
     assert!((x - 1.0).abs() < 1e-15 && (y - 1.0).abs() < 1e-15 && z == 2.0);
 }
 
-/// Functions compiled there, on types from there, and a function of theirs used here.
+/// Functions and types of the other crate, and one of its functions called in `ga!` here.
 #[test]
 fn compiled_functions_of_the_embedder_work() {
     use nullcone_embedder::functions;

@@ -1,4 +1,4 @@
-//! Declarations mean the same wherever they stand: under any names, and in any crate.
+//! Hygiene: declarations mean the same under any names and in any crate.
 
 mod embedding;
 mod shadowing;

@@ -1,5 +1,5 @@
-//! Declarations and their tests mean the same wherever they stand: whatever names are shadowed at
-//! the call site, whatever the types and blades are called, and with no prelude at all.
+//! Declarations and their tests do not depend on the names at the call site, on the names of types
+//! and blades, or on the prelude.
 
 #![allow(
     dead_code,
@@ -10,8 +10,7 @@
     clippy::wrong_self_convention
 )]
 
-/// A call site at which every name that emitted code could be tempted to use stands for something
-/// else.
+/// A call site where every name that emitted code might use means something else.
 mod shadowed_call_site {
     struct Box;
     struct Err;
@@ -82,7 +81,7 @@ mod shadowed_call_site {
         unimplemented unreachable vec write writeln
     }
 
-    /// Methods of every type that bear the names of those which tests call, each by value.
+    /// Methods on every type with the names of those that the emitted tests call.
     trait Everywhere: ::core::marker::Sized {
         fn commutator(self) {}
         fn conjugate(self) {}
@@ -163,7 +162,7 @@ mod shadowed_call_site {
     }
 }
 
-/// Types that bear the names of what emitted code uses.
+/// Types with the names of items that emitted code uses.
 mod types_named_like_the_prelude {
     ga_runtime::algebra! {
         mod names {
@@ -243,7 +242,7 @@ mod types_named_like_the_prelude {
     ga_runtime::testing::product_tests!(self::names);
 }
 
-/// Blades that bear the names of variables in emitted code.
+/// Blades with the names of variables in emitted code.
 mod blades_named_like_variables {
     ga_runtime::algebra! {
         mod numbered {
@@ -318,7 +317,7 @@ mod blades_named_like_variables {
         ga_runtime::testing::product_tests!(super::more_words);
     }
 
-    /// The check of a unit versor reads what it is given, not a variable of the same name.
+    /// The check of a unit versor reads its operand, not a variable of the same name.
     #[test]
     fn unit_versors_are_checked() {
         let (cosh, sinh) = (0.5_f64.cosh(), 0.5_f64.sinh());
@@ -346,7 +345,7 @@ mod blades_named_like_variables {
     }
 }
 
-/// Keywords as names, written raw.
+/// Keywords as names, written as raw identifiers.
 mod raw_names {
     ga_runtime::algebra! {
         mod r#match {
@@ -363,7 +362,7 @@ mod raw_names {
     ga_runtime::testing::product_tests!(self::r#match);
 }
 
-/// No prelude at all.
+/// A module without a prelude.
 #[no_implicit_prelude]
 mod without_prelude {
     ::ga_runtime::algebra! {

@@ -1,4 +1,4 @@
-//! approx: types compare coefficient by coefficient, as their scalars do.
+//! approx: elements compare by coefficient, as their scalars do.
 
 use crate::every_type::every_type;
 
@@ -10,7 +10,7 @@ use ga_runtime::cga3::{Motor, Point, Rotor};
 use ga_runtime::{cga2, cga3, pga2, pga3, sta, vga2, vga3};
 use nullcone_embedder::sta as spacetime;
 
-/// An element with other coefficients in the places of a list.
+/// An element with one coefficient replaced.
 fn changed<T: Element<Scalar = f64>>(stored: &[usize], values: &[f64]) -> T {
     T::from_coefficients_unchecked(&mut |blade| {
         let place = stored.iter().position(|other| *other == blade);
@@ -18,7 +18,7 @@ fn changed<T: Element<Scalar = f64>>(stored: &[usize], values: &[f64]) -> T {
     })
 }
 
-/// A change in any one coefficient is seen by each trait, and measured as the scalar measures it.
+/// Each trait sees a change of any single coefficient, and measures it as the scalar does.
 fn each_coefficient_counts<T>()
 where
     T: Element<Scalar = f64> + AbsDiffEq<Epsilon = f64> + RelativeEq + UlpsEq,
@@ -84,6 +84,6 @@ fn the_macros_of_approx_work() {
     assert_relative_eq!(p, Point::new(0.3, 1.0, 1e6 + 1e-6), max_relative = 1e-11);
     assert_ulps_eq!(p, Point::new(0.3, 1.0, 1e6), max_ulps = 1);
     let rotor = Rotor::from_axis_angle([0.0, 0.0, 1.0], 1.0).unwrap();
-    // A rotor and its negative turn alike and are two.
+    // A rotor and its negative are the same rotation but different elements.
     assert!(!rotor.abs_diff_eq(&-rotor, 0.1));
 }

@@ -6,7 +6,7 @@ use bytemuck_1::{Pod, Zeroable};
 use ga_runtime::Element;
 use ga_runtime::{cga2, cga3, pga2, pga3, sta, vga2, vga3};
 
-/// An element whose stored coefficients are 1, 2, 3, … is those numbers in memory.
+/// In memory, an element whose stored coefficients are 1, 2, 3, … consists of those numbers.
 fn is_its_coefficients<T, U>(scalar: fn(u8) -> T::Scalar)
 where
     T: Element<Scalar = U> + Pod + PartialEq + core::fmt::Debug,
@@ -68,14 +68,14 @@ fn slices_are_cast_in_place() {
     );
     let bytes: &[u8] = bytemuck_1::cast_slice(&points);
     assert_eq!(bytes.len(), 48);
-    // A part of an element is none.
+    // Part of an element is not an element.
     assert!(bytemuck_1::try_cast_slice::<u8, cga3::Point<f32>>(&bytes[..13]).is_err());
-    // Any bytes are members, zero included, and facts are not checked.
+    // Any bytes are an element, zero included; facts are not checked.
     assert_eq!(cga3::Rotor::<f64>::zeroed().scalar(), 0.0);
 }
 
-/// Every type that a declaration has is in the list of plain memory, with as many numbers as it
-/// stores, and in that of these tests; constants have none.
+/// Every declared type is in the list of types that are plain memory, with the number of its
+/// coefficients, and in the list of these tests. Constants store nothing and are in neither.
 #[test]
 fn no_declared_type_is_left_out() {
     let root = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
@@ -112,7 +112,7 @@ fn no_declared_type_is_left_out() {
     assert!(count > 60, "the declarations were found");
 }
 
-/// What a list has in the braces after the name of a module.
+/// The entries of a list, in the braces after the name of a module.
 fn listed<'a>(list: &'a str, module: &str) -> Vec<&'a str> {
     let (_, rest) = list
         .split_once(&format!(" {module} {{"))

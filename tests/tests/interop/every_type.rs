@@ -1,7 +1,7 @@
-//! The types of the algebras of ga-runtime that have a scalar. `bytemuck.rs` tests that
-//! none is missing.
+//! The types of the algebras of ga-runtime that have coefficients. `bytemuck.rs` tests that none is
+//! missing.
 
-/// Hands the types by algebra to a macro.
+/// Passes the types, by algebra, to a macro.
 macro_rules! every_type {
     ($callback:ident) => {
         $callback! {

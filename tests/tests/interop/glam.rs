@@ -1,5 +1,4 @@
-//! glam and mint against the action of motors: glam's own transforms and quaternion products are
-//! the truth.
+//! glam's and mint's transforms and quaternion products against the action of motors.
 
 use ga_runtime::cga3::{Dilator, Direction, Motor, Point, Rotor, Similarity, Translator};
 use ga_runtime::geometry::{Affine, NotConformal};
@@ -26,8 +25,8 @@ proptest! {
         let motor = Motor::try_from((q, t)).unwrap();
         let moved = DVec3::from(motor.transform(Point::from(p)));
         let truth = q * p + t;
-        // Normalising leaves an epsilon or two in the rotor's length, which counts twice; the
-        // products round as well.
+        // Normalising leaves an error of one or two ε in the rotor's length, which counts twice;
+        // the products round as well.
         let tolerance = 8.0 * f64::EPSILON * (p.length() + t.length());
         prop_assert!(moved.abs_diff_eq(truth, tolerance), "{moved} {truth}");
         prop_assert!(DAffine3::from(motor).transform_point3(p).abs_diff_eq(truth, tolerance));
@@ -54,11 +53,11 @@ proptest! {
     }
 
     #[test]
-    fn motors_come_back(q in rotation(), t in vector()) {
+    fn motors_survive_a_round_trip(q in rotation(), t in vector()) {
         let motor = Motor::try_from((q, t)).unwrap();
         let (turn, shift) = <(DQuat, DVec3)>::from(motor);
         prop_assert!(turn.abs_diff_eq(q, 1e-15) && shift.abs_diff_eq(t, 2e-14));
-        // A matrix does not tell q from −q.
+        // A matrix does not distinguish q from −q.
         for found in [Motor::try_from(DAffine3::from(motor)), Motor::try_from(DMat4::from(motor))] {
             let (turn, shift) = <(DQuat, DVec3)>::from(found.unwrap());
             prop_assert!(turn.dot(q).abs() > 1.0 - 1e-15 && shift.abs_diff_eq(t, 2e-14));
@@ -66,7 +65,7 @@ proptest! {
     }
 
     #[test]
-    fn rotation_matrices_turn_as_quaternions_do(q in rotation(), v in vector()) {
+    fn rotation_matrices_agree_with_quaternions(q in rotation(), v in vector()) {
         let rotor = Rotor::try_from(q).unwrap();
         prop_assert!((DMat3::from(rotor) * v).abs_diff_eq(q * v, 8.0 * f64::EPSILON * v.length()));
         let found = DQuat::from(Rotor::try_from(DMat3::from_quat(q)).unwrap());
@@ -98,7 +97,7 @@ proptest! {
     }
 
     #[test]
-    fn affine_maps_come_back(columns in [vector(), vector(), vector()], t in vector(), p in vector()) {
+    fn affine_maps_survive_a_round_trip(columns in [vector(), vector(), vector()], t in vector(), p in vector()) {
         let [a, b, c] = columns;
         let glam = DAffine3::from_cols(a, b, c, t);
         let map = Affine::from(glam);
@@ -132,7 +131,7 @@ proptest! {
     }
 
     #[test]
-    fn vectors_come_back(v in vector()) {
+    fn vectors_survive_a_round_trip(v in vector()) {
         prop_assert_eq!(DVec3::from(Point::from(v)), v);
         prop_assert_eq!(DVec3::from(Direction::from(v)), v);
         prop_assert_eq!(DVec3::from(vga3::Vector::from(v)), v);
@@ -145,7 +144,7 @@ proptest! {
     }
 
     #[test]
-    fn rotors_turn_directions_as_quaternions_do(q in rotation(), size in 0.1..10.0_f64, v in vector()) {
+    fn rotors_rotate_directions_as_quaternions_do(q in rotation(), size in 0.1..10.0_f64, v in vector()) {
         let rotor = Rotor::try_from(q * size).unwrap();
         let turned = DVec3::from(rotor.transform(Direction::from(v)));
         prop_assert!(turned.abs_diff_eq(q * v, 2e-14));
@@ -156,7 +155,7 @@ proptest! {
 }
 
 #[test]
-fn what_is_not_rigid_is_refused() {
+fn maps_that_are_not_rigid_are_refused() {
     assert_eq!(
         Rotor::try_from(Quat::from_xyzw(0.0, 0.0, 0.0, 0.0)),
         Err(NotRigid::Quaternion)
@@ -182,7 +181,7 @@ fn what_is_not_rigid_is_refused() {
 }
 
 #[test]
-fn what_is_not_conformal_is_refused() {
+fn maps_that_are_not_conformal_are_refused() {
     let matrices = [
         (
             DMat4::from_scale(DVec3::new(1.0, 1.0, 1.01)),

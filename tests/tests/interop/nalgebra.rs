@@ -1,4 +1,4 @@
-//! nalgebra against the action of versors: nalgebra's own transforms are the truth.
+//! nalgebra's transforms against the action of versors.
 
 use ga_runtime::cga3::{Direction, Motor, Point, Rotor, Similarity, Translator};
 use ga_runtime::geometry::{Affine, NotConformal};
@@ -24,7 +24,7 @@ fn isometry() -> impl Strategy<Value = Isometry3<f64>> {
     (rotation(), vector()).prop_map(|(q, t)| Isometry3::from_parts(t.into(), q))
 }
 
-/// A few roundings of numbers of the size of the point and the displacement.
+/// A few rounding errors relative to the point and the displacement.
 fn tolerance(isometry: &Isometry3<f64>, p: &Vector3<f64>) -> f64 {
     8.0 * f64::EPSILON * (isometry.translation.vector.norm() + p.norm())
 }
@@ -58,7 +58,7 @@ proptest! {
     }
 
     #[test]
-    fn unit_quaternions_come_back_to_the_bit(q in rotation(), v in vector()) {
+    fn unit_quaternions_survive_a_round_trip_exactly(q in rotation(), v in vector()) {
         let rotor = Rotor::from(q);
         prop_assert_eq!(UnitQuaternion::from(rotor), q);
         prop_assert_eq!(UnitQuaternion::from(-rotor).into_inner(), -q.into_inner());
@@ -68,14 +68,14 @@ proptest! {
         prop_assert!((Rotation3::from(rotor).into_inner() - matrix.matrix()).norm() < 8.0 * f64::EPSILON);
         prop_assert!((Matrix3::from(rotor) * v - q * v).norm() < 8.0 * f64::EPSILON * v.norm());
         for found in [Rotor::try_from(matrix).unwrap(), Rotor::try_from(*matrix.matrix()).unwrap()] {
-            // A matrix does not tell q from −q.
+            // A matrix does not distinguish q from −q.
             let found = UnitQuaternion::from(found);
             prop_assert!(found.coords.dot(&q.coords).abs() > 1.0 - 1e-15);
         }
     }
 
     #[test]
-    fn vectors_come_back_to_the_bit(v in vector()) {
+    fn vectors_survive_a_round_trip_exactly(v in vector()) {
         prop_assert_eq!(Point3::from(Point::from(Point3::from(v))), Point3::from(v));
         prop_assert_eq!(Vector3::from(Direction::from(v)), v);
         prop_assert_eq!(Vector3::from(vga3::Vector::from(v)), v);
@@ -92,11 +92,11 @@ proptest! {
         let p = Point3::from(p);
         let image = truth * p;
         let size = factor * p.coords.norm() + isometry.translation.vector.norm();
-        // The weight of the image, 1/factor, is what is left of squares as large as the factor.
+        // The weight of the image, 1/factor, is a difference of squares as large as the factor.
         let tolerance = 32.0 * f64::EPSILON * size * (1.0 + factor * factor);
         prop_assert!((scaled(similarity, p) - image).norm() <= tolerance);
 
-        // What is read from the coefficients loses nothing.
+        // Reading the coefficients loses no digits.
         let tolerance = 32.0 * f64::EPSILON * size;
         let back = Similarity3::try_from(similarity).unwrap();
         prop_assert!((back * p - image).norm() <= tolerance, "{} {}", back * p, image);
@@ -107,7 +107,7 @@ proptest! {
     }
 
     #[test]
-    fn affine_maps_come_back_to_the_bit(rows in [vector(), vector(), vector()], t in vector(), p in vector()) {
+    fn affine_maps_survive_a_round_trip_exactly(rows in [vector(), vector(), vector()], t in vector(), p in vector()) {
         let linear = rows.map(|row| [row.x, row.y, row.z]);
         let map = Affine::new(linear, [t.x, t.y, t.z]);
         let matrix = Matrix4::from(map);
@@ -132,7 +132,7 @@ fn single_precision_works_too() {
 }
 
 #[test]
-fn what_is_not_rigid_is_refused() {
+fn maps_that_are_not_rigid_are_refused() {
     let refused = [
         (Matrix4::new_scaling(2.0), NotConformal::Scales),
         (Matrix4::new_scaling(-1.0), NotConformal::Mirrors),
@@ -180,7 +180,7 @@ fn what_is_not_rigid_is_refused() {
     assert_eq!(Motor::try_from(far), Err(NotRigid::Displacement));
 }
 
-/// A unit quaternion is taken at its word, so that what is no number stays none.
+/// The numbers of a `UnitQuaternion` are not checked, so NaN stays NaN.
 #[test]
 fn numbers_of_unit_quaternions_are_kept() {
     let broken = UnitQuaternion::new_unchecked(Quaternion::new(f64::NAN, 1.0, 2.0, 3.0));
@@ -189,7 +189,7 @@ fn numbers_of_unit_quaternions_are_kept() {
     assert_eq!((rotor.e23(), rotor.e13(), rotor.e12()), (-1.0, 2.0, -3.0));
 }
 
-/// Far from factor 1, where the versor's action cancels, its matrix does not.
+/// Far from factor 1 the versor's action loses digits by cancellation; its matrix does not.
 #[test]
 fn extreme_factors_are_read_back() {
     for factor in [1e-150_f64, 1e-12, 1e12, 1e150] {

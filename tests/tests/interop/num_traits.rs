@@ -1,4 +1,5 @@
-//! num-traits: zero and one satisfy the laws, exactly, and types without them have none.
+//! num-traits: zero and one satisfy their laws exactly, and types without them do not implement the
+//! traits.
 
 use ga_runtime::cga3::{self, Point, Rotor, Translator};
 use ga_runtime::interop::num_traits::FromFloat;
@@ -9,7 +10,8 @@ use nullcone_embedder::{sta, with_a_path::complex};
 use num_traits_02::{One, Zero};
 use proptest::prelude::*;
 
-/// Whether a type has a trait: the inherent constant comes before that of the trait.
+/// Whether a type implements a trait: the inherent constant takes precedence over that of the
+/// trait.
 macro_rules! has {
     ($type:ty: $bound:path) => {{
         #[allow(dead_code)]
@@ -77,11 +79,11 @@ fn ones_are_neutral() {
 #[test]
 fn where_the_laws_do_not_hold_there_is_none() {
     assert!(has!(cga3::RoundVector<f64>: Zero) && has!(cga3::Rotor<f64>: One));
-    // The sum of points is no point, that of rotors no rotor; that of translators neither.
+    // Sums of points, rotors and translators are not of the same type.
     assert!(!has!(cga3::Point<f64>: Zero));
     assert!(!has!(cga3::Rotor<f64>: Zero));
     assert!(!has!(cga3::Translator<f64>: Zero));
-    // A product of vectors or lines is no vector or line.
+    // A product of vectors is not a vector, a product of lines is not a line.
     assert!(!has!(cga3::Point<f64>: One));
     assert!(!has!(cga3::RoundVector<f64>: One));
     assert!(!has!(cga3::Line<f64>: One));
@@ -113,7 +115,7 @@ fn scalars_have_both() {
 }
 
 proptest! {
-    /// Over a wrapped number everything comes out as over the number, to the bit.
+    /// Results over a wrapped number are bit-identical to those over the number.
     #[test]
     fn foreign_numbers_compute_as_themselves(
         axis in [-1.0..1.0_f64, -1.0..1.0, 0.1..1.0], angle in -6.0..6.0_f64, p in [-9.0..9.0_f64, -9.0..9.0, -9.0..9.0],
@@ -132,7 +134,7 @@ proptest! {
 }
 
 #[test]
-fn foreign_numbers_keep_what_is_not_finite() {
+fn foreign_numbers_keep_infinities_and_nan() {
     assert_eq!(
         Rotor::from_axis_angle([0.0, 0.0, f64::NAN].map(FromFloat), FromFloat(1.0)),
         None

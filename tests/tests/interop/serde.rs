@@ -1,5 +1,5 @@
-//! serde: the written form against text and numbers put down by hand, every type there and back,
-//! and what is refused.
+//! serde: the serialised form against text and numbers written by hand, a round trip of every type,
+//! and errors.
 
 use std::fmt::Debug;
 
@@ -13,8 +13,8 @@ use proptest::prelude::*;
 use serde_1::Serialize;
 use serde_1::de::DeserializeOwned;
 
-/// An algebra of this crate: vectors in another order, names that are keywords, a type that stores
-/// little.
+/// Algebras of this crate, with vectors in another order, names that are keywords, and a type that
+/// stores few coefficients.
 mod own {
     ga_runtime::algebra! {
         pub(super) mod space {
@@ -105,7 +105,7 @@ fn text_is_read_in_any_order() {
     assert_eq!(a, b);
 }
 
-/// CBOR as the standard has it: an array of three is 0x83, a double 0xfb and eight bytes.
+/// CBOR by its standard: an array of three is 0x83, a double 0xfb and eight bytes.
 #[test]
 fn binary_form_is_a_tuple_of_numbers() {
     let p = Point::new(1.5_f64, -2.1, 1e300);
@@ -170,7 +170,7 @@ fn blades_that_are_wrong_are_named() {
     );
     let error = refusal::<Point<f64>>("{}");
     assert!(error.contains("`e1`"), "{error}");
-    // JSON has names, and so they are asked for.
+    // JSON has names of fields, so they must be given.
     let error = refusal::<Point<f64>>("[1, 2, 3]");
     assert!(error.contains("`Point`"), "{error}");
     let error = refusal::<Point<f64>>(r#"{"e1": null, "e2": 2, "e3": 3}"#);
@@ -234,7 +234,7 @@ fn facts_are_checked() {
 }
 
 #[test]
-fn what_is_not_finite_is_refused_where_facts_hold() {
+fn numbers_that_are_not_finite_are_refused_where_facts_hold() {
     for odd in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         for place in 0..4 {
             let mut values = [1.0, 0.0, 0.0, 0.0];
@@ -248,19 +248,20 @@ fn what_is_not_finite_is_refused_where_facts_hold() {
             values[place] = odd;
             assert!(from_cbor::<Motor<f64>>(&cbor(&values)).is_err(), "{place}");
         }
-        // A point is whatever its coordinates are, and binary formats keep them.
+        // A point may have any coordinates, and binary formats keep them.
         let p = from_cbor::<Point<f64>>(&cbor(&[odd, 0.0, 0.0])).expect("a format with NaN");
         assert_eq!(p.e1().to_bits(), odd.to_bits());
     }
-    // JSON writes null for what it does not have, and null is no number.
+    // JSON writes null for numbers that it cannot represent, and null is not a number.
     let text = json(&Point::new(f64::NAN, 0.0, 0.0));
     assert!(refusal::<Point<f64>>(&text).contains("null"));
 }
 
 proptest! {
-    /// Everything that the library makes is read again, however far from the origin it is.
+    /// Everything that the library constructs is accepted when read, however far from the origin it
+    /// is.
     #[test]
-    fn far_motions_come_back(
+    fn far_motions_survive_a_round_trip(
         axis in [-1.0..1.0_f64, -1.0..1.0, 0.1..1.0], angle in -6.0..6.0_f64,
         direction in [-1.0..1.0_f64, -1.0..1.0, -1.0..1.0], exponent in 0.0..12.0_f64, scale in -9.0..9.0_f64,
     ) {

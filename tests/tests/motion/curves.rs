@@ -1,4 +1,4 @@
-//! Curves of motions: what they pass through, how fast, and without a jump.
+//! Curves of motions: their keys, their velocities and their continuity.
 
 use core::f64::consts::PI;
 
@@ -11,7 +11,7 @@ use proptest::prelude::*;
 
 type Key = (f64, Motor<f64>);
 
-/// A motor that turns by no more than an angle.
+/// A motor that rotates by no more than an angle.
 fn motor(angle: f64) -> impl Strategy<Value = Motor<f64>> + Clone {
     let turn = (vector(1.0), -angle..angle);
     (turn, vector(3.0)).prop_filter_map("no axis", |((axis, angle), t)| {
@@ -24,7 +24,7 @@ fn generator(turn: f64) -> impl Strategy<Value = MotorGenerator<f64>> + Clone {
         .prop_map(|([a, b, c], [x, y, z])| MotorGenerator::new(a, b, c, x, y, z))
 }
 
-/// Keys at rising times, each turned by less than half a turn from the one before, with any signs.
+/// Keys at increasing times, each rotated by less than 180° from the one before, with any signs.
 fn keys() -> impl Strategy<Value = Vec<Key>> + Clone {
     prop::collection::vec((0.2..2.0, motor(2.5), any::<bool>()), 2..7).prop_map(|steps| {
         let (mut time, mut at) = (-1.0, Motor::default());
@@ -37,7 +37,7 @@ fn keys() -> impl Strategy<Value = Vec<Key>> + Clone {
     })
 }
 
-/// The largest difference of coefficients of two motors, whatever their signs.
+/// The largest difference of the coefficients of two motors, up to sign.
 fn deviation(a: Motor<f64>, b: Motor<f64>) -> f64 {
     let apart = |b: Motor<f64>| {
         let pairs = motor_coefficients(a).into_iter().zip(motor_coefficients(b));
@@ -59,8 +59,8 @@ fn value(m: Motor<Dual<f64>>) -> Motor<f64> {
     Motor::new_unchecked(s, a, b, c, x, y, z, w)
 }
 
-/// `~M M'`, the velocity as seen from the moved body. Derivatives of functions of an angle lose
-/// figures as it gets small.
+/// `~M M'`, the velocity in the frame of the moved body. Derivatives of functions of an angle lose
+/// digits when the angle is small.
 fn velocity(m: Motor<Dual<f64>>) -> [f64; 6] {
     let [s, a, b, c, x, y, z, w] = motor_coefficients(m).map(|x| x.derivative());
     let rate = DualQuaternion::new(s, a, b, c, x, y, z, w);
@@ -85,11 +85,11 @@ fn short_log(from: Motor<f64>, to: Motor<f64>) -> MotorGenerator<f64> {
     }
 }
 
-fn shift(t: Vector) -> Motor<f64> {
+fn translation(t: Vector) -> Motor<f64> {
     Translator::from_displacement(t).into()
 }
 
-/// The cubic Hermite curve of numbers.
+/// The cubic Hermite curve of two numbers with their slopes.
 fn hermite(s: f64, [p, q]: [f64; 2], [v, w]: [f64; 2]) -> f64 {
     let (s2, s3) = (s * s, s * s * s);
     p * (2.0 * s3 - 3.0 * s2 + 1.0)
@@ -108,7 +108,7 @@ proptest! {
         let at = |t: f64| velocity(Motor::bezier(control.map(constant), Dual::variable(t)));
         assert_close!(at(0.0).to_vec(), parts(short_log(control[0], control[1]) * 3.0).to_vec(), 1e-8, 10.0);
         assert_close!(at(1.0).to_vec(), parts(short_log(control[2], control[3]) * 3.0).to_vec(), 1e-8, 10.0);
-        // Run backwards it is the same, and a change of frames moves the whole.
+        // The reversed keys give the reversed curve, and a change of frames moves the whole curve.
         let mut backwards = control;
         backwards.reverse();
         let whole = Motor::bezier(control, 0.3);
@@ -134,8 +134,8 @@ proptest! {
     }
 
     #[test]
-    fn bezier_curves_of_shifts_are_those_of_points(points in prop::array::uniform5(vector(5.0)), t in 0.0..1.0) {
-        let found = Motor::bezier(points.map(shift), t).translator().displacement();
+    fn bezier_curves_of_translations_are_those_of_points(points in prop::array::uniform5(vector(5.0)), t in 0.0..1.0) {
+        let found = Motor::bezier(points.map(translation), t).translator().displacement();
         let rest: f64 = 1.0 - t;
         let bernstein = [rest.powi(4), 4.0 * t * rest.powi(3), 6.0 * (t * rest).powi(2), 4.0 * t.powi(3) * rest, t.powi(4)];
         let expected: Vector = std::array::from_fn(|k| points.iter().zip(bernstein).map(|(p, b)| p[k] * b).sum());
@@ -159,7 +159,7 @@ proptest! {
         // The mean of the screws to both sides.
         let expected = (short_log(keys[2], keys[3]) - short_log(keys[2], keys[1])) * 0.5;
         assert_close!(velocity(begin).to_vec(), parts(expected).to_vec(), 1e-8, 10.0);
-        // Of rotors alike.
+        // The same for rotors.
         let [from, near, far, to] = [keys[1], controls[0], controls[1], keys[2]];
         let turned = from.rotor().squad(near.rotor(), far.rotor(), to.rotor(), 0.3);
         prop_assert!(deviation(turned.into(), from.squad(near, far, to, 0.3).rotor().into()) < 1e-13);
@@ -191,7 +191,7 @@ proptest! {
                 (v * h + w * g) * (1.0 / (g + h))
             };
             assert_close!(here.to_vec(), parts(expected).to_vec(), 1e-11, scale);
-            // From both sides, position with sign and speed.
+            // Position, sign and velocity from both sides.
             let step = 1e-9;
             if k > 0 {
                 assert_close!(velocity(at(time - step)).to_vec(), here.to_vec(), 1e-6, scale);
@@ -202,7 +202,7 @@ proptest! {
             let [before, after] = [time - step, time + step].map(|t| spline.evaluate(t).unwrap());
             assert_close!(before, after, 1e-6);
         }
-        // In between, by dual numbers and by differences.
+        // Between the keys, by dual numbers and by finite differences.
         let (start, end) = (spline.start(), spline.end());
         prop_assert!(start == keys[0].0 && end == keys[keys.len() - 1].0);
         for k in 1..40 {
@@ -218,27 +218,27 @@ proptest! {
     }
 
     #[test]
-    fn splines_go_along_with_changes_of_frames(keys in keys(), before in motor(PI), after in motor(PI), t in 0.0..1.0) {
+    fn splines_are_equivariant_under_changes_of_frames(keys in keys(), before in motor(PI), after in motor(PI), t in 0.0..1.0) {
         let spline = MotorSpline::through(&keys).unwrap();
         let moved: Vec<_> = keys.iter().map(|&(time, m)| (time, before * m * after)).collect();
         let moved = MotorSpline::through(&moved).unwrap();
         let time = spline.start() + t * (spline.end() - spline.start());
         let expected = before * spline.evaluate(time).unwrap() * after;
         prop_assert!(deviation(moved.evaluate(time).unwrap(), expected) < 1e-10);
-        // So do other units of time, and other signs.
+        // The same for other units of time and other signs.
         let slower: Vec<_> = keys.iter().map(|&(time, m)| (4.0 * time + 1.0, -m)).collect();
         let slower = MotorSpline::through(&slower).unwrap().evaluate(4.0 * time + 1.0).unwrap();
         prop_assert!(deviation(slower, spline.evaluate(time).unwrap()) < 1e-10);
     }
 
     #[test]
-    fn splines_of_shifts_are_those_of_points(places in prop::array::uniform4((vector(5.0), 0.1..2.0)), t in 0.0..1.0) {
+    fn splines_of_translations_are_those_of_points(places in prop::array::uniform4((vector(5.0), 0.1..2.0)), t in 0.0..1.0) {
         let mut time = 0.0;
         let keys = places.map(|(place, duration)| {
             time += duration;
             (time, place)
         });
-        let spline = MotorSpline::through(&keys.map(|(time, place)| (time, shift(place)))).unwrap();
+        let spline = MotorSpline::through(&keys.map(|(time, place)| (time, translation(place)))).unwrap();
         let [(t0, p0), (t1, p1), (t2, p2), (t3, p3)] = keys;
         let h = t2 - t1;
         let expected: Vector = std::array::from_fn(|k| {
@@ -253,9 +253,9 @@ proptest! {
         });
         let found = spline.evaluate(t1 + t * h).unwrap().translator().displacement();
         assert_close!(found, expected, 1e-12, 10.0);
-        // With velocities of one's own.
+        // With given velocities.
         let velocities = [p0, p3].map(|v| MotorGenerator::new(0.0, 0.0, 0.0, -0.5 * v[0], -0.5 * v[1], -0.5 * v[2]));
-        let spline = MotorSpline::with_velocities(&[(t1, shift(p1), velocities[0]), (t2, shift(p2), velocities[1])]).unwrap();
+        let spline = MotorSpline::with_velocities(&[(t1, translation(p1), velocities[0]), (t2, translation(p2), velocities[1])]).unwrap();
         let found = spline.evaluate(t1 + t * h).unwrap().translator().displacement();
         let expected: Vector = std::array::from_fn(|k| hermite(t, [p1[k], p2[k]], [p0[k] * h, p3[k] * h]));
         assert_close!(found, expected, 1e-12, 10.0);
@@ -299,30 +299,31 @@ proptest! {
     }
 }
 
-fn turn(angle: f64) -> Motor<f64> {
+fn rotation(angle: f64) -> Motor<f64> {
     let rotor = Rotor::from_axis_angle([0.0, 0.0, 1.0], angle);
     rotor.map(Motor::from).unwrap_or_default()
 }
 
 #[test]
 fn outside_its_keys_a_spline_stands_still() {
-    let spline = MotorSpline::through(&[(1.0, turn(0.1)), (2.0, turn(0.9))]).unwrap();
+    let spline = MotorSpline::through(&[(1.0, rotation(0.1)), (2.0, rotation(0.9))]).unwrap();
     for early in [0.999, -1e300, f64::NEG_INFINITY] {
-        assert_eq!(spline.evaluate(early), Some(turn(0.1)));
+        assert_eq!(spline.evaluate(early), Some(rotation(0.1)));
         assert_eq!(parts(spline.velocity(early).unwrap()), [0.0; 6]);
     }
     for late in [2.001, 1e300, f64::INFINITY] {
-        assert_eq!(spline.evaluate(late), Some(turn(0.9)));
+        assert_eq!(spline.evaluate(late), Some(rotation(0.9)));
         assert_eq!(parts(spline.velocity(late).unwrap()), [0.0; 6]);
     }
     assert_eq!(spline.evaluate(f64::NAN), None);
     assert_eq!(spline.velocity(f64::NAN), None);
-    // At the ends themselves it has the velocity of the way between.
+    // At the ends it has the velocity of the inner side.
     for end in [1.0, 2.0] {
         assert_close!(spline.velocity(end).unwrap().e12, -0.4, 1e-15);
     }
     let turning =
-        RotorSpline::through(&[(1.0, turn(0.1).rotor()), (2.0, turn(0.9).rotor())]).unwrap();
+        RotorSpline::through(&[(1.0, rotation(0.1).rotor()), (2.0, rotation(0.9).rotor())])
+            .unwrap();
     assert_eq!(turning.evaluate(f64::NAN), None);
     assert_eq!(turning.angular_velocity(0.0), Some([0.0; 3]));
     assert_close!(
@@ -334,7 +335,7 @@ fn outside_its_keys_a_spline_stands_still() {
 
 #[test]
 fn bad_keys_are_named() {
-    let keys = |times: &[f64]| -> Vec<Key> { times.iter().map(|&t| (t, turn(t))).collect() };
+    let keys = |times: &[f64]| -> Vec<Key> { times.iter().map(|&t| (t, rotation(t))).collect() };
     let refused = |times: &[f64]| MotorSpline::through(&keys(times)).unwrap_err();
     assert_eq!(refused(&[]), SplineError::TooFewKeys { found: 0 });
     assert_eq!(refused(&[1.0]), SplineError::TooFewKeys { found: 1 });
@@ -375,7 +376,7 @@ fn bad_keys_are_named() {
     };
     assert!(time.is_nan());
     let lost = Motor::new_unchecked(1.0, 0.0, 0.0, 0.0, f64::NAN, 0.0, 0.0, 0.0);
-    let spoilt = [(0.0, turn(0.0)), (1.0, lost)];
+    let spoilt = [(0.0, rotation(0.0)), (1.0, lost)];
     assert_eq!(
         MotorSpline::through(&spoilt),
         Err(SplineError::NotFinite { index: 1 })
@@ -384,7 +385,10 @@ fn bad_keys_are_named() {
     let still = fast * 0.0;
     assert!(still.e23.is_nan());
     for velocity in [fast, still] {
-        let moving = [(0.0, turn(0.0), velocity), (1.0, turn(0.0), velocity)];
+        let moving = [
+            (0.0, rotation(0.0), velocity),
+            (1.0, rotation(0.0), velocity),
+        ];
         assert_eq!(
             MotorSpline::with_velocities(&moving),
             Err(SplineError::NotFinite { index: 0 })
@@ -392,20 +396,20 @@ fn bad_keys_are_named() {
     }
     // A speed, and a duration, beyond the range of the scalar.
     let far = [
-        (0.0, turn(0.0)),
-        (5e-324, shift([1e300, 0.0, 0.0])),
-        (1.0, turn(0.0)),
+        (0.0, rotation(0.0)),
+        (5e-324, translation([1e300, 0.0, 0.0])),
+        (1.0, rotation(0.0)),
     ];
     assert_eq!(
         MotorSpline::through(&far),
         Err(SplineError::OutOfRange { index: 0 })
     );
-    let long = [(-f64::MAX, turn(0.0)), (f64::MAX, turn(1.0))];
+    let long = [(-f64::MAX, rotation(0.0)), (f64::MAX, rotation(1.0))];
     assert_eq!(
         MotorSpline::through(&long),
         Err(SplineError::OutOfRange { index: 0 })
     );
-    let rotor = turn(1.0).rotor();
+    let rotor = rotation(1.0).rotor();
     assert_eq!(
         RotorSpline::through(&[(0.0, rotor)]),
         Err(SplineError::TooFewKeys { found: 1 })
@@ -414,26 +418,34 @@ fn bad_keys_are_named() {
 
 #[test]
 fn a_velocity_can_ask_for_the_long_way() {
-    // Three quarters of a turn in a second, from a quarter to a whole one.
+    // 270° in a second, from 90° to 360°.
     let velocity = MotorGenerator::new(-0.75 * PI, 0.0, 0.0, 0.0, 0.0, 0.0);
-    let keys = [(0.0, turn(0.5 * PI), velocity), (1.0, turn(0.0), velocity)];
+    let keys = [
+        (0.0, rotation(0.5 * PI), velocity),
+        (1.0, rotation(0.0), velocity),
+    ];
     let spline = MotorSpline::with_velocities(&keys).unwrap();
     for k in 0..=8 {
         let t = f64::from(k) / 8.0;
-        assert!(deviation(spline.evaluate(t).unwrap(), turn(0.5 * PI + 1.5 * PI * t)) < 1e-14);
+        assert!(
+            deviation(
+                spline.evaluate(t).unwrap(),
+                rotation(0.5 * PI + 1.5 * PI * t)
+            ) < 1e-14
+        );
     }
 }
 
 #[test]
 fn a_curve_of_one_control_is_that() {
-    assert_eq!(Motor::bezier([turn(0.3)], 0.7), turn(0.3));
-    let two = Motor::bezier([turn(0.0), turn(1.0)], 0.25);
-    assert!(deviation(two, turn(0.25)) < 1e-15);
+    assert_eq!(Motor::bezier([rotation(0.3)], 0.7), rotation(0.3));
+    let two = Motor::bezier([rotation(0.0), rotation(1.0)], 0.25);
+    assert!(deviation(two, rotation(0.25)) < 1e-15);
 }
 
 #[test]
-fn what_is_no_time_gives_no_motion() {
-    let keys = [0.0, 1.0, 1.5, 2.0].map(turn);
+fn times_that_are_not_finite_give_none() {
+    let keys = [0.0, 1.0, 1.5, 2.0].map(rotation);
     let [a, b, c, d] = keys;
     for t in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         for motor in [
@@ -447,10 +459,10 @@ fn what_is_no_time_gives_no_motion() {
             );
         }
     }
-    // Beyond its ends a curve goes on: here by the same screw.
+    // Beyond its ends the curve continues with the same screw.
     for t in [-1.0, 2.5] {
-        let found = Motor::bezier([0.0, 0.5, 1.0, 1.5].map(turn), t);
-        assert!(deviation(found, turn(1.5 * t)) < 1e-14);
+        let found = Motor::bezier([0.0, 0.5, 1.0, 1.5].map(rotation), t);
+        assert!(deviation(found, rotation(1.5 * t)) < 1e-14);
     }
 }
 

@@ -1,4 +1,4 @@
-//! Motions fitted to points and directions, against planted motions and another library.
+//! Motions fitted to points and directions, against known motions and another library.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -12,7 +12,7 @@ use serde_json::Value;
 
 type Pairs = Vec<(Point<f64>, Point<f64>)>;
 
-/// Four points that span space well, and more.
+/// Four points that span space well, and up to twelve more.
 fn points() -> impl Strategy<Value = Vec<Vector>> + Clone {
     prop::collection::vec(vector(3.0), 0..12).prop_map(|mut more| {
         more.extend([[0.0; 3], [4.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 2.0]]);
@@ -48,7 +48,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
     #[test]
-    fn exact_motions_come_back(
+    fn exact_motions_are_found(
         from in points(), axis in unit(), angle in prop_oneof![-PI..PI, Just(PI), Just(0.0), -1e-9..1e-9], t in vector(10.0)
     ) {
         let to: Vec<_> = from.iter().map(|&x| plus(rotated(axis, angle, x), t)).collect();
@@ -77,7 +77,7 @@ proptest! {
     }
 
     #[test]
-    fn nothing_near_or_far_fits_better(
+    fn no_other_motion_fits_better(
         from in points(), noise in prop::collection::vec((vector(2.0), 0.01..5.0), 16), axis in unit(), angle in -PI..PI,
         mirrored in any::<bool>(), others in prop::collection::vec((unit(), -PI..PI), 40)
     ) {
@@ -102,7 +102,7 @@ proptest! {
         prop_assert!(length(force) < 1e-12 && length(torque) < 1e-11, "{force:?} {torque:?}");
         let r = rows.map(|[a, b, c, _]| [a, b, c]);
         prop_assert!((dot(cross(r[0], r[1]), r[2]) - 1.0).abs() < 1e-14);
-        // Turned on a little or by a lot about its own centroid, it fits worse.
+        // Rotated further about the centroid, by little or by much, it fits worse.
         let total: f64 = weighted.iter().map(|(w, ..)| w).sum();
         let centroid = weighted.iter().fold([0.0; 3], |sum, &(w, _, y)| plus(sum, y.map(|c| c * w / total)));
         for (axis, angle) in others {
@@ -117,7 +117,7 @@ proptest! {
     }
 
     #[test]
-    fn directions_come_back(axis in unit(), angle in -PI..PI, a in unit(), b in unit(), sizes in prop::array::uniform4(1e-3..1e3)) {
+    fn exact_rotations_of_directions_are_found(axis in unit(), angle in -PI..PI, a in unit(), b in unit(), sizes in prop::array::uniform4(1e-3..1e3)) {
         let apart = length(cross(a, b));
         prop_assume!(apart > 1e-3);
         let turned = |x: Vector, size: f64| rotated(axis, angle, x).map(|c| c * size);
@@ -131,8 +131,8 @@ proptest! {
     }
 
     #[test]
-    fn thin_sets_lose_no_more_than_they_must(axis in unit(), angle in -PI..PI, thickness in 2.0..6.0_f64, along in unit()) {
-        // A rod, with points off its axis by a small part of its length.
+    fn errors_of_thin_sets_are_as_large_as_their_conditioning(axis in unit(), angle in -PI..PI, thickness in 2.0..6.0_f64, along in unit()) {
+        // A rod, whose points are off its axis by a small fraction of its length.
         let side = {
             let e = if along[0].abs() < 0.7 { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
             let n = cross(along, e);
@@ -186,7 +186,8 @@ fn another_library_fits_alike() {
         if let Some(expected) = case["rms_similarity"].as_f64() {
             assert_close!(similarity.residual, expected, 1e-13);
         }
-        // The turn is the same without scaling; of the mirror image too, where it is no mirroring.
+        // The rotation is the same without scaling, also for mirror images where it is a proper
+        // one.
         let rigid = Motor::from_point_pairs(&pairs).unwrap();
         let rows = rigid.motion.to_matrix();
         for (row, expected) in rows.iter().zip(&rotation) {
@@ -203,8 +204,8 @@ fn another_library_fits_alike() {
 
 #[test]
 fn mirror_images_give_the_best_proper_motion() {
-    // Mirrored along the axis of least extent: nothing but to leave it as it is, and the extent
-    // there is what remains.
+    // Mirrored along the axis of least extent: the identity fits best, and the residual is that
+    // extent.
     let from: Vec<_> = [[3.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0]]
         .into_iter()
         .flat_map(|x| [x, x.map(|c: f64| -c)])
@@ -214,8 +215,8 @@ fn mirror_images_give_the_best_proper_motion() {
     assert_close!(fit.motion, Motor::from(Rotor::<f64>::default()), 1e-15);
     // Two of six points are off by 2.
     assert_close!(fit.residual, (8.0_f64 / 6.0).sqrt(), 1e-15);
-    // Mirrored along the longest: a half turn about the shortest and the rest stays as wrong as
-    // before.
+    // Mirrored along the longest axis: a rotation by 180° about the shortest leaves the same
+    // residual.
     let to: Vec<_> = from.iter().map(|&[x, y, z]| [-x, y, z]).collect();
     let fit = Motor::from_point_pairs(&paired(&from, &to)).unwrap();
     assert_close!(
@@ -242,7 +243,7 @@ fn mirror_images_give_the_best_proper_motion() {
 }
 
 #[test]
-fn what_fixes_no_motion_is_refused() {
+fn points_that_do_not_fix_a_motion_are_refused() {
     let corner = [
         [0.0, 0.0, 0.0],
         [1.0, 0.0, 0.0],
@@ -261,7 +262,7 @@ fn what_fixes_no_motion_is_refused() {
     both(&line, &line, FitError::Collinear);
     both(&heap, &corner, FitError::Coincident);
     both(&heap, &heap, FitError::Coincident);
-    // Two places make a line, however often they are given, and wherever.
+    // Two distinct points only span a line, however often they are repeated.
     let two = [
         [1e6, 0.3, 0.0],
         [1e6, 0.7, 0.1],
@@ -271,7 +272,7 @@ fn what_fixes_no_motion_is_refused() {
     both(&two, &corner, FitError::Collinear);
     let far = line.map(|x| plus(x, [1e8, -1e8, 1e8]));
     both(&far, &corner, FitError::Collinear);
-    // Large, and as far apart as a large number lets be told.
+    // Large coordinates whose differences are near the precision.
     both(
         &line.map(|x| x.map(|c| c * 1e200)),
         &corner,
@@ -279,7 +280,7 @@ fn what_fixes_no_motion_is_refused() {
     );
     let rounded = [[1e16, 0.0, 0.0], [1e16 + 2.0, 0.0, 0.0], [1e16, 1e-3, 0.0]];
     both(&rounded, &corner[..3], FitError::Coincident);
-    // A regular tetrahedron against its mirror image, and a body that is its own against that.
+    // A regular tetrahedron against its mirror image, and a symmetric body against its own.
     let regular = [
         [1.0, 1.0, 1.0],
         [1.0, -1.0, -1.0],
@@ -315,7 +316,7 @@ fn what_fixes_no_motion_is_refused() {
 }
 
 #[test]
-fn directions_that_fix_no_turn_are_refused() {
+fn directions_that_do_not_fix_a_rotation_are_refused() {
     let (x, y) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
     let back = [-2.0, 0.0, 0.0];
     let refused = |pairs: &[(Vector, Vector)]| Rotor::from_direction_pairs(pairs).unwrap_err();
@@ -344,18 +345,18 @@ fn directions_that_fix_no_turn_are_refused() {
         refused(&[(x, x), (y, y), (x, [f64::NAN, 0.0, 0.0])]),
         FitError::NotFinite { index: 2 }
     );
-    // Inverted in all axes, any half turn does as well.
+    // Inverted in all axes, every rotation by 180° fits equally well.
     let z = [0.0, 0.0, 1.0];
     let inverted = [x, y, z].map(|d| (d, d.map(|c| -c)));
     assert_eq!(refused(&inverted), FitError::NotUnique);
-    // The angle between the directions of one side differs: each gives way by the same.
+    // The angles between the directions differ: each direction is off by the same angle.
     let fit = Rotor::from_direction_pairs(&[(x, x), (y, [0.6, 0.8, 0.0])]).unwrap();
     let excess = FRAC_PI_2 - (0.6_f64).acos();
     let (axis, angle) = fit.motion.to_axis_angle();
     assert_close!(angle, excess / 2.0, 1e-15);
     assert_close!(axis, [0.0, 0.0, -1.0], 1e-15);
     assert_close!(fit.residual, 2.0 * (excess / 4.0).sin(), 1e-15);
-    // With more weight the first gives way less: w₁ sin δ₁ = w₂ sin δ₂.
+    // The direction with more weight is off by less: w₁ sin δ₁ = w₂ sin δ₂.
     let weighted = [(3.0, x, x), (1.0, y, [0.6, 0.8, 0.0])];
     let (_, angle) = Rotor::from_weighted_direction_pairs(&weighted)
         .unwrap()
@@ -403,7 +404,7 @@ fn bad_numbers_are_named() {
 }
 
 #[test]
-fn size_and_place_cost_no_figures_but_their_own() {
+fn size_and_position_cost_only_their_own_digits() {
     let from = [
         [0.0, 0.0, 0.0],
         [3.0, 0.0, 0.0],
@@ -418,14 +419,14 @@ fn size_and_place_cost_no_figures_but_their_own() {
         let fit = Motor::from_point_pairs(&paired(&from, &to)).unwrap();
         assert_close!(fit.motion.rotor(), expected, 1e-14);
         assert!(fit.residual < 1e-14 * size, "{size}: {}", fit.residual);
-        // Twice as long as at size one, a quarter turn about e3: cos 45° cosh(½ ln s).
+        // A rotation by 90° about e3 with scaling s: the scalar is cos 45° cosh(½ ln s).
         let to = [[0.0; 3], [0.0, 6.0, 0.0], [-4.0, 0.0, 0.0]];
         let scaled = Similarity::from_point_pairs(&paired(&from[..3], &to)).unwrap();
         let root = (2.0 / size).sqrt();
         let expected = (0.5_f64).sqrt() * (root + 1.0 / root) / 2.0;
         assert_close!(scaled.motion.scalar(), expected, 1e-14);
     }
-    // A million away, coordinates are known to 1e-10, and so is the turn.
+    // At a distance of a million, coordinates are known to 1e-10, and so is the rotation.
     let far = [1e6, -2e6, 5e5];
     let to = from.map(|x| plus(rotated(axis, angle, x), far));
     let fit = Motor::from_point_pairs(&paired(&from, &to)).unwrap();

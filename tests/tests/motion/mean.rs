@@ -1,4 +1,4 @@
-//! Blends and means of motions, against planted means and plain matrices.
+//! Blends and means of motions, against known means and plain matrices.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -14,7 +14,7 @@ type Matrix = [[f64; 4]; 4];
 trait Draw {
     /// A rotation by this angle and a translation of this size.
     fn motor(&mut self, angle: f64, size: f64) -> Motor<f64>;
-    /// A weight, often 0 or 1, or of another order of magnitude.
+    /// A weight: often 0 or 1, and of many orders of magnitude.
     fn weight(&mut self) -> f64;
     /// The motor or its negative, which is the same motion.
     fn sign(&mut self, motor: Motor<f64>) -> Motor<f64>;
@@ -40,16 +40,16 @@ impl Draw for SplitMix64 {
     }
 }
 
-fn shift(t: [f64; 3]) -> Motor<f64> {
+fn translation(t: [f64; 3]) -> Motor<f64> {
     Translator::from_displacement(t).into()
 }
 
-fn turn(axis: [f64; 3], angle: f64) -> Motor<f64> {
+fn rotation(axis: [f64; 3], angle: f64) -> Motor<f64> {
     Rotor::from_axis_angle(axis, angle).expect("an axis").into()
 }
 
-/// The largest difference of coefficients of two motors, whatever their signs, relative to the size
-/// of the displacements.
+/// The largest difference of the coefficients of two motors up to sign, relative to the
+/// displacement.
 fn deviation(a: Motor<f64>, b: Motor<f64>) -> f64 {
     let size = 1.0 + length(b.translator().displacement());
     let apart = |b: Motor<f64>| {
@@ -66,7 +66,7 @@ fn product(a: &Matrix, b: &Matrix) -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| (0..4).map(|k| a[i][k] * b[k][j]).sum()))
 }
 
-/// The motion of a rotation vector and a velocity held for a unit of time, as the exponential
+/// The motion by a constant angular and linear velocity for a unit of time, as the exponential
 /// series of its matrix.
 fn matrix_exponential(rotation: [f64; 3], velocity: [f64; 3]) -> Matrix {
     let [x, y, z] = rotation;
@@ -85,8 +85,8 @@ fn of_matrix([a, b, c, _]: Matrix) -> Motor<f64> {
     Motor::from_matrix([a, b, c]).expect("a rotation")
 }
 
-/// Motors whose logarithms from a centre have the weighted sum zero, with their weights; all
-/// rotations within an angle of the centre.
+/// Motors, with weights, whose logarithms relative to a centre have the weighted sum zero; all
+/// rotations are within an angle of the centre.
 fn planted(random: &mut SplitMix64, centre: Motor<f64>, angle: f64) -> Vec<(f64, Motor<f64>)> {
     let count = 1 + (random.unit() * 12.0) as usize;
     let mut sums = [[0.0; 3]; 2];
@@ -103,7 +103,7 @@ fn planted(random: &mut SplitMix64, centre: Motor<f64>, angle: f64) -> Vec<(f64,
         most += weight * angle;
         cloud.push((weight, rotation, velocity));
     }
-    // The last makes up for the others.
+    // The last motor balances the others.
     let weight = (1.0 + random.unit()) * (most / angle).max(0.1);
     cloud.push((
         weight,
@@ -143,7 +143,7 @@ fn planted_means_are_found() {
     }
 }
 
-/// Clouds as uneven as they come: any number, any weights, all within an angle of some motor.
+/// Uneven clouds of motors: any number, any weights, all within an angle of some motor.
 fn cloud(random: &mut SplitMix64, angle: f64) -> Vec<(f64, Motor<f64>)> {
     let turned = random.within(PI);
     let centre = random.motor(turned, 10.0);
@@ -213,7 +213,7 @@ fn uneven_clouds_come_to_rest_in_few_steps() {
                 .unwrap_or_else(|error| panic!("{angle}°, seed {seed}: {error}"));
             worst = worst.max(found.steps);
             let left = left_over(found.mean, &cloud);
-            // Near half turns the matrices tell angles less well.
+            // Near 180° matrices determine angles less accurately.
             assert!(left < 1e-11, "{angle}°, seed {seed}: {left}");
             assert!(found.residual.angle < 1e-13 && found.residual.displacement < 1e-12);
         }
@@ -223,7 +223,7 @@ fn uneven_clouds_come_to_rest_in_few_steps() {
 }
 
 #[test]
-fn means_go_along_with_changes_of_frames() {
+fn means_are_equivariant_under_changes_of_frames() {
     for seed in 0..500 {
         let mut random = SplitMix64(seed);
         let cloud = cloud(&mut random, 80.0_f64.to_radians());
@@ -276,11 +276,11 @@ fn powers_of_a_screw_have_its_mean_power() {
 }
 
 #[test]
-fn shifts_have_the_mean_of_their_displacements() {
+fn translations_have_the_mean_of_their_displacements() {
     let shifts = [[1.0, 0.0, 2.0], [3.0, 4.0, -2.0], [1e6, 0.0, 0.0]];
     let weighted = [1.0, 2.0, 5.0].map(|w| w / 8.0);
-    let terms: Vec<_> = weighted.into_iter().zip(shifts.map(shift)).collect();
-    let expected = shift([(7.0 + 5e6) / 8.0, 1.0, -0.25]);
+    let terms: Vec<_> = weighted.into_iter().zip(shifts.map(translation)).collect();
+    let expected = translation([(7.0 + 5e6) / 8.0, 1.0, -0.25]);
     assert_close!(Motor::mean(&terms).unwrap().mean, expected, 1e-15);
     assert_close!(Motor::blend(&terms).unwrap(), expected, 1e-15);
 }
@@ -325,7 +325,7 @@ fn blends_are_normalised_sums() {
             sum.map(|x| x / size).to_vec(),
             1e-14
         );
-        // And the whole is a motor: of norm 1, with the Study condition.
+        // The result is a motor: of norm 1, and the Study condition holds.
         let study = blend.scalar() * blend.e123i() - blend.e12() * blend.e3i()
             + blend.e13() * blend.e2i()
             - blend.e23() * blend.e1i();
@@ -336,9 +336,9 @@ fn blends_are_normalised_sums() {
 #[test]
 fn signs_and_scale_of_weights_change_nothing() {
     let motors = [
-        turn([0.0, 0.0, 1.0], 0.4),
-        shift([1.0, 2.0, 3.0]),
-        turn([0.6, 0.8, 0.0], -0.9),
+        rotation([0.0, 0.0, 1.0], 0.4),
+        translation([1.0, 2.0, 3.0]),
+        rotation([0.6, 0.8, 0.0], -0.9),
     ];
     let plain = motors.map(|m| (1.0, m));
     let mean = Motor::mean(&plain).unwrap().mean;
@@ -346,7 +346,7 @@ fn signs_and_scale_of_weights_change_nothing() {
         let scaled = motors.map(|m| (scale, m));
         assert_eq!(Motor::mean(&scaled).unwrap().mean, mean);
     }
-    // The sign is that of the first of the heaviest, the others may come as they like.
+    // The sign is that of the first of the heaviest motors; the signs of the others do not matter.
     let [a, b, c] = motors;
     assert_eq!(
         Motor::mean(&[(1.0, a), (1.0, -b), (1.0, -c)]).unwrap().mean,
@@ -356,9 +356,9 @@ fn signs_and_scale_of_weights_change_nothing() {
         Motor::mean(&[(1.0, -a), (1.0, -b), (1.0, c)]).unwrap().mean,
         -mean
     );
-    // A weight of zero is as if it were not there, even opposite to the rest.
+    // A motor of weight zero has no influence, even if it is opposite to the rest.
     let with_none = [
-        (0.0, turn([1.0, 0.0, 0.0], PI)),
+        (0.0, rotation([1.0, 0.0, 0.0], PI)),
         plain[0],
         plain[1],
         plain[2],
@@ -369,9 +369,9 @@ fn signs_and_scale_of_weights_change_nothing() {
 #[test]
 fn one_motor_is_its_own_mean() {
     for motor in [
-        shift([1e12, -3.0, 0.0]),
-        turn([0.0, 1.0, 0.0], PI),
-        -shift([0.0; 3]),
+        translation([1e12, -3.0, 0.0]),
+        rotation([0.0, 1.0, 0.0], PI),
+        -translation([0.0; 3]),
     ] {
         let found = Motor::mean(&[(2.0, motor), (1.0, -motor), (1.0, motor)]).unwrap();
         assert_close!(found.mean, motor, 1e-15);
@@ -383,18 +383,18 @@ fn one_motor_is_its_own_mean() {
 #[test]
 fn rotations_all_around_have_no_mean() {
     let z = [0.0, 0.0, 1.0];
-    // Opposite to each other, at thirds and quarters of a turn, and half turns about three axes.
+    // Opposite rotations, rotations at 120° and at 90°, and rotations by 180° about three axes.
     let all_around: [Vec<Motor<f64>>; 6] = [
-        vec![turn(z, 0.3), turn(z, 0.3 + PI), -turn(z, 0.3)],
-        [0.0, 2.0, 4.0].map(|k| turn(z, k * PI / 3.0)).to_vec(),
+        vec![rotation(z, 0.3), rotation(z, 0.3 + PI), -rotation(z, 0.3)],
+        [0.0, 2.0, 4.0].map(|k| rotation(z, k * PI / 3.0)).to_vec(),
         [0.0, 1.0, 2.0, 3.0]
-            .map(|k| turn(z, k * FRAC_PI_2))
+            .map(|k| rotation(z, k * FRAC_PI_2))
             .to_vec(),
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], z]
-            .map(|axis| turn(axis, PI))
+            .map(|axis| rotation(axis, PI))
             .to_vec(),
-        vec![turn(z, 0.0), turn([0.6, 0.0, 0.8], PI)],
-        vec![turn(z, -1.58), turn(z, 0.0), turn(z, 1.58)],
+        vec![rotation(z, 0.0), rotation([0.6, 0.0, 0.8], PI)],
+        vec![rotation(z, -1.58), rotation(z, 0.0), rotation(z, 1.58)],
     ];
     for motors in all_around {
         let weighted: Vec<_> = motors.iter().map(|&m| (1.0, m)).collect();
@@ -403,28 +403,32 @@ fn rotations_all_around_have_no_mean() {
         };
         assert!(index < motors.len() && angle > 1.5 && angle <= PI);
     }
-    // With a third beside them, two rotations half a turn apart have a mean.
-    let beside = [0.0, FRAC_PI_2, PI].map(|angle| (1.0, turn(z, angle)));
+    // With a third beside them, two rotations 180° apart have a mean.
+    let beside = [0.0, FRAC_PI_2, PI].map(|angle| (1.0, rotation(z, angle)));
     assert_close!(
         Motor::mean(&beside).unwrap().mean,
-        turn(z, FRAC_PI_2),
+        rotation(z, FRAC_PI_2),
         1e-14
     );
-    // A hair less than half a turn apart they have one.
-    let apart = [-1.0, 1.0].map(|side| (1.0, turn(z, side * (FRAC_PI_2 - 1e-6))));
-    assert_close!(Motor::mean(&apart).unwrap().mean, shift([0.0; 3]), 1e-15);
+    // Slightly less than 180° apart they have one.
+    let apart = [-1.0, 1.0].map(|side| (1.0, rotation(z, side * (FRAC_PI_2 - 1e-6))));
+    assert_close!(
+        Motor::mean(&apart).unwrap().mean,
+        translation([0.0; 3]),
+        1e-15
+    );
 }
 
 #[test]
-fn fans_over_half_a_turn_have_their_middle_as_mean() {
+fn fans_over_180_degrees_have_their_middle_as_mean() {
     for seed in 0..400 {
         let mut random = SplitMix64(seed);
         let (axis, turned) = (random.axis(), random.within(PI));
         let start = random.motor(turned, 1.0);
         let count = 3 + 2 * (random.unit() * 5.0) as i32;
         let fan: Vec<_> = (0..count)
-            .map(|k| start * turn(axis, PI * f64::from(k) / f64::from(count - 1)))
-            // The ends are half a turn apart, and have the largest weight.
+            .map(|k| start * rotation(axis, PI * f64::from(k) / f64::from(count - 1)))
+            // The ends are 180° apart and have the largest weight.
             .map(|motor| (1.0, random.sign(motor)))
             .enumerate()
             .map(|(k, (w, m))| {
@@ -439,15 +443,14 @@ fn fans_over_half_a_turn_have_their_middle_as_mean() {
             })
             .collect();
         let found = Motor::mean(&fan).unwrap_or_else(|error| panic!("seed {seed}: {error}"));
-        let error = deviation(found.mean, start * turn(axis, FRAC_PI_2));
+        let error = deviation(found.mean, start * rotation(axis, FRAC_PI_2));
         assert!(error < 1e-13, "seed {seed}: {error}");
     }
 }
 
 #[test]
 fn clouds_that_just_fit_have_a_mean() {
-    // All a quarter turn from a centre, two of them as good as opposite, with weights from one to a
-    // million.
+    // All 90° from a centre, two of them almost opposite, with weights from one to a million.
     for seed in 0..4000 {
         let mut random = SplitMix64(seed);
         let centre = random.motor(2.0, 1.0);
@@ -455,7 +458,7 @@ fn clouds_that_just_fit_have_a_mean() {
         let off = 10.0_f64.powf(-1.0 - 8.0 * random.unit());
         let near = random.vector(off);
         let near = std::array::from_fn(|k| near[k] - axis[k]);
-        let mut motors = vec![turn(axis, FRAC_PI_2), turn(near, FRAC_PI_2)];
+        let mut motors = vec![rotation(axis, FRAC_PI_2), rotation(near, FRAC_PI_2)];
         for _ in 0..1 + (random.unit() * 4.0) as usize {
             motors.push(random.motor(FRAC_PI_2, 1.0));
         }
@@ -476,17 +479,17 @@ fn clouds_that_just_fit_have_a_mean() {
 
 #[test]
 fn a_ball_is_found_wherever_its_centre_is() {
-    // Nearly all weight at one end of the ball, so that the other end is far beyond a quarter turn
-    // from the mean.
+    // Nearly all weight is at one end of the ball, so that the other end is far beyond 90° from the
+    // mean.
     let z = [0.0, 0.0, 1.0];
     let found = Motor::mean(&[
-        (1e6, turn(z, 1.5)),
-        (1.0, turn(z, -1.5)),
-        (1.0, turn([1.0, 0.0, 0.0], 1.5)),
+        (1e6, rotation(z, 1.5)),
+        (1.0, rotation(z, -1.5)),
+        (1.0, rotation([1.0, 0.0, 0.0], 1.5)),
     ]);
     assert!((found.unwrap().mean.rotor().to_axis_angle().1 - 1.5).abs() < 1e-5);
-    // Random rotations: the best of many centres tells that there is a ball, the refusal that no
-    // centre shows one.
+    // Random rotations: the best of many centres shows whether they lie in a ball; a refusal is
+    // right only if no centre does.
     let mut refused = 0;
     for seed in 0..400 {
         let mut random = SplitMix64(seed);
@@ -502,7 +505,7 @@ fn a_ball_is_found_wherever_its_centre_is() {
             let cosine = |m: &Motor<f64>| (centre.reverse() * *m).scalar().abs();
             motors.iter().map(cosine).fold(1.0, f64::min)
         };
-        // A climb by shrinking steps from the identity.
+        // A local search by shrinking steps from the identity.
         let (mut centre, mut best) = (Motor::default(), 0.0);
         let mut step = 0.5;
         while step > 1e-6 {
@@ -559,8 +562,8 @@ fn bad_input_is_named() {
     let none = Motor::blend(&[(0.0, one), (0.0, one)]);
     assert_eq!(none, Err(BlendError::Weight(WeightError::AllZero)));
     assert_eq!(none.unwrap_err().to_string(), "all weights are zero");
-    // Displacements whose sum is beyond the range, though each is within.
-    let far = shift([f64::MAX, 0.0, 0.0]);
+    // Displacements whose sum is beyond the range although each is within it.
+    let far = translation([f64::MAX, 0.0, 0.0]);
     let far = Motor::blend(&[(1.0, far), (1.0, far), (1.0, far)]);
     assert_eq!(far, Err(BlendError::OutOfRange));
 }
@@ -573,7 +576,7 @@ fn far_displacements_keep_their_figures() {
             .into_iter()
             .zip([0.1, -0.7, 0.9]);
         let weighted: Vec<_> = motors
-            .map(|(t, angle)| (1.0, shift(t) * turn([0.0, 0.6, 0.8], angle)))
+            .map(|(t, angle)| (1.0, translation(t) * rotation([0.0, 0.6, 0.8], angle)))
             .collect();
         let found = Motor::mean(&weighted).unwrap();
         assert!(
@@ -585,7 +588,7 @@ fn far_displacements_keep_their_figures() {
             .map(|(w, m)| {
                 (
                     *w,
-                    shift(m.translator().displacement().map(|x| x / size)) * m.rotor(),
+                    translation(m.translator().displacement().map(|x| x / size)) * m.rotor(),
                 )
             })
             .collect();
@@ -636,8 +639,8 @@ fn single_precision_comes_to_rest_too() {
 
 #[test]
 fn long_sums_keep_their_figures() {
-    // First all motors of one side, then all of the other, so that sums grow large before they
-    // vanish.
+    // First all motors of one side, then all of the other, so that partial sums are large before
+    // they cancel.
     let mut random = SplitMix64(1);
     let centre = random.motor(1.0, 1.0);
     let sides: Vec<_> = (0..20_000)

@@ -1,11 +1,11 @@
-//! Angles between primitives against plain formulas, and normals where they meet.
+//! Angles between primitives against plain formulas, and the normals at their intersections.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use nullcone_tests::plain::*;
 use proptest::prelude::*;
 
-/// Asserts an angle both ways round.
+/// Asserts an angle in both orders.
 macro_rules! check {
     ($a:expr, $b:expr, $expected:expr, $bound:expr) => {{
         let (a, b, expected, bound) = ($a, $b, $expected, $bound);
@@ -21,7 +21,8 @@ macro_rules! check_none {
     }};
 }
 
-/// The angle of two unit vectors by the half angle (Kahan), which is good for all angles.
+/// The angle of two unit vectors by Kahan's formula for the half angle, which is accurate for all
+/// angles.
 fn between(u: Vector, v: Vector) -> f64 {
     2.0 * length(minus(u, v)).atan2(length(along(u, 1.0, v)))
 }
@@ -44,14 +45,14 @@ proptest! {
     #[test]
     fn spheres_that_meet(x in vector(3.0), u in unit(), v in unit(), n in unit(), r in 0.1..4.0_f64, s in 0.1..4.0_f64) {
         let angle = between(u, v);
-        // A small angle of nearly equal spheres hangs on differences of squares.
+        // A small angle of nearly equal spheres depends on differences of squares.
         prop_assume!(angle > 0.02 && angle < PI - 0.02);
         let (a, b) = (sphere(along(x, -r, u), r), sphere(along(x, -s, v), s));
         check!(a, b, angle, 1e-9);
         let by_algebra = |a: ga_runtime::cga3::DualSphere<f64>, b: ga_runtime::cga3::DualSphere<f64>| (a | b) / ((a | a) * (b | b)).sqrt();
         near(angle.cos(), by_algebra(a.dual(), b.dual()), 1e-10);
         near(a.inversive_distance_to(b).unwrap(), angle.cos(), 1e-10);
-        // A plane's normal goes where a sphere's inside is.
+        // The normal of a plane corresponds to the inward normal of a sphere.
         let plane = plane(x, v.map(|x| -x));
         check!(a, plane, angle, 1e-9);
         near(a.inversive_distance_to(plane).unwrap(), angle.cos(), 1e-10);
@@ -66,7 +67,7 @@ proptest! {
         check!(a, circle(along(x, s, across), cross(n, across), s), rise, 1e-8);
     }
 
-    /// The inversive distance stays under inversion, whether they meet or not.
+    /// The inversive distance is invariant under inversion, whether the spheres meet or not.
     #[test]
     fn inversions_keep_it(p in vector(3.0), q in vector(3.0), c in vector(3.0), r in 0.1..4.0_f64, s in 0.1..4.0_f64) {
         use ga_runtime::geometry::relation::RoundOrFlat::Round;
@@ -78,7 +79,7 @@ proptest! {
             panic!("{images:?}");
         };
         let expected = a.inversive_distance_to(b).unwrap();
-        // Taken by outward normals: the inside and the outside change places where the centre is
+        // By outward normals: inside and outside are exchanged if the centre of inversion is
         // inside.
         let turned = power(p, r).signum() * power(q, s).signum();
         let found = i.inversive_distance_to(j).unwrap() * turned;
@@ -98,7 +99,7 @@ fn small_angles_keep_their_digits() {
 
 #[test]
 fn touching_and_orthogonal() {
-    // From without, from within, and one twice.
+    // Touching from outside, from inside, and equal.
     check!(sphere(O, 1.0), sphere([3.0, 0.0, 0.0], 2.0), PI, 1e-7);
     check!(sphere(O, 1.0), sphere([1.0, 0.0, 0.0], 2.0), 0.0, 1e-7);
     check!(sphere(O, 1.0), sphere(O, 1.0), 0.0, 0.0);
@@ -112,7 +113,7 @@ fn touching_and_orthogonal() {
     check!(sphere(O, 1.0), plane(O, Z), FRAC_PI_2, 1e-15);
     check!(sphere(O, 1.0), line(O, Z), FRAC_PI_2, 1e-15);
     check!(sphere(O, 1.0), line([1.0, 0.0, 0.0], Z), 0.0, 1e-7);
-    // A circle on the sphere runs along it; one through it at right angles.
+    // A circle on the sphere is tangent to it; one through it crosses it at a right angle.
     check!(sphere(O, 5.0), circle([0.0, 0.0, 3.0], Z, 4.0), 0.0, 1e-7);
     check!(
         sphere(O, 3.0),

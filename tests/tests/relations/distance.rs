@@ -5,7 +5,7 @@ use ga_runtime::geometry::relation::Tolerance;
 use nullcone_tests::plain::*;
 use proptest::prelude::*;
 
-/// Asserts a distance both ways round.
+/// Asserts a distance in both orders.
 macro_rules! check {
     ($a:expr, $b:expr, $expected:expr, $bound:expr) => {{
         let (a, b, expected, bound) = ($a, $b, $expected, $bound);
@@ -65,7 +65,7 @@ proptest! {
     #[test]
     fn lines(p in vector(5.0), d in unit(), q in vector(5.0), e in unit(), n in unit(), r in 0.1..4.0_f64) {
         let l = line(p, d);
-        // The volume of the box over its base.
+        // The volume of the parallelepiped divided by its base.
         let normal = cross(d, e);
         prop_assume!(length(normal) > 1e-3);
         check!(l, line(q, e), dot(minus(q, p), normal).abs() / length(normal), 1e-11);
@@ -89,7 +89,8 @@ proptest! {
         check!(plane(p, n), plane(q, m), 0.0, 0.0);
         check!(plane(p, n), sphere(q, r), (height.abs() - r).max(0.0), 5e-12);
         check_signed!(plane(p, n), sphere(q, r), height.abs() - r, 5e-12);
-        // The circle rises above its centre by the sine of the angle between the planes.
+        // The circle rises above its centre by its radius times the sine of the angle between the
+        // planes.
         let reach = s * (1.0 - dot(n, m).powi(2)).sqrt();
         let c = circle(q, m, s + 0.01);
         check!(plane(p, n), c, (height.abs() - reach * (s + 0.01) / s).max(0.0), 1e-11);
@@ -97,7 +98,7 @@ proptest! {
         let gap = (d - r - s).max((r - s).abs() - d).max(0.0);
         check!(sphere(p, r), sphere(q, s), gap, 5e-12);
         check_signed!(sphere(p, r), sphere(q, s), d - r - s, 5e-12);
-        // Every point of the circle, from the sphere.
+        // The distance of every point of the circle from the sphere.
         let sampled = least_by_sampling(200, |t| (length(minus(on_circle(q, m, s + 0.01, t), p)) - r).abs());
         check!(sphere(p, r), c, sampled, 1e-7);
         let signed = least_by_sampling(200, |t| length(minus(on_circle(q, m, s + 0.01, t), p)) - r);
@@ -112,7 +113,7 @@ proptest! {
 
     #[test]
     fn circles(c in vector(3.0), n in unit(), r in 0.02..4.0_f64, d in vector(3.0), m in unit(), s in 0.02..4.0_f64) {
-        // Along the smaller one, on which nothing is missed.
+        // Sampled along the smaller circle, on which no minimum is missed.
         let sampled = if r < s {
             least_by_sampling(720, |t| point_circle(on_circle(c, n, r, t), d, m, s))
         } else {
@@ -121,7 +122,7 @@ proptest! {
         check!(circle(c, n, r), circle(d, m, s), sampled, 2e-11);
     }
 
-    /// Two circles through one point meet there, be they crossing or touching.
+    /// Two circles through one point meet there, whether they cross or touch.
     #[test]
     fn circles_that_meet(x in vector(3.0), n in unit(), m in unit(), t in unit(), r in 0.1..4.0_f64, s in 0.1..4.0_f64) {
         let centre = |n: Vector, r: f64| along(x, r, unit_of(cross(n, t)));
@@ -137,9 +138,9 @@ proptest! {
         check!(circle(centre(n, r), n, r), touching, 0.0, 2e-12);
     }
 
-    /// Circles that all but touch come close twice, a little less in one place than in the other;
-    /// circles with nearly one axis are nearly as far all round. The least of the two is found, and
-    /// nothing below it.
+    /// Circles that almost touch have two minima of nearly equal depth; circles with nearly the
+    /// same axis have nearly the same distance all round. The smallest minimum is found, and no
+    /// smaller value.
     #[test]
     fn circles_that_all_but_touch(n in unit(), m in unit(), t in unit(), s in 0.3..1.5_f64, digits in 0.0..12.0_f64, more in 0.0..12.0_f64) {
         prop_assume!(length(cross(n, t)) > 0.05 && length(cross(m, t)) > 0.05);
@@ -150,13 +151,13 @@ proptest! {
         let one_axis = (O, a, b.map(|x| off * x), unit_of(along(a, tilt, b)));
         for (c, n, d, m) in [touching, one_axis] {
             let (first, second) = (circle(c, n, 1.0), circle(d, m, s));
-            // The circles as they are stored.
+            // The circles as stored.
             let read = |c: Circle<f64>| (place(c.centre()), c.unit_normal().unwrap(), c.radius().unwrap());
             let ((c, n, r), (d, m, s)) = (read(first), read(second));
             let sampled = least_by_sampling(720, |t| point_circle(on_circle(d, m, s, t), c, n, r));
             let found = first.distance_to(second).unwrap();
             prop_assert!(found <= sampled + 4e-15, "{found:e} is above {sampled:e}");
-            // Sampling finds one of the two places, which differ as the fourth power of their
+            // Sampling finds one of the two minima, which differ by the fourth power of their
             // distance.
             prop_assert!(found >= sampled - 1e-4 * off.max(1e-12) - 4e-15, "{found:e} is below {sampled:e}");
         }
@@ -182,8 +183,8 @@ proptest! {
         let (l, k) = (dense(&l.dual()), dense(&k.dual()));
         let axis = (&(&l * &k) - &(&k * &l)).scale(0.5);
         let turn = cross(d, e);
-        // e12, e13, e23 of a bivector are minus the axis of the turn or the axis itself, by the
-        // sign of the dual.
+        // The coefficients of e12, e13 and e23 give the axis of rotation, up to the sign of the
+        // dual.
         let found = [axis.coefficient(0b110), -axis.coefficient(0b101), axis.coefficient(0b011)];
         near(length(cross(unit_of(found), unit_of(turn))), 0.0, 1e-12);
     }
@@ -201,7 +202,7 @@ fn pairs_count_as_their_points() {
     check!(ends, sphere(O, 1.5), 0.5, 1e-14);
     check_signed!(ends, sphere(O, 1.5), -0.5, 1e-14);
     check!(ends, circle(O, Z, 1.0), 2.0_f64.sqrt(), 1e-14);
-    // Two points in one are one; an imaginary pair is none.
+    // Two equal points are one point; an imaginary pair has no points.
     let p = point(X);
     let tangent = RoundVector::from(p) ^ RoundVector::new(0.0, 1.0, 0.0, 0.0, 0.0);
     check!(tangent, point(O), 1.0, 1e-15);
@@ -234,7 +235,7 @@ fn zero_radius_is_a_point() {
 
 #[test]
 fn zero_weight_is_flat() {
-    // Rounds whose weight is zero are flats: a sphere a plane, a circle a line, a pair its finite
+    // Rounds of weight zero are flats: a sphere is a plane, a circle a line, a pair its finite
     // point.
     let flat = DualSphere::new(0.0, 0.0, 2.0, 0.0, 6.0).undual();
     check!(flat, point(O), 3.0, 1e-15);
@@ -242,7 +243,7 @@ fn zero_weight_is_flat() {
     check!(Circle::through(a, b, c), point(O), 2.0, 1e-15);
     let end = RoundVector::from(a) ^ RoundVector::new(0.0, 0.0, 0.0, 0.0, 1.0);
     check!(end, point(O), 2.0, 1e-15);
-    // Flats whose weight is zero are nothing.
+    // Flats of weight zero are not figures.
     let p = point(O);
     assert_eq!(p.distance_to(line(X, O)), None);
     assert_eq!(p.distance_to(plane(X, O)), None);
@@ -263,14 +264,14 @@ fn imaginary_rounds_have_no_distance() {
 
 #[test]
 fn lines_that_are_nearly_parallel() {
-    // Too little to tell from parallel: the distance is that of a point.
+    // Too close to parallel: the distance is that of a point.
     check!(
         line(O, X),
         line([0.0, 3.0, 4.0], [1.0, 1e-17, 0.0]),
         5.0,
         1e-15
     );
-    // Enough: they come together far away, up to the height.
+    // Clearly not parallel: far away they approach each other up to the height.
     check!(
         line(O, X),
         line([0.0, 3.0, 4.0], [1.0, 1e-12, 0.0]),
@@ -289,7 +290,7 @@ fn lines_that_are_nearly_parallel() {
 #[test]
 fn common_perpendiculars_that_are_special() {
     let x = line(O, X);
-    // Crossing lines: both feet where they cross.
+    // Crossing lines: both feet are the intersection.
     let crossing = x
         .common_perpendicular(line([2.0, 0.0, 0.0], Y), tolerance())
         .unwrap();
@@ -308,7 +309,7 @@ fn common_perpendiculars_that_are_special() {
         [point([0.0, 1.0, 1.0]), point([0.0, 4.0, 5.0])]
     );
     near_vector(parallel.line.direction(), [0.0, 0.6, 0.8], 1e-15);
-    // One line twice has no single perpendicular.
+    // A line and itself have no unique perpendicular.
     assert_eq!(
         x.common_perpendicular(line(X, [-1.0, 0.0, 0.0]), tolerance()),
         None
@@ -324,7 +325,7 @@ fn common_perpendiculars_that_are_special() {
     );
 }
 
-/// Circles with one axis are equally near all round.
+/// Circles with the same axis have the same distance all round.
 #[test]
 fn circles_with_one_axis() {
     check!(
@@ -336,7 +337,7 @@ fn circles_with_one_axis() {
     check!(circle(O, Z, 2.0), circle(O, Z, 6.0), 4.0, 1e-14);
     check!(circle(O, Z, 2.0), circle(O, Z, 2.0), 0.0, 1e-15);
     check!(circle(O, Z, 2.0), line(O, Z), 2.0, 1e-14);
-    // Linked circles, crossing the planes of each other.
+    // Linked circles, each crossing the plane of the other.
     check!(
         circle(O, Z, 2.0),
         circle([2.0, 0.0, 0.0], Y, 1.0),
@@ -348,7 +349,7 @@ fn circles_with_one_axis() {
     check!(circle(O, Z, 2.0), line([0.0, 0.0, 1.0], X), 1.0, 1e-14);
 }
 
-/// A circle much larger or smaller than the other, and all of them very large or very small.
+/// Circles of very different size, and circles that are all very large or very small.
 #[test]
 fn sizes_far_apart() {
     let mut worst = 0.0_f64;

@@ -1,5 +1,5 @@
-//! Relations at the edge: figures that touch far from the origin, dual forms, numbers that are not
-//! finite.
+//! Edge cases of relations: figures that touch far from the origin, dual forms, numbers that are
+//! not finite.
 
 use ga_runtime::cga3::{Circle, Line, Multivector, Plane, Point, PointPair, RoundVector, Sphere};
 use ga_runtime::geometry::relation::Tolerance;
@@ -38,13 +38,13 @@ proptest! {
         let sphere = Sphere::from_centre_radius(Point::from(c), r);
         let foot = Point::from(along(c, r, n));
         let plane = sphere.angle_to(Plane::from_point_normal(foot, n));
-        // The centre is behind the plane: the inward normal is against the plane's.
+        // The centre is behind the plane: the inward normal is opposite to the plane's.
         prop_assert!((plane.expect("they touch") - std::f64::consts::PI).abs() < 1e-2);
         let line = sphere.angle_to(Line::from_point_direction(foot, across(n)));
         prop_assert!(line.expect("they touch").abs() < 1e-2);
         let other = Sphere::from_centre_radius(Point::from(along(c, 3.0 * r, n)), 2.0 * r);
         prop_assert!((sphere.angle_to(other).expect("they touch") - std::f64::consts::PI).abs() < 1e-2);
-        // Clearly apart there is none.
+        // Figures that are clearly apart have none.
         let apart = Sphere::from_centre_radius(Point::from(along(c, 3.1 * r, n)), 2.0 * r);
         prop_assert_eq!(sphere.angle_to(apart), None);
         prop_assert_eq!(sphere.angle_to(Plane::from_point_normal(Point::from(along(c, 1.1 * r, n)), n)), None);
@@ -91,7 +91,7 @@ proptest! {
         // The dual of the image is minus the image of the dual.
         let both = sphere.reflect_in(mirror).expect("finite").dual() + sphere.dual().reflect_in(mirror).expect("finite");
         assert_close!([both.e1, both.e2, both.e3, both.eo, both.ei], [0.0; 5], 1e-11, 10.0);
-        // Figures are where their mirror images are.
+        // Reflected figures are at the reflected positions.
         let image = circle.dual().reflect_in(mirror).expect("finite");
         assert_close!(
             image.centre().expect("a circle").coordinates(),

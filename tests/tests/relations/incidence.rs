@@ -1,12 +1,12 @@
-//! Incidence, parallels and perpendiculars: what is built to lie on something does, and no longer
-//! once it is moved off.
+//! Incidence, parallels and perpendiculars: they hold for elements constructed so, and no longer
+//! after a displacement.
 
 use ga_runtime::cga3::Infinity;
 use ga_runtime::geometry::relation::Tolerance;
 use nullcone_tests::plain::*;
 use proptest::prelude::*;
 
-/// Off by a little more and a little less than the tolerance.
+/// Displacements slightly larger and slightly smaller than the tolerance.
 const MOVED: [(f64, bool); 2] = [(1.01e-3, false), (0.99e-3, true)];
 
 fn loose() -> Tolerance<f64> {
@@ -22,7 +22,8 @@ proptest! {
     fn points(c in vector(5.0), n in unit(), r in 0.1..4.0_f64, t in -3.0..3.0_f64, weight in 0.1..9.0_f64) {
         let [u, v] = frame(n);
         for (off, is_on) in MOVED {
-            // On the line along n, moved across; on the plane across n, moved along.
+            // Points of the line along n, displaced perpendicular to it; points of the plane normal
+            // to n, displaced along n.
             prop_assert_eq!(point(along(along(c, t, n), off, u)).is_on(line(c, n) * -weight, loose()), is_on);
             prop_assert_eq!(point(along(along(c, t, u), off, n)).is_on(plane(c, n) * weight, loose()), is_on);
             prop_assert_eq!(point(along(c, r - off, u)).is_on(sphere(c, r) * -weight, loose()), is_on);
@@ -32,7 +33,7 @@ proptest! {
             let ends = pair(c, along(c, 9.0, u));
             prop_assert_eq!(point(along(c, off, v)).is_on(ends, loose()), is_on);
             prop_assert_eq!((point(along(c, off, v)) ^ Infinity).is_on(point(c), loose()), is_on);
-            // A pair is on what both its points are on.
+            // A pair lies on every element on which both its points lie.
             let ends = pair(c, along(along(c, r, n), off, u));
             prop_assert_eq!(ends.is_on(line(c, n), loose()), is_on);
             let ends = pair(along(c, r, u), along(c, r + off, v));
@@ -50,12 +51,12 @@ proptest! {
             prop_assert_eq!(line(along(c, off, u), n).is_on(line(c, n), loose()), is_on);
             prop_assert_eq!(line(along(c, off, n), turned(u, v, t)).is_on(plane(c, n), loose()), is_on);
             prop_assert_eq!(plane(along(c, off, n), n).coincides_with(plane(c, n.map(|x| -x)), loose()), is_on);
-            // Turned about the origin, lines and planes through it.
+            // Lines and planes through the origin, rotated about it.
             prop_assert_eq!(line(O, turned(u, n, off)).is_on(plane(O, n), loose()), is_on);
             prop_assert_eq!(line(O, turned(u, n, off)).coincides_with(line(O, u), loose()), is_on);
             prop_assert_eq!(plane(O, turned(u, n, off)).is_on(plane(O, u), loose()), is_on);
-            // A circle in a plane, moved, and turned about its centre by what moves its farthest
-            // point as far.
+            // A circle in a plane, displaced, and rotated about its centre so that its farthest
+            // point moves as far.
             prop_assert_eq!(circle(along(c, off, n), n, r).is_on(plane(c, n), loose()), is_on);
             prop_assert_eq!(circle(c, turned(n, u, (off / r).asin()), r).is_on(plane(c, n), loose()), is_on);
             prop_assert_eq!(circle(along(c, off, u), n, r).coincides_with(circle(c, n, r), loose()), is_on);
@@ -64,7 +65,7 @@ proptest! {
             prop_assert_eq!(sphere(along(c, off, u), r).coincides_with(sphere(c, r), loose()), is_on);
             prop_assert_eq!(sphere(c, r + off).is_on(sphere(c, r), loose()), is_on);
         }
-        // A parallel of the sphere's latitude.
+        // A circle of latitude of the sphere.
         let parallel = circle(along(c, height * r, n), n, r * (1.0 - height * height).sqrt());
         prop_assert!(parallel.is_on(sphere(c, r), loose()));
         prop_assert!(!parallel.is_on(sphere(c, r + 0.002), loose()));
@@ -88,7 +89,7 @@ proptest! {
             prop_assert_eq!(b.is_perpendicular_to(l, loose()), holds);
             prop_assert_eq!(d.is_perpendicular_to(l, loose()), holds);
             prop_assert!(!l.is_parallel_to(b, loose()) && !l.is_perpendicular_to(k, loose()));
-            // Across, or nearly so.
+            // Perpendicular, or nearly so.
             let side = turned(u, n, off);
             prop_assert_eq!(l.is_perpendicular_to(line(q, side), loose()), holds);
             prop_assert_eq!(a.is_perpendicular_to(plane(q, side), loose()), holds);
@@ -139,7 +140,7 @@ fn bounds_are_included() {
 }
 
 #[test]
-fn what_is_no_figure_is_on_nothing() {
+fn elements_that_are_not_figures_lie_on_nothing() {
     let all = Tolerance::new(f64::INFINITY, f64::INFINITY);
     assert!(point(O).is_on(plane([9.0, 0.0, 0.0], X), all));
     for bad in [f64::NAN, f64::INFINITY] {

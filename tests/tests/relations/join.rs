@@ -1,5 +1,5 @@
-//! Joins of two primitives: what comes out holds both, is the least that does, and is the outer
-//! product of the dense algebra.
+//! Joins of two primitives: the result contains both, is the smallest that does, and equals the
+//! outer product in the dense algebra.
 
 use ga_runtime::cga3::{Infinity, Point};
 use ga_runtime::geometry::relation::{Join, Primitive, Tolerance};
@@ -10,7 +10,7 @@ fn join<A: Primitive<f64>>(a: impl Fn(Tolerance<f64>, A) -> Option<Join<f64>>, b
     a(tolerance(), b).expect("a join")
 }
 
-/// The join both ways round, `$a` and `$b` being primitives.
+/// The join in both orders; `$a` and `$b` are primitives.
 macro_rules! joins {
     ($a:expr, $b:expr) => {{
         let (a, b) = ($a, $b);
@@ -27,8 +27,8 @@ macro_rules! outcome {
     };
 }
 
-/// Asserts that the join is of this case both ways round and a positive multiple of the outer
-/// product in that order.
+/// Asserts that the join is this case in both orders, and a positive multiple of the outer product
+/// in that order.
 macro_rules! check_product {
     ($a:expr, $b:expr, $case:path, $bound:expr) => {{
         let (a, b) = ($a, $b);
@@ -53,7 +53,7 @@ macro_rules! check_case {
     }};
 }
 
-/// Asserts that the join is of this case both ways round and is the same set of points as another
+/// Asserts that the join is this case in both orders, and the same set of points as another
 /// primitive.
 macro_rules! check_is {
     ($a:expr, $b:expr, $case:path, $expected:expr) => {{
@@ -88,7 +88,7 @@ proptest! {
         let inside = on_circle(c, n, 0.7 * r, r);
         check_is!(point(inside), circle(c, n, r), Join::Plane, plane(c, n));
         check_is!(point(on_circle(c, n, r, r)), circle(c, n, r), Join::Circle, circle(c, n, r));
-        // Surfaces hold it or nothing does.
+        // Only surfaces that contain it have a join with it.
         check_case!(point(p), plane(c, n), Join::Space);
         check_is!(point(inside), plane(c, n), Join::Plane, plane(c, n));
         check_case!(point(c), sphere(c, r), Join::Space);
@@ -170,7 +170,7 @@ proptest! {
     }
 }
 
-/// Where one holds the other the join is that one, oriented as it was and of weight 1.
+/// Where one contains the other, the join is the larger one with its orientation and weight 1.
 #[test]
 fn what_holds_the_other_comes_back() {
     let t = tolerance();
@@ -185,15 +185,15 @@ fn what_holds_the_other_comes_back() {
     );
     assert_eq!(l.join(e, t), Some(Join::Plane(plane(O, [0.0, -1.0, 0.0]))));
     assert_eq!(point([0.0, 2.0, 0.0]).join(s, t), Some(Join::Sphere(s)));
-    // Of two that are the same the first.
+    // Of two equal primitives the join is the first.
     let back = line(O, [0.0, 0.0, 5.0]);
     assert_eq!(l.join(back, t), Some(Join::Line(line(O, [0.0, 0.0, -1.0]))));
     assert_eq!(back.join(l, t), Some(Join::Line(line(O, Z))));
 }
 
-/// A circle, a sphere or a pair that is no larger than the tolerance counts as its centre.
+/// A circle, sphere or pair no larger than the tolerance counts as its centre.
 #[test]
-fn what_is_small_is_a_point() {
+fn figures_within_the_tolerance_are_points() {
     let t = tolerance();
     assert_eq!(
         sphere(X, 0.0).join(sphere(X, 0.0), t),
@@ -245,7 +245,7 @@ fn tolerances() {
     }
 }
 
-/// Lines that pass each other within the tolerance join to the plane midway between them.
+/// The join of lines whose distance is within the tolerance is the plane midway between them.
 #[test]
 fn lines_that_all_but_cross() {
     let loose = Tolerance::new(0.1, 1e-3);
@@ -300,7 +300,7 @@ fn bad_input() {
     assert_eq!(o.join(point(X) ^ point(X), t), None);
     // Beyond the range of the scalar.
     assert_eq!(point([1e200, 0.0, 0.0]).join(circle(O, X, 1.0), t), None);
-    // A tolerance that holds for nothing: a point is not even on itself, and no line leads there.
+    // With a negative tolerance a point does not even lie on itself.
     let none = Tolerance::new(f64::NAN, f64::NAN);
     assert_eq!(o.join(o, none), None);
     assert!(matches!(o.join(point(X), none), Some(Join::Line(_))));

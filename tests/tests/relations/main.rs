@@ -1,5 +1,4 @@
-//! How two elements of cga3 lie to each other: angles, distances, incidence, meets, joins and
-//! projections.
+//! Relations of two elements of cga3: angles, distances, incidence, meets, joins and projections.
 
 mod angle;
 mod distance;

@@ -23,7 +23,7 @@ fn ends(pair: PointPair<f64>) -> [Vector; 2] {
     pair.endpoints().expect("a real pair").map(place)
 }
 
-/// The part of a sphere's or circle's radius that a chord at a distance leaves.
+/// Half the chord of a sphere or circle at this distance from its centre.
 fn leg(r: f64, distance: f64) -> f64 {
     (r * r - distance * distance).sqrt()
 }
@@ -119,7 +119,7 @@ proptest! {
         near(found.radius_squared().unwrap(), r * r * (1.0 - off * off), 1e-10 * (off * r).powi(2).max(1.0));
         near_vector(place(found.centre().unwrap()), along(c, off * r, u), 1e-11 * off);
         positive_multiple(&dense(&found), &dense(&at(off)).vee(&dense(&s)).scale(-1.0), 1e-9);
-        // An imaginary sphere is met in imaginary points by all.
+        // Every meet with an imaginary sphere is imaginary.
         let found = outcome!(meet(at(part), sphere_of_square(c, -r * r)), LineAndSphere::Imaginary);
         near(found.radius_squared().unwrap(), -r * r * (1.0 + part * part), 1e-10);
     }
@@ -159,7 +159,7 @@ proptest! {
     #[test]
     fn spheres(c in vector(3.0), n in unit(), r in 0.2..4.0_f64, s in 0.2..4.0_f64, part in 0.03..0.97_f64) {
         prop_assume!((r - s).abs() > 0.02);
-        // Between touching from within and from without.
+        // Between touching from inside and from outside.
         let (near_by, far) = ((r - s).abs(), r + s);
         let d = near_by + part * (far - near_by);
         let (a, b) = (sphere(c, r), sphere(along(c, d, n), s) * 2.0);
@@ -212,7 +212,7 @@ proptest! {
         }
         let found = outcome!(meet(at(1.0 / part), ring), LineAndCircle::Imaginary);
         near_vector(place(found.centre().unwrap()), along(c, r / part, u), 1e-10 / part);
-        // Across its plane, through the circle and beside it.
+        // Perpendicular to its plane, through the circle and beside it.
         let across = along(n.map(|x| tilt.sin() * x), tilt.cos(), along(u, 0.5, v));
         let x = along(c, r, u);
         near_vector(place(outcome!(meet(line(along(x, 2.0, across), across), ring), LineAndCircle::Point)), x, 1e-10);
@@ -226,7 +226,7 @@ proptest! {
         prop_assume!(sine > 0.05);
         let (u, ring) = (unit_of(cross(m, n)), circle(c, n, r));
         let v = cross(u, n);
-        // The plane at a part of the radius down the steepest one.
+        // The plane that meets the circle's plane at this fraction of the radius.
         let at = |part: f64| plane(along(c, part * r, v), m.map(|x| 2.0 * x));
         let half = leg(r, part * r);
         let found = outcome!(meet(ring, at(part)), PlaneAndCircle::Points);
@@ -334,13 +334,14 @@ proptest! {
     fn circles_in_two_planes(x in vector(3.0), n in unit(), m in unit(), r in 0.3..4.0_f64, s in 0.3..4.0_f64, half in 0.05..0.28_f64, swing in 0.3..1.2_f64) {
         prop_assume!(length(cross(n, m)) > 0.1);
         let u = unit_of(cross(m, n));
-        // Two points x ± half u in both planes; the centres off their middle, in each plane.
+        // Two points x ± half u in both planes; the centres lie beside their midpoint, each in its
+        // plane.
         let centre = |n: Vector, r: f64| along(x, leg(r, half), cross(n, u));
         let (a, b) = (circle(centre(n, r), n, r), circle(centre(m, s), m, s));
         let [p, q] = ends(outcome!(meet(a, b), CircleAndCircle::Points));
         near_vector(p, along(x, -half, u), 1e-8);
         near_vector(q, along(x, half, u), 1e-8);
-        // One common point: the second circle swung about it.
+        // One common point: the second circle is rotated about it.
         let swung = along(cross(m, u).map(|x| x * swing.cos()), swing.sin(), u);
         let b = circle(along(along(x, half, u), s, swung), m, s);
         near_vector(place(outcome!(meet(a, b), CircleAndCircle::Point)), along(x, half, u), 1e-8);
@@ -370,7 +371,7 @@ fn vectors_of_other_libraries() {
     }
 }
 
-/// Checks all records, of which there are so many.
+/// Checks all records and that there are `count` of them.
 fn check_vectors(all: &serde_json::Value, count: usize) {
     let number = |v: &serde_json::Value| v.as_f64().expect("a number");
     let triple = |v: &serde_json::Value| -> Vector { std::array::from_fn(|k| number(&v[k])) };

@@ -1,5 +1,5 @@
-//! Meets that are degenerate: radius zero, imaginary, at the edge of the tolerance, and of what is
-//! no figure.
+//! Degenerate meets: of radius zero, imaginary, at the limit of the tolerance, and of elements that
+//! are not a figure.
 
 use ga_runtime::cga3::{Circle, Line, Plane, Point, Sphere};
 use ga_runtime::geometry::relation::meet::{
@@ -133,7 +133,7 @@ fn imaginary_rounds() {
     assert!(matches!(meet(ring, ring), CircleAndCircle::Coincident(_)));
 }
 
-/// A squared radius that is negative by less than the square of the tolerance is that of a point.
+/// A negative squared radius smaller than the square of the tolerance is that of a point.
 #[test]
 fn radius_zero_but_for_rounding() {
     let (point_like, imaginary) = (sphere_of_square(O, -0.9e-18), sphere_of_square(O, -1.1e-18));
@@ -152,7 +152,7 @@ fn radius_zero_but_for_rounding() {
     ));
 }
 
-/// The tolerance is a distance: as much more or less than it takes to touch decides.
+/// The tolerance is a distance: figures touch if their gap or overlap is no larger.
 #[test]
 fn tolerances() {
     let loose = Tolerance::new(1e-3, 1e-3);
@@ -187,12 +187,12 @@ fn tolerances() {
         assert_eq!(matches!(found, LineAndPlane::Parallel { .. }), touches);
         let found = plane(X, X).meet(plane(O, tilted), loose).unwrap();
         assert_eq!(matches!(found, PlaneAndPlane::Parallel { .. }), touches);
-        // A point of the circle beside the line, across its plane.
+        // A point of the circle beside the line, perpendicular to the plane.
         let found = line([1.0 + off, 0.0, 0.0], Z)
             .meet(circle(O, Z, 1.0), loose)
             .unwrap();
         assert_eq!(matches!(found, LineAndCircle::Point(_)), touches);
-        // A circle beside a sphere, and all but on it.
+        // A circle beside a sphere, and one almost on it.
         let found = s
             .meet(circle([2.0 + off, 0.0, 0.0], Z, 1.0), loose)
             .unwrap();
@@ -206,7 +206,7 @@ fn tolerances() {
 fn bad_input() {
     let t = tolerance();
     let (l, e, s, c) = (line(O, X), plane(O, X), sphere(O, 1.0), circle(O, Z, 1.0));
-    // Weight zero: no line, no plane, no sphere, no circle.
+    // Of weight zero, none of these is a figure.
     let flat_sphere = ga_runtime::cga3::DualSphere::new(0.0, 0.0, 2.0, 0.0, 6.0).undual();
     let flat_circle = Circle::through(point(O), point(X), point([2.0, 0.0, 0.0]));
     let nothing = |l2: Line<f64>, e2: Plane<f64>, s2: Sphere<f64>, c2: Circle<f64>| {
@@ -257,7 +257,7 @@ fn bad_input() {
             broken,
         );
     }
-    // No tolerance that holds for nothing makes an endless loop or NaN.
+    // A negative tolerance or NaN causes neither an endless loop nor NaN.
     for bad in [f64::NAN, -1.0] {
         let none = Tolerance::new(bad, bad);
         assert!(matches!(s.meet(s, none), Some(SphereAndSphere::Concentric)));

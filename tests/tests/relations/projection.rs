@@ -5,7 +5,7 @@ use ga_runtime::geometry::relation::RoundOrFlat::{Flat, Round};
 use nullcone_tests::plain::*;
 use proptest::prelude::*;
 
-/// The centre of the round vector that the part of a point in a flat is.
+/// The projection of a point onto a flat is a round vector; this is its centre.
 fn centre_of_part(p: Vector, flat: &ga_runtime::dense::Multivector<f64>) -> Vector {
     let x = dense(&point(p));
     let part = &(&x | flat) * &flat.inverse().expect("not null");
@@ -35,7 +35,7 @@ proptest! {
         let foot = along(q, r / length(from), from);
         near_vector(place(x.project_onto(sphere(q, r))), foot, 1e-12);
         near_vector(place((x ^ Infinity).project_onto(sphere(q, r))), foot, 1e-11);
-        // An end of the pair in which the line through the centre meets the sphere.
+        // An end of the point pair in which the line through the centre meets the sphere.
         let ends = dense(&(point(q) ^ x ^ Infinity)).vee(&dense(&sphere(q, r)));
         let on = ends.wedge(&dense(&point(foot)));
         prop_assert!(on.coefficients().iter().all(|c| c.abs() < 1e-8));
@@ -44,7 +44,7 @@ proptest! {
         let foot = along(q, r / length(flat), flat);
         near_vector(place(x.project_onto(circle(q, n, r))), foot, 1e-11);
         near_vector(x.reject_from(circle(q, n, r)).unwrap().vector(), minus(p, foot), 1e-11);
-        // The projection is at the least distance.
+        // The projection is the nearest point.
         near(length(minus(p, foot)), x.distance_to(circle(q, n, r)).unwrap(), 1e-12);
     }
 
@@ -70,13 +70,13 @@ proptest! {
         near(image.distance(point(foot(0.0))).unwrap(), 0.0, 1e-12);
         let rest = l.reject_from(e).unwrap();
         near_vector(rest.direction(), n.map(|x| x * slope.signum()), 1e-13);
-        // As the algebra splits the line into two.
+        // The algebra splits the line into the same two parts.
         let (x, flat) = (dense(&l), dense(&e));
         let part = &(&x | &flat) * &flat.inverse().unwrap();
         positive_multiple(&dense(&image), &part, 1e-11);
         positive_multiple(&dense(&rest), &(&x - &part), 1e-11);
-        // The great circle: its plane is that of the line and the centre, and it turns as the line
-        // passes.
+        // A great circle: its plane contains the line and the centre, and its direction is that of
+        // the line.
         let below = l.great_circle_on(sphere(q, r));
         let arm = minus(p, q);
         prop_assume!(length(cross(arm, d)) > 0.1);
@@ -88,7 +88,8 @@ proptest! {
         positive_multiple(&dense(&below), &by_algebra, 1e-9);
     }
 
-    /// Every element in all three mirrors, against the odd and even versors of the dense algebra.
+    /// Reflections of every element in a plane, line and point, against the odd and even versors of
+    /// the dense algebra.
     #[test]
     fn reflections(p in vector(3.0), q in vector(3.0), s in vector(3.0), d in unit(), n in unit(), c in vector(3.0), r in 0.1..3.0_f64) {
         let (e, l, o) = (plane(c, n.map(|x| -2.0 * x)), line(c, n.map(|x| 3.0 * x)), point(c));
@@ -120,7 +121,7 @@ proptest! {
             RoundVector::dual_sphere(point(p), r), DualPlane::from_normal_distance(d, r),
             point(p) ^ point(q) ^ point(s)
         );
-        // The motion by hand: three points of a plane, moved.
+        // The plane through three of its points, moved.
         let three = [p, q, s].map(point);
         let moved = three.map(|x| x.reflect_in(e).unwrap());
         let image = (three[0] ^ three[1] ^ three[2] ^ Infinity).reflect_in(e).unwrap();
@@ -144,13 +145,14 @@ proptest! {
             })*};
         }
         check!(point(p) ^ Infinity, pair(p, q));
-        // Off the centre enough for rounds that are not nearly flat.
+        // Far enough from the centre that the images are not nearly flat.
         let away = |x: f64| x > 0.1;
         prop_assume!(away(point(c).distance_to(line(p, d)).unwrap()) && away(point(c).distance_to(plane(p, d)).unwrap()));
         prop_assume!(away(point(c).distance_to(circle(p, d, size)).unwrap()) && away(point(c).distance_to(sphere(p, size)).unwrap()));
         check!(line(p, d), plane(p, d), circle(p, d, size), sphere(p, size));
 
-        // Through the centre they become flat, and those flats are what three images span.
+        // Elements through the centre become flats, which are spanned by the images of their
+        // points.
         let arm = unit_of(cross(d, s));
         prop_assume!(length(cross(d, s)) > 0.1);
         let image_of = |x: Vector| point(x).invert_in(mirror, t).unwrap();
@@ -181,7 +183,7 @@ fn where_no_point_is_nearest() {
     assert_eq!(o.reject_from(sphere(O, 1.0)), None);
     assert_eq!(o.project_onto(circle(O, Z, 1.0)), None);
     assert_eq!(point([0.0, 0.0, 7.0]).project_onto(circle(O, Z, 1.0)), None);
-    // The axis counts as such where only rounding tells the point from it.
+    // A point that differs from the axis only by rounding counts as lying on it.
     assert_eq!(
         point([1e-17, 0.0, 7.0]).project_onto(circle(O, Z, 1.0)),
         None
@@ -225,7 +227,7 @@ fn where_nothing_can_be_inverted() {
         p.invert_in(DualSphere::new(0.0, 0.0, 1.0, 0.0, 1.0).undual(), t),
         None
     );
-    // A sphere about the centre stays one about it.
+    // A sphere about the centre is mapped to a sphere about it.
     match sphere(O, 2.0).invert_in(sphere(O, 1.0), t) {
         Some(Round(image)) => assert_eq!(image.radius(), Some(0.5)),
         other => panic!("{other:?}"),
@@ -288,7 +290,8 @@ fn bad_input() {
     );
 }
 
-/// Far from the origin single precision keeps what its spacing there allows.
+/// Far from the origin, errors in single precision are of the order of the spacing of the numbers
+/// there.
 #[test]
 fn single_precision_far_from_the_origin() {
     let spacing = f32::EPSILON * 1e4;

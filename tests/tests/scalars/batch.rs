@@ -1,5 +1,5 @@
-//! Batches against the same operations on single elements, to the last bit, for every length and on
-//! every set of instructions.
+//! Batches are bit-identical to the same operations on single elements, for every length and every
+//! instruction set.
 
 use ga_runtime::batch::{self, Batch, BlendError, InstructionSet, LengthMismatch, Moved};
 use ga_runtime::cga3::{
@@ -55,8 +55,8 @@ where
                 .transform_each(motors, elements, &mut moved)
                 .expect("one length");
             assert_eq!(moved, each, "{set:?}, {length} elements");
-            // One motor: a linear map, which rounds in another order than the product of one
-            // element.
+            // A single motor is applied as a linear map, which rounds in another order than the
+            // product does.
             let motor = members::<Motor<S>>(42)[41];
             batch
                 .transform_into(&motor, elements, &mut moved)
@@ -164,7 +164,7 @@ fn every_blend_has_the_sign_of_the_heaviest() {
         let rotor = Rotor::from_axis_angle([0.0, 0.0, 1.0], angle).expect("an axis");
         Translator::from_displacement([angle, 0.0, 2.0]) * rotor
     };
-    // By the weights, and of equal weights by the order, the second of these decides.
+    // The second motor decides the sign: it is the first of those with the largest weight.
     for weights in [[0.2, 0.5, 0.3], [0.1, 0.45, 0.45]] {
         for signs in [
             [1.0, 1.0, 1.0],
@@ -192,8 +192,8 @@ fn every_blend_has_the_sign_of_the_heaviest() {
                 Motor::blend_influences(weighted).expect("a mean"),
                 batched[0],
             ];
-            // The half-angle of the sum is between those of its terms, where its cosine is
-            // positive: a negative scalar is the sign of the heaviest.
+            // The half angle of the sum lies between those of its terms, where its cosine is
+            // positive: a negative scalar shows the sign of the heaviest motor.
             for motor in found {
                 assert!(
                     motor.scalar() * signs[1] > 0.0,
@@ -208,7 +208,7 @@ fn every_blend_has_the_sign_of_the_heaviest() {
 }
 
 #[test]
-fn what_is_wrong_is_said() {
+fn errors_say_what_is_wrong() {
     let motors = [Motor::<f64>::default(); 3];
     let points = [Point::default(); 2];
     let mut moved = [Point::new(7.0, 7.0, 7.0); 3];
@@ -234,7 +234,7 @@ fn what_is_wrong_is_said() {
             palette: 3
         })
     );
-    // An influence without weight may name anything.
+    // An influence of weight zero may name any motor.
     assert_eq!(
         batch::blend(&motors, &[[(0, 1.0), (9, 0.0)]], &mut means),
         Ok(())
@@ -253,7 +253,7 @@ fn what_is_wrong_is_said() {
 }
 
 #[test]
-fn what_is_not_finite_goes_through() {
+fn infinities_and_nan_are_propagated() {
     let motor = Motor::from(Translator::from_displacement([1.0, 0.0, 0.0]));
     for set in INSTRUCTION_SETS {
         let mut points = vec![Point::new(0.0, 0.0, 0.0); 9];

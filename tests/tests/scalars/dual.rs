@@ -6,7 +6,7 @@ use ga_runtime::cga3::{Motor, MotorGenerator, Point, Rotor, Translator};
 use ga_runtime::scalar::{Dual, Field, Lanes, Mask, Real, Ring};
 use proptest::prelude::*;
 
-/// Functions of two variables, smooth and of moderate slope everywhere.
+/// Functions of two variables that are smooth with moderate derivatives everywhere.
 #[derive(Clone, Debug)]
 enum Expression {
     X,
@@ -70,7 +70,7 @@ fn evaluate<S: Real>(expression: &Expression, x: S, y: S) -> S {
     }
 }
 
-/// The derivative by differences of values, with an error of order h⁶.
+/// The derivative by finite differences, with an error of order h⁶.
 fn by_differences(function: impl Fn(f64) -> f64) -> f64 {
     let h = 1.0 / 256.0;
     let odd = |k: f64| function(k * h) - function(-k * h);
@@ -124,8 +124,8 @@ proptest! {
         }
     }
 
-    /// Whatever comes in, the value is that of the plain number, and a NaN never appears beside a
-    /// finite value of finite slope.
+    /// For all inputs the value is that of the plain number, and the derivative is not NaN where
+    /// value and derivative are finite.
     #[test]
     fn values_are_those_of_plain_numbers(x in prop::num::f64::ANY, y in prop::num::f64::ANY) {
         let [a, b] = Dual::variables([x, y]);
@@ -181,9 +181,9 @@ proptest! {
         }
     }
 
-    /// A turn at unit speed about an axis n moves points by n × x'.
+    /// A rotation at unit speed about an axis n moves points with velocity n × x'.
     #[test]
-    fn velocity_of_a_turn(axis in coordinates(), angle in -6.0..6.0, point in coordinates()) {
+    fn velocity_of_a_rotation(axis in coordinates(), angle in -6.0..6.0, point in coordinates()) {
         let length = axis.map(|n| n * n).iter().sum::<f64>().sqrt();
         prop_assume!(length > 1e-3);
         let rotor = Rotor::from_axis_angle(axis.map(Dual::constant), Dual::variable(angle)).expect("an axis");
@@ -262,7 +262,7 @@ fn singular_points_give_what_the_table_says() {
         moving(1.0).max(Dual::constant(1.0)).derivatives,
         moving(1.0).derivatives
     );
-    // At infinity the angle has come to rest.
+    // At infinity the angle is constant.
     assert_eq!(moving(1.0).atan2(moving(infinity)), Dual::constant(0.0));
     assert_eq!(
         moving(infinity).atan2(moving(1.0)),
@@ -275,7 +275,7 @@ fn singular_points_give_what_the_table_says() {
 }
 
 #[test]
-fn what_does_not_move_has_no_derivative() {
+fn constants_have_zero_derivatives() {
     let resting = Dual::<f64, 2>::constant(0.0);
     for x in [resting.sqrt(), resting.ln(), resting.atan2(resting)] {
         assert_eq!(x.derivatives, [0.0; 2]);

@@ -46,7 +46,7 @@ fn expression() -> impl Strategy<Value = Expression> {
     })
 }
 
-/// The value over any scalar; `None` where something is divided by zero.
+/// The value over any scalar; `None` for a division by zero.
 fn evaluate<S: Field>(
     expression: &Expression,
     variables: &[S; 3],
@@ -144,7 +144,7 @@ fn exact3() -> impl Strategy<Value = [Prime61; 3]> {
     [prime(), prime(), prime()]
 }
 
-/// The same element, varying in no direction.
+/// The same element as a constant, with zero derivatives.
 fn constant<A, B, const N: usize>(element: A) -> B
 where
     A: Element<Scalar = Prime61>,
@@ -153,7 +153,7 @@ where
     B::from_coefficients_unchecked(&mut |blade| Dual::constant(element.coefficient(blade)))
 }
 
-/// `(1 + α e12)²/(1 + α²)`: the turn about e3 by the angle θ with `tan ¼θ = −α`.
+/// `(1 + α e12)²/(1 + α²)`: the rotation about e3 by the angle θ with `tan ¼θ = −α`.
 fn turn<S: Field>(alpha: S) -> Rotor<S> {
     let norm = (S::one() + alpha * alpha).recip();
     Rotor::new_unchecked(
@@ -176,7 +176,7 @@ proptest! {
         let gradient = dual.map_or([Prime61::zero(); 3], |d| d.derivatives);
         let [p, q] = along(&expression, &start, &direction);
         let ((p0, p1), (q0, q1)) = (first_terms(&p), first_terms(&q));
-        // The denominators of the steps may vanish together though no divisor does.
+        // A product of denominators may be zero although no divisor is.
         prop_assume!(q0 != Prime61::zero());
         let slope = (p1 * q0 - p0 * q1) / (q0 * q0);
         let directional = (0..3).fold(Prime61::zero(), |sum, k| sum + gradient[k] * direction[k]);
@@ -220,8 +220,8 @@ proptest! {
         prop_assert_eq!(a.recip() * b, b / a);
     }
 
-    /// The Jacobian of a motion by the coordinates is its turn: the columns are the turned basis
-    /// vectors.
+    /// The Jacobian of a motion by the coordinates is its rotation: the columns are the rotated
+    /// basis vectors.
     #[test]
     fn jacobian_of_a_sandwich(motor in exact_member::<Motor<Prime61>>(), point in exact3(), step in exact3()) {
         let moved = constant::<_, Motor<Dual<Prime61, 3>>, 3>(motor).transform(Point::from(Dual::variables(point)));
@@ -249,7 +249,7 @@ proptest! {
         }
     }
 
-    /// The velocity of a point by the parameters of the motor that moves it.
+    /// The derivative of a moved point by the parameters of the motor.
     #[test]
     fn velocity_by_the_parameters_of_a_motor(alpha in nonzero_prime(), shift in exact3(), point in exact3()) {
         let one = Prime61::one();
@@ -270,8 +270,8 @@ proptest! {
         }
     }
 
-    /// The chain rule through a product of motors: the inner one's derivative is turned by the
-    /// outer one.
+    /// The chain rule for a product of motors: the outer motor rotates the derivative of the inner
+    /// one.
     #[test]
     fn chain_rule_through_motors(outer in exact_member::<Motor<Prime61>>(), alpha in prime(), point in exact3()) {
         prop_assume!(Prime61::one() + alpha * alpha != Prime61::zero());

@@ -1,4 +1,4 @@
-//! Lanes: each holds what a single number would.
+//! Lanes: each holds the result of the operation on a single number.
 
 use ga_runtime::Element;
 use ga_runtime::cga3::{Circle, Line, Motor, Plane, Point, Rotor, Sphere, Translator};
@@ -9,7 +9,7 @@ use proptest::array::{uniform4, uniform8};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
-/// Equality of bits; one NaN is as good as another.
+/// Equality of bits, with all NaNs equal.
 trait Same: Copy {
     fn same(self, other: Self) -> bool;
 }
@@ -24,7 +24,7 @@ impl Same for f64 {
     }
 }
 
-/// Holds every operation on lanes against the same on each of the numbers.
+/// Compares every operation on lanes with the same operation on each number.
 fn check<T: Real<Mask = bool> + Same, const N: usize>(
     a: [T; N],
     b: [T; N],
@@ -95,7 +95,7 @@ fn check<T: Real<Mask = bool> + Same, const N: usize>(
     Ok(())
 }
 
-/// Any bits, with special numbers and equal ones more often than by chance.
+/// Any bits; special and equal numbers are drawn more often.
 fn single() -> impl Strategy<Value = f32> {
     const SPECIAL: [f32; 6] = [0.0, -0.0, 1.0, f32::INFINITY, f32::NEG_INFINITY, f32::NAN];
     prop_oneof![
@@ -203,7 +203,7 @@ proptest! {
 
 type Eight = Lanes<f32, 8>;
 
-/// An element whose lanes are the given ones.
+/// The element over lanes whose lanes are these elements.
 fn gather<A, L, const N: usize>(elements: [A; N]) -> L
 where
     A: Element,

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 
 const P: u128 = (1 << 61) - 1;
 
-/// Any number, with those about the multiples of the modulus more often than by chance.
+/// Any number; those near the multiples of the modulus are drawn more often.
 fn integer() -> impl Strategy<Value = u64> {
     prop_oneof![
         3 => any::<u64>(),

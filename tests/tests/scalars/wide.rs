@@ -6,7 +6,7 @@ use proptest::array::{uniform2, uniform4, uniform8};
 use proptest::prelude::*;
 use wide::{f32x4, f32x8, f64x2, f64x4};
 
-/// Equality of bits, where one NaN is as good as another, and distance in units in the last place.
+/// Equality of bits, with all NaNs equal, and distance in units in the last place.
 trait Number: Real<Mask = bool> {
     fn same(self, other: Self) -> bool;
     fn units_apart(self, other: Self) -> f64;
@@ -64,7 +64,8 @@ fn elementary<S: Real>(x: S, y: S) -> [S; 3] {
     [x.atan2(y), x.exp(), x.ln()]
 }
 
-/// Sine and cosine are absolutely that good, in ε; the others in units in the last place.
+/// Bound of the absolute error of sine and cosine in ε, and of the others in units in the last
+/// place.
 const SINE_BOUND: f64 = 2.0;
 const ULP_BOUND: f64 = 4.0;
 

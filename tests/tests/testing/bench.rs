@@ -1,11 +1,11 @@
-//! `bench_product!`, run with a stand-in for criterion that writes down what it is asked to do.
+//! `bench_product!`, run with a stand-in for criterion that records its calls.
 
 use std::cell::Cell;
 
 use ga_runtime::cga3::{Motor, Point};
 use ga_runtime::testing::{bench_product, cga3, member, sample, strategy};
 
-/// As much of criterion as the macro uses.
+/// The part of criterion that the macro uses.
 mod stand_in {
     #[derive(Debug, PartialEq)]
     pub(super) enum Throughput {
@@ -80,8 +80,7 @@ fn operations_are_registered_and_run() {
         "done",
     ];
     assert_eq!(criterion.log, expected);
-    // Once to make room for the results, and once in each of two passes; conversions are done
-    // beforehand.
+    // Once to allocate the results, and once in each of two passes; conversions are done before.
     assert_eq!(
         (calls.get(), rival_calls.get(), conversions.get()),
         (3072, 3072, 1024)

@@ -1,10 +1,10 @@
-//! `assert_close!` fails where it should, and says why.
+//! `assert_close!` fails where it should, and its message says why.
 
 use ga_runtime::dense::Algebra;
 use ga_runtime::testing::{Deviation, assert_close, check_close, strategy};
 use proptest::prelude::*;
 
-/// The message of the deviation, or of none.
+/// The message of the deviation, if there is one.
 fn message(result: Result<(), Deviation>) -> String {
     result
         .err()
@@ -27,7 +27,7 @@ fn the_tolerance_is_relative_to_the_largest_coefficient() {
 }
 
 #[test]
-fn what_is_not_finite_fails() {
+fn infinities_and_nan_fail() {
     for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         assert!(check_close(&value, &value, None, None).is_err());
         assert!(check_close(&[1.0, value], &[1.0, 2.0], Some(f64::INFINITY), None).is_err());
@@ -78,8 +78,8 @@ fn the_assertion_panics() {
 }
 
 proptest! {
-    /// Within half the tolerance it passes, beyond it fails, wherever the deviation is and whatever
-    /// the magnitude.
+    /// Half the tolerance passes and twice the tolerance fails, for every coefficient and
+    /// magnitude.
     #[test]
     fn the_tolerance_is_the_border(
         values in proptest::collection::vec(strategy::float(1.0), 1..20),

@@ -32,7 +32,7 @@ fn elements_are_compared_in_all_blades() {
         )
         .is_err()
     );
-    // Many at once, and in single precision.
+    // Several elements at once, and in single precision.
     assert_close!([motor, motor], vec![nudged, motor]);
     assert_close!(Point::new(0.1_f32, 0.2, 0.3), Point::new(0.1, 0.2, 0.3));
     assert_close!(Point::new(0.1_f32, 0.2, 0.3), Point::new(0.1_f64, 0.2, 0.3));
@@ -52,8 +52,8 @@ fn messages_name_the_blade() {
     assert!(check_close(&nowhere, &nowhere, None, None).is_err());
 }
 
-/// Whether the members of a type are finite, read back as they were made, and unit versors where
-/// the type says so.
+/// Checks that the members of a type are finite, are read back as constructed, and are unit versors
+/// where the type says so.
 fn check_members<T: Element<Scalar = f64> + PartialEq + std::fmt::Debug>() {
     let algebra = algebra_of::<f64>(T::METRIC);
     for_all(member::<T, _>(strategy::float(0.9)), |element| {
@@ -112,8 +112,8 @@ fn every_type_has_random_members() {
     );
 }
 
-/// Random motors turn by all angles of both signs of the scalar, about all axes, and shift along
-/// all directions.
+/// Random motors rotate by all angles, with both signs of the scalar, about all axes, and translate
+/// in all directions.
 #[test]
 fn random_motors_go_everywhere() {
     let mut seen = std::collections::BTreeSet::new();

@@ -1,5 +1,4 @@
-//! `cargo test` runs the examples of ga-runtime, each by a test of its own; here is checked that
-//! none is left out.
+//! Each example of ga-runtime has a test of its own; this checks that none is left out.
 
 use std::collections::BTreeSet;
 use std::fs;

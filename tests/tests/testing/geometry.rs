@@ -1,5 +1,5 @@
-//! The strategies for cga3: what they draw is what they say, and every special position comes up.
-//! Checked in plain coordinates.
+//! The strategies for cga3: they draw what they promise, and every special position occurs. Checked
+//! in plain coordinates.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -23,7 +23,7 @@ fn share<T>(cases: &[T], mut predicate: impl FnMut(&T) -> bool) -> f64 {
     cases.iter().filter(|case| predicate(case)).count() as f64 / cases.len() as f64
 }
 
-/// A share of the cases, give or take three standard deviations and a bit.
+/// Asserts that the share of cases is as expected within 3.5 standard deviations.
 #[track_caller]
 fn assert_share<T>(cases: &[T], expected: f64, predicate: impl FnMut(&T) -> bool) {
     let found = share(cases, predicate);
@@ -100,8 +100,7 @@ fn points_are_in_the_cube() {
     assert!(share(&points, |p| any(p, &|x| x != 0.0 && x.abs() < 1e-6)) > 0.1);
 }
 
-/// Whether points in plain coordinates are on one line; in one plane; in one plane and on one
-/// circle; on one sphere.
+/// Whether the points are collinear, coplanar, coplanar and concyclic, or on one sphere.
 fn positions(points: &[[f64; 3]; 5]) -> [bool; 4] {
     let edges = [1, 2, 3, 4].map(|k| minus(points[k], points[0]));
     let span = edges.iter().map(|&e| length(e)).fold(1e-300, f64::max);
@@ -115,8 +114,8 @@ fn positions(points: &[[f64; 3]; 5]) -> [bool; 4] {
     // With squares as fourth coordinates, spheres become planes.
     let rows = [a, b, c, d].map(|[x, y, z]| [x, y, z, x * x + y * y + z * z]);
     let on_sphere = determinant(rows).abs() < 1e-9;
-    // In a plane, Ptolemy's theorem tells four points on a circle, here for the first four and for
-    // the last with three of them.
+    // In a plane, four points are concyclic by Ptolemy's theorem; here the first four, and the last
+    // with three of them.
     let on_circle = in_plane && is_cyclic([[0.0; 3], a, b, c]) && is_cyclic([[0.0; 3], a, b, d]);
     [on_line, in_plane, on_circle, on_sphere]
 }
@@ -204,8 +203,7 @@ fn point_configurations_take_every_position() {
     );
 }
 
-/// How far the square of a motor's norm is from 1, by its coefficients: `⟨M ~M⟩ = 1` and the Study
-/// condition.
+/// The deviation of a motor's coefficients from `⟨M ~M⟩ = 1` and the Study condition.
 fn off_unit(m: &Motor<f64>) -> f64 {
     let norm = m.scalar().powi(2) + m.e12().powi(2) + m.e13().powi(2) + m.e23().powi(2);
     let study = m.scalar() * m.e123i() - m.e12() * m.e3i() + m.e13() * m.e2i() - m.e23() * m.e1i();
@@ -213,11 +211,11 @@ fn off_unit(m: &Motor<f64>) -> f64 {
 }
 
 #[test]
-fn rotors_turn_every_way() {
+fn rotors_rotate_in_every_direction() {
     let rotors: Vec<Rotor<f64>> = drawn(cga3::rotors());
     assert!(rotors.iter().all(|&r| off_unit(&r.into()) < 1e-14));
     let still = Rotor::default();
-    // 0, and what is so small that its cosine is 1 and its square is zero.
+    // 0, and angles so small that the cosine is 1 and the square is zero.
     assert!(share(&rotors, |r| *r == still) > 0.02);
     assert!(share(&rotors, |r| *r != still && r.scalar() == 1.0) > 0.1);
     assert!(share(&rotors, |r| r.scalar() == -1.0) > 0.02);
@@ -240,7 +238,7 @@ impl MapToF64 for Rotor<f32> {
 }
 
 #[test]
-fn translators_shift_within_the_cube() {
+fn translators_translate_within_the_cube() {
     let shifts: Vec<Translator<f64>> = drawn(cga3::translators(SIZE));
     assert!(
         shifts
@@ -268,7 +266,7 @@ fn motors_are_of_every_kind() {
     let slides = |m: &Motor<f64>| m.e123i().abs() > 1e-9;
     assert!(share(&motors, |m| turns(m) && shift(m) > 1e-3 && !slides(m)) > 0.05);
     assert!(share(&motors, |m| turns(m) && slides(m)) > 0.3);
-    // The distances of points stay what they are.
+    // The distances of points do not change.
     let points: Vec<[Point<f64>; 2]> = drawn(cga3::point_configurations(SIZE));
     for (motor, [p, q]) in motors.iter().zip(points) {
         let after = motor.transform(p).distance(motor.transform(q));
@@ -449,8 +447,8 @@ fn pairs_of_lines_take_every_position() {
     };
     let found: Vec<_> = pairs.iter().map(position).collect();
     let is_parallel = |p: &Position| p.sine < 1e-14;
-    // Weights turn lines round, so that the same line and its reverse are told apart by half of the
-    // cases each.
+    // Negative weights reverse lines, so that equal and opposite lines each occur in half of these
+    // cases.
     assert!(
         share(&found, |p| is_parallel(p)
             && p.offset < 1e-12
@@ -504,7 +502,7 @@ fn pairs_of_spheres_take_every_position() {
             |sphere: &Sphere<f64>| sphere.radius_squared().expect("a radius").max(0.0).sqrt();
         (centre(a).distance(centre(b)), radius(a), radius(b))
     };
-    // Where both are large enough for their radii to be read back to ten digits.
+    // Both are large enough that their radii can be read back to ten digits.
     let found: Vec<_> = pairs
         .iter()
         .map(position)
@@ -524,7 +522,7 @@ fn pairs_of_spheres_take_every_position() {
     assert!(rate(&|d, r, s| d > r + s + 1e-3) > 0.08);
 }
 
-/// Whether the coefficients of all that is drawn are finite and some are not zero.
+/// Asserts that all drawn coefficients are finite and some are not zero.
 #[track_caller]
 fn assert_finite<T: Element<Scalar = f32>>(strategy: impl Strategy<Value = T>) {
     for element in sample(&strategy, 300, 1) {

@@ -1,5 +1,5 @@
-//! What ga-runtime offers to tests: strategies, comparisons and benchmarks of products. The
-//! examples of ga-runtime are found here too.
+//! The testing module of ga-runtime: strategies, comparisons and benchmarks of products; and a
+//! check that all its examples are run.
 
 mod bench;
 mod close;

@@ -18,7 +18,7 @@ use nullcone_tests::random::SplitMix64;
 use proptest::prelude::*;
 use serde_json::Value;
 
-/// What a series gives: `exp b` by scaling, 24 terms and squaring in the reference algebra.
+/// `exp b` by its series in the dense reference: scaling, 24 terms, squaring.
 fn series(bivector: &PointPair<f64>) -> dense::Multivector<f64> {
     let algebra = algebra_of(PointPair::<f64>::METRIC);
     let bivector = to_dense(&algebra, bivector);
@@ -50,7 +50,7 @@ fn size<T: Element<Scalar = f64>>(element: &T) -> f64 {
 fn deviation<T: Element<Scalar = f64>>(found: &T, expected: &T) -> f64 {
     let (a, b) = (numbers(found), numbers(expected));
     let difference = a.iter().zip(&b).map(|(a, b)| (a - b).abs());
-    // No NaN gets lost.
+    // NaN is propagated.
     let worst = difference.fold(0.0, |m, x| if x <= m { m } else { x });
     let scale = size(expected);
     if worst == 0.0 { 0.0 } else { worst / scale }
@@ -65,8 +65,8 @@ fn random_bivector(n: &mut SplitMix64) -> PointPair<f64> {
     bivector([(); 10].map(|()| n.within(1.0)))
 }
 
-/// The distance of a bivector from the edge of the branch, where the sum of the half angles of its
-/// turns is π.
+/// The distance of a bivector from the end of the principal branch, where the half angles of its
+/// rotations add up to π.
 fn room(b: PointPair<f64>) -> f64 {
     let wedge = b.wedge(b);
     let (s, square) = (b.scalar_product(b), wedge.scalar_product(wedge));
@@ -78,8 +78,8 @@ fn room(b: PointPair<f64>) -> f64 {
     PI - (-turn).max(0.0).sqrt()
 }
 
-/// Bivectors of all kinds: of any size, those of the special versors, and such as are nearly of a
-/// special kind.
+/// Bivectors of all kinds: of any size, logarithms of the special versors, and bivectors close to
+/// those.
 fn family(kind: usize, n: &mut SplitMix64) -> PointPair<f64> {
     let spread = 10_f64.powf(-3.0 * n.within(1.0).abs());
     let angle = 3.0 * n.within(1.0);
@@ -100,7 +100,7 @@ fn family(kind: usize, n: &mut SplitMix64) -> PointPair<f64> {
         3.0 * n.within(1.0),
     ]);
     let bend = Transversor::from_vector(n.vector(1.0)).log();
-    // Turns by equal angles in e12 and in the plane of e3 and the timelike vector's complement.
+    // Rotations by equal angles in e12 and in the orthogonal Euclidean plane.
     let equal = bivector([
         angle / 2.0,
         0.0,
@@ -147,7 +147,7 @@ fn exponentials_and_logarithms_undo_each_other() {
         let versor = b.exp().expect("in range");
         let log = versor.log();
         let again = log.exp().expect("in range");
-        // At the edge of the branch a small change of V changes the plane of the turn.
+        // At the end of the principal branch a small change of V changes the plane of rotation.
         let conditioning = 1.0 / room(log).min(1.0);
         let found = deviation(&again, &versor);
         assert!(
@@ -234,14 +234,14 @@ fn tiny_bivectors_keep_their_digits() {
     }
 }
 
-/// Versors that take everything to itself or whose whole turns can be about anything.
+/// Versors that act as the identity, or whose full rotations may be in any plane.
 fn on_the_edge() -> Vec<(&'static str, EvenVersor<f64>)> {
     let one = EvenVersor::<f64>::default();
     let shift = Translator::from_displacement([3.0, -4.0, 0.5]);
     let bend = Transversor::from_vector([0.3, 0.5, -0.7]);
     let growth = Dilator::from_factor(5.0).expect("positive");
     let half = PI / 2.0;
-    // Half turns in e12 and in the plane of e3 and eo − ½ei, which has a positive square.
+    // Rotations by 180° in e12 and in the plane of e3 and eo − ½ei, which has a positive square.
     let both = bivector([half, 0.0, 0.0, 0.0, 0.0, half, 0.0, 0.0, -half / 2.0, 0.0]);
     let other = bivector([half, 0.0, 0.0, 0.0, 0.0, -half, 0.0, 0.0, half / 2.0, 0.0]);
     vec![
@@ -250,7 +250,7 @@ fn on_the_edge() -> Vec<(&'static str, EvenVersor<f64>)> {
         ("minus a bend", -EvenVersor::from(bend)),
         ("minus a scaling", -EvenVersor::from(growth)),
         (
-            "minus a shift and scaling",
+            "minus a translation and scaling",
             -EvenVersor::from(shift * growth),
         ),
         ("two half turns", both.exp().expect("in range")),
@@ -262,7 +262,7 @@ fn on_the_edge() -> Vec<(&'static str, EvenVersor<f64>)> {
 }
 
 #[test]
-fn whole_turns_have_logarithms() {
+fn full_rotations_have_logarithms() {
     let log = (-EvenVersor::<f64>::default()).log();
     assert_eq!(
         log,
@@ -289,7 +289,7 @@ fn whole_turns_have_logarithms() {
 }
 
 #[test]
-fn what_is_not_finite_has_no_exponential() {
+fn bivectors_that_are_not_finite_have_no_exponential() {
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e200] {
         for place in 0..10 {
             let b = bivector(
@@ -298,7 +298,7 @@ fn what_is_not_finite_has_no_exponential() {
             assert_eq!(b.exp(), None, "{bad} at {place}");
         }
     }
-    // cosh 800 is beyond the range, a shift by 1e300 is not.
+    // cosh 800 is beyond the range, a translation by 1e300 is not.
     assert_eq!(
         bivector([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 800.0]).exp(),
         None
@@ -370,7 +370,7 @@ fn roots_powers_and_the_way_between() {
         let end = start * (b * 0.5).exp().expect("in range");
         let quarter = start.interpolate(end, 0.25).expect("in range");
         let expected = start * (b * 0.125).exp().expect("in range");
-        // The short way has half turns at most.
+        // The short way rotates by 180° at most.
         if room(b * 0.5) > PI / 2.0 {
             assert!(deviation(&quarter, &expected) <= 1e-11);
             assert!(
@@ -421,7 +421,7 @@ fn sums_have_nearest_versors() {
 }
 
 #[test]
-fn what_has_no_nearest_versor_is_none() {
+fn sums_without_a_nearest_versor_give_none() {
     let none = |sum: Even<f64>| assert_eq!(EvenVersor::normalize(sum), None);
     let one = Even::from(EvenVersor::<f64>::default());
     none(Even::default());
@@ -519,7 +519,7 @@ proptest! {
         let inversion = OddVersor::inversion(sphere).expect("real");
         let image = inversion.transform_point(Point::from(x)).expect("a point");
         assert_close!(image.coordinates(), along(c, r * r / squared, from_centre), 1e-11, 100.0);
-        // In the imaginary sphere the point comes out on the other side, and handedness stays.
+        // An imaginary sphere maps the point to the opposite side and preserves handedness.
         let imaginary = DualSphere::from_centre_radius_squared(Point::from(c), -r * r);
         let even = Multivector::from(imaginary).dual().extract_even();
         let versor = EvenVersor::normalize(even).expect("a versor");
@@ -552,7 +552,7 @@ proptest! {
         let expected = along(x, square, k).map(|x| x / divisor);
         assert_close!(image.coordinates(), expected, 1e-11, 100.0);
         prop_assert_eq!(bend.vector(), k);
-        // Inversion, shift, inversion.
+        // Inversion, translation, inversion.
         let unit = OddVersor::inversion(DualSphere::new(0.0, 0.0, 0.0, 1.0, -0.5)).expect("real");
         let shift = EvenVersor::from(Translator::from_displacement(k));
         assert_close!(unit * (shift * unit), EvenVersor::from(bend), 1e-15);
@@ -583,7 +583,7 @@ fn vectors_without_a_reflection() {
     let point = DualSphere::from(Point::new(1.0, 2.0, 3.0));
     assert_eq!(OddVersor::inversion(point), None);
     assert_eq!(OddVersor::<f64>::inversion(DualSphere::default()), None);
-    // Only the square of what is small or large leaves the range.
+    // Only the squares of these small and large numbers leave the range.
     for factor in [1e-200, 1e200] {
         let mirror = OddVersor::reflection(DualPlane::new(0.0, factor, 0.0, 0.0));
         assert_eq!(

@@ -1,4 +1,4 @@
-//! Motors as dual quaternions, compared with the algebra of quaternions written out.
+//! Motors as dual quaternions, compared with quaternion arithmetic written out.
 
 use ga_runtime::cga3::{DualQuaternion, Motor, Point, Rotor, Translator};
 use ga_runtime::geometry::{DualQuaternionParts, NotUnit};
@@ -73,7 +73,7 @@ proptest! {
     }
 
     #[test]
-    fn the_dual_part_is_half_the_shift_times_the_turn(axis in vector(5.0), angle in -7.0..7.0_f64, t in vector(5.0)) {
+    fn the_dual_part_is_half_the_translation_times_the_rotation(axis in vector(5.0), angle in -7.0..7.0_f64, t in vector(5.0)) {
         prop_assume!(axis.iter().map(|x| x * x).sum::<f64>() > 0.01);
         let rotor = Rotor::from_axis_angle(axis, angle).unwrap();
         let parts = (Translator::from_displacement(t) * rotor).to_dual_quaternion();
@@ -98,7 +98,7 @@ proptest! {
     }
 
     #[test]
-    fn motors_come_back(motor in motors(), size in 1e-3..1e3_f64) {
+    fn motors_survive_a_round_trip(motor in motors(), size in 1e-3..1e3_f64) {
         let dual = dual_of(motor.to_dual_quaternion());
         prop_assert_eq!(
             DualQuaternion::from_parts(motor.to_dual_quaternion()),
@@ -127,7 +127,7 @@ proptest! {
 }
 
 #[test]
-fn what_is_no_motion_says_why() {
+fn errors_say_why_numbers_are_not_a_motion() {
     let from = |q, d| Motor::from_dual_quaternion(parts_of([q, d]));
     let (one, zero) = ([0.0, 0.0, 0.0, 1.0], [0.0; 4]);
     assert_eq!(from(one, zero), Ok(Motor::default()));
@@ -146,7 +146,7 @@ fn what_is_no_motion_says_why() {
             assert_eq!(from(one, broken), Err(NotUnit::NotFinite));
         }
     }
-    // A shift beyond the range of the scalar.
+    // A translation beyond the range of the scalar.
     assert_eq!(
         from([0.0, 0.0, 0.0, 1e-200], [1e200, 0.0, 0.0, 0.0]),
         Err(NotUnit::NotFinite)
@@ -156,7 +156,7 @@ fn what_is_no_motion_says_why() {
             .to_string()
             .contains("perpendicular")
     );
-    // Sizes whose squares leave the range are fine.
+    // Magnitudes whose squares leave the range are accepted.
     for size in [1e-200, 1e200] {
         let motor = from([0.0, 0.6 * size, 0.0, 0.8 * size], [0.0; 4]).unwrap();
         near_all(

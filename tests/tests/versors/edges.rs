@@ -1,5 +1,5 @@
-//! Versors and maps at the edge: signs, singular matrices, whole turns, numbers near the end of
-//! their range.
+//! Edge cases of versors and maps: signs, singular matrices, full rotations, numbers near the end
+//! of their range.
 
 use ga_runtime::Element;
 use ga_runtime::cga3::{
@@ -22,7 +22,7 @@ fn deviation(a: EvenVersor<f64>, b: EvenVersor<f64>) -> f64 {
 }
 
 #[test]
-fn logarithms_near_minus_one_come_back() {
+fn logarithms_near_minus_one_survive_a_round_trip() {
     let place = [0.3, -0.4, 0.5];
     for size in [1e-8, 1e-6, 1e-5, 1e-3, 0.1] {
         for place in [place, [1.0, 0.0, 0.0], [0.0; 3]] {
@@ -58,9 +58,9 @@ fn logarithms_near_minus_one_come_back() {
 }
 
 #[test]
-fn two_turns_by_a_whole_turn_together_come_back() {
+fn two_rotations_whose_angles_add_to_a_full_one_survive_a_round_trip() {
     for share in [0.01, 0.1, 0.7, 1.3] {
-        // Turns in the commuting planes e12 and e3∧(eo − ½ei), by angles that add to 2π.
+        // Rotations in the commuting planes e12 and e3∧(eo − ½ei), by angles that add up to 2π.
         let other = std::f64::consts::PI - share;
         let generator = PointPair {
             e12: share,
@@ -173,7 +173,7 @@ proptest! {
     }
 
     #[test]
-    fn lines_across_a_plane_leave_no_line(k in 1..1000_i32) {
+    fn lines_perpendicular_to_a_plane_have_no_projection(k in 1..1000_i32) {
         let n = [0.1 * f64::from(k) + 0.1, 0.2, 0.7];
         let plane = pga3::Plane::from_normal_distance(n, 1.0);
         let line = pga3::Line::from_point_direction([1.0, 2.0, 3.0], n);
@@ -193,10 +193,10 @@ proptest! {
 }
 
 #[test]
-fn null_bivectors_of_spacetime_come_back() {
+fn null_bivectors_of_spacetime_survive_a_round_trip() {
     for size in [1e-3_f64, 1.0, 1e2, 1e4, 1e6, 1e7] {
-        // Electric and magnetic parts across each other and of one size: a plane wave. Powers of
-        // two keep it null exactly.
+        // Electric and magnetic parts that are perpendicular and of equal magnitude: a plane wave.
+        // Powers of two keep it exactly null.
         let size = 2_f64.powi(size.log2().round() as i32);
         let (e, b) = ([size, 0.0, 0.0], [0.0, size, 0.0]);
         let wave = sta::Bivector::from_fields(e, b);

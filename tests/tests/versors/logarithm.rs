@@ -1,7 +1,7 @@
-//! Exponential and logarithm of rigid motions: against closed forms in plain coordinates, there and
-//! back at every angle and size, and what comes back for numbers that are no motion.
+//! Exponential and logarithm of rigid motions: against closed forms in plain coordinates, round
+//! trips at every angle and size, and results for numbers that are not a motion.
 //!
-//! The loops over random motions take [`COUNT`] of them, fewer in a debug build.
+//! Loops over random motions run [`COUNT`] times, fewer in a debug build.
 
 use std::f64::consts::PI;
 
@@ -32,10 +32,10 @@ fn from_entries<S: Real>([e12, e13, e23, e1i, e2i, e3i]: [S; 6]) -> MotorGenerat
     }
 }
 
-/// The generator and the motor of a turn by θ about the axis through p, right-handed, with an
-/// advance along it, both in plain coordinates: the velocity of the origin is
-/// `advance · n + θ p × n`, and the shift of the origin `advance · n + p − R p`.
-fn turn_about(p: Vector, n: Vector, angle: f64, advance: f64) -> ([f64; 6], [f64; 8]) {
+/// The generator and the motor of a right-handed rotation by θ about the axis through p, with an
+/// advance along it, in plain coordinates: the velocity of the origin is `advance · n + θ p × n`,
+/// and its displacement `advance · n + p − R p`.
+fn screw_about(p: Vector, n: Vector, angle: f64, advance: f64) -> ([f64; 6], [f64; 8]) {
     let moment = cross(p, n);
     let velocity: Vector = std::array::from_fn(|k| advance * n[k] + angle * moment[k]);
     let half = 0.5 * angle;
@@ -76,13 +76,13 @@ fn closed_forms() {
     for _ in 0..COUNT {
         let (n, p) = (numbers.axis(), numbers.vector(10.0));
         let (angle, advance) = (numbers.unit() * 2.0 * PI, numbers.vector(10.0)[0]);
-        let (generator, motor) = turn_about(p, n, angle, advance);
+        let (generator, motor) = screw_about(p, n, angle, advance);
         let found = motor_coefficients(from_entries(generator).exp());
-        // The arm of the generator, θ |p| and the advance, meets the rounding of the angle.
+        // The rounding of the angle is amplified by θ |p| and the advance.
         let arm = size(&generator);
         worst[0] = worst[0].max(largest_difference(found, motor) / arm.max(size(&motor)));
-        // The axis is known to the sine of half the angle; below a quarter turn the sine is not
-        // needed.
+        // The axis is known up to an error divided by the sine of half the angle; below 90° the
+        // sine is not needed.
         let conditioning = if angle < PI {
             1.0
         } else {
@@ -97,36 +97,36 @@ fn closed_forms() {
 }
 
 /// Of `exp(log M)` against M, relative to the largest coefficient and 1.
-fn there_and_back(motor: [f64; 8]) -> f64 {
+fn round_trip(motor: [f64; 8]) -> f64 {
     let again = motor_coefficients(motor_of(motor).log().exp());
     largest_difference(again, motor) / size(&motor)
 }
 
 #[test]
-fn random_motions_come_back() {
+fn random_motions_survive_a_round_trip() {
     let mut numbers = SplitMix64(2);
     let mut worst = 0.0_f64;
     for _ in 0..COUNT {
-        let rotor = Rotor::from_axis_angle(numbers.axis(), numbers.unit() * 6.0).expect("a turn");
+        let rotor = Rotor::from_axis_angle(numbers.axis(), numbers.unit() * 6.0).expect("an axis");
         let motor = motor_coefficients(Translator::from_displacement(numbers.vector(10.0)) * rotor);
         let conditioning = if motor[0] > 0.0 {
             1.0
         } else {
             1.0 / (1.0 - motor[0] * motor[0]).sqrt()
         };
-        worst = worst.max(there_and_back(motor) / conditioning);
+        worst = worst.max(round_trip(motor) / conditioning);
     }
     assert!(worst <= 4e-15, "off by {worst:e}");
 }
 
 #[test]
-fn random_generators_come_back() {
+fn random_generators_survive_a_round_trip() {
     let mut numbers = SplitMix64(9);
     let mut worst = 0.0_f64;
     for _ in 0..COUNT {
         let (n, p) = (numbers.axis(), numbers.vector(10.0));
         let (angle, advance) = (numbers.unit() * 6.2, numbers.vector(10.0)[0]);
-        let (generator, _) = turn_about(p, n, angle, advance);
+        let (generator, _) = screw_about(p, n, angle, advance);
         let again = entries(from_entries(generator).exp().log());
         let conditioning = if angle < PI {
             1.0
@@ -139,7 +139,7 @@ fn random_generators_come_back() {
 }
 
 #[test]
-fn every_angle_and_size_comes_back() {
+fn every_angle_and_size_survives_a_round_trip() {
     let mut numbers = SplitMix64(3);
     let angles = [
         0.0,
@@ -167,12 +167,12 @@ fn every_angle_and_size_comes_back() {
     for angle in angles {
         for exponent in -12..=12 {
             for _ in 0..20 {
-                let rotor = Rotor::from_axis_angle(numbers.axis(), angle).expect("a turn");
+                let rotor = Rotor::from_axis_angle(numbers.axis(), angle).expect("an axis");
                 let shift = numbers.vector(10_f64.powi(exponent));
                 let motor = motor_coefficients(Translator::from_displacement(shift) * rotor);
-                let error = there_and_back(motor);
+                let error = round_trip(motor);
                 assert!(error <= 1e-14, "{angle:e}, 1e{exponent}: {error:e}");
-                // Relative to the shift as well, however small it is.
+                // Relative to the translation as well, however small it is.
                 let again = motor_coefficients(motor_of(motor).log().exp());
                 let ends = [4, 5, 6, 7].map(|k| again[k] - motor[k]);
                 let most = [4, 5, 6, 7]
@@ -186,18 +186,19 @@ fn every_angle_and_size_comes_back() {
 }
 
 #[test]
-fn almost_whole_turns_come_back_by_their_conditioning() {
+fn almost_full_rotations_are_as_accurate_as_their_conditioning() {
     let mut numbers = SplitMix64(4);
     for missing in [1e-1, 1e-3, 1e-6, 1e-9, 1e-12] {
         for _ in 0..100 {
-            let rotor = Rotor::from_axis_angle(numbers.axis(), 2.0 * PI - missing).expect("a turn");
+            let rotor =
+                Rotor::from_axis_angle(numbers.axis(), 2.0 * PI - missing).expect("an axis");
             let motor =
                 motor_coefficients(Translator::from_displacement(numbers.vector(10.0)) * rotor);
-            let error = there_and_back(motor);
+            let error = round_trip(motor);
             assert!(error <= 4e-15 * (2.0 / missing), "{missing:e}: {error:e}");
         }
     }
-    // Half the angle rounds to π: as if the turn were whole.
+    // Half the angle rounds to π, as for a full rotation.
     for missing in [1e-17, 1e-30, 1e-160, 1e-200, 1e-300, 5e-324] {
         for _ in 0..20 {
             let n = numbers.axis();
@@ -205,20 +206,20 @@ fn almost_whole_turns_come_back_by_their_conditioning() {
             let t = numbers.vector(10.0).map(|t| 0.5 * t);
             let along = dot(t, n) * missing;
             let motor = [-1.0, -z, y, -x, t[0], t[1], t[2], along];
-            let error = there_and_back(motor);
+            let error = round_trip(motor);
             assert!(error <= 2e-15, "{missing:e}: {error:e}");
         }
     }
 }
 
 #[test]
-fn whole_turns() {
+fn full_rotations() {
     let one = Motor::<f64>::default();
     let in_e12 = MotorGenerator::new(PI, 0.0, 0.0, 0.0, 0.0, 0.0);
     assert_eq!((-one).log(), in_e12);
-    assert!(there_and_back(motor_coefficients(-one)) <= 1e-15);
-    // Minus a shift turns about the axis of the shift: [0, −3, 4] is the plane 3/5 e13 + 4/5 e12 up
-    // to its sign.
+    assert!(round_trip(motor_coefficients(-one)) <= 1e-15);
+    // The negative of a translator is a full rotation about the axis along the translation: [0, −3,
+    // 4] is the plane 3/5 e13 + 4/5 e12 up to its sign.
     let shift = Motor::from(Translator::from_displacement([0.0, -3.0, 4.0]));
     let log = (-shift).log();
     let expected = MotorGenerator::new(-0.8 * PI, -0.6 * PI, 0.0, 0.0, 1.5, -2.0);
@@ -226,13 +227,13 @@ fn whole_turns() {
     let error = largest_difference(entries(log), entries(expected))
         .min(largest_difference(entries(log), entries(other)));
     assert!(error <= 1e-15, "{log}");
-    // A turn that is whole but for its plane stays in that plane.
+    // A rotation that is almost full keeps its plane.
     let tilted = Motor::new_unchecked(-1.0, 0.0, 1e-30, 0.0, 0.0, 0.0, 0.0, 0.0);
     assert_eq!(
         tilted.log(),
         MotorGenerator::new(0.0, PI, 0.0, 0.0, 0.0, 0.0)
     );
-    // Shifts from the least to the largest.
+    // Translations from the smallest to the largest.
     for size in [5e-324, 1e-300, 1e-160, 1.0, 1e160, 1e300] {
         let motor = [-1.0, 0.0, 0.0, 0.0, size, 0.0, -size, 0.0];
         let again = motor_coefficients(motor_of(motor).log().exp());
@@ -248,7 +249,7 @@ fn single_precision() {
     let mut numbers = SplitMix64(5);
     let mut worst = 0.0_f64;
     for _ in 0..COUNT {
-        let rotor = Rotor::from_axis_angle(numbers.axis(), numbers.unit() * PI).expect("a turn");
+        let rotor = Rotor::from_axis_angle(numbers.axis(), numbers.unit() * PI).expect("an axis");
         let motor = motor_coefficients(Translator::from_displacement(numbers.vector(10.0)) * rotor);
         let single = motor.map(|x| x as f32);
         let again = motor_coefficients(motor_of(single).log().exp()).map(f64::from);
@@ -258,7 +259,7 @@ fn single_precision() {
     assert!(worst <= 5e-7, "off by {worst:e}");
     for angle in [0.0_f32, 1e-38, 1e-20, 1e-7, 1e-3] {
         for shift in [1e-12_f32, 1.0, 1e12] {
-            let rotor = Rotor::from_axis_angle([0.6, 0.0, 0.8_f32], angle).expect("a turn");
+            let rotor = Rotor::from_axis_angle([0.6, 0.0, 0.8_f32], angle).expect("an axis");
             let motor = Translator::from_displacement([shift, -shift, 0.5 * shift]) * rotor;
             let (given, again) = (
                 motor_coefficients(motor),
@@ -274,13 +275,13 @@ fn single_precision() {
 }
 
 #[test]
-fn large_angles_turn_as_often() {
+fn large_angles_are_kept_modulo_full_rotations() {
     let mut numbers = SplitMix64(6);
     for _ in 0..2000 {
-        // Turns by up to 10⁴ radians, against the closed form.
+        // Rotations by up to 10⁴ radians, against the closed form.
         let (n, p) = (numbers.axis(), numbers.vector(1.0));
         let angle = numbers.unit() * 1e4;
-        let (generator, motor) = turn_about(p, n, angle, numbers.unit());
+        let (generator, motor) = screw_about(p, n, angle, numbers.unit());
         let error = largest_difference(motor_coefficients(from_entries(generator).exp()), motor)
             / size(&motor);
         assert!(error <= 1e-15 * angle.max(1.0), "{angle}: {error:e}");
@@ -299,7 +300,7 @@ fn large_angles_turn_as_often() {
 }
 
 #[test]
-fn nothing_finite_becomes_nan() {
+fn finite_numbers_never_become_nan() {
     let mut numbers = SplitMix64(7);
     let extremes = [
         0.0,
@@ -345,7 +346,7 @@ fn nothing_finite_becomes_nan() {
 
 #[test]
 fn nan_and_infinity_do_not_vanish() {
-    let (_, motor) = turn_about([1.0, 2.0, 3.0], [0.6, 0.0, 0.8], 1.0, 0.5);
+    let (_, motor) = screw_about([1.0, 2.0, 3.0], [0.6, 0.0, 0.8], 1.0, 0.5);
     let identity = motor_coefficients(Motor::<f64>::default());
     let shift = motor_coefficients(Motor::from(Translator::from_displacement([1.0, 2.0, 3.0])));
     for base in [
@@ -383,8 +384,8 @@ fn nan_and_infinity_do_not_vanish() {
 }
 
 #[test]
-fn what_is_not_of_length_one_is_taken_as_its_direction() {
-    let (generator, motor) = turn_about([1.0, -2.0, 0.5], [0.0, 0.6, 0.8], 2.0, 3.0);
+fn logarithms_ignore_the_length_of_a_motor() {
+    let (generator, motor) = screw_about([1.0, -2.0, 0.5], [0.0, 0.6, 0.8], 2.0, 3.0);
     for factor in [1e-300, 1e-200, 1e-10, 0.5, 2.0, 1e10, 1e200, 1e300] {
         let log = entries(motor_of(motor.map(|x| x * factor)).log());
         assert!(
@@ -397,11 +398,11 @@ fn what_is_not_of_length_one_is_taken_as_its_direction() {
 #[test]
 fn lanes_are_singles_side_by_side() {
     let mut numbers = SplitMix64(8);
-    // In one lane of the first four the careful way is needed, in the others not.
+    // One of the first four lanes needs the careful computation, the others do not.
     let angles = [[0.3, 2.0, 1e-9, 9.0], [0.3, 2.0, 1e-9, 4.0]];
     for angles in angles {
         let generators = angles
-            .map(|angle| turn_about(numbers.vector(3.0), numbers.axis(), angle, numbers.unit()).0);
+            .map(|angle| screw_about(numbers.vector(3.0), numbers.axis(), angle, numbers.unit()).0);
         let side_by_side = std::array::from_fn(|k| Lanes::from_array(generators.map(|g| g[k])));
         let motor = from_entries::<Lanes<f64, 4>>(side_by_side).exp();
         let log = motor.log();
@@ -416,7 +417,7 @@ fn lanes_are_singles_side_by_side() {
     }
     let motors = [
         motor_coefficients(-Motor::<f64>::default()),
-        turn_about([1.0, 2.0, 3.0], [1.0, 0.0, 0.0], 5.0, 1.0).1,
+        screw_about([1.0, 2.0, 3.0], [1.0, 0.0, 0.0], 5.0, 1.0).1,
     ];
     let side_by_side = std::array::from_fn(|k| Lanes::from_array(motors.map(|m| m[k])));
     let log = motor_of::<Lanes<f64, 2>>(side_by_side).log();
@@ -427,14 +428,14 @@ fn lanes_are_singles_side_by_side() {
 }
 
 #[test]
-fn derivatives_of_turns_of_any_size() {
+fn derivatives_of_rotations_by_any_angle() {
     // Of the closed form by the angle: d/dθ at fixed axis and advance.
     for angle in [
         0.0, 1e-300, 1e-20, 1e-12, 1e-8, 1e-4, 0.1, 1.0, 3.0, 6.0, 8.0,
     ] {
         let (p, n, advance) = ([1.0, -2.0, 0.5], [0.0, 0.6, 0.8], 3.0);
-        let (generator, motor) = turn_about(p, n, angle, advance);
-        let (rate, _) = turn_about(p, n, 1.0, 0.0);
+        let (generator, motor) = screw_about(p, n, angle, advance);
+        let (rate, _) = screw_about(p, n, 1.0, 0.0);
         let moving = std::array::from_fn(|k| Dual::new(generator[k], [rate[k]]));
         let image = motor_coefficients(from_entries::<Dual<f64>>(moving).exp());
         assert_eq!(
@@ -467,7 +468,7 @@ fn derivatives_of_turns_of_any_size() {
 
 proptest! {
     #[test]
-    fn generators_come_back(
+    fn generators_survive_a_round_trip(
         n in prop::array::uniform3(-1.0..1.0_f64),
         shift in prop::array::uniform3(-10.0..10.0_f64),
         half in 0.0..3.1_f64,

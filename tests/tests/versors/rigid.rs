@@ -1,4 +1,4 @@
-//! Roots, powers, ways round and screws of rigid versors, against closed forms in plain
+//! Roots, powers, interpolations and screws of rigid versors, against closed forms in plain
 //! coordinates.
 
 use std::f64::consts::PI;
@@ -17,25 +17,25 @@ fn rotor_parts<S: Real>(r: Rotor<S>) -> [S; 4] {
     [r.scalar(), r.e12(), r.e13(), r.e23()]
 }
 
-/// The turn by θ about n, as a rotor's coefficients.
-fn turn(n: Vector, angle: f64) -> [f64; 4] {
+/// The rotation by θ about n, as a rotor's coefficients.
+fn rotor_about(n: Vector, angle: f64) -> [f64; 4] {
     let (sine, cosine) = (0.5 * angle).sin_cos();
     [cosine, -sine * n[2], sine * n[1], -sine * n[0]]
 }
 
-/// The turn by θ about the axis through p along n with an advance along it, as a motor's
-/// coefficients: with a the advance and m = p × n the part with ei is `−½ a cos ½θ n − sin ½θ m`,
-/// and `½ a sin ½θ` that of e123i.
+/// The rotation by θ about the axis through p along n with an advance along it, as a motor's
+/// coefficients: with the advance a and m = p × n, the part with ei is `−½ a cos ½θ n − sin ½θ m`,
+/// and the coefficient of e123i is `½ a sin ½θ`.
 fn screw(p: Vector, n: Vector, angle: f64, advance: f64) -> [f64; 8] {
     let (sine, cosine) = (0.5 * angle).sin_cos();
     let m = cross(p, n);
-    let [c, e12, e13, e23] = turn(n, angle);
+    let [c, e12, e13, e23] = rotor_about(n, angle);
     let shift = |k: usize| -0.5 * advance * cosine * n[k] - sine * m[k];
     let e123i = 0.5 * advance * sine;
     [c, e12, e13, e23, shift(0), shift(1), shift(2), e123i]
 }
 
-/// Close to a whole turn the axis is known to the sine of half the angle.
+/// Close to a full rotation the error of the axis is divided by the sine of half the angle.
 fn conditioning(angle: f64) -> f64 {
     if angle < PI {
         1.0
@@ -46,14 +46,14 @@ fn conditioning(angle: f64) -> f64 {
 
 proptest! {
     #[test]
-    fn powers_turn_by_a_part(n in unit(), p in vector(5.0), angle in 0.0..6.2_f64, advance in -5.0..5.0_f64, t in -2.0..2.0_f64) {
+    fn powers_rotate_by_a_fraction_of_the_angle(n in unit(), p in vector(5.0), angle in 0.0..6.2_f64, advance in -5.0..5.0_f64, t in -2.0..2.0_f64) {
         let tolerance = 2e-14 * conditioning(angle);
         let power = motor_of(screw(p, n, angle, advance)).powf(t);
         let expected = screw(p, n, t * angle, t * advance);
         prop_assert!(largest_difference(motor_coefficients(power), expected) <= 4.0 * tolerance);
-        let [c, e12, e13, e23] = turn(n, angle);
+        let [c, e12, e13, e23] = rotor_about(n, angle);
         let rotor = Rotor::new_unchecked(c, e12, e13, e23);
-        prop_assert!(largest_difference(rotor_parts(rotor.powf(t)), turn(n, t * angle)) <= tolerance);
+        prop_assert!(largest_difference(rotor_parts(rotor.powf(t)), rotor_about(n, t * angle)) <= tolerance);
         let [x, y, z] = rotor.to_rotation_vector();
         prop_assert!(largest_difference([x, y, z], times(n, angle)) <= tolerance);
         let again = Rotor::from_rotation_vector([x, y, z]).expect("finite");
@@ -68,13 +68,13 @@ proptest! {
         let tolerance = 1e-14 * conditioning(angle);
         let root = motor_of(screw(p, n, angle, advance)).sqrt();
         prop_assert!(largest_difference(motor_coefficients(root), screw(p, n, 0.5 * angle, 0.5 * advance)) <= tolerance);
-        let [c, e12, e13, e23] = turn(n, angle);
+        let [c, e12, e13, e23] = rotor_about(n, angle);
         let root = Rotor::new_unchecked(c, e12, e13, e23).sqrt();
-        prop_assert!(largest_difference(rotor_parts(root), turn(n, 0.5 * angle)) <= tolerance);
+        prop_assert!(largest_difference(rotor_parts(root), rotor_about(n, 0.5 * angle)) <= tolerance);
     }
 
     #[test]
-    fn shifts_and_scalings_have_powers(shift in vector(100.0), factor in 1e-3..1e3_f64, t in -3.0..3.0_f64) {
+    fn translations_and_scalings_have_powers(shift in vector(100.0), factor in 1e-3..1e3_f64, t in -3.0..3.0_f64) {
         let translator = Translator::from_displacement(shift);
         prop_assert!(largest_difference(translator.powf(t).displacement(), times(shift, t)) <= 1e-13);
         prop_assert!(largest_difference(translator.sqrt().displacement(), times(shift, 0.5)) <= 1e-14);
@@ -91,7 +91,7 @@ proptest! {
     /// `sin (1 − t)φ/sin φ · a + sin tφ/sin φ · b` for unit quaternions.
     #[test]
     fn rotors_go_by_slerp(a in unit(), b in unit(), angles in prop::array::uniform2(0.0..6.2_f64), t in -0.5..1.5_f64) {
-        let [from, to] = [turn(a, angles[0]), turn(b, angles[1])];
+        let [from, to] = [rotor_about(a, angles[0]), rotor_about(b, angles[1])];
         let cosine: f64 = from.iter().zip(to).map(|(x, y)| x * y).sum();
         prop_assume!(cosine.abs() < 0.999_9 && cosine.abs() > 1e-9);
         let [start, end] = [from, to].map(|[c, x, y, z]| Rotor::new_unchecked(c, x, y, z));
@@ -113,7 +113,7 @@ proptest! {
         let between = screw(p, n, angle, advance);
         let to = from * motor_of(between);
         let short = from * motor_of(screw(p, n, t * angle, t * advance));
-        // The other way round the same axis, with the same shift along it.
+        // The other way round the same axis, with the same translation along it.
         let long = from * motor_of(screw(p, n, t * (angle - 2.0 * PI), t * advance));
         for end in [to, -to] {
             let found = from.interpolate(end, t);
@@ -167,7 +167,7 @@ proptest! {
         prop_assert!((found.displacement - advance).abs() <= tolerance * worst);
         prop_assert!(largest_difference(found.axis.direction(), n) <= tolerance);
         prop_assert!(found.axis.distance(Point::from(p)).expect("a line") <= tolerance);
-        prop_assert!((found.pitch().expect("a turn") - advance / angle).abs() <= 10.0 * tolerance * worst);
+        prop_assert!((found.pitch().expect("an axis") - advance / angle).abs() <= 10.0 * tolerance * worst);
         prop_assert!(largest_difference(motor_coefficients(found.to_motor().expect("finite")), given) <= tolerance);
         let generator = found.generator().expect("finite");
         let log = motor_of(given).log();
@@ -195,7 +195,8 @@ proptest! {
         let [x0, x3, x2, x1]: [f64; 4] = std::array::from_fn(|k| (d[k] - along * q[k]) / norm);
         let expected = [s / norm, e12 / norm, e13 / norm, e23 / norm, -x1, x2, -x3, x0];
         prop_assert!(largest_difference(found, expected) <= 1e-14);
-        // Length one and the Study condition, and what has them already stays.
+        // Norm 1 and the Study condition hold, and a motor that satisfies them already stays as it
+        // is.
         let (q, d) = ([found[0], found[1], found[2], found[3]], [found[7], -found[6], found[5], -found[4]]);
         prop_assert!((product(q, q) - 1.0).abs() <= 1e-15 && product(q, d).abs() <= 1e-14);
         let [s, e12, e13, e23, e1i, e2i, e3i, e123i] = exact;
@@ -208,16 +209,16 @@ proptest! {
 fn slerp_is_stable_where_rotors_agree_or_oppose() {
     let n = [0.0, 0.6, 0.8];
     for off in [0.0, 1e-300, 1e-160, 1e-16, 1e-12, 1e-8, 1e-4] {
-        // From no turn to a turn by `off` and, its negative, by 2π − `off`: the short way goes by
-        // parts of `off`.
-        let [c, x, y, z] = turn(n, off);
+        // From the identity to a rotation by `off` and to its negative, by 2π − `off`: the short
+        // way goes through fractions of `off`.
+        let [c, x, y, z] = rotor_about(n, off);
         for end in [
             Rotor::new_unchecked(c, x, y, z),
             Rotor::new_unchecked(-c, -x, -y, -z),
         ] {
             for t in [0.0, 0.25, 0.5, 1.0] {
                 let found = rotor_parts(Rotor::default().interpolate(end, t));
-                let expected = turn(n, t * off);
+                let expected = rotor_about(n, t * off);
                 assert!(largest_difference(found, expected) <= 1e-15, "{off:e}");
                 assert!(
                     (found[1] - expected[1]).abs() <= 1e-15 * expected[1].abs(),
@@ -225,23 +226,23 @@ fn slerp_is_stable_where_rotors_agree_or_oppose() {
                 );
             }
         }
-        // To almost a half turn on either side of it, where one way becomes the other.
-        let [c, x, y, z] = turn(n, PI - off);
+        // To rotations just below and above 180°, where the short way changes sides.
+        let [c, x, y, z] = rotor_about(n, PI - off);
         let found =
             rotor_parts(Rotor::default().interpolate(Rotor::new_unchecked(c, x, y, z), 0.5));
         assert!(
-            largest_difference(found, turn(n, 0.5 * (PI - off))) <= 1e-15,
+            largest_difference(found, rotor_about(n, 0.5 * (PI - off))) <= 1e-15,
             "{off:e}"
         );
     }
-    // The long way between equal rotors is a whole turn in e12.
+    // The long way between equal rotors is a full rotation in e12.
     let one = Rotor::<f64>::default();
     let half = one.interpolate_along(one, 0.5, RotationPath::Long);
     assert!(largest_difference(rotor_parts(half), [0.0, 1.0, 0.0, 0.0]) <= 1e-15);
 }
 
 #[test]
-fn roots_of_whole_turns() {
+fn roots_of_full_rotations() {
     let minus_one = -Motor::<f64>::default();
     assert!(
         largest_difference(
@@ -253,14 +254,14 @@ fn roots_of_whole_turns() {
         (-Rotor::<f64>::default()).sqrt(),
         Rotor::new_unchecked(0.0, 1.0, 0.0, 0.0)
     );
-    // Minus a shift: squared it is there again.
+    // The root of the negative of a translator gives it back when squared.
     let shift = -Motor::from(Translator::from_displacement([2.0, -4.0, 4.0]));
     let root = shift.sqrt();
     assert!(
         largest_difference(motor_coefficients(root * root), motor_coefficients(shift)) <= 1e-14
     );
     assert!(root.scalar().abs() <= 1e-15);
-    // Half turns go by a quarter, in the direction of their sign.
+    // The root of a rotation by 180° is one by 90°, in the direction of its sign.
     let half = Rotor::new_unchecked(0.0, 0.0, 0.0, -1.0);
     assert!(
         largest_difference(
@@ -268,7 +269,7 @@ fn roots_of_whole_turns() {
             [0.5_f64.sqrt(), 0.0, 0.0, -(0.5_f64.sqrt())]
         ) <= 1e-15
     );
-    // Near a whole turn the root keeps the plane, however little the rotor differs from −1.
+    // Near a full rotation the root keeps the plane, however little the rotor differs from −1.
     for sine in [1e-3, 1e-8, 1e-16, 1e-100, 1e-300] {
         let root =
             Rotor::new_unchecked(-(1.0 - sine * sine).sqrt(), 0.0, 0.6 * sine, 0.8 * sine).sqrt();
@@ -285,7 +286,7 @@ fn roots_of_whole_turns() {
 }
 
 #[test]
-fn powers_of_whole_turns() {
+fn powers_of_full_rotations() {
     let quarter = (-Motor::<f64>::default()).powf(0.5);
     assert!(
         largest_difference(
@@ -294,7 +295,8 @@ fn powers_of_whole_turns() {
         ) <= 1e-15
     );
     let shift = -Motor::from(Translator::from_displacement([0.0, 0.0, 6.0]));
-    // A third of the whole turn about the axis of the shift, with a third of the shift along it.
+    // A third of the full rotation about the axis along the translation, with a third of the
+    // translation.
     let third = shift
         .powf(1.0 / 3.0)
         .transform(Point::new(1.0, 0.0, 0.0))
@@ -333,7 +335,7 @@ fn screws_of_special_motions() {
     let half = Rotor::from_axis_angle([0.0, 0.0, 1.0], PI).expect("an axis");
     check(half.into(), [0.0, 0.0, 1.0], PI, 0.0);
     check(-Motor::from(half), [0.0, 0.0, -1.0], PI, 0.0);
-    // Minus a shift: about its axis, in one direction or the other.
+    // The negative of a translator: about its axis, in one direction or the other.
     let found = (-shift).screw().expect("finite");
     assert!((found.displacement.abs() - 5.0).abs() <= 1e-14);
     assert!(
@@ -346,7 +348,7 @@ fn screws_of_special_motions() {
             motor_coefficients(-shift)
         ) <= 1e-14
     );
-    // Almost a whole turn, about an axis away from the origin.
+    // Almost a full rotation, about an axis away from the origin.
     let almost = screw([1.0, 2.0, 0.0], [0.0, 0.0, 1.0], 2.0 * PI - 1e-6, 0.5);
     let found = motor_of(almost).screw().expect("finite");
     let support = found.axis.support().expect("a line").coordinates();
@@ -360,13 +362,14 @@ fn screws_of_special_motions() {
             almost
         ) <= 1e-9
     );
-    // Small turns about near and far axes; so far that no number tells, they are shifts.
+    // Small rotations about near and far axes; beyond the precision of the scalar they are
+    // translations.
     for angle in [1e-3, 1e-8, 1e-100, 1e-200] {
         for far in [1.0, 1e8, 1e100] {
             let given = screw([far, 0.0, 0.0], [0.0, 0.0, 1.0], angle, 1.0);
             let found = motor_of(given).screw().expect("finite");
             let support = found.axis.support().expect("a line").coordinates();
-            // The shift along the axis rounds off what is much smaller across it.
+            // A large translation along the axis rounds off a much smaller one perpendicular to it.
             if far * angle > 1e-8 {
                 assert!((support[0] / far - 1.0).abs() <= 1e-7, "{angle:e}, {far:e}");
             }
@@ -378,7 +381,7 @@ fn screws_of_special_motions() {
 }
 
 #[test]
-fn what_is_no_screw_is_none() {
+fn what_is_not_a_screw_gives_none() {
     let base = screw([1.0, 2.0, 3.0], [0.6, 0.0, 0.8], 1.0, 0.5);
     for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         for place in 0..8 {
@@ -500,8 +503,8 @@ fn lanes_are_singles_side_by_side() {
     let n = [0.0, 0.6, 0.8];
     // A root of each form side by side.
     let rotors = [
-        turn(n, 1.0),
-        turn(n, 5.0),
+        rotor_about(n, 1.0),
+        rotor_about(n, 5.0),
         [-1.0, 0.0, 0.0, 0.0],
         [1.0, 0.0, 0.0, 0.0],
     ];

@@ -43,7 +43,7 @@ fn deviation(found: Similarity<f64>, expected: Similarity<f64>) -> f64 {
 
 proptest! {
     #[test]
-    fn points_are_scaled_turned_and_shifted(
+    fn points_are_scaled_rotated_and_translated(
         t in vector(5.0), n in unit(), angle in -6.0..6.0, s in factor(), x in vector(5.0)
     ) {
         let similarity = similarity(t, n, angle, s);
@@ -85,7 +85,8 @@ proptest! {
         let similarity = similarity(t, n, angle, s);
         let log = similarity.log();
         prop_assert!(deviation(log.exp().expect("in range"), similarity) < 1e-13);
-        // The generator of the turn and of the scaling can be read off.
+        // The coefficients of the generator are half the angle and half the logarithm of the
+        // factor.
         assert_close!(log.eoi, s.ln() / 2.0, 1e-13, 1.0);
         assert_close!(dot([log.e23, -log.e13, log.e12], n), -angle / 2.0, 1e-12);
         let root = similarity.sqrt().expect("in range");
@@ -100,7 +101,7 @@ proptest! {
         let motor = Translator::from_displacement(t) * Rotor::from_axis_angle(n, angle).expect("an axis");
         let (found, expected) = (near.log(), motor.log());
         let difference = PointPair::from(found) - PointPair::from(expected);
-        // The generator changes by as much as the factor does, times the shift.
+        // The generator changes by the change of the factor times the translation.
         let bound = 100.0 * (s - 1.0) / (6.3 - angle) + 1e-12;
         prop_assert!(difference.e1i.abs().max(difference.e2i.abs()).max(difference.e3i.abs()) < bound);
         prop_assert!(deviation(found.exp().expect("in range"), near) < 1e-13);
@@ -109,8 +110,8 @@ proptest! {
         prop_assert!(deviation(whole.log().exp().expect("in range"), whole) < 1e-13);
     }
 
-    /// About a point, the way between is a spiral: the angle grows evenly, the distance by equal
-    /// ratios.
+    /// About a fixed point, the interpolation is a spiral: the angle grows linearly, the distance
+    /// geometrically.
     #[test]
     fn the_way_between_is_a_spiral(
         c in vector(3.0), n in unit(), angle in -3.0..3.0, s in factor(), x in vector(3.0), time in 0.0..1.0
@@ -152,7 +153,7 @@ fn factors_of_every_size() {
 }
 
 #[test]
-fn minus_a_similarity_is_a_whole_turn_more() {
+fn the_negative_of_a_similarity_adds_a_full_rotation() {
     let growth = Dilator::from_factor(4.0)
         .expect("positive")
         .about(Point::new(1.0, 2.0, 3.0));
@@ -166,7 +167,7 @@ fn minus_a_similarity_is_a_whole_turn_more() {
 }
 
 #[test]
-fn what_is_no_similarity() {
+fn numbers_that_are_not_a_similarity_are_refused() {
     let rotor = Rotor::default();
     for factor in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert_eq!(Similarity::from_parts([0.0; 3], rotor, factor), None);

@@ -18,9 +18,9 @@ fn of(expression: &str) -> Operations {
 }
 
 #[test]
-fn constructs_cost_what_is_agreed() {
+fn each_construct_has_its_cost() {
     for (expression, expected) in [
-        // Reading, naming and building.
+        // Reads, names and constructors.
         ("x", [0, 0, 0, 0, 0]),
         ("self.e1", [0, 0, 0, 0, 0]),
         (
@@ -30,7 +30,8 @@ fn constructs_cost_what_is_agreed() {
         ("<S as Ring>::from_integer(2i64)", [0, 0, 0, 0, 0]),
         ("<S as Field>::from_ratio(-1i64, 2i64)", [0, 0, 0, 0, 0]),
         ("S::zero()", [0, 0, 0, 0, 0]),
-        // Arithmetic; a multiplication by a constant is one, a doubling by addition is an addition.
+        // Arithmetic. A multiplication by a constant counts as one; a doubling by addition is an
+        // addition.
         ("a * b + c", [1, 1, 0, 0, 0]),
         ("2.0 * (a - b)", [1, 1, 0, 0, 0]),
         ("a + a", [0, 1, 0, 0, 0]),
@@ -65,7 +66,7 @@ fn constructs_cost_what_is_agreed() {
 }
 
 #[test]
-fn what_is_not_known_is_an_error_that_names_it() {
+fn unknown_constructs_are_errors_that_name_them() {
     for (expression, part) in [
         ("if a < b { a } else { b }", "if a < b"),
         ("a % b", "`%`"),
@@ -131,7 +132,7 @@ fn assert_counts_agree(definition: &Definition, function: &CompiledFunction) {
             cost.roots
         )
     );
-    // The emitter turns some differences round that the cost counts as negated.
+    // The emitter reverses some differences that the cost counts as negated.
     assert!(found.others >= cost.functions);
     assert!(found.others <= cost.functions + cost.negations);
 }

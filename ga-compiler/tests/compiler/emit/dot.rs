@@ -12,15 +12,15 @@ use proptest::prelude::*;
 use super::{random, source};
 use crate::algebras::{cga3, compile};
 
-/// What is known of a picture.
+/// A graph as read from its text.
 #[derive(Default)]
 struct Picture {
     labels: HashMap<String, String>,
-    /// Where each edge comes from, and its label, by where it goes.
+    /// The source and label of each edge, by its target.
     edges: HashMap<String, Vec<(String, String)>>,
     /// The outputs in order.
     outputs: Vec<String>,
-    /// The nodes in the frame of what is uniform.
+    /// The nodes in the cluster of uniform work.
     uniform: Vec<String>,
 }
 
@@ -115,7 +115,7 @@ fn assert_picture_agrees(definition: &Definition, function: &CompiledFunction) {
             known.insert(node.clone(), value);
         }
     }
-    // The frame holds what depends on uniform operands alone.
+    // The cluster holds the nodes that depend on uniform operands alone.
     for node in &picture.uniform {
         for (from, _) in picture.edges.get(node).into_iter().flatten() {
             assert!(

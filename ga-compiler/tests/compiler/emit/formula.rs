@@ -11,7 +11,7 @@ use proptest::prelude::*;
 use super::{random, source};
 use crate::algebras::{cga3, compile};
 
-/// Evaluates the text of a function: what stands after each label.
+/// Evaluates the expression after each label in the text of a function.
 fn evaluate(text: &str, names: &[(String, usize)], inputs: &[Residue]) -> Vec<(String, Residue)> {
     let mut known: HashMap<String, Residue> = names
         .iter()
@@ -19,7 +19,7 @@ fn evaluate(text: &str, names: &[(String, usize)], inputs: &[Residue]) -> Vec<(S
         .map(|((name, _), &value)| (name.clone(), value))
         .collect();
     let mut results = Vec::new();
-    // Named parts may read each other in any order.
+    // Named parts may refer to each other in any order.
     let mut definitions: HashMap<String, String> = HashMap::new();
     for line in text.lines().skip(1) {
         if let Some((name, definition)) = line
@@ -30,7 +30,7 @@ fn evaluate(text: &str, names: &[(String, usize)], inputs: &[Residue]) -> Vec<(S
         } else if let Some((label, expression)) = line.split_once(": ") {
             let value = Reader::value(expression, &mut known, &definitions);
             results.push((label.to_owned(), value));
-            // Derived blades are written in those before them, without the way to them.
+            // Derived blades are written in terms of the blades before them, without a path.
             let blade = label.rsplit('.').next().unwrap_or(label);
             known.insert(blade.to_owned(), value);
         }
@@ -171,7 +171,7 @@ fn assert_formula_agrees(definition: &Definition, function: &CompiledFunction) {
     };
     let found = evaluate(&text, &names, &inputs);
     let expected = function.kernel.evaluate(&inputs);
-    // Points know eo and ei without storing them.
+    // Points have eo and ei without storing them.
     let result = function.result.to_text(definition);
     let is_of_points = result == "Point" || result.starts_with("[Point;");
     let is_stored =

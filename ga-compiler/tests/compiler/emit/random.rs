@@ -1,4 +1,4 @@
-//! Random graphs, for properties that hold for any.
+//! Random graphs, for properties of every graph.
 
 use ga_compiler::algebra::Ratio;
 use ga_compiler::function::{CompiledFunction, Operand, Shape};
@@ -91,7 +91,7 @@ impl Recipe {
                 3..=5 => arena.sum([a, b, c]),
                 6 => arena.sum([a, Value::ONE]),
                 7 => arena.quotient(a, b).unwrap_or(Value::ONE),
-                // Functions of constants are worked out when they are called, not when they are
+                // Functions of constants are evaluated when they are called, not when they are
                 // compiled.
                 _ if a.as_constant().is_some() || b.as_constant().is_some() => a,
                 8 => arena.function(Function::SquareRoot, &[a]),

@@ -5,7 +5,7 @@ use ga_compiler::function::CompiledFunction;
 
 use crate::algebras::compile;
 
-/// Functions of every kind.
+/// Functions of every kind, for the tests of emitters.
 pub(crate) fn kernels(definition: &Definition) -> Vec<CompiledFunction> {
     [
         "fn moved(m: Motor, p: Point) -> Point { m * p * reverse(m) }",

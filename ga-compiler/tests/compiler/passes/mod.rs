@@ -1,4 +1,4 @@
-//! The passes on graphs at random and on graphs whose least cost is known.
+//! The passes, on random graphs and on graphs whose least cost is known.
 
 mod random;
 mod rotors;
@@ -38,7 +38,7 @@ fn sums_that_cancel_vanish() {
         let squares = [x, y, z].map(|v| arena.product(v, v));
         let norm = arena.sum(squares);
         let [a, b, _] = squares;
-        // The norm is wanted itself, too: it is merged although it is read elsewhere.
+        // The norm is an output too: it is merged although it is read elsewhere.
         vec![
             norm,
             arena.sum([a, b, squares[2], -norm, x]),
@@ -87,7 +87,7 @@ fn factors_are_found_in_products_of_products() {
 
 #[test]
 fn a_sum_at_hand_decides_which_factor_is_taken_out() {
-    // Of a b + a c + b d, the sum b + c or the sum a + d; b + c is wanted anyway.
+    // a b + a c + b d contains b + c or a + d; b + c is needed anyway.
     for other in [false, true] {
         let sums = graph(|arena, [a, b, c, d]| {
             let at_hand = if other {
@@ -150,8 +150,8 @@ fn a_doubled_operand_is_doubled_once() {
 }
 
 #[test]
-fn a_factor_of_a_result_goes_where_it_costs_nothing() {
-    // ½ (2 a + b) and a c: halves of b are wanted anyway.
+fn a_factor_of_a_result_moves_where_it_is_free() {
+    // ½ (2 a + b) and a c: half of b is needed anyway.
     let half = |value: Value| value.scaled(Ratio::new(1, 2).expect("a half"));
     let sums = graph(|arena, [a, b]| {
         let held = arena.held(half(b));
@@ -211,7 +211,7 @@ fn held_multiples_outlast_later_passes() {
 }
 
 #[test]
-fn what_is_uniform_is_worked_out_apart_from_the_rest() {
+fn uniform_work_is_separated_from_the_rest() {
     // u v + w v costs one multiplication for each v where u and w are uniform.
     let uniform = [true, true, false, false];
     let sums = graph(|arena, [u, w, v, _]| {
@@ -270,7 +270,7 @@ fn total(graph: &Graph) -> usize {
     count(graph).total()
 }
 
-/// The inputs of a graph by name, and what is wanted of them.
+/// A graph from named inputs and the outputs computed from them.
 fn graph<const N: usize>(make: impl FnOnce(&mut Arena, [Value; N]) -> Vec<Value>) -> Graph {
     let mut arena = Arena::default();
     let inputs = std::array::from_fn(|_| arena.input());

@@ -1,4 +1,4 @@
-//! Random graphs: no pass changes a value, and all of them together make nothing dearer.
+//! Random graphs: no pass changes a value, and all passes together do not increase the cost.
 
 use ga_compiler::algebra::Ratio;
 use ga_compiler::ir::{Arena, Function, Node, Residue, Value};
@@ -24,8 +24,8 @@ fn steps() -> impl Strategy<Value = Vec<Step>> {
     prop::collection::vec(step, 1..40)
 }
 
-/// A graph of sums and products over the inputs, with some quotients, roots and held multiples; the
-/// last values are wanted.
+/// A graph of sums and products of the inputs, with some quotients, roots and held multiples; the
+/// last values are the outputs.
 fn build(arena: &mut Arena, inputs: &[Value], steps: &[Step]) -> Vec<Value> {
     let mut values = inputs.to_vec();
     values.push(Value::ONE);
@@ -85,7 +85,7 @@ proptest! {
     }
 
     #[test]
-    fn what_is_flat_is_factored_shared_and_scaled_right(steps in steps(), seed: u64) {
+    fn flat_graphs_are_factored_shared_and_scaled_correctly(steps in steps(), seed: u64) {
         let mut graph = random_graph(&steps);
         let inputs = point(seed, INPUTS);
         let expected = evaluate(&graph, &inputs);
@@ -107,7 +107,7 @@ proptest! {
     }
 
     #[test]
-    fn no_graph_gets_dearer(steps in steps()) {
+    fn no_graph_becomes_more_expensive(steps in steps()) {
         let (arena, outputs) = random_graph(&steps);
         let before = cost(&arena, &outputs).total();
         let after = optimise(arena, outputs, &[], &[]);
@@ -126,8 +126,7 @@ proptest! {
         prop_assert!(after <= before, "{after} from {before}");
     }
 
-    /// The last input is worked out from the others, so that a relation holds, and is known to the
-    /// pass.
+    /// The last input is computed from the others, so that a relation holds, which the pass knows.
     #[test]
     fn reduction_keeps_the_values_where_the_relations_hold(
         steps in steps(),

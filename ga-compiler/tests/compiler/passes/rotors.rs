@@ -10,7 +10,7 @@ use super::{count, evaluate, graph, total, twice, varying};
 fn the_map_of_a_rotor_takes_twenty_three_operations() {
     let (map, _) = rotor_map(false);
     // Three doubled coefficients and nine products; six sums off the diagonal, and five on it,
-    // where 1 − 2 z² serves twice.
+    // where 1 − 2 z² is used twice.
     let best = optimise(map.0.clone(), map.1.clone(), &[], &[]);
     assert!(
         total(&best) <= 23,
@@ -39,7 +39,7 @@ fn the_norm_of_a_rotor_reduces_its_map() {
     assert_eq!(evaluate(&best, &unit), evaluate(&rotor_map(false).0, &unit));
 }
 
-/// A rotor that is the same for many points is a matrix to each of them.
+/// A uniform rotor is applied as a matrix.
 #[test]
 fn a_uniform_rotor_is_a_matrix() {
     let (map, _) = rotor_map(false);

@@ -1,4 +1,4 @@
-//! What the macros say of faulty declarations and functions, each message at the token at fault.
+//! The messages of the macros for faulty declarations and functions, each at the token at fault.
 //!
 //! A file of `ui/` holds the faults of one subject, each in a module of its own, since trybuild
 //! compiles each file as a crate. A fault stands alone where it would hide others: an error of Rust
