@@ -23,7 +23,7 @@ crate::algebra! {
     /// | [`PointPair`] | all six of two vectors | 2 | two points `p∧q` | |
     /// | [`FlatPoint`] | e1i e2i eoi | 2 | point and infinity `p∧ei` | |
     /// | [`Direction`] | e1i e2i | 2 | free vector `v∧ei` | |
-    /// | [`MotorGenerator`] | e12 e1i e2i | 2 | dual flat point | velocity of a motion; log of a motor |
+    /// | [`MotorGenerator`] | e12 e1i e2i | 2 | dual flat point | velocity; log of a motor |
     /// | [`Circle`] | e12o e12i e1oi e2oi | 3 | circle `p∧q∧r` | |
     /// | [`Line`] | e12i e1oi e2oi | 3 | line `p∧q∧ei` | |
     /// | [`Pseudoscalar`] | e12oi | 4 | all of the plane | |

@@ -19,37 +19,52 @@ crate::algebra! {
     /// by `From` keep the coefficients as they are. A versor moves by `x' = M x ~M`, the right
     /// factor of a product first.
     ///
-    /// | type | blades | grade | as geometry | as a transformation |
-    /// | --- | --- | --- | --- | --- |
-    /// | [`Point`] | e1 e2 e3, eo = 1, ei = ½x² | 1 | the point x | |
-    /// | [`RoundVector`] | e1 e2 e3 eo ei | 1 | any vector: weighted point, dual sphere or plane | inversion, reflection |
-    /// | [`DualSphere`] | e1 e2 e3 eo ei | 1 | dual sphere `c − ½r² ei` | inversion |
-    /// | [`DualPlane`] | e1 e2 e3 ei | 1 | dual plane `n + d ei` | reflection in the plane |
-    /// | [`PointPair`] | all ten of two vectors | 2 | two points `p∧q` | |
-    /// | [`DualCircle`] | all ten of two vectors | 2 | circle as the meet of two dual spheres `σ∧τ` | |
-    /// | [`FlatPoint`] | e1i e2i e3i eoi | 2 | point and infinity `p∧ei` | |
-    /// | [`Direction`] | e1i e2i e3i | 2 | free vector `v∧ei` | |
-    /// | [`MotorGenerator`] | e12 e13 e23 e1i e2i e3i | 2 | dual line `π∧ρ` of two dual planes | velocity of a motion; log of a motor |
-    /// | [`Circle`] | all ten of three vectors | 3 | circle `p∧q∧r` | |
-    /// | [`DualPointPair`] | all ten of three vectors | 3 | two points as the meet of three dual spheres `σ∧τ∧υ` | |
-    /// | [`DualFlatPoint`] | e123 e12i e13i e23i | 3 | flat point as the meet of three dual planes | |
-    /// | [`DualDirection`] | e12i e13i e23i | 3 | free bivector `B∧ei`, attitude of planes and circles | |
-    /// | [`Line`] | e12i e13i e23i e1oi e2oi e3oi | 3 | line `p∧q∧ei` | |
-    /// | [`Sphere`] | all five of four vectors | 4 | sphere `p∧q∧r∧s` | |
-    /// | [`Plane`] | e12oi e13oi e23oi e123i | 4 | plane `p∧q∧r∧ei` | |
-    /// | [`Pseudoscalar`] | e123oi | 5 | all of space | |
-    /// | [`Rotor`] | scalar e12 e13 e23 | even | axis through the origin | rotation, `exp(−½θB)` |
-    /// | [`Translator`] | scalar = 1, e1i e2i e3i | even | | translation by t, `1 − ½ t ei` |
-    /// | [`Motor`] | scalar e12 e13 e23 e1i e2i e3i e123i | even | screw axis | rigid motion `T R` |
-    /// | [`Dilator`] | scalar eoi | even | | scaling about the origin |
-    /// | [`Similarity`] | Motor and eoi e12oi e13oi e23oi | even | | motion and scaling |
-    /// | [`Transversor`] | scalar = 1, e1o e2o e3o | even | | special conformal map `1 − k eo` |
-    /// | [`EvenVersor`] | all sixteen of even grade | even | | any conformal map that keeps handedness |
-    /// | [`OddVersor`] | all sixteen of odd grade | odd | | any conformal map that mirrors: reflection, inversion |
-    /// | [`SimilarityGenerator`] | MotorGenerator and eoi | 2 | | log of a similarity |
-    /// | [`Quaternion`], [`DualQuaternion`] | those of Rotor, Motor | even | sums of rotors, of motors | |
-    /// | [`Even`], [`Odd`] | all sixteen of even, of odd grade | | | sums of versors |
-    /// | [`Multivector`] | all 32 | all | | |
+    /// - [`Point`]: e1 e2 e3, eo = 1, ei = ½x²; grade 1; as geometry: the point x.
+    /// - [`RoundVector`]: e1 e2 e3 eo ei; grade 1; as geometry: any vector: weighted point, dual
+    ///   sphere or plane; as a transformation: inversion, reflection.
+    /// - [`DualSphere`]: e1 e2 e3 eo ei; grade 1; as geometry: dual sphere `c − ½r² ei`; as a
+    ///   transformation: inversion.
+    /// - [`DualPlane`]: e1 e2 e3 ei; grade 1; as geometry: dual plane `n + d ei`; as a
+    ///   transformation: reflection in the plane.
+    /// - [`PointPair`]: all ten of two vectors; grade 2; as geometry: two points `p∧q`.
+    /// - [`DualCircle`]: all ten of two vectors; grade 2; as geometry: circle as the meet of two
+    ///   dual spheres `σ∧τ`.
+    /// - [`FlatPoint`]: e1i e2i e3i eoi; grade 2; as geometry: point and infinity `p∧ei`.
+    /// - [`Direction`]: e1i e2i e3i; grade 2; as geometry: free vector `v∧ei`.
+    /// - [`MotorGenerator`]: e12 e13 e23 e1i e2i e3i; grade 2; as geometry: dual line `π∧ρ` of two
+    ///   dual planes; as a transformation: velocity of a motion; log of a motor.
+    /// - [`Circle`]: all ten of three vectors; grade 3; as geometry: circle `p∧q∧r`.
+    /// - [`DualPointPair`]: all ten of three vectors; grade 3; as geometry: two points as the meet
+    ///   of three dual spheres `σ∧τ∧υ`.
+    /// - [`DualFlatPoint`]: e123 e12i e13i e23i; grade 3; as geometry: flat point as the meet of
+    ///   three dual planes.
+    /// - [`DualDirection`]: e12i e13i e23i; grade 3; as geometry: free bivector `B∧ei`, attitude of
+    ///   planes and circles.
+    /// - [`Line`]: e12i e13i e23i e1oi e2oi e3oi; grade 3; as geometry: line `p∧q∧ei`.
+    /// - [`Sphere`]: all five of four vectors; grade 4; as geometry: sphere `p∧q∧r∧s`.
+    /// - [`Plane`]: e12oi e13oi e23oi e123i; grade 4; as geometry: plane `p∧q∧r∧ei`.
+    /// - [`Pseudoscalar`]: e123oi; grade 5; as geometry: all of space.
+    /// - [`Rotor`]: scalar e12 e13 e23; even grade; as geometry: axis through the origin; as a
+    ///   transformation: rotation, `exp(−½θB)`.
+    /// - [`Translator`]: scalar = 1, e1i e2i e3i; even grade; as a transformation: translation by
+    ///   t, `1 − ½ t ei`.
+    /// - [`Motor`]: scalar e12 e13 e23 e1i e2i e3i e123i; even grade; as geometry: screw axis; as a
+    ///   transformation: rigid motion `T R`.
+    /// - [`Dilator`]: scalar eoi; even grade; as a transformation: scaling about the origin.
+    /// - [`Similarity`]: Motor and eoi e12oi e13oi e23oi; even grade; as a transformation: motion
+    ///   and scaling.
+    /// - [`Transversor`]: scalar = 1, e1o e2o e3o; even grade; as a transformation: special
+    ///   conformal map `1 − k eo`.
+    /// - [`EvenVersor`]: all sixteen of even grade; as a transformation: any conformal map that
+    ///   keeps handedness.
+    /// - [`OddVersor`]: all sixteen of odd grade; as a transformation: any conformal map that
+    ///   mirrors: reflection, inversion.
+    /// - [`SimilarityGenerator`]: MotorGenerator and eoi; grade 2; as a transformation: log of a
+    ///   similarity.
+    /// - [`Quaternion`], [`DualQuaternion`]: those of Rotor, Motor; even grade; as geometry: sums
+    ///   of rotors, of motors.
+    /// - [`Even`], [`Odd`]: all sixteen of even, of odd grade; as a transformation sums of versors.
+    /// - [`Multivector`]: all 32.
     ///
     /// [`E1`], [`E2`], [`E3`], [`Origin`] and [`Infinity`] are the basis vectors as types without
     /// size, so that `p ^ q ^ Infinity` is a line at no cost.

@@ -14,16 +14,17 @@ crate::algebra! {
     ///
     /// A motor moves by `x' = M x ~M`, the right factor of a product first.
     ///
-    /// | type | blades | grade | as geometry | as a transformation |
-    /// | --- | --- | --- | --- | --- |
-    /// | [`Line`] | e1 e2 e0 | 1 | `n·x + d = 0` as `n + d e0` | reflection |
-    /// | [`Point`] | e12 e20 e01 | 2 | `(x, y)` as `e12 + x e20 + y e01`; ideal where e12 = 0 | generator of a rotation about it |
-    /// | [`Pseudoscalar`] | e120 | 3 | all of the plane | |
-    /// | [`Rotor`] | scalar e12 | even | | rotation about the origin |
-    /// | [`Translator`] | scalar = 1, e20 e01 | even | | translation by t, `1 + ½ t e0` |
-    /// | [`Motor`] | scalar e12 e20 e01 | even | | rigid motion |
-    /// | [`MotorSum`] | those of Motor | even | sums and multiples of motors | |
-    /// | [`Multivector`] | all 8 | all | | |
+    /// - [`Line`]: e1 e2 e0; grade 1; as geometry: `n·x + d = 0` as `n + d e0`; as a
+    ///   transformation: reflection.
+    /// - [`Point`]: e12 e20 e01; grade 2; as geometry: `(x, y)` as `e12 + x e20 + y e01`; ideal
+    ///   where e12 = 0; as a transformation: generator of a rotation about it.
+    /// - [`Pseudoscalar`]: e120; grade 3; as geometry: all of the plane.
+    /// - [`Rotor`]: scalar e12; even grade; as a transformation: rotation about the origin.
+    /// - [`Translator`]: scalar = 1, e20 e01; even grade; as a transformation: translation by t,
+    ///   `1 + ½ t e0`.
+    /// - [`Motor`]: scalar e12 e20 e01; even grade; as a transformation: rigid motion.
+    /// - [`MotorSum`]: those of Motor; even grade; as geometry: sums and multiples of motors.
+    /// - [`Multivector`]: all 8.
     ///
     /// Lines meet by `^`, points join by `&`. The rotation by θ about a point P of weight 1 is
     /// `exp(−½θP)`, positive from e1 towards e2. The signs of [`Point`] are those of ganja.js,

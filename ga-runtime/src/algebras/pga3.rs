@@ -14,18 +14,21 @@ crate::algebra! {
     ///
     /// A motor moves by `x' = M x ~M`, the right factor of a product first.
     ///
-    /// | type | blades | grade | as geometry | as a transformation |
-    /// | --- | --- | --- | --- | --- |
-    /// | [`Plane`] | e1 e2 e3 e0 | 1 | `n·x + d = 0` as `n + d e0` | reflection |
-    /// | [`Line`] | e12 e13 e23, e10 e20 e30 | 2 | meet of two planes; direction d, moment m | generator of a screw |
-    /// | [`Point`] | e123, e120 e130 e230 | 3 | meet of three planes | |
-    /// | [`Direction`] | e120 e130 e230 | 3 | free vector, ideal point | |
-    /// | [`Pseudoscalar`] | e1230 | 4 | all of space | |
-    /// | [`Rotor`] | scalar e12 e13 e23 | even | axis through the origin | rotation, `exp(−½θB)` |
-    /// | [`Translator`] | scalar = 1, e10 e20 e30 | even | | translation by t, `1 + ½ t e0` |
-    /// | [`Motor`] | scalar, all bivectors, e1230 | even | screw axis | rigid motion `T R` |
-    /// | [`MotorSum`] | those of Motor | even | sums of motors | |
-    /// | [`Multivector`] | all 16 | all | | |
+    /// - [`Plane`]: e1 e2 e3 e0; grade 1; as geometry: `n·x + d = 0` as `n + d e0`; as a
+    ///   transformation: reflection.
+    /// - [`Line`]: e12 e13 e23, e10 e20 e30; grade 2; as geometry: meet of two planes; direction d,
+    ///   moment m; as a transformation: generator of a screw.
+    /// - [`Point`]: e123, e120 e130 e230; grade 3; as geometry: meet of three planes.
+    /// - [`Direction`]: e120 e130 e230; grade 3; as geometry: free vector, ideal point.
+    /// - [`Pseudoscalar`]: e1230; grade 4; as geometry: all of space.
+    /// - [`Rotor`]: scalar e12 e13 e23; even grade; as geometry: axis through the origin; as a
+    ///   transformation: rotation, `exp(−½θB)`.
+    /// - [`Translator`]: scalar = 1, e10 e20 e30; even grade; as a transformation: translation by
+    ///   t, `1 + ½ t e0`.
+    /// - [`Motor`]: scalar, all bivectors, e1230; even grade; as geometry: screw axis; as a
+    ///   transformation: rigid motion `T R`.
+    /// - [`MotorSum`]: those of Motor; even grade; as geometry: sums of motors.
+    /// - [`Multivector`]: all 16.
     ///
     /// Planes meet by `^`, points join by `&`.
     ///

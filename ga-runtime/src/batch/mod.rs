@@ -12,7 +12,7 @@
 //!
 //! | function | what it does |
 //! | --- | --- |
-//! | [`transform`], [`transform_into`] | one motor moves all elements; it becomes a linear map once |
+//! | [`transform`], [`transform_into`] | one motor moves all elements, as one linear map |
 //! | [`transform_each`] | each motor moves its own element |
 //! | [`compose`] | products of motors, pair by pair |
 //! | [`blend`] | weighted means of motors from a palette, as skinning takes them |

@@ -9,16 +9,21 @@
 //!
 //! # Primitives
 //!
-//! | type | formula | built by | read by |
-//! | --- | --- | --- | --- |
-//! | `Point` | `x + eo + ½x² ei` | `new`, `from([x, y, z])` | `coordinates` |
-//! | `FlatPoint` | `p∧ei` | `p ^ Infinity`, `from(p)` | `to_point` |
-//! | `Direction` | `v∧ei` | `from_vector` | `vector` |
-//! | `PointPair` | `p∧q` | `through`, `tangent`, `from_centre_axis_radius_squared` | `endpoints`, `centre`, `radius`, `radius_squared`, `unit_direction`, `attitude`, `carrier`, `container` |
-//! | `Circle` | `p∧q∧r` | `through`, `tangent`, `from_centre_normal_radius`, `…_radius_squared` | `centre`, `radius`, `radius_squared`, `unit_normal`, `attitude`, `axis`, `carrier`, `container` |
-//! | `Sphere` | `p∧q∧r∧s` | `through`, `from_centre_radius`, `…_radius_squared` | `centre`, `radius`, `radius_squared` |
-//! | `Line` | `p∧q∧ei` | `through`, `from_point_direction`, `from_direction_moment` | `direction`, `unit_direction`, `moment`, `attitude`, `support`, `foot` |
-//! | `Plane` | `p∧q∧r∧ei` | `through`, `from_point_normal` | `normal`, `unit_normal`, `attitude`, `support`, `signed_distance` |
+//! - `Point`: `x + eo + ½x² ei`; built by `new`, `from([x, y, z])`; read by `coordinates`.
+//! - `FlatPoint`: `p∧ei`; built by `p ^ Infinity`, `from(p)`; read by `to_point`.
+//! - `Direction`: `v∧ei`; built by `from_vector`; read by `vector`.
+//! - `PointPair`: `p∧q`; built by `through`, `tangent`, `from_centre_axis_radius_squared`; read by
+//!   `endpoints`, `centre`, `radius`, `radius_squared`, `unit_direction`, `attitude`, `carrier`,
+//!   `container`.
+//! - `Circle`: `p∧q∧r`; built by `through`, `tangent`, `from_centre_normal_radius`,
+//!   `…_radius_squared`; read by `centre`, `radius`, `radius_squared`, `unit_normal`, `attitude`,
+//!   `axis`, `carrier`, `container`.
+//! - `Sphere`: `p∧q∧r∧s`; built by `through`, `from_centre_radius`, `…_radius_squared`; read by
+//!   `centre`, `radius`, `radius_squared`.
+//! - `Line`: `p∧q∧ei`; built by `through`, `from_point_direction`, `from_direction_moment`; read by
+//!   `direction`, `unit_direction`, `moment`, `attitude`, `support`, `foot`.
+//! - `Plane`: `p∧q∧r∧ei`; built by `through`, `from_point_normal`; read by `normal`, `unit_normal`,
+//!   `attitude`, `support`, `signed_distance`.
 //!
 //! The dual forms `DualSphere`, `DualPlane`, `DualCircle`, `DualPointPair`, `DualFlatPoint`,
 //! `DualDirection` and, for lines, `MotorGenerator` come from `dual` and go back by `undual`; they
@@ -27,27 +32,36 @@
 //!
 //! # Rigid versors and scalings
 //!
-//! | type | formula | built by | read by | along the way |
-//! | --- | --- | --- | --- | --- |
-//! | `Rotor` | `exp(−½θB)` | `from_axis_angle`, `from_rotation_vector`, `between`, `from_matrix`, `from_quaternion` | `to_axis_angle`, `to_rotation_vector`, `to_matrix`, `to_quaternion`, `path` | `log`, `powf`, `sqrt`, `interpolate`, `along` |
-//! | `Translator` | `1 − ½ t ei` | `from_displacement` | `displacement` | `log`, `powf`, `sqrt`, `interpolate` |
-//! | `Motor` | `T R` | `translator * rotor`, `about`, `from_matrix`, [`Screw::to_motor`] | `rotor`, `translator`, `to_matrix`, `screw`, `path` | `log`, `powf`, `sqrt`, `interpolate`, `along` |
-//! | `MotorGenerator` | `−½θB − ½ t ei` | `Motor::log`, [`Screw::generator`] | `screw` | `exp` |
-//! | `Dilator` | `exp(½ ln s eo∧ei)` | `from_factor`, `exp` | `factor` | `log`, `powf`, `sqrt` |
+//! - `Rotor`: `exp(−½θB)`; built by `from_axis_angle`, `from_rotation_vector`, `between`,
+//!   `from_matrix`, `from_quaternion`; read by `to_axis_angle`, `to_rotation_vector`, `to_matrix`,
+//!   `to_quaternion`, `path`; along the way `log`, `powf`, `sqrt`, `interpolate`, `along`.
+//! - `Translator`: `1 − ½ t ei`; built by `from_displacement`; read by `displacement`; along the
+//!   way `log`, `powf`, `sqrt`, `interpolate`.
+//! - `Motor`: `T R`; built by `translator * rotor`, `about`, `from_matrix`, [`Screw::to_motor`];
+//!   read by `rotor`, `translator`, `to_matrix`, `screw`, `path`; along the way `log`, `powf`,
+//!   `sqrt`, `interpolate`, `along`.
+//! - `MotorGenerator`: `−½θB − ½ t ei`; built by `Motor::log`, [`Screw::generator`]; read by
+//!   `screw`; along the way `exp`.
+//! - `Dilator`: `exp(½ ln s eo∧ei)`; built by `from_factor`, `exp`; read by `factor`; along the way
+//!   `log`, `powf`, `sqrt`.
 //!
 //! A rotor or motor and its negative are the short and the long way to one place: see
 //! [`RotationPath`].
 //!
 //! # Conformal versors
 //!
-//! | type | formula | built by | read by | along the way |
-//! | --- | --- | --- | --- | --- |
-//! | `Similarity` | `T R D` | products, `from_parts`, `Dilator::about` | `motor`, `rotor`, `displacement`, `factor`, `fixed_point` | `log`, `powf`, `sqrt`, `interpolate` |
-//! | `SimilarityGenerator` | `−½θB − ½ t ei + ½ ln s eo∧ei` | `Similarity::log` | | `exp` |
-//! | `Transversor` | `1 − k eo` | `from_vector` | `vector` | `log`, `powf`, `sqrt` |
-//! | `EvenVersor` | `V ~V = 1` | products, `From` of the others, `normalize` | | `log`, `powf`, `sqrt`, `interpolate` |
-//! | `PointPair` | any bivector | `EvenVersor::log`, `From` of the other generators | | `exp` |
-//! | `OddVersor` | `V ~V = 1` | `reflection`, `inversion`, products, `normalize` | | |
+//! - `Similarity`: `T R D`; built by products, `from_parts`, `Dilator::about`; read by `motor`,
+//!   `rotor`, `displacement`, `factor`, `fixed_point`; along the way `log`, `powf`, `sqrt`,
+//!   `interpolate`.
+//! - `SimilarityGenerator`: `−½θB − ½ t ei + ½ ln s eo∧ei`; built by `Similarity::log`; along the
+//!   way `exp`.
+//! - `Transversor`: `1 − k eo`; built by `from_vector`; read by `vector`; along the way `log`,
+//!   `powf`, `sqrt`.
+//! - `EvenVersor`: `V ~V = 1`; built by products, `From` of the others, `normalize`; along the way
+//!   `log`, `powf`, `sqrt`, `interpolate`.
+//! - `PointPair`: any bivector; built by `EvenVersor::log`, `From` of the other generators; along
+//!   the way `exp`.
+//! - `OddVersor`: `V ~V = 1`; built by `reflection`, `inversion`, products, `normalize`.
 //!
 //! Where the image of a point may have a weight, `transform_point` divides by it.
 //!

@@ -40,7 +40,8 @@
 //! }
 //! use algebra::plane::Vector;
 //!
-//! // SAFETY: the type is repr(C) with two fields of type S, hence without padding, and takes any values of them.
+//! // SAFETY: the type is repr(C) with two fields of type S, hence without padding, and takes any
+//! // values of them.
 //! unsafe impl<S: bytemuck_1::Zeroable> bytemuck_1::Zeroable for Vector<S> {}
 //! unsafe impl<S: bytemuck_1::Pod> bytemuck_1::Pod for Vector<S> {}
 //!

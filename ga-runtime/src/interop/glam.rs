@@ -1,13 +1,13 @@
 //! glam 0.34, in both of its precisions.
 //!
-//! | here | glam | |
-//! | --- | --- | --- |
-//! | [`Vector`], [`Point`], [`Direction`], [`Translator`] | `Vec3`, `Vec3A`, `DVec3` | both ways |
-//! | [`Rotor`] | `Quat`, `DQuat`; `Mat3`, `Mat3A`, `DMat3` | to; from is checked |
-//! | [`Motor`] | `(Quat, Vec3)`, `(DQuat, DVec3)`; `Affine3`, `Affine3A`, `DAffine3`; `Mat4`, `DMat4` | to; from is checked |
-//! | [`Similarity`] | `Affine3`, `Affine3A`, `DAffine3`; `Mat4`, `DMat4` | to; from is checked |
-//! | [`Affine`] | `Affine3`, `Affine3A`, `DAffine3` | both ways |
-//! | [`Affine`] | `Mat4`, `DMat4` | to; from is checked |
+//! - [`Vector`], [`Point`], [`Direction`], [`Translator`]: `Vec3`, `Vec3A`, `DVec3`, both ways.
+//! - [`Rotor`]: `Quat`, `DQuat`; `Mat3`, `Mat3A`, `DMat3`; to glam, and from it with a check.
+//! - [`Motor`]: `(Quat, Vec3)`, `(DQuat, DVec3)`; `Affine3`, `Affine3A`, `DAffine3`; `Mat4`,
+//!   `DMat4`; to glam, and from it with a check.
+//! - [`Similarity`]: `Affine3`, `Affine3A`, `DAffine3`; `Mat4`, `DMat4`; to glam, and from it with
+//!   a check.
+//! - [`Affine`]: `Affine3`, `Affine3A`, `DAffine3`, both ways.
+//! - [`Affine`]: `Mat4`, `DMat4`; to glam, and from it with a check.
 //!
 //! glam does not have a type of quaternions of length 1. A quaternion is therefore normalized, and
 //! one that cannot be is an error.

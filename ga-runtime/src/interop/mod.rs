@@ -1,15 +1,16 @@
 //! Other crates: conversions from and to their types, and their traits for ours, each behind its
 //! feature and off by default.
 //!
-//! | feature | crate | brings |
-//! | --- | --- | --- |
-//! | `approx-05` | approx 0.5 | comparisons with a tolerance for every declared type |
-//! | `bytemuck-1` | bytemuck 1 | every type of the algebras here as plain memory |
-//! | `glam-034` | glam 0.34 | conversions of points, directions, motions, similarities and affine maps in `f32` and `f64` |
-//! | `mint-05` | mint 0.5 | conversions of points, directions, rotors and 4×4 matrices in any scalar |
-//! | `nalgebra-035` | nalgebra 0.35 | conversions of points, directions, motions, similarities and affine maps in any scalar |
-//! | `num-traits-02` | num-traits 0.2 | zero and one for the types that have them, and foreign floating-point numbers as scalars |
-//! | `serde-1` | serde 1 | every declared type read and written, by the names of its blades |
+//! - `approx-05`: approx 0.5; comparisons with a tolerance for every declared type.
+//! - `bytemuck-1`: bytemuck 1; every type of the algebras here as plain memory.
+//! - `glam-034`: glam 0.34; conversions of points, directions, motions, similarities and affine
+//!   maps in `f32` and `f64`.
+//! - `mint-05`: mint 0.5; conversions of points, directions, rotors and 4×4 matrices in any scalar.
+//! - `nalgebra-035`: nalgebra 0.35; conversions of points, directions, motions, similarities and
+//!   affine maps in any scalar.
+//! - `num-traits-02`: num-traits 0.2; zero and one for the types that have them, and foreign
+//!   floating-point numbers as scalars.
+//! - `serde-1`: serde 1; every declared type read and written, by the names of its blades.
 //!
 //! All work without the standard library. The number in a feature is the version of the crate; one
 //! for another version would stand beside it. "Every declared type" includes those of your own

@@ -9,14 +9,13 @@
 //! Generic code asks for the weakest step that it needs, so that the products run over integers and
 //! over a prime field as well as over floating point, and tests can demand exact equality.
 //!
-//! | scalar | is | implements |
-//! | --- | --- | --- |
-//! | `f32`, `f64` | floating point | [`Real`] |
-//! | `i64` | integers | [`Ring`] |
-//! | [`Prime61`] | the prime field modulo 2⁶¹ − 1, exact | [`Field`] |
-//! | [`Lanes<T, N>`](Lanes) | N scalars side by side, one vector register | what T does |
-//! | [`Dual<S, N>`](Dual) | a value with N derivatives | what S does |
-//! | `wide::f32x4`, `f32x8`, `f64x2`, `f64x4` (feature `wide`) | vector registers of that crate | [`Real`] |
+//! - `f32`, `f64`: floating point; implements [`Real`].
+//! - `i64`: integers; implements [`Ring`].
+//! - [`Prime61`]: the prime field modulo 2⁶¹ − 1, exact; implements [`Field`].
+//! - [`Lanes<T, N>`](Lanes): N scalars side by side, one vector register; implements what T does.
+//! - [`Dual<S, N>`](Dual): a value with N derivatives; implements what S does.
+//! - `wide::f32x4`, `f32x8`, `f64x2`, `f64x4` (feature `wide`): vector registers of that crate;
+//!   implements [`Real`].
 //!
 //! They nest: `Dual<Lanes<f64, 4>, 3>` carries the gradients of four numbers, `Dual<Dual<f64>>`
 //! second derivatives.

@@ -25,7 +25,8 @@ impl<S: Real<Mask = bool>> PointPair<S> {
     ///
     /// ```
     /// use ga_runtime::cga3::{Circle, Point, PointPair};
-    /// // A half turn takes the centre of a circle to infinity, a quarter turn to a place on the axis as far off as the radius.
+    /// // A half turn takes the centre of a circle to infinity, a quarter turn
+    /// // to a place on the axis as far off as the radius.
     /// let [p, q, r] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0_f64, 0.0, 0.0]].map(Point::from);
     /// let axis = Circle::through(p, q, r).dual();
     /// let unit = axis * (axis.norm_squared().sqrt().recip() * std::f64::consts::FRAC_PI_4);

@@ -12,7 +12,8 @@ impl<S: Field> DualSphere<S> {
     /// ```
     /// use ga_runtime::cga3::{DualSphere, Point};
     /// let sphere = DualSphere::from_centre_radius(Point::new(1.0, 0.0, 0.0), 2.0);
-    /// // x·σ is half of r² − d², d being the distance from the centre: positive inside, zero on the sphere.
+    /// // x·σ is half of r² − d², d being the distance from the centre:
+    /// // positive inside, zero on the sphere.
     /// assert_eq!(
     ///     (
     ///         Point::new(3.0, 0.0, 0.0) | sphere,

@@ -4,15 +4,19 @@
 //! matrix of a transformation after another is the product of theirs, the first to act on the
 //! right, as with versors. These are the paper's equations 3 to 11:
 //!
-//! | transformation | equations | matrix | versor |
-//! | --- | --- | --- | --- |
-//! | translation by t | 3, 4 | [`translation`] | [`Translator::from_displacement`] |
-//! | rotation about the x, y or z axis | 5 to 8 | [`rotation_about_x`], [`rotation_about_y`], [`rotation_about_z`] | [`Rotor::about_x`], [`Rotor::about_y`], [`Rotor::about_z`] |
-//! | rotation about an axis through the origin | 9 | [`rotation`] | [`Rotor::from_axis_angle`] |
-//! | rotation about an axis through a point | | [`rotation_about_axis`] | [`Motor::about_axis`] |
-//! | scaling about the origin by one factor | 10, 11 | [`scaling`] | [`Dilator::from_factor`] |
-//! | scaling about a point by one factor | | [`scaling_about`] | [`Dilator::about`] |
-//! | scaling by a factor for each axis | 10, 11 | [`scaling`], [`scaling_about`] | none |
+//! - translation by t: eq. 3, 4; matrix [`translation`]; versor [`Translator::from_displacement`].
+//! - rotation about the x, y or z axis: eq. 5 to 8; matrix [`rotation_about_x`],
+//!   [`rotation_about_y`], [`rotation_about_z`]; versor [`Rotor::about_x`], [`Rotor::about_y`],
+//!   [`Rotor::about_z`].
+//! - rotation about an axis through the origin: eq. 9; matrix [`rotation`]; versor
+//!   [`Rotor::from_axis_angle`].
+//! - rotation about an axis through a point: matrix [`rotation_about_axis`]; versor
+//!   [`Motor::about_axis`].
+//! - scaling about the origin by one factor: eq. 10, 11; matrix [`scaling`]; versor
+//!   [`Dilator::from_factor`].
+//! - scaling about a point by one factor: matrix [`scaling_about`]; versor [`Dilator::about`].
+//! - scaling by a factor for each axis: eq. 10, 11; matrix [`scaling`], [`scaling_about`]; versor
+//!   none.
 //!
 //! Equation 9 holds for an axis of length 1; here the axis may have any length and is brought to 1.
 //! The last line has no versor because it is not a conformal map: it takes spheres to ellipsoids

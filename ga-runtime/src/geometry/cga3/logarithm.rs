@@ -9,8 +9,10 @@
 //! Written out, with `c + q` and `d0 + d` for the parts of the motor,
 //!
 //! ```text
-//! exp   c = cos φ           q = A g   d0 = −g·h A   d = A h + g (g·h) B       A = sin φ/φ,  B = (cos φ − A)/φ²
-//! log   φ = atan2(|q|, c)   g = A q                 h = A d + q (q·d B − d0)  A = φ/sin φ,  B = (c − A)/sin² φ
+//! exp   c = cos φ           q = A g   d0 = −g·h A   d = A h + g (g·h) B
+//!       with A = sin φ/φ, B = (cos φ − A)/φ²
+//! log   φ = atan2(|q|, c)   g = A q                 h = A d + q (q·d B − d0)
+//!       with A = φ/sin φ, B = (c − A)/sin² φ
 //! ```
 //!
 //! A and B are smooth at φ = 0 and come from [`Real::sine_by_angle`] and [`Real::angle_by_sine`],

@@ -11,7 +11,7 @@ use crate::scalar::Real;
 ///
 /// ```text
 /// R = cos ½θ − sin ½θ I = exp(−½ θ I)          by θ ≤ π, the scalar part is not negative
-/// −R = exp(½ (2π − θ) I)                       by 2π − θ the other way round, the scalar part is not positive
+/// −R = exp(½ (2π − θ) I)                       by 2π − θ the other way round, it is not positive
 /// ```
 ///
 /// The same holds for a motor, whose screw has the same axis and translation along it by either

@@ -35,7 +35,8 @@ impl<S: Field> Translator<S> {
     /// ```
     /// use ga_runtime::pga3::{Point, Translator};
     /// let translation = Translator::from_displacement([1.0, 2.0, 3.0]);
-    /// assert_eq!(translation.transform(Point::from([1.0, 0.0, 0.0])), Point::from([2.0, 2.0, 3.0]));
+    /// let moved = translation.transform(Point::from([1.0, 0.0, 0.0]));
+    /// assert_eq!(moved, Point::from([2.0, 2.0, 3.0]));
     /// ```
     #[inline]
     #[must_use]

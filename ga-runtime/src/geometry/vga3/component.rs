@@ -36,7 +36,8 @@ impl<S: Real> Vector<S> {
     /// ```
     /// use ga_runtime::vga3::Vector;
     /// let (a, b) = (Vector::new(1.0, 5.0, -3.0), Vector::new(2.0, 4.0, -3.0));
-    /// assert_eq!((a.min(b), a.max(b)), (Vector::new(1.0, 4.0, -3.0), Vector::new(2.0, 5.0, -3.0)));
+    /// assert_eq!(a.min(b), Vector::new(1.0, 4.0, -3.0));
+    /// assert_eq!(a.max(b), Vector::new(2.0, 5.0, -3.0));
     /// ```
     #[inline]
     #[must_use]

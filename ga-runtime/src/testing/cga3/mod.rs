@@ -17,7 +17,8 @@
 //! use proptest::prelude::*;
 //!
 //! // A motion keeps the distance of a point from a line.
-//! proptest!(|(motor in cga3::motors(10.0), line in cga3::lines(10.0), point in cga3::points(10.0))| {
+//! use cga3::{lines, motors, points};
+//! proptest!(|(motor in motors(10.0), line in lines(10.0), point in points(10.0))| {
 //!     let (motor, line, point): (Motor<f64>, Line<f64>, Point<f64>) = (motor, line, point);
 //!     let before = line.distance(point).unwrap();
 //!     let after = motor.transform(line).distance(motor.transform(point)).unwrap();

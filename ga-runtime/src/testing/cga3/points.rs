@@ -29,7 +29,8 @@ pub fn points<S: Real>(size: f64) -> impl Strategy<Value = Point<S>> + Clone {
 /// use ga_runtime::testing::cga3;
 /// use proptest::prelude::*;
 ///
-/// // Three points on one line, or of which two coincide, have no circle: no radius comes back, or one that is finite.
+/// // Three points on one line, or of which two coincide, have no circle: no radius comes back,
+/// // or one that is finite.
 /// proptest!(|(points in cga3::point_configurations::<f64, 3>(10.0))| {
 ///     let [p, q, r] = points;
 ///     prop_assert!(Circle::through(p, q, r).radius().is_none_or(f64::is_finite));

@@ -95,7 +95,7 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// let palette = [1.0, 5.0].map(|x| Motor::from(Translator::from_displacement([x, 0.0, 0.0])));
     /// let influences = [(0, 0.25), (1, 0.75)];
     /// let blend =
-    ///     Motor::blend_influences(influences.iter().map(|&(joint, weight)| (weight, palette[joint])));
+    ///     Motor::blend_influences(influences.map(|(joint, weight)| (weight, palette[joint])));
     /// assert_eq!(blend.unwrap().translator().displacement(), [4.0, 0.0, 0.0]);
     /// ```
     #[inline]

@@ -92,7 +92,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     /// ```
     /// use ga_runtime::cga3::Rotor;
     /// let rotation = |angle: f64| Rotor::from_axis_angle([0.0, 1.0, 0.0], angle).unwrap();
-    /// let middle = Rotor::bezier([rotation(0.0), rotation(0.0), rotation(1.0), rotation(1.0)], 0.5);
+    /// let middle = Rotor::bezier([0.0, 0.0, 1.0, 1.0].map(rotation), 0.5);
     /// assert!((middle.to_axis_angle().1 - 0.5).abs() < 1e-15);
     /// ```
     #[must_use]

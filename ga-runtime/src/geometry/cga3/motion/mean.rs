@@ -126,8 +126,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// let rotation =
     ///     |angle: f64| Motor::from(Rotor::from_axis_angle([0.0, 0.0, 1.0], angle).unwrap());
     /// let lift = Motor::from(Translator::from_displacement([0.0, 0.0, 6.0]));
-    /// let found =
-    ///     Motor::mean(&[(1.0, rotation(0.0)), (1.0, rotation(0.3)), (1.0, lift * rotation(0.6))]).unwrap();
+    /// let motions = [rotation(0.0), rotation(0.3), lift * rotation(0.6)];
+    /// let found = Motor::mean(&motions.map(|motion| (1.0, motion))).unwrap();
     /// let [x, y, z] = found.mean.translator().displacement();
     /// assert!(x.abs() < 1e-15 && y.abs() < 1e-15 && (z - 2.0).abs() < 1e-15);
     /// assert!(

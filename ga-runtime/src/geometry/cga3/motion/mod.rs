@@ -1,14 +1,13 @@
 //! Many motions at once: blends and means, curves through them, and the motion that fits measured
 //! points.
 //!
-//! | to get | use |
-//! | --- | --- |
-//! | a cheap weighted average, as in skinning | [`Motor::blend`], [`Rotor::blend`] |
-//! | the weighted average that no choice of frames changes | [`Motor::mean`], [`Rotor::mean`] |
-//! | a smooth motion through keys | [`MotorSpline`], [`RotorSpline`] |
-//! | one curve by its control motions | [`Motor::bezier`], [`Motor::squad`] and the same of rotors |
-//! | the motion that carries points to points | [`Motor::from_point_pairs`], [`Similarity::from_point_pairs`] |
-//! | the rotation that carries directions to directions | [`Rotor::from_direction_pairs`] |
+//! - a cheap weighted average, as in skinning: [`Motor::blend`], [`Rotor::blend`].
+//! - the weighted average that no choice of frames changes: [`Motor::mean`], [`Rotor::mean`].
+//! - a smooth motion through keys: [`MotorSpline`], [`RotorSpline`].
+//! - one curve by its control motions: [`Motor::bezier`], [`Motor::squad`] and the same of rotors.
+//! - the motion that carries points to points: [`Motor::from_point_pairs`],
+//!   [`Similarity::from_point_pairs`].
+//! - the rotation that carries directions to directions: [`Rotor::from_direction_pairs`].
 //!
 //! A motor and its negative are the same motion. All of these take the motions for what they do,
 //! and do not depend on the signs that come in. Sums run in the order of the input, so the same

@@ -341,7 +341,8 @@ impl<S: Real<Mask = bool>> Leg<S> {
 /// use ga_runtime::geometry::motion::RotorSpline;
 /// let rotation = |angle: f64| Rotor::from_axis_angle([1.0, 0.0, 0.0], angle).unwrap();
 /// let spline =
-///     RotorSpline::through(&[(0.0, rotation(0.0)), (2.0, rotation(1.0)), (3.0, -rotation(1.5))]).unwrap();
+///     RotorSpline::through(&[(0.0, rotation(0.0)), (2.0, rotation(1.0)), (3.0, -rotation(1.5))])
+///         .unwrap();
 /// let (_, angle) = spline.evaluate(1.0).unwrap().to_axis_angle();
 /// assert!((angle - 0.5).abs() < 1e-15);
 /// ```

@@ -3,14 +3,16 @@
 //! `a.angle_to(b)` is the same as `b.angle_to(a)`. All are found by `atan2` from a sine and a
 //! cosine, so that small angles and right ones keep their digits.
 //!
-//! | pair | angle | from |
-//! | --- | --- | --- |
-//! | line, line | 0 to π | the directions as oriented: `tan θ = ∣d × e∣ / d·e` |
-//! | plane, plane; circle, circle; plane, circle | 0 to π | the normals as oriented, of the planes of circles |
-//! | line and plane or circle | −½π to ½π | the line and the plane, positive where the direction leaves on the side of the normal |
-//! | sphere and plane | 0 to π | inward normal of the sphere and normal of the plane where they meet: `cos θ = h/r`, h the height of the centre |
-//! | sphere, sphere | 0 to π | both inward normals where they meet: `cos θ = (r² + s² − d²)/(2 r s)` |
-//! | sphere and line or circle | 0 to ½π | the curve and the tangent plane where they meet |
+//! - line, line: 0 to π; between the directions as oriented: `tan θ = ∣d × e∣ / d·e`.
+//! - plane, plane; circle, circle; plane, circle: 0 to π; between the normals as oriented, of the
+//!   planes of circles.
+//! - line and plane or circle: −½π to ½π; between the line and the plane, positive where the
+//!   direction leaves on the side of the normal.
+//! - sphere and plane: 0 to π; between the inward normal of the sphere and the normal of the plane
+//!   where they meet: `cos θ = h/r`, h the height of the centre.
+//! - sphere, sphere: 0 to π; between both inward normals where they meet:
+//!   `cos θ = (r² + s² − d²)/(2 r s)`.
+//! - sphere and line or circle: 0 to ½π; between the curve and the tangent plane where they meet.
 //!
 //! The acute angle of two directions is `min(θ, π − θ)`. In blades, for unit directions, `cos θ` is
 //! minus the scalar product `A ~B` of two lines or two planes in direct form, and `σ·τ / √(σ² τ²)`

@@ -7,7 +7,7 @@
 //! | | point | line | plane | sphere, centre c, radius r | circle |
 //! | --- | --- | --- | --- | --- | --- |
 //! | point | `√(−2 P·Q)` | to its foot | height `h` | `∣∣p − c∣ − r∣` | `√((ρ − r)² + h²)` |
-//! | line | | common perpendicular | zero unless parallel | `max(d − r, 0)` | least over the circle |
+//! | line | | common perpendicular | zero unless parallel | `max(d − r, 0)` | least over it |
 //! | plane | | | zero unless parallel | `max(∣h∣ − r, 0)` | `max(∣h∣ − r sin θ, 0)` |
 //! | sphere | | | | `max(d − r − s, ∣r − s∣ − d, 0)` | by its nearest and farthest point from c |
 //! | circle | | | | | least over one of them |
@@ -20,13 +20,13 @@
 //!
 //! `a.signed_distance_to(b)` has a sign where there is a side to tell:
 //!
-//! | pair | sign |
-//! | --- | --- |
-//! | plane and point, pair, parallel line, circle | positive on the side of the normal, zero where the plane is met or crossed |
-//! | plane a and parallel plane b | where b lies along the normal of a |
-//! | sphere and point, pair, line, plane, circle | negative as far as it reaches into the ball: least distance from the centre less r |
-//! | sphere and sphere | `d − r − s`, negative where the balls overlap |
-//! | all others | none, as [`distance_to`](crate::cga3::Line::distance_to) |
+//! - plane and point, pair, parallel line, circle: positive on the side of the normal, zero where
+//!   the plane is met or crossed.
+//! - plane a and parallel plane b: where b lies along the normal of a.
+//! - sphere and point, pair, line, plane, circle: negative as far as it reaches into the ball:
+//!   least distance from the centre less r.
+//! - sphere and sphere: `d − r − s`, negative where the balls overlap.
+//! - all others: none, as [`distance_to`](crate::cga3::Line::distance_to).
 //!
 //! In blades, for `x·X` with a dual plane n + d ei of unit normal and with a dual sphere σ = c −
 //! ½r² ei: `P·π = n·p − d` and `P·σ = ½(r² − ∣p − c∣²)`.

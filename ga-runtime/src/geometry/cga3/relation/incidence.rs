@@ -2,17 +2,16 @@
 //!
 //! `a.is_on(b, tolerance)` asks whether every point of a is a point of b. In blades a point x is on
 //! a direct X where `x∧X = 0`; here the distance is measured, so that the tolerance has the units
-//! of the coordinates whatever the weights of the blades.
+//! of the coordinates whatever the weights of the blades. Within the tolerance must be, for a on b:
 //!
-//! | a | on b | within the tolerance must be |
-//! | --- | --- | --- |
-//! | point | anything | the distance |
-//! | point pair | anything | the distance of both points |
-//! | line | line, plane | the angle, and the distance at the point of a nearest to the origin |
-//! | plane | plane | the angle, and the distance at the point of a nearest to the origin |
-//! | circle | plane, sphere | the distance of its farthest point |
-//! | circle | circle | the distance of the centres, the difference of the radii, and the tilt times the radius |
-//! | sphere | sphere | the distance of the centres and the difference of the radii |
+//! - point on anything: the distance.
+//! - point pair on anything: the distance of both points.
+//! - line on line, plane: the angle, and the distance at the point of a nearest to the origin.
+//! - plane on plane: the angle, and the distance at the point of a nearest to the origin.
+//! - circle on plane, sphere: the distance of its farthest point.
+//! - circle on circle: the distance of the centres, the difference of the radii, and the tilt times
+//!   the radius.
+//! - sphere on sphere: the distance of the centres and the difference of the radii.
 //!
 //! All others are never on each other, but for a circle or a sphere whose radius is within the
 //! tolerance, which counts as its centre. What is not a [`Figure`] is on nothing, and nothing is on

@@ -5,12 +5,11 @@
 //! with orientation. Rounds and flats become each other: what passes the centre becomes flat, and a
 //! flat that does not becomes round through the centre.
 //!
-//! | element | becomes | flat where |
-//! | --- | --- | --- |
-//! | point | point; `None` for the centre, which goes to infinity | |
-//! | point pair, flat point | [`RoundOrFlat`] of point pair and flat point | a point of it is the centre |
-//! | circle, line | [`RoundOrFlat`] of circle and line | it passes the centre |
-//! | sphere, plane | [`RoundOrFlat`] of sphere and plane | it passes the centre |
+//! - point becomes point; `None` for the centre, which goes to infinity.
+//! - point pair, flat point becomes [`RoundOrFlat`] of point pair and flat point; flat where a
+//!   point of it is the centre.
+//! - circle, line becomes [`RoundOrFlat`] of circle and line; flat where it passes the centre.
+//! - sphere, plane becomes [`RoundOrFlat`] of sphere and plane; flat where it passes the centre.
 //!
 //! Whether the centre is on it is decided within `tolerance.distance`, and the flat result is then
 //! exact in its kind: its blades with eo and without ei are left out. Points at or nearer than that

@@ -5,14 +5,15 @@
 //! share something it vanishes or leaves out what is shared once, and what is shared once is found
 //! by the cases here.
 //!
-//! | | point | point pair | line | circle | plane, sphere |
+//! | | point | pair | line | circle | plane, sphere |
 //! | --- | --- | --- | --- | --- | --- |
-//! | point | line; point | circle; line; pair | plane; line | sphere; plane; circle | all; itself |
-//! | point pair | | sphere; plane; circle; line; pair | plane; line; all | sphere; plane; circle; all | all; itself |
+//! | point | line; point | circle; line; pair | plane; line | sphere; plane; circle | all; it |
+//! |pair| |sphere; plane; circle; line; pair|plane; line; all|sphere; plane; circle; all|all; it|
 //! | line | | | plane; line; all | plane; all | all; plane |
-//! | circle | | | | sphere; plane; circle; all | all; itself |
+//! | circle | | | | sphere; plane; circle; all | all; it |
 //!
-//! First comes what two in general position span, then what is left for less: coplanar points of a
+//! *It* is that plane or sphere. First comes what two in general position span, then what is left
+//! for less: coplanar points of a
 //! circle and off it give a plane, collinear ones a line, and where one holds the other, that one.
 //! *All* is all of space: skew lines, a line and a circle in no common plane, circles on no common
 //! sphere. Two surfaces join to all of space unless they coincide.

@@ -7,18 +7,21 @@
 //! [`Sphere`](crate::cga3::Sphere) in direct form and, but for meet and join, of their dual forms;
 //! this module holds the traits that these methods are generic over and the types that they return.
 //!
-//! | method | gives | page |
-//! | --- | --- | --- |
-//! | `a.is_on(b, tolerance)`, `a.coincides_with(b, tolerance)` | whether a is part of b, whether both are one | [`incidence`] |
-//! | `a.is_parallel_to(b, tolerance)`, `a.is_perpendicular_to(b, tolerance)` | the same for directions | [`incidence`] |
-//! | `a.project_onto(b)`, `a.reject_from(b)` | the nearest point of b, and what is left of a | [`projection`] |
-//! | `a.reflect_in(mirror)` | the image in a plane, a line or a point | [`reflection`] |
-//! | `a.invert_in(sphere, tolerance)` | the image under inversion | [`inversion`] |
-//! | `a.distance_to(b)`, `a.signed_distance_to(b)` | the least distance, in the units of the coordinates | [`distance`] |
-//! | `a.angle_to(b)`, `a.inversive_distance_to(b)` | the angle in radians | [`angle`] |
-//! | `a.common_perpendicular(b, tolerance)` | the shortest way between two lines | [`common_perpendicular`] |
-//! | `a.meet(b, tolerance)` | what both share, by cases | [`meet`] |
-//! | `a.join(b, tolerance)` | the least primitive that holds both | [`join`] |
+//! - `a.is_on(b, tolerance)`, `a.coincides_with(b, tolerance)`: whether a is part of b, whether
+//!   both are one; see [`incidence`].
+//! - `a.is_parallel_to(b, tolerance)`, `a.is_perpendicular_to(b, tolerance)`: the same for
+//!   directions; see [`incidence`].
+//! - `a.project_onto(b)`, `a.reject_from(b)`: the nearest point of b, and what is left of a; see
+//!   [`projection`].
+//! - `a.reflect_in(mirror)`: the image in a plane, a line or a point; see [`reflection`].
+//! - `a.invert_in(sphere, tolerance)`: the image under inversion; see [`inversion`].
+//! - `a.distance_to(b)`, `a.signed_distance_to(b)`: the least distance, in the units of the
+//!   coordinates; see [`distance`].
+//! - `a.angle_to(b)`, `a.inversive_distance_to(b)`: the angle in radians; see [`angle`].
+//! - `a.common_perpendicular(b, tolerance)`: the shortest way between two lines; see
+//!   [`common_perpendicular`].
+//! - `a.meet(b, tolerance)`: what both share, by cases; see [`meet`].
+//! - `a.join(b, tolerance)`: the least primitive that holds both; see [`join`].
 //!
 //! Measures and tests read each primitive as a plain Euclidean [`Figure`] first and take
 //! differences of places before squares, so that points and flats stay accurate far from the

@@ -1,16 +1,19 @@
 //! Projection and rejection: the nearest point of a primitive, and what is left.
 //!
-//! `a.project_onto(b)` is the part of a in b, `a.reject_from(b)` what leads from there to a.
+//! `a.project_onto(b)` is the part of a in b, `a.reject_from(b)` what leads from there to a. For a
+//! onto b, without and with blades:
 //!
-//! | a | b | projection | in blades |
-//! | --- | --- | --- | --- |
-//! | point | line, plane | the foot of the perpendicular | the centre of `(P⌋B) B⁻¹` |
-//! | point | sphere about c | the end of the radius through the point | the nearer point of `(c∧P∧ei) ∨ S` |
-//! | point | circle | the nearest point | the same with the sphere about c through the circle and the foot of P in its plane |
-//! | point | point, point pair | the nearer point | |
-//! | direction | line, plane, circle | `(v·d) d`, `v − (v·n) n` | `(V⌋B) B⁻¹`, for a circle with its plane `C∧ei` |
-//! | line | plane | the line of the feet | `(L⌋Π) Π⁻¹` |
-//! | line | sphere | the great circle below the line, [`great_circle_on`](crate::cga3::Line::great_circle_on) | `S ∨ (c∧L)`, c the centre |
+//! - point onto line, plane: the foot of the perpendicular; in blades the centre of `(P⌋B) B⁻¹`.
+//! - point onto sphere about c: the end of the radius through the point; in blades the nearer point
+//!   of `(c∧P∧ei) ∨ S`.
+//! - point onto circle: the nearest point; in blades the same with the sphere about c through the
+//!   circle and the foot of P in its plane.
+//! - point onto point, point pair: the nearer point.
+//! - direction onto line, plane, circle: `(v·d) d`, `v − (v·n) n`; in blades `(V⌋B) B⁻¹`, for a
+//!   circle with its plane `C∧ei`.
+//! - line onto plane: the line of the feet; in blades `(L⌋Π) Π⁻¹`.
+//! - line onto sphere: the great circle below the line,
+//!   [`great_circle_on`](crate::cga3::Line::great_circle_on); in blades `S ∨ (c∧L)`, c the centre.
 //!
 //! `None` where the nearest point is not unique: a sphere's centre, the axis of a circle, the plane
 //! midway between two points; a line across a plane, whose image is a point; a line through the
