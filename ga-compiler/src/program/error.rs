@@ -4,8 +4,7 @@ use std::fmt;
 
 use crate::parse::{MAX_NESTING, Place};
 
-use super::MAX_STEPS;
-use super::resolve::{MAX_CALL_DEPTH, MAX_CALLS, MAX_LEVELS};
+use super::limits::{MAX_CALL_DEPTH, MAX_CALLS, MAX_LEVELS, MAX_STEPS};
 
 /// Why an operation has no value here.
 #[derive(Clone, Debug, PartialEq, Eq)]

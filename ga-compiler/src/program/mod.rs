@@ -9,6 +9,7 @@
 mod build;
 mod error;
 mod evaluate;
+mod limits;
 mod mismatch;
 pub(crate) mod nearest;
 mod resolve;
@@ -17,6 +18,7 @@ mod witness;
 
 pub use error::{OperationError, ResolveError, ResolveErrorKind, ValueCount};
 pub use evaluate::evaluate;
+pub use limits::MAX_STEPS;
 pub(crate) use mismatch::with_remedy;
 pub use mismatch::{Mismatch, Remedy};
 pub use resolve::{Resolved, resolve, resolve_with};
@@ -28,9 +30,6 @@ use crate::algebra::{Blade, Product, Ratio, Unary};
 use crate::define::TypeDefinition;
 use crate::expression::Expression;
 use crate::ir::{Facts, Function};
-
-/// How many steps a function may have, its operands included.
-pub const MAX_STEPS: usize = 1 << 20;
 
 /// The place of a step in its program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -1,11 +1,17 @@
 //! A file under construction: its JSON and its binary part.
 
+use std::collections::BTreeMap;
+
 use gltf_json::accessor::{ComponentType, GenericComponentType, Type};
 use gltf_json::buffer::{Buffer, Target, View};
+use gltf_json::mesh::Semantic;
 use gltf_json::validation::{Checked, USize64};
 use gltf_json::{Accessor, Index, Root, Value};
 
 use super::GltfError;
+
+/// The attributes of the vertices: which accessor holds them.
+pub(super) type Attributes = BTreeMap<Checked<Semantic>, Index<Accessor>>;
 
 /// A document and the bytes that its accessors describe: little-endian, every accessor at a
 /// multiple of four.

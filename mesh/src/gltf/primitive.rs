@@ -1,7 +1,5 @@
 //! Vertices and triangles.
 
-use std::collections::BTreeMap;
-
 use ga_runtime::vga3::Vector;
 use gltf_json as json;
 use gltf_json::Index;
@@ -9,11 +7,8 @@ use gltf_json::buffer::Target;
 use gltf_json::mesh::{Mode, Primitive, Semantic};
 use gltf_json::validation::Checked;
 
-use super::document::{Document, Elements, single};
+use super::document::{Attributes, Document, Elements, single};
 use super::{GltfError, Model, skin};
-
-/// The attributes of the vertices: which accessor holds them.
-pub(super) type Attributes = BTreeMap<Checked<Semantic>, Index<json::Accessor>>;
 
 /// Appends the mesh with its only primitive.
 pub(super) fn add(

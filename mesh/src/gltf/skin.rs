@@ -8,8 +8,7 @@ use gltf_json::mesh::Semantic;
 use gltf_json::scene::UnitQuaternion;
 use gltf_json::validation::Checked;
 
-use super::document::{Document, Elements, single};
-use super::primitive::Attributes;
+use super::document::{Attributes, Document, Elements, single};
 use super::rigid::{inverse_matrix, normalized, rotation, translation};
 use super::{GltfError, JointNode, Skin};
 

@@ -4,17 +4,12 @@ use syn::Ident;
 
 use super::super::Step;
 use super::super::error::{ResolveError, ResolveErrorKind};
+use super::super::limits::{MAX_CALL_DEPTH, MAX_CALLS};
 use super::super::nearest::nearest;
 use super::operation::{GRADE, Operation};
 use super::{Bound, Resolver, Result};
 use crate::algebra::Unary;
 use crate::parse::{Block, Formula, FormulaKind, FunctionSyntax, Place};
-
-/// How deep calls of functions may go.
-pub(in super::super) const MAX_CALL_DEPTH: usize = 64;
-
-/// How many calls of functions may be copied into one function.
-pub(in super::super) const MAX_CALLS: usize = 4096;
 
 impl<'s> Resolver<'_, 's> {
     /// A call of a function or an operation; the name of a blade gives its coefficient.

@@ -4,15 +4,13 @@ use syn::Ident;
 
 use super::super::build::Outcome;
 use super::super::error::{ResolveError, ResolveErrorKind};
+use super::super::limits::MAX_LEVELS;
 use super::super::nearest::nearest;
 use super::super::{Step, StepId};
 use super::{Bound, Resolver, Result};
 use crate::algebra::{Blade, NameError, Product, Ratio};
 use crate::define::{Role, TypeDefinition};
 use crate::parse::{Formula, FormulaKind, Operator, Place};
-
-/// How deep formulas may nest, counted through the calls of functions.
-pub(in super::super) const MAX_LEVELS: usize = 512;
 
 impl<'s> Resolver<'_, 's> {
     /// The value of a formula.

@@ -7,9 +7,6 @@ mod operation;
 #[cfg(test)]
 mod tests;
 
-pub(super) use call::{MAX_CALL_DEPTH, MAX_CALLS};
-pub(super) use formula::MAX_LEVELS;
-
 use std::rc::Rc;
 
 use syn::Ident;

@@ -2,8 +2,9 @@
 
 use quote::quote;
 
+use super::super::limits::{MAX_CALL_DEPTH, MAX_LEVELS};
 use super::super::{OperationError, ResolveErrorKind};
-use super::{MAX_CALL_DEPTH, MAX_LEVELS, resolve};
+use super::resolve;
 use crate::parse::{Block, MAX_NESTING, parse_functions};
 
 /// The messages about a block of functions of the plane.

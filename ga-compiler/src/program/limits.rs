@@ -1,0 +1,13 @@
+//! How large a function may be, and how deep its calls and formulas may go.
+
+/// How many steps a function may have, its operands included.
+pub const MAX_STEPS: usize = 1 << 20;
+
+/// How deep calls of functions may go.
+pub(super) const MAX_CALL_DEPTH: usize = 64;
+
+/// How many calls of functions may be copied into one function.
+pub(super) const MAX_CALLS: usize = 4096;
+
+/// How deep formulas may nest, counted through the calls of functions.
+pub(super) const MAX_LEVELS: usize = 512;
