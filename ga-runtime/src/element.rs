@@ -54,7 +54,7 @@ pub trait Element: Copy {
         U::from_coefficients_unchecked(&mut |blade| scalar(self.coefficient(blade)))
     }
 
-    /// The member whose stored coefficients the function gives. The caller vouches that constant
+    /// The member whose stored coefficients the function gives. The caller guarantees that constant
     /// and derived blades and the facts of the type agree with it.
     fn from_coefficients_unchecked(coefficient: &mut dyn FnMut(usize) -> Self::Scalar) -> Self;
 }

@@ -6,7 +6,7 @@ crate::algebra! {
     ///
     /// # Basis
     ///
-    /// g0 is the time axis of the observer and g1, g2, g3 his axes of space, right-handed:
+    /// g0 is the time axis of the observer and g1, g2, g3 are the axes of space, right-handed:
     /// `g0² = 1`, `g1² = g2² = g3² = −1`, the signature (+ − − −) of Hestenes (Space-Time
     /// Algebra, 1966) and of Doran & Lasenby (Geometric Algebra for Physicists, 2003). The speed of
     /// light is 1, so that velocities are plain numbers below 1 in size.
@@ -17,7 +17,7 @@ crate::algebra! {
     ///
     /// # Relative vectors
     ///
-    /// The observer sees the bivectors `σk = gk g0` as his vectors of space: `σk² = 1`,
+    /// The observer sees the bivectors `σk = gk g0` as vectors of space: `σk² = 1`,
     /// `σ1σ2σ3 = I`. The other three are `Iσ1 = g32`, `Iσ2 = g13`, `Iσ3 = g21`. So a field is
     /// `F = E + I B`, its coefficients g10 g20 g30 being E and g32 g13 g21 being B.
     ///

@@ -17,7 +17,7 @@
 //!
 //! Bytes make members of every type, and zeros too. Where the facts of a type restrict its
 //! coefficients, as for a [`Rotor`](crate::cga3::Rotor) or a [`Motor`](crate::cga3::Motor), a cast
-//! is what `new_unchecked` is: the caller vouches for them, and products of anything else are
+//! is what `new_unchecked` is: the caller guarantees the facts. Products of anything else are
 //! wrong, though never unsafe. Zero is not a rotor. `try_new` and `normalize` check and repair what
 //! comes from outside.
 //!

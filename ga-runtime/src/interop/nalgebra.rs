@@ -13,8 +13,8 @@
 //! | [`Similarity`] | `Similarity3`, `Matrix4` | to; from is checked |
 //! | [`Affine`] | `Affine3`, `Matrix4` | to; from is checked |
 //!
-//! A `UnitQuaternion` vouches for its length and is taken at its word, number by number. A
-//! `Similarity3` may have a negative factor, which mirrors and has no similarity here.
+//! A `UnitQuaternion` is taken as it is, number by number, since its type says that it has
+//! length 1. A `Similarity3` may have a negative factor, which mirrors and has no similarity here.
 //!
 //! ```
 //! use ga_runtime::cga3::{Motor, Point};

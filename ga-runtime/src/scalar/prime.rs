@@ -10,11 +10,11 @@ use super::{Field, Ring};
 /// Arithmetic is exact and never overflows, and every element but zero has an inverse, so halves,
 /// duals and inverses of versors exist as they do over the rationals. Two polynomial formulas of
 /// degree d that differ agree at a random point with probability of at most d / p
-/// (Schwartz–Zippel), which makes one equality here worth more than any number of comparisons
-/// within a tolerance.
+/// (Schwartz–Zippel), so one equality here proves more than many comparisons within a
+/// tolerance.
 ///
-/// What the field lacks is an order, and with it lengths and angles. Half of its elements are
-/// squares; see [`Prime61::square_root`].
+/// The field does not have an order, so it does not have lengths and angles either. Half of its
+/// elements are squares; see [`Prime61::square_root`].
 ///
 /// Division by zero gives zero: 0⁻¹ is defined as 0, so that no operation panics.
 ///

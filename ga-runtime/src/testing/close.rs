@@ -19,7 +19,7 @@ use crate::scalar::Ring;
 ///   largest coefficient. That is the form for results that should be zero, and `scale` is the size
 ///   of what has cancelled.
 ///
-/// A coefficient that is infinite or no number fails, and so do values with different numbers of
+/// A coefficient that is infinite or not a number fails, and so do values with different numbers of
 /// coefficients. The message names the coefficient of the largest deviation. See
 /// [`Coefficients`](crate::testing::Coefficients) for what can be compared.
 ///
@@ -123,7 +123,7 @@ where
     let Some((index, difference)) = worst else {
         return Ok(());
     };
-    // Put this way round, a tolerance that is not a number fails too.
+    // In this order a tolerance that is not a number fails too.
     let close = difference <= tolerance * scale;
     if close {
         return Ok(());
@@ -147,7 +147,7 @@ fn name_of(value: &(impl Coefficients + ?Sized), index: usize) -> String {
 /// What [`assert_close!`] compares: a value as a list of real numbers, each with a name.
 ///
 /// Numbers have them, elements of an algebra, dense multivectors, and arrays, slices and vectors of
-/// all of these, nested as well. For a type of one's own, two methods do:
+/// all of these, nested as well. A type of your own needs two methods:
 ///
 /// ```
 /// use ga_runtime::testing::{Coefficients, assert_close};

@@ -1,14 +1,14 @@
-//! The means by which Nullcone tests itself, for the tests of crates that build on it.
+//! What Nullcone tests itself with, for the tests of crates that build on it.
 //!
 //! - [`assert_close!`] compares floating-point results, [`Coefficients`] being what it can compare.
 //! - [`strategy`] holds proptest strategies for scalars and for multivectors of any algebra,
 //!   [`member`] one for every declared type, [`cga3`] those for geometry, special positions
 //!   included. [`sample`] draws values of any of them, the same ones for the same seed.
 //! - [`product_tests!`] writes the tests of an algebra's products from its declaration.
-//! - [`bench_product!`] registers a criterion group for products of an algebra of one's own.
+//! - [`bench_product!`] registers a criterion group for products of an algebra of your own.
 //! - [`Prime61`] is the scalar of exact tests, [`dense`] the reference to test against.
 //!
-//! A test of an identity, exact and in an algebra of one's own choice:
+//! A test of an identity, exact and in an algebra of your own:
 //!
 //! ```
 //! use ga_runtime::testing::{Prime61, dense::Algebra, strategy};

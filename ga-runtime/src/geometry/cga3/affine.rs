@@ -1,4 +1,4 @@
-//! Affine maps: what is left where a map is not conformal.
+//! Affine maps, which need not be conformal.
 
 use core::fmt::{Display, Formatter, Result as FormatResult};
 use core::ops::Mul;
@@ -13,8 +13,8 @@ use crate::vga3::Vector;
 /// An affine map of space, `x' = L x + t`.
 ///
 /// Motions and similarities are affine, and so are maps that no versor does: those that shear, or
-/// scale by another factor along each axis. These turn a sphere into an ellipsoid and are not
-/// conformal. Points, directions, lines and planes go through them, and nothing round does.
+/// scale by another factor along each axis. These map a sphere to an ellipsoid and are not
+/// conformal. They can be applied to points, directions, lines and planes, but not to rounds.
 ///
 /// Any numbers make a map; an infinity or NaN in one, or in what it is applied to, goes on into the
 /// image. What becomes a versor or an inverse is checked.

@@ -1,4 +1,4 @@
-//! What a blade is, told at run time.
+//! The kind of a blade, found at run time.
 
 use super::round::RoundBivector;
 use crate::Element;
@@ -22,10 +22,11 @@ use crate::vga3::Vector;
 /// 1.
 ///
 /// - A round is a flat where its centre is 1/τ away or more, a flat is free where it is; so is a
-///   round about the origin with a radius of √(2/τ) or more, which cannot be told from infinity.
+///   round about the origin with a radius of √(2/τ) or more, which cannot be distinguished from
+///   infinity.
 /// - A squared radius counts as zero where it is at most τ times the numbers from whose difference
-///   it comes, `|r²| ≤ τ (c² + |c² − r²|)` for a circle or sphere: less than that no blade can
-///   tell.
+///   it comes, `|r²| ≤ τ (c² + |c² − r²|)` for a circle or sphere: a blade does not determine it
+///   more closely.
 /// - A sum is not a blade where its outer product with itself exceeds τ times the product of its
 ///   coefficients.
 ///

@@ -118,7 +118,7 @@ impl<S: Real<Mask = bool>> Complex<S> {
         if S::zero().less_than(self.modulus()) {
             self.sinh().divided_by(self)
         } else {
-            // One, and not a number for what is not one.
+            // One, and NaN for NaN.
             Self::new(S::one() + self.modulus(), S::zero())
         }
     }

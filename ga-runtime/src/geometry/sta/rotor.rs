@@ -23,7 +23,7 @@ impl<S: Ring> Rotor<S> {
 }
 
 impl<S: Real<Mask = bool>> Rotor<S> {
-    /// The boost that sets into motion what rests: it takes g0 to the proper velocity `γ (g0 + v)`.
+    /// The boost from rest to a velocity: it takes g0 to the proper velocity `γ (g0 + v)`.
     /// Along v it is `cosh ½φ + sinh ½φ σ` with the rapidity `φ = artanh |v|`.
     ///
     /// # Errors

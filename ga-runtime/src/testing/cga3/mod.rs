@@ -8,7 +8,7 @@
 //!
 //! `size` is the largest absolute value of a coordinate and must be positive and finite; a strategy
 //! panics when it draws from an empty or infinite range. Every strategy is generic over the scalar:
-//! numbers are drawn in `f64` and then rounded, so that "on one line" and "tangent" hold up to
+//! numbers are drawn in `f64` and then rounded, so that "on one line" and "tangent" are true up to
 //! rounding.
 //!
 //! ```

@@ -10,7 +10,7 @@ use crate::scalar::Real;
 
 /// Unit rotors: rotations by one of the [`angles`](super::angles) in [0, 2π] about one of the
 /// [`directions`](super::directions), so that a rotor and its negative are both met, and so are
-/// half turns, full turns and hardly any rotation.
+/// half turns, full turns and very small rotations.
 pub fn rotors<S: Real<Mask = bool>>() -> impl Strategy<Value = Rotor<S>> + Clone {
     (directions(), angles()).prop_filter_map("an axis of length 1", |(axis, angle)| {
         Rotor::from_axis_angle(axis, angle)

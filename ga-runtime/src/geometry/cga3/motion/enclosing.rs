@@ -5,8 +5,8 @@ use alloc::vec::Vec;
 use super::matrix::{Matrix, identity, solve};
 use crate::scalar::Real;
 
-/// The method ends by itself; this is for rounding at the very edge, where neither answer can be
-/// had.
+/// The method always ends; this limit is for cases at the very edge,
+/// where rounding decides.
 const MOST_STEPS: usize = 1000;
 
 /// Whether some rotation is within a quarter turn of every one of these, given as unit quaternions
@@ -16,10 +16,10 @@ const MOST_STEPS: usize = 1000;
 ///
 /// Sought is a vector q with `q·p ≥ 1` for all points p. The shortest one points to the centre of
 /// the smallest ball around them, and its length is one over the cosine of half the radius. It is
-/// found from point to point, none of them forgotten that matters, by the dual method of Goldfarb
-/// and Idnani (A numerically stable dual method for solving strictly convex quadratic programs,
-/// Mathematical Programming 27, 1983). The length only grows, so too long a vector refuses for
-/// certain, and a good centre is certain when it is seen.
+/// found by adding one point after the other with the dual method of Goldfarb and Idnani (A
+/// numerically stable dual method for solving strictly convex quadratic programs, Mathematical
+/// Programming 27, 1983). The length only grows, so a vector that is too long proves that there is
+/// none, and a centre that is found is proved by its products.
 pub(super) fn lie_in_quarter_ball<S: Real<Mask = bool>>(points: &[[S; 4]], centre: [S; 4]) -> bool {
     let rounding = S::epsilon() * S::from_integer(64);
     if are_two_opposites(points, rounding) {

@@ -28,9 +28,10 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// translation carries centroid to centroid. Mirror images give the best proper motion.
     ///
     /// # Errors
-    /// Less than three pairs, numbers that are not finite, a result beyond the range of the scalar.
-    /// Points of one side that are at one place or on a line, within 8√ε of their extent and what
-    /// the size of their coordinates lets be told. Pairs that several motors fit equally well.
+    /// Fewer than three pairs, numbers that are not finite, a result beyond the range of the
+    /// scalar. Points of one side that are at one place or on a line, within 8√ε of their extent
+    /// and what the size of their coordinates lets be told. Pairs that several motors fit equally
+    /// well.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Point};

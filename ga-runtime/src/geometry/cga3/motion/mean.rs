@@ -95,18 +95,18 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// Its rotation is the Karcher mean of the rotations, where the weighted sum of squared angles
     /// is least (Moakher, Means and averaging in the group of rotations, SIAM Journal on Matrix
     /// Analysis 24, 2002). The whole is the exponential barycentre of Pennec and Arsigny (in Matrix
-    /// Information Geometry, 2012): it changes along with any change of frames on either side,
+    /// Information Geometry, 2012): it does not depend on the choice of frames on either side,
     /// `mean(A Mᵢ B) = A mean(Mᵢ) B`, which no least sum of squared distances of motions does. Of
     /// two motors it is on the screw from one to the other, at the fraction of the weights. Weights
     /// count by their ratios, and the sign is that of the motor with the largest, as in
     /// [`Motor::blend`], from where the iteration starts.
     ///
-    /// The mean is unique where all rotations are within a quarter turn of some common one,
-    /// whichever that is (Kendall, Probability, convexity, and harmonic maps, Proceedings of the
+    /// The mean is unique where all rotations are within a quarter turn of
+    /// some common rotation (Kendall, Probability, convexity, and harmonic maps, Proceedings of the
     /// London Mathematical Society 61, 1990; Afsari, Riemannian Lᵖ center of mass, Proceedings of
     /// the American Mathematical Society 139, 2011), but for rotations at just two places half a
-    /// turn apart. Other motors are refused; that there is no such common rotation is certain then,
-    /// up to 64ε.
+    /// turn apart. Other motors are refused; up to 64ε there is then certainly no such
+    /// common rotation.
     ///
     /// # Method
     ///
@@ -199,7 +199,7 @@ fn iterate<S: Real<Mask = bool>>(
     start: Motor<S>,
 ) -> Result<Mean<Motor<S>, S>, MeanError<S>> {
     let epsilon = |multiple| S::epsilon() * S::from_integer(multiple);
-    // Displacements cannot be told more closely than the largest of them is stored.
+    // Displacements are not known more closely than the rounding of the largest of them.
     let reach = terms.iter().fold(S::zero(), |most, (_, motor)| {
         most.max(Vector::from(motor.translator().displacement()).length())
     });
@@ -216,7 +216,7 @@ fn iterate<S: Real<Mask = bool>>(
         if !level.is_finite() || !residual.displacement.is_finite() {
             return Err(BlendError::OutOfRange.into());
         }
-        // At rest, or as near to it as rounding lets it come.
+        // Converged, or as close to it as rounding allows.
         let is_stalled = before.is_some_and(|before: S| !(level + level).less_than(before));
         if !epsilon(4).less_than(level) || is_stalled && level.less_than(epsilon(256)) {
             return Ok(Mean {
@@ -310,7 +310,7 @@ impl<S: Real<Mask = bool>> Deviation<S> {
     }
 }
 
-/// A sum that keeps what rounding takes from it (Neumaier, Rundungsfehleranalyse einiger Verfahren
+/// A sum that also keeps its rounding errors (Neumaier, Rundungsfehleranalyse einiger Verfahren
 /// zur Summation endlicher Summen, Zeitschrift für Angewandte Mathematik und Mechanik 54, 1974).
 #[derive(Clone, Copy)]
 struct Sum<S> {

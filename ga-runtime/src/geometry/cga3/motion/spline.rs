@@ -20,7 +20,7 @@ use crate::scalar::Real;
 /// a body that rotates at ω about its own origin, which moves by u, both in its own frame, has
 /// `v = −½(ω₁ e23 − ω₂ e13 + ω₃ e12) − ½ u ei`.
 ///
-/// The curve changes along with the frames on either side. Keys on one screw, at times in
+/// The curve does not depend on the choice of frames on either side. Keys on one screw, at times in
 /// proportion, give that screw at constant speed. From key to key it goes the short way, whatever
 /// the signs of the motors that come in, and the sign of what comes out does not jump, so at a key
 /// it may be the other one.
@@ -35,7 +35,7 @@ use crate::scalar::Real;
 /// let spline = MotorSpline::through(&[0.0, 1.0, 3.0, 3.5].map(|t| (t, screw(t)))).unwrap();
 /// let motor: Motor<f64> = spline.evaluate(2.0).unwrap();
 /// assert!((motor.translator().displacement()[2] - 2.0).abs() < 1e-14);
-/// // Turning by one radian and rising by one in every unit of time: −½ e12 − ½ e3i.
+/// // Rotating by one radian and rising by one in every unit of time: −½ e12 − ½ e3i.
 /// let velocity = spline.velocity(2.0).unwrap();
 /// assert!((velocity.e12 + 0.5).abs() < 1e-14 && (velocity.e3i + 0.5).abs() < 1e-14);
 /// // Before the first key and after the last it stands still.
@@ -57,11 +57,11 @@ struct Piece<S> {
     parts: [MotorGenerator<S>; 3],
 }
 
-/// Keys through which no spline goes.
+/// Why keys do not define a spline.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SplineError<S> {
-    /// There are less than two keys.
+    /// There are fewer than two keys.
     TooFewKeys {
         /// The number of keys.
         found: usize,
@@ -120,10 +120,11 @@ impl<S: Real<Mask = bool>> MotorSpline<S> {
     /// Inside, the velocity is that of the parabola through three keys, `(h₊ v₋ + h₋ v₊)/(h₋ + h₊)`
     /// with the durations h₋, h₊ and the velocities v₋, v₊ of the screws to both sides (Catmull and
     /// Rom's for equal durations); at the ends that of the screw. Where a long way follows a short
-    /// one the curve may swing wide; [`MotorSpline::with_velocities`] takes others.
+    /// one the curve may deviate far from the direct way; [`MotorSpline::with_velocities`] takes
+    /// others.
     ///
     /// # Errors
-    /// Less than two keys, times that are not finite or do not rise, motors that are not finite,
+    /// Fewer than two keys, times that are not finite or do not rise, motors that are not finite,
     /// ways beyond the range of the scalar.
     pub fn through(keys: &[(S, Motor<S>)]) -> Result<Self, SplineError<S>> {
         check(keys)?;

@@ -1,7 +1,7 @@
 //! Projection and rejection: the nearest point of a primitive, and what is left.
 //!
-//! `a.project_onto(b)` is the part of a in b, `a.reject_from(b)` what leads from there to a. For a
-//! onto b, without and with blades:
+//! `a.project_onto(b)` is the part of a in b, `a.reject_from(b)` leads
+//! from there to a. The projections, and their formulas in blades:
 //!
 //! - point onto line, plane: the foot of the perpendicular; in blades the centre of `(P⌋B) B⁻¹`.
 //! - point onto sphere about c: the end of the radius through the point; in blades the nearer point

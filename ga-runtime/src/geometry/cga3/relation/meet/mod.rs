@@ -1,8 +1,8 @@
 //! Meets: what two of line, plane, circle and sphere share, by cases.
 //!
 //! In blades the meet is the vee product `A ∨ B = undual(dual A ∧ dual B)`, where both together
-//! span space. One blade then stands for a crossing, a touch or an imaginary figure, and zero for
-//! all that is left; here each case has its name.
+//! span space. One blade then stands for a crossing, a tangency or an imaginary figure, and zero
+//! for all other cases; here each case has its name.
 //!
 //! | | line | plane | sphere | circle |
 //! | --- | --- | --- | --- | --- |
@@ -22,9 +22,9 @@
 //! are real or imaginary; the tests are made on distances in space, not on coefficients. A radius
 //! whose square is negative by less than `tolerance.distance` squared counts as zero.
 //!
-//! `None` where one of the two is none of its kind, as a sphere of weight zero is not a sphere, is
-//! not finite, or the outcome is beyond the range of the scalar. Imaginary circles and spheres are
-//! welcome.
+//! `None` where one of the two is degenerate (a sphere of weight zero is not a sphere) or not
+//! finite, or where the outcome is beyond the range of the scalar. Imaginary circles and spheres
+//! are allowed.
 //!
 //! ```
 //! use ga_runtime::cga3::{Line, Plane, Point, Sphere};
@@ -81,8 +81,8 @@ pub trait Meet<B>: Sized {
     type Scalar;
     /// The cases that there are.
     type Outcome;
-    /// What both share; see [`meet`](crate::geometry::relation::meet). `None` where one is none of
-    /// its kind or the outcome is beyond the range of the scalar.
+    /// What both share; see [`meet`](crate::geometry::relation::meet). `None` where one is
+    /// degenerate or the outcome is beyond the range of the scalar.
     fn meet(self, other: B, tolerance: Tolerance<Self::Scalar>) -> Option<Self::Outcome>;
 }
 
@@ -90,7 +90,7 @@ macro_rules! meets {
     ($($Primitive:ident)*) => {$(
         impl<S: Real<Mask = bool>> $Primitive<S> {
             /// What this and the other share, by cases; see
-            /// [`meet`](crate::geometry::relation::meet). `None` where one is none of its kind or
+            /// [`meet`](crate::geometry::relation::meet). `None` where one is degenerate or
             /// the outcome is beyond the range of the scalar.
             #[must_use]
             pub fn meet<B>(self, other: B, tolerance: Tolerance<S>) -> Option<<Self as Meet<B>>::Outcome>
