@@ -286,9 +286,8 @@ impl<S: Ring> Mul for Affine<S> {
     fn mul(self, first: Self) -> Self {
         let columns =
             transposed(first.linear).map(|column| apply(self.linear, column.into()).into());
-        let translation =
-            apply(self.linear, first.translation.into()) + Vector::from(self.translation);
-        Self::new(transposed(columns), translation.into())
+        let origin = self.transform(Point::from(first.translation));
+        Self::new(transposed(columns), origin.coordinates())
     }
 }
 
