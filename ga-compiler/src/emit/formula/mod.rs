@@ -332,7 +332,9 @@ fn reads(printer: &mut Printer<'_>, outputs: &[Polynomial]) -> BTreeMap<NodeId, 
                     open.extend(printer.expander.value(argument).variables());
                 }
             }
-            _ => open.extend(printer.expander.node(node).variables()),
+            Node::One | Node::Input(_) | Node::Sum(_) | Node::Product(..) | Node::Quotient(..) => {
+                open.extend(printer.expander.node(node).variables())
+            }
         }
     }
     reads

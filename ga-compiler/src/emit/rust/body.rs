@@ -298,7 +298,7 @@ impl Writer<'_> {
                     ordered => !ordered.last().is_some_and(|&last| self.is_fused(last)),
                 },
                 Node::Quotient(..) => true,
-                _ => false,
+                Node::One | Node::Input(_) | Node::Product(..) | Node::Function(..) => false,
             }
     }
 
@@ -330,7 +330,11 @@ impl Writer<'_> {
                 let name = self.variable(id);
                 quote! { #name }
             }
-            _ => self.expression(id),
+            Node::One
+            | Node::Sum(_)
+            | Node::Product(..)
+            | Node::Quotient(..)
+            | Node::Function(..) => self.expression(id),
         }
     }
 
