@@ -144,8 +144,10 @@ fn single_influences(
     /// How far from 1 the sum of weights may be.
     const TOLERANCE: f64 = 1e-6;
     let sum: f64 = influences.iter().map(|&(_, weight)| weight).sum();
-    let are_weights = influences.iter().all(|&(_, weight)| weight >= 0.0);
-    if !are_weights || !((sum - 1.0).abs() <= TOLERANCE) {
+    let are_positive = influences.iter().all(|&(_, weight)| weight >= 0.0);
+    // False for a sum that is not a number.
+    let sum_to_one = (sum - 1.0).abs() <= TOLERANCE;
+    if !(are_positive && sum_to_one) {
         return Err(GltfError::Weights { vertex, sum });
     }
     if let Some(&(joint, _)) = influences.iter().find(|(j, _)| *j as usize >= joints) {

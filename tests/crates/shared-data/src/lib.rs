@@ -40,7 +40,7 @@ pub fn present(path: &Path) -> Option<PathBuf> {
 }
 
 fn is_required() -> bool {
-    env::var_os(REQUIRE_SHARED).is_some_and(|value| value != "" && value != "0")
+    env::var_os(REQUIRE_SHARED).is_some_and(|value| !value.is_empty() && value != "0")
 }
 
 /// The folder beside the repository.
