@@ -76,7 +76,12 @@ fn matrix_exponential(rotation: [f64; 3], velocity: [f64; 3]) -> Matrix {
     let (mut sum, mut term) = (one, one);
     for k in 1..40 {
         term = product(&term, &generator).map(|row| row.map(|x| x / f64::from(k)));
+        let before = sum;
         sum = std::array::from_fn(|i| std::array::from_fn(|j| sum[i][j] + term[i][j]));
+        // The terms shrink once k exceeds the angle.
+        if k > 7 && sum == before {
+            break;
+        }
     }
     sum
 }

@@ -36,7 +36,8 @@ where
     Motor<S>: Element<Scalar = S>,
     Motor<S>: ga_runtime::products::Sandwich<X, Output = X>,
 {
-    let (motors, elements) = (members::<Motor<S>>(41), members::<X>(41));
+    let (motors, elements) = (members::<Motor<S>>(42), members::<X>(41));
+    let motor = motors[41];
     for length in 0..=40 {
         let (motors, elements) = (&motors[..length], &elements[..length]);
         let each: Vec<X> = motors
@@ -57,7 +58,6 @@ where
             assert_eq!(moved, each, "{set:?}, {length} elements");
             // A single motor is applied as a linear map, which rounds in another order than the
             // product does.
-            let motor = members::<Motor<S>>(42)[41];
             batch
                 .transform_into(&motor, elements, &mut moved)
                 .expect("one length");
