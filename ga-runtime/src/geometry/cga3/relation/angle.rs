@@ -1,26 +1,27 @@
 //! Angles between primitives, in radians.
 //!
-//! `a.angle_to(b)` is the same as `b.angle_to(a)`. All are found by `atan2` from a sine and a
-//! cosine, so that small angles and right ones keep their digits.
+//! `a.angle_to(b)` is the same as `b.angle_to(a)`. Every angle is computed by `atan2` from a sine
+//! and a cosine, so that angles near zero and near a right angle are accurate.
 //!
-//! - line, line: 0 to π; between the directions as oriented: `tan θ = ∣d × e∣ / d·e`.
-//! - plane, plane; circle, circle; plane, circle: 0 to π; between the normals as oriented, of the
-//!   planes of circles.
-//! - line and plane or circle: −½π to ½π; between the line and the plane, positive where the
-//!   direction leaves on the side of the normal.
-//! - sphere and plane: 0 to π; between the inward normal of the sphere and the normal of the plane
-//!   where they meet: `cos θ = h/r`, h the height of the centre.
-//! - sphere, sphere: 0 to π; between both inward normals where they meet:
+//! - Line and line: 0 to π, between the directions as oriented, `tan θ = ∣d × e∣ / d·e`.
+//! - Plane and plane, circle and circle, plane and circle: 0 to π, between the normals as oriented;
+//!   the normal of a circle is that of its plane.
+//! - Line and plane or circle: −½π to ½π, between the line and the plane, positive where the
+//!   direction points to the side of the normal.
+//! - Sphere and plane: 0 to π, between the inward normal of the sphere and the normal of the plane
+//!   where they meet, `cos θ = h/r` with h the height of the centre.
+//! - Sphere and sphere: 0 to π, between both inward normals where they meet,
 //!   `cos θ = (r² + s² − d²)/(2 r s)`.
-//! - sphere and line or circle: 0 to ½π; between the curve and the tangent plane where they meet.
+//! - Sphere and line or circle: 0 to ½π, between the curve and the tangent plane where they meet.
 //!
 //! The acute angle of two directions is `min(θ, π − θ)`. In blades, for unit directions, `cos θ` is
-//! minus the scalar product `A ~B` of two lines or two planes in direct form, and `σ·τ / √(σ² τ²)`
-//! of two dual spheres or planes.
+//! minus the scalar product `A ~B` of two lines or two planes in direct form, and it is
+//! `σ·τ / √(σ² τ²)` for two dual spheres or planes.
 //!
-//! `None` where a sphere and the other do not meet, a sphere has radius zero, or one of the two is
-//! no [`Figure`]. What spheres and planes have instead of an angle where they do not meet is the
-//! [inversive distance](crate::cga3::Sphere::inversive_distance_to).
+//! The result is `None` where a sphere and the other primitive do not meet, where a sphere has
+//! radius zero, or where one of the two is not a [`Figure`]. For spheres and planes that do not
+//! meet, the [inversive distance](crate::cga3::Sphere::inversive_distance_to) takes the place of
+//! the angle.
 //!
 //! ```
 //! use ga_runtime::cga3::{Line, Plane, Point, Sphere};
@@ -50,7 +51,8 @@ use crate::cga3::{Circle, DualCircle, DualPlane, DualSphere, Line, MotorGenerato
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
-/// A primitive with extent, which can make an angle: a line, a plane, a circle, a sphere.
+/// A primitive with extent, between which angles are defined: a line, a plane, a circle or a
+/// sphere.
 pub trait Extended<S>: Primitive<S> {}
 
 impl<S: Real<Mask = bool>> Extended<S> for Line<S> {}
@@ -67,7 +69,8 @@ macro_rules! angles {
         impl<S: Real<Mask = bool>> $Primitive<S> {
             /// The angle to the other primitive in radians; see
             /// [`angle`](crate::geometry::relation::angle) for all pairs. `None` where a sphere and
-            /// the other do not meet, by more than rounding, or either is not a figure.
+            /// the other do not meet, beyond what rounding explains, or where either is not a
+            /// figure.
             #[must_use]
             pub fn angle_to<T: Extended<S>>(self, other: T) -> Option<S> {
                 angle(self.figure()?, other.figure()?)
@@ -82,17 +85,19 @@ macro_rules! inversive_distances {
     ($($Primitive:ident)*) => {$(
         impl<S: Real<Mask = bool>> $Primitive<S> {
             /// The invariant `σ·τ / √(σ² τ²)` of two dual spheres or planes:
-            /// `(r² + s² − d²)/(2 r s)` of spheres with radii r, s and centres d apart, `h/r` of a
-            /// sphere and a plane that its centre is h above, `n·m` of planes. Spheres count as of
-            /// positive weight, by their inward normals, planes by their normals as oriented.
-            /// Conformal maps keep it up to sign: an inversion may turn a sphere inside out.
+            /// `(r² + s² − d²)/(2 r s)` for spheres with radii r and s whose centres are at a
+            /// distance d, `h/r` for a sphere of radius r whose centre is at a height h above a
+            /// plane, `n·m` for planes with normals n and m. Spheres are taken with positive
+            /// weight, that is with inward normals, and planes with their normals as oriented.
+            /// Conformal maps preserve it up to sign: an inversion may exchange the inside and the
+            /// outside of a sphere.
             ///
             /// It is the cosine of the [angle](Self::angle_to) where they meet, 1 or −1 where they
-            /// touch from within or from without, above 1 for a sphere inside another or on the
-            /// side of a plane's normal, and below −1 for two that are apart. Coxeter's inversive
-            /// distance (Annali di Matematica 71, 1966) is the inverse hyperbolic cosine of its
-            /// size. `None` where a radius is zero, either is a line or a circle or no figure, or
-            /// it is beyond the range of the scalar.
+            /// touch from the inside or from the outside, above 1 for a sphere inside another or on
+            /// the side of a plane's normal, and below −1 for two that are apart. Coxeter's
+            /// inversive distance (Annali di Matematica 71, 1966) is the inverse hyperbolic cosine
+            /// of its absolute value. `None` where a radius is zero, where either is a line, a
+            /// circle or not a figure, or where the result is beyond the range of the scalar.
             ///
             /// ```
             /// use ga_runtime::cga3::{Point, Sphere};
@@ -189,7 +194,8 @@ fn sphere_and_circle<S: Real<Mask = bool>>(
 ) -> Option<S> {
     let from = c - centre;
     let height = from.dot(normal);
-    // The plane of the circle cuts the sphere in a circle of this radius, and the two circles meet.
+    // The plane of the circle intersects the sphere in a circle of this radius, and the two circles
+    // meet.
     let rounded = rounding(c, r) + rounding(centre, radius);
     let cut = half_chord(height, r, rounded)?;
     let between = from.across(normal).length();
@@ -229,15 +235,15 @@ fn inversive_distance<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Optio
     found.is_finite().then_some(found)
 }
 
-/// The length whose ε bounds by how much a radius and a centre are rounded: a blade knows the
-/// radius by its square beside that of the centre's distance from the origin.
+/// The length that, times ε, bounds the rounding of a radius and a centre: a blade stores the
+/// square of the radius together with the square of the centre's distance from the origin.
 fn rounding<S: Real<Mask = bool>>(centre: Vector<S>, radius: S) -> S {
     let distance = centre.length();
     radius + distance + distance * (distance / radius)
 }
 
-/// Half the chord that a sphere cuts off at a height from its centre; `None` where it does not
-/// reach so far, or has no radius.
+/// Half the length of the chord of a sphere at a height from its centre; `None` where the height is
+/// beyond the radius, or the radius is zero.
 fn half_chord<S: Real<Mask = bool>>(height: S, radius: S, rounding: S) -> Option<S> {
     let short = slack(radius - height.abs(), rounding)?;
     let usable = S::zero().less_than(radius);
@@ -245,7 +251,7 @@ fn half_chord<S: Real<Mask = bool>>(height: S, radius: S, rounding: S) -> Option
 }
 
 /// Four times the area of a triangle in units of its longest side squared, by Heron's formula;
-/// `None` where the sides make none, or two of them vanish.
+/// `None` where no triangle has these sides, or two of them vanish.
 fn heron<S: Real<Mask = bool>>(sides: [S; 3], rounding: S) -> Option<S> {
     let unit = sides[0].max(sides[1]).max(sides[2]);
     if !S::zero().less_than(unit) {
@@ -257,7 +263,7 @@ fn heron<S: Real<Mask = bool>>(sides: [S; 3], rounding: S) -> Option<S> {
     Some((product * (a + b + c)).sqrt())
 }
 
-/// A number that is negative by rounding only, raised to zero.
+/// The number, or zero where it is negative by rounding only.
 fn slack<S: Real<Mask = bool>>(x: S, size: S) -> Option<S> {
     let is_off = x.less_than(-(size * parallel::<S>()));
     (!is_off).then(|| x.max(S::zero()))

@@ -1,4 +1,4 @@
-//! The common perpendicular of two lines: the shortest way from one to the other.
+//! The common perpendicular of two lines: the shortest segment between them, with its line.
 
 use super::tolerance::within;
 use super::{Figure, Primitive, Tolerance, parallel};
@@ -6,30 +6,30 @@ use crate::cga3::{Line, Point};
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
-/// The common perpendicular of two lines, with its feet.
+/// The common perpendicular of two lines, with the points where it meets them (its feet).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CommonPerpendicular<S> {
-    /// The perpendicular through both feet, with a direction of length 1.
+    /// The line through both feet, with a direction of length 1.
     pub line: Line<S>,
-    /// Its feet, on the first line and on the second.
+    /// The feet: the one on the first line, then the one on the second.
     pub feet: [Point<S>; 2],
-    /// The distance of the feet, which is that of the lines.
+    /// The distance between the feet, which is the distance between the lines.
     pub distance: S,
 }
 
 impl<S: Real<Mask = bool>> Line<S> {
-    /// The line that meets this one and another at right angles, with its feet on both and their
-    /// distance.
+    /// The line that meets this line and another at right angles, with its feet on both and the
+    /// distance between them.
     ///
     /// With the dual lines ℓ and k it is the axis of the motor `k ℓ⁻¹`, along the bivector part of
     /// the commutator `(ℓk − kℓ)/2`. Its direction is that of `d × e`, for d and e the directions
-    /// of this line and the other: it leads from the one to the other or back, as the lines are
-    /// wound.
+    /// of this line and the other: it points from this line to the other or back, depending on the
+    /// handedness of the two lines.
     ///
-    /// Lines parallel within `tolerance.angle` have many. The one through this line's point nearest
-    /// to the origin is given, and leads to the other line. `None` where they are parallel and not
-    /// farther apart than `tolerance.distance`, where one is not a line, or where a foot is beyond
-    /// the range of the scalar.
+    /// Lines that are parallel within `tolerance.angle` have many common perpendiculars. The result
+    /// is then the one through this line's point nearest to the origin, directed to the other line.
+    /// `None` where the lines are parallel and not farther apart than `tolerance.distance`, where
+    /// one is not a line, or where a foot is beyond the range of the scalar.
     ///
     /// ```
     /// use ga_runtime::cga3::{Line, Point};

@@ -1,37 +1,45 @@
 //! Distances between any two primitives.
 //!
-//! `a.distance_to(b)` is the least distance of a point of a from a point of b, zero where they
-//! meet; `b.distance_to(a)` is the same. Spheres are surfaces here: a point inside is at a distance
-//! from the sphere.
+//! `a.distance_to(b)` is the least distance between a point of a and a point of b, zero where they
+//! meet; `b.distance_to(a)` is the same. Spheres are surfaces here: a point inside a sphere has a
+//! positive distance from it.
 //!
-//! | | point | line | plane | sphere, centre c, radius r | circle |
-//! | --- | --- | --- | --- | --- | --- |
-//! | point | `√(−2 P·Q)` | to its foot | height `h` | `∣∣p − c∣ − r∣` | `√((ρ − r)² + h²)` |
-//! | line | | common perpendicular | zero unless parallel | `max(d − r, 0)` | least over it |
-//! | plane | | | zero unless parallel | `max(∣h∣ − r, 0)` | `max(∣h∣ − r sin θ, 0)` |
-//! | sphere | | | | `max(d − r − s, ∣r − s∣ − d, 0)` | by its nearest and farthest point from c |
-//! | circle | | | | | least over one of them |
+//! - Point p to point q: `√(−2 P·Q) = ∣p − q∣`.
+//! - Point to line: the distance to its foot. Point to plane: the height `∣h∣`.
+//! - Point p to sphere with centre c and radius r: `∣∣p − c∣ − r∣`.
+//! - Point to circle of radius r: `√((ρ − r)² + h²)`, with h the height above the plane of the
+//!   circle and ρ the distance from its axis.
+//! - Line to line: the length of the common perpendicular. Line to plane, plane to plane: zero
+//!   unless they are parallel.
+//! - Line to sphere: `max(d − r, 0)`, with d the distance of the centre.
+//! - Line to circle, circle to circle: the least value along one circle.
+//! - Plane to sphere: `max(∣h∣ − r, 0)`, with h the height of the centre.
+//! - Plane to circle: `max(∣h∣ − r sin θ, 0)`, with θ the angle between the planes.
+//! - Sphere to sphere with radii r and s: `max(d − r − s, ∣r − s∣ − d, 0)`, with d the distance of
+//!   the centres.
+//! - Sphere to circle: from the nearest and the farthest point of the circle from the centre.
 //!
-//! A pair counts as its two points. The stationary points of the distance from a line to a circle
-//! are roots of a quartic, those from circle to circle of a polynomial of degree 8 (Vranek, Journal
-//! of Graphics Tools 7 (2002); Eberly, Distance to Circles in 3D); the least one is found by
-//! halving under a proven bound instead, to the accuracy of the scalar. Directions whose sine is
-//! below 16 ε count as parallel.
+//! A point pair is treated as its two points. The stationary points of the distance from a line to
+//! a circle are roots of a quartic, those from circle to circle of a polynomial of degree 8
+//! (Vranek, Journal of Graphics Tools 7 (2002); Eberly, Distance to Circles in 3D); here the least
+//! distance is found by bisection under a proven bound instead, to the accuracy of the scalar.
+//! Directions whose angle has a sine below 16 ε are treated as parallel.
 //!
-//! `a.signed_distance_to(b)` has a sign where there is a side to tell:
+//! `a.signed_distance_to(b)` has a sign where one of the two has sides:
 //!
-//! - plane and point, pair, parallel line, circle: positive on the side of the normal, zero where
-//!   the plane is met or crossed.
-//! - plane a and parallel plane b: where b lies along the normal of a.
-//! - sphere and point, pair, line, plane, circle: negative as far as it reaches into the ball:
-//!   least distance from the centre less r.
-//! - sphere and sphere: `d − r − s`, negative where the balls overlap.
-//! - all others: none, as [`distance_to`](crate::cga3::Line::distance_to).
+//! - Plane and point, point pair, parallel line or circle: positive on the side of the normal, zero
+//!   where they meet.
+//! - Plane a and parallel plane b: positive where b lies on the side of the normal of a.
+//! - Sphere and point, point pair, line, plane or circle: the least distance from the centre minus
+//!   r, so negative where it enters the ball.
+//! - Sphere and sphere: `d − r − s`, negative where the balls overlap.
+//! - All others: no sign, as [`distance_to`](crate::cga3::Line::distance_to).
 //!
-//! In blades, for `x·X` with a dual plane n + d ei of unit normal and with a dual sphere σ = c −
-//! ½r² ei: `P·π = n·p − d` and `P·σ = ½(r² − ∣p − c∣²)`.
+//! In blades, a point P has the inner product `P·π = n·p − d` with the dual plane `π = n + d ei` of
+//! unit normal n, and `P·σ = ½(r² − ∣p − c∣²)` with the dual sphere `σ = c − ½r² ei`.
 //!
-//! `None` where one of the two is not a [`Figure`]: weight zero, imaginary, not finite.
+//! The result is `None` where one of the two is not a [`Figure`]: where its weight is zero, it is
+//! imaginary, or it is not finite.
 //!
 //! ```
 //! use ga_runtime::cga3::{Circle, Line, Plane, Point, Sphere};
@@ -60,7 +68,7 @@ use crate::vga3::Vector;
 macro_rules! distances {
     ($($Primitive:ident)*) => {$(
         impl<S: Real<Mask = bool>> $Primitive<S> {
-            /// The least distance from the other primitive, in the units of the coordinates, zero
+            /// The least distance to the other primitive, in the units of the coordinates, zero
             /// where they meet; see [`distance`](crate::geometry::relation::distance) for all
             /// pairs. `None` where either is not a figure or the distance is beyond the range of
             /// the scalar.
@@ -69,9 +77,10 @@ macro_rules! distances {
                 distance(self.figure()?, other.figure()?)
             }
 
-            /// The distance with a sign where there is a side to tell: planes by their normal,
-            /// spheres negative inside; see [`distance`](crate::geometry::relation::distance) for
-            /// all pairs. `None` as for [`distance_to`](Self::distance_to).
+            /// The distance with a sign where one of the two has sides: positive on the side of a
+            /// plane's normal, negative inside a sphere; see
+            /// [`distance`](crate::geometry::relation::distance) for all pairs. `None` as for
+            /// [`distance_to`](Self::distance_to).
             #[must_use]
             pub fn signed_distance_to<T: Primitive<S>>(self, other: T) -> Option<S> {
                 signed_distance(self.figure()?, other.figure()?)
@@ -143,7 +152,7 @@ pub(super) fn distance<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Opti
             },
         ) => {
             let from = c - centre;
-            // Along the smaller circle the other one looks smooth.
+            // Along the smaller circle the distance from the other one varies slowly.
             if r.less_than(radius) {
                 circle_to_circle(from, m, r, normal, radius)
             } else {
@@ -154,7 +163,7 @@ pub(super) fn distance<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Opti
     found.is_finite().then_some(found)
 }
 
-/// The distance of two lines, each by a point and its unit direction.
+/// The distance between two lines, each given by a point and its unit direction.
 fn line_to_line<S: Real<Mask = bool>>([p, d]: [Vector<S>; 2], [q, e]: [Vector<S>; 2]) -> S {
     let between = q - p;
     let normal = d.cross(e);
@@ -166,12 +175,12 @@ fn line_to_line<S: Real<Mask = bool>>([p, d]: [Vector<S>; 2], [q, e]: [Vector<S>
     }
 }
 
-/// The least distance from the surface of a sphere, for points that are between two distances from
-/// its centre.
+/// The least distance from the surface of a sphere, for points whose distance from its centre is
+/// between two bounds.
 fn from_surface<S: Real<Mask = bool>>([least, most]: [S; 2], radius: S) -> S {
     let zero = S::zero();
     let outside = (least - radius).max(zero);
-    // What is unbounded reaches out of every sphere.
+    // Unbounded figures extend beyond every sphere.
     let inside = if most.is_finite() {
         radius - most
     } else {
@@ -201,8 +210,8 @@ fn signed_distance<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<S
     found.is_finite().then_some(found)
 }
 
-/// The least and the greatest distance of a figure's points from the centre of a sphere, or from a
-/// sphere's surface negative within it; the greatest is infinite for what is unbounded.
+/// The least and the greatest distance of a figure's points from the centre of a sphere, or from
+/// its surface, negative inside it; the greatest is infinite for unbounded figures.
 pub(super) fn from_sphere<S: Real<Mask = bool>>(
     figure: Figure<S>,
     centre: Vector<S>,
@@ -241,7 +250,7 @@ pub(super) fn from_sphere<S: Real<Mask = bool>>(
 /// The least and the greatest height of a figure's points above a plane.
 fn heights<S: Real<Mask = bool>>(figure: Figure<S>, normal: Vector<S>, distance: S) -> [S; 2] {
     let height = |p: Vector<S>| p.dot(normal) - distance;
-    // All heights occur where a direction leaves the plane.
+    // All heights occur where a direction is not parallel to the plane.
     let everywhere = [-S::one(), S::one()];
     let around = |middle: S, reach: S| [middle - reach, middle + reach];
     match figure {
@@ -276,7 +285,7 @@ fn heights<S: Real<Mask = bool>>(figure: Figure<S>, normal: Vector<S>, distance:
     }
 }
 
-/// The number nearest to zero between two.
+/// The number nearest to zero in an interval.
 fn gap<S: Real<Mask = bool>>([least, most]: [S; 2]) -> S {
     if S::zero().less_than(least) {
         least

@@ -7,8 +7,8 @@ use crate::cga3::{
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
-/// A primitive as a set of points of space, by position vectors and directions. All numbers are
-/// finite, directions and normals have length 1, radii are not negative.
+/// A primitive as a set of points of space, given by position vectors and directions. All numbers
+/// are finite, directions and normals have length 1, radii are not negative.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Figure<S> {
     /// One point.
@@ -17,7 +17,7 @@ pub enum Figure<S> {
     PointPair([Vector<S>; 2]),
     /// A line.
     Line {
-        /// Its point that is nearest to the origin.
+        /// Its point nearest to the origin.
         point: Vector<S>,
         /// Its direction.
         direction: Vector<S>,
@@ -33,7 +33,7 @@ pub enum Figure<S> {
     Circle {
         /// Its centre.
         centre: Vector<S>,
-        /// The normal of its plane, from whose tip it turns counterclockwise.
+        /// The normal of its plane; seen from its tip, the circle runs counterclockwise.
         normal: Vector<S>,
         /// Its radius.
         radius: S,
@@ -47,13 +47,13 @@ pub enum Figure<S> {
     },
 }
 
-/// A primitive of space that can be read as a [`Figure`].
+/// A primitive that can be converted to a [`Figure`].
 pub trait Primitive<S>: Copy {
     /// The figure; `None` for weight zero, imaginary points or radii, and numbers that are not
     /// finite.
     ///
-    /// A round whose weight is exactly zero is read as the flat that it then is: a sphere as a
-    /// plane, a circle as a line, a pair as its finite point.
+    /// A round element whose weight is exactly zero is flat and is converted as such: a sphere to a
+    /// plane, a circle to a line, a point pair to its finite point.
     ///
     /// ```
     /// use ga_runtime::cga3::{Line, Point};
@@ -85,7 +85,7 @@ impl<S: Real<Mask = bool>> Primitive<S> for FlatPoint<S> {
 impl<S: Real<Mask = bool>> Primitive<S> for PointPair<S> {
     fn figure(self) -> Option<Figure<S>> {
         if [self.e1o, self.e2o, self.e3o] == [S::zero(); 3] {
-            // p∧ei, as far as p is finite.
+            // p∧ei, where p is finite.
             return FlatPoint::new(self.e1i, self.e2i, self.e3i, self.eoi).figure();
         }
         let [p, q] = self.endpoints()?.map(Vector::from);

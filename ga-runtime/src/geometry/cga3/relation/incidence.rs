@@ -1,21 +1,23 @@
-//! Incidence: what lies on what, within a tolerance.
+//! Incidence: whether one primitive lies on another, within a tolerance.
 //!
-//! `a.is_on(b, tolerance)` asks whether every point of a is a point of b. In blades a point x is on
-//! a direct X where `x∧X = 0`; here the distance is measured, so that the tolerance has the units
-//! of the coordinates whatever the weights of the blades. Within the tolerance must be, for a on b:
+//! `a.is_on(b, tolerance)` tests whether every point of a is a point of b. In blades a point x is
+//! on a direct X where `x∧X = 0`; here the distance is measured, so that the tolerance has the
+//! units of the coordinates and the weights of the blades do not matter.
 //!
-//! - point on anything: the distance.
-//! - point pair on anything: the distance of both points.
-//! - line on line, plane: the angle, and the distance at the point of a nearest to the origin.
-//! - plane on plane: the angle, and the distance at the point of a nearest to the origin.
-//! - circle on plane, sphere: the distance of its farthest point.
-//! - circle on circle: the distance of the centres, the difference of the radii, and the tilt times
-//!   the radius.
-//! - sphere on sphere: the distance of the centres and the difference of the radii.
+//! The following must be within the tolerance:
 //!
-//! All others are never on each other, but for a circle or a sphere whose radius is within the
-//! tolerance, which counts as its centre. What is not a [`Figure`] is on nothing, and nothing is on
-//! it.
+//! - Point a on any b: the distance.
+//! - Point pair a on any b: the distance of both points.
+//! - Line a on a line or plane, plane a on a plane: the angle, and the distance at the point of a
+//!   nearest to the origin.
+//! - Circle a on a plane or sphere: the distance of its farthest point.
+//! - Circle on circle: the distance of the centres, the difference of the radii, and the radius
+//!   times the sine of the angle between the planes.
+//! - Sphere on sphere: the distance of the centres and the difference of the radii.
+//!
+//! All other pairs are never incident, with one exception: a circle or a sphere whose radius is
+//! within the tolerance is treated as its centre. Whatever is not a [`Figure`] is on nothing, and
+//! nothing is on it.
 //!
 //! ```
 //! use ga_runtime::cga3::{Circle, Plane, Point, Sphere};
@@ -54,8 +56,8 @@ impl<S: Real<Mask = bool>> Directed<S> for DualCircle<S> {}
 macro_rules! incidence {
     ($($Primitive:ident)*) => {$(
         impl<S: Real<Mask = bool>> $Primitive<S> {
-            /// Whether every point of this is a point of the other, within the tolerance; see
-            /// [`incidence`](crate::geometry::relation::incidence). False where either is no
+            /// Whether every point of this primitive is a point of the other, within the tolerance;
+            /// see [`incidence`](crate::geometry::relation::incidence). False where either is no
             /// figure.
             #[must_use]
             pub fn is_on<T: Primitive<S>>(self, other: T, tolerance: Tolerance<S>) -> bool {
@@ -65,8 +67,9 @@ macro_rules! incidence {
                 }
             }
 
-            /// Whether this and the other are the same set of points, each [on](Self::is_on) the
-            /// other; orientation and weight do not count. False where either is not a figure.
+            /// Whether this and the other primitive are the same set of points, each
+            /// [on](Self::is_on) the other; orientation and weight are ignored. False where either
+            /// is not a figure.
             #[must_use]
             pub fn coincides_with<T: Primitive<S>>(self, other: T, tolerance: Tolerance<S>) -> bool {
                 match (self.figure(), other.figure()) {
@@ -81,16 +84,16 @@ macro_rules! incidence {
 macro_rules! attitude {
     ($($Primitive:ident)*) => {$(
         impl<S: Real<Mask = bool>> $Primitive<S> {
-            /// Whether the angle to the other is zero within `tolerance.angle`, orientation left
-            /// aside. Lines, planes and the planes of circles are compared; what coincides is
-            /// parallel too. False where either is not a figure.
+            /// Whether the angle to the other is zero within `tolerance.angle`, ignoring
+            /// orientation. Lines, planes and the planes of circles are compared; primitives that
+            /// coincide are parallel too. False where either is not a figure.
             #[must_use]
             pub fn is_parallel_to<T: Directed<S>>(self, other: T, tolerance: Tolerance<S>) -> bool {
                 let slope = self.figure().zip(other.figure()).and_then(|(a, b)| slope(a, b));
                 slope.is_some_and(|[sine, cosine]| within(sine.atan2(cosine), tolerance.angle))
             }
 
-            /// Whether the angle to the other is a right one within `tolerance.angle`. Lines,
+            /// Whether the angle to the other is a right angle within `tolerance.angle`. Lines,
             /// planes and the planes of circles are compared; they need not meet. False where
             /// either is not a figure.
             #[must_use]
@@ -120,7 +123,7 @@ fn slope<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<[S; 2]> {
     })
 }
 
-/// The direction of a figure, and whether it is a normal.
+/// The direction of a figure, or its normal, and whether it is a normal.
 fn direction<S>(figure: Figure<S>) -> Option<(Vector<S>, bool)> {
     match figure {
         Figure::Line { direction, .. } => Some((direction, false)),

@@ -1,19 +1,21 @@
 //! Inversion in a sphere.
 //!
 //! A point at x goes to `c + r² (x − c)/∣x − c∣²`. With the dual sphere `σ = c − ½r² ei` it is the
-//! versor action `σ X̂ σ⁻¹`, X̂ the grade involution, so that every blade is moved point by point,
-//! with orientation. Rounds and flats become each other: what passes the centre becomes flat, and a
-//! flat that does not becomes round through the centre.
+//! versor action `σ X̂ σ⁻¹`, X̂ the grade involution, so that a blade is mapped point by point and
+//! keeps its orientation. The image of an element through the centre of the sphere is flat; the
+//! image of a flat element that does not contain the centre is round and passes through the centre.
 //!
-//! - point becomes point; `None` for the centre, which goes to infinity.
-//! - point pair, flat point becomes [`RoundOrFlat`] of point pair and flat point; flat where a
-//!   point of it is the centre.
-//! - circle, line becomes [`RoundOrFlat`] of circle and line; flat where it passes the centre.
-//! - sphere, plane becomes [`RoundOrFlat`] of sphere and plane; flat where it passes the centre.
+//! - A point becomes a point; the result is `None` for the centre, whose image is at infinity.
+//! - A point pair or flat point becomes a [`RoundOrFlat`] of point pair and flat point, flat where
+//!   one of its points is the centre.
+//! - A circle or line becomes a [`RoundOrFlat`] of circle and line, flat where it passes through
+//!   the centre.
+//! - A sphere or plane becomes a [`RoundOrFlat`] of sphere and plane, flat where it passes through
+//!   the centre.
 //!
-//! Whether the centre is on it is decided within `tolerance.distance`, and the flat result is then
-//! exact in its kind: its blades with eo and without ei are left out. Points at or nearer than that
-//! to the centre have no image.
+//! Whether the element contains the centre is decided within `tolerance.distance`. If it does, the
+//! result has a flat type, which leaves out the blades with eo and without ei. Points within that
+//! distance of the centre have no image.
 //!
 //! ```
 //! use ga_runtime::cga3::{Plane, Point, Sphere};
@@ -48,7 +50,7 @@ use crate::products::Sandwich;
 use crate::scalar::{Field, Real};
 use crate::vga3::Vector;
 
-/// A round element, or the flat one that it has become.
+/// A round element, or the flat element of the same grade.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum RoundOrFlat<R, F> {
     /// The round element.
@@ -60,7 +62,7 @@ pub enum RoundOrFlat<R, F> {
 impl<S: Real<Mask = bool>> Point<S> {
     /// The image under inversion in a sphere, `c + r² (x − c)/∣x − c∣²`; see
     /// [`inversion`](crate::geometry::relation::inversion). `None` for the centre within the
-    /// tolerance, and where the sphere has radius zero, is imaginary or no sphere.
+    /// tolerance, and where the sphere has radius zero, is imaginary or is not a sphere.
     #[must_use]
     pub fn invert_in(self, sphere: Sphere<S>, tolerance: Tolerance<S>) -> Option<Self> {
         let (centre, radius) = mirror(sphere)?;
@@ -79,9 +81,10 @@ macro_rules! inversions {
     ($($Element:ident: $Round:ident or $Flat:ident;)*) => {$(
         impl<S: Real<Mask = bool>> $Element<S> {
             /// The image under inversion in a sphere, `σ X̂ σ⁻¹` with the dual sphere σ; see
-            /// [`inversion`](crate::geometry::relation::inversion). Flat where the centre is on it
-            /// within `tolerance.distance`. `None` where the sphere has radius zero, is imaginary
-            /// or no sphere, this is not a figure, or the image is beyond the range of the scalar.
+            /// [`inversion`](crate::geometry::relation::inversion). The image is flat where this
+            /// element contains the centre within `tolerance.distance`. `None` where the sphere has
+            /// radius zero, is imaginary or is not a sphere, where this element is not a figure, or
+            /// where the image is beyond the range of the scalar.
             #[must_use]
             pub fn invert_in(
                 self,
@@ -118,9 +121,9 @@ fn mirror<S: Real<Mask = bool>>(sphere: Sphere<S>) -> Option<(Vector<S>, S)> {
         .then(|| (centre, squared.sqrt()))
 }
 
-/// The image of an element, in the round type that holds it. With the centre brought to the origin
-/// the inversion exchanges eo and ei but for a factor, `eo → ½r² ei` and `ei → 2/r² eo`, and keeps
-/// e1, e2, e3.
+/// The image of an element, in the round type that holds it. After translating the centre to the
+/// origin, the inversion exchanges eo and ei up to a factor, `eo → ½r² ei` and `ei → 2/r² eo`, and
+/// keeps e1, e2, e3.
 fn inverted<T, R>(element: T, centre: Vector<R::Scalar>, radius: R::Scalar) -> Option<R>
 where
     T: Element<Scalar = R::Scalar>,
@@ -144,7 +147,7 @@ where
     R::BLADES.iter().all(is_finite).then_some(image)
 }
 
-/// The coefficients that another type has too.
+/// The element in another type, with the coefficients that both types store.
 fn recast<T: Element, U: Element<Scalar = T::Scalar>>(element: T) -> U {
     U::from_coefficients_unchecked(&mut |blade| element.coefficient(blade))
 }

@@ -1,33 +1,34 @@
-//! Joins: the least primitive that holds two others.
+//! Joins: the smallest primitive that contains two others.
 //!
-//! In blades the join of two that share nothing is their outer product, `p∧q∧ei` for the line
-//! through two points, `p∧L` for the plane of a point and a line, `C∧p` for a sphere; where they
-//! share something it vanishes or leaves out what is shared once, and what is shared once is found
-//! by the cases here.
+//! In blades the join of two primitives that share nothing is their outer product: `p∧q∧ei` is the
+//! line through two points, `p∧L` the plane of a point and a line, `C∧p` a sphere. Where they share
+//! a subspace the outer product vanishes, and the join is found by the cases listed here.
 //!
-//! | | point | pair | line | circle | plane, sphere |
-//! | --- | --- | --- | --- | --- | --- |
-//! | point | line; point | circle; line; pair | plane; line | sphere; plane; circle | all; it |
-//! |pair| |sphere; plane; circle; line; pair|plane; line; all|sphere; plane; circle; all|all; it|
-//! | line | | | plane; line; all | plane; all | all; plane |
-//! | circle | | | | sphere; plane; circle; all | all; it |
+//! - Point and point: line; point. Point and point pair: circle; line; pair. Point and line: plane;
+//!   line. Point and circle: sphere; plane; circle.
+//! - Pair and pair: sphere; plane; circle; line; pair. Pair and line: plane; line; space. Pair and
+//!   circle: sphere; plane; circle; space.
+//! - Line and line: plane; line; space. Line and circle: plane; space.
+//! - Circle and circle: sphere; plane; circle; space.
+//! - Point, pair, line or circle and a plane or sphere: space, or the plane or sphere if it
+//!   contains the other.
 //!
-//! *It* is that plane or sphere. First comes what two in general position span, then what is left
-//! for less: coplanar points of a
-//! circle and off it give a plane, collinear ones a line, and where one holds the other, that one.
-//! *All* is all of space: skew lines, a line and a circle in no common plane, circles on no common
-//! sphere. Two surfaces join to all of space unless they coincide.
+//! First comes the join of two in general position, then the joins in special positions: a circle
+//! and a point in its plane give that plane, collinear points a line, and where one contains the
+//! other, the join is that one. Skew lines, a line and a circle that are not coplanar, and circles
+//! without a common sphere join to all of space, and so do two surfaces unless they coincide.
 //!
-//! The tolerance decides by distance what lies on what, as in [`incidence`](super::incidence), and
-//! by angle which lines are parallel. A pair, a circle or a sphere that is not larger counts as its
-//! centre.
+//! The distance of the tolerance decides whether one lies on the other, as in
+//! [`incidence`](super::incidence), and its angle decides whether lines are parallel. A point pair,
+//! a circle or a sphere whose radius is not larger than the distance is treated as its centre.
 //!
-//! What comes out has weight 1. Where the outer product of both does not vanish, with infinity for
-//! two points, the outcome is a positive multiple of it, in the order of the call; otherwise it is
-//! oriented as the operand that it is or, for lines and circles of one plane, as the first of them.
+//! The result has weight 1. Where the outer product of both, in the order of the call, does not
+//! vanish (for two points: the outer product with infinity), the result is a positive multiple of
+//! it. Otherwise the result has the orientation of the operand that it equals or, for lines and
+//! circles in one plane, of the first of them.
 //!
-//! `None` where one of the two is not a [`Figure`], or the outcome is beyond the range of the
-//! scalar.
+//! It is `None` where one of the two is not a [`Figure`], or where the join is beyond the range of
+//! the scalar.
 //!
 //! ```
 //! use ga_runtime::cga3::{Circle, Line, Point};
@@ -56,12 +57,12 @@ use crate::cga3::{Circle, FlatPoint, Line, Plane, Point, PointPair, Sphere};
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
-/// The least primitive that holds two others.
+/// The smallest primitive that contains two others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Join<S> {
-    /// A point: both are it.
+    /// A point: both primitives are this point.
     Point(Point<S>),
-    /// A point pair, which holds the other.
+    /// A point pair, which contains the other primitive.
     PointPair(PointPair<S>),
     /// A line.
     Line(Line<S>),
@@ -71,16 +72,16 @@ pub enum Join<S> {
     Plane(Plane<S>),
     /// A sphere.
     Sphere(Sphere<S>),
-    /// All of space: nothing less holds both.
+    /// All of space: nothing smaller contains both.
     Space,
 }
 
 macro_rules! joins {
     ($($Primitive:ident)*) => {$(
         impl<S: Real<Mask = bool>> $Primitive<S> {
-            /// The least primitive that holds this and the other; see
+            /// The smallest primitive that contains this one and the other; see
             /// [`join`](crate::geometry::relation::join). `None` where one is not a figure or the
-            /// outcome is beyond the range of the scalar.
+            /// join is beyond the range of the scalar.
             #[must_use]
             pub fn join<T: Primitive<S>>(self, other: T, tolerance: Tolerance<S>) -> Option<Join<S>> {
                 join(self.figure()?, other.figure()?, tolerance)
@@ -91,7 +92,7 @@ macro_rules! joins {
 
 joins!(Point FlatPoint PointPair Line Plane Circle Sphere);
 
-/// What a figure has in the order point, pair, line, circle, plane, sphere.
+/// The index of a figure in the order point, point pair, line, circle, plane, sphere.
 fn rank<S>(figure: Figure<S>) -> usize {
     match figure {
         Figure::Point(_) => 0,
@@ -124,7 +125,7 @@ fn join<S: Real<Mask = bool>>(
     tolerance: Tolerance<S>,
 ) -> Option<Join<S>> {
     let [a, b] = [a, b].map(|figure| reduced(figure, tolerance));
-    // What holds the other is the join; of two that are the same the first.
+    // If one contains the other, it is the join; of two that coincide, the first.
     if is_on(b, a, tolerance) {
         return itself(a);
     }
@@ -145,7 +146,7 @@ fn join<S: Real<Mask = bool>>(
 }
 
 /// The join of two figures in the order of their ranks, neither of which is on the other. The sign
-/// is that of the order against the outer product.
+/// is −1 if this order changes the sign of the outer product.
 fn span<S: Real<Mask = bool>>(
     a: Figure<S>,
     b: Figure<S>,
@@ -227,7 +228,8 @@ fn span<S: Real<Mask = bool>>(
     }
 }
 
-/// The plane of a line and of the point of a pair that is farther from it, if it holds the other.
+/// The plane of a line and the point of a pair that is farther from it, if it contains the other
+/// point.
 fn pair_and_line<S: Real<Mask = bool>>(
     [p, q]: [Vector<S>; 2],
     point: Vector<S>,
@@ -248,7 +250,8 @@ fn pair_and_line<S: Real<Mask = bool>>(
     }
 }
 
-/// The plane of two lines, each by a point and its unit direction, if they are parallel or meet.
+/// The plane of two lines, each given by a point and its unit direction, if they are parallel or
+/// meet.
 fn two_lines<S: Real<Mask = bool>>(
     [p, d]: [Vector<S>; 2],
     [q, e]: [Vector<S>; 2],
@@ -268,8 +271,8 @@ fn two_lines<S: Real<Mask = bool>>(
     }
 }
 
-/// The point of a circle that is farthest from a plane: up or down its steepest radius, any one in
-/// parallel planes.
+/// The point of a circle that is farthest from a plane: along its steepest radius; any point if the
+/// planes are parallel.
 fn farthest_from_plane<S: Real<Mask = bool>>(
     circle: Figure<S>,
     place: Vector<S>,
@@ -287,7 +290,7 @@ fn farthest_from_plane<S: Real<Mask = bool>>(
     let steepest = if tilt.length().less_than(parallel()) {
         m.orthonormal_pair()[0]
     } else {
-        // Once more, for what rounding has left along the normal.
+        // Projected twice, to remove what rounding has left along the normal.
         tilt.normalized()?.across(m).normalized()?
     };
     let height = |x: Vector<S>| (x - place).dot(normal).abs();
@@ -322,12 +325,12 @@ impl<S: Real<Mask = bool>> Above<S> {
         }
     }
 
-    /// A positive multiple of circle∧point, or by the sign a negative one.
+    /// A multiple of circle∧point, positive or negative as the sign.
     fn to_sphere(&self, sign: S) -> Option<Join<S>> {
         sphere(self.centre, self.radius, self.height * sign)
     }
 
-    /// The sphere about its centre if it holds a figure.
+    /// The sphere if it contains a figure.
     fn holding(&self, figure: Figure<S>, tolerance: Tolerance<S>) -> Option<Join<S>> {
         let Self { centre, radius, .. } = *self;
         if is_on(figure, Figure::Sphere { centre, radius }, tolerance) {
@@ -359,8 +362,8 @@ fn four_points<S: Real<Mask = bool>>(
 ) -> Option<Join<S>> {
     let direction = (q - p).normalized()?;
     let off = |x: Vector<S>| (x - p).across(direction).length();
-    // Of the second pair the point that makes the better triangle comes first; to exchange both
-    // changes the sign.
+    // The point of the second pair that makes the better-conditioned triangle comes first;
+    // exchanging the two points changes the sign.
     let (third, fourth, sign) = if off(r).less_than(off(s)) {
         (s, r, -S::one())
     } else {
@@ -387,7 +390,7 @@ fn four_points<S: Real<Mask = bool>>(
     }
 }
 
-/// The circle through three points, or none where the third is on the line through the others.
+/// The circle through three points; `None` where the third is on the line through the others.
 fn through<S: Real<Mask = bool>>(
     [p, q, r]: [Vector<S>; 3],
     tolerance: Tolerance<S>,
@@ -398,7 +401,8 @@ fn through<S: Real<Mask = bool>>(
         return Some(None);
     }
     let normal = u.cross(v).normalized()?;
-    // In the plane of both: half along the first, and up to equal distance from the third.
+    // In the plane of the triangle: half of the first side along it, and then across it as far as
+    // makes the distance from the third point equal.
     let side = normal.cross(direction);
     let (x, y) = (v.dot(direction), v.dot(side));
     let half = u.dot(direction) * S::from_ratio(1, 2);
@@ -418,12 +422,12 @@ fn middle<S: Real>(p: Vector<S>, q: Vector<S>) -> Vector<S> {
     p + (q - p) * S::from_ratio(1, 2)
 }
 
-/// The part of a vector along another one that is not zero.
+/// The component of a vector along another vector that is not zero.
 fn along<S: Real<Mask = bool>>(v: Vector<S>, other: Vector<S>) -> Vector<S> {
     other.normalized().map_or(other, |unit| unit * v.dot(unit))
 }
 
-/// The element that a figure is.
+/// The primitive of a figure.
 fn itself<S: Real<Mask = bool>>(figure: Figure<S>) -> Option<Join<S>> {
     match figure {
         Figure::Point(p) => Some(Join::Point(Point::from(p))),

@@ -2,25 +2,25 @@
 //!
 //! Along the angle θ of a point on the circle the squared distance g from a line or a circle has a
 //! second derivative that is bounded from above, `g'' ≤ K`. So `g − ½Kθ²` is concave and lies above
-//! its chords: within a cell of width w, g is nowhere more than `⅛Kw²` below its lesser end. Cells
-//! that cannot hold the least value under this bound are dropped; in those where g is convex the
-//! zero of g' is found; the others are halved, and a bound of the third derivative makes K tighter
-//! as they shrink. Nothing is lost between samples, and the result depends on nothing but the
-//! input.
+//! its chords: within a cell of width w, g is nowhere more than `⅛Kw²` below the smaller of its
+//! values at the ends. Cells that cannot contain the least value under this bound are dropped; in
+//! those where g is convex the zero of g' is found; the others are halved, and a bound of the third
+//! derivative makes K tighter as they shrink. So no minimum between samples is missed, and the
+//! result depends only on the input.
 
 use crate::scalar::Real;
 use crate::vga3::Vector;
 use alloc::vec::Vec;
 
-/// Cells at first.
+/// The number of cells at the start.
 const CELLS: i64 = 32;
-/// No cell is halved while there are more than these: then g is as good as constant.
+/// If there are more cells than this, none is halved further: g is then almost constant.
 const MOST_CELLS: usize = 256;
-/// Steps to the zero of g' in one cell, every third of them a bisection.
+/// The most steps to the zero of g' in one cell; every third is a bisection.
 const STEPS: usize = 120;
 
-/// The least distance of a circle from a line of unit direction; `from` leads from the line's
-/// nearest point to the centre of the circle.
+/// The least distance of a circle from a line of unit direction; `from` is the vector from the
+/// line's nearest point to the centre of the circle.
 pub(super) fn line_to_circle<S: Real<Mask = bool>>(
     direction: Vector<S>,
     from: Vector<S>,
@@ -53,8 +53,8 @@ pub(super) fn line_to_circle<S: Real<Mask = bool>>(
     least.sqrt() * size
 }
 
-/// The least distance of a circle from another, fixed one; `from` leads from the centre of the
-/// fixed circle to that of the other.
+/// The least distance of a circle from another, fixed one; `from` is the vector from the centre of
+/// the fixed circle to that of the other.
 pub(super) fn circle_to_circle<S: Real<Mask = bool>>(
     from: Vector<S>,
     normal: Vector<S>,
@@ -125,7 +125,7 @@ fn twice<S: Real>(x: S) -> S {
     x + x
 }
 
-/// Lengths in units of a size; `None` where that is zero or not finite.
+/// Lengths divided by a size; `None` where that is zero or not finite.
 fn in_units<S: Real<Mask = bool>>(size: S, from: Vector<S>, radius: S) -> Option<(Vector<S>, S)> {
     let usable = S::zero().less_than(size) && size.is_finite();
     usable.then(|| (from.divided(size), radius / size))
@@ -142,8 +142,8 @@ struct Sample<S> {
     jerk: S,
 }
 
-/// The least value of a function of an angle with `g'' ≤ bound`, which is given with the width that
-/// the third derivative is to be bounded in.
+/// The least value of a function of an angle with `g'' ≤ bound`. The function takes the angle and
+/// the width in which it has to bound the third derivative.
 fn least<S: Real<Mask = bool>>(bound: S, function: &dyn Fn(S, S) -> Sample<S>) -> S {
     let (zero, half) = (S::zero(), S::from_ratio(1, 2));
     let mut width = S::from_f64(core::f64::consts::TAU) * S::from_ratio(1, CELLS);
@@ -162,7 +162,8 @@ fn least<S: Real<Mask = bool>>(bound: S, function: &dyn Fn(S, S) -> Sample<S>) -
         cells.push([left, right]);
         left = right;
     }
-    // Values within a cell differ by less than the scalar tells when its squared width is below ε.
+    // Where the squared width of a cell is below ε, values within it differ by less than the
+    // precision of the scalar.
     while cells.len() <= MOST_CELLS && S::epsilon().less_than(width * width) {
         let mut rest = Vec::new();
         for [left, right] in cells {
@@ -191,14 +192,14 @@ fn least<S: Real<Mask = bool>>(bound: S, function: &dyn Fn(S, S) -> Sample<S>) -
     best
 }
 
-/// What makes no difference to a squared distance of figures of size 1: a part ε of it, or ε² where
-/// they all but meet.
+/// The change of a squared distance that is negligible for figures of size 1: ε times the squared
+/// distance, or ε² where they almost meet.
 fn resolution<S: Real<Mask = bool>>(value: S) -> S {
     S::epsilon() * value.max(S::epsilon())
 }
 
-/// The least value met on the way to the zero of the derivative, where it rises through it between
-/// the ends, or at the ends.
+/// The least value found: at the ends, or in the search for the zero of the derivative, where the
+/// derivative changes from negative to positive between the ends.
 fn bottom<S: Real<Mask = bool>>(
     [mut left, mut right]: [Sample<S>; 2],
     bound: S,
@@ -215,7 +216,7 @@ fn bottom<S: Real<Mask = bool>>(
         if !resolution(best).less_than(dip) {
             break;
         }
-        // The chord of the derivative alone may creep along one side.
+        // Steps along the chord of the derivative alone may approach from one side only, slowly.
         let angle = if step % 3 == 2 {
             left.angle + width * S::from_ratio(1, 2)
         } else {

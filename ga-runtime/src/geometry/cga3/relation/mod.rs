@@ -7,28 +7,27 @@
 //! [`Sphere`](crate::cga3::Sphere) in direct form and, but for meet and join, of their dual forms;
 //! this module holds the traits that these methods are generic over and the types that they return.
 //!
-//! - `a.is_on(b, tolerance)`, `a.coincides_with(b, tolerance)`: whether a is part of b, whether
-//!   both are one; see [`incidence`].
-//! - `a.is_parallel_to(b, tolerance)`, `a.is_perpendicular_to(b, tolerance)`: the same for
-//!   directions; see [`incidence`].
-//! - `a.project_onto(b)`, `a.reject_from(b)`: the nearest point of b, and what is left of a; see
-//!   [`projection`].
-//! - `a.reflect_in(mirror)`: the image in a plane, a line or a point; see [`reflection`].
-//! - `a.invert_in(sphere, tolerance)`: the image under inversion; see [`inversion`].
-//! - `a.distance_to(b)`, `a.signed_distance_to(b)`: the least distance, in the units of the
-//!   coordinates; see [`distance`].
-//! - `a.angle_to(b)`, `a.inversive_distance_to(b)`: the angle in radians; see [`angle`].
-//! - `a.common_perpendicular(b, tolerance)`: the shortest way between two lines; see
-//!   [`common_perpendicular`].
-//! - `a.meet(b, tolerance)`: what both share, by cases; see [`meet`].
-//! - `a.join(b, tolerance)`: the least primitive that holds both; see [`join`].
+//! - [`incidence`]: `a.is_on(b, tolerance)` and `a.coincides_with(b, tolerance)`, whether a lies on
+//!   b and whether both are the same; `a.is_parallel_to(b, tolerance)` and
+//!   `a.is_perpendicular_to(b, tolerance)`, the same for directions.
+//! - [`projection`]: `a.project_onto(b)` and `a.reject_from(b)`, the nearest point of b and the
+//!   rest of a.
+//! - [`reflection`]: `a.reflect_in(mirror)`, the image in a plane, a line or a point.
+//! - [`inversion`]: `a.invert_in(sphere, tolerance)`, the image under inversion.
+//! - [`distance`]: `a.distance_to(b)` and `a.signed_distance_to(b)`, the least distance, in the
+//!   units of the coordinates.
+//! - [`angle`]: `a.angle_to(b)`, the angle in radians, and `a.inversive_distance_to(b)`.
+//! - [`common_perpendicular`]: `a.common_perpendicular(b, tolerance)`, the shortest segment between
+//!   two lines.
+//! - [`meet`]: `a.meet(b, tolerance)`, the intersection, by cases.
+//! - [`join`]: `a.join(b, tolerance)`, the smallest primitive that contains both.
 //!
-//! Measures and tests read each primitive as a plain Euclidean [`Figure`] first and take
-//! differences of places before squares, so that points and flats stay accurate far from the
-//! origin. The radius of a round is known only as its blade knows it, r² to within some ε of the
-//! centre's squared distance from the origin. What is decided by comparing takes a [`Tolerance`]. A
-//! primitive that is not a figure, because its weight is zero, it is imaginary or not finite, gives
-//! `None`, and `false` in a test.
+//! Distances, angles and tests first convert each primitive to a Euclidean [`Figure`] and subtract
+//! positions before they square, so that points and flats stay accurate far from the origin. The
+//! radius of a round element is only as accurate as its blade: r² is known to within some ε times
+//! the centre's squared distance from the origin. Methods that decide between cases by a comparison
+//! take a [`Tolerance`]. A primitive that is not a figure, because its weight is zero, because it
+//! is imaginary or because it is not finite, gives `None`, and `false` in a test.
 
 pub mod angle;
 pub mod common_perpendicular;
@@ -56,13 +55,13 @@ pub use tolerance::Tolerance;
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
-/// The longer side of a right triangle, `√(a² + b²)`, without overflow or underflow on the way.
+/// The hypotenuse of a right triangle, `√(a² + b²)`, without overflow or underflow on the way.
 fn hypotenuse<S: Real>(a: S, b: S) -> S {
     Vector::new(a, b, S::zero()).length()
 }
 
-/// Directions whose sine differs from zero by less count as parallel where no tolerance is given:
-/// 16 ε.
+/// Directions are treated as parallel, where no tolerance is given, if the sine of their angle is
+/// below 16 ε.
 fn parallel<S: Real>() -> S {
     S::epsilon() * S::from_integer(16)
 }

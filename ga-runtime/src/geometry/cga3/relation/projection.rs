@@ -1,23 +1,24 @@
-//! Projection and rejection: the nearest point of a primitive, and what is left.
+//! Projection and rejection: the nearest point of a primitive, and the rest.
 //!
-//! `a.project_onto(b)` is the part of a in b, `a.reject_from(b)` leads
-//! from there to a. The projections, and their formulas in blades:
+//! `a.project_onto(b)` is the part of a in b, and `a.reject_from(b)` is the difference from there
+//! to a.
 //!
-//! - point onto line, plane: the foot of the perpendicular; in blades the centre of `(P⌋B) B⁻¹`.
-//! - point onto sphere about c: the end of the radius through the point; in blades the nearer point
-//!   of `(c∧P∧ei) ∨ S`.
-//! - point onto circle: the nearest point; in blades the same with the sphere about c through the
-//!   circle and the foot of P in its plane.
-//! - point onto point, point pair: the nearer point.
-//! - direction onto line, plane, circle: `(v·d) d`, `v − (v·n) n`; in blades `(V⌋B) B⁻¹`, for a
-//!   circle with its plane `C∧ei`.
-//! - line onto plane: the line of the feet; in blades `(L⌋Π) Π⁻¹`.
-//! - line onto sphere: the great circle below the line,
-//!   [`great_circle_on`](crate::cga3::Line::great_circle_on); in blades `S ∨ (c∧L)`, c the centre.
+//! - Point onto line or plane: the foot of the perpendicular, the centre of `(P⌋B) B⁻¹`.
+//! - Point onto sphere with centre c: the end of the radius through the point, which is the nearer
+//!   point of `(c∧P∧ei) ∨ S`.
+//! - Point onto circle: the nearest point, found as on a sphere, for the sphere about c through the
+//!   circle and the foot of P in the plane of the circle.
+//! - Point onto point or point pair: the nearer point.
+//! - Direction onto line: `(v·d) d`; onto plane or circle: `v − (v·n) n`. In blades `(V⌋B) B⁻¹`,
+//!   where for a circle B is its plane `C∧ei`.
+//! - Line onto plane: the line of the feet, `(L⌋Π) Π⁻¹`.
+//! - Line onto sphere: the great circle below the line, `S ∨ (c∧L)` with c the centre, by
+//!   [`great_circle_on`](crate::cga3::Line::great_circle_on).
 //!
-//! `None` where the nearest point is not unique: a sphere's centre, the axis of a circle, the plane
-//! midway between two points; a line across a plane, whose image is a point; a line through the
-//! centre of a sphere. Also where one of the two is not a [`Figure`].
+//! The result is `None` where the nearest point is not unique: for a sphere's centre, for a point
+//! on the axis of a circle and for a point midway between the two of a pair. It is also `None` for
+//! a line perpendicular to a plane, whose image is a point, for a line through the centre of a
+//! sphere, and where one of the two is not a [`Figure`].
 //!
 //! ```
 //! use ga_runtime::cga3::{Circle, Line, Plane, Point, Sphere};
@@ -29,7 +30,7 @@
 //!
 //! let ring = Circle::from_centre_normal_radius(Point::default(), [0.0, 0.0, 1.0], 1.0).unwrap();
 //! assert_eq!(p.project_onto(ring), Some(Point::new(0.6, 0.8, 0.0)));
-//! // All points of a sphere are as near to its centre.
+//! // All points of a sphere are equally near to its centre.
 //! assert_eq!(p.project_onto(Sphere::from_centre_radius(p, 1.0)), None);
 //!
 //! let line = Line::from_point_direction(p, [1.0, 0.0, 1.0]);
@@ -44,16 +45,17 @@ use crate::vga3::Vector;
 
 impl<S: Real<Mask = bool>> Point<S> {
     /// The point of the other primitive that is nearest to this one; see
-    /// [`projection`](crate::geometry::relation::projection). `None` where several are, or the
-    /// other is not a figure.
+    /// [`projection`](crate::geometry::relation::projection). `None` where there are several such
+    /// points, or where the other is not a figure.
     #[must_use]
     pub fn project_onto<T: Primitive<S>>(self, other: T) -> Option<Self> {
         let place = nearest(self.into(), other.figure()?)?;
         place.is_finite().then(|| Point::from(place))
     }
 
-    /// The free vector that leads here from the [nearest point](Self::project_onto) of the other
-    /// primitive: `p − p'`, as long as the distance. `None` where there is no nearest point.
+    /// The free vector `p − p'` to this point from the [nearest point](Self::project_onto) p' of
+    /// the other primitive. Its length is the distance. `None` where the nearest point is not
+    /// unique or not defined.
     #[must_use]
     pub fn reject_from<T: Primitive<S>>(self, other: T) -> Option<Direction<S>> {
         let way = self.project_onto(other)?.vector_to(self);
@@ -76,8 +78,9 @@ impl<S: Real<Mask = bool>> FlatPoint<S> {
 }
 
 impl<S: Real<Mask = bool>> Direction<S> {
-    /// The part along a line or in a plane, which for a circle is its own: `(v·d) d` or
-    /// `v − (v·n) n`. It may be zero. `None` where this is not finite or the other is not a figure.
+    /// The part of this vector along a line or in a plane, for a circle in the plane of the circle:
+    /// `(v·d) d` or `v − (v·n) n`. It may be zero. `None` where this vector is not finite or the
+    /// other is not a figure.
     ///
     /// ```
     /// use ga_runtime::cga3::{Direction, Line, Point};
@@ -91,7 +94,8 @@ impl<S: Real<Mask = bool>> Direction<S> {
         Some(self.parts(other.figure()?)?[0])
     }
 
-    /// What the [projection](Self::project_onto) leaves: `v − v'`, at right angles to it.
+    /// The rest, `v − v'` with v' the [projection](Self::project_onto), which is perpendicular to
+    /// it.
     #[must_use]
     pub fn reject_from<T: Directed<S>>(self, other: T) -> Option<Self> {
         Some(self.parts(other.figure()?)?[1])
@@ -114,8 +118,9 @@ impl<S: Real<Mask = bool>> Direction<S> {
 }
 
 impl<S: Real<Mask = bool>> Line<S> {
-    /// The line of the feet of this line's points in a plane: `(L⌋Π) Π⁻¹`, its direction of
-    /// length 1. `None` where the line stands across the plane, or either is not a figure.
+    /// The line of the feet of this line's points in a plane, `(L⌋Π) Π⁻¹`, with a direction of
+    /// length 1. `None` where the line is perpendicular to the plane, or where either is not a
+    /// figure.
     #[must_use]
     pub fn project_onto(self, plane: Plane<S>) -> Option<Self> {
         let LineAndPlane {
@@ -167,10 +172,11 @@ impl<S: Real<Mask = bool>> Line<S> {
         line(crossing, upright)
     }
 
-    /// The great circle of a sphere below this line: that of the plane `c∧L` through the centre c,
-    /// turning as the line passes. Its half on the side of the line holds the points of the sphere
-    /// nearest to those of the line. `None` where the line passes the centre within 16 ε of its
-    /// distance from the origin, or either is not a figure.
+    /// The great circle of a sphere below this line: its intersection with the plane `c∧L` through
+    /// the centre c, oriented so that it runs in the direction of the line on the side of the line.
+    /// Its half on that side consists of the points of the sphere nearest to those of the line.
+    /// `None` where the line passes the centre at a distance below 16 ε times that of the centre
+    /// from the origin, or where either is not a figure.
     ///
     /// ```
     /// use ga_runtime::cga3::{Line, Point, Sphere};
@@ -224,7 +230,8 @@ fn nearest<S: Real<Mask = bool>>(p: Vector<S>, figure: Figure<S>) -> Option<Vect
         } => {
             let from = p - centre;
             let flat = from.across(normal);
-            // What is left of a vector along the normal is rounding, and has no direction.
+            // A vector along the normal leaves only rounding error, which has no meaningful
+            // direction.
             let noise = from.length() * parallel();
             let flat = if noise.less_than(flat.length()) {
                 flat

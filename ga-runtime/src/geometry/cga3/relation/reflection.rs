@@ -8,14 +8,17 @@
 //! | line | `ℓ = dual(L)/∣L∣`, a half turn | `ℓ X ~ℓ` | `2 f − x`, f its foot on the line |
 //! | point p | `dual(p∧ei)`, of grade 3 | `V X̂ V⁻¹` | `2 p − x` |
 //!
-//! X̂ is the grade involution, −X for odd grades. So what goes in is moved point by point, with
-//! weight and orientation: `p∧q∧r∧ei` becomes `p'∧q'∧r'∧ei`. Of a dual form the orientation is
-//! reversed by planes and points as mirrors: I is odd under them, so that the dual of the image is
-//! minus the image of the dual. Twice gives X again. It is worked out as a motor, after the change
-//! of sign of all coordinates where the versor is odd: a reflection in a plane is that in the
-//! origin, a half turn about the normal, and a translation.
+//! X̂ is the grade involution, −X for odd grades. So a blade is mapped point by point and keeps its
+//! weight and orientation: `p∧q∧r∧ei` becomes `p'∧q'∧r'∧ei`. Planes and points as mirrors reverse
+//! the orientation of a dual form: I changes its sign under them, so that the dual of the image is
+//! minus the image of the dual. Reflecting twice gives X again.
 //!
-//! `None` where the mirror is not a [`Figure`], or beyond the range of the scalar.
+//! The image is computed with a motor, for odd versors after changing the sign of all coordinates:
+//! a reflection in a plane is the reflection in the origin, then a half turn about the normal and a
+//! translation.
+//!
+//! The result is `None` where the mirror is not a [`Figure`], or where the image is beyond the
+//! range of the scalar.
 //!
 //! ```
 //! use ga_runtime::cga3::{Line, Plane, Point};
@@ -38,10 +41,10 @@ use crate::cga3::{
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
-/// What can be reflected in: a plane, a line, a point.
+/// A mirror of a reflection: a plane, a line or a point.
 pub trait Mirror<S> {
-    /// The motor that makes the reflection, and whether all coordinates change sign before; `None`
-    /// where the mirror is not a figure.
+    /// The motor of the reflection, and whether all coordinates change sign before it; `None` where
+    /// the mirror is not a figure.
     fn reflection(self) -> Option<(Motor<S>, bool)>;
 }
 
@@ -60,8 +63,8 @@ impl<S: Real<Mask = bool>> Mirror<S> for Line<S> {
         let Figure::Line { point, direction } = self.figure()? else {
             return None;
         };
-        // The point nearest to the origin is across the direction: a half turn about the origin
-        // makes it its negative.
+        // The point nearest to the origin is perpendicular to the direction: a half turn about the
+        // axis through the origin maps it to its negative.
         let shift = shift(point * S::from_integer(2))?;
         Some((shift * half_turn(direction), false))
     }
@@ -112,7 +115,7 @@ reflections! {
     DualSphere DualPlane DualPointPair DualFlatPoint DualDirection DualCircle MotorGenerator
 }
 
-/// The element, where all its coefficients are finite.
+/// The element if all its coefficients are finite.
 fn finite<T: Element<Scalar: Real<Mask = bool>>>(element: T) -> Option<T> {
     let mut blades = T::BLADES.iter();
     let is_finite = blades.all(|&blade| element.coefficient(blade).is_finite());
@@ -130,7 +133,7 @@ fn shift<S: Real<Mask = bool>>(displacement: Vector<S>) -> Option<Translator<S>>
         .then(|| Translator::from_displacement(displacement.into()))
 }
 
-/// The image under the change of sign of e1, e2 and e3.
+/// The image under reflection in the origin, which changes the sign of e1, e2 and e3.
 fn through_origin<T: Element<Scalar: Real>>(element: T) -> T {
     T::from_coefficients_unchecked(&mut |blade| {
         let coefficient = element.coefficient(blade);

@@ -1,14 +1,14 @@
-//! How far off still counts as the same.
+//! Tolerances for comparing primitives.
 
 use crate::scalar::Real;
 
-/// How far off still counts: a distance in the units of the coordinates and an angle in radians,
-/// both bounds included.
+/// The deviations that are ignored in comparisons: a distance in the units of the coordinates and
+/// an angle in radians, both bounds included.
 ///
-/// Results of a few operations on coordinates of size 1 are off by some ε, the spacing of the
+/// Results of a few operations on coordinates of size 1 have an error of some ε, the spacing of the
 /// scalar at 1. The default allows 1024 ε of distance and of angle, which is 2.3·10⁻¹³ in `f64` and
-/// 1.2·10⁻⁴ in `f32`. For coordinates of another size take [`for_size`](Self::for_size). A bound
-/// that is negative or NaN holds for nothing.
+/// 1.2·10⁻⁴ in `f32`. For coordinates of another size use [`for_size`](Self::for_size). With a
+/// bound that is negative or NaN every comparison fails.
 ///
 /// ```
 /// use ga_runtime::cga3::{Line, Point};
@@ -21,9 +21,9 @@ use crate::scalar::Real;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance<S> {
-    /// The largest distance that counts as none, in the units of the coordinates.
+    /// The largest distance that is treated as zero, in the units of the coordinates.
     pub distance: S,
-    /// The largest angle that counts as none, in radians.
+    /// The largest angle that is treated as zero, in radians.
     pub angle: S,
 }
 

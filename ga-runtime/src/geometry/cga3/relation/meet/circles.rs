@@ -13,7 +13,7 @@ use crate::vga3::Vector;
 /// How a line and a circle meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LineAndCircle<S> {
-    /// In two points, in the order in which the line passes them. They are in one plane.
+    /// In two points, in the order in which the line passes them. Line and circle are in one plane.
     Points(PointPair<S>),
     /// The line touches the circle in its plane, or passes a circle of radius zero in its plane.
     Tangent {
@@ -27,81 +27,83 @@ pub enum LineAndCircle<S> {
     /// They are in one plane and do not meet: the imaginary pair about the point of the line
     /// nearest to the centre.
     Imaginary(PointPair<S>),
-    /// They are in no common plane and do not meet.
+    /// They are not in one plane and do not meet.
     Apart,
 }
 
 /// How a plane and a circle meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PlaneAndCircle<S> {
-    /// In two points. From the first to the second it goes along `m × n`, with the normal n of the
-    /// circle and m of the plane.
+    /// In two points. The vector from the first to the second is along `m × n`, with the normal n
+    /// of the circle and m of the plane.
     Points(PointPair<S>),
     /// The plane touches the circle.
     Tangent {
         /// The point where they touch.
         point: Point<S>,
-        /// The unit direction of the tangent, as the pair would have it.
+        /// The unit direction of the tangent, oriented as the pair would be.
         direction: [S; 3],
     },
-    /// The planes of both cross off the circle: the imaginary pair about the point of that line
-    /// nearest to the centre.
+    /// The plane of the circle crosses the plane in a line that does not meet the circle: the
+    /// imaginary pair about the point of that line nearest to the centre.
     Imaginary(PointPair<S>),
     /// The plane of the circle is parallel to the plane.
     Parallel {
         /// The height of the circle above the plane.
         distance: S,
     },
-    /// The circle lies in the plane, also if its radius is zero.
+    /// The circle lies in the plane; its radius may be zero.
     Contained(Circle<S>),
 }
 
 /// How a sphere and a circle meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SphereAndCircle<S> {
-    /// In two points. From the first to the second it goes along `w × n`, where w leads from the
-    /// centre of the circle to that of the sphere and n is the normal of the circle.
+    /// In two points. The vector from the first to the second is along `w × n`, where w is the
+    /// vector from the centre of the circle to that of the sphere and n is the normal of the
+    /// circle.
     Points(PointPair<S>),
     /// They touch: the nearest or the farthest point of the circle from the centre is on the
     /// sphere.
     Tangent {
         /// The point where they touch.
         point: Point<S>,
-        /// The unit direction of the tangent, as the pair would have it.
+        /// The unit direction of the tangent, oriented as the pair would be.
         direction: [S; 3],
     },
     /// They do not meet: the imaginary pair on the line of equal power in the plane of the circle.
     Imaginary(PointPair<S>),
-    /// The axis of the circle passes the centre of the sphere, and they meet nowhere, not even at
-    /// infinity.
+    /// The axis of the circle passes through the centre of the sphere, and they do not meet, not
+    /// even at infinity.
     Concentric,
-    /// The circle lies on the sphere, also if its radius is zero.
+    /// The circle lies on the sphere; its radius may be zero.
     Contained(Circle<S>),
 }
 
 /// How two circles meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CircleAndCircle<S> {
-    /// In two points, in one plane or in two. In one plane it goes from the first to the second
-    /// along `w × n`, where w leads from the first centre to the second and n is the first normal;
-    /// in two planes along `m × n` with the first normal n and the second m.
+    /// In two points, in one plane or in two. The vector from the first point to the second is, in
+    /// one plane, along `w × n`, where w is the vector from the first centre to the second and n is
+    /// the first normal; in two planes it is along `m × n` with the first normal n and the second
+    /// m.
     Points(PointPair<S>),
-    /// They touch in a point, where they have one tangent, in one plane or in two.
+    /// They touch in a point, where they have a common tangent; they are in one plane or in two.
     Tangent {
         /// The point where they touch.
         point: Point<S>,
-        /// The unit direction of the tangent, as the pair would have it.
+        /// The unit direction of the tangent, oriented as the pair would be.
         direction: [S; 3],
     },
-    /// They cross in one point, in two planes, or one of radius zero is on the other.
+    /// They are in two planes and cross in one point, or one has radius zero and is on the other.
     Point(Point<S>),
     /// They are in one plane and do not meet: the imaginary pair on the line of equal power.
     Imaginary(PointPair<S>),
     /// They are in two planes and do not meet.
     Apart,
-    /// They have one centre, one plane and two radii.
+    /// They have the same centre and plane and different radii.
     Concentric,
-    /// They are one circle: the first.
+    /// They are the same circle: the first is given.
     Coincident(Circle<S>),
 }
 
@@ -170,7 +172,8 @@ impl<S: Real<Mask = bool>> Meet<Circle<S>> for Plane<S> {
                 PlaneAndCircle::Parallel { distance: height }
             });
         }
-        // Where the circle comes nearest to the plane, or farthest: down its steepest radius.
+        // The point of the circle nearest to the plane, or farthest from it, is on its steepest
+        // radius.
         let direction = along.divided(sine);
         let descent = normal.cross(direction);
         let reach = height / sine;
@@ -204,7 +207,7 @@ impl<S: Real<Mask = bool>> Meet<Circle<S>> for Sphere<S> {
         let flat = from.across(normal);
         let off = flat.length();
         let radii = radius(squared, tolerance).zip(radius(sphere_squared, tolerance));
-        // How far the nearest and the farthest point of the circle are from the sphere.
+        // The distances of the nearest and the farthest point of the circle from the sphere.
         let gaps = radii.and_then(|(r, s)| {
             let figure = Figure::Circle {
                 centre,
@@ -290,7 +293,7 @@ impl<S: Real<Mask = bool>> Meet<Circle<S>> for Circle<S> {
     }
 }
 
-/// The points of the first circle in the plane of the second, as far as they are on the second.
+/// The points of the first circle in the plane of the second that are on the second.
 fn in_two_planes<S: Real<Mask = bool>>(
     first: Circle<S>,
     second: Circle<S>,
@@ -321,8 +324,8 @@ fn in_two_planes<S: Real<Mask = bool>>(
             }
         }
         PlaneAndCircle::Tangent { point, direction } if is_on(point) => {
-            // The tangents are one where that of the first, which is in both planes, is across the
-            // radius of the second.
+            // The tangents coincide where that of the first, which is in both planes, is
+            // perpendicular to the radius of the second.
             let arm = (Vector::from(point) - b).normalized();
             let tangent = Vector::from(direction);
             let lean = arm.map(|arm| arm.dot(tangent).abs().atan2(arm.cross(tangent).length()));

@@ -8,10 +8,10 @@ use crate::scalar::Real;
 use crate::vga3::Vector;
 
 /// How two lines meet. Their vee product is zero unless they are skew, and then a scalar times ei;
-/// nothing here is oriented by it.
+/// it does not determine an orientation here.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LineAndLine<S> {
-    /// They cross in a point, midway between the feet of their common perpendicular.
+    /// They cross in a point: the midpoint between the feet of their common perpendicular.
     Point(Point<S>),
     /// They are parallel and meet at infinity.
     Parallel {
@@ -20,9 +20,9 @@ pub enum LineAndLine<S> {
         /// The distance of the lines.
         distance: S,
     },
-    /// They pass each other.
+    /// They are skew: neither parallel nor crossing.
     Skew(CommonPerpendicular<S>),
-    /// They are one line: the first.
+    /// They are the same line: the first is given.
     Coincident(Line<S>),
 }
 
@@ -49,13 +49,13 @@ pub enum PlaneAndPlane<S> {
     Line(Line<S>),
     /// They are parallel and meet at infinity.
     Parallel {
-        /// Their common line at infinity, as the free bivector across the unit normal of the first
-        /// plane.
+        /// Their common line at infinity, as the free bivector perpendicular to the unit normal of
+        /// the first plane.
         attitude: DualDirection<S>,
-        /// Where the second plane lies along the normal of the first.
+        /// The signed distance of the second plane along the normal of the first.
         distance: S,
     },
-    /// They are one plane: the first.
+    /// They are the same plane: the first is given.
     Coincident(Plane<S>),
 }
 

@@ -1,8 +1,8 @@
-//! Meets: what two of line, plane, circle and sphere share, by cases.
+//! Meets: the intersection of two of line, plane, circle and sphere, by cases.
 //!
-//! In blades the meet is the vee product `A ∨ B = undual(dual A ∧ dual B)`, where both together
-//! span space. One blade then stands for a crossing, a tangency or an imaginary figure, and zero
-//! for all other cases; here each case has its name.
+//! In blades the meet is the vee product `A ∨ B = undual(dual A ∧ dual B)`, if both together span
+//! the whole space. One blade then represents a crossing, a contact or an imaginary figure, and
+//! zero represents every other case; here each case is a variant of its own.
 //!
 //! | | line | plane | sphere | circle |
 //! | --- | --- | --- | --- | --- |
@@ -11,20 +11,21 @@
 //! | sphere | | | [`SphereAndSphere`] | [`SphereAndCircle`] |
 //! | circle | | | | [`CircleAndCircle`] |
 //!
-//! `a.meet(b, tolerance)` and `b.meet(a, tolerance)` have one type. Lines, pairs and circles that
-//! come out have weight 1, real or imaginary, and are oriented as the vee product in the order of
-//! the call, of which they are positive multiples; but a line gives its points in the order in
-//! which it passes them. Where the product vanishes, as for figures of one plane, the page of the
-//! outcome says how.
+//! `a.meet(b, tolerance)` and `b.meet(a, tolerance)` return the same type. Lines, point pairs and
+//! circles in the result have weight 1, real or imaginary, and are oriented as the vee product in
+//! the order of the call: they are positive multiples of it. The exception is a line, which gives
+//! its points in the order in which it passes them. Where the vee product vanishes, as for figures
+//! in one plane, the page of the result type describes the orientation.
 //!
-//! The tolerance decides as follows. Angles up to `tolerance.angle` are parallel. Figures that come
-//! as near as `tolerance.distance` touch, and those that would have to be moved farther to touch
-//! are real or imaginary; the tests are made on distances in space, not on coefficients. A radius
-//! whose square is negative by less than `tolerance.distance` squared counts as zero.
+//! The tolerance decides as follows. Directions whose angle is at most `tolerance.angle` are
+//! parallel. Figures are tangent if a displacement of at most `tolerance.distance` makes them
+//! touch; otherwise their intersection is real or imaginary. The tests compare distances in space,
+//! not coefficients. A radius whose square is negative by less than `tolerance.distance` squared is
+//! treated as zero.
 //!
-//! `None` where one of the two is degenerate (a sphere of weight zero is not a sphere) or not
-//! finite, or where the outcome is beyond the range of the scalar. Imaginary circles and spheres
-//! are allowed.
+//! The result is `None` where one of the two is not what its type says (a sphere of weight zero is
+//! not a sphere), where it is not finite, or where the intersection is beyond the range of the
+//! scalar. Imaginary circles and spheres are accepted.
 //!
 //! ```
 //! use ga_runtime::cga3::{Line, Plane, Point, Sphere};
@@ -77,21 +78,21 @@ use crate::vga3::Vector;
 
 /// A primitive that can meet another.
 pub trait Meet<B>: Sized {
-    /// The scalar of both.
+    /// The scalar of both primitives.
     type Scalar;
-    /// The cases that there are.
+    /// The type of the result: an enum of the possible cases.
     type Outcome;
-    /// What both share; see [`meet`](crate::geometry::relation::meet). `None` where one is
-    /// degenerate or the outcome is beyond the range of the scalar.
+    /// The intersection; see [`meet`](crate::geometry::relation::meet). `None` where one is not
+    /// what its type says or the result is beyond the range of the scalar.
     fn meet(self, other: B, tolerance: Tolerance<Self::Scalar>) -> Option<Self::Outcome>;
 }
 
 macro_rules! meets {
     ($($Primitive:ident)*) => {$(
         impl<S: Real<Mask = bool>> $Primitive<S> {
-            /// What this and the other share, by cases; see
-            /// [`meet`](crate::geometry::relation::meet). `None` where one is degenerate or
-            /// the outcome is beyond the range of the scalar.
+            /// The intersection of this and the other, by cases; see
+            /// [`meet`](crate::geometry::relation::meet). `None` where one is not what its type
+            /// says or the result is beyond the range of the scalar.
             #[must_use]
             pub fn meet<B>(self, other: B, tolerance: Tolerance<S>) -> Option<<Self as Meet<B>>::Outcome>
             where
@@ -142,7 +143,7 @@ fn plane_parts<S: Real<Mask = bool>>(plane: Plane<S>) -> Option<(Vector<S>, S)> 
     }
 }
 
-/// The radius for a squared one; zero where the square is negative within the tolerance, `None`
+/// The radius, from its square; zero where the square is negative within the tolerance, `None`
 /// where it is imaginary.
 fn radius<S: Real<Mask = bool>>(squared: S, tolerance: Tolerance<S>) -> Option<S> {
     if squared.less_than(S::zero()) {
@@ -152,8 +153,8 @@ fn radius<S: Real<Mask = bool>>(squared: S, tolerance: Tolerance<S>) -> Option<S
     Some(squared.sqrt())
 }
 
-/// `x² − y²` without cancelling more than it must, where x² is the square that is given and y a
-/// length.
+/// `x² − y²` with as little cancellation as possible, where the square x² and the length y are
+/// given.
 fn less_square<S: Real<Mask = bool>>(squared: S, y: S) -> S {
     if squared.less_than(S::zero()) {
         return squared - y * y;

@@ -11,9 +11,9 @@ use crate::scalar::Real;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LineAndSphere<S> {
     /// In two points, in the order in which the line passes them: a negative multiple of `L ∨ S`. A
-    /// line goes both ways; of a ray take the points that are ahead.
+    /// line extends both ways; for a ray, use only the points ahead of its origin.
     Points(PointPair<S>),
-    /// The line touches the sphere, or passes a sphere of radius zero.
+    /// The line touches the sphere, or passes through a sphere of radius zero.
     Tangent {
         /// The point of the line nearest to the centre.
         point: Point<S>,
@@ -30,7 +30,7 @@ pub enum PlaneAndSphere<S> {
     /// In a circle. Its normal is that of the plane for `sphere.meet(plane)`, the opposite for
     /// `plane.meet(sphere)`.
     Circle(Circle<S>),
-    /// The plane touches the sphere, or holds a sphere of radius zero.
+    /// The plane touches the sphere, or contains a sphere of radius zero.
     Tangent {
         /// The point of the plane nearest to the centre.
         point: Point<S>,
@@ -44,11 +44,11 @@ pub enum PlaneAndSphere<S> {
 /// How two spheres meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SphereAndSphere<S> {
-    /// In a circle. Its normal leads from the centre of the first to that of the second.
+    /// In a circle. Its normal points from the centre of the first to that of the second.
     Circle(Circle<S>),
-    /// They touch, from within or from without.
+    /// They touch, from the inside or from the outside.
     Tangent {
-        /// The point where they touch, on the plane that the circle would be in.
+        /// The point where they touch, in the plane that the circle would be in.
         point: Point<S>,
         /// The unit normal of both, as that of the circle would be.
         normal: [S; 3],
@@ -56,9 +56,9 @@ pub enum SphereAndSphere<S> {
     /// They do not meet: the imaginary circle of all spheres through both, in the plane of points
     /// with equal power.
     Imaginary(Circle<S>),
-    /// They have one centre and two radii, and meet nowhere, not even at infinity.
+    /// They have the same centre and different radii, and do not meet, not even at infinity.
     Concentric,
-    /// They are one sphere: the first.
+    /// They are the same sphere: the first is given.
     Coincident(Sphere<S>),
 }
 
@@ -165,13 +165,13 @@ impl<S: Real<Mask = bool>> Meet<Sphere<S>> for Sphere<S> {
     }
 }
 
-/// How far from the first of two centres, towards the second, the points of equal power are:
-/// `(d² + r² − s²)/(2 d)`.
+/// The distance from the first of two centres, towards the second, of the plane of points of equal
+/// power: `(d² + r² − s²)/(2 d)`.
 pub(super) fn power_plane<S: Real<Mask = bool>>(distance: S, squared: S, other_squared: S) -> S {
     (distance + (squared - other_squared) / distance) * S::from_ratio(1, 2)
 }
 
-/// Whether two radii are the same within the tolerance, both real or both imaginary.
+/// Whether two radii, both real or both imaginary, are equal within the tolerance.
 pub(super) fn same_radius<S: Real<Mask = bool>>(a: S, b: S, tolerance: Tolerance<S>) -> bool {
     match (radius(a, tolerance), radius(b, tolerance)) {
         (Some(r), Some(s)) => within(r - s, tolerance.distance),
@@ -180,7 +180,7 @@ pub(super) fn same_radius<S: Real<Mask = bool>>(a: S, b: S, tolerance: Tolerance
     }
 }
 
-/// Whether two spheres, or circles in one plane, touch from within or from without.
+/// Whether two spheres, or circles in one plane, touch from the inside or from the outside.
 pub(super) fn touch<S: Real<Mask = bool>>(
     distance: S,
     squared: S,
