@@ -1,12 +1,12 @@
 //! The signs of motors that are to be added: a motor and its negative are the same motion, and a
-//! sum needs them on one side.
+//! sum needs signs that are consistent.
 
 use crate::cga3::Motor;
 use crate::scalar::Real;
 
-/// The motors, each with the sign that is nearer to the one of the largest weight, of equal ones
-/// the first; `None` for no motors. What is half a turn away from that one, as far as can be told,
-/// takes the sign nearer to the sum of the others.
+/// The motors, each with the sign that brings it nearer to the motor of the largest weight (the
+/// first of several); `None` for no motors. A motor that is half a turn away from that one, within
+/// rounding, takes the sign that brings it nearer to the sum of the others.
 #[inline]
 pub(super) fn aligned<S, I>(weighted: I) -> Option<impl Iterator<Item = (S, Motor<S>)>>
 where
@@ -46,13 +46,13 @@ where
     }))
 }
 
-/// The coefficients of the rotation: a unit quaternion, but for the signs of its basis.
+/// The coefficients of the rotation: a unit quaternion, up to the signs of its basis.
 #[inline]
 pub(super) fn rotor_coordinates<S: Real>(motor: Motor<S>) -> [S; 4] {
     [motor.scalar(), motor.e12(), motor.e13(), motor.e23()]
 }
 
-/// For two rotors the cosine of half the angle between them.
+/// For two rotors: the cosine of half the angle between them.
 #[inline]
 fn rotor_product<S: Real>(a: [S; 4], b: [S; 4]) -> S {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3]

@@ -11,13 +11,13 @@ use crate::scalar::Real;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum BlendError<S> {
-    /// There is nothing to blend.
+    /// There are no motions to blend.
     Empty,
     /// The weights do not define an average.
     Weight(WeightError<S>),
     /// A coefficient of a motion is not finite.
     NotFinite {
-        /// Which of the motions, from 0.
+        /// The index of the motion, from 0.
         index: usize,
     },
     /// The displacements are so large that the result is beyond the range of the scalar.
@@ -44,17 +44,17 @@ impl<S> From<WeightError<S>> for BlendError<S> {
 }
 
 impl<S: Real<Mask = bool>> Motor<S> {
-    /// The weighted sum of motors, made a motor again: `Σ wᵢ ±Mᵢ / |Σ wᵢ ±Mᵢ|`, the norm in every
-    /// grade.
+    /// The weighted sum of motors, normalised to a motor: `Σ wᵢ ±Mᵢ / |Σ wᵢ ±Mᵢ|`. The norm has a
+    /// scalar part and a part of grade 4, and the sum is divided by both.
     ///
     /// This is the blend of dual quaternion skinning (Kavan, Collins, Žára and O'Sullivan,
     /// Geometric skinning with approximate dual quaternion blending, ACM Transactions on Graphics
-    /// 27, 2008). Each motor enters with the sign that is nearer to the one of the largest weight,
-    /// of equal ones the first, and the result has that one's sign. So the sum cannot vanish.
-    /// Weights count by their ratios. Of two motors with equal weights it is the middle of the
-    /// screw from one to the other; elsewhere it is close to [`Motor::mean`] and costs no
-    /// logarithm. Without checks and for any list of influences it is
-    /// [`Motor::blend_influences`].
+    /// 27, 2008). Each motor is added with the sign that brings it nearer to the motor of the
+    /// largest weight (the first of several), and the result has the sign of that motor. So the sum
+    /// cannot vanish. Only the ratios of the weights matter. The blend of two motors with equal
+    /// weights is the middle of the screw from one to the other; in general it is close to
+    /// [`Motor::mean`] and needs no logarithm. [`Motor::blend_influences`] computes it without
+    /// checks for any list of influences.
     ///
     /// # Errors
     /// No motors, a weight that is negative or not finite, no weight above zero, a motor that is
@@ -83,19 +83,22 @@ impl<S: Real<Mask = bool>> Motor<S> {
             .ok_or(BlendError::OutOfRange)
     }
 
-    /// The same sum, `Σ wᵢ ±Mᵢ / |Σ wᵢ ±Mᵢ|`, for a caller with a list of its own: nothing is
-    /// allocated, and nothing is checked beforehand. This is the inner loop of skinning.
+    /// The same blend, `Σ wᵢ ±Mᵢ / |Σ wᵢ ±Mᵢ|`, from an iterator: nothing is allocated, and nothing
+    /// is checked beforehand. This is the inner loop of skinning.
     ///
-    /// Each motor enters with the sign that is nearer to the one of the largest weight, of equal
-    /// ones the first. `None` where the sum is not a multiple of a motor: there are no motors, the
-    /// weights are all zero or a number is not finite.
+    /// Each motor is added with the sign that brings it nearer to the motor of the largest weight
+    /// (the first of several). `None` where the sum is not a multiple of a motor: there are no
+    /// motors, the weights are all zero or a number is not finite.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Translator};
     /// let palette = [1.0, 5.0].map(|x| Motor::from(Translator::from_displacement([x, 0.0, 0.0])));
     /// let influences = [(0, 0.25), (1, 0.75)];
-    /// let blend =
-    ///     Motor::blend_influences(influences.map(|(joint, weight)| (weight, palette[joint])));
+    /// let blend = Motor::blend_influences(
+    ///     influences
+    ///         .iter()
+    ///         .map(|&(joint, weight)| (weight, palette[joint])),
+    /// );
     /// assert_eq!(blend.unwrap().translator().displacement(), [4.0, 0.0, 0.0]);
     /// ```
     #[inline]
@@ -112,7 +115,7 @@ impl<S: Real<Mask = bool>> Motor<S> {
 }
 
 impl<S: Real<Mask = bool>> Rotor<S> {
-    /// The weighted sum of rotors, made a rotor again; see [`Motor::blend`].
+    /// The weighted sum of rotors, normalised to a rotor; see [`Motor::blend`].
     ///
     /// # Errors
     /// Those of [`Motor::blend`].
@@ -134,7 +137,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     }
 }
 
-/// Checks the motors and their weights, and gives the largest weight.
+/// Checks the motors and their weights, and returns the largest weight.
 pub(super) fn largest_weight<S: Real<Mask = bool>>(
     weighted: &[(S, Motor<S>)],
 ) -> Result<S, BlendError<S>> {
@@ -154,7 +157,7 @@ pub(super) fn largest_weight<S: Real<Mask = bool>>(
     Ok(largest)
 }
 
-/// The motors of weights above zero; the largest weight becomes 1.
+/// The motors with weights above zero, with the weights divided by the largest.
 pub(super) fn counting<S: Real<Mask = bool>>(
     weighted: &[(S, Motor<S>)],
     largest: S,

@@ -1,30 +1,31 @@
-//! Curves of motions by their control motions.
+//! Curves of motions, given by control motions.
 
 use crate::cga3::{Motor, Rotor};
 use crate::scalar::Real;
 
 impl<S: Real<Mask = bool>> Motor<S> {
     /// The Bézier curve of N control motors, of degree N − 1, by the algorithm of de Casteljau with
-    /// screws for line segments: from `M₀ … Mₙ` the motors `Mₖ exp(t log(~Mₖ Mₖ₊₁))` are taken, and
-    /// so on until one is left (Park and Ravani, Bézier curves on Riemannian manifolds and Lie
-    /// groups, Journal of Mechanical Design 117, 1995).
+    /// screws in place of line segments: the motors `M₀ … Mₙ` are replaced by the motors
+    /// `Mₖ exp(t log(~Mₖ Mₖ₊₁))`, and this is repeated until one is left (Park and Ravani, Bézier
+    /// curves on Riemannian manifolds and Lie groups, Journal of Mechanical Design 117, 1995).
     ///
-    /// It begins with the first motor at t = 0, by the speed `(N − 1) log(~M₀ M₁)` as seen from the
-    /// moved body, and ends with the last at t = 1 by `(N − 1) log(~Mₙ₋₁ Mₙ)`; so it is joined to
-    /// others as curves of points are. The curve is the same run backwards, and goes along with
-    /// changes of frames on either side. Control motors at equal steps of one screw give that screw
-    /// at constant speed. Neighbours should be well within half a turn of each other: each segment
-    /// takes the short way, and the curve jumps where that changes.
+    /// It begins at the first motor at t = 0, with the velocity `(N − 1) log(~M₀ M₁)` in the frame
+    /// of the moved body, and ends at the last at t = 1, with the velocity `(N − 1) log(~Mₙ₋₁ Mₙ)`;
+    /// so curves are joined smoothly as Bézier curves of points are. The curve is the same run
+    /// backwards, and it is equivariant: `A Mₖ B` as control motors give `A M B`. Control motors at
+    /// equal steps of one screw give that screw at constant speed. Neighbours should be well within
+    /// half a turn of each other: each segment takes the shorter rotation, and the curve jumps
+    /// where that changes.
     ///
-    /// A single control motor is the curve; none does not compile. Outside [0, 1] the curve goes
-    /// on. A t that is not finite gives a motor with coefficients that are not, for two controls
-    /// and more.
+    /// With a single control motor the curve is constant; without any it does not compile. Outside
+    /// [0, 1] the curve is extrapolated. A t that is not finite gives a motor with coefficients
+    /// that are not finite, for two or more control motors.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Translator};
     /// let control = [[0.0, 0.0, 0.0], [0.0, 4.0, 0.0], [4.0, 4.0, 0.0], [4.0, 0.0, 0.0]]
     ///     .map(|t: [f64; 3]| Motor::from(Translator::from_displacement(t)));
-    /// // For translations it is the curve of points: here (P₀ + 3 P₁ + 3 P₂ + P₃)/8.
+    /// // For translations it is the Bézier curve of points: here (P₀ + 3 P₁ + 3 P₂ + P₃)/8.
     /// assert_eq!(Motor::bezier(control, 0.5).translator().displacement(), [2.0, 3.0, 0.0]);
     /// ```
     #[must_use]
@@ -38,16 +39,16 @@ impl<S: Real<Mask = bool>> Motor<S> {
         control[0]
     }
 
-    /// Spherical and quadrangle interpolation, with screws for the arcs: from one motor at t = 0 to
-    /// another at t = 1, drawn aside towards two control motors in between (Shoemake, Quaternion
-    /// calculus and fast animation, SIGGRAPH course notes 10, 1987):
+    /// Spherical and quadrangle interpolation (squad), with screws in place of arcs: from one motor
+    /// at t = 0 to another at t = 1, pulled towards two control motors in between (Shoemake,
+    /// Quaternion calculus and fast animation, SIGGRAPH course notes 10, 1987):
     /// `s(s(M, N, t), s(A, B, t), 2t(1 − t))` with s as [`Motor::interpolate`].
     ///
-    /// It starts with the speed `log(~M N) + 2 log(~M A)` as seen from the moved body, so with the
-    /// controls of [`Motor::squad_control`] pieces of equal duration follow each other without a
-    /// jump of speed. For keys at any times take
+    /// It starts with the velocity `log(~M N) + 2 log(~M A)` in the frame of the moved body, so
+    /// with the controls of [`Motor::squad_control`] pieces of equal duration follow each other
+    /// with a continuous velocity. For keys at arbitrary times use
     /// [`MotorSpline`](crate::geometry::motion::MotorSpline). A t that is not finite gives a motor
-    /// with coefficients that are not.
+    /// with coefficients that are not finite.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Rotor};
@@ -70,8 +71,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
     }
 
     /// The control motor of [`Motor::squad`] beside a key, from the keys before and after it:
-    /// `M exp(−¼(log(~M M₋) + log(~M M₊)))`, both logarithms by the short way. At a first or last
-    /// key, the key itself will do.
+    /// `M exp(−¼(log(~M M₋) + log(~M M₊)))`, both logarithms of the shorter rotation. At the first
+    /// and the last key, use the key itself.
     #[must_use]
     pub fn squad_control(before: Self, key: Self, after: Self) -> Self {
         let log = |other: Self| {
@@ -92,7 +93,10 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     /// ```
     /// use ga_runtime::cga3::Rotor;
     /// let rotation = |angle: f64| Rotor::from_axis_angle([0.0, 1.0, 0.0], angle).unwrap();
-    /// let middle = Rotor::bezier([0.0, 0.0, 1.0, 1.0].map(rotation), 0.5);
+    /// let middle = Rotor::bezier(
+    ///     [rotation(0.0), rotation(0.0), rotation(1.0), rotation(1.0)],
+    ///     0.5,
+    /// );
     /// assert!((middle.to_axis_angle().1 - 0.5).abs() < 1e-15);
     /// ```
     #[must_use]

@@ -5,21 +5,21 @@ use alloc::vec::Vec;
 use super::matrix::{Matrix, identity, solve};
 use crate::scalar::Real;
 
-/// The method always ends; this limit is for cases at the very edge,
-/// where rounding decides.
+/// The method terminates in exact arithmetic; this bound is for rounding in borderline cases, where
+/// neither answer can be established.
 const MOST_STEPS: usize = 1000;
 
-/// Whether some rotation is within a quarter turn of every one of these, given as unit quaternions
-/// that have non-negative products with the first of the largest weight; a centre to begin with.
-/// Two rotations half a turn apart, each any number of times, are within a quarter turn of two
-/// others, and do not count.
+/// Whether some rotation is within a quarter turn of every one of these. They are unit quaternions,
+/// with signs such that the product with the one of the largest weight is not negative; the search
+/// starts at a given centre. If there are only two different rotations, half a turn apart, the
+/// answer is no: two different rotations are within a quarter turn of both.
 ///
-/// Sought is a vector q with `q·p ≥ 1` for all points p. The shortest one points to the centre of
-/// the smallest ball around them, and its length is one over the cosine of half the radius. It is
-/// found by adding one point after the other with the dual method of Goldfarb and Idnani (A
+/// The search is for a vector q with `q·p ≥ 1` for all points p. The shortest one points to the
+/// centre of the smallest ball around them, and its length is one over the cosine of half the
+/// radius. It is found by adding points one at a time, by the dual method of Goldfarb and Idnani (A
 /// numerically stable dual method for solving strictly convex quadratic programs, Mathematical
 /// Programming 27, 1983). The length only grows, so a vector that is too long proves that there is
-/// none, and a centre that is found is proved by its products.
+/// no such rotation, and a centre within a quarter turn of all points proves that there is one.
 pub(super) fn lie_in_quarter_ball<S: Real<Mask = bool>>(points: &[[S; 4]], centre: [S; 4]) -> bool {
     let rounding = S::epsilon() * S::from_integer(64);
     if are_two_opposites(points, rounding) {
@@ -55,17 +55,18 @@ pub(super) fn lie_in_quarter_ball<S: Real<Mask = bool>>(points: &[[S; 4]], centr
     false
 }
 
-/// The shortest vector whose product with some points is at least 1, as a sum of those where it is
-/// just 1.
+/// The shortest vector whose product with some points is at least 1, as a linear combination of the
+/// points where the product is exactly 1.
 struct Nearest<S> {
     vector: [S; 4],
-    /// At most four independent points, with their factors in the sum, which are not negative.
+    /// At most four linearly independent points, with their coefficients in the sum, which are not
+    /// negative.
     supports: Vec<([S; 4], S)>,
 }
 
 impl<S: Real<Mask = bool>> Nearest<S> {
-    /// Goes on to the shortest vector that also has a product of at least 1 with this point; false
-    /// where there is none.
+    /// Changes it to the shortest vector that also has a product of at least 1 with this point;
+    /// returns false if there is none.
     fn take(&mut self, point: [S; 4]) -> bool {
         let mut factor = S::zero();
         loop {
@@ -79,13 +80,13 @@ impl<S: Real<Mask = bool>> Nearest<S> {
                     .fold(point, |rest, ((support, _), share)| {
                         core::array::from_fn(|k| support[k].neg_mul_add(share, rest[k]))
                     });
-            // Where the product with the point becomes 1.
+            // The step at which the product with the point becomes 1.
             let square = product_of(beside, beside);
             let noise = S::epsilon() * S::from_integer(8);
             let can_move = self.supports.len() < 4 && (noise * noise).less_than(square);
             let missing = S::one() - product_of(self.vector, point);
             let whole = can_move.then(|| missing / square);
-            // Where the factor of a support becomes zero.
+            // The step at which the coefficient of a support becomes zero.
             let mut blocked = None;
             for (k, ((_, factor), share)) in self.supports.iter().zip(shares).enumerate() {
                 let reach = *factor / share;
@@ -119,7 +120,7 @@ impl<S: Real<Mask = bool>> Nearest<S> {
         }
     }
 
-    /// The sum of the supports that is nearest to a point, by factors.
+    /// The coefficients of the linear combination of the supports that is nearest to a point.
     fn shares_of(&self, point: [S; 4]) -> Option<[S; 4]> {
         let mut products: Matrix<S, 4> = identity();
         let mut with_point = [S::zero(); 4];
@@ -133,7 +134,7 @@ impl<S: Real<Mask = bool>> Nearest<S> {
     }
 }
 
-/// Whether all points are at two places half a turn apart.
+/// Whether the points are only two different rotations, half a turn apart.
 fn are_two_opposites<S: Real<Mask = bool>>(points: &[[S; 4]], rounding: S) -> bool {
     let Some(&one) = points.first() else {
         return false;
@@ -147,7 +148,7 @@ fn are_two_opposites<S: Real<Mask = bool>>(points: &[[S; 4]], rounding: S) -> bo
         })
 }
 
-/// The point with the least product, and the product.
+/// The index of the point with the least product with the centre, and the product.
 fn farthest<S: Real<Mask = bool>>(points: &[[S; 4]], centre: [S; 4]) -> (usize, S) {
     let products = points.iter().map(|&point| product_of(point, centre));
     products

@@ -14,24 +14,24 @@ use crate::vga3::Vector;
 pub struct Fit<V, S> {
     /// The motion, a [`Rotor`], [`Motor`] or [`Similarity`] of non-negative scalar part.
     pub motion: V,
-    /// The root mean square of the distances left, `√(Σ wᵢ |yᵢ − xᵢ'|² / Σ wᵢ)`.
+    /// The root mean square of the remaining distances, `√(Σ wᵢ |yᵢ − xᵢ'|² / Σ wᵢ)`.
     pub residual: S,
 }
 
 impl<S: Real<Mask = bool>> Motor<S> {
-    /// The motor that carries the first points of three or more pairs as near as possible to the
-    /// second ones: the M for which `Σ |yᵢ − M xᵢ ~M|²` is least.
+    /// The motor that moves the first points of three or more pairs as near as possible to the
+    /// second points: the M for which `Σ |yᵢ − M xᵢ ~M|²` is least.
     ///
     /// The rotation comes from the largest eigenvalue of Horn's symmetric 4×4 matrix (Closed-form
     /// solution of absolute orientation using unit quaternions, Journal of the Optical Society of
-    /// America A 4, 1987) and two steps of Newton, which take away what its squares have lost; the
-    /// translation carries centroid to centroid. Mirror images give the best proper motion.
+    /// America A 4, 1987) and two Newton steps, which restore the accuracy that is lost by its
+    /// squares; the translation maps centroid to centroid. For mirror images the result is the best
+    /// motion without a reflection.
     ///
     /// # Errors
     /// Fewer than three pairs, numbers that are not finite, a result beyond the range of the
-    /// scalar. Points of one side that are at one place or on a line, within 8√ε of their extent
-    /// and what the size of their coordinates lets be told. Pairs that several motors fit equally
-    /// well.
+    /// scalar. All first points, or all second points, coincident or on a line, within 8√ε of their
+    /// extent and the rounding of their coordinates. Pairs that several motors fit equally well.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Point};
@@ -56,8 +56,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
         Self::from_weighted_point_pairs(&equally_weighted(pairs))
     }
 
-    /// The same with weights: `Σ wᵢ |yᵢ − M xᵢ ~M|²` is least. Pairs of weight zero do not count,
-    /// and weights count by their ratios.
+    /// The same with weights: `Σ wᵢ |yᵢ − M xᵢ ~M|²` is least. Pairs of weight zero are ignored,
+    /// and only the ratios of the weights matter.
     ///
     /// # Errors
     /// Those of [`Motor::from_point_pairs`], and weights that are negative or not finite, or all
@@ -74,12 +74,12 @@ impl<S: Real<Mask = bool>> Motor<S> {
 }
 
 impl<S: Real<Mask = bool>> Similarity<S> {
-    /// The similarity, a motion after a scaling, that carries the first points of three or more
-    /// pairs as near as possible to the second ones: Procrustes analysis. The rotation is that of
-    /// [`Motor::from_point_pairs`], the factor is `s = Σ yᵢ·R xᵢ / Σ xᵢ²` with both sides taken
-    /// from their centroids (Umeyama, Least-squares estimation of transformation parameters between
-    /// two point patterns, IEEE Transactions on Pattern Analysis and Machine Intelligence 13,
-    /// 1991).
+    /// The similarity (a scaling followed by a motion) that moves the first points of three or more
+    /// pairs as near as possible to the second points: Procrustes analysis. The rotation is that of
+    /// [`Motor::from_point_pairs`], the scale factor is `s = Σ yᵢ·R xᵢ / Σ xᵢ²` with both sets of
+    /// points relative to their centroids (Umeyama, Least-squares estimation of transformation
+    /// parameters between two point patterns, IEEE Transactions on Pattern Analysis and Machine
+    /// Intelligence 13, 1991).
     ///
     /// # Errors
     /// Those of [`Motor::from_point_pairs`].
@@ -119,13 +119,14 @@ impl<S: Real<Mask = bool>> Similarity<S> {
 
 impl<S: Real<Mask = bool>> Rotor<S> {
     /// The rotor that rotates the first directions of two or more pairs as near as possible to the
-    /// second ones: the R for which `Σ |bᵢ − R aᵢ ~R|²` is least, for the directions made of
-    /// length 1. This is Wahba's problem (SIAM Review 7, 1965), and the solution that of
-    /// [`Motor::from_point_pairs`].
+    /// second directions: the R for which `Σ |bᵢ − R aᵢ ~R|²` is least, with all directions
+    /// normalised to length 1. This is Wahba's problem (SIAM Review 7, 1965), and it is solved as
+    /// in [`Motor::from_point_pairs`].
     ///
     /// # Errors
-    /// Less than two pairs, numbers that are not finite, directions of length zero, directions of
-    /// one side that are all parallel within 8√ε, pairs that several rotors fit equally well.
+    /// Fewer than two pairs, numbers that are not finite, directions of length zero, first
+    /// directions or second directions that are all parallel within 8√ε, pairs that several rotors
+    /// fit equally well.
     ///
     /// ```
     /// use ga_runtime::cga3::Rotor;
@@ -144,8 +145,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         Self::from_weighted_direction_pairs(&equally_weighted(pairs))
     }
 
-    /// The same with weights: `Σ wᵢ |bᵢ − R aᵢ ~R|²` is least. Pairs of weight zero do not count,
-    /// and weights count by their ratios.
+    /// The same with weights: `Σ wᵢ |bᵢ − R aᵢ ~R|²` is least. Pairs of weight zero are ignored,
+    /// and only the ratios of the weights matter.
     ///
     /// # Errors
     /// Those of [`Rotor::from_direction_pairs`], and weights that are negative or not finite, or
@@ -169,7 +170,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     }
 }
 
-/// Pairs of points, each from the centroid of its side.
+/// Pairs of points, relative to the centroid of the first points and of the second points.
 struct Centred<S> {
     pairs: Vec<Pair<S>>,
     sides: Sides<S>,
@@ -209,7 +210,7 @@ impl<S: Real<Mask = bool>> Centred<S> {
         })
     }
 
-    /// The translation that carries the image of the one centroid to the other.
+    /// The translation that moves the image of the first centroid to the second.
     fn shift(&self, rotor: Rotor<S>, factor: S) -> Result<Translator<S>, FitError<S>> {
         let [from, to] = self.centroids;
         let image = rotor.transform(Point::from(from * factor));
@@ -238,7 +239,7 @@ impl<S: Real<Mask = bool>> Centred<S> {
     }
 }
 
-/// The pairs of weights above zero, by their indices; the largest weight becomes 1.
+/// The indices of the pairs with weights above zero, with the weights divided by the largest.
 fn counting<S: Real<Mask = bool>, V: Into<Vector<S>>>(
     weighted: impl ExactSizeIterator<Item = (S, V, V)>,
     needed: usize,

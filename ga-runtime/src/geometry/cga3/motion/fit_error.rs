@@ -1,4 +1,4 @@
-//! Why no motion fits pairs of points or directions.
+//! The error of a fit to pairs of points or directions.
 
 use core::fmt::{Debug, Display, Formatter, Result as FmtResult};
 
@@ -19,21 +19,21 @@ pub enum FitError<S> {
     Weight(WeightError<S>),
     /// A point or direction of a pair is not finite.
     NotFinite {
-        /// Which of the pairs, from 0.
+        /// The index of the pair, from 0.
         index: usize,
     },
     /// A direction of a pair is zero.
     NoDirection {
-        /// Which of the pairs, from 0.
+        /// The index of the pair, from 0.
         index: usize,
     },
-    /// All points of one side are at one place.
+    /// All first points, or all second points, coincide.
     Coincident,
-    /// All points of one side lie on a line, all directions of one side are parallel: a rotation
-    /// about it changes nothing.
+    /// All first points, or all second points, lie on a line, or all first or all second directions
+    /// are parallel: a rotation about that line changes nothing.
     Collinear,
-    /// Several rotations fit equally well, as when one side is the mirror image of a regular body,
-    /// or when the sides have nothing to do with each other.
+    /// Several rotations fit equally well. This happens where the second points are the mirror
+    /// image of a regular body, or where they are unrelated to the first.
     NotUnique,
     /// The result is beyond the range of the scalar.
     OutOfRange,

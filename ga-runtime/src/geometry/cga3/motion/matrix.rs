@@ -4,7 +4,7 @@ use crate::scalar::{Field, Real, Ring};
 
 pub(super) type Matrix<S, const N: usize> = [[S; N]; N];
 
-/// The matrix that is zero but for ones on the diagonal.
+/// The identity matrix.
 pub(super) fn identity<S: Ring, const N: usize>() -> Matrix<S, N> {
     core::array::from_fn(|row| {
         core::array::from_fn(|column| if row == column { S::one() } else { S::zero() })
@@ -49,11 +49,11 @@ pub(super) fn solve<S: Real<Mask = bool>, const N: usize>(
 /// first.
 ///
 /// By the cyclic method of Jacobi (Golub and Van Loan, Matrix Computations, 2013, section 8.5):
-/// each step makes one entry beside the diagonal zero by a rotation in its plane.
+/// each step makes one off-diagonal entry zero by a rotation in the plane of two axes.
 pub(super) fn symmetric_eigen<S: Real<Mask = bool>, const N: usize>(
     mut a: Matrix<S, N>,
 ) -> [(S, [S; N]); N] {
-    // Sweeps converge quadratically; in small matrices six are many.
+    // Sweeps converge quadratically; small matrices rarely need more than six.
     const MOST_SWEEPS: usize = 40;
     let mut vectors = identity::<S, N>();
     let entries = a.iter().flatten();
@@ -104,7 +104,7 @@ fn turn<S: Real<Mask = bool>, const N: usize>(
     }
     turn_rows(a, p, q, mixed);
     turn_rows(vectors, p, q, mixed);
-    // Zero by construction, but for rounding.
+    // Zero by construction, up to rounding.
     (a[p][q], a[q][p]) = (S::zero(), S::zero());
 }
 

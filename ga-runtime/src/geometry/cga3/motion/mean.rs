@@ -11,17 +11,17 @@ use crate::cga3::{DualQuaternion, Motor, MotorGenerator, Rotor, Translator};
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
-/// More steps than any motions need that have one mean.
+/// More steps than the iteration needs for any motions with a unique mean.
 const MOST_STEPS: usize = 25;
 
-/// A mean, and how well it is known.
+/// A mean, and how accurate it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mean<V, S> {
-    /// The motion of which the others are, on average, neither to the one side nor to the other.
+    /// The mean: the weighted sum of the logarithms of the others, as seen from it, is zero.
     pub mean: V,
-    /// What is left of the condition on the mean.
+    /// The remaining error of the condition on the mean.
     pub residual: Residual<S>,
-    /// The number of steps from the blend to the mean.
+    /// The number of steps of the iteration, which starts at the blend.
     pub steps: usize,
 }
 
@@ -30,29 +30,29 @@ pub struct Mean<V, S> {
 pub struct Residual<S> {
     /// The length of its rotation vector, in radians.
     pub angle: S,
-    /// The length of its displacement, as long as the unit of length is.
+    /// The length of its displacement, in the unit of length of the motions.
     pub displacement: S,
 }
 
-/// Motions that have no mean, or none that could be found.
+/// Motions without a unique mean, or whose mean was not found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum MeanError<S> {
-    /// The motions have no blend either.
+    /// The motions cannot be blended.
     Blend(BlendError<S>),
-    /// No rotation is within a quarter turn of all of them, or they are at two places half a turn
-    /// apart: there may be several means.
+    /// No rotation is within a quarter turn of all of them, or there are only two different
+    /// rotations, half a turn apart: there may be several means.
     NotUnique {
-        /// Which of the motions rotates farthest away from the blend, from 0.
+        /// The index, from 0, of the motion with the largest angle from the blend.
         index: usize,
         /// The angle from the blend, in radians.
         angle: S,
     },
-    /// The iteration did not come to rest.
+    /// The iteration did not converge.
     NotConverged {
         /// The number of steps taken.
         steps: usize,
-        /// What is left of the condition on the mean.
+        /// The remaining error of the condition on the mean.
         residual: Residual<S>,
     },
 }
@@ -95,30 +95,30 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// Its rotation is the Karcher mean of the rotations, where the weighted sum of squared angles
     /// is least (Moakher, Means and averaging in the group of rotations, SIAM Journal on Matrix
     /// Analysis 24, 2002). The whole is the exponential barycentre of Pennec and Arsigny (in Matrix
-    /// Information Geometry, 2012): it does not depend on the choice of frames on either side,
-    /// `mean(A Mᵢ B) = A mean(Mᵢ) B`, which no least sum of squared distances of motions does. Of
-    /// two motors it is on the screw from one to the other, at the fraction of the weights. Weights
-    /// count by their ratios, and the sign is that of the motor with the largest, as in
-    /// [`Motor::blend`], from where the iteration starts.
+    /// Information Geometry, 2012): it is equivariant under changes of frames on either side,
+    /// `mean(A Mᵢ B) = A mean(Mᵢ) B`, which is not true of any least sum of squared distances of
+    /// motions. The mean of two motors is on the screw from one to the other, at the fraction given
+    /// by the weights. Only the ratios of the weights matter, and the sign is that of the motor
+    /// with the largest weight, as in [`Motor::blend`], where the iteration starts.
     ///
-    /// The mean is unique where all rotations are within a quarter turn of
-    /// some common rotation (Kendall, Probability, convexity, and harmonic maps, Proceedings of the
-    /// London Mathematical Society 61, 1990; Afsari, Riemannian Lᵖ center of mass, Proceedings of
-    /// the American Mathematical Society 139, 2011), but for rotations at just two places half a
-    /// turn apart. Other motors are refused; up to 64ε there is then certainly no such
-    /// common rotation.
+    /// The mean is unique where all rotations are within a quarter turn of some common rotation,
+    /// which need not be one of them (Kendall, Probability, convexity, and harmonic maps,
+    /// Proceedings of the London Mathematical Society 61, 1990; Afsari, Riemannian Lᵖ center of
+    /// mass, Proceedings of the American Mathematical Society 139, 2011), except where there are
+    /// only two different rotations, half a turn apart. Other motors are an error; it is then
+    /// proven, up to 64ε, that there is no such common rotation.
     ///
     /// # Method
     ///
     /// With rotations of half-angle φᵢ about uᵢ in the logarithms, the sum of squares has the
     /// second derivative `H = Σ wᵢ (uᵢuᵢᵀ + φᵢ cot φᵢ (1 − uᵢuᵢᵀ))`, so a step by `H⁻¹` instead of
-    /// the plain `1/Σw` is one of Newton. At the mean of the rotations the displacements obey a
-    /// linear system with that very H, and the same step solves it. Three steps are usual, four
-    /// where the rotations are a quarter turn away; what is left is left by rounding.
+    /// `1/Σw` is a Newton step. At the mean of the rotations the displacements obey a linear system
+    /// with the same H, and the same step solves it. Usually three steps are enough, or four where
+    /// the rotations are a quarter turn away; the remaining error is that of rounding.
     ///
     /// # Errors
     /// Those of [`Motor::blend`]; rotations that are not all within a quarter turn of a common one;
-    /// no rest after 25 steps.
+    /// no convergence after 25 steps.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Rotor, Translator};
@@ -126,15 +126,19 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// let rotation =
     ///     |angle: f64| Motor::from(Rotor::from_axis_angle([0.0, 0.0, 1.0], angle).unwrap());
     /// let lift = Motor::from(Translator::from_displacement([0.0, 0.0, 6.0]));
-    /// let motions = [rotation(0.0), rotation(0.3), lift * rotation(0.6)];
-    /// let found = Motor::mean(&motions.map(|motion| (1.0, motion))).unwrap();
+    /// let found = Motor::mean(&[
+    ///     (1.0, rotation(0.0)),
+    ///     (1.0, rotation(0.3)),
+    ///     (1.0, lift * rotation(0.6)),
+    /// ])
+    /// .unwrap();
     /// let [x, y, z] = found.mean.translator().displacement();
     /// assert!(x.abs() < 1e-15 && y.abs() < 1e-15 && (z - 2.0).abs() < 1e-15);
     /// assert!(
     ///     (found.mean.rotor().to_axis_angle().1 - 0.3).abs() < 1e-15
     ///         && found.residual.angle < 1e-15
     /// );
-    /// // Thirds of a turn have no mean: each of the three would do as well.
+    /// // Three rotations by thirds of a full turn have no mean: each of the three is equally good.
     /// let thirds = [0.0, 2.0, 4.0].map(|k| (1.0, rotation(k * std::f64::consts::PI / 3.0)));
     /// assert!(matches!(
     ///     Motor::mean(&thirds),
@@ -199,7 +203,7 @@ fn iterate<S: Real<Mask = bool>>(
     start: Motor<S>,
 ) -> Result<Mean<Motor<S>, S>, MeanError<S>> {
     let epsilon = |multiple| S::epsilon() * S::from_integer(multiple);
-    // Displacements are not known more closely than the rounding of the largest of them.
+    // Displacements are not more accurate than the rounding of the largest of them.
     let reach = terms.iter().fold(S::zero(), |most, (_, motor)| {
         most.max(Vector::from(motor.translator().displacement()).length())
     });
@@ -216,7 +220,7 @@ fn iterate<S: Real<Mask = bool>>(
         if !level.is_finite() || !residual.displacement.is_finite() {
             return Err(BlendError::OutOfRange.into());
         }
-        // Converged, or as close to it as rounding allows.
+        // Converged, or as near to it as rounding allows.
         let is_stalled = before.is_some_and(|before: S| !(level + level).less_than(before));
         if !epsilon(4).less_than(level) || is_stalled && level.less_than(epsilon(256)) {
             return Ok(Mean {
@@ -297,7 +301,7 @@ impl<S: Real<Mask = bool>> Deviation<S> {
         }
     }
 
-    /// The motion by `H⁻¹` times the deviation; by the deviation itself where H has no inverse.
+    /// The motion of `H⁻¹` times the deviation; of the deviation itself where H is singular.
     fn step(&self) -> Motor<S> {
         let solved = |vector: Vector<S>| {
             let vector = vector.coordinates();
@@ -310,8 +314,8 @@ impl<S: Real<Mask = bool>> Deviation<S> {
     }
 }
 
-/// A sum that also keeps its rounding errors (Neumaier, Rundungsfehleranalyse einiger Verfahren
-/// zur Summation endlicher Summen, Zeitschrift für Angewandte Mathematik und Mechanik 54, 1974).
+/// A sum that compensates for rounding (Neumaier, Rundungsfehleranalyse einiger Verfahren zur
+/// Summation endlicher Summen, Zeitschrift für Angewandte Mathematik und Mechanik 54, 1974).
 #[derive(Clone, Copy)]
 struct Sum<S> {
     rounded: S,
@@ -343,7 +347,7 @@ impl<S: Real<Mask = bool>> Sum<S> {
     }
 }
 
-/// Which motor rotates farthest away from another, and by which angle in [0, π].
+/// The index of the motor with the largest angle from another, and this angle, in [0, π].
 fn farthest<S: Real<Mask = bool>>(weighted: &[(S, Motor<S>)], from: Motor<S>) -> (usize, S) {
     let mut most = (0, S::zero());
     for (index, &(weight, motor)) in weighted.iter().enumerate() {

@@ -1,17 +1,19 @@
-//! Many motions at once: blends and means, curves through them, and the motion that fits measured
-//! points.
+//! Several motions together: blends and means, curves through them, and the motion that fits
+//! measured points.
 //!
-//! - a cheap weighted average, as in skinning: [`Motor::blend`], [`Rotor::blend`].
-//! - the weighted average that no choice of frames changes: [`Motor::mean`], [`Rotor::mean`].
-//! - a smooth motion through keys: [`MotorSpline`], [`RotorSpline`].
-//! - one curve by its control motions: [`Motor::bezier`], [`Motor::squad`] and the same of rotors.
-//! - the motion that carries points to points: [`Motor::from_point_pairs`],
+//! - A cheap weighted average, as in skinning: [`Motor::blend`], [`Rotor::blend`].
+//! - The weighted average that does not depend on the choice of frames: [`Motor::mean`],
+//!   [`Rotor::mean`].
+//! - A smooth motion through keys: [`MotorSpline`], [`RotorSpline`].
+//! - A single curve, given by control motions: [`Motor::bezier`], [`Motor::squad`] and their
+//!   namesakes for rotors.
+//! - The motion that moves points to points: [`Motor::from_point_pairs`],
 //!   [`Similarity::from_point_pairs`].
-//! - the rotation that carries directions to directions: [`Rotor::from_direction_pairs`].
+//! - The rotation that takes directions to directions: [`Rotor::from_direction_pairs`].
 //!
-//! A motor and its negative are the same motion. All of these take the motions for what they do,
-//! and do not depend on the signs that come in. Sums run in the order of the input, so the same
-//! input gives the same result to the last bit.
+//! A motor and its negative are the same motion. All of these depend only on the motions, not on
+//! the signs of the motors given. Sums run in the order of the input, so the same input gives the
+//! same result to the last bit.
 //!
 //! [`Motor::blend`]: crate::cga3::Motor::blend
 //! [`Rotor::blend`]: crate::cga3::Rotor::blend

@@ -1,4 +1,4 @@
-//! The rotation that carries vectors to vectors, by least squares.
+//! The rotation that takes vectors to vectors, by least squares.
 
 use super::fit_error::FitError;
 use super::matrix::{Matrix, solve, symmetric_eigen};
@@ -6,22 +6,22 @@ use crate::cga3::{MotorGenerator, Point, Rotor};
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
-/// Two vectors of which one is to be turned to the other.
+/// Two vectors, of which the first is to be rotated to the second.
 pub(super) struct Pair<S> {
     pub(super) weight: S,
     pub(super) from: Vector<S>,
     pub(super) to: Vector<S>,
 }
 
-/// How long the longest vectors of both sides are.
+/// The lengths of the longest first vector and of the longest second vector.
 #[derive(Clone, Copy)]
 pub(super) struct Sides<S> {
     pub(super) extents: [S; 2],
 }
 
 impl<S: Real<Mask = bool>> Sides<S> {
-    /// Measures vectors, given the largest numbers from whose differences they come; an error where
-    /// those of a side all vanish or lie on a line.
+    /// Measures vectors, given the largest numbers from whose differences they were computed; an
+    /// error where all first or all second vectors vanish or lie on a line.
     pub(super) fn measured(pairs: &[Pair<S>], largest: [S; 2]) -> Result<Self, FitError<S>> {
         let side = |of: fn(&Pair<S>) -> Vector<S>, largest: S| {
             let rounding = largest * S::epsilon() * S::from_integer(4);
@@ -53,12 +53,13 @@ impl<S: Real<Mask = bool>> Sides<S> {
     }
 }
 
-/// The rotor R for which `Σ w |y − R x|²` is least, or `Σ w y·R x` largest.
+/// The rotor R for which `Σ w |y − R x|²` is least, which is where `Σ w y·R x` is largest.
 pub(super) fn fixed_rotation<S: Real<Mask = bool>>(
     pairs: &[Pair<S>],
     sides: Sides<S>,
 ) -> Result<Rotor<S>, FitError<S>> {
-    // Of lengths up to one, so that products stay in range; the factors change nothing.
+    // Scaled to lengths up to one, so that products stay in range; the rotation does not depend on
+    // the factors.
     let [from, to] = sides.extents;
     let units = || {
         pairs.iter().map(move |pair| {
@@ -90,8 +91,8 @@ pub(super) fn fixed_rotation<S: Real<Mask = bool>>(
     })
 }
 
-/// Horn's symmetric matrix of the moments `Σ w x yᵀ`: `Σ w y·R x` is its quadratic form of the
-/// quaternion (w, x, y, z) of R.
+/// Horn's symmetric matrix of the moments `Σ w x yᵀ`: `Σ w y·R x` is the value of its quadratic
+/// form at the quaternion (w, x, y, z) of R.
 fn horn<S: Real>(moments: Matrix<S, 3>) -> Matrix<S, 4> {
     let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = moments;
     [
@@ -102,9 +103,9 @@ fn horn<S: Real>(moments: Matrix<S, 3>) -> Matrix<S, 4> {
     ]
 }
 
-/// A step of Newton. With `p = R x` a rotation by δ changes `Σ w y·p` by `δ·τ − ½ δᵀ(tr K − K)δ`,
-/// where `τ = Σ w p × y` and K is the symmetric part of `Σ w p yᵀ`. The torque τ is taken of
-/// differences, so that little of it is lost where the fit is good.
+/// A Newton step. With `p = R x` a rotation by δ changes `Σ w y·p` by `δ·τ − ½ δᵀ(tr K − K)δ`,
+/// where `τ = Σ w p × y` and K is the symmetric part of `Σ w p yᵀ`. The torque τ is computed from
+/// differences, so that it stays accurate where the fit is good.
 fn improved<S: Real<Mask = bool>>(
     rotor: Rotor<S>,
     units: impl Iterator<Item = (S, Vector<S>, Vector<S>)> + Clone,

@@ -7,23 +7,23 @@ use super::blend::is_finite;
 use crate::cga3::{Motor, MotorGenerator, Rotor};
 use crate::scalar::Real;
 
-/// A motion through key motors at given times, with a speed that does not jump.
+/// A motion through key motors at given times, with a continuous velocity.
 ///
-/// Between two keys M, N at a distance h in time, with the velocities v and w there, it is
+/// Between two keys M and N, with a duration h between them and the velocities v and w, it is
 ///
 /// `M exp(β₁(s) hv/3) exp(β₂(s) g) exp(β₃(s) hw/3)`, `g = log(exp(−hv/3) ~M N exp(−hw/3))`,
 ///
 /// with s from 0 to 1, `β₁ = 1 − (1 − s)³`, `β₂ = 3s² − 2s³`, `β₃ = s³`: the cubic Hermite curve of
 /// Kim, Kim and Shin (A general construction scheme for unit quaternion curves with simple high
 /// order derivatives, SIGGRAPH 1995), for motors. For translations it is the cubic Hermite spline
-/// of points. Velocities are as seen from the moved body, `M' = M v`, a generator per unit of time;
-/// a body that rotates at ω about its own origin, which moves by u, both in its own frame, has
-/// `v = −½(ω₁ e23 − ω₂ e13 + ω₃ e12) − ½ u ei`.
+/// of points. Velocities are in the frame of the moved body, `M' = M v`, a generator per unit of
+/// time; a body that rotates at the angular velocity ω about its own origin, which moves at the
+/// velocity u, both in its own frame, has `v = −½(ω₁ e23 − ω₂ e13 + ω₃ e12) − ½ u ei`.
 ///
-/// The curve does not depend on the choice of frames on either side. Keys on one screw, at times in
-/// proportion, give that screw at constant speed. From key to key it goes the short way, whatever
-/// the signs of the motors that come in, and the sign of what comes out does not jump, so at a key
-/// it may be the other one.
+/// The curve is equivariant under changes of frames on either side. Keys on one screw, at times in
+/// proportion, give that screw at constant speed. From key to key the curve takes the shorter
+/// rotation, for any signs of the key motors. The sign of the result is continuous, so at a key it
+/// may differ from the sign of the key motor.
 ///
 /// ```
 /// use ga_runtime::cga3::{Motor, Rotor, Translator};
@@ -35,10 +35,10 @@ use crate::scalar::Real;
 /// let spline = MotorSpline::through(&[0.0, 1.0, 3.0, 3.5].map(|t| (t, screw(t)))).unwrap();
 /// let motor: Motor<f64> = spline.evaluate(2.0).unwrap();
 /// assert!((motor.translator().displacement()[2] - 2.0).abs() < 1e-14);
-/// // Rotating by one radian and rising by one in every unit of time: −½ e12 − ½ e3i.
+/// // Rotates by one radian and rises by one per unit of time: −½ e12 − ½ e3i.
 /// let velocity = spline.velocity(2.0).unwrap();
 /// assert!((velocity.e12 + 0.5).abs() < 1e-14 && (velocity.e3i + 0.5).abs() < 1e-14);
-/// // Before the first key and after the last it stands still.
+/// // Before the first key and after the last it is constant.
 /// assert_eq!(spline.evaluate(-1.0), Some(screw(0.0)));
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -48,7 +48,7 @@ pub struct MotorSpline<S> {
     last: Motor<S>,
 }
 
-/// The way from one key to the next.
+/// The piece from one key to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Piece<S> {
     start: S,
@@ -57,7 +57,7 @@ struct Piece<S> {
     parts: [MotorGenerator<S>; 3],
 }
 
-/// Why keys do not define a spline.
+/// Keys for which there is no spline.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SplineError<S> {
@@ -68,26 +68,26 @@ pub enum SplineError<S> {
     },
     /// The time of a key is not finite.
     Time {
-        /// Which of the keys, from 0.
+        /// The index of the key, from 0.
         index: usize,
         /// Its time.
         time: S,
     },
     /// The time of a key is not after that of the key before it.
     NotRising {
-        /// Which of the keys, from 0.
+        /// The index of the key, from 0.
         index: usize,
         /// Its time.
         time: S,
     },
     /// The motor or the velocity of a key is not finite.
     NotFinite {
-        /// Which of the keys, from 0.
+        /// The index of the key, from 0.
         index: usize,
     },
-    /// The way from this key to the next is beyond the range of the scalar.
+    /// The motion from this key to the next is beyond the range of the scalar.
     OutOfRange {
-        /// Which of the keys, from 0.
+        /// The index of the key, from 0.
         index: usize,
     },
 }
@@ -114,18 +114,18 @@ impl<S: Debug> Display for SplineError<S> {
 impl<S: Debug> core::error::Error for SplineError<S> {}
 
 impl<S: Real<Mask = bool>> MotorSpline<S> {
-    /// The spline through two or more keys, each a time and a motor, by the velocities of the keys
-    /// themselves.
+    /// The spline through two or more keys, each a time and a motor, with velocities computed from
+    /// the keys.
     ///
-    /// Inside, the velocity is that of the parabola through three keys, `(h₊ v₋ + h₋ v₊)/(h₋ + h₊)`
-    /// with the durations h₋, h₊ and the velocities v₋, v₊ of the screws to both sides (Catmull and
-    /// Rom's for equal durations); at the ends that of the screw. Where a long way follows a short
-    /// one the curve may deviate far from the direct way; [`MotorSpline::with_velocities`] takes
-    /// others.
+    /// At an inner key, the velocity is that of the parabola through three keys,
+    /// `(h₊ v₋ + h₋ v₊)/(h₋ + h₊)` with the durations h₋, h₊ and the velocities v₋, v₊ of the
+    /// screws on both sides (that of Catmull and Rom for equal durations); at the ends it is that
+    /// of the screw. Where a large motion follows a small one the curve may overshoot;
+    /// [`MotorSpline::with_velocities`] takes velocities of your choice.
     ///
     /// # Errors
-    /// Fewer than two keys, times that are not finite or do not rise, motors that are not finite,
-    /// ways beyond the range of the scalar.
+    /// Fewer than two keys, times that are not finite or do not increase, motors that are not
+    /// finite, motions from key to key beyond the range of the scalar.
     pub fn through(keys: &[(S, Motor<S>)]) -> Result<Self, SplineError<S>> {
         check(keys)?;
         let legs: Vec<_> = keys.windows(2).map(Leg::between).collect();
@@ -150,7 +150,8 @@ impl<S: Real<Mask = bool>> MotorSpline<S> {
     /// ```
     /// use ga_runtime::cga3::{Motor, MotorGenerator};
     /// use ga_runtime::geometry::motion::{MotorSpline, SplineError};
-    /// // Once round about e3 ends where it began; its velocity tells it from standing still.
+    /// // A full turn about e3 ends where it began; its velocity distinguishes it from standing
+    /// // still.
     /// let round = MotorGenerator::new(-std::f64::consts::PI, 0.0, 0.0, 0.0, 0.0, 0.0);
     /// let keys = [(0.0, Motor::default(), round), (1.0, Motor::default(), round)];
     /// let spline = MotorSpline::with_velocities(&keys).unwrap();
@@ -184,7 +185,7 @@ impl<S: Real<Mask = bool>> MotorSpline<S> {
         self.end
     }
 
-    /// The motor at a time; before the first key that of the first, after the last that of the
+    /// The motor at a time: before the first key that of the first, after the last that of the
     /// last. `None` for a time that is not a number.
     #[must_use]
     pub fn evaluate(&self, time: S) -> Option<Motor<S>> {
@@ -198,9 +199,9 @@ impl<S: Real<Mask = bool>> MotorSpline<S> {
         Some(piece.motor(s))
     }
 
-    /// The velocity at a time as seen from the moved body, a generator per unit of time: the V of
-    /// `M' = M V`. Zero before the first key and after the last, and at these keys that of the way
-    /// between. `None` for a time that is not a number.
+    /// The velocity at a time in the frame of the moved body, a generator per unit of time: the V
+    /// of `M' = M V`. It is zero before the first key and after the last; at these two keys it is
+    /// that of the adjacent piece. `None` for a time that is not a number.
     #[must_use]
     pub fn velocity(&self, time: S) -> Option<MotorGenerator<S>> {
         if is_nan(time) {
@@ -213,7 +214,7 @@ impl<S: Real<Mask = bool>> MotorSpline<S> {
         Some(piece.velocity(s))
     }
 
-    /// The piece at a time up to the end, and how far along it in [0, 1].
+    /// The piece at a time up to the end, and the position along it, in [0, 1].
     fn piece_at(&self, time: S) -> Option<(&Piece<S>, S)> {
         let after = self
             .pieces
@@ -280,7 +281,7 @@ impl<S: Real<Mask = bool>> Piece<S> {
             six * s * rest,
             S::from_integer(3) * s * s,
         ];
-        // Each part as seen past those that follow it.
+        // Each part, transformed by those that follow it.
         let back = |part: MotorGenerator<S>, share: S| (part * -share).exp();
         let sum = back(middle, b2).transform(first * rates[0]) + middle * rates[1];
         let sum = back(last, b3).transform(sum) + last * rates[2];
@@ -324,9 +325,9 @@ impl<S: Real<Mask = bool>> Leg<S> {
         self.log * self.duration.recip()
     }
 
-    /// The velocity at the key between this leg and the next.
+    /// The velocity at the key between this screw and the next.
     fn slope_to(&self, next: &Self) -> MotorGenerator<S> {
-        // By halves, so that the sum of the durations stays within the range.
+        // With halves, so that the sum of the durations does not overflow.
         let half = S::from_ratio(1, 2);
         let both = self.duration * half + next.duration * half;
         let share = |duration: S| duration * half / both;
@@ -334,16 +335,19 @@ impl<S: Real<Mask = bool>> Leg<S> {
     }
 }
 
-/// A rotation through key rotors at given times, with a speed that does not jump: a
+/// A motion of rotations through key rotors at given times, with a continuous angular velocity: a
 /// [`MotorSpline`] without displacement.
 ///
 /// ```
 /// use ga_runtime::cga3::Rotor;
 /// use ga_runtime::geometry::motion::RotorSpline;
 /// let rotation = |angle: f64| Rotor::from_axis_angle([1.0, 0.0, 0.0], angle).unwrap();
-/// let spline =
-///     RotorSpline::through(&[(0.0, rotation(0.0)), (2.0, rotation(1.0)), (3.0, -rotation(1.5))])
-///         .unwrap();
+/// let spline = RotorSpline::through(&[
+///     (0.0, rotation(0.0)),
+///     (2.0, rotation(1.0)),
+///     (3.0, -rotation(1.5)),
+/// ])
+/// .unwrap();
 /// let (_, angle) = spline.evaluate(1.0).unwrap().to_axis_angle();
 /// assert!((angle - 0.5).abs() < 1e-15);
 /// ```
@@ -381,8 +385,8 @@ impl<S: Real<Mask = bool>> RotorSpline<S> {
         self.0.evaluate(time).map(Motor::rotor)
     }
 
-    /// The angular velocity ω at a time as seen from the moved body, in radians per unit of time;
-    /// see [`MotorSpline::velocity`].
+    /// The angular velocity ω at a time in the frame of the moved body, in radians per unit of
+    /// time; see [`MotorSpline::velocity`].
     #[must_use]
     pub fn angular_velocity(&self, time: S) -> Option<[S; 3]> {
         let velocity = self.0.velocity(time)?;

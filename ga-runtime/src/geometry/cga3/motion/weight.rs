@@ -10,7 +10,7 @@ use crate::scalar::Real;
 pub enum WeightError<S> {
     /// A weight is negative or not finite.
     Invalid {
-        /// Which of the weights, from 0.
+        /// The index of the weight, from 0.
         index: usize,
         /// Its value.
         weight: S,
@@ -35,7 +35,7 @@ impl<S: Debug> Display for WeightError<S> {
 
 impl<S: Debug> core::error::Error for WeightError<S> {}
 
-/// The weight of this index if it can be one.
+/// The weight of this index, if it is valid.
 pub(super) fn checked<S: Real<Mask = bool>>(index: usize, weight: S) -> Result<S, WeightError<S>> {
     if weight.less_than(S::zero()) || !weight.is_finite() {
         return Err(WeightError::Invalid { index, weight });

@@ -137,10 +137,10 @@ impl<S: Real<Mask = bool>> Line<S> {
         line(foot, flat.normalized()?)
     }
 
-    /// What the [projection](Self::project_onto) onto a plane leaves of this line, `L − (L⌋Π) Π⁻¹`:
-    /// the normal of the plane through the point where the line crosses it, its direction of length
-    /// 1 and on the side that the line leaves to. `None` where they are parallel, or either is no
-    /// figure.
+    /// The rest of this line beside its [projection](Self::project_onto) onto a plane,
+    /// `L − (L⌋Π) Π⁻¹`: the line along the normal of the plane through the point where this line
+    /// crosses it. Its direction has length 1 and points to the side of the plane that this line's
+    /// direction points to. `None` where they are parallel, or where either is not a figure.
     ///
     /// ```
     /// use ga_runtime::cga3::{Line, Plane, Point};
