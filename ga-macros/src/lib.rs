@@ -1,4 +1,4 @@
-//! The procedural macros of Nullcone. Each only hands its tokens to [`ga_compiler`].
+//! The procedural macros of Nullcone. Each passes its tokens to [`ga_compiler`].
 //!
 //! Crates use them through ga-runtime, whose macros add the path at which the emitted code finds
 //! ga-runtime.
@@ -17,7 +17,7 @@ pub fn functions(tokens: TokenStream) -> TokenStream {
     ga_compiler::expand_functions(tokens.into()).into()
 }
 
-/// Takes over the block of a function that is used, and continues with the functions that use it.
+/// Imports the block of a function that is used, and continues with the functions that use it.
 #[proc_macro]
 pub fn import(tokens: TokenStream) -> TokenStream {
     ga_compiler::expand_import(tokens.into()).into()

@@ -1,12 +1,12 @@
-//! Elements of an algebra as lists of coefficients, for code that works with any type.
+//! Elements of an algebra as lists of coefficients, for code that is generic over types.
 
 use crate::scalar::Ring;
 
 /// A type that `algebra!` has declared, seen as coefficients by blade.
 ///
 /// A blade is numbered by its basis vectors: bit `k` stands for the `k`-th, and the blade is their
-/// outer product in rising order. Tests, references and conversions are written against this trait
-/// once for all types.
+/// outer product in rising order. Tests, references and conversions use this trait and so are
+/// written once for all types.
 ///
 /// ```
 /// use ga_runtime::{Element, cga3::Point};
@@ -37,9 +37,9 @@ pub trait Element: Copy {
     /// The coefficient of a blade; zero for one that the type does not have.
     fn coefficient(&self, blade: usize) -> Self::Scalar;
 
-    /// The same element over another scalar, each coefficient by itself: as `f32` for drawing, in
-    /// lanes, as constants of dual numbers. The target is the same type with the other scalar. A
-    /// unit versor is one up to rounding of the new scalar.
+    /// The same element over another scalar, each coefficient converted by itself: to `f32` for
+    /// drawing, to lanes, to constants of dual numbers. The target is the same type with the other
+    /// scalar. A unit versor remains one up to rounding of the new scalar.
     ///
     /// ```
     /// use ga_runtime::{Element, cga3::Point};
@@ -54,7 +54,7 @@ pub trait Element: Copy {
         U::from_coefficients_unchecked(&mut |blade| scalar(self.coefficient(blade)))
     }
 
-    /// The member whose stored coefficients the function gives. The caller guarantees that constant
-    /// and derived blades and the facts of the type agree with it.
+    /// The member whose stored coefficients the function returns. The caller must ensure that
+    /// constant and derived blades and the facts of the type agree with it.
     fn from_coefficients_unchecked(coefficient: &mut dyn FnMut(usize) -> Self::Scalar) -> Self;
 }

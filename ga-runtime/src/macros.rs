@@ -66,12 +66,14 @@
 /// | `blade` | X is an outer product of vectors |
 /// | `weight(b)` | the coefficient of the blade b is 1 |
 ///
-/// All facts but `unit_versor` must follow from constant and derived blades. `#[hull(Type)]` names
-/// the type of sums and multiples wherever they leave the type; it must store all the blades.
+/// All facts except `unit_versor` must follow from constant and derived blades. `#[hull(Type)]`
+/// names the type of sums and multiples that do not lie in the type itself; it must store all the
+/// blades.
 ///
-/// Fields are public where any coefficients make a member of the type. Elsewhere they are private,
-/// with a method for each blade that reads it, and a type whose facts restrict its coefficients is
-/// built by `new_unchecked`, `try_new(…, tolerance)` or `normalize(hull)`.
+/// If any coefficients make a member of the type, its fields are public. Otherwise they are
+/// private, with a method for each blade that returns its coefficient, and a type whose facts
+/// restrict its coefficients is built by `new_unchecked`, `try_new(…, tolerance)` or
+/// `normalize(hull)`.
 ///
 /// # Products
 ///
@@ -79,19 +81,19 @@
 /// (`|`), `vee` (`&`), `right_contraction`, `scalar_product`, `commutator`, `sandwich`, `dual`,
 /// `undual`. Braces list several types in one line. The result is stated with `->`, where `Self` is
 /// the type of the last operand and `Scalar` a plain number, or left out where exactly one declared
-/// type without facts has just the blades of the result. That a result lies in its type is proved
-/// when the macro runs, by exact evaluation at random points.
+/// type without facts has just the blades of the result. That each result lies in its type is
+/// verified when the macro runs, by exact evaluation at random points.
 ///
 /// # The macro of the algebra
 ///
-/// Beside the module there is a macro of the same name, which hands the definition to macros such
-/// as [`ga!`](crate::ga) and `ga_runtime::testing::product_tests!`. `crate = path;` before the
-/// basis says where the emitted code finds ga-runtime, if not through this macro.
+/// Besides the module, a macro of the same name is emitted, which passes the definition to macros
+/// such as [`ga!`](crate::ga) and `ga_runtime::testing::product_tests!`. `crate = path;` before the
+/// basis gives the path of ga-runtime in the emitted code, if it is not that of this macro.
 ///
 /// # Limits
 ///
 /// The coefficient of a blade nests at most 128 levels deep and has at most 1024 operators. Basis
-/// vectors, blades and types cannot have the name of a keyword of Rust, which no field can have.
+/// vectors, blades and types cannot be named like a keyword of Rust, since fields cannot.
 #[macro_export]
 macro_rules! algebra {
     ($($declaration:tt)*) => {
@@ -159,7 +161,7 @@ macro_rules! algebra {
 /// | `sandwich(m, x)` or `transform` | `m x ~m`, for odd m `m x̂ ~m` |
 /// | `norm_squared`, `norm`, `normalize` | `⟨a ~a⟩₀`, its root, `a` with norm 1 |
 /// | `inverse` or `inv` | `~a/(a ~a)` |
-/// | `exp` | of scalars, and of bivectors B where B² is a scalar but for a null part |
+/// | `exp` | of scalars, and of bivectors B where B² is a scalar plus a null part |
 /// | `log` | of scalars, and of even unit versors that are such an `exp` |
 /// | `sqrt`, `abs`, `sin`, `cos`, `atan2(y, x)`, `ln`, `recip` | of scalars |
 /// | `2`, `0.5`, `e12`, `Infinity` | exact numbers, basis blades, constant types |
@@ -172,7 +174,7 @@ macro_rules! algebra {
 ///
 /// # Types of results
 ///
-/// A result is returned as a `Point` only if it is one, of weight 1 and null; otherwise the error
+/// A result is returned as a `Point` only if it is one, of weight 1 and null; otherwise an error
 /// says what was found, and whether a division by the weight would help. `let x: Line = …` checks
 /// an intermediate value.
 ///

@@ -1,4 +1,5 @@
-//! What emitted code calls. Nothing here is for hand-written code, and nothing here is stable.
+//! The items that emitted code uses. They are not for hand-written code and may change in any
+//! version.
 
 use alloc::format;
 use core::fmt::{Display, Formatter, Result};

@@ -1,7 +1,7 @@
-//! The products that no operator of Rust stands for, as traits for generic code.
+//! The products without an operator in Rust, as traits for generic code.
 //!
-//! Where the pair of types is known the inherent method of the same name does, without any import.
-//! The other products are `*` ([`Mul`](core::ops::Mul), geometric), `^`
+//! Where the types of the operands are known, the inherent method of the same name does the same
+//! and needs no import. The other products are `*` ([`Mul`](core::ops::Mul), geometric), `^`
 //! ([`BitXor`](core::ops::BitXor), wedge), `|` ([`BitOr`](core::ops::BitOr), left contraction) and
 //! `&` ([`BitAnd`](core::ops::BitAnd), vee).
 
@@ -13,7 +13,7 @@ pub trait RightContraction<B> {
     fn right_contraction(self, other: B) -> Self::Output;
 }
 
-/// The scalar product `⟨a b⟩₀`, nothing reversed.
+/// The scalar product `⟨a b⟩₀`, without reversal.
 pub trait ScalarProduct<B> {
     /// The type of the result.
     type Output;
@@ -32,10 +32,10 @@ pub trait Commutator<B> {
 /// The action of a versor: `M x ~M` for an even M, `M x̂ ~M` with the grade involution of x for an
 /// odd one.
 ///
-/// For a unit versor it is a motion, and `M` and `−M` move alike.
+/// For a unit versor it preserves inner products, and `M` and `−M` act in the same way.
 pub trait Sandwich<B> {
     /// The type of the result.
     type Output;
-    /// Moves `other` by `self`.
+    /// The action of `self` on `other`.
     fn sandwich(self, other: B) -> Self::Output;
 }

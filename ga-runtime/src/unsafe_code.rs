@@ -1,18 +1,18 @@
-//! All unsafe code of the workspace, in one file so that it can be reviewed at once. There are two
-//! kinds:
+//! All unsafe code of the workspace, in one file, so that it can be reviewed as a whole. There are
+//! two kinds:
 //!
-//! - A loop compiled for AVX2 is called after the processor was asked whether it has AVX2. To call
-//!   it on another processor would be undefined behaviour; [`run`] is the only caller.
-//! - bytemuck's traits `Zeroable` and `Pod` are implemented for the declared types. They promise
-//!   that a type has no padding and that any bits are a valid value; the layout is checked by
-//!   assertions when the crate is compiled.
+//! - A loop compiled for AVX2 is called after a check that the processor has AVX2. A call on
+//!   another processor would be undefined behaviour; [`run`] is the only caller.
+//! - bytemuck's traits `Zeroable` and `Pod` are implemented for the declared types. They state that
+//!   a type has no padding and that any bits are a valid value; the layout is checked by assertions
+//!   when the crate is compiled.
 
 #![allow(unsafe_code)]
 
 use crate::batch::InstructionSet;
 
 /// A loop that can be compiled for several sets of instructions. `run` must be `#[inline(always)]`,
-/// so that it becomes part of the function that asks for them.
+/// so that it is compiled as part of the function that enables them.
 pub(crate) trait Work {
     fn run(self);
 }
@@ -25,7 +25,7 @@ pub(crate) fn run(set: InstructionSet, work: impl Work) {
         #[cfg(all(feature = "std", target_arch = "x86_64"))]
         InstructionSet::Avx2 if set.is_available() => {
             // SAFETY: the only requirement of the function is that the processor has AVX2 and FMA,
-            // which `is_available` has just asked it.
+            // which `is_available` has just checked.
             unsafe { run_with_avx2(work) }
         }
         _ => work.run(),
@@ -45,8 +45,9 @@ macro_rules! plain_memory {
     ($module:ident { $($name:ident $count:literal),* }) => { $(
         // SAFETY: what `algebra!` declares is `repr(C)` with one field of type S for each stored
         // coefficient, so that its size is a multiple of its alignment, which is that of S, and
-        // there is no padding. The assertions check the count of the fields. Any values of them
-        // are a valid value: a broken fact gives wrong results, not undefined behaviour.
+        // there is no padding. The assertions check the count of the fields. All values of the
+        // fields are valid: if a fact is violated, results are wrong, but behaviour is not
+        // undefined.
         unsafe impl<S: bytemuck_1::Zeroable> bytemuck_1::Zeroable for crate::$module::$name<S> {}
         // SAFETY: the same.
         unsafe impl<S: bytemuck_1::Pod> bytemuck_1::Pod for crate::$module::$name<S> {}

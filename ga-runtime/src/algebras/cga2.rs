@@ -12,8 +12,9 @@ crate::algebra! {
     ///
     /// # Types
     ///
-    /// An object X in *direct* form holds the points x with `x ∧ X = 0`; in *dual* form those with
-    /// `x·X = 0`. A versor moves by `x' = M x ~M`, the right factor of a product first.
+    /// An object X in *direct* form consists of the points x with `x ∧ X = 0`; in *dual* form of
+    /// those with `x·X = 0`. An even versor M acts as `x' = M x ~M`, and in a product the right
+    /// factor acts first.
     ///
     /// | type | blades | grade | as geometry | as a transformation |
     /// | --- | --- | --- | --- | --- |
@@ -23,7 +24,7 @@ crate::algebra! {
     /// | [`PointPair`] | all six of two vectors | 2 | two points `p∧q` | |
     /// | [`FlatPoint`] | e1i e2i eoi | 2 | point and infinity `p∧ei` | |
     /// | [`Direction`] | e1i e2i | 2 | free vector `v∧ei` | |
-    /// | [`MotorGenerator`] | e12 e1i e2i | 2 | dual flat point | velocity; log of a motor |
+    /// | [`MotorGenerator`] | e12 e1i e2i | 2 | dual flat point | log of a motor, velocity |
     /// | [`Circle`] | e12o e12i e1oi e2oi | 3 | circle `p∧q∧r` | |
     /// | [`Line`] | e12i e1oi e2oi | 3 | line `p∧q∧ei` | |
     /// | [`Pseudoscalar`] | e12oi | 4 | all of the plane | |
@@ -54,8 +55,8 @@ crate::algebra! {
         /// The basis vector ei, the point at infinity.
         struct Infinity { ei = 1 }
 
-        /// The point x: two numbers, and yet the whole conformal vector `x + eo + ½x² ei` to every
-        /// product.
+        /// The point x. It stores two numbers, and every product takes it as the whole conformal
+        /// vector `x + eo + ½x² ei`.
         ///
         /// Its weight, the coefficient of eo, is 1, and it is null: `P² = 0`. Sums of points are
         /// [`RoundVector`]s.
@@ -70,11 +71,11 @@ crate::algebra! {
         /// The dual line `n + d ei`: the points x with `n·x = d`, where n is the normal.
         struct DualLine { e1, e2, ei }
 
-        /// Two points, `p∧q`; real, coinciding or imaginary as its square is positive, zero or
-        /// negative.
+        /// Two points, `p∧q`; they are real, coinciding or imaginary if its square is positive,
+        /// zero or negative.
         struct PointPair { e12, e1o, e2o, e1i, e2i, eoi }
 
-        /// A point without extent and infinity, `p∧ei`: where two lines meet.
+        /// A point and infinity, `p∧ei`: the meet of two lines.
         struct FlatPoint { e1i, e2i, eoi }
 
         /// A free vector, `v∧ei`. Motions rotate it and do not translate it.
@@ -109,7 +110,7 @@ crate::algebra! {
         #[facts(unit_versor)]
         struct Motor { scalar, e12, e1i, e2i }
 
-        /// A scaling by s about the origin: `D = exp(½ ln s · eo∧ei)`. It leaves a point with
+        /// A scaling by s about the origin: `D = exp(½ ln s · eo∧ei)`. The image of a point has
         /// weight 1/s.
         #[hull(Even)]
         #[facts(unit_versor)]
@@ -163,7 +164,7 @@ crate::algebra! {
             left_contraction(Infinity, Circle) -> PointPair;
             left_contraction(Infinity, Line) -> Direction;
 
-            // Going over to the dual form and back.
+            // Conversion to the dual form and back.
             dual({Point, RoundVector}) -> Circle;
             undual({Point, RoundVector}) -> Circle;
             dual(DualLine) -> Line;
@@ -208,7 +209,7 @@ crate::algebra! {
             scalar_product(Multivector, Multivector) -> Scalar;
             commutator(Multivector, Multivector) -> Multivector;
 
-            // Moving things.
+            // Actions of versors.
             sandwich(
                 {Rotor, Translator, Motor},
                 {Point, RoundVector, DualLine, PointPair, FlatPoint, Direction, MotorGenerator, Circle, Line, Motor}

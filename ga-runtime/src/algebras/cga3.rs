@@ -13,58 +13,59 @@ crate::algebra! {
     ///
     /// # Types
     ///
-    /// An object X in *direct* form, an outer product of its points, holds the points x with
-    /// `x ∧ X = 0`; in *dual* form, `X I⁻¹`, those with `x·X = 0`. The form is part of the type:
-    /// [`Circle`] is direct, [`DualCircle`] dual; `dual` and `undual` go over and back. Conversions
-    /// by `From` keep the coefficients as they are. A versor moves by `x' = M x ~M`, the right
-    /// factor of a product first.
+    /// An object X in *direct* form, an outer product of its points, consists of the points x with
+    /// `x ∧ X = 0`; in *dual* form, `X I⁻¹`, of those with `x·X = 0`. The form is part of the type:
+    /// [`Circle`] is direct, [`DualCircle`] dual; `dual` and `undual` convert between them.
+    /// Conversions by `From` keep the coefficients as they are. An even versor M acts as
+    /// `x' = M x ~M`, and in a product the right factor acts first.
     ///
-    /// - [`Point`]: e1 e2 e3, eo = 1, ei = ½x²; grade 1; as geometry: the point x.
-    /// - [`RoundVector`]: e1 e2 e3 eo ei; grade 1; as geometry: any vector: weighted point, dual
-    ///   sphere or plane; as a transformation: inversion, reflection.
-    /// - [`DualSphere`]: e1 e2 e3 eo ei; grade 1; as geometry: dual sphere `c − ½r² ei`; as a
-    ///   transformation: inversion.
-    /// - [`DualPlane`]: e1 e2 e3 ei; grade 1; as geometry: dual plane `n + d ei`; as a
-    ///   transformation: reflection in the plane.
-    /// - [`PointPair`]: all ten of two vectors; grade 2; as geometry: two points `p∧q`.
-    /// - [`DualCircle`]: all ten of two vectors; grade 2; as geometry: circle as the meet of two
-    ///   dual spheres `σ∧τ`.
-    /// - [`FlatPoint`]: e1i e2i e3i eoi; grade 2; as geometry: point and infinity `p∧ei`.
-    /// - [`Direction`]: e1i e2i e3i; grade 2; as geometry: free vector `v∧ei`.
-    /// - [`MotorGenerator`]: e12 e13 e23 e1i e2i e3i; grade 2; as geometry: dual line `π∧ρ` of two
-    ///   dual planes; as a transformation: velocity of a motion; log of a motor.
-    /// - [`Circle`]: all ten of three vectors; grade 3; as geometry: circle `p∧q∧r`.
-    /// - [`DualPointPair`]: all ten of three vectors; grade 3; as geometry: two points as the meet
-    ///   of three dual spheres `σ∧τ∧υ`.
-    /// - [`DualFlatPoint`]: e123 e12i e13i e23i; grade 3; as geometry: flat point as the meet of
-    ///   three dual planes.
-    /// - [`DualDirection`]: e12i e13i e23i; grade 3; as geometry: free bivector `B∧ei`, attitude of
-    ///   planes and circles.
-    /// - [`Line`]: e12i e13i e23i e1oi e2oi e3oi; grade 3; as geometry: line `p∧q∧ei`.
-    /// - [`Sphere`]: all five of four vectors; grade 4; as geometry: sphere `p∧q∧r∧s`.
-    /// - [`Plane`]: e12oi e13oi e23oi e123i; grade 4; as geometry: plane `p∧q∧r∧ei`.
-    /// - [`Pseudoscalar`]: e123oi; grade 5; as geometry: all of space.
-    /// - [`Rotor`]: scalar e12 e13 e23; even grade; as geometry: axis through the origin; as a
-    ///   transformation: rotation, `exp(−½θB)`.
-    /// - [`Translator`]: scalar = 1, e1i e2i e3i; even grade; as a transformation: translation by
-    ///   t, `1 − ½ t ei`.
-    /// - [`Motor`]: scalar e12 e13 e23 e1i e2i e3i e123i; even grade; as geometry: screw axis; as a
-    ///   transformation: rigid motion `T R`.
-    /// - [`Dilator`]: scalar eoi; even grade; as a transformation: scaling about the origin.
-    /// - [`Similarity`]: Motor and eoi e12oi e13oi e23oi; even grade; as a transformation: motion
-    ///   and scaling.
-    /// - [`Transversor`]: scalar = 1, e1o e2o e3o; even grade; as a transformation: special
-    ///   conformal map `1 − k eo`.
-    /// - [`EvenVersor`]: all sixteen of even grade; as a transformation: any conformal map that
-    ///   keeps handedness.
-    /// - [`OddVersor`]: all sixteen of odd grade; as a transformation: any conformal map that
-    ///   mirrors: reflection, inversion.
-    /// - [`SimilarityGenerator`]: MotorGenerator and eoi; grade 2; as a transformation: log of a
-    ///   similarity.
-    /// - [`Quaternion`], [`DualQuaternion`]: those of Rotor, Motor; even grade; as geometry: sums
-    ///   of rotors, of motors.
-    /// - [`Even`], [`Odd`]: all sixteen of even, of odd grade; as a transformation sums of versors.
-    /// - [`Multivector`]: all 32.
+    /// Objects:
+    ///
+    /// | type | blades | grade | object |
+    /// | --- | --- | --- | --- |
+    /// | [`Point`] | e1 e2 e3, eo = 1, ei = ½x² | 1 | the point x |
+    /// | [`RoundVector`] | e1 e2 e3 eo ei | 1 | weighted point, dual sphere or dual plane |
+    /// | [`DualSphere`] | e1 e2 e3 eo ei | 1 | dual sphere `c − ½r² ei` |
+    /// | [`DualPlane`] | e1 e2 e3 ei | 1 | dual plane `n + d ei` |
+    /// | [`PointPair`] | all ten of grade 2 | 2 | two points `p∧q` |
+    /// | [`DualCircle`] | all ten of grade 2 | 2 | circle, the meet `σ∧τ` of two dual spheres |
+    /// | [`FlatPoint`] | e1i e2i e3i eoi | 2 | point and infinity `p∧ei` |
+    /// | [`Direction`] | e1i e2i e3i | 2 | free vector `v∧ei` |
+    /// | [`MotorGenerator`] | e12 e13 e23 e1i e2i e3i | 2 | dual line, meet `π∧ρ` of dual planes |
+    /// | [`Circle`] | all ten of grade 3 | 3 | circle `p∧q∧r` |
+    /// | [`DualPointPair`] | all ten of grade 3 | 3 | two points, the meet of three dual spheres |
+    /// | [`DualFlatPoint`] | e123 e12i e13i e23i | 3 | flat point, the meet of three dual planes |
+    /// | [`DualDirection`] | e12i e13i e23i | 3 | free bivector `B∧ei`, attitude of a plane |
+    /// | [`Line`] | e12i e13i e23i e1oi e2oi e3oi | 3 | line `p∧q∧ei` |
+    /// | [`Sphere`] | all five of grade 4 | 4 | sphere `p∧q∧r∧s` |
+    /// | [`Plane`] | e12oi e13oi e23oi e123i | 4 | plane `p∧q∧r∧ei` |
+    /// | [`Pseudoscalar`] | e123oi | 5 | all of space |
+    ///
+    /// Versors:
+    ///
+    /// | type | blades | transformation |
+    /// | --- | --- | --- |
+    /// | [`Rotor`] | scalar e12 e13 e23 | rotation about an axis through the origin, `exp(−½θB)` |
+    /// | [`Translator`] | scalar = 1, e1i e2i e3i | translation by t, `1 − ½ t ei` |
+    /// | [`Motor`] | scalar e12 e13 e23 e1i e2i e3i e123i | rigid motion `T R`, a screw motion |
+    /// | [`Dilator`] | scalar eoi | scaling about the origin |
+    /// | [`Similarity`] | Motor and eoi e12oi e13oi e23oi | rigid motion and scaling |
+    /// | [`Transversor`] | scalar = 1, e1o e2o e3o | special conformal map `1 − k eo` |
+    /// | [`EvenVersor`] | all sixteen of even grade | conformal map that preserves orientation |
+    /// | [`DualPlane`] | e1 e2 e3 ei | reflection in the plane |
+    /// | [`DualSphere`], [`RoundVector`] | e1 e2 e3 eo ei | inversion, reflection |
+    /// | [`OddVersor`] | all sixteen of odd grade | conformal map that reverses orientation |
+    ///
+    /// Logarithms and sums:
+    ///
+    /// | type | blades | used as |
+    /// | --- | --- | --- |
+    /// | [`MotorGenerator`] | e12 e13 e23 e1i e2i e3i | log of a motor, velocity of a motion |
+    /// | [`SimilarityGenerator`] | MotorGenerator and eoi | log of a similarity |
+    /// | [`Quaternion`] | as [`Rotor`] | sums of rotors |
+    /// | [`DualQuaternion`] | as [`Motor`] | sums of motors |
+    /// | [`Even`], [`Odd`] | all sixteen of even, of odd grade | sums of versors |
+    /// | [`Multivector`] | all 32 | any sum |
     ///
     /// [`E1`], [`E2`], [`E3`], [`Origin`] and [`Infinity`] are the basis vectors as types without
     /// size, so that `p ^ q ^ Infinity` is a line at no cost.
@@ -113,8 +114,8 @@ crate::algebra! {
         /// The basis vector ei, the point at infinity.
         struct Infinity { ei = 1 }
 
-        /// The point x: three numbers, and yet the whole conformal vector `x + eo + ½x² ei` to
-        /// every product.
+        /// The point x. It stores three numbers, and every product takes it as the whole conformal
+        /// vector `x + eo + ½x² ei`.
         ///
         /// Its weight, the coefficient of eo, is 1, and it is null: `P² = 0`. Sums of points are
         /// [`RoundVector`]s.
@@ -127,22 +128,22 @@ crate::algebra! {
         struct RoundVector { e1, e2, e3, eo, ei }
 
         /// The dual sphere `c − ½r² ei` about the point c, or a multiple of it: the points x with
-        /// `x·σ = 0`. Of radius 0 it is a point; imaginary for r² < 0; a dual plane where eo has no
-        /// part in it.
+        /// `x·σ = 0`. It is a point for r = 0, imaginary for r² < 0, and a dual plane where its
+        /// coefficient of eo is zero.
         struct DualSphere { e1, e2, e3, eo, ei }
 
         /// The dual plane `n + d ei`: the points x with `n·x = d`, where n is the normal.
         struct DualPlane { e1, e2, e3, ei }
 
-        /// Two points, `p∧q`; real, coinciding or imaginary as its square is positive, zero or
-        /// negative.
+        /// Two points, `p∧q`; they are real, coinciding or imaginary if its square is positive,
+        /// zero or negative.
         struct PointPair { e12, e13, e23, e1o, e2o, e3o, e1i, e2i, e3i, eoi }
 
-        /// A circle in dual form, the meet `σ∧τ` of two dual spheres or planes that hold it. Its
+        /// A circle in dual form, the meet `σ∧τ` of two dual spheres or planes that contain it. Its
         /// square is negative where the circle is real.
         struct DualCircle { e12, e13, e23, e1o, e2o, e3o, e1i, e2i, e3i, eoi }
 
-        /// A point without extent and infinity, `p∧ei`: where a line meets a plane.
+        /// A point and infinity, `p∧ei`: the meet of a line and a plane.
         struct FlatPoint { e1i, e2i, e3i, eoi }
 
         /// A free vector, `v∧ei`. Motions rotate it and do not translate it.
@@ -161,8 +162,8 @@ crate::algebra! {
         /// A flat point in dual form, the meet `π∧ρ∧σ` of three dual planes.
         struct DualFlatPoint { e123, e12i, e13i, e23i }
 
-        /// A free bivector `B∧ei`: the attitude of a plane or circle; the dual form of a direction,
-        /// that of its normal.
+        /// A free bivector `B∧ei`: the attitude of a plane or circle, and the dual form of the
+        /// direction of its normal.
         struct DualDirection { e12i, e13i, e23i }
 
         /// A line, `p∧q∧ei` for two of its points: direction `q − p` in minus the coefficients of
@@ -193,7 +194,7 @@ crate::algebra! {
         #[facts(unit_versor)]
         struct Motor { scalar, e12, e13, e23, e1i, e2i, e3i, e123i }
 
-        /// A scaling by s about the origin: `D = exp(½ ln s · eo∧ei)`. It leaves a point with
+        /// A scaling by s about the origin: `D = exp(½ ln s · eo∧ei)`. The image of a point has
         /// weight 1/s.
         #[hull(Even)]
         #[facts(unit_versor)]
@@ -207,16 +208,16 @@ crate::algebra! {
         }
 
         /// The special conformal map `K = 1 − k eo`: inversion in the unit sphere about the origin,
-        /// translation by k, inversion again. It keeps the origin, and takes x to
+        /// translation by k, inversion again. It fixes the origin and maps x to
         /// `(x + k x²)/(1 + 2 k·x + k² x²)`.
         #[hull(Even)]
         #[facts(unit_versor)]
         struct Transversor { scalar = 1, e1o, e2o, e3o }
 
-        /// Any conformal map of space that keeps handedness, `V ~V = 1` in every grade.
+        /// Any conformal map of space that preserves orientation, `V ~V = 1` in every grade.
         ///
-        /// An even versor with `V ~V = −1` is the pseudoscalar I times an [`OddVersor`] and mirrors
-        /// as that does, so it is not a member.
+        /// An even versor with `V ~V = −1` is not a member: it is the pseudoscalar I times an
+        /// [`OddVersor`] and reverses orientation as that does.
         #[hull(Even)]
         #[facts(unit_versor)]
         struct EvenVersor {
@@ -225,12 +226,12 @@ crate::algebra! {
             e123o, e123i, e12oi, e13oi, e23oi
         }
 
-        /// Any conformal map of space that mirrors, `V ~V = 1` in every grade: a reflection in a
-        /// plane, an inversion in a real sphere, or one of them and then an [`EvenVersor`]. It acts
-        /// as `x' = V x̂ ~V` with the grade involution x̂.
+        /// Any conformal map of space that reverses orientation, `V ~V = 1` in every grade: a
+        /// reflection in a plane, an inversion in a real sphere, or one of them and then an
+        /// [`EvenVersor`]. It acts as `x' = V x̂ ~V` with the grade involution x̂.
         ///
-        /// An odd versor with `V ~V = −1`, such as a dual sphere of negative square, is I times an
-        /// [`EvenVersor`] and keeps handedness as that does, so it is not a member.
+        /// An odd versor with `V ~V = −1`, such as a dual sphere of negative square, is not a
+        /// member: it is I times an [`EvenVersor`] and preserves orientation as that does.
         #[hull(Odd)]
         #[facts(unit_versor)]
         struct OddVersor {
@@ -274,7 +275,7 @@ crate::algebra! {
         }
 
         products {
-            // Joining: points to pairs, circles, spheres, and with infinity to their flat kin.
+            // Joins: of points to pairs, circles and spheres, and with infinity to flats.
             wedge({Point, RoundVector}, {Point, RoundVector}) -> PointPair;
             wedge(PointPair, {Point, RoundVector}) -> Circle;
             wedge({Point, RoundVector}, PointPair) -> Circle;
@@ -364,7 +365,7 @@ crate::algebra! {
             scalar_product(Plane, {Sphere, Plane}) -> Scalar;
             scalar_product(Multivector, Multivector) -> Scalar;
 
-            // Going over to the dual form and back.
+            // Conversion to the dual form and back.
             dual({Point, RoundVector}) -> Sphere;
             undual({Point, RoundVector}) -> Sphere;
             dual(DualPlane) -> Plane;
@@ -424,7 +425,7 @@ crate::algebra! {
             vee(Multivector, Multivector) -> Multivector;
             sandwich(Multivector, Multivector) -> Multivector;
 
-            // Moving things.
+            // Actions of versors.
             sandwich(
                 {Rotor, Translator, Motor},
                 {

@@ -12,23 +12,22 @@ crate::algebra! {
     ///
     /// # Types
     ///
-    /// A motor moves by `x' = M x ~M`, the right factor of a product first.
+    /// A motor M acts as `x' = M x ~M`, and in a product the right factor acts first.
     ///
-    /// - [`Line`]: e1 e2 e0; grade 1; as geometry: `n·x + d = 0` as `n + d e0`; as a
-    ///   transformation: reflection.
-    /// - [`Point`]: e12 e20 e01; grade 2; as geometry: `(x, y)` as `e12 + x e20 + y e01`; ideal
-    ///   where e12 = 0; as a transformation: generator of a rotation about it.
-    /// - [`Pseudoscalar`]: e120; grade 3; as geometry: all of the plane.
-    /// - [`Rotor`]: scalar e12; even grade; as a transformation: rotation about the origin.
-    /// - [`Translator`]: scalar = 1, e20 e01; even grade; as a transformation: translation by t,
-    ///   `1 + ½ t e0`.
-    /// - [`Motor`]: scalar e12 e20 e01; even grade; as a transformation: rigid motion.
-    /// - [`MotorSum`]: those of Motor; even grade; as geometry: sums and multiples of motors.
-    /// - [`Multivector`]: all 8.
+    /// | type | blades | grade | as geometry | as a transformation |
+    /// | --- | --- | --- | --- | --- |
+    /// | [`Line`] | e1 e2 e0 | 1 | `n·x + d = 0` as `n + d e0` | reflection |
+    /// | [`Point`] | e12 e20 e01 | 2 | point, ideal where e12 = 0 | generator of a rotation |
+    /// | [`Pseudoscalar`] | e120 | 3 | all of the plane | |
+    /// | [`Rotor`] | scalar e12 | even | | rotation about the origin |
+    /// | [`Translator`] | scalar = 1, e20 e01 | even | | translation by t, `1 + ½ t e0` |
+    /// | [`Motor`] | scalar e12 e20 e01 | even | | rigid motion |
+    /// | [`MotorSum`] | those of Motor | even | sums and multiples of motors | |
+    /// | [`Multivector`] | all 8 | all | | |
     ///
-    /// Lines meet by `^`, points join by `&`. The rotation by θ about a point P of weight 1 is
-    /// `exp(−½θP)`, positive from e1 towards e2. The signs of [`Point`] are those of ganja.js,
-    /// which writes the same `e12 + x e20 + y e01`.
+    /// `^` is the meet of lines, `&` the join of points. The point (x, y) is `e12 + x e20 + y e01`,
+    /// with the signs of ganja.js. The rotation by θ about a point P of weight 1 is `exp(−½θP)`,
+    /// positive from e1 towards e2.
     ///
     /// ```
     /// use ga_runtime::pga2::{Line, Point};
@@ -36,7 +35,7 @@ crate::algebra! {
     /// // The lines x = 1 and y = 2 meet in the point (1, 2).
     /// let meet = Line::new(1.0, 0.0, -1.0) ^ Line::new(0.0, 1.0, -2.0);
     /// assert_eq!(meet, Point::from_coordinates([1.0, 2.0]));
-    /// // Two points join in a line that holds both.
+    /// // The join of two points is the line through both.
     /// let join = meet & Point::from_coordinates([4.0, 2.0]);
     /// assert_eq!(join ^ meet, Default::default());
     /// assert_eq!(join.signed_distance(Point::from_coordinates([1.0, 5.0])), Some(3.0));
@@ -47,8 +46,8 @@ crate::algebra! {
 
         /// The line of the points with `n·x + d = 0`, as `n + d e0`.
         struct Line { e1, e2, e0 }
-        /// The meet of two lines. The point (x, y) is `e12 + x e20 + y e01`; where e12 is zero, a
-        /// direction.
+        /// The meet of two lines. The point (x, y) is `e12 + x e20 + y e01`; with zero for e12 it
+        /// is a direction.
         struct Point { e12, e20, e01 }
         /// A multiple of I = e1∧e2∧e0.
         struct Pseudoscalar { e120 }

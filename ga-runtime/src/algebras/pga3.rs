@@ -12,41 +12,38 @@ crate::algebra! {
     ///
     /// # Types
     ///
-    /// A motor moves by `x' = M x ~M`, the right factor of a product first.
+    /// A motor M acts as `x' = M x ~M`, and in a product the right factor acts first.
     ///
-    /// - [`Plane`]: e1 e2 e3 e0; grade 1; as geometry: `n·x + d = 0` as `n + d e0`; as a
-    ///   transformation: reflection.
-    /// - [`Line`]: e12 e13 e23, e10 e20 e30; grade 2; as geometry: meet of two planes; direction d,
-    ///   moment m; as a transformation: generator of a screw.
-    /// - [`Point`]: e123, e120 e130 e230; grade 3; as geometry: meet of three planes.
-    /// - [`Direction`]: e120 e130 e230; grade 3; as geometry: free vector, ideal point.
-    /// - [`Pseudoscalar`]: e1230; grade 4; as geometry: all of space.
-    /// - [`Rotor`]: scalar e12 e13 e23; even grade; as geometry: axis through the origin; as a
-    ///   transformation: rotation, `exp(−½θB)`.
-    /// - [`Translator`]: scalar = 1, e10 e20 e30; even grade; as a transformation: translation by
-    ///   t, `1 + ½ t e0`.
-    /// - [`Motor`]: scalar, all bivectors, e1230; even grade; as geometry: screw axis; as a
-    ///   transformation: rigid motion `T R`.
-    /// - [`MotorSum`]: those of Motor; even grade; as geometry: sums of motors.
-    /// - [`Multivector`]: all 16.
+    /// | type | blades | grade | as geometry | as a transformation |
+    /// | --- | --- | --- | --- | --- |
+    /// | [`Plane`] | e1 e2 e3 e0 | 1 | `n·x + d = 0` as `n + d e0` | reflection |
+    /// | [`Line`] | e12 e13 e23, e10 e20 e30 | 2 | meet of two planes | generator of a screw |
+    /// | [`Point`] | e123, e120 e130 e230 | 3 | meet of three planes | |
+    /// | [`Direction`] | e120 e130 e230 | 3 | free vector, ideal point | |
+    /// | [`Pseudoscalar`] | e1230 | 4 | all of space | |
+    /// | [`Rotor`] | scalar e12 e13 e23 | even | axis through the origin | rotation, `exp(−½θB)` |
+    /// | [`Translator`] | scalar = 1, e10 e20 e30 | even | | translation by t, `1 + ½ t e0` |
+    /// | [`Motor`] | scalar, all bivectors, e1230 | even | screw axis | rigid motion `T R` |
+    /// | [`MotorSum`] | those of Motor | even | sums of motors | |
+    /// | [`Multivector`] | all 16 | all | | |
     ///
-    /// Planes meet by `^`, points join by `&`.
+    /// `^` is the meet of planes, `&` the join of points.
     ///
     /// # Signs
     ///
     /// A line with direction d and moment `m = p × d` is `d1 e23 − d2 e13 + d3 e12 − m∧e0`. `Π ∧ Ρ`
     /// has the direction of the cross product of the normals, `P ∨ Q` that of `P − Q`, and
     /// `P ∨ Q ∨ R` the normal `(Q − P) × (R − P)`. So `exp(−½θL)` rotates right-handed about the
-    /// direction of L, and [`Line::through`] takes its points in the order in which the line passes
-    /// them.
+    /// direction of L, and [`Line::through`] returns a line directed from its first point to its
+    /// second.
     ///
     /// klein and ganja.js write the same elements over other blades: their e01 is −e10, their e31
-    /// is −e13, and their points `e123 + x e032 + y e013 + z e021` are those of here, as
+    /// is −e13, and their points `e123 + x e032 + y e013 + z e021` are equal to those here, since
     /// `e032 = −e230`, `e013 = e130`, `e021 = −e120`. Translators are
     /// `1 − ½ (t1 e01 + t2 e02 + t3 e03)` in both. ganja's examples rotate by
-    /// `cos ½θ + sin ½θ (P ∨ Q)`; that is right-handed about `Q − P`, and the same as here.
-    /// Versions of klein differ in the sign of the sine in the rotor made from an axis: compare a
-    /// point moved by it.
+    /// `cos ½θ + sin ½θ (P ∨ Q)`; that is right-handed about `Q − P`, the same as here. Versions of
+    /// klein differ in the sign of the sine in the rotor made from an axis; to find the sign of a
+    /// version, rotate a point.
     ///
     /// ```
     /// use ga_runtime::pga3::Plane;
@@ -66,8 +63,8 @@ crate::algebra! {
 
         /// The plane of the points with `n·x + d = 0`, as `n + d e0`.
         struct Plane { e1, e2, e3, e0 }
-        /// The meet of two planes. Bivectors that are no meet, with `L∧L` not zero, generate
-        /// screws.
+        /// The meet of two planes. A bivector with `L∧L` not zero is not a meet; it generates a
+        /// screw.
         struct Line { e12, e13, e23, e10, e20, e30 }
         /// The meet of three planes; the point (x, y, z) is `e123 − x e230 + y e130 − z e120`.
         struct Point { e123, e120, e130, e230 }

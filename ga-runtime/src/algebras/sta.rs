@@ -6,10 +6,10 @@ crate::algebra! {
     ///
     /// # Basis
     ///
-    /// g0 is the time axis of the observer and g1, g2, g3 are the axes of space, right-handed:
-    /// `g0² = 1`, `g1² = g2² = g3² = −1`, the signature (+ − − −) of Hestenes (Space-Time
-    /// Algebra, 1966) and of Doran & Lasenby (Geometric Algebra for Physicists, 2003). The speed of
-    /// light is 1, so that velocities are plain numbers below 1 in size.
+    /// g0 is the time axis of an observer and g1, g2, g3 are right-handed spatial axes: `g0² = 1`,
+    /// `g1² = g2² = g3² = −1`, the signature (+ − − −) of Hestenes (Space-Time Algebra, 1966) and
+    /// of Doran & Lasenby (Geometric Algebra for Physicists, 2003). The speed of light is 1, so
+    /// that speeds are numbers below 1.
     ///
     /// `I = g0∧g1∧g2∧g3`, `I² = −1`, `dual(a) = a I⁻¹ = −a I`, `undual(a) = a I`,
     /// `a ∨ b = undual(dual a ∧ dual b)`. I commutes with even elements and anticommutes with odd
@@ -17,25 +17,24 @@ crate::algebra! {
     ///
     /// # Relative vectors
     ///
-    /// The observer sees the bivectors `σk = gk g0` as vectors of space: `σk² = 1`,
-    /// `σ1σ2σ3 = I`. The other three are `Iσ1 = g32`, `Iσ2 = g13`, `Iσ3 = g21`. So a field is
-    /// `F = E + I B`, its coefficients g10 g20 g30 being E and g32 g13 g21 being B.
+    /// The bivectors `σk = gk g0` are the observer's spatial vectors: `σk² = 1`, `σ1σ2σ3 = I`. The
+    /// other three are `Iσ1 = g32`, `Iσ2 = g13`, `Iσ3 = g21`. So a field is `F = E + I B`, its
+    /// coefficients g10 g20 g30 being E and g32 g13 g21 being B.
     ///
     /// # Types
     ///
-    /// A rotor moves by `x' = R x ~R`, the right factor of a product first; these are the active
-    /// transformations.
+    /// A rotor R acts as `x' = R x ~R`, an active transformation, and in a product the right factor
+    /// acts first.
     ///
-    /// - [`Vector`]: g0 g1 g2 g3; grade 1; as geometry: event `t g0 + x`, velocity, momentum; as a
-    ///   transformation: reflection.
-    /// - [`Bivector`]: g10 g20 g30, g32 g13 g21; grade 2; as geometry: field `E + I B`; as a
-    ///   transformation: generator of boosts and rotations.
-    /// - [`Trivector`]: g123 g023 g013 g012; grade 3; as geometry: hyperplane.
-    /// - [`Pseudoscalar`]: g0123; grade 4; as geometry: volume of spacetime.
-    /// - [`Rotor`]: all eight of even grade; as a transformation: boost and rotation, `exp(½φσ)`,
-    ///   `exp(−½θ Iσ)`.
-    /// - [`Even`]: all eight of even grade; as geometry: Dirac–Hestenes spinor.
-    /// - [`Multivector`]: all 16.
+    /// | type | blades | grade | as geometry | as a transformation |
+    /// | --- | --- | --- | --- | --- |
+    /// | [`Vector`] | g0 g1 g2 g3 | 1 | event `t g0 + x`, velocity, momentum | reflection |
+    /// | [`Bivector`] | g10 g20 g30, g32 g13 g21 | 2 | field `E + I B` | generator of a rotor |
+    /// | [`Trivector`] | g123 g023 g013 g012 | 3 | hyperplane | |
+    /// | [`Pseudoscalar`] | g0123 | 4 | volume of spacetime | |
+    /// | [`Rotor`] | all eight of even grade | even | | boost `exp(½φσ)`, rotation `exp(−½θ Iσ)` |
+    /// | [`Even`] | all eight of even grade | even | Dirac–Hestenes spinor | |
+    /// | [`Multivector`] | all 16 | all | | |
     ///
     /// # Products
     ///
@@ -51,8 +50,8 @@ crate::algebra! {
     /// assert!((clock.g0 - 1.25).abs() < 1e-15 && (clock.g1 - 0.75).abs() < 1e-15);
     /// assert!(((clock | clock) - 1.0).abs() < 1e-15);
     ///
-    /// // The force of a field on a unit charge with proper velocity u is F·u, the commutator;
-    /// // on one at rest it is E.
+    /// // The force of a field F on a unit charge with proper velocity u is F·u, the commutator.
+    /// // For a charge at rest it is E.
     /// let field = Bivector::from_fields([1.0, 2.0, 3.0], [4.0, 5.0, 6.0]);
     /// let force = field.commutator(Vector::new(1.0, 0.0, 0.0, 0.0));
     /// assert_eq!(force, Vector::new(0.0, 1.0, 2.0, 3.0));
@@ -66,7 +65,7 @@ crate::algebra! {
         /// A bivector: the field `E + I B` with E in g10 g20 g30 and B in g32 g13 g21; a generator
         /// of boosts and rotations.
         struct Bivector { g10, g20, g30, g32, g13, g21 }
-        /// A trivector: a hyperplane by its volume.
+        /// A trivector: an oriented volume in a hyperplane.
         struct Trivector { g123, g023, g013, g012 }
         /// A multiple of I = g0∧g1∧g2∧g3.
         struct Pseudoscalar { g0123 }

@@ -12,7 +12,7 @@ crate::algebra! {
     ///
     /// # Types
     ///
-    /// A rotor rotates by `x' = R x ~R`, the right factor of a product first.
+    /// A rotor R acts as `x' = R x ~R`, and in a product the right factor acts first.
     ///
     /// | type | blades | grade | as geometry | as a transformation |
     /// | --- | --- | --- | --- | --- |
@@ -24,9 +24,9 @@ crate::algebra! {
     ///
     /// # Products
     ///
-    /// `a * b` geometric, `a ^ b` wedge, `a | b` left contraction; [`Rotor::transform`] rotates. A
-    /// rotation by θ has the *half* angle in its rotor and the minus sign of `−½θ`; as a complex
-    /// number it is `cos θ + sin θ e12`, see [`Rotor::to_complex`].
+    /// `a * b` geometric, `a ^ b` wedge, `a | b` left contraction; [`Rotor::transform`] rotates.
+    /// The rotor of a rotation by θ contains *half* the angle, with the minus sign of `−½θ`; as a
+    /// complex number the rotation is `cos θ + sin θ e12`, see [`Rotor::to_complex`].
     ///
     /// ```
     /// use ga_runtime::vga2::{Bivector, Complex, Rotor, Vector};
@@ -34,12 +34,12 @@ crate::algebra! {
     /// let (a, b) = (Vector::new(3.0, 0.0), Vector::new(1.0, 2.0));
     /// assert_eq!(a | b, 3.0);
     /// assert_eq!(a ^ b, Bivector::new(6.0));
-    /// // Both at once: the complex number from a to b, times |a|².
+    /// // Both in one product: the complex number that takes a to b, times |a|².
     /// assert_eq!(a * b, Complex::new(3.0, 6.0));
     ///
     /// let quarter = Rotor::from_angle(std::f64::consts::FRAC_PI_2).unwrap();
-    /// let turned = quarter.transform(a);
-    /// assert!(turned.e1.abs() < 1e-15 && (turned.e2 - 3.0).abs() < 1e-15);
+    /// let rotated = quarter.transform(a);
+    /// assert!(rotated.e1.abs() < 1e-15 && (rotated.e2 - 3.0).abs() < 1e-15);
     /// ```
     pub mod vga2 {
         basis e1, e2;

@@ -13,11 +13,11 @@ crate::algebra! {
     ///
     /// # Types
     ///
-    /// A rotor rotates by `x' = R x ~R`, the right factor of a product first.
+    /// A rotor R acts as `x' = R x ~R`, and in a product the right factor acts first.
     ///
     /// | type | blades | grade | as geometry | as a transformation |
     /// | --- | --- | --- | --- | --- |
-    /// | [`Vector`] | e1 e2 e3 | 1 | direction with length | reflection in the plane across it |
+    /// | [`Vector`] | e1 e2 e3 | 1 | direction with length | reflection in the plane normal to it |
     /// | [`Bivector`] | e12 e13 e23 | 2 | oriented area | generator of a rotation |
     /// | [`Trivector`] | e123 | 3 | oriented volume | |
     /// | [`Rotor`] | scalar e12 e13 e23 | even | axis through the origin | rotation, `exp(−½θB)` |
@@ -41,8 +41,8 @@ crate::algebra! {
     /// assert_eq!(a.cross(b), (a ^ b).dual());
     ///
     /// let rotor: Rotor<f64> = Rotor::between(a, b).unwrap();
-    /// let turned = rotor.transform(a);
-    /// assert!(turned.e1.abs() < 1e-15 && (turned.e2 - 1.0).abs() < 1e-15);
+    /// let rotated = rotor.transform(a);
+    /// assert!(rotated.e1.abs() < 1e-15 && (rotated.e2 - 1.0).abs() < 1e-15);
     /// ```
     pub mod vga3 {
         basis e1, e2, e3;

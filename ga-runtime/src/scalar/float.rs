@@ -2,7 +2,7 @@
 
 use super::{Field, Real, Ring, half_angle};
 
-/// Elementary functions of `f64`, from whichever library the features name.
+/// Elementary functions, from the library that the features select.
 #[cfg(feature = "std")]
 macro_rules! elementary {
     ($type:ty, $standard:ident, $free:ident, $($argument:expr),+) => {
@@ -15,7 +15,7 @@ macro_rules! elementary {
         libm::$free($($argument),+)
     };
 }
-// Without either, the crate says so in one error; this keeps others from joining it.
+// Without either feature, lib.rs reports one error; this definition avoids further ones.
 #[cfg(not(any(feature = "std", feature = "libm")))]
 macro_rules! elementary {
     ($type:ty, $standard:ident, $free:ident, $($argument:expr),+) => {{

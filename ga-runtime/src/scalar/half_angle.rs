@@ -1,17 +1,19 @@
-//! The functions of half the angle behind exponentials and logarithms of rigid motions, in
+//! The functions of half the angle in exponentials and logarithms of rigid motions, as
 //! straight-line code.
 //!
-//! A rotor holds cos φ and sin φ of half its angle, its logarithm φ itself. What takes one to the
-//! other are even functions of φ, so functions of φ² or of cos φ that are smooth where the angle is
-//! zero. As polynomials they need no case for small angles, no reduction of an angle and no guess
-//! of a branch. The coefficients are minimax (Remez's exchange) and leave out less than 4·10⁻¹⁷;
-//! `f32` is evaluated in `f64`, where the rounding of a half turn would be 3 ε otherwise.
+//! A rotor contains cos φ and sin φ of half its angle φ, its logarithm φ itself. The factors
+//! between them are even functions of φ, so functions of φ² or of cos φ that are smooth where the
+//! angle is zero. As polynomials they need no special case for small angles, no reduction of the
+//! argument and no branch. The coefficients are minimax (Remez's exchange algorithm) with an
+//! approximation error below 4·10⁻¹⁷. `f32` is evaluated in `f64`, since in `f32` the rounding
+//! error for a half turn would be 3 ε.
 
 use super::Real;
 
-/// Of `c₂ − ¼` and `c₃ − ⅛` by x − 5 for x from 0 to 9.95, the highest power first: small, so that
-/// they are added to exact parts. c₂ and c₃ are the Stumpff functions `(1 − cos φ)/φ²` and
-/// `(φ − sin φ)/φ³` of x = φ².
+/// The coefficients of `c₂ − ¼` and `c₃ − ⅛` as polynomials in x − 5 for x from 0 to 9.95, the
+/// highest power first. The constants ¼ and ⅛ are exact, and what remains is small and so has a
+/// small rounding error. c₂ and c₃ are the Stumpff functions `(1 − cos φ)/φ²` and `(φ − sin φ)/φ³`
+/// of x = φ².
 const STUMPFF: [[f64; 2]; 10] = [
     [-3.652_696_308_519_567e-19, -1.757_439_221_688_305_2e-20],
     [1.387_016_998_042_339_2e-16, 7.383_718_380_318_964e-18],
@@ -25,7 +27,8 @@ const STUMPFF: [[f64; 2]; 10] = [
     [0.073_454_575_291_433_32, 0.004_631_018_424_860_202],
 ];
 
-/// Of `(φ/sin φ − 1)/(1 − cos φ)` by `1 − cos φ` for φ up to π/4, the highest power first.
+/// The coefficients of `(φ/sin φ − 1)/(1 − cos φ)` as a polynomial in `1 − cos φ` for φ up to π/4,
+/// the highest power first.
 const ANGLE: [f64; 11] = [
     0.000_307_374_384_047_946_35,
     0.000_102_592_672_184_574_88,
@@ -52,9 +55,8 @@ pub(super) fn sine_by_angle<S: Real>(x: S) -> (S, S, S) {
     (cosine, ratio, rest[1] - rest[0] - exact[1])
 }
 
-/// `high x⁸ + Σ cₖ xᵏ` for k = 7, …, 0, of several polynomials side by side. In pairs, pairs of
-/// pairs and so on (Estrin's scheme), since the time of a polynomial is that until its sum is
-/// there.
+/// `high x⁸ + Σ cₖ xᵏ` for k = 7, …, 0, of several polynomials side by side. Evaluated in pairs,
+/// pairs of pairs and so on (Estrin's scheme), which shortens the chain of dependent operations.
 #[inline(always)]
 fn polynomial<S: Real, const N: usize>(high: [S; N], c: [[f64; N]; 8], x: S) -> [S; N] {
     let (x2, x4) = (x * x, (x * x) * (x * x));

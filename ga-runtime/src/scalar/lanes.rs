@@ -7,19 +7,20 @@ use core::ops::{
 
 use super::{Field, LaneMask, Real, Ring};
 
-/// N numbers that every operation treats alike, one beside the other.
+/// N numbers side by side; every operation is applied to each of them.
 ///
-/// Written as loops over an array, which the compiler turns into vector instructions of whatever
-/// width the function that they are inlined into may use: a `Lanes<f32, 8>` is one register where
-/// AVX is on, and two where only SSE2 is. So one kernel serves a baseline and a function with
-/// `#[target_feature(enable = "avx2")]`, and gives the same bits in both.
+/// The operations are loops over an array. The compiler translates them into vector instructions of
+/// the width that is enabled in the function into which they are inlined: a `Lanes<f32, 8>` is one
+/// register with AVX, and two with SSE2 only. So the same generic function can be compiled for the
+/// baseline and inside a function with `#[target_feature(enable = "avx2")]`, with bit-identical
+/// results.
 ///
 /// Each lane holds what the same operation gives on a single number, bit for bit; elementary
-/// functions are called lane by lane. Products are fused with sums only where the whole program is
-/// built for a processor that does so, as for a single number. `==` asks whether all lanes are
-/// equal; [`Real::less_than`] answers for each.
+/// functions are called lane by lane. Multiplications and additions are fused only if the whole
+/// program is built for a processor with that instruction, as for a single number. `==` is true if
+/// all lanes are equal; [`Real::less_than`] compares each lane.
 ///
-/// Any type of an algebra takes lanes for its scalar. Eight points in one:
+/// Lanes can be the scalar of any type of an algebra. Eight points in one value:
 ///
 /// ```
 /// use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
@@ -71,14 +72,14 @@ impl<T: Copy, const N: usize> Lanes<T, N> {
         self.0
     }
 
-    /// The numbers, where they are.
+    /// A reference to the numbers.
     #[inline(always)]
     #[must_use]
     pub const fn as_array(&self) -> &[T; N] {
         &self.0
     }
 
-    /// A function of each lane.
+    /// Applies a function to each lane.
     ///
     /// ```
     /// use ga_runtime::scalar::Lanes;
@@ -319,7 +320,7 @@ impl<T: fmt::Debug, const N: usize> fmt::Debug for Lanes<T, N> {
 }
 
 impl<T: fmt::Display, const N: usize> fmt::Display for Lanes<T, N> {
-    /// `[1, 2, 3, 4]`, each number in the format asked for.
+    /// `[1, 2, 3, 4]`, each number in the requested format.
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str("[")?;
         for (place, lane) in self.0.iter().enumerate() {

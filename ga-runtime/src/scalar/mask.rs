@@ -5,13 +5,13 @@ use core::ops::{BitAnd, BitOr, Index, Not};
 
 /// The outcome of a comparison: `bool` for a single number, one bit for each lane of several.
 ///
-/// Code on lanes cannot branch, since the lanes may differ. It computes both sides and chooses with
-/// [`Real::select`](super::Real::select); `any` and `all` serve to leave out work that no lane
-/// needs.
+/// Code on lanes cannot branch, since the lanes may differ. It computes both alternatives and
+/// chooses with [`Real::select`](super::Real::select); `any` and `all` allow it to skip work that
+/// no lane needs.
 ///
 /// ```
 /// use ga_runtime::scalar::{Lanes, Mask, Real, Ring};
-/// /// The square root, and zero where there is none.
+/// /// The square root, or zero for a negative number.
 /// fn root_or_zero<S: Real>(x: S) -> S {
 ///     let is_negative = x.less_than(S::zero());
 ///     let root = S::select(is_negative, S::zero(), x).sqrt();
@@ -81,7 +81,7 @@ impl<const N: usize> Mask for LaneMask<N> {
     }
     #[inline(always)]
     fn any(self) -> bool {
-        // Without a way out in the middle, which would keep it from becoming one instruction.
+        // No early exit, so that it compiles to one instruction.
         self.0.iter().fold(false, |any, &lane| any | lane)
     }
     #[inline(always)]

@@ -1,23 +1,24 @@
-//! What a coefficient must be able to do: one family of traits in three steps.
+//! The traits of coefficients, in three levels, and the scalar types.
 //!
-//! | trait | adds | enough for |
+//! | trait | adds | sufficient for |
 //! | --- | --- | --- |
 //! | [`Ring`] | `+ - *`, integers | products of multivectors with stored blades |
 //! | [`Field`] | `/`, fractions | derived blades (`x²/2`), inverses, duals in any metric |
 //! | [`Real`] | roots, angles, ordering by masks | lengths, rotors from angles, exponentials |
 //!
-//! Generic code asks for the weakest step that it needs, so that the products run over integers and
-//! over a prime field as well as over floating point, and tests can demand exact equality.
+//! Generic code requires the weakest trait that it needs, so that products run over integers and
+//! over a prime field as well as over floating point, and tests can require exact equality.
 //!
-//! - `f32`, `f64`: floating point; implements [`Real`].
-//! - `i64`: integers; implements [`Ring`].
-//! - [`Prime61`]: the prime field modulo 2⁶¹ − 1, exact; implements [`Field`].
-//! - [`Lanes<T, N>`](Lanes): N scalars side by side, one vector register; implements what T does.
-//! - [`Dual<S, N>`](Dual): a value with N derivatives; implements what S does.
-//! - `wide::f32x4`, `f32x8`, `f64x2`, `f64x4` (feature `wide`): vector registers of that crate;
-//!   implements [`Real`].
+//! | scalar | is | implements |
+//! | --- | --- | --- |
+//! | `f32`, `f64` | floating point | [`Real`] |
+//! | `i64` | integers | [`Ring`] |
+//! | [`Prime61`] | the prime field modulo 2⁶¹ − 1, exact | [`Field`] |
+//! | [`Lanes<T, N>`](Lanes) | N scalars side by side, one vector register | what T does |
+//! | [`Dual<S, N>`](Dual) | a value with N derivatives | what S does |
+//! | `f32x4`, `f32x8`, `f64x2`, `f64x4` of `wide` | vector registers (feature `wide`) | [`Real`] |
 //!
-//! They nest: `Dual<Lanes<f64, 4>, 3>` carries the gradients of four numbers, `Dual<Dual<f64>>`
+//! Scalars nest: `Dual<Lanes<f64, 4>, 3>` carries the gradients of four numbers, `Dual<Dual<f64>>`
 //! second derivatives.
 
 mod dual;
@@ -42,7 +43,7 @@ pub use mask::{LaneMask, Mask};
 pub use prime::Prime61;
 pub use versor::{versor_exponential, versor_logarithm};
 
-/// A commutative ring with one: the least that a coefficient must be.
+/// A commutative ring with one: the minimum that a coefficient must implement.
 ///
 /// ```
 /// use ga_runtime::scalar::Ring;
@@ -73,7 +74,7 @@ pub trait Ring:
     fn zero() -> Self;
     /// The neutral element of multiplication.
     fn one() -> Self;
-    /// The image of an integer.
+    /// The integer as a scalar.
     fn from_integer(value: i64) -> Self;
 
     /// `self · factor + summand`, in one rounding only where the target has the instruction for it.
@@ -97,17 +98,16 @@ pub trait Ring:
 
 /// A ring with division, in which almost every element has an inverse.
 ///
-/// In a field in the strict sense that is every element but zero. Lanes and dual numbers have more
-/// without one, so a guard of a division asks [`Field::is_invertible`] rather than comparing with
-/// zero.
+/// In a field in the strict sense, every element except zero has an inverse. Lanes and dual numbers
+/// have further elements without one, so code that guards a division calls [`Field::is_invertible`]
+/// instead of comparing with zero.
 ///
 /// ```
 /// use ga_runtime::scalar::Field;
 /// assert_eq!(f64::from_ratio(1, 4), 0.25);
 /// ```
 pub trait Field: Ring + Div<Output = Self> {
-    /// The fraction `numerator / denominator`. The denominator is a constant of the program, never
-    /// zero.
+    /// The fraction `numerator / denominator`. The denominator must not be zero.
     fn from_ratio(numerator: i64, denominator: i64) -> Self;
 
     /// `1 / self`.
@@ -116,8 +116,8 @@ pub trait Field: Ring + Div<Output = Self> {
         Self::one() / self
     }
 
-    /// Whether there is an inverse: whether the number is not zero, in lanes whether none of them
-    /// is, and for a dual number whether its value has one.
+    /// Whether the number has an inverse: a single number if it is not zero, lanes if none of them
+    /// is zero, a dual number if its value has an inverse.
     ///
     /// ```
     /// use ga_runtime::scalar::{Field, Lanes};
@@ -130,10 +130,11 @@ pub trait Field: Ring + Div<Output = Self> {
     }
 }
 
-/// A field with roots, angles and an order: floating point, alone, in lanes or with derivatives.
+/// A field with roots, angles and an order: floating-point numbers, single, in lanes or with
+/// derivatives.
 ///
 /// Comparisons return a [`Real::Mask`], and [`Real::select`] chooses by it, so that the same code
-/// runs on one number and on lanes of them.
+/// runs on one number and on lanes.
 ///
 /// ```
 /// use ga_runtime::scalar::Real;
@@ -146,9 +147,9 @@ pub trait Real: Field {
     /// The outcome of a comparison: `bool` for one number, one for each lane of several.
     type Mask: Mask;
 
-    /// The image of a constant of the program.
+    /// The constant as a scalar, rounded.
     fn from_f64(value: f64) -> Self;
-    /// The distance from one to the next larger number.
+    /// The distance from 1 to the next larger number.
     fn epsilon() -> Self;
     /// `√self`.
     fn sqrt(self) -> Self;
@@ -164,9 +165,9 @@ pub trait Real: Field {
     fn ln(self) -> Self;
     /// Whether `self < other`; false where either is NaN.
     fn less_than(self, other: Self) -> Self::Mask;
-    /// Whether neither infinite nor NaN.
+    /// Whether the number is neither infinite nor NaN.
     fn is_finite(self) -> Self::Mask;
-    /// Whether equal to zero, with all its derivatives where it has any.
+    /// Whether the number is zero, and all its derivatives if it has any.
     fn is_zero(self) -> Self::Mask;
     /// `if_true` where the mask is set, else `if_false`.
     fn select(mask: Self::Mask, if_true: Self, if_false: Self) -> Self;
@@ -181,11 +182,12 @@ pub trait Real: Field {
     fn cos(self) -> Self {
         self.sin_cos().1
     }
-    /// `cos φ`, `A = sin φ/φ` and `B = (cos φ − A)/φ²` of `φ² = self` from 0 to 9.95, a little more
-    /// than a half turn; outside of that the numbers mean nothing. Errors are below 2 ε. For every
-    /// φ alike, and at zero 1, 1 and −⅓.
+    /// `cos φ`, `A = sin φ/φ` and `B = (cos φ − A)/φ²` for `φ² = self` from 0 to 9.95, that is φ up
+    /// to a little more than π; outside of that range the results have no meaning. Errors are below
+    /// 2 ε. There is no special case at φ = 0, where the results are 1, 1 and −⅓.
     ///
-    /// They give the exponential of a rotation by 2φ. B is twice the derivative of A by φ².
+    /// They give the exponential of a rotation by 2φ. B is twice the derivative of A with respect
+    /// to φ².
     ///
     /// ```
     /// use ga_runtime::scalar::Real;
@@ -199,8 +201,8 @@ pub trait Real: Field {
     fn sine_by_angle(self) -> (Self, Self, Self) {
         half_angle::sine_by_angle(self)
     }
-    /// `A = φ/sin φ` and `B = (cos φ − A)/sin² φ` of `cos φ = self` from 0 to 1, for angles up to a
-    /// quarter turn; outside of that the numbers mean little. Errors are below 2 ε.
+    /// `A = φ/sin φ` and `B = (cos φ − A)/sin² φ` for `cos φ = self` from 0 to 1, that is φ up to
+    /// π/2; outside of that range the results are inaccurate. Errors are below 2 ε.
     ///
     /// They give the logarithm of a rotation by 2φ. At φ = 0 they are 1 and −2/3.
     /// `−B cos φ = 1 + dA/d(cos φ)`.

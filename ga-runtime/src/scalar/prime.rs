@@ -7,14 +7,14 @@ use super::{Field, Ring};
 
 /// A number modulo the Mersenne prime p = 2⁶¹ − 1: the exact scalar of the tests.
 ///
-/// Arithmetic is exact and never overflows, and every element but zero has an inverse, so halves,
-/// duals and inverses of versors exist as they do over the rationals. Two polynomial formulas of
-/// degree d that differ agree at a random point with probability of at most d / p
-/// (Schwartz–Zippel), so one equality here proves more than many comparisons within a
-/// tolerance.
+/// Arithmetic is exact and never overflows, and every element except zero has an inverse, so
+/// halves, duals and inverses of versors exist as they do over the rationals. Two polynomial
+/// formulas of degree d that differ agree at a random point with probability of at most d / p
+/// (Schwartz–Zippel), so that one equality here is stronger evidence than any number of comparisons
+/// within a tolerance.
 ///
-/// The field does not have an order, so it does not have lengths and angles either. Half of its
-/// elements are squares; see [`Prime61::square_root`].
+/// The field has no order, and so no lengths and angles. Half of its elements are squares; see
+/// [`Prime61::square_root`].
 ///
 /// Division by zero gives zero: 0⁻¹ is defined as 0, so that no operation panics.
 ///
@@ -46,7 +46,7 @@ impl Prime61 {
         self.0
     }
 
-    /// The power with a natural exponent; the zeroth power is one, that of zero included.
+    /// The power with a natural exponent; the zeroth power is one, also that of zero.
     pub fn power(self, exponent: u64) -> Self {
         let mut result = Self(1);
         for bit in (0..u64::BITS - exponent.leading_zeros()).rev() {
@@ -80,7 +80,7 @@ impl Prime61 {
         (root * root == self).then_some(root)
     }
 
-    /// Of a number below 2 p.
+    /// The residue of a number below 2 p.
     #[inline]
     const fn canonical(value: u64) -> Self {
         if value >= Self::MODULUS {
@@ -91,8 +91,7 @@ impl Prime61 {
     }
 }
 
-// Sums and products are calls, since the largest products of multivectors have thousands of them:
-// LLVM takes minutes for a function with as many comparisons.
+// Sums and products are not inlined: the largest products of multivectors have thousands of them, and LLVM takes minutes for a function with that many comparisons.
 
 impl Add for Prime61 {
     type Output = Self;

@@ -1,4 +1,4 @@
-//! The scalar functions behind exponentials of bivectors and logarithms of versors.
+//! The scalar functions in exponentials of bivectors and logarithms of versors.
 
 use super::{Field, Mask, Real};
 
@@ -19,7 +19,7 @@ pub fn versor_exponential<S: Real>(x: S) -> (S, S, S) {
     let one = S::one();
     let angle = x.abs().sqrt();
     let is_tiny = is_tiny(x);
-    // Kept off zero, so that no lane divides by it.
+    // Never zero, so that no lane divides by zero.
     let divisor = S::select(is_tiny, one, angle);
     let (sine, cosine) = angle.sin_cos();
     let (mut c, mut s) = (cosine, sine / divisor);
@@ -39,12 +39,12 @@ pub fn versor_exponential<S: Real>(x: S) -> (S, S, S) {
     (c, s, slope)
 }
 
-/// 1/S(x) and `−2 S′(x)/S(x)³` from C(x) and `q = S(x)² x`: how to get back from `exp B = c + W`, q
-/// = W², to `B = W/S`.
+/// 1/S(x) and `−2 S′(x)/S(x)³` from C(x) and `q = S(x)² x`: the factors by which `B = W/S` follows
+/// from `exp B = c + W`, where q = W².
 ///
-/// For q < 0 the angle √−x lies in [0, π]. At c = −1, q = 0 no bivector is told from another, and
+/// For q < 0 the angle √−x lies in [0, π]. At c = −1, q = 0 the bivector B is not determined, and
 /// the factors are those of c = 1. For q > 0 and c < 0 there is no logarithm; the factors are those
-/// of the negative, which moves alike, with the sign of W.
+/// of the negative versor, which acts in the same way, with the sign of W.
 ///
 /// ```
 /// use ga_runtime::scalar::{versor_exponential, versor_logarithm};
@@ -74,11 +74,11 @@ pub fn versor_logarithm<S: Real>(c: S, q: S) -> (S, S) {
         let signed = S::select(c.less_than(zero), -length, length);
         ratio = S::select(is_growing, signed / divisor, ratio);
     }
-    // A cosine that is not a number must not pass for one.
+    // If the cosine is NaN, so is the result.
     ratio = S::select(is_zero, one + c * zero, ratio);
     let x = q * ratio * ratio;
     let is_tiny = is_tiny(x);
-    // The slope belongs to a product of two parts that change sign together.
+    // The slope is the coefficient of a product of two parts that change sign together.
     let cube = ratio.abs() * ratio * ratio;
     let slope = S::select(
         is_tiny,

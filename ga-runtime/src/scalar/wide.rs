@@ -8,15 +8,14 @@ use super::{Field, Mask, Real, Ring};
 
 /// The outcome of a comparison of vectors of the `wide` crate, with feature `wide`.
 ///
-/// `wide` chooses its instructions when the program is built, by the target features of the whole
-/// build, and stays with those inside a function that asks for more; there [`Lanes`](super::Lanes)
-/// are the better choice.
+/// `wide` chooses its instructions by the target features of the whole build, also inside a
+/// function that enables more of them; there [`Lanes`](super::Lanes) are the better choice.
 ///
 /// Elementary functions are the polynomials of `wide`. Where those fail, for angles beyond 10³ in
 /// `f32` and 10⁵ in `f64` and for logarithms of numbers that are not positive, normal and finite,
 /// all lanes go through the scalar functions instead. The polynomials are within 4 units in the
-/// last place of the scalar functions, sine and cosine within 2 ε absolutely. The rest is bit for
-/// bit as with a single number.
+/// last place of the scalar functions, sine and cosine within 2 ε absolutely. All other operations
+/// give, bit for bit, the results of a single number.
 ///
 /// ```
 /// use ga_runtime::cga3::Point;
@@ -67,7 +66,7 @@ macro_rules! implement_field {
             fn from_ratio(numerator: i64, denominator: i64) -> Self {
                 Self::splat(numerator as $scalar / denominator as $scalar)
             }
-            // The reciprocal of `wide` itself has twelve bits.
+            // The reciprocal of `wide` itself is accurate to twelve bits only.
             #[inline(always)]
             fn recip(self) -> Self {
                 Self::ONE / self

@@ -12,12 +12,12 @@ use super::{Field, Ring};
 
 /// A dual number: a value and its N derivatives, `x + x₁ ε₁ + … + x_N ε_N` with `ε_i ε_j = 0`.
 ///
-/// Arithmetic on dual numbers carries derivatives along by the chain rule, exactly and without
-/// differences of close values (forward-mode differentiation: Griewank and Walther, Evaluating
-/// Derivatives, 2008, chapter 3). So any function that is generic over its scalar differentiates: N
-/// = 3 gives the Jacobian by the coordinates of a point, N = 1, the default, one derivative,
-/// `Dual<Dual<f64>>` the second one. The value is, bit for bit, what the function gives without
-/// derivatives.
+/// Arithmetic on dual numbers computes derivatives by the chain rule, exactly and without
+/// differences of close values (forward-mode automatic differentiation: Griewank and Walther,
+/// Evaluating Derivatives, 2008, chapter 3). So any function that is generic over its scalar can be
+/// differentiated: `N = 3` gives the Jacobian with respect to the coordinates of a point, `N = 1`,
+/// the default, one derivative, `Dual<Dual<f64>>` the second derivative. The value is, bit for bit,
+/// what the function gives without derivatives.
 ///
 /// ```
 /// use ga_runtime::scalar::{Dual, Real};
@@ -55,18 +55,19 @@ use super::{Field, Ring};
 /// | `max`, `min`, `select` | that of the number chosen | where both are equal, that of the first |
 ///
 /// In these elementary functions a derivative of zero stays zero, even where the slope is infinite:
-/// what does not move has no derivative. So the length of a vector that is zero has the derivative
-/// zero, and a NaN comes only from a NaN, from a value that is NaN or infinite itself, or from the
-/// difference of two infinite derivatives. For second derivatives a number moves as soon as its own
-/// derivative does: `√x` at zero is NaN where x moves only to second order.
+/// an argument that does not vary contributes nothing. So the length of a vector that is zero has
+/// the derivative zero, and a NaN comes only from a NaN, from a value that is NaN or infinite
+/// itself, or from the difference of two infinite derivatives. In nested dual numbers, an argument
+/// counts as varying as soon as its own derivative varies: `√x` at zero is NaN if x varies only to
+/// second order.
 ///
 /// # Comparisons
 ///
-/// [`Real::less_than`] compares values, so that a program takes the branch that it takes without
-/// derivatives; at the border of a branch the derivative is that of the branch taken.
-/// [`Real::is_finite`] asks for the value and every derivative, and thus finds what singular points
-/// leave. `==` and [`Real::is_zero`] compare all of them too, so a guard against division by zero
-/// asks [`Field::is_invertible`], which looks at the value alone.
+/// [`Real::less_than`] compares values, so that a program takes the same branches as without
+/// derivatives; at the boundary of a branch the derivative is that of the branch taken.
+/// [`Real::is_finite`] checks the value and every derivative, and so detects the results of
+/// singular points. `==` and [`Real::is_zero`] compare all of them too, so a guard against division
+/// by zero calls [`Field::is_invertible`], which tests the value alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(C)]
 pub struct Dual<S, const N: usize = 1> {
@@ -86,7 +87,7 @@ impl<S, const N: usize> Dual<S, N> {
 }
 
 impl<S: Ring, const N: usize> Dual<S, N> {
-    /// A number that does not vary: all its derivatives are zero.
+    /// A constant: all its derivatives are zero.
     #[inline(always)]
     #[must_use]
     pub fn constant(value: S) -> Self {
@@ -111,7 +112,7 @@ impl<S: Ring, const N: usize> Dual<S, N> {
         variables
     }
 
-    /// The derivatives after a function of one or more numbers, each worked out from its place.
+    /// A value with its derivatives, each computed from its index.
     #[inline(always)]
     fn with(value: S, derivative: impl Fn(usize) -> S) -> Self {
         let mut derivatives = [S::zero(); N];
@@ -123,7 +124,7 @@ impl<S: Ring, const N: usize> Dual<S, N> {
 }
 
 impl<S: Ring> Dual<S> {
-    /// The variable by which is differentiated: its derivative is 1.
+    /// The variable of differentiation: its derivative is 1.
     #[inline(always)]
     #[must_use]
     pub fn variable(value: S) -> Self {
@@ -249,7 +250,7 @@ implement_assignment! {
 }
 
 impl<S: Ring, const N: usize> From<S> for Dual<S, N> {
-    /// A number that does not vary.
+    /// A constant.
     #[inline(always)]
     fn from(value: S) -> Self {
         Self::constant(value)
@@ -264,7 +265,7 @@ impl<S: Ring + Default, const N: usize> Default for Dual<S, N> {
 }
 
 impl<S: fmt::Display, const N: usize> fmt::Display for Dual<S, N> {
-    /// `(1 + 2 ε1 - 3 ε2)`, to the precision asked for; a single direction is `ε`.
+    /// `(1 + 2 ε1 - 3 ε2)`, with the requested precision; a single direction is `ε`.
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let text = |number: &S| match formatter.precision() {
             Some(digits) => format!("{number:.digits$}"),

@@ -24,7 +24,7 @@ impl<S: Real, const N: usize> Real for Dual<S, N> {
     fn abs(self) -> Self {
         let x = self.value;
         let one = S::one();
-        // Neither positive nor negative are zero and NaN. The product with zero keeps them apart.
+        // What is neither positive nor negative is zero or NaN, and so is its product with zero.
         let slope = S::select(S::zero().less_than(x), one, x * S::zero());
         let slope = S::select(x.less_than(S::zero()), -one, slope);
         self.chain(x.abs(), slope)
@@ -34,7 +34,7 @@ impl<S: Real, const N: usize> Real for Dual<S, N> {
         let (sine, cosine) = self.value.sin_cos();
         (self.chain(sine, cosine), self.chain(cosine, -sine))
     }
-    // The polynomials have the slopes of the functions as well.
+    // The derivatives of the polynomials approximate those of the functions as well.
     #[inline(always)]
     fn sine_by_angle(self) -> (Self, Self, Self) {
         let (cosine, ratio, slope) = self.value.sine_by_angle();
@@ -50,7 +50,7 @@ impl<S: Real, const N: usize> Real for Dual<S, N> {
     #[inline(always)]
     fn atan2(self, x: Self) -> Self {
         let y = self;
-        // Relative to the sum of magnitudes, whose square cannot overflow.
+        // Relative to the sum of magnitudes, so that squares do not overflow.
         let size = y.value.abs() + x.value.abs();
         let (sine, cosine) = (y.value / size, x.value / size);
         let is_regular = S::zero().less_than(size) & size.is_finite();
@@ -102,7 +102,7 @@ impl<S: Real, const N: usize> Real for Dual<S, N> {
 }
 
 impl<S: Real, const N: usize> Dual<S, N> {
-    /// These derivatives at a value rounded in another way.
+    /// The same derivatives with a value that was rounded in another way.
     #[inline(always)]
     fn at_value(self, value: S) -> Self {
         Self::with(value, |k| self.derivatives[k])
@@ -115,7 +115,7 @@ impl<S: Real, const N: usize> Dual<S, N> {
     }
 }
 
-/// `slope · rate`, and zero where the rate is zero, however steep the slope.
+/// `slope · rate`, and zero where the rate is zero, even if the slope is infinite.
 #[inline(always)]
 fn moved<S: Real>(slope: S, rate: S) -> S {
     S::select(rate.is_zero(), S::zero(), slope * rate)
