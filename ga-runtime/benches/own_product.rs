@@ -1,5 +1,5 @@
-//! A microbenchmark, as a crate that builds on ga-runtime would write it: products of an algebra of
-//! one's own beside other ways to the same result.
+//! A microbenchmark, as a crate that builds on ga-runtime would write it: products of an algebra
+//! that it declares, compared with other ways to compute the same.
 //!
 //! The crate has these lines in Cargo.toml:
 //!

@@ -1,5 +1,5 @@
-//! Weighted means of motors. They gather from all over the palette, which no set of instructions
-//! makes faster.
+//! Weighted means of motors. The motors come from arbitrary places of the palette, so vector
+//! instructions would not make this faster.
 
 use core::fmt;
 
@@ -10,13 +10,13 @@ use crate::scalar::Real;
 /// Why motors cannot be blended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BlendError {
-    /// There are not as many results as lists of influences.
+    /// The numbers of results and of lists of influences differ.
     Length(LengthMismatch),
-    /// An influence names a motor that the palette does not have.
+    /// The index in an influence is outside of the palette.
     NotInPalette {
-        /// The result that is influenced.
+        /// The index of the result.
         element: usize,
-        /// The place that is named.
+        /// The index of the motor.
         place: usize,
         /// The number of motors in the palette.
         palette: usize,
@@ -24,7 +24,7 @@ pub enum BlendError {
     /// The weighted sum of this result is not a multiple of a motor: the weights are all zero or
     /// not finite, or the motors cancel.
     NoDirection {
-        /// The result.
+        /// The index of the result.
         element: usize,
     },
 }
@@ -60,8 +60,8 @@ impl Batch {
     /// See [`blend`](super::blend).
     ///
     /// # Errors
-    /// The lengths differ, a place is not in the palette, or the mean of an element has no
-    /// direction.
+    /// The lengths differ, an index is outside of the palette, or the mean of an element does not
+    /// exist.
     pub fn blend<S: Real<Mask = bool>, const K: usize>(
         self,
         palette: &[Motor<S>],

@@ -5,8 +5,8 @@
 pub enum InstructionSet {
     /// Those of the target that the program is built for.
     Baseline,
-    /// AVX2 with FMA registers, on x86-64 processors that have them. Needs the feature `std`, which
-    /// can ask the processor.
+    /// AVX2 and FMA, on x86-64 processors that have them. It needs the feature `std`, which can
+    /// detect them.
     Avx2,
 }
 

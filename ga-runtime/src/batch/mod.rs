@@ -12,24 +12,25 @@
 //!
 //! | function | what it does |
 //! | --- | --- |
-//! | [`transform`], [`transform_into`] | one motor moves all elements, as one linear map |
+//! | [`transform`], [`transform_into`] | one motor moves all elements |
 //! | [`transform_each`] | each motor moves its own element |
 //! | [`compose`] | products of motors, pair by pair |
-//! | [`blend`] | weighted means of motors from a palette, as skinning takes them |
+//! | [`blend`] | weighted means of motors from a palette, as in skinning |
 //! | [`log`], [`exp`] | generators of motors, and back |
 //!
-//! Elements stand in memory as everywhere, one after the other. The loops that move them are
-//! compiled twice, for the target of the build and for AVX2, and [`Batch`] chooses when the program
-//! runs. In both the compiler turns them into vector instructions, which is faster than gathering
-//! into [`Lanes`](crate::scalar::Lanes) number by number (0.7 ns a point instead of 1.3). Products
-//! are fused with sums only if the whole program is built for a processor that does so, and then in
-//! both: their results are the same to the last bit. Those of
-//! [`transform_each`] and [`compose`] are also those of the methods on single elements;
-//! [`transform`] multiplies by a matrix, which rounds in another order, to within a few dozen ε of
-//! the largest coefficient of what is moved and the translation.
+//! Elements are stored as in any slice, one after the other. The loops over them are compiled
+//! twice, for the target of the build and for AVX2, and [`Batch`] chooses when the program runs. In
+//! both, the compiler translates them into vector instructions, which is faster than copying the
+//! coefficients into [`Lanes`](crate::scalar::Lanes) (0.7 ns a point instead of 1.3).
+//! Multiplications and additions are fused only if the whole program is built for a processor with
+//! that instruction, and then in both versions: their results are equal bit for bit. The results of
+//! [`transform_each`] and [`compose`] are also equal to those of the methods on single elements.
+//! [`transform`] and [`transform_into`] convert the motor to a matrix once, which rounds in another
+//! order: results differ by at most a few dozen ε of the largest coefficient of the element and of
+//! the translation.
 //!
-//! Infinite and NaN coefficients go through the arithmetic. Slices of different lengths are an
-//! error, and then nothing is written.
+//! Infinite and NaN coefficients propagate as in the arithmetic. If slices have different lengths,
+//! that is an error and nothing is written.
 
 mod blend;
 mod instruction_set;
@@ -41,7 +42,7 @@ use core::fmt;
 
 pub use blend::BlendError;
 pub use instruction_set::InstructionSet;
-/// The short name of [`InstructionSet`].
+/// An alias of [`InstructionSet`].
 #[doc(no_inline)]
 pub use instruction_set::InstructionSet as Path;
 pub use moved::Moved;
@@ -49,7 +50,7 @@ pub use moved::Moved;
 use crate::cga3::{Motor, MotorGenerator};
 use crate::scalar::Real;
 
-/// Two slices that should have one length.
+/// Two slices that must have the same length have different lengths.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LengthMismatch {
     /// The length of the first operand.
@@ -124,7 +125,7 @@ impl Batch {
         self.instruction_set
     }
 
-    /// The same as [`instruction_set`](Self::instruction_set), which says what it is.
+    /// An alias of [`instruction_set`](Self::instruction_set).
     #[must_use]
     pub fn path(self) -> InstructionSet {
         self.instruction_set
@@ -184,13 +185,13 @@ pub fn compose<S: Real>(
     Batch::new().compose(left, right, products)
 }
 
-/// Weighted means of motors from a palette, normalised: each result has K influences, pairs of a
-/// place in the palette and a weight.
+/// Weighted means of motors from a palette, normalised. Each result has K influences, which are
+/// pairs of an index into the palette and a weight.
 ///
-/// This is [`Motor::blend_influences`] of each list: a motor and its negative move alike, so each
-/// enters with the sign that is nearer to the one of the largest weight, of equal ones the first.
-/// The mean goes the short way and has the sign of that one. Influences of weight zero are passed
-/// over, whatever their place.
+/// This is [`Motor::blend_influences`] of each list. A motor and its negative are the same motion,
+/// so each motor enters with the sign that brings it nearer to the motor of the largest weight (the
+/// first of several with that weight). So the mean takes the smaller rotations, and has the sign of
+/// that motor. Influences of weight zero are ignored, whatever their index.
 ///
 /// ```
 /// use ga_runtime::batch;
@@ -203,9 +204,9 @@ pub fn compose<S: Real>(
 /// ```
 ///
 /// # Errors
-/// The lengths differ, a place is not in the palette, or the mean of an element has no direction.
-/// Nothing is written where lengths or places are wrong; a mean without direction leaves the motors
-/// before it written.
+/// The lengths differ, an index is outside of the palette, or the mean of an element does not
+/// exist. If lengths or indices are wrong, nothing is written; if a mean does not exist, the means
+/// before it have been written.
 pub fn blend<S: Real<Mask = bool>, const K: usize>(
     palette: &[Motor<S>],
     influences: &[[(usize, S); K]],

@@ -1,4 +1,4 @@
-//! What motors move, and the linear map that a motor is for each of them.
+//! The types that motors act on, and the linear map of a motor for each of them.
 
 use crate::cga3::{
     Circle, Direction, DualPlane, FlatPoint, Line, Motor, Plane, Point, PointPair, RoundVector,
@@ -6,7 +6,7 @@ use crate::cga3::{
 };
 use crate::scalar::Real;
 
-/// What a motor is to each of them, with all work done that does not depend on the element.
+/// The actions of a motor, with everything computed once that does not depend on the element.
 #[allow(unreachable_pub)]
 mod maps {
     crate::ga! { crate::cga3;
@@ -49,7 +49,7 @@ pub(super) mod sealed {
 
     /// The action of a motor, in one step and in two.
     pub trait Moved<S: Real>: Copy {
-        /// What is worked out once of a motor that moves many elements.
+        /// The linear map that is computed once for a motor that moves many elements.
         type Map: Copy;
         /// The map of a motor.
         fn map(motor: Motor<S>) -> Self::Map;

@@ -17,8 +17,8 @@ pub(super) const MAXIMUM_DIMENSION: usize = 16;
 
 /// A geometric algebra over the scalars `S`, given by the inner products of its basis vectors.
 ///
-/// It is the source of its multivectors. A clone is a second handle to the same algebra and costs
-/// next to nothing. Two algebras are equal if their metrics are.
+/// Its methods make its multivectors. A clone shares the definition, so that cloning is cheap. Two
+/// algebras are equal if their metrics are.
 ///
 /// ```
 /// use ga_runtime::dense::Algebra;
@@ -58,7 +58,7 @@ impl<S: Ring> Algebra<S> {
     /// # Errors
     ///
     /// [`DenseError::TooManyVectors`], [`DenseError::NotSquare`] or [`DenseError::NotSymmetric`],
-    /// which also stands for an entry that is not a number.
+    /// which is also the error for an entry that is not a number.
     pub fn new(metric: Vec<Vec<S>>) -> Result<Self, DenseError> {
         let dimension = metric.len();
         if dimension > MAXIMUM_DIMENSION {
@@ -296,12 +296,12 @@ impl<S: Ring> Algebra<S> {
 }
 
 impl<S> Algebra<S> {
-    /// The name of a basis blade: the names of its vectors, joined after the beginning that all
-    /// names of the algebra have in common, as `e12` of `e1` and `e2`; `1` for the scalar. An
-    /// underscore separates the vectors where one of the names goes on for more than one character,
+    /// The name of a basis blade: the names of its vectors, joined after the common prefix of all
+    /// names of the algebra, such as `e12` for `e1` and `e2`; `1` for the scalar. An underscore
+    /// separates the vectors where one of the names has more than one character after that prefix,
     /// as in `e1_10`.
     ///
-    /// Bits beyond the basis vectors of the algebra are passed over.
+    /// Bits beyond the basis vectors of the algebra are ignored.
     pub fn blade_name(&self, blade: usize) -> String {
         let names = &self.definition.names;
         let mut members = blade::vectors(blade).filter_map(|vector| names.get(vector));
@@ -327,8 +327,7 @@ impl<S: PartialEq> PartialEq for Algebra<S> {
     }
 }
 
-/// The length in bytes of the beginning that all names have in common, leaving at least one
-/// character of each.
+/// The length in bytes of the common prefix of all names, leaving at least one character of each.
 fn shared_beginning(names: &[String]) -> usize {
     let Some(first) = names.first() else { return 0 };
     first

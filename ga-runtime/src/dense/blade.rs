@@ -1,4 +1,4 @@
-//! Basis blades as lists of vectors, and what one more vector does to them.
+//! Basis blades as lists of vectors, and their products with one vector.
 
 /// The vectors of a blade in rising order.
 pub(super) fn vectors(blade: usize) -> Vectors {
@@ -25,8 +25,8 @@ pub(super) fn wedge(vector: usize, blade: usize) -> Option<(Sign, usize)> {
     Some((sign, blade | 1 << vector))
 }
 
-/// The terms of `vector ⌋ blade`: each vector of the blade with the sign at which it is taken out
-/// and what is left.
+/// The terms of `vector ⌋ blade`: each vector of the blade, the sign of its removal and the
+/// remaining blade.
 pub(super) fn contraction(blade: usize) -> impl Iterator<Item = (usize, Sign, usize)> {
     let mut sign = Sign::Minus;
     vectors(blade).map(move |met| {
@@ -50,7 +50,7 @@ impl Sign {
         }
     }
 
-    /// The sign of so many swaps.
+    /// The sign of that many swaps.
     pub(super) fn of_swaps(swaps: usize) -> Self {
         if swaps.is_multiple_of(2) {
             Self::Plus

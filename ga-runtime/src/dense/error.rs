@@ -1,4 +1,4 @@
-//! What can be wrong with an algebra or a multivector as it is written down.
+//! Errors in the definition of an algebra or of a multivector.
 
 use alloc::string::String;
 use core::fmt;
@@ -11,10 +11,10 @@ use core::fmt;
 pub enum DenseError {
     /// More basis vectors than [`Algebra::MAXIMUM_DIMENSION`](super::Algebra::MAXIMUM_DIMENSION).
     TooManyVectors {
-        /// The number of basis vectors asked for.
+        /// The requested number of basis vectors.
         dimension: usize,
     },
-    /// A row of the metric has not as many entries as the metric has rows.
+    /// The number of entries in a row of the metric is not the number of its rows.
     NotSquare {
         /// The row.
         row: usize,
@@ -30,21 +30,21 @@ pub enum DenseError {
         /// The column of the entry.
         column: usize,
     },
-    /// Not one name for each basis vector.
+    /// The number of names is not the number of basis vectors.
     NameCount {
         /// The number of basis vectors.
         expected: usize,
         /// The number of names.
         found: usize,
     },
-    /// A name that is empty, or that an earlier vector has already.
+    /// A name that is empty or already the name of an earlier vector.
     UnusableName {
         /// The vector.
         vector: usize,
         /// Its name.
         name: String,
     },
-    /// Not as many coefficients as the algebra has basis vectors, or basis blades.
+    /// The number of coefficients is not that of the basis vectors, or of the basis blades.
     CoefficientCount {
         /// The number of basis vectors or blades.
         expected: usize,

@@ -1,11 +1,11 @@
 //! The dense reference: any geometric algebra of up to 16 dimensions, with all 2ⁿ coefficients and
 //! every product.
 //!
-//! It is meant to be right, not fast. Tests hold the compiled algebras against it, exactly, over
-//! [`Prime61`](crate::scalar::Prime61); for that purpose it shares nothing with the compiler.
-//! Blades are lists of vectors, signs come from counting swaps in these lists, and a metric that is
-//! not diagonal, such as that of the null basis of conformal geometry, is used as it stands rather
-//! than through an orthogonal frame.
+//! It is written for correctness, not for speed. Tests compare the compiled algebras with it,
+//! exactly, over [`Prime61`](crate::scalar::Prime61); for that purpose it shares no code with the
+//! compiler. Blades are lists of vectors, signs come from counting swaps in these lists, and a
+//! metric that is not diagonal, such as that of the null basis of conformal geometry, is used as it
+//! stands rather than through an orthogonal frame.
 //!
 //! ```
 //! use ga_runtime::dense::{Algebra, DenseError};
@@ -61,7 +61,7 @@
 //! | [`right_contraction`](Multivector::right_contraction) | | Σ ⟨aᵣ bₛ⟩ of grade r − s |
 //! | [`dot`](Multivector::dot) | | Σ ⟨aᵣ bₛ⟩ of grade \|r − s\| |
 //! | [`hestenes`](Multivector::hestenes) | | the same without r = 0 and s = 0 |
-//! | [`scalar_product`](Multivector::scalar_product) | | ⟨a b⟩₀, nothing reversed |
+//! | [`scalar_product`](Multivector::scalar_product) | | ⟨a b⟩₀, without reversal |
 //! | [`commutator`](Multivector::commutator) | | (a b − b a) / 2 |
 //! | [`vee`](Multivector::vee) | `a & b` | the regressive product, see below |
 //!
@@ -84,10 +84,10 @@
 //!
 //! # How the products are computed
 //!
-//! Everything rests on a basis vector e acting on a blade from the left:
+//! All products are reduced to a basis vector e that acts on a blade from the left:
 //!
-//! - e ∧ (a₁ ∧ … ∧ aᵣ) moves e to its place, one sign for each vector that it passes, and is zero
-//!   if e is there already;
+//! - e ∧ (a₁ ∧ … ∧ aᵣ) moves e to its place, with a change of sign for each vector that it passes,
+//!   and is zero if the blade already contains e;
 //! - e ⌋ (a₁ ∧ … ∧ aᵣ) = Σₖ (−1)ᵏ⁻¹ (e·aₖ) a₁ ∧ … ∧ aₖ₋₁ ∧ aₖ₊₁ ∧ … ∧ aᵣ;
 //! - e B = e ⌋ B + e ∧ B.
 //!

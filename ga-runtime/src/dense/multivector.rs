@@ -1,4 +1,4 @@
-//! A multivector with all its coefficients, and what is linear in it.
+//! A multivector with all its coefficients, and its linear operations.
 
 use alloc::vec::Vec;
 
@@ -11,7 +11,7 @@ use crate::scalar::Ring;
 /// # Panics
 ///
 /// Sums and products, as methods and as operators, panic if the operands belong to different
-/// algebras: such code has no meaning, whatever its input.
+/// algebras. That is an error in the program, whatever its input.
 ///
 /// ```
 /// use ga_runtime::dense::Algebra;
@@ -31,7 +31,7 @@ pub struct Multivector<S> {
 }
 
 impl<S: Ring> Multivector<S> {
-    /// The algebra that it is an element of.
+    /// The algebra of which it is an element.
     pub fn algebra(&self) -> &Algebra<S> {
         &self.algebra
     }
@@ -154,7 +154,7 @@ impl<S: Ring> Multivector<S> {
         );
     }
 
-    /// Each blade with the sign of as many swaps as the function says for its grade.
+    /// Each blade with the sign of the number of swaps that the function returns for its grade.
     fn with_signs(&self, swaps: impl Fn(usize) -> usize) -> Self {
         self.map(|blade, value| Sign::of_swaps(swaps(blade::grade(blade))).times(value))
     }

@@ -19,8 +19,8 @@ impl<S: Ring + fmt::Display> fmt::Display for Multivector<S> {
     }
 }
 
-/// The same notation as [`Display`](fmt::Display), with the coefficients as they show themselves
-/// for debugging.
+/// The same notation as [`Display`](fmt::Display), with the coefficients in their own
+/// [`Debug`](fmt::Debug) form.
 impl<S: Ring> fmt::Debug for Multivector<S> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         write_sum(self, formatter, |value| format!("{value:?}"))

@@ -38,8 +38,7 @@ impl<S: Ring> Multivector<S> {
         self.left_contraction(other).coefficient(0)
     }
 
-    /// The inner product Σ ⟨aᵣ bₛ⟩ of grade |r − s|, where a scalar multiplies: the fat dot of
-    /// Dorst.
+    /// The inner product Σ ⟨aᵣ bₛ⟩ of grade |r − s|, where a scalar multiplies: Dorst's "fat dot".
     pub fn dot(&self, other: &Self) -> Self {
         let both = self.algebra().scalar(self.scalar_product(other));
         self.left_contraction(other) + self.right_contraction(other) - both

@@ -1,4 +1,4 @@
-//! Versors: products of vectors, and how they act.
+//! Versors: products of vectors, and their action.
 
 use super::Multivector;
 use crate::scalar::{Field, Ring};
@@ -22,8 +22,8 @@ impl<S: Ring> Multivector<S> {
 impl<S: Field> Multivector<S> {
     /// The inverse of a versor, V⁻¹ = ~V / (V ~V), or `None` if V ~V has no scalar part.
     ///
-    /// That V is a versor, so that V ~V is a scalar, is taken on trust, since floating-point
-    /// scalars show it only up to rounding. Over exact scalars, compare V V⁻¹ with one if in doubt.
+    /// That V is a versor, so that V ~V is a scalar, is not checked, since floating-point scalars
+    /// satisfy it only up to rounding. Over exact scalars, V V⁻¹ can be compared with one.
     pub fn inverse(&self) -> Option<Self> {
         let norm_squared = self.norm_squared();
         (norm_squared != S::zero()).then(|| self.reverse().scale(norm_squared.recip()))

@@ -1,13 +1,13 @@
-//! approx 0.5: every type, those of your own algebras included, compares with a tolerance.
+//! approx 0.5: comparisons with a tolerance for every type, those of your own algebras included.
 //!
 //! [`AbsDiffEq`](approx_05::AbsDiffEq), [`RelativeEq`](approx_05::RelativeEq) and
 //! [`UlpsEq`](approx_05::UlpsEq) compare each stored coefficient with its counterpart, by the
 //! scalar's own trait and with its defaults; two values are close where all coefficients are. So a
-//! tolerance is one for coefficients: for a [`Point`](crate::cga3::Point) that is for coordinates,
-//! for a [`Rotor`](crate::cga3::Rotor) for the cosine and sine of half the angle. A versor and its
-//! negative move things to the same places and are not close to one another; no more are multiples
-//! of one blade, which stand for the same object. Constant types have one member and no such
-//! traits.
+//! tolerance applies to coefficients: for a [`Point`](crate::cga3::Point) these are coordinates,
+//! for a [`Rotor`](crate::cga3::Rotor) cosine and sine of half the angle. A versor and its negative
+//! are the same transformation but are not close to one another, and multiples of a blade represent
+//! the same object but are not close either. Constant types have one member and do not implement
+//! these traits.
 //!
 //! ```
 //! use approx_05::{assert_abs_diff_eq, assert_abs_diff_ne, assert_relative_eq};

@@ -1,8 +1,8 @@
 //! bytemuck 1: the types of the algebras here as plain memory.
 //!
 //! A type is `repr(C)` with one field for each stored coefficient, all of the scalar's type and so
-//! without padding. With a scalar that is [`Pod`](bytemuck_1::Pod) every type is, and slices of
-//! elements are cast to bytes and numbers and back at no cost:
+//! without padding. If the scalar is [`Pod`](bytemuck_1::Pod), so is every type, and slices of
+//! elements are cast to bytes or numbers and back at no cost:
 //!
 //! ```
 //! use ga_runtime::cga3::Point;
@@ -15,16 +15,16 @@
 //!
 //! # What casts do not check
 //!
-//! Bytes make members of every type, and zeros too. Where the facts of a type restrict its
-//! coefficients, as for a [`Rotor`](crate::cga3::Rotor) or a [`Motor`](crate::cga3::Motor), a cast
-//! is what `new_unchecked` is: the caller guarantees the facts. Products of anything else are
-//! wrong, though never unsafe. Zero is not a rotor. `try_new` and `normalize` check and repair what
-//! comes from outside.
+//! Any bytes can be cast to any type. Where the facts of a type restrict its coefficients, as for a
+//! [`Rotor`](crate::cga3::Rotor) or a [`Motor`](crate::cga3::Motor), a cast checks as little as
+//! `new_unchecked`: the caller must ensure the facts, and otherwise products are wrong, though
+//! never unsafe. Zero, for instance, is not a rotor. `try_new` checks and `normalize` repairs
+//! coefficients from outside.
 //!
 //! # Types of your own algebras
 //!
-//! They have the same layout. These traits take unsafe code, which nothing of ours writes into
-//! another crate; a crate that allows it says so itself:
+//! They have the same layout. Implementing these traits takes unsafe code, which the macros here
+//! never emit into another crate; a crate that allows unsafe code implements them itself:
 //!
 //! ```
 //! mod algebra {
@@ -39,9 +39,8 @@
 //!     }
 //! }
 //! use algebra::plane::Vector;
-//!
-//! // SAFETY: the type is repr(C) with two fields of type S, hence without padding, and takes any
-//! // values of them.
+//! // SAFETY: the type is repr(C) with two fields of type S, hence without padding, and any
+//! // values of them are valid.
 //! unsafe impl<S: bytemuck_1::Zeroable> bytemuck_1::Zeroable for Vector<S> {}
 //! unsafe impl<S: bytemuck_1::Pod> bytemuck_1::Pod for Vector<S> {}
 //!
@@ -53,8 +52,8 @@
 //! # }
 //! ```
 
-/// Hands the types with the number of their stored coefficients to a macro. The one that takes them
-/// is where unsafe code is.
+/// Passes the types with the number of their stored coefficients to a macro. That macro stands in
+/// `unsafe_code.rs`.
 macro_rules! declared_types {
     ($callback:ident) => {
         $callback! { cga3 {

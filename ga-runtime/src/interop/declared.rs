@@ -1,5 +1,5 @@
-//! Traits of other crates for every declared type, that of users too: `algebra!` hands all to this
-//! macro, each in braces.
+//! Traits of other crates for every declared type, those of users included: `algebra!` passes all
+//! types to this macro, each in braces.
 //!
 //! ```text
 //! constant Infinity "Infinity"
@@ -8,9 +8,9 @@
 //! checked  Rotor "Rotor" { scalar 0 "scalar", … } [scalar one, e12 zero, …]
 //! ```
 //!
-//! In braces stand the stored coefficients; `linear` says that sums and multiples stay in the type,
-//! `checked` that its facts restrict the coefficients. In brackets stand those of 1, where it is a
-//! member and members multiply to members.
+//! The braces contain the stored coefficients; `linear` means that sums and multiples stay in the
+//! type, `checked` that its facts restrict the coefficients. The brackets contain the coefficients
+//! of 1, if 1 is a member and products of members are members.
 
 /// Emits nothing: the features are off.
 #[cfg(not(any(feature = "approx-05", feature = "num-traits-02", feature = "serde-1")))]
@@ -20,7 +20,7 @@ macro_rules! __interoperate {
     ($($description:tt)*) => {};
 }
 
-/// Emits what the features ask for.
+/// Emits the traits of the enabled features.
 #[cfg(any(feature = "approx-05", feature = "num-traits-02", feature = "serde-1"))]
 #[doc(hidden)]
 #[macro_export]

@@ -1,16 +1,17 @@
 //! glam 0.34, in both of its precisions.
 //!
-//! - [`Vector`], [`Point`], [`Direction`], [`Translator`]: `Vec3`, `Vec3A`, `DVec3`, both ways.
-//! - [`Rotor`]: `Quat`, `DQuat`; `Mat3`, `Mat3A`, `DMat3`; to glam, and from it with a check.
-//! - [`Motor`]: `(Quat, Vec3)`, `(DQuat, DVec3)`; `Affine3`, `Affine3A`, `DAffine3`; `Mat4`,
-//!   `DMat4`; to glam, and from it with a check.
-//! - [`Similarity`]: `Affine3`, `Affine3A`, `DAffine3`; `Mat4`, `DMat4`; to glam, and from it with
-//!   a check.
-//! - [`Affine`]: `Affine3`, `Affine3A`, `DAffine3`, both ways.
-//! - [`Affine`]: `Mat4`, `DMat4`; to glam, and from it with a check.
+//! | here | glam | |
+//! | --- | --- | --- |
+//! | [`Vector`], [`Point`], [`Direction`], [`Translator`] | `Vec3`, `Vec3A`, `DVec3` | both ways |
+//! | [`Rotor`] | `Quat`, `DQuat`; `Mat3`, `Mat3A`, `DMat3` | to; from is checked |
+//! | [`Motor`] | `(Quat, Vec3)`, `(DQuat, DVec3)` | to; from is checked |
+//! | [`Motor`] | `Affine3`, `Affine3A`, `DAffine3`; `Mat4`, `DMat4` | to; from is checked |
+//! | [`Similarity`] | `Affine3`, `Affine3A`, `DAffine3`; `Mat4`, `DMat4` | to; from is checked |
+//! | [`Affine`] | `Affine3`, `Affine3A`, `DAffine3` | both ways |
+//! | [`Affine`] | `Mat4`, `DMat4` | to; from is checked |
 //!
 //! glam does not have a type of quaternions of length 1. A quaternion is therefore normalized, and
-//! one that cannot be is an error.
+//! one that cannot be normalized is an error.
 //!
 //! ```
 //! use ga_runtime::cga3::{Motor, Point, Rotor};
@@ -174,7 +175,7 @@ macro_rules! affine_maps {
 
 macro_rules! quaternions {
     ($S:ty, $Vec3:ident, $Quat:ident) => {
-        /// The rotor of the quaternion's direction; its size is left out.
+        /// The rotor of the normalized quaternion.
         impl TryFrom<$Quat> for Rotor<$S> {
             type Error = NotRigid;
 
@@ -192,7 +193,7 @@ macro_rules! quaternions {
             }
         }
 
-        /// The motor that rotates by the quaternion's direction and then translates.
+        /// The motor that rotates by the normalized quaternion and then translates.
         impl TryFrom<($Quat, $Vec3)> for Motor<$S> {
             type Error = NotRigid;
 
@@ -242,7 +243,7 @@ macro_rules! matrices {
             }
         }
 
-        /// The last row must be 0 0 0 1 to the bit.
+        /// The last row must be exactly 0 0 0 1.
         impl TryFrom<$Mat4> for Motor<$S> {
             type Error = NotRigid;
 
@@ -260,7 +261,7 @@ macro_rules! matrices {
             }
         }
 
-        /// The last row must be 0 0 0 1 to the bit.
+        /// The last row must be exactly 0 0 0 1.
         impl TryFrom<$Mat4> for Similarity<$S> {
             type Error = NotConformal;
 

@@ -1,4 +1,4 @@
-//! mint 0.5: the types that mathematics crates exchange.
+//! mint 0.5: the types for exchange between mathematics crates.
 //!
 //! ```
 //! use ga_runtime::cga3::{Point, Rotor};
@@ -62,7 +62,7 @@ impl<S> From<Direction<S>> for Vector3<S> {
     }
 }
 
-/// The rotor of the quaternion's direction; its size is left out.
+/// The rotor of the normalized quaternion.
 impl<S: Real<Mask = bool>> TryFrom<Quaternion<S>> for Rotor<S> {
     type Error = NotRigid;
 

@@ -1,5 +1,5 @@
-//! nalgebra 0.35: points, directions, motions and matrices in any scalar that both sides know,
-//! `f32` and `f64` above all.
+//! nalgebra 0.35: points, directions, motions and matrices in any scalar that both crates support,
+//! such as `f32` and `f64`.
 //!
 //! | here | nalgebra | |
 //! | --- | --- | --- |
@@ -13,8 +13,9 @@
 //! | [`Similarity`] | `Similarity3`, `Matrix4` | to; from is checked |
 //! | [`Affine`] | `Affine3`, `Matrix4` | to; from is checked |
 //!
-//! A `UnitQuaternion` is taken as it is, number by number, since its type says that it has
-//! length 1. A `Similarity3` may have a negative factor, which mirrors and has no similarity here.
+//! A `UnitQuaternion` has length 1 by its own contract and is converted without a check,
+//! coefficient by coefficient. A `Similarity3` may have a negative factor, which mirrors and has no
+//! counterpart here.
 //!
 //! ```
 //! use ga_runtime::cga3::{Motor, Point};
@@ -101,7 +102,7 @@ impl<S: Scalar + Field> From<Translator<S>> for Translation3<S> {
     }
 }
 
-/// Number by number: that the quaternion has length 1 is its own promise.
+/// Coefficient by coefficient, without a check: nalgebra's type guarantees the length 1.
 impl<S: Scalar + Ring> From<UnitQuaternion<S>> for Rotor<S> {
     #[inline]
     fn from(quaternion: UnitQuaternion<S>) -> Self {
@@ -167,7 +168,7 @@ impl<S: RealField + Field> From<Motor<S>> for Isometry3<S> {
     }
 }
 
-/// The rotation must be one within √ε.
+/// The matrix must be a rotation within √ε.
 impl<S: Scalar + Real<Mask = bool>> TryFrom<IsometryMatrix3<S>> for Motor<S> {
     type Error = NotRigid;
 
@@ -242,7 +243,8 @@ impl<S: RealField + Real<Mask = bool>> TryFrom<Similarity3<S>> for Similarity<S>
     }
 }
 
-/// The factor of a similarity may be beyond the range of the scalar, as nalgebra allows no zero.
+/// Fails where the factor is outside of the range of the scalar, since nalgebra does not allow a
+/// factor of zero.
 impl<S: RealField + Real<Mask = bool>> TryFrom<Similarity<S>> for Similarity3<S> {
     type Error = NotConformal;
 

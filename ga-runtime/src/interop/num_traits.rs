@@ -1,7 +1,8 @@
-//! num-traits 0.2: zero and one, where the laws of these traits hold.
+//! num-traits 0.2: [`Zero`] and [`One`], where the laws of these traits hold.
 //!
 //! - [`Zero`] is for the types whose sums stay in the type: those without constants, derived blades
-//!   and facts. A sum of points is not a point, and so a [`Point`](crate::cga3::Point) has none.
+//!   and facts. A sum of points is not a point, and so a [`Point`](crate::cga3::Point) does not
+//!   have it.
 //! - [`One`] is for the types of which 1 is a member and whose members multiply to members. In cga3
 //!   these are the numbers [`Quaternion`](crate::cga3::Quaternion),
 //!   [`DualQuaternion`](crate::cga3::DualQuaternion), [`Even`](crate::cga3::Even),
@@ -9,8 +10,8 @@
 //!   [`Rotor`](crate::cga3::Rotor) to [`Similarity`](crate::cga3::Similarity).
 //! - The scalars [`Prime61`], [`Lanes`] and [`Dual`] have both.
 //!
-//! This holds for the types of your own algebras too. So what takes sums and products of anything
-//! takes these:
+//! This holds for the types of your own algebras too. So these types can be passed to generic
+//! functions for sums and products:
 //!
 //! ```
 //! use ga_runtime::cga3::{Rotor, Quaternion};
@@ -23,8 +24,8 @@
 //! ```
 //!
 //! A number type of another crate becomes a scalar where it implements the traits of
-//! [`scalar`](crate::scalar). For one that is neither yours nor ours, but has num-traits'
-//! [`Float`], [`FromFloat`] does it.
+//! [`scalar`](crate::scalar). A type of a third crate that implements num-traits' [`Float`] becomes
+//! a scalar by the wrapper [`FromFloat`].
 
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -100,9 +101,9 @@ scalars! {
 
 /// A floating-point number of another crate as a scalar.
 ///
-/// It wraps any [`Float`] of num-traits, numbers of more or fewer digits for instance, and passes
-/// every operation on. What is a constant of the program, such as ½, goes through `f64` and a
-/// quotient. `f32` and `f64` are scalars without it.
+/// It wraps any [`Float`] of num-traits, numbers of more or fewer digits for instance, and forwards
+/// every operation to it. Constants are converted from `f64`, and fractions such as ½ are quotients
+/// of integers. `f32` and `f64` are scalars without it.
 ///
 /// ```
 /// use ga_runtime::cga3::{Point, Rotor};

@@ -91,7 +91,8 @@ impl Prime61 {
     }
 }
 
-// Sums and products are not inlined: the largest products of multivectors have thousands of them, and LLVM takes minutes for a function with that many comparisons.
+// Sums and products are not inlined: the largest products of multivectors have thousands of them,
+// and LLVM takes minutes for a function with that many comparisons.
 
 impl Add for Prime61 {
     type Output = Self;

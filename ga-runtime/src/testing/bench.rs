@@ -1,6 +1,7 @@
 //! Benchmarks of an algebra's products, for criterion.
 //!
-//! Nothing here names criterion: the macro does, where it is used.
+//! This module does not depend on criterion: only the macro names it, in the crate that uses the
+//! macro.
 
 use alloc::vec::Vec;
 use core::fmt::Debug;
@@ -15,8 +16,7 @@ use crate::scalar::Real;
 /// Registers a criterion group that times an operation on random members of the operands' types,
 /// and rivals on the same inputs.
 ///
-/// The crate that uses it depends on criterion by itself; any version with `BenchmarkGroup` will
-/// do.
+/// The crate that uses it depends on criterion itself, in any version that has `BenchmarkGroup`.
 ///
 /// ```no_run
 /// use criterion::{Criterion, criterion_group, criterion_main};
@@ -57,24 +57,24 @@ use crate::scalar::Real;
 /// `bench_product!(criterion, name, seed = number, |a: A, b: B, …| operation, rival name =>
 /// operation, …)`
 ///
-/// - `criterion` is the `&mut Criterion`, `name` that of the group. The operation is listed in it
-///   as `product`.
+/// - `criterion` is the `&mut Criterion`, `name` that of the group. The operation appears in it as
+///   `product`.
 /// - Operands are members of declared types over a [`Real`] scalar, passed by value and drawn by
 ///   [`member`] with numbers up to 0.9. `a: A = (strategy)` draws from another strategy, and then A
 ///   may be any type that is `Copy`, such as `f64` for the t of an interpolation.
-/// - The seed, 1 where it is left out, decides which members are drawn: 1,024 of each, the same in
-///   every run.
-/// - A `rival` is timed in the same group on the same operands. What it takes `with` is worked out
-///   once for each input, before the clock runs, and is passed to its operation by reference:
-///   conversions to another library's types belong there.
-/// - `criterion = path;` before all else says where criterion is, if not at `::criterion`.
+/// - The seed, 1 by default, determines which members are drawn: 1,024 of each, the same in every
+///   run.
+/// - A `rival` is timed in the same group on the same operands. The values after `with` are
+///   computed once for each input, before the timing starts, and passed to its operation by
+///   reference. This is the place for conversions to another library's types.
+/// - `criterion = path;` at the start gives the path of criterion, if it is not `::criterion`.
 ///
 /// # What is timed
 ///
-/// One iteration goes once over all inputs and writes all results to a list. Inputs and results are
-/// opaque to the compiler as lists, so that nothing is left out and nothing is worked out
-/// beforehand, and yet a loop may be vectorised as it would in a program. The group's throughput is
-/// in elements: the figure of one operation is the time divided by 1,024.
+/// One iteration passes once over all inputs and writes all results to a list. Inputs and results
+/// are opaque to the compiler as lists, so that no computation is removed or done beforehand, and
+/// yet a loop may be vectorised as it would be in a program. The group's throughput is in elements:
+/// the time of one operation is the reported time divided by 1,024.
 #[macro_export]
 macro_rules! __bench_product {
     (criterion = $($path:ident)::+ ; $($rest:tt)+) => {
@@ -135,12 +135,12 @@ macro_rules! __bench_product {
     };
 }
 
-/// How many members of each type a benchmark goes through: enough that nothing is a constant, few
-/// enough for the first-level cache.
+/// The number of operands of each type in a benchmark: enough that none is a constant, few enough
+/// for the first-level cache.
 #[doc(hidden)]
 pub const OPERANDS: usize = 1024;
 
-/// The members that a benchmark draws where it is not told otherwise.
+/// The default strategy for an operand of a benchmark.
 #[doc(hidden)]
 pub fn operand<T>() -> impl Strategy<Value = T> + Clone
 where

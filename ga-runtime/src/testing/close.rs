@@ -16,10 +16,10 @@ use crate::scalar::Ring;
 ///   over `f32`.
 /// - `assert_close!(a, b, tolerance)` takes another.
 /// - `assert_close!(a, b, tolerance, scale)` measures relative to the given scale in place of the
-///   largest coefficient. That is the form for results that should be zero, and `scale` is the size
-///   of what has cancelled.
+///   largest coefficient. That is the form for results that should be zero, where `scale` is the
+///   size of the terms that cancel.
 ///
-/// A coefficient that is infinite or not a number fails, and so do values with different numbers of
+/// A coefficient that is infinite or NaN fails, and so do values with different numbers of
 /// coefficients. The message names the coefficient of the largest deviation. See
 /// [`Coefficients`](crate::testing::Coefficients) for what can be compared.
 ///
@@ -30,8 +30,8 @@ use crate::scalar::Ring;
 /// assert_close!(std::f64::consts::PI.sin(), 0.0, 1e-15, 1.0);
 /// ```
 ///
-/// Elements of an algebra are compared in all blades of the algebra, so that a motor can be held
-/// against an even multivector:
+/// Elements of an algebra are compared in all blades of the algebra, so that a motor can be
+/// compared with an even multivector:
 ///
 /// ```
 /// use ga_runtime::cga3::{Even, Motor, Rotor};
@@ -71,7 +71,7 @@ macro_rules! assert_close {
     };
 }
 
-/// Compares as [`assert_close!`] does and reports instead of panicking.
+/// Compares as [`assert_close!`] does, and returns an error instead of panicking.
 ///
 /// Without a tolerance the larger [`Coefficients::TOLERANCE`] of the two types is taken, without a
 /// scale the largest absolute value of all coefficients.
@@ -123,7 +123,7 @@ where
     let Some((index, difference)) = worst else {
         return Ok(());
     };
-    // In this order a tolerance that is not a number fails too.
+    // Written in this way, a tolerance that is NaN fails too.
     let close = difference <= tolerance * scale;
     if close {
         return Ok(());
@@ -146,8 +146,8 @@ fn name_of(value: &(impl Coefficients + ?Sized), index: usize) -> String {
 
 /// What [`assert_close!`] compares: a value as a list of real numbers, each with a name.
 ///
-/// Numbers have them, elements of an algebra, dense multivectors, and arrays, slices and vectors of
-/// all of these, nested as well. A type of your own needs two methods:
+/// Numbers implement it, elements of an algebra, dense multivectors, and arrays, slices and vectors
+/// of all of these, also nested ones. A type of your own needs two methods:
 ///
 /// ```
 /// use ga_runtime::testing::{Coefficients, assert_close};
@@ -189,7 +189,7 @@ pub trait Coefficients {
     fn append_to(&self, list: &mut Vec<f64>);
 
     /// The name of the coefficient of this index in that order, for messages; empty for a number,
-    /// which has only one. It is only asked for coefficients that exist.
+    /// which has only one. It is called for existing coefficients only.
     fn coefficient_name(&self, index: usize) -> String;
 }
 

@@ -1,4 +1,4 @@
-//! Members of declared types, and tests written from declarations.
+//! Members of declared types, and tests generated from declarations.
 
 use alloc::vec::Vec;
 
@@ -15,8 +15,7 @@ use crate::scalar::{Field, Prime61};
 /// dense reference over the prime field on random members of the operands' types, and one for the
 /// arithmetic of each type.
 ///
-/// The tests come from the declaration, so that a product added there is tested without further
-/// word.
+/// The tests come from the declaration, so that a product is tested as soon as it is declared.
 ///
 /// ```
 /// ga_runtime::algebra! {
@@ -42,13 +41,13 @@ macro_rules! __product_tests {
     };
 }
 
-/// How many random cases each test tries.
+/// The number of random cases of each test.
 const CASES: u32 = 256;
 
 /// The dense algebra of a metric given as fractions.
 ///
 /// # Panics
-/// If the metric is not square and symmetric, which that of a declared algebra always is.
+/// If the metric is not square and symmetric. That of a declared algebra always is.
 pub fn algebra_of<S: Field>(metric: &[&[(i64, i64)]]) -> Algebra<S> {
     let entry = |&(numerator, denominator): &(i64, i64)| S::from_ratio(numerator, denominator);
     let rows = metric.iter().map(|row| row.iter().map(entry).collect());
@@ -78,10 +77,10 @@ pub fn constant_to_dense<S: Field>(
 
 /// Random members of a declared type, their free numbers drawn from `number`.
 ///
-/// Where any stored coefficients make a member, these are the numbers. Unit versors are products of
-/// `(1 + αb)²/(1 − α²b²)` with random α over the 2-blades b of the basis that the type has or that
-/// its vectors span; for a type of vectors, that versor acts on a basis vector of square 1. Over
-/// floating point, keep `number` within ±0.9.
+/// If any stored coefficients make a member, they are the free numbers. Unit versors are products
+/// of `(1 + αb)²/(1 − α²b²)` with random α over the 2-blades b of the basis that the type has or
+/// that its vectors span; for a type of vectors, that versor acts on a basis vector of square 1.
+/// Over floating point, `number` should be within ±0.9.
 ///
 /// ```
 /// use ga_runtime::cga3::{Motor, Point};
@@ -118,8 +117,8 @@ pub fn only<T: Clone + core::fmt::Debug>(value: T) -> impl Strategy<Value = T> +
     Just(value)
 }
 
-/// Runs a test on random values, the same in every run. The test panics where it fails, and the
-/// values are then shrunk.
+/// Runs a test on random values, the same in every run. A test that fails panics, and the values
+/// are then shrunk.
 ///
 /// # Panics
 /// With the smallest failing values that were found.
@@ -144,8 +143,8 @@ pub(super) fn runner() -> TestRunner {
     TestRunner::new_with_rng(config, rng)
 }
 
-/// How members of a type are made from free numbers. It does not depend on the type itself, so that
-/// it is compiled once for all types.
+/// The construction of members of a type from free numbers. It is not generic over the type, so
+/// that it is compiled once for all types.
 #[derive(Clone)]
 pub struct Members<S> {
     algebra: Algebra<S>,
@@ -155,8 +154,7 @@ pub struct Members<S> {
 }
 
 impl<S: Field> Members<S> {
-    /// For a type of some blades, which any numbers may have if `is_free`, or else those of unit
-    /// versors.
+    /// For a type with these blades: of any coefficients if `is_free`, otherwise of unit versors.
     ///
     /// # Panics
     /// If the metric is not that of a declared algebra.
@@ -176,7 +174,7 @@ impl<S: Field> Members<S> {
         }
     }
 
-    /// How many numbers make a member.
+    /// The number of free numbers of a member.
     #[must_use]
     pub fn count(&self) -> usize {
         if self.is_free {
@@ -186,7 +184,7 @@ impl<S: Field> Members<S> {
         }
     }
 
-    /// The member of some numbers. `None` where two of them happen to cancel in a divisor.
+    /// The member of some numbers. `None` where a divisor happens to be zero.
     #[must_use]
     pub fn member<T: Element<Scalar = S>>(&self, numbers: &[S]) -> Option<T> {
         if self.is_free {

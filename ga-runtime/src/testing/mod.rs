@@ -1,14 +1,14 @@
-//! What Nullcone tests itself with, for the tests of crates that build on it.
+//! The tools with which Nullcone is tested, for the tests of crates that build on it.
 //!
-//! - [`assert_close!`] compares floating-point results, [`Coefficients`] being what it can compare.
+//! - [`assert_close!`] compares floating-point results of types that implement [`Coefficients`].
 //! - [`strategy`] holds proptest strategies for scalars and for multivectors of any algebra,
-//!   [`member`] one for every declared type, [`cga3`] those for geometry, special positions
-//!   included. [`sample`] draws values of any of them, the same ones for the same seed.
-//! - [`product_tests!`] writes the tests of an algebra's products from its declaration.
-//! - [`bench_product!`] registers a criterion group for products of an algebra of your own.
+//!   [`member`] one for every declared type, [`cga3`] those for geometric objects, special
+//!   positions included. [`sample`] draws values of any of them, the same values for the same seed.
+//! - [`product_tests!`] emits the tests of an algebra's products from its declaration.
+//! - [`bench_product!`] registers a criterion group for products of any algebra.
 //! - [`Prime61`] is the scalar of exact tests, [`dense`] the reference to test against.
 //!
-//! A test of an identity, exact and in an algebra of your own:
+//! An exact test of an identity, in an algebra given by its signature:
 //!
 //! ```
 //! use ga_runtime::testing::{Prime61, dense::Algebra, strategy};

@@ -1,4 +1,4 @@
-//! Members drawn once, where a property test would draw them case by case.
+//! Lists of random values, for uses other than property tests.
 
 use alloc::vec::Vec;
 
@@ -6,8 +6,8 @@ use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, RngSeed, TestRunner};
 
-/// So many values of a strategy, the same ones for the same seed: the inputs of a benchmark or of a
-/// table.
+/// `count` values of a strategy, the same values for the same seed: inputs of a benchmark, for
+/// instance.
 ///
 /// ```
 /// use ga_runtime::cga3::Motor;
@@ -20,7 +20,7 @@ use proptest::test_runner::{Config, RngAlgorithm, RngSeed, TestRunner};
 /// ```
 ///
 /// # Panics
-/// If the strategy rejects nearly all that it draws.
+/// If the strategy rejects nearly all values that it draws.
 pub fn sample<V: Strategy>(strategy: &V, count: usize, seed: u64) -> Vec<V::Value> {
     let mut runner = TestRunner::new(Config {
         failure_persistence: None,

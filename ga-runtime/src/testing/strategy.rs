@@ -11,8 +11,8 @@ use proptest::prelude::*;
 use crate::dense::{Algebra, Multivector};
 use crate::scalar::{Prime61, Ring};
 
-/// Any element of the prime field. Most are drawn evenly from the whole field, the others are small
-/// integers of either sign, zero and one among them.
+/// Any element of the prime field. Most are drawn uniformly from the whole field, the others are
+/// small integers of either sign, including zero and one.
 pub fn prime() -> impl Strategy<Value = Prime61> + Clone {
     prop_oneof![
         7 => (0..Prime61::MODULUS).prop_map(Prime61::new),
@@ -20,7 +20,7 @@ pub fn prime() -> impl Strategy<Value = Prime61> + Clone {
     ]
 }
 
-/// Any element of the prime field but zero.
+/// Any element of the prime field except zero.
 pub fn nonzero_prime() -> impl Strategy<Value = Prime61> + Clone {
     prop_oneof![
         7 => (1..Prime61::MODULUS).prop_map(Prime61::new),
@@ -71,8 +71,8 @@ pub fn vector<S: Ring, C: Strategy<Value = S> + Clone>(
     })
 }
 
-/// The geometric product of so many vectors, null ones included, so that it need not have an
-/// inverse.
+/// The geometric product of `factors` vectors. They may be null, so that the product need not have
+/// an inverse.
 pub fn versor<S: Ring, C: Strategy<Value = S> + Clone>(
     algebra: &Algebra<S>,
     factors: usize,

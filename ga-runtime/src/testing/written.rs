@@ -1,7 +1,7 @@
-//! What the tests that are written from declarations have in common.
+//! The common parts of the tests that `product_tests!` generates.
 //!
-//! There are hundreds of them, so what can be shared is not generic: the compiler would otherwise
-//! build the runner of the tests anew for each.
+//! There are hundreds of these tests. The common parts are not generic, so that the compiler does
+//! not build the runner again for each of them.
 
 use alloc::vec::Vec;
 use core::fmt::Debug;
@@ -15,14 +15,14 @@ use crate::Element;
 use crate::dense::{Algebra, Multivector};
 use crate::scalar::Prime61;
 
-/// How members of a type are made over the prime field.
+/// The construction of members of a type over the prime field.
 #[must_use]
 pub fn members<T: Element<Scalar = Prime61>>() -> Members<Prime61> {
     Members::new(T::METRIC, T::BLADES, T::IS_FREE)
 }
 
 /// Runs a test on random numbers, as many for each operand as `counts` says, the same in every run.
-/// The test gives `None` where the numbers make no operands, and panics where it fails.
+/// The test returns `None` where the numbers do not make operands, and panics where it fails.
 ///
 /// # Panics
 /// If the test fails, with the smallest failing numbers that were found.
@@ -41,10 +41,10 @@ pub fn for_all_numbers(
     }
 }
 
-/// Demands that what was found is what the reference gives; the operands are for the message.
+/// Asserts that the result equals that of the reference; the operands are for the message.
 ///
 /// # Panics
-/// If it is not.
+/// If they differ.
 pub fn assert_same(
     operation: &str,
     operands: &[&dyn Debug],

@@ -1,4 +1,4 @@
-//! The coefficients of a type as a map or a tuple, which is what emitted code calls.
+//! The coefficients of a type as a map or a tuple; emitted code calls these functions.
 
 use core::fmt::{Formatter, Result as FormatResult};
 use core::marker::PhantomData;
@@ -10,7 +10,7 @@ use serde_1::{Deserialize, Deserializer, Serialize, Serializer};
 use super::Relative;
 use crate::scalar::Real;
 
-/// Writes the coefficients of the blades named.
+/// Writes the coefficients of the named blades.
 ///
 /// # Errors
 /// Those of the serializer.
@@ -33,10 +33,10 @@ pub fn serialize<S: Serialize, Z: Serializer>(
     tuple.end()
 }
 
-/// Reads a type that any coefficients make a member of.
+/// Reads a type of which any coefficients are a member.
 ///
 /// # Errors
-/// Those of the deserializer, and where the coefficients are not those of the blades.
+/// Those of the deserializer, and coefficients that do not match the blades.
 pub fn deserialize<'de, S, T, D, const N: usize>(
     deserializer: D,
     name: &'static str,
@@ -53,7 +53,7 @@ where
 /// Reads a type of unit versors.
 ///
 /// # Errors
-/// As [`deserialize`], and where `is_member` says no to the tolerance √ε.
+/// Those of [`deserialize`], and coefficients for which `is_member` is false with the tolerance √ε.
 pub fn deserialize_checked<'de, S, T, D, const N: usize>(
     deserializer: D,
     name: &'static str,
@@ -71,7 +71,8 @@ where
         return Ok(build(values));
     }
     Err(D::Error::custom(format_args!(
-        "no `{name}`, which is a unit versor: M ~M differs from 1 by more than the square root of the scalar's epsilon, or is not finite"
+        "not a `{name}`, which is a unit versor: M ~M differs from 1 by more than the square root of \
+         the scalar's epsilon, or is not finite"
     )))
 }
 

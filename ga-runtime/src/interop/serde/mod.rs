@@ -1,11 +1,11 @@
-//! serde 1: every type is read and written, those of your own algebras included.
+//! serde 1: serialization of every type, those of your own algebras included.
 //!
 //! # The form
 //!
-//! Formats for people, such as JSON, get a map from the names of the stored blades to their
-//! coefficients; blades that are constant or derived are not written. Other formats get a tuple of
-//! the same numbers in the order of the declaration, without a length or names: 12 bytes for a
-//! [`Point`](crate::cga3::Point) in `f32`. Types without stored blades, as
+//! In human-readable formats, such as JSON, a type is a map from the names of the stored blades to
+//! their coefficients; blades that are constant or derived are not written. In other formats it is
+//! a tuple of the same numbers in the order of the declaration, without a length or names: 12 bytes
+//! for a [`Point`](crate::cga3::Point) in `f32`. Types without stored blades, such as
 //! [`Infinity`](crate::cga3::Infinity), are units.
 //!
 //! ```
@@ -18,30 +18,31 @@
 //! let error = serde_json::from_str::<Point<f64>>(r#"{"e1": 1, "e2": 2}"#).unwrap_err();
 //! assert!(error.to_string().contains("`e3`"));
 //!
-//! // Half the identity is not a rotor. The type of sums of rotors takes it, and normalises.
+//! // Half the identity is not a rotor. It is read as a sum of rotors and then normalised.
 //! let half = r#"{"scalar": 0.5, "e12": 0, "e13": 0, "e23": 0}"#;
 //! let error = serde_json::from_str::<Rotor<f64>>(half).unwrap_err();
-//! assert!(error.to_string().contains("no `Rotor`"));
+//! assert!(error.to_string().contains("not a `Rotor`"));
 //! let sum: Quaternion<f64> = serde_json::from_str(half).unwrap();
 //! assert_eq!(Rotor::normalize(sum), Some(Rotor::default()));
 //! ```
 //!
-//! serde_json reads numbers to within their last digit, unless its feature `float_roundtrip` makes
-//! it exact.
+//! serde_json reads numbers with an error in their last digit, unless its feature `float_roundtrip`
+//! is enabled.
 //!
 //! # What is refused
 //!
-//! - In a map, a blade that the type does not store, one that is missing and one that comes twice.
-//!   The error names it. In a tuple, too few or too many numbers.
+//! - In a map, a blade that the type does not store, a missing blade and a repeated blade. The
+//!   error names the blade. In a tuple, too few or too many numbers.
 //! - Coefficients that break the facts of the type. A unit versor is read where every coefficient
 //!   of `M ~M − 1` is within √ε of zero, ε being [`Real::epsilon`](crate::scalar::Real::epsilon) of
 //!   the scalar. Where the products of which such a coefficient is the sum are large, as in the
 //!   Study condition of a motor far from the origin, that is relative to half the sum of their
-//!   sizes. Nothing is changed on the way. What has been rounded to fewer digits, as from `f32` to
-//!   `f64`, is read as the hull, a [`Rotor`](crate::cga3::Rotor) as a
-//!   [`Quaternion`](crate::cga3::Quaternion), and normalised.
-//! - Infinities and NaN in a type whose facts restrict it. Other types take what the format and the
-//!   scalar take: JSON has neither, binary formats have both.
+//!   sizes. Reading does not change coefficients. A versor whose coefficients have been rounded to
+//!   fewer digits, such as one written in `f32` and read in `f64`, can be read as the hull of its
+//!   type (a [`Rotor`](crate::cga3::Rotor) as a [`Quaternion`](crate::cga3::Quaternion)) and
+//!   normalised.
+//! - Infinities and NaN in a type whose facts restrict it. Other types accept what the format and
+//!   the scalar accept: JSON has neither, binary formats have both.
 
 #[doc(hidden)]
 pub mod coefficients;
@@ -49,7 +50,7 @@ mod relative;
 
 pub use relative::Relative;
 
-/// Emits reading and writing for a declared type.
+/// Emits serialization and deserialization for a declared type.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __serialize {

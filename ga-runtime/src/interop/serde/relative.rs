@@ -1,14 +1,14 @@
-//! Numbers that know what they were made of.
+//! Numbers with the size of the terms of which they are the sum.
 
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use crate::scalar::{Field, Real, Ring};
 
-/// A number with its size before anything cancelled: the sum of the absolute values of all products
-/// that were added up.
+/// A number with its size before cancellation: the sum of the absolute values of all products that
+/// were added to obtain it.
 ///
-/// Over this scalar the check of a unit versor measures each defect relative to what has cancelled
-/// in it: [`Real::abs`] divides by half the size, where that is above 1.
+/// Over this scalar the check of a unit versor measures each defect relative to the terms that have
+/// cancelled in it: [`Real::abs`] divides by half the size, where that is above 1.
 #[derive(Clone, Copy, Debug)]
 pub struct Relative<S> {
     value: S,
@@ -16,7 +16,7 @@ pub struct Relative<S> {
 }
 
 impl<S: Real<Mask = bool>> Relative<S> {
-    /// A number by itself.
+    /// A number that is not a sum of others.
     #[inline]
     #[must_use]
     pub fn new(value: S) -> Self {
@@ -127,7 +127,7 @@ impl<S: Real<Mask = bool>> Field for Relative<S> {
     }
 }
 
-/// All but sums and products forget what a number was made of.
+/// All operations except sums and products reset the size to that of the result.
 impl<S: Real<Mask = bool>> Real for Relative<S> {
     type Mask = bool;
 

@@ -1,4 +1,4 @@
-//! Lines, planes and flat points, alone and in special positions to each other.
+//! Lines, planes and flat points, single and in special relative positions.
 
 use proptest::prelude::*;
 
@@ -29,11 +29,11 @@ pub fn flat_points<S: Real>(size: f64) -> impl Strategy<Value = FlatPoint<S>> + 
     (points::<S>(size), weights::<S>()).prop_map(|(point, weight)| (point ^ Infinity) * weight)
 }
 
-/// Two lines in any position to each other, with weights.
+/// Two lines in any relative position, with weights.
 ///
-/// Three in eight are independent, so nearly all of these skew. Otherwise, one in eight each: the
-/// same line; the same with opposite direction; parallel; parallel but for 10⁻³ to 10⁻¹² radians;
-/// crossing in a point.
+/// Three in eight are independent, and nearly all of these are skew. Otherwise, one in eight each:
+/// the same line; the same with opposite direction; parallel; parallel up to an angle of 10⁻³ to
+/// 10⁻¹² radians; crossing in a point.
 pub fn pairs_of_lines<S: Real>(size: f64) -> impl Strategy<Value = [Line<S>; 2]> + Clone {
     let frame = (places(size), unit_vectors(), places(size), unit_vectors());
     let angle = power_of_ten(-12.0, -3.0);
@@ -55,10 +55,10 @@ pub fn pairs_of_lines<S: Real>(size: f64) -> impl Strategy<Value = [Line<S>; 2]>
     })
 }
 
-/// Two planes in any position to each other, with weights.
+/// Two planes in any relative position, with weights.
 ///
-/// Half are independent. Otherwise, one in eight each: the same plane; parallel; parallel but for
-/// 10⁻³ to 10⁻¹² radians; at right angles.
+/// Half are independent. Otherwise, one in eight each: the same plane; parallel; parallel up to an
+/// angle of 10⁻³ to 10⁻¹² radians; at right angles.
 pub fn pairs_of_planes<S: Real>(size: f64) -> impl Strategy<Value = [Plane<S>; 2]> + Clone {
     let frame = (places(size), unit_vectors(), places(size), unit_vectors());
     let angle = power_of_ten(-12.0, -3.0);

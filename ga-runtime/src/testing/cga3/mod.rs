@@ -1,10 +1,10 @@
 //! Strategies for the objects and motions of [`cga3`](crate::cga3), special positions included.
 //!
 //! [`member`](super::member) draws coefficients: right for algebraic identities, but a random
-//! `Circle` of ten coefficients is not a circle. The strategies here draw geometry, and mix in what
-//! breaks geometric code: coinciding points, half turns, angles near zero, parallel lines, tangent
-//! spheres. About half of the cases are ordinary, so that a test of a few hundred cases meets every
-//! special one. Each page says which there are.
+//! `Circle` of ten coefficients is not a circle. The strategies here draw geometric objects, and
+//! include the special cases that break geometric code: coinciding points, half turns, angles near
+//! zero, parallel lines, tangent spheres. About half of the cases are ordinary, so that a test of a
+//! few hundred cases includes every special one. The page of each strategy lists them.
 //!
 //! `size` is the largest absolute value of a coordinate and must be positive and finite; a strategy
 //! panics when it draws from an empty or infinite range. Every strategy is generic over the scalar:
@@ -17,8 +17,8 @@
 //! use proptest::prelude::*;
 //!
 //! // A motion keeps the distance of a point from a line.
-//! use cga3::{lines, motors, points};
-//! proptest!(|(motor in motors(10.0), line in lines(10.0), point in points(10.0))| {
+//! let (motors, lines) = (cga3::motors(10.0), cga3::lines(10.0));
+//! proptest!(|(motor in motors, line in lines, point in cga3::points(10.0))| {
 //!     let (motor, line, point): (Motor<f64>, Line<f64>, Point<f64>) = (motor, line, point);
 //!     let before = line.distance(point).unwrap();
 //!     let after = motor.transform(line).distance(motor.transform(point)).unwrap();

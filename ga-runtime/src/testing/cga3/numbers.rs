@@ -1,4 +1,4 @@
-//! Numbers with a meaning: coordinates, directions, angles, weights.
+//! Geometric numbers: coordinates, directions, angles, weights.
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -9,9 +9,9 @@ use crate::scalar::{Mask, Real};
 
 /// Angles in [0, 2π].
 ///
-/// Half are drawn evenly; one in eight is 0, ½π, π, 3/2 π or 2π; one in eight is small, from 10⁻¹⁶
-/// to 0.1, and one in sixteen so small that its square is zero; the rest lie 10⁻⁶ to 10⁻¹² beside π
-/// or below 2π.
+/// Half are drawn uniformly; one in eight is 0, ½π, π, 3/2 π or 2π; one in eight is small, from
+/// 10⁻¹⁶ to 0.1, and one in sixteen so small that its square is zero; the rest differ from π by
+/// 10⁻⁶ to 10⁻¹², or are less than 2π by as much.
 pub fn angles<S: Real>() -> impl Strategy<Value = S> + Clone {
     prop_oneof![
         8 => 0.0..=TAU,
@@ -27,13 +27,13 @@ pub fn angles<S: Real>() -> impl Strategy<Value = S> + Clone {
 
 /// Vectors of length 1 up to rounding.
 ///
-/// Three in four are drawn evenly from the unit sphere; one in eight is a basis vector or its
-/// negative; one in eight lies 10⁻³ to 10⁻¹² beside one.
+/// Three in four are drawn uniformly from the unit sphere; one in eight is a basis vector or its
+/// negative; one in eight differs from such a vector by 10⁻³ to 10⁻¹².
 pub fn directions<S: Real>() -> impl Strategy<Value = [S; 3]> + Clone {
     unit_vectors().prop_map(|direction| direction.map(S::from_f64))
 }
 
-/// Factors for what is homogeneous: an object times such a number is the same object. Half are 1,
+/// Weights of homogeneous objects: an object times such a number is the same object. Half are 1,
 /// the others from 10⁻² to 10² in size, of either sign.
 pub fn weights<S: Real>() -> impl Strategy<Value = S> + Clone {
     prop_oneof![
@@ -47,8 +47,8 @@ pub fn weights<S: Real>() -> impl Strategy<Value = S> + Clone {
     .prop_map(S::from_f64)
 }
 
-/// A coordinate: three in four drawn evenly from −`size` to `size`, one in eight 0 or ±`size`, one
-/// in eight 10⁻³ to 10⁻¹² of `size`.
+/// A coordinate: three in four drawn uniformly from −`size` to `size`, one in eight 0 or ±`size`,
+/// one in eight 10⁻³ to 10⁻¹² of `size`.
 pub(super) fn coordinates(size: f64) -> impl Strategy<Value = f64> + Clone {
     prop_oneof![
         6 => -size..=size,
@@ -78,14 +78,14 @@ pub(super) fn unit_vectors() -> impl Strategy<Value = [f64; 3]> + Clone {
     prop_oneof![6 => anywhere, 1 => axis, 1 => beside_an_axis]
 }
 
-/// A length: three in four drawn evenly up to `size`, at least a hundredth of it; one in eight
+/// A length: three in four drawn uniformly from a hundredth of `size` to `size`; one in eight
 /// `size`; one in eight 10⁻² to 10⁻⁶ of it.
 pub(super) fn lengths(size: f64) -> impl Strategy<Value = f64> + Clone {
     lengths_from(1e-6, size)
 }
 
-/// A radius that a round about one of the [`places`] can tell from zero: as [`lengths`], but at
-/// least 6·10⁻³ of `size` for scalars such as `f32`.
+/// A radius that rounding does not make indistinguishable from zero for a round about one of the
+/// [`places`]: as [`lengths`], but at least 6·10⁻³ of `size` for scalars such as `f32`.
 pub(super) fn radii<S: Real>(size: f64) -> impl Strategy<Value = f64> + Clone {
     let is_coarse = S::from_f64(1e-14).less_than(S::epsilon()).any();
     lengths_from(if is_coarse { 6e-3 } else { 1e-6 }, size)
@@ -99,7 +99,7 @@ fn lengths_from(least: f64, size: f64) -> impl Strategy<Value = f64> + Clone {
     ]
 }
 
-/// A positive number whose logarithm is drawn evenly.
+/// A power of ten whose exponent is drawn uniformly.
 pub(super) fn power_of_ten(least: f64, most: f64) -> impl Strategy<Value = f64> + Clone {
     (least..=most).prop_map(|exponent| 10.0_f64.powf(exponent))
 }
@@ -112,7 +112,7 @@ pub(super) fn scaled(a: [f64; 3], factor: f64) -> [f64; 3] {
     a.map(|x| x * factor)
 }
 
-/// A vector across both, of length 1; across the first alone where they are parallel.
+/// A unit vector orthogonal to both; orthogonal to the first alone where they are parallel.
 pub(super) fn across(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     let cross = |b: [f64; 3]| {
         [

@@ -1,4 +1,4 @@
-//! Points, alone and in special positions to each other.
+//! Points, single and in special relative positions.
 
 use core::array::from_fn;
 use core::f64::consts::TAU;
@@ -12,13 +12,13 @@ use crate::scalar::Real;
 
 /// Points of the cube from −`size` to `size`.
 ///
-/// Of the coordinates three in four are drawn evenly; one in eight is 0 or ±`size`, and one in
+/// Of the coordinates three in four are drawn uniformly; one in eight is 0 or ±`size`, and one in
 /// eight 10⁻³ to 10⁻¹² of `size`.
 pub fn points<S: Real>(size: f64) -> impl Strategy<Value = Point<S>> + Clone {
     places(size).prop_map(to_point)
 }
 
-/// N points of the cube from −`size` to `size`, in any position to each other.
+/// N points of the cube from −`size` to `size`, in any relative position.
 ///
 /// Three in ten are independent. Otherwise, one in ten each: all coincide; the first two coincide;
 /// the second is 10⁻³ to 10⁻¹² of `size` from the first; all lie on one line; in one plane; on one
@@ -28,9 +28,8 @@ pub fn points<S: Real>(size: f64) -> impl Strategy<Value = Point<S>> + Clone {
 /// use ga_runtime::cga3::{Circle, Point};
 /// use ga_runtime::testing::cga3;
 /// use proptest::prelude::*;
-///
-/// // Three points on one line, or of which two coincide, have no circle: no radius comes back,
-/// // or one that is finite.
+/// // Three points on one line, or two of which coincide, do not determine a circle: its radius is
+/// // `None`, or finite.
 /// proptest!(|(points in cga3::point_configurations::<f64, 3>(10.0))| {
 ///     let [p, q, r] = points;
 ///     prop_assert!(Circle::through(p, q, r).radius().is_none_or(f64::is_finite));
@@ -39,7 +38,7 @@ pub fn points<S: Real>(size: f64) -> impl Strategy<Value = Point<S>> + Clone {
 pub fn point_configurations<S: Real, const N: usize>(
     size: f64,
 ) -> impl Strategy<Value = [Point<S>; N]> + Clone {
-    // What lies about a centre of half the size, at half the size at most, is inside the cube.
+    // A point at most half the size from a centre in the cube of half the size is inside the cube.
     let half = 0.5 * size;
     let frame = (places(half), unit_vectors(), unit_vectors(), lengths(half));
     let numbers = vec(-1.0..=1.0_f64, N);

@@ -10,9 +10,9 @@ use crate::scalar::Real;
 /// Real spheres about one of the [`points`](super::points), times one of the
 /// [`weights`](super::weights).
 ///
-/// Of the radii three in four are drawn evenly from a hundredth of `size` to `size`, one in eight
-/// is `size`, and one in eight 10⁻² to 10⁻⁶ of it, to 6·10⁻³ in `f32`, where less cannot be told
-/// from zero. One sphere in eight goes through the origin.
+/// Of the radii three in four are drawn uniformly from a hundredth of `size` to `size`, one in
+/// eight is `size`, and one in eight 10⁻² to 10⁻⁶ of it, to 6·10⁻³ in `f32`, where a smaller radius
+/// is not distinguishable from zero. One sphere in eight passes through the origin.
 pub fn spheres<S: Real>(size: f64) -> impl Strategy<Value = Sphere<S>> + Clone {
     let through_origin = (unit_vectors(), radii::<S>(size))
         .prop_map(|(direction, radius)| (scaled(direction, radius), radius));
@@ -51,7 +51,7 @@ pub fn point_pairs<S: Real>(size: f64) -> impl Strategy<Value = PointPair<S>> + 
     })
 }
 
-/// Two real spheres in any position to each other, with weights.
+/// Two real spheres in any relative position, with weights.
 ///
 /// Three in ten are independent. Otherwise, one in ten each: the same sphere; concentric; tangent
 /// from outside; tangent from inside; crossing at a right angle; crossing; apart.
