@@ -14,8 +14,8 @@
 //! - [`algebra`]: blades, metric, and the products of basis blades.
 //! - [`ir`]: the graph, hash-consed, and multivectors over it.
 //! - [`expression`]: formulas as trees, for what the compiler itself writes.
-//! - [`define`]: a checked declaration as plain data; [`signature`]: the operands and the result of a
-//!   function.
+//! - [`define`]: a checked declaration as plain data; [`signature`]: the operands and the result of
+//!   a function.
 //! - [`diag`]: errors, collected; [`parse`]: grammars; names are not resolved yet.
 //! - `member`: the members of a type over the prime field; [`verify`] shows it to users.
 //! - [`program`]: the steps of a function, on whole multivectors; names are resolved here.
@@ -24,8 +24,8 @@
 //! - `check`: the checks of a declaration; every error is found here, at its token.
 //! - [`lower`]: steps to the graph, by named rules.
 //! - [`passes`]: rewriting of graphs, order, stages, cost.
-//! - [`kernel`]: one compiled graph; [`task`]: what is to be compiled; `search`: the rules that make
-//!   the cheapest graph; [`function`]: one compiled function.
+//! - [`kernel`]: one compiled graph; [`task`]: what is to be compiled; `search`: the rules that
+//!   make the cheapest graph; [`function`]: one compiled function.
 //! - [`emit`]: Rust, WGSL, formulas and graphs; `count`: operations in emitted Rust.
 //! - `explain`: messages about values that are not of their declared type.
 //!

@@ -190,7 +190,7 @@ macro_rules! algebra {
 /// }
 /// ga_runtime::ga! { ga_runtime::cga3;
 ///     use crate::kernels::reflected;
-///     /// Two reflections are a motion. Only the needed part of the intermediate point is computed.
+///     /// Two reflections; only the needed part of the intermediate point is computed.
 ///     pub fn reflected_twice(p: Point, a: Plane, b: Plane) -> Scalar {
 ///         ei | sandwich(dual(b), reflected(p, a))
 ///     }
