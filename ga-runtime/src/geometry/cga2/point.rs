@@ -13,7 +13,7 @@ impl<S: Ring> Point<S> {
         [self.e1(), self.e2()]
     }
 
-    /// The squared distance of two points, `−2 P·Q`, worked out from differences of coordinates.
+    /// The squared distance of two points, `−2 P·Q`, computed from differences of coordinates.
     #[inline]
     #[must_use]
     pub fn distance_squared(self, other: Self) -> S {

@@ -191,7 +191,7 @@ impl<S: Ring> Affine<S> {
 
 impl<S: Real<Mask = bool>> Affine<S> {
     /// The map that undoes this one; `None` where L is singular, or the inverse is beyond the range
-    /// of the scalar. It is worked out from cofactors, with an error of about ε times the condition
+    /// of the scalar. It is computed from cofactors, with an error of about ε times the condition
     /// number of L.
     ///
     /// L counts as singular where the determinant is at most 16 ε after rows and columns have been

@@ -287,7 +287,7 @@ fn logarithm_of_any<S: Real>(motor: Motor<S>) -> (Vector<S>, Vector<S>) {
     let (_, turned) = length_and_direction(q);
     let plane = select_vector(is_zero, Vector::new(one, zero, zero), turned);
     let plane = select_vector(shift.is_zero(), plane, direction);
-    // The part that a full turn leaves out must not hide what is not a number.
+    // The part that a full turn leaves out must not hide NaN.
     let none = d0 * zero;
     let whole_h = Vector::new(none, none, none) - d;
     (

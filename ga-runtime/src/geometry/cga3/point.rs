@@ -30,7 +30,7 @@ impl<S: Ring> Point<S> {
         Vector::from(other) - Vector::from(self)
     }
 
-    /// The squared distance of two points, `−2 P·Q`, worked out from differences of coordinates so
+    /// The squared distance of two points, `−2 P·Q`, computed from differences of coordinates so
     /// that nothing cancels far from the origin.
     #[inline]
     #[must_use]

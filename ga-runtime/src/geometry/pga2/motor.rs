@@ -125,7 +125,7 @@ impl<S: Real<Mask = bool>> Motor<S> {
     }
 
     /// The motion on the way from `self` at t = 0 to `other` at t = 1 with constant speed about one
-    /// point, by the short way round: `M exp(t log(~M N))`. What is not a number stays so.
+    /// point, by the short way round: `M exp(t log(~M N))`. NaN stays NaN.
     #[must_use]
     pub fn interpolate(self, other: Self, t: S) -> Self {
         let mut between = self.reverse() * other;

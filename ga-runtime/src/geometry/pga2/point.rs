@@ -58,7 +58,7 @@ impl<S: Real<Mask = bool>> Point<S> {
     }
 
     /// The motor `exp(B)` of any bivector: `−½θP` rotates by θ about the point P of weight 1,
-    /// counterclockwise; `½ t∧e0`, an ideal point, translates by t. What is not a number stays so.
+    /// counterclockwise; `½ t∧e0`, an ideal point, translates by t. NaN stays NaN.
     ///
     /// Points square to minus their squared weight, so that it is `cos w + (sin w / w) B`.
     ///

@@ -149,7 +149,7 @@ impl<S: Real<Mask = bool>> Line<S> {
     /// right-handed about its direction; `B = ½ t∧e0` translates by t; a sum of both with t along L
     /// is a screw.
     ///
-    /// Right to rounding for angles however small. What is not a number stays so.
+    /// Right to rounding for angles however small. NaN stays NaN.
     ///
     /// ```
     /// use ga_runtime::pga3::{Line, Point};

@@ -97,8 +97,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
     }
 
     /// The bivector B with `exp(B) = M`, for a rotation by θ in [0, 2π], so that the sign of M
-    /// comes back too. Conventions are those of [`cga3::Motor::log`]; what is not a number stays
-    /// so.
+    /// comes back too. Conventions are those of [`cga3::Motor::log`]; NaN stays
+    /// NaN.
     ///
     /// ```
     /// use ga_runtime::pga3::{Motor, Rotor, Translator};

@@ -67,8 +67,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     }
 
     /// The bivector B with `exp(B) = R` and `|B|` in [0, π], so that the sign of R comes back too:
-    /// `−½θb` for a rotation by θ in the unit bivector b. The logarithm of −1 is `π e12`. What is
-    /// not a number stays so.
+    /// `−½θb` for a rotation by θ in the unit bivector b. The logarithm of −1 is `π e12`. NaN
+    /// stays NaN.
     #[must_use]
     pub fn log(self) -> Bivector<S> {
         let vector = Vector::new(self.e12(), self.e13(), self.e23());
