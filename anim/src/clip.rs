@@ -107,8 +107,8 @@ impl Clip {
         }
     }
 
-    /// The same motion at `rate` frames per second, from the first frame as far as whole steps
-    /// reach.
+    /// The same motion at `rate` frames per second, from the first frame to the last whole step
+    /// within the duration.
     ///
     /// # Errors
     ///

@@ -37,7 +37,7 @@ pub struct PoseError {
 }
 
 impl Pose {
-    /// The pose at rest of a skeleton of so many joints.
+    /// The pose at rest of a skeleton with `joint_count` joints.
     #[must_use]
     pub fn rest(joint_count: usize) -> Self {
         Self {

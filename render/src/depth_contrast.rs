@@ -1,4 +1,4 @@
-//! Darkening behind edges, so that limbs that cross are told apart.
+//! Darkening behind edges, so that crossing limbs can be distinguished.
 //!
 //! After Luft, Colditz and Deussen 2006, *Image enhancement by unsharp masking the depth buffer*:
 //! where a surface lies further away than the mean of its surroundings, something near stands

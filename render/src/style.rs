@@ -29,9 +29,9 @@ pub struct Style {
     pub shadow: f64,
     /// How much of the ground's light is taken away close under the mesh, 0 to 1.
     pub occlusion: f64,
-    /// How strongly surfaces are darkened beside nearer ones, so that crossing limbs are told
-    /// apart: the share of light taken for each size of the mesh (its bounding box's diagonal) that
-    /// they lie behind; 0 for none.
+    /// How strongly surfaces are darkened beside nearer ones, so that crossing limbs can be
+    /// distinguished: the share of light that is removed where a surface lies one diagonal of the
+    /// mesh's bounding box behind its surroundings; 0 for none.
     pub depth_contrast: f64,
     /// The colour of bones.
     pub bone: LinearColour,

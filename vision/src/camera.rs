@@ -43,7 +43,7 @@ pub enum CameraError {
         focal: [f64; 2],
         /// The principal point in pixels.
         principal: [f64; 2],
-        /// Which of them is at fault.
+        /// Which of them is faulty.
         problem: &'static str,
     },
     /// A calibration matrix is not upper triangular with a last row of 0, 0, 1 and no skew.

@@ -168,7 +168,7 @@ fn a_second_run_writes_the_same_bytes_on_any_number_of_threads_and_is_quiet_if_a
 }
 
 #[test]
-fn another_seed_is_other_noise_and_nobody_need_listen() {
+fn another_seed_is_other_noise_and_standard_output_may_be_closed() {
     let folder = tempdir().unwrap();
     let mut command = program(folder.path());
     command.args(["demo", "--seed", "2"]);

@@ -139,7 +139,7 @@ impl Solid {
         });
     }
 
-    /// Signed distance, to first order, as far as it matters: a value above `limit` may be replaced
+    /// Signed distance, to first order, up to a limit: a value above `limit` may be replaced
     /// by any lower bound that is itself above `limit`.
     pub(crate) fn distance(&self, point: Vector, limit: f64) -> f64 {
         let far = self

@@ -90,7 +90,7 @@ impl<L: Fn(Vector) -> f64> Remesher<L> {
     }
 
     fn collapse_short_edges(&mut self) {
-        // The shortest first, which keeps what is left even.
+        // The shortest first, which keeps the remaining edges even.
         let mut short: Vec<(f64, [u32; 2])> = self
             .topology
             .edges()

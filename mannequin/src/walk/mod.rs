@@ -24,8 +24,8 @@ pub use gait::{KEY_NAMES, KEYS_PER_STRIDE};
 /// Seconds from one key pose to the next: 110 steps a minute.
 pub const KEY_TIME: f64 = 60.0 / 110.0 / 4.0;
 
-/// A walk of so many strides, two steps each, straight along +z: [`KEYS_PER_STRIDE`] key poses a
-/// stride, [`KEY_TIME`] apart, and one more that ends the last stride.
+/// A walk of `strides` strides of two steps each, straight along +z: [`KEYS_PER_STRIDE`] key poses
+/// a stride, [`KEY_TIME`] apart, and one more that ends the last stride.
 ///
 /// It begins as the left heel touches the ground, with the left ankle at z = 0. Interpolated
 /// between the keys, the foot that stands stays within a centimetre of where it has been set down.

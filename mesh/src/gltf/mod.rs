@@ -137,7 +137,7 @@ pub struct Track {
 ///
 /// # Errors
 ///
-/// [`GltfError`] names the element at fault.
+/// [`GltfError`] names the faulty element.
 pub fn to_glb(model: &Model) -> Result<Vec<u8>, GltfError> {
     let mut document = Document::default();
     document.root.asset.generator = Some("Nullcone".to_owned());

@@ -22,7 +22,7 @@ impl<'a> Lines<'a> {
         self.taken
     }
 
-    /// One line of the file without its end, and whether the next one goes on from it.
+    /// One line of the file without its end, and whether the next line continues it.
     fn physical(&mut self) -> Option<(&'a [u8], bool)> {
         let rest = self.rest?;
         let line = match rest.iter().position(|&byte| byte == b'\n') {

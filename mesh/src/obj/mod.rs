@@ -2,7 +2,7 @@
 //!
 //! Vertex n of the mesh is the n-th `v` line of the file, also when no face uses it, so that
 //! weights and other data numbered by vertex fit. Every number must be finite and every index in
-//! range; an error names the line and the word at fault.
+//! range; an error names the line and the faulty word.
 //!
 //! | line | read as |
 //! | --- | --- |
@@ -52,7 +52,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Mesh, ReadError<ObjError>> {
 ///
 /// # Errors
 ///
-/// [`ObjError`], for the first line at fault; an index out of range is found after everything else.
+/// [`ObjError`], for the first faulty line; indices out of range are found after all other errors.
 ///
 /// # Examples
 ///
@@ -73,7 +73,7 @@ pub fn parse(bytes: &[u8]) -> Result<Mesh, ObjError> {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("line {line}: {problem}")]
 pub struct ObjError {
-    /// The line, from 1; for a line that goes on with `\`, where it begins; for what is missing,
+    /// The line, from 1; for a line continued with `\`, its first line; for what is missing,
     /// the last line.
     pub line: usize,
     /// What is wrong.

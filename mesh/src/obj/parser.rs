@@ -15,7 +15,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, ObjError> {
     parser.finish(lines.taken().max(1))
 }
 
-/// A mesh as far as it has been read. Indices into it count from 0.
+/// The part of a mesh that has been read. Indices into it count from 0.
 #[derive(Default)]
 struct Parser {
     positions: Vec<[f64; 3]>,

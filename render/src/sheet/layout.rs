@@ -8,7 +8,7 @@ pub enum Layout {
     /// A row for each two neighbouring key frames: the one, the frames between, the other. A key
     /// frame in the middle of an animation so ends one row and begins the next.
     KeyToKey,
-    /// Rows of so many pictures, each frame once.
+    /// Rows of this many pictures, each frame once.
     Columns(usize),
 }
 

@@ -148,7 +148,7 @@ pub enum SheetError {
         "rows from key to key, but the first and the last of the frames are not two key frames"
     )]
     NotKeyToKey,
-    /// A sheet of no columns, or one too large to be made.
+    /// A sheet without columns, or one that is too large.
     #[error("a contact sheet of {columns} columns and {rows} rows cannot be made")]
     Size {
         /// Columns of pictures.

@@ -12,7 +12,7 @@ pub(super) enum Weight {
     Bold,
 }
 
-/// Writes a line with its top left corner at `x`, `y`, as far as it fits into `width` pixels.
+/// Writes a line with its top left corner at `x`, `y`, cut off after `width` pixels.
 pub(super) fn write(
     image: &mut RgbImage,
     [x, y]: [u32; 2],
