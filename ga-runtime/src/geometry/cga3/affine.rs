@@ -1,4 +1,4 @@
-//! Affine maps, which need not be conformal.
+//! Affine maps, for transformations that are not conformal.
 
 use core::fmt::{Display, Formatter, Result as FormatResult};
 use core::ops::Mul;
@@ -12,15 +12,16 @@ use crate::vga3::Vector;
 
 /// An affine map of space, `x' = L x + t`.
 ///
-/// Motions and similarities are affine, and so are maps that no versor does: those that shear, or
-/// scale by another factor along each axis. These map a sphere to an ellipsoid and are not
-/// conformal. They can be applied to points, directions, lines and planes, but not to rounds.
+/// Motions and similarities are affine, and so are maps that no versor represents: those that
+/// shear, or scale by a different factor along each axis. These map a sphere to an ellipsoid and
+/// are not conformal. An affine map transforms points, directions, lines and planes, but no
+/// spheres, circles or point pairs.
 ///
-/// Any numbers make a map; an infinity or NaN in one, or in what it is applied to, goes on into the
-/// image. What becomes a versor or an inverse is checked.
+/// A map may have any coefficients; an infinity or NaN in the map or in its argument propagates to
+/// the image. The inverse and conversions to versors check the coefficients.
 ///
-/// `a * b` does b first. Each versor of motions and scalings converts to its map, and a map that is
-/// one of them back:
+/// `a * b` applies b first. Every versor of motions and scalings converts to its affine map, and an
+/// affine map that represents such a versor converts back:
 ///
 /// ```
 /// use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
@@ -41,9 +42,9 @@ use crate::vga3::Vector;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Affine<S> {
-    /// L by rows. Its columns are the images of e1, e2 and e3 as directions.
+    /// The linear part L, by rows. Its columns are the images of e1, e2 and e3 as directions.
     pub linear: [[S; 3]; 3],
-    /// t, the image of the origin.
+    /// The translation t, the image of the origin.
     pub translation: [S; 3],
 }
 
@@ -65,9 +66,9 @@ impl<S: Ring> Affine<S> {
         Self::new(diagonal([S::one(); 3]), translation)
     }
 
-    /// The scaling by a factor along each axis, about the origin (the paper's eqs. 10 and 11). It
-    /// is conformal only if the factors are equal up to sign, and a similarity without mirroring
-    /// only if they are equal and positive: see [`Dilator`].
+    /// The scaling by a factor along each axis, about the origin (Cui, eqs. 10 and 11). It is
+    /// conformal only if the factors are equal up to sign, and a similarity without mirroring only
+    /// if they are equal and positive: see [`Dilator`].
     #[inline]
     #[must_use]
     pub fn scaling(factors: [S; 3]) -> Self {
@@ -95,7 +96,7 @@ impl<S: Ring> Affine<S> {
         Self::new(diagonal(factors), rest)
     }
 
-    /// The determinant of L: by what volumes are multiplied, negative where the map mirrors.
+    /// The determinant of L: the factor of volumes, negative where the map reverses orientation.
     #[inline]
     #[must_use]
     pub fn determinant(self) -> S {
@@ -118,8 +119,8 @@ impl<S: Ring> Affine<S> {
         Direction::new(x, y, z)
     }
 
-    /// The image of a line: that through the images of the points by which it is spanned, weight
-    /// and all. Zero where L makes a point of it.
+    /// The image of a line, with its weight: the line through the images of the points that span
+    /// it. Zero where L maps the line to a point.
     #[inline]
     #[must_use]
     pub fn transform_line(self, line: Line<S>) -> Line<S> {
@@ -132,10 +133,10 @@ impl<S: Ring> Affine<S> {
         Line::new(c, -b, a, -x, -y, -z)
     }
 
-    /// The image of a plane: that through the images of the points by which it is spanned, weight
-    /// and all. Its normal is the cofactor matrix of L, `det L` times the inverse transpose,
-    /// applied to the normal; so a map that mirrors reverses it. Zero where L makes a line or
-    /// point of the plane.
+    /// The image of a plane, with its weight: the plane through the images of the points that span
+    /// it. Its normal is the cofactor matrix of L (`det L` times the inverse transpose) applied to
+    /// the normal; so a map with a reflection reverses it. Zero where L maps the plane to a line or
+    /// a point.
     ///
     /// ```
     /// use ga_runtime::{cga3::{Plane, Point}, geometry::Affine};
@@ -190,12 +191,12 @@ impl<S: Ring> Affine<S> {
 }
 
 impl<S: Real<Mask = bool>> Affine<S> {
-    /// The map that undoes this one; `None` where L is singular, or the inverse is beyond the range
-    /// of the scalar. It is computed from cofactors, with an error of about ε times the condition
-    /// number of L.
+    /// The inverse map; `None` where L is singular, or the inverse is beyond the range of the
+    /// scalar. It is computed from cofactors, with an error of about ε times the condition number
+    /// of L.
     ///
-    /// L counts as singular where the determinant is at most 16 ε after rows and columns have been
-    /// scaled to entries up to 1: that much comes from rounding.
+    /// L is treated as singular if its determinant is at most 16 ε, the size of the rounding error,
+    /// after rows and columns have been scaled to entries up to 1.
     #[must_use]
     pub fn inverse(self) -> Option<Self> {
         let (unit, [rows, columns]) = balanced(self.linear)?;
@@ -242,8 +243,8 @@ impl<S: Real<Mask = bool>> Affine<S> {
 
 type Matrix<S> = [[S; 3]; 3];
 
-/// The matrix with its rows and then its columns divided by their largest entries, and those;
-/// `None` where one vanishes.
+/// The matrix with its rows and then its columns divided by their largest entries, and these
+/// divisors; `None` where one vanishes.
 fn balanced<S: Real<Mask = bool>>(linear: Matrix<S>) -> Option<(Matrix<S>, [[S; 3]; 2])> {
     let size = |row: [S; 3]| row[0].abs().max(row[1].abs()).max(row[2].abs());
     let divided =
@@ -320,9 +321,9 @@ impl<S: Real<Mask = bool>> From<Dilator<S>> for Affine<S> {
     }
 }
 
-/// With `M = T R D` and `D = c + s eo∧ei`, the blades without eo hold c R, those of eo∧ei hold s R,
-/// and the rest is `−½ (c − s) t R ei`. The factor is `(c + s)²` and `1/(c − s)²`; the sum is taken
-/// that does not cancel.
+/// With `M = T R D` and `D = c + s eo∧ei`, the blades without eo and ei contain c R, those with
+/// eo∧ei contain s R, and the rest is `−½ (c − s) t R ei`. The factor is `(c + s)²`, which equals
+/// `1/(c − s)²`; of the two the one without cancellation is used.
 impl<S: Real> From<Similarity<S>> for Affine<S> {
     fn from(m: Similarity<S>) -> Self {
         let turn = [m.scalar(), m.e12(), m.e13(), m.e23()];
@@ -334,7 +335,7 @@ impl<S: Real> From<Similarity<S>> for Affine<S> {
         let square = w * w + xy * xy + xz * xz + yz * yz;
         let inverse = S::select(shrinks, square.recip(), S::one());
         let factor = S::select(shrinks, inverse, square);
-        // R = (w + xy e12 + …)/√square, so that its matrix has no root in it.
+        // R = (w + xy e12 + …)/√square, so its matrix can be computed without a square root.
         let two = S::from_integer(2) / square;
         let (x, y, z, one) = (-yz, xz, -xy, S::one());
         let linear = [
@@ -390,11 +391,11 @@ impl<S: Real<Mask = bool>> TryFrom<Affine<S>> for Similarity<S> {
     }
 }
 
-/// Why a matrix or an affine map is not the map of the versor that is asked for.
+/// The error of converting a matrix or an affine map to a versor that does not represent it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum NotConformal {
-    /// An entry is infinite or not a number, or beyond the range of what is made of it.
+    /// An entry is infinite or not a number, or the result is beyond the range of the scalar.
     NotFinite,
     /// The last row of a 4×4 matrix is not 0 0 0 1.
     Projective,
@@ -402,13 +403,13 @@ pub enum NotConformal {
     Singular,
     /// The linear part shears, or scales by different factors along different axes.
     Shears,
-    /// The linear part mirrors.
+    /// The linear part reverses orientation.
     Mirrors,
-    /// The linear part scales, which no motion does.
+    /// The linear part scales, so the map is not a motion.
     Scales,
-    /// The linear part rotates, which translators and dilators do not.
+    /// The linear part rotates, so the map is neither a translation nor a scaling.
     Turns,
-    /// The map moves the origin, which no rotor and no dilator does.
+    /// The map moves the origin, so it is neither a rotor's nor a dilator's.
     Shifts,
 }
 
@@ -421,7 +422,7 @@ impl Display for NotConformal {
             Self::Shears => {
                 "the linear part of the map shears or scales by different factors along different axes"
             }
-            Self::Mirrors => "the linear part of the map mirrors",
+            Self::Mirrors => "the linear part of the map reverses orientation",
             Self::Scales => "the linear part of the map scales",
             Self::Turns => "the linear part of the map rotates",
             Self::Shifts => "the map moves the origin",
@@ -431,8 +432,9 @@ impl Display for NotConformal {
 
 impl core::error::Error for NotConformal {}
 
-/// The similarity `T R D`. Its blades with ei hold `(c − s) t` for `D = c + s eo∧ei`, and as
-/// `D T(t/factor) R` they hold `(c + s) t/factor`: the sum is taken that does not cancel.
+/// The similarity `T R D`. For `D = c + s eo∧ei` its blades with ei contain `(c − s) t`, or,
+/// written as `D T(t/factor) R`, `(c + s) t/factor`: of the two the one without cancellation is
+/// used.
 pub(crate) fn similarity<S: Real<Mask = bool>>(
     rotor: Rotor<S>,
     factor: S,
@@ -465,7 +467,8 @@ fn apply<S: Ring>(rows: [[S; 3]; 3], vector: Vector<S>) -> Vector<S> {
     rows.map(|row| Vector::from(row).dot(vector)).into()
 }
 
-/// `det L` times the inverse transpose: it takes cross products to those of the images.
+/// `det L` times the inverse transpose: it maps the cross product of two vectors to that of their
+/// images.
 fn cofactors<S: Ring>([a, b, c]: [[S; 3]; 3]) -> [[S; 3]; 3] {
     let [a, b, c] = [a, b, c].map(Vector::from);
     [b.cross(c), c.cross(a), a.cross(b)].map(Vector::coordinates)

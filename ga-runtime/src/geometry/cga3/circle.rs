@@ -8,7 +8,7 @@ use crate::scalar::{Field, Real};
 use crate::vga3::Vector;
 
 impl<S: Field> Circle<S> {
-    /// The circle through three points, `p∧q∧r`; a line where they are on one.
+    /// The circle through three points, `p∧q∧r`; a line where they are collinear.
     ///
     /// ```
     /// use ga_runtime::cga3::{Circle, Point};
@@ -25,14 +25,14 @@ impl<S: Field> Circle<S> {
         p ^ q ^ r
     }
 
-    /// The plane that carries the circle, `C∧ei`.
+    /// The plane of the circle, `C∧ei`.
     #[inline]
     #[must_use]
     pub fn carrier(self) -> Plane<S> {
         self ^ Infinity
     }
 
-    /// The attitude `B∧ei`, B being the bivector of the circle's plane.
+    /// The attitude `B∧ei`, where B is the bivector of the circle's plane.
     #[inline]
     #[must_use]
     pub fn attitude(self) -> DualDirection<S> {
@@ -41,16 +41,17 @@ impl<S: Field> Circle<S> {
 }
 
 impl<S: Real<Mask = bool>> Circle<S> {
-    /// The circle about a centre in the plane across a normal, which need not have length 1. `None`
-    /// where the normal is zero or not finite, or a coefficient of the circle would not be.
+    /// The circle with a given centre in the plane perpendicular to a normal, which need not have
+    /// length 1. `None` where the normal is zero or not finite, or a coefficient of the circle
+    /// would not be finite.
     #[must_use]
     pub fn from_centre_normal_radius(centre: Point<S>, normal: [S; 3], radius: S) -> Option<Self> {
         Self::from_centre_normal_radius_squared(centre, normal, radius * radius)
     }
 
-    /// The same by the squared radius, which may be zero, for a [tangent](Self::tangent), and
-    /// negative, for an imaginary circle: the undual form of `σ∧π`, where σ is the dual sphere
-    /// `c − ½r² ei` and π the dual plane `n + (n·c) ei`, n having length 1.
+    /// The same, given the squared radius, which may be zero, for a [tangent](Self::tangent), or
+    /// negative, for an imaginary circle: `undual(σ∧π)`, where σ is the dual sphere `c − ½r² ei`
+    /// and π the dual plane `n + (n·c) ei` with n of length 1.
     ///
     /// ```
     /// use ga_runtime::cga3::{Circle, Point};
@@ -82,8 +83,9 @@ impl<S: Real<Mask = bool>> Circle<S> {
         is_finite.then_some(circle)
     }
 
-    /// The tangent element at a point across a normal: a circle of radius zero, a point with a
-    /// plane through it. `None` where the normal is zero, or something is not finite.
+    /// The tangent element at a point, in the plane perpendicular to a normal: a circle of radius
+    /// zero, that is a point with a plane through it. `None` where the normal is zero, or a number
+    /// is not finite.
     #[must_use]
     pub fn tangent(point: Point<S>, normal: [S; 3]) -> Option<Self> {
         Self::from_centre_normal_radius_squared(point, normal, S::zero())
@@ -113,17 +115,17 @@ impl<S: Real<Mask = bool>> Circle<S> {
         Some(-self.parts()?.signed_square()?)
     }
 
-    /// The radius; `None` for a line and for an imaginary circle. The circle knows r² only up to
-    /// rounding of the squared distance of the centre from the origin: where
-    /// `|r²| ≤ 32 ε (2c² + r²)` the radius is zero.
+    /// The radius; `None` for a line and for an imaginary circle. The coefficients of the circle
+    /// determine r² only up to the rounding of the squared distance of the centre from the origin:
+    /// where `|r²| ≤ 32 ε (2c² + r²)` the radius is zero.
     #[must_use]
     pub fn radius(self) -> Option<S> {
         let [a, b] = self.parts()?.squares();
         real_radius([b, a])
     }
 
-    /// The line through the centre across the circle's plane, along its normal; `None` where there
-    /// is not a [centre](Self::centre).
+    /// The line through the centre along the normal of the circle's plane; `None` where there is no
+    /// [centre](Self::centre).
     ///
     /// ```
     /// use ga_runtime::cga3::{Circle, Line, Point};
@@ -141,7 +143,7 @@ impl<S: Real<Mask = bool>> Circle<S> {
         ))
     }
 
-    /// The smallest sphere that holds the circle, about the same centre with the same squared
+    /// The smallest sphere that contains the circle, with the same centre and the same squared
     /// radius. `None` where there is no [centre](Self::centre).
     #[must_use]
     pub fn container(self) -> Option<Sphere<S>> {

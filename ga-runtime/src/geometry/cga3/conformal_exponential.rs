@@ -1,12 +1,12 @@
-//! The exponential of any bivector, and of the generators that are part of one.
+//! The exponential of any bivector, and of the generators of similarities.
 //!
 //! The square of a bivector is `B² = s + q` with a scalar s and a 4-vector `q = B∧B` that commutes
 //! with B and has a scalar square. So `exp B = cosh √(B²) + B sinh √(B²)/√(B²)`, and both functions
-//! have a power series in B². In closed form they come from the two commuting 2-blades that B is
-//! the sum of, `B = B₁ + B₂` with `B₁² = λ₁ ≥ B₂² = λ₂`, `λ₁ + λ₂ = s`, `4 λ₁ λ₂ = q²` (Dorst and
+//! have a power series in B². In closed form they follow from the two commuting 2-blades whose sum
+//! is B, `B = B₁ + B₂` with `B₁² = λ₁ ≥ B₂² = λ₂`, `λ₁ + λ₂ = s`, `4 λ₁ λ₂ = q²` (Dorst and
 //! Valkenburg, Square Root and Logarithm of Rotors in 3D Conformal Geometric Algebra Using Polar
 //! Decomposition, 2011; Roelfs and De Keninck, Graded Symmetry Groups: Plane and Simple, 2023). λ₂
-//! is never positive: a rotation is always part of the motion, by zero at least.
+//! is never positive: one of the two parts is always a rotation, which may be by zero.
 
 use super::number_pair::{cosh_and_sinh_ratio, cosh_factors, nested_series, sinh_ratio_factors};
 use crate::cga3::{Even, EvenVersor, PointPair, Similarity, SimilarityGenerator, Sphere};
@@ -14,9 +14,9 @@ use crate::scalar::{Real, Ring};
 
 impl<S: Real<Mask = bool>> PointPair<S> {
     /// The versor `exp(B)` of any bivector: for `B = −½θA` a rotation by θ about the circle or line
-    /// of which the unit bivector A is the dual, for `−½ t ei` a translation by t, for
-    /// `½ ln s · eo∧ei` a scaling by s, for `−k eo` a [`Transversor`], for a sum the flow of all of
-    /// them together. Other generators embed by `From`.
+    /// whose dual is the unit bivector A, for `−½ t ei` a translation by t, for `½ ln s · eo∧ei` a
+    /// scaling by s, for `−k eo` a [`Transversor`], for a sum the flow of their sum. Other
+    /// generators convert by `From`.
     ///
     /// `None` where a coefficient is not finite, or the versor or the square of B is beyond the
     /// range of the scalar.
@@ -25,8 +25,8 @@ impl<S: Real<Mask = bool>> PointPair<S> {
     ///
     /// ```
     /// use ga_runtime::cga3::{Circle, Point, PointPair};
-    /// // A half turn takes the centre of a circle to infinity, a quarter turn
-    /// // to a place on the axis as far off as the radius.
+    /// // A half turn about a circle maps its centre to infinity, a quarter turn maps it to a point
+    /// // of the axis at the distance of the radius.
     /// let [p, q, r] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0_f64, 0.0, 0.0]].map(Point::from);
     /// let axis = Circle::through(p, q, r).dual();
     /// let unit = axis * (axis.norm_squared().sqrt().recip() * std::f64::consts::FRAC_PI_4);
@@ -47,8 +47,8 @@ impl<S: Real<Mask = bool>> PointPair<S> {
 
 impl<S: Real<Mask = bool>> SimilarityGenerator<S> {
     /// The similarity `exp(G)`: for `½ ln s · eo∧ei` a scaling by s about the origin, with a
-    /// rotation and a translation the similarity about that point which stays. `None` where a
-    /// coefficient is not finite or the similarity is beyond the range of the scalar.
+    /// rotation and a translation the similarity about its fixed point. `None` where a coefficient
+    /// is not finite or the similarity is beyond the range of the scalar.
     ///
     /// ```
     /// use ga_runtime::cga3::{Dilator, Point};
@@ -60,7 +60,7 @@ impl<S: Real<Mask = bool>> SimilarityGenerator<S> {
     #[must_use]
     pub fn exp(self) -> Option<Similarity<S>> {
         let versor = PointPair::from(self).exp()?;
-        // No product of blades of this type has a part in eo alone.
+        // Products of the blades of this type have no part with eo and without ei.
         Some(Similarity::new_unchecked(
             versor.scalar(),
             versor.e12(),
@@ -84,7 +84,7 @@ pub(super) fn times<S: Ring>(bivector: PointPair<S>, fourvector: Sphere<S>) -> P
 }
 
 /// `cosh √z` and `sinh √z / √z` of `z = scalar + q` for a q of the given square, each as its scalar
-/// and its multiple of q.
+/// part and its coefficient of q.
 fn cosh_and_sinh_ratio_of<S: Real<Mask = bool>>(scalar: S, square: S) -> [[S; 2]; 2] {
     let (zero, half) = (S::zero(), S::from_ratio(1, 2));
     if !S::one().less_than(scalar.abs() + square.abs().sqrt()) {
@@ -104,7 +104,7 @@ fn cosh_and_sinh_ratio_of<S: Real<Mask = bool>>(scalar: S, square: S) -> [[S; 2]
         let parts = |a: S, b: S| [(a + b) * half, (a - b) * half / root];
         return [parts(plus.0, minus.0), parts(plus.1, minus.1)];
     }
-    // Of the two roots the one that does not cancel comes first.
+    // Of the two roots, the one that is computed without cancellation comes first.
     let quarter = half * half;
     let (first, second) = if scalar.less_than(zero) {
         let second = (scalar - gap) * half;

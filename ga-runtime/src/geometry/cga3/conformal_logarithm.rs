@@ -6,7 +6,7 @@
 //! scaling by x with one rotation by y; where the square of the 4-vector is positive both are
 //! rotations, x being imaginary.
 //!
-//! Every even versor with `V ~V = 1` has a logarithm: where V is minus a scaling or minus a
+//! Every even versor with `V ~V = 1` has a logarithm: where V is the negative of a scaling or of a
 //! translation, a full turn that commutes with it gives the sign.
 
 use super::conformal_exponential::{coefficients, is_finite, times};
@@ -17,15 +17,15 @@ use crate::cga3::{
 use crate::scalar::Real;
 
 impl<S: Real<Mask = bool>> EvenVersor<S> {
-    /// A bivector B with `exp(B) = V`. Every even versor with `V ~V = 1` has one. Of a V that is
-    /// not finite all coefficients are NaN; so are some of one with coefficients whose squares are
-    /// beyond the range of the scalar.
+    /// A bivector B with `exp(B) = V`. Every even versor with `V ~V = 1` has one. If V is not
+    /// finite, all coefficients of the result are NaN; if squares of coefficients of V are beyond
+    /// the range of the scalar, some of them are.
     ///
     /// The angles of the rotations are on the branch of [`Motor::log`](crate::cga3::Motor::log): a
-    /// rotation is by θ in [0, 2π], so that the sign of V comes back too, and of two commuting
-    /// rotations by angles `θ ≥ φ ≥ 0` the sum is at most 2π. Where `V` tells no plane for a full
-    /// turn, one is taken: −1 is a full turn in e12, minus a scaling or minus a translation one in
-    /// a plane that commutes with it.
+    /// rotation is by θ in [0, 2π], so that `exp(B)` restores the sign of V too, and for two
+    /// commuting rotations by angles `θ ≥ φ ≥ 0` the sum is at most 2π. Where V does not determine
+    /// the plane of a full turn, one is chosen: −1 is a full turn in e12, and the negative of a
+    /// scaling or translation contains a full turn in a plane that commutes with it.
     ///
     /// Near 2π, where a small change of V changes the plane of the rotation, errors grow as one
     /// over the distance from it.
@@ -69,13 +69,13 @@ impl<S: Real<Mask = bool>> EvenVersor<S> {
             let [h, k] = nested_series(number, square, arsinh_ratio_factors());
             return sine * h + times(sine, rest) * k;
         }
-        // A coefficient is rounded to the size of the largest, whatever its own.
+        // Every coefficient has a rounding error of the size of the largest coefficient.
         let error = error + size * largest(sine.into());
         if !is_ahead && is_negligible(-difference, error) && is_rounding(rest.into(), size) {
             return -sine * arsinh_ratio(difference.max(zero)) + whole_turn(sine) * pi;
         }
         let half = S::from_ratio(1, 2);
-        // √(difference² − 4 square), with nothing squared that is as large as the square of a
+        // √(difference² − 4 square), without squaring anything as large as the square of a
         // coefficient.
         let reach = two * square.abs().sqrt();
         let scale = difference.abs().max(reach);
@@ -88,7 +88,7 @@ impl<S: Real<Mask = bool>> EvenVersor<S> {
         if zero.less_than(square) && gap.less_than(difference.abs() * half) {
             return isoclinic(scalar, sine, rest, [square.sqrt(), size]);
         }
-        // The squares of sinh x and of sin y: the one that does not cancel comes first.
+        // The squares of sinh x and of sin y; the one computed without cancellation comes first.
         let (growth, turn) = if difference.less_than(zero) {
             let turn = (gap - difference) * half;
             (-square / turn, turn)
@@ -118,7 +118,7 @@ impl<S: Real<Mask = bool>> EvenVersor<S> {
 
 impl<S: Real<Mask = bool>> Similarity<S> {
     /// The generator G with `exp(G)` the similarity, on the branch of [`EvenVersor::log`]. For the
-    /// factor 1 it is that of the motor, and nothing is lost for factors close to 1.
+    /// factor 1 it is the generator of the motor, and it is accurate for factors close to 1.
     ///
     /// ```
     /// use ga_runtime::cga3::{Dilator, Similarity};
@@ -157,9 +157,9 @@ fn fourvector_square<S: Real>(q: Sphere<S>) -> (S, S) {
     (q.scalar_product(q), flat + mixed + mixed)
 }
 
-/// `sinh² x − sin² y`, which is the scalar part of S² less twice C's square, from S or from the
-/// scalar alone, whichever rounds less, and how large its terms are. The product of the two squares
-/// is minus that of the 4-vector.
+/// `sinh² x − sin² y`, which is the scalar part of S² minus twice the square of the 4-vector, from
+/// S or from the scalar part of V alone, whichever rounds less, and the size of its terms. The
+/// product of the two squares is minus the square of the 4-vector.
 fn sine_squares<S: Real<Mask = bool>>(
     scalar: S,
     sine: PointPair<S>,
@@ -183,19 +183,19 @@ fn largest<S: Real>(element: Even<S>) -> S {
     coefficients.fold(S::zero(), |most, x| most.max(x.abs()))
 }
 
-/// Whether an element cannot be told from zero beside one of the given size.
+/// Whether an element is negligible in comparison with one of the given size.
 fn is_rounding<S: Real<Mask = bool>>(element: Even<S>, size: S) -> bool {
     !(S::from_integer(16) * S::epsilon() * size).less_than(largest(element))
 }
 
-/// Whether a square cannot be told from zero, its terms being as large as given.
+/// Whether a square is zero up to rounding, for terms of the given size.
 fn is_negligible<S: Real<Mask = bool>>(square: S, terms: S) -> bool {
     !(S::from_integer(16) * S::epsilon() * terms).less_than(square)
 }
 
-/// Two rotations by nearly the same angle: where the unit 4-vector J is 1 they rotate by the
-/// difference of their angles, where it is −1 by the sum. The sizes are those of the 4-vector and
-/// of the largest coefficient.
+/// Two rotations by nearly the same angle: on the subspace where the unit 4-vector J is 1 they
+/// rotate by the difference of their angles, where it is −1 by the sum. The sizes are those of the
+/// 4-vector and of the largest coefficient.
 fn isoclinic<S: Real<Mask = bool>>(
     scalar: S,
     sine: PointPair<S>,
@@ -224,7 +224,7 @@ fn isoclinic<S: Real<Mask = bool>>(
     log
 }
 
-/// `A (1 ± J)/2` for a unit bivector A that commutes with J: the part of e12 that does.
+/// `A (1 ± J)/2` for a unit bivector A that commutes with J: the part of e12 that commutes.
 fn half_of_whole_turn<S: Real<Mask = bool>>(rest: Sphere<S>, size: S, sign: S) -> PointPair<S> {
     let unit = rest * size.recip();
     let axis = RoundVector::from(unit.dual());
@@ -244,7 +244,8 @@ fn half_of_whole_turn<S: Real<Mask = bool>>(rest: Sphere<S>, size: S, sign: S) -
     (blade + times(blade, unit) * sign) * S::from_ratio(1, 2)
 }
 
-/// A unit 2-blade that rotates and commutes with a 2-blade that does not: in e12 for zero.
+/// A unit 2-blade of a rotation that commutes with a 2-blade that is not of a rotation; e12 for
+/// zero.
 fn whole_turn<S: Real<Mask = bool>>(generator: PointPair<S>) -> PointPair<S> {
     let (zero, one) = (S::zero(), S::one());
     let mut best = PointPair {
@@ -266,8 +267,8 @@ fn whole_turn<S: Real<Mask = bool>>(generator: PointPair<S>) -> PointPair<S> {
     unit_plane(best)
 }
 
-/// The unit 2-blade that rotates nearest to a bivector: the outer product of two vectors of its
-/// plane, since the bivector may be a blade up to rounding only, and a full turn needs one.
+/// The unit 2-blade of a rotation that is nearest to a bivector: the outer product of two vectors
+/// of its plane, since the bivector may be a blade up to rounding only, and a full turn needs one.
 fn unit_plane<S: Real<Mask = bool>>(bivector: PointPair<S>) -> PointPair<S> {
     let (zero, one) = (S::zero(), S::one());
     let (mut first, mut quality) = (RoundVector::default(), zero);

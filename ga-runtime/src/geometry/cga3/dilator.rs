@@ -42,7 +42,7 @@ impl<S: Real<Mask = bool>> Dilator<S> {
     }
 
     /// The scaling `exp(a eo∧ei) = cosh a + sinh a eo∧ei` by `e²ᵃ`. `None` where a is not finite,
-    /// or too large for the coefficients to be: beyond about 710 in `f64` and 89 in `f32`.
+    /// or so large that the coefficients are not: beyond about 710 in `f64` and 89 in `f32`.
     ///
     /// ```
     /// use ga_runtime::cga3::Dilator;
@@ -59,8 +59,8 @@ impl<S: Real<Mask = bool>> Dilator<S> {
     }
 
     /// The coefficient a of `log D = a eo∧ei`, half of the logarithm of the factor. A dilator and
-    /// its negative scale alike; for the negative, which is not an exponential, a is that of the
-    /// dilator.
+    /// its negative are the same scaling; for the negative, which is not an exponential, a is that
+    /// of the dilator.
     #[must_use]
     pub fn log(self) -> S {
         let sine = self.eoi();
@@ -76,8 +76,8 @@ impl<S: Real<Mask = bool>> Dilator<S> {
         Self::exp(self.log() * t)
     }
 
-    /// The scaling by √s, `(1 + D)/|1 + D|`. For the negative of a dilator, which scales alike and
-    /// has no root, that of the dilator.
+    /// The scaling by √s, `(1 + D)/|1 + D|`. For the negative of a dilator, which is the same
+    /// scaling and has no root, the root of the dilator.
     ///
     /// ```
     /// use ga_runtime::cga3::Dilator;

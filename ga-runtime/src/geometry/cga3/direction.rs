@@ -20,8 +20,8 @@ impl<S: Ring> Direction<S> {
 }
 
 impl<S: Ring> DualDirection<S> {
-    /// The free bivector `B∧ei` across a normal n: `B = n1 e23 − n2 e13 + n3 e12`, so that B turns
-    /// counterclockwise as seen from the tip of n.
+    /// The free bivector `B∧ei` perpendicular to a normal n: `B = n1 e23 − n2 e13 + n3 e12`, so
+    /// that B is counterclockwise as seen from the tip of n.
     ///
     /// ```
     /// use ga_runtime::cga3::{Direction, DualDirection};
@@ -35,7 +35,7 @@ impl<S: Ring> DualDirection<S> {
         Self::new(z, -y, x)
     }
 
-    /// The normal n of `B∧ei`, as long as its weight.
+    /// The normal n of `B∧ei`. Its length is the weight.
     #[inline]
     #[must_use]
     pub fn normal(self) -> [S; 3] {

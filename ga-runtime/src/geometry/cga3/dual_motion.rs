@@ -1,7 +1,7 @@
 //! Versors acting on dual forms.
 //!
-//! A versor acts on the blades of a grade, whatever they stand for, so a dual form moves as the
-//! direct form with the same blades does, and no code of its own is needed.
+//! How a versor acts on a blade does not depend on what the blade represents. So a dual form is
+//! transformed as the direct form with the same blades, and needs no code of its own.
 
 use crate::cga3::{
     Circle, Dilator, Direction, DualCircle, DualDirection, DualFlatPoint, DualPlane, DualPointPair,
@@ -30,8 +30,7 @@ with_the_blades_of!(Rotor Translator Motor Dilator Similarity DualPlane RoundVec
 with_the_blades_of!(Rotor Translator Motor Dilator Similarity DualPlane RoundVector; DualCircle, PointPair);
 with_the_blades_of!(Rotor Translator Motor Dilator Similarity DualPlane RoundVector; DualPointPair, Circle);
 
-/// Even versors leave the pseudoscalar alone, so that the dual of the image is the image of the
-/// dual.
+/// Even versors do not change the pseudoscalar, so the dual of the image is the image of the dual.
 macro_rules! through_the_direct_form {
     ($($Versor:ident)*; $Dual:ident, $Direct:ident) => {$(
         impl<S: Ring> Sandwich<$Dual<S>> for $Versor<S>

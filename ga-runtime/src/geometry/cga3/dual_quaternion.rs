@@ -12,7 +12,7 @@ use crate::vga3::Vector;
 
 /// The eight numbers of a dual quaternion `q + ε d`, as other libraries write them.
 ///
-/// A motor that rotates by q and then translates by t has `d = ½ t q`, t being the quaternion
+/// A motor that rotates by q and then translates by t has `d = ½ t q`, where t is the quaternion
 /// `t1 i + t2 j + t3 k`; a point x goes to `q̂ (1 + ε x) q̂*`, where `q̂* = q* − ε d*` has both
 /// quaternions conjugated and ε negated (Kavan et al., Geometric Skinning with Approximate Dual
 /// Quaternion Blending, 2008).
@@ -24,16 +24,16 @@ pub struct DualQuaternionParts<S> {
     pub dual: ([S; 3], S),
 }
 
-/// Why a dual quaternion is not a rigid motion.
+/// The error for a dual quaternion that is not a rigid motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum NotUnit {
     /// A number is infinite or not a number.
     NotFinite,
-    /// The real quaternion is zero and has no direction.
+    /// The real quaternion is zero, so it does not define a rotation.
     NoRotation,
     /// The quaternions are not perpendicular, `|q·d| > √ε |q| max(|q|, |d|)`: the Study condition
-    /// fails by more than rounding, and no motion is meant.
+    /// is violated by more than rounding.
     NotPerpendicular,
 }
 
@@ -63,7 +63,7 @@ impl<S: Ring> DualQuaternion<S> {
         }
     }
 
-    /// The element of two quaternions, whatever they are.
+    /// The element of two quaternions, without a check.
     #[inline]
     #[must_use]
     pub fn from_parts(parts: DualQuaternionParts<S>) -> Self {
@@ -74,7 +74,7 @@ impl<S: Ring> DualQuaternion<S> {
 }
 
 impl<S: Ring> Motor<S> {
-    /// The unit dual quaternion of the same motion.
+    /// The unit dual quaternion of this motion.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Translator};
@@ -92,8 +92,8 @@ impl<S: Ring> Motor<S> {
 }
 
 impl<S: Real<Mask = bool>> Motor<S> {
-    /// The motor of a dual quaternion, which need not have length 1; a small part of d along q,
-    /// left by rounding, is dropped.
+    /// The motor of a dual quaternion, which need not have length 1; a small component of d along
+    /// q, due to rounding, is removed.
     ///
     /// # Errors
     ///
@@ -123,7 +123,7 @@ impl<S: Real<Mask = bool>> Motor<S> {
         if !numbers.iter().flatten().all(|number| number.is_finite()) {
             return Err(NotUnit::NotFinite);
         }
-        // Both scaled to about one, so that no square leaves the range of the scalar.
+        // Both are scaled to size 1, so that no square is beyond the range of the scalar.
         let (size, dual_size) = (size(real, w), size(dual, dw));
         if !S::zero().less_than(size) {
             return Err(NotUnit::NoRotation);

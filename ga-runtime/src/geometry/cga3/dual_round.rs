@@ -7,13 +7,13 @@ use crate::scalar::{Field, Real};
 use crate::vga3::Vector;
 
 impl<S: Field> DualSphere<S> {
-    /// The dual sphere `c − ½r² ei` about a centre, c being its conformal point.
+    /// The dual sphere `c − ½r² ei` with a given centre, where c is the centre's conformal point.
     ///
     /// ```
     /// use ga_runtime::cga3::{DualSphere, Point};
     /// let sphere = DualSphere::from_centre_radius(Point::new(1.0, 0.0, 0.0), 2.0);
-    /// // x·σ is half of r² − d², d being the distance from the centre:
-    /// // positive inside, zero on the sphere.
+    /// // x·σ is half of r² − d² with d the distance from the centre: positive inside, zero on the
+    /// // sphere.
     /// assert_eq!(
     ///     (
     ///         Point::new(3.0, 0.0, 0.0) | sphere,
@@ -28,7 +28,7 @@ impl<S: Field> DualSphere<S> {
         Self::from_centre_radius_squared(centre, radius * radius)
     }
 
-    /// The dual sphere about a centre by its squared radius, which may be negative.
+    /// The dual sphere with a given centre and squared radius, which may be negative.
     #[inline]
     #[must_use]
     pub fn from_centre_radius_squared(centre: Point<S>, radius_squared: S) -> Self {
@@ -62,8 +62,8 @@ impl<S: Field> DualSphere<S> {
 }
 
 impl<S: Real<Mask = bool>> DualSphere<S> {
-    /// The radius; `None` for a dual plane and for an imaginary sphere. Zero up to rounding counts
-    /// as zero; see [`Sphere::radius`](crate::cga3::Sphere::radius).
+    /// The radius; `None` for a dual plane and for an imaginary sphere. A square that is zero up to
+    /// rounding gives zero; see [`Sphere::radius`](crate::cga3::Sphere::radius).
     #[inline]
     #[must_use]
     pub fn radius(self) -> Option<S> {
@@ -79,9 +79,9 @@ impl<S: Field> RoundVector<S> {
         DualSphere::from_centre_radius(centre, radius).into()
     }
 
-    /// The point of a weighted point, the centre of a dual sphere: the coefficients of e1, e2, e3
-    /// over that of eo. `None` where that is zero, as in a dual plane, or the result is beyond the
-    /// range of the scalar.
+    /// The position of a weighted point, or the centre of a dual sphere: the coefficients of e1,
+    /// e2, e3 divided by that of eo. `None` where that is zero, as in a dual plane, or the result
+    /// is beyond the range of the scalar.
     #[inline]
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
@@ -128,19 +128,19 @@ impl<S: Real<Mask = bool>> DualCircle<S> {
 }
 
 impl<S: Real<Mask = bool>> DualPointPair<S> {
-    /// The middle of the two points; see [`PointPair::centre`](crate::cga3::PointPair::centre).
+    /// The midpoint of the two points; see [`PointPair::centre`](crate::cga3::PointPair::centre).
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
         self.undual().centre()
     }
 
-    /// The square of half the distance of the points; negative for an imaginary pair.
+    /// The square of half the distance between the points; negative for an imaginary pair.
     #[must_use]
     pub fn radius_squared(self) -> Option<S> {
         self.undual().radius_squared()
     }
 
-    /// Half the distance of the points; `None` for an imaginary pair.
+    /// Half the distance between the points; `None` for an imaginary pair.
     #[must_use]
     pub fn radius(self) -> Option<S> {
         self.undual().radius()

@@ -1,4 +1,4 @@
-//! Even versors: normalisation, roots, powers and the way between two of them.
+//! Even versors: normalisation, roots, powers and interpolation.
 
 use core::ops::Mul;
 
@@ -9,11 +9,11 @@ use crate::scalar::{Real, Ring};
 
 impl<S: Real<Mask = bool>> EvenVersor<S> {
     /// The versor `N^(−½) X` nearest to a sum of even versors, with `N = X ~X`, a scalar and a
-    /// 4-vector (the polar decomposition of Dorst and Valkenburg, 2011). What is a multiple of a
-    /// versor comes back as that versor.
+    /// 4-vector (the polar decomposition of Dorst and Valkenburg, 2011). A positive multiple of a
+    /// versor gives that versor.
     ///
     /// `None` where N has no such root: X is zero, not finite, or not invertible within rounding;
-    /// or it mirrors, `X ~X < 0`. Such an X is the pseudoscalar times an
+    /// or it reverses orientation, `X ~X < 0`. Such an X is the pseudoscalar times an
     /// [`OddVersor`](crate::cga3::OddVersor).
     ///
     /// ```
@@ -40,7 +40,7 @@ impl<S: Real<Mask = bool>> EvenVersor<S> {
         let square = rest.scalar_product(rest);
         let root_squared = scalar * scalar - square;
         let root = root_squared.max(S::zero()).sqrt();
-        // scalar + root, which cancels for a negative scalar.
+        // scalar + root, computed without cancellation for a negative scalar.
         let divisor = if scalar.less_than(S::zero()) {
             -square / (root - scalar)
         } else {
@@ -63,8 +63,9 @@ impl<S: Real<Mask = bool>> EvenVersor<S> {
         is_finite(versor.into()).then_some(versor)
     }
 
-    /// The versor R with `R R = V` and half the logarithm, `(1 + V)` normalised where that is well
-    /// off zero. `None` only where V is not finite, or so large that its root is not found.
+    /// The versor R with `R R = V` and half the logarithm. It is `1 + V`, normalised, where that is
+    /// well away from zero. `None` only where V is not finite, or so large that the root cannot be
+    /// computed.
     #[must_use]
     pub fn sqrt(self) -> Option<Self> {
         let (scalar, _, rest) = parts(self);
@@ -87,8 +88,8 @@ impl<S: Real<Mask = bool>> EvenVersor<S> {
         (self.log() * t).exp()
     }
 
-    /// The map on the way from `self` at t = 0 to `other` at t = 1, `V exp(t log(~V W))`, with W or
-    /// −W, whichever leaves the smaller rotation. `None` as for [`powf`](Self::powf).
+    /// The interpolation from `self` at t = 0 to `other` at t = 1: `V exp(t log(~V W))`, with W or
+    /// −W, whichever gives the smaller rotation. `None` as for [`powf`](Self::powf).
     ///
     /// ```
     /// use ga_runtime::cga3::{EvenVersor, Transversor};
@@ -115,7 +116,7 @@ impl<S: Real<Mask = bool>> EvenVersor<S> {
     }
 }
 
-/// The point of a null vector.
+/// The point that a null vector represents.
 pub(super) fn image_point<S: Real<Mask = bool>>(image: RoundVector<S>) -> Option<Point<S>> {
     let [x, y, z] = [image.e1, image.e2, image.e3].map(|x| x / image.eo);
     let is_place = x.is_finite() && y.is_finite() && z.is_finite();
@@ -132,7 +133,7 @@ pub(super) fn from_even<S: Ring>(e: Even<S>) -> EvenVersor<S> {
 impl<S: Ring> Mul for EvenVersor<S> {
     type Output = Self;
 
-    /// The right one first, then the left one.
+    /// The versor that applies the right operand first, then the left one.
     #[inline]
     fn mul(self, other: Self) -> Self {
         from_even(Even::from(self) * Even::from(other))

@@ -1,30 +1,29 @@
 //! The transformations of homogeneous coordinates, as 4×4 matrices and as versors.
 //!
 //! A point x is the column `(x, y, z, 1)`, a matrix is an array of rows, and `x' = M x`; so the
-//! matrix of a transformation after another is the product of theirs, the first to act on the
-//! right, as with versors. These are the paper's equations 3 to 11:
+//! matrix of a composition is the product of the matrices, with the one applied first on the right,
+//! as with versors. These are the equations 3 to 11 of Cui:
 //!
-//! - translation by t: eq. 3, 4; matrix [`translation`]; versor [`Translator::from_displacement`].
-//! - rotation about the x, y or z axis: eq. 5 to 8; matrix [`rotation_about_x`],
-//!   [`rotation_about_y`], [`rotation_about_z`]; versor [`Rotor::about_x`], [`Rotor::about_y`],
-//!   [`Rotor::about_z`].
-//! - rotation about an axis through the origin: eq. 9; matrix [`rotation`]; versor
-//!   [`Rotor::from_axis_angle`].
-//! - rotation about an axis through a point: matrix [`rotation_about_axis`]; versor
-//!   [`Motor::about_axis`].
-//! - scaling about the origin by one factor: eq. 10, 11; matrix [`scaling`]; versor
-//!   [`Dilator::from_factor`].
-//! - scaling about a point by one factor: matrix [`scaling_about`]; versor [`Dilator::about`].
-//! - scaling by a factor for each axis: eq. 10, 11; matrix [`scaling`], [`scaling_about`]; versor
-//!   none.
+//! | transformation | matrix | versor |
+//! | --- | --- | --- |
+//! | translation (3, 4) | [`translation`] | [`Translator::from_displacement`] |
+//! | rotation about x (6) | [`rotation_about_x`] | [`Rotor::about_x`] |
+//! | rotation about y (7) | [`rotation_about_y`] | [`Rotor::about_y`] |
+//! | rotation about z (8) | [`rotation_about_z`] | [`Rotor::about_z`] |
+//! | rotation about the origin (9) | [`rotation`] | [`Rotor::from_axis_angle`] |
+//! | rotation about an axis at a point | [`rotation_about_axis`] | [`Motor::about_axis`] |
+//! | uniform scaling (10, 11) | [`scaling`] | [`Dilator::from_factor`] |
+//! | uniform scaling about a point | [`scaling_about`] | [`Dilator::about`] |
+//! | scaling along each axis (10, 11) | [`scaling`], [`scaling_about`] | none |
 //!
-//! Equation 9 holds for an axis of length 1; here the axis may have any length and is brought to 1.
-//! The last line has no versor because it is not a conformal map: it takes spheres to ellipsoids
-//! and changes angles. [`Affine`] is the type for it, and for all else that these matrices can do.
+//! Equation 9 holds for an axis of length 1; here the axis may have any length and is normalised.
+//! The last transformation has no versor because it is not a conformal map: it maps spheres to
+//! ellipsoids and changes angles. [`Affine`] is the type for it, and for all other affine maps.
 //!
-//! `to_homogeneous` and `from_homogeneous` go from [`Translator`], [`Rotor`], [`Motor`],
-//! [`Dilator`] and [`Similarity`] to the matrix and back. A matrix does not tell a versor from its
-//! negative; what comes back has the scalar, or where that is zero another coefficient, positive.
+//! `to_homogeneous` and `from_homogeneous` convert [`Translator`], [`Rotor`], [`Motor`],
+//! [`Dilator`] and [`Similarity`] to the matrix and back. A versor and its negative have the same
+//! matrix; the versor of a matrix has a positive scalar part or, where that is zero, another
+//! coefficient that is positive.
 //!
 //! ```
 //! use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
@@ -52,8 +51,8 @@ use crate::vga3::Vector;
 /// A 4×4 matrix by rows.
 pub type Matrix<S> = [[S; 4]; 4];
 
-/// The matrix of the translation by t (eq. 4). A number that is not finite stands in the matrix, as
-/// in all matrices here that are not an `Option`.
+/// The matrix of the translation by t (eq. 4). A number that is not finite is passed on to the
+/// matrix, as in all functions here that do not return an `Option`.
 #[inline]
 #[must_use]
 pub fn translation<S: Ring>(displacement: [S; 3]) -> Matrix<S> {
@@ -104,7 +103,7 @@ pub fn rotation_about_z<S: Real<Mask = bool>>(angle: S) -> Option<Matrix<S>> {
 ///
 /// ```
 /// use ga_runtime::geometry::homogeneous::rotation;
-/// // The third of a turn about the diagonal takes x to y, y to z and z to x.
+/// // A third of a full turn about the diagonal maps x to y, y to z and z to x.
 /// let [x, y, z, _] = rotation([1.0, 1.0, 1.0], std::f64::consts::TAU / 3.0).unwrap();
 /// assert!((y[0] - 1.0).abs() < 1e-15 && (z[1] - 1.0).abs() < 1e-15 && (x[2] - 1.0).abs() < 1e-15);
 /// assert_eq!(rotation([0.0; 3], 0.7), None);
@@ -164,7 +163,7 @@ pub fn scaling_about<S: Ring>(point: Point<S>, factors: [S; 3]) -> Matrix<S> {
     Affine::scaling_about(point, factors).to_homogeneous()
 }
 
-/// The matrix product: the transformation `second` after `first`.
+/// The matrix product: the transformation `first`, then `second`.
 #[must_use]
 pub fn product<S: Ring>(second: Matrix<S>, first: Matrix<S>) -> Matrix<S> {
     second.map(|[a, b, c, d]| {
@@ -242,8 +241,8 @@ impl<S: Ring> Rotor<S> {
 }
 
 impl<S: Field> Translator<S> {
-    /// The 4×4 matrix by rows: `(x', 1) = M (x, 1)`. Over floating point it is exact, and so is the
-    /// way back.
+    /// The 4×4 matrix by rows: `(x', 1) = M (x, 1)`. For floating-point numbers it is exact, and so
+    /// is the conversion back.
     ///
     /// ```
     /// use ga_runtime::cga3::Translator;
@@ -320,7 +319,7 @@ impl<S: Real<Mask = bool>> Motor<S> {
 
 impl<S: Real<Mask = bool>> Dilator<S> {
     /// The scaling about a point p instead of the origin: `T(p) D T(−p) = D + s p ei` for
-    /// `D = c + s eo∧ei`. A coordinate that is not finite goes on into the coefficients.
+    /// `D = c + s eo∧ei`. A coordinate that is not finite is passed on to the coefficients.
     ///
     /// ```
     /// use ga_runtime::cga3::{Dilator, Point};
@@ -348,8 +347,8 @@ impl<S: Real<Mask = bool>> Dilator<S> {
     /// The dilator of a 4×4 matrix by rows.
     ///
     /// # Errors
-    /// The matrix does anything but scale by one positive factor about the origin, within √ε of it
-    /// in its entries; the last column and row must be exact.
+    /// The matrix is not a scaling by one positive factor about the origin, within √ε of it in its
+    /// entries; the last column and row must be exact.
     pub fn from_homogeneous(rows: Matrix<S>) -> Result<Self, NotConformal> {
         let map = Affine::from_homogeneous(rows)?;
         let (_, factor) = map.turn_and_factor()?;

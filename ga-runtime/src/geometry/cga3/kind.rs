@@ -9,29 +9,29 @@ use crate::cga3::{
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
-/// What a blade stands for, up to a tolerance.
+/// The kind of geometric object that a blade represents, up to a tolerance.
 ///
 /// The classification is that of Dorst, Fontijne and Mann, Geometric Algebra for Computer Science
 /// (2007), chapter 14: *rounds* are point pairs, circles and spheres, real, imaginary or of radius
-/// zero; *flats* are points, lines and planes, rounds through infinity; *free* blades have a
-/// direction and no place.
+/// zero; *flats* are points, lines and planes, that is rounds through infinity; *free* blades have
+/// a direction and no position.
 ///
 /// # Tolerance
 ///
-/// The tolerance τ has no unit, and coordinates should be such that the scene has a size of about
-/// 1.
+/// The tolerance τ is dimensionless; choose the unit of the coordinates so that the scene has a
+/// size of about 1.
 ///
-/// - A round is a flat where its centre is 1/τ away or more, a flat is free where it is; so is a
-///   round about the origin with a radius of √(2/τ) or more, which cannot be distinguished from
-///   infinity.
-/// - A squared radius counts as zero where it is at most τ times the numbers from whose difference
-///   it comes, `|r²| ≤ τ (c² + |c² − r²|)` for a circle or sphere: a blade does not determine it
-///   more closely.
+/// - A round is treated as flat where its centre is at a distance of 1/τ or more, and a flat is
+///   treated as free where it is at such a distance. A round about the origin with a radius of
+///   √(2/τ) or more cannot be distinguished from infinity and is free too.
+/// - A squared radius is treated as zero where it is at most τ times the numbers whose difference
+///   it is, `|r²| ≤ τ (c² + |c² − r²|)` for a circle or sphere: a blade does not determine it more
+///   accurately.
 /// - A sum is not a blade where its outer product with itself exceeds τ times the product of its
 ///   coefficients.
 ///
-/// In f64, 1e-12 is a good choice for results of a few products, in f32 1e-5. A tolerance that is
-/// negative or NaN holds for nothing.
+/// For results of a few products, 1e-12 is a good choice in f64 and 1e-5 in f32. With a tolerance
+/// that is negative or NaN every comparison fails.
 ///
 /// ```
 /// use ga_runtime::cga3::{Plane, Point, Sphere};
@@ -49,19 +49,19 @@ use crate::vga3::Vector;
 pub enum Kind {
     /// A round with r² > 0: two points, a circle, a sphere.
     Real,
-    /// A round with r² = 0: a point with a direction (pair), with a plane (circle), or alone
-    /// (sphere).
+    /// A round with r² = 0: a point with a direction (for a pair), with a plane (for a circle), or
+    /// by itself (for a sphere).
     Tangent,
     /// A round with r² < 0: no real point is on it.
     Imaginary,
     /// A flat point, line or plane.
     Flat,
-    /// A direction, a free bivector, or for a sphere infinity itself.
+    /// A direction, a free bivector or, for a sphere, the point at infinity.
     Free,
     /// All coefficients are zero.
     Zero,
-    /// No geometric object: a sum that is not an outer product of vectors, or a coefficient that is
-    /// not finite.
+    /// Not a geometric object: a sum that is not an outer product of vectors, or an element with a
+    /// coefficient that is not finite.
     NotABlade,
 }
 
@@ -77,7 +77,7 @@ impl Kind {
 macro_rules! kinds {
     ($($Type:ident: $what:literal, $sign:expr, $bivector:expr;)*) => {$(
         impl<S: Real<Mask = bool>> $Type<S> {
-            #[doc = concat!("What the ", $what, " is, up to a [tolerance](Kind#tolerance).")]
+            #[doc = concat!("The kind of the ", $what, " up to a [tolerance](Kind#tolerance).")]
             #[must_use]
             pub fn kind(self, tolerance: S) -> Kind {
                 of_bivector($bivector(self), $sign, tolerance)
@@ -86,7 +86,7 @@ macro_rules! kinds {
     )*};
 }
 
-// The sign of 2β − c² that makes a real round, and the form in which it has one.
+// The sign of 2β − c² for a real round, and the form in which 2β − c² is read.
 kinds! {
     PointPair: "pair", 1, DualCircle::from;
     DualPointPair: "pair", 1, |pair: Self| DualCircle::from(pair.undual());
@@ -95,7 +95,7 @@ kinds! {
 }
 
 impl<S: Real<Mask = bool>> DualSphere<S> {
-    /// What the sphere is, up to a [tolerance](Kind#tolerance).
+    /// The kind of the sphere, up to a [tolerance](Kind#tolerance).
     #[must_use]
     pub fn kind(self, tolerance: S) -> Kind {
         let Some(sphere) = scaled_to_one(self) else {
@@ -120,7 +120,7 @@ impl<S: Real<Mask = bool>> DualSphere<S> {
 macro_rules! kinds_through {
     ($($Type:ident: $what:literal, $larger:expr;)*) => {$(
         impl<S: Real<Mask = bool>> $Type<S> {
-            #[doc = concat!("What the ", $what, " is, up to a [tolerance](Kind#tolerance).")]
+            #[doc = concat!("The kind of the ", $what, " up to a [tolerance](Kind#tolerance).")]
             #[must_use]
             pub fn kind(self, tolerance: S) -> Kind {
                 $larger(self).kind(tolerance)
@@ -145,7 +145,7 @@ fn of_bivector<S: Real<Mask = bool>>(bivector: DualCircle<S>, sign: i64, toleran
     let weight = largest([b.e1o, b.e2o, b.e3o]);
     let middle = largest([b.e12, b.e13, b.e23]).max(b.eoi.abs());
     let last = largest([b.e1i, b.e2i, b.e3i]);
-    // B is a blade where B∧B vanishes: five numbers.
+    // B is a blade where B∧B, which has five coefficients, vanishes.
     let (near, far) = (weight.max(middle), last.max(middle));
     let outer = [
         (b.e12 * b.e3o - b.e13 * b.e2o + b.e23 * b.e1o, middle * near),
@@ -178,8 +178,9 @@ enum Shape {
     Free,
 }
 
-/// What the sizes of the coefficients tell, which grow with the first and second power of the
-/// distance: those with eo, those with neither eo nor ei or with both, those with ei.
+/// The shape, from the sizes of the coefficients: those with eo, those with neither eo nor ei or
+/// with both, and those with ei. The last two grow with the first and the second power of the
+/// distance.
 fn shape<S: Real<Mask = bool>>([weight, middle, last]: [S; 3], tolerance: S) -> Shape {
     let is_free = |x: S| is_at_most(x, tolerance * last);
     if is_free(weight) && is_free(middle) {
@@ -213,7 +214,8 @@ fn is_at_most<S: Real<Mask = bool>>(x: S, bound: S) -> bool {
     x.abs().less_than(bound) || x.abs() == bound
 }
 
-/// The same with its largest coefficient 1 or −1; `None` where that is zero or not finite.
+/// The element divided by the size of its largest coefficient; `None` where that is zero or not
+/// finite.
 fn scaled_to_one<S: Real<Mask = bool>, T: Element<Scalar = S>>(element: T) -> Option<T> {
     let mut largest = S::zero();
     for &blade in T::BLADES {
@@ -227,7 +229,7 @@ fn scaled_to_one<S: Real<Mask = bool>, T: Element<Scalar = S>>(element: T) -> Op
     (!largest.is_zero()).then(|| T::from_coefficients_unchecked(&mut |blade| scaled(blade)))
 }
 
-/// Zero, or not finite.
+/// The kind of an element that is zero or not finite.
 fn without_size<S: Real<Mask = bool>, T: Element<Scalar = S>>(element: T) -> Kind {
     let mut blades = T::BLADES.iter();
     if blades.all(|&blade| element.coefficient(blade).is_zero()) {

@@ -22,7 +22,7 @@ impl<S: Ring> Line<S> {
         Self::from_point_direction(p, p.vector_to(q).into())
     }
 
-    /// The line through a point in a direction d: `p∧d∧ei`. Zero where d is.
+    /// The line through a point in a direction d: `p∧d∧ei`. Zero where d is zero.
     #[inline]
     #[must_use]
     pub fn from_point_direction(point: Point<S>, direction: [S; 3]) -> Self {
@@ -32,8 +32,8 @@ impl<S: Ring> Line<S> {
         Self::new(m3, -m2, m1, -d1, -d2, -d3)
     }
 
-    /// The direction d, as long as the line's weight: `q − p` for `p∧q∧ei`. It is minus the
-    /// coefficients of e1oi, e2oi, e3oi.
+    /// The direction d, whose length is the line's weight: `q − p` for `p∧q∧ei`. Its components are
+    /// minus the coefficients of e1oi, e2oi, e3oi.
     #[inline]
     #[must_use]
     pub fn direction(self) -> [S; 3] {
@@ -57,9 +57,9 @@ impl<S: Ring> Line<S> {
 }
 
 impl<S: Real<Mask = bool>> Line<S> {
-    /// The line with a direction d and the moment `p × d` of its points p: Plücker's coordinates.
-    /// The part of the moment along d, which no line has, is left out. `None` where d is zero, or
-    /// something is not finite.
+    /// The line with a direction d and the moment `p × d` of its points p: its Plücker coordinates.
+    /// A component of the moment along d, which is zero for every line, is removed. `None` where d
+    /// is zero, or a number is not finite.
     ///
     /// ```
     /// use ga_runtime::cga3::{Line, Point};
@@ -94,8 +94,7 @@ impl<S: Real<Mask = bool>> Line<S> {
         are_numbers(line.moment()).then_some(line)
     }
 
-    /// The point of the line that is nearest to the origin, `d × m / d²`; `None` for a line of
-    /// weight zero.
+    /// The point of the line nearest to the origin, `d × m / d²`; `None` for a line of weight zero.
     #[inline]
     #[must_use]
     pub fn support(self) -> Option<Point<S>> {
@@ -121,8 +120,8 @@ impl<S: Real<Mask = bool>> Line<S> {
         place.is_finite().then(|| Point::from(place))
     }
 
-    /// The distance of a point; `None` for a line of weight zero, or beyond the range of the
-    /// scalar. Of any primitive: [`distance_to`](Self::distance_to).
+    /// The distance to a point; `None` for a line of weight zero, or beyond the range of the
+    /// scalar. For other primitives: [`distance_to`](Self::distance_to).
     #[inline]
     #[must_use]
     pub fn distance(self, point: Point<S>) -> Option<S> {

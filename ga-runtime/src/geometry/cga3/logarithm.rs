@@ -3,8 +3,8 @@
 //! The element `ω = e123i` commutes with every motor and squares to zero, so a motor is `Q + ω D`
 //! with two elements Q, D of the span of 1, e12, e13, e23, and a generator is `g + ω h` with two
 //! bivectors g, h of space. Since `(g + ω h)² = −φ̂²` with the dual number `φ̂² = φ² + 2 ω g·h`, φ
-//! = |g|, the exponential is that of a complex number, `cos φ̂ + (g + ω h) sin φ̂/φ̂`, with both
-//! functions taken of a dual number (Selig, Geometric Fundamentals of Robotics, 2005).
+//! = |g|, the exponential has the form of that of a complex number, `cos φ̂ + (g + ω h) sin φ̂/φ̂`,
+//! with both functions of a dual number (Selig, Geometric Fundamentals of Robotics, 2005).
 //!
 //! Written out, with `c + q` and `d0 + d` for the parts of the motor,
 //!
@@ -15,9 +15,9 @@
 //!       with A = φ/sin φ, B = (c − A)/sin² φ
 //! ```
 //!
-//! A and B are smooth at φ = 0 and come from [`Real::sine_by_angle`] and [`Real::angle_by_sine`],
-//! so that nothing branches on the angle. Numbers for which this would leave the range of the
-//! scalar take a careful way.
+//! A and B are smooth at φ = 0 and are computed by [`Real::sine_by_angle`] and
+//! [`Real::angle_by_sine`], so that there is no branch on the angle. Where an intermediate result
+//! would leave the range of the scalar, a slower method is used.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -29,8 +29,8 @@ impl<S: Real> MotorGenerator<S> {
     /// The motor `exp(G)`: for `G = −½θB` a rotation by θ in the plane B, for `G = −½ t ei` a
     /// translation by t.
     ///
-    /// Any finite generator has one. A coefficient beyond the range of the scalar is infinite; NaN
-    /// or infinity in G gives NaN.
+    /// Every finite generator has an exponential. A coefficient beyond the range of the scalar is
+    /// infinite; NaN or infinity in G gives NaN.
     ///
     /// ```
     /// use ga_runtime::cga3::{MotorGenerator, Translator};
@@ -48,7 +48,7 @@ impl<S: Real> MotorGenerator<S> {
         let along = g.dot(h);
         let d = h * ratio + g * (along * slope);
         let motor = assemble(cosine, q, d0, d);
-        // Zero, and NaN where a product with h may have left the range.
+        // Zero, or NaN where a product with h may be beyond the range of the scalar.
         let overflow = along * S::from_integer(8) * S::zero();
         let is_regular = (square + overflow).less_than(largest_square());
         if is_regular.all() {
@@ -59,13 +59,13 @@ impl<S: Real> MotorGenerator<S> {
 }
 
 impl<S: Real> Motor<S> {
-    /// The generator G with `exp(G) = M`, for a rotation by θ in [0, 2π], so that the sign of M
-    /// comes back too.
+    /// The generator G with `exp(G) = M`, for a rotation by θ in [0, 2π], so that `exp(G)` restores
+    /// the sign of M too.
     ///
-    /// `−1` is taken as a full turn in the plane e12, and minus a translator as one about the axis
-    /// of its translation; so is what differs from them by less than ε, where half the angle rounds
-    /// to π. Close to these the axis is known no better than the sine of half the angle: the error
-    /// of `exp(log M)` is that of M divided by it.
+    /// `−1` is treated as a full turn in the plane e12, and the negative of a translator as a full
+    /// turn about the axis of its translation. So are motors that differ from these by less than ε,
+    /// where half the angle rounds to π. Near these the axis is ill-conditioned: the error of
+    /// `exp(log M)` is that of M divided by the sine of half the angle.
     ///
     /// A coefficient beyond the range of the scalar is infinite; NaN or infinity in M gives NaN.
     ///
@@ -84,7 +84,7 @@ impl<S: Real> Motor<S> {
         let (ratio, slope) = angle_by_sine(c, square);
         let g = q * ratio;
         let h = d * ratio + q * (q.dot(d) * slope - d0);
-        // Zero, and NaN where a product with d may have left the range.
+        // Zero, or NaN where a product with d may be beyond the range of the scalar.
         let overflow = (d.dot(d) + d0 * d0) * S::zero();
         let is_regular = is_regular_turn(c, square, overflow);
         if is_regular.all() {
@@ -102,9 +102,9 @@ impl<S: Real> Rotor<S> {
     /// The generator G with `exp(G) = R`, for a rotation by θ in [0, 2π]: `−½θB` in the plane B of
     /// the rotation, without a translation.
     ///
-    /// `−1` is taken as a full turn in the plane e12, and so is what differs from it by less than
-    /// ε, in its own plane. [`MotorGenerator::exp`] leads back, as a motor. NaN or infinity in R
-    /// gives NaN.
+    /// `−1` is treated as a full turn in the plane e12, and a rotor that differs from it by less
+    /// than ε as a full turn in its own plane. [`MotorGenerator::exp`] is the inverse function and
+    /// gives a motor. NaN or infinity in R gives NaN.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, MotorGenerator, Rotor};
@@ -131,11 +131,11 @@ impl<S: Real> Rotor<S> {
     }
 }
 
-/// `φ/sin φ` and `(cos φ − φ/sin φ)/sin² φ` by cos φ and sin² φ, for φ in [0, π].
+/// `φ/sin φ` and `(cos φ − φ/sin φ)/sin² φ` from cos φ and sin² φ, for φ in [0, π].
 #[inline(always)]
 fn angle_by_sine<S: Real>(c: S, square: S) -> (S, S) {
     let (ratio, slope) = c.abs().angle_by_sine();
-    // Past the quarter turn φ = π − φ′ with φ′ that of −c.
+    // For φ beyond ½π: φ = π − φ′, where φ′ belongs to −c.
     let inverse = square.max(tiny_square()).sqrt().recip();
     let sign = S::select(c.less_than(S::zero()), -S::one(), S::one());
     let rest = (S::one() - sign) * S::from_f64(FRAC_PI_2) * inverse;
@@ -145,8 +145,8 @@ fn angle_by_sine<S: Real>(c: S, square: S) -> (S, S) {
     )
 }
 
-/// Whether these are about the cosine and the squared sine of an angle, not that of a full turn to
-/// within ε, and `overflow` is zero instead of NaN.
+/// Whether these are approximately the cosine and the squared sine of an angle that is not within ε
+/// of π, and `overflow` is zero, not NaN.
 #[inline(always)]
 fn is_regular_turn<S: Real>(c: S, square: S, overflow: S) -> S::Mask {
     let deviation = (c * c + square - S::one()).abs() + overflow;
@@ -193,12 +193,12 @@ impl<S: Field> Halves<S> {
     }
 }
 
-/// `(q0 + q) + ω (d0 + d)` by blades.
+/// The motor `(q0 + q) + ω (d0 + d)`, with its coefficients.
 pub(super) fn assemble<S: Field>(q0: S, q: Vector<S>, d0: S, d: Vector<S>) -> Motor<S> {
     Motor::new_unchecked(q0, q[0], q[1], q[2], -d[2], d[1], -d[0], d0)
 }
 
-/// Up to where φ² is that of the polynomials.
+/// The largest φ² for which the polynomials are used.
 fn largest_square<S: Real>() -> S {
     S::from_ratio(995, 100)
 }
@@ -223,14 +223,14 @@ fn select_vector<S: Real>(mask: S::Mask, a: Vector<S>, b: Vector<S>) -> Vector<S
     )
 }
 
-/// The exponential at any size of g and h: by the unit axis, with h scaled down until the last
+/// The exponential for g and h of any size: from the unit axis, with h scaled down until the last
 /// step.
 #[cold]
 #[inline(never)]
 fn exponential_of_any<S: Real>(any: MotorGenerator<S>) -> Motor<S> {
     let (g, h) = parts(any);
     let (angle, axis) = length_and_direction(g);
-    // Where the angle is beyond all numbers, by that of its half.
+    // Where the angle is beyond the range of the scalar, from its half.
     let half = S::from_ratio(1, 2);
     let is_beyond = !angle.is_finite() & axis.dot(axis).is_finite();
     let (sine, cosine) = S::select(is_beyond, (g * half).length(), angle).sin_cos();
@@ -250,13 +250,13 @@ fn exponential_of_any<S: Real>(any: MotorGenerator<S>) -> Motor<S> {
     assemble(cosine, axis * sine, d0 * eight, d * eight)
 }
 
-/// The logarithm at any size, as g and h: of the motor divided by its length, by the unit axis,
-/// with the size of d set aside until the last step.
+/// The logarithm for coefficients of any size, as g and h: of the motor divided by its length, from
+/// the unit axis, with the size of d divided out until the last step.
 #[cold]
 #[inline(never)]
 fn logarithm_of_any<S: Real>(motor: Motor<S>) -> (Vector<S>, Vector<S>) {
     let (zero, one) = (S::zero(), S::one());
-    // So that the length stays within the range of the scalar.
+    // This keeps the length within the range of the scalar.
     let quarter = S::from_ratio(1, 4);
     let Halves { c, q, d0, d } = Halves::of(motor);
     let largest = c.abs().max(q[0].abs()).max(q[1].abs()).max(q[2].abs());
@@ -287,7 +287,7 @@ fn logarithm_of_any<S: Real>(motor: Motor<S>) -> (Vector<S>, Vector<S>) {
     let (_, turned) = length_and_direction(q);
     let plane = select_vector(is_zero, Vector::new(one, zero, zero), turned);
     let plane = select_vector(shift.is_zero(), plane, direction);
-    // The part that a full turn leaves out must not hide NaN.
+    // The component that a full turn leaves out must not hide a NaN.
     let none = d0 * zero;
     let whole_h = Vector::new(none, none, none) - d;
     (
@@ -297,7 +297,7 @@ fn logarithm_of_any<S: Real>(motor: Motor<S>) -> (Vector<S>, Vector<S>) {
     )
 }
 
-/// The length and the unit vector of the same direction, zero for zero.
+/// The length and the unit vector of the same direction, which is zero for zero.
 pub(super) fn length_and_direction<S: Real>(a: Vector<S>) -> (S, Vector<S>) {
     let largest = a[0].abs().max(a[1].abs()).max(a[2].abs());
     let is_regular = S::zero().less_than(largest) & largest.is_finite();
@@ -321,7 +321,7 @@ fn parts<S: Field>(generator: MotorGenerator<S>) -> (Vector<S>, Vector<S>) {
     (Vector::new(e12, e13, e23), Vector::new(-e3i, e2i, -e1i))
 }
 
-/// `g + ω h` by blades.
+/// The generator `g + ω h`, with its coefficients.
 fn generator<S: Field>(g: Vector<S>, h: Vector<S>) -> MotorGenerator<S> {
     MotorGenerator::new(g[0], g[1], g[2], -h[2], h[1], -h[0])
 }

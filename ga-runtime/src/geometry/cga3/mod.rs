@@ -1,4 +1,4 @@
-//! The geometry of cga3: Euclidean data in and out of its types, versors, and relations.
+//! The geometry of cga3: conversion between its types and Euclidean data, versors, and relations.
 
 pub(crate) mod affine;
 mod circle;

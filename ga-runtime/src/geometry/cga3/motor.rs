@@ -4,14 +4,15 @@ use crate::cga3::{DualQuaternion, Motor, Point, Rotor, Translator};
 use crate::scalar::{Field, Real};
 
 impl<S: Field> Motor<S> {
-    /// The rotation R of `M = T R`, which comes first.
+    /// The rotation R of `M = T R`, which is applied first.
     #[inline]
     #[must_use]
     pub fn rotor(self) -> Rotor<S> {
         Rotor::new_unchecked(self.scalar(), self.e12(), self.e13(), self.e23())
     }
 
-    /// The translation T of `M = T R`, which comes second: that of the origin.
+    /// The translation T of `M = T R`, which is applied second. It is the displacement of the
+    /// origin.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Rotor, Translator};

@@ -1,9 +1,9 @@
 //! Numbers `a + b q` with a scalar square `q² = β`: complex for negative β, dual for zero, double
 //! for positive.
 //!
-//! The square of a bivector of the conformal algebra is such a number, q being a 4-vector that
-//! commutes with the bivector, and so is the even part of its exponential. Functions of them by
-//! power series need no case for the sign of β.
+//! The square of a bivector of the conformal algebra is such a number, where q is a 4-vector that
+//! commutes with the bivector, and so is the even part of the bivector's exponential. Power series
+//! of these numbers need no distinction by the sign of β.
 
 use crate::scalar::Real;
 

@@ -1,7 +1,7 @@
-//! Odd versors: reflections, inversions and what they compose to.
+//! Odd versors: reflections, inversions and their compositions.
 //!
 //! The pseudoscalar I commutes with everything, so an odd versor is `V = E I` with an even E, and
-//! every product with V is one with E.
+//! every product with V can be computed as one with E.
 
 use core::ops::Mul;
 
@@ -26,12 +26,12 @@ impl<S: Real<Mask = bool>> OddVersor<S> {
         Self::of_vector(plane.into())
     }
 
-    /// The inversion in a real sphere: x goes to `c + r² (x − c)/|x − c|²`. A sphere without weight
-    /// is a plane, and the inversion a reflection. `None` where the sphere is imaginary or a point,
-    /// or not finite.
+    /// The inversion in a real sphere: x goes to `c + r² (x − c)/|x − c|²`. A sphere of weight zero
+    /// is a plane, and the inversion is a reflection. `None` where the sphere is imaginary or a
+    /// point, or not finite.
     ///
-    /// What the inversion in an imaginary sphere would be, that in the real sphere and then the
-    /// reflection in its centre, keeps handedness; it is the [`EvenVersor`] `σ I⁻¹/|σ|`.
+    /// The inversion in an imaginary sphere, which is the inversion in the real sphere and then the
+    /// reflection in its centre, preserves handedness; it is the [`EvenVersor`] `σ I⁻¹/|σ|`.
     ///
     /// ```
     /// use ga_runtime::cga3::{DualSphere, OddVersor, Point};
@@ -46,7 +46,7 @@ impl<S: Real<Mask = bool>> OddVersor<S> {
         Self::of_vector(sphere.into())
     }
 
-    /// The unit vector along one with a positive square.
+    /// The versor of a vector with a positive square, normalised.
     fn of_vector(vector: RoundVector<S>) -> Option<Self> {
         let coefficients = [vector.e1, vector.e2, vector.e3, vector.eo, vector.ei];
         let largest = coefficients
@@ -55,7 +55,7 @@ impl<S: Real<Mask = bool>> OddVersor<S> {
         if !S::zero().less_than(largest) || !coefficients.into_iter().all(S::is_finite) {
             return None;
         }
-        // Each by itself, since the reciprocal of the least numbers is out of range.
+        // Each is divided by itself, since the reciprocal of the smallest numbers is out of range.
         let [e1, e2, e3, eo, ei] = coefficients.map(|x| x / largest);
         let vector = RoundVector::new(e1, e2, e3, eo, ei);
         let square = vector.scalar_product(vector);
@@ -68,7 +68,8 @@ impl<S: Real<Mask = bool>> OddVersor<S> {
     /// there is none.
     #[must_use]
     pub fn normalize(sum: Odd<S>) -> Option<Self> {
-        // V = E I has V ~V = −E ~E, so E is not a unit versor. A reflection makes V even.
+        // V = E I has V ~V = −E ~E, so E is not a unit versor. The product with a reflection is
+        // even.
         let mirror = Odd {
             e1: S::one(),
             ..Odd::default()
@@ -104,7 +105,7 @@ fn from_odd<S>(o: Odd<S>) -> OddVersor<S> {
 impl<S: Ring> Mul for OddVersor<S> {
     type Output = EvenVersor<S>;
 
-    /// The right one first, then the left one.
+    /// The versor that applies the right operand first, then the left one.
     #[inline]
     fn mul(self, other: Self) -> EvenVersor<S> {
         // I² = −1
@@ -115,7 +116,7 @@ impl<S: Ring> Mul for OddVersor<S> {
 impl<S: Ring> Mul<EvenVersor<S>> for OddVersor<S> {
     type Output = Self;
 
-    /// The right one first, then the left one.
+    /// The versor that applies the right operand first, then the left one.
     #[inline]
     fn mul(self, other: EvenVersor<S>) -> Self {
         times_pseudoscalar(even_part(self.into()) * Even::from(other))
@@ -125,7 +126,7 @@ impl<S: Ring> Mul<EvenVersor<S>> for OddVersor<S> {
 impl<S: Ring> Mul<OddVersor<S>> for EvenVersor<S> {
     type Output = OddVersor<S>;
 
-    /// The right one first, then the left one.
+    /// The versor that applies the right operand first, then the left one.
     #[inline]
     fn mul(self, other: OddVersor<S>) -> OddVersor<S> {
         times_pseudoscalar(Even::from(self) * even_part(other.into()))

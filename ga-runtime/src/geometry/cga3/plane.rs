@@ -13,7 +13,7 @@ impl<S: Ring> DualPlane<S> {
         Self::new(n1, n2, n3, distance)
     }
 
-    /// The normal n, as long as the plane's weight.
+    /// The normal n. Its length is the plane's weight.
     #[inline]
     #[must_use]
     pub fn normal(self) -> [S; 3] {
@@ -23,7 +23,7 @@ impl<S: Ring> DualPlane<S> {
 
 impl<S: Field> Plane<S> {
     /// The plane through three points, `p∧q∧r∧ei`: its normal is `(q − p) × (r − p)`, so that p, q,
-    /// r turn counterclockwise as seen from its tip. Zero where the points are on one line.
+    /// r are in counterclockwise order as seen from its tip. Zero where the points are collinear.
     ///
     /// ```
     /// use ga_runtime::cga3::{Infinity, Plane, Point};
@@ -49,15 +49,15 @@ impl<S: Field> Plane<S> {
         DualPlane::from_normal_distance(normal, distance).undual()
     }
 
-    /// The normal n of the dual plane `n + d ei`, as long as the plane's weight.
+    /// The normal n of the dual plane `n + d ei`. Its length is the plane's weight.
     #[inline]
     #[must_use]
     pub fn normal(self) -> [S; 3] {
         self.dual().normal()
     }
 
-    /// The attitude `B∧ei`, B being the bivector of the plane: `−ei⌋Π`. The normal is that of B by
-    /// the right hand.
+    /// The attitude `B∧ei`, where B is the bivector of the plane: `−ei⌋Π`. The normal is that of B
+    /// by the right-hand rule.
     #[inline]
     #[must_use]
     pub fn attitude(self) -> DualDirection<S> {
@@ -75,8 +75,8 @@ impl<S: Real<Mask = bool>> Plane<S> {
             .map(Vector::coordinates)
     }
 
-    /// The point of the plane that is nearest to the origin; `None` for a plane of weight zero, or
-    /// beyond the range of the scalar.
+    /// The point of the plane nearest to the origin; `None` for a plane of weight zero, or beyond
+    /// the range of the scalar.
     ///
     /// ```
     /// use ga_runtime::cga3::{Plane, Point};
@@ -91,7 +91,7 @@ impl<S: Real<Mask = bool>> Plane<S> {
         place.is_finite().then(|| Point::from(place))
     }
 
-    /// The distance of a point, positive on the side of the normal; `None` for a plane of weight
+    /// The distance to a point, positive on the side of the normal; `None` for a plane of weight
     /// zero, or beyond the range of the scalar.
     #[inline]
     #[must_use]

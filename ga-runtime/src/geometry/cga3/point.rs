@@ -30,8 +30,8 @@ impl<S: Ring> Point<S> {
         Vector::from(other) - Vector::from(self)
     }
 
-    /// The squared distance of two points, `−2 P·Q`, computed from differences of coordinates so
-    /// that nothing cancels far from the origin.
+    /// The squared distance between two points, `−2 P·Q`, computed from differences of coordinates,
+    /// which avoids cancellation far from the origin.
     #[inline]
     #[must_use]
     pub fn distance_squared(self, other: Self) -> S {
@@ -40,8 +40,8 @@ impl<S: Ring> Point<S> {
 }
 
 impl<S: Real<Mask = bool>> Point<S> {
-    /// The distance of two points, `√(−2 P·Q)` (the paper's eq. 32, corrected). Of any two
-    /// primitives: [`distance_to`](Self::distance_to).
+    /// The distance between two points, `√(−2 P·Q)` (Cui, eq. 32, corrected). For other primitives:
+    /// [`distance_to`](Self::distance_to).
     ///
     /// ```
     /// use ga_runtime::cga3::Point;

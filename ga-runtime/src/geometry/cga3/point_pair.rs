@@ -8,7 +8,7 @@ use crate::scalar::{Field, Real, Ring};
 use crate::vga3::Vector;
 
 impl<S: Field> PointPair<S> {
-    /// The pair of two points, `p∧q`. Zero where they coincide; see [`tangent`](Self::tangent) for
+    /// The pair of two points, `p∧q`. Zero where they coincide; [`tangent`](Self::tangent) gives
     /// the limit with a direction.
     ///
     /// ```
@@ -25,7 +25,7 @@ impl<S: Field> PointPair<S> {
         p ^ q
     }
 
-    /// The line that carries the pair, `P∧ei`, from the first point to the second.
+    /// The line through the pair, `P∧ei`, from the first point to the second.
     #[inline]
     #[must_use]
     pub fn carrier(self) -> Line<S> {
@@ -41,10 +41,10 @@ impl<S: Field> PointPair<S> {
 }
 
 impl<S: Real<Mask = bool>> PointPair<S> {
-    /// The two points at a distance r from a centre, along an axis and against it:
-    /// `(c + eo + ½(c² + r²) ei) ∧ (d + (c·d) ei)` with the unit vector d. It is given by r², which
-    /// may be zero, for a [tangent](Self::tangent), and negative, for an imaginary pair. The axis
-    /// need not have length 1; `None` where it is zero, or something is not finite.
+    /// The two points at a distance r from a centre, in the direction of an axis and opposite to
+    /// it: `(c + eo + ½(c² + r²) ei) ∧ (d + (c·d) ei)` with the unit vector d. The argument is r²,
+    /// which may be zero, for a [tangent](Self::tangent), or negative, for an imaginary pair. The
+    /// axis need not have length 1; `None` where it is zero, or a number is not finite.
     ///
     /// ```
     /// use ga_runtime::cga3::{Point, PointPair};
@@ -78,9 +78,9 @@ impl<S: Real<Mask = bool>> PointPair<S> {
         is_finite.then_some(pair)
     }
 
-    /// The tangent element at a point p in a direction: two points that coincide, with the
-    /// direction in which they met. Its square is zero. `None` where the direction is zero, or
-    /// something is not finite.
+    /// The tangent element at a point p in a direction: the limit of two points that approach each
+    /// other along that direction. Its square is zero. `None` where the direction is zero, or a
+    /// number is not finite.
     ///
     /// ```
     /// use ga_runtime::cga3::{Point, PointPair};
@@ -105,36 +105,37 @@ impl<S: Real<Mask = bool>> PointPair<S> {
             .map(Vector::coordinates)
     }
 
-    /// The middle of the two points; `None` for a pair of weight zero, or beyond the range of the
+    /// The midpoint of the two points; `None` for a pair of weight zero, or beyond the range of the
     /// scalar.
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
         Some(self.parts()?.centre())
     }
 
-    /// The square of half the distance of the points, `P²/(ei⌋P)²`: zero for a tangent, negative
-    /// for an imaginary pair; `None` where there is no [centre](Self::centre).
+    /// The square of half the distance between the points, `P²/(ei⌋P)²`: zero for a tangent,
+    /// negative for an imaginary pair; `None` where there is no [centre](Self::centre).
     #[must_use]
     pub fn radius_squared(self) -> Option<S> {
         self.parts()?.signed_square()
     }
 
-    /// Half the distance of the points; `None` for an imaginary pair and one of weight zero. A
-    /// square that is zero up to rounding, as for [`endpoints`](Self::endpoints), counts as zero.
+    /// Half the distance between the points; `None` for an imaginary pair and for one of weight
+    /// zero. Zero where the square is zero up to rounding, as for [`endpoints`](Self::endpoints).
     #[must_use]
     pub fn radius(self) -> Option<S> {
         real_radius(self.parts()?.squares())
     }
 
-    /// The two points, in the order of `p∧q`, where its weight is positive. `None` for an imaginary
-    /// pair and one of weight zero.
+    /// The two points, in the order of `p∧q` for a positive weight. `None` for an imaginary pair
+    /// and for one of weight zero.
     ///
-    /// The pair knows the squared radius r² only up to rounding of the squared distance of the
-    /// centre from the origin, c², so that of points that all but coincide only half of the digits
-    /// of their distance are known. Where `|r²| ≤ 32 ε (2c² + r²)` both points are the centre. A
-    /// product may have lost more, by the size of its operands: [`Kind`](crate::geometry::Kind)
-    /// tells a tangent with a tolerance of your own, and [`meet`](crate::geometry::relation::meet)
-    /// with distances in space.
+    /// The coefficients of the pair determine the squared radius r² only up to the rounding of the
+    /// squared distance c² of the centre from the origin, so for points that almost coincide only
+    /// half of the digits of their distance are known. Where `|r²| ≤ 32 ε (2c² + r²)` both points
+    /// are the centre. A pair that is the result of a product may be less accurate, depending on
+    /// the size of the operands: [`Kind`](crate::geometry::Kind) recognises a tangent with a
+    /// tolerance of your choice, and [`meet`](crate::geometry::relation::meet) by distances in
+    /// space.
     #[must_use]
     pub fn endpoints(self) -> Option<[Point<S>; 2]> {
         let round = self.parts()?;
@@ -145,8 +146,9 @@ impl<S: Real<Mask = bool>> PointPair<S> {
         is_finite.then(|| places.map(Point::from))
     }
 
-    /// The smallest sphere that holds the pair, about the same centre with the same squared radius:
-    /// the dual sphere `P (P∧ei)⁻¹` up to scale. `None` where there is no [centre](Self::centre).
+    /// The smallest sphere that contains the pair, with the same centre and the same squared
+    /// radius: the dual sphere `P (P∧ei)⁻¹` up to scale. `None` where there is no
+    /// [centre](Self::centre).
     #[must_use]
     pub fn container(self) -> Option<Sphere<S>> {
         let round = self.parts()?;
@@ -163,7 +165,8 @@ impl<S: Real<Mask = bool>> PointPair<S> {
 
 impl<S: Ring> PointPair<S> {
     /// `P²`, a scalar for every pair that is a blade: for `p∧q` it is `(p·q)²`, a quarter of the
-    /// fourth power of the distance. Its sign tells real, tangent and imaginary.
+    /// fourth power of the distance. It is positive for a real pair, zero for a tangent and
+    /// negative for an imaginary pair.
     #[inline]
     #[must_use]
     pub fn square(self) -> S {

@@ -1,5 +1,4 @@
-//! Powers and square roots of rotations and rigid motions, and motion at constant speed from one to
-//! another.
+//! Powers and square roots of rotations and rigid motions, and interpolation at constant speed.
 
 use super::RotationPath;
 use super::logarithm::{Halves, assemble, length_and_direction, select_motor, turn_exponential};
@@ -8,9 +7,9 @@ use crate::scalar::{Mask, Real};
 use crate::vga3::Vector;
 
 impl<S: Real> Rotor<S> {
-    /// The part t of the rotation, `Rᵗ = exp(t log R)`: by tθ in the same plane, for θ in [0, 2π].
-    /// Part of `−R` goes the other way round; see [`along`](Self::along). `−1` is taken as a full
-    /// turn in the plane e12. NaN and infinity give NaN.
+    /// The power `Rᵗ = exp(t log R)` of a rotation by θ in [0, 2π]: the rotation by tθ in the same
+    /// plane. Powers of `−R` rotate the other way round; see [`along`](Self::along). `−1` is
+    /// treated as a full turn in the plane e12. NaN and infinity give NaN.
     ///
     /// ```
     /// use ga_runtime::cga3::Rotor;
@@ -25,9 +24,9 @@ impl<S: Real> Rotor<S> {
         turn_exponential(Vector::new(turn.e12, turn.e13, turn.e23) * t)
     }
 
-    /// The rotation half way, by ½θ in the same plane for θ in [0, 2π]: `(1 + R)/|1 + R|`, for more
-    /// than a half turn in a form that does not cancel. The root of `−1` is a half turn in the
-    /// plane e12, `e12`.
+    /// The square root of a rotation by θ in [0, 2π]: the rotation by ½θ in the same plane,
+    /// `(1 + R)/|1 + R|`, computed without cancellation for more than a half turn. The root of `−1`
+    /// is a half turn in the plane e12, `e12`.
     ///
     /// ```
     /// use ga_runtime::cga3::Rotor;
@@ -61,12 +60,12 @@ impl<S: Real> Rotor<S> {
         ))
     }
 
-    /// The rotation on the way from `self` at t = 0 to `other` at t = 1 at constant speed, by the
-    /// short way round: `R (~R R′)ᵗ`, with `−R′` for R′ where that is nearer.
+    /// The interpolation from `self` at t = 0 to `other` at t = 1 at constant angular velocity, by
+    /// the shorter rotation: `R (~R R′)ᵗ`, with `−R′` instead of R′ where that is nearer.
     ///
-    /// This is the slerp of the paper's eqs 18 to 22, `(sin (1 − t)φ R + sin tφ R′)/sin φ` with φ
-    /// half the angle between them, in a form that needs no case where φ is close to 0 or π. t may
-    /// lie outside of [0, 1].
+    /// This is the slerp of Cui, eqs. 18 to 22, `(sin (1 − t)φ R + sin tφ R′)/sin φ` with φ half
+    /// the angle between them, in a form without special cases for φ near 0 or π. t may be outside
+    /// [0, 1].
     ///
     /// ```
     /// use ga_runtime::cga3::Rotor;
@@ -83,8 +82,8 @@ impl<S: Real> Rotor<S> {
         self.interpolate_along(other, t, RotationPath::Short)
     }
 
-    /// As [`interpolate`](Self::interpolate), by the short or the long way round. The long way
-    /// between two that are equal is a full turn in the plane e12 of `self`.
+    /// As [`interpolate`](Self::interpolate), by the shorter or the longer rotation. The longer
+    /// rotation between equal rotors is a full turn in the plane e12 of `self`.
     ///
     /// ```
     /// use ga_runtime::cga3::Rotor;
@@ -112,10 +111,10 @@ impl<S: Real> Rotor<S> {
 }
 
 impl<S: Real> Motor<S> {
-    /// The part t of the motion along its screw, `Mᵗ = exp(t log M)`: a rotation by tθ about the
-    /// same axis with t times the translation along it, for θ in [0, 2π]. Part of `−M` goes the
-    /// other way round; see [`along`](Self::along), and [`log`](Self::log) for `−1` and minus a
-    /// translator. NaN and infinity give NaN.
+    /// The power `Mᵗ = exp(t log M)` of a motion, for a rotation by θ in [0, 2π]: the rotation by
+    /// tθ about the same screw axis with t times the translation along it. Powers of `−M` rotate
+    /// the other way round; see [`along`](Self::along), and [`log`](Self::log) for `−1` and
+    /// negative translators. NaN and infinity give NaN.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Rotor, Translator};
@@ -136,12 +135,12 @@ impl<S: Real> Motor<S> {
         (self.log() * t).exp()
     }
 
-    /// The motion half way along the screw, for a rotation by θ in [0, 2π]: `(1 + M)/|1 + M|` up to
-    /// a half turn, `exp(½ log M)` beyond.
+    /// The square root of a motion, for a rotation by θ in [0, 2π]: half of the screw,
+    /// `(1 + M)/|1 + M|` up to a half turn and `exp(½ log M)` beyond.
     ///
-    /// `|1 + M|² = (1 + M)(1 + ~M)` is the dual number `2 (1 + c) + 2 d0 e123i`, c and d0 being the
-    /// coefficients of 1 and e123i. The root of `−1` is `e12`, that of minus a translator a half
-    /// rotation about the axis of its translation with half of the translation.
+    /// `|1 + M|² = (1 + M)(1 + ~M)` is the dual number `2 (1 + c) + 2 d0 e123i`, where c and d0 are
+    /// the coefficients of 1 and e123i. The root of `−1` is `e12`; that of the negative of a
+    /// translator is a half turn about the axis of its translation with half of the translation.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Translator};
@@ -168,9 +167,9 @@ impl<S: Real> Motor<S> {
         select_motor(!is_past, root, self.powf(half))
     }
 
-    /// The motion on the way from `self` at t = 0 to `other` at t = 1 along a screw of constant
-    /// speed, by the short way round: `M (~M N)ᵗ`, with `−N` for N where that is nearer. t may lie
-    /// outside of [0, 1].
+    /// The interpolation from `self` at t = 0 to `other` at t = 1 along a screw at constant speed,
+    /// by the shorter rotation: `M (~M N)ᵗ`, with `−N` instead of N where that is nearer. t may be
+    /// outside [0, 1].
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Point, Rotor};
@@ -185,9 +184,9 @@ impl<S: Real> Motor<S> {
         self.interpolate_along(other, t, RotationPath::Short)
     }
 
-    /// As [`interpolate`](Self::interpolate), by the short or the long way round. The long way
-    /// between two that differ by a translation is a full turn about the axis of the translation,
-    /// in the plane e12 of `self` where they are equal.
+    /// As [`interpolate`](Self::interpolate), by the shorter or the longer rotation. The longer
+    /// rotation between two motors that differ by a translation is a full turn about the axis of
+    /// the translation; where they are equal, it is in the plane e12 of `self`.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Point, Rotor};

@@ -1,21 +1,21 @@
-//! The two ways round to one orientation.
+//! The two rotations to the same orientation: the shorter and the longer one.
 
 use crate::cga3::{Motor, Rotor};
 use crate::scalar::Real;
 
-/// The two ways of turning to the same place: by an angle of at most a half turn, or the other way
-/// round by the rest of a full turn.
+/// The two ways of rotating to the same orientation: by an angle of at most a half turn, or the
+/// other way round by the rest of a full turn.
 ///
-/// A rotor and its negative move alike, and the sign says which way was taken (the paper's eqs 23
-/// and 24, as corrected): with I the unit bivector of the plane,
+/// A rotor and its negative represent the same rotation, and the sign distinguishes the two ways
+/// (Cui, eqs. 23 and 24, corrected): with I the unit bivector of the plane,
 ///
 /// ```text
-/// R = cos ½θ − sin ½θ I = exp(−½ θ I)          by θ ≤ π, the scalar part is not negative
-/// −R = exp(½ (2π − θ) I)                       by 2π − θ the other way round, it is not positive
+/// R  = cos ½θ − sin ½θ I = exp(−½ θ I)    by θ ≤ π, scalar part ≥ 0
+/// −R = exp(½ (2π − θ) I)                  by 2π − θ the other way round, scalar part ≤ 0
 /// ```
 ///
-/// The same holds for a motor, whose screw has the same axis and translation along it by either
-/// way.
+/// The same holds for a motor: the screws of both ways have the same axis and the same translation
+/// along it.
 ///
 /// ```
 /// use ga_runtime::cga3::Rotor;
@@ -39,7 +39,7 @@ pub enum RotationPath {
 }
 
 impl RotationPath {
-    /// 1 or −1: what a versor with this scalar part is multiplied by to go this way.
+    /// 1 or −1: the factor of a versor with this scalar part for which it takes this path.
     pub(super) fn sign<S: Real>(self, scalar: S) -> S {
         let (plus, minus) = match self {
             Self::Short => (S::one(), -S::one()),
@@ -50,16 +50,15 @@ impl RotationPath {
 }
 
 impl<S: Real<Mask = bool>> Rotor<S> {
-    /// The way that the rotation takes. A half turn, whose ways are equally long, counts as short.
+    /// The path of the rotation. For a half turn both are equally long, and the path is short.
     #[inline]
     #[must_use]
     pub fn path(self) -> RotationPath {
         path(self.scalar())
     }
 
-    /// The rotation by the shortest way from one direction to another, or by the longest, which
-    /// goes the other way round in the same plane: the paper's eqs 23 and 24. `None` as for
-    /// [`between`](Self::between).
+    /// The shortest rotation from one direction to another, or the longer one, which goes the other
+    /// way round in the same plane (Cui, eqs. 23 and 24). `None` as for [`between`](Self::between).
     ///
     /// ```
     /// use ga_runtime::cga3::Rotor;
@@ -76,8 +75,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
 }
 
 impl<S: Real> Rotor<S> {
-    /// The rotor of the same rotation that takes a given way: itself or its negative. A half turn
-    /// is itself by the short way and its negative by the long way.
+    /// The rotor of the same rotation that takes a given path: itself or its negative. For a half
+    /// turn, the short path is the rotor itself and the long path its negative.
     #[inline]
     #[must_use]
     pub fn along(self, path: RotationPath) -> Self {
@@ -88,8 +87,8 @@ impl<S: Real> Rotor<S> {
 }
 
 impl<S: Real<Mask = bool>> Motor<S> {
-    /// The way that the rotation of the motion takes. A half turn, whose ways are equally long,
-    /// counts as short.
+    /// The path of the motion's rotation. For a half turn both are equally long, and the path is
+    /// short.
     #[inline]
     #[must_use]
     pub fn path(self) -> RotationPath {
@@ -98,8 +97,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
 }
 
 impl<S: Real> Motor<S> {
-    /// The motor of the same motion that takes a given way round: itself or its negative. A half
-    /// turn is itself by the short way and its negative by the long way.
+    /// The motor of the same motion that takes a given path: itself or its negative. For a half
+    /// turn, the short path is the motor itself and the long path its negative.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Rotor};

@@ -60,8 +60,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     }
 
     /// The angle in [0, 2π] and the axis of length 1 of the rotation; the axis is e3 where the
-    /// angle is 0 or 2π. A rotor and its negative rotate to the same place by opposite ways: their
-    /// angles add to 2π.
+    /// angle is 0 or 2π. A rotor and its negative rotate to the same orientation the opposite way
+    /// round: their angles add to 2π.
     #[must_use]
     pub fn to_axis_angle(self) -> ([S; 3], S) {
         let (vector, scalar) = self.to_quaternion();
@@ -92,19 +92,18 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         is_finite.then(|| turn_exponential(Vector::new(-(half * z), half * y, -(half * x))))
     }
 
-    /// The axis of the rotation, as long as its angle in [0, 2π]: minus twice the coefficients of
-    /// [`log`](Self::log).
+    /// The rotation vector: the axis of the rotation with a length of the angle in [0, 2π]. It has
+    /// minus twice the coefficients of [`log`](Self::log).
     #[must_use]
     pub fn to_rotation_vector(self) -> [S; 3] {
         let turn = self.log();
         [-turn.e23, turn.e13, -turn.e12].map(|x| x * S::from_integer(2))
     }
 
-    /// The rotation by the shortest way from one direction to another. Opposite directions are
-    /// joined by a half turn about some axis across them. `None` where a direction is zero or not
-    /// finite.
+    /// The shortest rotation from one direction to another. For opposite directions it is a half
+    /// turn about some axis perpendicular to them. `None` where a direction is zero or not finite.
     ///
-    /// This is the paper's eq. 23 as corrected, `R = (b + a) a / (|a| |a + b|)` for unit a and b.
+    /// This is Cui, eq. 23, corrected: `R = (b + a) a / (|a| |a + b|)` for unit a and b.
     ///
     /// ```
     /// use ga_runtime::cga3::{Point, Rotor};
@@ -119,8 +118,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         if !a.dot(b).less_than(S::zero()) {
             return Self::between_close(a, b);
         }
-        // More than a quarter: a half turn to −a about the same axis, and the rest of the way from
-        // there. The axis comes from a + b, which loses nothing however close b is to −a.
+        // More than a quarter turn: a half turn to −a about the same axis, then the rest of the
+        // rotation. The axis is computed from a + b, which is accurate even if b is close to −a.
         let back = -a;
         let axis = a
             .cross(b - back)
@@ -137,7 +136,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
 
     /// The rotor of the rotation of a quaternion `w + x i + y j + z k`, given as `[x, y, z]` and w:
     /// i = −e23, j = e13, k = −e12. The quaternion need not have length 1, and may be as large or
-    /// small as numbers are; `None` where it is zero or not finite.
+    /// small as the scalar allows; `None` where it is zero or not finite.
     ///
     /// ```
     /// use ga_runtime::cga3::Rotor;
@@ -152,9 +151,9 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         Self::normalize(Quaternion::new(scalar, -z, y, -x))
     }
 
-    /// The rotor of a rotation matrix given by rows, by the paper's eq. 25 as corrected: of the
-    /// four quotients that give the rotor the one with the largest divisor is taken, so that half
-    /// rotations are not special cases. `None` where the matrix is not a rotation within √ε.
+    /// The rotor of a rotation matrix given by rows (Cui, eq. 25, corrected): of the four quotients
+    /// that give the rotor, the one with the largest divisor is used, so that half turns are not
+    /// special cases. `None` where the matrix is not a rotation within √ε.
     #[must_use]
     pub fn from_matrix(rows: [[S; 3]; 3]) -> Option<Self> {
         let tolerance = S::epsilon().sqrt();
@@ -230,7 +229,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     }
 }
 
-/// The basis vector along which a vector extends least.
+/// The basis vector along which a vector has its smallest component.
 fn smallest_axis<S: Real<Mask = bool>>(vector: Vector<S>) -> Vector<S> {
     let mut least = 0;
     for place in 1..3 {

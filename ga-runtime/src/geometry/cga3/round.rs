@@ -1,5 +1,4 @@
-//! What point pairs and circles share: both are, in one of their forms, a bivector
-//! `(c + eo + β ei) ∧ (d + (c·d) ei)`.
+//! The common form of point pairs and dual circles: a bivector `(c + eo + β ei) ∧ (d + (c·d) ei)`.
 //!
 //! c is the centre. A point pair `p∧q` has that form with its axis d and `β = ½(c² + r²)`; the dual
 //! of a circle has it with the normal d of its plane and `β = ½(c² − r²)`.
@@ -9,7 +8,7 @@ use crate::geometry::number::is_number;
 use crate::scalar::{Field, Real};
 use crate::vga3::Vector;
 
-/// Such a bivector, taken apart.
+/// The parts of such a bivector.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RoundBivector<S> {
     pub(super) centre: Vector<S>,
@@ -37,7 +36,7 @@ impl<S: Real<Mask = bool>> RoundBivector<S> {
     pub(super) fn of(bivector: DualCircle<S>) -> Option<Self> {
         let b = bivector / scale(bivector)?;
         let direction = [-b.e1o, -b.e2o, -b.e3o];
-        // Divided by d² once, so that what is exact stays so.
+        // Divided by d² only once, so that exact values stay exact.
         let direction = Vector::from(direction);
         let square = direction.dot(direction);
         let moment = Vector::new(b.e23, -b.e13, b.e12);
@@ -58,8 +57,8 @@ impl<S: Real<Mask = bool>> RoundBivector<S> {
         Point::from(self.centre)
     }
 
-    /// `2β` and `c²`: their difference is the squared radius of a point pair, minus that of a dual
-    /// circle.
+    /// `2β` and `c²`: their difference is the squared radius of a point pair, or minus the squared
+    /// radius of a dual circle.
     pub(super) fn squares(self) -> [S; 2] {
         [self.infinite + self.infinite, self.centre.dot(self.centre)]
     }
@@ -71,11 +70,11 @@ impl<S: Real<Mask = bool>> RoundBivector<S> {
     }
 }
 
-/// The root of `r² = a − b`; `None` where it is negative or not finite.
+/// The root of `r² = a − b`; `None` where r² is negative or not finite.
 ///
-/// The coefficients of a round know r² only as a difference of squared lengths, so that less than
-/// 32 ε (|a| + |b|) is rounding, and counts as zero: what touches has a radius, whichever way it
-/// was rounded.
+/// The coefficients of a round determine r² only as a difference of squared lengths, so that a
+/// difference below 32 ε (|a| + |b|) is rounding and is treated as zero: a tangent has a real
+/// radius, even if r² was rounded to a negative number.
 pub(super) fn real_radius<S: Real<Mask = bool>>([a, b]: [S; 2]) -> Option<S> {
     let squared = a - b;
     let rounding = S::epsilon() * S::from_integer(32) * (a.abs() + b.abs());
@@ -88,7 +87,7 @@ pub(super) fn real_radius<S: Real<Mask = bool>>([a, b]: [S; 2]) -> Option<S> {
     }
 }
 
-/// What to divide by so that d² is in range: 1 wherever possible. `None` where d is zero or not
+/// The divisor that brings d² into range: 1 wherever possible. `None` where d is zero or not
 /// finite.
 fn scale<S: Real<Mask = bool>>(b: DualCircle<S>) -> Option<S> {
     let direction = Vector::new(b.e1o, b.e2o, b.e3o);

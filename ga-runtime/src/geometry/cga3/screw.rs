@@ -7,23 +7,23 @@ use crate::scalar::Real;
 use crate::vga3::Vector;
 
 /// A rigid motion as a screw: a rotation about an axis and a displacement along it, in any order.
-/// Every rigid motion is one (Chasles, 1830).
+/// Every rigid motion is a screw (Chasles, 1830).
 ///
-/// With n the direction of the axis and `m = p × n` its moment, p being any of its points, the
+/// With n the direction of the axis and `m = p × n` its moment, for any point p of the axis, the
 /// generator `log M` is
 ///
 /// ```text
 /// −½ angle (n1 e23 − n2 e13 + n3 e12) − ½ (displacement n + angle m) ei
 /// ```
 ///
-/// What [`Motor::screw`] gives has an axis with a direction of length 1, an angle in [0, 2π] and,
-/// for a rotation by more than zero, a displacement of either sign. A screw that is built by hand
-/// may have an axis of any weight and any angle.
+/// The result of [`Motor::screw`] has an axis with a direction of length 1, an angle in [0, 2π]
+/// and, for a rotation by more than zero, a displacement of either sign. Other screws may have an
+/// axis of any weight and any angle.
 ///
 /// ```
 /// use ga_runtime::cga3::{Line, Point};
 /// use ga_runtime::geometry::Screw;
-/// // A quarter about the upright axis through (1, 0, 0), three up.
+/// // A quarter turn about the vertical axis through (1, 0, 0), and three units up.
 /// let screw = Screw {
 ///     axis: Line::from_point_direction(Point::new(1.0, 0.0, 0.0), [0.0, 0.0, 1.0]),
 ///     angle: std::f64::consts::FRAC_PI_2,
@@ -56,7 +56,8 @@ impl<S: Real<Mask = bool>> Screw<S> {
         is_number(pitch).then_some(pitch)
     }
 
-    /// The part t of the screw: t times the angle and the displacement about the same axis.
+    /// The fraction t of the screw: t times the angle and t times the displacement, with the same
+    /// axis.
     #[inline]
     #[must_use]
     pub fn part(self, t: S) -> Self {
@@ -67,8 +68,8 @@ impl<S: Real<Mask = bool>> Screw<S> {
         }
     }
 
-    /// The motor `exp` of the [generator](Self::generator), by the sine and cosine of half the
-    /// angle. `None` where the axis has no direction, or something is not finite.
+    /// The motor, which is the exponential of the [generator](Self::generator), from the sine and
+    /// cosine of half the angle. `None` where the axis has no direction, or a number is not finite.
     #[must_use]
     pub fn to_motor(self) -> Option<Motor<S>> {
         let half = S::from_ratio(1, 2);
@@ -97,13 +98,13 @@ impl<S: Real<Mask = bool>> Screw<S> {
 }
 
 impl<S: Real<Mask = bool>> MotorGenerator<S> {
-    /// The screw of the motion that this generates, or of a velocity its instantaneous screw: the
-    /// axis, and the angle and the displacement, or their rates. The angle is not negative.
+    /// The screw of the motion with this generator, or, for a velocity, its instantaneous screw:
+    /// the axis, and the angle and the displacement, or their rates. The angle is not negative.
     ///
-    /// Without a rotation the axis goes through the origin along the translation, with a
-    /// displacement that is not negative; for zero it is the axis e3. A rotation so slow that its
-    /// axis is farther away than numbers reach counts as none. `None` where a coefficient is not
-    /// finite, or the result would be beyond the range of the scalar.
+    /// Without a rotation the axis passes through the origin along the translation, with a
+    /// displacement that is not negative; for zero it is the axis e3. A rotation so small that its
+    /// axis is beyond the range of the scalar is ignored. `None` where a coefficient is not finite,
+    /// or the result would be beyond the range of the scalar.
     #[must_use]
     pub fn screw(self) -> Option<Screw<S>> {
         let two = S::from_integer(2);
@@ -149,9 +150,9 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// | `−1` | −e3, through the origin | 2π | 0 |
     /// | minus a translation by t | along t, through the origin | 2π | of either sign |
     ///
-    /// The place of the axis is known to the rounding of the translation across it divided by the
-    /// sine of half the angle, so less well close to 0 and to 2π. `None` where a coefficient is not
-    /// finite, or the result would be beyond the range of the scalar.
+    /// The error of the axis's position is the rounding of the translation perpendicular to it,
+    /// divided by the sine of half the angle; so it grows as the angle approaches 0 or 2π. `None`
+    /// where a coefficient is not finite, or the result would be beyond the range of the scalar.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Translator};

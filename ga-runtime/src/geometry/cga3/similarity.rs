@@ -1,4 +1,4 @@
-//! Similarities from their parts and back, powers of them, and the way between two.
+//! Similarities: composition from parts, decomposition, powers and interpolation.
 //!
 //! Matrices are in [`homogeneous`](super::homogeneous).
 
@@ -45,10 +45,10 @@ impl<S: Real<Mask = bool>> Similarity<S> {
         if is_growth { square } else { square.recip() }
     }
 
-    /// The similarity nearest to a sum of similarities, or to one that has lost its norm in a long
-    /// chain of products: `V (V ~V)^(−½)`, as for [`EvenVersor::normalize`]. Blades that no
-    /// similarity has are left out. `None` where there is none, as for zero, or a coefficient is
-    /// not finite.
+    /// The similarity nearest to a sum of similarities, or to a similarity whose norm has drifted
+    /// in a long chain of products: `V (V ~V)^(−½)`, as for [`EvenVersor::normalize`]. Coefficients
+    /// of blades that similarities do not have are dropped. `None` where there is no such
+    /// similarity, as for zero, or where a coefficient is not finite.
     ///
     /// ```
     /// use ga_runtime::cga3::{Even, Rotor, Similarity};
@@ -66,7 +66,7 @@ impl<S: Real<Mask = bool>> Similarity<S> {
         Some(part(unit.into()))
     }
 
-    /// The motion `T R` of `T R D`, which comes after the scaling about the origin.
+    /// The motion `T R` of `T R D`, which is applied after the scaling about the origin.
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Rotor, Similarity, Translator};
@@ -94,8 +94,8 @@ impl<S: Real<Mask = bool>> Similarity<S> {
         Affine::from(self).translation
     }
 
-    /// The point that stays, about which the similarity rotates and scales: `None` where the factor
-    /// is 1 or so close to it that the point is beyond the range of the scalar.
+    /// The fixed point, about which the similarity rotates and scales; `None` where the factor is 1
+    /// or so close to 1 that the point is beyond the range of the scalar.
     ///
     /// ```
     /// use ga_runtime::cga3::{Point, Rotor, Similarity};
@@ -105,8 +105,8 @@ impl<S: Real<Mask = bool>> Similarity<S> {
     /// ```
     #[must_use]
     pub fn fixed_point(self) -> Option<Point<S>> {
-        // (1 − s R) c = t. Along the axis n of R that is (1 − s) (n·c) = n·t; across it R is a
-        // complex number of size 1.
+        // (1 − s R) c = t. Along the axis n of R that is (1 − s) (n·c) = n·t; perpendicular to it R
+        // acts as a complex number of absolute value 1.
         let (factor, zero, one) = (self.factor(), S::zero(), S::one());
         let (vector, w) = self.rotor().to_quaternion();
         let t = self.displacement();
@@ -124,7 +124,7 @@ impl<S: Real<Mask = bool>> Similarity<S> {
         } else {
             along / shrunk
         };
-        // 1 − s cos θ, which does not cancel, and s sin θ.
+        // 1 − s cos θ, computed without cancellation, and s sin θ.
         let two = one + one;
         let real = shrunk + two * factor * half_sine * half_sine;
         let imaginary = two * factor * w * half_sine;
@@ -168,9 +168,9 @@ impl<S: Real<Mask = bool>> Similarity<S> {
         (self.log() * t).exp()
     }
 
-    /// The similarity on the way from `self` at t = 0 to `other` at t = 1, `A exp(t log(~A B))` by
-    /// the short way round: the points move along logarithmic spirals about the point that stays,
-    /// the factor grows by equal ratios in equal times. `None` as for [`powf`](Self::powf).
+    /// The interpolation from `self` at t = 0 to `other` at t = 1, `A exp(t log(~A B))`, by the
+    /// shorter rotation: points move along logarithmic spirals about the fixed point, and the
+    /// factor changes by equal ratios in equal times. `None` as for [`powf`](Self::powf).
     ///
     /// ```
     /// use ga_runtime::cga3::{Dilator, Similarity};
@@ -190,7 +190,7 @@ impl<S: Real<Mask = bool>> Similarity<S> {
         Some(self * between.powf(t)?)
     }
 
-    /// R by √s where that is more than 1, else R by 1/√s, and which of them it is.
+    /// R times √s where that is more than 1, otherwise R times 1/√s, and whether it is the former.
     fn scaled_rotor(self) -> (Quaternion<S>, bool) {
         let even = Quaternion::new(self.scalar(), self.e12(), self.e13(), self.e23());
         let odd = Quaternion::new(self.eoi(), self.e12oi(), self.e13oi(), self.e23oi());

@@ -4,8 +4,8 @@ use crate::cga3::{DualSphere, Point, Sphere};
 use crate::scalar::{Field, Real};
 
 impl<S: Field> Sphere<S> {
-    /// The sphere through four points, `p∧q∧r∧s`; a plane where they are in one plane, zero where
-    /// they are on one circle.
+    /// The sphere through four points, `p∧q∧r∧s`; a plane where they are coplanar, zero where they
+    /// are on one circle or line.
     ///
     /// ```
     /// use ga_runtime::cga3::{Point, Sphere};
@@ -21,14 +21,14 @@ impl<S: Field> Sphere<S> {
         p ^ q ^ r ^ s
     }
 
-    /// The sphere about a centre.
+    /// The sphere with a given centre and radius.
     #[inline]
     #[must_use]
     pub fn from_centre_radius(centre: Point<S>, radius: S) -> Self {
         DualSphere::from_centre_radius(centre, radius).undual()
     }
 
-    /// The sphere about a centre by its squared radius, which may be zero, for a point, and
+    /// The sphere with a given centre and squared radius, which may be zero, for a point, or
     /// negative, for an imaginary sphere.
     #[inline]
     #[must_use]
@@ -52,9 +52,9 @@ impl<S: Field> Sphere<S> {
 }
 
 impl<S: Real<Mask = bool>> Sphere<S> {
-    /// The radius; `None` for a plane and for an imaginary sphere. The sphere knows r² only up to
-    /// rounding of the squared distance of the centre from the origin: where
-    /// `|r²| ≤ 32 ε (2c² + r²)` the radius is zero.
+    /// The radius; `None` for a plane and for an imaginary sphere. The coefficients of the sphere
+    /// determine r² only up to the rounding of the squared distance of the centre from the origin:
+    /// where `|r²| ≤ 32 ε (2c² + r²)` the radius is zero.
     #[inline]
     #[must_use]
     pub fn radius(self) -> Option<S> {

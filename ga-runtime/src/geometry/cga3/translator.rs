@@ -4,7 +4,7 @@ use crate::cga3::{MotorGenerator, Translator};
 use crate::scalar::Field;
 
 impl<S: Field> Translator<S> {
-    /// The translation by t: `T = 1 − ½ t ei` (the paper's eq. 26, corrected).
+    /// The translation by t: `T = 1 − ½ t ei` (Cui, eq. 26, corrected).
     ///
     /// ```
     /// use ga_runtime::cga3::{Point, Translator};
@@ -39,7 +39,7 @@ impl<S: Field> Translator<S> {
         MotorGenerator::new(zero, zero, zero, self.e1i(), self.e2i(), self.e3i())
     }
 
-    /// The translation by so many times the displacement, `1 − ½ s t ei`.
+    /// The translation by s times the displacement, `1 − ½ s t ei`.
     #[inline]
     #[must_use]
     pub fn powf(self, exponent: S) -> Self {
@@ -47,15 +47,15 @@ impl<S: Field> Translator<S> {
         Self::new(x, y, z)
     }
 
-    /// The translation half way.
+    /// The translation by half the displacement.
     #[inline]
     #[must_use]
     pub fn sqrt(self) -> Self {
         self.powf(S::from_ratio(1, 2))
     }
 
-    /// The translation on the way from `self` at t = 0 to `other` at t = 1, along a straight line
-    /// at constant speed.
+    /// The interpolation from `self` at t = 0 to `other` at t = 1, along a straight line at
+    /// constant speed.
     ///
     /// ```
     /// use ga_runtime::cga3::Translator;

@@ -49,22 +49,22 @@ impl<S: Ring> Transversor<S> {
 }
 
 impl<S: Real<Mask = bool>> Transversor<S> {
-    /// The power, that of `t k`.
+    /// The power, which is the transversor of `t k`.
     #[inline]
     #[must_use]
     pub fn powf(self, t: S) -> Self {
         Self::from_vector(self.vector().map(|x| x * t))
     }
 
-    /// The transversor of half of k.
+    /// The square root, which is the transversor of `½ k`.
     #[inline]
     #[must_use]
     pub fn sqrt(self) -> Self {
         self.powf(S::from_ratio(1, 2))
     }
 
-    /// The image of a point; `None` where it is at infinity, which is so for `−k/k²`, or beyond the
-    /// range of the scalar.
+    /// The image of a point; `None` where it is at infinity, as for the point `−k/k²`, or beyond
+    /// the range of the scalar.
     #[must_use]
     pub fn transform_point(self, point: Point<S>) -> Option<Point<S>> {
         image_point(self.transform(point))

@@ -1,7 +1,8 @@
 //! General versors acting on vectors, point pairs, circles and spheres, in direct and dual form.
 //!
-//! Flats are rounds through infinity and need not stay flat: a line moves as the [`Circle`] that it
-//! is by `From`, a plane as the [`Sphere`], a flat point as the [`PointPair`].
+//! The image of a flat element may be round. So convert it by `From` to the round type that
+//! contains it first: a line to a [`Circle`], a plane to a [`Sphere`], a flat point to a
+//! [`PointPair`].
 
 use super::odd_versor::even_part;
 use crate::cga3::{
@@ -11,12 +12,11 @@ use crate::cga3::{
 use crate::products::Sandwich;
 use crate::scalar::{Field, Ring};
 
-/// An even element that moves what the versor moves, and the sign in which it does so to even
-/// blades.
+/// An even element that acts as the versor does, up to a sign that it applies to even blades.
 trait EvenAction<S> {
     /// The image of an even blade.
     fn even_image(self, blade: Even<S>) -> Even<S>;
-    /// The image of an even blade of which the product with the pseudoscalar is meant.
+    /// The image of an even blade that represents its product with the pseudoscalar.
     fn dual_image(self, blade: Even<S>) -> Even<S>;
 }
 
@@ -99,9 +99,9 @@ macro_rules! methods {
         impl<S: Field> $Versor<S> {
             #[doc = concat!("Moves another element by this versor, `x ↦ ", $formula, "`.")]
             ///
-            /// Points go to vectors with a weight of their own, dual planes to dual spheres. Other
-            /// flats move as the rounds that they are: convert a line to a circle, a plane to a
-            /// sphere, a flat point to a point pair.
+            /// The image of a point is a vector with a weight, that of a dual plane a dual sphere.
+            /// Convert other flats first: a line to a circle, a plane to a sphere, a flat point to
+            /// a point pair.
             #[inline]
             #[must_use]
             pub fn sandwich<B>(self, other: B) -> <Self as Sandwich<B>>::Output
