@@ -67,8 +67,8 @@ crate::algebra! {
     /// | [`Even`], [`Odd`] | all sixteen of even, of odd grade | sums of versors |
     /// | [`Multivector`] | all 32 | any sum |
     ///
-    /// [`E1`], [`E2`], [`E3`], [`Origin`] and [`Infinity`] are the basis vectors as types without
-    /// size, so that `p ^ q ^ Infinity` is a line at no cost.
+    /// [`E1`], [`E2`], [`E3`], [`Origin`] and [`Infinity`] are the basis vectors as zero-sized
+    /// types, so that `p ^ q ^ Infinity` is a line at no cost.
     ///
     /// # Products
     ///

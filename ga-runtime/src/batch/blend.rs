@@ -1,4 +1,4 @@
-//! Weighted means of motors. The motors come from arbitrary places of the palette, so vector
+//! Weighted means of motors. The motors are read from arbitrary indices of the palette, so vector
 //! instructions would not make this faster.
 
 use core::fmt;

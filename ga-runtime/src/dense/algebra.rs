@@ -17,8 +17,8 @@ pub(super) const MAXIMUM_DIMENSION: usize = 16;
 
 /// A geometric algebra over the scalars `S`, given by the inner products of its basis vectors.
 ///
-/// Its methods make its multivectors. A clone shares the definition, so that cloning is cheap. Two
-/// algebras are equal if their metrics are.
+/// Multivectors are created by methods of their algebra. Clones share the definition, so that
+/// cloning is cheap. Two algebras are equal if their metrics are.
 ///
 /// ```
 /// use ga_runtime::dense::Algebra;

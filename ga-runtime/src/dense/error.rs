@@ -70,7 +70,7 @@ impl fmt::Display for DenseError {
         match self {
             Self::TooManyVectors { dimension } => write!(
                 formatter,
-                "an algebra of {dimension} basis vectors is too large, the most is {}",
+                "an algebra of {dimension} basis vectors is too large, the maximum is {}",
                 super::algebra::MAXIMUM_DIMENSION
             ),
             Self::NotSquare {
@@ -80,7 +80,7 @@ impl fmt::Display for DenseError {
             } => {
                 write!(
                     formatter,
-                    "row {row} of the metric has {entries} entries in place of {dimension}"
+                    "row {row} of the metric has {entries} entries instead of {dimension}"
                 )
             }
             Self::NotSymmetric { row, column } => {
@@ -102,7 +102,7 @@ impl fmt::Display for DenseError {
                 )
             }
             Self::CoefficientCount { expected, found } => {
-                write!(formatter, "{found} coefficients in place of {expected}")
+                write!(formatter, "{found} coefficients instead of {expected}")
             }
             Self::NoSuchBlade { blade, dimension } => {
                 write!(

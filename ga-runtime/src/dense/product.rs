@@ -21,14 +21,14 @@ impl<S: Ring> Multivector<S> {
         self.multiply(other, Recursion::Wedge)
     }
 
-    /// The left contraction a ⌋ b, Σ ⟨aᵣ bₛ⟩ of grade s − r: what is left of b when a is taken out
-    /// of it.
+    /// The left contraction a ⌋ b, Σ ⟨aᵣ bₛ⟩ of grade s − r: what remains of b when a is removed
+    /// from it.
     pub fn left_contraction(&self, other: &Self) -> Self {
         self.multiply(other, Recursion::LeftContraction)
     }
 
-    /// The right contraction a ⌊ b, Σ ⟨aᵣ bₛ⟩ of grade r − s: what is left of a when b is taken out
-    /// of it.
+    /// The right contraction a ⌊ b, Σ ⟨aᵣ bₛ⟩ of grade r − s: what remains of a when b is removed
+    /// from it.
     pub fn right_contraction(&self, other: &Self) -> Self {
         other.reverse().left_contraction(&self.reverse()).reverse()
     }

@@ -11,12 +11,12 @@
 //! | `num-traits-02` | num-traits 0.2 | `Zero` and `One`; foreign floating-point types as scalars |
 //! | `serde-1` | serde 1 | every declared type read and written, by the names of its blades |
 //!
-//! glam and nalgebra have counterparts of points, directions, motions, similarities and affine
-//! maps; mint has those of points, directions, rotors and 4×4 matrices. All features work without
-//! the standard library. The number in a feature is the version of the crate; another version would
-//! have a feature of its own. "Every declared type" includes those of your own algebras, and your
-//! crate needs no feature for it: `algebra!` emits the traits that the features of ga-runtime
-//! enable.
+//! glam and nalgebra have counterparts of vectors, points, directions, motions, similarities and
+//! affine maps. mint has those of vectors, points, directions and rotors, and its 4×4 matrices are
+//! converted to motors and affine maps. All features work without the standard library. The number
+//! in a feature is the version of the crate; another version would have a feature of its own.
+//! "Every declared type" includes those of your own algebras, and your crate needs no feature for
+//! it: `algebra!` emits the traits that the features of ga-runtime enable.
 //!
 //! A conversion is `From` where every value has a counterpart. Otherwise it is `TryFrom` (a matrix
 //! that shears, for instance, is not a motor), with the error [`NotRigid`] or

@@ -15,7 +15,7 @@ use crate::scalar::Ring;
 /// - `assert_close!(a, b)` takes [`Coefficients::TOLERANCE`] of the type: 10⁻¹² over `f64`, 10⁻⁵
 ///   over `f32`.
 /// - `assert_close!(a, b, tolerance)` takes another.
-/// - `assert_close!(a, b, tolerance, scale)` measures relative to the given scale in place of the
+/// - `assert_close!(a, b, tolerance, scale)` measures relative to the given scale instead of the
 ///   largest coefficient. That is the form for results that should be zero, where `scale` is the
 ///   size of the terms that cancel.
 ///

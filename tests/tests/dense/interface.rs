@@ -108,7 +108,7 @@ fn errors_say_what_and_where() {
     let messages = [
         (
             DenseError::TooManyVectors { dimension: 17 },
-            "17 basis vectors is too large, the most is 16",
+            "17 basis vectors is too large, the maximum is 16",
         ),
         (
             DenseError::NotSquare {
@@ -116,7 +116,7 @@ fn errors_say_what_and_where() {
                 entries: 3,
                 dimension: 2,
             },
-            "row 1 of the metric has 3 entries in place of 2",
+            "row 1 of the metric has 3 entries instead of 2",
         ),
         (
             DenseError::NotSymmetric { row: 1, column: 0 },

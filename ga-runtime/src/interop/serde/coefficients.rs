@@ -154,7 +154,7 @@ impl<'de, S: Deserialize<'de> + Copy, const N: usize> Visitor<'de> for Named<S, 
     }
 }
 
-/// The place of a blade's name.
+/// The index of a blade, from its name.
 struct Blade<const N: usize>(&'static [&'static str; N]);
 
 impl<'de, const N: usize> DeserializeSeed<'de> for Blade<N> {
@@ -203,7 +203,7 @@ impl<'de, S: Deserialize<'de> + Copy, const N: usize> Visitor<'de> for Listed<S,
     }
 }
 
-/// All the values, or the place of the first that is missing.
+/// All the values, or the index of the first that is missing.
 fn collected<S: Copy, const N: usize>(found: [Option<S>; N]) -> Result<[S; N], usize> {
     let first = found.iter().flatten().next().copied().ok_or(0_usize)?;
     let mut values = [first; N];
