@@ -21,16 +21,15 @@ pub fn members<T: Element<Scalar = Prime61>>() -> Members<Prime61> {
     Members::new(T::METRIC, T::BLADES, T::IS_FREE)
 }
 
+/// A test that takes the reference algebra and the numbers of each operand.
+type TestOfNumbers<'a> = dyn Fn(&Algebra<Prime61>, &[Vec<Prime61>]) -> Option<()> + 'a;
+
 /// Runs a test on random numbers, as many for each operand as `counts` says, the same in every run.
 /// The test returns `None` where the numbers do not make operands, and panics where it fails.
 ///
 /// # Panics
 /// If the test fails, with the smallest failing numbers that were found.
-pub fn for_all_numbers(
-    metric: &[&[(i64, i64)]],
-    counts: &[usize],
-    test: &dyn Fn(&Algebra<Prime61>, &[Vec<Prime61>]) -> Option<()>,
-) {
+pub fn for_all_numbers(metric: &[&[(i64, i64)]], counts: &[usize], test: &TestOfNumbers<'_>) {
     let algebra = algebra_of(metric);
     let strategy: Vec<_> = counts.iter().map(|&count| vec(prime(), count)).collect();
     let outcome = runner().run(&strategy, |numbers| {
