@@ -1,11 +1,11 @@
-//! Euclidean geometry in cga3: what each type is built from, what can be read back from it, and how
-//! two of them lie to each other.
+//! Euclidean geometry in cga3: how each type is constructed, which Euclidean data can be read from
+//! it, and the relations between two of them.
 //!
 //! Nearly everything here is an inherent method of a type of [`cga3`](crate::cga3). Coordinates are
-//! arrays `[x, y, z]`, angles are in radians and right-handed. What may not exist comes back as an
-//! `Option`, and so does what may be beyond the range of the scalar: what is read back is finite or
-//! `None`. What is built holds products of up to three coordinates, which very large ones take
-//! beyond the range.
+//! arrays `[x, y, z]`, angles are in radians and right-handed. A result that may not exist, or that
+//! may be beyond the range of the scalar, is an `Option`: data read from an element is finite or
+//! `None`. Constructors compute products of up to three coordinates, which may overflow for very
+//! large coordinates.
 //!
 //! # Primitives
 //!
@@ -26,55 +26,55 @@
 //!   `attitude`, `support`, `signed_distance`.
 //!
 //! The dual forms `DualSphere`, `DualPlane`, `DualCircle`, `DualPointPair`, `DualFlatPoint`,
-//! `DualDirection` and, for lines, `MotorGenerator` come from `dual` and go back by `undual`; they
-//! meet by `^`. [`Kind`] says at run time whether a round is real, imaginary or a tangent, and
-//! whether a blade is a round at all.
+//! `DualDirection` and, for lines, `MotorGenerator` are results of `dual`, and `undual` converts
+//! them back; `^` is the meet of dual forms. [`Kind`] classifies blades at run time: whether one is
+//! round, and whether a round is real, imaginary or a tangent.
 //!
 //! # Rigid versors and scalings
 //!
 //! - `Rotor`: `exp(−½θB)`; built by `from_axis_angle`, `from_rotation_vector`, `between`,
 //!   `from_matrix`, `from_quaternion`; read by `to_axis_angle`, `to_rotation_vector`, `to_matrix`,
-//!   `to_quaternion`, `path`; along the way `log`, `powf`, `sqrt`, `interpolate`, `along`.
-//! - `Translator`: `1 − ½ t ei`; built by `from_displacement`; read by `displacement`; along the
-//!   way `log`, `powf`, `sqrt`, `interpolate`.
+//!   `to_quaternion`, `path`; functions `log`, `powf`, `sqrt`, `interpolate`, `along`.
+//! - `Translator`: `1 − ½ t ei`; built by `from_displacement`; read by `displacement`; functions
+//!   `log`, `powf`, `sqrt`, `interpolate`.
 //! - `Motor`: `T R`; built by `translator * rotor`, `about`, `from_matrix`, [`Screw::to_motor`];
-//!   read by `rotor`, `translator`, `to_matrix`, `screw`, `path`; along the way `log`, `powf`,
+//!   read by `rotor`, `translator`, `to_matrix`, `screw`, `path`; functions `log`, `powf`,
 //!   `sqrt`, `interpolate`, `along`.
 //! - `MotorGenerator`: `−½θB − ½ t ei`; built by `Motor::log`, [`Screw::generator`]; read by
-//!   `screw`; along the way `exp`.
-//! - `Dilator`: `exp(½ ln s eo∧ei)`; built by `from_factor`, `exp`; read by `factor`; along the way
+//!   `screw`; functions `exp`.
+//! - `Dilator`: `exp(½ ln s eo∧ei)`; built by `from_factor`, `exp`; read by `factor`; functions
 //!   `log`, `powf`, `sqrt`.
 //!
-//! A rotor or motor and its negative are the short and the long way to one place: see
-//! [`RotationPath`].
+//! A rotor or motor and its negative are the short and the long rotation to the same orientation:
+//! see [`RotationPath`].
 //!
 //! # Conformal versors
 //!
 //! - `Similarity`: `T R D`; built by products, `from_parts`, `Dilator::about`; read by `motor`,
-//!   `rotor`, `displacement`, `factor`, `fixed_point`; along the way `log`, `powf`, `sqrt`,
+//!   `rotor`, `displacement`, `factor`, `fixed_point`; functions `log`, `powf`, `sqrt`,
 //!   `interpolate`.
-//! - `SimilarityGenerator`: `−½θB − ½ t ei + ½ ln s eo∧ei`; built by `Similarity::log`; along the
-//!   way `exp`.
-//! - `Transversor`: `1 − k eo`; built by `from_vector`; read by `vector`; along the way `log`,
+//! - `SimilarityGenerator`: `−½θB − ½ t ei + ½ ln s eo∧ei`; built by `Similarity::log`; functions
+//!   `exp`.
+//! - `Transversor`: `1 − k eo`; built by `from_vector`; read by `vector`; functions `log`,
 //!   `powf`, `sqrt`.
-//! - `EvenVersor`: `V ~V = 1`; built by products, `From` of the others, `normalize`; along the way
+//! - `EvenVersor`: `V ~V = 1`; built by products, `From` of the others, `normalize`; functions
 //!   `log`, `powf`, `sqrt`, `interpolate`.
-//! - `PointPair`: any bivector; built by `EvenVersor::log`, `From` of the other generators; along
-//!   the way `exp`.
+//! - `PointPair`: any bivector; built by `EvenVersor::log`, `From` of the other generators; functions
+//!   `exp`.
 //! - `OddVersor`: `V ~V = 1`; built by `reflection`, `inversion`, products, `normalize`.
 //!
 //! Where the image of a point may have a weight, `transform_point` divides by it.
 //!
 //! # Relations and other maps
 //!
-//! What two primitives have to do with each other, distances and angles among it, is in
-//! [`relation`]. 4×4 matrices are in [`homogeneous`], maps that are not conformal in [`Affine`].
-//! Means of many motions, curves through them and motions that fit points are in [`motion`].
+//! Relations between two primitives, such as distances and angles, are in [`relation`], 4×4
+//! matrices in [`homogeneous`], and affine maps, which need not be conformal, in [`Affine`]. Means
+//! of many motions, curves through them and motions that fit points are in [`motion`].
 //!
 //! [`vga3::Vector`](crate::vga3::Vector) is the vector of space, with its operators, lengths and
 //! angles. The other algebras have their geometry as inherent methods of their types too, behind
-//! the features of their names; coordinates of the plane are `[x, y]`. [`DualQuaternionParts`] are
-//! a motor as others write it, two quaternions.
+//! the features of their names; coordinates of the plane are `[x, y]`. [`DualQuaternionParts`] is a
+//! motor as a pair of quaternions, as other libraries store it.
 
 #[cfg(feature = "cga2")]
 mod cga2;

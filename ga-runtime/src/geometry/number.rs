@@ -1,9 +1,9 @@
-//! Numbers that are finite, where the scalar is a ring and cannot tell.
+//! A test for finite numbers that needs only the operations of a ring.
 
 use crate::scalar::Ring;
 
-/// Whether a number is finite, in a ring that has others: zero times infinity is not a number, and
-/// that equals nothing.
+/// Whether a number is finite, in a ring that may have infinity and NaN: zero times infinity is
+/// NaN, which is not equal to anything.
 pub(super) fn is_number<S: Ring>(x: S) -> bool {
     x * S::zero() == S::zero()
 }

@@ -1,4 +1,4 @@
-//! Vectors of the plane as pairs of numbers, for cga2 and pga2: their features do not include vga2.
+//! Vectors of the plane as pairs of numbers, for cga2 and pga2, whose features do not include vga2.
 
 use crate::scalar::{Real, Ring};
 use crate::vga3;
@@ -7,7 +7,7 @@ pub(super) fn dot<S: Ring>(a: [S; 2], b: [S; 2]) -> S {
     a[0] * b[0] + a[1] * b[1]
 }
 
-/// The oriented area of two vectors, positive where the way from a to b is counterclockwise.
+/// The oriented area of two vectors, positive where the rotation from a to b is counterclockwise.
 pub(super) fn area<S: Ring>(a: [S; 2], b: [S; 2]) -> S {
     a[0] * b[1] - a[1] * b[0]
 }
@@ -20,7 +20,7 @@ pub(super) fn difference<S: Ring>(a: [S; 2], b: [S; 2]) -> [S; 2] {
     [a[0] - b[0], a[1] - b[1]]
 }
 
-/// The length, without overflow or underflow on the way; NaN where a component is NaN.
+/// The length, without intermediate overflow or underflow; NaN where a component is NaN.
 pub(super) fn length<S: Real<Mask = bool>>([x, y]: [S; 2]) -> S {
     vga3::Vector::new(x, y, S::zero()).length()
 }

@@ -1,4 +1,4 @@
-//! Circles of cga2, and vectors as their duals.
+//! Circles of cga2, and vectors as dual circles.
 
 use crate::cga2::{Circle, Point, RoundVector};
 use crate::geometry::number::{are_numbers, is_number};
@@ -6,7 +6,7 @@ use crate::geometry::vector2::dot;
 use crate::scalar::{Field, Real};
 
 impl<S: Field> RoundVector<S> {
-    /// The dual circle `c − ½r² ei` about the point c; imaginary where r² is negative, the point
+    /// The dual circle `c − ½r² ei` with centre c; imaginary where r² is negative, the point c
     /// itself where it is zero.
     #[inline]
     #[must_use]
@@ -19,8 +19,8 @@ impl<S: Field> RoundVector<S> {
         )
     }
 
-    /// The centre of a dual circle, or the place of a weighted point; `None` for a line, which has
-    /// weight zero, or beyond the range of the scalar.
+    /// The centre of a dual circle, or the position of a weighted point; `None` for a line, which
+    /// has weight zero, or beyond the range of the scalar.
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
         if !self.eo.is_invertible() {
@@ -43,7 +43,7 @@ impl<S: Field> RoundVector<S> {
 
 impl<S: Field> Circle<S> {
     /// The circle through three points, `p∧q∧r`, with twice the area of their triangle as its
-    /// weight: positive where they turn counterclockwise. A line where they are on one.
+    /// weight: positive where they are in counterclockwise order. A line where they are collinear.
     ///
     /// ```
     /// use ga_runtime::cga2::{Circle, Point};
@@ -59,14 +59,15 @@ impl<S: Field> Circle<S> {
         p ^ q ^ r
     }
 
-    /// The circle about a point, `undual(c − ½r² ei)`, counterclockwise with weight 1.
+    /// The circle with a given centre and radius, `undual(c − ½r² ei)`, counterclockwise with
+    /// weight 1.
     #[inline]
     #[must_use]
     pub fn from_centre_radius(centre: Point<S>, radius: S) -> Self {
         Self::from_centre_radius_squared(centre, radius * radius)
     }
 
-    /// The circle about a point by its squared radius; imaginary where that is negative.
+    /// The circle with a given centre and squared radius; imaginary where that is negative.
     #[inline]
     #[must_use]
     pub fn from_centre_radius_squared(centre: Point<S>, radius_squared: S) -> Self {

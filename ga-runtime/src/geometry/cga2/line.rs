@@ -13,7 +13,7 @@ impl<S: Ring> DualLine<S> {
         Self::new(x, y, distance)
     }
 
-    /// The normal n, as long as the line's weight.
+    /// The normal n. Its length is the line's weight.
     #[inline]
     #[must_use]
     pub fn normal(self) -> [S; 2] {
@@ -38,7 +38,7 @@ impl<S: Ring> Line<S> {
         Self::from_point_direction(p, difference(q.coordinates(), p.coordinates()))
     }
 
-    /// The line through a point in a direction d: `p∧d∧ei`. Zero where d is.
+    /// The line through a point in a direction d: `p∧d∧ei`. Zero where d is zero.
     #[inline]
     #[must_use]
     pub fn from_point_direction(point: Point<S>, direction: [S; 2]) -> Self {
@@ -46,21 +46,22 @@ impl<S: Ring> Line<S> {
         Self::new(area(point.coordinates(), direction), -x, -y)
     }
 
-    /// The direction d, as long as the line's weight.
+    /// The direction d. Its length is the line's weight.
     #[inline]
     #[must_use]
     pub fn direction(self) -> [S; 2] {
         [-self.e1oi, -self.e2oi]
     }
 
-    /// The normal, the direction turned by 90° counterclockwise: that of the dual line `n + d ei`.
+    /// The normal, which is the direction rotated by 90° counterclockwise: that of the dual line
+    /// `n + d ei`.
     #[inline]
     #[must_use]
     pub fn normal(self) -> [S; 2] {
         [self.e2oi, -self.e1oi]
     }
 
-    /// The moment `p∧d` about the origin, for any point p of the line, as a number.
+    /// The moment `p∧d` about the origin, for any point p of the line: its coefficient of e12.
     #[inline]
     #[must_use]
     pub fn moment(self) -> S {
@@ -79,8 +80,8 @@ impl<S: Real<Mask = bool>> Line<S> {
         line.e12i.is_finite().then_some(line)
     }
 
-    /// The distance of a point, positive on the side of the normal, to the left of the direction.
-    /// `None` for weight zero, or beyond the range of the scalar.
+    /// The distance to a point, positive on the side of the normal, which is to the left of the
+    /// direction. `None` for weight zero, or beyond the range of the scalar.
     #[must_use]
     pub fn signed_distance(self, point: Point<S>) -> Option<S> {
         let line = self.normalized()?;

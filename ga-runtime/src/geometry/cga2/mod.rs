@@ -1,4 +1,4 @@
-//! Euclidean geometry in cga2, as in cga3 without the third axis.
+//! Euclidean geometry in cga2: that of cga3 without the third axis.
 
 mod circle;
 mod line;

@@ -17,7 +17,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         Some(Self::new_unchecked(cosine, -sine))
     }
 
-    /// The angle in [−2π, 2π]; a rotor and its negative rotate to the same place, and differ by 2π.
+    /// The angle in [−2π, 2π]; a rotor and its negative rotate to the same orientation, and their
+    /// angles differ by 2π.
     #[must_use]
     pub fn angle(self) -> S {
         let half = (-self.e12()).atan2(self.scalar());
@@ -49,14 +50,15 @@ impl<S: Field> Translator<S> {
 }
 
 impl<S: Field> Motor<S> {
-    /// The rotation R of `M = T R`, which comes first.
+    /// The rotation R of `M = T R`, which is applied first.
     #[inline]
     #[must_use]
     pub fn rotor(self) -> Rotor<S> {
         Rotor::new_unchecked(self.scalar(), self.e12())
     }
 
-    /// The translation T of `M = T R`, which comes second: that of the origin.
+    /// The translation T of `M = T R`, which is applied second. It is the displacement of the
+    /// origin.
     #[inline]
     #[must_use]
     pub fn translator(self) -> Translator<S> {
@@ -79,17 +81,17 @@ impl<S: Real<Mask = bool>> Motor<S> {
         Translator::from_displacement(difference(point.coordinates(), turned)) * rotor
     }
 
-    /// The point that stays where it is, about which the motor rotates; `None` for a translation,
-    /// or where it is beyond the range of the scalar.
+    /// The fixed point, about which the motor rotates; `None` for a translation, or where it is
+    /// beyond the range of the scalar.
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
         let place = [-self.e2i() / self.e12(), self.e1i() / self.e12()];
         are_numbers(place).then(|| Point::from(place))
     }
 
-    /// The generator G with `exp(G) = M` and the coefficient of e12 in [−π, π]. `None` for minus a
-    /// translation that is not minus one, which is not an exponential, and where a number is not
-    /// finite. The logarithm of −1 is `π e12`.
+    /// The generator G with `exp(G) = M` and the coefficient of e12 in [−π, π]. `None` for the
+    /// negative of a translation other than the identity, which is not an exponential, and where a
+    /// number is not finite. The logarithm of −1 is `π e12`.
     #[must_use]
     pub fn log(self) -> Option<MotorGenerator<S>> {
         let (cosine, sine) = (self.scalar(), self.e12());
@@ -115,7 +117,7 @@ impl<S: Real<Mask = bool>> Motor<S> {
 
 impl<S: Real<Mask = bool>> MotorGenerator<S> {
     /// The motor `exp(G)`: for `−½θ e12` a rotation by θ about the origin, for `−½ t ei` a
-    /// translation by t, for a dual point a rotation about that. NaN stays NaN.
+    /// translation by t, for a dual point a rotation about that point. NaN propagates.
     #[must_use]
     pub fn exp(self) -> Motor<S> {
         let (sine, cosine) = self.e12.sin_cos();

@@ -13,7 +13,7 @@ impl<S: Ring> Point<S> {
         [self.e1(), self.e2()]
     }
 
-    /// The squared distance of two points, `−2 P·Q`, computed from differences of coordinates.
+    /// The squared distance between two points, `−2 P·Q`, computed from differences of coordinates.
     #[inline]
     #[must_use]
     pub fn distance_squared(self, other: Self) -> S {
@@ -23,7 +23,7 @@ impl<S: Ring> Point<S> {
 }
 
 impl<S: Real<Mask = bool>> Point<S> {
-    /// The distance of two points, `√(−2 P·Q)`.
+    /// The distance between two points, `√(−2 P·Q)`.
     ///
     /// ```
     /// use ga_runtime::cga2::Point;
@@ -44,8 +44,8 @@ impl<S> From<[S; 2]> for Point<S> {
 }
 
 impl<S: Field> FlatPoint<S> {
-    /// The point p of `p∧ei`; `None` for a direction, where parallel lines meet, or beyond the
-    /// range of the scalar.
+    /// The point p of `p∧ei`; `None` for a direction, which is the meet of parallel lines, or
+    /// beyond the range of the scalar.
     ///
     /// ```
     /// use ga_runtime::cga2::{Line, Point};

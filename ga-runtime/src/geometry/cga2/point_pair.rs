@@ -9,8 +9,8 @@ use crate::geometry::vector2::{difference, dot, length, scaled};
 use crate::scalar::{Real, Ring};
 
 impl<S: Ring> PointPair<S> {
-    /// The direction d from the first point to the second, as long as the pair's weight: `q − p`
-    /// for `p∧q`.
+    /// The direction d from the first point to the second, whose length is the pair's weight:
+    /// `q − p` for `p∧q`.
     #[inline]
     #[must_use]
     pub fn direction(self) -> [S; 2] {
@@ -19,7 +19,7 @@ impl<S: Ring> PointPair<S> {
 }
 
 impl<S: Real<Mask = bool>> PointPair<S> {
-    /// The point halfway between both; `None` for a flat one, where the direction is zero, or
+    /// The midpoint of the two points; `None` for a flat point, where the direction is zero, or
     /// beyond the range of the scalar.
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
@@ -67,7 +67,8 @@ impl<S: Real<Mask = bool>> PointPair<S> {
         }
         let pair = self / weight;
         let d = pair.direction();
-        // c·d stands at eoi, c∧d at e12, and (c·d) c − β d at ei.
+        // The coefficient of eoi is c·d, that of e12 is c∧d, and (c·d) c − β d belongs to e1i and
+        // e2i.
         let across = [d[1], -d[0]];
         let centre = [
             d[0] * pair.eoi + across[0] * pair.e12,

@@ -28,7 +28,8 @@ impl<S: Real<Mask = bool>> Dilator<S> {
         ))
     }
 
-    /// The factor s, `(cosh + sinh)²` or `1/(cosh − sinh)²`, whichever does not cancel.
+    /// The factor s, `(cosh + sinh)²` or `1/(cosh − sinh)²`, whichever is computed without
+    /// cancellation.
     #[inline]
     #[must_use]
     pub fn factor(self) -> S {
@@ -43,7 +44,7 @@ impl<S: Real<Mask = bool>> Dilator<S> {
 }
 
 impl<S: Real<Mask = bool>> Similarity<S> {
-    /// The factor s by which all lengths grow.
+    /// The factor s by which all lengths are multiplied.
     ///
     /// ```
     /// use ga_runtime::cga2::{Dilator, Rotor, Translator};

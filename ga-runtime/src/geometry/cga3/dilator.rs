@@ -28,7 +28,8 @@ impl<S: Real<Mask = bool>> Dilator<S> {
         ))
     }
 
-    /// The factor s, `(cosh + sinh)²` or `1/(cosh − sinh)²`, whichever does not cancel.
+    /// The factor s, `(cosh + sinh)²` or `1/(cosh − sinh)²`, whichever is computed without
+    /// cancellation.
     #[inline]
     #[must_use]
     pub fn factor(self) -> S {

@@ -77,7 +77,7 @@ impl Kind {
 macro_rules! kinds {
     ($($Type:ident: $what:literal, $sign:expr, $bivector:expr;)*) => {$(
         impl<S: Real<Mask = bool>> $Type<S> {
-            #[doc = concat!("The kind of the ", $what, " up to a [tolerance](Kind#tolerance).")]
+            #[doc = concat!("The kind, up to a [tolerance](Kind#tolerance), of the ", $what, ".")]
             #[must_use]
             pub fn kind(self, tolerance: S) -> Kind {
                 of_bivector($bivector(self), $sign, tolerance)
@@ -120,7 +120,7 @@ impl<S: Real<Mask = bool>> DualSphere<S> {
 macro_rules! kinds_through {
     ($($Type:ident: $what:literal, $larger:expr;)*) => {$(
         impl<S: Real<Mask = bool>> $Type<S> {
-            #[doc = concat!("The kind of the ", $what, " up to a [tolerance](Kind#tolerance).")]
+            #[doc = concat!("The kind, up to a [tolerance](Kind#tolerance), of the ", $what, ".")]
             #[must_use]
             pub fn kind(self, tolerance: S) -> Kind {
                 $larger(self).kind(tolerance)
@@ -131,11 +131,11 @@ macro_rules! kinds_through {
 
 kinds_through! {
     Sphere: "sphere", |sphere: Self| sphere.dual();
-    Plane: "plane, flat, or free where it is infinity itself,", Sphere::from;
-    DualPlane: "plane, flat, or free where it is infinity itself,", DualSphere::from;
-    Line: "line, flat, or free where its direction vanishes,", Circle::from;
-    MotorGenerator: "dual line, flat, or free where it is the generator of a translation,", DualCircle::from;
-    FlatPoint: "flat point, flat, or free where its weight vanishes,", PointPair::from;
+    Plane: "plane: flat, or free where it is infinity itself", Sphere::from;
+    DualPlane: "plane: flat, or free where it is infinity itself", DualSphere::from;
+    Line: "line: flat, or free where its direction vanishes", Circle::from;
+    MotorGenerator: "dual line: flat, or free where it is the generator of a translation", DualCircle::from;
+    FlatPoint: "flat point: flat, or free where its weight vanishes", PointPair::from;
 }
 
 fn of_bivector<S: Real<Mask = bool>>(bivector: DualCircle<S>, sign: i64, tolerance: S) -> Kind {

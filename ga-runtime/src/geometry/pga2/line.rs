@@ -14,7 +14,8 @@ impl<S: Ring> Line<S> {
         Self::new(x, y, -distance)
     }
 
-    /// The line through a place in a direction d; its normal is d turned by 90° counterclockwise.
+    /// The line through a position in a direction d; its normal is d rotated by 90°
+    /// counterclockwise.
     ///
     /// ```
     /// use ga_runtime::pga2::Line;
@@ -42,14 +43,14 @@ impl<S: Ring> Line<S> {
         p & q
     }
 
-    /// The normal n, as long as the line's weight: to the left of the direction.
+    /// The normal n, to the left of the direction. Its length is the line's weight.
     #[inline]
     #[must_use]
     pub fn normal(self) -> [S; 2] {
         [self.e1, self.e2]
     }
 
-    /// The direction, the normal turned by 90° clockwise.
+    /// The direction, which is the normal rotated by 90° clockwise.
     #[inline]
     #[must_use]
     pub fn direction(self) -> [S; 2] {
@@ -68,8 +69,8 @@ impl<S: Real<Mask = bool>> Line<S> {
         line.e0.is_finite().then_some(line)
     }
 
-    /// The distance of a point, positive on the side of the normal, to the left of the direction.
-    /// `None` for an ideal line or point, or beyond the range of the scalar.
+    /// The distance to a point, positive on the side of the normal, which is to the left of the
+    /// direction. `None` for an ideal line or point, or beyond the range of the scalar.
     #[must_use]
     pub fn signed_distance(self, point: Point<S>) -> Option<S> {
         let line = self.normalized()?;

@@ -29,14 +29,15 @@ impl<S: Field> Translator<S> {
 }
 
 impl<S: Field> Motor<S> {
-    /// The rotation R of `M = T R`, which comes first.
+    /// The rotation R of `M = T R`, which is applied first.
     #[inline]
     #[must_use]
     pub fn rotor(self) -> Rotor<S> {
         Rotor::new_unchecked(self.scalar(), self.e12())
     }
 
-    /// The translation T of `M = T R`, which comes second: that of the origin.
+    /// The translation T of `M = T R`, which is applied second. It is the displacement of the
+    /// origin.
     #[inline]
     #[must_use]
     pub fn translator(self) -> Translator<S> {
@@ -66,7 +67,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         Some(Self::new_unchecked(cosine, -sine))
     }
 
-    /// The angle in [−2π, 2π]; a rotor and its negative rotate to the same place, and differ by 2π.
+    /// The angle in [−2π, 2π]; a rotor and its negative rotate to the same orientation, and their
+    /// angles differ by 2π.
     #[must_use]
     pub fn angle(self) -> S {
         let half = (-self.e12()).atan2(self.scalar());
@@ -75,7 +77,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
 }
 
 impl<S: Real<Mask = bool>> Motor<S> {
-    /// The rotation by a rotor about a place instead of the origin, `T(p) R T(−p)`.
+    /// The rotation by a rotor about a position instead of the origin, `T(p) R T(−p)`.
     ///
     /// ```
     /// use ga_runtime::pga2::{Motor, Point, Rotor};
@@ -91,17 +93,18 @@ impl<S: Real<Mask = bool>> Motor<S> {
         Translator::from_displacement(difference(place, turned)) * rotor
     }
 
-    /// The point that stays where it is, about which the motor rotates; `None` for a translation,
-    /// or where it is beyond the range of the scalar.
+    /// The fixed point, about which the motor rotates; `None` for a translation, or where it is
+    /// beyond the range of the scalar.
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
         let place = [self.e20() / self.e12(), self.e01() / self.e12()];
         are_numbers(place).then(|| Point::from_coordinates(place))
     }
 
-    /// The bivector B with `exp(B) = M` and its weight in [−π, π]: a point for a rotation, an ideal
-    /// one for a translation. `None` for minus a translation that is not minus one, which is not an
-    /// exponential, and where a number is not finite. The logarithm of −1 is `π e12`.
+    /// The bivector B with `exp(B) = M` and a weight in [−π, π]: a point for a rotation, an ideal
+    /// point for a translation. `None` for the negative of a translation other than the identity,
+    /// which is not an exponential, and where a number is not finite. The logarithm of −1 is
+    /// `π e12`.
     #[must_use]
     pub fn log(self) -> Option<Point<S>> {
         let (cosine, sine) = (self.scalar(), self.e12());
@@ -124,15 +127,15 @@ impl<S: Real<Mask = bool>> Motor<S> {
         are_numbers(ends).then(|| Point::from_homogeneous(ends, weight))
     }
 
-    /// The motion on the way from `self` at t = 0 to `other` at t = 1 with constant speed about one
-    /// point, by the short way round: `M exp(t log(~M N))`. NaN stays NaN.
+    /// The interpolation from `self` at t = 0 to `other` at t = 1 with constant speed about one
+    /// point, by the shorter rotation: `M exp(t log(~M N))`. NaN propagates.
     #[must_use]
     pub fn interpolate(self, other: Self, t: S) -> Self {
         let mut between = self.reverse() * other;
         if between.scalar().less_than(S::zero()) {
             between = -between;
         }
-        // With a scalar part that is not negative only what is not finite has no logarithm.
+        // If the scalar part is not negative, only motors that are not finite have no logarithm.
         match between.log() {
             Some(generator) => self * (generator * t).exp(),
             None => self * between,

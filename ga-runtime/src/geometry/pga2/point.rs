@@ -50,7 +50,8 @@ impl<S: Real<Mask = bool>> Point<S> {
         are_numbers(place).then_some(place)
     }
 
-    /// The distance of two points; `None` where one is ideal, or beyond the range of the scalar.
+    /// The distance between two points; `None` where one is ideal, or beyond the range of the
+    /// scalar.
     #[must_use]
     pub fn distance(self, other: Self) -> Option<S> {
         let distance = length(difference(self.coordinates()?, other.coordinates()?));
@@ -58,9 +59,9 @@ impl<S: Real<Mask = bool>> Point<S> {
     }
 
     /// The motor `exp(B)` of any bivector: `−½θP` rotates by θ about the point P of weight 1,
-    /// counterclockwise; `½ t∧e0`, an ideal point, translates by t. NaN stays NaN.
+    /// counterclockwise; `½ t∧e0`, an ideal point, translates by t. NaN propagates.
     ///
-    /// Points square to minus their squared weight, so that it is `cos w + (sin w / w) B`.
+    /// A point B squares to minus its squared weight w², so that `exp(B) = cos w + (sin w / w) B`.
     ///
     /// ```
     /// use ga_runtime::pga2::Point;

@@ -1,13 +1,13 @@
-//! From cga3 and back.
+//! Conversions between pga3 and cga3.
 //!
-//! `e0 ↦ −ei` takes pga3 into cga3 with all its products: the plane `n + d e0` becomes the dual
-//! plane `n − d ei`, and motors act alike. Nothing is rounded on the way.
+//! The map `e0 ↦ −ei` embeds pga3 in cga3 with all its products: the plane `n + d e0` becomes the
+//! dual plane `n − d ei`, and motors act in the same way. The conversion is exact.
 
 use crate::cga3;
 use crate::pga3::{Direction, Line, Motor, MotorSum, Plane, Point, Rotor, Translator};
 use crate::scalar::{Field, Real, Ring};
 
-/// Both directions of a conversion that changes the signs of some blades.
+/// Implements both directions of a conversion that changes the signs of some blades.
 macro_rules! alike {
     ($($Type:ident, $Conformal:ident, $make:ident, $read:tt: $($a:ident -> $b:ident $sign:tt),+;)+) => {$(
         impl<S: Ring> From<cga3::$Conformal<S>> for $Type<S> {
@@ -119,8 +119,8 @@ impl<S: Ring> From<Direction<S>> for cga3::Direction<S> {
 }
 
 impl<S: Real<Mask = bool>> Point<S> {
-    /// The point of [`cga3`] at the same place; `None` for an ideal point. The whole
-    /// [`cga3::FlatPoint`] has an exact `From`.
+    /// The point of [`cga3`] at the same position; `None` for an ideal point. The conversion to
+    /// [`cga3::FlatPoint`] by `From` is exact and always possible.
     #[inline]
     #[must_use]
     pub fn to_conformal(self) -> Option<cga3::Point<S>> {

@@ -7,8 +7,8 @@ use crate::vga3::Vector;
 
 impl<S: Ring> Line<S> {
     /// The line through two points, from p to q: `q ∨ p`, so that a rotation about it is
-    /// right-handed about `q − p`. Zero where the points coincide; the ideal point of a
-    /// [`Direction`](crate::pga3::Direction) does for q.
+    /// right-handed about `q − p`. Zero where the points coincide. q may be the ideal point of a
+    /// [`Direction`](crate::pga3::Direction).
     ///
     /// ```
     /// use ga_runtime::pga3::{Line, Point};
@@ -23,15 +23,15 @@ impl<S: Ring> Line<S> {
         q & p
     }
 
-    /// The line with direction d and moment m, `d1 e23 − d2 e13 + d3 e12 − m∧e0`. It is a line
-    /// where `d·m = 0`; other bivectors are generators of screws, see [`Line::exp`].
+    /// The line with direction d and moment m, `d1 e23 − d2 e13 + d3 e12 − m∧e0`. It is a line if
+    /// `d·m = 0`; other bivectors are generators of screws, see [`Line::exp`].
     #[inline]
     #[must_use]
     pub fn from_direction_moment([d1, d2, d3]: [S; 3], [m1, m2, m3]: [S; 3]) -> Self {
         Self::new(d3, -d2, d1, -m1, -m2, -m3)
     }
 
-    /// The line through a place in a direction.
+    /// The line through a position in a direction.
     #[inline]
     #[must_use]
     pub fn from_point_direction(place: [S; 3], direction: [S; 3]) -> Self {
@@ -39,8 +39,8 @@ impl<S: Ring> Line<S> {
         Self::from_direction_moment(direction, moment.into())
     }
 
-    /// The direction d, as long as the line's weight: the coefficients of e23, −e13, e12. For a
-    /// meet `Π∧Ρ` of planes it is the cross product of their normals.
+    /// The direction d, whose length is the line's weight: the coefficients of e23, −e13, e12. For
+    /// a meet `Π∧Ρ` of planes it is the cross product of their normals.
     #[inline]
     #[must_use]
     pub fn direction(self) -> [S; 3] {
@@ -76,7 +76,7 @@ impl<S: Real<Mask = bool>> Line<S> {
         are_numbers(line.moment()).then_some(line)
     }
 
-    /// The point of the line that is nearest to the origin, `d × m / d²`; `None` for an ideal line.
+    /// The point of the line nearest to the origin, `d × m / d²`; `None` for an ideal line.
     #[must_use]
     pub fn support(self) -> Option<Point<S>> {
         let line = self.normalized()?;
@@ -105,15 +105,15 @@ impl<S: Real<Mask = bool>> Line<S> {
             .then(|| Point::from_coordinates(foot.into()))
     }
 
-    /// The distance of a point; `None` for an ideal line or point.
+    /// The distance to a point; `None` for an ideal line or point.
     #[must_use]
     pub fn distance(self, point: Point<S>) -> Option<S> {
         self.foot(point)?.distance(point)
     }
 
-    /// The distance of two lines, `|d1·m2 + d2·m1| / |d1 × d2|` for skew ones. Where the angle
-    /// between them is below √ε, they are taken as parallel, and the distance is that of the
-    /// other's point nearest to the origin. `None` where one is ideal.
+    /// The distance between two lines, `|d1·m2 + d2·m1| / |d1 × d2|` for skew lines. If the angle
+    /// between them is below √ε, they are treated as parallel, and the distance is that of the
+    /// other line's point nearest to the origin. `None` where one is ideal.
     #[must_use]
     pub fn distance_to_line(self, other: Self) -> Option<S> {
         let (a, b) = (self.normalized()?, other.normalized()?);
@@ -133,8 +133,8 @@ impl<S: Real<Mask = bool>> Line<S> {
         Some(a.cross(b).length().atan2(a.dot(b)))
     }
 
-    /// The angle between the line and a plane, in [−½π, ½π]: positive where the line leaves on the
-    /// side of the normal. `None` where one is ideal.
+    /// The angle between the line and a plane, in [−½π, ½π]: positive where the direction of the
+    /// line points to the side of the normal. `None` where one is ideal.
     #[must_use]
     pub fn angle_to_plane(self, plane: Plane<S>) -> Option<S> {
         let [direction, normal] = [self.unit_direction()?, plane.unit_normal()?].map(Vector::from);
@@ -147,9 +147,9 @@ impl<S: Real<Mask = bool>> Line<S> {
 
     /// The motor `exp(B)` of any bivector: `B = −½θL` rotates by θ about the unit line L,
     /// right-handed about its direction; `B = ½ t∧e0` translates by t; a sum of both with t along L
-    /// is a screw.
+    /// gives a screw.
     ///
-    /// Right to rounding for angles however small. NaN stays NaN.
+    /// Accurate to rounding for arbitrarily small angles. NaN propagates.
     ///
     /// ```
     /// use ga_runtime::pga3::{Line, Point};

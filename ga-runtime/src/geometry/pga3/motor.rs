@@ -15,14 +15,13 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         cga3::Rotor::from_axis_angle(axis, angle).map(Self::from)
     }
 
-    /// The axis of length 1 and the angle in [0, 2π], as [`cga3::Rotor::to_axis_angle`] tells them.
+    /// The axis of length 1 and the angle in [0, 2π], as in [`cga3::Rotor::to_axis_angle`].
     #[must_use]
     pub fn to_axis_angle(self) -> ([S; 3], S) {
         cga3::Rotor::from(self).to_axis_angle()
     }
 
-    /// The rotation by the shortest way from one direction to another; `None` where one is zero or
-    /// not finite.
+    /// The shortest rotation from one direction to another; `None` where one is zero or not finite.
     #[must_use]
     pub fn between(from: [S; 3], to: [S; 3]) -> Option<Self> {
         cga3::Rotor::between(from, to).map(Self::from)
@@ -30,7 +29,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
 }
 
 impl<S: Field> Translator<S> {
-    /// The translation by t: `T = 1 + ½ t e0`, with e10, e20, e30 being half the displacement.
+    /// The translation by t: `T = 1 + ½ t e0`. The coefficients of e10, e20, e30 are half the
+    /// displacement.
     ///
     /// ```
     /// use ga_runtime::pga3::{Point, Translator};
@@ -54,14 +54,15 @@ impl<S: Field> Translator<S> {
 }
 
 impl<S: Field> Motor<S> {
-    /// The rotation R of `M = T R`, which comes first.
+    /// The rotation R of `M = T R`, which is applied first.
     #[inline]
     #[must_use]
     pub fn rotor(self) -> Rotor<S> {
         Rotor::new_unchecked(self.scalar(), self.e12(), self.e13(), self.e23())
     }
 
-    /// The translation T of `M = T R`, which comes second: that of the origin.
+    /// The translation T of `M = T R`, which is applied second. It is the displacement of the
+    /// origin.
     #[inline]
     #[must_use]
     pub fn translator(self) -> Translator<S> {
@@ -96,9 +97,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
         usable.then(|| generator.exp())
     }
 
-    /// The bivector B with `exp(B) = M`, for a rotation by θ in [0, 2π], so that the sign of M
-    /// comes back too. Conventions are those of [`cga3::Motor::log`]; NaN stays
-    /// NaN.
+    /// The bivector B with `exp(B) = M`, for a rotation by θ in [0, 2π], so that `exp(B)` restores
+    /// the sign of M too. Conventions are those of [`cga3::Motor::log`]; NaN propagates.
     ///
     /// ```
     /// use ga_runtime::pga3::{Motor, Rotor, Translator};
@@ -111,8 +111,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
         cga3::Motor::from(self).log().into()
     }
 
-    /// The motion on the way from `self` at t = 0 to `other` at t = 1 along a screw of constant
-    /// speed, by the short way round: `M exp(t log(~M N))`.
+    /// The interpolation from `self` at t = 0 to `other` at t = 1 along a screw at constant speed,
+    /// by the shorter rotation: `M exp(t log(~M N))`.
     #[must_use]
     pub fn interpolate(self, other: Self, t: S) -> Self {
         cga3::Motor::from(self).interpolate(other.into(), t).into()

@@ -20,7 +20,7 @@ impl<S: Ring> Plane<S> {
         Self::new(x, y, z, -distance)
     }
 
-    /// The plane through a place with a normal.
+    /// The plane through a position with a given normal.
     #[inline]
     #[must_use]
     pub fn from_point_normal(place: [S; 3], normal: [S; 3]) -> Self {
@@ -28,7 +28,7 @@ impl<S: Ring> Plane<S> {
     }
 
     /// The plane through three points, `p∨q∨r`: its normal is `(q − p) × (r − p)`, so that p, q, r
-    /// turn counterclockwise as seen from its tip. Zero where the points are on one line.
+    /// are in counterclockwise order as seen from its tip. Zero where the points are collinear.
     ///
     /// ```
     /// use ga_runtime::pga3::{Plane, Point};
@@ -41,7 +41,7 @@ impl<S: Ring> Plane<S> {
         p & q & r
     }
 
-    /// The normal n, as long as the plane's weight.
+    /// The normal n. Its length is the plane's weight.
     #[inline]
     #[must_use]
     pub fn normal(self) -> [S; 3] {
@@ -70,7 +70,7 @@ impl<S: Real<Mask = bool>> Plane<S> {
         plane.e0.is_finite().then_some(plane)
     }
 
-    /// The distance of a point, positive on the side of the normal: `(p ∨ Π)` for both of weight 1.
+    /// The distance to a point, positive on the side of the normal: `(p ∨ Π)` for both of weight 1.
     /// `None` for an ideal point or plane, or beyond the range of the scalar.
     #[must_use]
     pub fn signed_distance(self, point: Point<S>) -> Option<S> {
@@ -97,15 +97,15 @@ impl<S: Real<Mask = bool>> Plane<S> {
             .then(|| Point::from_coordinates(foot.into()))
     }
 
-    /// The projection of a line, with its weight times the cosine of the angle between both; `None`
-    /// where the line is perpendicular to the plane within 8 ε, which leaves a point, or one of
-    /// them is ideal.
+    /// The projection of a line, whose weight is multiplied by the cosine of the angle between
+    /// both; `None` where the line is perpendicular to the plane within 8 ε, so that its projection
+    /// is a point, or where one of them is ideal.
     #[must_use]
     pub fn project(self, line: Line<S>) -> Option<Line<S>> {
         let normal = self.unit_normal()?;
         let direction = Vector::from(line.direction());
         let within = direction.across(normal.into());
-        // What is left of a perpendicular direction is rounding.
+        // The projection of a perpendicular direction is only rounding error.
         let least = S::from_integer(8) * S::epsilon() * direction.length();
         if !least.less_than(within.length()) {
             return None;

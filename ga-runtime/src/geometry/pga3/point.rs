@@ -68,8 +68,8 @@ impl<S: Real<Mask = bool>> Point<S> {
         are_numbers(place).then_some(place)
     }
 
-    /// The distance of two points, `|P ∨ Q|` for weights 1; `None` where one is ideal, or beyond
-    /// the range of the scalar.
+    /// The distance between two points, `|P ∨ Q|` for weights 1; `None` where one is ideal, or
+    /// beyond the range of the scalar.
     #[must_use]
     pub fn distance(self, other: Self) -> Option<S> {
         let [p, q] = [self.coordinates()?, other.coordinates()?].map(Vector::from);

@@ -8,8 +8,8 @@ use crate::sta::{Bivector, Rotor};
 use crate::vga3::Vector;
 
 impl<S: Ring> Bivector<S> {
-    /// The field `F = E + I B` that the observer g0 sees as electric and magnetic: `Ek` at gk0,
-    /// `Bk` at `I gk0`, in units with c = 1.
+    /// The field `F = E + I B` with the electric and magnetic fields of the observer g0: the
+    /// coefficient of gk0 is `Ek` and that of `I gk0` is `Bk`, in units with c = 1.
     #[inline]
     #[must_use]
     pub fn from_fields(electric: [S; 3], magnetic: [S; 3]) -> Self {
@@ -19,7 +19,7 @@ impl<S: Ring> Bivector<S> {
 
     /// The electric field E, the coefficients of g10, g20, g30.
     ///
-    /// As a generator these are boosts.
+    /// In a generator these coefficients generate boosts.
     #[inline]
     #[must_use]
     pub fn electric(self) -> [S; 3] {
@@ -28,19 +28,19 @@ impl<S: Ring> Bivector<S> {
 
     /// The magnetic field B, the coefficients of g32, g13, g21.
     ///
-    /// As a generator these are rotations.
+    /// In a generator these coefficients generate rotations.
     #[inline]
     #[must_use]
     pub fn magnetic(self) -> [S; 3] {
         [self.g32, self.g13, self.g21]
     }
 
-    /// The invariants that all observers agree on, `E² − B²` and `E·B`:
+    /// The Lorentz invariants, which are the same for all observers, `E² − B²` and `E·B`:
     /// `F² = (E² − B²) + 2 (E·B) I`.
     ///
     /// ```
     /// use ga_runtime::sta::Bivector;
-    /// // A plane wave has none.
+    /// // Both vanish for a plane wave.
     /// let wave = Bivector::from_fields([1, 0, 0], [0, 1, 0]);
     /// assert_eq!(wave.invariants(), (0, 0));
     /// ```
@@ -53,16 +53,16 @@ impl<S: Ring> Bivector<S> {
 }
 
 impl<S: Real<Mask = bool>> Bivector<S> {
-    /// The field as somebody sees it who moves with a velocity v, on axes parallel to those of the
-    /// observer: `~L F L` with the boost L by v.
+    /// The field in the frame of an observer who moves at a velocity v relative to g0, on axes
+    /// parallel to those of g0: `~L F L` with the boost L by v.
     ///
     /// # Errors
     ///
-    /// [`NotSlowerThanLight`] where v is not below 1 in size.
+    /// [`NotSlowerThanLight`] where |v| is not below 1.
     ///
     /// ```
     /// use ga_runtime::sta::Bivector;
-    /// // Who moves across a magnetic field feels an electric one, v × B, times γ.
+    /// // An observer who moves across a magnetic field measures an electric field, v × B times γ.
     /// let field = Bivector::from_fields([0.0_f64; 3], [0.0, 0.0, 4.0]);
     /// let [_, y, _] = field.seen_from([0.6, 0.0, 0.0]).unwrap().electric();
     /// assert!((y + 3.0).abs() < 1e-15);
@@ -72,11 +72,11 @@ impl<S: Real<Mask = bool>> Bivector<S> {
     }
 
     /// The rotor `exp(F)`: `½φσ` with a unit relative vector σ boosts by the rapidity φ, `−½θ Iσ`
-    /// rotates by θ about σ, and every other F does both in planes that commute, or is null. `None`
-    /// where a number is not finite, or the boost beyond the range of the scalar.
+    /// rotates by θ about σ, and every other F combines both in commuting planes, or is null.
+    /// `None` where a number is not finite, or the boost beyond the range of the scalar.
     ///
-    /// F² is a number `a + b I`, so that `exp(F) = cosh z + (sinh z/z) F` with `z² = F²`. Of a null
-    /// F, in which the square cancels, the error grows with |F|².
+    /// F² is a complex number `a + b I`, so that `exp(F) = cosh z + (sinh z/z) F` with `z² = F²`.
+    /// For a null F, whose square is subject to cancellation, the error grows with |F|².
     ///
     /// ```
     /// use ga_runtime::sta::Bivector;
@@ -91,13 +91,13 @@ impl<S: Real<Mask = bool>> Bivector<S> {
         assemble(cosine, self.times(ratio))
     }
 
-    /// F² as a number.
+    /// F² as a complex number.
     pub(super) fn square(self) -> Complex<S> {
         let (scalar, product) = self.invariants();
         Complex::new(scalar, product + product)
     }
 
-    /// `(a + b I) F`; I takes E to B and B to −E.
+    /// `(a + b I) F`; multiplication by I maps E to B and B to −E.
     pub(super) fn times(self, number: Complex<S>) -> Self {
         let (a, b) = (number.real, number.imaginary);
         let (e, m) = (self.electric(), self.magnetic());
@@ -108,7 +108,8 @@ impl<S: Real<Mask = bool>> Bivector<S> {
     }
 }
 
-/// The rotor with a number `a + b I` and a bivector; `None` where a coefficient is not finite.
+/// The rotor of a complex number `a + b I` and a bivector; `None` where a coefficient is not
+/// finite.
 fn assemble<S: Real<Mask = bool>>(number: Complex<S>, bivector: Bivector<S>) -> Option<Rotor<S>> {
     let ([x, y, z], [u, v, w]) = (bivector.electric(), bivector.magnetic());
     let usable = are_numbers([x, y, z])

@@ -1,5 +1,5 @@
-//! Numbers `a + b I` with I² = −1, which commute with every bivector: bivectors of spacetime are
-//! complex vectors over them.
+//! Complex numbers `a + b I` with I² = −1, which commute with every bivector: bivectors of
+//! spacetime are complex vectors over them.
 
 use crate::scalar::{Field, Real};
 
@@ -35,8 +35,8 @@ impl<S: Real<Mask = bool>> Complex<S> {
         crate::vga3::Vector::new(self.real, self.imaginary, S::zero()).length()
     }
 
-    /// `self / other`, by the larger part of the divisor so that no square leaves the range of the
-    /// scalar (Smith, 1962).
+    /// `self / other`, scaled by the larger part of the divisor so that no square is beyond the
+    /// range of the scalar (Smith, 1962).
     pub(super) fn divided_by(self, other: Self) -> Self {
         let (c, d) = (other.real, other.imaginary);
         if c.abs().less_than(d.abs()) {
@@ -55,7 +55,7 @@ impl<S: Real<Mask = bool>> Complex<S> {
         )
     }
 
-    /// The root with real part not negative.
+    /// The square root with a real part that is not negative.
     pub(super) fn root(self) -> Self {
         let modulus = self.modulus();
         if !S::zero().less_than(modulus) {
@@ -99,7 +99,7 @@ impl<S: Real<Mask = bool>> Complex<S> {
         }
         let is_near_one = S::zero().less_than(self.real) && size.less_than(S::from_ratio(1, 2));
         let log = if is_near_one {
-            // ln(1 + y) with y = w + w²/(1 + cosh z), which keeps the digits of a small w.
+            // ln(1 + y) with y = w + w²/(1 + cosh z), which is accurate for a small w.
             let above = Self::new(S::one() + self.real, self.imaginary);
             let y = sinh.plus(sinh.times(sinh).divided_by(above));
             let excess = y.real + y.real + (y.real * y.real + y.imaginary * y.imaginary);
@@ -124,7 +124,7 @@ impl<S: Real<Mask = bool>> Complex<S> {
     }
 }
 
-/// sinh and cosh of a real number, sinh by its series where the difference cancels.
+/// sinh and cosh of a real number; sinh by its series where the difference would cancel.
 pub(super) fn sinh_cosh<S: Real<Mask = bool>>(x: S) -> (S, S) {
     let half = S::from_ratio(1, 2);
     let growing = x.exp();
@@ -140,7 +140,7 @@ pub(super) fn sinh_cosh<S: Real<Mask = bool>>(x: S) -> (S, S) {
     (x * series, cosh)
 }
 
-/// The real number with a given sinh, not negative, and cosh.
+/// The real number with a given sinh, which is not negative, and cosh.
 pub(super) fn arsinh<S: Real<Mask = bool>>(sinh: S, cosh: S) -> S {
     if S::from_ratio(1, 4).less_than(sinh) {
         return (sinh + cosh).ln();

@@ -23,12 +23,12 @@ impl<S: Ring> Rotor<S> {
 }
 
 impl<S: Real<Mask = bool>> Rotor<S> {
-    /// The boost from rest to a velocity: it takes g0 to the proper velocity `γ (g0 + v)`.
-    /// Along v it is `cosh ½φ + sinh ½φ σ` with the rapidity `φ = artanh |v|`.
+    /// The boost from rest to a velocity: it maps g0 to the proper velocity `γ (g0 + v)`. Along v
+    /// it is `cosh ½φ + sinh ½φ σ` with the rapidity `φ = artanh |v|`.
     ///
     /// # Errors
     ///
-    /// [`NotSlowerThanLight`] where v is not below 1 in size, or not a number.
+    /// [`NotSlowerThanLight`] where |v| is not below 1, or is NaN.
     ///
     /// ```
     /// use ga_runtime::sta::{Rotor, Vector};
@@ -47,8 +47,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     }
 
     /// The boost by a rapidity in a direction, which need not have length 1; rapidities in one
-    /// direction add. `None` where the direction is zero or not finite, or the rapidity not finite
-    /// or beyond the range of the scalar.
+    /// direction add. `None` where the direction is zero or not finite, or the rapidity is not
+    /// finite or beyond the range of the scalar.
     ///
     /// ```
     /// use ga_runtime::sta::Rotor;
@@ -67,7 +67,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
 
     /// The rotation of space by an angle in radians about an axis, right-handed:
     /// `cos ½θ − sin ½θ I n`. The axis need not have length 1; `None` where it is zero or not
-    /// finite, or the angle not finite.
+    /// finite, or the angle is not finite.
     #[must_use]
     pub fn from_axis_angle(axis: [S; 3], angle: S) -> Option<Self> {
         if !angle.is_finite() {
@@ -78,8 +78,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         Some(Self::turn(cosine, axis.into()))
     }
 
-    /// The velocity that what rested has afterwards, that of `R g0 ~R`. For very large rapidities
-    /// it is rounded to size 1.
+    /// The velocity that a body at rest has after the transformation: that of `R g0 ~R`. For very
+    /// large rapidities its size is rounded to 1.
     #[must_use]
     pub fn velocity(self) -> [S; 3] {
         let one = Vector::new(S::one(), S::zero(), S::zero(), S::zero());
@@ -90,15 +90,14 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     /// The rotation U and the boost L with `R = L U`: first the rotation, then the boost by
     /// [`velocity`](Self::velocity).
     ///
-    /// The product of two boosts in different directions contains a rotation, that of Wigner and
-    /// Thomas.
+    /// The product of two boosts in different directions contains a rotation, the Wigner rotation.
     ///
     /// ```
     /// use ga_runtime::sta::Rotor;
     /// let (a, b) = ([0.6, 0.0, 0.0], [0.0, 0.6, 0.0]);
     /// let both = Rotor::from_velocity(a).unwrap() * Rotor::from_velocity(b).unwrap();
     /// let (boost, rotation): (Rotor<f64>, Rotor<f64>) = both.boost_and_turn();
-    /// // tan ½θ = sinh ½φ sinh ½χ / (cosh ½φ cosh ½χ) for boosts across each other.
+    /// // tan ½θ = sinh ½φ sinh ½χ / (cosh ½φ cosh ½χ) for perpendicular boosts.
     /// assert!(((rotation.g21() / rotation.scalar()).abs() - 1.0 / 9.0).abs() < 1e-15);
     /// assert!(((boost * rotation).g0123() - both.g0123()).abs() < 1e-15);
     /// ```
@@ -115,9 +114,9 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         )
     }
 
-    /// A bivector F with `exp(F) = R`, so that the sign of R comes back too. The logarithm of −1 is
-    /// `π g21`. `None` for minus the exponential of a null bivector, which has none, and where a
-    /// number is not finite; null means here that `|F²|` is below `8 ε |F|²`.
+    /// A bivector F with `exp(F) = R`, including the sign of R. The logarithm of −1 is `π g21`.
+    /// `None` for the negative of the exponential of a null bivector, which has no logarithm, and
+    /// where a number is not finite; null means here that `|F²|` is below `8 ε |F|²`.
     ///
     /// ```
     /// use ga_runtime::sta::{Bivector, Rotor};
@@ -146,15 +145,15 @@ impl<S: Real<Mask = bool>> Rotor<S> {
                 [S::zero(), S::zero(), turn],
             ));
         }
-        // Scaled, so that no square leaves the range of the scalar.
+        // Scaled, so that no square is beyond the range of the scalar.
         let unit = whole / size;
         let square = unit.square();
         let least = S::epsilon() * S::from_integer(8);
         if is_negative && square.modulus().less_than(least) {
             return None;
         }
-        // w² is F² without its scale and also C² − 1; of both the one that rounds less, which for a
-        // null F is the second.
+        // w² is the square of the bivector part and also C² − 1; of both the one with less rounding
+        // error is used, which for a null F is the second.
         let (one, modulus) = (S::one(), cosine.modulus());
         let mut sine = if (one + modulus * (modulus + size)).less_than(size * size) {
             let below = Complex::new(cosine.real - one, cosine.imaginary);
@@ -185,7 +184,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     }
 }
 
-/// `√(a² + b²)` without overflow or underflow on the way.
+/// `√(a² + b²)` without intermediate overflow or underflow.
 fn hypotenuse<S: Real>(a: S, b: S) -> S {
     vga3::Vector::new(a, b, S::zero()).length()
 }

@@ -7,7 +7,8 @@ use crate::sta::Vector;
 use crate::vga3;
 
 impl<S: Ring> Vector<S> {
-    /// The event at a time and a place, `t g0 + x g1 + y g2 + z g3`, as the observer g0 sees it.
+    /// The event with a time and a position in the frame of the observer g0:
+    /// `t g0 + x g1 + y g2 + z g3`.
     #[inline]
     #[must_use]
     pub fn from_time_place(time: S, [x, y, z]: [S; 3]) -> Self {
@@ -21,7 +22,7 @@ impl<S: Ring> Vector<S> {
         self.g0
     }
 
-    /// The place, the coefficients of g1, g2, g3: those of the relative vector `x∧g0`.
+    /// The position, the coefficients of g1, g2, g3: those of the relative vector `x∧g0`.
     #[inline]
     #[must_use]
     pub fn place(self) -> [S; 3] {
@@ -45,11 +46,11 @@ impl<S: Ring> Vector<S> {
 }
 
 impl<S: Real<Mask = bool>> Vector<S> {
-    /// The time that a clock shows which moves straight along a timelike vector, `√(t² − r²)`;
-    /// negative where it leads to the past. `None` for spacelike vectors, and where a number is not
-    /// finite.
+    /// The proper time that passes along a timelike vector, for a clock that moves uniformly,
+    /// `√(t² − r²)`; negative for a vector to the past. `None` for spacelike vectors, and where a
+    /// number is not finite.
     ///
-    /// Worked out from `(|t| − r)(|t| + r)`, which loses nothing close to the light cone.
+    /// Computed from `(|t| − r)(|t| + r)`, which is accurate close to the light cone.
     ///
     /// ```
     /// use ga_runtime::sta::Vector;
@@ -71,7 +72,7 @@ impl<S: Real<Mask = bool>> Vector<S> {
         Some(proper)
     }
 
-    /// The length of a spacelike vector for the observer to whom its ends are simultaneous,
+    /// The proper length of a spacelike vector, in the frame in which its ends are simultaneous,
     /// `√(r² − t²)`. `None` for timelike vectors, and where a number is not finite.
     #[must_use]
     pub fn proper_distance(self) -> Option<S> {
@@ -82,8 +83,8 @@ impl<S: Real<Mask = bool>> Vector<S> {
         Some(root_of_difference(distance, time))
     }
 
-    /// The velocity `r/t` that the observer g0 sees, of size 1 for light; `None` for what is not
-    /// timelike or lightlike, or not finite.
+    /// The velocity `r/t` in the frame of the observer g0, of size 1 for light; `None` for a vector
+    /// that is neither timelike nor lightlike, or is not finite.
     #[must_use]
     pub fn velocity(self) -> Option<[S; 3]> {
         let (time, distance) = (self.time(), vga3::Vector::from(self.place()).length());
@@ -94,11 +95,11 @@ impl<S: Real<Mask = bool>> Vector<S> {
         are_numbers(velocity).then_some(velocity)
     }
 
-    /// The proper velocity `γ (g0 + v)` of what moves with a velocity v, a vector with square 1.
+    /// The proper velocity `γ (g0 + v)` of a body with velocity v: a vector with square 1.
     ///
     /// # Errors
     ///
-    /// [`NotSlowerThanLight`] where v is not below 1 in size, or not a number.
+    /// [`NotSlowerThanLight`] where |v| is not below 1, or is NaN.
     ///
     /// ```
     /// use ga_runtime::sta::Vector;
@@ -118,7 +119,7 @@ impl<S: Real<Mask = bool>> Vector<S> {
         self.proper_time()
     }
 
-    /// The rapidity, `artanh |v|`; `None` for what is not timelike.
+    /// The rapidity, `artanh |v|`; `None` for a vector that is not timelike.
     #[must_use]
     pub fn rapidity(self) -> Option<S> {
         let (time, distance) = (self.time().abs(), vga3::Vector::from(self.place()).length());
@@ -126,7 +127,7 @@ impl<S: Real<Mask = bool>> Vector<S> {
         if !S::zero().less_than(proper) {
             return None;
         }
-        // artanh v = ln((t + r)/√(t² − r²)), and for small r by arsinh.
+        // artanh v = ln((t + r)/√(t² − r²)), computed by arsinh for small r.
         let sine = distance / proper;
         let cosine = time / proper;
         let rapidity = super::complex::arsinh(sine, cosine);
@@ -134,7 +135,7 @@ impl<S: Real<Mask = bool>> Vector<S> {
     }
 }
 
-/// `√(a² − b²)` for a ≥ b ≥ 0, without overflow or underflow on the way.
+/// `√(a² − b²)` for a ≥ b ≥ 0, without intermediate overflow or underflow.
 fn root_of_difference<S: Real<Mask = bool>>(a: S, b: S) -> S {
     if !S::zero().less_than(a) {
         return S::zero();

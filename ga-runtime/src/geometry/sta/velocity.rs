@@ -1,11 +1,11 @@
-//! Velocities as an observer sees them, below the speed of light, which is 1.
+//! Velocities in the frame of an observer, below the speed of light, which is 1.
 
 use core::fmt::{Display, Formatter, Result as FormatResult};
 
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
-/// A velocity that no body has: of size 1 or more, or not a number.
+/// The error for a velocity that is not below the speed of light: of size 1 or more, or NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NotSlowerThanLight<S> {
     /// The velocity.
@@ -24,14 +24,15 @@ impl<S: Display> Display for NotSlowerThanLight<S> {
 
 impl<S: core::fmt::Debug + Display> core::error::Error for NotSlowerThanLight<S> {}
 
-/// The velocity, seen by the observer, of what moves with v for somebody who moves with u:
-/// `(u + v_∥ + v_⊥/γ(u)) / (1 + u·v)`. Also the velocity of the boost by u after that by v; in the
-/// other order the size is the same and the direction another. What would round to the speed of
-/// light, or above it, comes out a few ε below.
+/// The relativistic sum of velocities, `(u + v_∥ + v_⊥/γ(u)) / (1 + u·v)`: the velocity, in the
+/// frame of the observer, of a body that has the velocity v in a frame that moves at the velocity
+/// u. It is also the velocity of the boost by u after the boost by v; in the other order the size
+/// is the same and the direction is different. A result that would round to the speed of light or
+/// above is returned a few ε below it.
 ///
 /// # Errors
 ///
-/// [`NotSlowerThanLight`] with the velocity that is not below 1 in size.
+/// [`NotSlowerThanLight`] with the velocity whose size is not below 1.
 ///
 /// ```
 /// use ga_runtime::geometry::velocity_sum;
@@ -54,17 +55,17 @@ pub fn velocity_sum<S: Real<Mask = bool>>(
     if lorentz_factor(sum.into()).is_some() {
         return Ok(sum.into());
     }
-    // The exact sum is slower than light; rounding has raised it to that.
+    // The exact sum is below the speed of light; only rounding has raised it that far.
     let scale = (S::one() - S::epsilon() * S::from_integer(4)) / sum.length();
     Ok((sum * scale).into())
 }
 
-/// The velocity that somebody who moves with u finds for what the observer sees moving with v: the
-/// [`velocity_sum`] of −u and v.
+/// The velocity, in a frame that moves at the velocity u, of a body that has the velocity v in the
+/// frame of the observer: the [`velocity_sum`] of −u and v.
 ///
 /// # Errors
 ///
-/// [`NotSlowerThanLight`] with the velocity that is not below 1 in size.
+/// [`NotSlowerThanLight`] with the velocity whose size is not below 1.
 ///
 /// ```
 /// use ga_runtime::geometry::relative_velocity;
@@ -81,7 +82,7 @@ pub fn relative_velocity<S: Real<Mask = bool>>(
     }
 }
 
-/// γ = 1/√(1 − v²); `None` where v is not below 1 in size.
+/// γ = 1/√(1 − v²); `None` where |v| is not below 1.
 pub(super) fn lorentz_factor<S: Real<Mask = bool>>(velocity: [S; 3]) -> Option<S> {
     let speed = Vector::from(velocity).length();
     let rest = (S::one() - speed) * (S::one() + speed);

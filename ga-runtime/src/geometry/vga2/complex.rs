@@ -43,14 +43,14 @@ impl<S: Real<Mask = bool>> Complex<S> {
         are_numbers(parts).then(|| Self::new(parts[0], parts[1]))
     }
 
-    /// The modulus `|z|`, without overflow or underflow on the way.
+    /// The modulus `|z|`, without intermediate overflow or underflow.
     #[inline]
     #[must_use]
     pub fn modulus(self) -> S {
         length([self.scalar, self.e12])
     }
 
-    /// The argument in (−π, π]; `None` for zero and what is not finite.
+    /// The argument in (−π, π]; `None` for zero and for numbers that are not finite.
     #[must_use]
     pub fn argument(self) -> Option<S> {
         let modulus = self.modulus();

@@ -5,8 +5,9 @@ use crate::scalar::{Field, Real};
 use crate::vga2::{Bivector, Complex, Rotor, Vector};
 
 impl<S: Field> Rotor<S> {
-    /// The complex number of the rotation, `cos θ + sin θ e12`: the square of the reverse. It
-    /// rotates the complex numbers of vectors by one product, as a rotor rotates vectors by two.
+    /// The complex number of the rotation, `cos θ + sin θ e12`: the square of the reverse. A single
+    /// product with it rotates the complex number of a vector; a rotor rotates a vector by two
+    /// products.
     #[inline]
     #[must_use]
     pub fn to_complex(self) -> Complex<S> {
@@ -31,8 +32,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     /// ```
     /// use ga_runtime::vga2::{Rotor, Vector};
     /// let quarter = Rotor::from_angle(std::f64::consts::FRAC_PI_2).unwrap();
-    /// let turned = quarter.transform(Vector::new(1.0, 0.0));
-    /// assert!(turned.e1.abs() < 1e-15 && (turned.e2 - 1.0).abs() < 1e-15);
+    /// let rotated = quarter.transform(Vector::new(1.0, 0.0));
+    /// assert!(rotated.e1.abs() < 1e-15 && (rotated.e2 - 1.0).abs() < 1e-15);
     /// ```
     #[must_use]
     pub fn from_angle(angle: S) -> Option<Self> {
@@ -43,15 +44,16 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         Some(Self::new_unchecked(cosine, -sine))
     }
 
-    /// The angle in [−2π, 2π]; a rotor and its negative rotate to the same place, and differ by 2π.
+    /// The angle in [−2π, 2π]; a rotor and its negative rotate to the same orientation, and their
+    /// angles differ by 2π.
     #[must_use]
     pub fn angle(self) -> S {
         let half = (-self.e12()).atan2(self.scalar());
         half + half
     }
 
-    /// The rotation by the short way from the direction of one vector to that of another;
-    /// counterclockwise where they are opposite. `None` where one is zero or not finite.
+    /// The shortest rotation from the direction of one vector to that of another; counterclockwise
+    /// where they are opposite. `None` where one is zero or not finite.
     #[must_use]
     pub fn between(from: Vector<S>, to: Vector<S>) -> Option<Self> {
         let (a, b) = (
@@ -61,8 +63,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         Self::from_complex(Vector::from(a) * Vector::from(b))
     }
 
-    /// The rotation by the argument of a complex number, in (−π, π]; `None` for zero and what is
-    /// not finite.
+    /// The rotation by the argument of a complex number, in (−π, π]; `None` for zero and for
+    /// numbers that are not finite.
     ///
     /// ```
     /// use ga_runtime::vga2::{Complex, Rotor, Vector};
@@ -72,7 +74,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     #[must_use]
     pub fn from_complex(number: Complex<S>) -> Option<Self> {
         let [cosine, sine] = normalized([number.scalar, number.e12])?;
-        // 1 + z has half the argument, and i (1 − z) too; the larger loses nothing.
+        // Both 1 + z and i (1 − z) have half the argument of z; the larger is accurate.
         let half = if !cosine.less_than(S::zero()) {
             [S::one() + cosine, sine]
         } else if sine.less_than(S::zero()) {
@@ -93,7 +95,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
 }
 
 impl<S: Real<Mask = bool>> Bivector<S> {
-    /// The rotor `exp(B)`: for `B = −½θ e12` the rotation by θ. NaN stays NaN.
+    /// The rotor `exp(B)`: for `B = −½θ e12` the rotation by θ. NaN propagates.
     #[must_use]
     pub fn exp(self) -> Rotor<S> {
         let (sine, cosine) = self.e12.sin_cos();

@@ -22,7 +22,7 @@ impl<S: Ring> Vector<S> {
 }
 
 impl<S: Real<Mask = bool>> Vector<S> {
-    /// The length, without overflow or underflow on the way.
+    /// The length, without intermediate overflow or underflow.
     #[inline]
     #[must_use]
     pub fn length(self) -> S {
@@ -53,7 +53,7 @@ impl<S: Real<Mask = bool>> Vector<S> {
         Some(area(a, b).atan2(dot(a, b)))
     }
 
-    /// The part along another vector, `(a·b) b⁻¹`; `None` where b is zero or a number is not
+    /// The component along another vector, `(a·b) b⁻¹`; `None` where b is zero or a number is not
     /// finite.
     #[must_use]
     pub fn project(self, other: Self) -> Option<Self> {
@@ -62,16 +62,16 @@ impl<S: Real<Mask = bool>> Vector<S> {
         are_numbers(part).then(|| part.into())
     }
 
-    /// The part across another vector, `(a∧b) b⁻¹`; `None` where b is zero or a number is not
-    /// finite.
+    /// The component perpendicular to another vector, `(a∧b) b⁻¹`; `None` where b is zero or a
+    /// number is not finite.
     #[must_use]
     pub fn reject(self, other: Self) -> Option<Self> {
         let part = difference(self.coordinates(), self.project(other)?.coordinates());
         are_numbers(part).then(|| part.into())
     }
 
-    /// The mirror image in the line across a normal n, `−n a n⁻¹`; `None` where n is zero or a
-    /// number is not finite.
+    /// The mirror image in the line perpendicular to a normal n, `−n a n⁻¹`; `None` where n is zero
+    /// or a number is not finite.
     ///
     /// ```
     /// use ga_runtime::vga2::Vector;

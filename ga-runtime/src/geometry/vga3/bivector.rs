@@ -5,15 +5,15 @@ use crate::scalar::{Real, Ring};
 use crate::vga3::{Bivector, Rotor, Vector};
 
 impl<S: Ring> Bivector<S> {
-    /// The bivector with a normal by the right hand, as large as the normal is long:
-    /// `n I = n1 e23 − n2 e13 + n3 e12`.
+    /// The bivector with a given normal by the right-hand rule, whose area is the length of the
+    /// normal: `n I = n1 e23 − n2 e13 + n3 e12`.
     #[inline]
     #[must_use]
     pub fn from_normal([n1, n2, n3]: [S; 3]) -> Self {
         Self::new(n3, -n2, n1)
     }
 
-    /// The normal by the right hand, `dual(B) = −B I`.
+    /// The normal by the right-hand rule, `dual(B) = −B I`.
     #[inline]
     #[must_use]
     pub fn normal(self) -> [S; 3] {
@@ -22,7 +22,7 @@ impl<S: Ring> Bivector<S> {
 }
 
 impl<S: Real<Mask = bool>> Bivector<S> {
-    /// The area, `√−B²`, without overflow or underflow on the way.
+    /// The area, `√−B²`, without intermediate overflow or underflow.
     #[inline]
     #[must_use]
     pub fn area(self) -> S {
@@ -46,7 +46,7 @@ impl<S: Real<Mask = bool>> Bivector<S> {
     }
 
     /// The rotor `exp(B) = cos |B| + sin |B| B/|B|`: for `B = −½θb` with a unit bivector b, a
-    /// rotation by θ in its sense. NaN stays NaN.
+    /// rotation by θ in its sense. NaN propagates.
     ///
     /// ```
     /// use ga_runtime::vga3::{Bivector, Vector};

@@ -1,4 +1,4 @@
-//! Vectors of vga3 by components.
+//! Operations on the components of vectors of vga3.
 
 use core::iter::Sum;
 use core::ops::{DivAssign, Index, IndexMut};
@@ -29,9 +29,9 @@ impl<S: Ring> Vector<S> {
 }
 
 impl<S: Real> Vector<S> {
-    /// The smaller of each two components; that of `self` where one is not a number.
+    /// The smaller value in each component; that of `self` where one is NaN.
     ///
-    /// With [`max`](Self::max) it gives the corners of a box around points:
+    /// Together with [`max`](Self::max) it gives the corners of the bounding box of points:
     ///
     /// ```
     /// use ga_runtime::vga3::Vector;
@@ -49,7 +49,7 @@ impl<S: Real> Vector<S> {
         )
     }
 
-    /// The larger of each two components; that of `self` where one is not a number.
+    /// The larger value in each component; that of `self` where one is NaN.
     #[inline]
     #[must_use]
     pub fn max(self, other: Self) -> Self {
@@ -67,7 +67,7 @@ impl<S: Real> Vector<S> {
         Self::new(self.e1.abs(), self.e2.abs(), self.e3.abs())
     }
 
-    /// Whether every component is neither infinite nor NaN; in lanes one answer for each lane.
+    /// Whether every component is neither infinite nor NaN; for lanes, one mask entry per lane.
     #[inline]
     #[must_use]
     pub fn is_finite(self) -> S::Mask {

@@ -4,13 +4,13 @@ use crate::scalar::Real;
 use crate::vga3::Vector;
 
 impl<S: Real<Mask = bool>> Vector<S> {
-    /// Some unit vector perpendicular to this one; `None` where it is zero or not finite.
+    /// A unit vector perpendicular to this one; `None` where this one is zero or not finite.
     ///
     /// ```
     /// use ga_runtime::vga3::Vector;
     /// let v = Vector::new(1.0_f64, 2.0, 3.0);
-    /// let across = v.any_perpendicular().unwrap();
-    /// assert!(v.dot(across).abs() < 1e-15 && (across.length() - 1.0).abs() < 1e-15);
+    /// let u = v.any_perpendicular().unwrap();
+    /// assert!(v.dot(u).abs() < 1e-15 && (u.length() - 1.0).abs() < 1e-15);
     /// ```
     #[inline]
     #[must_use]
@@ -19,11 +19,11 @@ impl<S: Real<Mask = bool>> Vector<S> {
         Some(u)
     }
 
-    /// Two unit vectors u, v that make a right-handed orthonormal basis with this one, which must
-    /// have length 1: `u × v = n`.
+    /// Two unit vectors u, v that form a right-handed orthonormal basis with this vector n, which
+    /// must have length 1: `u × v = n`.
     ///
-    /// Which of them is fixed, but follows no direction: u is perpendicular to the axis that n is
-    /// farthest from, the first of equal ones.
+    /// The choice is deterministic: u is perpendicular to the coordinate axis that makes the
+    /// largest angle with n, the first of several.
     ///
     /// ```
     /// use ga_runtime::vga3::Vector;
@@ -47,9 +47,9 @@ impl<S: Real<Mask = bool>> Vector<S> {
         [u, self.cross(u)]
     }
 
-    /// The [`orthonormal_pair`](Self::orthonormal_pair) u, v of this unit vector n in which u is
-    /// horizontal, perpendicular to `up`: `u = up × n / |up × n|`, so that v lies on the side of
-    /// `up`. Where `up` is zero, or parallel to n within √ε, it is any such pair.
+    /// The [`orthonormal_pair`](Self::orthonormal_pair) u, v of this unit vector n for which u is
+    /// horizontal, that is perpendicular to `up`: `u = up × n / |up × n|`, so that v lies on the
+    /// side of `up`. Where `up` is zero, or parallel to n within √ε, it is any such pair.
     ///
     /// ```
     /// use ga_runtime::vga3::Vector;

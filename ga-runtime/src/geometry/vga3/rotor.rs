@@ -14,17 +14,17 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     }
 
     /// The axis of length 1 and the angle in [0, 2π] of the rotation; the axis is e3 where the
-    /// angle is 0 or 2π. A rotor and its negative rotate to the same place by opposite ways: their
-    /// angles add to 2π.
+    /// angle is 0 or 2π. A rotor and its negative rotate to the same orientation the opposite way
+    /// round: their angles add to 2π.
     #[must_use]
     pub fn to_axis_angle(self) -> (Vector<S>, S) {
         let (axis, angle) = cga3::Rotor::from(self).to_axis_angle();
         (axis.into(), angle)
     }
 
-    /// The rotation by the shortest way from the direction of one vector to that of another;
-    /// opposite ones are joined by a half turn about some axis across them. `None` where one is
-    /// zero or not finite.
+    /// The shortest rotation from the direction of one vector to that of another; for opposite
+    /// directions a half turn about some axis perpendicular to them. `None` where one is zero or
+    /// not finite.
     #[must_use]
     pub fn between(from: Vector<S>, to: Vector<S>) -> Option<Self> {
         cga3::Rotor::between(from.into(), to.into()).map(Self::from)
@@ -66,9 +66,9 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         cga3::Rotor::from(self).to_matrix()
     }
 
-    /// The bivector B with `exp(B) = R` and `|B|` in [0, π], so that the sign of R comes back too:
-    /// `−½θb` for a rotation by θ in the unit bivector b. The logarithm of −1 is `π e12`. NaN
-    /// stays NaN.
+    /// The bivector B with `exp(B) = R` and `|B|` in [0, π], so that `exp(B)` restores the sign of
+    /// R too: `−½θb` for a rotation by θ in the plane of the unit bivector b. The logarithm of −1
+    /// is `π e12`. NaN propagates.
     #[must_use]
     pub fn log(self) -> Bivector<S> {
         let vector = Vector::new(self.e12(), self.e13(), self.e23());
@@ -77,15 +77,15 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         let plane = match vector.normalized() {
             Some(plane) => plane,
             None if S::zero().less_than(angle) => Vector::new(S::one(), S::zero(), S::zero()),
-            // Zero, or not a number where the rotor is not one.
+            // Zero, or NaN where the rotor is NaN.
             None => vector,
         };
         let [x, y, z] = (plane * angle).coordinates();
         Bivector::new(x, y, z)
     }
 
-    /// The rotation on the way from `self` at t = 0 to `other` at t = 1 with constant speed and by
-    /// the short way round, `R exp(t log(~R S))`: spherical linear interpolation (Shoemake,
+    /// The interpolation from `self` at t = 0 to `other` at t = 1 with constant angular velocity
+    /// and by the shorter rotation, `R exp(t log(~R S))`: spherical linear interpolation (Shoemake,
     /// Animating Rotation with Quaternion Curves, 1985).
     ///
     /// ```

@@ -35,14 +35,13 @@ impl<S: Ring> Vector<S> {
         )
     }
 
-    /// The part perpendicular to a vector of length 1, `a − (a·u) u`.
+    /// The component perpendicular to a vector of length 1, `a − (a·u) u`.
     #[inline]
     pub(crate) fn across(self, unit: Self) -> Self {
         self - unit * self.dot(unit)
     }
 
-    /// The squared length `a · a`. It overflows and underflows where the square of a component
-    /// does.
+    /// The squared length `a · a`. It overflows or underflows where the square of a component does.
     #[inline]
     #[must_use]
     pub fn length_squared(self) -> S {
@@ -64,8 +63,8 @@ impl<S: Ring> Vector<S> {
 }
 
 impl<S: Real> Vector<S> {
-    /// The length `√(a · a)`, without overflow or underflow on the way; not a number where a
-    /// component is not a number.
+    /// The length `√(a · a)`, without intermediate overflow or underflow; NaN where a component is
+    /// NaN.
     ///
     /// ```
     /// use ga_runtime::vga3::Vector;
@@ -76,21 +75,21 @@ impl<S: Real> Vector<S> {
     pub fn length(self) -> S {
         let largest = self.largest_component();
         let is_regular = S::zero().less_than(largest) & largest.is_finite();
-        // Zero, infinity and NaN stay what they are.
+        // Zero, infinity and NaN are not scaled.
         let size = S::select(is_regular, largest, S::one());
         let unit = self.divided(size);
         unit.dot(unit).sqrt() * size
     }
 
-    /// The distance of the ends of two vectors from a common origin, `|a − b|`.
+    /// The distance between the points with these position vectors, `|a − b|`.
     #[inline]
     #[must_use]
     pub fn distance(self, other: Self) -> S {
         (self - other).length()
     }
 
-    /// Each component divided. The operator multiplies by the reciprocal, which is infinite for a
-    /// subnormal number.
+    /// Each component divided by a number. (The operator `/` multiplies by the reciprocal, which is
+    /// infinite for a subnormal number.)
     #[inline]
     pub(crate) fn divided(self, scalar: S) -> Self {
         Self::new(self.e1 / scalar, self.e2 / scalar, self.e3 / scalar)
@@ -123,14 +122,14 @@ impl<S: Real<Mask = bool>> Vector<S> {
 
     /// The angle to another vector, in [0, π]; `None` where one is zero or not finite.
     ///
-    /// It comes from sine and cosine, so that small angles are correct to rounding.
+    /// It is computed from sine and cosine, so that small angles are accurate to rounding.
     #[must_use]
     pub fn angle(self, other: Self) -> Option<S> {
         let (a, b) = (self.normalized()?, other.normalized()?);
         Some(a.cross(b).length().atan2(a.dot(b)))
     }
 
-    /// The part along another vector, its projection `(a·b) b⁻¹`; `None` where b is zero or a
+    /// The component along another vector, the projection `(a·b) b⁻¹`; `None` where b is zero or a
     /// number is not finite.
     ///
     /// ```
@@ -146,8 +145,8 @@ impl<S: Real<Mask = bool>> Vector<S> {
         part.is_finite().then_some(part)
     }
 
-    /// The part perpendicular to another vector, its rejection `(a∧b) b⁻¹`; `None` where b is zero
-    /// or a number is not finite.
+    /// The component perpendicular to another vector, the rejection `(a∧b) b⁻¹`; `None` where b is
+    /// zero or a number is not finite.
     #[must_use]
     pub fn reject(self, other: Self) -> Option<Self> {
         let part = self - self.project(other)?;
