@@ -59,8 +59,8 @@
 //!   `powf`, `sqrt`.
 //! - `EvenVersor`: `V ~V = 1`; built by products, `From` of the others, `normalize`; functions
 //!   `log`, `powf`, `sqrt`, `interpolate`.
-//! - `PointPair`: any bivector; built by `EvenVersor::log`, `From` of the other generators; functions
-//!   `exp`.
+//! - `PointPair`: any bivector; built by `EvenVersor::log`, `From` of the other generators;
+//!   functions `exp`.
 //! - `OddVersor`: `V ~V = 1`; built by `reflection`, `inversion`, products, `normalize`.
 //!
 //! Where the image of a point may have a weight, `transform_point` divides by it.

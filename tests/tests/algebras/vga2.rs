@@ -67,7 +67,7 @@ proptest! {
 fn opposite_vectors_are_180_degrees_apart() {
     let rotor = Rotor::between(Vector::new(1.0, 0.0), Vector::new(-2.0, 0.0)).unwrap();
     assert_eq!(rotor.angle(), PI);
-    // For nearly opposite vectors no digits are lost, on either side.
+    // For nearly opposite vectors the result is accurate, on either side.
     for tiny in [1e-9, -1e-9, 1e-300] {
         let rotor = Rotor::between(Vector::new(1.0, 0.0), Vector::new(-1.0, tiny)).unwrap();
         let image = rotor.transform(Vector::new(1.0, 0.0));

@@ -37,7 +37,7 @@ ga_runtime::algebra! {
         #[hull(Even)]
         #[facts(unit_versor)]
         struct Motion { scalar, e1o, e1i, eoi }
-        /// All of even grade.
+        /// An element of even grade.
         struct Even { scalar, e1o, e1i, eoi }
         /// A general multivector.
         struct All { scalar, e1, eo, ei, e1o, e1i, eoi, e1oi }

@@ -79,7 +79,7 @@ ga_runtime::algebra! {
             dual({Event, Trivector}) -> Everything;
             undual(Field);
         }
-        /// All sixteen blades.
+        /// A general multivector, of all sixteen blades.
         struct Everything { scalar, t, x, y, z, tx, ty, tz, xy, xz, yz, txy, txz, tyz, xyz, txyz }
     }
 }
@@ -108,7 +108,7 @@ ga_runtime::algebra! {
         struct Rotor { scalar, ab, ac, bc }
         /// Sums of rotations.
         struct Even { scalar, ab, ac, bc }
-        /// All eight blades.
+        /// A general multivector, of all eight blades.
         struct Multivector { scalar, a, b, c, ab, ac, bc, abc }
         /// The vector b.
         struct B { b = 1 }
@@ -152,7 +152,7 @@ ga_runtime::algebra! {
         struct Motion { scalar, e12, e01, e20 }
         /// Sums of motions.
         struct Even { scalar, e12, e01, e20 }
-        /// All of the plane.
+        /// A general multivector of the plane.
         struct Plane { e012 }
 
         products {
@@ -219,7 +219,7 @@ ga_runtime::algebra! {
         }
         /// The span of five vectors.
         struct Hyperplane { e12345, e12346, e12356, e12456, e13456, e23456 }
-        /// Everything even.
+        /// An element of even grade.
         struct Even {
             scalar,
             e12, e13, e14, e15, e16, e23, e24, e25, e26, e34, e35, e36, e45, e46, e56,

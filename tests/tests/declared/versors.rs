@@ -27,7 +27,7 @@ ga_runtime::algebra! {
         #[hull(Even)]
         #[facts(unit_versor)]
         struct Turn { scalar, e12 }
-        /// All of even grade.
+        /// An element of even grade.
         struct Even { scalar, e12, e10, e20 }
 
         products {

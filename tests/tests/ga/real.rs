@@ -6,7 +6,7 @@ use proptest::prelude::*;
 
 mod spacetime {
     ga_runtime::algebra! {
-        /// One square of 1, three of −1.
+        /// One basis vector of square 1, three of square −1.
         pub mod mostly_minus {
             basis g0, g1, g2, g3;
             signature 1, 3;
@@ -20,7 +20,7 @@ mod spacetime {
         }
     }
     ga_runtime::algebra! {
-        /// Three squares of 1, one of −1.
+        /// Three basis vectors of square 1, one of square −1.
         pub mod mostly_plus {
             basis e1, e2, e3, e4;
             signature 3, 1;

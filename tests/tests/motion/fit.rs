@@ -66,7 +66,7 @@ proptest! {
             .map(|(k, (x, y))| (1.0 / (1.0 + k as f64), x, y)).collect();
         let again = Motor::from_weighted_point_pairs(&weighted).unwrap();
         assert_close!(again.motion.to_matrix().map(|row| row.to_vec()).to_vec(), rows.map(|row| row.to_vec()).to_vec(), 1e-13);
-        // And a scaling on top of it.
+        // And with a scaling.
         let larger: Vec<_> = to.iter().map(|y| y.map(|c| c * 0.3)).collect();
         let fit = Similarity::from_point_pairs(&paired(&from, &larger)).unwrap();
         for (&x, &y) in from.iter().zip(&larger) {
@@ -292,7 +292,7 @@ fn points_that_do_not_fix_a_motion_are_refused() {
         &regular.map(|x| x.map(|c| -c)),
         FitError::NotUnique,
     );
-    // Too few.
+    // Too few pairs.
     for found in 0..3 {
         let pairs = paired(&corner[..found], &corner[..found]);
         assert_eq!(

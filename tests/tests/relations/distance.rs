@@ -139,7 +139,7 @@ proptest! {
     }
 
     /// Circles that almost touch have two minima of nearly equal depth; circles with nearly the
-    /// same axis have nearly the same distance all round. The smallest minimum is found, and no
+    /// same axis have nearly the same distance everywhere. The smallest minimum is found, and no
     /// smaller value.
     #[test]
     fn circles_that_all_but_touch(n in unit(), m in unit(), t in unit(), s in 0.3..1.5_f64, digits in 0.0..12.0_f64, more in 0.0..12.0_f64) {
@@ -325,7 +325,7 @@ fn common_perpendiculars_that_are_special() {
     );
 }
 
-/// Circles with the same axis have the same distance all round.
+/// Circles with the same axis have the same distance everywhere.
 #[test]
 fn circles_with_one_axis() {
     check!(

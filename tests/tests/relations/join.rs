@@ -191,7 +191,7 @@ fn what_holds_the_other_comes_back() {
     assert_eq!(back.join(l, t), Some(Join::Line(line(O, Z))));
 }
 
-/// A circle, sphere or pair no larger than the tolerance counts as its centre.
+/// A circle, sphere or pair no larger than the tolerance is treated as its centre.
 #[test]
 fn figures_within_the_tolerance_are_points() {
     let t = tolerance();

@@ -190,7 +190,7 @@ fn point_configurations_take_every_position() {
     assert!(rate(|[_, in_plane, _, on_sphere]| *on_sphere && !in_plane) > 0.08);
     assert!(rate(|[_, in_plane, _, on_sphere]| !on_sphere && !in_plane) > 0.2);
 
-    // Of one point, and of none, nothing can coincide.
+    // One point, or none, cannot coincide with another.
     let alone = drawn(cga3::point_configurations::<f32, 1>(SIZE));
     assert!(
         alone

@@ -113,7 +113,7 @@ proptest! {
         let between = screw(p, n, angle, advance);
         let to = from * motor_of(between);
         let short = from * motor_of(screw(p, n, t * angle, t * advance));
-        // The other way round the same axis, with the same translation along it.
+        // The longer rotation about the same axis, with the same translation along it.
         let long = from * motor_of(screw(p, n, t * (angle - 2.0 * PI), t * advance));
         for end in [to, -to] {
             let found = from.interpolate(end, t);
@@ -172,7 +172,7 @@ proptest! {
         let generator = found.generator().expect("finite");
         let log = motor_of(given).log();
         prop_assert!(largest_difference([generator.e12, generator.e1i, generator.e3i], [log.e12, log.e1i, log.e3i]) <= tolerance);
-        // Of any weight, and a part of it.
+        // An axis of any weight, and a fraction of the screw.
         let heavy = Screw { axis: Line::from_point_direction(Point::from(p), times(n, 3.0)), angle, displacement: advance };
         prop_assert!(largest_difference(motor_coefficients(heavy.to_motor().expect("finite")), given) <= 1e-14);
         let half = heavy.part(0.5).to_motor().expect("finite");

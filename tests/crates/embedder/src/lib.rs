@@ -1,18 +1,19 @@
-//! Uses ga-runtime as a crate outside would: as the only dependency, renamed, in edition 2021.
+//! Uses ga-runtime as a crate outside the workspace would: as the only dependency, renamed, in
+//! edition 2021.
 
 use ga::cga3::{Motor, Point, Rotor, Translator};
 
 ga::algebra! {
-    /// The algebra of spacetime: one square of 1, three of −1.
+    /// The algebra of spacetime: one basis vector of square 1, three of square −1.
     pub mod sta {
         basis g0, g1, g2, g3;
         signature 1, 3;
 
         /// An event or a momentum.
         struct Vector { g0, g1, g2, g3 }
-        /// A boost or a turn, or the electromagnetic field.
+        /// The generator of a boost or a rotation, or the electromagnetic field.
         struct Bivector { g01, g02, g03, g12, g13, g23 }
-        /// All of even grade.
+        /// An element of even grade.
         struct Even { scalar, g01, g02, g03, g12, g13, g23, g0123 }
         /// A Lorentz transformation.
         #[hull(Even)]
@@ -32,7 +33,7 @@ ga::algebra! {
     }
 }
 
-/// Two modules may declare algebras of one name, even in the same words.
+/// Two modules may declare algebras of the same name, even with the same text.
 pub mod first {
     ga::algebra! {
         /// The plane.
@@ -48,7 +49,7 @@ pub mod first {
     }
 }
 
-/// The other of two algebras of one name.
+/// The other of two algebras of the same name.
 pub mod second {
     ga::algebra! {
         /// The plane.
@@ -64,12 +65,12 @@ pub mod second {
     }
 }
 
-/// Where the runtime is found may be said in the declaration.
+/// A declaration may state the path of the runtime.
 pub mod with_a_path {
     pub use ga as engine;
 
     ga::algebra! {
-        /// The complex numbers as the plane's even part.
+        /// The complex numbers as the even subalgebra of the plane.
         pub mod complex {
             crate = crate::with_a_path::engine;
             basis e1, e2;
@@ -81,20 +82,20 @@ pub mod with_a_path {
     }
 }
 
-/// A metric that is neither diagonal nor whole.
+/// A metric that is neither diagonal nor of whole numbers.
 pub mod skew {
     ga::algebra! {
-        /// An oblique basis: the vectors are not at right angles, and have fractions for squares.
+        /// An oblique basis: the vectors are not orthogonal, and their squares are fractions.
         pub mod oblique {
             basis a, b, c;
             metric a*a = 1, b*b = 1/2, c*c = -2, a*b = 1/3, b*c = -1, a*c = 1/4;
             /// A vector.
             struct Vector { a, b, c }
-            /// A bivector, in an order of its own.
+            /// A bivector, with blades in another order.
             struct Bivector { ba, ac, bc }
             /// A volume.
             struct Volume { abc }
-            /// All.
+            /// A general multivector.
             struct Multivector { scalar, a, b, c, ab, ac, bc, abc }
             products {
                 wedge(Vector, {Vector, Bivector});
@@ -127,7 +128,7 @@ pub fn area(a: [f64; 2], b: [f64; 2]) -> f64 {
     (a ^ b).e12
 }
 
-/// The place of a point after a quarter turn about z and a step along x.
+/// The position of a point after a rotation by 90° about z and a translation along x.
 #[must_use]
 pub fn moved(point: [f64; 3]) -> [f64; 3] {
     let turn = Rotor::from_axis_angle([0.0, 0.0, 1.0], std::f64::consts::FRAC_PI_2);
@@ -155,12 +156,12 @@ pub mod functions {
         #[must_use]
         pub fn boost(rapidity: Scalar) -> Rotor { exp(-rapidity / 2 * g01) }
 
-        /// What a frame sees of many momenta.
+        /// Many momenta in one frame.
         pub fn observing(uniform r: Rotor, p: Vector) -> Vector { observed(r, p) }
     }
 
     ga::ga! { ga::cga3;
-        /// The power of a point with regard to a sphere through four others, up to the sphere's
+        /// The power of a point with respect to a sphere through four others, up to the sphere's
         /// weight.
         #[must_use]
         pub fn power(p: Point, corners: [Point; 4]) -> Scalar {

@@ -1,12 +1,12 @@
-//! ga-runtime without the standard library: its types, compiled functions and batches, and what it
-//! knows of other crates.
+//! ga-runtime without the standard library: its types, compiled functions and batches, and its
+//! conversions to types of other crates.
 #![no_std]
 
 use ga_runtime::batch::{Batch, InstructionSet};
 use ga_runtime::cga3::{Motor, MotorGenerator, Point, Rotor, Translator};
 
 ga_runtime::ga! { ga_runtime::cga3;
-    /// The point moved.
+    /// The image of the point.
     pub fn moved(m: Motor, p: Point) -> Point { m * p * reverse(m) }
 }
 
@@ -17,19 +17,19 @@ pub fn screw(angle: f64, shift: f64) -> Option<Motor<f64>> {
     Some(Translator::from_displacement([0.0, 0.0, shift]) * rotor)
 }
 
-/// A part of a motion.
+/// A fraction of a motion.
 #[must_use]
 pub fn part(motor: Motor<f64>, t: f64) -> Motor<f64> {
     let generator: MotorGenerator<f64> = motor.log() * t;
     generator.exp()
 }
 
-/// Moves all points by the instructions that every processor has.
+/// Moves all points with the instructions that every processor supports.
 pub fn move_all(motor: &Motor<f32>, points: &mut [Point<f32>]) {
     Batch::on(InstructionSet::Baseline).transform(motor, points);
 }
 
-/// The motion of a vector and quaternion of glam, taken through nalgebra; `None` where the
+/// The motion of a vector and quaternion of glam, converted by way of nalgebra; `None` where the
 /// quaternion is zero or a number is not finite.
 #[must_use]
 pub fn through_others(turn: glam_034::Quat, shift: glam_034::Vec3) -> Option<Motor<f32>> {
@@ -43,7 +43,7 @@ pub fn bytes(points: &[Point<f32>]) -> &[u8] {
     bytemuck_1::cast_slice(points)
 }
 
-/// Whether a motion does nothing, up to rounding.
+/// Whether a motion is the identity, up to rounding.
 #[must_use]
 pub fn is_identity(motor: &Motor<f64>) -> bool {
     approx_05::abs_diff_eq!(*motor, num_traits_02::One::one())

@@ -28,7 +28,7 @@ pub fn shared(path: &str) -> Option<PathBuf> {
     find(folder().join(path), is_required())
 }
 
-/// A path that not every checkout has, such as that of an installed tool, under the same rule as
+/// A path that may be absent from a checkout, such as that of an installed tool, treated as by
 /// [`shared`].
 ///
 /// # Panics

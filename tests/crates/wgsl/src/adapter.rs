@@ -1,4 +1,4 @@
-//! The graphics processor, or what stands in for it.
+//! The graphics processor, or a software implementation of one.
 
 use wgpu::util::DeviceExt;
 
@@ -8,12 +8,12 @@ use crate::shader::{Shader, WORKGROUP};
 pub struct Gpu {
     device: wgpu::Device,
     queue: wgpu::Queue,
-    /// What it is called.
+    /// The name of the adapter.
     pub name: String,
 }
 
 impl Gpu {
-    /// Any adapter of this machine; `None`, with a message, where there is none.
+    /// Any adapter of this machine; `None`, with a message, if there is none.
     #[must_use]
     pub fn find() -> Option<Self> {
         let found = pollster::block_on(async {
@@ -51,10 +51,10 @@ impl Gpu {
         }
     }
 
-    /// Runs a shader over elements, each of as many numbers as its input holds.
+    /// Runs a shader over elements, each of as many numbers as the shader's input element.
     ///
     /// # Panics
-    /// The device refuses the shader or is lost.
+    /// If the device rejects the shader or is lost.
     #[must_use]
     pub fn run(&self, shader: &Shader, elements: &[f32]) -> Vec<f32> {
         let device = &self.device;
@@ -119,7 +119,7 @@ impl Gpu {
         });
         device
             .poll(wgpu::PollType::wait_indefinitely())
-            .expect("the work ends");
+            .expect("the shader terminates");
         let view = read_back.get_mapped_range(..).expect("a mapped buffer");
         let (numbers, _) = view.as_chunks::<4>();
         numbers

@@ -1,5 +1,5 @@
-//! Runs shaders that Nullcone writes: on whatever adapter there is, and number by number on the
-//! processor for comparison.
+//! Runs shaders that Nullcone writes, on any adapter of the machine; for comparison, evaluates the
+//! same functions number by number on the processor.
 
 mod adapter;
 mod graph;
@@ -18,24 +18,25 @@ macro_rules! declaration {
     };
 }
 
-/// cga3 as it ships.
+/// The declaration of cga3 in ga-runtime.
 ///
 /// # Panics
-/// The declaration does not compile.
+/// If the declaration does not compile.
 #[must_use]
 pub fn cga3() -> Definition {
     let text = ga_runtime::cga3! { [declaration] };
-    let parsed = text.parse().expect("a declaration is made of tokens");
-    ga_compiler::check_types(parsed, quote::quote! { ga_runtime }).expect("it is sound")
+    let parsed = text.parse().expect("a declaration consists of tokens");
+    ga_compiler::check_types(parsed, quote::quote! { ga_runtime })
+        .expect("the declaration is valid")
 }
 
 /// Compiles one function.
 ///
 /// # Panics
-/// It does not compile.
+/// If it does not compile.
 #[must_use]
 pub fn compile(definition: &Definition, text: &str) -> CompiledFunction {
-    let tokens = text.parse().expect("a function is made of tokens");
+    let tokens = text.parse().expect("a function consists of tokens");
     match ga_compiler::compile(definition, tokens) {
         Ok(mut functions) => functions.remove(0),
         Err(error) => panic!("{text}: {error}"),

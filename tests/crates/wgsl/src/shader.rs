@@ -10,21 +10,21 @@ use ga_compiler::function::CompiledFunction;
 pub struct Shader {
     /// The whole module.
     pub text: String,
-    /// The numbers that one element of the input buffer holds.
+    /// How many numbers one element of the input buffer has.
     pub inputs: usize,
-    /// The numbers that one element of the output buffer holds.
+    /// How many numbers one element of the output buffer has.
     pub outputs: usize,
 }
 
-/// How many calls a workgroup makes.
+/// The number of calls in a workgroup.
 pub(crate) const WORKGROUP: u32 = 64;
 
 impl Shader {
-    /// The shader of a function with a name. Its input elements hold the operands in order, its
-    /// output elements the result.
+    /// The shader of the function with a given name. Its input elements consist of the operands in
+    /// order, its output elements of the result.
     ///
     /// # Panics
-    /// The text does not hold the function in the expected form.
+    /// If the text does not contain the function in the expected form.
     #[must_use]
     pub fn new(definition: &Definition, function: &CompiledFunction) -> Self {
         let mut text = wgsl::module(definition, std::slice::from_ref(function));
@@ -97,7 +97,7 @@ fn signature(text: &str, name: &str) -> Option<(Vec<(String, String)>, String)> 
         text.split_once(": ")
             .map(|(a, b)| (a.to_owned(), b.to_owned()))
     };
-    // Commas inside a type do not part parameters.
+    // Commas inside a type do not separate parameters.
     let parameters = parameters.replace(", ", "\n").replace("\n2>", ", 2>");
     let parameters = parameters.lines().filter_map(pair).collect();
     Some((parameters, result.trim_end_matches(" {").to_owned()))
@@ -106,7 +106,7 @@ fn signature(text: &str, name: &str) -> Option<(Vec<(String, String)>, String)> 
 /// Checks a module as an implementation of WGSL does.
 ///
 /// # Errors
-/// What is wrong, with the line.
+/// The error in the module, with its line.
 pub fn validate(text: &str) -> Result<(), String> {
     let module = naga::front::wgsl::parse_str(text).map_err(|error| error.emit_to_string(text))?;
     let mut validator = naga::valid::Validator::new(

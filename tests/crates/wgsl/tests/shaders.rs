@@ -1,4 +1,5 @@
-//! Shaders of functions of every kind: valid, and right where there is an adapter to run them on.
+//! Shaders of functions of every kind: they are valid and, if there is an adapter to run them on,
+//! correct.
 
 use ga_compiler::define::Definition;
 use ga_compiler::emit::wgsl;
@@ -108,7 +109,7 @@ fn words_of_the_language_are_not_names() {
     let definition = cga3();
     let mut words = 0;
     for word in RESERVED.iter().chain(BUILTIN_IDENTIFIERS) {
-        // A few are not names in Rust, not even raw ones.
+        // A few are not identifiers in Rust, not even as raw identifiers.
         let Ok(_) = syn::parse_str::<syn::Ident>(&format!("r#{word}")) else {
             continue;
         };
@@ -120,13 +121,14 @@ fn words_of_the_language_are_not_names() {
         let functions = texts.map(|text| compile(&definition, &text));
         let module = wgsl::module(&definition, &functions);
         assert_valid(&module);
-        // Predeclared words may be declared again, which a module beside ours may not expect.
+        // Predeclared names may be redeclared, which another module in the same shader may not
+        // expect.
         let is_declared =
             module.contains(&format!("fn {word}(")) || module.contains(&format!("({word}:"));
         assert!(!is_declared, "{word}: {module}");
     }
     assert!(words > 380, "{words}");
-    // Our own functions keep their meaning beside functions of such names.
+    // The emitted helper functions keep their meaning beside functions of such names.
     let texts = [
         "fn cos(t: Scalar) -> Scalar { sin(t) }",
         "fn versor_sine(g: MotorGenerator) -> Motor { exp(g) }",
@@ -210,7 +212,7 @@ fn assert_runs(gpu: &Gpu, definition: &Definition, function: &CompiledFunction, 
         .iter()
         .any(|operand| operand.shape.stored(definition) == 0)
     {
-        // Such an operand still takes a number in a buffer.
+        // Such an operand still occupies a number in a buffer.
         return;
     }
     let found = gpu.run(&shader, &inputs);
