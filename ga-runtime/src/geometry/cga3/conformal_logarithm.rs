@@ -4,7 +4,7 @@
 //! for `B = log V`. C commutes with S, `S² = C² − 1`, and `B = S h` where h is the function
 //! `arcosh C / √(C² − 1)` of C. With `C = cosh x cos y + J sinh x sin y` and `J² = −1` that is one
 //! scaling by x with one rotation by y; where the square of the 4-vector is positive both are
-//! rotations, x being imaginary.
+//! rotations, and x is imaginary.
 //!
 //! Every even versor with `V ~V = 1` has a logarithm: where V is the negative of a scaling or of a
 //! translation, a full turn that commutes with it gives the sign.

@@ -55,7 +55,8 @@ impl<S: Real<Mask = bool>> OddVersor<S> {
         if !S::zero().less_than(largest) || !coefficients.into_iter().all(S::is_finite) {
             return None;
         }
-        // Each is divided by itself, since the reciprocal of the smallest numbers is out of range.
+        // Each coefficient is divided separately, since the reciprocal of the smallest numbers is
+        // out of range.
         let [e1, e2, e3, eo, ei] = coefficients.map(|x| x / largest);
         let vector = RoundVector::new(e1, e2, e3, eo, ei);
         let square = vector.scalar_product(vector);

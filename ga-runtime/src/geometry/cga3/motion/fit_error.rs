@@ -51,8 +51,8 @@ impl<S: Debug> Display for FitError<S> {
             Self::Weight(error) => Display::fmt(error, f),
             Self::NotFinite { index } => write!(f, "pair {index} is not finite"),
             Self::NoDirection { index } => write!(f, "pair {index} has a direction of length zero"),
-            Self::Coincident => f.write_str("all points of one side are at one place"),
-            Self::Collinear => f.write_str("all points of one side lie on a line"),
+            Self::Coincident => f.write_str("all first points or all second points coincide"),
+            Self::Collinear => f.write_str("all first points or all second points lie on a line"),
             Self::NotUnique => f.write_str("several rotations fit equally well"),
             Self::OutOfRange => f.write_str("the result is beyond the range of the scalar"),
         }

@@ -67,7 +67,7 @@ impl<S: Debug> Display for MeanError<S> {
             ),
             Self::NotConverged { steps, residual } => write!(
                 f,
-                "after {steps} steps {:?} rad and a displacement of {:?} are left",
+                "no convergence after {steps} steps: {:?} rad and a displacement of {:?} remain",
                 residual.angle, residual.displacement
             ),
         }

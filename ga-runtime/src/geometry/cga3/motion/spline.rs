@@ -104,7 +104,7 @@ impl<S: Debug> Display for SplineError<S> {
             Self::OutOfRange { index } => {
                 write!(
                     f,
-                    "the way from key {index} to the next is beyond the range of the scalar"
+                    "the motion from key {index} to the next is beyond the range of the scalar"
                 )
             }
         }

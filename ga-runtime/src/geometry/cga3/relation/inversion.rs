@@ -113,7 +113,7 @@ inversions! {
     Plane: Sphere or Plane;
 }
 
-/// Centre and radius of a sphere to invert in.
+/// Centre and radius of the sphere of an inversion.
 fn mirror<S: Real<Mask = bool>>(sphere: Sphere<S>) -> Option<(Vector<S>, S)> {
     let (centre, squared) = sphere_parts(sphere)?;
     S::zero()
@@ -121,9 +121,9 @@ fn mirror<S: Real<Mask = bool>>(sphere: Sphere<S>) -> Option<(Vector<S>, S)> {
         .then(|| (centre, squared.sqrt()))
 }
 
-/// The image of an element, in the round type that holds it. After translating the centre to the
-/// origin, the inversion exchanges eo and ei up to a factor, `eo → ½r² ei` and `ei → 2/r² eo`, and
-/// keeps e1, e2, e3.
+/// The image of an element, in the round type that can represent it. After translating the centre
+/// to the origin, the inversion exchanges eo and ei up to a factor, `eo → ½r² ei` and
+/// `ei → 2/r² eo`, and keeps e1, e2, e3.
 fn inverted<T, R>(element: T, centre: Vector<R::Scalar>, radius: R::Scalar) -> Option<R>
 where
     T: Element<Scalar = R::Scalar>,

@@ -2,7 +2,8 @@
 //!
 //! In blades the join of two primitives that share nothing is their outer product: `p∧q∧ei` is the
 //! line through two points, `p∧L` the plane of a point and a line, `C∧p` a sphere. Where they share
-//! a subspace the outer product vanishes, and the join is found by the cases listed here.
+//! a subspace the outer product vanishes, and the join is found by cases. These are the possible
+//! results, from general to special positions:
 //!
 //! - Point and point: line; point. Point and point pair: circle; line; pair. Point and line: plane;
 //!   line. Point and circle: sphere; plane; circle.
@@ -13,10 +14,10 @@
 //! - Point, pair, line or circle and a plane or sphere: space, or the plane or sphere if it
 //!   contains the other.
 //!
-//! First comes the join of two in general position, then the joins in special positions: a circle
-//! and a point in its plane give that plane, collinear points a line, and where one contains the
-//! other, the join is that one. Skew lines, a line and a circle that are not coplanar, and circles
-//! without a common sphere join to all of space, and so do two surfaces unless they coincide.
+//! So a circle and a point in its plane give that plane, collinear points a line, and where one
+//! contains the other, the join is that one. Skew lines, a line and a circle that are not coplanar,
+//! and circles without a common sphere join to all of space, and so do two surfaces unless they
+//! coincide.
 //!
 //! The distance of the tolerance decides whether one lies on the other, as in
 //! [`incidence`](super::incidence), and its angle decides whether lines are parallel. A point pair,
@@ -390,7 +391,8 @@ fn four_points<S: Real<Mask = bool>>(
     }
 }
 
-/// The circle through three points; `None` where the third is on the line through the others.
+/// The circle through three points; `Some(None)` where the third is on the line through the others,
+/// and `None` where the first two coincide.
 fn through<S: Real<Mask = bool>>(
     [p, q, r]: [Vector<S>; 3],
     tolerance: Tolerance<S>,
@@ -401,8 +403,8 @@ fn through<S: Real<Mask = bool>>(
         return Some(None);
     }
     let normal = u.cross(v).normalized()?;
-    // In the plane of the triangle: half of the first side along it, and then across it as far as
-    // makes the distance from the third point equal.
+    // In the plane of the triangle: from p by half of the first side, then perpendicular to it up
+    // to the point at equal distances from p and r.
     let side = normal.cross(direction);
     let (x, y) = (v.dot(direction), v.dot(side));
     let half = u.dot(direction) * S::from_ratio(1, 2);

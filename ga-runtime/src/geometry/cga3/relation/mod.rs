@@ -4,8 +4,9 @@
 //! Everything here is an inherent method of [`Point`](crate::cga3::Point),
 //! [`FlatPoint`](crate::cga3::FlatPoint), [`PointPair`](crate::cga3::PointPair),
 //! [`Line`](crate::cga3::Line), [`Plane`](crate::cga3::Plane), [`Circle`](crate::cga3::Circle) and
-//! [`Sphere`](crate::cga3::Sphere) in direct form and, but for meet and join, of their dual forms;
-//! this module holds the traits that these methods are generic over and the types that they return.
+//! [`Sphere`](crate::cga3::Sphere) in direct form and, except for meet and join, of their dual
+//! forms. This module contains the traits that these methods are generic over and the types that
+//! they return.
 //!
 //! - [`incidence`]: `a.is_on(b, tolerance)` and `a.coincides_with(b, tolerance)`, whether a lies on
 //!   b and whether both are the same; `a.is_parallel_to(b, tolerance)` and

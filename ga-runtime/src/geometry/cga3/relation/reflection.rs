@@ -2,7 +2,7 @@
 //!
 //! `x.reflect_in(mirror)` is a versor action, for any element x in direct or dual form:
 //!
-//! | mirror | versor V | image | a point goes to |
+//! | mirror | versor V | image | of a point x |
 //! | --- | --- | --- | --- |
 //! | plane | `π = dual(Π)/∣Π∣ = n + d ei` | `π X̂ π` | `x − 2 (n·x − d) n` |
 //! | line | `ℓ = dual(L)/∣L∣`, a half turn | `ℓ X ~ℓ` | `2 f − x`, f its foot on the line |
