@@ -117,7 +117,7 @@ impl<S: Real<Mask = bool>> Motor<S> {
 
 impl<S: Real<Mask = bool>> MotorGenerator<S> {
     /// The motor `exp(G)`: for `−½θ e12` a rotation by θ about the origin, for `−½ t ei` a
-    /// translation by t, for a dual point a rotation about that point. NaN propagates.
+    /// translation by t, for a dual point a rotation about that point. NaN stays NaN.
     #[must_use]
     pub fn exp(self) -> Motor<S> {
         let (sine, cosine) = self.e12.sin_cos();

@@ -128,7 +128,7 @@ impl<S: Real<Mask = bool>> Motor<S> {
     }
 
     /// The interpolation from `self` at t = 0 to `other` at t = 1 with constant speed about one
-    /// point, by the shorter rotation: `M exp(t log(~M N))`. NaN propagates.
+    /// point, by the shorter rotation: `M exp(t log(~M N))`. NaN stays NaN.
     #[must_use]
     pub fn interpolate(self, other: Self, t: S) -> Self {
         let mut between = self.reverse() * other;

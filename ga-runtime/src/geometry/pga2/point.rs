@@ -59,7 +59,7 @@ impl<S: Real<Mask = bool>> Point<S> {
     }
 
     /// The motor `exp(B)` of any bivector: `−½θP` rotates by θ about the point P of weight 1,
-    /// counterclockwise; `½ t∧e0`, an ideal point, translates by t. NaN propagates.
+    /// counterclockwise; `½ t∧e0`, an ideal point, translates by t. NaN stays NaN.
     ///
     /// A point B squares to minus its squared weight w², so that `exp(B) = cos w + (sin w / w) B`.
     ///

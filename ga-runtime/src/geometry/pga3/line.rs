@@ -149,7 +149,7 @@ impl<S: Real<Mask = bool>> Line<S> {
     /// right-handed about its direction; `B = ½ t∧e0` translates by t; a sum of both with t along L
     /// gives a screw.
     ///
-    /// Accurate to rounding for arbitrarily small angles. NaN propagates.
+    /// Accurate to rounding for arbitrarily small angles. NaN stays NaN.
     ///
     /// ```
     /// use ga_runtime::pga3::{Line, Point};

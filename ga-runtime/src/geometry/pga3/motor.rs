@@ -98,7 +98,7 @@ impl<S: Real<Mask = bool>> Motor<S> {
     }
 
     /// The bivector B with `exp(B) = M`, for a rotation by θ in [0, 2π], so that `exp(B)` restores
-    /// the sign of M too. Conventions are those of [`cga3::Motor::log`]; NaN propagates.
+    /// the sign of M too. Conventions are those of [`cga3::Motor::log`]; NaN stays NaN.
     ///
     /// ```
     /// use ga_runtime::pga3::{Motor, Rotor, Translator};

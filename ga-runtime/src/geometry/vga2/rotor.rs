@@ -95,7 +95,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
 }
 
 impl<S: Real<Mask = bool>> Bivector<S> {
-    /// The rotor `exp(B)`: for `B = −½θ e12` the rotation by θ. NaN propagates.
+    /// The rotor `exp(B)`: for `B = −½θ e12` the rotation by θ. NaN stays NaN.
     #[must_use]
     pub fn exp(self) -> Rotor<S> {
         let (sine, cosine) = self.e12.sin_cos();

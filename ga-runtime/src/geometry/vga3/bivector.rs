@@ -46,7 +46,7 @@ impl<S: Real<Mask = bool>> Bivector<S> {
     }
 
     /// The rotor `exp(B) = cos |B| + sin |B| B/|B|`: for `B = −½θb` with a unit bivector b, a
-    /// rotation by θ in its sense. NaN propagates.
+    /// rotation by θ in its sense. NaN stays NaN.
     ///
     /// ```
     /// use ga_runtime::vga3::{Bivector, Vector};

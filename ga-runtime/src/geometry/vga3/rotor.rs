@@ -68,7 +68,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
 
     /// The bivector B with `exp(B) = R` and `|B|` in [0, π], so that `exp(B)` restores the sign of
     /// R too: `−½θb` for a rotation by θ in the plane of the unit bivector b. The logarithm of −1
-    /// is `π e12`. NaN propagates.
+    /// is `π e12`. NaN stays NaN.
     #[must_use]
     pub fn log(self) -> Bivector<S> {
         let vector = Vector::new(self.e12(), self.e13(), self.e23());
