@@ -7,11 +7,11 @@
 //! | transformation | matrix | versor |
 //! | --- | --- | --- |
 //! | translation (3, 4) | [`translation`] | [`Translator::from_displacement`] |
-//! | rotation about x (6) | [`rotation_about_x`] | [`Rotor::about_x`] |
+//! | rotation about x (5, 6) | [`rotation_about_x`] | [`Rotor::about_x`] |
 //! | rotation about y (7) | [`rotation_about_y`] | [`Rotor::about_y`] |
 //! | rotation about z (8) | [`rotation_about_z`] | [`Rotor::about_z`] |
-//! | rotation about the origin (9) | [`rotation`] | [`Rotor::from_axis_angle`] |
-//! | rotation about an axis at a point | [`rotation_about_axis`] | [`Motor::about_axis`] |
+//! | rotation about an axis through the origin (9) | [`rotation`] | [`Rotor::from_axis_angle`] |
+//! | rotation about an axis through a point | [`rotation_about_axis`] | [`Motor::about_axis`] |
 //! | uniform scaling (10, 11) | [`scaling`] | [`Dilator::from_factor`] |
 //! | uniform scaling about a point | [`scaling_about`] | [`Dilator::about`] |
 //! | scaling along each axis (10, 11) | [`scaling`], [`scaling_about`] | none |
