@@ -1,6 +1,8 @@
 //! Inputs for the benchmarks: the same random numbers in every run.
 
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
 
 use crate::precision::Precision;
 
@@ -8,24 +10,20 @@ use crate::precision::Precision;
 /// few enough for the first-level cache.
 pub const INPUTS: usize = 1024;
 
-/// Reproducible numbers in (−1, 1) (SplitMix64: Steele, Lea and Flood 2014).
+/// Reproducible numbers in [−1, 1).
 #[derive(Clone, Debug)]
-pub struct Numbers(u64);
+pub struct Numbers(ChaCha8Rng);
 
 impl Numbers {
     /// The sequence of a seed.
     #[must_use]
     pub fn new(seed: u64) -> Self {
-        Self(seed)
+        Self(ChaCha8Rng::seed_from_u64(seed))
     }
 
     /// The next number.
     pub fn number<S: Precision>(&mut self) -> S {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut bits = self.0;
-        bits = (bits ^ bits >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        bits = (bits ^ bits >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-        bits ^= bits >> 31;
+        let bits = self.0.next_u64();
         S::from_f64((bits >> 11) as f64 / (1_u64 << 52) as f64 - 1.0)
     }
 

@@ -209,7 +209,7 @@ impl Counter {
                 }
             }
         }
-        // Where one operand stores what another works out, the name does not tell which is read.
+        // Where one operand stores what another computes, the name does not tell which is read.
         counter.accessors = stored.difference(&others).cloned().collect();
         for kind in &definition.types {
             counter

@@ -18,6 +18,7 @@ pub mod conventions {}
 pub mod dense;
 mod element;
 pub mod geometry;
+mod instruction_set;
 pub mod interop;
 mod macros;
 pub mod products;

@@ -9,7 +9,7 @@
 
 #![allow(unsafe_code)]
 
-use crate::batch::InstructionSet;
+use crate::instruction_set::InstructionSet;
 
 /// A loop that can be compiled for several sets of instructions. `run` must be `#[inline(always)]`,
 /// so that it is compiled as part of the function that enables them.
@@ -25,7 +25,7 @@ pub(crate) fn run(set: InstructionSet, work: impl Work) {
         #[cfg(all(feature = "std", target_arch = "x86_64"))]
         InstructionSet::Avx2 if set.is_available() => {
             // SAFETY: the only requirement of the function is that the processor has AVX2 and FMA,
-            // which `is_available` has just checked.
+            // which `is_available`, in `instruction_set.rs`, has just checked.
             unsafe { run_with_avx2(work) }
         }
         _ => work.run(),

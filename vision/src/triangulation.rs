@@ -10,7 +10,7 @@
 //! [perpendicular]: ga_runtime::cga3::Line::common_perpendicular
 
 use ga_runtime::cga3::Point;
-use ga_runtime::geometry::relation::{CommonPerpendicular, Tolerance};
+use ga_runtime::geometry::relation::Tolerance;
 use ga_runtime::vga3::Vector;
 
 use crate::camera::Ray;
@@ -44,10 +44,6 @@ pub enum TriangulationError {
     #[error("a ray is not finite")]
     NotFinite,
 }
-
-/// Rays whose directions have a smaller sine count as parallel: the directions then differ by no
-/// more than their rounding.
-const PARALLEL: f64 = 16.0 * f64::EPSILON;
 
 impl Triangulation {
     /// Whether the point is in front of both cameras.
@@ -86,23 +82,29 @@ impl Triangulation {
 /// ```
 pub fn triangulate(first: &Ray, second: &Ray) -> Result<Triangulation, TriangulationError> {
     let [d1, d2] = [first, second].map(|ray| Vector::from(ray.direction()));
-    let (sine, cosine) = (d1.cross(d2).length(), d1.dot(d2));
-    if !(sine.is_finite() && cosine.is_finite()) {
+    let angle = d1.cross(d2).length().atan2(d1.dot(d2));
+    if !angle.is_finite() {
         return Err(TriangulationError::NotFinite);
     }
-    if sine < PARALLEL {
-        return Err(TriangulationError::Parallel { sine });
+    let parallel = TriangulationError::Parallel { sine: angle.sin() };
+    let exact = Tolerance::new(0.0, 0.0);
+    let Some(found) = first.line.common_perpendicular(second.line, exact) else {
+        let coincide = first.line.coincides_with(second.line, Tolerance::default());
+        return Err(if coincide {
+            parallel
+        } else {
+            TriangulationError::NotFinite
+        });
+    };
+    if found.is_parallel {
+        return Err(parallel);
     }
-    let CommonPerpendicular { feet, distance, .. } = first
-        .line
-        .common_perpendicular(second.line, Tolerance::new(0.0, 0.0))
-        .ok_or(TriangulationError::NotFinite)?;
-    let [a, b] = feet.map(Vector::from);
+    let [a, b] = found.feet.map(Vector::from);
     Ok(Triangulation {
         position: a.lerp(b, 0.5).into(),
-        feet,
-        gap: distance,
-        depths: [first.depth(feet[0]), second.depth(feet[1])],
-        angle: sine.atan2(cosine),
+        feet: found.feet,
+        gap: found.distance,
+        depths: [first.depth(found.feet[0]), second.depth(found.feet[1])],
+        angle,
     })
 }

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
+use heck::ToSnakeCase;
 use proc_macro2::Span;
 use syn::ext::IdentExt;
 use syn::{Error, Ident};
@@ -23,12 +24,21 @@ pub(super) fn check(
     diagnostics: &mut Diagnostics,
 ) -> (Vec<TypeDefinition>, Vec<bool>) {
     let mut places: HashMap<String, usize> = HashMap::new();
+    let mut names_in_methods: HashMap<String, &Ident> = HashMap::new();
     let (mut types, mut sound) = (Vec::new(), Vec::new());
     for (index, kind) in syntax.iter().enumerate() {
         let before = diagnostics.count();
         check_name(algebra, &kind.name, diagnostics);
         if let Entry::Vacant(place) = places.entry(kind.name.to_string()) {
             place.insert(index);
+            let name = kind.name.unraw().to_string().to_snake_case();
+            if let Some(other) = names_in_methods.insert(name.clone(), &kind.name) {
+                let message = format!(
+                    "methods name the types `{other}` and `{}` alike, `{name}`: choose another name",
+                    kind.name
+                );
+                diagnostics.error(kind.name.span(), message);
+            }
         } else {
             let message = format!("type `{}` is declared twice", kind.name);
             diagnostics.error(kind.name.span(), message);

@@ -39,6 +39,17 @@ pub enum Function {
     VersorAngleSlope,
 }
 
+/// Earlier names of variants.
+#[allow(non_upper_case_globals)]
+impl Function {
+    /// Another name of [`StumpffCosine`](Self::StumpffCosine).
+    pub const VersorCosine: Self = Self::StumpffCosine;
+    /// Another name of [`StumpffSine`](Self::StumpffSine).
+    pub const VersorSine: Self = Self::StumpffSine;
+    /// Another name of [`StumpffSineSlope`](Self::StumpffSineSlope).
+    pub const VersorSineSlope: Self = Self::StumpffSineSlope;
+}
+
 impl Function {
     /// Every function.
     pub const ALL: [Self; 12] = [

@@ -3,7 +3,7 @@
 use crate::algebra::{Algebra, Product, Ratio};
 use crate::ir::{Arena, Multivector};
 
-/// How `a · b` of two vectors is worked out.
+/// How `a · b` of two vectors is computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum InnerRule {
     /// By coefficients.

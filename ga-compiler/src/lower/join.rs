@@ -3,7 +3,7 @@
 use crate::algebra::{Algebra, Blade, Product, Ratio};
 use crate::ir::{Arena, Multivector};
 
-/// How `v₁ ∧ v₂ ∧ … ∧ vₖ` is worked out.
+/// How `v₁ ∧ v₂ ∧ … ∧ vₖ` is computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum JoinRule {
     /// From left to right, as it is written.

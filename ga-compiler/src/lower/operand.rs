@@ -20,7 +20,7 @@ pub fn operand(arena: &mut Arena, kind: &TypeDefinition, held: bool) -> Multivec
 }
 
 /// A value that is known to be a member of a type, with constants for its constant coefficients and
-/// with its derived ones worked out from the stored ones, so that nothing else that led to them is
+/// with its derived ones computed from the stored ones, so that nothing else that led to them is
 /// needed.
 pub(super) fn rederived(
     arena: &mut Arena,
@@ -41,7 +41,7 @@ pub(super) fn rederived(
     complete(arena, kind, &written, false).with_facts(facts)
 }
 
-/// A member of a type from its coefficients as written, the derived ones of which are worked out
+/// A member of a type from its coefficients as written, the derived ones of which are computed
 /// here.
 fn complete(
     arena: &mut Arena,

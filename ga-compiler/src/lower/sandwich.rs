@@ -5,7 +5,7 @@ use super::split;
 use crate::algebra::{Algebra, Product, Unary};
 use crate::ir::{Arena, Facts, Multivector};
 
-/// How `M X ~M` is worked out.
+/// How `M X ~M` is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SandwichRule {
     /// `(M X) ~M`, the plain meaning, for any M.
@@ -17,7 +17,7 @@ pub enum SandwichRule {
     /// blades drop out before anything is multiplied.
     UnitCommutator,
     /// `Σ x (M b ~M)` over the blades b of X with coefficients x, by linearity. What M does to the
-    /// blades is worked out once, and entries that agree up to sign are one node, so that it pays
+    /// blades is computed once, and entries that agree up to sign are one node, so that it pays
     /// for an X of many blades.
     LinearMap,
     /// `T (R X ~R) ~T` with `M = T R`, R the part of M without some null vector; see [`split`].

@@ -2,7 +2,7 @@
 //!
 //! A factor may stand at a sum's terms, at an operand of a product or at the result:
 //! `2 (x y − w z)` is `(2 y) x − (2 z) w`, and where many products read y and z, the doubled values
-//! are worked out once for all of them. This pass gives every node a *scale*, the multiple of it
+//! are computed once for all of them. This pass gives every node a *scale*, the multiple of it
 //! that is computed, and counts for each node the *multiples* that are read. Each multiple other
 //! than the scale costs a multiplication, so the number of those is brought down:
 //!

@@ -1,9 +1,9 @@
 //! Dead code and order: what the outputs need, each node after what it needs itself.
 //!
-//! Outputs are worked out from the first to the last, each depth first, so that a value is computed
+//! Outputs are computed from the first to the last, each depth first, so that a value is computed
 //! close to where it is first used. Which operand of a node comes first decides how many values
 //! wait at the same time. The one that needs most registers should come first, since no other value
-//! waits yet while it is worked out (Sethi and Ullman, "The generation of optimal code for
+//! still waits while it is computed (Sethi and Ullman, "The generation of optimal code for
 //! arithmetic expressions", 1970). For trees this is optimal. Graphs share nodes, so the order as
 //! written is tried too, and the one in which fewer values wait is taken.
 
@@ -20,7 +20,7 @@ pub struct Schedule {
 }
 
 impl Schedule {
-    /// The largest number of values, inputs not among them, that are worked out and still needed at
+    /// The largest number of values, inputs not among them, that are computed and still needed at
     /// the same time.
     #[must_use]
     pub fn pressure(&self, arena: &Arena) -> usize {
@@ -69,7 +69,7 @@ fn depth_first(
 ) -> Vec<NodeId> {
     let mut order = Vec::new();
     let mut is_done = vec![false; arena.len()];
-    // Nodes to be worked out, and whether their operands are.
+    // Nodes to be computed, and whether their operands are.
     let mut open: Vec<(NodeId, bool)> = Vec::new();
     for output in outputs.iter().filter(|value| !value.is_zero()) {
         open.push((output.node, false));

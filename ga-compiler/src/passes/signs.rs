@@ -1,4 +1,4 @@
-//! The signs of differences: whether `a − b` or `b − a` is worked out.
+//! The signs of differences: whether `a − b` or `b − a` is computed.
 //!
 //! The graph holds both as one node with factors 1 and −1. Where an output is the negative of a
 //! difference that others read as well, the difference is negated, and the others take its

@@ -48,7 +48,7 @@ impl fmt::Display for OperationError {
                  here that part has {found}"
             ),
             Self::DivisorZero => f.write_str("the divisor is always zero"),
-            Self::NoValue => f.write_str("this does not exist for any of the operands tried"),
+            Self::NoValue => f.write_str("this has no value for any operands that were tried"),
             Self::TooManySteps => write!(f, "the function takes more than {MAX_STEPS} steps"),
         }
     }
@@ -195,15 +195,7 @@ impl fmt::Display for ResolveErrorKind {
             Self::TypeAsValue(name) => write!(f, "`{name}` is a type, not a value"),
             Self::SeveralValues => f.write_str("these are several values, where one is needed"),
             Self::NoElements => f.write_str("this is one value, which does not have elements"),
-            Self::ElementOutOfRange(count) => match count {
-                0 => f.write_str("there are no elements"),
-                1 => f.write_str("there is 1 element, number 0"),
-                _ => write!(
-                    f,
-                    "there are {count} elements, numbered from 0 to {}",
-                    count - 1
-                ),
-            },
+            Self::ElementOutOfRange(count) => element_out_of_range(f, *count),
             Self::PatternParts(parts, found) => {
                 let plural = plural(*parts);
                 write!(
@@ -252,8 +244,21 @@ impl fmt::Display for ResolveErrorKind {
     }
 }
 
+fn element_out_of_range(f: &mut fmt::Formatter<'_>, count: usize) -> fmt::Result {
+    match count {
+        0 => f.write_str("there are no elements"),
+        1 => f.write_str("there is 1 element, number 0"),
+        _ => write!(
+            f,
+            "there are {count} elements, numbered from 0 to {}",
+            count - 1
+        ),
+    }
+}
+
 impl OperationError {
-    /// Whether the text is a sentence of its own, and not what is said of the operation.
+    /// Whether the text is a sentence of its own, rather than the end of one that begins with the
+    /// name of the operation.
     const fn is_sentence(&self) -> bool {
         match self {
             Self::DivisorZero | Self::NoValue | Self::TooManySteps => true,

@@ -1,4 +1,4 @@
-//! Programs: the operations of a function in the order in which they are worked out, each stored
+//! Programs: the operations of a function in the order in which they are computed, each stored
 //! once.
 //!
 //! A [`Program`] stands between the source and the graph. Its steps are operations on whole

@@ -59,6 +59,10 @@ pub(crate) fn renamed() -> Definition {
             struct Sum { zx, scalar, xy, yz, infinityxyz, infinityx, infinityy, infinityz }
             #[hull(Sum)] #[facts(unit_versor)]
             struct Motion { scalar, yx, xz, yz, infinityx, infinityy, infinityz, infinityxyz }
+            #[hull(Sum)] #[facts(unit_versor)]
+            struct Rotation { xz, yz, scalar, yx }
+            #[hull(Sum)] #[facts(unit_versor)]
+            struct Translation { infinityz, scalar = 1, infinityx, infinityy }
         }
     })
 }

@@ -22,7 +22,7 @@ const fn cost(multiplications: usize, additions: usize, others: usize) -> Operat
     }
 }
 
-const KERNELS: [Row; 21] = [
+const KERNELS: [Row; 23] = [
     (
         "m: Motor, x: Point -> Point",
         "m: Motion, x: Place -> Place",
@@ -82,6 +82,18 @@ const KERNELS: [Row; 21] = [
         "m: Motion, n: Motion, x: Place -> Place",
         "m * n * x * rev(n) * rev(m)",
         cost(42, 36, 0),
+    ),
+    (
+        "r: Rotor, s: Rotor -> Rotor",
+        "r: Rotation, s: Rotation -> Rotation",
+        "r * s",
+        cost(16, 12, 0),
+    ),
+    (
+        "s: Translator, t: Translator -> Translator",
+        "s: Translation, t: Translation -> Translation",
+        "s * t",
+        cost(0, 3, 0),
     ),
     (
         "p: Point, q: Point -> Scalar",

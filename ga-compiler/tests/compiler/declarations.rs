@@ -93,6 +93,21 @@ fn every_fault_is_found_and_none_twice() {
     assert_eq!(found.err().expect("faulty"), expected);
 }
 
+/// Methods have the names of types in lower case with underscores, so these must differ too.
+#[test]
+fn types_that_methods_would_name_alike() {
+    let found = check(quote! {
+        mod some {
+            basis e1, e2;
+            signature 2;
+            struct AB { e1, e2 }
+            struct Ab { e12 }
+        }
+    });
+    let expected = ["methods name the types `AB` and `Ab` alike, `ab`: choose another name"];
+    assert_eq!(found.err().expect("faulty"), expected);
+}
+
 #[test]
 fn faulty_declarations_leave_their_names() {
     let code = emitted(&quote! {

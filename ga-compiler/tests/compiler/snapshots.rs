@@ -49,6 +49,8 @@ snapshots! {
     motor_moves_plane: "fn moved(m: Motor, e: Plane) -> Plane { sandwich(m, e) }";
     motor_moves_line: "fn moved(m: Motor, l: Line) -> Line { sandwich(m, l) }";
     motor_moves_circle: "fn moved(m: Motor, c: Circle) -> Circle { sandwich(m, c) }";
+    motor_moves_point_pair: "fn moved(m: Motor, x: PointPair) -> PointPair { sandwich(m, x) }";
+    circle_through_points: "fn circle(p: Point, q: Point, r: Point) -> Circle { p ^ q ^ r }";
     product_of_motors: "fn product(m: Motor, n: Motor) -> Motor { m * n }";
     inner_product_of_points: "fn inner(p: Point, q: Point) -> Scalar { p | q }";
     point_pair: "fn pair(p: Point, q: Point) -> PointPair { p ^ q }";

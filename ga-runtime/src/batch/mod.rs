@@ -33,18 +33,17 @@
 //! that is an error and nothing is written.
 
 mod blend;
-mod instruction_set;
 mod moved;
 mod screw;
 mod transform;
 
 use core::fmt;
 
-pub use blend::BlendError;
-pub use instruction_set::InstructionSet;
+pub use crate::instruction_set::InstructionSet;
 /// An alias of [`InstructionSet`].
 #[doc(no_inline)]
-pub use instruction_set::InstructionSet as Path;
+pub use crate::instruction_set::InstructionSet as Path;
+pub use blend::BlendError;
 pub use moved::Moved;
 
 use crate::cga3::{Motor, MotorGenerator};

@@ -11,7 +11,7 @@ pub use figure::{
     sphere, sphere_of_square,
 };
 pub use near::{
-    dense, largest_difference, near, near_all, near_dense, near_vector, positive_multiple,
+    dense, largest, largest_difference, near, near_all, near_dense, near_vector, positive_multiple,
     tolerance,
 };
 pub use sampling::least_by_sampling;

@@ -12,12 +12,21 @@ pub fn tolerance() -> Tolerance<f64> {
     Tolerance::new(1e-9, 1e-9)
 }
 
+/// The largest magnitude of some numbers; NaN if any of them is NaN, unlike by [`f64::max`].
+pub fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {
+    numbers.into_iter().fold(0.0, |most: f64, number| {
+        let size = number.abs();
+        if most.is_nan() || size <= most {
+            most
+        } else {
+            size
+        }
+    })
+}
+
 /// The largest difference between corresponding numbers; NaN if any of them is NaN.
 pub fn largest_difference<const N: usize>(a: [f64; N], b: [f64; N]) -> f64 {
-    a.into_iter().zip(b).fold(0.0, |most: f64, (x, y)| {
-        let difference = (x - y).abs();
-        if difference <= most { most } else { difference }
-    })
+    largest(a.into_iter().zip(b).map(|(x, y)| x - y))
 }
 
 /// Asserts that corresponding numbers differ by no more than a bound; NaN fails.
@@ -52,7 +61,7 @@ pub fn dense<T: Element<Scalar = f64>>(element: &T) -> Multivector<f64> {
 /// Asserts that two multivectors are equal within a bound relative to the largest coefficient.
 #[track_caller]
 pub fn near_dense(found: &Multivector<f64>, expected: &Multivector<f64>, bound: f64) {
-    let size = |m: &Multivector<f64>| m.coefficients().iter().fold(0.0_f64, |s, x| s.max(x.abs()));
+    let size = |m: &Multivector<f64>| largest(m.coefficients().iter().copied());
     let off = size(&(found - expected));
     assert!(
         off <= bound * size(expected).max(1.0),
@@ -73,4 +82,18 @@ pub fn positive_multiple(found: &Multivector<f64>, expected: &Multivector<f64>, 
         &expected.scale(1.0 / norm(expected)),
         bound,
     );
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nan_is_the_largest_wherever_it_stands() {
+        assert_eq!(largest([1.0, -3.0, 2.0]), 3.0);
+        for numbers in [[f64::NAN, 1.0], [1.0, f64::NAN]] {
+            assert!(largest(numbers).is_nan());
+            assert!(largest_difference(numbers, [0.0, 1.0]).is_nan());
+        }
+    }
 }

@@ -11,7 +11,7 @@ use ga_runtime::geometry::homogeneous::{
 use ga_runtime::geometry::{Affine, NotConformal};
 use ga_runtime::scalar::{Prime61, Ring};
 use ga_runtime::testing::{exact_member, for_all, strategy};
-use nullcone_tests::plain::{rotated, unit_of};
+use nullcone_tests::plain::{largest, rotated, unit_of};
 use proptest::prelude::*;
 
 const EPSILON: f64 = f64::EPSILON;
@@ -35,8 +35,7 @@ fn primes() -> impl Strategy<Value = [Prime61; 3]> + Clone {
 /// The largest difference of two matrices.
 fn deviation(a: Matrix<f64>, b: Matrix<f64>) -> f64 {
     let (a, b) = (a.into_iter().flatten(), b.into_iter().flatten());
-    a.zip(b)
-        .fold(0.0, |largest, (a, b)| (a - b).abs().max(largest))
+    largest(a.zip(b).map(|(a, b)| a - b))
 }
 
 /// The image of a point in homogeneous coordinates.

@@ -299,10 +299,12 @@ fn common_perpendiculars_that_are_special() {
         (0.0, [point([2.0, 0.0, 0.0]); 2])
     );
     assert_eq!(crossing.line.direction(), Z);
+    assert!(!crossing.is_parallel);
     // Parallel lines: from the first one's point nearest to the origin.
     let parallel = line([5.0, 1.0, 1.0], X)
         .common_perpendicular(line([7.0, 4.0, 5.0], [-2.0, 0.0, 0.0]), tolerance());
     let parallel = parallel.unwrap();
+    assert!(parallel.is_parallel);
     assert_eq!(parallel.distance, 5.0);
     assert_eq!(
         parallel.feet,

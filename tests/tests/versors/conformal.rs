@@ -13,7 +13,7 @@ use ga_runtime::cga3::{
 use ga_runtime::dense;
 use ga_runtime::testing::{algebra_of, assert_close, exact_member, for_all, to_dense};
 use nullcone_tests::oracle;
-use nullcone_tests::plain::{along, dot, vector};
+use nullcone_tests::plain::{along, dot, largest, vector};
 use nullcone_tests::random::SplitMix64;
 use proptest::prelude::*;
 use serde_json::Value;
@@ -43,15 +43,13 @@ fn numbers<T: Element<Scalar = f64>>(element: &T) -> Vec<f64> {
 }
 
 fn size<T: Element<Scalar = f64>>(element: &T) -> f64 {
-    numbers(element).iter().fold(0.0, |m, x| m.max(x.abs()))
+    largest(numbers(element).iter().copied())
 }
 
 /// The largest difference of two coefficients, relative to the largest coefficient.
 fn deviation<T: Element<Scalar = f64>>(found: &T, expected: &T) -> f64 {
     let (a, b) = (numbers(found), numbers(expected));
-    let difference = a.iter().zip(&b).map(|(a, b)| (a - b).abs());
-    // NaN is propagated.
-    let worst = difference.fold(0.0, |m, x| if x <= m { m } else { x });
+    let worst = largest(a.iter().zip(&b).map(|(a, b)| a - b));
     let scale = size(expected);
     if worst == 0.0 { 0.0 } else { worst / scale }
 }

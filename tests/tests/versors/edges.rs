@@ -9,6 +9,7 @@ use ga_runtime::cga3::{
 use ga_runtime::geometry::motion::{MotorSpline, SplineError};
 use ga_runtime::geometry::{Affine, NotConformal, RotationPath, velocity_sum};
 use ga_runtime::{pga3, sta, vga3};
+use nullcone_tests::plain::largest;
 use proptest::prelude::*;
 
 /// The largest difference of coefficients, relative to the largest of the second but at least 1.
@@ -18,7 +19,7 @@ fn deviation(a: EvenVersor<f64>, b: EvenVersor<f64>) -> f64 {
         .iter()
         .fold(1.0_f64, |most, &blade| most.max(b.coefficient(blade).abs()));
     let off = |&blade: &usize| (a.coefficient(blade) - b.coefficient(blade)).abs() / size;
-    blades.iter().map(off).fold(0.0, f64::max)
+    largest(blades.iter().map(off))
 }
 
 #[test]

@@ -492,8 +492,8 @@ proptest! {
         prop_assert!((x * slope - (cosine - ratio)).abs() <= 1e-15);
         let (sine, cosine) = quarter.sin_cos();
         let (ratio, slope) = cosine.angle_by_sine();
-        prop_assert!((ratio * sine - quarter).abs() <= 8e-16);
-        // Seven roundings of numbers up to π/2, the most in three million samples.
+        prop_assert!((ratio * sine - quarter).abs() <= 9e-16);
+        // Seven units of 2⁻⁵², the most in thirty million samples.
         prop_assert!((slope * sine * sine - (cosine - ratio)).abs() <= 1.6e-15);
     }
 }

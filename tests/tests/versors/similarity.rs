@@ -4,7 +4,7 @@ use ga_runtime::cga3::{
     Dilator, EvenVersor, Motor, Point, PointPair, Rotor, Similarity, Translator,
 };
 use ga_runtime::testing::assert_close;
-use nullcone_tests::plain::{dot, rotated, unit, vector};
+use nullcone_tests::plain::{dot, largest, largest_difference, rotated, unit, vector};
 use proptest::prelude::*;
 
 fn factor() -> impl Strategy<Value = f64> + Clone {
@@ -36,9 +36,7 @@ fn coefficients(s: Similarity<f64>) -> [f64; 12] {
 /// The largest difference, relative to the largest coefficient.
 fn deviation(found: Similarity<f64>, expected: Similarity<f64>) -> f64 {
     let (a, b) = (coefficients(found), coefficients(expected));
-    let size = b.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-    let differences = a.iter().zip(&b).map(|(a, b)| (a - b).abs());
-    differences.fold(0.0, |m, x| if x <= m { m } else { x }) / size
+    largest_difference(a, b) / largest(b)
 }
 
 proptest! {

@@ -1,11 +1,11 @@
 //! Triangulation against independent vectors and against scenes that are known.
 
-use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
-use ga_vision::camera::{Camera, CameraError, Intrinsics};
+use ga_runtime::cga3::{Line, Motor, Point, Rotor, Translator};
+use ga_vision::camera::{Camera, CameraError, Intrinsics, Ray};
 use ga_vision::observation::{ObservationError, observe};
 use ga_vision::pose_error::mean_per_joint_position_error;
 use ga_vision::rig::{RigError, StereoRig};
-use ga_vision::triangulation::TriangulationError;
+use ga_vision::triangulation::{TriangulationError, triangulate};
 use proptest::prelude::*;
 use serde_json::Value;
 
@@ -188,6 +188,18 @@ fn bad_input_is_named() {
             ..
         })
     ));
+    // A ray and itself, also with other lengths of its direction.
+    for length in [1.0, 3.0] {
+        let ray = |length: f64| Ray {
+            line: Line::from_point_direction(Point::default(), [0.0, 0.6 * length, 0.8 * length]),
+            centre: Point::default(),
+        };
+        let found = triangulate(&ray(1.0), &ray(length));
+        assert!(
+            matches!(found, Err(TriangulationError::Parallel { .. })),
+            "{found:?}"
+        );
+    }
     assert!(matches!(
         rig.triangulate_all(&[[0.0, 0.0], [f64::NAN, 0.0]], &[[1.0, 0.0], [0.0, 0.0]]),
         Err(RigError::Camera {
@@ -268,4 +280,39 @@ fn noise_has_its_stated_size_and_seed() {
         observe(&camera, &points, -1.0, 7),
         Err(ObservationError::Noise(-1.0))
     );
+}
+
+/// Two rays that meet at a distance of 1/s, with s near the limit at which they count as parallel:
+/// the result is that place or an error, for directions of any length.
+#[test]
+fn almost_parallel_rays_meet_where_they_do_or_not_at_all() {
+    let mut outcomes = [0, 0];
+    for step in 8..80 {
+        let sine = f64::from(step) * 0.5 * f64::EPSILON;
+        for length in [0.7, 1.0, 3.0] {
+            let ray = |x: f64, direction: [f64; 3]| Ray {
+                line: Line::from_point_direction(Point::new(x, 0.0, 0.0), direction),
+                centre: Point::new(x, 0.0, 0.0),
+            };
+            let second = ray(1.0, [-sine * length, 0.0, length]);
+            match triangulate(&ray(0.0, [0.0, 0.0, 1.0]), &second) {
+                Ok(found) => {
+                    let [_, _, z] = found.position.coordinates();
+                    assert!(
+                        (z * sine - 1.0).abs() < 1e-3,
+                        "{sine:e}, {length}: {found:?}"
+                    );
+                    outcomes[0] += 1;
+                }
+                Err(error) => {
+                    assert!(
+                        matches!(error, TriangulationError::Parallel { .. }),
+                        "{error}"
+                    );
+                    outcomes[1] += 1;
+                }
+            }
+        }
+    }
+    assert!(outcomes.iter().all(|count| *count > 30), "{outcomes:?}");
 }

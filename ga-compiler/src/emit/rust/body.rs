@@ -40,7 +40,7 @@ pub(super) struct Source<'a> {
     pub(super) runtime: &'a TokenStream,
     /// The expressions of the inputs.
     pub(super) inputs: &'a [TokenStream],
-    /// Nodes that an earlier stage has worked out.
+    /// Nodes that an earlier stage has computed.
     pub(super) given: &'a HashMap<NodeId, TokenStream>,
     /// How the names of variables begin.
     pub(super) prefix: &'a str,
@@ -262,7 +262,7 @@ impl Writer<'_> {
         terms
     }
 
-    /// Whether a term is a product that is worked out here, so that it can be fused with the
+    /// Whether a term is a product that is computed here, so that it can be fused with the
     /// addition.
     fn is_fused(&self, term: Value) -> bool {
         if term.node == Arena::ONE {

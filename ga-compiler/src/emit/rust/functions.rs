@@ -305,7 +305,7 @@ impl Emitter<'_> {
     }
 }
 
-/// The struct that holds what a function works out once of its uniform operands.
+/// The struct that holds the values that a function computes once from its uniform operands.
 struct Prepared<'a> {
     function: &'a Ident,
     visibility: &'a Visibility,
@@ -333,7 +333,7 @@ impl<'a> Prepared<'a> {
             ..
         } = self;
         let text = format!(
-            " What [`{}`] works out once of its uniform operands.",
+            " The values that [`{}`] computes once from its uniform operands.",
             self.function.unraw()
         );
         // A struct without fields must still mention its scalar type.

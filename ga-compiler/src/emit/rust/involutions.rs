@@ -114,7 +114,7 @@ fn norm_squared(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let (path, bound) = (context.path(kind), context.bound(needs_field));
     quote! {
         impl<S: #bound> #path {
-            /// `⟨x ~x⟩₀`, worked out from the coefficients without regard to the facts of the type.
+            /// `⟨x ~x⟩₀`, computed from the coefficients without regard to the facts of the type.
             /// It is negative or zero for some elements of a metric that is not positive.
             #[inline]
             #[must_use]

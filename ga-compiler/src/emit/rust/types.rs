@@ -141,7 +141,7 @@ fn accessors(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     quote! { impl<S> #path { #(#methods)* } }
 }
 
-/// The coefficient of a blade as declared, worked out from `self`.
+/// The coefficient of a blade as declared, computed from `self`.
 fn coefficient_body(
     context: &Context<'_>,
     kind: &TypeDefinition,

@@ -162,12 +162,12 @@ struct Resolver<'a, 's> {
     callers: Vec<&'s FunctionSyntax>,
     /// How many calls have been copied in.
     calls: usize,
-    /// How many formulas are being worked out, each a part of the one before.
+    /// How many formulas are being computed, each a part of the one before.
     level: usize,
 }
 
 impl<'a, 's> Resolver<'a, 's> {
-    /// Takes in the operands, and tells for each one of the program whether it is uniform.
+    /// Adds the operands to the program, and returns for each whether it is uniform.
     fn operands(&mut self, function: &FunctionSyntax) -> Result<Vec<bool>> {
         let mut uniform = Vec::new();
         for operand in &function.operands {

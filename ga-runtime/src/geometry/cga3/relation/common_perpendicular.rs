@@ -15,6 +15,8 @@ pub struct CommonPerpendicular<S> {
     pub feet: [Point<S>; 2],
     /// The distance between the feet, which is the distance between the lines.
     pub distance: S,
+    /// Whether the lines are parallel, so that this is one of many common perpendiculars.
+    pub is_parallel: bool,
 }
 
 impl<S: Real<Mask = bool>> Line<S> {
@@ -27,7 +29,9 @@ impl<S: Real<Mask = bool>> Line<S> {
     /// handedness of the two lines.
     ///
     /// Lines that are parallel within `tolerance.angle` have many common perpendiculars. The result
-    /// is then the one through this line's point nearest to the origin, directed to the other line.
+    /// is then the one through this line's point nearest to the origin, directed to the other line,
+    /// and `is_parallel` is true. So it is, with any tolerance, for directions that differ by no
+    /// more than their rounding.
     /// `None` where the lines are parallel and not farther apart than `tolerance.distance`, where
     /// one is not a line, or where a foot is beyond the range of the scalar.
     ///
@@ -71,31 +75,31 @@ impl<S: Real<Mask = bool>> Line<S> {
             if within(distance, tolerance.distance) {
                 return None;
             }
-            return assemble(p, p + way, way.divided(distance), distance);
+            return assemble([p, p + way], way.divided(distance), distance, true);
         }
         let normal = normal.divided(sine);
         // p + s d and q + t e differ by a multiple of the normal.
         let first = p + d * (between.cross(e).dot(normal) / sine);
         let second = q + e * (between.cross(d).dot(normal) / sine);
-        assemble(first, second, normal, between.dot(normal).abs())
+        assemble([first, second], normal, between.dot(normal).abs(), false)
     }
 }
 
 fn assemble<S: Real<Mask = bool>>(
-    first: Vector<S>,
-    second: Vector<S>,
+    feet: [Vector<S>; 2],
     direction: Vector<S>,
     distance: S,
+    is_parallel: bool,
 ) -> Option<CommonPerpendicular<S>> {
-    let line = Line::from_point_direction(first.into(), direction.into());
-    let finite = first.is_finite()
-        && second.is_finite()
+    let line = Line::from_point_direction(feet[0].into(), direction.into());
+    let finite = feet.iter().all(|foot| foot.is_finite())
         && Vector::from(line.moment()).is_finite()
         && direction.is_finite()
         && distance.is_finite();
     finite.then(|| CommonPerpendicular {
         line,
-        feet: [first, second].map(Point::from),
+        feet: feet.map(Point::from),
         distance,
+        is_parallel,
     })
 }
