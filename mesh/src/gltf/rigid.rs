@@ -39,3 +39,43 @@ pub(super) fn inverse_matrix(motor: Motor<f64>) -> [f64; 16] {
     matrix[15] = 1.0;
     matrix
 }
+
+#[cfg(test)]
+mod tests {
+    use ga_runtime::cga3::{Rotor, Translator};
+    use glam::{DMat4, DQuat, DVec3};
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn vector() -> impl Strategy<Value = [f64; 3]> {
+        prop::array::uniform3(-1f64..1.0)
+    }
+
+    proptest! {
+        /// A rotation by the length of a vector about its direction, then a translation.
+        #[test]
+        fn a_motor_becomes_its_quaternion_and_translation(
+            about in vector(),
+            step in vector(),
+            at in vector(),
+        ) {
+            let angle = DVec3::from(about).length();
+            prop_assume!(angle > 1e-3);
+            let rotor = Rotor::from_axis_angle(about, angle).unwrap();
+            let motor = Translator::from_displacement(step) * rotor;
+            let motor = normalized(motor).unwrap();
+
+            let quaternion = DQuat::from_array(rotation(motor));
+            prop_assert!((quaternion.length_squared() - 1.0).abs() < 1e-12);
+            let displacement = DVec3::from(translation(motor));
+            let found = DMat4::from_rotation_translation(quaternion, displacement);
+            let expected = DMat4::from_rotation_translation(
+                DQuat::from_scaled_axis(about.into()),
+                step.into(),
+            );
+            let [found, expected] = [found, expected].map(|m| m.transform_point3(at.into()));
+            prop_assert!(found.distance(expected) < 1e-12);
+        }
+    }
+}
