@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Result, bail};
 use ga_draw::Scene;
 
 /// Draw a scene of points, spheres, circles, lines, planes and motions.
@@ -16,7 +16,7 @@ use ga_draw::Scene;
 ///   {"name": "l", "line": {"through": [[-2, 0, 0], [2, 0, 0.5]]}},
 ///   {"name": "S ∨ l", "meet": ["S", "l"]}]}
 ///
-/// The page of the crate ga-draw describes the format in full.
+/// The documentation of ga-draw describes the format in full.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
@@ -24,7 +24,7 @@ pub(crate) struct Arguments {
     #[arg(value_name = "FILE.json")]
     file: PathBuf,
     /// The file to be written: a picture if its name ends in .svg, a page in which the mouse
-    /// rotates the scene if it ends in .html.
+    /// rotates the scene if it ends in .html or .htm.
     #[arg(long, value_name = "FILE.html or FILE.svg")]
     out: PathBuf,
 }
@@ -36,12 +36,11 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         Some("svg") => Scene::to_svg,
         Some("html" | "htm") => Scene::to_html,
         _ => bail!(
-            "--out {}: its name must end in .svg or .html",
+            "--out {}: its name must end in .svg, .html or .htm",
             out.display()
         ),
     };
-    let bytes = std::fs::read(file).with_context(|| format!("cannot read {}", file.display()))?;
-    let scene = Scene::from_json(&bytes).with_context(|| file.display().to_string())?;
+    let scene = ga_files::read(file, Scene::from_json)?;
     ga_files::write(out, write(&scene).as_bytes())?;
     if !quiet {
         println!("wrote {}", out.display());

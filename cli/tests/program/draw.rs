@@ -36,7 +36,7 @@ fn bad_input_leaves_nothing() {
         assert_failure(&output, parts);
         assert_eq!(names(folder.path()), ["scene.json"]);
     };
-    fails(SCENE, "s.png", &["--out s.png", ".svg or .html"]);
+    fails(SCENE, "s.png", &["--out s.png", ".svg, .html or .htm"]);
     fails(
         "{\n\"element\": []}",
         "s.svg",

@@ -38,9 +38,8 @@ impl Source {
             read.context("cannot read standard input")?;
             return Self::of_text("standard input", &text);
         }
-        let name = path.display().to_string();
-        let text = std::fs::read_to_string(path).with_context(|| format!("cannot read {name}"))?;
-        Self::of_text(&name, &text)
+        let text = ga_files::read(path, |bytes| str::from_utf8(bytes).map(str::to_owned))?;
+        Self::of_text(&path.display().to_string(), &text)
     }
 
     /// Takes a text as it is.
