@@ -23,7 +23,7 @@ pub enum DistanceWeightsError {
     #[error("there are no bones to follow")]
     NoBones,
     /// No bone may move a point.
-    #[error("every point follows at least 1 bone, not 0")]
+    #[error("a point must follow at least 1 bone")]
     NoInfluences,
     /// The exponent is 0, negative, infinite or not a number.
     #[error("{exponent} is not an exponent for a weight that decreases with distance")]

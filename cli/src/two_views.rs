@@ -64,7 +64,8 @@ impl TwoViews {
             joints.extend(figure.joints(pose)?.into_iter().map(Point::from));
         }
         let target = middle(&joints);
-        let rig = rig(&joints, target).context("there is no place for the cameras")?;
+        let rig = rig(&joints, target)
+            .context("no place was found from which two cameras see the figure")?;
         Ok(Self {
             picture_pixels: PICTURE,
             focal_length_pixels: FOCAL_LENGTH,

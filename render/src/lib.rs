@@ -83,7 +83,7 @@ pub struct Rendering {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum RenderError {
     /// A position has a coordinate that is NaN, infinite, or beyond 10³⁰.
-    #[error("vertex {vertex} has no finite position")]
+    #[error("vertex {vertex} has a coordinate that is not finite or beyond 1e30")]
     Position {
         /// Index of the vertex.
         vertex: usize,
@@ -99,7 +99,7 @@ pub enum RenderError {
         vertices: usize,
     },
     /// An end of a bone has a coordinate that is NaN, infinite, or beyond 10³⁰.
-    #[error("bone {bone} has no finite ends")]
+    #[error("bone {bone} has an end with a coordinate that is not finite or beyond 1e30")]
     Bone {
         /// Index of the bone.
         bone: usize,
@@ -108,10 +108,10 @@ pub enum RenderError {
     #[error("the ground's height is not finite or its grid not positive")]
     Ground,
     /// The camera is not usable; the text says why.
-    #[error("no such camera: {0}")]
+    #[error("invalid camera: {0}")]
     Camera(&'static str),
     /// The style is not usable; the text says why.
-    #[error("no such picture: {0}")]
+    #[error("invalid picture: {0}")]
     Style(&'static str),
 }
 

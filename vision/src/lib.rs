@@ -1,5 +1,6 @@
 //! Stereo vision on conformal geometric algebra, after Y. Cui, "Geometric algebra-based modeling
-//! techniques for 3D animation and their application to visual communication".
+//! techniques for 3D animation and their application to visual communication", which the modules
+//! cite as "Cui".
 //!
 //! - [`camera`]: pinhole cameras; the pixel of a point, and the ray of a pixel.
 //! - [`rig`]: two cameras and the motor between them.

@@ -19,7 +19,7 @@ pub enum ComparisonError {
 }
 
 /// The mean distance between reconstructed and true joints, in the unit of the coordinates (mean
-/// per joint position error, MPJPE; Cui, table 2).
+/// per joint position error, MPJPE; Cui, table 3).
 ///
 /// # Errors
 /// [`ComparisonError`] where there are no joints, or different numbers of them.

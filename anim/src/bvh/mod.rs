@@ -161,10 +161,10 @@ pub struct BvhError {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum BvhProblem {
     /// The line is not UTF-8, or holds a null byte.
-    #[error("this is not text")]
+    #[error("the file is not UTF-8 text")]
     NotText,
     /// Another word should stand here.
-    #[error("{found:?} stands where {expected} should")]
+    #[error("expected {expected}, found {found:?}")]
     Expected {
         /// What should stand here.
         expected: &'static str,
@@ -172,7 +172,7 @@ pub enum BvhProblem {
         found: String,
     },
     /// The file ends too early.
-    #[error("the file ends where {expected} should follow")]
+    #[error("the file ends; expected {expected}")]
     EndOfFile {
         /// What should follow.
         expected: &'static str,
@@ -190,7 +190,7 @@ pub enum BvhProblem {
         word: String,
     },
     /// A frame time is 0 or negative.
-    #[error("a frame time is more than 0 seconds, but this one is {0}")]
+    #[error("the frame time must be greater than 0 seconds, but is {0}")]
     FrameTime(f64),
     /// A word is in the place of a channel; perhaps fewer channels follow than the line announces.
     #[error("{word:?} is not a channel")]

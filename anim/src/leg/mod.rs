@@ -93,7 +93,7 @@ pub enum LegError {
         length: f64,
     },
     /// An angle is not finite.
-    #[error("the angle {angle} is {value}")]
+    #[error("the angle {angle} is not finite: {value}")]
     Angle {
         /// The name of the angle.
         angle: &'static str,
@@ -101,7 +101,7 @@ pub enum LegError {
         value: f64,
     },
     /// A position is not finite.
-    #[error("the {place} is at {coordinates:?}")]
+    #[error("the {place} has a coordinate that is not finite: {coordinates:?}")]
     Place {
         /// What is there.
         place: &'static str,

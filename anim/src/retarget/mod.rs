@@ -70,7 +70,7 @@ pub enum RetargetError {
     NoMatch,
     /// No leg was found: matched long bones above a foot on the ground.
     #[error(
-        "the rig has no leg that the motion has too: a chain of long bones above one that lies on the ground"
+        "rig and motion have no leg in common; a leg is a chain of long bones above one that lies on the ground"
     )]
     NoLegs,
     /// The recording has no frame.

@@ -168,14 +168,10 @@ fn small_with(line: usize, text: &str) -> String {
 #[test]
 fn every_fault_is_named_with_its_line() {
     for (line, text, message) in [
-        (
-            1,
-            "MOTION",
-            "line 1: \"MOTION\" stands where HIERARCHY should",
-        ),
-        (2, "JOINT Hip", "line 2: \"JOINT\" stands where ROOT should"),
-        (2, "ROOT", "line 3: \"{\" stands where a name should"),
-        (3, "", "line 4: \"OFFSET\" stands where { should"),
+        (1, "MOTION", "line 1: expected HIERARCHY, found \"MOTION\""),
+        (2, "JOINT Hip", "line 2: expected ROOT, found \"JOINT\""),
+        (2, "ROOT", "line 3: expected a name, found \"{\""),
+        (3, "", "line 4: expected {, found \"OFFSET\""),
         (4, "OFFSET 0 0", "line 5: \"CHANNELS\" is not a number"),
         (
             4,
@@ -185,7 +181,7 @@ fn every_fault_is_named_with_its_line() {
         (
             4,
             "OFFSET 0 0 0 0",
-            "line 4: \"0\" stands where OFFSET, CHANNELS, JOINT, End Site or } should",
+            "line 4: expected OFFSET, CHANNELS, JOINT, End Site or }, found \"0\"",
         ),
         (
             4,
@@ -210,7 +206,7 @@ fn every_fault_is_named_with_its_line() {
         (
             5,
             "CHANNELS 2 Xposition Zrotation Xrotation",
-            "line 5: \"Xrotation\" stands where OFFSET, CHANNELS, JOINT, End Site or } should",
+            "line 5: expected OFFSET, CHANNELS, JOINT, End Site or }, found \"Xrotation\"",
         ),
         (
             5,
@@ -225,35 +221,31 @@ fn every_fault_is_named_with_its_line() {
         (
             5,
             "CHANNELS many",
-            "line 5: \"many\" stands where a count should",
+            "line 5: expected a count, found \"many\"",
         ),
-        (
-            5,
-            "CHANNELS -1",
-            "line 5: \"-1\" stands where a count should",
-        ),
+        (5, "CHANNELS -1", "line 5: expected a count, found \"-1\""),
         (6, "JOINT Hip", "line 6: two joints are called \"Hip\""),
-        (10, "End", "line 11: \"{\" stands where Site should"),
-        (13, "End Site", "line 13: \"End\" stands where } should"),
+        (10, "End", "line 11: expected Site, found \"{\""),
+        (13, "End Site", "line 13: expected }, found \"End\""),
         (
             15,
             "",
-            "line 16: \"MOTION\" stands where OFFSET, CHANNELS, JOINT, End Site or } should",
+            "line 16: expected OFFSET, CHANNELS, JOINT, End Site or }, found \"MOTION\"",
         ),
         (
             16,
             "",
-            "line 17: \"Frames:\" stands where ROOT or MOTION should",
+            "line 17: expected ROOT or MOTION, found \"Frames:\"",
         ),
         (
             17,
             "Frames 2",
-            "line 17: \"Frames\" stands where Frames: should",
+            "line 17: expected Frames:, found \"Frames\"",
         ),
         (
             17,
             "Frames: 2.5",
-            "line 17: \"2.5\" stands where a count should",
+            "line 17: expected a count, found \"2.5\"",
         ),
         (
             17,
@@ -268,12 +260,12 @@ fn every_fault_is_named_with_its_line() {
         (
             18,
             "Frame Time: 0",
-            "line 18: a frame time is more than 0 seconds, but this one is 0",
+            "line 18: the frame time must be greater than 0 seconds, but is 0",
         ),
         (
             18,
             "Frame Time: -0.1",
-            "line 18: a frame time is more than 0 seconds, but this one is -0.1",
+            "line 18: the frame time must be greater than 0 seconds, but is -0.1",
         ),
         (
             18,
@@ -283,7 +275,7 @@ fn every_fault_is_named_with_its_line() {
         (
             18,
             "Frame Time: 0.01 7",
-            "line 18: \"7\" stands where the end of the line should",
+            "line 18: expected the end of the line, found \"7\"",
         ),
         (
             19,
@@ -297,7 +289,7 @@ fn every_fault_is_named_with_its_line() {
         ),
         (20, "1 2 x 4", "line 20: \"x\" is not a number"),
         (20, "1 2 NaN 4", "line 20: \"NaN\" is not a finite number"),
-        (20, "1 2 3 \0", "line 20: this is not text"),
+        (20, "1 2 3 \0", "line 20: the file is not UTF-8 text"),
     ] {
         let error = bvh::parse(small_with(line, text).as_bytes()).unwrap_err();
         assert_eq!(error.to_string(), message);
@@ -309,10 +301,10 @@ fn every_fault_is_named_with_its_line() {
     assert_eq!(message, "line 16: no joint has a channel");
     assert_eq!(
         bvh::parse(b"").unwrap_err().to_string(),
-        "line 1: the file ends where HIERARCHY should follow"
+        "line 1: the file ends; expected HIERARCHY"
     );
     let binary = bvh::parse(b"HIERARCHY\nROOT \xff\n").unwrap_err();
-    assert_eq!(binary.to_string(), "line 2: this is not text");
+    assert_eq!(binary.to_string(), "line 2: the file is not UTF-8 text");
 }
 
 #[test]

@@ -19,7 +19,7 @@ use crate::recording::begins_with_calibration;
 use crate::report::{Input, MotionInput};
 use crate::storyboard::{self, Numbering, Storyboard};
 
-/// Move a figure of your own like a recorded person.
+/// Animate your own figure with a recorded motion.
 ///
 /// Writes the same files as `demo`: model.obj (the mesh at rest), model.glb (mesh, skeleton, skin
 /// weights and the motion), sheet.png (key frames at four places of the range with three
@@ -144,12 +144,12 @@ fn check_numbers(arguments: &Arguments) -> Result<()> {
     let fps = arguments.fps;
     ensure!(
         fps > 0.0 && fps <= 1000.0,
-        "--fps {fps}: a number of frames per second is more than 0 and at most 1000"
+        "--fps {fps}: the number of frames per second must be greater than 0 and at most 1000"
     );
     let unit = arguments.metres_per_unit;
     ensure!(
         unit > 0.0 && unit.is_finite(),
-        "--metres-per-unit {unit}: a unit is longer than 0"
+        "--metres-per-unit {unit}: the length of a unit must be greater than 0 and finite"
     );
     if let (Some(from), Some(to)) = (arguments.from, arguments.to) {
         ensure!(from <= to, "--from {from} comes after --to {to}");

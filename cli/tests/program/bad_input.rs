@@ -57,7 +57,7 @@ fn meshes() {
         ("v 0 1", ["mesh.obj: line 4", "this one has 2"]),
         ("v 0 1 0\nf 1 2 9", ["mesh.obj: line 5", "refers to v 9"]),
         ("v 0 1 0", ["mesh.obj: line 4", "without a face"]),
-        ("\u{0}\u{1}", ["mesh.obj: line 4", "not text"]),
+        ("\u{0}\u{1}", ["mesh.obj: line 4", "not UTF-8 text"]),
     ] {
         fails(&[("mesh.obj", &with(last))], &[], &parts);
     }

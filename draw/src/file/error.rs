@@ -37,7 +37,7 @@ pub enum SceneError {
 #[non_exhaustive]
 pub enum ElementError {
     /// It has a member for none of the kinds, or for more than one.
-    #[error("it must name one kind of element and names {0}")]
+    #[error("it must have exactly one kind of element, but has {0}")]
     Kinds(String),
     /// It refers to a name that no earlier element has.
     #[error("no element before it is named `{0}`")]

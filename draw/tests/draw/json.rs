@@ -141,11 +141,11 @@ fn errors_name_the_place_and_the_value() {
     for (elements, message) in [
         (
             r#"{"name": "a"}"#,
-            "element 0 (`a`): it must name one kind of element and names none",
+            "element 0 (`a`): it must have exactly one kind of element, but has none",
         ),
         (
             r#"{"point": [0, 0, 0], "direction": [1, 0, 0]}"#,
-            "element 0: it must name one kind of element and names `point` and `direction`",
+            "element 0: it must have exactly one kind of element, but has `point` and `direction`",
         ),
         (
             r#"{"meet": ["a", "b"]}"#,

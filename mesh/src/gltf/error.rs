@@ -38,7 +38,7 @@ pub enum GltfError {
     #[error("the material's colour or roughness is not between 0 and 1")]
     Material,
     /// A skin has no joints, or more than 16 bits can number.
-    #[error("a skin of {0} joints; 1 to 65536 can be written")]
+    #[error("a skin has 1 to 65536 joints, but this one has {0}")]
     JointCount(usize),
     /// A joint's parent does not come before it.
     #[error("joint {joint:?} does not come after its parent {parent}")]

@@ -84,10 +84,10 @@ pub struct ObjError {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ObjProblem {
     /// The line is not UTF-8, or holds a null byte.
-    #[error("this is not text")]
+    #[error("the file is not UTF-8 text")]
     NotText,
     /// The first word of the line stands for nothing in a polygon mesh.
-    #[error("{word:?} begins no line of a polygon mesh")]
+    #[error("a line of a polygon mesh cannot begin with {word:?}")]
     UnknownStatement {
         /// The word.
         word: String,

@@ -305,13 +305,13 @@ fn every_fault_is_named_with_its_line() {
         ),
         (
             "face 1 2 3",
-            "line 4: \"face\" begins no line of a polygon mesh",
+            "line 4: a line of a polygon mesh cannot begin with \"face\"",
         ),
         (
             "curv 0 1 1 2",
-            "line 4: \"curv\" begins no line of a polygon mesh",
+            "line 4: a line of a polygon mesh cannot begin with \"curv\"",
         ),
-        ("f 1 2 3\0", "line 4: this is not text"),
+        ("f 1 2 3\0", "line 4: the file is not UTF-8 text"),
         ("# only vertices", "line 4: the file ends without a face"),
     ] {
         let error = obj::parse(format!("{TRIANGLE}{lines}\n").as_bytes()).unwrap_err();
@@ -339,7 +339,7 @@ fn errors_name_the_file() {
     let message = obj::read(&picture).unwrap_err().to_string();
     assert_eq!(
         message,
-        format!("{}: line 1: this is not text", picture.display())
+        format!("{}: line 1: the file is not UTF-8 text", picture.display())
     );
 }
 

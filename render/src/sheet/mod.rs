@@ -130,7 +130,7 @@ pub struct Sheet {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum SheetError {
     /// There are no frames.
-    #[error("a contact sheet of no frames")]
+    #[error("a contact sheet needs at least one frame")]
     NoFrames,
     /// A frame cannot be drawn.
     #[error("frame {number}: {source}")]

@@ -73,7 +73,7 @@ enum Form {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<()> {
     if arguments.json && arguments.emit != Form::Ops {
-        bail!("--json goes with --emit ops");
+        bail!("--json needs --emit ops");
     }
     let source = match (&arguments.expr, &arguments.file) {
         (Some(text), _) => Source::of_text("--expr", text)?,
