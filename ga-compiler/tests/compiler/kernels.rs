@@ -62,6 +62,10 @@ fn errors_say_what_is_wrong() {
         ),
         ("(p: Pont) -> Scalar { p | p }", "unknown type `Pont`"),
         (
+            "(b: PointPair) -> EvenVersor { exp(b) }",
+            "needs B² to be the sum of a scalar and a part that commutes and has square zero",
+        ),
+        (
             "(p: Point, q: Point) -> Line { p ^ q }",
             "left over: e12, e13, e23",
         ),

@@ -57,5 +57,6 @@ snapshots! {
     sphere_through_points: "fn sphere(p: Point, q: Point, r: Point, s: Point) -> Sphere { p ^ q ^ r ^ s }";
     line_through_points: "fn line(p: Point, q: Point) -> Line { p ^ q ^ ei }";
     plane_through_points: "fn plane(p: Point, q: Point, r: Point) -> Plane { p ^ q ^ r ^ ei }";
+    uniform_factor_read_in_each_call: "fn scaled(uniform s: Scalar, x: RoundVector) -> RoundVector { s * x }";
     uniform_motor_moves_point: "fn moving(uniform m: Motor, p: Point) -> Point { m * p * rev(m) }";
 }

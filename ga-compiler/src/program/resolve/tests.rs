@@ -89,6 +89,16 @@ fn calls_and_formulas_are_bounded_together() {
 }
 
 #[test]
+fn many_formulas_one_after_the_other_are_not_deep() {
+    let count = 2 * MAX_LEVELS;
+    let lets: String = (1..=count)
+        .map(|number| format!("let b{number} = b{} + a;\n", number - 1))
+        .collect();
+    let function = format!("fn f(a: Scalar) -> Scalar {{ let b0 = a; {lets} b{count} }}");
+    assert_eq!(messages(&function), [""; 0]);
+}
+
+#[test]
 fn errors_say_what_was_found() {
     for (function, text) in [
         (
