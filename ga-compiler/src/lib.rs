@@ -9,8 +9,8 @@
 //!                       └── verify ───────────┘
 //! ```
 //!
-//! Each module uses only those that stand before it in this list; `fingerprint` and `diag` are small
-//! helpers of all:
+//! Each module uses only those that stand before it in this list; `fingerprint` and `diag` are
+//! small helpers of all:
 //!
 //! - [`algebra`]: blades, metric, and the products of basis blades.
 //! - [`ir`]: the graph, hash-consed, and multivectors over it.

@@ -109,8 +109,8 @@ impl Mul for Residue {
     }
 }
 
-/// A reproducible sequence of residues (SplitMix64: Steele, Lea and Flood 2014). A library of random
-/// numbers would make every build that uses the macros longer.
+/// A reproducible sequence of residues (SplitMix64: Steele, Lea and Flood 2014). A library of
+/// random numbers would make every build that uses the macros longer.
 #[derive(Clone, Debug)]
 pub struct ResidueSequence(u64);
 
