@@ -19,11 +19,12 @@ pub struct Colour(pub [u8; 3]);
 
 /// The colours of elements for which no colour is given, one after the other.
 ///
-/// They follow Okabe and Ito's set, which people with any kind of colour vision can tell apart
-/// (Color Universal Design, 2008). Some are darker than there, so that each has a contrast of at
-/// least 3 : 1 to a light and to a dark background (Web Content Accessibility Guidelines 2.1,
-/// criterion 1.4.11).
-pub const PALETTE: [Colour; 7] = [
+/// The first seven follow Okabe and Ito's set, which people with any kind of colour vision can tell
+/// apart (Color Universal Design, 2008). Five more follow, so that no colour is repeated within
+/// twelve elements. Each has a contrast of at least 3 : 1 to a light and to a dark background (Web
+/// Content Accessibility Guidelines 2.1, criterion 1.4.11); some are darker than Okabe and Ito's for
+/// that reason.
+pub const PALETTE: [Colour; 12] = [
     Colour([0x00, 0x72, 0xb2]),
     Colour([0xd5, 0x5e, 0x00]),
     Colour([0x00, 0x94, 0x6c]),
@@ -31,6 +32,11 @@ pub const PALETTE: [Colour; 7] = [
     Colour([0xa9, 0x78, 0x00]),
     Colour([0x3a, 0x8f, 0xc4]),
     Colour([0x7a, 0x7a, 0x7a]),
+    Colour([0x82, 0x50, 0xdf]),
+    Colour([0xcf, 0x22, 0x36]),
+    Colour([0x5c, 0x8a, 0x12]),
+    Colour([0xc0, 0x3c, 0xc8]),
+    Colour([0x93, 0x60, 0x49]),
 ];
 
 /// A text that is not a colour: it is not `#` and six hexadecimal digits.

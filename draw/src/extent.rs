@@ -11,6 +11,8 @@ use crate::shape::Shape;
 pub(crate) struct Extent {
     pub(crate) centre: Point<f64>,
     pub(crate) radius: f64,
+    /// The corners of the box about the finite elements, in the coordinates of the picture.
+    pub(crate) corners: [Vector<f64>; 2],
 }
 
 impl Extent {
@@ -41,14 +43,17 @@ impl Extent {
         let radius = (bounds.high - centre).length();
         let from_origin = centre.length();
         let is_single = radius <= 1e-9 * from_origin || !radius.is_normal();
+        let half = bounds.high - centre;
+        // A single place gets a neighbourhood in proportion to its distance from the origin.
+        let (radius, half) = if is_single {
+            (1.0_f64.max(0.1 * from_origin), Vector::default())
+        } else {
+            (radius, half / radius)
+        };
         Self {
             centre: centre.coordinates().into(),
-            // A single place gets a neighbourhood in proportion to its distance from the origin.
-            radius: if is_single {
-                1.0_f64.max(0.1 * from_origin)
-            } else {
-                radius
-            },
+            radius,
+            corners: [-half, half],
         }
     }
 

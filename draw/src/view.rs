@@ -4,7 +4,10 @@ use ga_runtime::vga3::Vector;
 
 /// The projection from space to the plane of the picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[serde(
+    rename_all = "lowercase",
+    expecting = "\"orthographic\" or \"perspective\""
+)]
 pub enum Projection {
     /// Along parallel rays: distance does not change the size.
     Orthographic,
@@ -15,7 +18,7 @@ pub enum Projection {
 
 /// The axis that points up in the picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[serde(rename_all = "lowercase", expecting = "\"y\" or \"z\"")]
 pub enum Up {
     /// The y axis, as is usual in animation.
     Y,

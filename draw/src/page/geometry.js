@@ -2,7 +2,7 @@
 /**
  * The mathematics of the page: the camera, what hides what, and the places of labels. It needs no
  * document. It repeats the modules camera, stroke and label of ga-draw, whose tests compare the
- * two.
+ * two; surface.js repeats the module surface.
  *
  * A point is [x, y, z] in the coordinates of the picture, a pixel is [x, y].
  */
@@ -49,7 +49,17 @@ const geometry = (() => {
       const s = perspective ? (scale * EYE) / Math.max(EYE - depth(p), 0.2) : scale;
       return [middle[0] + s * dot(p, right), middle[1] - s * dot(p, upward)];
     };
-    return { depth, ray, project, scale, middle };
+    /** Whether the eye is on the positive side of a plane { normal, distance }. */
+    const isAbove = ({ normal, distance }) =>
+      perspective ? EYE * dot(normal, toward) > distance : dot(normal, toward) > 0;
+    /** The plane through the outline of a ball, with the visible part on its positive side. */
+    const horizon = ({ centre, radius }) => {
+      const [normal, distance] = ray(centre);
+      // The plane is the polar plane of the eye. For parallel rays r²/∞ is zero.
+      const height = Math.min((radius * radius) / distance, 0.999 * radius);
+      return { normal, distance: dot(normal, centre) + height };
+    };
+    return { depth, ray, project, isAbove, horizon, scale, middle };
   }
 
   /** The camera with which a picture fits into a canvas. */
@@ -212,47 +222,103 @@ const geometry = (() => {
     return Math.max(width, 0) * Math.max(height, 0);
   }
 
+  /** The gaps between a label and its anchor that are tried, in pixels. */
+  const GAPS = [8, 24, 44, 68];
+  /** What each further gap counts for, as covered pixels. */
+  const RING_COST = 12;
+  /** What each point of a line under a label counts for, as covered pixels. */
+  const LINE_COST = 8;
+  /** The opacity of lines from which on labels avoid them. */
+  const FAINTEST = 0.7;
+  /** How often all labels are placed anew. */
+  const ROUNDS = 2;
+  /** The distance of labels from the edge of the picture. */
+  const EDGE = 3;
+  /** The distance from which on a line joins a label to its anchor. */
+  const LEADER = 16;
+
   /**
-   * The places of labels, so that they cover neither each other nor dots, and stand away from the
-   * middle of the picture where that is possible. `widthOf` measures the text of a label.
+   * The area that a box covers of others, and what points of lines under it and the distance of its
+   * label count for.
    */
-  function placeLabels(camera, [width, height], labels, dots, widthOf) {
+  function labelCost({ box, ring }, lines, taken) {
+    const covered = taken.reduce((sum, other) => sum + overlap(box, other), 0);
+    let under = 0;
+    for (const [x, y] of lines) {
+      if (box[0] <= x && x <= box[2] && box[1] <= y && y <= box[3]) under++;
+    }
+    return covered + LINE_COST * under + RING_COST * ring;
+  }
+
+  /** The best place for one label of a given half width. */
+  function placeLabel(camera, size, label, halfWidth, lines, taken) {
+    const at = camera.project(label.at);
+    const half = [halfWidth, LETTER / 2];
+    const away = [at[0] - camera.middle[0], at[1] - camera.middle[1]];
+    const preference = ([x, y]) => x * away[0] + y * away[1];
+    const sides = [...SIDES].sort((a, b) => preference(b) - preference(a));
+    let best = null;
+    GAPS.forEach((gap, ring) => {
+      for (const side of sides) {
+        const middle = [0, 1].map((k) => {
+          const margin = half[k] + EDGE;
+          const wish = at[k] + side[k] * (half[k] + gap);
+          return Math.max(Math.min(wish, size[k] - margin), margin);
+        });
+        const box = [
+          middle[0] - half[0], middle[1] - half[1], middle[0] + half[0], middle[1] + half[1],
+        ];
+        const place = { label, halfWidth, middle, box, ring, at };
+        const cost = labelCost(place, lines, taken);
+        if (!best || cost < best.cost) best = { cost, place };
+      }
+    });
+    return best.place;
+  }
+
+  /** The line from the box of a label that stands far from its anchor to the anchor, or null. */
+  function leader({ box, at }) {
+    const near = [0, 1].map((k) => clamp(at[k], box[k], box[k + 2]));
+    return Math.hypot(near[0] - at[0], near[1] - at[1]) > LEADER ? [near, at] : null;
+  }
+
+  /**
+   * The places of labels, so that they are inside the picture, cover neither each other nor dots,
+   * nor lines where possible, and stand away from the middle of the picture where that is possible. `widthOf` measures the
+   * text of a label.
+   */
+  function placeLabels(camera, size, { labels, dots, curves }, widthOf) {
     const taken = dots.map(({ at, radius }) => {
       const [x, y] = camera.project(at);
       return [x - radius, y - radius, x + radius, y + radius];
     });
-    const placed = [];
-    // The labels of elements choose before those of axes.
-    for (const strong of [true, false]) {
-      for (const label of labels) {
-        if (label.strong !== strong) continue;
-        const at = camera.project(label.at);
-        const half = [widthOf(label) / 2, LETTER / 2];
-        const away = [at[0] - camera.middle[0], at[1] - camera.middle[1]];
-        const candidates = SIDES.map(([x, y]) => {
-          const middle = [at[0] + x * (half[0] + 8), at[1] + y * (half[1] + 8)];
-          const box = [
-            middle[0] - half[0], middle[1] - half[1], middle[0] + half[0], middle[1] + half[1],
-          ];
-          const outside = box[0] < 2 || box[1] < 2 || box[2] > width - 2 || box[3] > height - 2;
-          const covered = taken.reduce((sum, other) => sum + overlap(box, other), 0);
-          const cost = covered + (outside ? 1e4 : 0);
-          return { middle, box, cost, preference: x * away[0] + y * away[1] };
-        });
-        candidates.sort((a, b) => a.cost - b.cost || b.preference - a.preference);
-        const { middle, box } = candidates[0];
-        taken.push(box);
-        placed.push({ label, middle });
-      }
+    const fixed = taken.length;
+    const lines = curves
+      .filter((curve) => curve.opacity > FAINTEST)
+      .flatMap((curve) => curve.points.map(camera.project));
+    // The labels of elements are placed before those of axes.
+    const order = [true, false].flatMap((strong) => labels.filter((l) => l.strong === strong));
+    const placed = order.map((label) => {
+      const place = placeLabel(camera, size, label, widthOf(label) / 2, lines, taken);
+      taken.push(place.box);
+      return place;
+    });
+    // Early labels were placed before the later ones were there.
+    for (let round = 0; round < ROUNDS; round++) {
+      placed.forEach((old, k) => {
+        const others = taken.filter((_, index) => index !== fixed + k);
+        const place = placeLabel(camera, size, old.label, old.halfWidth, lines, others);
+        if (labelCost(place, lines, others) < labelCost(old, lines, others)) {
+          placed[k] = place;
+          taken[fixed + k] = place.box;
+        }
+      });
     }
-    return placed;
+    return placed.map((place) => ({ ...place, leader: leader(place) }));
   }
 
-  /** The middle of a patch. */
-  const centreOf = (patch) =>
-    scaled(patch.corners.reduce((sum, p) => along(sum, p, 1), [0, 0, 0]), 1 / patch.corners.length);
-
   return {
-    LETTER, TAU, centreOf, clamp, fittedCamera, hiding, outlineCurve, placeLabels, strokes,
+    LETTER, TAU, along, basisAcross, clamp, difference, dot, fittedCamera, hiding, length, outline,
+    outlineCurve, placeLabels, scaled, strokes,
   };
 })();

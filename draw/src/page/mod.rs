@@ -15,6 +15,8 @@ use crate::view::Projection;
 const SHEET: &str = include_str!("page.css");
 /// The mathematics of the page. They need no document, so that they can be tested alone.
 const GEOMETRY: &str = include_str!("geometry.js");
+/// The pieces into which surfaces are cut. It uses [`GEOMETRY`].
+const SURFACE: &str = include_str!("surface.js");
 const SCRIPT: &str = include_str!("page.js");
 
 /// The data from which the script draws.
@@ -98,7 +100,7 @@ pub(crate) fn write(scene: &Scene) -> String {
 </main>
 <script type="application/json" id="scene">{json}</script>
 <script>
-{GEOMETRY}{SCRIPT}</script>
+{GEOMETRY}{SURFACE}{SCRIPT}</script>
 </body>
 </html>
 "#

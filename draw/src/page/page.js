@@ -1,7 +1,6 @@
 /** The page: paints the scene on the canvas, and follows the pointer, the keys and the legend. */
 (() => {
-  const { LETTER, TAU, centreOf, clamp, fittedCamera, hiding, outlineCurve, placeLabels, strokes } =
-    geometry;
+  const { LETTER, TAU, clamp, fittedCamera, hiding, outlineCurve, placeLabels, strokes } = geometry;
   const data = JSON.parse(document.getElementById("scene").textContent);
   const { picture } = data;
   const stage = document.getElementById("stage");
@@ -59,8 +58,7 @@
     return `rgba(${parts.map((x) => Math.round(x * (1 - part) + grey * part)).join()},${alpha})`;
   };
 
-  function drawBall(camera, ball, points) {
-    const pixels = points.map(camera.project);
+  function drawBall(ball, pixels) {
     const low = [0, 1].map((k) => Math.min(...pixels.map((p) => p[k])));
     const high = [0, 1].map((k) => Math.max(...pixels.map((p) => p[k])));
     const at = (x, y) => [low[0] + x * (high[0] - low[0]), low[1] + y * (high[1] - low[1])];
@@ -71,7 +69,7 @@
     gradient.addColorStop(0.62, mixed(ball.colour, 0, 0, opacity(1)));
     gradient.addColorStop(1, mixed(ball.colour, 0, 0.22, opacity(1.9)));
     context.fillStyle = gradient;
-    path(camera, points);
+    addOutlines([pixels]);
     context.fill();
   }
 
@@ -97,12 +95,23 @@
       context.font = fontOf(label);
       return context.measureText(label.text).width;
     };
-    const labels = picture.labels.filter(isShown);
-    const dots = picture.dots.filter(isShown);
+    const shownParts = {
+      labels: picture.labels.filter(isShown),
+      dots: picture.dots.filter(isShown),
+      curves: picture.curves.filter(isShown),
+    };
     context.textAlign = "center";
     context.textBaseline = "middle";
     context.lineJoin = "round";
-    for (const { label, middle } of placeLabels(camera, size, labels, dots, widthOf)) {
+    for (const { label, middle, leader } of placeLabels(camera, size, shownParts, widthOf)) {
+      if (leader) {
+        context.beginPath();
+        context.moveTo(...leader[0]);
+        context.lineTo(...leader[1]);
+        context.strokeStyle = faint;
+        context.lineWidth = 0.8;
+        context.stroke();
+      }
       context.font = fontOf(label);
       context.strokeStyle = ground;
       context.lineWidth = 3.5;
@@ -112,21 +121,34 @@
     }
   }
 
-  /** Balls and patches from the farthest to the nearest. */
-  function drawSurfaces(camera, balls, patches, outlines) {
-    const surfaces = balls
-      .map((ball) => ({ ball, depth: camera.depth(ball.centre) }))
-      .concat(patches.map((patch) => ({ patch, depth: camera.depth(centreOf(patch)) })))
-      .sort((a, b) => a.depth - b.depth);
-    for (const { ball, patch } of surfaces) {
-      if (ball) drawBall(camera, ball, outlines.get(ball).points);
-      else {
+  /** Adds closed paths of pixels to the path of the canvas. */
+  function addOutlines(outlines) {
+    context.beginPath();
+    for (const points of outlines) {
+      points.forEach(([x, y], k) => (k ? context.lineTo(x, y) : context.moveTo(x, y)));
+      context.closePath();
+    }
+  }
+
+  /** Balls and patches in pieces, each after those that it hides. */
+  function drawSurfaces(camera, balls, patches) {
+    for (const { ball, patch, regions } of surface.pieces(camera, balls, patches)) {
+      if (regions.some((region) => region.length === 0)) continue;
+      if (patch) {
         context.globalAlpha = patch.opacity;
         context.fillStyle = patch.colour;
-        path(camera, patch.corners);
+        addOutlines(regions[0]);
         context.fill();
         context.globalAlpha = 1;
+        continue;
       }
+      context.save();
+      for (const region of regions.slice(1)) {
+        addOutlines(region);
+        context.clip("evenodd");
+      }
+      drawBall(ball, regions[0][0]);
+      context.restore();
     }
   }
 
@@ -154,11 +176,10 @@
     const camera = fittedCamera(data, view, size);
     const balls = picture.balls.filter(isShown);
     const patches = picture.patches.filter(isShown);
-    const outlines = new Map(balls.map((ball) => [ball, outlineCurve(camera, ball)]));
     const isHidden = hiding(camera, balls, patches, 0.02);
     // What only translucent surfaces hide is painted over them, so that it keeps its colour.
     const isBuried = hiding(camera, balls, patches, 0.9);
-    const curves = picture.curves.filter(isShown).concat([...outlines.values()]);
+    const curves = picture.curves.filter(isShown).concat(balls.map((ball) => outlineCurve(camera, ball)));
     const parts = curves.flatMap((curve) => strokes(camera, curve, isHidden));
     // A dot lies on the lines through it.
     const dots = picture.dots.filter(isShown).map((item) => ({
@@ -175,7 +196,7 @@
     const buried = (thing) => thing.hidden && isBuried(anchor(thing));
     const [under, over] = [things.filter(buried), things.filter((thing) => !buried(thing))];
     under.forEach(paint);
-    drawSurfaces(camera, balls, patches, outlines);
+    drawSurfaces(camera, balls, patches);
     over.filter((thing) => thing.hidden).forEach(paint);
     over.filter((thing) => !thing.hidden).forEach(paint);
     drawLabels(camera, size, colours);

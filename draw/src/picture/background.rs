@@ -5,16 +5,22 @@ use ga_runtime::vga3::Vector;
 
 use super::drawing::Drawing;
 use super::pen::Pen;
-use super::polyline::{REACH, clipped, segment};
+use super::polyline::{REACH, segment};
 use crate::view::Up;
 
+/// How far an axis reaches beyond the scene, in radii of the scene.
+const AXIS_MARGIN: f64 = 0.15;
+
 impl Drawing {
-    /// The coordinate axes through the origin.
+    /// The coordinate axes through the origin, from one side of the scene to the other.
     pub(super) fn coordinate_axes(&mut self) {
         let origin = self.extent.place(Point::default());
+        let [low, high] = self.extent.corners;
         for (axis, name) in Up::Z.axes().into_iter().zip(["x", "y", "z"]) {
-            let (middle, half) = clipped(origin, axis);
-            let (from, to) = (middle - axis * half, middle + axis * half);
+            let height = origin.dot(axis);
+            let end = (high.dot(axis) - height).max(0.0) + AXIS_MARGIN;
+            let start = (low.dot(axis) - height).min(0.0) - AXIS_MARGIN;
+            let (from, to) = (origin + axis * start, origin + axis * end);
             let curve = self.curve(Pen::GREY, segment(from, to, 64));
             (curve.arrow, curve.opacity) = (true, 0.9);
             self.axis_name(None, to + axis * 0.05, name);

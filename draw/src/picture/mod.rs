@@ -12,7 +12,7 @@ mod polyline;
 
 #[cfg(test)]
 pub(crate) use data::as_written;
-pub(crate) use data::{Ball, Curve, Form, Patch, Picture};
+pub(crate) use data::{Ball, Curve, Form, Label, Patch, Picture};
 pub(crate) use polyline::heading;
 
 use crate::extent::Extent;

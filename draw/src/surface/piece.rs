@@ -19,7 +19,7 @@ pub(crate) struct Piece {
     /// The corners in space of a piece of a patch; empty for a ball.
     pub(super) polygon: Vec<Vector<f64>>,
     /// For a piece of a ball, the planes of other surfaces, and whether it is on the positive side.
-    pub(super) sides: Vec<(Surface, Plane, bool)>,
+    pub(crate) sides: Vec<(Surface, Plane, bool)>,
     /// The part of the picture that it covers: what is inside all of these regions. Each is an
     /// outline, perhaps with a hole.
     pub(crate) regions: Vec<Vec<Vec<Pixel>>>,

@@ -7,7 +7,7 @@ pub(super) const STYLE: &str = "\
     .halo{paint-order:stroke;stroke-linejoin:round}\
     @media(prefers-color-scheme:dark){\
     .ground{fill:#14171c}.ink{fill:#e8eaed}.faint{fill:#a8afb8}\
-    .halo{stroke:#14171c}.rim{stroke:#14171c}}";
+    .leader{stroke:#a8afb8}.halo{stroke:#14171c}.rim{stroke:#14171c}}";
 
 /// The background.
 pub(super) const GROUND: &str = "#ffffff";

@@ -209,6 +209,13 @@ impl<'a> Writer<'a> {
         for text in placed(self.picture, camera, size, taken) {
             let label = &self.picture.labels[text.label];
             let [x, y] = text.middle;
+            if let Some(leader) = text.leader() {
+                let _ = writeln!(
+                    self.body,
+                    "<path d=\"{}\" fill=\"none\" class=\"leader\" stroke=\"{FAINT}\" stroke-width=\"0.8\"/>",
+                    line(&leader, false)
+                );
+            }
             let (class, fill, weight) = if label.strong {
                 ("ink halo", INK, " font-weight=\"600\"")
             } else {

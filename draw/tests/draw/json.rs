@@ -224,3 +224,48 @@ fn errors_of_the_text_name_the_line_or_the_member() {
         assert!(message.contains(part), "{message}");
     }
 }
+
+#[test]
+fn errors_of_the_text_name_the_unknown_member_and_no_type() {
+    let element = |text: &str| format!("{{\"elements\": [{text}]}}");
+    let cases = [
+        (
+            element(r#"{"circle": {"centre": [0,0,0], "normal": [0,0,1], "size": 1}}"#),
+            "`size`",
+        ),
+        (element(r#"{"sphere": {"centre": [0,0,0], "r": 1}}"#), "`r`"),
+        (element(r#"{"line": {"from": [0,0,0]}}"#), "`from`"),
+        (element(r#"{"plane": {"at": [0,0,0]}}"#), "`at`"),
+        (element(r#"{"trajectory": {"path": []}}"#), "`path`"),
+        (element(r#"{"motor": {"angle": 3}}"#), "`angle`"),
+        (element(r#"{"sphere": {"centre": [0,0,0]}}"#), "a sphere is"),
+        (
+            element(r#"{"line": {"through": [[0,0,0],[1,0,0]], "point": [0,0,0]}}"#),
+            "a line is",
+        ),
+        (element(r#"{"plane": 3}"#), "a plane is"),
+        (element(r#"{"circle": "round"}"#), "a circle is"),
+        (element(r#"{"trajectory": 3}"#), "a trajectory is"),
+        (element(r#"{"motor": 3}"#), "a motor"),
+        (element(r#"{"moved": 3}"#), "`element` and `by`"),
+        (element("3"), "an element"),
+        ("3".to_owned(), "a scene"),
+        (r#"{"view": 3, "elements": []}"#.to_owned(), "a view"),
+        (
+            r#"{"view": {"up": 3}, "elements": []}"#.to_owned(),
+            "column 17",
+        ),
+        (
+            r#"{"view": {"projection": {}}, "elements": []}"#.to_owned(),
+            "column 26",
+        ),
+        (r#"{"view": {"up": "x"}, "elements": []}"#.to_owned(), "`x`"),
+    ];
+    for (text, part) in cases {
+        let message = Scene::from_json(text.as_bytes()).unwrap_err().to_string();
+        assert!(message.contains(part), "{text}: {message}");
+        for word in ["Text", "Members", "struct", "enum", "Projection", "Up"] {
+            assert!(!message.contains(word), "{text}: {message}");
+        }
+    }
+}

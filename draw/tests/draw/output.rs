@@ -90,6 +90,17 @@ fn colours_stand_out_against_both_grounds() {
     }
 }
 
+#[test]
+fn no_two_colours_of_a_dozen_elements_are_alike() {
+    assert!(PALETTE.len() >= 12);
+    for (k, colour) in PALETTE.iter().enumerate() {
+        for other in &PALETTE[..k] {
+            let squares = (0..3).map(|k| (f64::from(colour.0[k]) - f64::from(other.0[k])).powi(2));
+            assert!(squares.sum::<f64>() > 1600.0, "{colour} and {other}");
+        }
+    }
+}
+
 fn shape() -> impl Strategy<Value = Shape> {
     let number = prop_oneof![-10.0..10.0, -1e90..1e90, -1e-90..1e-90, Just(0.0)];
     let place = proptest::array::uniform3(number).prop_map(Point::from);

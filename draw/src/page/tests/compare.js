@@ -2,7 +2,7 @@
 // what it finds as JSON.
 const fs = require("node:fs");
 const { source, cases } = JSON.parse(fs.readFileSync(0, "utf8"));
-const geometry = new Function(`${source}\nreturn geometry;`)();
+const { geometry, surface } = new Function(`${source}\nreturn { geometry, surface };`)();
 const { fittedCamera, hiding, outlineCurve, placeLabels, strokes } = geometry;
 
 const answers = cases.map(({ data, size, points, widths }) => {
@@ -20,15 +20,26 @@ const answers = cases.map(({ data, size, points, widths }) => {
     })),
   );
   const widthOf = (label) => widths[picture.labels.indexOf(label)];
-  const labels = placeLabels(camera, size, picture.labels, picture.dots, widthOf);
+  const labels = placeLabels(camera, size, picture, widthOf);
+  const pieces = surface.pieces(camera, picture.balls, picture.patches);
   return {
+    pieces: pieces.map(({ ball, patch, sides, regions }) => ({
+      ball: ball ? picture.balls.indexOf(ball) : null,
+      patch: patch ? picture.patches.indexOf(patch) : null,
+      sides: sides.map(({ side }) => side),
+      regions,
+    })),
     scale: camera.scale,
     middle: camera.middle,
     projected: points.map(camera.project),
     depths: points.map(camera.depth),
     hidden: points.map(isHidden),
     curves,
-    labels: labels.map(({ label, middle }) => ({ index: picture.labels.indexOf(label), middle })),
+    labels: labels.map(({ label, middle, leader }) => ({
+      index: picture.labels.indexOf(label),
+      middle,
+      leader,
+    })),
   };
 });
 process.stdout.write(JSON.stringify(answers));

@@ -7,7 +7,7 @@ use proptest::strategy::ValueTree as _;
 use proptest::test_runner::TestRunner;
 use serde_json::{Value, json};
 
-use super::super::{Data, GEOMETRY};
+use super::super::{Data, GEOMETRY, SURFACE};
 use super::node;
 use crate::camera::{Camera, Pixel};
 use crate::label::{LETTER, placed, text_width};
@@ -16,9 +16,10 @@ use crate::scene::Scene;
 use crate::shape::Shape;
 use crate::stroke::{Hiding, all_curves};
 use crate::style::Style;
+use crate::surface::Surface;
 use crate::view::{Projection, Up};
 
-const SCENES: usize = 48;
+const SCENES: usize = 120;
 
 fn place() -> impl Strategy<Value = Vector<f64>> {
     proptest::array::uniform3(-2.0..2.0).prop_map(Vector::from)
@@ -129,13 +130,14 @@ fn the_page_projects_hides_and_labels_as_the_picture_does() {
         let points: Vec<[f64; 3]> = points.iter().map(|point| point.coordinates()).collect();
         json!({"data": data, "size": size, "points": points, "widths": widths})
     });
-    let input = json!({"source": GEOMETRY, "cases": asked.collect::<Vec<_>>()});
+    let input =
+        json!({"source": format!("{GEOMETRY}{SURFACE}"), "cases": asked.collect::<Vec<_>>()});
     let Some(answers) = node(include_str!("compare.js"), &input) else {
         return;
     };
     let answers = answers.as_array().unwrap();
     assert_eq!(answers.len(), cases.len());
-    let (mut hidden, mut visible) = (0, 0);
+    let (mut hidden, mut visible, mut cut) = (0, 0, 0);
     for ((scene, size, points), answer) in cases.iter().zip(answers) {
         // The page has the numbers of the picture to five decimals.
         let picture = as_written(&Picture::of(scene));
@@ -143,6 +145,7 @@ fn the_page_projects_hides_and_labels_as_the_picture_does() {
         camera.scale = answer["scale"].as_f64().unwrap();
         camera.middle = pixel(&answer["middle"]);
         compare_points(&picture, &camera, points, answer);
+        cut += compare_pieces(&picture, &camera, &answer["pieces"]);
         let counts = compare_strokes(&picture, &camera, &answer["curves"]);
         (hidden, visible) = (hidden + counts[0], visible + counts[1]);
         compare_labels(&picture, &camera, *size, &answer["labels"]);
@@ -152,6 +155,39 @@ fn the_page_projects_hides_and_labels_as_the_picture_does() {
         hidden > 200 && visible > 200,
         "{hidden} hidden, {visible} visible"
     );
+    assert!(cut > 30, "{cut} pieces are cut");
+}
+
+/// Compares the pieces of surfaces, their order included, and counts those that are cut.
+fn compare_pieces(picture: &Picture, camera: &Camera, answer: &Value) -> usize {
+    let pieces = picture.pieces(camera);
+    let found = answer.as_array().unwrap();
+    assert_eq!(found.len(), pieces.len());
+    let mut cut = 0;
+    for (piece, found) in pieces.iter().zip(found) {
+        let (ball, patch) = match piece.surface {
+            Surface::Ball(index) => (json!(index), Value::Null),
+            Surface::Patch(index) => (Value::Null, json!(index)),
+        };
+        assert_eq!((&found["ball"], &found["patch"]), (&ball, &patch));
+        let sides: Vec<bool> = piece.sides.iter().map(|(_, _, side)| *side).collect();
+        assert_eq!(found["sides"], json!(sides));
+        let regions = found["regions"].as_array().unwrap();
+        assert_eq!(regions.len(), piece.regions.len());
+        for (region, found) in piece.regions.iter().zip(regions) {
+            let outlines = found.as_array().unwrap();
+            assert_eq!(outlines.len(), region.len());
+            for (outline, found) in region.iter().zip(outlines) {
+                let pixels = found.as_array().unwrap();
+                assert_eq!(pixels.len(), outline.len());
+                for (pixel, found) in outline.iter().zip(pixels) {
+                    assert_near(found, *pixel);
+                }
+            }
+        }
+        cut += usize::from(regions.len() > 1);
+    }
+    cut
 }
 
 fn compare_points(picture: &Picture, camera: &Camera, points: &[Vector<f64>], answer: &Value) {
@@ -202,5 +238,9 @@ fn compare_labels(picture: &Picture, camera: &Camera, size: Pixel, answer: &Valu
     for (label, found) in labels.iter().zip(found) {
         assert_eq!(found["index"], label.label);
         assert_near(&found["middle"], label.middle);
+        assert_eq!(found["leader"].is_null(), label.leader().is_none());
+        for (k, end) in label.leader().iter().flatten().enumerate() {
+            assert_near(&found["leader"][k], *end);
+        }
     }
 }

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::super::{Data, GEOMETRY, SCRIPT};
+use super::super::{Data, GEOMETRY, SCRIPT, SURFACE};
 use super::node;
 use crate::scene::Scene;
 use crate::style::Style;
@@ -46,7 +46,7 @@ fn the_page_follows_keys_pointer_legend_and_address() {
         {"target": "stage", "name": "dblclick", "event": {}},
     ]);
     let input = json!({
-        "script": format!("{GEOMETRY}{SCRIPT}"),
+        "script": format!("{GEOMETRY}{SURFACE}{SCRIPT}"),
         "scene": Data::of(&scene()).json(),
         "events": events,
     });
