@@ -5,6 +5,7 @@
 //! tried.
 
 use std::cmp::Ordering;
+use std::collections::HashSet;
 
 use crate::algebra::{Product, Unary};
 use crate::define::{Role, TypeDefinition};
@@ -22,15 +23,20 @@ impl Task<'_> {
     #[must_use]
     pub fn compile(&self) -> Kernel {
         match &self.choices {
-            Some(choices) => self.by_choices(choices).0,
+            Some(choices) => self.finish(self.draft(choices)),
             None => cheapest(self),
         }
     }
 }
 
 fn cheapest(task: &Task<'_>) -> Kernel {
-    let (best, acted) = task.by_choices(&Choices::default());
-    let mut search = Search { task, best, acted };
+    let draft = task.draft(&Choices::default());
+    let mut search = Search {
+        task,
+        tried: HashSet::from([draft.fingerprint()]),
+        acted: draft.acted.clone(),
+        best: task.finish(draft),
+    };
     let program = &*task.program;
     if has_sandwich(program) {
         for sandwich in SandwichRule::ALL {
@@ -72,6 +78,9 @@ struct Search<'t, 'a> {
     task: &'t Task<'a>,
     best: Kernel,
     acted: Vec<StepId>,
+    /// The fingerprints of the graphs that were compiled: where a rule does not apply, it gives a
+    /// graph that is known.
+    tried: HashSet<u64>,
 }
 
 impl Search<'_, '_> {
@@ -103,7 +112,12 @@ impl Search<'_, '_> {
         if *choices == self.best.choices {
             return;
         }
-        let (next, acted) = self.task.by_choices(choices);
+        let draft = self.task.draft(choices);
+        if !self.tried.insert(draft.fingerprint()) {
+            return;
+        }
+        let acted = draft.acted.clone();
+        let next = self.task.finish(draft);
         let is_exacter = |choice: Choice| {
             choice.inner == InnerRule::Distance || choice.join == JoinRule::Difference
         };

@@ -1,11 +1,14 @@
 //! What is to be compiled: a program, the blades that are wanted of it, and by which rules.
 
 use std::borrow::Cow;
+use std::hash::{Hash, Hasher};
+
+use rustc_hash::FxHasher;
 
 use crate::algebra::{Algebra, NamedBlade};
 use crate::define::TypeDefinition;
 use crate::expression::Expression;
-use crate::ir::Arena;
+use crate::ir::{Arena, Multivector, Value};
 use crate::kernel::Kernel;
 use crate::lower::{self, Choices, Lowered};
 use crate::passes;
@@ -103,8 +106,8 @@ impl<'a> Task<'a> {
         self
     }
 
-    /// The kernel by some rules, and the steps in which versors act.
-    pub(crate) fn by_choices(&self, choices: &Choices) -> (Kernel, Vec<StepId>) {
+    /// The graph by some rules, as it is before any pass.
+    pub(crate) fn draft(&self, choices: &Choices) -> Draft {
         let mut arena = Arena::default();
         let mut uniform = Vec::new();
         let mut inputs = Vec::new();
@@ -128,6 +131,26 @@ impl<'a> Task<'a> {
                 outputs.push(if named.is_negative { -found } else { found });
             }
         }
+        Draft {
+            arena,
+            outputs,
+            inputs,
+            uniform,
+            choices: choices.clone(),
+            acted,
+        }
+    }
+
+    /// The kernel of a graph.
+    pub(crate) fn finish(&self, draft: Draft) -> Kernel {
+        let Draft {
+            mut arena,
+            outputs,
+            inputs,
+            uniform,
+            choices,
+            ..
+        } = draft;
         let (arena, outputs) = if passes::cost(&arena, &outputs).total() > LARGEST {
             (arena, outputs)
         } else {
@@ -138,13 +161,35 @@ impl<'a> Task<'a> {
             let graph = passes::optimise(arena, outputs, &uniform, &relations);
             finished(passes::reciprocal(&graph.0, &graph.1).unwrap_or(graph))
         };
-        let kernel = Kernel {
+        Kernel {
             arena,
             outputs,
-            choices: choices.clone(),
+            choices,
             uniform,
-        };
-        (kernel, acted)
+        }
+    }
+}
+
+/// A program as a graph, before any pass.
+pub(crate) struct Draft {
+    arena: Arena,
+    outputs: Vec<Value>,
+    inputs: Vec<Multivector>,
+    uniform: Vec<bool>,
+    choices: Choices,
+    /// The steps in which versors act.
+    pub(crate) acted: Vec<StepId>,
+}
+
+impl Draft {
+    /// A number that is the same for equal graphs, so that none is compiled twice.
+    pub(crate) fn fingerprint(&self) -> u64 {
+        let mut hasher = FxHasher::default();
+        for id in self.arena.ids() {
+            self.arena.node(id).hash(&mut hasher);
+        }
+        self.outputs.hash(&mut hasher);
+        hasher.finish()
     }
 }
 

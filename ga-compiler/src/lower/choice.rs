@@ -103,6 +103,9 @@ fn sandwich_name(rule: SandwichRule) -> Option<&'static str> {
         SandwichRule::UnitCommutator => Some("unit commutator"),
         SandwichRule::LinearMap => Some("linear map"),
         SandwichRule::Split => Some("split"),
+        SandwichRule::ReflectionInner => Some("reflection by contraction"),
+        SandwichRule::ReflectionOuter => Some("reflection by wedge"),
+        SandwichRule::NullImage => Some("null image"),
     }
 }
 

@@ -4,8 +4,10 @@ mod choice;
 mod inner;
 mod join;
 mod linear_map;
+mod null_image;
 mod operand;
 mod program;
+mod reflection;
 mod sandwich;
 pub mod split;
 

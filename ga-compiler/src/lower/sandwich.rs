@@ -1,9 +1,10 @@
 //! The action of a versor, by one of several rules that agree where they apply.
 
 use super::linear_map::{commutator, kept, linear_map};
-use super::split;
+use super::reflection::Form;
+use super::{null_image, reflection, split};
 use crate::algebra::{Algebra, Product, Unary};
-use crate::ir::{Arena, Facts, Multivector};
+use crate::ir::{Arena, Multivector};
 
 /// How `M X ~M` is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,7 +15,8 @@ pub enum SandwichRule {
     RightFirst,
     /// `X + [M, X] ~M` with `[M, X] = M X − X M`, for an even M with `M ~M = 1`: then
     /// `M X ~M = (X M + [M, X]) ~M = X + [M, X] ~M`. The scalar of M and every pair of commuting
-    /// blades drop out before anything is multiplied.
+    /// blades drop out before anything is multiplied. For an odd M the same with
+    /// `[M, X] = M X̂ − X M`.
     UnitCommutator,
     /// `Σ x (M b ~M)` over the blades b of X with coefficients x, by linearity. What M does to the
     /// blades is computed once, and entries that agree up to sign are one node, so that it pays
@@ -22,16 +24,26 @@ pub enum SandwichRule {
     LinearMap,
     /// `T (R X ~R) ~T` with `M = T R`, R the part of M without some null vector; see [`split`].
     Split,
+    /// `v² X − 2 v∧(v⌋X)` for a vector v, or the pseudoscalar times one; see [`reflection`].
+    ReflectionInner,
+    /// `2 v⌋(v∧X) − v² X` for the same; see [`reflection`].
+    ReflectionOuter,
+    /// `K i ~K / 2(x·i)` with `K = M x`, for a null vector x and a null basis vector i; see
+    /// [`null_image`].
+    NullImage,
 }
 
 impl SandwichRule {
     /// Every rule, in the order in which they are tried.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 8] = [
         Self::LeftFirst,
         Self::RightFirst,
         Self::UnitCommutator,
         Self::LinearMap,
         Self::Split,
+        Self::ReflectionInner,
+        Self::ReflectionOuter,
+        Self::NullImage,
     ];
 
     /// Lowers the action of `versor` on `operand`; `None` where the rule does not apply.
@@ -47,7 +59,7 @@ impl SandwichRule {
         operand: &Multivector,
     ) -> Option<Multivector> {
         let is_odd = is_odd(versor);
-        let is_even_unit = versor.facts.unit_versor && !is_odd;
+        let is_unit = versor.facts.unit_versor;
         let image = if is_odd {
             operand.unary(arena, algebra, Unary::Involute)
         } else {
@@ -56,17 +68,20 @@ impl SandwichRule {
         let result = match self {
             Self::LeftFirst => left_first(arena, algebra, versor, &image),
             Self::RightFirst => right_first(arena, algebra, versor, &image),
-            Self::UnitCommutator if is_even_unit => commutator(arena, algebra, versor, &image),
-            Self::LinearMap if is_even_unit => linear_map(arena, algebra, versor, &image),
-            Self::Split if is_even_unit => split::lower(arena, algebra, versor, &image)?,
+            Self::UnitCommutator if is_unit => commutator(arena, algebra, versor, operand),
+            Self::LinearMap if is_unit => linear_map(arena, algebra, versor, operand),
+            Self::Split if is_unit => split::lower(arena, algebra, versor, operand)?,
+            Self::ReflectionInner => {
+                reflection::lower(Form::Inner, arena, algebra, versor, operand)?
+            }
+            Self::ReflectionOuter => {
+                reflection::lower(Form::Outer, arena, algebra, versor, operand)?
+            }
+            Self::NullImage => null_image::lower(arena, algebra, versor, operand, is_odd)?,
             Self::UnitCommutator | Self::LinearMap | Self::Split => return None,
         };
-        let facts = if is_odd {
-            Facts::default()
-        } else {
-            versor.facts.of_sandwich(operand.facts)
-        };
-        Some(result.with_facts(facts))
+        // For an odd unit versor M the map X → M X̂ ~M is an automorphism too.
+        Some(result.with_facts(versor.facts.of_sandwich(operand.facts)))
     }
 }
 
@@ -104,7 +119,7 @@ fn right_first(
     )
 }
 
-fn is_odd(versor: &Multivector) -> bool {
+pub(super) fn is_odd(versor: &Multivector) -> bool {
     let mut blades = versor.terms().iter().map(|(blade, _)| blade);
     blades.len() > 0 && blades.all(|blade| blade.involute_is_negative())
 }

@@ -6,7 +6,7 @@
 //! v, and with `T = M ~R = 1 + τ`, where every blade of τ has v, `T ~T = 1` says `~τ = −τ`. Hence
 //!
 //! - `M = T R`, and `M X ~M = T (R X ~R) ~T`;
-//! - τ has grades 2 and 3 modulo 4 only;
+//! - τ is even whatever the parity of M, and has grades 2 and 3 modulo 4 only;
 //! - `τ² = 0`, so `T Y ~T = Y + [τ, Y] − τ Y τ = Y + 2 τ × (Y + τ × Y)` with
 //!   `a × b = (a b − b a)/2`.
 
@@ -14,7 +14,7 @@ use super::linear_map::linear_map;
 use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
 use crate::ir::{Arena, Facts, Multivector, Value};
 
-/// Lowers the action of an even unit versor by its split; `None` where no vector splits it.
+/// Lowers the action of a unit versor by its split; `None` where no vector splits it.
 pub(super) fn lower(
     arena: &mut Arena,
     algebra: &Algebra,

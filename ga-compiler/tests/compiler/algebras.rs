@@ -63,6 +63,36 @@ pub(crate) fn renamed() -> Definition {
             struct Rotation { xz, yz, scalar, yx }
             #[hull(Sum)] #[facts(unit_versor)]
             struct Translation { infinityz, scalar = 1, infinityx, infinityy }
+            struct Normal { z, x, y, infinity }
+            struct AnyEven {
+                scalar, xy, xz, yz, xorigin, yorigin, zorigin, infinityx, infinityy, infinityz,
+                infinityorigin, xyzorigin, infinityxyz, infinityxyorigin, infinityxzorigin,
+                infinityyzorigin
+            }
+            #[hull(AnyEven)] #[facts(unit_versor)]
+            struct Conformal {
+                xy, xz, yz, scalar, xorigin, yorigin, zorigin, infinityx, infinityy, infinityz,
+                infinityorigin, xyzorigin, infinityxyz, infinityxyorigin, infinityxzorigin,
+                infinityyzorigin
+            }
+            struct AnyOdd {
+                x, y, z, origin, infinity, xyz, xyorigin, xzorigin, yzorigin, infinityxy,
+                infinityxz, infinityyz, infinityxorigin, infinityyorigin, infinityzorigin,
+                infinityxyzorigin
+            }
+            #[hull(AnyOdd)] #[facts(unit_versor)]
+            struct Reversing {
+                xyz, xyorigin, xzorigin, yzorigin, infinityxy, x, y, z, origin, infinity,
+                infinityxz, infinityyz, infinityxorigin, infinityyorigin, infinityzorigin,
+                infinityxyzorigin
+            }
+            #[hull(AnyEven)] #[facts(unit_versor)]
+            struct Similar {
+                scalar, yx, xz, yz, infinityx, infinityy, infinityz, infinityxyz, infinityorigin,
+                infinityxyorigin, infinityxzorigin, infinityyzorigin
+            }
+            #[hull(AnyEven)] #[facts(unit_versor)]
+            struct Scaling { infinityorigin, scalar }
         }
     })
 }

@@ -1,5 +1,7 @@
 //! The compiler as a library, with no macro involved.
 
+mod accuracy;
+mod action_counts;
 mod algebras;
 mod counts;
 mod declarations;

@@ -118,6 +118,23 @@ fn cases<'a>(cga3: &'a Definition, minkowski: &'a Definition) -> Vec<Case<'a>> {
     for kind in ["RoundVector", "PointPair", "Circle", "Sphere"] {
         cases.push(Case::new(cga3, &["RoundVector", kind], sandwich(), kind));
     }
+    for kind in ["Point", "RoundVector", "Line", "Circle", "Sphere"] {
+        let image = match kind {
+            "Point" => "RoundVector",
+            "Line" => "Circle",
+            other => other,
+        };
+        for versor in [
+            "DualPlane",
+            "DualSphere",
+            "Plane",
+            "Sphere",
+            "EvenVersor",
+            "OddVersor",
+        ] {
+            cases.push(Case::new(cga3, &[versor, kind], sandwich(), image));
+        }
+    }
     let joined = ["PointPair", "Circle", "Sphere", "Pseudoscalar"];
     for (result, factors) in joined.into_iter().zip(2..) {
         for kind in ["Point", "RoundVector"] {

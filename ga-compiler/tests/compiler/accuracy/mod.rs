@@ -1,0 +1,222 @@
+//! Every rule rounds about as well as the plain meaning, near degenerate cases too.
+//!
+//! Kernels are evaluated in `f64` and compared with the plain form in twice the precision. A rule
+//! may have at most [`MOST`] times the largest error of the plain form, or as many units in the
+//! last place of the largest value, for each coefficient of the result.
+
+mod members;
+mod twofold;
+
+use ga_compiler::define::Definition;
+use ga_compiler::ir::{Node, Value};
+use ga_compiler::kernel::{Kernel, wanted};
+use ga_compiler::lower::{Choice, InnerRule, JoinRule, SandwichRule};
+use ga_compiler::parse::{Block, parse_functions};
+use ga_compiler::program::{Resolved, resolve};
+use ga_compiler::task::Task;
+
+use crate::algebras::cga3;
+use members::{Family, Source};
+use twofold::{Number, Twofold};
+
+/// How much worse than the plain form a rule may be.
+const MOST: f64 = 8.0;
+
+/// How many members are tried of each family.
+const SAMPLES: u64 = 60;
+
+/// Actions with the rules for actions.
+const ACTIONS: [&str; 19] = [
+    "m: Motor, x: Point -> RoundVector { sandwich(m, x) }",
+    "m: Motor, x: RoundVector -> RoundVector { sandwich(m, x) }",
+    "m: Motor, x: Line -> Line { sandwich(m, x) }",
+    "m: Motor, x: Circle -> Circle { sandwich(m, x) }",
+    "m: DualSphere, x: Point -> RoundVector { sandwich(m, x) }",
+    "m: DualSphere, x: RoundVector -> RoundVector { sandwich(m, x) }",
+    "m: DualSphere, x: Line -> Circle { sandwich(m, x) }",
+    "m: DualPlane, x: Point -> RoundVector { sandwich(m, x) }",
+    "m: DualPlane, x: Circle -> Circle { sandwich(m, x) }",
+    "m: Plane, x: Line -> Line { sandwich(m, x) }",
+    "m: Sphere, x: PointPair -> PointPair { sandwich(m, x) }",
+    "m: EvenVersor, x: Point -> RoundVector { sandwich(m, x) }",
+    "m: OddVersor, x: Point -> RoundVector { sandwich(m, x) }",
+    "m: OddVersor, x: Line -> Circle { sandwich(m, x) }",
+    "m: Similarity, x: Point -> RoundVector { sandwich(m, x) }",
+    "m: Similarity, x: Line -> Line { sandwich(m, x) }",
+    "m: Similarity, x: Circle -> Circle { sandwich(m, x) }",
+    "m: Similarity, x: Sphere -> Sphere { sandwich(m, x) }",
+    "m: Similarity, x: Point -> Point { sandwich(m, x) / sandwich(m, x).eo }",
+];
+
+/// Rules that are worse than the plain form somewhere, and cost more than another rule there.
+const WORSE: [(&str, SandwichRule); 2] = [
+    (
+        "m: EvenVersor, x: Point -> RoundVector",
+        SandwichRule::UnitCommutator,
+    ),
+    (
+        "m: OddVersor, x: Point -> RoundVector",
+        SandwichRule::LinearMap,
+    ),
+];
+
+#[test]
+fn rules_for_actions_round_well() {
+    let rules = SandwichRule::ALL.map(Choice::from);
+    check(&ACTIONS, &rules);
+}
+
+#[test]
+fn what_is_chosen_for_actions_rounds_well() {
+    check(&ACTIONS, &[]);
+}
+
+/// Joins and inner products of points with the rules for them.
+const PRODUCTS: [&str; 4] = [
+    "a: Point, b: Point -> Scalar { a | b }",
+    "a: Point, b: Point -> PointPair { a ^ b }",
+    "a: Point, b: Point, c: Point -> Circle { a ^ b ^ c }",
+    "a: Point, b: Point, c: Point -> Plane { a ^ b ^ c ^ ei }",
+];
+
+#[test]
+fn rules_for_products_round_well() {
+    let joins = JoinRule::ALL.map(|join| Choice {
+        join,
+        ..Choice::default()
+    });
+    let inner = InnerRule::ALL.map(|inner| Choice {
+        inner,
+        ..Choice::default()
+    });
+    check(&PRODUCTS, &[joins.as_slice(), &inner].concat());
+}
+
+#[test]
+fn what_is_chosen_for_products_rounds_well() {
+    check(&PRODUCTS, &[]);
+}
+
+/// Compares every rule, or the kernel that is chosen if none is given, with the plain form, in
+/// every case and family.
+fn check(cases: &[&str], rules: &[Choice]) {
+    let definition = cga3();
+    let mut missed = String::new();
+    for source in cases {
+        let case = Case::new(&definition, source);
+        let plain = case.compile(Some(Choice::default()));
+        let is_worse = |choice: &Choice| {
+            let mut worse = WORSE.iter();
+            worse.any(|(name, rule)| source.starts_with(name) && choice.sandwich == *rule)
+        };
+        let rules = rules.iter().filter(|choice| !is_worse(choice));
+        let mut kernels: Vec<Kernel> = rules.map(|rule| case.compile(Some(*rule))).collect();
+        if kernels.is_empty() {
+            kernels.push(case.compile(None));
+        }
+        for family in Family::ALL {
+            let samples = case.samples(family);
+            let exact = samples.iter().map(|sample| evaluate(&plain, sample));
+            let exact: Vec<Vec<Twofold>> = exact.collect();
+            let before = errors(&plain, &samples, &exact);
+            for kernel in &kernels {
+                let after = errors(kernel, &samples, &exact);
+                for (place, (after, before)) in after.iter().zip(&before).enumerate() {
+                    let worst = after / before;
+                    if worst > MOST {
+                        let names = kernel.choices.names();
+                        missed += &format!("{source} {family:?} {names:?} [{place}]: {worst:.1}\n");
+                    }
+                }
+            }
+        }
+    }
+    assert!(missed.is_empty(), "{missed}");
+}
+
+/// One function.
+struct Case<'a> {
+    definition: &'a Definition,
+    resolved: Resolved<'a>,
+}
+
+/// The inputs of a kernel, in twice the precision.
+type Sample = Vec<Twofold>;
+
+impl<'a> Case<'a> {
+    fn new(definition: &'a Definition, source: &str) -> Self {
+        let (operands, rest) = source.split_once(" -> ").expect("a signature");
+        let tokens = format!("fn kernel({operands}) -> {rest}").parse();
+        let block = Block {
+            functions: parse_functions(tokens.expect("tokens")).expect("a function"),
+            imports: Vec::new(),
+        };
+        let resolved = resolve(definition, &block.functions[0], &block);
+        Self {
+            definition,
+            resolved: resolved.expect("names have a meaning"),
+        }
+    }
+
+    /// The kernel by given rules, or by those that are chosen.
+    fn compile(&self, choice: Option<Choice>) -> Kernel {
+        let outputs = self.resolved.outputs.iter();
+        let outputs = outputs.map(|(step, kind)| (*step, wanted(*kind)));
+        let algebra = &self.definition.algebra;
+        let task = Task::of_program(algebra, &self.resolved.program, outputs.collect());
+        match choice {
+            Some(choice) => task.with_choices(choice).compile(),
+            None => task.compile(),
+        }
+    }
+
+    fn samples(&self, family: Family) -> Vec<Sample> {
+        let samples = (0..SAMPLES).map(|seed| {
+            let mut source = Source::new(&self.definition.algebra, family, seed);
+            let operands = self.resolved.program.operands.iter();
+            operands.flat_map(|kind| source.member(kind)).collect()
+        });
+        samples.collect()
+    }
+}
+
+/// The largest error of each output, at least a unit in the last place of its largest value.
+fn errors(kernel: &Kernel, samples: &[Sample], exact: &[Vec<Twofold>]) -> Vec<f64> {
+    let mut errors = vec![f64::MIN_POSITIVE; kernel.outputs.len()];
+    for (sample, exact) in samples.iter().zip(exact) {
+        let rounded: Vec<f64> = sample.iter().map(|number| number.high).collect();
+        let found = evaluate(kernel, &rounded);
+        for ((error, found), exact) in errors.iter_mut().zip(found).zip(exact) {
+            let difference = Twofold::of(found).sum(exact.product(Twofold::of(-1.0)));
+            let unit = f64::EPSILON * exact.high.abs();
+            *error = error.max(difference.high.abs()).max(unit);
+        }
+    }
+    errors
+}
+
+/// The outputs of a kernel.
+fn evaluate<N: Number>(kernel: &Kernel, inputs: &[N]) -> Vec<N> {
+    let mut results: Vec<N> = Vec::new();
+    let scaled = |results: &[N], value: &Value| {
+        let node: N = results[value.node.index()];
+        node.product(N::of_ratio(value.factor))
+    };
+    for id in kernel.arena.ids() {
+        let result = match kernel.arena.node(id) {
+            Node::One => N::of(1.0),
+            Node::Input(number) => inputs[*number],
+            Node::Sum(terms) => {
+                let mut terms = terms.iter().map(|term| scaled(&results, term));
+                let first = terms.next().expect("a term");
+                terms.fold(first, N::sum)
+            }
+            Node::Product(a, b) => results[a.index()].product(results[b.index()]),
+            Node::Quotient(a, b) => results[a.index()].quotient(results[b.index()]),
+            Node::Function(..) => panic!("kernels of arithmetic only"),
+        };
+        results.push(result);
+    }
+    let outputs = kernel.outputs.iter();
+    outputs.map(|output| scaled(&results, output)).collect()
+}

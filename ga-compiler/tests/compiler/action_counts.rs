@@ -1,0 +1,88 @@
+//! The cost of actions of versors and of products by rules for special operands.
+
+use crate::counts::{Row, check_names, check_renamed, cost};
+
+const ACTIONS: [Row; 12] = [
+    (
+        "s: DualSphere, x: RoundVector -> RoundVector",
+        "s: Weighted, x: Weighted -> Weighted",
+        "sandwich(s, x)",
+        cost(21, 12, 0),
+    ),
+    (
+        "s: DualSphere, x: Point -> RoundVector",
+        "s: Weighted, x: Place -> Weighted",
+        "sandwich(s, x)",
+        cost(23, 14, 0),
+    ),
+    (
+        "s: Sphere, x: Point -> RoundVector",
+        "s: Ball, x: Place -> Weighted",
+        "sandwich(s, x)",
+        cost(23, 14, 0),
+    ),
+    (
+        "s: DualPlane, x: Point -> RoundVector",
+        "s: Normal, x: Place -> Weighted",
+        "sandwich(s, x)",
+        cost(19, 11, 0),
+    ),
+    (
+        "s: Plane, x: Point -> RoundVector",
+        "s: Flat, x: Place -> Weighted",
+        "sandwich(s, x)",
+        cost(19, 11, 0),
+    ),
+    (
+        "s: DualPlane, x: Line -> Line",
+        "s: Normal, x: Axis -> Axis",
+        "sandwich(s, x)",
+        cost(33, 19, 2),
+    ),
+    (
+        "s: Plane, x: Line -> Line",
+        "s: Flat, x: Axis -> Axis",
+        "sandwich(s, x)",
+        cost(33, 19, 0),
+    ),
+    (
+        "s: DualSphere, x: Circle -> Circle",
+        "s: Weighted, x: Ring -> Ring",
+        "sandwich(s, x)",
+        cost(59, 38, 3),
+    ),
+    (
+        "s: DualSphere, x: Sphere -> Sphere",
+        "s: Weighted, x: Ball -> Ball",
+        "sandwich(s, x)",
+        cost(21, 12, 2),
+    ),
+    (
+        "v: EvenVersor, x: Point -> RoundVector",
+        "v: Conformal, x: Place -> Weighted",
+        "sandwich(v, x)",
+        cost(49, 47, 1),
+    ),
+    (
+        "v: OddVersor, x: Point -> RoundVector",
+        "v: Reversing, x: Place -> Weighted",
+        "sandwich(v, x)",
+        cost(49, 47, 0),
+    ),
+    (
+        "v: Similarity, x: Point -> RoundVector",
+        "v: Similar, x: Place -> Weighted",
+        "sandwich(v, x)",
+        cost(37, 35, 1),
+    ),
+];
+
+#[test]
+fn actions_cost_what_is_stated() {
+    check_names(&ACTIONS);
+}
+
+#[test]
+fn names_do_not_change_the_cost_of_actions() {
+    check_renamed(&ACTIONS);
+}
