@@ -86,6 +86,15 @@ impl<'a> Comparison<'a> {
         });
     }
 
+    /// Times an operation that takes a whole list and has one result.
+    pub fn once<A, R>(&mut self, contender: &str, inputs: &[A], operation: impl Fn(&[A]) -> R) {
+        self.group
+            .throughput(Throughput::Elements(inputs.len() as u64));
+        self.group.bench_function(contender, |bencher| {
+            bencher.iter(|| black_box(operation(black_box(inputs))));
+        });
+    }
+
     /// Times an operation with each operand and result opaque to the compiler, so that each call is
     /// performed on its own.
     pub fn one_by_one<A, B, R>(

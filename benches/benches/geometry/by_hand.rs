@@ -1,0 +1,158 @@
+//! Figures as plain vectors of glam, with the same numbers as ours.
+
+use ga_runtime::cga3;
+use glam::DVec3;
+
+/// The points x with `normal · x = distance`, where the normal may have any length.
+#[derive(Clone, Copy)]
+pub(crate) struct Plane {
+    pub(crate) normal: DVec3,
+    pub(crate) distance: f64,
+}
+
+/// A direction of any length and the moment `p × direction` of the points p.
+#[derive(Clone, Copy)]
+pub(crate) struct Line {
+    pub(crate) direction: DVec3,
+    pub(crate) moment: DVec3,
+}
+
+/// The points x with `weight x² − 2 middle · x + 2 constant = 0`.
+#[derive(Clone, Copy)]
+pub(crate) struct Sphere {
+    pub(crate) weight: f64,
+    pub(crate) middle: DVec3,
+    pub(crate) constant: f64,
+}
+
+/// A circle or a pair of points by Plücker coordinates: with the axis n, the centre c and a number
+/// β, it is n, `c × n`, `c·n` and `(c·n) c − β n`, all of them times a weight.
+#[derive(Clone, Copy)]
+pub(crate) struct Round {
+    pub(crate) axis: DVec3,
+    pub(crate) moment: DVec3,
+    pub(crate) along: f64,
+    pub(crate) last: DVec3,
+}
+
+/// A centre and a radius.
+#[derive(Clone, Copy)]
+pub(crate) struct Ball {
+    pub(crate) centre: DVec3,
+    pub(crate) radius: f64,
+}
+
+pub(crate) fn point(p: cga3::Point<f64>) -> DVec3 {
+    p.coordinates().into()
+}
+
+pub(crate) fn plane(plane: cga3::Plane<f64>) -> Plane {
+    let dual = plane.dual();
+    Plane {
+        normal: dual.normal().into(),
+        distance: dual.ei,
+    }
+}
+
+pub(crate) fn line(line: cga3::Line<f64>) -> Line {
+    Line {
+        direction: line.direction().into(),
+        moment: line.moment().into(),
+    }
+}
+
+pub(crate) fn sphere(sphere: cga3::Sphere<f64>) -> Sphere {
+    let dual = sphere.dual();
+    Sphere {
+        weight: dual.eo,
+        middle: DVec3::new(dual.e1, dual.e2, dual.e3),
+        constant: dual.ei,
+    }
+}
+
+pub(crate) fn round(b: cga3::DualCircle<f64>) -> Round {
+    Round {
+        axis: -DVec3::new(b.e1o, b.e2o, b.e3o),
+        moment: DVec3::new(b.e23, -b.e13, b.e12),
+        along: b.eoi,
+        last: DVec3::new(b.e1i, b.e2i, b.e3i),
+    }
+}
+
+impl Plane {
+    #[inline]
+    pub(crate) fn through(p: DVec3, q: DVec3, r: DVec3) -> Self {
+        let normal = (q - p).cross(r - p);
+        Self {
+            normal,
+            distance: normal.dot(p),
+        }
+    }
+
+    /// With a normal of length 1.
+    #[inline]
+    pub(crate) fn normalized(&self) -> Option<Self> {
+        let inverse = self.normal.length_recip();
+        inverse.is_finite().then(|| Self {
+            normal: self.normal * inverse,
+            distance: self.distance * inverse,
+        })
+    }
+}
+
+impl Line {
+    #[inline]
+    pub(crate) fn through(p: DVec3, q: DVec3) -> Self {
+        let direction = q - p;
+        Self {
+            direction,
+            moment: p.cross(direction),
+        }
+    }
+
+    /// Its point nearest to the origin and its unit direction.
+    #[inline]
+    pub(crate) fn parts(&self) -> Option<(DVec3, DVec3)> {
+        let inverse = self.direction.length_recip();
+        let direction = self.direction * inverse;
+        let place = direction.cross(self.moment * inverse);
+        inverse.is_finite().then_some((place, direction))
+    }
+}
+
+impl Sphere {
+    #[inline]
+    pub(crate) fn centre(&self) -> Option<DVec3> {
+        let inverse = self.weight.recip();
+        inverse.is_finite().then(|| self.middle * inverse)
+    }
+
+    /// The centre and the squared radius.
+    #[inline]
+    pub(crate) fn parts(&self) -> Option<(DVec3, f64)> {
+        let inverse = self.weight.recip();
+        let centre = self.middle * inverse;
+        let squared = centre.length_squared() - 2.0 * self.constant * inverse;
+        inverse.is_finite().then_some((centre, squared))
+    }
+
+    #[inline]
+    pub(crate) fn ball(&self) -> Option<Ball> {
+        let (centre, squared) = self.parts()?;
+        (squared >= 0.0).then(|| Ball {
+            centre,
+            radius: squared.sqrt(),
+        })
+    }
+}
+
+impl Round {
+    /// Centre and twice β.
+    #[inline]
+    pub(crate) fn parts(&self) -> Option<(DVec3, f64)> {
+        let inverse = self.axis.length_squared().recip();
+        let centre = (self.axis * self.along + self.axis.cross(self.moment)) * inverse;
+        let twice = 2.0 * (self.along * self.along - self.axis.dot(self.last)) * inverse;
+        inverse.is_finite().then_some((centre, twice))
+    }
+}

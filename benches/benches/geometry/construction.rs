@@ -1,0 +1,147 @@
+//! Figures from points, centres, normals and radii.
+
+use criterion::Criterion;
+use ga_runtime::cga3::{Circle, Line, Plane, PointPair, Rotor, Sphere};
+use ga_runtime::vga3::Vector;
+use glam::{DMat3, DQuat};
+use nullcone_benches::inputs;
+
+use super::by_hand::{self, Ball};
+use super::group;
+
+pub(crate) fn all(criterion: &mut Criterion) {
+    let points = inputs::list(1, |numbers| [(); 4].map(|()| numbers.point::<f64>()));
+    let vectors: Vec<_> = points.iter().map(|p| p.map(by_hand::point)).collect();
+
+    let mut g = group(criterion, "sphere from centre and radius");
+    g.map("nullcone", &points, |[p, q, ..]| {
+        Sphere::from_centre_radius(*p, q.e1())
+    });
+    g.map("glam", &vectors, |[p, q, ..]| by_hand::Sphere {
+        weight: 1.0,
+        middle: *p,
+        constant: 0.5 * (p.length_squared() - q.x * q.x),
+    });
+    drop(g);
+
+    let mut g = group(criterion, "plane from point and normal");
+    g.map("nullcone", &points, |[p, n, ..]| {
+        Plane::from_point_normal(*p, n.coordinates())
+    });
+    g.map("glam", &vectors, |[p, n, ..]| by_hand::Plane {
+        normal: *n,
+        distance: n.dot(*p),
+    });
+    drop(g);
+
+    let mut g = group(criterion, "plane through three points");
+    g.map("nullcone", &points, |[p, q, r, _]| {
+        Plane::through(*p, *q, *r)
+    });
+    g.map("glam", &vectors, |[p, q, r, _]| {
+        by_hand::Plane::through(*p, *q, *r)
+    });
+    drop(g);
+
+    let mut g = group(criterion, "line through two points");
+    g.map("nullcone", &points, |[p, q, ..]| Line::through(*p, *q));
+    g.map("glam", &vectors, |[p, q, ..]| {
+        by_hand::Line::through(*p, *q)
+    });
+    drop(g);
+
+    let mut g = group(criterion, "pair of two points, and back");
+    g.map("nullcone", &points, |[p, q, ..]| {
+        PointPair::through(*p, *q).endpoints()
+    });
+    g.map(
+        "glam, with centre and half length",
+        &vectors,
+        |[p, q, ..]| {
+            let (centre, half) = ((*p + *q) * 0.5, (*q - *p) * 0.5);
+            let length = half.length();
+            let axis = half / length;
+            let reach = axis * length;
+            let ends = [centre - reach, centre + reach];
+            ends.iter().all(|end| end.is_finite()).then_some(ends)
+        },
+    );
+    drop(g);
+
+    let mut g = group(criterion, "circle from centre, normal and radius");
+    g.map("nullcone", &points, |[p, n, r, _]| {
+        Circle::from_centre_normal_radius(*p, n.coordinates(), r.e1())
+    });
+    g.map("glam", &vectors, |[p, n, r, _]| {
+        let axis = n.try_normalize()?;
+        let along = p.dot(axis);
+        let infinite = 0.5 * (p.length_squared() - r.x * r.x);
+        Some(by_hand::Round {
+            axis,
+            moment: p.cross(axis),
+            along,
+            last: *p * along - axis * infinite,
+        })
+    });
+    drop(g);
+
+    let mut g = group(
+        criterion,
+        "circle through three points, its centre, normal and radius",
+    );
+    g.map("nullcone", &points, |[p, q, r, _]| {
+        let circle = Circle::through(*p, *q, *r);
+        Some((circle.centre()?, circle.unit_normal()?, circle.radius()?))
+    });
+    g.map("glam", &vectors, |[p, q, r, _]| {
+        let (u, v) = (*q - *p, *r - *p);
+        let normal = u.cross(v);
+        let inverse = normal.length_squared().recip();
+        let to_centre = (u.length_squared() * v.cross(normal)
+            + v.length_squared() * normal.cross(u))
+            * (0.5 * inverse);
+        inverse
+            .is_finite()
+            .then(|| (*p + to_centre, normal * inverse.sqrt(), to_centre.length()))
+    });
+    drop(g);
+
+    let mut g = group(
+        criterion,
+        "sphere through four points, its centre and radius",
+    );
+    g.map("nullcone", &points, |[p, q, r, s]| {
+        let sphere = Sphere::through(*p, *q, *r, *s);
+        Some((sphere.centre()?, sphere.radius()?))
+    });
+    g.map("glam", &vectors, |[p, q, r, s]| {
+        let sides = [*q - *p, *r - *p, *s - *p];
+        let halves = sides.map(|side| 0.5 * side.length_squared());
+        let rows = DMat3::from_cols(sides[0], sides[1], sides[2]).transpose();
+        let inverse = rows.determinant().recip();
+        let to_centre = (halves[0] * sides[1].cross(sides[2])
+            + halves[1] * sides[2].cross(sides[0])
+            + halves[2] * sides[0].cross(sides[1]))
+            * inverse;
+        inverse.is_finite().then(|| Ball {
+            centre: *p + to_centre,
+            radius: to_centre.length(),
+        })
+    });
+    drop(g);
+
+    let mut g = group(criterion, "unit vector");
+    let plain: Vec<_> = points.iter().map(|p| Vector::from(p[0])).collect();
+    g.map("nullcone", &plain, |v| v.normalized());
+    g.map("glam", &vectors, |v| v[0].try_normalize());
+    drop(g);
+
+    let mut g = group(criterion, "rotation between two directions");
+    g.map("nullcone", &points, |[p, q, ..]| {
+        Rotor::between(p.coordinates(), q.coordinates())
+    });
+    g.map("glam", &vectors, |[p, q, ..]| {
+        let (p, q) = (p.try_normalize()?, q.try_normalize()?);
+        Some(DQuat::from_rotation_arc(p, q))
+    });
+}
