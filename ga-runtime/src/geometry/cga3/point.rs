@@ -1,7 +1,9 @@
-//! Points.
+//! Points, and what displaces them.
 
-use crate::cga3::Point;
-use crate::scalar::{Real, Ring};
+use core::ops::{Add, AddAssign, Sub, SubAssign};
+
+use crate::cga3::{Direction, Point};
+use crate::scalar::{Field, Real, Ring};
 use crate::vga3::Vector;
 
 impl<S: Ring> Point<S> {
@@ -17,7 +19,52 @@ impl<S: Ring> Point<S> {
         [self.e1(), self.e2(), self.e3()]
     }
 
-    /// The vector from this point to another, `other − self`.
+    /// The coordinate along the x axis.
+    #[inline]
+    #[must_use]
+    pub fn x(self) -> S {
+        self.e1()
+    }
+
+    /// The coordinate along the y axis.
+    #[inline]
+    #[must_use]
+    pub fn y(self) -> S {
+        self.e2()
+    }
+
+    /// The coordinate along the z axis.
+    #[inline]
+    #[must_use]
+    pub fn z(self) -> S {
+        self.e3()
+    }
+
+    /// The direction from this point to another, the free vector `q − p` as `(q − p)∧ei`. Added to
+    /// this point, it gives the other; motions rotate it and do not translate it.
+    ///
+    /// The operator `q - p` is the difference of two conformal vectors, a
+    /// [`RoundVector`](crate::cga3::RoundVector), which also has the coefficient `½(q² − p²)` of
+    /// ei.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Direction, Line, Point};
+    /// let (p, q) = (Point::new(1.0, 2.0, 3.0), Point::new(5.0, 5.0, 5.0));
+    /// let way = p.to(q);
+    /// assert_eq!(way, Direction::new(4.0, 3.0, 2.0));
+    /// assert_eq!(p + way, q);
+    /// assert_eq!(q - way, p);
+    /// // The outer product of a point and a direction is the line through both points.
+    /// assert_eq!(p ^ way, Line::through(p, q));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn to(self, other: Self) -> Direction<S> {
+        self.vector_to(other).into()
+    }
+
+    /// The vector of vga3 from this point to another, `other − self`: the coordinates of the
+    /// direction [`to`](Self::to) the other.
     ///
     /// ```
     /// use ga_runtime::{cga3::Point, vga3::Vector};
@@ -36,6 +83,36 @@ impl<S: Ring> Point<S> {
     #[must_use]
     pub fn distance_squared(self, other: Self) -> S {
         other.vector_to(self).length_squared()
+    }
+
+    /// The point `(1 − t) p + t q` of the line through two points: exactly p at t = 0 and q at
+    /// t = 1, beyond them for other t outside [0, 1].
+    ///
+    /// ```
+    /// use ga_runtime::cga3::Point;
+    /// let (p, q) = (Point::new(1.0, 2.0, 3.0), Point::new(5.0, 2.0, -1.0));
+    /// assert_eq!(p.lerp(q, 0.25), Point::new(2.0, 2.0, 2.0));
+    /// assert_eq!(p.lerp(q, 2.0), Point::new(9.0, 2.0, -5.0));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn lerp(self, other: Self, t: S) -> Self {
+        Vector::from(self).lerp(other.into(), t).into()
+    }
+}
+
+impl<S: Field> Point<S> {
+    /// The point midway between two points.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::Point;
+    /// let (p, q) = (Point::new(1.0, 2.0, 3.0), Point::new(5.0, 2.0, -1.0));
+    /// assert_eq!(p.midpoint(q), Point::new(3.0, 2.0, 1.0));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn midpoint(self, other: Self) -> Self {
+        self.lerp(other, S::from_ratio(1, 2))
     }
 }
 
@@ -69,3 +146,51 @@ impl<S: Ring> From<Point<S>> for [S; 3] {
         point.coordinates()
     }
 }
+
+macro_rules! displacements {
+    ($($Vector:ident)*) => {$(
+        displacements! { Point<S>, $Vector<S> }
+        displacements! { Point<S>, &$Vector<S> }
+        displacements! { &Point<S>, $Vector<S> }
+        displacements! { &Point<S>, &$Vector<S> }
+
+        impl<S: Ring> AddAssign<$Vector<S>> for Point<S> {
+            #[inline]
+            fn add_assign(&mut self, displacement: $Vector<S>) {
+                *self = *self + displacement;
+            }
+        }
+
+        impl<S: Ring> SubAssign<$Vector<S>> for Point<S> {
+            #[inline]
+            fn sub_assign(&mut self, displacement: $Vector<S>) {
+                *self = *self - displacement;
+            }
+        }
+    )*};
+    ($Point:ty, $Vector:ty) => {
+        /// The point displaced by a vector v, `x + v`: the translation of the point.
+        impl<S: Ring> Add<$Vector> for $Point {
+            type Output = Point<S>;
+
+            #[inline]
+            fn add(self, displacement: $Vector) -> Point<S> {
+                let [x, y, z] = displacement.coordinates();
+                Point::new(self.e1() + x, self.e2() + y, self.e3() + z)
+            }
+        }
+
+        /// The point displaced by minus a vector v, `x − v`.
+        impl<S: Ring> Sub<$Vector> for $Point {
+            type Output = Point<S>;
+
+            #[inline]
+            fn sub(self, displacement: $Vector) -> Point<S> {
+                let [x, y, z] = displacement.coordinates();
+                Point::new(self.e1() - x, self.e2() - y, self.e3() - z)
+            }
+        }
+    };
+}
+
+displacements! { Direction Vector }

@@ -14,6 +14,27 @@ impl<S: Ring> Vector<S> {
         [self.e1, self.e2, self.e3]
     }
 
+    /// The component along the x axis.
+    #[inline]
+    #[must_use]
+    pub fn x(self) -> S {
+        self.e1
+    }
+
+    /// The component along the y axis.
+    #[inline]
+    #[must_use]
+    pub fn y(self) -> S {
+        self.e2
+    }
+
+    /// The component along the z axis.
+    #[inline]
+    #[must_use]
+    pub fn z(self) -> S {
+        self.e3
+    }
+
     /// The product component by component, `(a₁b₁, a₂b₂, a₃b₃)`: a scaling along the axes.
     ///
     /// ```
