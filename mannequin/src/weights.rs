@@ -8,12 +8,13 @@
 //! position.
 
 use crate::landmarks::{HEEL, Landmarks};
-use crate::shape::{Body, smooth_step};
+use crate::shape::Body;
 use crate::skeleton::{ARM, CHEST, COUNT, HEAD, HIPS, LEG, NECK, SPINE};
 use crate::{Vector, mirror};
 use ga_anim::distance_weights::distance_to_bone;
 use ga_anim::skeleton::Skeleton;
 use ga_anim::weights::SkinWeights;
+use ga_runtime::scalar::smooth_step;
 
 /// Exponent m of eq. 33: how sharply the bones share a bend.
 const EXPONENT: f64 = 5.0;
@@ -123,8 +124,8 @@ fn shares(body: &Body, point: Vector) -> [f64; 5] {
     );
     let core = (1.0 - left_arm - right_arm).max(0.0);
     // The crease of the hip rises from the crotch to the sides.
-    let crease = 0.860 + 0.045 * smooth_step(point.e1.abs() / 0.13);
-    let above = smooth_step((point.e2 - crease) / 0.20 + 0.5);
+    let crease = 0.860 + 0.045 * smooth_step(0.0, 0.13, point.e1.abs());
+    let above = smooth_step(-0.1, 0.1, point.e2 - crease);
     let left = nearer(left_leg, right_leg, LEG_SEAM);
     let legs = core * (1.0 - above);
     [

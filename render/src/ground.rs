@@ -4,6 +4,7 @@ use crate::Style;
 use crate::Vector;
 use crate::shadow::GroundShadow;
 use ga_image::colour::LinearColour;
+use ga_runtime::scalar::smooth_step;
 
 /// A level ground with a faint grid, fading into the background.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,12 +64,6 @@ impl GroundShading<'_> {
 pub(crate) fn background(style: &Style, row: f64) -> LinearColour {
     let [top, bottom] = style.background;
     top.lerp(bottom, smooth_step(0.0, 1.0, row))
-}
-
-/// Hermite step: 0 up to `low`, 1 from `high` on, smooth between.
-fn smooth_step(low: f64, high: f64, x: f64) -> f64 {
-    let t = ((x - low) / (high - low)).clamp(0.0, 1.0);
-    t * t * (3.0 - 2.0 * t)
 }
 
 /// How much of a window of the given width around `c` is line, for lines of width [`LINE`] around

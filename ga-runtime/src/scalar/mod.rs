@@ -28,6 +28,7 @@ mod integer;
 mod lanes;
 mod mask;
 mod prime;
+mod step;
 mod versor;
 #[cfg(feature = "wide")]
 mod wide;
@@ -41,6 +42,7 @@ pub use dual::Dual;
 pub use lanes::Lanes;
 pub use mask::{LaneMask, Mask};
 pub use prime::Prime61;
+pub use step::smooth_step;
 pub use versor::{versor_exponential, versor_logarithm};
 
 /// A commutative ring with one: the minimum that a coefficient must implement.

@@ -9,13 +9,8 @@ mod torso;
 
 use crate::landmarks::Landmarks;
 use crate::{Vector, mirror};
+use ga_runtime::scalar::smooth_step;
 use solid::{Bump, Solid, smooth_minimum};
-
-/// Rises from 0 to 1 as `t` does, without a kink.
-pub(crate) fn smooth_step(t: f64) -> f64 {
-    let t = t.clamp(0.0, 1.0);
-    t * t * (3.0 - 2.0 * t)
-}
 
 /// Widths in metres of the fillets between the parts.
 const ARM_FILLET: f64 = 0.06;
@@ -62,7 +57,7 @@ impl Body {
         let arms = left_arm.min(right_arm);
         // Through the pelvis the legs pass over into the trunk by interpolation: a union of two
         // solids of nearly the same outline would bulge.
-        let above = smooth_step((point.e2 - PELVIS[0]) / (PELVIS[1] - PELVIS[0]));
+        let above = smooth_step(PELVIS[0], PELVIS[1], point.e2);
         let pelvis = if above <= 0.0 {
             legs
         } else if above >= 1.0 {

@@ -6,8 +6,9 @@ mod remesh;
 mod topology;
 
 use crate::landmarks::{Landmarks, WRIST};
-use crate::shape::{Body, smooth_step};
+use crate::shape::Body;
 use crate::{Vector, mirror};
+use ga_runtime::scalar::smooth_step;
 pub(crate) use marching_tetrahedra::Surface;
 use marching_tetrahedra::{Grid, march};
 use remesh::remesh;
@@ -46,7 +47,7 @@ pub(crate) fn surface(body: &Body, landmarks: &Landmarks) -> Surface {
 /// How long the edges should be at a point of the skin.
 fn edge_length(landmarks: &Landmarks, point: Vector) -> f64 {
     let between = |fine: f64, [from, to]: [f64; 2], distance: f64| {
-        fine + (COARSE - fine) * smooth_step((distance - from) / (to - from))
+        fine + (COARSE - fine) * smooth_step(from, to, distance)
     };
     let past_wrist = (point - landmarks.arm.origin).dot(landmarks.arm.along) - WRIST;
     let hand = between(HAND, [-0.06, 0.03], -past_wrist);

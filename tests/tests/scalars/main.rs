@@ -5,4 +5,5 @@ mod dual;
 mod dual_exact;
 mod lanes;
 mod prime_field;
+mod step;
 mod wide;
