@@ -1,5 +1,8 @@
 //! The pinhole camera of a picture.
 
+use ga_runtime::cga3::Rotor;
+use ga_runtime::geometry::LookAtError;
+
 use crate::{LARGEST_COORDINATE, RenderError, Vector};
 
 /// A pinhole camera: position, viewing direction and field of view.
@@ -77,26 +80,24 @@ impl Camera {
         if !(reasonable(eye) && reasonable(target) && reasonable(up)) {
             return Err(RenderError::Camera("a position is not finite"));
         }
-        let eye = Vector::from(eye);
-        let forward = (Vector::from(target) - eye)
-            .normalized()
-            .ok_or(RenderError::Camera("its eye and its target coincide"))?;
-        let up = Vector::from(up)
-            .normalized()
-            .ok_or(RenderError::Camera("its up vector is zero"))?;
-        let across = forward.cross(up);
-        let right = across
-            .normalized()
-            .filter(|_| across.length() >= 1e-9)
-            .ok_or(RenderError::Camera("it looks along its up vector"))?;
+        let [eye, target] = [eye, target].map(Vector::from);
+        let view = Rotor::look_along((target - eye).into(), up.into()).map_err(|error| {
+            RenderError::Camera(match error {
+                LookAtError::TargetAtEye => "its eye and its target coincide",
+                LookAtError::UpIsZero => "its up vector is zero",
+                LookAtError::UpAlongView => "it looks along its up vector",
+                _ => "a position is not finite",
+            })
+        })?;
+        let [right, up, back] = view.to_matrix().map(Vector::from);
         if !(near > 0.0 && near <= LARGEST_COORDINATE) {
             return Err(RenderError::Camera("its near depth is not positive"));
         }
         Ok(Self {
             eye,
             right,
-            up: right.cross(forward),
-            forward,
+            up,
+            forward: -back,
             tangent: half_tangent(vertical_field_of_view)?,
             near,
         })

@@ -1,8 +1,7 @@
 //! Pinhole cameras.
 
 use ga_runtime::batch;
-use ga_runtime::cga3::{Direction, Line, Motor, Point};
-use ga_runtime::vga3::Vector;
+use ga_runtime::cga3::{Direction, Line, Motor, Point, Rotor};
 
 /// The projection of a camera from its frame to its picture: `u = f_x x/z + c_x`,
 /// `v = f_y y/z + c_y`, without skew.
@@ -158,14 +157,12 @@ impl Camera {
         target: Point<f64>,
         up: [f64; 3],
     ) -> Option<Self> {
-        let forward = eye.vector_to(target).normalized()?;
-        let right = forward.cross(Vector::from(up)).normalized()?;
-        let down = forward.cross(right);
-        let row = |axis: Vector<f64>| [axis.e1, axis.e2, axis.e3, -axis.dot(eye.into())];
-        let world_to_camera = Motor::from_matrix([row(right), row(down), row(forward)])?;
+        let view = Motor::look_at(eye, target, up.into()).ok()?;
+        // From y up and z backwards to y down and z forwards.
+        let half_turn_about_x = Rotor::new_unchecked(0.0, 0.0, 0.0, -1.0);
         Some(Self {
             intrinsics,
-            world_to_camera,
+            world_to_camera: half_turn_about_x * view,
         })
     }
 

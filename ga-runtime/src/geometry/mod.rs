@@ -9,9 +9,11 @@
 //!
 //! # Primitives
 //!
-//! - `Point`: `x + eo + ½x² ei`; built by `new`, `from([x, y, z])`; read by `coordinates`.
+//! - `Point`: `x + eo + ½x² ei`; built by `new`, `from([x, y, z])`, `p + direction`, `midpoint`,
+//!   `lerp`; read by `coordinates`, `x`, `y`, `z`, `p.to(q)`.
 //! - `FlatPoint`: `p∧ei`; built by `p ^ Infinity`, `from(p)`; read by `to_point`.
-//! - `Direction`: `v∧ei`; built by `from_vector`; read by `vector`.
+//! - `Direction`: `v∧ei`; built by `p.to(q)`, `from([x, y, z])`; read by `vector`, `length`, `dot`,
+//!   `cross`, `normalized`.
 //! - `PointPair`: `p∧q`; built by `through`, `tangent`, `from_centre_axis_radius_squared`; read by
 //!   `endpoints`, `centre`, `radius`, `radius_squared`, `unit_direction`, `attitude`, `carrier`,
 //!   `container`.
@@ -19,7 +21,7 @@
 //!   `…_radius_squared`; read by `centre`, `radius`, `radius_squared`, `unit_normal`, `attitude`,
 //!   `axis`, `carrier`, `container`.
 //! - `Sphere`: `p∧q∧r∧s`; built by `through`, `from_centre_radius`, `…_radius_squared`; read by
-//!   `centre`, `radius`, `radius_squared`.
+//!   `centre`, `radius`, `radius_squared`, `tangent_plane_at`.
 //! - `Line`: `p∧q∧ei`; built by `through`, `from_point_direction`, `from_direction_moment`; read by
 //!   `direction`, `unit_direction`, `moment`, `attitude`, `support`, `foot`.
 //! - `Plane`: `p∧q∧r∧ei`; built by `through`, `from_point_normal`; read by `normal`, `unit_normal`,
@@ -33,15 +35,15 @@
 //! # Rigid versors and scalings
 //!
 //! - `Rotor`: `exp(−½θB)`; built by `from_axis_angle`, `from_rotation_vector`, `between`,
-//!   `from_matrix`, `from_quaternion`; read by `to_axis_angle`, `to_rotation_vector`, `to_matrix`,
-//!   `to_quaternion`, `path`; functions `log`, `powf`, `sqrt`, `interpolate`, `along`.
+//!   `from_matrix`, `from_quaternion`, `from_euler`, `look_along`; read by `to_axis_angle`,
+//!   `to_rotation_vector`, `to_matrix`, `to_quaternion`, `to_euler`, `path`; functions `log`, `powf`, `sqrt`, `interpolate`, `along`.
 //! - `Translator`: `1 − ½ t ei`; built by `from_displacement`; read by `displacement`; functions
 //!   `log`, `powf`, `sqrt`, `interpolate`.
-//! - `Motor`: `T R`; built by `translator * rotor`, `about`, `from_matrix`, [`Screw::to_motor`];
-//!   read by `rotor`, `translator`, `to_matrix`, `screw`, `path`; functions `log`, `powf`,
-//!   `sqrt`, `interpolate`, `along`.
-//! - `MotorGenerator`: `−½θB − ½ t ei`; built by `Motor::log`, [`Screw::generator`]; read by
-//!   `screw`; functions `exp`.
+//! - `Motor`: `T R`; built by `translator * rotor`, `about`, `look_at`, `from_matrix`,
+//!   [`Screw::to_motor`]; read by `rotor`, `translator`, `to_matrix`, `screw`, `path`; functions
+//!   `log`, `powf`, `sqrt`, `interpolate`, `along`.
+//! - `MotorGenerator`: `−½θB − ½ t ei`; built by `Motor::log`, [`Screw::generator`],
+//!   `from_velocities`; read by `screw`, `velocity_at`, `angular_velocity`; functions `exp`.
 //! - `Dilator`: `exp(½ ln s eo∧ei)`; built by `from_factor`, `exp`; read by `factor`; functions
 //!   `log`, `powf`, `sqrt`.
 //!
@@ -69,7 +71,8 @@
 //!
 //! Relations between two primitives, such as distances and angles, are in [`relation`], 4×4
 //! matrices in [`homogeneous`], and affine maps, which need not be conformal, in [`Affine`]. Means
-//! of many motions, curves through them and motions that fit points are in [`motion`].
+//! of many motions, curves through them and motions that fit points are in [`motion`]; chains of
+//! joints and their Jacobians in [`kinematics`].
 //!
 //! [`vga3::Vector`](crate::vga3::Vector) is the vector of space, with its operators, lengths and
 //! angles. The other algebras have their geometry as inherent methods of their types too, behind
@@ -95,8 +98,8 @@ mod vga3;
 #[cfg(feature = "nalgebra-035")]
 pub(crate) use cga3::affine;
 pub use cga3::{
-    Affine, DualQuaternionParts, Kind, NotConformal, NotUnit, RotationPath, Screw, homogeneous,
-    motion, relation,
+    Affine, DualQuaternionParts, EulerOrder, Kind, LookAtError, NotConformal, NotUnit,
+    RotationPath, Screw, homogeneous, kinematics, motion, relation,
 };
 #[cfg(feature = "sta")]
 pub use sta::{NotSlowerThanLight, relative_velocity, velocity_sum};

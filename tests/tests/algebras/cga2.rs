@@ -17,6 +17,32 @@ fn coefficients(m: Motor<f64>) -> [f64; 4] {
 
 proptest! {
     #[test]
+    fn directions_displace_points(a in vector(5.0), b in vector(5.0), t in -1.0..2.0_f64) {
+        let (p, v) = (Point::from(a), Direction::from(b));
+        prop_assert_eq!(<[f64; 2]>::from(p + v), plus(a, b));
+        prop_assert_eq!(<[f64; 2]>::from(p - v), minus(a, b));
+        let mut moved = p;
+        moved += v;
+        prop_assert_eq!(moved, p + v);
+        moved -= v;
+        near_all(moved.coordinates(), a, 1e-14);
+        let translated = Translator::from_displacement(b).transform(p);
+        near_all((p + v).coordinates(), translated.coordinates(), 1e-14);
+        let q = Point::from(b);
+        prop_assert_eq!(<[f64; 2]>::from(p.to(q)), minus(b, a));
+        near_all(p.lerp(q, t).coordinates(), plus(a, times(minus(b, a), t)), 1e-13);
+        near_all(p.midpoint(q).coordinates(), times(plus(a, b), 0.5), 1e-14);
+        prop_assert_eq!((p.lerp(q, 0.0), p.lerp(q, 1.0)), (p, q));
+        prop_assert_eq!([p.x(), p.y(), v.x(), v.y()], [a[0], a[1], b[0], b[1]]);
+        let w = Direction::from(a);
+        prop_assert_eq!(v.dot(w), b[0] * a[0] + b[1] * a[1]);
+        prop_assert_eq!(v.cross(w), b[0] * a[1] - b[1] * a[0]);
+        near_all([v.length(), v.norm()], [length(b); 2], 1e-14);
+        near_all(v.normalized().unwrap().vector(), times(b, 1.0 / length(b)), 1e-15);
+        prop_assert_eq!((v - v).normalized(), None);
+    }
+
+    #[test]
     fn three_points_lie_on_their_circle(
         centre in vector(5.0), radius in 0.5..4.0_f64, start in -PI..PI, b in 0.5..2.5_f64, c in 0.5..2.5_f64,
     ) {

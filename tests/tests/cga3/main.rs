@@ -4,6 +4,9 @@
 mod axioms;
 mod geometry;
 mod homogeneous;
+mod kinematics;
 mod oracle;
+mod points;
 mod primitives;
 mod sizes;
+mod view;

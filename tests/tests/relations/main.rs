@@ -8,3 +8,4 @@ mod join;
 mod meet;
 mod meet_degenerate;
 mod projection;
+mod tangent;

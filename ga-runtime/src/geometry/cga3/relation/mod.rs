@@ -22,6 +22,8 @@
 //!   two lines.
 //! - [`meet`]: `a.meet(b, tolerance)`, the intersection, by cases.
 //! - [`join`]: `a.join(b, tolerance)`, the smallest primitive that contains both.
+//! - [`tangent`]: `a.tangent_plane_at(p, tolerance)`, `a.tangent_line_at(p, tolerance)`, what
+//!   touches a sphere or a circle at a point of it.
 //!
 //! Distances, angles and tests first convert each primitive to a Euclidean [`Figure`] and subtract
 //! positions before they square, so that points and flats stay accurate far from the origin. The
@@ -41,6 +43,7 @@ mod least;
 pub mod meet;
 pub mod projection;
 pub mod reflection;
+pub mod tangent;
 mod tolerance;
 
 pub use angle::Extended;
