@@ -69,10 +69,10 @@
 //!
 //! # Relations and other maps
 //!
-//! Relations between two primitives, such as distances and angles, are in [`relation`], 4×4
-//! matrices in [`homogeneous`], and affine maps, which need not be conformal, in [`Affine`]. Means
-//! of many motions, curves through them and motions that fit points are in [`motion`]; chains of
-//! joints and their Jacobians in [`kinematics`].
+//! Relations between two primitives, such as distances and angles, are in [`relation`], rays and
+//! what they hit first in [`ray`], 4×4 matrices in [`homogeneous`], and affine maps, which need not
+//! be conformal, in [`Affine`]. Means of many motions, curves through them and motions that fit
+//! points are in [`motion`]; chains of joints and their Jacobians in [`kinematics`].
 //!
 //! [`vga3::Vector`](crate::vga3::Vector) is the vector of space, with its operators, lengths and
 //! angles. The other algebras have their geometry as inherent methods of their types too, behind
@@ -99,7 +99,7 @@ mod vga3;
 pub(crate) use cga3::affine;
 pub use cga3::{
     Affine, DualQuaternionParts, EulerOrder, Kind, LookAtError, NotConformal, NotUnit,
-    RotationPath, Screw, homogeneous, kinematics, motion, relation,
+    RotationPath, Screw, homogeneous, kinematics, motion, ray, relation,
 };
 #[cfg(feature = "sta")]
 pub use sta::{NotSlowerThanLight, relative_velocity, velocity_sum};

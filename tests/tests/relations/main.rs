@@ -8,4 +8,6 @@ mod join;
 mod meet;
 mod meet_degenerate;
 mod projection;
+mod ray;
+mod ray_degenerate;
 mod tangent;

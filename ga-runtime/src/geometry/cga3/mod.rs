@@ -25,6 +25,7 @@ mod plane;
 mod point;
 mod point_pair;
 mod power;
+pub mod ray;
 pub mod relation;
 mod rotation_path;
 mod rotor;

@@ -1,0 +1,124 @@
+//! Where a ray hits a surface, and how it goes on from there.
+
+use super::Ray;
+use crate::cga3::{Direction, Point};
+use crate::scalar::Real;
+use crate::vga3::Vector;
+
+/// Where a ray hits a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit<S> {
+    /// The distance from the origin of the ray, in the units of the coordinates.
+    pub distance: S,
+    /// The point: [`Ray::at`] the distance.
+    pub point: Point<S>,
+    /// The normal of the surface, of length 1, on the side from which the ray comes: its inner
+    /// product with the direction of the ray is at most zero, up to rounding.
+    pub normal: Direction<S>,
+    /// The side from which the ray comes.
+    pub side: Side,
+}
+
+/// A side of a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// The side of the surface's own normal, for a sphere its outside.
+    Front,
+    /// The other side, for a sphere its inside.
+    Back,
+}
+
+impl<S: Real<Mask = bool>> Ray<S> {
+    /// The ray that a mirror at the hit point sends on: it begins there, in the direction
+    /// `−n d n = d − 2 (d·n) n`, where n is the normal. For a sphere that is the reflection in its
+    /// tangent plane.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Plane, Point};
+    /// use ga_runtime::geometry::ray::Ray;
+    /// let mirror = Plane::from_point_normal(Point::default(), [0.0, 0.0, 1.0]);
+    /// let ray = Ray::new(Point::new(-3.0, 0.0, 4.0), [3.0, 0.0, -4.0]).unwrap();
+    /// let hit = ray.first_hit(mirror).unwrap();
+    /// let reflected = ray.reflect(&hit);
+    /// assert_eq!(reflected.origin(), hit.point);
+    /// assert_eq!(reflected.direction().vector(), [0.6, 0.0, 0.8]);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn reflect(self, hit: &Hit<S>) -> Self {
+        let (direction, normal) = (Vector::from(self.direction), Vector::from(hit.normal));
+        let along = direction.dot(normal);
+        let direction = direction - normal * (along + along);
+        Self::new_unchecked(hit.point, direction.into())
+    }
+
+    /// The ray that goes on behind the hit point by Snell's law: with θ the angle from the normal
+    /// and η the ratio, `sin θ' = η sin θ`. The ratio is the refractive index on the side from
+    /// which the ray comes, divided by the index on the other side: 1/1.5 from air into glass, 1.5
+    /// back into air. `None` for total reflection, and for a ratio that is not positive and finite.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Plane, Point};
+    /// use ga_runtime::geometry::ray::Ray;
+    /// let water = Plane::from_point_normal(Point::default(), [0.0, 0.0, 1.0]);
+    /// let ray = Ray::new(Point::new(-3.0, 0.0, 4.0), [3.0_f64, 0.0, -4.0]).unwrap();
+    /// let hit = ray.first_hit(water).unwrap();
+    /// let [x, _, z] = ray.refract(&hit, 1.0 / 1.33).unwrap().direction().vector();
+    /// assert!((x - 0.6 / 1.33).abs() < 1e-15 && z < -0.8);
+    /// // Out of glass, at an angle whose sine is 0.6: 1.8 · 0.6 > 1.
+    /// assert_eq!(ray.refract(&hit, 1.8), None);
+    /// ```
+    #[must_use]
+    pub fn refract(self, hit: &Hit<S>, ratio: S) -> Option<Self> {
+        if !(S::zero().less_than(ratio) && ratio.is_finite()) {
+            return None;
+        }
+        let (direction, normal) = (Vector::from(self.direction), Vector::from(hit.normal));
+        let cosine = -direction.dot(normal);
+        // The part along the surface; its length is the sine of the new angle.
+        let sideways = (direction + normal * cosine) * ratio;
+        let cosine_squared = S::one() - sideways.dot(sideways);
+        if cosine_squared.less_than(S::zero()) {
+            return None;
+        }
+        let direction = sideways - normal * cosine_squared.sqrt();
+        Some(Self::new_unchecked(
+            hit.point,
+            direction.normalized()?.into(),
+        ))
+    }
+}
+
+impl<S: Real<Mask = bool>> Hit<S> {
+    /// The hit at a distance, for a normal of the surface of any length that is not zero, and given
+    /// the inner product of that normal with the direction of the ray. `None` where the distance is
+    /// not finite, or its square overflows, or the normal has no direction.
+    #[inline]
+    pub(super) fn of(ray: Ray<S>, distance: S, normal: Vector<S>, slope: S) -> Option<Self> {
+        if !(distance * distance).is_finite() {
+            return None;
+        }
+        // Where a sphere is only touched, the ray stays in front.
+        let is_front = !S::zero().less_than(slope);
+        let normal = unit(if is_front { normal } else { -normal })?;
+        Some(Self {
+            distance,
+            point: ray.at(distance),
+            normal: normal.into(),
+            side: if is_front { Side::Front } else { Side::Back },
+        })
+    }
+}
+
+/// The vector with length 1; `None` where it is zero or not finite. Only the range in which squares
+/// are accurate is computed directly.
+#[inline]
+fn unit<S: Real<Mask = bool>>(vector: Vector<S>) -> Option<Vector<S>> {
+    let square = vector.dot(vector);
+    let is_usual = S::from_f64(1e-20).less_than(square) && square.less_than(S::from_f64(1e20));
+    if is_usual {
+        Some(vector * square.sqrt().recip())
+    } else {
+        vector.normalized()
+    }
+}

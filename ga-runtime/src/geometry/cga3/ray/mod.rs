@@ -1,0 +1,255 @@
+//! Rays: half lines, and the first point at which they hit a surface.
+//!
+//! A ray begins at a point o and runs in a direction d of length 1. It is the part of the line
+//! `o∧d∧ei` with the points `o + t d` for distances `t ≥ 0`. [`Ray::first_hit`] finds the nearest
+//! of them on a surface, for distances `t > 0`:
+//!
+//! | surface | type | its front |
+//! | --- | --- | --- |
+//! | sphere | `Sphere`, `DualSphere` | the outside |
+//! | plane | `Plane`, `DualPlane` | the side of its normal |
+//! | disc, a circle with its inside | `Circle`, `DualCircle` | the side of its normal |
+//! | triangle | `[Point; 3]`, its corners | where they are in counterclockwise order |
+//! | any of these | [`Figure`](super::relation::Figure) | as above |
+//!
+//! A [`Hit`] has the distance, the point, the unit normal on the side from which the ray comes, and
+//! which side that is. Weights and their signs do not matter, except that a plane or circle of
+//! negative weight has the opposite normal.
+//!
+//! # What is a hit
+//!
+//! - A ray that only touches a sphere hits it there. A sphere of radius zero, an imaginary sphere
+//!   and a figure without a surface are never hit.
+//! - A ray that begins inside a sphere hits it from the back, where it leaves.
+//! - A ray that begins on a surface does not hit it at its origin. After rounding, a point on a
+//!   surface may lie on either side of it: let a ray that leaves a surface begin a little further
+//!   on, with [`Ray::advance`].
+//! - A ray parallel to a plane does not hit it, even where it runs within the plane.
+//! - Triangles that share an edge have no gap: a ray through the edge hits at least one of them (S.
+//!   Woop, C. Benthin and I. Wald, Watertight Ray/Triangle Intersection, JCGT 2, 2013). A
+//!   degenerate triangle is never hit.
+//! - A surface with a coefficient that is not finite, and a distance whose square is beyond the
+//!   range of the scalar, count as a miss. No result is NaN.
+//!
+//! # Accuracy
+//!
+//! Positions are first subtracted from the origin of the ray, so that hits near it are accurate
+//! far from the origin of the coordinates, and the squared radius is compared with the squared
+//! distance of the line from the centre, which loses little for small spheres far away. A blade
+//! determines its squared radius only up to some ε times the squared distance of the centre from
+//! the origin of coordinates; [`Figure`](super::relation::Figure) holds the radius itself.
+//!
+//! # Example
+//!
+//! ```
+//! use ga_runtime::cga3::{Plane, Point, Sphere};
+//! use ga_runtime::geometry::ray::{Ray, Side};
+//!
+//! let ray = Ray::new(Point::new(0.0, 0.0, 5.0), [0.0, 0.0, -2.0]).unwrap();
+//! let ball = Sphere::from_centre_radius(Point::default(), 1.0);
+//! let floor = Plane::from_point_normal(Point::new(0.0, 0.0, -3.0), [0.0, 0.0, 1.0]);
+//!
+//! let hit = ray.first_hit(ball).unwrap();
+//! assert_eq!(hit.distance, 4.0);
+//! assert_eq!(hit.point.coordinates(), [0.0, 0.0, 1.0]);
+//! assert_eq!(hit.normal.vector(), [0.0, 0.0, 1.0]);
+//!
+//! // The nearest of several surfaces. The floor is further away than the ball.
+//! let hits = [ray.first_hit(ball), ray.first_hit(floor)];
+//! let nearest = hits.into_iter().flatten().min_by(|a, b| a.distance.total_cmp(&b.distance));
+//! assert_eq!(nearest, Some(hit));
+//!
+//! // The mirrored ray does not hit the ball again.
+//! let mirrored = ray.reflect(&hit).advance(1e-9);
+//! assert_eq!(mirrored.first_hit(ball), None);
+//! // From the inside, the ball is hit from its back.
+//! let inside = Ray::new(Point::default(), [1.0, 0.0, 0.0]).unwrap();
+//! assert_eq!(inside.first_hit(ball).unwrap().side, Side::Back);
+//! ```
+
+mod hit;
+mod motion;
+mod round;
+mod surface;
+mod triangle;
+
+pub use hit::{Hit, Side};
+pub use surface::Surface;
+
+use crate::cga3::{Direction, Line, Point, Sphere};
+use crate::scalar::{Real, Ring};
+use crate::vga3::Vector;
+
+/// A ray: the points `o + t d`, `t ≥ 0`, of a line `o∧d∧ei`, where o is its origin and d its
+/// direction, of length 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray<S> {
+    origin: Point<S>,
+    direction: Direction<S>,
+}
+
+impl<S: Ring> Ray<S> {
+    /// The point at which the ray begins.
+    #[inline]
+    #[must_use]
+    pub fn origin(self) -> Point<S> {
+        self.origin
+    }
+
+    /// The direction `d∧ei`, of length 1 up to rounding.
+    #[inline]
+    #[must_use]
+    pub fn direction(self) -> Direction<S> {
+        self.direction
+    }
+
+    /// The line of the ray, `o∧d∧ei`, of weight 1.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Infinity, Point};
+    /// use ga_runtime::geometry::ray::Ray;
+    /// let (p, q) = (Point::new(1.0, 2.0, 0.0), Point::new(1.0, 2.0, 1.0));
+    /// assert_eq!(Ray::through(p, q).unwrap().line(), p ^ q ^ Infinity);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn line(self) -> Line<S> {
+        Line::from_point_direction(self.origin, self.direction.vector())
+    }
+
+    /// The point at a distance from the origin, `o + t d`. A negative distance gives a point of the
+    /// line behind the origin.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::Point;
+    /// use ga_runtime::geometry::ray::Ray;
+    /// let ray = Ray::new(Point::new(1.0, 0.0, 0.0), [0.0, 5.0, 0.0]).unwrap();
+    /// assert_eq!(ray.at(3.0), Point::new(1.0, 3.0, 0.0));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn at(self, distance: S) -> Point<S> {
+        (Vector::from(self.origin) + Vector::from(self.direction) * distance).into()
+    }
+
+    /// The ray that begins a distance further on, in the same direction.
+    ///
+    /// Points computed on a surface lie a little beside it. A ray that leaves a surface is advanced
+    /// by more than that error, so that it does not hit the same point again: `1e-9` suits `f64`
+    /// and scenes of size 1 to 100.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::Point;
+    /// use ga_runtime::geometry::ray::Ray;
+    /// let ray = Ray::new(Point::default(), [0.0, 0.0, 1.0]).unwrap();
+    /// assert_eq!(ray.advance(2.0).origin(), Point::new(0.0, 0.0, 2.0));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn advance(self, distance: S) -> Self {
+        Self::new_unchecked(self.at(distance), self.direction)
+    }
+
+    /// The distance along the ray of the foot of the perpendicular from a point, `(p − o)·d`;
+    /// negative for a point behind the origin.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::Point;
+    /// use ga_runtime::geometry::ray::Ray;
+    /// let ray = Ray::new(Point::new(1.0, 0.0, 0.0), [1.0, 0.0, 0.0]).unwrap();
+    /// assert_eq!(ray.depth(Point::new(4.0, 7.0, 0.0)), 3.0);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn depth(self, point: Point<S>) -> S {
+        self.origin.vector_to(point).dot(self.direction.into())
+    }
+
+    /// A ray from a direction that is known to have length 1. With another length, distances are in
+    /// units of that length, and hits are wrong.
+    #[inline]
+    #[must_use]
+    pub const fn new_unchecked(origin: Point<S>, direction: Direction<S>) -> Self {
+        Self { origin, direction }
+    }
+}
+
+impl<S: Real<Mask = bool>> Ray<S> {
+    /// The ray from a point in a direction, which need not have length 1: an array `[x, y, z]`, a
+    /// [`Vector`] or a [`Direction`]. `None` where the direction is zero, or a number is not
+    /// finite.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::Point;
+    /// use ga_runtime::geometry::ray::Ray;
+    /// let ray = Ray::new(Point::new(1.0, 2.0, 3.0), [0.0, 3.0, 4.0]).unwrap();
+    /// assert_eq!(ray.direction().vector(), [0.0, 0.6, 0.8]);
+    /// assert_eq!(Ray::new(Point::new(1.0, 2.0, 3.0), [0.0, 0.0, 0.0]), None);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn new(origin: Point<S>, direction: impl Into<Vector<S>>) -> Option<Self> {
+        let direction = direction.into().normalized()?;
+        let is_finite = Vector::from(origin).is_finite();
+        is_finite.then(|| Self::new_unchecked(origin, direction.into()))
+    }
+
+    /// The ray from one point through another. `None` where they coincide, or a number is not
+    /// finite.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::Point;
+    /// use ga_runtime::geometry::ray::Ray;
+    /// let (eye, target) = (Point::new(0.0, 0.0, 5.0), Point::new(0.0, 0.0, 1.0));
+    /// let ray = Ray::through(eye, target).unwrap();
+    /// assert_eq!(ray.direction().vector(), [0.0, 0.0, -1.0]);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn through(origin: Point<S>, point: Point<S>) -> Option<Self> {
+        Self::new(origin, origin.vector_to(point))
+    }
+
+    /// The first hit of a surface, at a distance of more than zero; `None` for a miss. The
+    /// [module](self) lists the surfaces and says what counts as a hit.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::Point;
+    /// use ga_runtime::geometry::ray::{Ray, Side};
+    /// let triangle = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]].map(Point::from);
+    /// let ray = Ray::new(Point::new(1.0, 1.0, 3.0), [0.0, 0.0, -1.0]).unwrap();
+    /// let hit = ray.first_hit(triangle).unwrap();
+    /// assert_eq!((hit.distance, hit.side), (3.0, Side::Front));
+    /// let beside = Ray::new(Point::new(3.0, 3.0, 3.0), [0.0, 0.0, -1.0]).unwrap();
+    /// assert_eq!(beside.first_hit(triangle), None);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn first_hit<T: Surface<S>>(self, surface: T) -> Option<Hit<S>> {
+        surface.first_hit_by(self)
+    }
+
+    /// Where the line of the ray enters a sphere and where it leaves it, in this order: from the
+    /// front, then from the back. A distance that is not positive is not ahead of the origin: both
+    /// are negative for a sphere behind it, and the first for a ray that begins inside. Both are
+    /// equal for a line that only touches the sphere. `None` where the line misses it, and for a
+    /// sphere that is imaginary, of radius zero or flat.
+    ///
+    /// The points are the ends of the pair `−(L ∨ S)`, with L the [line](Self::line) and S the
+    /// sphere, in the order of [`PointPair::endpoints`](crate::cga3::PointPair::endpoints).
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Point, Sphere};
+    /// use ga_runtime::geometry::ray::Ray;
+    /// let ball = Sphere::from_centre_radius(Point::new(5.0, 0.0, 0.0), 1.0);
+    /// let ray = Ray::new(Point::default(), [1.0, 0.0, 0.0]).unwrap();
+    /// let [enters, leaves] = ray.entry_and_exit(ball).unwrap();
+    /// assert_eq!((enters.distance, leaves.distance), (4.0, 6.0));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn entry_and_exit(self, sphere: Sphere<S>) -> Option<[Hit<S>; 2]> {
+        let crossing = round::sphere_crossing(self, sphere.dual())?;
+        Some([crossing.entry(self)?, crossing.exit(self)?])
+    }
+}
