@@ -1,7 +1,8 @@
 //! Pinhole cameras.
 
 use ga_runtime::batch;
-use ga_runtime::cga3::{Direction, Line, Motor, Point, Rotor};
+use ga_runtime::cga3::{Motor, Point, Rotor};
+use ga_runtime::geometry::ray::Ray;
 
 /// The projection of a camera from its frame to its picture: `u = f_x x/z + c_x`,
 /// `v = f_y y/z + c_y`, without skew.
@@ -18,16 +19,6 @@ pub struct Camera {
     pub intrinsics: Intrinsics,
     /// The motor that takes the world into the camera's frame.
     pub world_to_camera: Motor<f64>,
-}
-
-/// The half line that a pixel looks along, in the world.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ray {
-    /// The line `c∧d∧ei` through the camera's centre, its direction d of length 1 pointing away
-    /// from the camera.
-    pub line: Line<f64>,
-    /// The camera's centre c.
-    pub centre: Point<f64>,
 }
 
 /// Why numbers do not form a camera, or a camera does not see a point.
@@ -226,42 +217,17 @@ impl Camera {
         }
     }
 
-    /// The ray that a pixel looks along: in the camera's frame the line through the origin with the
-    /// direction `((u − c_x)/f_x, (v − c_y)/f_y, 1)`, moved into the world by the reverse of the
-    /// pose.
+    /// The ray that a pixel looks along, in the world: in the camera's frame it begins at the origin
+    /// in the direction `((u − c_x)/f_x, (v − c_y)/f_y, 1)`, and the reverse of the pose moves it.
     ///
     /// # Errors
-    /// [`CameraError::NotFinite`] for a pixel that is not finite.
-    pub fn ray(&self, pixel: [f64; 2]) -> Result<Ray, CameraError> {
+    /// [`CameraError::NotFinite`] for a pixel that is not finite, or so far from the others that
+    /// its direction is not.
+    pub fn ray(&self, pixel: [f64; 2]) -> Result<Ray<f64>, CameraError> {
         let [u, v] = pixel;
         let ([fx, fy], [cx, cy]) = (self.intrinsics.focal, self.intrinsics.principal);
-        let (x, y) = ((u - cx) / fx, (v - cy) / fy);
-        let length = (x * x + y * y + 1.0).sqrt();
-        if !length.is_finite() {
-            return Err(CameraError::NotFinite([u, v, 1.0]));
-        }
-        let camera_to_world = self.world_to_camera.reverse();
-        let direction = Direction::from_vector([x / length, y / length, 1.0 / length]);
-        let centre = self.centre();
-        let direction = camera_to_world.transform(direction).vector();
-        Ok(Ray {
-            line: Line::from_point_direction(centre, direction),
-            centre,
-        })
-    }
-}
-
-impl Ray {
-    /// The direction, of length 1.
-    #[must_use]
-    pub fn direction(&self) -> [f64; 3] {
-        self.line.direction()
-    }
-
-    /// The distance of a point from the camera along the ray, in metres; negative behind the
-    /// camera.
-    #[must_use]
-    pub fn depth(&self, point: Point<f64>) -> f64 {
-        self.centre.vector_to(point).dot(self.direction().into())
+        let in_frame = Ray::new(Point::default(), [(u - cx) / fx, (v - cy) / fy, 1.0]);
+        let in_frame = in_frame.ok_or(CameraError::NotFinite([u, v, 1.0]))?;
+        Ok(self.world_to_camera.reverse().transform(in_frame))
     }
 }

@@ -2,11 +2,13 @@
 //! techniques for 3D animation and their application to visual communication", which the modules
 //! cite as "Cui".
 //!
-//! - [`camera`]: pinhole cameras; the pixel of a point, and the ray of a pixel.
+//! - [`camera`]: pinhole cameras; the pixel of a point, and the [ray] of a pixel.
 //! - [`rig`]: two cameras and the motor between them.
 //! - [`triangulation`]: the point where two rays come closest.
 //! - [`observation`]: simulated observations with noise, for tests and demonstrations.
 //! - [`pose_error`]: how far reconstructed joints are from the true ones.
+//!
+//! [ray]: ga_runtime::geometry::ray::Ray
 //!
 //! # Conventions
 //!

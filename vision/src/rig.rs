@@ -128,6 +128,6 @@ impl StereoRig {
         let no_ray = |error| RigError::Camera { point, error };
         let first = self.left.ray(left).map_err(no_ray)?;
         let second = self.right.ray(right).map_err(no_ray)?;
-        triangulate(&first, &second).map_err(|error| RigError::Triangulation { point, error })
+        triangulate(first, second).map_err(|error| RigError::Triangulation { point, error })
     }
 }

@@ -10,10 +10,9 @@
 //! [perpendicular]: ga_runtime::cga3::Line::common_perpendicular
 
 use ga_runtime::cga3::Point;
+use ga_runtime::geometry::ray::Ray;
 use ga_runtime::geometry::relation::Tolerance;
 use ga_runtime::vga3::Vector;
-
-use crate::camera::Ray;
 
 /// The point that two rays determine, and how well they agree on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,28 +58,20 @@ impl Triangulation {
 /// [`TriangulationError`] for rays that are parallel or not finite.
 ///
 /// ```
-/// use ga_runtime::cga3::{Line, Point};
-/// use ga_vision::camera::Ray;
+/// use ga_runtime::cga3::Point;
+/// use ga_runtime::geometry::ray::Ray;
 /// use ga_vision::triangulation::triangulate;
 ///
-/// let ray = |centre: [f64; 3], direction| {
-///     let centre = Point::from(centre);
-///     Ray {
-///         line: Line::from_point_direction(centre, direction),
-///         centre,
-///     }
-/// };
 /// // Along x at height 0 and along y at height 2, through the z axis.
-/// let found = triangulate(
-///     &ray([-3.0, 0.0, 0.0], [1.0, 0.0, 0.0]),
-///     &ray([0.0, 5.0, 2.0], [0.0, 1.0, 0.0]),
-/// )?;
+/// let first = Ray::new(Point::new(-3.0, 0.0, 0.0), [1.0, 0.0, 0.0]).unwrap();
+/// let second = Ray::new(Point::new(0.0, 5.0, 2.0), [0.0, 1.0, 0.0]).unwrap();
+/// let found = triangulate(first, second)?;
 /// assert_eq!(found.position.coordinates(), [0.0, 0.0, 1.0]);
 /// assert_eq!((found.gap, found.depths), (2.0, [3.0, -5.0]));
 /// assert!(!found.is_in_front());
 /// # Ok::<(), ga_vision::triangulation::TriangulationError>(())
 /// ```
-pub fn triangulate(first: &Ray, second: &Ray) -> Result<Triangulation, TriangulationError> {
+pub fn triangulate(first: Ray<f64>, second: Ray<f64>) -> Result<Triangulation, TriangulationError> {
     let [d1, d2] = [first, second].map(|ray| Vector::from(ray.direction()));
     let angle = d1.cross(d2).length().atan2(d1.dot(d2));
     if !angle.is_finite() {
@@ -88,8 +79,10 @@ pub fn triangulate(first: &Ray, second: &Ray) -> Result<Triangulation, Triangula
     }
     let parallel = TriangulationError::Parallel { sine: angle.sin() };
     let exact = Tolerance::new(0.0, 0.0);
-    let Some(found) = first.line.common_perpendicular(second.line, exact) else {
-        let coincide = first.line.coincides_with(second.line, Tolerance::default());
+    let Some(found) = first.line().common_perpendicular(second.line(), exact) else {
+        let coincide = first
+            .line()
+            .coincides_with(second.line(), Tolerance::default());
         return Err(if coincide {
             parallel
         } else {

@@ -1,7 +1,8 @@
 //! Triangulation against independent vectors and against scenes that are known.
 
-use ga_runtime::cga3::{Line, Motor, Point, Rotor, Translator};
-use ga_vision::camera::{Camera, CameraError, Intrinsics, Ray};
+use ga_runtime::cga3::{Direction, Motor, Point, Rotor, Translator};
+use ga_runtime::geometry::ray::Ray;
+use ga_vision::camera::{Camera, CameraError, Intrinsics};
 use ga_vision::observation::{ObservationError, observe};
 use ga_vision::pose_error::mean_per_joint_position_error;
 use ga_vision::rig::{RigError, StereoRig};
@@ -121,7 +122,7 @@ proptest! {
         prop_assert!(found.is_in_front());
         // The feet lie on their rays, and the ray through a pixel contains what is seen there.
         let ray = rig.left.ray(a).unwrap();
-        prop_assert!(ray.line.distance(point).unwrap() < 1e-13 * 20.0);
+        prop_assert!(ray.line().distance(point).unwrap() < 1e-13 * 20.0);
         prop_assert!((ray.depth(point) - found.depths[0]).abs() < 1e-11 / found.angle);
         // The motor between the cameras takes one frame into the other.
         let across = rig.left_to_right().transform(left.transform(point));
@@ -133,15 +134,9 @@ proptest! {
         a in (vector(2.0), vector(1.0)),
         b in (vector(2.0), vector(1.0)),
     ) {
-        use ga_runtime::cga3::Line;
-        use ga_vision::camera::Ray;
-        let ray = |(centre, direction): ([f64; 3], [f64; 3])| {
-            let centre = Point::from(centre);
-            let line = Line::from_point_direction(centre, direction).normalized()?;
-            Some(Ray { line, centre })
-        };
+        let ray = |(origin, direction): ([f64; 3], [f64; 3])| Ray::new(origin.into(), direction);
         let (Some(first), Some(second)) = (ray(a), ray(b)) else { return Ok(()) };
-        let Ok(found) = ga_vision::triangulation::triangulate(&first, &second) else {
+        let Ok(found) = triangulate(first, second) else {
             return Ok(());
         };
         let scale = 1e-12 / found.angle.sin().powi(2);
@@ -149,13 +144,13 @@ proptest! {
             found.feet[1].coordinates()[k] - found.feet[0].coordinates()[k]
         });
         for ray in [first, second] {
-            let along: f64 = (0..3).map(|k| between[k] * ray.direction()[k]).sum();
+            let along: f64 = (0..3).map(|k| between[k] * ray.direction().vector()[k]).sum();
             prop_assert!(along.abs() < scale, "not perpendicular: {along}");
         }
-        prop_assert!(first.line.distance(found.feet[0]).unwrap() < scale);
-        prop_assert!(second.line.distance(found.feet[1]).unwrap() < scale);
+        prop_assert!(first.line().distance(found.feet[0]).unwrap() < scale);
+        prop_assert!(second.line().distance(found.feet[1]).unwrap() < scale);
         // Moving a foot along its ray never brings the rays closer.
-        let other = second.line.distance(found.feet[0]).unwrap();
+        let other = second.line().distance(found.feet[0]).unwrap();
         prop_assert!((other - found.gap).abs() < scale);
     }
 }
@@ -190,11 +185,10 @@ fn bad_input_is_named() {
     ));
     // A ray and itself, also with other lengths of its direction.
     for length in [1.0, 3.0] {
-        let ray = |length: f64| Ray {
-            line: Line::from_point_direction(Point::default(), [0.0, 0.6 * length, 0.8 * length]),
-            centre: Point::default(),
+        let ray = |length: f64| {
+            Ray::new(Point::default(), [0.0, 0.6 * length, 0.8 * length]).expect("a direction")
         };
-        let found = triangulate(&ray(1.0), &ray(length));
+        let found = triangulate(ray(1.0), ray(length));
         assert!(
             matches!(found, Err(TriangulationError::Parallel { .. })),
             "{found:?}"
@@ -290,12 +284,12 @@ fn almost_parallel_rays_meet_where_they_do_or_not_at_all() {
     for step in 8..80 {
         let sine = f64::from(step) * 0.5 * f64::EPSILON;
         for length in [0.7, 1.0, 3.0] {
-            let ray = |x: f64, direction: [f64; 3]| Ray {
-                line: Line::from_point_direction(Point::new(x, 0.0, 0.0), direction),
-                centre: Point::new(x, 0.0, 0.0),
+            // The second direction has another length, as a ray that is not checked may have.
+            let ray = |x: f64, direction: [f64; 3]| {
+                Ray::new_unchecked(Point::new(x, 0.0, 0.0), Direction::from_vector(direction))
             };
             let second = ray(1.0, [-sine * length, 0.0, length]);
-            match triangulate(&ray(0.0, [0.0, 0.0, 1.0]), &second) {
+            match triangulate(ray(0.0, [0.0, 0.0, 1.0]), second) {
                 Ok(found) => {
                     let [_, _, z] = found.position.coordinates();
                     assert!(
