@@ -61,6 +61,7 @@ pub mod emit;
 mod explain;
 pub mod expression;
 mod fingerprint;
+pub mod forms;
 pub mod function;
 pub mod ir;
 pub mod kernel;
@@ -294,7 +295,9 @@ fn compile_resolved(
         .map(|(step, kind)| (*step, kernel::wanted(*kind)))
         .collect();
     let (algebra, program) = (&definition.algebra, &resolved.program);
-    let task = Task::of_program(algebra, program, wanted.clone()).with_uniform(&resolved.uniform);
+    let task = Task::of_program(algebra, program, wanted.clone())
+        .with_uniform(&resolved.uniform)
+        .with_witness(&resolved.witness);
     let kernel = task.compile();
     if kernel.is_out_of_range() {
         let message = "the numbers in this function have too many digits together: \

@@ -1,14 +1,21 @@
-//! Which rules make the cheapest graph.
+//! Which form of a program, and which rules, make the cheapest graph.
 //!
-//! The kinds of rules are tried one after the other, each with the best rules of the kinds before,
-//! since all combinations would be too many. Then rules of single steps in which a versor acts are
-//! tried.
+//! Forms come first: those that look cheapest by estimate are lowered by a few rules, and of the
+//! cheapest of these all the passes are run. For the form that wins, the kinds of rules are tried
+//! one after the other, each with the best rules of the kinds before, since all combinations would
+//! be too many. Then rules of single steps in which a versor acts are tried.
+//!
+//! Lowering is much quicker than the passes. So a graph that was seen before, or that is much larger
+//! than that of the best rules so far, does not go through them.
 
+use std::borrow::Cow;
 use std::cmp::Ordering;
-use std::collections::HashSet;
+
+use rustc_hash::FxHashSet;
 
 use crate::algebra::{Product, Unary};
 use crate::define::{Role, TypeDefinition};
+use crate::forms::{self, Form, FormRule};
 use crate::kernel::Kernel;
 use crate::lower::{Choice, Choices, InnerRule, JoinRule, SandwichRule};
 use crate::program::{Program, Step, StepId};
@@ -17,25 +24,127 @@ use crate::task::Task;
 /// The largest number of actions of versors that may have rules of their own.
 const MOST_SITES: usize = 8;
 
-impl Task<'_> {
+/// How many forms are lowered, and of how many the passes are run.
+const MOST_FORMS: usize = 6;
+const MOST_FINISHED: usize = 3;
+
+impl<'a> Task<'a> {
     /// The kernel by the given rules, or else the one of fewest operations that any rules give; of
     /// equals the first, or the one that works with differences.
     #[must_use]
     pub fn compile(&self) -> Kernel {
         match &self.choices {
-            Some(choices) => self.finish(self.draft(choices)),
+            Some(choices) if choices.forms.is_empty() => self.by_choices(choices),
+            Some(choices) => match self.forms(MOST_FORMS, Some(choices)).pop() {
+                Some((task, _)) => task.by_choices(choices),
+                None => self.by_choices(choices),
+            },
             None => cheapest(self),
         }
+    }
+
+    /// Tasks for other forms of the program, with the rules that lead to them; with choices, for
+    /// those that their rules lead to.
+    fn forms(&self, most: usize, choices: Option<&Choices>) -> Vec<(Self, Vec<FormRule>)> {
+        let Some(witness) = self.witness else {
+            return Vec::new();
+        };
+        let steps: Vec<StepId> = self.wanted.iter().map(|(step, _)| *step).collect();
+        let source = forms::Source {
+            algebra: self.algebra,
+            program: &self.program,
+            witness,
+            uniform: &self.uniform,
+            wanted: &steps,
+        };
+        let found = match choices {
+            None => forms::cheapest(&source, most),
+            Some(choices) => forms::by_rules(&source, choices),
+        };
+        let task = |form: Form<'a>| {
+            let wanted = form.wanted.iter().zip(&self.wanted);
+            let wanted = wanted.map(|(step, (_, blades))| (*step, blades.clone()));
+            let task = Task {
+                wanted: wanted.collect(),
+                program: Cow::Owned(form.program),
+                witness: None,
+                ..self.clone()
+            };
+            (task, form.rules)
+        };
+        found.into_iter().map(task).collect()
     }
 }
 
 fn cheapest(task: &Task<'_>) -> Kernel {
-    let draft = task.draft(&Choices::default());
+    let mut forms = task.forms(MOST_FORMS, None);
+    let (best, rules) = match forms.len() {
+        0 => (task.clone(), Vec::new()),
+        1 => forms.swap_remove(0),
+        _ => cheapest_form(forms),
+    };
+    let mut kernel = by_best_choices(&best);
+    kernel.choices.forms = rules;
+    kernel
+}
+
+/// The form that gives the cheapest graph by some common rules.
+fn cheapest_form<'a>(forms: Vec<(Task<'a>, Vec<FormRule>)>) -> (Task<'a>, Vec<FormRule>) {
+    let mut lowered: Vec<_> = forms
+        .into_iter()
+        .filter_map(|form| {
+            let tried = common_choices(&form.0).into_iter().map(|choices| {
+                let graph = form.0.lowered(&choices);
+                (graph.rank(), graph)
+            });
+            let (rank, graph) = tried.min_by_key(|(rank, _)| *rank)?;
+            Some((rank, graph, form))
+        })
+        .collect();
+    lowered.sort_by_key(|(rank, ..)| *rank);
+    let mut seen = FxHashSet::default();
+    lowered.retain(|(_, graph, _)| seen.insert(graph.fingerprint()));
+    lowered.truncate(MOST_FINISHED);
+    let limit = lowered.first().map_or(0, |(rank, ..)| rank.0 + rank.0 / 3);
+    let finished = lowered
+        .into_iter()
+        .filter(|(rank, ..)| rank.0 <= limit)
+        .map(|(_, graph, form)| (form.0.optimised(graph).rank(), form));
+    let best = finished.min_by_key(|(rank, _)| *rank);
+    best.expect("a form").1
+}
+
+/// Rules that are tried to compare forms.
+fn common_choices(task: &Task<'_>) -> Vec<Choices> {
+    let rederive = task.program.has_kinds();
+    let sandwich = if has_sandwich(&task.program) {
+        &SandwichRule::ALL[..]
+    } else {
+        &SandwichRule::ALL[..1]
+    };
+    sandwich
+        .iter()
+        .map(|&sandwich| {
+            let choice = Choice {
+                sandwich,
+                rederive,
+                join: JoinRule::Difference,
+                inner: InnerRule::Distance,
+                ..Choice::default()
+            };
+            choice.into()
+        })
+        .collect()
+}
+
+fn by_best_choices(task: &Task<'_>) -> Kernel {
+    let first = task.lowered(&Choices::default());
     let mut search = Search {
         task,
-        tried: HashSet::from([draft.fingerprint()]),
-        acted: draft.acted.clone(),
-        best: task.finish(draft),
+        seen: FxHashSet::from_iter([first.fingerprint()]),
+        size: first.rank().0,
+        acted: first.acted.clone(),
+        best: task.optimised(first),
     };
     let program = &*task.program;
     if has_sandwich(program) {
@@ -78,9 +187,10 @@ struct Search<'t, 'a> {
     task: &'t Task<'a>,
     best: Kernel,
     acted: Vec<StepId>,
-    /// The fingerprints of the graphs that were compiled: where a rule does not apply, it gives a
-    /// graph that is known.
-    tried: HashSet<u64>,
+    /// The graphs that went through the passes.
+    seen: FxHashSet<u64>,
+    /// The operations of each call in the graph of the best kernel before the passes.
+    size: usize,
 }
 
 impl Search<'_, '_> {
@@ -112,12 +222,13 @@ impl Search<'_, '_> {
         if *choices == self.best.choices {
             return;
         }
-        let draft = self.task.draft(choices);
-        if !self.tried.insert(draft.fingerprint()) {
+        let lowered = self.task.lowered(choices);
+        let size = lowered.rank().0;
+        if !self.seen.insert(lowered.fingerprint()) || size > self.size + self.size / 2 + 8 {
             return;
         }
-        let acted = draft.acted.clone();
-        let next = self.task.finish(draft);
+        let acted = lowered.acted.clone();
+        let next = self.task.optimised(lowered);
         let is_exacter = |choice: Choice| {
             choice.inner == InnerRule::Distance || choice.join == JoinRule::Difference
         };
@@ -127,7 +238,7 @@ impl Search<'_, '_> {
             Ordering::Greater => false,
         };
         if is_better {
-            (self.best, self.acted) = (next, acted);
+            (self.best, self.acted, self.size) = (next, acted, size);
         }
     }
 }

@@ -1,9 +1,6 @@
 //! What is to be compiled: a program, the blades that are wanted of it, and by which rules.
 
 use std::borrow::Cow;
-use std::hash::{Hash, Hasher};
-
-use rustc_hash::FxHasher;
 
 use crate::algebra::{Algebra, NamedBlade};
 use crate::define::TypeDefinition;
@@ -12,7 +9,7 @@ use crate::ir::{Arena, Multivector, Value};
 use crate::kernel::Kernel;
 use crate::lower::{self, Choices, Lowered};
 use crate::passes;
-use crate::program::{Program, StepId};
+use crate::program::{Program, StepId, Witness};
 
 /// The number of operations above which a graph is left as it was built. The passes would take too
 /// long on the product of two multivectors of 32 blades.
@@ -47,9 +44,11 @@ pub struct Task<'a> {
     pub(crate) program: Cow<'a, Program<'a>>,
     /// The rules, where they are given; otherwise they are searched for.
     pub(crate) choices: Option<Choices>,
-    algebra: &'a Algebra,
-    wanted: Vec<(StepId, Vec<NamedBlade>)>,
-    uniform: Vec<bool>,
+    pub(crate) algebra: &'a Algebra,
+    pub(crate) wanted: Vec<(StepId, Vec<NamedBlade>)>,
+    pub(crate) uniform: Vec<bool>,
+    /// The values of the program's steps; without them no other forms of it are tried.
+    pub(crate) witness: Option<&'a Witness>,
 }
 
 impl<'a> Task<'a> {
@@ -86,7 +85,15 @@ impl<'a> Task<'a> {
             choices: None,
             algebra,
             wanted,
+            witness: None,
         }
+    }
+
+    /// The same with the values of the program's steps, by which equal ones are found.
+    #[must_use]
+    pub fn with_witness(mut self, witness: &'a Witness) -> Self {
+        self.witness = Some(witness);
+        self
     }
 
     /// The same, where `uniform` marks operands that stay the same over many calls. Operands beyond
@@ -106,8 +113,13 @@ impl<'a> Task<'a> {
         self
     }
 
-    /// The graph by some rules, as it is before any pass.
-    pub(crate) fn draft(&self, choices: &Choices) -> Draft {
+    /// The kernel by some rules.
+    pub(crate) fn by_choices(&self, choices: &Choices) -> Kernel {
+        self.optimised(self.lowered(choices))
+    }
+
+    /// The graph by some rules, before the passes.
+    pub(crate) fn lowered(&self, choices: &Choices) -> LoweredTask {
         let mut arena = Arena::default();
         let mut uniform = Vec::new();
         let mut inputs = Vec::new();
@@ -131,26 +143,26 @@ impl<'a> Task<'a> {
                 outputs.push(if named.is_negative { -found } else { found });
             }
         }
-        Draft {
+        LoweredTask {
             arena,
             outputs,
             inputs,
-            uniform,
-            choices: choices.clone(),
             acted,
+            choices: choices.clone(),
+            uniform,
         }
     }
 
     /// The kernel of a graph.
-    pub(crate) fn finish(&self, draft: Draft) -> Kernel {
-        let Draft {
+    pub(crate) fn optimised(&self, lowered: LoweredTask) -> Kernel {
+        let LoweredTask {
             mut arena,
             outputs,
             inputs,
-            uniform,
             choices,
+            uniform,
             ..
-        } = draft;
+        } = lowered;
         let (arena, outputs) = if passes::cost(&arena, &outputs).total() > LARGEST {
             (arena, outputs)
         } else {
@@ -170,26 +182,32 @@ impl<'a> Task<'a> {
     }
 }
 
-/// A program as a graph, before any pass.
-pub(crate) struct Draft {
+/// A program by some rules, before the passes.
+pub(crate) struct LoweredTask {
     arena: Arena,
     outputs: Vec<Value>,
     inputs: Vec<Multivector>,
-    uniform: Vec<bool>,
-    choices: Choices,
     /// The steps in which versors act.
     pub(crate) acted: Vec<StepId>,
+    choices: Choices,
+    uniform: Vec<bool>,
 }
 
-impl Draft {
-    /// A number that is the same for equal graphs, so that none is compiled twice.
+impl LoweredTask {
+    /// The operations before the passes: those of each call, and all.
+    pub(crate) fn rank(&self) -> (usize, usize) {
+        let whole = passes::cost(&self.arena, &self.outputs).total();
+        let varying = if self.uniform.contains(&true) {
+            passes::varying_cost(&self.arena, &self.outputs, &self.uniform)
+        } else {
+            whole
+        };
+        (varying, whole)
+    }
+
+    /// The same number for the same graph.
     pub(crate) fn fingerprint(&self) -> u64 {
-        let mut hasher = FxHasher::default();
-        for id in self.arena.ids() {
-            self.arena.node(id).hash(&mut hasher);
-        }
-        self.outputs.hash(&mut hasher);
-        hasher.finish()
+        self.arena.fingerprint(&self.outputs)
     }
 }
 

@@ -1,6 +1,8 @@
 //! Hash-consed scalar nodes.
 
-use rustc_hash::FxHashMap;
+use std::hash::{Hash, Hasher};
+
+use rustc_hash::{FxHashMap, FxHasher};
 
 use super::{Function, Residue};
 use crate::algebra::Ratio;
@@ -289,6 +291,41 @@ impl Arena {
         id
     }
 
+    /// A number that is the same for graphs that compute the same outputs in the same way, in
+    /// whatever order their nodes were added.
+    #[must_use]
+    pub(crate) fn fingerprint(&self, outputs: &[Value]) -> u64 {
+        let mut hashes: Vec<u64> = Vec::with_capacity(self.nodes.len());
+        for node in &self.nodes {
+            let of = |id: NodeId| hashes[id.index()];
+            let each = |value: &Value| hash((value.factor, of(value.node)));
+            let next = match node {
+                Node::One => hash(0_u8),
+                Node::Input(number) => hash((1_u8, *number)),
+                Node::Sum(terms) => {
+                    let mut terms: Vec<u64> = terms.iter().map(each).collect();
+                    terms.sort_unstable();
+                    hash((2_u8, terms))
+                }
+                Node::Product(a, b) => {
+                    let (a, b) = (of(*a), of(*b));
+                    hash((3_u8, a.min(b), a.max(b)))
+                }
+                Node::Quotient(a, b) => hash((4_u8, of(*a), of(*b))),
+                Node::Function(function, arguments) => {
+                    let arguments: Vec<u64> = arguments.iter().map(each).collect();
+                    hash((5_u8, *function, arguments))
+                }
+            };
+            hashes.push(next);
+        }
+        let outputs: Vec<u64> = outputs
+            .iter()
+            .map(|value| hash((value.factor, hashes[value.node.index()])))
+            .collect();
+        hash(outputs)
+    }
+
     /// The values of all nodes for the given inputs, over the prime field. A root that does not
     /// exist there is an arbitrary residue.
     #[must_use]
@@ -316,6 +353,12 @@ impl Arena {
         }
         results
     }
+}
+
+fn hash(value: impl Hash) -> u64 {
+    let mut hasher = FxHasher::default();
+    value.hash(&mut hasher);
+    hasher.finish()
 }
 
 /// What a function is at a constant, where that is a fraction.

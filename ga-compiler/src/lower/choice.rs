@@ -1,6 +1,7 @@
 //! Which rules a lowering uses.
 
 use super::{InnerRule, JoinRule, SandwichRule};
+use crate::forms::FormRule;
 use crate::program::StepId;
 
 /// A rule for each kind of step.
@@ -31,6 +32,8 @@ pub struct Choices {
     pub all: Choice,
     /// Steps with rules of their own.
     pub sites: Vec<(StepId, SandwichRule)>,
+    /// The rules by which the program was brought into another form first. None leave it as it is.
+    pub forms: Vec<FormRule>,
 }
 
 impl From<Choice> for Choices {
@@ -38,6 +41,7 @@ impl From<Choice> for Choices {
         Self {
             all,
             sites: Vec::new(),
+            forms: Vec::new(),
         }
     }
 }
@@ -54,6 +58,8 @@ pub enum Rule {
     Inner(InnerRule),
     /// [`Choice::rederive`].
     Rederive,
+    /// A [`FormRule`].
+    Form(FormRule),
 }
 
 impl Default for Choice {
@@ -82,7 +88,8 @@ impl Choices {
     /// The rules in words, the plain ones left out.
     #[must_use]
     pub fn names(&self) -> Vec<&'static str> {
-        let mut names = self.all.names();
+        let mut names: Vec<_> = self.forms.iter().map(|rule| rule.name()).collect();
+        names.extend(self.all.names());
         let own = self
             .sites
             .iter()

@@ -80,6 +80,24 @@ pub(crate) fn sandwich(algebra: &Algebra, versor: &Numbers, operand: &Numbers) -
     product(algebra, Product::Geometric, &half, &reverse)
 }
 
+/// Whether `M ~M = 1` and M moves vectors to vectors. In five dimensions and fewer the second
+/// follows from the first for an M whose grades are all even or all odd.
+pub(crate) fn is_unit_versor(algebra: &Algebra, value: &Numbers) -> bool {
+    let one = Numbers::from([(Blade::SCALAR, Residue::ONE)]);
+    let reverse = unary(algebra, Unary::Reverse, value);
+    let keeps_vectors = || {
+        (0..algebra.dimension()).all(|index| {
+            let vector = Numbers::from([(Blade::vector(index), Residue::ONE)]);
+            let moved = sandwich(algebra, value, &vector);
+            moved
+                .iter()
+                .all(|(blade, &number)| blade.grade() == 1 || number == Residue::ZERO)
+        })
+    };
+    equal(&product(algebra, Product::Geometric, value, &reverse), &one)
+        && (algebra.dimension() <= 5 || keeps_vectors())
+}
+
 /// Whether a multivector is an outer product of vectors: it has one grade, and every contraction of
 /// it by a basis (grade − 1)-blade wedges with it to zero (the Plücker relations).
 pub(super) fn is_blade(algebra: &Algebra, value: &Numbers) -> bool {

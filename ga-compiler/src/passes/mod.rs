@@ -21,6 +21,7 @@ pub use factor::factor;
 pub use flatten::flatten;
 pub use hoist::{hoist, hoist as part};
 pub use optimise::optimise;
+pub(crate) use optimise::varying_cost;
 pub use reciprocal::reciprocal;
 pub use reduce::{reduce, relations};
 pub use rewrite::Graph;

@@ -85,7 +85,7 @@ impl Candidate {
 }
 
 /// The cost without the nodes that are uniform.
-fn varying_cost(arena: &Arena, outputs: &[Value], uniform: &[bool]) -> usize {
+pub(crate) fn varying_cost(arena: &Arena, outputs: &[Value], uniform: &[bool]) -> usize {
     let reads = reads(arena, outputs);
     let mut uniformity = Uniformity::new(uniform);
     let uniform_nodes: Vec<Value> = arena

@@ -3,7 +3,7 @@
 
 use super::evaluate::evaluate_step;
 use super::{Program, Step, StepId};
-use crate::algebra::{Algebra, Blade, Product, Unary};
+use crate::algebra::{Algebra, Blade, Product};
 use crate::define::TypeDefinition;
 use crate::ir::{Facts, Function, Residue};
 use crate::member::{self, Numbers, numbers};
@@ -163,28 +163,15 @@ impl Witness {
     /// vectors. In five dimensions and fewer the last follows from the others.
     #[must_use]
     pub fn is_unit_versor(&self, algebra: &Algebra, id: StepId) -> bool {
-        let keeps_vectors = |value: &Numbers| {
-            algebra.dimension() <= 5
-                || (0..algebra.dimension()).all(|index| {
-                    let vector = Numbers::from([(Blade::vector(index), Residue::ONE)]);
-                    let moved = numbers::sandwich(algebra, value, &vector);
-                    moved
-                        .iter()
-                        .all(|(blade, &number)| blade.grade() == 1 || number == Residue::ZERO)
-                })
-        };
         let parity: Vec<_> = self
             .blades(id)
             .iter()
             .map(|blade| blade.grade() % 2)
             .collect();
-        let one = Numbers::from([(Blade::SCALAR, Residue::ONE)]);
         parity.windows(2).all(|pair| pair[0] == pair[1])
-            && self.values(id).all(|value| {
-                let reverse = numbers::unary(algebra, Unary::Reverse, value);
-                let norm = numbers::product(algebra, Product::Geometric, value, &reverse);
-                numbers::equal(&norm, &one) && keeps_vectors(value)
-            })
+            && self
+                .values(id)
+                .all(|value| numbers::is_unit_versor(algebra, value))
     }
 
     /// The facts of a step that rules ask for, found by evaluation.

@@ -1,0 +1,425 @@
+//! Classes of equal multivectors, each with the operations that give it.
+//!
+//! Two multivectors are equal if they are equal at the random points of the program's witness. By
+//! the lemma of Schwartz and Zippel an error has a probability below 2⁻⁵⁰. So a rule only proposes
+//! an operation: what it gives is computed, and decides the class it joins. A rule that is wrong
+//! proposes an operation that joins another class, and is never used.
+//!
+//! Multiples of one multivector by a constant share a class. A quotient or a function that does
+//! not exist everywhere keeps its class apart from others that exist where it does not: `x s/s` is
+//! not replaced by `x`.
+
+use std::cmp::Ordering;
+
+use rustc_hash::FxHashMap;
+
+use super::FormRule;
+use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
+use crate::ir::{Function, Residue};
+use crate::member::{Numbers, numbers};
+
+/// The place of a class.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(super) struct ClassId(usize);
+
+impl ClassId {
+    pub(super) const fn index(self) -> usize {
+        self.0
+    }
+}
+
+/// A multiple of the multivector that stands for a class.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(super) struct Term {
+    pub(super) class: ClassId,
+    pub(super) factor: Ratio,
+}
+
+impl Term {
+    pub(super) const fn of(class: ClassId) -> Self {
+        Self {
+            class,
+            factor: Ratio::ONE,
+        }
+    }
+
+    pub(super) fn scaled(self, factor: Ratio) -> Self {
+        Self {
+            factor: self.factor * factor,
+            ..self
+        }
+    }
+}
+
+/// An operation on classes. The multivectors that stand for the classes are its operands.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Operation {
+    Operand(usize),
+    Blade(Blade),
+    Unary(Unary, ClassId),
+    /// Two factors, or more of the geometric and of the outer product.
+    Product(Product, Vec<ClassId>),
+    Sandwich(ClassId, ClassId),
+    Sum(Vec<Term>),
+    Quotient(ClassId, ClassId),
+    Coefficient(ClassId, Blade),
+    Function(Function, Vec<Term>),
+}
+
+impl Operation {
+    /// The classes that it reads.
+    pub(super) fn reads(&self) -> Vec<ClassId> {
+        match self {
+            Self::Operand(_) | Self::Blade(_) => Vec::new(),
+            Self::Unary(_, a) | Self::Coefficient(a, _) => vec![*a],
+            Self::Product(_, factors) => factors.clone(),
+            Self::Sandwich(a, b) | Self::Quotient(a, b) => vec![*a, *b],
+            Self::Sum(terms) | Self::Function(_, terms) => terms.iter().map(|t| t.class).collect(),
+        }
+    }
+}
+
+/// One way to a class.
+#[derive(Clone, Debug)]
+pub(super) struct Way {
+    pub(super) operation: Operation,
+    /// The multivector of the class is this multiple of what the operation gives.
+    pub(super) factor: Ratio,
+    /// The rule that proposed it.
+    pub(super) rule: Option<FormRule>,
+}
+
+/// A multivector, and all known ways to it.
+#[derive(Clone, Debug)]
+pub(super) struct Class {
+    /// What it is at each point of the witness; no zeros.
+    pub(super) values: Vec<Numbers>,
+    /// Divisors and arguments that must be in range for it to exist.
+    pub(super) limits: Vec<Limit>,
+    pub(super) ways: Vec<Way>,
+    /// Whether it is the same for all operands.
+    pub(super) is_constant: bool,
+    /// Whether it depends on uniform operands alone.
+    pub(super) is_uniform: bool,
+    is_unit: Option<bool>,
+}
+
+impl Class {
+    /// Whether there is nothing to gain by taking it apart: an operand or a constant.
+    pub(super) fn is_leaf(&self) -> bool {
+        let mut ways = self.ways.iter();
+        self.is_constant || ways.any(|way| matches!(way.operation, Operation::Operand(_)))
+    }
+}
+
+/// What limits where a value exists: a divisor, or the argument of a function.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(super) struct Limit(Option<Function>, ClassId);
+
+/// The largest numerator and denominator of a constant that is recognised.
+const LARGEST: u64 = 1 << 16;
+
+pub(super) struct Classes<'a> {
+    pub(super) algebra: &'a Algebra,
+    classes: Vec<Class>,
+    known: FxHashMap<Operation, Term>,
+    by_value: FxHashMap<Vec<u64>, Vec<ClassId>>,
+    pub(super) ways: usize,
+}
+
+impl<'a> Classes<'a> {
+    pub(super) fn new(algebra: &'a Algebra) -> Self {
+        Self {
+            algebra,
+            classes: Vec::new(),
+            known: FxHashMap::default(),
+            by_value: FxHashMap::default(),
+            ways: 0,
+        }
+    }
+
+    pub(super) fn class(&self, id: ClassId) -> &Class {
+        &self.classes[id.0]
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.classes.len()
+    }
+
+    pub(super) fn ids(&self) -> impl Iterator<Item = ClassId> + use<> {
+        (0..self.classes.len()).map(ClassId)
+    }
+
+    /// The blades that a class has.
+    pub(super) fn blades(&self, id: ClassId) -> Vec<Blade> {
+        let values = &self.class(id).values;
+        let mut blades: Vec<Blade> = values.iter().flat_map(|v| v.keys().copied()).collect();
+        blades.sort_unstable();
+        blades.dedup();
+        blades
+    }
+
+    /// The grades that a class has, as a set of bits.
+    pub(super) fn grades(&self, id: ClassId) -> u32 {
+        let blades = self.class(id).values.iter().flat_map(|v| v.keys());
+        blades.fold(0, |set, blade| set | 1 << blade.grade())
+    }
+
+    /// The only grade of a class, if there is only one.
+    pub(super) fn grade(&self, id: ClassId) -> Option<u32> {
+        let grades = self.grades(id);
+        (grades.count_ones() == 1).then(|| grades.trailing_zeros())
+    }
+
+    pub(super) fn is_scalar(&self, id: ClassId) -> bool {
+        self.grades(id) == 1
+    }
+
+    /// Whether all grades of a class are even, or all odd.
+    pub(super) fn parity(&self, id: ClassId) -> Option<bool> {
+        const ODD: u32 = 0xaaaa_aaaa;
+        let grades = self.grades(id);
+        match (grades & ODD, grades & !ODD) {
+            (0, _) => Some(false),
+            (_, 0) => Some(true),
+            _ => None,
+        }
+    }
+
+    /// Whether `M ~M = 1` and M maps vectors to vectors.
+    pub(super) fn is_unit(&mut self, id: ClassId) -> bool {
+        if let Some(known) = self.class(id).is_unit {
+            return known;
+        }
+        let values = &self.class(id).values;
+        let is_unit = self.parity(id).is_some() && {
+            let mut values = values.iter();
+            values.all(|value| numbers::is_unit_versor(self.algebra, value))
+        };
+        self.classes[id.0].is_unit = Some(is_unit);
+        is_unit
+    }
+
+    /// Whether it was asked and found that a class is a unit versor.
+    pub(super) fn known_unit(&self, id: ClassId) -> bool {
+        self.class(id).is_unit == Some(true)
+    }
+
+    /// The order of classes that does not depend on how formulas are written: operands first.
+    pub(super) fn compare(&self, a: ClassId, b: ClassId) -> Ordering {
+        let key = |id: ClassId| {
+            let class = self.class(id);
+            let operand = class.ways.iter().find_map(|way| match way.operation {
+                Operation::Operand(number) => Some(number),
+                _ => None,
+            });
+            (class.is_constant, operand.unwrap_or(usize::MAX))
+        };
+        let numbers = |id: ClassId| {
+            let values = self.class(id).values.iter().flatten();
+            values.map(|(blade, number)| (blade.0, number.residue()))
+        };
+        let by_value = || numbers(a).cmp(numbers(b));
+        key(a).cmp(&key(b)).then_with(by_value)
+    }
+
+    /// The known class of a multivector, if there is one. Quotients and functions in the given
+    /// classes limit where it exists.
+    pub(super) fn find(&self, values: &[Numbers], from: &[ClassId]) -> Option<Term> {
+        let (key, scale) = normalised(values)?;
+        self.lookup(&key, scale, &self.limits(from)).ok()?
+    }
+
+    /// The class of what an operation gives; none if it is zero. `uniform` tells of operands.
+    pub(super) fn insert(
+        &mut self,
+        operation: Operation,
+        values: impl FnOnce(&Self) -> Vec<Numbers>,
+        rule: Option<FormRule>,
+    ) -> Option<Term> {
+        if let Some(&known) = self.known.get(&operation) {
+            return (!known.factor.is_zero()).then_some(known);
+        }
+        let values: Vec<Numbers> = values(self).into_iter().map(without_zeros).collect();
+        let reads = operation.reads();
+        let mut limits = self.limits(&reads);
+        limits.extend(self.own_limit(&operation));
+        limits.sort();
+        limits.dedup();
+        let Some((key, scale)) = normalised(&values) else {
+            let zero = Term {
+                class: ClassId(0),
+                factor: Ratio::ZERO,
+            };
+            self.known.insert(operation, zero);
+            return None;
+        };
+        let term = match self.lookup(&key, scale, &limits) {
+            Ok(Some(term)) => term,
+            _ => {
+                let class = ClassId(self.classes.len());
+                let all = |test: fn(&Class) -> bool| reads.iter().all(|id| test(self.class(*id)));
+                let is_leaf = matches!(operation, Operation::Operand(_));
+                self.classes.push(Class {
+                    is_constant: !is_leaf && all(|class| class.is_constant),
+                    is_uniform: !is_leaf && all(|class| class.is_uniform),
+                    values,
+                    limits,
+                    ways: Vec::new(),
+                    is_unit: None,
+                });
+                self.by_value.entry(key).or_default().push(class);
+                Term::of(class)
+            }
+        };
+        self.add_way(operation, term, rule);
+        Some(term)
+    }
+
+    /// Marks an operand as uniform.
+    pub(super) fn set_uniform(&mut self, id: ClassId) {
+        self.classes[id.0].is_uniform = true;
+    }
+
+    /// Adds an operation that is known to give a multiple of a class, by a rule that needs no
+    /// check since it only groups what was there.
+    pub(super) fn add_way(&mut self, operation: Operation, term: Term, rule: Option<FormRule>) {
+        if self.known.contains_key(&operation) {
+            return;
+        }
+        self.known.insert(operation.clone(), term);
+        if operation.reads().contains(&term.class) {
+            return;
+        }
+        self.ways += 1;
+        self.classes[term.class.0].ways.push(Way {
+            operation,
+            factor: Ratio::ONE / term.factor,
+            rule,
+        });
+    }
+
+    /// The class of an operation that is known.
+    pub(super) fn known(&self, operation: &Operation) -> Option<Term> {
+        self.known
+            .get(operation)
+            .copied()
+            .filter(|t| !t.factor.is_zero())
+    }
+
+    fn limits(&self, from: &[ClassId]) -> Vec<Limit> {
+        let mut limits: Vec<Limit> = from
+            .iter()
+            .flat_map(|id| self.class(*id).limits.iter().cloned())
+            .collect();
+        limits.sort();
+        limits.dedup();
+        limits
+    }
+
+    /// What an operation adds to the limits.
+    fn own_limit(&self, operation: &Operation) -> Option<Limit> {
+        match operation {
+            Operation::Quotient(_, divisor) => {
+                (!self.class(*divisor).is_constant).then_some(Limit(None, *divisor))
+            }
+            Operation::Function(
+                Function::Sine
+                | Function::Cosine
+                | Function::StumpffCosine
+                | Function::StumpffSine
+                | Function::StumpffSineSlope,
+                _,
+            ) => None,
+            Operation::Function(function, arguments) => {
+                Some(Limit(Some(*function), arguments[0].class))
+            }
+            _ => None,
+        }
+    }
+
+    /// The class with a key and limits. An error where its multiple is not a simple fraction.
+    fn lookup(
+        &self,
+        key: &[u64],
+        scale: Residue,
+        limits: &[Limit],
+    ) -> Result<Option<Term>, NotSimple> {
+        let Some(found) = self.by_value.get(key) else {
+            return Ok(None);
+        };
+        for &class in found {
+            if self.class(class).limits != limits {
+                continue;
+            }
+            let Some((_, own)) = normalised(&self.class(class).values) else {
+                continue;
+            };
+            if let Some(factor) = fraction(scale * own.recip()) {
+                return Ok(Some(Term { class, factor }));
+            }
+        }
+        Err(NotSimple)
+    }
+
+    // What operations give.
+
+    pub(super) fn each(&self, id: ClassId, of: impl Fn(&Numbers) -> Numbers) -> Vec<Numbers> {
+        self.class(id).values.iter().map(of).collect()
+    }
+
+    pub(super) fn each_of_two(
+        &self,
+        a: ClassId,
+        b: ClassId,
+        of: impl Fn(&Numbers, &Numbers) -> Numbers,
+    ) -> Vec<Numbers> {
+        let pairs = self.class(a).values.iter().zip(&self.class(b).values);
+        pairs.map(|(a, b)| of(a, b)).collect()
+    }
+}
+
+struct NotSimple;
+
+fn without_zeros(mut value: Numbers) -> Numbers {
+    value.retain(|_, number| *number != Residue::ZERO);
+    value
+}
+
+/// The values divided by the first coefficient, as a key, and that coefficient; `None` of zero.
+fn normalised(values: &[Numbers]) -> Option<(Vec<u64>, Residue)> {
+    let scale = *values.iter().flat_map(|value| value.values()).next()?;
+    let inverse = scale.recip();
+    let mut key = Vec::new();
+    for value in values {
+        for (blade, number) in value {
+            key.push(u64::from(blade.0));
+            key.push((*number * inverse).residue());
+        }
+        key.push(u64::MAX);
+    }
+    Some((key, scale))
+}
+
+/// The fraction of small height that a residue is, by the extended algorithm of Euclid (Wang 1981).
+fn fraction(residue: Residue) -> Option<Ratio> {
+    const MODULUS: i128 = (1 << 61) - 1;
+    if residue == Residue::ONE {
+        return Some(Ratio::ONE);
+    }
+    if residue == -Residue::ONE {
+        return Some(Ratio::integer(-1));
+    }
+    let largest = i128::from(LARGEST);
+    let (mut a, mut b) = (MODULUS, i128::from(residue.residue()));
+    let (mut s, mut t) = (0_i128, 1_i128);
+    while b > largest {
+        let quotient = a / b;
+        (a, b) = (b, a - quotient * b);
+        (s, t) = (t, s - quotient * t);
+    }
+    if t.abs() > largest {
+        return None;
+    }
+    Ratio::new(b, t)
+}

@@ -1,0 +1,341 @@
+//! Programs from classes: one way for each class.
+
+use super::classes::{ClassId, Classes, Operation, Term};
+use super::estimate::Estimates;
+use super::{Form, FormRule};
+use crate::algebra::{Blade, Product, Ratio};
+use crate::define::TypeDefinition;
+use crate::ir::{Facts, Residue};
+use crate::member::{membership, numbers};
+use crate::program::{Program, Step, StepId};
+
+/// Which way is taken to each class.
+#[derive(Clone, PartialEq, Eq)]
+pub(super) struct Selection {
+    /// The place of the way in its class; for classes that are not needed any.
+    ways: Vec<usize>,
+    /// The needed classes, each after what it reads.
+    order: Vec<ClassId>,
+    pub(super) cost: usize,
+}
+
+/// The costs of all ways.
+pub(super) struct Costs {
+    own: Vec<Vec<usize>>,
+    /// The cheapest way to each class, and its cost as a tree.
+    best: Vec<(usize, usize)>,
+}
+
+impl Costs {
+    pub(super) fn new(classes: &mut Classes<'_>) -> Self {
+        let mut estimates = Estimates::new(classes);
+        let mut own = Vec::new();
+        for id in classes.ids() {
+            let operations: Vec<(Operation, Ratio)> = classes
+                .class(id)
+                .ways
+                .iter()
+                .map(|way| (way.operation.clone(), way.factor))
+                .collect();
+            let costs: Vec<usize> = operations
+                .iter()
+                .map(|(operation, factor)| {
+                    let scale = usize::from(factor.abs() != Ratio::ONE);
+                    estimates.cost(classes, id, operation) + scale
+                })
+                .collect();
+            own.push(costs);
+        }
+        let mut best = vec![(0, usize::MAX); classes.len()];
+        loop {
+            let mut has_changed = false;
+            for id in classes.ids() {
+                for (place, way) in classes.class(id).ways.iter().enumerate() {
+                    let mut cost = own[id.index()][place];
+                    for read in way.operation.reads() {
+                        cost = cost.saturating_add(best[read.index()].1);
+                    }
+                    if cost < best[id.index()].1 {
+                        best[id.index()] = (place, cost);
+                        has_changed = true;
+                    }
+                }
+            }
+            if !has_changed {
+                return Self { own, best };
+            }
+        }
+    }
+
+    /// The selection that departs from the cheapest ways in some classes; `None` where it goes in a
+    /// circle.
+    fn select(
+        &self,
+        classes: &Classes<'_>,
+        wanted: &[ClassId],
+        others: &[(ClassId, usize)],
+    ) -> Option<Selection> {
+        let mut ways: Vec<usize> = self.best.iter().map(|(place, _)| *place).collect();
+        for (id, place) in others {
+            ways[id.index()] = *place;
+        }
+        self.settled(classes, wanted, ways)
+    }
+
+    fn settled(
+        &self,
+        classes: &Classes<'_>,
+        wanted: &[ClassId],
+        ways: Vec<usize>,
+    ) -> Option<Selection> {
+        let mut order = Vec::new();
+        let mut states = vec![State::New; classes.len()];
+        let mut cost = 0;
+        for &id in wanted {
+            self.visit(classes, &ways, id, &mut states, &mut order, &mut cost)?;
+        }
+        Some(Selection { ways, order, cost })
+    }
+
+    fn visit(
+        &self,
+        classes: &Classes<'_>,
+        ways: &[usize],
+        id: ClassId,
+        states: &mut [State],
+        order: &mut Vec<ClassId>,
+        cost: &mut usize,
+    ) -> Option<()> {
+        match states[id.index()] {
+            State::Done => return Some(()),
+            State::Open => return None,
+            State::New => {}
+        }
+        states[id.index()] = State::Open;
+        let place = ways[id.index()];
+        let way = classes.class(id).ways.get(place)?;
+        for read in way.operation.reads() {
+            self.visit(classes, ways, read, states, order, cost)?;
+        }
+        *cost += self.own[id.index()][place];
+        states[id.index()] = State::Done;
+        order.push(id);
+        Some(())
+    }
+
+    /// The selections that look cheapest, the best first.
+    pub(super) fn selections(
+        &self,
+        classes: &Classes<'_>,
+        wanted: &[ClassId],
+        most: usize,
+    ) -> Vec<Selection> {
+        let Some(mut best) = self.select(classes, wanted, &[]) else {
+            return Vec::new();
+        };
+        let mut found: Vec<Selection> = vec![best.clone()];
+        for _ in 0..4 {
+            let start = best.clone();
+            for next in self.neighbours(classes, wanted, &start) {
+                if next.cost < best.cost {
+                    best = next.clone();
+                }
+                if !found.iter().any(|other| other.is_same(&next)) {
+                    found.push(next);
+                }
+            }
+            if best.cost == start.cost {
+                break;
+            }
+        }
+        let least = best.cost;
+        found.retain(|selection| selection.cost <= least + least);
+        found.sort_by_key(|selection| selection.cost);
+        found.truncate(most);
+        found
+    }
+
+    /// The selections that differ in one class.
+    fn neighbours(
+        &self,
+        classes: &Classes<'_>,
+        wanted: &[ClassId],
+        from: &Selection,
+    ) -> Vec<Selection> {
+        let mut found = Vec::new();
+        for &id in &from.order {
+            for place in 0..classes.class(id).ways.len() {
+                if place == from.ways[id.index()] {
+                    continue;
+                }
+                let mut ways = from.ways.clone();
+                ways[id.index()] = place;
+                found.extend(self.settled(classes, wanted, ways));
+            }
+        }
+        found
+    }
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum State {
+    New,
+    Open,
+    Done,
+}
+
+impl Selection {
+    fn is_same(&self, other: &Self) -> bool {
+        let ways = |selection: &Self| -> Vec<(ClassId, usize)> {
+            let mut ways: Vec<_> = selection
+                .order
+                .iter()
+                .map(|id| (*id, selection.ways[id.index()]))
+                .collect();
+            ways.sort_unstable();
+            ways
+        };
+        self.cost == other.cost && ways(self) == ways(other)
+    }
+}
+
+/// What is known of the classes from the program.
+pub(super) struct Known<'a> {
+    pub(super) facts: Vec<(ClassId, Facts)>,
+    pub(super) kinds: Vec<&'a TypeDefinition>,
+}
+
+/// The program of a selection, the wanted steps in it, and the rules that were used. A broken rule
+/// negates what it gives.
+pub(super) fn extract<'a>(
+    classes: &mut Classes<'_>,
+    operands: &[&'a TypeDefinition],
+    known: &Known<'a>,
+    selection: &Selection,
+    wanted: &[Option<Term>],
+    broken: Option<FormRule>,
+) -> Form<'a> {
+    let mut program = Program::new(operands);
+    let mut steps: Vec<Option<StepId>> = vec![None; classes.len()];
+    let mut rules = Vec::new();
+    for &id in &selection.order {
+        let way = classes.class(id).ways[selection.ways[id.index()]].clone();
+        let mut step = emit(&mut program, &steps, &way.operation);
+        let mut factor = way.factor;
+        if let Some(rule) = way.rule {
+            rules.push(rule);
+            if broken == Some(rule) {
+                factor = -factor;
+            }
+        }
+        step = scaled(&mut program, step, factor);
+        steps[id.index()] = Some(step);
+        if !matches!(way.operation, Operation::Operand(_) | Operation::Blade(_)) {
+            state(classes, &mut program, known, id, step);
+        }
+    }
+    rules.sort();
+    rules.dedup();
+    let zero = Step::Constant(Blade::SCALAR, Ratio::ZERO);
+    let wanted = wanted
+        .iter()
+        .map(|term| match term {
+            Some(term) => value(&mut program, &steps, *term),
+            None => program.push(zero.clone()),
+        })
+        .collect();
+    Form {
+        program,
+        wanted,
+        rules,
+    }
+}
+
+fn value(program: &mut Program<'_>, steps: &[Option<StepId>], term: Term) -> StepId {
+    match steps[term.class.index()] {
+        Some(step) if !term.factor.is_zero() => scaled(program, step, term.factor),
+        _ => program.push(Step::Constant(Blade::SCALAR, Ratio::ZERO)),
+    }
+}
+
+fn scaled(program: &mut Program<'_>, step: StepId, factor: Ratio) -> StepId {
+    if factor == Ratio::ONE {
+        step
+    } else if factor == -Ratio::ONE {
+        program.push(Step::Negative(step))
+    } else {
+        let factor = program.push(Step::Constant(Blade::SCALAR, factor));
+        program.push(Step::Binary(Product::Geometric, factor, step))
+    }
+}
+
+fn emit(program: &mut Program<'_>, steps: &[Option<StepId>], operation: &Operation) -> StepId {
+    let of = |program: &mut Program<'_>, id: ClassId| value(program, steps, Term::of(id));
+    let step = match operation {
+        Operation::Operand(number) => Step::Operand(*number),
+        Operation::Blade(blade) => Step::Constant(*blade, Ratio::ONE),
+        Operation::Unary(unary, a) => Step::Unary(*unary, of(program, *a)),
+        Operation::Coefficient(a, blade) => Step::Coefficient(of(program, *a), *blade),
+        Operation::Sandwich(a, b) => Step::Sandwich(of(program, *a), of(program, *b)),
+        Operation::Quotient(a, b) => Step::Quotient(of(program, *a), of(program, *b)),
+        Operation::Product(product, factors) => {
+            let ids: Vec<StepId> = factors.iter().map(|id| of(program, *id)).collect();
+            return joined(program, &ids, |a, b| Step::Binary(*product, a, b));
+        }
+        Operation::Sum(terms) => {
+            let ids: Vec<StepId> = terms
+                .iter()
+                .map(|term| value(program, steps, *term))
+                .collect();
+            return joined(program, &ids, Step::Sum);
+        }
+        Operation::Function(function, arguments) => {
+            let ids = arguments
+                .iter()
+                .map(|term| value(program, steps, *term))
+                .collect();
+            Step::Function(*function, ids)
+        }
+    };
+    program.push(step)
+}
+
+fn joined(
+    program: &mut Program<'_>,
+    ids: &[StepId],
+    step: impl Fn(StepId, StepId) -> Step,
+) -> StepId {
+    let (first, rest) = ids.split_first().expect("an operation reads something");
+    rest.iter()
+        .fold(*first, |whole, next| program.push(step(whole, *next)))
+}
+
+/// States what is known of a step.
+fn state<'a>(
+    classes: &mut Classes<'_>,
+    program: &mut Program<'a>,
+    known: &Known<'a>,
+    id: ClassId,
+    step: StepId,
+) {
+    let stated = known.facts.iter().find(|(other, _)| *other == id);
+    let mut facts = stated.map(|(_, facts)| *facts).unwrap_or_default();
+    let algebra = classes.algebra;
+    let grades = classes.grades(id);
+    if grades == 2 {
+        let mut values = classes.class(id).values.iter();
+        facts.null |= values.all(|value| {
+            let square = numbers::product(algebra, Product::ScalarProduct, value, value);
+            square.values().all(|number| *number == Residue::ZERO)
+        });
+        let is_member = |kind: &&&TypeDefinition| {
+            let mut values = classes.class(id).values.iter();
+            values.all(|value| membership(algebra, Some(kind), value).is_empty())
+        };
+        if let Some(kind) = known.kinds.iter().find(is_member) {
+            program.state_kind(step, kind);
+        }
+    }
+    facts.unit_versor |= classes.known_unit(id);
+    program.state(step, facts);
+}

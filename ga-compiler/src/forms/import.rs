@@ -1,0 +1,105 @@
+//! Programs to classes.
+
+use super::FormRule;
+use super::classes::{Classes, Operation, Term};
+use super::make::Made;
+use crate::algebra::{Product, Unary};
+use crate::ir::Function;
+use crate::member::Numbers;
+use crate::program::{Program, Step, StepId, Witness};
+
+/// The classes of the steps that some steps need; `None` for those that are zero or not needed.
+pub(super) fn import(
+    classes: &mut Classes<'_>,
+    program: &Program<'_>,
+    witness: &Witness,
+    uniform: &[bool],
+    wanted: &[StepId],
+) -> Vec<Made> {
+    let values = |id: StepId| -> Vec<Numbers> { witness.values(id).cloned().collect() };
+    let mut made: Vec<Made> = vec![None; program.len()];
+    // Operands and the number 1 come first, so that what equals them is them.
+    for (id, step) in program.steps() {
+        if let Step::Operand(number) = step {
+            made[id.index()] = classes.insert(Operation::Operand(*number), |_| values(id), None);
+            if let Some(term) = made[id.index()]
+                && uniform.get(*number) == Some(&true)
+            {
+                classes.set_uniform(term.class);
+            }
+        }
+    }
+    classes.one();
+    let mut is_needed = vec![false; program.len()];
+    for id in wanted {
+        is_needed[id.index()] = true;
+    }
+    for (id, step) in program.steps().rev() {
+        if is_needed[id.index()] {
+            for read in step.reads() {
+                is_needed[read.index()] = true;
+            }
+        }
+    }
+    for (id, step) in program.steps().filter(|(id, _)| is_needed[id.index()]) {
+        let get = |id: &StepId| made[id.index()];
+        let next = match step {
+            Step::Operand(_) => made[id.index()],
+            Step::Constant(blade, factor) => {
+                if factor.is_zero() {
+                    None
+                } else {
+                    classes.blade(*blade).map(|term| term.scaled(*factor))
+                }
+            }
+            Step::Unary(Unary::Reverse, a) => get(a).and_then(|a| reversed(classes, a)),
+            Step::Unary(unary, a) => get(a).and_then(|a| classes.unary(*unary, a, None)),
+            Step::Binary(product, a, b) => get(a)
+                .zip(get(b))
+                .and_then(|(a, b)| classes.product(*product, a, b, None)),
+            Step::Sandwich(a, b) => get(a)
+                .zip(get(b))
+                .and_then(|(a, b)| classes.sandwich(a, b, None)),
+            Step::Sum(a, b) => {
+                let terms: Vec<Term> = [a, b].into_iter().filter_map(get).collect();
+                classes.sum(&terms, None)
+            }
+            Step::Quotient(a, b) => get(a)
+                .zip(get(b))
+                .and_then(|(a, b)| classes.quotient(a, b, None)),
+            Step::Negative(a) => get(a).map(|a| a.scaled(crate::algebra::Ratio::integer(-1))),
+            Step::Coefficient(a, blade) => get(a).and_then(|a| classes.coefficient(a, *blade)),
+            Step::Function(function, arguments) => {
+                function_of(classes, *function, arguments.iter().map(get), values(id))
+            }
+        };
+        made[id.index()] = next;
+    }
+    made
+}
+
+fn function_of(
+    classes: &mut Classes<'_>,
+    function: Function,
+    arguments: impl Iterator<Item = Made>,
+    values: Vec<Numbers>,
+) -> Made {
+    let one = classes.one()?;
+    let zero = one.scaled(crate::algebra::Ratio::ZERO);
+    let arguments = arguments.map(|argument| argument.unwrap_or(zero)).collect();
+    classes.function(function, arguments, values)
+}
+
+/// `~(a b) = ~b ~a`, factor by factor.
+pub(super) fn reversed(classes: &mut Classes<'_>, a: Term) -> Made {
+    let whole = classes.unary(Unary::Reverse, a, None);
+    if let Some((factors, _)) = classes.factors(Product::Geometric, a.class) {
+        let mut parts = Vec::new();
+        for factor in factors.iter().rev() {
+            parts.push(classes.unary(Unary::Reverse, Term::of(*factor), None)?);
+        }
+        let ids: Vec<_> = parts.iter().map(|part| part.class).collect();
+        classes.chain(Product::Geometric, &ids, Some(FormRule::Reversal));
+    }
+    whole
+}

@@ -1,0 +1,300 @@
+//! Operations on classes, in a canonical form: constant factors stand outside, factors of chains
+//! are flat, scalars come first, and operands of products that commute are in order.
+
+use super::FormRule;
+use super::classes::{ClassId, Classes, Operation, Term};
+use crate::algebra::{Blade, Product, Ratio, Unary};
+use crate::ir::{Function, Residue};
+use crate::member::{Numbers, numbers};
+
+/// A class, or none where the result is zero.
+pub(super) type Made = Option<Term>;
+
+impl Classes<'_> {
+    /// The class of the number 1.
+    pub(super) fn one(&mut self) -> Made {
+        self.blade(Blade::SCALAR)
+    }
+
+    pub(super) fn blade(&mut self, blade: Blade) -> Made {
+        let points = self.points();
+        let value = Numbers::from([(blade, Residue::ONE)]);
+        self.insert(Operation::Blade(blade), |_| vec![value; points], None)
+    }
+
+    fn points(&self) -> usize {
+        self.ids()
+            .next()
+            .map_or(1, |first| self.class(first).values.len())
+    }
+
+    pub(super) fn unary(&mut self, unary: Unary, a: Term, rule: Option<FormRule>) -> Made {
+        let operation = Operation::Unary(unary, a.class);
+        let of = |classes: &Self| {
+            classes.each(a.class, |value| {
+                numbers::unary(classes.algebra, unary, value)
+            })
+        };
+        self.insert(operation, of, rule)
+            .map(|term| term.scaled(a.factor))
+    }
+
+    pub(super) fn coefficient(&mut self, a: Term, blade: Blade) -> Made {
+        let of = |classes: &Self| {
+            classes.each(a.class, |value| {
+                Numbers::from([(Blade::SCALAR, numbers::coefficient(value, blade))])
+            })
+        };
+        self.insert(Operation::Coefficient(a.class, blade), of, None)
+            .map(|term| term.scaled(a.factor))
+    }
+
+    pub(super) fn quotient(&mut self, a: Term, b: Term, rule: Option<FormRule>) -> Made {
+        let factor = a.factor / b.factor;
+        if self.class(b.class).is_constant {
+            let number = self.class(b.class).ways.first().map(|way| &way.operation);
+            if number == Some(&Operation::Blade(Blade::SCALAR)) {
+                return Some(Term::of(a.class).scaled(factor));
+            }
+        }
+        let of = |classes: &Self| {
+            classes.each_of_two(a.class, b.class, |a, b| {
+                let divisor = numbers::coefficient(b, Blade::SCALAR);
+                numbers::scaled(a, divisor.recip())
+            })
+        };
+        self.insert(Operation::Quotient(a.class, b.class), of, rule)
+            .map(|term| term.scaled(factor))
+    }
+
+    pub(super) fn function(
+        &mut self,
+        function: Function,
+        arguments: Vec<Term>,
+        values: Vec<Numbers>,
+    ) -> Made {
+        self.insert(Operation::Function(function, arguments), |_| values, None)
+    }
+
+    pub(super) fn sandwich(&mut self, m: Term, x: Term, rule: Option<FormRule>) -> Made {
+        let factor = m.factor * m.factor * x.factor;
+        let of = |classes: &Self| {
+            classes.each_of_two(m.class, x.class, |m, x| {
+                numbers::sandwich(classes.algebra, m, x)
+            })
+        };
+        self.insert(Operation::Sandwich(m.class, x.class), of, rule)
+            .map(|term| term.scaled(factor))
+    }
+
+    /// A sum, with the terms of sums in it.
+    pub(super) fn sum(&mut self, terms: &[Term], rule: Option<FormRule>) -> Made {
+        let mut flat: Vec<Term> = Vec::new();
+        for &term in terms {
+            match self.terms(term.class) {
+                Some((inner, factor)) => {
+                    flat.extend(inner.iter().map(|t| t.scaled(factor * term.factor)));
+                }
+                None => flat.push(term),
+            }
+        }
+        flat.sort_by(|a, b| self.compare(a.class, b.class));
+        flat.dedup_by(|next, kept| {
+            let is_same = next.class == kept.class;
+            if is_same {
+                kept.factor = kept.factor + next.factor;
+            }
+            is_same
+        });
+        flat.retain(|term| !term.factor.is_zero());
+        match flat.as_slice() {
+            [] => return None,
+            [single] => return Some(*single),
+            _ => {}
+        }
+        let all = flat.clone();
+        let of = |classes: &Self| {
+            let points = 0..classes.points();
+            points
+                .map(|point| {
+                    let mut sum = Numbers::new();
+                    for term in &all {
+                        let factor = Residue::from_ratio(term.factor);
+                        for (&blade, &number) in &classes.class(term.class).values[point] {
+                            numbers::add(&mut sum, blade, number * factor);
+                        }
+                    }
+                    sum
+                })
+                .collect()
+        };
+        self.insert(Operation::Sum(flat), of, rule)
+    }
+
+    /// The terms of a class that is written as a sum, and the factor in front of it.
+    pub(super) fn terms(&self, id: ClassId) -> Option<(Vec<Term>, Ratio)> {
+        let class = self.class(id);
+        if class.is_leaf() {
+            return None;
+        }
+        class.ways.iter().find_map(|way| match &way.operation {
+            Operation::Sum(terms) if way.rule.is_none() => Some((terms.clone(), way.factor)),
+            _ => None,
+        })
+    }
+
+    /// A product of two.
+    pub(super) fn product(
+        &mut self,
+        product: Product,
+        a: Term,
+        b: Term,
+        rule: Option<FormRule>,
+    ) -> Made {
+        let factor = a.factor * b.factor;
+        let (mut a, mut b) = (a.class, b.class);
+        let mut product = product;
+        let (scalar_left, scalar_right) = (self.is_scalar(a), self.is_scalar(b));
+        let (left, right) = (self.grade(a), self.grade(b));
+        let is_same_grade = left.is_some() && left == right;
+        match product {
+            Product::Wedge if scalar_left || scalar_right => product = Product::Geometric,
+            Product::LeftContraction if scalar_left => product = Product::Geometric,
+            Product::RightContraction if scalar_right => product = Product::Geometric,
+            Product::LeftContraction | Product::RightContraction if is_same_grade => {
+                product = Product::ScalarProduct;
+            }
+            _ => {}
+        }
+        let mut factor = factor;
+        if self.compare(a, b).is_gt() {
+            match product {
+                Product::ScalarProduct => std::mem::swap(&mut a, &mut b),
+                Product::Commutator => {
+                    std::mem::swap(&mut a, &mut b);
+                    factor = -factor;
+                }
+                _ => {}
+            }
+        }
+        let is_chain = matches!(product, Product::Geometric | Product::Wedge);
+        let of = |classes: &Self| {
+            classes.each_of_two(a, b, |a, b| {
+                numbers::product(classes.algebra, product, a, b)
+            })
+        };
+        if !is_chain {
+            let operation = Operation::Product(product, vec![a, b]);
+            return self
+                .insert(operation, of, rule)
+                .map(|term| term.scaled(factor));
+        }
+        let mut factors = Vec::new();
+        for part in [a, b] {
+            match self.factors(product, part) {
+                Some((inner, own)) => {
+                    factor = factor * own;
+                    factors.extend(inner);
+                }
+                None => factors.push(part),
+            }
+        }
+        // The value of the flat chain is that of the two parts, but for factors that moved out.
+        let mut moved = Ratio::ONE;
+        for part in [a, b] {
+            if let Some((_, own)) = self.factors(product, part) {
+                moved = moved * own;
+            }
+        }
+        let (factors, sign) = self.in_order(product, factors);
+        let scale = Ratio::ONE / (moved * sign);
+        factor = factor * sign;
+        if let [single] = factors.as_slice() {
+            return Some(Term::of(*single).scaled(factor));
+        }
+        let of = |classes: &Self| {
+            let scale = Residue::from_ratio(scale);
+            let values = of(classes);
+            values
+                .iter()
+                .map(|value| numbers::scaled(value, scale))
+                .collect()
+        };
+        self.insert(Operation::Product(product, factors), of, rule)
+            .map(|term| term.scaled(factor))
+    }
+
+    /// A chain of factors.
+    pub(super) fn chain(
+        &mut self,
+        product: Product,
+        factors: &[ClassId],
+        rule: Option<FormRule>,
+    ) -> Made {
+        let (&last, first) = factors.split_last()?;
+        if first.is_empty() {
+            return Some(Term::of(last));
+        }
+        let operation = Operation::Product(product, factors.to_vec());
+        if let Some(known) = self.known(&operation) {
+            return Some(known);
+        }
+        let first = self.chain(product, first, rule)?;
+        self.product(product, first, Term::of(last), rule)
+    }
+
+    /// The factors of a class that is a chain, and the factor in front of it.
+    pub(super) fn factors(&self, product: Product, id: ClassId) -> Option<(Vec<ClassId>, Ratio)> {
+        let class = self.class(id);
+        if class.is_leaf() {
+            return None;
+        }
+        class.ways.iter().find_map(|way| match &way.operation {
+            Operation::Product(other, factors) if *other == product => {
+                Some((factors.clone(), way.factor))
+            }
+            _ => None,
+        })
+    }
+
+    /// The factors in order, and the sign of the rearrangement: scalars first in a geometric
+    /// product without the number 1, all of an outer product.
+    fn in_order(&self, product: Product, factors: Vec<ClassId>) -> (Vec<ClassId>, Ratio) {
+        if product == Product::Geometric {
+            let (mut scalars, rest): (Vec<_>, Vec<_>) =
+                factors.into_iter().partition(|id| self.is_scalar(*id));
+            scalars.sort_by(|a, b| self.compare(*a, *b));
+            let is_one = |id: &ClassId| {
+                let way = self.class(*id).ways.first();
+                way.is_some_and(|way| way.operation == Operation::Blade(Blade::SCALAR))
+            };
+            let one = scalars.iter().copied().find(is_one);
+            scalars.retain(|id| !is_one(id));
+            scalars.extend(rest);
+            if scalars.is_empty() {
+                scalars.extend(one);
+            }
+            return (scalars, Ratio::ONE);
+        }
+        let mut factors = factors;
+        let mut is_negative = false;
+        // By insertion, since every exchange of two factors may change the sign.
+        for end in 1..factors.len() {
+            let mut place = end;
+            while place > 0 {
+                let (a, b) = (factors[place - 1], factors[place]);
+                let (Some(r), Some(s)) = (self.grade(a), self.grade(b)) else {
+                    break;
+                };
+                if self.compare(a, b).is_le() {
+                    break;
+                }
+                factors.swap(place - 1, place);
+                is_negative ^= r * s % 2 == 1;
+                place -= 1;
+            }
+        }
+        let sign = if is_negative { -Ratio::ONE } else { Ratio::ONE };
+        (factors, sign)
+    }
+}

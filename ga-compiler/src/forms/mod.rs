@@ -1,0 +1,139 @@
+//! Equivalent forms of programs, so that the spelling of a formula does not matter.
+//!
+//! A program is taken apart into *classes* of equal multivectors. Each has one or more *ways*,
+//! operations that give it. [Rules](rules) add ways, until nothing new comes out or a bound is
+//! reached. Then a program is put together again from one way for each class: by estimates first,
+//! and of those that look cheapest the search takes the one whose graph is cheapest.
+//!
+//! What is equal is decided by evaluation, see [`classes`]. So formulas with the same meaning meet
+//! in one class however they are written, and a rule cannot change a meaning. Every expansion is
+//! checked once more when it is done.
+//!
+//! # Adding a rule
+//!
+//! 1. Give it a name in [`FormRule`], with its identity.
+//! 2. Write a file in `rules/` with the proof, and a function that looks at one way and proposes
+//!    others by [`Classes::product`](classes::Classes), `sandwich`, `sum` and so on. It matches
+//!    structure and what classes know (grades, unit versors), never names.
+//! 3. List it in `rules/mod.rs`, and in `tests/compiler/forms.rs` a function where it applies: the
+//!    test breaks the rule there, and the compiler must notice.
+
+mod classes;
+mod estimate;
+mod extract;
+mod import;
+mod make;
+mod rule;
+mod rules;
+
+pub use rule::FormRule;
+
+use crate::algebra::Algebra;
+use crate::define::{Role, TypeDefinition};
+use crate::lower::{Choices, Rule};
+use crate::program::{Program, StepId, Witness};
+use classes::{ClassId, Classes, Term};
+use extract::{Costs, Known, extract};
+
+/// A program that gives the same as another.
+pub(crate) struct Form<'a> {
+    /// The program.
+    pub(crate) program: Program<'a>,
+    /// The wanted steps in it.
+    pub(crate) wanted: Vec<StepId>,
+    /// The rules that led to it.
+    pub(crate) rules: Vec<FormRule>,
+}
+
+/// The largest program that is taken apart.
+const MOST_STEPS: usize = 160;
+
+/// What forms are made of.
+pub(crate) struct Source<'s, 'a> {
+    pub(crate) algebra: &'s Algebra,
+    pub(crate) program: &'s Program<'a>,
+    /// The values of its steps.
+    pub(crate) witness: &'s Witness,
+    /// For each operand, whether it is uniform.
+    pub(crate) uniform: &'s [bool],
+    /// The steps that are wanted.
+    pub(crate) wanted: &'s [StepId],
+}
+
+/// The forms of a program that look cheapest, the best first.
+pub(crate) fn cheapest<'a>(source: &Source<'_, 'a>, most: usize) -> Vec<Form<'a>> {
+    let Some((mut classes, known, terms)) = classes_of(source) else {
+        return Vec::new();
+    };
+    let ids: Vec<ClassId> = terms.iter().flatten().map(|term| term.class).collect();
+    let costs = Costs::new(&mut classes);
+    let selections = costs.selections(&classes, &ids, most);
+    let operands = &source.program.operands;
+    selections
+        .iter()
+        .map(|selection| extract(&mut classes, operands, &known, selection, &terms, None))
+        .collect()
+}
+
+/// The cheapest form that uses one of some rules, if there is one.
+pub(crate) fn by_rules<'a>(source: &Source<'_, 'a>, choices: &Choices) -> Vec<Form<'a>> {
+    let Some((mut classes, known, terms)) = classes_of(source) else {
+        return Vec::new();
+    };
+    let ids: Vec<ClassId> = terms.iter().flatten().map(|term| term.class).collect();
+    let costs = Costs::new(&mut classes);
+    let broken = match choices.all.broken {
+        Some(Rule::Form(rule)) => Some(rule),
+        _ => None,
+    };
+    let operands = &source.program.operands;
+    let selections = costs.selections(&classes, &ids, usize::MAX);
+    let mut forms = selections
+        .iter()
+        .map(|selection| extract(&mut classes, operands, &known, selection, &terms, broken));
+    forms
+        .find(|form| form.rules.iter().any(|rule| choices.forms.contains(rule)))
+        .into_iter()
+        .collect()
+}
+
+fn classes_of<'a, 's>(
+    source: &Source<'s, 'a>,
+) -> Option<(Classes<'s>, Known<'a>, Vec<Option<Term>>)> {
+    let Source {
+        algebra,
+        program,
+        witness,
+        uniform,
+        wanted,
+    } = *source;
+    if program.len() > MOST_STEPS || witness.points().next().is_none() {
+        return None;
+    }
+    let mut classes = Classes::new(algebra);
+    let made = import::import(&mut classes, program, witness, uniform, wanted);
+    rules::saturate(&mut classes);
+    let mut known = Known {
+        facts: Vec::new(),
+        kinds: Vec::new(),
+    };
+    let is_derived = |kind: &TypeDefinition| {
+        let mut roles = kind.coefficients.iter().map(|c| &c.role);
+        roles.any(|role| matches!(role, Role::Derived(_)))
+    };
+    let stated = program.steps().filter_map(|(id, _)| program.kind(id));
+    for kind in program.operands.iter().copied().chain(stated) {
+        if is_derived(kind) && !known.kinds.iter().any(|other| std::ptr::eq(*other, kind)) {
+            known.kinds.push(kind);
+        }
+    }
+    for (id, _) in program.steps() {
+        if let Some(term) = made[id.index()]
+            && term.factor == crate::algebra::Ratio::ONE
+        {
+            known.facts.push((term.class, program.stated(id)));
+        }
+    }
+    let terms = wanted.iter().map(|id| made[id.index()]).collect();
+    Some((classes, known, terms))
+}

@@ -1,0 +1,43 @@
+//! Powers of a unit versor: `M² = M (M + ~M) − 1`, since `M ~M = 1`. Of `M + ~M` only the scalar and
+//! what else the reversal keeps is left, twice: of a rotor `M² = 2 s M − 1`.
+//!
+//! A power of even exponent is a square: `M⁴ = (M²)²`, by associativity.
+
+use crate::algebra::{Product, Unary};
+use crate::forms::FormRule;
+use crate::forms::classes::{ClassId, Classes, Operation, Term, Way};
+
+const RULE: Option<FormRule> = Some(FormRule::Power);
+
+pub(super) fn apply(classes: &mut Classes<'_>, id: ClassId, way: &Way) {
+    let Operation::Product(Product::Geometric, factors) = &way.operation else {
+        return;
+    };
+    let Some((&base, rest)) = factors.split_first() else {
+        return;
+    };
+    if rest.iter().any(|factor| *factor != base) {
+        return;
+    }
+    if factors.len() == 2 && classes.is_unit(base) {
+        let whole = Term::of(base);
+        if let Some(reverse) = classes.unary(Unary::Reverse, whole, RULE)
+            && let Some(double) = classes.sum(&[whole, reverse], RULE)
+            && let Some(product) = classes.product(Product::Geometric, double, whole, RULE)
+            && let Some(one) = classes.one()
+        {
+            let minus = one.scaled(-one.factor);
+            classes.sum(&[product, minus], RULE);
+        }
+    } else if factors.len() % 2 == 0
+        && let Some(half) = classes.chain(Product::Geometric, &factors[1 + rest.len() / 2..], RULE)
+    {
+        let scale = way.factor * half.factor * half.factor;
+        let operation = Operation::Product(Product::Geometric, vec![half.class; 2]);
+        let term = Term {
+            class: id,
+            factor: crate::algebra::Ratio::ONE / scale,
+        };
+        classes.add_way(operation, term, RULE);
+    }
+}

@@ -1,0 +1,68 @@
+//! Quotients by scalars and products: `(a/s) b = (a b)/s = a (b/s)`, by linearity. The divisor is the
+//! same in all of them, so that they exist for the same operands.
+
+use crate::algebra::Product;
+use crate::forms::FormRule;
+use crate::forms::classes::{ClassId, Classes, Operation, Term, Way};
+
+const RULE: Option<FormRule> = Some(FormRule::Quotient);
+
+pub(super) fn apply(classes: &mut Classes<'_>, _: ClassId, way: &Way) {
+    match &way.operation {
+        Operation::Product(product, factors) => {
+            for (place, factor) in factors.iter().enumerate() {
+                if let Some((dividend, divisor, scale)) = quotient(classes, *factor)
+                    && let Some(whole) = replaced(classes, *product, factors, place, dividend)
+                {
+                    let whole = whole.scaled(scale);
+                    classes.quotient(whole, Term::of(divisor), RULE);
+                }
+            }
+        }
+        Operation::Quotient(a, divisor) => {
+            for other in classes.class(*a).ways.clone() {
+                let Operation::Product(product, factors) = &other.operation else {
+                    continue;
+                };
+                for (place, factor) in factors.iter().enumerate() {
+                    // Only where the quotient occurs elsewhere anyway.
+                    let operation = Operation::Quotient(*factor, *divisor);
+                    if let Some(part) = classes.known(&operation) {
+                        replaced(classes, *product, factors, place, part.class);
+                    }
+                }
+            }
+        }
+        _ => {}
+    }
+}
+
+fn quotient(
+    classes: &Classes<'_>,
+    id: ClassId,
+) -> Option<(ClassId, ClassId, crate::algebra::Ratio)> {
+    let mut ways = classes.class(id).ways.iter();
+    ways.find_map(|way| match way.operation {
+        Operation::Quotient(a, divisor) => Some((a, divisor, way.factor)),
+        _ => None,
+    })
+}
+
+/// The product with another factor at a place.
+fn replaced(
+    classes: &mut Classes<'_>,
+    product: Product,
+    factors: &[ClassId],
+    place: usize,
+    by: ClassId,
+) -> Option<Term> {
+    let mut whole: Option<Term> = None;
+    for (number, factor) in factors.iter().enumerate() {
+        let factor = Term::of(if number == place { by } else { *factor });
+        whole = Some(match whole {
+            None => factor,
+            Some(whole) => classes.product(product, whole, factor, RULE)?,
+        });
+    }
+    whole
+}
