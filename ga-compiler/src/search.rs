@@ -17,7 +17,7 @@ use crate::algebra::{Product, Unary};
 use crate::define::{Role, TypeDefinition};
 use crate::forms::{self, Form, FormRule};
 use crate::kernel::Kernel;
-use crate::lower::{Choice, Choices, InnerRule, JoinRule, SandwichRule};
+use crate::lower::{Choice, Choices, InnerRule, JoinRule, ProjectionRule, SandwichRule};
 use crate::program::{Program, Step, StepId};
 use crate::task::Task;
 
@@ -150,6 +150,14 @@ fn by_best_choices(task: &Task<'_>) -> Kernel {
     if has_sandwich(program) {
         for sandwich in SandwichRule::ALL {
             search.improve(|choice| choice.sandwich = sandwich);
+        }
+        let has_quotient = program
+            .steps()
+            .any(|(_, step)| matches!(step, Step::Quotient(..)));
+        if has_quotient {
+            for projection in ProjectionRule::ALL {
+                search.improve(|choice| choice.projection = projection);
+            }
         }
     }
     if has_product(program, &[Product::Wedge]) {

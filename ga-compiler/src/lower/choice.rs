@@ -1,6 +1,6 @@
 //! Which rules a lowering uses.
 
-use super::{InnerRule, JoinRule, SandwichRule};
+use super::{InnerRule, JoinRule, ProjectionRule, SandwichRule};
 use crate::forms::FormRule;
 use crate::program::StepId;
 
@@ -20,6 +20,8 @@ pub struct Choice {
     /// Whether derived coefficients of operands keep their constant factors instead of passing them
     /// on.
     pub held: bool,
+    /// For the image of a point divided by its weight.
+    pub projection: ProjectionRule,
     /// A rule that is broken on purpose, to test that the check of expansions notices it.
     pub broken: Option<Rule>,
 }
@@ -56,6 +58,8 @@ pub enum Rule {
     Join(JoinRule),
     /// An [`InnerRule`].
     Inner(InnerRule),
+    /// A [`ProjectionRule`].
+    Projection(ProjectionRule),
     /// [`Choice::rederive`].
     Rederive,
     /// A [`FormRule`].
@@ -70,6 +74,7 @@ impl Default for Choice {
             inner: InnerRule::Plain,
             rederive: false,
             held: false,
+            projection: ProjectionRule::Division,
             broken: None,
         }
     }
@@ -113,6 +118,8 @@ fn sandwich_name(rule: SandwichRule) -> Option<&'static str> {
         SandwichRule::ReflectionInner => Some("reflection by contraction"),
         SandwichRule::ReflectionOuter => Some("reflection by wedge"),
         SandwichRule::NullImage => Some("null image"),
+        SandwichRule::ScaledSplit => Some("split with scaling"),
+        SandwichRule::ScaledSplitMap => Some("linear map with scaling"),
     }
 }
 
@@ -130,7 +137,12 @@ impl Choice {
         let inner = (self.inner == InnerRule::Distance).then_some("distance");
         let rederive = self.rederive.then_some("rederived coefficients");
         let held = self.held.then_some("held factors");
-        [sandwich, join, inner, rederive, held]
+        let projection = match self.projection {
+            ProjectionRule::Division => None,
+            ProjectionRule::Reciprocal => Some("reciprocal weight"),
+            ProjectionRule::Image => Some("image of weight 1"),
+        };
+        [sandwich, join, inner, rederive, held, projection]
             .into_iter()
             .flatten()
             .collect()

@@ -1,7 +1,8 @@
 //! Programs to graphs, one step at a time.
 
 use super::operand::rederived;
-use super::{Choice, Choices, InnerRule, JoinRule, Rule, SandwichRule};
+use super::projection::{Image, keeps_weight};
+use super::{Choice, Choices, InnerRule, JoinRule, ProjectionRule, Rule, SandwichRule};
 use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
 use crate::ir::{Arena, Facts, Multivector, Value};
 use crate::program::{Program, Step, StepId};
@@ -40,6 +41,7 @@ pub fn lower(
         sites: &choices.sites,
         site: None,
         acted: Vec::new(),
+        images: Vec::new(),
         values: vec![Multivector::default(); uses.len()],
         uses,
     };
@@ -83,6 +85,8 @@ struct Lowering<'a> {
     site: Option<StepId>,
     /// The steps in which a versor acts.
     acted: Vec<StepId>,
+    /// The actions so far.
+    images: Vec<Image>,
     values: Vec<Multivector>,
     /// How often each step is read.
     uses: Vec<usize>,
@@ -155,6 +159,9 @@ impl Lowering<'_> {
             }
             Step::Quotient(a, b) => {
                 let (dividend, divisor) = (value(a), scalar(b));
+                if let Some(image) = self.projected(&dividend, divisor) {
+                    return self.applied(Rule::Projection(self.choice.projection), image);
+                }
                 let quotients: Vec<_> = dividend
                     .terms()
                     .iter()
@@ -193,12 +200,68 @@ impl Lowering<'_> {
         {
             self.acted.push(site);
         }
+        let value = self.acted(rule, versor, operand);
+        if self.choice.projection != ProjectionRule::Division {
+            self.images.push(Image {
+                rule,
+                versor: versor.clone(),
+                operand: operand.clone(),
+                value: value.clone(),
+            });
+        }
+        value
+    }
+
+    fn acted(
+        &mut self,
+        rule: SandwichRule,
+        versor: &Multivector,
+        operand: &Multivector,
+    ) -> Multivector {
         match rule.lower(self.arena, self.algebra, versor, operand) {
             Some(value) => self.applied(Rule::Sandwich(rule), value),
             None => SandwichRule::LeftFirst
                 .lower(self.arena, self.algebra, versor, operand)
                 .unwrap_or_default(),
         }
+    }
+
+    /// The quotient of an image by its weight, or by a multiple of that, without a division.
+    fn projected(&mut self, dividend: &Multivector, divisor: Value) -> Option<Multivector> {
+        if self.choice.projection == ProjectionRule::Division {
+            return None;
+        }
+        let is_weight = |(blade, value): &&(Blade, Value)| {
+            blade.grade() == 1 && value.node == divisor.node && value.as_constant().is_none()
+        };
+        let mut weights = dividend.terms().iter().filter(is_weight);
+        let (quotient, weight) = weights.find_map(|(blade, weight)| {
+            let quotient = self.unit_weight(dividend, *blade)?;
+            Some((quotient, weight))
+        })?;
+        let facts = quotient.facts;
+        let multiple = weight.factor / divisor.factor;
+        Some(quotient.scaled(multiple).with_facts(facts))
+    }
+
+    /// An image divided by the coefficient of a vector.
+    fn unit_weight(&mut self, value: &Multivector, weight: Blade) -> Option<Multivector> {
+        let place = self
+            .images
+            .iter()
+            .position(|image| image.value.terms() == value.terms())?;
+        let image = &self.images[place];
+        let rule = self.choice.projection;
+        if let Some(quotient) = rule.lower(self.arena, self.algebra, image, weight) {
+            return Some(quotient);
+        }
+        if !keeps_weight(self.algebra, &image.versor, weight) {
+            return None;
+        }
+        let (versor, operand) = (image.versor.clone(), image.operand.clone());
+        let rule = image.rule;
+        let operand = self.unit_weight(&operand, weight)?;
+        Some(self.acted(rule, &versor, &operand))
     }
 
     fn join(&mut self, factors: &[Multivector]) -> Multivector {

@@ -1,8 +1,8 @@
 //! The action of a versor, by one of several rules that agree where they apply.
 
-use super::linear_map::{commutator, kept, linear_map};
+use super::linear_map::{acted, kept, linear_map};
 use super::reflection::Form;
-use super::{null_image, reflection, split};
+use super::{null_image, reflection, scaled_split, split};
 use crate::algebra::{Algebra, Product, Unary};
 use crate::ir::{Arena, Multivector};
 
@@ -31,11 +31,15 @@ pub enum SandwichRule {
     /// `K i ~K / 2(x·i)` with `K = M x`, for a null vector x and a null basis vector i; see
     /// [`null_image`].
     NullImage,
+    /// `T (P X ~P) ~T` with `M = T P`, P a rotation with a scaling; see [`scaled_split`].
+    ScaledSplit,
+    /// The same, with the map of the rotation.
+    ScaledSplitMap,
 }
 
 impl SandwichRule {
     /// Every rule, in the order in which they are tried.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 10] = [
         Self::LeftFirst,
         Self::RightFirst,
         Self::UnitCommutator,
@@ -44,6 +48,8 @@ impl SandwichRule {
         Self::ReflectionInner,
         Self::ReflectionOuter,
         Self::NullImage,
+        Self::ScaledSplit,
+        Self::ScaledSplitMap,
     ];
 
     /// Lowers the action of `versor` on `operand`; `None` where the rule does not apply.
@@ -68,7 +74,7 @@ impl SandwichRule {
         let result = match self {
             Self::LeftFirst => left_first(arena, algebra, versor, &image),
             Self::RightFirst => right_first(arena, algebra, versor, &image),
-            Self::UnitCommutator if is_unit => commutator(arena, algebra, versor, operand),
+            Self::UnitCommutator if is_unit => acted(arena, algebra, versor, operand),
             Self::LinearMap if is_unit => linear_map(arena, algebra, versor, operand),
             Self::Split if is_unit => split::lower(arena, algebra, versor, operand)?,
             Self::ReflectionInner => {
@@ -77,8 +83,20 @@ impl SandwichRule {
             Self::ReflectionOuter => {
                 reflection::lower(Form::Outer, arena, algebra, versor, operand)?
             }
-            Self::NullImage => null_image::lower(arena, algebra, versor, operand, is_odd)?,
-            Self::UnitCommutator | Self::LinearMap | Self::Split => return None,
+            Self::NullImage => null_image::lower(arena, algebra, versor, operand)?,
+            Self::ScaledSplit if is_unit => {
+                let form = scaled_split::Form::Commutator;
+                scaled_split::lower(form, arena, algebra, versor, operand)?
+            }
+            Self::ScaledSplitMap if is_unit => {
+                let form = scaled_split::Form::LinearMap;
+                scaled_split::lower(form, arena, algebra, versor, operand)?
+            }
+            Self::UnitCommutator
+            | Self::LinearMap
+            | Self::Split
+            | Self::ScaledSplit
+            | Self::ScaledSplitMap => return None,
         };
         // For an odd unit versor M the map X → M X̂ ~M is an automorphism too.
         Some(result.with_facts(versor.facts.of_sandwich(operand.facts)))

@@ -35,10 +35,20 @@ pub(super) fn lower(
         blade.reverse_is_negative()
     });
     let rotated = linear_map(arena, algebra, &rotation, operand);
-    let step = translation.product(arena, algebra, Product::Commutator, &rotated, |_| true);
-    let middle = rotated.sum(arena, &step);
+    Some(translated(arena, algebra, &translation, &rotated))
+}
+
+/// `T Y ~T` for `T = 1 + τ` with `~τ = −τ` and `τ² = 0`.
+pub(super) fn translated(
+    arena: &mut Arena,
+    algebra: &Algebra,
+    translation: &Multivector,
+    operand: &Multivector,
+) -> Multivector {
+    let step = translation.product(arena, algebra, Product::Commutator, operand, |_| true);
+    let middle = operand.sum(arena, &step);
     let change = translation.product(arena, algebra, Product::Commutator, &middle, |_| true);
-    Some(rotated.sum(arena, &change.scaled(Ratio::integer(2))))
+    operand.sum(arena, &change.scaled(Ratio::integer(2)))
 }
 
 /// The index of the vector that splits the versor.

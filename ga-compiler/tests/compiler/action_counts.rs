@@ -2,7 +2,7 @@
 
 use crate::counts::{Row, check_names, check_renamed, cost};
 
-const ACTIONS: [Row; 12] = [
+const ACTIONS: [Row; 18] = [
     (
         "s: DualSphere, x: RoundVector -> RoundVector",
         "s: Weighted, x: Weighted -> Weighted",
@@ -74,6 +74,42 @@ const ACTIONS: [Row; 12] = [
         "v: Similar, x: Place -> Weighted",
         "sandwich(v, x)",
         cost(37, 35, 1),
+    ),
+    (
+        "v: Similarity, x: Line -> Line",
+        "v: Similar, x: Axis -> Axis",
+        "sandwich(v, x)",
+        cost(64, 48, 0),
+    ),
+    (
+        "v: Similarity, x: Circle -> Circle",
+        "v: Similar, x: Ring -> Ring",
+        "sandwich(v, x)",
+        cost(86, 74, 2),
+    ),
+    (
+        "v: Similarity, x: Sphere -> Sphere",
+        "v: Similar, x: Ball -> Ball",
+        "sandwich(v, x)",
+        cost(47, 44, 0),
+    ),
+    (
+        "v: Similarity, x: Point -> Point",
+        "v: Similar, x: Place -> Place",
+        "sandwich(v, x) / sandwich(v, x).ORIGIN",
+        cost(28, 25, 1),
+    ),
+    (
+        "v: Dilator, x: Point -> Point",
+        "v: Scaling, x: Place -> Place",
+        "sandwich(v, x) / sandwich(v, x).ORIGIN",
+        cost(4, 1, 0),
+    ),
+    (
+        "m: Motor, d: Dilator, x: Point -> Point",
+        "m: Motion, d: Scaling, x: Place -> Place",
+        "let y = sandwich(m, sandwich(d, x)); y / y.ORIGIN",
+        cost(25, 19, 0),
     ),
 ];
 

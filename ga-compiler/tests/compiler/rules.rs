@@ -6,7 +6,7 @@ use ga_compiler::define::{Definition, TypeDefinition};
 use ga_compiler::expression::Expression;
 use ga_compiler::ir::{Arena, Node, NodeId, Value};
 use ga_compiler::kernel::{Kernel, wanted};
-use ga_compiler::lower::{Choice, InnerRule, JoinRule, Rule, SandwichRule};
+use ga_compiler::lower::{Choice, InnerRule, JoinRule, ProjectionRule, Rule, SandwichRule};
 use ga_compiler::parse::{Block, parse_functions};
 use ga_compiler::passes::schedule;
 use ga_compiler::program::resolve;
@@ -174,6 +174,7 @@ fn cases<'a>(cga3: &'a Definition, minkowski: &'a Definition) -> Vec<Case<'a>> {
     for kind in ["Vector", "Bivector", "Boost"] {
         cases.push(Case::new(minkowski, &["Boost", kind], sandwich(), kind));
     }
+    cases.push(Case::new(cga3, &["Similarity", "Even"], sandwich(), "Even"));
     cases.push(Case::new(
         minkowski,
         &["Event", "Event"],
@@ -251,6 +252,25 @@ fn a_broken_rule_is_refused_in_functions() {
             "fn twice(a: Motor, b: Motor, l: Line) -> Line { a * b * l * rev(b) * rev(a) }",
             SandwichRule::Split.into(),
             Rule::Sandwich(SandwichRule::Split),
+        ),
+        (
+            "fn scaled(s: Similarity, p: Point) -> RoundVector { sandwich(s, p) / sandwich(s, p).eo }",
+            Choice {
+                projection: ProjectionRule::Image,
+                ..Choice::default()
+            },
+            Rule::Projection(ProjectionRule::Image),
+        ),
+        (
+            "fn scaled(m: Motor, d: Dilator, p: Point) -> RoundVector {
+                let q = sandwich(m, sandwich(d, p));
+                q / (2 * (q | ei))
+            }",
+            Choice {
+                projection: ProjectionRule::Reciprocal,
+                ..Choice::default()
+            },
+            Rule::Projection(ProjectionRule::Reciprocal),
         ),
     ] {
         let functions = parse_functions(source.parse().expect("tokens")).expect("a function");

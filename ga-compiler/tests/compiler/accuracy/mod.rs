@@ -10,7 +10,7 @@ mod twofold;
 use ga_compiler::define::Definition;
 use ga_compiler::ir::{Node, Value};
 use ga_compiler::kernel::{Kernel, wanted};
-use ga_compiler::lower::{Choice, InnerRule, JoinRule, SandwichRule};
+use ga_compiler::lower::{Choice, InnerRule, JoinRule, ProjectionRule, SandwichRule};
 use ga_compiler::parse::{Block, parse_functions};
 use ga_compiler::program::{Resolved, resolve};
 use ga_compiler::task::Task;
@@ -26,7 +26,7 @@ const MOST: f64 = 8.0;
 const SAMPLES: u64 = 60;
 
 /// Actions with the rules for actions.
-const ACTIONS: [&str; 19] = [
+const ACTIONS: [&str; 20] = [
     "m: Motor, x: Point -> RoundVector { sandwich(m, x) }",
     "m: Motor, x: RoundVector -> RoundVector { sandwich(m, x) }",
     "m: Motor, x: Line -> Line { sandwich(m, x) }",
@@ -45,11 +45,16 @@ const ACTIONS: [&str; 19] = [
     "m: Similarity, x: Line -> Line { sandwich(m, x) }",
     "m: Similarity, x: Circle -> Circle { sandwich(m, x) }",
     "m: Similarity, x: Sphere -> Sphere { sandwich(m, x) }",
+    "m: EvenVersor, x: RoundVector -> RoundVector { sandwich(m, x) }",
     "m: Similarity, x: Point -> Point { sandwich(m, x) / sandwich(m, x).eo }",
 ];
 
 /// Rules that are worse than the plain form somewhere, and cost more than another rule there.
-const WORSE: [(&str, SandwichRule); 2] = [
+const WORSE: [(&str, SandwichRule); 3] = [
+    (
+        "m: EvenVersor, x: RoundVector -> RoundVector",
+        SandwichRule::LinearMap,
+    ),
     (
         "m: EvenVersor, x: Point -> RoundVector",
         SandwichRule::UnitCommutator,
@@ -69,6 +74,30 @@ fn rules_for_actions_round_well() {
 #[test]
 fn what_is_chosen_for_actions_rounds_well() {
     check(&ACTIONS, &[]);
+}
+
+/// Images divided by their weight with the rules for that.
+const PROJECTIONS: [&str; 3] = [
+    "m: Similarity, x: Point -> Point { sandwich(m, x) / sandwich(m, x).eo }",
+    "m: Dilator, x: Point -> Point { sandwich(m, x) / sandwich(m, x).eo }",
+    "m: Motor, d: Dilator, x: Point -> Point {
+        let y = sandwich(m, sandwich(d, x));
+        y / y.eo
+    }",
+];
+
+#[test]
+fn rules_for_projections_round_well() {
+    let rules = ProjectionRule::ALL.map(|projection| Choice {
+        projection,
+        ..Choice::default()
+    });
+    check(&PROJECTIONS, &rules);
+}
+
+#[test]
+fn what_is_chosen_for_projections_rounds_well() {
+    check(&PROJECTIONS, &[]);
 }
 
 /// Joins and inner products of points with the rules for them.
