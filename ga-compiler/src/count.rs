@@ -3,9 +3,9 @@
 //! The count is taken from the code itself and not from the graph behind it, so that it is right
 //! for every emitter. What is counted: `+` and `-` are an addition, `*` a multiplication (also one
 //! by 2 or ½), `/` and `recip` a division, a fused multiplication and addition is one of each,
-//! `sqrt` a root; a negation and a call of any other function are each one *other*. Reading, naming
-//! and building cost nothing. Anything that is not known here is an error, so that no operation is
-//! overlooked.
+//! `sqrt` a root; a negation, a comparison, a choice between two numbers and a call of any other
+//! function are each one *other*. Reading, naming and building cost nothing. Anything that is not
+//! known here is an error, so that no operation is overlooked.
 
 use std::collections::{HashMap, HashSet};
 use std::fmt;
@@ -261,7 +261,7 @@ impl Counter {
             Expr::Unary(unary) => match unary.op {
                 UnOp::Deref(_) => self.expression(&unary.expr),
                 UnOp::Neg(_) if matches!(*unary.expr, Expr::Lit(_)) => Ok(Operations::default()),
-                UnOp::Neg(_) => {
+                UnOp::Neg(_) | UnOp::Not(_) => {
                     let mut count = self.expression(&unary.expr)?;
                     count.others += 1;
                     Ok(count)
@@ -275,6 +275,7 @@ impl Counter {
                     BinOp::Mul(_) => count.multiplications += 1,
                     BinOp::Add(_) | BinOp::Sub(_) => count.additions += 1,
                     BinOp::Div(_) => count.divisions += 1,
+                    BinOp::BitAnd(_) | BinOp::BitOr(_) => count.others += 1,
                     other => return Err(unknown("the operator", &other)),
                 }
                 Ok(count)
@@ -351,7 +352,9 @@ fn of_call(name: &str, arguments: usize, place: &(impl ToTokens + Spanned)) -> R
         ("sqrt", 1) => count.roots += 1,
         ("abs" | "sin" | "cos" | "sin_cos" | "exp" | "ln", 1)
         | ("versor_exponential", 1)
-        | ("atan2" | "versor_logarithm", 2) => count.others += 1,
+        | ("atan2" | "versor_logarithm" | "min" | "max", 2)
+        | ("less_than" | "less_or_equal" | "equals", 2)
+        | ("select", 3) => count.others += 1,
         _ => return Err(unknown("a call of", place)),
     }
     Ok(count)

@@ -164,6 +164,10 @@ macro_rules! algebra {
 /// | `exp` | of scalars, and of bivectors B where B² is a scalar plus a null part |
 /// | `log` | of scalars, and of even unit versors that are such an `exp` |
 /// | `sqrt`, `abs`, `sin`, `cos`, `atan2(y, x)`, `ln`, `recip` | of scalars |
+/// | `min(x, y)`, `max(x, y)`, `clamp(x, low, high)`, `sign(x)` | of scalars |
+/// | `select(condition, a, b)` | a where the condition holds, else b |
+/// | `<`, `<=`, `>`, `>=`, `==`, `!=` | conditions from two scalars |
+/// | `!c`, `c && d`, <code>c &#124;&#124; d</code> | conditions from conditions |
 /// | `2`, `0.5`, `e12`, `Infinity` | exact numbers, basis blades, constant types |
 /// | `a.e12`, `xs[0]`, `t.1` | a coefficient; an element of an array or tuple |
 ///
@@ -171,6 +175,38 @@ macro_rules! algebra {
 /// Rust, where `^ & |` bind looser than `+ - * /`; a mix of both without parentheses is an error
 /// that shows both readings. A formula nests at most 128 levels deep (parentheses, calls, methods
 /// and signs) and has at most 1024 operators in a row; `let` splits a longer one.
+///
+/// # Conditions
+///
+/// A formula does not branch, so that lanes of numbers can run it. `select(condition, a, b)`
+/// computes both a and b and chooses one of them; what is not chosen may be infinite or NaN. Both
+/// may be multivectors, which are chosen blade by blade, or tuples or arrays of the same shape. The
+/// result is a `Point`, for instance, if both are.
+///
+/// ```
+/// use ga_runtime::cga3::Point;
+/// use ga_runtime::scalar::Lanes;
+///
+/// ga_runtime::ga! { ga_runtime::cga3;
+///     /// Of two points the one that is nearer to a third, which is the one with the larger inner
+///     /// product: o · p = −½ |p − o|².
+///     fn nearer(o: Point, p: Point, q: Point) -> Point { select((o | p) > (o | q), p, q) }
+///     /// The square root, or zero for a negative number.
+///     fn root_or_zero(x: Scalar) -> Scalar { select(x < 0, 0, sqrt(x)) }
+/// }
+///
+/// # fn main() {
+/// let [o, p, q] = [[0.0; 3], [1.0, 2.0, 2.0], [2.0, 0.0, 0.0]].map(Point::from);
+/// assert_eq!(nearer(o, p, q), q);
+/// assert_eq!(root_or_zero(Lanes::from_array([4.0, -4.0])).to_array(), [2.0, 0.0]);
+/// # }
+/// ```
+///
+/// Conditions can be bound by `let`, but they are neither operands nor results. They need
+/// [`Real`](crate::scalar::Real). As in Rust, a comparison with NaN does not hold, except `!=`.
+/// `sign` is 0 at 0 and NaN at NaN; `min` and `max` give their first operand where the other is
+/// NaN. While the function is checked, each comparison is taken to hold and not to hold, in every
+/// combination of two, whatever the numbers are.
 ///
 /// # Types of results
 ///

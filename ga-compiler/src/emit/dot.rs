@@ -60,8 +60,9 @@ fn nodes(definition: &Definition, function: &CompiledFunction, stages: &Stages) 
             );
         }
     }
-    for (part, stage) in [(&mut once, &stages.prologue), (&mut always, &stages.inner)] {
-        for &id in &stage.order {
+    let later = second_alone(stages);
+    for (part, order) in [(&mut once, &stages.prologue.order), (&mut always, &later)] {
+        for &id in order {
             let shape = match arena.node(id) {
                 Node::Function(..) => "shape=ellipse, style=filled, fillcolor=\"#fdf1d5\"",
                 Node::One
@@ -85,6 +86,14 @@ fn nodes(definition: &Definition, function: &CompiledFunction, stages: &Stages) 
     frame + &indented(&always, 4)
 }
 
+/// The nodes of the second stage alone: a condition that both stages compute is drawn once.
+fn second_alone(stages: &Stages) -> Vec<NodeId> {
+    let order = stages.inner.order.iter().copied();
+    order
+        .filter(|id| !stages.prologue.order.contains(id))
+        .collect()
+}
+
 /// What each operation reads, and the outputs.
 fn edges(definition: &Definition, function: &CompiledFunction, stages: &Stages) -> String {
     let kernel = &function.kernel;
@@ -92,10 +101,15 @@ fn edges(definition: &Definition, function: &CompiledFunction, stages: &Stages) 
         text: String::new(),
         constants: 0,
     };
-    for &id in stages.prologue.order.iter().chain(&stages.inner.order) {
+    for &id in stages.prologue.order.iter().chain(&second_alone(stages)) {
         match kernel.arena.node(id) {
             Node::One | Node::Input(_) => {}
-            Node::Sum(values) | Node::Function(_, values) => {
+            Node::Function(function, values) => {
+                for (place, &value) in values.iter().enumerate() {
+                    edges.edge(value, id, role(*function, place));
+                }
+            }
+            Node::Sum(values) => {
                 for &value in values {
                     edges.edge(value, id, "");
                 }
@@ -141,21 +155,39 @@ impl Edges {
             self.constants += 1;
             let _ = writeln!(
                 self.text,
-                "{name} [label=\"{constant}\", shape=plaintext];\n{name} -> {to};"
+                "{name} [label=\"{constant}\", shape=plaintext];\n{name} -> {to}{};",
+                labelled(role)
             );
             return;
         }
-        let label = match (role, from.factor) {
-            (role, Ratio::ONE) => role.to_owned(),
-            (_, factor) if factor == Ratio::integer(-1) => "−".to_owned(),
-            (_, factor) => format!("×{factor}").replace('-', "−"),
+        let factor = match from.factor {
+            Ratio::ONE => String::new(),
+            factor if factor == Ratio::integer(-1) => "−".to_owned(),
+            factor => format!("×{factor}").replace('-', "−"),
         };
-        let attributes = if label.is_empty() {
-            String::new()
-        } else {
-            format!(" [label={}]", quoted(&label))
-        };
+        let parts = [role, &factor].into_iter().filter(|part| !part.is_empty());
+        let label = parts.collect::<Vec<_>>().join(" ");
+        let attributes = labelled(&label);
         let _ = writeln!(self.text, "n{} -> {to}{attributes};", from.node.index());
+    }
+}
+
+/// The attributes of an edge.
+fn labelled(label: &str) -> String {
+    if label.is_empty() {
+        return String::new();
+    }
+    format!(" [label={}]", quoted(label))
+}
+
+/// What an argument of a function is for, where that is not the same for all of them.
+fn role(function: Function, place: usize) -> &'static str {
+    match (function, place) {
+        (Function::Select, 0) => "if",
+        (Function::Select, 1) => "then",
+        (Function::Select, _) => "else",
+        (Function::Less | Function::LessOrEqual, 1) => "right",
+        _ => "",
     }
 }
 

@@ -247,6 +247,25 @@ impl Arena {
         if let Some(known) = constant_value(function, arguments) {
             return Value::constant(known);
         }
+        match (function, arguments) {
+            (Function::Select, [_, first, second]) if first == second => return *first,
+            // A common factor moves outwards.
+            (Function::Select, [condition, first, second])
+                if first.factor == second.factor && first.factor != Ratio::ONE =>
+            {
+                let arguments = [*condition, Value::of(first.node), Value::of(second.node)];
+                return self.function(function, &arguments).scaled(first.factor);
+            }
+            (Function::Equal, [first, second]) if second.node < first.node => {
+                return self.function(function, &[*second, *first]);
+            }
+            (Function::Not, [condition]) => {
+                if let Node::Function(Function::Not, inner) = self.node(condition.node) {
+                    return inner[0];
+                }
+            }
+            _ => {}
+        }
         let node = self.intern(Node::Function(function, arguments.into()));
         Value::of(node)
     }

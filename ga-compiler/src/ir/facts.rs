@@ -46,6 +46,17 @@ impl Facts {
         }
     }
 
+    /// What is known of a value that is one of two: what is known of both.
+    #[must_use]
+    pub fn common(self, other: Self) -> Self {
+        Self {
+            unit_versor: self.unit_versor && other.unit_versor,
+            null: self.null && other.null,
+            blade: self.blade && other.blade,
+            weight: self.weight.filter(|_| self.weight == other.weight),
+        }
+    }
+
     /// What is known if both sets of facts hold.
     #[must_use]
     pub fn and(self, other: Self) -> Self {

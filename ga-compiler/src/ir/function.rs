@@ -8,7 +8,9 @@ use crate::algebra::Ratio;
 ///
 /// Over the prime field each has a stand-in that satisfies the equations on which membership in a
 /// type may depend: squares of roots, `sin² + cos² = 1`, and the like. A function without such an
-/// equation is a random function of its arguments.
+/// equation is a random function of its arguments. A condition is 0 or 1 there. A field that wraps
+/// around has no order, so a comparison is a random condition, the same wherever the same numbers
+/// are compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Function {
     /// `√x`.
@@ -37,6 +39,24 @@ pub enum Function {
     VersorAngle,
     /// `−2 S′(B²)/S(B²)³` from the same.
     VersorAngleSlope,
+    /// The smaller of two numbers.
+    Minimum,
+    /// The larger of two numbers.
+    Maximum,
+    /// The condition `x < y`.
+    Less,
+    /// The condition `x ≤ y`.
+    LessOrEqual,
+    /// The condition `x = y`.
+    Equal,
+    /// Whether two conditions both hold.
+    And,
+    /// Whether one of two conditions holds, or both.
+    Or,
+    /// Whether a condition does not hold.
+    Not,
+    /// The second argument where the condition that comes first holds, else the third.
+    Select,
 }
 
 /// Earlier names of variants.
@@ -52,7 +72,7 @@ impl Function {
 
 impl Function {
     /// Every function.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 21] = [
         Self::SquareRoot,
         Self::Absolute,
         Self::Sine,
@@ -65,13 +85,32 @@ impl Function {
         Self::StumpffSineSlope,
         Self::VersorAngle,
         Self::VersorAngleSlope,
+        Self::Minimum,
+        Self::Maximum,
+        Self::Less,
+        Self::LessOrEqual,
+        Self::Equal,
+        Self::And,
+        Self::Or,
+        Self::Not,
+        Self::Select,
     ];
 
     /// The number of arguments.
     #[must_use]
     pub const fn arity(self) -> usize {
         match self {
-            Self::ArcTangent | Self::VersorAngle | Self::VersorAngleSlope => 2,
+            Self::Select => 3,
+            Self::ArcTangent
+            | Self::VersorAngle
+            | Self::VersorAngleSlope
+            | Self::Minimum
+            | Self::Maximum
+            | Self::Less
+            | Self::LessOrEqual
+            | Self::Equal
+            | Self::And
+            | Self::Or => 2,
             Self::SquareRoot
             | Self::Absolute
             | Self::Sine
@@ -80,8 +119,27 @@ impl Function {
             | Self::NaturalLogarithm
             | Self::StumpffCosine
             | Self::StumpffSine
-            | Self::StumpffSineSlope => 1,
+            | Self::StumpffSineSlope
+            | Self::Not => 1,
         }
+    }
+
+    /// Whether the result is a condition, not a number.
+    #[must_use]
+    pub const fn is_condition(self) -> bool {
+        matches!(
+            self,
+            Self::Less | Self::LessOrEqual | Self::Equal | Self::And | Self::Or | Self::Not
+        )
+    }
+
+    /// Whether the stand-in makes a random choice between two outcomes.
+    #[must_use]
+    pub(crate) const fn is_random_choice(self) -> bool {
+        matches!(
+            self,
+            Self::Less | Self::LessOrEqual | Self::Equal | Self::Minimum | Self::Maximum
+        )
     }
 
     /// The functions that come out of one computation with this one, itself among them.
@@ -102,6 +160,15 @@ impl Function {
             Self::VersorAngle | Self::VersorAngleSlope => {
                 &[Self::VersorAngle, Self::VersorAngleSlope]
             }
+            Self::Minimum => &[Self::Minimum],
+            Self::Maximum => &[Self::Maximum],
+            Self::Less => &[Self::Less],
+            Self::LessOrEqual => &[Self::LessOrEqual],
+            Self::Equal => &[Self::Equal],
+            Self::And => &[Self::And],
+            Self::Or => &[Self::Or],
+            Self::Not => &[Self::Not],
+            Self::Select => &[Self::Select],
         }
     }
 
@@ -143,6 +210,22 @@ impl Function {
             | Self::NaturalLogarithm
             | Self::VersorAngle
             | Self::VersorAngleSlope => random(self),
+            Self::Minimum | Self::Maximum => match random(self).residue() & 1 {
+                0 => x,
+                _ => arguments[1],
+            },
+            Self::Less | Self::LessOrEqual => condition(random(self).residue() & 1 == 1),
+            // The same for both orders of the numbers.
+            Self::Equal => {
+                let difference = x - arguments[1];
+                let state = self::random(self, &[difference * difference]);
+                condition(state.residue() & 1 == 1)
+            }
+            Self::And => x * arguments[1],
+            Self::Or => x + arguments[1] - x * arguments[1],
+            Self::Not => Residue::ONE - x,
+            Self::Select if x == Residue::ZERO => arguments[2],
+            Self::Select => arguments[1],
         })
     }
 
@@ -178,9 +261,23 @@ impl Function {
             | Self::StumpffSine
             | Self::StumpffSineSlope
             | Self::VersorAngle
-            | Self::VersorAngleSlope => None,
+            | Self::VersorAngleSlope
+            | Self::Minimum
+            | Self::Maximum
+            | Self::Less
+            | Self::LessOrEqual
+            | Self::Equal
+            | Self::And
+            | Self::Or
+            | Self::Not
+            | Self::Select => None,
         }
     }
+}
+
+/// A condition as a residue.
+const fn condition(holds: bool) -> Residue {
+    if holds { Residue::ONE } else { Residue::ZERO }
 }
 
 /// A reproducible residue of a function and its arguments.
@@ -210,10 +307,46 @@ mod tests {
             Function::StumpffSine => Some(Function::StumpffSineSlope),
             Function::StumpffSineSlope => Some(Function::VersorAngle),
             Function::VersorAngle => Some(Function::VersorAngleSlope),
-            Function::VersorAngleSlope => None,
+            Function::VersorAngleSlope => Some(Function::Minimum),
+            Function::Minimum => Some(Function::Maximum),
+            Function::Maximum => Some(Function::Less),
+            Function::Less => Some(Function::LessOrEqual),
+            Function::LessOrEqual => Some(Function::Equal),
+            Function::Equal => Some(Function::And),
+            Function::And => Some(Function::Or),
+            Function::Or => Some(Function::Not),
+            Function::Not => Some(Function::Select),
+            Function::Select => None,
         };
         let every = std::iter::successors(Some(Function::SquareRoot), |&function| next(function));
         assert!(every.eq(Function::ALL));
+    }
+
+    #[test]
+    fn comparisons_are_conditions_that_take_both_values() {
+        let mut sequence = ResidueSequence::new(7);
+        for comparison in [Function::Less, Function::LessOrEqual, Function::Equal] {
+            let mut held = 0;
+            for _ in 0..64 {
+                let (x, y) = (sequence.next_residue(), sequence.next_residue());
+                let holds = comparison.evaluate(&[x, y]).expect("total");
+                assert_eq!(holds * holds, holds, "0 or 1");
+                held += holds.residue();
+                if comparison == Function::Equal {
+                    assert_eq!(comparison.evaluate(&[y, x]), Some(holds));
+                }
+                let chosen = Function::Select.evaluate(&[holds, x, y]);
+                assert_eq!(chosen, Some(if holds == Residue::ONE { x } else { y }));
+            }
+            assert!((16..48).contains(&held), "{comparison:?}: {held}");
+        }
+        let (no, yes) = (Residue::ZERO, Residue::ONE);
+        for (x, y) in [(no, no), (no, yes), (yes, no), (yes, yes)] {
+            let holds = |function: Function| function.evaluate(&[x, y]) == Some(yes);
+            assert_eq!(holds(Function::And), x == yes && y == yes);
+            assert_eq!(holds(Function::Or), x == yes || y == yes);
+            assert_eq!(holds(Function::Not), x == no);
+        }
     }
 
     #[test]

@@ -1,10 +1,12 @@
 //! Programs to graphs, one step at a time.
 
+use std::collections::BTreeSet;
+
 use super::operand::rederived;
 use super::projection::{Image, keeps_weight};
 use super::{Choice, Choices, InnerRule, JoinRule, ProjectionRule, Rule, SandwichRule};
 use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
-use crate::ir::{Arena, Facts, Multivector, Value};
+use crate::ir::{Arena, Facts, Function, Multivector, Value};
 use crate::program::{Program, Step, StepId};
 
 /// Lowers the wanted steps of a program over operands that are already in the arena, and what they
@@ -184,12 +186,30 @@ impl Lowering<'_> {
                 let coefficient = value(a).coefficient(*blade);
                 Multivector::new(self.arena, [(Blade::SCALAR, coefficient)])
             }
+            Step::Select(condition, a, b) => {
+                let (condition, a, b) = (scalar(condition), value(a), value(b));
+                self.select(condition, &a, &b)
+            }
             Step::Function(function, arguments) => {
                 let arguments: Vec<_> = arguments.iter().map(scalar).collect();
                 let result = self.arena.function(*function, &arguments);
                 Multivector::new(self.arena, [(Blade::SCALAR, result)])
             }
         }
+    }
+
+    /// One of two values, blade by blade.
+    fn select(&mut self, condition: Value, a: &Multivector, b: &Multivector) -> Multivector {
+        let blades = a.terms().iter().chain(b.terms()).map(|(blade, _)| *blade);
+        let blades: BTreeSet<Blade> = blades.collect();
+        let terms: Vec<_> = blades
+            .into_iter()
+            .map(|blade| {
+                let arguments = [condition, a.coefficient(blade), b.coefficient(blade)];
+                (blade, self.arena.function(Function::Select, &arguments))
+            })
+            .collect();
+        Multivector::new(self.arena, terms).with_facts(a.facts.common(b.facts))
     }
 
     fn sandwich(&mut self, versor: &Multivector, operand: &Multivector) -> Multivector {

@@ -33,6 +33,8 @@ pub enum FormulaKind {
     Number(Ratio),
     /// `-a`.
     Negative(Box<Formula>),
+    /// `!a` of a condition.
+    Not(Box<Formula>),
     /// `a * b` and the like.
     Binary(Operator, Box<Formula>, Box<Formula>),
     /// `f(a, b)` or `a.f(b)`.
@@ -66,20 +68,55 @@ pub enum Operator {
     Xor,
     /// `|`
     Or,
+    /// `<`
+    Less,
+    /// `<=`
+    LessOrEqual,
+    /// `>`
+    Greater,
+    /// `>=`
+    GreaterOrEqual,
+    /// `==`
+    Equal,
+    /// `!=`
+    NotEqual,
+    /// `&&`
+    Both,
+    /// `||`
+    Either,
+}
+
+/// The operators whose mix is never in doubt.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Family {
+    Arithmetic,
+    Bitwise,
+    Comparison,
+    Logical,
 }
 
 impl Operator {
     const fn precedence(self) -> u8 {
         match self {
-            Self::Multiply | Self::Divide => 5,
-            Self::Add | Self::Subtract => 4,
-            Self::And => 3,
-            Self::Xor => 2,
-            Self::Or => 1,
+            Self::Multiply | Self::Divide => 8,
+            Self::Add | Self::Subtract => 7,
+            Self::And => 6,
+            Self::Xor => 5,
+            Self::Or => 4,
+            Self::Less
+            | Self::LessOrEqual
+            | Self::Greater
+            | Self::GreaterOrEqual
+            | Self::Equal
+            | Self::NotEqual => 3,
+            Self::Both => 2,
+            Self::Either => 1,
         }
     }
 
-    const fn symbol(self) -> &'static str {
+    /// The operator as it is written.
+    #[must_use]
+    pub const fn symbol(self) -> &'static str {
         match self {
             Self::Multiply => "*",
             Self::Divide => "/",
@@ -88,20 +125,60 @@ impl Operator {
             Self::And => "&",
             Self::Xor => "^",
             Self::Or => "|",
+            Self::Less => "<",
+            Self::LessOrEqual => "<=",
+            Self::Greater => ">",
+            Self::GreaterOrEqual => ">=",
+            Self::Equal => "==",
+            Self::NotEqual => "!=",
+            Self::Both => "&&",
+            Self::Either => "||",
         }
     }
 
-    const fn is_bitwise(self) -> bool {
-        matches!(self, Self::And | Self::Xor | Self::Or)
+    /// Whether it compares two numbers.
+    #[must_use]
+    pub const fn is_comparison(self) -> bool {
+        matches!(self.family(), Family::Comparison)
+    }
+
+    const fn family(self) -> Family {
+        match self {
+            Self::Multiply | Self::Divide | Self::Add | Self::Subtract => Family::Arithmetic,
+            Self::And | Self::Xor | Self::Or => Family::Bitwise,
+            Self::Less
+            | Self::LessOrEqual
+            | Self::Greater
+            | Self::GreaterOrEqual
+            | Self::Equal
+            | Self::NotEqual => Family::Comparison,
+            Self::Both | Self::Either => Family::Logical,
+        }
+    }
+
+    /// Whether Rust reads a mix of both without parentheses in a way that readers of formulas do
+    /// not expect.
+    fn is_doubtful_with(self, other: Self) -> bool {
+        matches!(
+            (self.family(), other.family()),
+            (Family::Arithmetic, Family::Bitwise) | (Family::Bitwise, Family::Arithmetic)
+        )
     }
 
     fn peek(input: ParseStream<'_>) -> Option<Self> {
-        // Compound operators such as `||` and `&&` do not occur in formulas.
-        let doubled = input.peek(Token![||]) || input.peek(Token![&&]) || input.peek(Token![->]);
-        if doubled {
+        if input.peek(Token![->]) {
             return None;
         }
+        // Those of two marks come first, since each starts like another one.
         let operators = [
+            (input.peek(Token![||]), Self::Either),
+            (input.peek(Token![&&]), Self::Both),
+            (input.peek(Token![<=]), Self::LessOrEqual),
+            (input.peek(Token![>=]), Self::GreaterOrEqual),
+            (input.peek(Token![==]), Self::Equal),
+            (input.peek(Token![!=]), Self::NotEqual),
+            (input.peek(Token![<]), Self::Less),
+            (input.peek(Token![>]), Self::Greater),
             (input.peek(Token![*]), Self::Multiply),
             (input.peek(Token![/]), Self::Divide),
             (input.peek(Token![+]), Self::Add),
@@ -115,10 +192,11 @@ impl Operator {
             .find_map(|(is_next, operator)| is_next.then_some(operator))
     }
 
-    fn parse(input: ParseStream<'_>) -> Result<()> {
-        // All operators are a single punctuation mark.
-        input.parse::<TokenTree>()?;
-        if input.peek(Token![=]) {
+    fn parse(self, input: ParseStream<'_>) -> Result<()> {
+        for _ in self.symbol().bytes() {
+            input.parse::<TokenTree>()?;
+        }
+        if self.family() != Family::Comparison && input.peek(Token![=]) {
             return Err(input.error("names cannot be assigned to; bind a new name with `let`"));
         }
         Ok(())
@@ -189,7 +267,7 @@ impl Formula {
             if operators > MAX_OPERATORS {
                 return Err(input.error(too_long()));
             }
-            Operator::parse(input)?;
+            operator.parse(input)?;
             let right = Self::parse_above(input, operator.precedence() + 1, level)?;
             left = Self::combined(operator, left, right)?;
         }
@@ -198,12 +276,20 @@ impl Formula {
 
     fn combined(operator: Operator, left: Self, right: Self) -> Result<Self> {
         let mixed = |side: &Self| match &side.kind {
-            FormulaKind::Binary(inner, a, b) if inner.is_bitwise() != operator.is_bitwise() => {
+            FormulaKind::Binary(inner, a, b) if inner.is_doubtful_with(operator) => {
                 Some((*inner, a.clone(), b.clone()))
             }
             _ => None,
         };
         let symbol = operator.symbol();
+        if operator.family() == Family::Comparison
+            && let FormulaKind::Binary(inner, _, b) = &left.kind
+            && inner.family() == Family::Comparison
+        {
+            return Err(left.place.to(right.place.end).error(format!(
+                "comparisons do not form chains: write `{left} && {b} {symbol} {right}`"
+            )));
+        }
         let choices = if let Some((inner, a, b)) = mixed(&left) {
             let first = format!("({left}) {symbol} {right}");
             Some((
@@ -232,16 +318,23 @@ impl Formula {
 
     fn parse_prefix(input: ParseStream<'_>, level: usize) -> Result<Self> {
         let mut signs = Vec::new();
-        while input.peek(Token![-]) {
+        while input.peek(Token![-]) || input.peek(Token![!]) {
             if level + signs.len() >= MAX_NESTING {
                 return Err(input.error(too_deep()));
             }
-            signs.push(input.parse::<Token![-]>()?);
+            let is_not = input.peek(Token![!]);
+            signs.push((is_not, input.parse::<TokenTree>()?.span()));
         }
         let mut formula = Self::parse_postfix(input, level + signs.len())?;
-        for sign in signs.iter().rev() {
-            let place = Place::of(sign.spans[0]).to(formula.place.end);
-            formula = Self::new(FormulaKind::Negative(Box::new(formula)), place)?;
+        for (is_not, span) in signs.into_iter().rev() {
+            let place = Place::of(span).to(formula.place.end);
+            let operand = Box::new(formula);
+            let kind = if is_not {
+                FormulaKind::Not(operand)
+            } else {
+                FormulaKind::Negative(operand)
+            };
+            formula = Self::new(kind, place)?;
         }
         Ok(formula)
     }
@@ -272,6 +365,9 @@ impl Formula {
             let kind = FormulaKind::Element(Box::new(receiver), number.base10_parse()?);
             return Self::new(kind, place.to(number.span()));
         }
+        if input.peek(syn::LitFloat) {
+            return Self::parse_two_places(receiver, input);
+        }
         let name = input.call(Ident::parse_any)?;
         if !input.peek(token::Paren) {
             let end = name.span();
@@ -281,6 +377,23 @@ impl Formula {
         let (mut arguments, end) = Self::parse_arguments(input, level)?;
         arguments.insert(0, receiver);
         Self::new(FormulaKind::Call(name, arguments), place.to(end))
+    }
+
+    /// The places in `t.0.1`, where Rust reads `0.1` as one number.
+    fn parse_two_places(receiver: Self, input: ParseStream<'_>) -> Result<Self> {
+        let number: syn::LitFloat = input.parse()?;
+        let text = number.to_string();
+        let places: Option<Vec<usize>> = text.split('.').map(|part| part.parse().ok()).collect();
+        let Some(places) = places else {
+            return Err(Error::new(
+                number.span(),
+                "expected the places of elements, such as `t.0.1`",
+            ));
+        };
+        let place = receiver.place.to(number.span());
+        places.into_iter().try_fold(receiver, |inner, element| {
+            Self::new(FormulaKind::Element(Box::new(inner), element), place)
+        })
     }
 
     fn parse_arguments(input: ParseStream<'_>, level: usize) -> Result<(Vec<Self>, Span)> {
@@ -346,6 +459,7 @@ impl FormulaKind {
         let (one, other, list): (Option<&Formula>, Option<&Formula>, &[Formula]) = match self {
             Self::Name(_) | Self::Number(_) => (None, None, &[]),
             Self::Negative(a)
+            | Self::Not(a)
             | Self::Coefficient(a, _)
             | Self::Element(a, _)
             | Self::Parenthesised(a) => (Some(a), None, &[]),
@@ -359,6 +473,12 @@ impl FormulaKind {
 /// The error where a formula should start and none does.
 fn not_a_formula(input: ParseStream<'_>) -> Error {
     if let Ok(keyword) = input.fork().call(Ident::parse_any) {
+        if keyword == "if" || keyword == "match" {
+            return input.error(
+                "a formula does not branch, so that lanes of numbers can run it: \
+                 `select(condition, a, b)` computes both a and b and chooses one of them",
+            );
+        }
         return input.error(format!(
             "`{keyword}` is a keyword of Rust, which a formula cannot contain; \
              if it is a blade, write its basis vectors in another order"
@@ -377,6 +497,7 @@ impl fmt::Display for Formula {
             FormulaKind::Name(name) => write!(f, "{name}"),
             FormulaKind::Number(value) => write!(f, "{value}"),
             FormulaKind::Negative(operand) => write!(f, "-{operand}"),
+            FormulaKind::Not(operand) => write!(f, "!{operand}"),
             FormulaKind::Binary(operator, a, b) => write!(f, "{a} {} {b}", operator.symbol()),
             FormulaKind::Call(name, arguments) => write!(f, "{name}({})", list(arguments)),
             FormulaKind::Coefficient(operand, name) => write!(f, "{operand}.{name}"),
@@ -429,6 +550,38 @@ mod tests {
         }
         for text in ["(a + b) ^ c", "a ^ b & c", "a * (b | c)", "-a ^ b"] {
             assert!(read(text).is_ok(), "{text}");
+        }
+    }
+
+    #[test]
+    fn conditions_bind_looser_than_formulas() {
+        let grouped = |text: &str| match read(text).map(|formula| formula.kind) {
+            Ok(FormulaKind::Binary(operator, a, b)) => {
+                format!("({a}) {} ({b})", operator.symbol())
+            }
+            other => panic!("{other:?}"),
+        };
+        assert_eq!(grouped("a + b < c"), "(a + b) < (c)");
+        assert_eq!(grouped("a | b >= c ^ d"), "(a | b) >= (c ^ d)");
+        assert_eq!(grouped("a <-b"), "(a) < (-b)");
+        assert_eq!(grouped("a < b && c != d"), "(a < b) && (c != d)");
+        assert_eq!(grouped("a < b || c == d && e"), "(a < b) || (c == d && e)");
+        assert_eq!(grouped("!a && !(b || c)"), "(!a) && (!(b || c))");
+        let message = read("a < b <= c").expect_err("a chain").to_string();
+        assert!(message.contains("`a < b && b <= c`"), "{message}");
+        let message = read("if a { b } else { c }").expect_err("a branch");
+        assert!(message.to_string().contains("`select(condition, a, b)`"));
+    }
+
+    #[test]
+    fn places_may_follow_each_other() {
+        let shown = |text: &str| read(text).map(|formula| formula.to_string());
+        assert_eq!(shown("t.0.1").ok().as_deref(), Some("t[0][1]"));
+        assert_eq!(shown("t.0.1.2.e12").ok().as_deref(), Some("t[0][1][2].e12"));
+        assert_eq!(shown("t.10.20 + 1").ok().as_deref(), Some("t[10][20] + 1"));
+        for text in ["t.0.1e3", "t.1e3", "t.0.1f32"] {
+            let message = read(text).expect_err(text).to_string();
+            assert!(message.contains("such as `t.0.1`"), "{message}");
         }
     }
 

@@ -67,7 +67,16 @@ pub fn cost(arena: &Arena, outputs: &[Value]) -> Cost {
                     | Function::StumpffSine
                     | Function::StumpffSineSlope
                     | Function::VersorAngle
-                    | Function::VersorAngleSlope => cost.functions += 1,
+                    | Function::VersorAngleSlope
+                    | Function::Minimum
+                    | Function::Maximum
+                    | Function::Less
+                    | Function::LessOrEqual
+                    | Function::Equal
+                    | Function::And
+                    | Function::Or
+                    | Function::Not
+                    | Function::Select => cost.functions += 1,
                 }
                 for argument in arguments.iter().filter(|v| v.as_constant().is_none()) {
                     cost.scale(argument.factor);

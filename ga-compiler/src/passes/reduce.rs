@@ -10,7 +10,7 @@
 use super::flatten::{collected, price};
 use super::rewrite::{Graph, image, reads, rewrite};
 use crate::algebra::{Algebra, Blade, Product, Unary};
-use crate::ir::{Arena, Multivector, Node, Value};
+use crate::ir::{Arena, Function, Multivector, Node, Value};
 
 /// The values that are zero by the facts of an operand: the coefficients of `M ~M − 1` for a unit
 /// versor, of `X²` for a null X, of `X ∧ X` for a blade.
@@ -84,6 +84,8 @@ fn sensitive(arena: &Arena) -> Vec<bool> {
     for id in arena.ids() {
         match arena.node(id) {
             Node::Quotient(_, divisor) => is_sensitive[divisor.index()] = true,
+            // A choice is as accurate as what is chosen.
+            Node::Function(Function::Select, _) => {}
             Node::Function(_, arguments) => {
                 for argument in arguments {
                     is_sensitive[argument.node.index()] = true;

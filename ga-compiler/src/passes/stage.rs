@@ -34,12 +34,12 @@ impl Stages {
         let live = schedule(arena, outputs);
         let mut uniformity = Uniformity::new(uniform);
         let mut is_uniform = |id: NodeId| uniformity.is_uniform(arena, id);
-        let (first, second): (Vec<_>, Vec<_>) =
-            live.order.into_iter().partition(|id| is_uniform(*id));
+        let (first, second) = divided(arena, &live.order, &mut is_uniform);
         let inner = Stage::new(arena, second, outputs.iter().map(|value| value.node));
         let handed: Vec<NodeId> = live_inputs(arena, &inner.uses)
             .chain(first.iter().copied())
             .filter(|id| inner.uses[id.index()] > 0 && is_uniform(*id))
+            .filter(|id| !is_condition(arena, *id))
             .collect();
         let prologue = Stage::new(arena, first, handed.iter().copied());
         Self {
@@ -86,6 +86,41 @@ impl Stage {
         }
         self
     }
+}
+
+/// The nodes of the two stages. The first hands numbers to the second, not conditions: a uniform
+/// condition that the second stage reads is computed there, from numbers that are handed over.
+fn divided(
+    arena: &Arena,
+    order: &[NodeId],
+    is_uniform: &mut impl FnMut(NodeId) -> bool,
+) -> (Vec<NodeId>, Vec<NodeId>) {
+    let mut belongs = vec![[false; 2]; arena.len()];
+    for &id in order.iter().rev() {
+        if !is_condition(arena, id) {
+            belongs[id.index()] = [is_uniform(id), !is_uniform(id)];
+        } else if !is_uniform(id) {
+            belongs[id.index()] = [false, true];
+        }
+        let [first, second] = belongs[id.index()];
+        arena.node(id).for_each_operand(|operand| {
+            if is_condition(arena, operand) {
+                belongs[operand.index()][0] |= first;
+                belongs[operand.index()][1] |= second;
+            }
+        });
+    }
+    let stage = |number: usize| {
+        let nodes = order.iter().copied();
+        nodes
+            .filter(|id| belongs[id.index()][number])
+            .collect::<Vec<_>>()
+    };
+    (stage(0), stage(1))
+}
+
+fn is_condition(arena: &Arena, id: NodeId) -> bool {
+    matches!(arena.node(id), Node::Function(function, _) if function.is_condition())
 }
 
 fn live_inputs<'a>(arena: &'a Arena, uses: &'a [usize]) -> impl Iterator<Item = NodeId> + 'a {

@@ -75,6 +75,16 @@ impl Builder<'_> {
         self.push(Step::Function(function, arguments.to_vec()))
     }
 
+    /// −1 for a negative number and 1 for a positive one; what is neither, zero or NaN, stays.
+    pub(super) fn sign(&mut self, x: StepId) -> Outcome {
+        let [zero, one, minus_one] = [0, 1, -1].map(|value| self.number(Ratio::integer(value)));
+        let (zero, one, minus_one) = (zero?, one?, minus_one?);
+        let is_positive = self.function(Function::Less, &[zero, x])?;
+        let is_negative = self.function(Function::Less, &[x, zero])?;
+        let other = self.push(Step::Select(is_negative, minus_one, x))?;
+        self.push(Step::Select(is_positive, one, other))
+    }
+
     /// The blades of a step, for messages.
     pub(super) fn blade_names(&self, id: StepId) -> String {
         let blades = self.witness.blades(id);

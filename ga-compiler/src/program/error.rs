@@ -100,6 +100,14 @@ pub enum ResolveErrorKind {
     TypeMismatch(String, String, String),
     /// The divisor of `/` has these blades.
     DivisorNotScalar(String),
+    /// A condition stands where a multivector is needed.
+    ConditionAsValue,
+    /// The operation or operator of that name takes conditions.
+    NotCondition(&'static str),
+    /// An operand of that comparison has these blades.
+    ComparedNotScalar(&'static str, String),
+    /// `select` chooses between so many values and so many.
+    UnequalChoices(ValueCount, ValueCount),
     /// The grade of `grade` is not a whole number as it is written.
     GradeNotWhole,
     /// An operation or function takes so many operands, not so many.
@@ -123,6 +131,8 @@ pub enum ResolveErrorKind {
 pub enum ValueCount {
     /// One, which is not in a tuple or an array.
     One,
+    /// A condition.
+    Condition,
     /// So many in a tuple or an array.
     Several(usize),
 }
@@ -158,6 +168,7 @@ impl fmt::Display for ValueCount {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::One => f.write_str("one value"),
+            Self::Condition => f.write_str("a condition"),
             Self::Several(1) => f.write_str("1 value in a tuple or an array"),
             Self::Several(count) => write!(f, "{count} values"),
         }
@@ -213,6 +224,23 @@ impl fmt::Display for ResolveErrorKind {
                 f,
                 "the divisor is not a scalar, it has {found}; \
                  `a * inverse(b)` divides by a blade or a versor"
+            ),
+            Self::ConditionAsValue => f.write_str(
+                "this is a condition, where a multivector is needed; \
+                 `select(condition, 1, 0)` makes a number of it",
+            ),
+            Self::NotCondition(what) => write!(
+                f,
+                "`{what}` takes a condition, such as `x < y`, but this is not one"
+            ),
+            Self::ComparedNotScalar(symbol, found) => write!(
+                f,
+                "`{symbol}` compares scalars, but one of its sides has {found}; \
+                 compare coefficients or norms"
+            ),
+            Self::UnequalChoices(a, b) => write!(
+                f,
+                "`select` chooses between two values of the same shape, but these are {a} and {b}"
             ),
             Self::GradeNotWhole => f.write_str("the grade must be a whole number"),
             Self::OperandCount(name, wanted, found) => {

@@ -56,6 +56,10 @@ pub(super) fn evaluate_step(
         Step::Coefficient(a, blade) => {
             Numbers::from([(Blade::SCALAR, numbers::coefficient(value(*a), *blade))])
         }
+        Step::Select(condition, a, b) => {
+            let holds = scalar(*condition) != Residue::ZERO;
+            value(if holds { *a } else { *b }).clone()
+        }
         Step::Function(function, arguments) => {
             let arguments: Vec<_> = arguments.iter().map(|&id| scalar(id)).collect();
             let result = function.evaluate(&arguments);

@@ -64,8 +64,10 @@ pub enum Step {
     Negative(StepId),
     /// The coefficient of a blade, as a scalar.
     Coefficient(StepId, Blade),
-    /// A function of scalars.
+    /// A function of scalars or conditions.
     Function(Function, Vec<StepId>),
+    /// The second step where the condition that comes first holds, else the third.
+    Select(StepId, StepId, StepId),
 }
 
 impl Step {
@@ -80,6 +82,7 @@ impl Step {
             | Self::Sum(a, b)
             | Self::Quotient(a, b) => vec![*a, *b],
             Self::Function(_, arguments) => arguments.clone(),
+            Self::Select(condition, a, b) => vec![*condition, *a, *b],
         }
     }
 }

@@ -16,6 +16,10 @@ const TRIES: u64 = 4096;
 const POINTS: usize = 2;
 const POINTS_WITH_SIGNS: usize = 16;
 
+/// How many points are taken at most until every comparison has held and failed, and every two of
+/// them in each combination.
+const POINTS_WITH_CHOICES: usize = 48;
+
 /// A program's values at random points of the operands' types.
 #[derive(Clone, Debug, Default)]
 pub struct Witness {
@@ -47,19 +51,14 @@ impl Witness {
         };
         let mut points = std::mem::take(&mut self.points);
         points.retain(|point| point.members.len() == program.operands.len());
-        points.truncate(wanted);
-        for place in 0..wanted {
-            let start = if place < points.len() {
-                Some(points.remove(0))
-            } else {
-                self.start(algebra, program)
-            };
+        let mut known = points.into_iter();
+        while self.points.len() < wanted || !is_covered(program, &self.points) {
+            let start = known.next().or_else(|| self.start(algebra, program));
             let Some(point) = start.and_then(|start| self.settle(algebra, program, start)) else {
                 return false;
             };
-            points.push(point);
+            self.points.push(point);
         }
-        self.points = points;
         true
     }
 
@@ -200,6 +199,50 @@ impl Point {
         }
         Ok(())
     }
+}
+
+/// Whether the points show the outcomes of the program's comparisons, one by one and in pairs, so
+/// that no branch of a choice goes unseen.
+fn is_covered(program: &Program<'_>, points: &[Point]) -> bool {
+    let choices = program.steps().filter_map(|(id, step)| match step {
+        Step::Function(function, arguments) if function.is_random_choice() => {
+            // A comparison gives 0 or 1; the smaller or the larger number is the first or not.
+            let reference = (!function.is_condition()).then_some(arguments[0]);
+            Some((id, reference))
+        }
+        _ => None,
+    });
+    let outcomes: Vec<Vec<bool>> = choices
+        .map(|(id, reference)| {
+            let scalar = |point: &Point, id: StepId| {
+                numbers::coefficient(&point.values[id.index()], Blade::SCALAR)
+            };
+            let of_point = |point: &Point| match reference {
+                Some(first) => scalar(point, id) == scalar(point, first),
+                None => scalar(point, id) != Residue::ZERO,
+            };
+            points.iter().map(of_point).collect()
+        })
+        .collect();
+    let shows_all = |first: &[bool], second: &[bool]| {
+        [(false, false), (false, true), (true, false), (true, true)]
+            .into_iter()
+            .all(|wanted| {
+                first
+                    .iter()
+                    .copied()
+                    .zip(second.iter().copied())
+                    .any(|found| found == wanted)
+            })
+    };
+    points.len() >= POINTS_WITH_CHOICES
+        || outcomes.iter().enumerate().all(|(place, first)| {
+            first.contains(&true)
+                && first.contains(&false)
+                && outcomes[..place]
+                    .iter()
+                    .all(|second| shows_all(first, second))
+        })
 }
 
 /// The operands that a step depends on and that no earlier root depends on.

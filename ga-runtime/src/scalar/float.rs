@@ -125,6 +125,15 @@ macro_rules! implement_real {
                 self < other
             }
             #[inline]
+            fn less_or_equal(self, other: Self) -> bool {
+                self <= other
+            }
+            #[inline]
+            #[allow(clippy::float_cmp, reason = "this is the exact comparison")]
+            fn equals(self, other: Self) -> bool {
+                self == other
+            }
+            #[inline]
             fn is_finite(self) -> bool {
                 <$type>::is_finite(self)
             }

@@ -219,6 +219,22 @@ impl<T: Real<Mask = bool>, const N: usize> Real for Lanes<T, N> {
         LaneMask::from_array(mask)
     }
     #[inline(always)]
+    fn less_or_equal(self, other: Self) -> LaneMask<N> {
+        let mut mask = [false; N];
+        for ((mask, lane), other) in mask.iter_mut().zip(&self.0).zip(&other.0) {
+            *mask = lane.less_or_equal(*other);
+        }
+        LaneMask::from_array(mask)
+    }
+    #[inline(always)]
+    fn equals(self, other: Self) -> LaneMask<N> {
+        let mut mask = [false; N];
+        for ((mask, lane), other) in mask.iter_mut().zip(&self.0).zip(&other.0) {
+            *mask = lane.equals(*other);
+        }
+        LaneMask::from_array(mask)
+    }
+    #[inline(always)]
     fn is_finite(self) -> LaneMask<N> {
         let mut mask = [false; N];
         for (mask, lane) in mask.iter_mut().zip(&self.0) {

@@ -174,6 +174,32 @@ pub trait Real: Field {
     /// `if_true` where the mask is set, else `if_false`.
     fn select(mask: Self::Mask, if_true: Self, if_false: Self) -> Self;
 
+    /// Whether `self ≤ other`; false where either is NaN.
+    ///
+    /// ```
+    /// use ga_runtime::scalar::Real;
+    /// assert!(2.0.less_or_equal(2.0) && !3.0_f64.less_or_equal(2.0));
+    /// assert!(!f64::NAN.less_or_equal(f64::NAN));
+    /// ```
+    #[inline]
+    fn less_or_equal(self, other: Self) -> Self::Mask {
+        self.less_than(other) | self.equals(other)
+    }
+    /// Whether `self = other`, without regard to derivatives; false where either is NaN.
+    ///
+    /// ```
+    /// use ga_runtime::scalar::{Dual, Real};
+    /// assert!(0.0.equals(-0.0) && f64::INFINITY.equals(f64::INFINITY));
+    /// assert!(!f64::NAN.equals(f64::NAN));
+    /// assert!(Dual::<f64>::variable(2.0).equals(Dual::constant(2.0)));
+    /// ```
+    #[inline]
+    fn equals(self, other: Self) -> Self::Mask {
+        // A number that is not NaN is below 1 or above 0.
+        let is_number = |x: Self| x.less_than(Self::one()) | Self::zero().less_than(x);
+        let differs = self.less_than(other) | other.less_than(self);
+        !differs & is_number(self) & is_number(other)
+    }
     /// Sine of an angle in radians.
     #[inline]
     fn sin(self) -> Self {

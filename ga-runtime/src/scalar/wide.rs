@@ -132,6 +132,14 @@ macro_rules! implement_real {
                 WideMask(self.simd_lt(other))
             }
             #[inline(always)]
+            fn less_or_equal(self, other: Self) -> Self::Mask {
+                WideMask(self.simd_le(other))
+            }
+            #[inline(always)]
+            fn equals(self, other: Self) -> Self::Mask {
+                WideMask(self.simd_eq(other))
+            }
+            #[inline(always)]
             fn is_finite(self) -> Self::Mask {
                 WideMask(Self::is_finite(self))
             }

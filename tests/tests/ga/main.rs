@@ -1,6 +1,7 @@
 //! Functions written in `ga!`, against truth that the compiler did not produce: the dense reference
 //! over the prime field, exactly, where no real function is involved, and closed forms otherwise.
 
+mod conditions;
 mod exact;
 mod language;
 mod places;

@@ -174,6 +174,14 @@ impl Printer<'_> {
                     self.explained.insert(*function);
                 }
                 match function {
+                    Function::Not => format!("not ({text})"),
+                    Function::And | Function::Or => {
+                        let texts: Vec<_> = texts.iter().map(|text| format!("({text})")).collect();
+                        format!("({})", texts.join(&format!(" {} ", name(*function))))
+                    }
+                    Function::Less | Function::LessOrEqual | Function::Equal => {
+                        format!("({})", texts.join(&format!(" {} ", name(*function))))
+                    }
                     Function::Absolute => format!("|{text}|"),
                     Function::SquareRoot => format!("√({text})"),
                     other => format!("{}({text})", name(*other)),
@@ -227,6 +235,15 @@ pub(in crate::emit) fn name(function: Function) -> &'static str {
         Function::StumpffSineSlope => "S′",
         Function::VersorAngle => "A",
         Function::VersorAngleSlope => "A′",
+        Function::Minimum => "min",
+        Function::Maximum => "max",
+        Function::Less => "<",
+        Function::LessOrEqual => "≤",
+        Function::Equal => "=",
+        Function::And => "and",
+        Function::Or => "or",
+        Function::Not => "not",
+        Function::Select => "select",
     }
 }
 
@@ -244,7 +261,16 @@ pub(super) fn explanation(function: Function) -> Option<&'static str> {
         | Function::Cosine
         | Function::ArcTangent
         | Function::Exponential
-        | Function::NaturalLogarithm => return None,
+        | Function::NaturalLogarithm
+        | Function::Minimum
+        | Function::Maximum
+        | Function::Less
+        | Function::LessOrEqual
+        | Function::Equal
+        | Function::And
+        | Function::Or
+        | Function::Not
+        | Function::Select => return None,
     })
 }
 

@@ -158,8 +158,15 @@ impl Writer<'_> {
             .iter()
             .map(|&argument| self.value(argument))
             .collect();
-        let call = self.call(function);
-        quote! { #call(#(#values),*) }
+        match (function, values.as_slice()) {
+            (Function::And, [a, b]) => quote! { (#a & #b) },
+            (Function::Or, [a, b]) => quote! { (#a | #b) },
+            (Function::Not, [a]) => quote! { !#a },
+            _ => {
+                let call = self.call(function);
+                quote! { #call(#(#values),*) }
+            }
+        }
     }
 
     /// The function of ga-runtime that gives a function, or all of its family.
@@ -172,6 +179,16 @@ impl Writer<'_> {
             Function::Exponential => quote! { exp },
             Function::NaturalLogarithm => quote! { ln },
             Function::Sine | Function::Cosine => quote! { sin_cos },
+            Function::Minimum => quote! { min },
+            Function::Maximum => quote! { max },
+            Function::Less => quote! { less_than },
+            Function::LessOrEqual => quote! { less_or_equal },
+            Function::Equal => quote! { equals },
+            Function::Select => quote! { select },
+            // Operators of masks.
+            Function::And => quote! { bitand },
+            Function::Or => quote! { bitor },
+            Function::Not => quote! { not },
             Function::StumpffCosine | Function::StumpffSine | Function::StumpffSineSlope => {
                 return quote! { #runtime::scalar::versor_exponential };
             }

@@ -143,7 +143,15 @@ impl Body<'_> {
                     .map(|&argument| self.value(argument))
                     .collect();
                 let name = (self.function_names)(*function);
-                format!("{name}({})", arguments.join(", "))
+                match (function, arguments.as_slice()) {
+                    (Function::Not, [a]) => format!("{name}({a})"),
+                    // The value for a condition that holds comes second.
+                    (Function::Select, [condition, a, b]) => {
+                        format!("{name}({b}, {a}, {condition})")
+                    }
+                    (_, [a, b]) if function.is_condition() => format!("({a} {name} {b})"),
+                    _ => format!("{name}({})", arguments.join(", ")),
+                }
             }
         }
     }

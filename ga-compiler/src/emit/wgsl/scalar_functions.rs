@@ -2,7 +2,8 @@
 
 use crate::ir::Function;
 
-/// The name of a function; that of one of our own may still be changed to avoid a clash.
+/// The name of a function or its operator; the name of one of our own may still be changed to avoid
+/// a clash.
 pub(super) fn name(function: Function) -> &'static str {
     match function {
         Function::SquareRoot => "sqrt",
@@ -17,6 +18,15 @@ pub(super) fn name(function: Function) -> &'static str {
         Function::StumpffSineSlope => "versor_sine_slope",
         Function::VersorAngle => "versor_angle",
         Function::VersorAngleSlope => "versor_angle_slope",
+        Function::Minimum => "min",
+        Function::Maximum => "max",
+        Function::Less => "<",
+        Function::LessOrEqual => "<=",
+        Function::Equal => "==",
+        Function::And => "&&",
+        Function::Or => "||",
+        Function::Not => "!",
+        Function::Select => "select",
     }
 }
 
@@ -34,7 +44,16 @@ pub(super) fn needs(function: Function) -> &'static [Function] {
         | Function::NaturalLogarithm
         | Function::StumpffCosine
         | Function::StumpffSine
-        | Function::VersorAngle => &[],
+        | Function::VersorAngle
+        | Function::Minimum
+        | Function::Maximum
+        | Function::Less
+        | Function::LessOrEqual
+        | Function::Equal
+        | Function::And
+        | Function::Or
+        | Function::Not
+        | Function::Select => &[],
     }
 }
 
@@ -64,7 +83,16 @@ pub(super) fn declaration(function: Function, name: &dyn Fn(Function) -> String)
         | Function::Cosine
         | Function::ArcTangent
         | Function::Exponential
-        | Function::NaturalLogarithm => None,
+        | Function::NaturalLogarithm
+        | Function::Minimum
+        | Function::Maximum
+        | Function::Less
+        | Function::LessOrEqual
+        | Function::Equal
+        | Function::And
+        | Function::Or
+        | Function::Not
+        | Function::Select => None,
     }
 }
 

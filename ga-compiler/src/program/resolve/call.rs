@@ -6,6 +6,7 @@ use super::super::Step;
 use super::super::error::{ResolveError, ResolveErrorKind};
 use super::super::limits::{MAX_CALL_DEPTH, MAX_CALLS};
 use super::super::nearest::nearest;
+use super::condition::SELECT;
 use super::operation::{GRADE, Operation};
 use super::{Bound, Resolver, Result};
 use crate::algebra::Unary;
@@ -26,6 +27,12 @@ impl<'s> Resolver<'_, 's> {
         if text == GRADE {
             check_count(name, 2, arguments)?;
             return self.part_of_grade(formula, &arguments[0], &arguments[1]);
+        }
+        if text == SELECT {
+            if let [condition, a, b] = arguments {
+                return self.select(formula, [condition, a, b]);
+            }
+            check_count(name, 3, arguments)?;
         }
         if let Some((known, operation)) = Operation::from_name(&text) {
             check_count(name, operation.arity(), arguments)?;

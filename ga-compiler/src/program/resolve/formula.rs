@@ -7,9 +7,11 @@ use super::super::error::{ResolveError, ResolveErrorKind};
 use super::super::limits::MAX_LEVELS;
 use super::super::nearest::nearest;
 use super::super::{Step, StepId};
+use super::condition::as_condition;
 use super::{Bound, Resolver, Result};
 use crate::algebra::{Blade, NameError, Product, Ratio};
 use crate::define::{Role, TypeDefinition};
+use crate::ir::Function;
 use crate::parse::{Formula, FormulaKind, Operator, Place};
 
 impl<'s> Resolver<'_, 's> {
@@ -28,6 +30,10 @@ impl<'s> Resolver<'_, 's> {
                 operator_value(step, formula.place())
             }
             FormulaKind::Negative(operand) => self.negative(formula, operand),
+            FormulaKind::Not(operand) => self
+                .condition(operand, "!")
+                .and_then(|id| self.condition_step(Function::Not, vec![id], formula.place()))
+                .map(Bound::Condition),
             FormulaKind::Binary(..) => self.row(formula),
             FormulaKind::Call(name, arguments) => self.call(formula, name, arguments),
             FormulaKind::Coefficient(operand, name) => self.coefficient(operand, name),
@@ -40,13 +46,8 @@ impl<'s> Resolver<'_, 's> {
 
     /// The value of a formula that must be one multivector.
     pub(super) fn single(&mut self, formula: &'s Formula) -> Result<StepId> {
-        match self.formula(formula)? {
-            Bound::One(id) => Ok(id),
-            Bound::Parts(_) => {
-                let kind = ResolveErrorKind::SeveralValues;
-                Err(ResolveError::new(kind, formula.place()))
-            }
-        }
+        let value = self.formula(formula)?;
+        as_multivector(&value, formula)
     }
 
     /// The coefficient of a blade: `operand.name` or `name(operand)`.
@@ -93,27 +94,54 @@ impl<'s> Resolver<'_, 's> {
     fn row(&mut self, formula: &'s Formula) -> Result<Bound> {
         let (mut first, mut operations) = (formula, Vec::new());
         while let FormulaKind::Binary(operator, left, right) = &first.kind {
-            operations.push((*operator, &**right, first.place()));
+            operations.push((*operator, &**left, &**right, first.place()));
             first = left;
         }
-        let mut value = self.single(first)?;
-        for (operator, right, place) in operations.into_iter().rev() {
-            let operand = self.single(right)?;
-            if operator == Operator::Divide && !self.builder.witness.is_scalar(operand) {
-                let found = self.builder.blade_names(operand);
-                let kind = ResolveErrorKind::DivisorNotScalar(found);
-                return Err(ResolveError::new(kind, right.place()));
-            }
-            value = self
-                .operation(operator, value, operand)
-                .map_err(|error| ResolveError::new(ResolveErrorKind::Operator(error), place))?;
+        let mut value = self.formula(first)?;
+        for (operator, left, right, place) in operations.into_iter().rev() {
+            value = self.binary(operator, (left, value), right, place)?;
         }
-        Ok(Bound::One(value))
+        Ok(value)
     }
 
+    /// An operator on a value that is known, with its formula, and on another formula.
+    fn binary(
+        &mut self,
+        operator: Operator,
+        (left, value): (&Formula, Bound),
+        right: &'s Formula,
+        place: Place,
+    ) -> Result<Bound> {
+        let junction = match operator {
+            Operator::Both => Some(Function::And),
+            Operator::Either => Some(Function::Or),
+            _ => None,
+        };
+        if let Some(junction) = junction {
+            let first = as_condition(value, left, operator.symbol())?;
+            let second = self.condition(right, operator.symbol())?;
+            let step = self.condition_step(junction, vec![first, second], place);
+            return step.map(Bound::Condition);
+        }
+        let value = as_multivector(&value, left)?;
+        let operand = self.single(right)?;
+        if operator.is_comparison() {
+            let step = self.comparison(operator, [value, operand], place);
+            return step.map(Bound::Condition);
+        }
+        if operator == Operator::Divide && !self.builder.witness.is_scalar(operand) {
+            let found = self.builder.blade_names(operand);
+            let kind = ResolveErrorKind::DivisorNotScalar(found);
+            return Err(ResolveError::new(kind, right.place()));
+        }
+        self.operation(operator, value, operand)
+            .map(Bound::One)
+            .map_err(|error| ResolveError::new(ResolveErrorKind::Operator(error), place))
+    }
+
+    /// The value of an operator on multivectors.
     fn operation(&mut self, operator: Operator, a: StepId, b: StepId) -> Outcome {
         let product = match operator {
-            Operator::Multiply => Product::Geometric,
             Operator::Xor => Product::Wedge,
             Operator::Or => Product::LeftContraction,
             Operator::And => Product::Vee,
@@ -123,6 +151,8 @@ impl<'s> Resolver<'_, 's> {
                 let negative = self.builder.push(Step::Negative(b))?;
                 return self.builder.push(Step::Sum(a, negative));
             }
+            // Those of conditions do not come here.
+            _ => Product::Geometric,
         };
         self.builder.push(Step::Binary(product, a, b))
     }
@@ -196,6 +226,16 @@ impl<'s> Resolver<'_, 's> {
         }
         Ok(sum)
     }
+}
+
+/// A value that must be one multivector.
+fn as_multivector(value: &Bound, formula: &Formula) -> Result<StepId> {
+    let kind = match value {
+        Bound::One(id) => return Ok(*id),
+        Bound::Parts(_) => ResolveErrorKind::SeveralValues,
+        Bound::Condition(_) => ResolveErrorKind::ConditionAsValue,
+    };
+    Err(ResolveError::new(kind, formula.place()))
 }
 
 /// The value of an operator, a name or a number.

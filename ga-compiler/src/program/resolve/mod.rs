@@ -2,6 +2,7 @@
 //! name that has none.
 
 mod call;
+mod condition;
 mod formula;
 mod operation;
 #[cfg(test)]
@@ -116,7 +117,10 @@ fn state_kinds<'a>(definition: &'a Definition, builder: &mut Builder<'a>) {
         .filter(|(_, step)| {
             matches!(
                 step,
-                Step::Binary(Product::Geometric, ..) | Step::Sandwich(..) | Step::Quotient(..)
+                Step::Binary(Product::Geometric, ..)
+                    | Step::Sandwich(..)
+                    | Step::Quotient(..)
+                    | Step::Select(..)
             )
         })
         .map(|(id, _)| id)
@@ -137,6 +141,8 @@ fn state_kinds<'a>(definition: &'a Definition, builder: &mut Builder<'a>) {
 enum Bound {
     /// A multivector.
     One(StepId),
+    /// A condition.
+    Condition(StepId),
     /// The elements of a tuple or an array; shared, since names may be read many times.
     Parts(Rc<[Bound]>),
 }
@@ -145,6 +151,7 @@ impl Bound {
     fn count(&self) -> ValueCount {
         match self {
             Self::One(_) => ValueCount::One,
+            Self::Condition(_) => ValueCount::Condition,
             Self::Parts(parts) => ValueCount::Several(parts.len()),
         }
     }

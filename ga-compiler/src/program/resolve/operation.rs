@@ -5,6 +5,8 @@ use super::super::{OperationError, Step, StepId};
 use crate::algebra::{Product, Ratio, Unary};
 use crate::ir::Function;
 
+use super::condition::SELECT;
+
 /// An operation with a name.
 #[derive(Clone, Copy)]
 pub(super) enum Operation {
@@ -16,6 +18,10 @@ pub(super) enum Operation {
     Sandwich,
     /// A function of scalars.
     Function(Function),
+    /// A number between two others.
+    Clamp,
+    /// −1, 0 or 1.
+    Sign,
     /// `1/x` of a scalar.
     Reciprocal,
     /// The exponential of a scalar or a bivector.
@@ -35,8 +41,8 @@ pub(super) enum Operation {
 /// The operation that takes a number, the grade, beside its operand: `grade(a, 2)`.
 pub(super) const GRADE: &str = "grade";
 
-/// All other operations by name; some have two names.
-const NAMES: [(&str, Operation); 29] = [
+/// All other operations of multivectors by name; some have two names.
+const NAMES: [(&str, Operation); 33] = [
     ("reverse", Operation::Unary(Unary::Reverse)),
     ("rev", Operation::Unary(Unary::Reverse)),
     ("involute", Operation::Unary(Unary::Involute)),
@@ -64,6 +70,10 @@ const NAMES: [(&str, Operation); 29] = [
     ("cos", Operation::Function(Function::Cosine)),
     ("atan2", Operation::Function(Function::ArcTangent)),
     ("ln", Operation::Function(Function::NaturalLogarithm)),
+    ("min", Operation::Function(Function::Minimum)),
+    ("max", Operation::Function(Function::Maximum)),
+    ("clamp", Operation::Clamp),
+    ("sign", Operation::Sign),
     ("recip", Operation::Reciprocal),
     ("exp", Operation::Exponential),
     ("log", Operation::Logarithm),
@@ -75,9 +85,9 @@ const NAMES: [(&str, Operation); 29] = [
 ];
 
 impl Operation {
-    /// All names, that of the part of a grade included.
+    /// All names, those of operations that take something else than multivectors included.
     pub(super) fn names() -> impl Iterator<Item = &'static str> {
-        NAMES.iter().map(|(name, _)| *name).chain([GRADE])
+        NAMES.iter().map(|(name, _)| *name).chain([GRADE, SELECT])
     }
 
     /// The operation of that name, with the name.
@@ -88,9 +98,11 @@ impl Operation {
     /// How many operands it takes.
     pub(super) fn arity(self) -> usize {
         match self {
+            Self::Clamp => 3,
             Self::Product(_) | Self::Sandwich => 2,
             Self::Function(function) => function.arity(),
             Self::Unary(_)
+            | Self::Sign
             | Self::Reciprocal
             | Self::Exponential
             | Self::Logarithm
@@ -109,6 +121,11 @@ impl Operation {
             Self::Product(product) => builder.push(Step::Binary(product, first, operands[1])),
             Self::Sandwich => builder.push(Step::Sandwich(first, operands[1])),
             Self::Function(function) => builder.function(function, operands),
+            Self::Clamp => {
+                let raised = builder.function(Function::Maximum, &[first, operands[1]])?;
+                builder.function(Function::Minimum, &[raised, operands[2]])
+            }
+            Self::Sign => builder.sign(first),
             Self::Reciprocal => {
                 let one = builder.number(Ratio::ONE)?;
                 if !builder.witness.is_scalar(first) {

@@ -99,8 +99,78 @@ fn many_formulas_one_after_the_other_are_not_deep() {
 }
 
 #[test]
+fn both_values_of_a_choice_count() {
+    for (function, text) in [
+        (
+            "fn f(x: Scalar, a: Vector) -> Vector { select(x < 1, a, a * a) }",
+            "the result is not of type `Vector`: left over: scalar",
+        ),
+        (
+            "fn f(x: Scalar, a: Vector) -> Vector { select(x < 1, a + 1, a) }",
+            "the result is not of type `Vector`: left over: scalar",
+        ),
+        (
+            "fn f(x: Scalar, y: Scalar, a: Vector) -> Vector {
+                select(x < 1 && y < 1, a, select(x < 1 || y < 1, select(x == y, a, -a), 1 + a))
+            }",
+            "the result is not of type `Vector`: left over: scalar",
+        ),
+        (
+            "fn f(x: Scalar, y: Scalar) -> Scalar {
+                let z = min(x, y) - x;
+                1 / select(x < y, z, z)
+            }",
+            "",
+        ),
+    ] {
+        let found = messages(function).pop().unwrap_or_default();
+        assert!(
+            found.starts_with(text) && found.is_empty() == text.is_empty(),
+            "{found}"
+        );
+    }
+    let fits =
+        "fn f(x: Scalar, a: Vector) -> Vector { select(x < 1 && x > 0 || !(x != 2), a, 2 * a) }";
+    assert_eq!(messages(fits), [""; 0]);
+}
+
+#[test]
 fn errors_say_what_was_found() {
     for (function, text) in [
+        (
+            "fn f(a: Vector, b: Vector) -> Scalar { select(a < b, 1, 0) }",
+            "`<` compares scalars, but one of its sides has e1, e2; compare coefficients or norms",
+        ),
+        (
+            "fn f(a: Scalar) -> Scalar { a > 0 }",
+            "the result is a condition, but its type is `Scalar`",
+        ),
+        (
+            "fn f(a: Scalar) -> Scalar { 2 * (a > 0) }",
+            "this is a condition, where a multivector is needed; \
+             `select(condition, 1, 0)` makes a number of it",
+        ),
+        (
+            "fn f(a: Scalar) -> Scalar { select(a, 1, 0) }",
+            "`select` takes a condition, such as `x < y`, but this is not one",
+        ),
+        (
+            "fn f(a: Scalar) -> Scalar { select(a < 1 || 1, 1, 0) }",
+            "`||` takes a condition, such as `x < y`, but this is not one",
+        ),
+        (
+            "fn f(a: Scalar) -> Scalar { select(!a, 1, 0) }",
+            "`!` takes a condition, such as `x < y`, but this is not one",
+        ),
+        (
+            "fn f(a: Scalar) -> Scalar { select(a < 1, 1) }",
+            "`select` takes 3 operands, not 2",
+        ),
+        (
+            "fn f(a: Scalar) -> Scalar { let (b, c) = select(a < 1, (1, 2), 3); b + c }",
+            "`select` chooses between two values of the same shape, \
+             but these are 2 values and one value",
+        ),
         (
             "fn f(a: Vector) -> Scalar { a }",
             "the result is not of type `Scalar`: left over: e1 = a.e1, e2 = a.e2; it fits `Vector`",

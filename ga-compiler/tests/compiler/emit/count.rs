@@ -52,6 +52,13 @@ fn each_construct_has_its_cost() {
             [2, 0, 0, 0, 1],
         ),
         ("a.atan2(b) + a.abs()", [0, 1, 0, 0, 2]),
+        // Conditions.
+        ("S::select(S::less_than(a, b), a * b, c)", [1, 0, 0, 0, 2]),
+        (
+            "(S::less_or_equal(a, b) & !S::equals(a + c, b))",
+            [0, 1, 0, 0, 4],
+        ),
+        ("S::min(a, b) * S::max(a, c)", [1, 0, 0, 0, 2]),
     ] {
         let found = of(expression);
         let found = [
@@ -71,7 +78,7 @@ fn unknown_constructs_are_errors_that_name_them() {
         ("if a < b { a } else { b }", "if a < b"),
         ("a % b", "`%`"),
         ("a << 1", "`<<`"),
-        ("!a", "`!`"),
+        ("a ^ b", "`^`"),
         ("a.powi(2)", "`powi`"),
         ("f(a)", "`f`"),
         ("(|x| x)(a)", "| x | x"),

@@ -57,9 +57,11 @@ fn read(text: &str) -> Picture {
 }
 
 fn factor(label: &str) -> Residue {
-    let number = label.replace('−', "-");
+    let mut words = label.split(' ');
+    let last = words.next_back().unwrap_or_default();
+    let number = last.replace('−', "-");
     match number.trim_start_matches('×') {
-        "" | "divisor" => Residue::ONE,
+        "" | "divisor" | "if" | "then" | "else" | "right" => Residue::ONE,
         "-" => -Residue::ONE,
         number => {
             let (numerator, denominator) = number.split_once('/').unwrap_or((number, "1"));
@@ -81,6 +83,9 @@ impl Picture {
         }
         let sum = |operands: &[Residue]| operands.iter().fold(Residue::ZERO, |sum, &x| sum + x);
         let value = match self.labels[node].as_str() {
+            "=" if self.edges[node].len() > 1 => {
+                Function::Equal.evaluate(&operands).expect("total")
+            }
             "+" | "=" => sum(&operands),
             "×" => operands[0] * operands[1],
             "÷" => {
@@ -91,6 +96,20 @@ impl Picture {
             "√" => Function::SquareRoot
                 .evaluate(&operands)
                 .unwrap_or(Residue::ZERO),
+            "<" => Function::Less.evaluate(&operands).expect("total"),
+            "≤" => Function::LessOrEqual.evaluate(&operands).expect("total"),
+            "and" => operands[0] * operands[1],
+            "or" => Function::Or.evaluate(&operands).expect("total"),
+            "not" => Residue::ONE - operands[0],
+            "min" => Function::Minimum.evaluate(&operands).expect("total"),
+            "max" => Function::Maximum.evaluate(&operands).expect("total"),
+            "select" => {
+                let roles = self.edges[node].iter().map(|(_, label)| label.as_str());
+                for (role, expected) in roles.zip(["if", "then", "else"]) {
+                    assert!(role.starts_with(expected), "{role}");
+                }
+                Function::Select.evaluate(&operands).expect("total")
+            }
             "atan2" => Function::ArcTangent.evaluate(&operands).expect("total"),
             _ if node.starts_with("out") => sum(&operands),
             constant => factor(constant),
@@ -154,6 +173,14 @@ fn pictures_of_kernels_mean_what_the_graph_does() {
     for function in source::kernels(&definition) {
         assert_picture_agrees(&definition, &function);
     }
+    // A condition that both stages compute is drawn once.
+    let both = "fn both(uniform a: Scalar, uniform b: Scalar, x: Scalar) -> Scalar {
+        select(a < b, x, select(a < b, a, b) * x)
+    }";
+    let both = compile(&definition, both);
+    assert_picture_agrees(&definition, &both);
+    let picture = dot::function(&definition, &both);
+    assert_eq!(picture.matches("label=\"<\"").count(), 1, "{picture}");
     let once = compile(
         &definition,
         "fn once(uniform m: Motor, p: Point) -> Point { sandwich(m, p) }",

@@ -22,9 +22,10 @@ fn evaluate(text: &str, names: &[(String, usize)], inputs: &[Residue]) -> Vec<(S
     // Named parts may refer to each other in any order.
     let mut definitions: HashMap<String, String> = HashMap::new();
     for line in text.lines().skip(1) {
+        // Comparisons have the same sign, but in parentheses.
         if let Some((name, definition)) = line
             .split_once(" = ")
-            .filter(|_| !line.starts_with("where"))
+            .filter(|(name, _)| !line.starts_with("where") && !name.contains([' ', '(']))
         {
             definitions.insert(name.to_owned(), definition.to_owned());
         } else if let Some((label, expression)) = line.split_once(": ") {
@@ -78,7 +79,17 @@ impl Reader<'_> {
             self.term()
         };
         loop {
-            if self.take(" + ") {
+            if self.take(" < ") {
+                return self.compared(Function::Less, sum);
+            } else if self.take(" ≤ ") {
+                return self.compared(Function::LessOrEqual, sum);
+            } else if self.take(" = ") {
+                return self.compared(Function::Equal, sum);
+            } else if self.take(" and ") {
+                return self.compared(Function::And, sum);
+            } else if self.take(" or ") {
+                return self.compared(Function::Or, sum);
+            } else if self.take(" + ") {
                 sum = sum + self.term();
             } else if self.take(" - ") {
                 sum = sum - self.term();
@@ -86,6 +97,11 @@ impl Reader<'_> {
                 return sum;
             }
         }
+    }
+
+    fn compared(&mut self, function: Function, left: Residue) -> Residue {
+        let right = self.sum();
+        function.evaluate(&[left, right]).expect("total")
     }
 
     fn term(&mut self) -> Residue {
@@ -96,6 +112,9 @@ impl Reader<'_> {
             } else if self.rest.starts_with(' ')
                 && !self.rest.starts_with(" + ")
                 && !self.rest.starts_with(" - ")
+                && ![" < ", " ≤ ", " = ", " and ", " or "]
+                    .iter()
+                    .any(|sign| self.rest.starts_with(sign))
             {
                 self.rest = &self.rest[1..];
                 product = product * self.power();
@@ -126,6 +145,18 @@ impl Reader<'_> {
         }
         if self.take("√(") {
             return self.call(Function::SquareRoot);
+        }
+        if self.take("not (") {
+            return self.call(Function::Not);
+        }
+        if self.take("select(") {
+            return self.call(Function::Select);
+        }
+        if self.take("min(") {
+            return self.call(Function::Minimum);
+        }
+        if self.take("max(") {
+            return self.call(Function::Maximum);
         }
         if self.take("atan2(") {
             return self.call(Function::ArcTangent);
@@ -214,5 +245,10 @@ fn formulas_read_as_in_a_textbook() {
          e1i: (1 - 2 b.e12² - 2 b.e13²) a.e1i + 2 (b.scalar b.e12 - b.e13 b.e23) a.e2i + 2 (b.scalar b.e13 + b.e12 b.e23) a.e3i\n\
          e2i: (1 - 2 b.e12² - 2 b.e23²) a.e2i - 2 (b.scalar b.e12 + b.e13 b.e23) a.e1i + 2 (b.scalar b.e23 - b.e12 b.e13) a.e3i\n\
          e3i: 2 (b.e12 b.e23 - b.scalar b.e13) a.e1i - 2 (b.scalar b.e23 + b.e12 b.e13) a.e2i + (1 - 2 b.e13² - 2 b.e23²) a.e3i\n"
+    );
+    assert_eq!(
+        text("fn f(x: Scalar, y: Scalar) -> Scalar { select(x > y + 1 && !(x == y), x, 2 * y) }"),
+        "f(x: Scalar, y: Scalar) -> Scalar\n\
+         scalar: select((1 + y < x) and (not (x = y)), x, 2 y)\n"
     );
 }

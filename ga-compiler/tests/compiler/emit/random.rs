@@ -30,7 +30,7 @@ pub(crate) struct Recipe {
 pub(crate) fn functions(is_staged: bool) -> impl Strategy<Value = Recipe> {
     let factor = || (-4_i8..=4, 1_i8..=3);
     let places = [any::<usize>(), any::<usize>(), any::<usize>()];
-    let step = (0_u8..10, places, [factor(), factor(), factor()]);
+    let step = (0_u8..13, places, [factor(), factor(), factor()]);
     let step = step.prop_map(|(kind, places, factors)| Step {
         kind,
         places,
@@ -95,6 +95,22 @@ impl Recipe {
                 // compiled.
                 _ if a.as_constant().is_some() || b.as_constant().is_some() => a,
                 8 => arena.function(Function::SquareRoot, &[a]),
+                10 => {
+                    let is_less = arena.function(Function::Less, &[a, b]);
+                    arena.function(Function::Select, &[is_less, c, a])
+                }
+                11 => {
+                    let is_equal = arena.function(Function::Equal, &[a, c]);
+                    let is_most = arena.function(Function::LessOrEqual, &[b, c]);
+                    let other = arena.function(Function::Not, &[is_most]);
+                    let both = arena.function(Function::And, &[is_equal, other]);
+                    let either = arena.function(Function::Or, &[both, is_most]);
+                    arena.function(Function::Select, &[either, a, b])
+                }
+                12 => {
+                    let least = arena.function(Function::Minimum, &[a, b]);
+                    arena.function(Function::Maximum, &[least, c])
+                }
                 _ => arena.function(Function::ArcTangent, &[a, b]),
             };
             values.push(next);

@@ -18,6 +18,11 @@ pub(crate) fn kernels(definition: &Definition) -> Vec<CompiledFunction> {
         "fn distance(p: Point, q: Point) -> Scalar { sqrt(-2 * (p | q)) }",
         "fn both(m: Motor, x: [Point; 2]) -> [Point; 2] { [sandwich(m, x[0]), sandwich(m, x[1])] }",
         "fn two(p: Point, q: Point, t: Scalar) -> (Scalar, RoundVector) { (t * (p | q), p - q) }",
+        "fn nearer(o: Point, p: Point, q: Point) -> Point { select((o | p) > (o | q), p, q) }",
+        "fn bounded(x: Scalar, y: Scalar) -> Scalar { sign(clamp(x, -y, min(y, 1))) * max(x, y) }",
+        "fn limited(uniform a: Scalar, uniform b: Scalar, x: Scalar) -> Scalar {
+            select(a < b || x == a, select(a == b, a, 2 * b) * x, select(a <= x && x <= b, x, 0))
+        }",
         "fn once(uniform m: Motor, p: Point) -> Point { sandwich(m, p) }",
     ]
     .map(|text| compile(definition, text))

@@ -82,6 +82,14 @@ impl<S: Real, const N: usize> Real for Dual<S, N> {
         self.value.less_than(other.value)
     }
     #[inline(always)]
+    fn less_or_equal(self, other: Self) -> S::Mask {
+        self.value.less_or_equal(other.value)
+    }
+    #[inline(always)]
+    fn equals(self, other: Self) -> S::Mask {
+        self.value.equals(other.value)
+    }
+    #[inline(always)]
     fn is_finite(self) -> S::Mask {
         self.derivatives
             .iter()

@@ -34,6 +34,16 @@ pub fn evaluate(function: &CompiledFunction, inputs: &[f64]) -> Vec<f64> {
                     Function::StumpffSineSlope => versor_exponential(x).2,
                     Function::VersorAngle => pair().0,
                     Function::VersorAngleSlope => pair().1,
+                    Function::Minimum => x.min(arguments[1]),
+                    Function::Maximum => x.max(arguments[1]),
+                    Function::Less => f64::from(x < arguments[1]),
+                    Function::LessOrEqual => f64::from(x <= arguments[1]),
+                    Function::Equal => f64::from(x == arguments[1]),
+                    Function::And => x * arguments[1],
+                    Function::Or => x.max(arguments[1]),
+                    Function::Not => 1.0 - x,
+                    Function::Select if x == 0.0 => arguments[2],
+                    Function::Select => arguments[1],
                 }
             }
         };

@@ -57,6 +57,29 @@ const TRANSCENDENTAL: [&str; 8] = [
     "fn swung(uniform g: MotorGenerator, p: Point) -> Point { sandwich(exp(g), p) }",
 ];
 
+/// Functions with conditions.
+const CONDITIONAL: [&str; 8] = [
+    "fn nearer(o: Point, p: Point, q: Point) -> Point { select((o | p) > (o | q), p, q) }",
+    "fn positive_part(x: Scalar) -> Scalar { max(x, 0) + sign(x) / 4 }",
+    "fn clamped(x: Scalar, a: Scalar) -> Scalar { clamp(x, -abs(a) / 2, abs(a) / 2) }",
+    "fn inside(x: Scalar, y: Scalar) -> Scalar {
+        let is_inside = x > -0.5 && x < 0.5 && !(y >= 0.25 || y == x);
+        select(is_inside, 1, 0)
+    }",
+    "fn both(x: Scalar, y: Scalar) -> (Scalar, Scalar) {
+        let (a, b) = select(x <= y, (x, y), (y, x));
+        (select(x <= y && a != b, a, b), b - a)
+    }",
+    "fn hit(uniform c: RoundVector, uniform limit: Scalar, p: Point) -> RoundVector {
+        let d = -2 * (c | p);
+        select(limit < 0.5, select(d < limit, c, p), p - c)
+    }",
+    "fn uniform_condition(uniform a: Scalar, uniform b: Scalar, x: Scalar) -> Scalar {
+        select(a < b, x, select(a < b, a, b) * x)
+    }",
+    "fn least(uniform a: Scalar, x: Scalar, y: Scalar) -> Scalar { min(min(x, y), a + 0.25) }",
+];
+
 fn sandwiches() -> Vec<String> {
     MOVED
         .iter()
@@ -65,7 +88,7 @@ fn sandwiches() -> Vec<String> {
 }
 
 fn all() -> Vec<String> {
-    let others = ARITHMETIC.iter().chain(&TRANSCENDENTAL);
+    let others = ARITHMETIC.iter().chain(&TRANSCENDENTAL).chain(&CONDITIONAL);
     sandwiches()
         .into_iter()
         .chain(others.map(ToString::to_string))
@@ -240,7 +263,8 @@ fn assert_runs(gpu: &Gpu, definition: &Definition, function: &CompiledFunction, 
 fn shaders_give_what_the_graph_gives() {
     let Some(gpu) = Gpu::find() else { return };
     let definition = cga3();
-    for text in sandwiches().iter().map(String::as_str).chain(ARITHMETIC) {
+    let exact = ARITHMETIC.into_iter().chain(CONDITIONAL);
+    for text in sandwiches().iter().map(String::as_str).chain(exact) {
         assert_runs(&gpu, &definition, &compile(&definition, text), 1e-5);
     }
     for text in TRANSCENDENTAL {
