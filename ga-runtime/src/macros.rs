@@ -164,6 +164,8 @@ macro_rules! algebra {
 /// | `exp` | of scalars, and of bivectors B where B² is a scalar plus a null part |
 /// | `log` | of scalars, and of even unit versors that are such an `exp` |
 /// | `sqrt`, `abs`, `sin`, `cos`, `atan2(y, x)`, `ln`, `recip` | of scalars |
+/// | `point(x)` | where a vector, a flat point or a round is |
+/// | `endpoints(x)` | the two points of a point pair, as a tuple |
 /// | `min(x, y)`, `max(x, y)`, `clamp(x, low, high)`, `sign(x)` | of scalars |
 /// | `select(condition, a, b)` | a where the condition holds, else b |
 /// | `<`, `<=`, `>`, `>=`, `==`, `!=` | conditions from two scalars |
@@ -207,6 +209,50 @@ macro_rules! algebra {
 /// `sign` is 0 at 0 and NaN at NaN; `min` and `max` give their first operand where the other is
 /// NaN. While the function is checked, each comparison is taken to hold and not to hold, in every
 /// combination of two, whatever the numbers are.
+///
+/// # Places
+///
+/// `point(x)` and `endpoints(x)` give points of the conformal model. They work in every algebra
+/// that declares a type of points: null vectors P without facts to be checked, such as
+/// `struct Point { e1, e2, e3, eo = 1, ei = (e1*e1 + e2*e2 + e3*e3)/2 }`. Names, weights and the
+/// basis do not matter: infinity is the null vector N with `P·N = 1` for all points, `-ei` in cga3,
+/// and the origin O is the point whose stored coefficients are zero.
+///
+/// | x | `point(x)` |
+/// | --- | --- |
+/// | a point | itself, without a division |
+/// | a vector v: a weighted point, a dual sphere | `u − ½ u² N` with `u = v/(v·N)` |
+/// | a flat point `P∧N` | the same with `v = O⌋x` |
+/// | a sphere, the dual of a vector | the same with v its dual: the centre |
+/// | a circle, a point pair, a round of any grade | the same with `v = ⟨x N ~x⟩₁`: the centre |
+///
+/// `endpoints(x)` of `x = w a∧b` with `w > 0` is `(a, b)`, and for `w < 0` it is `(b, a)`:
+/// `(x⌊m ∓ √⟨x²⟩₀ m)/m²` with `m = N⌋x`.
+///
+/// ```
+/// use ga_runtime::cga3::{Infinity, Point, Sphere};
+///
+/// ga_runtime::ga! { ga_runtime::cga3;
+///     fn through(a: Point, b: Point, e: Plane) -> Point { point((a ^ b ^ ei) & e) }
+///     fn ends(l: Line, s: Sphere) -> (Point, Point) { endpoints(l & s) }
+/// }
+///
+/// # fn main() {
+/// let [o, x, y, z] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point::from);
+/// let hit = through(Point::new(2.0, 3.0, 4.0), Point::new(2.0, 3.0, 1.0), o ^ x ^ y ^ Infinity);
+/// assert_eq!(hit.coordinates(), [2.0, 3.0, 0.0]);
+///
+/// let sphere = Sphere::from_centre_radius_squared(Point::new(0.0, 0.0, 5.0), 4.0);
+/// let (leaves, enters) = ends(o ^ z ^ Infinity, sphere);
+/// assert_eq!((enters.e3(), leaves.e3()), (3.0, 7.0));
+/// # }
+/// ```
+///
+/// There is one division, by the weight. Where it is zero for particular values, the result is not
+/// finite: a dual plane and a direction are at infinity. What is always there, such as a `Plane` or
+/// a `Line`, is an error. `endpoints` of an imaginary pair, where a line misses a sphere, is NaN;
+/// the two ends of a tangent are the same. Multivectors of a round's blades that are not blades are
+/// read by the same formulas.
 ///
 /// # Types of results
 ///

@@ -256,6 +256,14 @@ impl Arena {
                 let arguments = [*condition, Value::of(first.node), Value::of(second.node)];
                 return self.function(function, &arguments).scaled(first.factor);
             }
+            // Of two multiples of a number the factor is chosen.
+            (Function::Select, [condition, first, second])
+                if first.node == second.node && first.node != Self::ONE =>
+            {
+                let factors = [first.factor, second.factor].map(Value::constant);
+                let factor = self.function(function, &[*condition, factors[0], factors[1]]);
+                return self.product(factor, Value::of(first.node));
+            }
             (Function::Equal, [first, second]) if second.node < first.node => {
                 return self.function(function, &[*second, *first]);
             }

@@ -47,7 +47,7 @@ impl Builder<'_> {
         self.push(Step::Binary(Product::Geometric, a, b))
     }
 
-    fn scaled(&mut self, a: StepId, numerator: i64, denominator: i64) -> Outcome {
+    pub(super) fn scaled(&mut self, a: StepId, numerator: i64, denominator: i64) -> Outcome {
         let factor = Ratio::new(i128::from(numerator), i128::from(denominator));
         let factor = self.number(factor.unwrap_or(Ratio::ZERO))?;
         self.geometric(factor, a)

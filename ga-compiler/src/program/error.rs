@@ -20,6 +20,12 @@ pub enum OperationError {
     /// A value of that name must be a scalar and a part that commutes and has square zero; the part
     /// has these blades.
     NotScalarAndNullPart(&'static str, String),
+    /// It takes what has a place in space, and the operand has these blades.
+    NoPlace(String),
+    /// It takes a point pair, and the operand has these blades.
+    NotPointPair(String),
+    /// It needs the type of points of a conformal model, and these types could be it.
+    NoPoints(Vec<String>),
     /// It divides by what is zero for all operands.
     DivisorZero,
     /// It exists for none of the operands that were tried.
@@ -46,6 +52,25 @@ impl fmt::Display for OperationError {
                 f,
                 "needs {what} to be the sum of a scalar and a part that commutes and has square zero; \
                  here that part has {found}"
+            ),
+            Self::NoPlace(found) => write!(
+                f,
+                "takes a vector, a flat point or a round (a sphere, a circle, a point pair); this is \
+                 none of them or is always at infinity: it has {found}"
+            ),
+            Self::NotPointPair(found) => write!(
+                f,
+                "takes a point pair, a 2-blade without infinity, but this has {found}"
+            ),
+            Self::NoPoints(types) if types.is_empty() => f.write_str(
+                "needs a type of points as null vectors, with derived blades, such as \
+                 `struct Point { e1, e2, e3, eo = 1, ei = (e1*e1 + e2*e2 + e3*e3)/2 }`; \
+                 this algebra does not declare one",
+            ),
+            Self::NoPoints(types) => write!(
+                f,
+                "needs one type of points as null vectors, but this algebra has {}",
+                types.join(" and ")
             ),
             Self::DivisorZero => f.write_str("the divisor is always zero"),
             Self::NoValue => f.write_str("this has no value for any operands that were tried"),
@@ -294,6 +319,9 @@ impl OperationError {
             | Self::NotBivector(_)
             | Self::NotEvenUnitVersor
             | Self::NotVersor(_)
+            | Self::NoPlace(_)
+            | Self::NotPointPair(_)
+            | Self::NoPoints(_)
             | Self::NotScalarAndNullPart(..) => false,
         }
     }

@@ -7,6 +7,7 @@ mod counts;
 mod declarations;
 mod emit;
 mod kernels;
+mod language;
 mod passes;
 mod rules;
 mod snapshots;

@@ -5,6 +5,7 @@ mod conditions;
 mod exact;
 mod language;
 mod places;
+mod places_of_figures;
 mod real;
 mod scalars;
 mod uniform;

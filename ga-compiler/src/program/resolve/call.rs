@@ -8,6 +8,7 @@ use super::super::limits::{MAX_CALL_DEPTH, MAX_CALLS};
 use super::super::nearest::nearest;
 use super::condition::SELECT;
 use super::operation::{GRADE, Operation};
+use super::place::{ENDPOINTS, POINT};
 use super::{Bound, Resolver, Result};
 use crate::algebra::Unary;
 use crate::parse::{Block, Formula, FormulaKind, FunctionSyntax, Place};
@@ -33,6 +34,15 @@ impl<'s> Resolver<'_, 's> {
                 return self.select(formula, [condition, a, b]);
             }
             check_count(name, 3, arguments)?;
+        }
+        if text == POINT || text == ENDPOINTS {
+            if let [operand] = arguments {
+                return match text == POINT {
+                    true => self.point(formula, operand),
+                    false => self.endpoints(formula, operand),
+                };
+            }
+            check_count(name, 1, arguments)?;
         }
         if let Some((known, operation)) = Operation::from_name(&text) {
             check_count(name, operation.arity(), arguments)?;

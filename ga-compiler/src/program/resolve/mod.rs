@@ -5,6 +5,7 @@ mod call;
 mod condition;
 mod formula;
 mod operation;
+mod place;
 #[cfg(test)]
 mod tests;
 

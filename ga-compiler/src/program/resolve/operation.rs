@@ -6,6 +6,7 @@ use crate::algebra::{Product, Ratio, Unary};
 use crate::ir::Function;
 
 use super::condition::SELECT;
+use super::place::{ENDPOINTS, POINT};
 
 /// An operation with a name.
 #[derive(Clone, Copy)]
@@ -87,7 +88,10 @@ const NAMES: [(&str, Operation); 33] = [
 impl Operation {
     /// All names, those of operations that take something else than multivectors included.
     pub(super) fn names() -> impl Iterator<Item = &'static str> {
-        NAMES.iter().map(|(name, _)| *name).chain([GRADE, SELECT])
+        NAMES
+            .iter()
+            .map(|(name, _)| *name)
+            .chain([GRADE, SELECT, POINT, ENDPOINTS])
     }
 
     /// The operation of that name, with the name.

@@ -1,0 +1,170 @@
+//! Places in a conformal model: the point of a vector, a flat point or a round, and the two ends of
+//! a point pair.
+//!
+//! N is the null vector of infinity with `P·N = 1` for all points P, and O the origin.
+
+use super::super::build::{Builder, Outcome};
+use super::super::conformal::Conformal;
+use super::super::error::{ResolveError, ResolveErrorKind};
+use super::super::{OperationError, Step, StepId};
+use super::{Bound, Resolver, Result};
+use crate::algebra::{Blade, Product, Ratio, Unary};
+use crate::ir::Function;
+use crate::parse::Formula;
+
+/// The operation that gives the place of something.
+pub(super) const POINT: &str = "point";
+
+/// The operation that gives the two points of a pair.
+pub(super) const ENDPOINTS: &str = "endpoints";
+
+impl<'a, 's> Resolver<'a, 's> {
+    /// `point(x)`.
+    pub(super) fn point(&mut self, formula: &Formula, operand: &'s Formula) -> Result<Bound> {
+        let x = self.single(operand)?;
+        let model = self.conformal(POINT, formula)?;
+        let step = self.builder.place(&model, x);
+        step.map(Bound::One)
+            .map_err(|error| operation_error(POINT, error, formula))
+    }
+
+    /// `endpoints(x)`.
+    pub(super) fn endpoints(&mut self, formula: &Formula, operand: &'s Formula) -> Result<Bound> {
+        let x = self.single(operand)?;
+        let model = self.conformal(ENDPOINTS, formula)?;
+        let [a, b] = self
+            .builder
+            .ends(&model, x)
+            .map_err(|error| operation_error(ENDPOINTS, error, formula))?;
+        Ok(Bound::Parts([Bound::One(a), Bound::One(b)].into()))
+    }
+
+    /// The conformal model of the algebra.
+    fn conformal(&self, name: &'static str, formula: &Formula) -> Result<Conformal<'a>> {
+        let mut models = Conformal::all(self.definition);
+        if models.len() == 1
+            && let Some(model) = models.pop()
+        {
+            return Ok(model);
+        }
+        let names = models.iter().map(|model| model.point.name.to_string());
+        let error = OperationError::NoPoints(names.collect());
+        Err(operation_error(name, error, formula))
+    }
+}
+
+fn operation_error(name: &'static str, error: OperationError, formula: &Formula) -> ResolveError {
+    ResolveError::new(ResolveErrorKind::Operation(name, error), formula.place())
+}
+
+impl<'a> Builder<'a> {
+    /// The point of a vector `w (P + α N)`, of a flat point, or the centre of a round.
+    fn place(&mut self, model: &Conformal<'a>, x: StepId) -> Outcome {
+        let reasons = self.witness.reasons(self.algebra, x, Some(model.point));
+        if reasons.is_empty() {
+            return Ok(x);
+        }
+        let infinity = self.vector(&model.infinity)?;
+        let no_place = |builder: &Self| OperationError::NoPlace(builder.blade_names(x));
+        let last = u32::try_from(self.algebra.dimension()).unwrap_or(u32::MAX) - 1;
+        let vector = match self.grade_of(x).ok_or_else(|| no_place(self))? {
+            1 => x,
+            2 if self.is_flat(infinity, x)? => {
+                // O⌋(P∧N) = (O·P) N − P
+                let origin = self.vector(&model.origin)?;
+                self.push(Step::Binary(Product::LeftContraction, origin, x))?
+            }
+            grade if grade == last => self.push(Step::Unary(Unary::Dual, x))?,
+            grade if grade == 0 || grade > last || self.is_flat(infinity, x)? => {
+                return Err(no_place(self));
+            }
+            // The inversion in a round takes infinity to the centre.
+            _ => {
+                let half = self.geometric(x, infinity)?;
+                let reverse = self.push(Step::Unary(Unary::Reverse, x))?;
+                let whole = self.geometric(half, reverse)?;
+                self.push(Step::Unary(Unary::Grade(1), whole))?
+            }
+        };
+        let weight = self.push(Step::Binary(Product::ScalarProduct, vector, infinity))?;
+        if self.witness.is_zero(weight) {
+            return Err(no_place(self));
+        }
+        let unit = self.push(Step::Quotient(vector, weight))?;
+        self.on_the_cone(model, infinity, unit)
+    }
+
+    /// The two points of `X = a∧b`, a with the minus: `(X⌊m ∓ √⟨X²⟩₀ m)/m²` with `m = N⌋X`.
+    ///
+    /// For points of weight 1 and `X = w a∧b` it is `m = w (b − a)`, `X⌊m = −w² (a·b) (a + b)`,
+    /// `m² = −2 w² a·b` and, since `a·b` is negative, `√X² = −|w| a·b`. For a negative w the ends
+    /// change places.
+    fn ends(
+        &mut self,
+        model: &Conformal<'a>,
+        x: StepId,
+    ) -> std::result::Result<[StepId; 2], OperationError> {
+        let infinity = self.vector(&model.infinity)?;
+        if self.grade_of(x) != Some(2) || self.is_flat(infinity, x)? {
+            return Err(OperationError::NotPointPair(self.blade_names(x)));
+        }
+        let axis = self.push(Step::Binary(Product::LeftContraction, infinity, x))?;
+        let middle = self.push(Step::Binary(Product::RightContraction, x, axis))?;
+        let square = self.push(Step::Binary(Product::ScalarProduct, x, x))?;
+        let root = self.function(Function::SquareRoot, &[square])?;
+        let reach = self.geometric(root, axis)?;
+        let weight = self.push(Step::Binary(Product::ScalarProduct, axis, axis))?;
+        let back = self.push(Step::Negative(reach))?;
+        let mut end = |reach: StepId| {
+            let sum = self.push(Step::Sum(middle, reach))?;
+            let unit = self.push(Step::Quotient(sum, weight))?;
+            self.on_the_cone(model, infinity, unit)
+        };
+        Ok([end(back)?, end(reach)?])
+    }
+
+    /// The point `u − ½ u² N` of a vector u with `u·N = 1`.
+    fn on_the_cone(&mut self, model: &Conformal<'a>, infinity: StepId, u: StepId) -> Outcome {
+        let square = self.push(Step::Binary(Product::ScalarProduct, u, u))?;
+        let half = self.scaled(square, -1, 2)?;
+        let change = self.geometric(half, infinity)?;
+        let point = self.push(Step::Sum(u, change))?;
+        self.program.state(point, model.point.facts);
+        self.program.state_kind(point, model.point);
+        Ok(point)
+    }
+
+    /// Whether a multivector contains infinity: `N∧X = 0`.
+    fn is_flat(
+        &mut self,
+        infinity: StepId,
+        x: StepId,
+    ) -> std::result::Result<bool, OperationError> {
+        let outer = self.push(Step::Binary(Product::Wedge, infinity, x))?;
+        Ok(self.witness.is_zero(outer))
+    }
+
+    /// The only grade of a multivector.
+    fn grade_of(&self, x: StepId) -> Option<u32> {
+        let blades = self.witness.blades(x);
+        let grade = blades.first()?.grade();
+        let is_same = |blade: &Blade| blade.grade() == grade;
+        blades.iter().all(is_same).then_some(grade)
+    }
+
+    /// A constant vector.
+    fn vector(&mut self, terms: &[(Blade, Ratio)]) -> Outcome {
+        let mut sum = None;
+        for (blade, value) in terms {
+            let term = self.push(Step::Constant(*blade, *value))?;
+            sum = Some(match sum {
+                Some(sum) => self.push(Step::Sum(sum, term))?,
+                None => term,
+            });
+        }
+        match sum {
+            Some(sum) => Ok(sum),
+            None => self.number(Ratio::ZERO),
+        }
+    }
+}
