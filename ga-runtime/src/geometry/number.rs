@@ -1,14 +1,27 @@
-//! A test for finite numbers that needs only the operations of a ring.
+//! Tests of the range of numbers.
 
-use crate::scalar::Ring;
+use crate::scalar::{Real, Ring};
 
-/// Whether a number is finite, in a ring that may have infinity and NaN: zero times infinity is
-/// NaN, which is not equal to anything.
-pub(super) fn is_number<S: Ring>(x: S) -> bool {
-    x * S::zero() == S::zero()
+/// Whether a number is finite, in a ring that may have infinity and NaN: their difference from
+/// themselves is NaN, which is not equal to anything.
+#[inline]
+pub(crate) fn is_number<S: Ring>(x: S) -> bool {
+    x - x == S::zero()
 }
 
 /// Whether all components are finite.
-pub(super) fn are_numbers<S: Ring, const N: usize>(components: [S; N]) -> bool {
-    components.into_iter().all(is_number)
+#[inline]
+pub(crate) fn are_numbers<S: Ring, const N: usize>(components: [S; N]) -> bool {
+    let mut sum = S::zero();
+    for x in components {
+        sum += x - x;
+    }
+    sum == S::zero()
+}
+
+/// Whether a squared length is so far from both ends of the range of every scalar that a sum of
+/// such squares is accurate. Formulas without scaling are used where it is, careful ones elsewhere.
+#[inline]
+pub(crate) fn is_regular<S: Real>(square: S) -> S::Mask {
+    S::from_f64(1e-24).less_than(square) & square.less_than(S::from_f64(1e24))
 }

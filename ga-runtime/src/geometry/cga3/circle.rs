@@ -1,9 +1,7 @@
 //! Circles.
 
-use super::round::{RoundBivector, real_radius};
-use crate::Element;
+use super::round::{self, RoundBivector, real_radius};
 use crate::cga3::{Circle, DualDirection, Infinity, Line, Plane, Point, Sphere};
-use crate::geometry::number::is_number;
 use crate::scalar::{Field, Real};
 use crate::vga3::Vector;
 
@@ -44,6 +42,7 @@ impl<S: Real<Mask = bool>> Circle<S> {
     /// The circle with a given centre in the plane perpendicular to a normal, which need not have
     /// length 1. `None` where the normal is zero or not finite, or a coefficient of the circle
     /// would not be finite.
+    #[inline]
     #[must_use]
     pub fn from_centre_normal_radius(centre: Point<S>, normal: [S; 3], radius: S) -> Option<Self> {
         Self::from_centre_normal_radius_squared(centre, normal, radius * radius)
@@ -64,6 +63,7 @@ impl<S: Real<Mask = bool>> Circle<S> {
     ///     (Some(-4.0), None)
     /// );
     /// ```
+    #[inline]
     #[must_use]
     pub fn from_centre_normal_radius_squared(
         centre: Point<S>,
@@ -71,21 +71,21 @@ impl<S: Real<Mask = bool>> Circle<S> {
         radius_squared: S,
     ) -> Option<Self> {
         let (centre, axis) = (Vector::from(centre), Vector::from(normal).normalized()?);
+        Self::around(centre, axis, radius_squared)
+    }
+
+    /// The same with a normal of length 1.
+    #[inline]
+    pub(super) fn around(centre: Vector<S>, normal: Vector<S>, radius_squared: S) -> Option<Self> {
         let infinite = (centre.length_squared() - radius_squared) * S::from_ratio(1, 2);
-        let round = RoundBivector {
-            centre,
-            axis,
-            infinite,
-        };
-        let circle = round.to_bivector().undual();
-        let mut blades = Self::BLADES.iter();
-        let is_finite = blades.all(|&blade| is_number(circle.coefficient(blade)));
-        is_finite.then_some(circle)
+        let bivector = round::bivector(centre, normal, infinite);
+        round::is_finite(bivector).then(|| bivector.undual())
     }
 
     /// The tangent element at a point, in the plane perpendicular to a normal: a circle of radius
     /// zero, that is a point with a plane through it. `None` where the normal is zero, or a number
     /// is not finite.
+    #[inline]
     #[must_use]
     pub fn tangent(point: Point<S>, normal: [S; 3]) -> Option<Self> {
         Self::from_centre_normal_radius_squared(point, normal, S::zero())
@@ -101,6 +101,7 @@ impl<S: Real<Mask = bool>> Circle<S> {
 
     /// The centre; `None` for a line, or where it or the squared radius is beyond the range of the
     /// scalar.
+    #[inline]
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
         let round = self.parts()?;
@@ -110,6 +111,7 @@ impl<S: Real<Mask = bool>> Circle<S> {
 
     /// The squared radius, negative for an imaginary circle; `None` where there is no
     /// [centre](Self::centre).
+    #[inline]
     #[must_use]
     pub fn radius_squared(self) -> Option<S> {
         Some(-self.parts()?.signed_square()?)
@@ -118,6 +120,7 @@ impl<S: Real<Mask = bool>> Circle<S> {
     /// The radius; `None` for a line and for an imaginary circle. The coefficients of the circle
     /// determine r² only up to the rounding of the squared distance of the centre from the origin:
     /// where `|r²| ≤ 32 ε (2c² + r²)` the radius is zero.
+    #[inline]
     #[must_use]
     pub fn radius(self) -> Option<S> {
         let [a, b] = self.parts()?.squares();
@@ -133,18 +136,20 @@ impl<S: Real<Mask = bool>> Circle<S> {
     /// let circle = Circle::from_centre_normal_radius(centre, [0.0, 0.0, 1.0], 3.0).unwrap();
     /// assert_eq!(circle.axis(), Some(Line::from_point_direction(centre, [0.0, 0.0, 1.0])));
     /// ```
+    #[inline]
     #[must_use]
     pub fn axis(self) -> Option<Line<S>> {
         let round = self.parts()?;
         round.signed_square()?;
         Some(Line::from_point_direction(
             round.centre(),
-            round.axis.into(),
+            round.axis().into(),
         ))
     }
 
     /// The smallest sphere that contains the circle, with the same centre and the same squared
     /// radius. `None` where there is no [centre](Self::centre).
+    #[inline]
     #[must_use]
     pub fn container(self) -> Option<Sphere<S>> {
         let round = self.parts()?;
@@ -152,7 +157,8 @@ impl<S: Real<Mask = bool>> Circle<S> {
         Some(Sphere::from_centre_radius_squared(round.centre(), squared))
     }
 
-    fn parts(self) -> Option<RoundBivector<S>> {
+    #[inline]
+    pub(super) fn parts(self) -> Option<RoundBivector<S>> {
         RoundBivector::of(self.dual())
     }
 }

@@ -50,14 +50,16 @@ impl<S: Field> DualSphere<S> {
     #[inline]
     #[must_use]
     pub fn radius_squared(self) -> Option<S> {
-        let [a, b] = self.squares()?;
+        let (_, [a, b]) = self.parts()?;
         is_number(a - b).then_some(a - b)
     }
 
-    /// c² and `c² − r²`.
-    fn squares(self) -> Option<[S; 2]> {
+    /// The centre c, and c² and `c² − r²`.
+    #[inline]
+    pub(super) fn parts(self) -> Option<(Vector<S>, [S; 2])> {
         let centre = Vector::from(self.centre()?);
-        Some([centre.length_squared(), (self.ei + self.ei) / self.eo])
+        let squares = [centre.length_squared(), (self.ei + self.ei) / self.eo];
+        Some((centre, squares))
     }
 }
 
@@ -67,7 +69,8 @@ impl<S: Real<Mask = bool>> DualSphere<S> {
     #[inline]
     #[must_use]
     pub fn radius(self) -> Option<S> {
-        real_radius(self.squares()?)
+        let (_, squares) = self.parts()?;
+        real_radius(squares)
     }
 }
 

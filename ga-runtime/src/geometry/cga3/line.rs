@@ -1,7 +1,7 @@
 //! Lines.
 
 use crate::cga3::{Direction, Line, Point};
-use crate::geometry::number::are_numbers;
+use crate::geometry::number::{are_numbers, is_regular};
 use crate::scalar::{Real, Ring};
 use crate::vga3::Vector;
 
@@ -98,9 +98,22 @@ impl<S: Real<Mask = bool>> Line<S> {
     #[inline]
     #[must_use]
     pub fn support(self) -> Option<Point<S>> {
-        let line = self.normalized()?;
-        let place = Vector::from(line.direction()).cross(line.moment().into());
-        place.is_finite().then(|| Point::from(place))
+        let (direction, moment) = self.vectors();
+        let square = direction.length_squared();
+        if is_regular(square) {
+            let place = direction.cross(moment).divided(square);
+            if are_numbers(place.coordinates()) {
+                return Some(place.into());
+            }
+        }
+        self.support_of_any()
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn support_of_any(self) -> Option<Point<S>> {
+        let (place, _) = self.parts_of_any()?;
+        Some(place.into())
     }
 
     /// The foot of the perpendicular from a point; `None` for a line of weight zero.
@@ -114,9 +127,24 @@ impl<S: Real<Mask = bool>> Line<S> {
     #[inline]
     #[must_use]
     pub fn foot(self, point: Point<S>) -> Option<Point<S>> {
-        let (direction, support) = (Vector::from(self.unit_direction()?), self.support()?);
-        let along = support.vector_to(point).dot(direction);
-        let place = Vector::from(support) + direction * along;
+        let (direction, moment) = self.vectors();
+        let square = direction.length_squared();
+        if is_regular(square) {
+            let along = direction * direction.dot(point.into());
+            let place = (along + direction.cross(moment)).divided(square);
+            if are_numbers(place.coordinates()) {
+                return Some(place.into());
+            }
+        }
+        self.foot_of_any(point)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn foot_of_any(self, point: Point<S>) -> Option<Point<S>> {
+        let (support, direction) = self.parts_of_any()?;
+        let along = (Vector::from(point) - support).dot(direction);
+        let place = support + direction * along;
         place.is_finite().then(|| Point::from(place))
     }
 
@@ -125,7 +153,52 @@ impl<S: Real<Mask = bool>> Line<S> {
     #[inline]
     #[must_use]
     pub fn distance(self, point: Point<S>) -> Option<S> {
-        let distance = self.foot(point)?.distance(point);
+        let (direction, moment) = self.vectors();
+        let square = direction.length_squared();
+        let arm = Vector::from(point).cross(direction) - moment;
+        let reach = arm.length_squared();
+        if is_regular(square) && is_regular(reach) {
+            return Some((reach / square).sqrt());
+        }
+        self.distance_of_any(point)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn distance_of_any(self, point: Point<S>) -> Option<S> {
+        let distance = self.foot_of_any(point)?.distance(point);
         distance.is_finite().then_some(distance)
+    }
+
+    /// The point nearest to the origin and the unit direction; `None` for a line of weight zero, or
+    /// beyond the range of the scalar.
+    #[inline]
+    pub(super) fn parts(self) -> Option<(Vector<S>, Vector<S>)> {
+        let (direction, moment) = self.vectors();
+        let square = direction.length_squared();
+        if is_regular(square) {
+            let place = direction.cross(moment).divided(square);
+            if are_numbers(place.coordinates()) {
+                return Some((place, direction.divided(square.sqrt())));
+            }
+        }
+        self.parts_of_any()
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn parts_of_any(self) -> Option<(Vector<S>, Vector<S>)> {
+        let line = self.normalized()?;
+        let place = Vector::from(line.direction()).cross(line.moment().into());
+        let direction = Vector::from(self.direction()).normalized()?;
+        place.is_finite().then_some((place, direction))
+    }
+}
+
+impl<S: Ring> Line<S> {
+    /// The direction and the moment.
+    #[inline]
+    pub(super) fn vectors(self) -> (Vector<S>, Vector<S>) {
+        (self.direction().into(), self.moment().into())
     }
 }

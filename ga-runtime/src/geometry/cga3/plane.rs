@@ -1,6 +1,7 @@
 //! Planes, direct and dual.
 
 use crate::cga3::{DualDirection, DualPlane, Plane, Point};
+use crate::geometry::number::{are_numbers, is_number, is_regular};
 use crate::scalar::{Field, Real, Ring};
 use crate::vga3::Vector;
 
@@ -86,8 +87,23 @@ impl<S: Real<Mask = bool>> Plane<S> {
     #[inline]
     #[must_use]
     pub fn support(self) -> Option<Point<S>> {
-        let normal = Vector::from(self.unit_normal()?);
-        let place = normal * -self.signed_distance(Point::default())?;
+        let dual = self.dual();
+        let normal = Vector::from(dual.normal());
+        let square = normal.length_squared();
+        if is_regular(square) {
+            let place = normal * (dual.ei / square);
+            if are_numbers(place.coordinates()) {
+                return Some(place.into());
+            }
+        }
+        self.support_of_any()
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn support_of_any(self) -> Option<Point<S>> {
+        let (normal, distance) = self.parts_of_any()?;
+        let place = normal * distance;
         place.is_finite().then(|| Point::from(place))
     }
 
@@ -98,8 +114,74 @@ impl<S: Real<Mask = bool>> Plane<S> {
     pub fn signed_distance(self, point: Point<S>) -> Option<S> {
         let dual = self.dual();
         let normal = Vector::from(dual.normal());
-        let weight = normal.length();
-        let distance = normal.normalized()?.dot(point.into()) - dual.ei / weight;
+        let square = normal.length_squared();
+        if is_regular(square) {
+            let distance = (normal.dot(point.into()) - dual.ei) / square.sqrt();
+            if is_number(distance) {
+                return Some(distance);
+            }
+        }
+        self.signed_distance_of_any(point)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn signed_distance_of_any(self, point: Point<S>) -> Option<S> {
+        let (normal, distance) = self.parts_of_any()?;
+        let distance = normal.dot(point.into()) - distance;
         distance.is_finite().then_some(distance)
+    }
+
+    /// The unit normal n and the distance d of the points x with `n·x = d`; `None` for a plane of
+    /// weight zero, or beyond the range of the scalar.
+    #[inline]
+    pub(super) fn parts(self) -> Option<(Vector<S>, S)> {
+        let dual = self.dual();
+        let normal = Vector::from(dual.normal());
+        let square = normal.length_squared();
+        if is_regular(square) {
+            let length = square.sqrt();
+            let distance = dual.ei / length;
+            if is_number(distance) {
+                return Some((normal.divided(length), distance));
+            }
+        }
+        self.parts_of_any()
+    }
+
+    /// A point moved along the normal by a factor times its height above the plane, towards the
+    /// plane: the foot of the perpendicular for 1, the mirror image for 2.
+    #[inline]
+    pub(super) fn moved_along_normal(self, point: Vector<S>, factor: S) -> Option<Vector<S>> {
+        let dual = self.dual();
+        let normal = Vector::from(dual.normal());
+        let square = normal.length_squared();
+        if is_regular(square) {
+            let height = normal.dot(point) - dual.ei;
+            let place = point - normal * (factor * height / square);
+            if are_numbers(place.coordinates()) {
+                return Some(place);
+            }
+        }
+        self.moved_along_normal_of_any(point, factor)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn moved_along_normal_of_any(self, point: Vector<S>, factor: S) -> Option<Vector<S>> {
+        let (normal, distance) = self.parts_of_any()?;
+        let height = normal.dot(point) - distance;
+        let place = point - normal * (height * factor);
+        place.is_finite().then_some(place)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn parts_of_any(self) -> Option<(Vector<S>, S)> {
+        let dual = self.dual();
+        let normal = Vector::from(dual.normal());
+        let distance = dual.ei / normal.length();
+        let unit = normal.normalized()?;
+        distance.is_finite().then_some((unit, distance))
     }
 }

@@ -1,9 +1,8 @@
 //! Point pairs.
 
-use super::round::{RoundBivector, real_radius};
-use crate::Element;
+use super::round::{self, RoundBivector, real_radius, real_square};
 use crate::cga3::{Direction, DualCircle, Infinity, Line, Point, PointPair, Sphere};
-use crate::geometry::number::is_number;
+use crate::geometry::number::are_numbers;
 use crate::scalar::{Field, Real, Ring};
 use crate::vga3::Vector;
 
@@ -59,6 +58,7 @@ impl<S: Real<Mask = bool>> PointPair<S> {
     ///     [[1.0, -3.0, 0.0], [1.0, 3.0, 0.0]]
     /// );
     /// ```
+    #[inline]
     #[must_use]
     pub fn from_centre_axis_radius_squared(
         centre: Point<S>,
@@ -66,16 +66,15 @@ impl<S: Real<Mask = bool>> PointPair<S> {
         radius_squared: S,
     ) -> Option<Self> {
         let (centre, axis) = (Vector::from(centre), Vector::from(axis).normalized()?);
+        Self::around(centre, axis, radius_squared)
+    }
+
+    /// The same with an axis of length 1.
+    #[inline]
+    pub(super) fn around(centre: Vector<S>, axis: Vector<S>, radius_squared: S) -> Option<Self> {
         let infinite = (centre.length_squared() + radius_squared) * S::from_ratio(1, 2);
-        let round = RoundBivector {
-            centre,
-            axis,
-            infinite,
-        };
-        let pair = Self::from(round.to_bivector());
-        let mut blades = Self::BLADES.iter();
-        let is_finite = blades.all(|&blade| is_number(pair.coefficient(blade)));
-        is_finite.then_some(pair)
+        let bivector = round::bivector(centre, axis, infinite);
+        round::is_finite(bivector).then(|| Self::from(bivector))
     }
 
     /// The tangent element at a point p in a direction: the limit of two points that approach each
@@ -90,6 +89,7 @@ impl<S: Real<Mask = bool>> PointPair<S> {
     /// let [_, y, z] = tangent.unit_direction().unwrap();
     /// assert!((y - 0.6).abs() < 1e-15 && (z - 0.8).abs() < 1e-15);
     /// ```
+    #[inline]
     #[must_use]
     pub fn tangent(point: Point<S>, direction: [S; 3]) -> Option<Self> {
         Self::from_centre_axis_radius_squared(point, direction, S::zero())
@@ -107,6 +107,7 @@ impl<S: Real<Mask = bool>> PointPair<S> {
 
     /// The midpoint of the two points; `None` for a pair of weight zero, or beyond the range of the
     /// scalar.
+    #[inline]
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
         Some(self.parts()?.centre())
@@ -114,6 +115,7 @@ impl<S: Real<Mask = bool>> PointPair<S> {
 
     /// The square of half the distance between the points, `P²/(ei⌋P)²`: zero for a tangent,
     /// negative for an imaginary pair; `None` where there is no [centre](Self::centre).
+    #[inline]
     #[must_use]
     pub fn radius_squared(self) -> Option<S> {
         self.parts()?.signed_square()
@@ -121,6 +123,7 @@ impl<S: Real<Mask = bool>> PointPair<S> {
 
     /// Half the distance between the points; `None` for an imaginary pair and for one of weight
     /// zero. Zero where the square is zero up to rounding, as for [`endpoints`](Self::endpoints).
+    #[inline]
     #[must_use]
     pub fn radius(self) -> Option<S> {
         real_radius(self.parts()?.squares())
@@ -136,19 +139,20 @@ impl<S: Real<Mask = bool>> PointPair<S> {
     /// the size of the operands: [`Kind`](crate::geometry::Kind) recognises a tangent with a
     /// tolerance of your choice, and [`meet`](crate::geometry::relation::meet) by distances in
     /// space.
+    #[inline]
     #[must_use]
     pub fn endpoints(self) -> Option<[Point<S>; 2]> {
         let round = self.parts()?;
-        let radius = real_radius(round.squares())?;
-        let reach = round.axis * radius;
-        let places = [round.centre - reach, round.centre + reach];
-        let is_finite = places.iter().all(|place| place.is_finite());
-        is_finite.then(|| places.map(Point::from))
+        let reach = round.reach(real_square(round.squares())?);
+        let (first, second) = (round.centre - reach, round.centre + reach);
+        let is_finite = are_numbers(first.coordinates()) && are_numbers(second.coordinates());
+        is_finite.then(|| [Point::from(first), Point::from(second)])
     }
 
     /// The smallest sphere that contains the pair, with the same centre and the same squared
     /// radius: the dual sphere `P (P∧ei)⁻¹` up to scale. `None` where there is no
     /// [centre](Self::centre).
+    #[inline]
     #[must_use]
     pub fn container(self) -> Option<Sphere<S>> {
         let round = self.parts()?;
@@ -158,6 +162,7 @@ impl<S: Real<Mask = bool>> PointPair<S> {
         ))
     }
 
+    #[inline]
     fn parts(self) -> Option<RoundBivector<S>> {
         RoundBivector::of(DualCircle::from(self))
     }

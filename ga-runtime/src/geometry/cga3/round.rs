@@ -4,98 +4,140 @@
 //! of a circle has it with the normal d of its plane and `β = ½(c² − r²)`.
 
 use crate::cga3::{DualCircle, Point};
-use crate::geometry::number::is_number;
-use crate::scalar::{Field, Real};
+use crate::geometry::number::{are_numbers, is_number, is_regular};
+use crate::scalar::{Field, Real, Ring};
 use crate::vga3::Vector;
 
 /// The parts of such a bivector.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RoundBivector<S> {
     pub(super) centre: Vector<S>,
-    /// d, of length 1.
-    pub(super) axis: Vector<S>,
+    /// d, of any length.
+    pub(super) direction: Vector<S>,
+    /// d².
+    pub(super) square: S,
     /// β.
     pub(super) infinite: S,
-}
-
-impl<S: Field> RoundBivector<S> {
-    /// The coefficients, with weight 1 for an axis of length 1.
-    pub(super) fn to_bivector(self) -> DualCircle<S> {
-        let (c, d) = (self.centre, self.axis);
-        let along = c.dot(d);
-        let [m1, m2, m3] = c.cross(d).coordinates();
-        let [x1, x2, x3] = [0, 1, 2].map(|k| c[k] * along - d[k] * self.infinite);
-        let [d1, d2, d3] = d.coordinates();
-        DualCircle::new(m3, -m2, m1, -d1, -d2, -d3, x1, x2, x3, along)
-    }
 }
 
 impl<S: Real<Mask = bool>> RoundBivector<S> {
     /// `None` for a flat one, where d vanishes, or where centre or β are beyond the range of the
     /// scalar.
+    #[inline]
     pub(super) fn of(bivector: DualCircle<S>) -> Option<Self> {
-        let b = bivector / scale(bivector)?;
-        let direction = [-b.e1o, -b.e2o, -b.e3o];
-        // Divided by d² only once, so that exact values stay exact.
-        let direction = Vector::from(direction);
+        let direction = Vector::new(-bivector.e1o, -bivector.e2o, -bivector.e3o);
         let square = direction.dot(direction);
+        if is_regular(square) {
+            let regular = Self::divided(bivector, direction, square);
+            if regular.is_some() {
+                return regular;
+            }
+        }
+        Self::scaled(bivector, direction)
+    }
+
+    /// The parts where d² or a product with d is beyond the regular range.
+    #[cold]
+    #[inline(never)]
+    fn scaled(bivector: DualCircle<S>, direction: Vector<S>) -> Option<Self> {
+        let length = direction.length();
+        if !S::zero().less_than(length) || !length.is_finite() {
+            return None;
+        }
+        let direction = direction.divided(length);
+        Self::divided(bivector / length, direction, direction.dot(direction))
+    }
+
+    #[inline]
+    fn divided(b: DualCircle<S>, direction: Vector<S>, square: S) -> Option<Self> {
+        // Divided by d² only once, so that exact values stay exact.
         let moment = Vector::new(b.e23, -b.e13, b.e12);
         let centre = (direction * b.eoi + direction.cross(moment)).divided(square);
         let last = direction.dot(Vector::new(b.e1i, b.e2i, b.e3i));
         let infinite = (b.eoi * b.eoi - last) / square;
-        let length = square.sqrt();
-        let is_finite = centre.is_finite() && is_number(infinite);
-        is_finite.then(|| Self {
+        let is_finite = are_numbers([centre.e1, centre.e2, centre.e3, infinite]);
+        is_finite.then_some(Self {
             centre,
-            axis: direction.divided(length),
+            direction,
+            square,
             infinite,
         })
     }
 
     /// The centre as a point.
+    #[inline]
     pub(super) fn centre(self) -> Point<S> {
         Point::from(self.centre)
     }
 
+    /// d, of length 1.
+    #[inline]
+    pub(super) fn axis(self) -> Vector<S> {
+        self.direction.divided(self.square.sqrt())
+    }
+
+    /// d, of a given length.
+    #[inline]
+    pub(super) fn reach(self, length_squared: S) -> Vector<S> {
+        let factor = length_squared / self.square;
+        if is_regular(factor) {
+            return self.direction * factor.sqrt();
+        }
+        self.axis() * length_squared.sqrt()
+    }
+
     /// `2β` and `c²`: their difference is the squared radius of a point pair, or minus the squared
     /// radius of a dual circle.
+    #[inline]
     pub(super) fn squares(self) -> [S; 2] {
         [self.infinite + self.infinite, self.centre.dot(self.centre)]
     }
 
     /// `2β − c²`. `None` beyond the range of the scalar.
+    #[inline]
     pub(super) fn signed_square(self) -> Option<S> {
         let [a, b] = self.squares();
         is_number(a - b).then_some(a - b)
     }
 }
 
-/// The root of `r² = a − b`; `None` where r² is negative or not finite.
+/// The bivector with the centre c, the unit axis d and β. Its weight is 1.
+#[inline]
+pub(super) fn bivector<S: Field>(c: Vector<S>, d: Vector<S>, infinite: S) -> DualCircle<S> {
+    let along = c.dot(d);
+    let [m1, m2, m3] = c.cross(d).coordinates();
+    let [x1, x2, x3] = (c * along - d * infinite).coordinates();
+    let [d1, d2, d3] = d.coordinates();
+    DualCircle::new(m3, -m2, m1, -d1, -d2, -d3, x1, x2, x3, along)
+}
+
+/// Whether all coefficients of a bivector are finite.
+#[inline]
+pub(super) fn is_finite<S: Ring>(b: DualCircle<S>) -> bool {
+    are_numbers([
+        b.e12, b.e13, b.e23, b.e1o, b.e2o, b.e3o, b.e1i, b.e2i, b.e3i, b.eoi,
+    ])
+}
+
+/// The square r² = a − b; `None` where it is negative or not finite.
 ///
 /// The coefficients of a round determine r² only as a difference of squared lengths, so that a
 /// difference below 32 ε (|a| + |b|) is rounding and is treated as zero: a tangent has a real
 /// radius, even if r² was rounded to a negative number.
-pub(super) fn real_radius<S: Real<Mask = bool>>([a, b]: [S; 2]) -> Option<S> {
+#[inline]
+pub(super) fn real_square<S: Real<Mask = bool>>([a, b]: [S; 2]) -> Option<S> {
     let squared = a - b;
     let rounding = S::epsilon() * S::from_integer(32) * (a.abs() + b.abs());
-    if !squared.is_finite() {
-        None
-    } else if !rounding.less_than(squared.abs()) {
-        Some(S::zero())
-    } else {
-        S::zero().less_than(squared).then(|| squared.sqrt())
+    if rounding.less_than(squared) {
+        return Some(squared);
     }
+    // Without a number, no comparison holds.
+    let is_zero = squared.is_finite() && !rounding.less_than(squared.abs());
+    is_zero.then(S::zero)
 }
 
-/// The divisor that brings d² into range: 1 wherever possible. `None` where d is zero or not
-/// finite.
-fn scale<S: Real<Mask = bool>>(b: DualCircle<S>) -> Option<S> {
-    let direction = Vector::new(b.e1o, b.e2o, b.e3o);
-    let square = direction.length_squared();
-    let (least, most) = (S::from_f64(1e-12), S::from_f64(1e12));
-    if least.less_than(square) && square.less_than(most) {
-        return Some(S::one());
-    }
-    let length = direction.length();
-    (S::zero().less_than(length) && length.is_finite()).then_some(length)
+/// The root of [`real_square`].
+#[inline]
+pub(super) fn real_radius<S: Real<Mask = bool>>(squares: [S; 2]) -> Option<S> {
+    real_square(squares).map(S::sqrt)
 }

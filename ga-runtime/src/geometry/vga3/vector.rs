@@ -1,7 +1,8 @@
 //! Vectors of vga3: products, lengths, angles and projections.
 
 use crate::cga3;
-use crate::scalar::{Real, Ring};
+use crate::geometry::number::is_regular;
+use crate::scalar::{Mask, Real, Ring};
 use crate::vga3::Vector;
 
 impl<S: Ring> Vector<S> {
@@ -73,12 +74,12 @@ impl<S: Real> Vector<S> {
     #[inline]
     #[must_use]
     pub fn length(self) -> S {
-        let largest = self.largest_component();
-        let is_regular = S::zero().less_than(largest) & largest.is_finite();
-        // Zero, infinity and NaN are not scaled.
-        let size = S::select(is_regular, largest, S::one());
-        let unit = self.divided(size);
-        unit.dot(unit).sqrt() * size
+        let square = self.dot(self);
+        let is_regular = is_regular(square);
+        if is_regular.all() {
+            return square.sqrt();
+        }
+        S::select(is_regular, square.sqrt(), self.length_of_any())
     }
 
     /// The distance between the points with these position vectors, `|a − b|`.
@@ -93,6 +94,18 @@ impl<S: Real> Vector<S> {
     #[inline]
     pub(crate) fn divided(self, scalar: S) -> Self {
         Self::new(self.e1 / scalar, self.e2 / scalar, self.e3 / scalar)
+    }
+
+    /// The length, from components divided by the largest.
+    #[cold]
+    #[inline(never)]
+    fn length_of_any(self) -> S {
+        let largest = self.largest_component();
+        let is_regular = S::zero().less_than(largest) & largest.is_finite();
+        // Zero, infinity and NaN are not scaled.
+        let size = S::select(is_regular, largest, S::one());
+        let unit = self.divided(size);
+        unit.dot(unit).sqrt() * size
     }
 
     #[inline]
@@ -112,6 +125,16 @@ impl<S: Real<Mask = bool>> Vector<S> {
     #[inline]
     #[must_use]
     pub fn normalized(self) -> Option<Self> {
+        let square = self.dot(self);
+        if is_regular(square) {
+            return Some(self.divided(square.sqrt()));
+        }
+        self.normalized_of_any()
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn normalized_of_any(self) -> Option<Self> {
         let largest = self.largest_component();
         if !self.is_finite() || !S::zero().less_than(largest) {
             return None;

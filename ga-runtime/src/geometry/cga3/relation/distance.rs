@@ -72,18 +72,20 @@ macro_rules! distances {
             /// where they meet; see [`distance`](crate::geometry::relation::distance) for all
             /// pairs. `None` where either is not a figure or the distance is beyond the range of
             /// the scalar.
+            #[inline]
             #[must_use]
             pub fn distance_to<T: Primitive<S>>(self, other: T) -> Option<S> {
-                distance(self.figure()?, other.figure()?)
+                Primitive::distance_from(self, other)
             }
 
             /// The distance with a sign where one of the two has sides: positive on the side of a
             /// plane's normal, negative inside a sphere; see
             /// [`distance`](crate::geometry::relation::distance) for all pairs. `None` as for
             /// [`distance_to`](Self::distance_to).
+            #[inline]
             #[must_use]
             pub fn signed_distance_to<T: Primitive<S>>(self, other: T) -> Option<S> {
-                signed_distance(self.figure()?, other.figure()?)
+                Primitive::signed_distance_from(self, other)
             }
         }
     )*};
@@ -189,7 +191,7 @@ fn from_surface<S: Real<Mask = bool>>([least, most]: [S; 2], radius: S) -> S {
     outside.max(inside)
 }
 
-fn signed_distance<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<S> {
+pub(super) fn signed_distance<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<S> {
     use Figure::{Plane, Sphere};
     let found = match (a, b) {
         (

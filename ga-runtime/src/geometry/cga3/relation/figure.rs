@@ -1,9 +1,16 @@
 //! Primitives as plain Euclidean figures.
 
+use super::distance::{distance, signed_distance};
+use super::incidence::is_on;
+use super::projection::{nearest, radius_towards};
+use super::tolerance::within;
+use super::{Tolerance, parallel};
 use crate::cga3::{
     Circle, DualCircle, DualFlatPoint, DualPlane, DualPointPair, DualSphere, FlatPoint, Line,
     MotorGenerator, Plane, Point, PointPair, Sphere,
 };
+use crate::geometry::cga3::round::real_radius;
+use crate::geometry::number::{is_number, is_regular};
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -65,13 +72,122 @@ pub trait Primitive<S>: Copy {
     /// assert_eq!(line.figure(), Some(figure));
     /// ```
     fn figure(self) -> Option<Figure<S>>;
+
+    /// The least distance to a point, for types that know a shorter way than by their figure.
+    #[doc(hidden)]
+    #[inline]
+    fn distance_from_point(self, point: Vector<S>) -> Option<S>
+    where
+        S: Real<Mask = bool>,
+    {
+        distance(finite(point)?, self.figure()?)
+    }
+
+    /// The least distance to a line.
+    #[doc(hidden)]
+    #[inline]
+    fn distance_from_line(self, line: Line<S>) -> Option<S>
+    where
+        S: Real<Mask = bool>,
+    {
+        distance(line.figure()?, self.figure()?)
+    }
+
+    /// The least distance to another primitive.
+    #[doc(hidden)]
+    #[inline]
+    fn distance_from<T: Primitive<S>>(self, other: T) -> Option<S>
+    where
+        S: Real<Mask = bool>,
+    {
+        distance(self.figure()?, other.figure()?)
+    }
+
+    /// The distance to a point, with a sign where this primitive has sides.
+    #[doc(hidden)]
+    #[inline]
+    fn signed_distance_from_point(self, point: Vector<S>) -> Option<S>
+    where
+        S: Real<Mask = bool>,
+    {
+        signed_distance(finite(point)?, self.figure()?)
+    }
+
+    /// The distance to another primitive, with a sign where one of them has sides.
+    #[doc(hidden)]
+    #[inline]
+    fn signed_distance_from<T: Primitive<S>>(self, other: T) -> Option<S>
+    where
+        S: Real<Mask = bool>,
+    {
+        signed_distance(self.figure()?, other.figure()?)
+    }
+
+    /// The nearest place to a point.
+    #[doc(hidden)]
+    #[inline]
+    fn nearest_place(self, point: Vector<S>) -> Option<Vector<S>>
+    where
+        S: Real<Mask = bool>,
+    {
+        nearest(point, self.figure()?)
+    }
+
+    /// Whether all of this primitive is on the other.
+    #[doc(hidden)]
+    #[inline]
+    fn lies_on<T: Primitive<S>>(self, other: T, tolerance: Tolerance<S>) -> bool
+    where
+        S: Real<Mask = bool>,
+    {
+        match (self.figure(), other.figure()) {
+            (Some(a), Some(b)) => is_on(a, b, tolerance),
+            _ => false,
+        }
+    }
+}
+
+#[inline]
+fn finite<S: Real<Mask = bool>>(point: Vector<S>) -> Option<Figure<S>> {
+    point.is_finite().then_some(Figure::Point(point))
 }
 
 impl<S: Real<Mask = bool>> Primitive<S> for Point<S> {
     #[inline]
     fn figure(self) -> Option<Figure<S>> {
-        let place = Vector::from(self);
-        place.is_finite().then_some(Figure::Point(place))
+        finite(self.into())
+    }
+
+    #[inline]
+    fn distance_from_point(self, point: Vector<S>) -> Option<S> {
+        let distance = Vector::from(self).distance(point);
+        is_number(distance).then_some(distance)
+    }
+
+    #[inline]
+    fn distance_from_line(self, line: Line<S>) -> Option<S> {
+        line.distance_from_point(self.into())
+    }
+
+    #[inline]
+    fn distance_from<T: Primitive<S>>(self, other: T) -> Option<S> {
+        other.distance_from_point(self.into())
+    }
+
+    #[inline]
+    fn signed_distance_from_point(self, point: Vector<S>) -> Option<S> {
+        self.distance_from_point(point)
+    }
+
+    #[inline]
+    fn signed_distance_from<T: Primitive<S>>(self, other: T) -> Option<S> {
+        other.signed_distance_from_point(self.into())
+    }
+
+    #[inline]
+    fn lies_on<T: Primitive<S>>(self, other: T, tolerance: Tolerance<S>) -> bool {
+        let distance = other.distance_from_point(self.into());
+        distance.is_some_and(|distance| within(distance, tolerance.distance))
     }
 }
 
@@ -100,19 +216,67 @@ impl<S: Real<Mask = bool>> Primitive<S> for PointPair<S> {
 impl<S: Real<Mask = bool>> Primitive<S> for Line<S> {
     #[inline]
     fn figure(self) -> Option<Figure<S>> {
-        let (point, direction) = (self.support()?.into(), self.unit_direction()?.into());
+        let (point, direction) = self.parts()?;
         Some(Figure::Line { point, direction })
+    }
+
+    #[inline]
+    fn distance_from_point(self, point: Vector<S>) -> Option<S> {
+        self.distance(point.into())
+    }
+
+    #[inline]
+    fn distance_from_line(self, line: Self) -> Option<S> {
+        let (d, m) = self.vectors();
+        let (e, n) = line.vectors();
+        let normal = d.cross(e);
+        let (square, product) = (
+            normal.length_squared(),
+            d.length_squared() * e.length_squared(),
+        );
+        // The sine of the angle, times the lengths of both directions, against the bound below
+        // which they are treated as parallel.
+        let bound = parallel::<S>() * parallel::<S>() * product;
+        if is_regular(square) && bound.less_than(square) {
+            let distance = (d.dot(n) + e.dot(m)).abs() / square.sqrt();
+            if is_number(distance) {
+                return Some(distance);
+            }
+        }
+        distance(self.figure()?, line.figure()?)
+    }
+
+    #[inline]
+    fn distance_from<T: Primitive<S>>(self, other: T) -> Option<S> {
+        other.distance_from_line(self)
+    }
+
+    #[inline]
+    fn nearest_place(self, point: Vector<S>) -> Option<Vector<S>> {
+        Some(self.foot(point.into())?.into())
     }
 }
 
 impl<S: Real<Mask = bool>> Primitive<S> for Plane<S> {
     #[inline]
     fn figure(self) -> Option<Figure<S>> {
-        let normal = self.unit_normal()?.into();
-        let dual = self.dual();
-        let distance = dual.ei / Vector::from(dual.normal()).length();
-        let figure = Figure::Plane { normal, distance };
-        distance.is_finite().then_some(figure)
+        let (normal, distance) = self.parts()?;
+        Some(Figure::Plane { normal, distance })
+    }
+
+    #[inline]
+    fn distance_from_point(self, point: Vector<S>) -> Option<S> {
+        Some(self.signed_distance(point.into())?.abs())
+    }
+
+    #[inline]
+    fn signed_distance_from_point(self, point: Vector<S>) -> Option<S> {
+        self.signed_distance(point.into())
+    }
+
+    #[inline]
+    fn nearest_place(self, point: Vector<S>) -> Option<Vector<S>> {
+        self.moved_along_normal(point, S::one())
     }
 }
 
@@ -130,8 +294,9 @@ impl<S: Real<Mask = bool>> Primitive<S> for Circle<S> {
             } = self;
             return Line::new(e12i, e13i, e23i, e1oi, e2oi, e3oi).figure();
         }
-        let (centre, normal, _) = circle_parts(self)?;
-        let radius = self.radius()?;
+        let round = self.parts()?;
+        let [a, b] = round.squares();
+        let (centre, normal, radius) = (round.centre, round.axis(), real_radius([b, a])?);
         Some(Figure::Circle {
             centre,
             normal,
@@ -152,9 +317,33 @@ impl<S: Real<Mask = bool>> Primitive<S> for Sphere<S> {
             } = self;
             return Plane::new(e123i, e12oi, e13oi, e23oi).figure();
         }
-        let (centre, _) = sphere_parts(self)?;
-        let radius = self.radius()?;
+        let (centre, squares) = self.dual().parts()?;
+        let radius = real_radius(squares)?;
         Some(Figure::Sphere { centre, radius })
+    }
+
+    #[inline]
+    fn distance_from_point(self, point: Vector<S>) -> Option<S> {
+        Some(self.signed_distance_from_point(point)?.abs())
+    }
+
+    #[inline]
+    fn signed_distance_from_point(self, point: Vector<S>) -> Option<S> {
+        if self.e123o == S::zero() {
+            return signed_distance(finite(point)?, self.figure()?);
+        }
+        let (centre, squares) = self.dual().parts()?;
+        let distance = centre.distance(point) - real_radius(squares)?;
+        is_number(distance).then_some(distance)
+    }
+
+    #[inline]
+    fn nearest_place(self, point: Vector<S>) -> Option<Vector<S>> {
+        if self.e123o == S::zero() {
+            return nearest(point, self.figure()?);
+        }
+        let (centre, squares) = self.dual().parts()?;
+        radius_towards(centre, point - centre, real_radius(squares)?)
     }
 }
 
@@ -165,6 +354,26 @@ macro_rules! by_the_direct_form {
             fn figure(self) -> Option<Figure<S>> {
                 self.undual().figure()
             }
+
+            #[inline]
+            fn distance_from_point(self, point: Vector<S>) -> Option<S> {
+                self.undual().distance_from_point(point)
+            }
+
+            #[inline]
+            fn distance_from_line(self, line: Line<S>) -> Option<S> {
+                self.undual().distance_from_line(line)
+            }
+
+            #[inline]
+            fn signed_distance_from_point(self, point: Vector<S>) -> Option<S> {
+                self.undual().signed_distance_from_point(point)
+            }
+
+            #[inline]
+            fn nearest_place(self, point: Vector<S>) -> Option<Vector<S>> {
+                self.undual().nearest_place(point)
+            }
         }
     )*};
 }
@@ -172,17 +381,18 @@ macro_rules! by_the_direct_form {
 by_the_direct_form!(DualFlatPoint DualPointPair MotorGenerator DualPlane DualCircle DualSphere);
 
 /// Centre, unit normal and squared radius, negative for an imaginary circle.
+#[inline]
 pub(super) fn circle_parts<S: Real<Mask = bool>>(
     circle: Circle<S>,
 ) -> Option<(Vector<S>, Vector<S>, S)> {
-    let (centre, normal) = (circle.centre()?.into(), circle.unit_normal()?.into());
-    let squared = circle.radius_squared()?;
-    squared.is_finite().then_some((centre, normal, squared))
+    let round = circle.parts()?;
+    let squared = -round.signed_square()?;
+    Some((round.centre, round.axis(), squared))
 }
 
 /// Centre and squared radius, negative for an imaginary sphere.
+#[inline]
 pub(super) fn sphere_parts<S: Real<Mask = bool>>(sphere: Sphere<S>) -> Option<(Vector<S>, S)> {
-    let (centre, squared) = (Vector::from(sphere.centre()?), sphere.radius_squared()?);
-    let finite = centre.is_finite() && squared.is_finite();
-    finite.then_some((centre, squared))
+    let (centre, [a, b]) = sphere.dual().parts()?;
+    is_number(a - b).then_some((centre, a - b))
 }

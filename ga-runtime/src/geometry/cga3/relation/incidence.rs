@@ -59,12 +59,10 @@ macro_rules! incidence {
             /// Whether every point of this primitive is a point of the other, within the tolerance;
             /// see [`incidence`](crate::geometry::relation::incidence). False where either is no
             /// figure.
+            #[inline]
             #[must_use]
             pub fn is_on<T: Primitive<S>>(self, other: T, tolerance: Tolerance<S>) -> bool {
-                match (self.figure(), other.figure()) {
-                    (Some(a), Some(b)) => is_on(a, b, tolerance),
-                    _ => false,
-                }
+                Primitive::lies_on(self, other, tolerance)
             }
 
             /// Whether this and the other primitive are the same set of points, each

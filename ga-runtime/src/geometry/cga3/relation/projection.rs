@@ -40,6 +40,7 @@
 use super::incidence::Directed;
 use super::{Figure, Primitive, parallel};
 use crate::cga3::{Circle, Direction, FlatPoint, Line, Plane, Point, Sphere};
+use crate::geometry::number::are_numbers;
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -47,19 +48,21 @@ impl<S: Real<Mask = bool>> Point<S> {
     /// The point of the other primitive that is nearest to this one; see
     /// [`projection`](crate::geometry::relation::projection). `None` where there are several such
     /// points, or where the other is not a figure.
+    #[inline]
     #[must_use]
     pub fn project_onto<T: Primitive<S>>(self, other: T) -> Option<Self> {
-        let place = nearest(self.into(), other.figure()?)?;
-        place.is_finite().then(|| Point::from(place))
+        let place = other.nearest_place(self.into())?;
+        are_numbers(place.coordinates()).then(|| Point::from(place))
     }
 
     /// The free vector `p − p'` to this point from the [nearest point](Self::project_onto) p' of
     /// the other primitive. Its length is the distance. `None` where the nearest point is not
     /// unique or not defined.
+    #[inline]
     #[must_use]
     pub fn reject_from<T: Primitive<S>>(self, other: T) -> Option<Direction<S>> {
         let way = self.project_onto(other)?.vector_to(self);
-        way.is_finite().then(|| Direction::from(way))
+        are_numbers(way.coordinates()).then(|| Direction::from(way))
     }
 }
 
@@ -206,7 +209,7 @@ impl<S: Real<Mask = bool>> Line<S> {
 }
 
 /// The nearest point of a figure.
-fn nearest<S: Real<Mask = bool>>(p: Vector<S>, figure: Figure<S>) -> Option<Vector<S>> {
+pub(super) fn nearest<S: Real<Mask = bool>>(p: Vector<S>, figure: Figure<S>) -> Option<Vector<S>> {
     if !p.is_finite() {
         return None;
     }
@@ -244,7 +247,8 @@ fn nearest<S: Real<Mask = bool>>(p: Vector<S>, figure: Figure<S>) -> Option<Vect
 }
 
 /// The end of a radius in a direction; the centre itself where the radius is zero.
-fn radius_towards<S: Real<Mask = bool>>(
+#[inline]
+pub(super) fn radius_towards<S: Real<Mask = bool>>(
     centre: Vector<S>,
     way: Vector<S>,
     radius: S,

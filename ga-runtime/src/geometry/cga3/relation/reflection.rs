@@ -38,6 +38,8 @@ use crate::cga3::{
     DualSphere, FlatPoint, Line, Motor, MotorGenerator, Plane, Point, PointPair, Rotor,
     RoundVector, Sphere, Translator,
 };
+use crate::geometry::number::are_numbers;
+use crate::products::Sandwich;
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -46,6 +48,17 @@ pub trait Mirror<S> {
     /// The motor of the reflection, and whether all coordinates change sign before it; `None` where
     /// the mirror is not a figure.
     fn reflection(self) -> Option<(Motor<S>, bool)>;
+
+    /// The image of a point, for mirrors that know a shorter way than by their motor.
+    #[doc(hidden)]
+    #[inline]
+    fn image_of_point(self, point: Point<S>) -> Option<Point<S>>
+    where
+        S: Real<Mask = bool>,
+        Self: Sized,
+    {
+        image(point, self)
+    }
 }
 
 impl<S: Real<Mask = bool>> Mirror<S> for Plane<S> {
@@ -55,6 +68,12 @@ impl<S: Real<Mask = bool>> Mirror<S> for Plane<S> {
         };
         let shift = shift(normal * (distance + distance))?;
         Some((shift * half_turn(normal), true))
+    }
+
+    #[inline]
+    fn image_of_point(self, point: Point<S>) -> Option<Point<S>> {
+        let place = self.moved_along_normal(point.into(), S::from_integer(2))?;
+        Some(place.into())
     }
 }
 
@@ -68,12 +87,22 @@ impl<S: Real<Mask = bool>> Mirror<S> for Line<S> {
         let shift = shift(point * S::from_integer(2))?;
         Some((shift * half_turn(direction), false))
     }
+
+    #[inline]
+    fn image_of_point(self, point: Point<S>) -> Option<Point<S>> {
+        twice_less(self.foot(point)?.into(), point.into())
+    }
 }
 
 impl<S: Real<Mask = bool>> Mirror<S> for Point<S> {
     fn reflection(self) -> Option<(Motor<S>, bool)> {
         let shift = shift(Vector::from(self) * S::from_integer(2))?;
         Some((shift.into(), true))
+    }
+
+    #[inline]
+    fn image_of_point(self, point: Point<S>) -> Option<Point<S>> {
+        twice_less(self.into(), point.into())
     }
 }
 
@@ -87,11 +116,21 @@ impl<S: Real<Mask = bool>> Mirror<S> for DualPlane<S> {
     fn reflection(self) -> Option<(Motor<S>, bool)> {
         self.undual().reflection()
     }
+
+    #[inline]
+    fn image_of_point(self, point: Point<S>) -> Option<Point<S>> {
+        self.undual().image_of_point(point)
+    }
 }
 
 impl<S: Real<Mask = bool>> Mirror<S> for MotorGenerator<S> {
     fn reflection(self) -> Option<(Motor<S>, bool)> {
         self.undual().reflection()
+    }
+
+    #[inline]
+    fn image_of_point(self, point: Point<S>) -> Option<Point<S>> {
+        self.undual().image_of_point(point)
     }
 }
 
@@ -99,20 +138,54 @@ macro_rules! reflections {
     ($($Element:ident)*) => {$(
         impl<S: Real<Mask = bool>> $Element<S> {
             /// The image under reflection in a plane, a line or a point; see
-            /// [`reflection`](crate::geometry::relation::reflection). `None` where the mirror is no
+            /// [`reflection`](crate::geometry::relation::reflection). `None` where the mirror is not a
             /// figure, or the image is not finite.
             #[must_use]
             pub fn reflect_in<M: Mirror<S>>(self, mirror: M) -> Option<Self> {
-                let (motor, is_odd) = mirror.reflection()?;
-                finite(motor.transform(if is_odd { through_origin(self) } else { self }))
+                image(self, mirror)
             }
         }
     )*};
 }
 
+impl<S: Real<Mask = bool>> Point<S> {
+    /// The image under reflection in a plane, a line or a point; see
+    /// [`reflection`](crate::geometry::relation::reflection). `None` where the mirror is not a
+    /// figure, or the image is not finite.
+    #[inline]
+    #[must_use]
+    pub fn reflect_in<M: Mirror<S>>(self, mirror: M) -> Option<Self> {
+        mirror.image_of_point(self)
+    }
+}
+
 reflections! {
-    Point RoundVector PointPair FlatPoint Direction Circle Line Sphere Plane
+    RoundVector PointPair FlatPoint Direction Circle Line Sphere Plane
     DualSphere DualPlane DualPointPair DualFlatPoint DualDirection DualCircle MotorGenerator
+}
+
+/// The image of an element by the motor of a mirror.
+fn image<S, T, M>(element: T, mirror: M) -> Option<T>
+where
+    S: Real<Mask = bool>,
+    T: Element<Scalar = S>,
+    M: Mirror<S>,
+    Motor<S>: Sandwich<T, Output = T>,
+{
+    let (motor, is_odd) = mirror.reflection()?;
+    let element = if is_odd {
+        through_origin(element)
+    } else {
+        element
+    };
+    finite(motor.sandwich(element))
+}
+
+/// The image of a point in another, `2 centre − point`.
+#[inline]
+fn twice_less<S: Real<Mask = bool>>(centre: Vector<S>, point: Vector<S>) -> Option<Point<S>> {
+    let place = centre + centre - point;
+    are_numbers(place.coordinates()).then(|| Point::from(place))
 }
 
 /// The element if all its coefficients are finite.
