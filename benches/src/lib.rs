@@ -10,3 +10,4 @@ pub mod inputs;
 pub mod precision;
 pub mod results;
 pub mod rivals;
+pub mod scene;
