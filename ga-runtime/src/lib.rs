@@ -42,4 +42,4 @@ pub use algebras::sta::sta;
 #[cfg(feature = "vga2")]
 pub use algebras::vga2::vga2;
 pub use algebras::vga3::vga3;
-pub use element::Element;
+pub use element::{Coefficients, Element, NotMember, ParseElementError};

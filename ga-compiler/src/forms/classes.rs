@@ -63,6 +63,8 @@ pub(super) enum Operation {
     Sum(Vec<Term>),
     Quotient(ClassId, ClassId),
     Coefficient(ClassId, Blade),
+    /// The second of three values where the first is not zero, and the third where it is.
+    Select([Term; 3]),
     Function(Function, Vec<Term>),
 }
 
@@ -75,6 +77,7 @@ impl Operation {
             Self::Product(_, factors) => factors.clone(),
             Self::Sandwich(a, b) | Self::Quotient(a, b) => vec![*a, *b],
             Self::Sum(terms) | Self::Function(_, terms) => terms.iter().map(|t| t.class).collect(),
+            Self::Select(terms) => terms.map(|t| t.class).to_vec(),
         }
     }
 }

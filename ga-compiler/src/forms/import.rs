@@ -3,7 +3,7 @@
 use super::FormRule;
 use super::classes::{Classes, Operation, Term};
 use super::make::Made;
-use crate::algebra::{Product, Unary};
+use crate::algebra::{Product, Ratio, Unary};
 use crate::ir::Function;
 use crate::member::Numbers;
 use crate::program::{Program, Step, StepId, Witness};
@@ -67,8 +67,18 @@ pub(super) fn import(
             Step::Quotient(a, b) => get(a)
                 .zip(get(b))
                 .and_then(|(a, b)| classes.quotient(a, b, None)),
-            Step::Negative(a) => get(a).map(|a| a.scaled(crate::algebra::Ratio::integer(-1))),
+            Step::Negative(a) => get(a).map(|a| a.scaled(Ratio::integer(-1))),
             Step::Coefficient(a, blade) => get(a).and_then(|a| classes.coefficient(a, *blade)),
+            Step::Select(condition, a, b) => {
+                let one = classes.one();
+                let terms = [condition, a, b].map(|id| get(id).or_else(|| zero(one)));
+                match terms {
+                    [Some(condition), Some(a), Some(b)] => {
+                        classes.select([condition, a, b], values(id))
+                    }
+                    _ => None,
+                }
+            }
             Step::Function(function, arguments) => {
                 function_of(classes, *function, arguments.iter().map(get), values(id))
             }
@@ -78,14 +88,18 @@ pub(super) fn import(
     made
 }
 
+/// Zero, as a multiple of one.
+fn zero(one: Made) -> Made {
+    one.map(|one| one.scaled(Ratio::ZERO))
+}
+
 fn function_of(
     classes: &mut Classes<'_>,
     function: Function,
     arguments: impl Iterator<Item = Made>,
     values: Vec<Numbers>,
 ) -> Made {
-    let one = classes.one()?;
-    let zero = one.scaled(crate::algebra::Ratio::ZERO);
+    let zero = zero(classes.one())?;
     let arguments = arguments.map(|argument| argument.unwrap_or(zero)).collect();
     classes.function(function, arguments, values)
 }

@@ -10,7 +10,8 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::{DenseError, Multivector, blade};
-use crate::scalar::Ring;
+use crate::Element;
+use crate::scalar::{Field, Ring};
 
 /// The largest number of basis vectors.
 pub(super) const MAXIMUM_DIMENSION: usize = 16;
@@ -164,6 +165,48 @@ impl<S: Ring> Algebra<S> {
         })
     }
 
+    /// The algebra of a declared type, with its metric and the names of its basis vectors.
+    ///
+    /// ```
+    /// use ga_runtime::{cga3, dense::Algebra};
+    /// # fn main() -> Result<(), ga_runtime::dense::DenseError> {
+    /// let algebra = Algebra::<f64>::of::<cga3::Point<f64>>()?;
+    /// let point = algebra.element(&cga3::Point::new(1.0, 0.0, 2.0));
+    /// assert_eq!(point.to_string(), "e1 + 2 e3 + eo + 2.5 ei");
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// Those of [`declared`](Self::declared). A type of `algebra!` causes none.
+    pub fn of<T: Element>() -> Result<Self, DenseError>
+    where
+        S: Field,
+    {
+        Self::declared(T::METRIC, T::BASIS)
+    }
+
+    /// The algebra of a metric given as fractions and of the names of its basis vectors: `METRIC`
+    /// and `BASIS` of the module that `algebra!` emits.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`new`](Self::new) and [`with_names`](Self::with_names).
+    pub fn declared(metric: &[&[(i64, i64)]], basis: &[&str]) -> Result<Self, DenseError>
+    where
+        S: Field,
+    {
+        let entry = |&(numerator, denominator): &(i64, i64)| S::from_ratio(numerator, denominator);
+        let rows = metric.iter().map(|row| row.iter().map(entry).collect());
+        Self::new(rows.collect())?.with_names(basis.iter().copied())
+    }
+
+    /// An element of a declared type with all its coefficients.
+    pub fn element<T: Element<Scalar = S>>(&self, element: &T) -> Multivector<S> {
+        self.zero().map(|blade, _| element.coefficient(blade))
+    }
+
     /// The number of basis vectors, n.
     pub fn dimension(&self) -> usize {
         self.definition.metric.len()
@@ -303,21 +346,22 @@ impl<S> Algebra<S> {
     ///
     /// Bits beyond the basis vectors of the algebra are ignored.
     pub fn blade_name(&self, blade: usize) -> String {
-        let names = &self.definition.names;
-        let mut members = blade::vectors(blade).filter_map(|vector| names.get(vector));
-        let Some(first) = members.next() else {
-            return String::from("1");
-        };
-        let shared = shared_beginning(names);
-        let separator = if names.iter().any(|name| name[shared..].chars().count() > 1) {
-            "_"
-        } else {
-            ""
-        };
-        members.fold(first.clone(), |joined, name| {
-            joined + separator + &name[shared..]
-        })
+        blade_name(&self.definition.names, blade)
     }
+}
+
+/// The name of a blade from the names of the basis vectors: see [`Algebra::blade_name`].
+pub(crate) fn blade_name<N: AsRef<str>>(names: &[N], blade: usize) -> String {
+    let mut members = blade::vectors(blade).filter_map(|vector| names.get(vector));
+    let Some(first) = members.next() else {
+        return String::from("1");
+    };
+    let shared = shared_beginning(names);
+    let is_long = |name: &N| name.as_ref()[shared..].chars().count() > 1;
+    let separator = if names.iter().any(is_long) { "_" } else { "" };
+    members.fold(String::from(first.as_ref()), |joined, name| {
+        joined + separator + &name.as_ref()[shared..]
+    })
 }
 
 impl<S: PartialEq> PartialEq for Algebra<S> {
@@ -328,13 +372,15 @@ impl<S: PartialEq> PartialEq for Algebra<S> {
 }
 
 /// The length in bytes of the common prefix of all names, leaving at least one character of each.
-fn shared_beginning(names: &[String]) -> usize {
-    let Some(first) = names.first() else { return 0 };
+fn shared_beginning<N: AsRef<str>>(names: &[N]) -> usize {
+    let Some(first) = names.first().map(N::as_ref) else {
+        return 0;
+    };
     first
         .char_indices()
         .map(|(position, _)| position)
         .take_while(|&position| {
-            names.iter().all(|name| {
+            names.iter().map(N::as_ref).all(|name| {
                 name.len() > position && name.as_bytes()[..position] == first.as_bytes()[..position]
             })
         })

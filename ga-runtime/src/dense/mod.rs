@@ -115,5 +115,6 @@ mod product;
 mod versor;
 
 pub use algebra::Algebra;
+pub(crate) use algebra::blade_name;
 pub use error::DenseError;
 pub use multivector::Multivector;

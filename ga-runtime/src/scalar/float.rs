@@ -1,6 +1,6 @@
 //! `f32` and `f64`.
 
-use super::{Field, Real, Ring, half_angle};
+use super::{ConstRing, Field, Real, Ring, half_angle};
 
 /// Elementary functions, from the library that the features select.
 #[cfg(feature = "std")]
@@ -59,6 +59,11 @@ macro_rules! implement_field {
             fn neg_mul_add(self, factor: Self, summand: Self) -> Self {
                 Ring::mul_add(-self, factor, summand)
             }
+        }
+
+        impl ConstRing for $type {
+            const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
         }
 
         impl Field for $type {

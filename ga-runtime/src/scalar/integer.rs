@@ -1,6 +1,6 @@
 //! Machine integers: a ring without fractions.
 
-use super::Ring;
+use super::{ConstRing, Ring};
 
 impl Ring for i64 {
     #[inline]
@@ -15,4 +15,9 @@ impl Ring for i64 {
     fn from_integer(value: i64) -> Self {
         value
     }
+}
+
+impl ConstRing for i64 {
+    const ZERO: Self = 0;
+    const ONE: Self = 1;
 }

@@ -5,7 +5,7 @@ use core::ops::{
     Add, AddAssign, Div, DivAssign, Index, IndexMut, Mul, MulAssign, Neg, Sub, SubAssign,
 };
 
-use super::{Field, LaneMask, Real, Ring};
+use super::{ConstRing, Field, LaneMask, Real, Ring};
 
 /// N numbers side by side; every operation is applied to each of them.
 ///
@@ -102,6 +102,11 @@ impl<T: Copy, const N: usize> Lanes<T, N> {
         }
         self
     }
+}
+
+impl<T: ConstRing, const N: usize> ConstRing for Lanes<T, N> {
+    const ZERO: Self = Self::splat(T::ZERO);
+    const ONE: Self = Self::splat(T::ONE);
 }
 
 impl<T: Ring, const N: usize> Ring for Lanes<T, N> {

@@ -98,6 +98,22 @@ pub trait Ring:
     }
 }
 
+/// A ring whose zero and one are constants, so that there are constants of its elements such as
+/// `Motor::IDENTITY`. All scalars here implement it except foreign types that come by way of
+/// num-traits.
+///
+/// ```
+/// use ga_runtime::cga3::Motor;
+/// const START: Motor<f32> = Motor::IDENTITY;
+/// assert_eq!(START, Motor::default());
+/// ```
+pub trait ConstRing: Ring {
+    /// The neutral element of addition.
+    const ZERO: Self;
+    /// The neutral element of multiplication.
+    const ONE: Self;
+}
+
 /// A ring with division, in which almost every element has an inverse.
 ///
 /// In a field in the strict sense, every element except zero has an inverse. Lanes and dual numbers

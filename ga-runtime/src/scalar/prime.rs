@@ -3,7 +3,7 @@
 use core::fmt;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use super::{Field, Ring};
+use super::{ConstRing, Field, Ring};
 
 /// A number modulo the Mersenne prime p = 2⁶¹ − 1: the exact scalar of the tests.
 ///
@@ -159,6 +159,11 @@ impl From<i64> for Prime61 {
         let magnitude = Self::new(value.unsigned_abs());
         if value < 0 { -magnitude } else { magnitude }
     }
+}
+
+impl ConstRing for Prime61 {
+    const ZERO: Self = Self(0);
+    const ONE: Self = Self(1);
 }
 
 impl Ring for Prime61 {

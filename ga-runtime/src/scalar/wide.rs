@@ -4,7 +4,7 @@ use core::ops::{BitAnd, BitOr, Not};
 
 use wide::{f32x4, f32x8, f64x2, f64x4};
 
-use super::{Field, Mask, Real, Ring};
+use super::{ConstRing, Field, Mask, Real, Ring};
 
 /// The outcome of a comparison of vectors of the `wide` crate, with feature `wide`.
 ///
@@ -59,6 +59,11 @@ macro_rules! implement_field {
             fn neg_mul_add(self, factor: Self, summand: Self) -> Self {
                 Self::mul_neg_add(self, factor, summand)
             }
+        }
+
+        impl ConstRing for $type {
+            const ZERO: Self = Self::ZERO;
+            const ONE: Self = Self::ONE;
         }
 
         impl Field for $type {

@@ -17,9 +17,6 @@ pub(super) fn emit(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream 
     items.extend(sums(context, kind));
     items.extend(negative(context, kind));
     items.extend(multiples(context, kind));
-    if kind.is_linear() {
-        items.extend(assignments(context, kind));
-    }
     items
 }
 
@@ -108,24 +105,6 @@ fn from_left(kind: &TypeDefinition, hull: &TypeDefinition, float: &Ident) -> Tok
             type Output = #hull<::core::primitive::#float>;
             #[inline]
             fn mul(self, element: #name<::core::primitive::#float>) -> Self::Output { element * self }
-        }
-    }
-}
-
-fn assignments(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
-    let (path, ring) = (context.path(kind), context.bound(false));
-    quote! {
-        impl<S: #ring> ::core::ops::AddAssign for #path {
-            #[inline]
-            fn add_assign(&mut self, other: Self) { *self = *self + other; }
-        }
-        impl<S: #ring> ::core::ops::SubAssign for #path {
-            #[inline]
-            fn sub_assign(&mut self, other: Self) { *self = *self - other; }
-        }
-        impl<S: #ring> ::core::ops::MulAssign<S> for #path {
-            #[inline]
-            fn mul_assign(&mut self, scalar: S) { *self = *self * scalar; }
         }
     }
 }

@@ -1,13 +1,12 @@
-//! Reverse, involute, conjugate, grade selection and the squared norm.
+//! Reverse, involute, conjugate and grade selection.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::context::{Context, receiver};
-use crate::algebra::{Product, Unary};
+use crate::algebra::Unary;
 use crate::define::TypeDefinition;
 use crate::expression::Expression;
-use crate::ir::Facts;
 use crate::verify;
 
 pub(super) fn emit(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
@@ -33,7 +32,6 @@ pub(super) fn emit(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream 
         items.extend(involution(context, kind, operation, text));
     }
     items.extend(grade(context, kind));
-    items.extend(norm_squared(context, kind));
     items
 }
 
@@ -98,27 +96,6 @@ fn grade(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
             pub fn grade(self, grade: ::core::primitive::usize) -> #output {
                 match grade { #(#arms,)* _ => { #rest } }
             }
-        }
-    }
-}
-
-fn norm_squared(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
-    let reverse = Expression::unary(Unary::Reverse, Expression::Operand(0));
-    let norm = Expression::binary(Product::ScalarProduct, Expression::Operand(0), reverse);
-    // By the facts of a versor this is 1; callers want to know how far rounding has changed it.
-    let without_facts = TypeDefinition {
-        facts: Facts::default(),
-        ..kind.clone()
-    };
-    let (body, needs_field) = context.compile(&[(&without_facts, receiver())], &norm, None);
-    let (path, bound) = (context.path(kind), context.bound(needs_field));
-    quote! {
-        impl<S: #bound> #path {
-            /// `⟨x ~x⟩₀`, computed from the coefficients without regard to the facts of the type.
-            /// It is negative or zero for some elements of a metric that is not positive.
-            #[inline]
-            #[must_use]
-            pub fn norm_squared(self) -> S { #body }
         }
     }
 }

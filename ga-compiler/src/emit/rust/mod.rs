@@ -8,8 +8,10 @@ mod conversions;
 mod functions;
 mod interoperation;
 mod involutions;
+mod norm;
 mod product_tests;
 mod products;
+mod surface;
 mod types;
 mod versors;
 
@@ -37,10 +39,14 @@ pub fn algebra(definition: &Definition, source: &TokenStream) -> TokenStream {
         items.extend(types::emit(&context, kind));
         items.extend(arithmetic::emit(&context, kind));
         items.extend(involutions::emit(&context, kind));
+        if !kind.is_constant() {
+            items.extend(norm::emit(&context, kind));
+        }
         items.extend(versors::emit(&context, kind));
         items.extend(conversions::emit(&context, kind));
     }
     items.extend(products::emit(&context));
+    items.extend(surface::emit(&context));
     items.extend(interoperation::emit(&context));
     let module = module(definition, items);
     let handover = handover(definition, source);

@@ -2,9 +2,11 @@
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
+use syn::ext::IdentExt;
 
 use super::body::{body, constant};
 use super::context::{Context, receiver};
+use super::versors;
 use crate::algebra::{Blade, NamedBlade, Ratio};
 use crate::define::{Coefficient, PolynomialStep, Role, TypeDefinition};
 use crate::expression::Expression;
@@ -19,7 +21,6 @@ pub(super) fn emit(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream 
         constructor(context, kind),
         accessors(context, kind),
         default(context, kind),
-        display(context, kind),
         element(context, kind),
     ];
     parts.into_iter().collect()
@@ -159,6 +160,16 @@ fn coefficient_body(
     (quote! { #statements #output }, body.needs_field)
 }
 
+/// Whether some coefficient of the type is computed with a fraction, so that its scalar must be a
+/// field.
+pub(super) fn needs_field(context: &Context<'_>, kind: &TypeDefinition) -> bool {
+    kind.coefficients.iter().any(|c| match &c.role {
+        Role::Stored => false,
+        Role::Constant(value) => !value.is_integer(),
+        Role::Derived(_) => coefficient_body(context, kind, c).1,
+    })
+}
+
 /// The identity for unit versors with a scalar, else the member whose stored coefficients are zero,
 /// which is the origin for a point. A type without such a member has no default.
 fn default(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
@@ -206,45 +217,19 @@ pub(super) fn is_identity(kind: &TypeDefinition, stored: &dyn Fn(&Coefficient) -
     has_scalar && kind.coefficients.iter().all(is_expected)
 }
 
-fn display(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
-    let (path, runtime) = (context.path(kind), context.runtime);
-    let (mut entries, mut needs_field) = (Vec::new(), false);
-    for c in &kind.coefficients {
-        let (value, field) = coefficient_body(context, kind, c);
-        needs_field |= field;
-        let name = if c.blade == Blade::SCALAR {
-            String::new()
-        } else {
-            c.name.to_string()
-        };
-        entries.push(quote! { (#name, &{ #value }) });
-    }
-    let bound = context.bound(needs_field);
-    quote! {
-        impl<S: #bound + ::core::fmt::Display> ::core::fmt::Display for #path {
-            fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
-                #runtime::__private::write_blades(f, &[#(#entries),*])
-            }
-        }
-    }
-}
-
 /// The type as a list of coefficients by blade, in rising order of vectors.
 fn element(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let (path, runtime) = (context.path(kind), context.runtime);
-    let mut needs_field = false;
+    let usize = quote! { ::core::primitive::usize };
     let arms: Vec<_> = kind
         .coefficients
         .iter()
         .map(|c| {
-            let rising = Coefficient {
-                is_negative: false,
-                ..c.clone()
-            };
-            let (value, field) = coefficient_body(context, kind, &rising);
-            needs_field |= field;
-            let blade = c.blade.0 as usize;
-            quote! { #blade => { #value } }
+            let (name, blade) = (&c.name, c.blade.0 as usize);
+            let sign = c.is_negative.then(|| quote! { - });
+            // Stored coefficients of linear types have no accessor.
+            let call = (c.role != Role::Stored).then(|| quote! { () });
+            quote! { #blade => #sign self.#name #call }
         })
         .collect();
     let values: Vec<_> = kind
@@ -256,15 +241,31 @@ fn element(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
         })
         .collect();
     let built = context.build(Some(kind), &values);
-    let bound = context.bound(needs_field);
+    let bound = context.bound(needs_field(context, kind));
     let blades = kind.coefficients.iter().map(|c| c.blade.0 as usize);
+    let names = kind.coefficients.iter().map(|c| c.name.unraw().to_string());
+    let mut reversed = kind
+        .coefficients
+        .iter()
+        .filter(|c| c.is_negative)
+        .map(|c| c.blade.0 as usize)
+        .peekable();
+    let reversed = reversed.peek().is_some().then(|| {
+        let reversed = reversed.clone();
+        quote! { const REVERSED: &'static [#usize] = &[#(#reversed),*]; }
+    });
+    let type_name = kind.name.unraw().to_string();
+    let facts = versors::facts(context, kind);
     let (unit_versor, free) = (kind.facts.unit_versor, kind.facts_are_implied);
     let zero = constant(runtime, Ratio::ZERO);
-    let usize = quote! { ::core::primitive::usize };
     quote! {
         impl<S: #bound> #runtime::Element for #path {
             type Scalar = S;
+            const NAME: &'static ::core::primitive::str = #type_name;
+            const BASIS: &'static [&'static ::core::primitive::str] = BASIS;
             const BLADES: &'static [#usize] = &[#(#blades),*];
+            const NAMES: &'static [&'static ::core::primitive::str] = &[#(#names),*];
+            #reversed
             const IS_UNIT_VERSOR: ::core::primitive::bool = #unit_versor;
             const IS_FREE: ::core::primitive::bool = #free;
             const METRIC: &'static [&'static [(::core::primitive::i64, ::core::primitive::i64)]] = METRIC;
@@ -276,6 +277,7 @@ fn element(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
             ) -> Self {
                 #built
             }
+            #facts
         }
     }
 }

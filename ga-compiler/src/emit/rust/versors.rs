@@ -92,19 +92,11 @@ fn unknown(kind: &TypeDefinition) -> TypeDefinition {
 }
 
 fn try_new(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
-    let (runtime, algebra) = (context.runtime, &context.definition.algebra);
-    let candidate = unknown(kind);
-    let defect = Expression::difference(norm(), Expression::Constant(Ratio::ONE));
-    let blades = wanted(verify::result_blades(algebra, &[&candidate], &defect));
-    let kernel = Task::of_expression(algebra, &[&candidate], &defect, blades).compile();
+    let runtime = context.runtime;
     let arguments: Vec<_> = kind.stored().map(|c| &c.name).collect();
-    // Read from the fields, since a variable of the code could be named like a blade.
-    let inputs = fields(&[(kind, format_ident!("versor"))]);
-    let code = body(&kernel, runtime, &inputs);
-    let (statements, defects) = (code.statements, code.outputs);
-    let (path, real) = (context.path(kind), quote! { #runtime::scalar::Real });
+    let path = context.path(kind);
     quote! {
-        impl<S: #real<Mask = ::core::primitive::bool>> #path {
+        impl<S: #runtime::scalar::Real<Mask = ::core::primitive::bool>> #path {
             /// The unit versor with these coefficients, or `None` where some coefficient of
             /// `M ~M − 1` is larger than the tolerance, or not a number.
             #[must_use]
@@ -112,18 +104,31 @@ fn try_new(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
                 #(#arguments: S,)* tolerance: S
             ) -> ::core::option::Option<Self> {
                 let versor = Self { #(#arguments),* };
-                #statements
-                let defects = [#(#defects),*];
-                for defect in defects {
-                    let size = <S as #real>::abs(defect);
-                    // Written so that NaN is refused: every comparison with it is false.
-                    let is_within = <S as #real>::less_than(size, tolerance) || size == tolerance;
-                    if !<S as #real>::is_finite(size) || !is_within {
-                        return ::core::option::Option::None;
-                    }
-                }
-                ::core::option::Option::Some(versor)
+                <Self as #runtime::Element>::satisfies_facts(&versor, tolerance).then_some(versor)
             }
+        }
+    }
+}
+
+/// The check of the facts, a method of `Element`; nothing where they are implied.
+pub(super) fn facts(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+    if kind.facts_are_implied || !kind.facts.unit_versor {
+        return TokenStream::new();
+    }
+    let (runtime, algebra) = (context.runtime, &context.definition.algebra);
+    let candidate = unknown(kind);
+    let defect = Expression::difference(norm(), Expression::Constant(Ratio::ONE));
+    let blades = wanted(verify::result_blades(algebra, &[&candidate], &defect));
+    let kernel = Task::of_expression(algebra, &[&candidate], &defect, blades).compile();
+    let code = body(&kernel, runtime, &fields(&[(kind, receiver())]));
+    let (statements, defects) = (code.statements, code.outputs);
+    quote! {
+        fn satisfies_facts(&self, tolerance: S) -> ::core::primitive::bool
+        where
+            S: #runtime::scalar::Real<Mask = ::core::primitive::bool>
+        {
+            #statements
+            #runtime::__private::are_within(&[#(#defects),*], tolerance)
         }
     }
 }
@@ -180,6 +185,7 @@ fn normalize_body(
     );
     let fields: Vec<_> = candidate.stored().map(|c| &c.name).collect();
     let measured = in_norm(context, candidate);
+    let name = &candidate.name;
     let text = format!(
         "The unit versor nearest to an element of the hull: with `M ~M = n + P`, n the scalar, it is `(M − M P/(2n))/√n`. \
          `None` where n is not positive, or a coefficient of the element or of the versor is not finite. Large and small \
@@ -187,6 +193,7 @@ fn normalize_body(
         candidate.name
     );
     quote! {
+        #runtime::__private::surface! { { renormalized #name } }
         impl<S: #real<Mask = ::core::primitive::bool>> #path {
             #[doc = #text]
             #[must_use]
@@ -222,7 +229,7 @@ fn normalize_body(
 }
 
 /// The stored coefficients that `⟨x ~x⟩₀` depends on.
-fn in_norm<'a>(context: &Context<'_>, kind: &'a TypeDefinition) -> Vec<&'a Ident> {
+pub(super) fn in_norm<'a>(context: &Context<'_>, kind: &'a TypeDefinition) -> Vec<&'a Ident> {
     let algebra = &context.definition.algebra;
     let gives_scalar = |a: Blade, b: Blade| {
         let product = algebra.geometric(a, b);

@@ -2,7 +2,7 @@
 
 use crate::cga2::{DualLine, Line, Point};
 use crate::geometry::number::are_numbers;
-use crate::geometry::vector2::{area, difference, dot, length, normalized, scaled};
+use crate::geometry::vector2::{area, difference, dot, normalized, scaled};
 use crate::scalar::{Real, Ring};
 
 impl<S: Ring> DualLine<S> {
@@ -70,16 +70,6 @@ impl<S: Ring> Line<S> {
 }
 
 impl<S: Real<Mask = bool>> Line<S> {
-    /// The same line with a direction of length 1; `None` for weight zero, or where a coefficient
-    /// is not finite.
-    #[must_use]
-    pub fn normalized(self) -> Option<Self> {
-        let weight = length(self.direction());
-        let usable = S::zero().less_than(weight) && weight.is_finite();
-        let line = usable.then(|| self / weight)?;
-        line.e12i.is_finite().then_some(line)
-    }
-
     /// The distance to a point, positive on the side of the normal, which is to the left of the
     /// direction. `None` for weight zero, or beyond the range of the scalar.
     #[must_use]

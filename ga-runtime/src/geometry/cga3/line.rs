@@ -83,17 +83,6 @@ impl<S: Real<Mask = bool>> Line<S> {
             .map(Vector::coordinates)
     }
 
-    /// The line with a direction of length 1; `None` for a line of weight zero, or with a moment
-    /// beyond the range of the scalar.
-    #[inline]
-    #[must_use]
-    pub fn normalized(self) -> Option<Self> {
-        let weight = Vector::from(self.direction()).length();
-        let usable = S::zero().less_than(weight) && weight.is_finite();
-        let line = usable.then(|| self / weight)?;
-        are_numbers(line.moment()).then_some(line)
-    }
-
     /// The point of the line nearest to the origin, `d × m / d²`; `None` for a line of weight zero.
     #[inline]
     #[must_use]

@@ -1,7 +1,7 @@
 //! Lines of pga2.
 
 use crate::geometry::number::are_numbers;
-use crate::geometry::vector2::{area, difference, dot, length, normalized, scaled};
+use crate::geometry::vector2::{area, difference, dot, normalized, scaled};
 use crate::pga2::{Line, Point};
 use crate::scalar::{Real, Ring};
 
@@ -59,16 +59,6 @@ impl<S: Ring> Line<S> {
 }
 
 impl<S: Real<Mask = bool>> Line<S> {
-    /// The same line with a normal of length 1; `None` for the ideal line e0, or where a
-    /// coefficient is not finite.
-    #[must_use]
-    pub fn normalized(self) -> Option<Self> {
-        let weight = length(self.normal());
-        let usable = S::zero().less_than(weight) && weight.is_finite();
-        let line = usable.then(|| self / weight)?;
-        line.e0.is_finite().then_some(line)
-    }
-
     /// The distance to a point, positive on the side of the normal, which is to the left of the
     /// direction. `None` for an ideal line or point, or beyond the range of the scalar.
     #[must_use]

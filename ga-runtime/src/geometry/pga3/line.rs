@@ -1,6 +1,5 @@
 //! Lines of pga3.
 
-use crate::geometry::number::are_numbers;
 use crate::pga3::{Line, Motor, Plane, Point};
 use crate::scalar::{Real, Ring};
 use crate::vga3::Vector;
@@ -64,16 +63,6 @@ impl<S: Real<Mask = bool>> Line<S> {
         Vector::from(self.direction())
             .normalized()
             .map(Vector::coordinates)
-    }
-
-    /// The same line with a direction of length 1; `None` for an ideal line, or where a coefficient
-    /// is not finite.
-    #[must_use]
-    pub fn normalized(self) -> Option<Self> {
-        let weight = Vector::from(self.direction()).length();
-        let usable = S::zero().less_than(weight) && weight.is_finite();
-        let line = usable.then(|| self / weight)?;
-        are_numbers(line.moment()).then_some(line)
     }
 
     /// The point of the line nearest to the origin, `d × m / d²`; `None` for an ideal line.

@@ -60,16 +60,6 @@ impl<S: Real<Mask = bool>> Plane<S> {
             .map(Vector::coordinates)
     }
 
-    /// The same plane with a normal of length 1; `None` where the normal is zero, or a coefficient
-    /// not finite.
-    #[must_use]
-    pub fn normalized(self) -> Option<Self> {
-        let weight = Vector::from(self.normal()).length();
-        let usable = S::zero().less_than(weight) && weight.is_finite();
-        let plane = usable.then(|| self / weight)?;
-        plane.e0.is_finite().then_some(plane)
-    }
-
     /// The distance to a point, positive on the side of the normal: `(p ∨ Π)` for both of weight 1.
     /// `None` for an ideal point or plane, or beyond the range of the scalar.
     #[must_use]

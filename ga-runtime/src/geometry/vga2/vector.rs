@@ -29,13 +29,6 @@ impl<S: Real<Mask = bool>> Vector<S> {
         length(self.coordinates())
     }
 
-    /// The vector of length 1 in the same direction; `None` where it is zero or not finite.
-    #[inline]
-    #[must_use]
-    pub fn normalized(self) -> Option<Self> {
-        normalized(self.coordinates()).map(Self::from)
-    }
-
     /// The angle of the rotation to another vector, in (−π, π], positive from e1 towards e2; `None`
     /// where one is zero or not finite.
     ///

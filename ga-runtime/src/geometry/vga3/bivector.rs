@@ -29,15 +29,6 @@ impl<S: Real<Mask = bool>> Bivector<S> {
         Vector::from(self.normal()).length()
     }
 
-    /// The bivector with area 1 in the same plane; `None` where it is zero or not finite.
-    #[inline]
-    #[must_use]
-    pub fn normalized(self) -> Option<Self> {
-        Vector::from(self.normal())
-            .normalized()
-            .map(|normal| Self::from_normal(normal.into()))
-    }
-
     /// The part of a vector in the plane of the bivector, `(a·B) B⁻¹`; `None` where B is zero or a
     /// number is not finite.
     #[must_use]

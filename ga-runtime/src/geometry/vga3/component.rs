@@ -1,9 +1,8 @@
 //! Operations on the components of vectors of vga3.
 
-use core::iter::Sum;
-use core::ops::{DivAssign, Index, IndexMut};
+use core::ops::{Index, IndexMut};
 
-use crate::scalar::{Field, Real, Ring};
+use crate::scalar::{ConstRing, Real, Ring};
 use crate::vga3::Vector;
 
 impl<S: Ring> Vector<S> {
@@ -87,31 +86,16 @@ impl<S: Real> Vector<S> {
     pub fn abs(self) -> Self {
         Self::new(self.e1.abs(), self.e2.abs(), self.e3.abs())
     }
-
-    /// Whether every component is neither infinite nor NaN; for lanes, one mask entry per lane.
-    #[inline]
-    #[must_use]
-    pub fn is_finite(self) -> S::Mask {
-        self.e1.is_finite() & self.e2.is_finite() & self.e3.is_finite()
-    }
 }
 
-macro_rules! constants {
-    ($($S:ty),*) => { $(
-        impl Vector<$S> {
-            /// The zero vector.
-            pub const ZERO: Self = Self::new(0.0, 0.0, 0.0);
-            /// The unit vector e1 along the x axis.
-            pub const X: Self = Self::new(1.0, 0.0, 0.0);
-            /// The unit vector e2 along the y axis.
-            pub const Y: Self = Self::new(0.0, 1.0, 0.0);
-            /// The unit vector e3 along the z axis.
-            pub const Z: Self = Self::new(0.0, 0.0, 1.0);
-        }
-    )* };
+impl<S: ConstRing> Vector<S> {
+    /// The unit vector e1 along the x axis.
+    pub const X: Self = Self::E1;
+    /// The unit vector e2 along the y axis.
+    pub const Y: Self = Self::E2;
+    /// The unit vector e3 along the z axis.
+    pub const Z: Self = Self::E3;
 }
-
-constants!(f32, f64);
 
 /// The component along x, y or z for 0, 1 or 2. Any other index panics, as for an array.
 ///
@@ -144,27 +128,6 @@ impl<S> IndexMut<usize> for Vector<S> {
             2 => &mut self.e3,
             _ => panic!("a vector has components 0, 1 and 2, not {index}"),
         }
-    }
-}
-
-impl<S: Field> DivAssign<S> for Vector<S> {
-    #[inline]
-    fn div_assign(&mut self, scalar: S) {
-        *self = *self / scalar;
-    }
-}
-
-impl<S: Ring> Sum for Vector<S> {
-    #[inline]
-    fn sum<I: Iterator<Item = Self>>(vectors: I) -> Self {
-        vectors.fold(Self::default(), |sum, vector| sum + vector)
-    }
-}
-
-impl<'a, S: Ring> Sum<&'a Self> for Vector<S> {
-    #[inline]
-    fn sum<I: Iterator<Item = &'a Self>>(vectors: I) -> Self {
-        vectors.copied().sum()
     }
 }
 

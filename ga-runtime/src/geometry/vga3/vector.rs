@@ -1,8 +1,7 @@
 //! Vectors of vga3: products, lengths, angles and projections.
 
 use crate::cga3;
-use crate::geometry::number::is_regular;
-use crate::scalar::{Mask, Real, Ring};
+use crate::scalar::{Real, Ring};
 use crate::vga3::Vector;
 
 impl<S: Ring> Vector<S> {
@@ -74,12 +73,12 @@ impl<S: Real> Vector<S> {
     #[inline]
     #[must_use]
     pub fn length(self) -> S {
-        let square = self.dot(self);
-        let is_regular = is_regular(square);
-        if is_regular.all() {
-            return square.sqrt();
-        }
-        S::select(is_regular, square.sqrt(), self.length_of_any())
+        let largest = self.largest_component();
+        let is_regular = S::zero().less_than(largest) & largest.is_finite();
+        // Zero, infinity and NaN are not scaled.
+        let size = S::select(is_regular, largest, S::one());
+        let unit = self.divided(size);
+        unit.dot(unit).sqrt() * size
     }
 
     /// The distance between the points with these position vectors, `|a − b|`.
@@ -96,18 +95,6 @@ impl<S: Real> Vector<S> {
         Self::new(self.e1 / scalar, self.e2 / scalar, self.e3 / scalar)
     }
 
-    /// The length, from components divided by the largest.
-    #[cold]
-    #[inline(never)]
-    fn length_of_any(self) -> S {
-        let largest = self.largest_component();
-        let is_regular = S::zero().less_than(largest) & largest.is_finite();
-        // Zero, infinity and NaN are not scaled.
-        let size = S::select(is_regular, largest, S::one());
-        let unit = self.divided(size);
-        unit.dot(unit).sqrt() * size
-    }
-
     #[inline]
     fn largest_component(self) -> S {
         self.e1.abs().max(self.e2.abs()).max(self.e3.abs())
@@ -115,34 +102,6 @@ impl<S: Real> Vector<S> {
 }
 
 impl<S: Real<Mask = bool>> Vector<S> {
-    /// The vector of length 1 in the same direction; `None` where it is zero or not finite.
-    ///
-    /// ```
-    /// use ga_runtime::vga3::Vector;
-    /// assert_eq!(Vector::new(0.0, 3.0, 4.0).normalized(), Some(Vector::new(0.0, 0.6, 0.8)));
-    /// assert_eq!(Vector::new(0.0, 0.0, 0.0).normalized(), None);
-    /// ```
-    #[inline]
-    #[must_use]
-    pub fn normalized(self) -> Option<Self> {
-        let square = self.dot(self);
-        if is_regular(square) {
-            return Some(self.divided(square.sqrt()));
-        }
-        self.normalized_of_any()
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn normalized_of_any(self) -> Option<Self> {
-        let largest = self.largest_component();
-        if !self.is_finite() || !S::zero().less_than(largest) {
-            return None;
-        }
-        let unit = self.divided(largest);
-        Some(unit.divided(unit.dot(unit).sqrt()))
-    }
-
     /// The angle to another vector, in [0, π]; `None` where one is zero or not finite.
     ///
     /// It is computed from sine and cosine, so that small angles are accurate to rounding.

@@ -8,7 +8,7 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 
 #[cfg(doc)]
 use super::Real;
-use super::{Field, Ring};
+use super::{ConstRing, Field, Ring};
 
 /// A dual number: a value and its N derivatives, `x + x₁ ε₁ + … + x_N ε_N` with `ε_i ε_j = 0`.
 ///
@@ -137,6 +137,11 @@ impl<S: Ring> Dual<S> {
     pub fn derivative(self) -> S {
         self.derivatives[0]
     }
+}
+
+impl<S: ConstRing, const N: usize> ConstRing for Dual<S, N> {
+    const ZERO: Self = Self::new(S::ZERO, [S::ZERO; N]);
+    const ONE: Self = Self::new(S::ONE, [S::ZERO; N]);
 }
 
 impl<S: Ring, const N: usize> Ring for Dual<S, N> {

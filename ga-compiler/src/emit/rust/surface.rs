@@ -1,0 +1,217 @@
+//! What every type has beside its products, as entries of a macro of ga-runtime that holds the
+//! code: coefficients by name, text, assignment, sums and products of many, conversions that check.
+
+use heck::ToShoutySnakeCase;
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+use syn::ext::IdentExt;
+
+use super::context::Context;
+use super::types::{is_identity, needs_field};
+use super::versors::in_norm;
+use crate::algebra::{Blade, Product, Ratio};
+use crate::define::{Coefficient, Operation, ProductDefinition, TypeDefinition};
+
+pub(super) fn emit(context: &Context<'_>) -> TokenStream {
+    let runtime = context.runtime;
+    let types = context.definition.types.iter();
+    let entries = types
+        .filter(|kind| !kind.is_constant())
+        .flat_map(|kind| entries(context, kind));
+    quote! { #runtime::__private::surface! { #({ #entries })* } }
+}
+
+fn entries(context: &Context<'_>, kind: &TypeDefinition) -> Vec<TokenStream> {
+    let name = &kind.name;
+    let bound = format_ident!(
+        "{}",
+        if needs_field(context, kind) {
+            "Field"
+        } else {
+            "Ring"
+        }
+    );
+    let mut entries = vec![quote! { element #name #bound }];
+    if kind.is_linear() {
+        entries.push(quote! { linear #name });
+        let measured = in_norm(context, kind);
+        if !measured.is_empty() {
+            let fields = kind.stored().map(|c| &c.name);
+            entries.push(quote! { normalized #name [#(#measured)*] [#(#fields)*] });
+        }
+    } else if is_closed(context, kind, |_| true) {
+        entries.push(quote! { multiplied #name });
+    }
+    if kind.facts.unit_versor && kind.facts_are_implied {
+        entries.push(quote! { always_unit #name });
+    }
+    let has_one = is_identity(kind, &one);
+    if has_one && is_closed(context, kind, |right| right.name == kind.name) {
+        entries.push(quote! { product #name });
+    }
+    entries.extend(constants(kind, has_one));
+    let sources = context.definition.types.iter();
+    entries.extend(
+        sources
+            .filter(|source| is_checked_source(source, kind))
+            .map(|source| {
+                let source = &source.name;
+                quote! { try_from #source #name }
+            }),
+    );
+    let hull = context.hull(kind);
+    if let Some(scalar) = hull.stored().find(|c| c.blade == Blade::SCALAR) {
+        let (hull, scalar) = (&hull.name, &scalar.name);
+        entries.push(quote! { with_scalar #name #hull #scalar });
+    }
+    if takes_references(kind) {
+        entries.extend(references(context, kind));
+    }
+    entries.extend(not_declared(context, kind));
+    entries
+}
+
+/// Whether there are operators on references to the type. Each costs time when the algebra is
+/// built, so there are some for what programs keep in lists: points, vectors, directions, versors.
+fn takes_references(kind: &TypeDefinition) -> bool {
+    let size = kind.stored().count();
+    size <= 4 || kind.facts.unit_versor && size <= 8
+}
+
+/// The trait and the method of a product's operator.
+fn operator(operation: Operation) -> Option<TokenStream> {
+    let Operation::Product(product) = operation else {
+        return None;
+    };
+    match product {
+        Product::Geometric => Some(quote! { Mul mul }),
+        Product::Wedge => Some(quote! { BitXor bitxor }),
+        Product::LeftContraction => Some(quote! { BitOr bitor }),
+        Product::Vee => Some(quote! { BitAnd bitand }),
+        Product::RightContraction | Product::ScalarProduct | Product::Commutator => None,
+    }
+}
+
+fn references(context: &Context<'_>, kind: &TypeDefinition) -> [TokenStream; 2] {
+    let name = &kind.name;
+    let is_kind = |index: usize| context.kind(index).name == *name;
+    let products = &context.definition.products;
+    // Every type has sums and multiples.
+    let mut traits = vec![
+        quote! { Add add },
+        quote! { Sub sub },
+        quote! { Mul mul },
+        quote! { Div div },
+    ];
+    for product in [Product::Wedge, Product::LeftContraction, Product::Vee] {
+        let operation = Operation::Product(product);
+        let starts = |p: &ProductDefinition| p.operation == operation && is_kind(p.operands[0]);
+        if products.iter().any(starts) {
+            traits.extend(operator(operation));
+        }
+    }
+    let lefts = products.iter().filter_map(|product| {
+        let operator = operator(product.operation)?;
+        let left = context.kind(product.operands[0]);
+        let is_right = is_kind(*product.operands.get(1)?) && !left.is_constant();
+        let left = &left.name;
+        is_right.then(|| quote! { #left #operator })
+    });
+    [
+        quote! { references #name [#(#traits)*] },
+        quote! { reference_to #name #name Add add #name Sub sub #(#lefts)* },
+    ]
+}
+
+/// The types that a unit versor moves and is not multiplied with.
+fn not_declared(context: &Context<'_>, kind: &TypeDefinition) -> Option<TokenStream> {
+    let name = &kind.name;
+    let rights = |operation: Operation| {
+        let products = context.definition.products.iter();
+        products
+            .filter(move |p| p.operation == operation && context.kind(p.operands[0]).name == *name)
+            .map(|p| context.kind(p.operands[1]))
+    };
+    let geometric = Operation::Product(Product::Geometric);
+    let is_declared =
+        |moved: &TypeDefinition| rights(geometric).any(|right| right.name == moved.name);
+    let moved: Vec<_> = rights(Operation::Sandwich)
+        .filter(|moved| kind.facts.unit_versor && !moved.is_constant() && !is_declared(moved))
+        .map(|moved| &moved.name)
+        .collect();
+    (!moved.is_empty()).then(|| quote! { not_declared #name #(#moved)* })
+}
+
+/// Whether the geometric product of a member with some type on the right is a member.
+fn is_closed(
+    context: &Context<'_>,
+    kind: &TypeDefinition,
+    right: impl Fn(&TypeDefinition) -> bool,
+) -> bool {
+    let is_kind = |index: usize| context.kind(index).name == kind.name;
+    context.definition.products.iter().any(|product| {
+        product.operation == Operation::Product(Product::Geometric)
+            && is_kind(product.operands[0])
+            && right(context.kind(product.operands[1]))
+            && product.result.is_some_and(is_kind)
+    })
+}
+
+/// The stored coefficients of 1.
+fn one(c: &Coefficient) -> Ratio {
+    if c.blade == Blade::SCALAR {
+        Ratio::ONE
+    } else {
+        Ratio::ZERO
+    }
+}
+
+/// Zero, one and the basis vectors, where they are members.
+fn constants(kind: &TypeDefinition, has_one: bool) -> Vec<TokenStream> {
+    let name = &kind.name;
+    let fields = || kind.stored().map(|c| &c.name);
+    let mut constants = Vec::new();
+    if has_one {
+        let values = kind.stored().map(|c| {
+            let constant = format_ident!("{}", if one(c).is_zero() { "ZERO" } else { "ONE" });
+            let field = &c.name;
+            quote! { #field #constant }
+        });
+        let constant = format_ident!("{}", if kind.is_linear() { "ONE" } else { "IDENTITY" });
+        constants.push(quote! { one #name #constant [#(#values)*] });
+    }
+    if !kind.is_linear() {
+        return constants;
+    }
+    let is_vector = kind.coefficients.iter().all(|c| c.blade.grade() == 1);
+    let mut basis: Vec<_> = fields()
+        .filter(|_| is_vector)
+        .map(|field| (field, field.unraw().to_string().to_shouty_snake_case()))
+        .collect();
+    let names: Vec<_> = basis.iter().map(|(_, name)| name.clone()).collect();
+    basis.retain(|(_, name)| {
+        let is_unique = names.iter().filter(|other| *other == name).count() == 1;
+        is_unique && !["ZERO", "ONE"].contains(&name.as_str())
+    });
+    let basis = basis.iter().map(|(field, name)| {
+        let name = format_ident!("{name}");
+        quote! { #field #name }
+    });
+    let fields = fields();
+    constants.push(quote! { zero #name [#(#fields)*] [#(#basis)*] });
+    constants
+}
+
+/// Whether some elements of `source` are members of `kind`, others not.
+fn is_checked_source(source: &TypeDefinition, kind: &TypeDefinition) -> bool {
+    let covers = |a: &TypeDefinition, b: &TypeDefinition| {
+        let mut blades = b.coefficients.iter();
+        blades.all(|c| a.coefficient(c.blade).is_some())
+    };
+    let are_versors = source.facts.unit_versor && kind.facts.unit_versor;
+    let loses = !covers(kind, source);
+    !source.is_constant()
+        && source.name != kind.name
+        && covers(source, kind)
+        && (source.is_linear() && (loses || !kind.is_linear()) || are_versors && loses)
+}

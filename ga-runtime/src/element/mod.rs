@@ -1,0 +1,163 @@
+//! Elements of an algebra as lists of coefficients, for code that is generic over types.
+
+mod coefficients;
+mod emitted;
+mod membership;
+mod normalized;
+mod text;
+
+pub use coefficients::Coefficients;
+pub use membership::NotMember;
+pub use text::ParseElementError;
+
+#[doc(hidden)]
+pub use membership::are_within;
+#[doc(hidden)]
+pub use normalized::scaled_norm;
+#[doc(hidden)]
+pub use text::{parse, write};
+
+use crate::scalar::{Mask, Real, Ring};
+
+/// A type that `algebra!` has declared, seen as coefficients by blade.
+///
+/// A blade is numbered by its basis vectors: bit `k` stands for the `k`-th, and the blade is their
+/// outer product in rising order. Tests, references and conversions use this trait and so are
+/// written once for all types.
+///
+/// ```
+/// use ga_runtime::{Element, cga3::Point};
+/// let p = Point::new(1.0, 2.0, 2.0);
+/// // e1, eo and ei of the conformal point x + eo + ½x² ei.
+/// assert_eq!(
+///     (
+///         p.coefficient(0b1),
+///         p.coefficient(0b1000),
+///         p.coefficient(0b10000)
+///     ),
+///     (1.0, 1.0, 4.5)
+/// );
+/// assert_eq!(p.coefficient(0b11), 0.0);
+/// ```
+pub trait Element: Copy {
+    /// The coefficients.
+    type Scalar: Ring;
+    /// The name of the type.
+    const NAME: &'static str;
+    /// The names of the basis vectors of the algebra.
+    const BASIS: &'static [&'static str];
+    /// The blades that the type has, stored, constant or derived.
+    const BLADES: &'static [usize];
+    /// The names of these blades as declared, in the same order; `scalar` for the blade 0.
+    const NAMES: &'static [&'static str];
+    /// The blades whose declared name orders the vectors with the opposite sign, as `e31` for
+    /// e1∧e3. The coefficient by that name is minus that of the blade.
+    const REVERSED: &'static [usize] = &[];
+    /// Whether every member satisfies `M ~M = 1`.
+    const IS_UNIT_VERSOR: bool;
+    /// Whether any stored coefficients make a member.
+    const IS_FREE: bool;
+    /// The inner products of the basis vectors as (numerator, denominator).
+    const METRIC: &'static [&'static [(i64, i64)]];
+
+    /// The coefficient of a blade; zero for one that the type does not have.
+    fn coefficient(&self, blade: usize) -> Self::Scalar;
+
+    /// The same element over another scalar, each coefficient converted by itself: to `f32` for
+    /// drawing, to lanes, to constants of dual numbers. The target is the same type with the other
+    /// scalar. A unit versor remains one up to rounding of the new scalar.
+    ///
+    /// ```
+    /// use ga_runtime::{Element, cga3::Point};
+    /// let p: Point<f32> = Element::map(Point::new(1.0_f64, 2.0, 0.1), |x| x as f32);
+    /// assert_eq!(p.coordinates(), [1.0, 2.0, 0.1]);
+    /// ```
+    #[inline]
+    fn map<U: Element>(self, mut scalar: impl FnMut(Self::Scalar) -> U::Scalar) -> U
+    where
+        Self: Sized,
+    {
+        U::from_coefficients_unchecked(&mut |blade| scalar(self.coefficient(blade)))
+    }
+
+    /// The member whose stored coefficients the function returns. The caller must ensure that
+    /// constant and derived blades and the facts of the type agree with it.
+    fn from_coefficients_unchecked(coefficient: &mut dyn FnMut(usize) -> Self::Scalar) -> Self;
+
+    /// The coefficients of all blades of the type with their names.
+    #[inline]
+    fn coefficients(self) -> Coefficients<Self> {
+        Coefficients::new(self)
+    }
+
+    /// The coefficient of the blade of that name; `None` where the type has no such blade.
+    #[inline]
+    fn coefficient_of(self, name: &str) -> Option<Self::Scalar> {
+        let mut coefficients = self.coefficients();
+        coefficients.find_map(|(other, value)| (other == name).then_some(value))
+    }
+
+    /// Whether every coefficient is neither infinite nor NaN; for lanes, one mask entry per lane.
+    #[inline]
+    fn is_finite(self) -> <Self::Scalar as Real>::Mask
+    where
+        Self::Scalar: Real,
+    {
+        let everywhere = <Self::Scalar as Real>::Mask::splat(true);
+        Self::BLADES.iter().fold(everywhere, |finite, &blade| {
+            finite & self.coefficient(blade).is_finite()
+        })
+    }
+
+    /// Whether the facts of the type hold: no coefficient of `M ~M − 1` of a unit versor is larger
+    /// than the tolerance, or not a number. True for types whose facts cannot be violated.
+    #[inline]
+    fn satisfies_facts(&self, _tolerance: Self::Scalar) -> bool
+    where
+        Self::Scalar: Real<Mask = bool>,
+    {
+        true
+    }
+
+    /// The member of this type that another element is, up to a tolerance relative to its largest
+    /// coefficient. `TryFrom` does the same with a tolerance of 1024 ε: 2·10⁻¹³ for `f64`, 10⁻⁴ for
+    /// `f32`.
+    ///
+    /// # Errors
+    /// [`NotMember`] with the coefficient that is different.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Point, RoundVector};
+    /// let nearly = RoundVector::new(1.0, 2.0, 2.0, 1.0, 4.5 + 1e-9);
+    /// assert_eq!(Point::try_from_element(nearly, 1e-6), Ok(Point::new(1.0, 2.0, 2.0)));
+    /// let error = Point::try_from(nearly * 2.0).unwrap_err();
+    /// assert_eq!(
+    ///     error.to_string(),
+    ///     "not a Point: the coefficient of eo is 2.0 instead of 1.0"
+    /// );
+    /// ```
+    #[inline]
+    fn try_from_element<U: Element<Scalar = Self::Scalar>>(
+        element: U,
+        tolerance: Self::Scalar,
+    ) -> Result<Self, NotMember>
+    where
+        Self::Scalar: Real<Mask = bool>,
+    {
+        membership::member(U::BLADES, &|blade| element.coefficient(blade), tolerance)
+    }
+}
+
+/// The tolerance of `TryFrom` and `FromStr`, relative to the largest coefficient.
+pub fn default_tolerance<S: Real>() -> S {
+    S::epsilon() * S::from_integer(1024)
+}
+
+/// The element 1 of a type that has it.
+#[inline]
+pub fn one<T: Element>() -> T {
+    T::from_coefficients_unchecked(&mut |blade| match blade {
+        0 => T::Scalar::one(),
+        _ => T::Scalar::zero(),
+    })
+}
