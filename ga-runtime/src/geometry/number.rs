@@ -1,4 +1,4 @@
-//! Tests of the range of numbers.
+//! Tests of the range of numbers, and an accurate logarithm.
 
 use crate::scalar::{Real, Ring};
 
@@ -24,4 +24,16 @@ pub(crate) fn are_numbers<S: Ring, const N: usize>(components: [S; N]) -> bool {
 #[inline]
 pub(crate) fn is_regular<S: Real>(square: S) -> S::Mask {
     S::from_f64(1e-24).less_than(square) & square.less_than(S::from_f64(1e24))
+}
+
+/// `ln(1 + y)` as `y ln u/(u − 1)` for `u = 1 + y`, which is exact to rounding (Higham, Accuracy
+/// and Stability of Numerical Algorithms, 2002, 1.14.1).
+pub(super) fn logarithm_above_one<S: Real<Mask = bool>>(y: S) -> S {
+    let u = S::one() + y;
+    let difference = u - S::one();
+    if difference == S::zero() {
+        y
+    } else {
+        y * (u.ln() / difference)
+    }
 }

@@ -1,6 +1,7 @@
 //! Complex numbers `a + b I` with I² = −1, which commute with every bivector: bivectors of
 //! spacetime are complex vectors over them.
 
+use crate::geometry::number::logarithm_above_one;
 use crate::scalar::{Field, Real};
 
 #[derive(Clone, Copy)]
@@ -146,16 +147,4 @@ pub(super) fn arsinh<S: Real<Mask = bool>>(sinh: S, cosh: S) -> S {
         return (sinh + cosh).ln();
     }
     logarithm_above_one(sinh + sinh * sinh / (S::one() + cosh))
-}
-
-/// `ln(1 + y)` as `y ln u/(u − 1)` for `u = 1 + y`, which is exact to rounding (Higham, Accuracy
-/// and Stability of Numerical Algorithms, 2002, 1.14.1).
-fn logarithm_above_one<S: Real<Mask = bool>>(y: S) -> S {
-    let u = S::one() + y;
-    let difference = u - S::one();
-    if difference == S::zero() {
-        y
-    } else {
-        y * (u.ln() / difference)
-    }
 }

@@ -4,8 +4,9 @@
 //! and a cosine, so that angles near zero and near a right angle are accurate.
 //!
 //! - Line and line: 0 to π, between the directions as oriented, `tan θ = ∣d × e∣ / d·e`.
-//! - Plane and plane, circle and circle, plane and circle: 0 to π, between the normals as oriented;
-//!   the normal of a circle is that of its plane.
+//! - Plane and plane, plane and circle: 0 to π, between the normals as oriented; the normal of a
+//!   circle is that of its plane.
+//! - Circle and circle: two angles, [`CircleAngles`].
 //! - Line and plane or circle: −½π to ½π, between the line and the plane, positive where the
 //!   direction points to the side of the normal.
 //! - Sphere and plane: 0 to π, between the inward normal of the sphere and the normal of the plane
@@ -46,23 +47,61 @@
 //! assert_eq!(a.angle_to(b), Some(PI / 2.0));
 //! ```
 
-use super::{Figure, Primitive, hypotenuse, parallel};
+use super::circle_angles::circle_angles;
+use super::{CircleAngles, Figure, Primitive, hypotenuse, parallel};
 use crate::cga3::{Circle, DualCircle, DualPlane, DualSphere, Line, MotorGenerator, Plane, Sphere};
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
 /// A primitive with extent, between which angles are defined: a line, a plane, a circle or a
 /// sphere.
-pub trait Extended<S>: Primitive<S> {}
+pub trait Extended<S>: Primitive<S> {
+    /// The angle between the primitive and a circle: one number, or the [`CircleAngles`] of two
+    /// circles.
+    type ToCircle;
 
-impl<S: Real<Mask = bool>> Extended<S> for Line<S> {}
-impl<S: Real<Mask = bool>> Extended<S> for Plane<S> {}
-impl<S: Real<Mask = bool>> Extended<S> for Circle<S> {}
-impl<S: Real<Mask = bool>> Extended<S> for Sphere<S> {}
-impl<S: Real<Mask = bool>> Extended<S> for MotorGenerator<S> {}
-impl<S: Real<Mask = bool>> Extended<S> for DualPlane<S> {}
-impl<S: Real<Mask = bool>> Extended<S> for DualCircle<S> {}
-impl<S: Real<Mask = bool>> Extended<S> for DualSphere<S> {}
+    /// The angle between two figures, the first of which is a circle and the second this primitive.
+    #[doc(hidden)]
+    fn angle_to_circle(circle: Figure<S>, figure: Figure<S>) -> Option<Self::ToCircle>;
+}
+
+macro_rules! one_angle {
+    ($($Primitive:ident)*) => {$(
+        impl<S: Real<Mask = bool>> Extended<S> for $Primitive<S> {
+            type ToCircle = S;
+            fn angle_to_circle(circle: Figure<S>, figure: Figure<S>) -> Option<S> {
+                angle(circle, figure)
+            }
+        }
+    )*};
+}
+
+one_angle!(Line Plane Sphere MotorGenerator DualPlane DualSphere);
+
+macro_rules! two_angles {
+    ($($Circle:ident)*) => {$(
+        impl<S: Real<Mask = bool>> Extended<S> for $Circle<S> {
+            type ToCircle = CircleAngles<S>;
+            fn angle_to_circle(circle: Figure<S>, figure: Figure<S>) -> Option<CircleAngles<S>> {
+                circle_angles(circle, figure)
+            }
+        }
+
+        impl<S: Real<Mask = bool>> $Circle<S> {
+            /// The angle to the other primitive in radians; see
+            /// [`angle`](crate::geometry::relation::angle) for all pairs. For another circle these
+            /// are the two [`CircleAngles`]. `None` where a sphere and the circle do not meet,
+            /// beyond what rounding explains, where one of two circles has radius zero, or where
+            /// either is not a figure.
+            #[must_use]
+            pub fn angle_to<T: Extended<S>>(self, other: T) -> Option<T::ToCircle> {
+                T::angle_to_circle(self.figure()?, other.figure()?)
+            }
+        }
+    )*};
+}
+
+two_angles!(Circle DualCircle);
 
 macro_rules! angles {
     ($($Primitive:ident)*) => {$(
@@ -79,7 +118,7 @@ macro_rules! angles {
     )*};
 }
 
-angles!(Line Plane Circle Sphere MotorGenerator DualPlane DualCircle DualSphere);
+angles!(Line Plane Sphere MotorGenerator DualPlane DualSphere);
 
 macro_rules! inversive_distances {
     ($($Primitive:ident)*) => {$(
@@ -237,7 +276,7 @@ fn inversive_distance<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Optio
 
 /// The length that, times ε, bounds the rounding of a radius and a centre: a blade stores the
 /// square of the radius together with the square of the centre's distance from the origin.
-fn rounding<S: Real<Mask = bool>>(centre: Vector<S>, radius: S) -> S {
+pub(super) fn rounding<S: Real<Mask = bool>>(centre: Vector<S>, radius: S) -> S {
     let distance = centre.length();
     radius + distance + distance * (distance / radius)
 }

@@ -23,7 +23,7 @@
 //! [`incidence`](super::incidence), and its angle decides whether lines are parallel. A point pair,
 //! a circle or a sphere whose radius is not larger than the distance is treated as its centre.
 //!
-//! The result has weight 1. Where the outer product of both, in the order of the call, does not
+//! Either operand may be in dual form; the result is in direct form and has weight 1. Where the outer product of both, in the order of the call, does not
 //! vanish (for two points: the outer product with infinity), the result is a positive multiple of
 //! it. Otherwise the result has the orientation of the operand that it equals or, for lines and
 //! circles in one plane, of the first of them.
@@ -54,7 +54,10 @@ use super::distance::distance;
 use super::incidence::is_on;
 use super::tolerance::within;
 use super::{Figure, Primitive, Tolerance, hypotenuse, parallel};
-use crate::cga3::{Circle, FlatPoint, Line, Plane, Point, PointPair, Sphere};
+use crate::cga3::{
+    Circle, DualCircle, DualFlatPoint, DualPlane, DualPointPair, DualSphere, FlatPoint, Line,
+    MotorGenerator, Plane, Point, PointPair, Sphere,
+};
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -91,7 +94,10 @@ macro_rules! joins {
     )*};
 }
 
-joins!(Point FlatPoint PointPair Line Plane Circle Sphere);
+joins! {
+    Point FlatPoint PointPair Line Plane Circle Sphere
+    DualFlatPoint DualPointPair MotorGenerator DualPlane DualCircle DualSphere
+}
 
 /// The index of a figure in the order point, point pair, line, circle, plane, sphere.
 fn rank<S>(figure: Figure<S>) -> usize {

@@ -4,9 +4,8 @@
 //! Everything here is an inherent method of [`Point`](crate::cga3::Point),
 //! [`FlatPoint`](crate::cga3::FlatPoint), [`PointPair`](crate::cga3::PointPair),
 //! [`Line`](crate::cga3::Line), [`Plane`](crate::cga3::Plane), [`Circle`](crate::cga3::Circle) and
-//! [`Sphere`](crate::cga3::Sphere) in direct form and, except for meet and join, of their dual
-//! forms. This module contains the traits that these methods are generic over and the types that
-//! they return.
+//! [`Sphere`](crate::cga3::Sphere) and of their dual forms. This module contains the traits that
+//! these methods are generic over and the types that they return.
 //!
 //! - [`incidence`]: `a.is_on(b, tolerance)` and `a.coincides_with(b, tolerance)`, whether a lies on
 //!   b and whether both are the same; `a.is_parallel_to(b, tolerance)` and
@@ -33,6 +32,7 @@
 //! is imaginary or because it is not finite, gives `None`, and `false` in a test.
 
 pub mod angle;
+mod circle_angles;
 pub mod common_perpendicular;
 pub mod distance;
 mod figure;
@@ -47,6 +47,7 @@ pub mod tangent;
 mod tolerance;
 
 pub use angle::Extended;
+pub use circle_angles::CircleAngles;
 pub use common_perpendicular::CommonPerpendicular;
 pub use figure::{Figure, Primitive};
 pub use incidence::Directed;

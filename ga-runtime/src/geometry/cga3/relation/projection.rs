@@ -12,6 +12,8 @@
 //! - Direction onto line: `(v·d) d`; onto plane or circle: `v − (v·n) n`. In blades `(V⌋B) B⁻¹`,
 //!   where for a circle B is its plane `C∧ei`.
 //! - Line onto plane: the line of the feet, `(L⌋Π) Π⁻¹`.
+//! - Line onto circle: the points of the circle nearest to those of the line, [`LineOnCircle`].
+//! - Circle onto plane: the feet of its points, an ellipse in general, [`CircleOnPlane`].
 //! - Line onto sphere: the great circle below the line, `S ∨ (c∧L)` with c the centre, by
 //!   [`great_circle_on`](crate::cga3::Line::great_circle_on).
 //!
@@ -39,7 +41,9 @@
 
 use super::incidence::Directed;
 use super::{Figure, Primitive, parallel};
-use crate::cga3::{Circle, Direction, FlatPoint, Line, Plane, Point, Sphere};
+use crate::cga3::{
+    Circle, Direction, DualCircle, DualPlane, FlatPoint, Line, Plane, Point, PointPair, Sphere,
+};
 use crate::geometry::number::are_numbers;
 use crate::scalar::Real;
 use crate::vga3::Vector;
@@ -121,23 +125,26 @@ impl<S: Real<Mask = bool>> Direction<S> {
 }
 
 impl<S: Real<Mask = bool>> Line<S> {
-    /// The line of the feet of this line's points in a plane, `(L⌋Π) Π⁻¹`, with a direction of
-    /// length 1. `None` where the line is perpendicular to the plane, or where either is not a
-    /// figure.
+    /// The points of a plane or a circle that are nearest to those of this line.
+    ///
+    /// In a plane it is the line of the feet, `(L⌋Π) Π⁻¹`, with a direction of length 1; `None`
+    /// where the line is perpendicular to the plane. On a circle it is a [`LineOnCircle`]; `None`
+    /// for the axis of the circle and a radius of zero. `None` also where either is not a figure.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Circle, Line, Point};
+    /// use ga_runtime::geometry::relation::projection::LineOnCircle;
+    /// let ring = Circle::from_centre_normal_radius(Point::default(), [0.0, 0.0, 1.0], 2.0).unwrap();
+    /// let line = Line::from_point_direction(Point::new(0.0, 5.0, 1.0), [1.0, 0.0, 0.0]);
+    /// let Some(LineOnCircle::HalfCircle { start, middle, end }) = line.project_onto(ring) else {
+    ///     panic!()
+    /// };
+    /// assert_eq!(middle, Point::new(0.0, 2.0, 0.0));
+    /// assert_eq!((start, end), (Point::new(-2.0, 0.0, 0.0), Point::new(2.0, 0.0, 0.0)));
+    /// ```
     #[must_use]
-    pub fn project_onto(self, plane: Plane<S>) -> Option<Self> {
-        let LineAndPlane {
-            point,
-            direction,
-            normal,
-            distance,
-        } = line_and_plane(self, plane)?;
-        let flat = direction.across(normal);
-        if flat.length().less_than(parallel()) {
-            return None;
-        }
-        let foot = point - normal * (point.dot(normal) - distance);
-        line(foot, flat.normalized()?)
+    pub fn project_onto<T: ProjectLine<S>>(self, other: T) -> Option<T::Image> {
+        other.project_line(self)
     }
 
     /// The rest of this line beside its [projection](Self::project_onto) onto a plane,
@@ -205,6 +212,196 @@ impl<S: Real<Mask = bool>> Line<S> {
         }
         let normal = arm.cross(direction).normalized()?;
         Circle::from_centre_normal_radius(centre.into(), normal.into(), radius)
+    }
+}
+
+impl<S: Real<Mask = bool>> Circle<S> {
+    /// The feet of this circle's points in a plane, which form an ellipse in general; see
+    /// [`CircleOnPlane`]. `None` where either is not a figure, or the result is beyond the range of
+    /// the scalar.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Circle, Direction, Plane, Point};
+    /// use ga_runtime::geometry::relation::projection::CircleOnPlane;
+    /// let ground = Plane::from_point_normal(Point::default(), [0.0, 0.0, 1.0]);
+    /// let tilted = [0.0, -0.6, 0.8];
+    /// let circle =
+    ///     Circle::from_centre_normal_radius(Point::new(1.0, 2.0, 3.0), tilted, 5.0).unwrap();
+    /// let Some(CircleOnPlane::Ellipse { centre, major, minor }) = circle.project_onto(ground) else {
+    ///     panic!()
+    /// };
+    /// assert_eq!(centre, Point::new(1.0, 2.0, 0.0));
+    /// let (major, minor): (f64, f64) = (major.length(), minor.length());
+    /// assert!((major - 5.0).abs() < 1e-14 && (minor - 4.0).abs() < 1e-14);
+    /// ```
+    #[must_use]
+    pub fn project_onto(self, plane: Plane<S>) -> Option<CircleOnPlane<S>> {
+        let Figure::Circle {
+            centre,
+            normal,
+            radius,
+        } = self.figure()?
+        else {
+            return None;
+        };
+        let Figure::Plane {
+            normal: m,
+            distance,
+        } = plane.figure()?
+        else {
+            return None;
+        };
+        let foot = centre - m * (centre.dot(m) - distance);
+        let (along, cosine) = (m.cross(normal), m.dot(normal));
+        let place = foot.is_finite().then(|| Point::from(foot))?;
+        if along.length().less_than(parallel()) {
+            let upward = if cosine.less_than(S::zero()) { -m } else { m };
+            let circle = Circle::from_centre_normal_radius(place, upward.into(), radius)?;
+            return Some(CircleOnPlane::Circle(circle));
+        }
+        let direction = along.normalized()?;
+        if cosine.abs().less_than(parallel()) {
+            let squared = radius * radius;
+            let pair =
+                PointPair::from_centre_axis_radius_squared(place, direction.into(), squared)?;
+            return Some(CircleOnPlane::Segment(pair));
+        }
+        Some(CircleOnPlane::Ellipse {
+            centre: place,
+            major: (direction * radius).into(),
+            minor: (m.cross(direction) * (radius * cosine)).into(),
+        })
+    }
+}
+
+/// What the points of a circle have as their feet in a plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum CircleOnPlane<S> {
+    /// A circle of the same radius: the planes are parallel within 16 ε. It is oriented as the
+    /// projected circle.
+    Circle(Circle<S>),
+    /// An ellipse, which is not an element of the algebra: the points
+    /// `centre + cos φ · major + sin φ · minor`, in the order in which the circle runs.
+    Ellipse {
+        /// The foot of the circle's centre.
+        centre: Point<S>,
+        /// Half the major axis. Its length is the radius, and it is along the line in which the two
+        /// planes meet.
+        major: Direction<S>,
+        /// Half the minor axis. Its length is the radius times the cosine of the angle between the
+        /// planes.
+        minor: Direction<S>,
+    },
+    /// The segment between two points: the planes are perpendicular within 16 ε, and the circle is
+    /// seen from the side.
+    Segment(PointPair<S>),
+}
+
+/// Which points of a circle are nearest to the points of a line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum LineOnCircle<S> {
+    /// Half the circle without its two ends, which belong to the points at infinity of the line.
+    HalfCircle {
+        /// The end from which the line comes.
+        start: Point<S>,
+        /// The middle, nearest to the point of the line that is nearest to the axis of the circle.
+        middle: Point<S>,
+        /// The end towards which the line goes.
+        end: Point<S>,
+    },
+    /// Two opposite points, in the order in which the line passes them: the line crosses the axis
+    /// of the circle.
+    Points(PointPair<S>),
+    /// One point: the line is parallel to the axis.
+    Point(Point<S>),
+}
+
+/// A primitive onto which lines are projected.
+pub trait ProjectLine<S> {
+    /// What a line is projected to.
+    type Image;
+    /// The projection of a line; see [`Line::project_onto`].
+    fn project_line(self, line: Line<S>) -> Option<Self::Image>;
+}
+
+impl<S: Real<Mask = bool>> ProjectLine<S> for Plane<S> {
+    type Image = Line<S>;
+    fn project_line(self, line_above: Line<S>) -> Option<Line<S>> {
+        let LineAndPlane {
+            point,
+            direction,
+            normal,
+            distance,
+        } = line_and_plane(line_above, self)?;
+        let flat = direction.across(normal);
+        if flat.length().less_than(parallel()) {
+            return None;
+        }
+        let foot = point - normal * (point.dot(normal) - distance);
+        line(foot, flat.normalized()?)
+    }
+}
+
+impl<S: Real<Mask = bool>> ProjectLine<S> for DualPlane<S> {
+    type Image = Line<S>;
+    fn project_line(self, line: Line<S>) -> Option<Line<S>> {
+        self.undual().project_line(line)
+    }
+}
+
+impl<S: Real<Mask = bool>> ProjectLine<S> for Circle<S> {
+    type Image = LineOnCircle<S>;
+    fn project_line(self, line: Line<S>) -> Option<LineOnCircle<S>> {
+        let Figure::Line { point, direction } = line.figure()? else {
+            return None;
+        };
+        let Figure::Circle {
+            centre,
+            normal,
+            radius,
+        } = self.figure()?
+        else {
+            return None;
+        };
+        if !S::zero().less_than(radius) {
+            return None;
+        }
+        // What is left of a vector after the subtraction of its part along the normal is noise if it
+        // is no longer than this.
+        let noise = (point.length() + centre.length()) * parallel();
+        let (flat, from) = (direction.across(normal), (point - centre).across(normal));
+        let place = |way: Vector<S>| {
+            let place = centre + way * radius;
+            place.is_finite().then(|| Point::from(place))
+        };
+        if flat.length().less_than(parallel()) {
+            let is_off = noise.less_than(from.length());
+            let out = from.normalized().filter(|_| is_off)?;
+            return place(out).map(LineOnCircle::Point);
+        }
+        let along = flat.normalized()?;
+        let arm = from.across(along);
+        if !noise.less_than(arm.length()) {
+            let squared = radius * radius;
+            return PointPair::from_centre_axis_radius_squared(
+                centre.into(),
+                along.into(),
+                squared,
+            )
+            .map(LineOnCircle::Points);
+        }
+        Some(LineOnCircle::HalfCircle {
+            start: place(-along)?,
+            middle: place(arm.normalized()?)?,
+            end: place(along)?,
+        })
+    }
+}
+
+impl<S: Real<Mask = bool>> ProjectLine<S> for DualCircle<S> {
+    type Image = LineOnCircle<S>;
+    fn project_line(self, line: Line<S>) -> Option<LineOnCircle<S>> {
+        self.undual().project_line(line)
     }
 }
 

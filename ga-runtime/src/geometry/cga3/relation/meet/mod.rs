@@ -11,7 +11,9 @@
 //! | sphere | | | [`SphereAndSphere`] | [`SphereAndCircle`] |
 //! | circle | | | | [`CircleAndCircle`] |
 //!
-//! `a.meet(b, tolerance)` and `b.meet(a, tolerance)` return the same type. Lines, point pairs and
+//! `a.meet(b, tolerance)` and `b.meet(a, tolerance)` return the same type. Either operand may be in
+//! dual form ([`MotorGenerator`], [`DualPlane`], [`DualSphere`], [`DualCircle`]); the result is in
+//! direct form, and the same as for the direct forms of both. Lines, point pairs and
 //! circles in the result have weight 1, real or imaginary, and are oriented as the vee product in
 //! the order of the call: they are positive multiples of it. The exception is a line, which gives
 //! its points in the order in which it passes them. Where the vee product vanishes, as for figures
@@ -72,7 +74,10 @@ pub use spheres::{LineAndSphere, PlaneAndSphere, SphereAndSphere};
 
 use super::tolerance::within;
 use super::{Figure, Primitive, Tolerance};
-use crate::cga3::{Circle, Line, Plane, Point, PointPair, Sphere};
+use crate::cga3::{
+    Circle, DualCircle, DualPlane, DualSphere, Line, MotorGenerator, Plane, Point, PointPair,
+    Sphere,
+};
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -104,7 +109,7 @@ macro_rules! meets {
     )*};
 }
 
-meets!(Line Plane Circle Sphere);
+meets!(Line Plane Circle Sphere MotorGenerator DualPlane DualCircle DualSphere);
 
 /// Implements a meet for the other order too, where the vee product is the same.
 macro_rules! either_way {
@@ -125,6 +130,40 @@ either_way! {
     Circle, Line;
     Circle, Plane;
     Circle, Sphere;
+}
+
+/// Implements the meets of dual forms by their direct forms.
+macro_rules! by_the_direct_form {
+    ($($Dual:ident $Direct:ident;)*) => {$(
+        impl<S: Real<Mask = bool>, B> Meet<B> for $Dual<S>
+        where
+            $Direct<S>: Meet<B, Scalar = S>,
+        {
+            type Scalar = S;
+            type Outcome = <$Direct<S> as Meet<B>>::Outcome;
+            fn meet(self, other: B, tolerance: Tolerance<S>) -> Option<Self::Outcome> {
+                Meet::meet(self.undual(), other, tolerance)
+            }
+        }
+
+        by_the_direct_form! { $Dual $Direct: [Line Plane Circle Sphere] }
+    )*};
+    ($Dual:ident $Direct:ident: [$($First:ident)*]) => {$(
+        impl<S: Real<Mask = bool>> Meet<$Dual<S>> for $First<S> {
+            type Scalar = S;
+            type Outcome = <$First<S> as Meet<$Direct<S>>>::Outcome;
+            fn meet(self, other: $Dual<S>, tolerance: Tolerance<S>) -> Option<Self::Outcome> {
+                Meet::meet(self, other.undual(), tolerance)
+            }
+        }
+    )*};
+}
+
+by_the_direct_form! {
+    MotorGenerator Line;
+    DualPlane Plane;
+    DualCircle Circle;
+    DualSphere Sphere;
 }
 
 /// The point nearest to the origin and the unit direction of a line.
