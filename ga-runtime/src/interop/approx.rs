@@ -7,7 +7,7 @@
 //! for a [`Rotor`](crate::cga3::Rotor) cosine and sine of half the angle. A versor and its negative
 //! are the same transformation but are not close to one another, and multiples of a blade represent
 //! the same object but are not close either. Constant types have one member and do not implement
-//! these traits.
+//! these traits. [`Affine`] maps are compared in the same way, entry by entry.
 //!
 //! ```
 //! use approx_05::{assert_abs_diff_eq, assert_abs_diff_ne, assert_relative_eq};
@@ -22,6 +22,60 @@
 //!     epsilon = 1e-6
 //! );
 //! ```
+
+use approx_05::{AbsDiffEq, RelativeEq, UlpsEq};
+
+use crate::geometry::Affine;
+
+/// Whether all entries of two maps are close.
+fn all<S>(a: &Affine<S>, b: &Affine<S>, is_close: impl Fn(&S, &S) -> bool) -> bool {
+    let linear = a.linear.iter().flatten().zip(b.linear.iter().flatten());
+    let translation = a.translation.iter().zip(&b.translation);
+    linear.chain(translation).all(|(x, y)| is_close(x, y))
+}
+
+impl<S: AbsDiffEq> AbsDiffEq for Affine<S>
+where
+    S::Epsilon: Clone,
+{
+    type Epsilon = S::Epsilon;
+
+    fn default_epsilon() -> S::Epsilon {
+        S::default_epsilon()
+    }
+
+    fn abs_diff_eq(&self, other: &Self, epsilon: S::Epsilon) -> bool {
+        all(self, other, |x, y| x.abs_diff_eq(y, epsilon.clone()))
+    }
+}
+
+impl<S: RelativeEq> RelativeEq for Affine<S>
+where
+    S::Epsilon: Clone,
+{
+    fn default_max_relative() -> S::Epsilon {
+        S::default_max_relative()
+    }
+
+    fn relative_eq(&self, other: &Self, epsilon: S::Epsilon, max_relative: S::Epsilon) -> bool {
+        all(self, other, |x, y| {
+            x.relative_eq(y, epsilon.clone(), max_relative.clone())
+        })
+    }
+}
+
+impl<S: UlpsEq> UlpsEq for Affine<S>
+where
+    S::Epsilon: Clone,
+{
+    fn default_max_ulps() -> u32 {
+        S::default_max_ulps()
+    }
+
+    fn ulps_eq(&self, other: &Self, epsilon: S::Epsilon, max_ulps: u32) -> bool {
+        all(self, other, |x, y| x.ulps_eq(y, epsilon.clone(), max_ulps))
+    }
+}
 
 /// Emits the traits of approx for a declared type.
 #[doc(hidden)]

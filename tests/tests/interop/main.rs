@@ -6,4 +6,5 @@ mod every_type;
 mod glam;
 mod nalgebra;
 mod num_traits;
+mod plain;
 mod serde;

@@ -144,7 +144,7 @@ impl<'de, S: Deserialize<'de> + Copy, const N: usize> Visitor<'de> for Named<S, 
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<[S; N], A::Error> {
         let mut found = [None; N];
-        while let Some(place) = map.next_key_seed(Blade(self.blades))? {
+        while let Some(place) = map.next_key_seed(Name(self.blades))? {
             if found[place].is_some() {
                 return Err(A::Error::duplicate_field(self.blades[place]));
             }
@@ -154,10 +154,10 @@ impl<'de, S: Deserialize<'de> + Copy, const N: usize> Visitor<'de> for Named<S, 
     }
 }
 
-/// The index of a blade, from its name.
-struct Blade<const N: usize>(&'static [&'static str; N]);
+/// The index of a blade, or of another part, from its name.
+pub(super) struct Name<const N: usize>(pub(super) &'static [&'static str; N]);
 
-impl<'de, const N: usize> DeserializeSeed<'de> for Blade<N> {
+impl<'de, const N: usize> DeserializeSeed<'de> for Name<N> {
     type Value = usize;
 
     fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<usize, D::Error> {
@@ -165,11 +165,11 @@ impl<'de, const N: usize> DeserializeSeed<'de> for Blade<N> {
     }
 }
 
-impl<const N: usize> Visitor<'_> for Blade<N> {
+impl<const N: usize> Visitor<'_> for Name<N> {
     type Value = usize;
 
     fn expecting(&self, f: &mut Formatter<'_>) -> FormatResult {
-        f.write_str("the name of a blade")
+        write!(f, "one of the names {:?}", self.0)
     }
 
     fn visit_str<E: Error>(self, name: &str) -> Result<usize, E> {
@@ -179,9 +179,9 @@ impl<const N: usize> Visitor<'_> for Blade<N> {
 }
 
 /// Coefficients in the order of the declaration.
-struct Listed<S, const N: usize> {
-    name: &'static str,
-    scalar: PhantomData<S>,
+pub(super) struct Listed<S, const N: usize> {
+    pub(super) name: &'static str,
+    pub(super) scalar: PhantomData<S>,
 }
 
 impl<'de, S: Deserialize<'de> + Copy, const N: usize> Visitor<'de> for Listed<S, N> {

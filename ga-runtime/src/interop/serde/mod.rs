@@ -26,6 +26,29 @@
 //! assert_eq!(Rotor::normalize(sum), Some(Rotor::default()));
 //! ```
 //!
+//! Scalars that are not plain numbers have forms of their own, and so has [`Affine`]:
+//!
+//! | type | human-readable | otherwise |
+//! | --- | --- | --- |
+//! | [`Lanes`] | a list of its N numbers | the same |
+//! | [`Dual`] | a map of `value` and `derivatives`, a list | the same 1 + N numbers |
+//! | [`Affine`] | a map of `linear`, by rows, and `translation` | the same 12 numbers |
+//!
+//! ```
+//! use ga_runtime::geometry::Affine;
+//! use ga_runtime::scalar::{Dual, Lanes};
+//!
+//! let lanes = Lanes::from_array([1.5, 2.0]);
+//! assert_eq!(serde_json::to_string(&lanes).unwrap(), "[1.5,2.0]");
+//! let dual = Dual::new(4.0, [1.0, 0.5]);
+//! let text = r#"{"value":4.0,"derivatives":[1.0,0.5]}"#;
+//! assert_eq!(serde_json::to_string(&dual).unwrap(), text);
+//! assert_eq!(serde_json::from_str::<Dual<f64, 2>>(text).unwrap(), dual);
+//! let map = Affine::scaling([1.0, 2.0, 3.0]);
+//! let text = serde_json::to_string(&map).unwrap();
+//! assert_eq!(serde_json::from_str::<Affine<f64>>(&text).unwrap(), map);
+//! ```
+//!
 //! serde_json reads numbers with an error in their last digit, unless its feature `float_roundtrip`
 //! is enabled.
 //!
@@ -46,9 +69,16 @@
 
 #[doc(hidden)]
 pub mod coefficients;
+mod plain;
 mod relative;
 
 pub use relative::Relative;
+
+#[cfg(doc)]
+use crate::{
+    geometry::Affine,
+    scalar::{Dual, Lanes},
+};
 
 /// Emits serialization and deserialization for a declared type.
 #[doc(hidden)]
