@@ -102,4 +102,4 @@ pub use cga3::{
     RotationPath, Screw, homogeneous, kinematics, motion, ray, relation,
 };
 #[cfg(feature = "sta")]
-pub use sta::{NotSlowerThanLight, relative_velocity, velocity_sum};
+pub use sta::{NotLorentz, NotSlowerThanLight, relative_velocity, velocity_sum};

@@ -250,7 +250,7 @@ impl<S: RealField + Real<Mask = bool>> TryFrom<Similarity<S>> for Similarity3<S>
 
     fn try_from(similarity: Similarity<S>) -> Result<Self, NotConformal> {
         let map = Affine::from(similarity);
-        let (rotor, factor) = map.turn_and_factor()?;
+        let (rotor, factor) = map.rotation_and_factor()?;
         let [x, y, z] = map.translation;
         Ok(Self::from_parts(
             Translation3::new(x, y, z),

@@ -2,6 +2,8 @@
 //! dense reference.
 
 mod cga2;
+mod interpolation;
+mod lorentz;
 mod pga2;
 mod pga3;
 mod plane;

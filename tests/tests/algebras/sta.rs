@@ -149,7 +149,7 @@ proptest! {
         let rotor = Rotor::from_velocity(u).unwrap()
             * Rotor::from_axis_angle(axis, angle).unwrap()
             * Rotor::from_velocity(v).unwrap();
-        let (boost, turn) = rotor.boost_and_turn();
+        let (boost, turn) = rotor.boost_and_rotation();
         let size = largest(rotor.to_matrix());
         near_all(coefficients(boost * turn), coefficients(rotor), 1e-13 * size);
         let rest = turn.transform(Event::from_time_place(1.0, [0.0; 3]));

@@ -421,7 +421,7 @@ fn numbers_that_are_not_finite_give_none() {
 
 #[test]
 fn matrices_of_something_else_say_what_they_are() {
-    use NotConformal::{Mirrors, Projective, Scales, Shears, Shifts, Singular, Turns};
+    use NotConformal::{Mirrors, Projective, Rotates, Scales, Shears, Singular, Translates};
     let turn = rotation([1.0, 2.0, 3.0], 0.5).unwrap();
     let shift = translation([0.0, 1e-300, 0.0]);
     let double = scaling([2.0; 3]);
@@ -435,12 +435,15 @@ fn matrices_of_something_else_say_what_they_are() {
         Motor::from_homogeneous(scaling([1.0 + 1e-7; 3])),
         Err(Scales)
     );
-    assert_eq!(Translator::from_homogeneous(turn), Err(Turns));
+    assert_eq!(Translator::from_homogeneous(turn), Err(Rotates));
     assert_eq!(Translator::from_homogeneous(double), Err(Scales));
-    assert_eq!(Rotor::from_homogeneous(shift), Err(Shifts));
+    assert_eq!(Rotor::from_homogeneous(shift), Err(Translates));
     assert_eq!(Rotor::from_homogeneous(double), Err(Scales));
-    assert_eq!(Dilator::from_homogeneous(shift), Err(Shifts));
-    assert_eq!(Dilator::from_homogeneous(product(turn, double)), Err(Turns));
+    assert_eq!(Dilator::from_homogeneous(shift), Err(Translates));
+    assert_eq!(
+        Dilator::from_homogeneous(product(turn, double)),
+        Err(Rotates)
+    );
     let nothing_of_that = [
         (scaling([-1.0; 3]), Mirrors),
         (scaling([1.0, 1.0, -1.0]), Mirrors),

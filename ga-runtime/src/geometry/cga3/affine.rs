@@ -213,7 +213,7 @@ impl<S: Real<Mask = bool>> Affine<S> {
     }
 
     /// The rotation of L and its factor: `L = s R`.
-    pub(crate) fn turn_and_factor(self) -> Result<(Rotor<S>, S), NotConformal> {
+    pub(crate) fn rotation_and_factor(self) -> Result<(Rotor<S>, S), NotConformal> {
         if !(self.linear.into_iter().all(are_numbers) && are_numbers(self.translation)) {
             return Err(NotConformal::NotFinite);
         }
@@ -373,7 +373,7 @@ impl<S: Real<Mask = bool>> TryFrom<Affine<S>> for Motor<S> {
     type Error = NotConformal;
 
     fn try_from(map: Affine<S>) -> Result<Self, NotConformal> {
-        let (rotor, factor) = map.turn_and_factor()?;
+        let (rotor, factor) = map.rotation_and_factor()?;
         if S::epsilon().sqrt().less_than((factor - S::one()).abs()) {
             return Err(NotConformal::Scales);
         }
@@ -386,7 +386,7 @@ impl<S: Real<Mask = bool>> TryFrom<Affine<S>> for Similarity<S> {
     type Error = NotConformal;
 
     fn try_from(map: Affine<S>) -> Result<Self, NotConformal> {
-        let (rotor, factor) = map.turn_and_factor()?;
+        let (rotor, factor) = map.rotation_and_factor()?;
         similarity(rotor, factor, map.translation)
     }
 }
@@ -408,9 +408,19 @@ pub enum NotConformal {
     /// The linear part scales, so the map is not a motion.
     Scales,
     /// The linear part rotates, so the map is neither a translation nor a scaling.
-    Turns,
+    Rotates,
     /// The map moves the origin, so it is neither a rotor's nor a dilator's.
-    Shifts,
+    Translates,
+}
+
+#[allow(non_upper_case_globals, reason = "former names of variants")]
+impl NotConformal {
+    /// The former name of [`NotConformal::Rotates`].
+    #[deprecated(note = "renamed to `Rotates`")]
+    pub const Turns: Self = Self::Rotates;
+    /// The former name of [`NotConformal::Translates`].
+    #[deprecated(note = "renamed to `Translates`")]
+    pub const Shifts: Self = Self::Translates;
 }
 
 impl Display for NotConformal {
@@ -424,8 +434,8 @@ impl Display for NotConformal {
             }
             Self::Mirrors => "the linear part of the map reverses orientation",
             Self::Scales => "the linear part of the map scales",
-            Self::Turns => "the linear part of the map rotates",
-            Self::Shifts => "the map moves the origin",
+            Self::Rotates => "the linear part of the map rotates",
+            Self::Translates => "the map moves the origin",
         })
     }
 }

@@ -225,7 +225,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     pub fn from_homogeneous(rows: Matrix<S>) -> Result<Self, NotConformal> {
         let motor = Motor::from_homogeneous(rows)?;
         if has_translation(rows) {
-            return Err(NotConformal::Shifts);
+            return Err(NotConformal::Translates);
         }
         Ok(motor.rotor())
     }
@@ -265,7 +265,7 @@ impl<S: Real<Mask = bool>> Translator<S> {
         let map = Affine::from_homogeneous(rows)?;
         Motor::try_from(map)?;
         if turns(map.linear, S::one()) {
-            return Err(NotConformal::Turns);
+            return Err(NotConformal::Rotates);
         }
         Ok(Self::from_displacement(map.translation))
     }
@@ -351,12 +351,12 @@ impl<S: Real<Mask = bool>> Dilator<S> {
     /// entries; the last column and row must be exact.
     pub fn from_homogeneous(rows: Matrix<S>) -> Result<Self, NotConformal> {
         let map = Affine::from_homogeneous(rows)?;
-        let (_, factor) = map.turn_and_factor()?;
+        let (_, factor) = map.rotation_and_factor()?;
         if has_translation(rows) {
-            return Err(NotConformal::Shifts);
+            return Err(NotConformal::Translates);
         }
         if turns(map.linear, factor) {
-            return Err(NotConformal::Turns);
+            return Err(NotConformal::Rotates);
         }
         Self::from_factor(factor).ok_or(NotConformal::NotFinite)
     }

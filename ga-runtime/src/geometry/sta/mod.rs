@@ -3,8 +3,11 @@
 
 mod bivector;
 mod complex;
+mod matrix;
+mod power;
 mod rotor;
 mod vector;
 mod velocity;
 
+pub use matrix::NotLorentz;
 pub use velocity::{NotSlowerThanLight, relative_velocity, velocity_sum};

@@ -3,24 +3,9 @@
 use super::complex::{Complex, sinh_cosh};
 use super::velocity::{NotSlowerThanLight, lorentz_factor};
 use crate::geometry::number::are_numbers;
-use crate::scalar::{Real, Ring};
+use crate::scalar::Real;
 use crate::sta::{Bivector, Rotor, Vector};
 use crate::vga3;
-
-impl<S: Ring> Rotor<S> {
-    /// The matrix of the transformation by rows, for vectors `[t, x, y, z]`: `x' = matrix · x`.
-    #[must_use]
-    pub fn to_matrix(self) -> [[S; 4]; 4] {
-        let columns = [0, 1, 2, 3].map(|axis| {
-            let mut unit = [S::zero(); 4];
-            unit[axis] = S::one();
-            let [t, x, y, z] = unit;
-            let image = self.transform(Vector::new(t, x, y, z));
-            [image.g0, image.g1, image.g2, image.g3]
-        });
-        [0, 1, 2, 3].map(|row| columns.map(|column| column[row]))
-    }
-}
 
 impl<S: Real<Mask = bool>> Rotor<S> {
     /// The boost from rest to a velocity: it maps g0 to the proper velocity `γ (g0 + v)`. Along v
@@ -75,7 +60,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         }
         let (sine, cosine) = (angle * S::from_ratio(1, 2)).sin_cos();
         let axis = vga3::Vector::from(axis).normalized()? * -sine;
-        Some(Self::turn(cosine, axis.into()))
+        Some(Self::rotation(cosine, axis.into()))
     }
 
     /// The velocity that a body at rest has after the transformation: that of `R g0 ~R`. For very
@@ -96,22 +81,29 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     /// use ga_runtime::sta::Rotor;
     /// let (a, b) = ([0.6, 0.0, 0.0], [0.0, 0.6, 0.0]);
     /// let both = Rotor::from_velocity(a).unwrap() * Rotor::from_velocity(b).unwrap();
-    /// let (boost, rotation): (Rotor<f64>, Rotor<f64>) = both.boost_and_turn();
+    /// let (boost, rotation): (Rotor<f64>, Rotor<f64>) = both.boost_and_rotation();
     /// // tan ½θ = sinh ½φ sinh ½χ / (cosh ½φ cosh ½χ) for perpendicular boosts.
     /// assert!(((rotation.g21() / rotation.scalar()).abs() - 1.0 / 9.0).abs() < 1e-15);
     /// assert!(((boost * rotation).g0123() - both.g0123()).abs() < 1e-15);
     /// ```
     #[must_use]
-    pub fn boost_and_turn(self) -> (Self, Self) {
+    pub fn boost_and_rotation(self) -> (Self, Self) {
         // With L = c + s n the part of R that commutes with g0 is c U.
         let vector = [self.g32(), self.g13(), self.g21()];
         let cosh = hypotenuse(vga3::Vector::from(vector).length(), self.scalar());
-        let turn = Self::turn(self.scalar() / cosh, vector.map(|x| x / cosh));
-        let boost = self * turn.reverse();
+        let rotation = Self::rotation(self.scalar() / cosh, vector.map(|x| x / cosh));
+        let boost = self * rotation.reverse();
         (
             Self::boost(cosh, [boost.g10(), boost.g20(), boost.g30()]),
-            turn,
+            rotation,
         )
+    }
+
+    /// The former name of [`boost_and_rotation`](Self::boost_and_rotation).
+    #[deprecated(note = "renamed to `boost_and_rotation`")]
+    #[must_use]
+    pub fn boost_and_turn(self) -> (Self, Self) {
+        self.boost_and_rotation()
     }
 
     /// A bivector F with `exp(F) = R`, including the sign of R. The logarithm of −1 is `π g21`.
@@ -173,12 +165,12 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         usable.then_some(log)
     }
 
-    fn boost(cosh: S, [x, y, z]: [S; 3]) -> Self {
+    pub(super) fn boost(cosh: S, [x, y, z]: [S; 3]) -> Self {
         let zero = S::zero();
         Self::new_unchecked(cosh, x, y, z, zero, zero, zero, zero)
     }
 
-    fn turn(cosine: S, [x, y, z]: [S; 3]) -> Self {
+    pub(super) fn rotation(cosine: S, [x, y, z]: [S; 3]) -> Self {
         let zero = S::zero();
         Self::new_unchecked(cosine, zero, zero, zero, x, y, z, zero)
     }
