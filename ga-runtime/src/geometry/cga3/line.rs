@@ -95,13 +95,7 @@ impl<S: Real<Mask = bool>> Line<S> {
                 return Some(place.into());
             }
         }
-        self.support_of_any()
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn support_of_any(self) -> Option<Point<S>> {
-        let (place, _) = self.parts_of_any()?;
+        let [place, _] = parts_of_any(direction.into(), moment.into())?;
         Some(place.into())
     }
 
@@ -125,16 +119,7 @@ impl<S: Real<Mask = bool>> Line<S> {
                 return Some(place.into());
             }
         }
-        self.foot_of_any(point)
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn foot_of_any(self, point: Point<S>) -> Option<Point<S>> {
-        let (support, direction) = self.parts_of_any()?;
-        let along = (Vector::from(point) - support).dot(direction);
-        let place = support + direction * along;
-        place.is_finite().then(|| Point::from(place))
+        foot_of_any(direction.into(), moment.into(), point.coordinates()).map(Point::from)
     }
 
     /// The distance to a point; `None` for a line of weight zero, or beyond the range of the
@@ -149,14 +134,7 @@ impl<S: Real<Mask = bool>> Line<S> {
         if is_regular(square) && is_regular(reach) {
             return Some((reach / square).sqrt());
         }
-        self.distance_of_any(point)
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn distance_of_any(self, point: Point<S>) -> Option<S> {
-        let distance = self.foot_of_any(point)?.distance(point);
-        distance.is_finite().then_some(distance)
+        distance_of_any(direction.into(), moment.into(), point.coordinates())
     }
 
     /// The point nearest to the origin and the unit direction; `None` for a line of weight zero, or
@@ -171,16 +149,8 @@ impl<S: Real<Mask = bool>> Line<S> {
                 return Some((place, direction.divided(square.sqrt())));
             }
         }
-        self.parts_of_any()
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn parts_of_any(self) -> Option<(Vector<S>, Vector<S>)> {
-        let line = self.normalized()?;
-        let place = Vector::from(line.direction()).cross(line.moment().into());
-        let direction = Vector::from(self.direction()).normalized()?;
-        place.is_finite().then_some((place, direction))
+        let [place, direction] = parts_of_any(direction.into(), moment.into())?;
+        Some((place.into(), direction.into()))
     }
 }
 
@@ -190,4 +160,50 @@ impl<S: Ring> Line<S> {
     pub(super) fn vectors(self) -> (Vector<S>, Vector<S>) {
         (self.direction().into(), self.moment().into())
     }
+}
+
+/// The point nearest to the origin and the unit direction of a line of any weight.
+fn unit_parts<S: Real<Mask = bool>>(
+    direction: Vector<S>,
+    moment: Vector<S>,
+) -> Option<(Vector<S>, Vector<S>)> {
+    let weight = direction.length();
+    let unit = direction.normalized()?;
+    let place = unit.cross(moment.divided(weight));
+    (weight.is_finite() && place.is_finite()).then_some((place, unit))
+}
+
+// Outlined code takes and returns arrays made for it, so that the numbers of its callers stay in
+// registers.
+
+#[cold]
+#[inline(never)]
+fn parts_of_any<S: Real<Mask = bool>>(direction: [S; 3], moment: [S; 3]) -> Option<[[S; 3]; 2]> {
+    let (place, direction) = unit_parts(direction.into(), moment.into())?;
+    Some([place.into(), direction.into()])
+}
+
+#[cold]
+#[inline(never)]
+fn foot_of_any<S: Real<Mask = bool>>(
+    direction: [S; 3],
+    moment: [S; 3],
+    point: [S; 3],
+) -> Option<[S; 3]> {
+    let (support, direction) = unit_parts(direction.into(), moment.into())?;
+    let along = (Vector::from(point) - support).dot(direction);
+    let place = support + direction * along;
+    place.is_finite().then(|| place.into())
+}
+
+#[cold]
+#[inline(never)]
+fn distance_of_any<S: Real<Mask = bool>>(
+    direction: [S; 3],
+    moment: [S; 3],
+    point: [S; 3],
+) -> Option<S> {
+    let foot = Vector::from(foot_of_any(direction, moment, point)?);
+    let distance = foot.distance(point.into());
+    distance.is_finite().then_some(distance)
 }

@@ -87,24 +87,15 @@ impl<S: Real<Mask = bool>> Plane<S> {
     #[inline]
     #[must_use]
     pub fn support(self) -> Option<Point<S>> {
-        let dual = self.dual();
-        let normal = Vector::from(dual.normal());
+        let (normal, number) = self.vectors();
         let square = normal.length_squared();
         if is_regular(square) {
-            let place = normal * (dual.ei / square);
+            let place = normal * (number / square);
             if are_numbers(place.coordinates()) {
                 return Some(place.into());
             }
         }
-        self.support_of_any()
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn support_of_any(self) -> Option<Point<S>> {
-        let (normal, distance) = self.parts_of_any()?;
-        let place = normal * distance;
-        place.is_finite().then(|| Point::from(place))
+        moved_of_any(normal.into(), number, [S::zero(); 3], S::one()).map(Point::from)
     }
 
     /// The distance to a point, positive on the side of the normal; `None` for a plane of weight
@@ -112,76 +103,98 @@ impl<S: Real<Mask = bool>> Plane<S> {
     #[inline]
     #[must_use]
     pub fn signed_distance(self, point: Point<S>) -> Option<S> {
-        let dual = self.dual();
-        let normal = Vector::from(dual.normal());
+        let (normal, number) = self.vectors();
         let square = normal.length_squared();
         if is_regular(square) {
-            let distance = (normal.dot(point.into()) - dual.ei) / square.sqrt();
+            let distance = (normal.dot(point.into()) - number) / square.sqrt();
             if is_number(distance) {
                 return Some(distance);
             }
         }
-        self.signed_distance_of_any(point)
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn signed_distance_of_any(self, point: Point<S>) -> Option<S> {
-        let (normal, distance) = self.parts_of_any()?;
-        let distance = normal.dot(point.into()) - distance;
-        distance.is_finite().then_some(distance)
+        signed_distance_of_any(normal.into(), number, point.coordinates())
     }
 
     /// The unit normal n and the distance d of the points x with `n·x = d`; `None` for a plane of
     /// weight zero, or beyond the range of the scalar.
     #[inline]
     pub(super) fn parts(self) -> Option<(Vector<S>, S)> {
-        let dual = self.dual();
-        let normal = Vector::from(dual.normal());
+        let (normal, number) = self.vectors();
         let square = normal.length_squared();
         if is_regular(square) {
             let length = square.sqrt();
-            let distance = dual.ei / length;
+            let distance = number / length;
             if is_number(distance) {
                 return Some((normal.divided(length), distance));
             }
         }
-        self.parts_of_any()
+        let [x, y, z, distance] = parts_of_any(normal.into(), number)?;
+        Some((Vector::new(x, y, z), distance))
     }
 
     /// A point moved along the normal by a factor times its height above the plane, towards the
     /// plane: the foot of the perpendicular for 1, the mirror image for 2.
     #[inline]
     pub(super) fn moved_along_normal(self, point: Vector<S>, factor: S) -> Option<Vector<S>> {
-        let dual = self.dual();
-        let normal = Vector::from(dual.normal());
+        let (normal, number) = self.vectors();
         let square = normal.length_squared();
         if is_regular(square) {
-            let height = normal.dot(point) - dual.ei;
+            let height = normal.dot(point) - number;
             let place = point - normal * (factor * height / square);
             if are_numbers(place.coordinates()) {
                 return Some(place);
             }
         }
-        self.moved_along_normal_of_any(point, factor)
+        moved_of_any(normal.into(), number, point.into(), factor).map(Vector::from)
     }
 
-    #[cold]
-    #[inline(never)]
-    fn moved_along_normal_of_any(self, point: Vector<S>, factor: S) -> Option<Vector<S>> {
-        let (normal, distance) = self.parts_of_any()?;
-        let height = normal.dot(point) - distance;
-        let place = point - normal * (height * factor);
-        place.is_finite().then_some(place)
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn parts_of_any(self) -> Option<(Vector<S>, S)> {
+    /// The normal n and the number d of the points x with `n·x = d`, both times the weight.
+    #[inline]
+    fn vectors(self) -> (Vector<S>, S) {
         let dual = self.dual();
-        let normal = Vector::from(dual.normal());
-        let distance = dual.ei / normal.length();
-        let unit = normal.normalized()?;
-        distance.is_finite().then_some((unit, distance))
+        (dual.normal().into(), dual.ei)
     }
+}
+
+/// The unit normal and the distance of a plane of any weight.
+fn unit_parts<S: Real<Mask = bool>>(normal: Vector<S>, number: S) -> Option<(Vector<S>, S)> {
+    let distance = number / normal.length();
+    let unit = normal.normalized()?;
+    distance.is_finite().then_some((unit, distance))
+}
+
+// Outlined code takes and returns arrays made for it, so that the numbers of its callers stay in
+// registers.
+
+#[cold]
+#[inline(never)]
+fn parts_of_any<S: Real<Mask = bool>>(normal: [S; 3], number: S) -> Option<[S; 4]> {
+    let (Vector { e1, e2, e3 }, distance) = unit_parts(normal.into(), number)?;
+    Some([e1, e2, e3, distance])
+}
+
+#[cold]
+#[inline(never)]
+fn signed_distance_of_any<S: Real<Mask = bool>>(
+    normal: [S; 3],
+    number: S,
+    point: [S; 3],
+) -> Option<S> {
+    let (normal, distance) = unit_parts(normal.into(), number)?;
+    let distance = normal.dot(point.into()) - distance;
+    distance.is_finite().then_some(distance)
+}
+
+#[cold]
+#[inline(never)]
+fn moved_of_any<S: Real<Mask = bool>>(
+    normal: [S; 3],
+    number: S,
+    point: [S; 3],
+    factor: S,
+) -> Option<[S; 3]> {
+    let (normal, distance) = unit_parts(normal.into(), number)?;
+    let point = Vector::from(point);
+    let height = normal.dot(point) - distance;
+    let place = point - normal * (height * factor);
+    place.is_finite().then(|| place.into())
 }

@@ -25,40 +25,36 @@ impl<S: Real<Mask = bool>> RoundBivector<S> {
     /// scalar.
     #[inline]
     pub(super) fn of(bivector: DualCircle<S>) -> Option<Self> {
-        let direction = Vector::new(-bivector.e1o, -bivector.e2o, -bivector.e3o);
-        let square = direction.dot(direction);
-        if is_regular(square) {
-            let regular = Self::divided(bivector, direction, square);
+        let b = bivector;
+        let direction = Vector::new(-b.e1o, -b.e2o, -b.e3o);
+        let moment = Vector::new(b.e23, -b.e13, b.e12);
+        let last = Vector::new(b.e1i, b.e2i, b.e3i);
+        if is_regular(direction.length_squared()) {
+            let regular = Self::divided(direction, moment, last, b.eoi);
             if regular.is_some() {
                 return regular;
             }
         }
-        Self::scaled(bivector, direction)
-    }
-
-    /// The parts where d² or a product with d is beyond the regular range.
-    #[cold]
-    #[inline(never)]
-    fn scaled(bivector: DualCircle<S>, direction: Vector<S>) -> Option<Self> {
-        let length = direction.length();
-        if !S::zero().less_than(length) || !length.is_finite() {
-            return None;
-        }
-        let direction = direction.divided(length);
-        Self::divided(bivector / length, direction, direction.dot(direction))
+        let [centre, direction, [square, infinite, _]] =
+            scaled([direction, moment, last].map(Vector::coordinates), b.eoi)?;
+        Some(Self {
+            centre: centre.into(),
+            direction: direction.into(),
+            square,
+            infinite,
+        })
     }
 
     #[inline]
-    fn divided(b: DualCircle<S>, direction: Vector<S>, square: S) -> Option<Self> {
+    fn divided(d: Vector<S>, moment: Vector<S>, last: Vector<S>, along: S) -> Option<Self> {
         // Divided by d² only once, so that exact values stay exact.
-        let moment = Vector::new(b.e23, -b.e13, b.e12);
-        let centre = (direction * b.eoi + direction.cross(moment)).divided(square);
-        let last = direction.dot(Vector::new(b.e1i, b.e2i, b.e3i));
-        let infinite = (b.eoi * b.eoi - last) / square;
+        let square = d.dot(d);
+        let centre = (d * along + d.cross(moment)).divided(square);
+        let infinite = (along * along - d.dot(last)) / square;
         let is_finite = are_numbers([centre.e1, centre.e2, centre.e3, infinite]);
         is_finite.then_some(Self {
             centre,
-            direction,
+            direction: d,
             square,
             infinite,
         })
@@ -99,6 +95,23 @@ impl<S: Real<Mask = bool>> RoundBivector<S> {
         let [a, b] = self.squares();
         is_number(a - b).then_some(a - b)
     }
+}
+
+/// The parts where d² or a product with d is beyond the regular range: centre, direction, and d²
+/// with β. It takes and returns arrays made for it, so that the numbers of its callers stay in
+/// registers.
+#[cold]
+#[inline(never)]
+fn scaled<S: Real<Mask = bool>>(vectors: [[S; 3]; 3], along: S) -> Option<[[S; 3]; 3]> {
+    let vectors = vectors.map(Vector::from);
+    let length = vectors[0].length();
+    if !S::zero().less_than(length) || !length.is_finite() {
+        return None;
+    }
+    let [direction, moment, last] = vectors.map(|vector| vector.divided(length));
+    let round = RoundBivector::divided(direction, moment, last, along / length)?;
+    let numbers = [round.square, round.infinite, S::zero()];
+    Some([round.centre.into(), round.direction.into(), numbers])
 }
 
 /// The bivector with the centre c, the unit axis d and β. Its weight is 1.

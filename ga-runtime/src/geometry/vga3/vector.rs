@@ -73,12 +73,12 @@ impl<S: Real> Vector<S> {
     #[inline]
     #[must_use]
     pub fn length(self) -> S {
-        let largest = self.largest_component();
-        let is_regular = S::zero().less_than(largest) & largest.is_finite();
-        // Zero, infinity and NaN are not scaled.
-        let size = S::select(is_regular, largest, S::one());
-        let unit = self.divided(size);
-        unit.dot(unit).sqrt() * size
+        let square = self.dot(self);
+        let is_regular = is_regular(square);
+        if is_regular.all() {
+            return square.sqrt();
+        }
+        S::select(is_regular, square.sqrt(), length_of_any(self.coordinates()))
     }
 
     /// The distance between the points with these position vectors, `|a − b|`.
@@ -149,6 +149,22 @@ impl<S: Real<Mask = bool>> Vector<S> {
         let image = self - along - along;
         image.is_finite().then_some(image)
     }
+}
+
+// Outlined code takes and returns arrays made for it, so that the vectors of its callers stay in
+// registers.
+
+/// The length, from components divided by the largest.
+#[cold]
+#[inline(never)]
+fn length_of_any<S: Real>(components: [S; 3]) -> S {
+    let vector = Vector::from(components);
+    let largest = vector.largest_component();
+    let is_regular = S::zero().less_than(largest) & largest.is_finite();
+    // Zero, infinity and NaN are not scaled.
+    let size = S::select(is_regular, largest, S::one());
+    let unit = vector.divided(size);
+    unit.dot(unit).sqrt() * size
 }
 
 /// The position vector of the point.

@@ -3,19 +3,19 @@
 use alloc::vec::Vec;
 
 use super::fit_error::FitError;
-use super::registration::{Pair, Sides, fixed_rotation, root_mean_square};
+use super::moments::Moments;
+use super::registration::{Pair, Sides, fixed_rotation};
 use super::weight::{WeightError, checked};
 use crate::cga3::{Dilator, Motor, Point, Rotor, Similarity, Translator};
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
-/// The motion that fits best, and how well it does.
+/// The motion that fits best. How well it does is a [`residual`](Fit::residual) that is computed
+/// from the pairs on request.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Fit<V, S> {
+pub struct Fit<V> {
     /// The motion, a [`Rotor`], [`Motor`] or [`Similarity`] of non-negative scalar part.
     pub motion: V,
-    /// The root mean square of the remaining distances, `√(Σ wᵢ |yᵢ − xᵢ'|² / Σ wᵢ)`.
-    pub residual: S,
 }
 
 impl<S: Real<Mask = bool>> Motor<S> {
@@ -24,9 +24,12 @@ impl<S: Real<Mask = bool>> Motor<S> {
     ///
     /// The rotation comes from the largest eigenvalue of Horn's symmetric 4×4 matrix (Closed-form
     /// solution of absolute orientation using unit quaternions, Journal of the Optical Society of
-    /// America A 4, 1987) and two Newton steps, which restore the accuracy that is lost by its
-    /// squares; the translation maps centroid to centroid. For mirror images the result is the best
-    /// motion without a reflection.
+    /// America A 4, 1987); the translation maps centroid to centroid. For mirror images the result
+    /// is the best motion without a reflection.
+    ///
+    /// The pairs are read once. Only where they are close to a line or a point, or to several
+    /// equally good motions, are they read again, for Newton steps that restore the accuracy that
+    /// the squares in the matrix lose. [`Fit::residual`] is computed on request.
     ///
     /// # Errors
     /// Fewer than three pairs, numbers that are not finite, a result beyond the range of the
@@ -41,7 +44,7 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// let to = [[5.0, 0.0, 0.0], [5.0, 1.0, 0.0], [3.0, 0.0, 0.0]].map(Point::from);
     /// let pairs: Vec<(Point<f64>, Point<f64>)> = from.into_iter().zip(to).collect();
     /// let fit = Motor::from_point_pairs(&pairs).unwrap();
-    /// assert!(fit.residual < 1e-15);
+    /// assert!(fit.residual(&pairs) < 1e-15);
     /// let image = fit.motion.transform(Point::new(0.0, 0.0, 7.0));
     /// assert!(image.distance(Point::new(5.0, 0.0, 7.0)) < 1e-14);
     /// assert_eq!(
@@ -52,8 +55,9 @@ impl<S: Real<Mask = bool>> Motor<S> {
     ///     })
     /// );
     /// ```
-    pub fn from_point_pairs(pairs: &[(Point<S>, Point<S>)]) -> Result<Fit<Self, S>, FitError<S>> {
-        Self::from_weighted_point_pairs(&equally_weighted(pairs))
+    pub fn from_point_pairs(pairs: &[(Point<S>, Point<S>)]) -> Result<Fit<Self>, FitError<S>> {
+        let motion = motor(pairs.iter().map(equal_weight))?;
+        Ok(Fit { motion })
     }
 
     /// The same with weights: `Σ wᵢ |yᵢ − M xᵢ ~M|²` is least. Pairs of weight zero are ignored,
@@ -63,13 +67,10 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// Those of [`Motor::from_point_pairs`], and weights that are negative or not finite, or all
     /// zero.
     pub fn from_weighted_point_pairs(
-        weighted: &[(S, Point<S>, Point<S>)],
-    ) -> Result<Fit<Self, S>, FitError<S>> {
-        let centred = Centred::from(weighted)?;
-        let rotor = fixed_rotation(&centred.pairs, centred.sides)?;
-        let residual = root_mean_square(&centred.pairs, rotor, S::one());
-        let shift = centred.shift(rotor, S::one())?;
-        finite(shift * rotor, residual)
+        pairs: &[(S, Point<S>, Point<S>)],
+    ) -> Result<Fit<Self>, FitError<S>> {
+        let motion = motor(pairs.iter().map(weighted))?;
+        Ok(Fit { motion })
     }
 }
 
@@ -91,10 +92,11 @@ impl<S: Real<Mask = bool>> Similarity<S> {
     /// let pairs: Vec<(Point<f64>, Point<f64>)> = from.into_iter().zip(to).collect();
     /// let fit = Similarity::from_point_pairs(&pairs).unwrap();
     /// let image = fit.motion.transform(Point::new(1.0, 1.0, 1.0)).centre().unwrap();
-    /// assert!(image.distance(Point::new(4.0, 4.0, 3.0)) < 1e-14 && fit.residual < 1e-15);
+    /// assert!(image.distance(Point::new(4.0, 4.0, 3.0)) < 1e-14 && fit.residual(&pairs) < 1e-15);
     /// ```
-    pub fn from_point_pairs(pairs: &[(Point<S>, Point<S>)]) -> Result<Fit<Self, S>, FitError<S>> {
-        Self::from_weighted_point_pairs(&equally_weighted(pairs))
+    pub fn from_point_pairs(pairs: &[(Point<S>, Point<S>)]) -> Result<Fit<Self>, FitError<S>> {
+        let motion = similarity(pairs.iter().map(equal_weight))?;
+        Ok(Fit { motion })
     }
 
     /// The same with weights; see [`Motor::from_weighted_point_pairs`].
@@ -102,18 +104,10 @@ impl<S: Real<Mask = bool>> Similarity<S> {
     /// # Errors
     /// Those of [`Motor::from_weighted_point_pairs`].
     pub fn from_weighted_point_pairs(
-        weighted: &[(S, Point<S>, Point<S>)],
-    ) -> Result<Fit<Self, S>, FitError<S>> {
-        let centred = Centred::from(weighted)?;
-        let rotor = fixed_rotation(&centred.pairs, centred.sides)?;
-        let factor = centred.factor(rotor);
-        let dilator = Dilator::from_factor(factor).ok_or(FitError::OutOfRange)?;
-        let residual = root_mean_square(&centred.pairs, rotor, factor);
-        let fit = finite(centred.shift(rotor, factor)? * rotor, residual)?;
-        Ok(Fit {
-            motion: fit.motion * dilator,
-            residual,
-        })
+        pairs: &[(S, Point<S>, Point<S>)],
+    ) -> Result<Fit<Self>, FitError<S>> {
+        let motion = similarity(pairs.iter().map(weighted))?;
+        Ok(Fit { motion })
     }
 }
 
@@ -141,8 +135,9 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     ///     (axis[2] + 1.0).abs() < 1e-15 && (angle - std::f64::consts::FRAC_PI_2).abs() < 1e-15
     /// );
     /// ```
-    pub fn from_direction_pairs(pairs: &[([S; 3], [S; 3])]) -> Result<Fit<Self, S>, FitError<S>> {
-        Self::from_weighted_direction_pairs(&equally_weighted(pairs))
+    pub fn from_direction_pairs(pairs: &[([S; 3], [S; 3])]) -> Result<Fit<Self>, FitError<S>> {
+        let motion = rotor(pairs.iter().map(equal_weight))?;
+        Ok(Fit { motion })
     }
 
     /// The same with weights: `Σ wᵢ |bᵢ − R aᵢ ~R|²` is least. Pairs of weight zero are ignored,
@@ -152,21 +147,188 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     /// Those of [`Rotor::from_direction_pairs`], and weights that are negative or not finite, or
     /// all zero.
     pub fn from_weighted_direction_pairs(
-        weighted: &[(S, [S; 3], [S; 3])],
-    ) -> Result<Fit<Self, S>, FitError<S>> {
-        let mut pairs = counting(weighted.iter().copied(), 2)?;
-        for (index, pair) in &mut pairs {
-            let of_length_one = |v: Vector<S>| {
-                v.normalized()
-                    .ok_or(FitError::NoDirection { index: *index })
-            };
-            (pair.from, pair.to) = (of_length_one(pair.from)?, of_length_one(pair.to)?);
+        pairs: &[(S, [S; 3], [S; 3])],
+    ) -> Result<Fit<Self>, FitError<S>> {
+        let motion = rotor(pairs.iter().map(weighted))?;
+        Ok(Fit { motion })
+    }
+}
+
+macro_rules! residuals {
+    ($($Motion:ident $Member:ty: $left:ident;)*) => {$(
+        impl<S: Real<Mask = bool>> Fit<$Motion<S>> {
+            /// The root mean square of the distances that remain between the members of pairs,
+            /// `√(Σ |yᵢ − xᵢ'|² / n)`: of the pairs that were fitted, or of others. Zero for no
+            /// pairs; infinite or NaN where a number is not finite or a distance is beyond the range
+            /// of the scalar.
+            #[must_use]
+            pub fn residual(&self, pairs: &[($Member, $Member)]) -> S {
+                let left = |pair| {
+                    let (weight, x, y) = equal_weight(pair);
+                    (weight, $left(self.motion, x, y).length())
+                };
+                root_mean_square(pairs.iter().map(left))
+            }
+
+            /// The same with weights: `√(Σ wᵢ |yᵢ − xᵢ'|² / Σ wᵢ)`.
+            #[must_use]
+            pub fn weighted_residual(&self, pairs: &[(S, $Member, $Member)]) -> S {
+                let left = |pair| {
+                    let (weight, x, y) = weighted(pair);
+                    (weight, $left(self.motion, x, y).length())
+                };
+                root_mean_square(pairs.iter().map(left))
+            }
         }
-        let pairs: Vec<_> = pairs.into_iter().map(|(_, pair)| pair).collect();
-        let sides = Sides::measured(&pairs, [S::one(); 2])?;
-        let motion = fixed_rotation(&pairs, sides)?;
-        let residual = root_mean_square(&pairs, motion, S::one());
-        Ok(Fit { motion, residual })
+    )*};
+}
+
+residuals! {
+    Motor Point<S>: left_by_motor;
+    Similarity Point<S>: left_by_similarity;
+    Rotor [S; 3]: left_by_rotor;
+}
+
+fn left_by_motor<S: Real<Mask = bool>>(motor: Motor<S>, x: Vector<S>, y: Vector<S>) -> Vector<S> {
+    y - Vector::from(motor.transform(Point::from(x)))
+}
+
+fn left_by_similarity<S: Real<Mask = bool>>(
+    similarity: Similarity<S>,
+    x: Vector<S>,
+    y: Vector<S>,
+) -> Vector<S> {
+    let image = similarity.transform(Point::from(x)).centre();
+    // A similarity of finite numbers has a weight above zero.
+    image.map_or(y, |image| y - Vector::from(image))
+}
+
+fn left_by_rotor<S: Real<Mask = bool>>(rotor: Rotor<S>, x: Vector<S>, y: Vector<S>) -> Vector<S> {
+    let (x, y) = unit_pair(x, y);
+    y - Vector::from(rotor.transform(Point::from(x)))
+}
+
+/// `√(Σ w l² / Σ w)`, without overflow of the squares.
+fn root_mean_square<S: Real<Mask = bool>>(lengths: impl Iterator<Item = (S, S)> + Clone) -> S {
+    let most = |most: S, (weight, length): (S, S)| {
+        if S::zero().less_than(weight) {
+            most.max(length)
+        } else {
+            most
+        }
+    };
+    let largest = lengths.clone().fold(S::zero(), most);
+    if !S::zero().less_than(largest) {
+        return largest;
+    }
+    let [sum, total] = lengths.fold([S::zero(); 2], |[sum, total], (weight, length)| {
+        let part = length / largest;
+        [sum + part * part * weight, total + weight]
+    });
+    (sum / total).sqrt() * largest
+}
+
+fn equal_weight<S: Real, T: Copy + Into<Vector<S>>>(&(x, y): &(T, T)) -> (S, Vector<S>, Vector<S>) {
+    (S::one(), x.into(), y.into())
+}
+
+fn weighted<S: Real, T: Copy + Into<Vector<S>>>(
+    &(weight, x, y): &(S, T, T),
+) -> (S, Vector<S>, Vector<S>) {
+    (weight, x.into(), y.into())
+}
+
+fn motor<S: Real<Mask = bool>>(
+    pairs: impl ExactSizeIterator<Item = (S, Vector<S>, Vector<S>)> + Clone,
+) -> Result<Motor<S>, FitError<S>> {
+    let found = Alignment::of(pairs)?;
+    finite(found.shift(S::one())? * found.rotor)
+}
+
+fn similarity<S: Real<Mask = bool>>(
+    pairs: impl ExactSizeIterator<Item = (S, Vector<S>, Vector<S>)> + Clone,
+) -> Result<Similarity<S>, FitError<S>> {
+    let found = Alignment::of(pairs)?;
+    let dilator = Dilator::from_factor(found.factor).ok_or(FitError::OutOfRange)?;
+    Ok(finite(found.shift(found.factor)? * found.rotor)? * dilator)
+}
+
+fn rotor<S: Real<Mask = bool>>(
+    pairs: impl ExactSizeIterator<Item = (S, Vector<S>, Vector<S>)> + Clone,
+) -> Result<Rotor<S>, FitError<S>> {
+    let units = pairs.clone().map(|(weight, x, y)| {
+        let (x, y) = unit_pair(x, y);
+        (weight, x, y)
+    });
+    if let Some((rotor, _)) = Moments::of(units).and_then(|moments| moments.rotation()) {
+        return Ok(rotor);
+    }
+    let mut pairs = counting(pairs, 2)?;
+    for (index, pair) in &mut pairs {
+        let of_length_one = |v: Vector<S>| {
+            v.normalized()
+                .ok_or(FitError::NoDirection { index: *index })
+        };
+        (pair.from, pair.to) = (of_length_one(pair.from)?, of_length_one(pair.to)?);
+    }
+    let pairs: Vec<_> = pairs.into_iter().map(|(_, pair)| pair).collect();
+    let sides = Sides::measured(&pairs, [S::one(); 2])?;
+    fixed_rotation(&pairs, sides)
+}
+
+/// Two directions with length 1; NaN where one has none, so that the sums over them are no numbers.
+#[inline]
+fn unit_pair<S: Real<Mask = bool>>(x: Vector<S>, y: Vector<S>) -> (Vector<S>, Vector<S>) {
+    let none = S::zero() / S::zero();
+    let unit = |v: Vector<S>| v.normalized().unwrap_or(Vector::new(none, none, none));
+    (unit(x), unit(y))
+}
+
+/// The best rotation and scale factor between points relative to their centroids.
+struct Alignment<S> {
+    rotor: Rotor<S>,
+    factor: S,
+    centroids: [Vector<S>; 2],
+}
+
+impl<S: Real<Mask = bool>> Alignment<S> {
+    fn of(
+        pairs: impl ExactSizeIterator<Item = (S, Vector<S>, Vector<S>)> + Clone,
+    ) -> Result<Self, FitError<S>> {
+        if let Some(found) = Self::by_moments(pairs.clone()) {
+            return Ok(found);
+        }
+        let centred = Centred::from(pairs)?;
+        let rotor = fixed_rotation(&centred.pairs, centred.sides)?;
+        Ok(Self {
+            rotor,
+            factor: centred.factor(rotor),
+            centroids: centred.centroids,
+        })
+    }
+
+    /// In one pass, relative to the first pair, where that is accurate.
+    fn by_moments(pairs: impl Iterator<Item = (S, Vector<S>, Vector<S>)> + Clone) -> Option<Self> {
+        let (_, x0, y0) = pairs.clone().next()?;
+        let moments = Moments::of(pairs.map(|(weight, x, y)| (weight, x - x0, y - y0)))?;
+        let (rotor, factor) = moments.about_means()?.rotation()?;
+        let [x, y] = moments.sums.map(|sum| sum.divided(moments.total));
+        Some(Self {
+            rotor,
+            factor,
+            centroids: [x0 + x, y0 + y],
+        })
+    }
+
+    /// The translation that moves the image of the first centroid to the second.
+    fn shift(&self, factor: S) -> Result<Translator<S>, FitError<S>> {
+        let [from, to] = self.centroids;
+        let image = self.rotor.transform(Point::from(from * factor));
+        let displacement = to - Vector::from(image);
+        displacement
+            .is_finite()
+            .then(|| Translator::from_displacement(displacement.into()))
+            .ok_or(FitError::OutOfRange)
     }
 }
 
@@ -178,8 +340,10 @@ struct Centred<S> {
 }
 
 impl<S: Real<Mask = bool>> Centred<S> {
-    fn from(weighted: &[(S, Point<S>, Point<S>)]) -> Result<Self, FitError<S>> {
-        let mut pairs: Vec<_> = counting(weighted.iter().copied(), 3)?
+    fn from(
+        pairs: impl ExactSizeIterator<Item = (S, Vector<S>, Vector<S>)>,
+    ) -> Result<Self, FitError<S>> {
+        let mut pairs: Vec<_> = counting(pairs, 3)?
             .into_iter()
             .map(|(_, pair)| pair)
             .collect();
@@ -210,17 +374,6 @@ impl<S: Real<Mask = bool>> Centred<S> {
         })
     }
 
-    /// The translation that moves the image of the first centroid to the second.
-    fn shift(&self, rotor: Rotor<S>, factor: S) -> Result<Translator<S>, FitError<S>> {
-        let [from, to] = self.centroids;
-        let image = rotor.transform(Point::from(from * factor));
-        let displacement = to - Vector::from(image);
-        displacement
-            .is_finite()
-            .then(|| Translator::from_displacement(displacement.into()))
-            .ok_or(FitError::OutOfRange)
-    }
-
     fn factor(&self, rotor: Rotor<S>) -> S {
         let [from, to] = self.sides.extents;
         let sums = self
@@ -240,14 +393,13 @@ impl<S: Real<Mask = bool>> Centred<S> {
 }
 
 /// The indices of the pairs with weights above zero, with the weights divided by the largest.
-fn counting<S: Real<Mask = bool>, V: Into<Vector<S>>>(
-    weighted: impl ExactSizeIterator<Item = (S, V, V)>,
+fn counting<S: Real<Mask = bool>>(
+    weighted: impl ExactSizeIterator<Item = (S, Vector<S>, Vector<S>)>,
     needed: usize,
 ) -> Result<Vec<(usize, Pair<S>)>, FitError<S>> {
     let mut largest = S::zero();
     let mut pairs = Vec::with_capacity(weighted.len());
     for (index, (weight, from, to)) in weighted.enumerate() {
-        let (from, to) = (from.into(), to.into());
         largest = largest.max(checked(index, weight)?);
         if !(from.is_finite() && to.is_finite()) {
             return Err(FitError::NotFinite { index });
@@ -268,16 +420,7 @@ fn counting<S: Real<Mask = bool>, V: Into<Vector<S>>>(
     Ok(pairs)
 }
 
-fn equally_weighted<S: Real, T: Copy>(pairs: &[(T, T)]) -> Vec<(S, T, T)> {
-    pairs.iter().map(|&(x, y)| (S::one(), x, y)).collect()
-}
-
-fn finite<S: Real<Mask = bool>>(
-    motion: Motor<S>,
-    residual: S,
-) -> Result<Fit<Motor<S>, S>, FitError<S>> {
-    let is_finite = super::blend::is_finite(motion) && residual.is_finite();
-    is_finite
-        .then_some(Fit { motion, residual })
-        .ok_or(FitError::OutOfRange)
+fn finite<S: Real<Mask = bool>>(motion: Motor<S>) -> Result<Motor<S>, FitError<S>> {
+    let is_finite = super::blend::is_finite(motion);
+    is_finite.then_some(motion).ok_or(FitError::OutOfRange)
 }

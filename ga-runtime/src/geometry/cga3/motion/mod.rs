@@ -33,6 +33,7 @@ mod fit;
 mod fit_error;
 mod matrix;
 mod mean;
+mod moments;
 mod registration;
 mod spline;
 mod weight;

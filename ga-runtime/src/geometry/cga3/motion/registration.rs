@@ -2,6 +2,7 @@
 
 use super::fit_error::FitError;
 use super::matrix::{Matrix, solve, symmetric_eigen};
+use super::moments::horn;
 use crate::cga3::{MotorGenerator, Point, Rotor};
 use crate::scalar::Real;
 use crate::vga3::Vector;
@@ -91,18 +92,6 @@ pub(super) fn fixed_rotation<S: Real<Mask = bool>>(
     })
 }
 
-/// Horn's symmetric matrix of the moments `Σ w x yᵀ`: `Σ w y·R x` is the value of its quadratic
-/// form at the quaternion (w, x, y, z) of R.
-fn horn<S: Real>(moments: Matrix<S, 3>) -> Matrix<S, 4> {
-    let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = moments;
-    [
-        [xx + yy + zz, yz - zy, zx - xz, xy - yx],
-        [yz - zy, xx - yy - zz, xy + yx, zx + xz],
-        [zx - xz, xy + yx, yy - xx - zz, yz + zy],
-        [xy - yx, zx + xz, yz + zy, zz - xx - yy],
-    ]
-}
-
 /// A Newton step. With `p = R x` a rotation by δ changes `Σ w y·p` by `δ·τ − ½ δᵀ(tr K − K)δ`,
 /// where `τ = Σ w p × y` and K is the symmetric part of `Σ w p yᵀ`. The torque τ is computed from
 /// differences, so that it stays accurate where the fit is good.
@@ -153,30 +142,4 @@ fn add_products<S: Real>(moments: &mut Matrix<S, 3>, weight: S, x: Vector<S>, y:
             *entry = (a * weight).mul_add(b, *entry);
         }
     }
-}
-
-/// `√(Σ w |y − s R x|² / Σ w)`.
-pub(super) fn root_mean_square<S: Real<Mask = bool>>(
-    pairs: &[Pair<S>],
-    rotor: Rotor<S>,
-    factor: S,
-) -> S {
-    let left = |pair: &Pair<S>| {
-        let image = rotor.transform(Point::from(pair.from * factor));
-        (pair.to - Vector::from(image)).length()
-    };
-    let largest = pairs
-        .iter()
-        .fold(S::zero(), |most, pair| most.max(left(pair)));
-    if !S::zero().less_than(largest) {
-        return largest;
-    }
-    let (sum, total) = pairs
-        .iter()
-        .fold([S::zero(); 2], |[sum, total], pair| {
-            let part = left(pair) / largest;
-            [sum + part * part * pair.weight, total + pair.weight]
-        })
-        .into();
-    (sum / total).sqrt() * largest
 }
