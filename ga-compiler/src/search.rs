@@ -17,7 +17,7 @@ use crate::algebra::{Product, Unary};
 use crate::define::{Role, TypeDefinition};
 use crate::forms::{self, Form, FormRule};
 use crate::kernel::Kernel;
-use crate::lower::{Choice, Choices, InnerRule, JoinRule, ProjectionRule, SandwichRule};
+use crate::lower::{Choice, Choices, InnerRule, JoinRule, MeetRule, ProjectionRule, SandwichRule};
 use crate::program::{Program, Step, StepId};
 use crate::task::Task;
 
@@ -175,6 +175,11 @@ fn by_best_choices(task: &Task<'_>) -> Kernel {
             search.improve(|choice| choice.inner = inner);
         }
     }
+    if has_product(program, &[Product::Vee]) && has_product(program, &[Product::Wedge]) {
+        for meet in MeetRule::ALL {
+            search.improve(|choice| choice.meet = meet);
+        }
+    }
     if program.has_kinds() {
         search.improve(|choice| choice.rederive = true);
         for sandwich in SandwichRule::ALL {
@@ -238,7 +243,7 @@ impl Search<'_, '_> {
         let acted = lowered.acted.clone();
         let next = self.task.optimised(lowered);
         let is_exacter = |choice: Choice| {
-            choice.inner == InnerRule::Distance || choice.join == JoinRule::Difference
+            choice.inner != InnerRule::Plain || choice.join == JoinRule::Difference
         };
         let is_better = match next.rank().cmp(&self.best.rank()) {
             Ordering::Less => true,

@@ -1,6 +1,6 @@
 //! Which rules a lowering uses.
 
-use super::{InnerRule, JoinRule, ProjectionRule, SandwichRule};
+use super::{InnerRule, JoinRule, MeetRule, ProjectionRule, SandwichRule};
 use crate::forms::FormRule;
 use crate::program::StepId;
 
@@ -11,8 +11,10 @@ pub struct Choice {
     pub sandwich: SandwichRule,
     /// For outer products of vectors.
     pub join: JoinRule,
-    /// For inner products of vectors.
+    /// For inner products of vectors, and of their outer products.
     pub inner: InnerRule,
+    /// For meets of outer products of vectors.
+    pub meet: MeetRule,
     /// Whether constant and derived coefficients of steps that are known members of a type are
     /// taken from the type: a moved point has weight 1 again, and its coefficient of infinity is
     /// half its square.
@@ -58,6 +60,8 @@ pub enum Rule {
     Join(JoinRule),
     /// An [`InnerRule`].
     Inner(InnerRule),
+    /// A [`MeetRule`].
+    Meet(MeetRule),
     /// A [`ProjectionRule`].
     Projection(ProjectionRule),
     /// [`Choice::rederive`].
@@ -72,6 +76,7 @@ impl Default for Choice {
             sandwich: SandwichRule::LeftFirst,
             join: JoinRule::LeftFirst,
             inner: InnerRule::Plain,
+            meet: MeetRule::Plain,
             rederive: false,
             held: false,
             projection: ProjectionRule::Division,
@@ -134,7 +139,12 @@ impl Choice {
             JoinRule::Minors => Some("shared minors"),
             JoinRule::Difference => Some("difference"),
         };
-        let inner = (self.inner == InnerRule::Distance).then_some("distance");
+        let inner = match self.inner {
+            InnerRule::Plain => None,
+            InnerRule::Distance => Some("distance"),
+            InnerRule::Gram => Some("Gram determinant"),
+        };
+        let meet = (self.meet == MeetRule::Factors).then_some("meet by factors");
         let rederive = self.rederive.then_some("rederived coefficients");
         let held = self.held.then_some("held factors");
         let projection = match self.projection {
@@ -142,7 +152,7 @@ impl Choice {
             ProjectionRule::Reciprocal => Some("reciprocal weight"),
             ProjectionRule::Image => Some("image of weight 1"),
         };
-        [sandwich, join, inner, rederive, held, projection]
+        [sandwich, join, inner, meet, rederive, held, projection]
             .into_iter()
             .flatten()
             .collect()

@@ -1,4 +1,4 @@
-//! Inner products of two vectors, by one of two rules.
+//! Inner products, by one of several rules.
 
 use crate::algebra::{Algebra, Product, Ratio};
 use crate::ir::{Arena, Multivector};
@@ -13,11 +13,14 @@ pub enum InnerRule {
     /// weight 1 it is −½ times their squared distance: differences before squares, so that nothing
     /// large cancels.
     Distance,
+    /// The same, and outer products of vectors by inner products of the vectors, where that does
+    /// not cancel; see [`gram`](super::gram).
+    Gram,
 }
 
 impl InnerRule {
     /// Every rule, in the order in which they are tried.
-    pub const ALL: [Self; 2] = [Self::Plain, Self::Distance];
+    pub const ALL: [Self; 3] = [Self::Plain, Self::Distance, Self::Gram];
 
     /// Lowers the inner product of two multivectors; `None` where the rule does not apply.
     #[must_use]

@@ -63,7 +63,11 @@ fn wedge(
     left.product(arena, algebra, Product::Wedge, right, |_| true)
 }
 
-fn left_first(arena: &mut Arena, algebra: &Algebra, factors: &[Multivector]) -> Multivector {
+pub(super) fn left_first(
+    arena: &mut Arena,
+    algebra: &Algebra,
+    factors: &[Multivector],
+) -> Multivector {
     let mut factors = factors.iter();
     let first = factors.next().cloned().unwrap_or_default();
     factors.fold(first, |product, factor| {
@@ -88,6 +92,15 @@ fn difference(
     algebra: &Algebra,
     factors: &[Multivector],
 ) -> Option<Multivector> {
+    let factors = differences(arena, factors)?;
+    let (first, rest) = factors.split_first()?;
+    let rest = left_first(arena, algebra, rest);
+    Some(wedge(arena, algebra, first, &rest))
+}
+
+/// The first factor, and the others less multiples of it; `None` where none has a constant
+/// coefficient of the same blade.
+pub(super) fn differences(arena: &mut Arena, factors: &[Multivector]) -> Option<Vec<Multivector>> {
     let [first, rest @ ..] = factors else {
         return None;
     };
@@ -100,15 +113,11 @@ fn difference(
             is_vectors(factors) && rest.iter().any(is_vector)
         });
     let (blade, weight) = weight?;
-    let differences: Vec<Multivector> = rest
-        .iter()
-        .map(|factor| match constant(factor, blade) {
-            Some(other) => factor.sum(arena, &first.scaled(-(other / weight))),
-            None => factor.clone(),
-        })
-        .collect();
-    let rest = left_first(arena, algebra, &differences);
-    Some(wedge(arena, algebra, first, &rest))
+    let rest = rest.iter().map(|factor| match constant(factor, blade) {
+        Some(other) => factor.sum(arena, &first.scaled(-(other / weight))),
+        None => factor.clone(),
+    });
+    Some(std::iter::once(first.clone()).chain(rest).collect())
 }
 
 /// The coefficient of a blade where it is a constant other than zero.

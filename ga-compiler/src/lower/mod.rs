@@ -1,9 +1,11 @@
 //! From programs to the graph: operands become inputs, products become sums of products.
 
 mod choice;
+pub mod gram;
 mod inner;
 mod join;
 mod linear_map;
+pub mod meet;
 mod null_image;
 mod null_pair;
 mod operand;
@@ -17,6 +19,7 @@ pub mod split;
 pub use choice::{Choice, Choices, Rule};
 pub use inner::InnerRule;
 pub use join::JoinRule;
+pub use meet::MeetRule;
 pub use operand::operand;
 pub use program::{Lowered, lower};
 pub use projection::ProjectionRule;

@@ -4,7 +4,8 @@ use std::collections::BTreeSet;
 
 use super::operand::rederived;
 use super::projection::{Image, keeps_weight};
-use super::{Choice, Choices, InnerRule, JoinRule, ProjectionRule, Rule, SandwichRule};
+use super::{Choice, Choices, InnerRule, JoinRule, MeetRule, ProjectionRule, Rule, SandwichRule};
+use super::{gram, meet};
 use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
 use crate::ir::{Arena, Facts, Function, Multivector, Value};
 use crate::program::{Program, Step, StepId};
@@ -148,8 +149,9 @@ impl Lowering<'_> {
                 self.join(&factors)
             }
             Step::Binary(product, a, b) => {
-                let (a, b) = (value(a), value(b));
-                self.product(*product, &a, &b)
+                let (left, right) = (value(a), value(b));
+                self.by_factors(*product, *a, *b)
+                    .unwrap_or_else(|| self.product(*product, &left, &right))
             }
             Step::Sandwich(versor, operand) => {
                 let (versor, operand) = (value(versor), value(operand));
@@ -312,6 +314,54 @@ impl Lowering<'_> {
             return self.applied(Rule::Inner(rule), value);
         }
         left.product(self.arena, self.algebra, product, right, |_| true)
+    }
+
+    /// A product of two outer products of vectors by their factors.
+    fn by_factors(&mut self, product: Product, a: StepId, b: StepId) -> Option<Multivector> {
+        let is_inner = matches!(
+            product,
+            Product::LeftContraction | Product::RightContraction | Product::ScalarProduct
+        );
+        let rule = match product {
+            Product::Vee if self.choice.meet == MeetRule::Factors => Rule::Meet(self.choice.meet),
+            _ if is_inner && self.choice.inner == InnerRule::Gram => Rule::Inner(self.choice.inner),
+            _ => return None,
+        };
+        let [(left, first), (right, second)] = [self.joined(a), self.joined(b)];
+        let value = if is_inner {
+            gram::lower(self.arena, self.algebra, &left, &right)?
+        } else {
+            meet::lower(self.arena, self.algebra, &left, &right)?
+        };
+        let value = if first == second {
+            value
+        } else {
+            value.scaled(Ratio::integer(-1))
+        };
+        Some(self.applied(rule, value))
+    }
+
+    /// The factors of an outer product, or of its reverse or negative; and whether it is the
+    /// negative of their product.
+    fn joined(&self, id: StepId) -> (Vec<Multivector>, bool) {
+        match self.program.step(id) {
+            Step::Binary(Product::Wedge, a, b) => {
+                let (mut factors, first) = self.joined(*a);
+                let (others, second) = self.joined(*b);
+                factors.extend(others);
+                (factors, first != second)
+            }
+            Step::Unary(Unary::Reverse, a) => {
+                let (factors, is_negative) = self.joined(*a);
+                let is_reversed = factors.len() % 4 >= 2;
+                (factors, is_negative != is_reversed)
+            }
+            Step::Negative(a) => {
+                let (factors, is_negative) = self.joined(*a);
+                (factors, !is_negative)
+            }
+            _ => (vec![self.values[id.index()].clone()], false),
+        }
     }
 
     /// The result of a rule. If the rule is to be broken, the sign of its last coefficient that is

@@ -1,5 +1,7 @@
 //! The cost of actions of versors and of products by rules for special operands.
 
+use ga_compiler::count::Operations;
+
 use crate::counts::{Row, check_names, check_renamed, cost};
 
 const ACTIONS: [Row; 18] = [
@@ -121,4 +123,68 @@ fn actions_cost_what_is_stated() {
 #[test]
 fn names_do_not_change_the_cost_of_actions() {
     check_renamed(&ACTIONS);
+}
+
+const PRODUCTS: [Row; 8] = [
+    (
+        "a: Point, b: Point -> Scalar",
+        "a: Place, b: Place -> Scalar",
+        "norm_squared(a ^ b)",
+        cost(5, 5, 0),
+    ),
+    (
+        "a: Point, b: Point, c: Point -> Scalar",
+        "a: Place, b: Place, c: Place -> Scalar",
+        "norm_squared(a ^ b ^ c)",
+        cost(12, 15, 0),
+    ),
+    (
+        "a: Point, b: Point, c: Point, d: Point -> Scalar",
+        "a: Place, b: Place, c: Place, d: Place -> Scalar",
+        "scalar_product(a ^ b, c ^ d)",
+        cost(16, 30, 0),
+    ),
+    (
+        "a: Point, b: Point, c: Point, d: Point -> Scalar",
+        "a: Place, b: Place, c: Place, d: Place -> Scalar",
+        "(a ^ b) | (c ^ d)",
+        cost(16, 30, 0),
+    ),
+    (
+        "a: Point, b: Point, c: Point -> Scalar",
+        "a: Place, b: Place, c: Place -> Scalar",
+        "norm_squared(a ^ b ^ c) / norm_squared(a ^ b ^ c ^ INFINITY)",
+        Operations {
+            divisions: 1,
+            ..cost(21, 20, 0)
+        },
+    ),
+    (
+        "a: Point, b: Point, c: Point, p: Point, q: Point -> FlatPoint",
+        "a: Place, b: Place, c: Place, p: Place, q: Place -> FlatPlace",
+        "(a ^ b ^ c ^ INFINITY) & (p ^ q ^ INFINITY)",
+        cost(18, 22, 0),
+    ),
+    (
+        "a: Point, b: Point, c: Point, p: Point, q: Point -> FlatPoint",
+        "a: Place, b: Place, c: Place, p: Place, q: Place -> FlatPlace",
+        "(p ^ q ^ INFINITY) & (a ^ b ^ c ^ INFINITY)",
+        cost(18, 22, 0),
+    ),
+    (
+        "s: Plane, p: Point, q: Point -> FlatPoint",
+        "s: Flat, p: Place, q: Place -> FlatPlace",
+        "s & (p ^ q ^ INFINITY)",
+        cost(12, 11, 0),
+    ),
+];
+
+#[test]
+fn products_cost_what_is_stated() {
+    check_names(&PRODUCTS);
+}
+
+#[test]
+fn names_do_not_change_the_cost_of_products() {
+    check_renamed(&PRODUCTS);
 }

@@ -63,6 +63,7 @@ pub(crate) fn renamed() -> Definition {
             struct Rotation { xz, yz, scalar, yx }
             #[hull(Sum)] #[facts(unit_versor)]
             struct Translation { infinityz, scalar = 1, infinityx, infinityy }
+            struct FlatPlace { infinityz, infinityx, infinityy, infinityorigin }
             struct Normal { z, x, y, infinity }
             struct AnyEven {
                 scalar, xy, xz, yz, xorigin, yorigin, zorigin, infinityx, infinityy, infinityz,

@@ -6,7 +6,9 @@ use ga_compiler::define::{Definition, TypeDefinition};
 use ga_compiler::expression::Expression;
 use ga_compiler::ir::{Arena, Node, NodeId, Value};
 use ga_compiler::kernel::{Kernel, wanted};
-use ga_compiler::lower::{Choice, InnerRule, JoinRule, ProjectionRule, Rule, SandwichRule};
+use ga_compiler::lower::{
+    Choice, InnerRule, JoinRule, MeetRule, ProjectionRule, Rule, SandwichRule,
+};
 use ga_compiler::parse::{Block, parse_functions};
 use ga_compiler::passes::schedule;
 use ga_compiler::program::resolve;
@@ -77,12 +79,19 @@ fn rules() -> Vec<(Choice, Rule)> {
         };
         (choice, Rule::Join(join))
     });
-    let distance = Choice {
-        inner: InnerRule::Distance,
+    let meet = Choice {
+        meet: MeetRule::Factors,
         ..Choice::default()
     };
     let mut rules: Vec<_> = sandwiches.into_iter().chain(joins).collect();
-    rules.push((distance, Rule::Inner(InnerRule::Distance)));
+    rules.extend([InnerRule::Distance, InnerRule::Gram].map(|inner| {
+        let choice = Choice {
+            inner,
+            ..Choice::default()
+        };
+        (choice, Rule::Inner(inner))
+    }));
+    rules.push((meet, Rule::Meet(MeetRule::Factors)));
     rules
 }
 
@@ -170,6 +179,41 @@ fn cases<'a>(cga3: &'a Definition, minkowski: &'a Definition) -> Vec<Case<'a>> {
         ] {
             cases.push(Case::new(cga3, &pair, inner.clone(), "Scalar"));
         }
+    }
+    let join = |factors: std::ops::Range<usize>| {
+        factors
+            .map(operand)
+            .reduce(|product, next| Expression::binary(Product::Wedge, product, next))
+            .expect("a factor")
+    };
+    for size in [2, 3] {
+        let square = Expression::binary(Product::ScalarProduct, join(0..size), join(0..size));
+        cases.push(Case::new(cga3, &vec!["Point"; size], square, "Scalar"));
+    }
+    let inner = Expression::binary(Product::LeftContraction, join(0..2), join(2..4));
+    cases.push(Case::new(cga3, &["Point"; 4], inner, "Scalar"));
+    let plane = ["Point", "Point", "Point", "Infinity"];
+    let line = ["Point", "Infinity", "Point"];
+    for (left, right) in [(plane.as_slice(), line.as_slice()), (&line, &plane)] {
+        let (first, all) = (left.len(), left.len() + right.len());
+        let meet = Expression::binary(Product::Vee, join(0..first), join(first..all));
+        cases.push(Case::new(cga3, &[left, right].concat(), meet, "FlatPoint"));
+    }
+    for (sphere, count) in [("Sphere", 2), ("Plane", 3), ("Circle", 3), ("Circle", 4)] {
+        let meet = Expression::binary(Product::Vee, operand(0), join(1..count + 1));
+        let operands = [&[sphere], vec!["RoundVector"; count].as_slice()].concat();
+        cases.push(Case::new(cga3, &operands, meet, "Multivector"));
+    }
+    for (left, right) in [(2, 3), (3, 3), (3, 2)] {
+        let meet = Expression::binary(Product::Vee, join(0..left), join(left..left + right));
+        let operands = vec!["Event"; left + right];
+        let blades = ["Scalar", "Vector", "Bivector"];
+        cases.push(Case::new(
+            minkowski,
+            &operands,
+            meet,
+            blades[left + right - 4],
+        ));
     }
     for kind in ["Vector", "Bivector", "Boost"] {
         cases.push(Case::new(minkowski, &["Boost", kind], sandwich(), kind));

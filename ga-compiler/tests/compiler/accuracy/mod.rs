@@ -10,7 +10,7 @@ mod twofold;
 use ga_compiler::define::Definition;
 use ga_compiler::ir::{Node, Value};
 use ga_compiler::kernel::{Kernel, wanted};
-use ga_compiler::lower::{Choice, InnerRule, JoinRule, ProjectionRule, SandwichRule};
+use ga_compiler::lower::{Choice, InnerRule, JoinRule, MeetRule, ProjectionRule, SandwichRule};
 use ga_compiler::parse::{Block, parse_functions};
 use ga_compiler::program::{Resolved, resolve};
 use ga_compiler::task::Task;
@@ -101,11 +101,23 @@ fn what_is_chosen_for_projections_rounds_well() {
 }
 
 /// Joins and inner products of points with the rules for them.
-const PRODUCTS: [&str; 4] = [
+const PRODUCTS: [&str; 12] = [
     "a: Point, b: Point -> Scalar { a | b }",
     "a: Point, b: Point -> PointPair { a ^ b }",
     "a: Point, b: Point, c: Point -> Circle { a ^ b ^ c }",
     "a: Point, b: Point, c: Point -> Plane { a ^ b ^ c ^ ei }",
+    "a: Point, b: Point -> Scalar { norm_squared(a ^ b) }",
+    "a: Point, b: Point, c: Point -> Scalar { norm_squared(a ^ b ^ c) }",
+    "a: Point, b: Point, c: Point -> Scalar { norm_squared(a ^ b ^ c ^ ei) }",
+    "a: Point, b: Point, c: Point, d: Point -> Scalar { (a ^ b) | (c ^ d) }",
+    "a: Point, b: Point, c: Point -> Scalar {
+        norm_squared(a ^ b ^ c) / norm_squared(a ^ b ^ c ^ ei)
+    }",
+    "a: Point, b: Point, c: Point, p: Point, q: Point -> FlatPoint {
+        (a ^ b ^ c ^ ei) & (p ^ q ^ ei)
+    }",
+    "s: Plane, p: Point, q: Point -> FlatPoint { (p ^ q ^ ei) & s }",
+    "s: Sphere, p: Point, q: Point -> PointPair { s & (p ^ q ^ ei) }",
 ];
 
 #[test]
@@ -118,7 +130,11 @@ fn rules_for_products_round_well() {
         inner,
         ..Choice::default()
     });
-    check(&PRODUCTS, &[joins.as_slice(), &inner].concat());
+    let meets = MeetRule::ALL.map(|meet| Choice {
+        meet,
+        ..Choice::default()
+    });
+    check(&PRODUCTS, &[joins.as_slice(), &inner, &meets].concat());
 }
 
 #[test]
