@@ -151,6 +151,16 @@ impl Costs {
         let least = best.cost;
         found.retain(|selection| selection.cost <= least + least);
         found.sort_by_key(|selection| selection.cost);
+        // Of forms that differ in the grouping of products only, the first.
+        let mut seen: Vec<Vec<Operation>> = Vec::new();
+        found.retain(|selection| {
+            let next = selection.operations(classes);
+            let is_new = !seen.contains(&next);
+            if is_new {
+                seen.push(next);
+            }
+            is_new
+        });
         found.truncate(most);
         found
     }
@@ -185,6 +195,19 @@ enum State {
 }
 
 impl Selection {
+    /// The operations other than geometric products, in the order of their classes.
+    fn operations(&self, classes: &Classes<'_>) -> Vec<Operation> {
+        let mut order = self.order.clone();
+        order.sort_unstable();
+        let operations = order
+            .iter()
+            .map(|id| &classes.class(*id).ways[self.ways[id.index()]].operation);
+        operations
+            .filter(|operation| !matches!(operation, Operation::Product(Product::Geometric, _)))
+            .cloned()
+            .collect()
+    }
+
     fn is_same(&self, other: &Self) -> bool {
         let ways = |selection: &Self| -> Vec<(ClassId, usize)> {
             let mut ways: Vec<_> = selection
@@ -228,10 +251,14 @@ pub(super) fn extract<'a>(
                 factor = -factor;
             }
         }
+        let is_leaf = matches!(way.operation, Operation::Operand(_) | Operation::Blade(_));
+        if !is_leaf {
+            state(classes, &mut program, known, id, Ratio::ONE / factor, step);
+        }
         step = scaled(&mut program, step, factor);
         steps[id.index()] = Some(step);
-        if !matches!(way.operation, Operation::Operand(_) | Operation::Blade(_)) {
-            state(classes, &mut program, known, id, step);
+        if !is_leaf {
+            state(classes, &mut program, known, id, Ratio::ONE, step);
         }
     }
     rules.sort();
@@ -240,7 +267,13 @@ pub(super) fn extract<'a>(
     let wanted = wanted
         .iter()
         .map(|term| match term {
-            Some(term) => value(&mut program, &steps, *term),
+            Some(term) => {
+                let step = value(&mut program, &steps, *term);
+                if term.factor != Ratio::ONE {
+                    state(classes, &mut program, known, term.class, term.factor, step);
+                }
+                step
+            }
             None => program.push(zero.clone()),
         })
         .collect();
@@ -314,32 +347,39 @@ fn joined(
         .fold(*first, |whole, next| program.push(step(whole, *next)))
 }
 
-/// States what is known of a step.
+/// States what is known of a step that is a multiple of a class.
 fn state<'a>(
     classes: &mut Classes<'_>,
     program: &mut Program<'a>,
     known: &Known<'a>,
     id: ClassId,
+    factor: Ratio,
     step: StepId,
 ) {
-    let stated = known.facts.iter().find(|(other, _)| *other == id);
+    let is_plain = factor == Ratio::ONE;
+    let stated = known
+        .facts
+        .iter()
+        .find(|(other, _)| is_plain && *other == id);
     let mut facts = stated.map(|(_, facts)| *facts).unwrap_or_default();
     let algebra = classes.algebra;
-    let grades = classes.grades(id);
-    if grades == 2 {
+    if classes.grade(id) == Some(1) {
         let mut values = classes.class(id).values.iter();
         facts.null |= values.all(|value| {
             let square = numbers::product(algebra, Product::ScalarProduct, value, value);
             square.values().all(|number| *number == Residue::ZERO)
         });
+        let scale = Residue::from_ratio(factor);
         let is_member = |kind: &&&TypeDefinition| {
             let mut values = classes.class(id).values.iter();
-            values.all(|value| membership(algebra, Some(kind), value).is_empty())
+            values.all(|value| {
+                membership(algebra, Some(kind), &numbers::scaled(value, scale)).is_empty()
+            })
         };
         if let Some(kind) = known.kinds.iter().find(is_member) {
             program.state_kind(step, kind);
         }
     }
-    facts.unit_versor |= classes.known_unit(id);
+    facts.unit_versor |= factor.abs() == Ratio::ONE && classes.known_unit(id);
     program.state(step, facts);
 }

@@ -26,11 +26,13 @@ pub enum FormRule {
     Duality,
     /// `(a/s) b = (a b)/s`.
     Quotient,
+    /// `a (b + c) = a b + a c`, and `s (a b) = (s a) b` for a scalar s.
+    Distribution,
 }
 
 impl FormRule {
     /// Every rule.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Reversal,
         Self::Associativity,
         Self::Conjugation,
@@ -42,6 +44,7 @@ impl FormRule {
         Self::Definition,
         Self::Duality,
         Self::Quotient,
+        Self::Distribution,
     ];
 
     /// The rule in words.
@@ -59,6 +62,7 @@ impl FormRule {
             Self::Definition => "product by its definition",
             Self::Duality => "duality",
             Self::Quotient => "quotient of a product",
+            Self::Distribution => "distribution",
         }
     }
 }

@@ -4,6 +4,7 @@ mod associativity;
 mod composition;
 mod conjugation;
 mod definition;
+mod distribution;
 mod duality;
 mod invariant_part;
 mod linearity;
@@ -12,12 +13,14 @@ mod power;
 mod quotient;
 mod reversal;
 
+use rustc_hash::FxHashMap;
+
 use super::classes::{ClassId, Classes, Way};
 
 /// A rule: looks at one way to a class and proposes others.
 type Apply = fn(&mut Classes<'_>, ClassId, &Way);
 
-const RULES: [Apply; 11] = [
+const RULES: [Apply; 12] = [
     reversal::apply,
     conjugation::apply,
     definition::apply,
@@ -28,34 +31,42 @@ const RULES: [Apply; 11] = [
     invariant_part::apply,
     power::apply,
     quotient::apply,
+    distribution::apply,
     associativity::apply,
 ];
 
 /// How many ways may be found beyond those that the program has.
 const MOST_WAYS: usize = 120;
 
-/// Applies all rules to all ways, those that are found included, up to a bound.
+/// Applies all rules to all ways, those that are found included, up to a bound. A rule looks at the
+/// ways to what an operation reads, so it is applied again where there are more of those.
 pub(super) fn saturate(classes: &mut Classes<'_>) {
     let limit = classes.ways + MOST_WAYS;
-    let mut done: Vec<usize> = Vec::new();
+    let mut seen: FxHashMap<(ClassId, usize), usize> = FxHashMap::default();
     loop {
         let mut has_changed = false;
         let mut place = 0;
         while place < classes.len() {
-            done.resize(classes.len(), 0);
             let Some(id) = classes.ids().nth(place) else {
                 break;
             };
-            while done[place] < classes.class(id).ways.len() {
-                let way = classes.class(id).ways[done[place]].clone();
-                done[place] += 1;
-                has_changed = true;
-                for apply in RULES {
-                    apply(classes, id, &way);
+            let mut number = 0;
+            while number < classes.class(id).ways.len() {
+                let way = &classes.class(id).ways[number];
+                let reads = way.operation.reads();
+                let below = reads.iter().map(|read| classes.class(*read).ways.len());
+                let below = below.sum();
+                if seen.insert((id, number), below) != Some(below) {
+                    has_changed = true;
+                    let way = way.clone();
+                    for apply in RULES {
+                        apply(classes, id, &way);
+                    }
+                    if classes.ways > limit {
+                        return;
+                    }
                 }
-                if classes.ways > limit {
-                    return;
-                }
+                number += 1;
             }
             place += 1;
         }
