@@ -9,6 +9,7 @@ use ga_runtime::cga3::{Infinity, Line, Motor, Plane, Point, Sphere};
 use ga_runtime::ga;
 use nullcone_benches::inputs::{self, INPUTS, Numbers};
 use nullcone_benches::precision::Precision;
+use nullcone_benches::scene;
 
 ga! { ga_runtime::cga3;
     /// A motor that moves many points.
@@ -45,6 +46,7 @@ fn main() -> Result<()> {
     let arguments = Arguments::parse();
     let mut all = kernels::<f32>();
     all.extend(kernels::<f64>());
+    all.extend(scenes());
     if arguments.list {
         for kernel in all {
             println!("{}\t{}\t{INPUTS}", kernel.name, kernel.contender);
@@ -63,6 +65,20 @@ fn main() -> Result<()> {
         (kernel.round)();
     }
     Ok(())
+}
+
+/// The picture of the ray tracer, with as many pixels as other kernels have inputs.
+fn scenes() -> Vec<Kernel> {
+    let size = [32, INPUTS / 32];
+    let contenders = scene::contenders().unwrap_or_default().into_iter();
+    let kernel = |contender: scene::Contender| Kernel {
+        name: "ray tracer, each pixel".into(),
+        contender: contender.name,
+        round: Box::new(move || {
+            black_box((contender.render)(black_box(size)));
+        }),
+    };
+    contenders.map(kernel).collect()
 }
 
 fn kernels<S: Precision>() -> Vec<Kernel> {

@@ -80,6 +80,32 @@ fn a_disc_contains_its_rim() {
 }
 
 #[test]
+fn weight_and_size_do_not_matter() {
+    let beam = |size: f64| ray([0.0, 0.0, -5.0 * size], [0.0, 0.0, 1.0]);
+    let scaled = |size: f64| Sphere::from_centre_radius(Point::default(), size);
+    let wall = Plane::from_point_normal(Point::new(0.0, 0.0, -1.0), [0.0, 0.0, 1.0]);
+    let check = |hit: Option<Hit<f64>>, size: f64, text: String| {
+        let hit = hit.unwrap_or_else(|| panic!("no hit, {text}"));
+        assert!((hit.distance / size - 4.0).abs() < 1e-15, "{text}: {hit:?}");
+        assert_eq!(hit.normal.vector(), [0.0, 0.0, -1.0], "{text}");
+    };
+    for weight in [1e-300, 1e-200, 1e-12, 1e-9, 1e9, 1e12, 1e200, 1e300] {
+        for weight in [weight, -weight] {
+            let text = format!("weight {weight:e}");
+            check(beam(1.0).first_hit(scaled(1.0) * weight), 1.0, text.clone());
+            check(beam(1.0).first_hit(wall * weight), 1.0, text);
+        }
+    }
+    for size in [1e-150, 1e-12, 1e-9, 1e9, 1e12, 1e150] {
+        check(
+            beam(size).first_hit(scaled(size)),
+            size,
+            format!("size {size:e}"),
+        );
+    }
+}
+
+#[test]
 fn figures_without_a_surface_are_missed() {
     let beam = ray([0.0, 0.0, -5.0], [0.0, 0.0, 1.0]);
     let centre = Point::default();

@@ -93,7 +93,7 @@ impl<S: Real<Mask = bool>> Hit<S> {
     /// The hit at a distance, for a normal of the surface of any length that is not zero, and given
     /// the inner product of that normal with the direction of the ray. `None` where the distance is
     /// not finite, or its square overflows, or the normal has no direction.
-    #[inline]
+    #[inline(always)]
     pub(super) fn of(ray: Ray<S>, distance: S, normal: Vector<S>, slope: S) -> Option<Self> {
         if !(distance * distance).is_finite() {
             return None;
@@ -110,15 +110,24 @@ impl<S: Real<Mask = bool>> Hit<S> {
     }
 }
 
-/// The vector with length 1; `None` where it is zero or not finite. Only the range in which squares
-/// are accurate is computed directly.
+/// The vector with length 1; `None` where it is zero or not finite.
 #[inline]
 fn unit<S: Real<Mask = bool>>(vector: Vector<S>) -> Option<Vector<S>> {
     let square = vector.dot(vector);
-    let is_usual = S::from_f64(1e-20).less_than(square) && square.less_than(S::from_f64(1e20));
-    if is_usual {
-        Some(vector * square.sqrt().recip())
-    } else {
-        vector.normalized()
+    let excess = square - S::one();
+    if (excess * excess).less_than(S::epsilon()) {
+        // The normal of most planes: a step of Newton's method is exact to rounding.
+        return Some(vector * (S::one() - excess * S::from_ratio(1, 2)));
     }
+    if is_usual(square) {
+        return Some(vector * square.sqrt().recip());
+    }
+    vector.normalized()
+}
+
+/// Whether a square is so far from the ends of the range of the scalar that no product with it
+/// overflows or loses digits.
+#[inline]
+pub(super) fn is_usual<S: Real<Mask = bool>>(square: S) -> bool {
+    S::from_f64(1e-18).less_than(square) && square.less_than(S::from_f64(1e18))
 }

@@ -1,8 +1,9 @@
 //! Rays that meet spheres and discs.
 
-use super::surface::is_within;
+use super::hit::is_usual;
+use super::surface::Ahead;
 use super::{Hit, Ray};
-use crate::cga3::{DualCircle, DualSphere};
+use crate::cga3::{Circle, DualCircle, DualSphere};
 use crate::geometry::cga3::round::RoundBivector;
 use crate::scalar::Real;
 use crate::vga3::Vector;
@@ -18,40 +19,72 @@ pub(super) struct Crossing<S> {
     to_centre: Vector<S>,
 }
 
-/// How a ray crosses a dual sphere σ = w (c − ½r² ei); `None` for a miss, and for a dual plane.
+/// How a ray crosses a dual sphere `σ = w (c − ½r² ei)`; `None` for a miss, and for a dual plane.
 #[inline]
 pub(super) fn sphere_crossing<S: Real<Mask = bool>>(
     ray: Ray<S>,
     sphere: DualSphere<S>,
 ) -> Option<Crossing<S>> {
-    // Infinite or NaN for a dual plane, which is a miss.
-    let inverse = sphere.eo.recip();
-    let centre = Vector::new(sphere.e1, sphere.e2, sphere.e3) * inverse;
-    let radius_squared = centre.dot(centre) - (sphere.ei + sphere.ei) * inverse;
-    sphere_of(ray, centre, radius_squared)
+    let place = Vector::new(sphere.e1, sphere.e2, sphere.e3);
+    // σ², which is w² r².
+    let square = place.dot(place) - (sphere.ei + sphere.ei) * sphere.eo;
+    if is_usual(square) {
+        return crossing(ray, place, sphere.eo, square);
+    }
+    let [centre, [radius_squared, ..]] = centre_and_square([
+        [sphere.e1, sphere.e2, sphere.e3],
+        [sphere.eo, sphere.ei, S::zero()],
+    ]);
+    sphere_of(ray, centre.into(), radius_squared)
 }
 
-/// How a ray crosses the sphere with this centre and squared radius.
+/// Centre and squared radius of a sphere of any weight, given its coefficients of e1, e2, e3 and
+/// of eo, ei.
+#[cold]
+#[inline(never)]
+fn centre_and_square<S: Real>([place, [eo, ei, _]]: [[S; 3]; 2]) -> [[S; 3]; 2] {
+    let centre = Vector::from(place).divided(eo);
+    let radius_squared = centre.dot(centre) - (ei + ei) / eo;
+    [centre.into(), [radius_squared, S::zero(), S::zero()]]
+}
+
+/// How a ray crosses the sphere with this centre and squared radius; `None` unless that is
+/// positive.
 #[inline]
 pub(super) fn sphere_of<S: Real<Mask = bool>>(
     ray: Ray<S>,
     centre: Vector<S>,
     radius_squared: S,
 ) -> Option<Crossing<S>> {
+    if !S::zero().less_than(radius_squared) {
+        return None;
+    }
+    crossing(ray, centre, S::one(), radius_squared)
+}
+
+/// How a ray crosses a sphere, given w c, w and w² r² > 0. A miss is found without a division.
+#[inline]
+fn crossing<S: Real<Mask = bool>>(
+    ray: Ray<S>,
+    place: Vector<S>,
+    weight: S,
+    square: S,
+) -> Option<Crossing<S>> {
     let direction = Vector::from(ray.direction);
-    let to_centre = centre - Vector::from(ray.origin);
+    let to_centre = place - Vector::from(ray.origin) * weight;
     let middle = to_centre.dot(direction);
     // The part perpendicular to the ray is squared, not the difference of two squares taken, which
     // would lose the radius of a small sphere far away.
     let to_centre = to_centre - direction * middle;
-    let half_squared = radius_squared - to_centre.dot(to_centre);
-    if half_squared.less_than(S::zero()) || !S::zero().less_than(radius_squared) {
+    let half_squared = square - to_centre.dot(to_centre);
+    if half_squared.less_than(S::zero()) {
         return None;
     }
+    let inverse = weight.recip();
     Some(Crossing {
-        middle,
-        half: half_squared.sqrt(),
-        to_centre,
+        middle: middle * inverse,
+        half: half_squared.sqrt() * inverse.abs(),
+        to_centre: to_centre * inverse,
     })
 }
 
@@ -59,13 +92,12 @@ impl<S: Real<Mask = bool>> Crossing<S> {
     /// The end that is ahead of the origin, the nearer one if both are.
     #[inline]
     pub(super) fn first(&self, ray: Ray<S>) -> Option<Hit<S>> {
-        if S::zero().less_than(self.middle - self.half) {
-            self.entry(ray)
-        } else if S::zero().less_than(self.middle + self.half) {
-            self.exit(ray)
-        } else {
-            None
+        let is_outside = self.half.less_than(self.middle);
+        let offset = if is_outside { -self.half } else { self.half };
+        if !S::zero().less_than(self.middle + offset) {
+            return None;
         }
+        self.end(ray, offset)
     }
 
     /// Where the line enters the sphere.
@@ -93,22 +125,34 @@ impl<S: Real<Mask = bool>> Crossing<S> {
 /// The hit of the inside of a circle, given in dual form as a multiple of
 /// `(c + eo + β ei) ∧ (n + (c·n) ei)`, with its centre c, the normal n and `r² = c² − 2β`.
 #[inline]
-pub(super) fn disc_hit<S: Real<Mask = bool>>(ray: Ray<S>, circle: DualCircle<S>) -> Option<Hit<S>> {
-    let normal = Vector::new(-circle.e1o, -circle.e2o, -circle.e3o);
-    let hit = super::surface::plane_hit(ray, normal, circle.eoi)?;
+pub(super) fn disc_hit<S: Real<Mask = bool>>(
+    ray: Ray<S>,
+    disc: DualCircle<S>,
+    circle: &Circle<S>,
+) -> Option<Hit<S>> {
+    let normal = Vector::new(-disc.e1o, -disc.e2o, -disc.e3o);
+    let ahead = Ahead::of_plane(ray, normal, disc.eoi)?;
     let square = normal.dot(normal);
-    let is_usual = S::from_f64(1e-12).less_than(square) && square.less_than(S::from_f64(1e12));
-    let (centre, radius_squared) = if is_usual {
+    let (centre, radius_squared) = if is_usual(square) {
         let inverse = square.recip();
-        let moment = Vector::new(circle.e23, -circle.e13, circle.e12);
-        let centre = (normal * circle.eoi + normal.cross(moment)) * inverse;
-        let last = normal.dot(Vector::new(circle.e1i, circle.e2i, circle.e3i));
-        let infinite = (circle.eoi * circle.eoi - last) * inverse;
+        let moment = Vector::new(disc.e23, -disc.e13, disc.e12);
+        let centre = (normal * disc.eoi + normal.cross(moment)) * inverse;
+        let last = normal.dot(Vector::new(disc.e1i, disc.e2i, disc.e3i));
+        let infinite = (disc.eoi * disc.eoi - last) * inverse;
         (centre, centre.dot(centre) - (infinite + infinite))
     } else {
-        let round = RoundBivector::of(circle)?;
-        let [a, b] = round.squares();
-        (round.centre, b - a)
+        let [centre, [radius_squared, ..]] = centre_and_square_of_disc(circle)?;
+        (centre.into(), radius_squared)
     };
-    is_within(hit.point.into(), centre, radius_squared).then_some(hit)
+    ahead.within(ray, centre, radius_squared)?.hit(ray, normal)
+}
+
+/// Centre and squared radius of a circle of any weight. It takes the circle by reference, so that
+/// its coefficients stay in registers where this is not called.
+#[cold]
+#[inline(never)]
+fn centre_and_square_of_disc<S: Real<Mask = bool>>(circle: &Circle<S>) -> Option<[[S; 3]; 2]> {
+    let round = RoundBivector::of(circle.dual())?;
+    let [a, b] = round.squares();
+    Some([round.centre.into(), [b - a, S::zero(), S::zero()]])
 }

@@ -46,7 +46,8 @@ impl<S: Real<Mask = bool>> Surface<S> for DualSphere<S> {
     #[inline]
     fn first_hit_by(&self, ray: Ray<S>) -> Option<Hit<S>> {
         if self.eo == S::zero() {
-            return plane_hit(ray, Vector::new(self.e1, self.e2, self.e3), self.ei);
+            let normal = Vector::new(self.e1, self.e2, self.e3);
+            return Ahead::of_plane(ray, normal, self.ei)?.hit(ray, normal);
         }
         sphere_crossing(ray, *self)?.first(ray)
     }
@@ -62,7 +63,8 @@ impl<S: Real<Mask = bool>> Surface<S> for Sphere<S> {
 impl<S: Real<Mask = bool>> Surface<S> for DualPlane<S> {
     #[inline]
     fn first_hit_by(&self, ray: Ray<S>) -> Option<Hit<S>> {
-        plane_hit(ray, Vector::new(self.e1, self.e2, self.e3), self.ei)
+        let normal = Vector::new(self.e1, self.e2, self.e3);
+        Ahead::of_plane(ray, normal, self.ei)?.hit(ray, normal)
     }
 }
 
@@ -76,14 +78,14 @@ impl<S: Real<Mask = bool>> Surface<S> for Plane<S> {
 impl<S: Real<Mask = bool>> Surface<S> for DualCircle<S> {
     #[inline]
     fn first_hit_by(&self, ray: Ray<S>) -> Option<Hit<S>> {
-        disc_hit(ray, *self)
+        disc_hit(ray, *self, &self.undual())
     }
 }
 
 impl<S: Real<Mask = bool>> Surface<S> for Circle<S> {
     #[inline]
     fn first_hit_by(&self, ray: Ray<S>) -> Option<Hit<S>> {
-        disc_hit(ray, self.dual())
+        disc_hit(ray, self.dual(), self)
     }
 }
 
@@ -93,43 +95,53 @@ impl<S: Real<Mask = bool>> Surface<S> for Figure<S> {
     fn first_hit_by(&self, ray: Ray<S>) -> Option<Hit<S>> {
         match *self {
             Self::Point(_) | Self::PointPair(_) | Self::Line { .. } => None,
-            Self::Plane { normal, distance } => plane_hit(ray, normal, distance),
+            Self::Plane { normal, distance } => {
+                Ahead::of_plane(ray, normal, distance)?.hit(ray, normal)
+            }
             Self::Circle {
                 centre,
                 normal,
                 radius,
             } => {
-                let hit = plane_hit(ray, normal, normal.dot(centre))?;
-                is_within(hit.point.into(), centre, radius * radius).then_some(hit)
+                let ahead = Ahead::of_plane(ray, normal, normal.dot(centre))?;
+                ahead.within(ray, centre, radius * radius)?.hit(ray, normal)
             }
             Self::Sphere { centre, radius } => sphere_of(ray, centre, radius * radius)?.first(ray),
         }
     }
 }
 
-/// The hit of the plane of the points x with `n·x = d`, for a normal of any length.
-#[inline]
-pub(super) fn plane_hit<S: Real<Mask = bool>>(
-    ray: Ray<S>,
-    normal: Vector<S>,
+/// A point of a plane ahead of the origin of a ray.
+#[derive(Clone, Copy)]
+pub(super) struct Ahead<S> {
     distance: S,
-) -> Option<Hit<S>> {
-    let slope = normal.dot(ray.direction.into());
-    let along = (distance - normal.dot(ray.origin.into())) / slope;
-    if !S::zero().less_than(along) {
-        return None;
-    }
-    Hit::of(ray, along, normal, slope)
+    /// The inner product of the normal and the direction of the ray.
+    slope: S,
 }
 
-/// Whether a point of the plane of a circle is on or inside it.
-#[inline]
-pub(super) fn is_within<S: Real<Mask = bool>>(
-    place: Vector<S>,
-    centre: Vector<S>,
-    radius_squared: S,
-) -> bool {
-    let from_centre = place - centre;
-    let square = from_centre.dot(from_centre);
-    square.less_than(radius_squared) || square == radius_squared
+impl<S: Real<Mask = bool>> Ahead<S> {
+    /// Of the plane of the points x with `n·x = d`, for a normal of any length.
+    #[inline]
+    pub(super) fn of_plane(ray: Ray<S>, normal: Vector<S>, distance: S) -> Option<Self> {
+        let slope = normal.dot(ray.direction.into());
+        let distance = (distance - normal.dot(ray.origin.into())) / slope;
+        // False for a parallel plane, where the quotient is infinite with either sign, or NaN.
+        let is_ahead = S::zero().less_than(distance) && (distance * distance).is_finite();
+        is_ahead.then_some(Self { distance, slope })
+    }
+
+    /// Itself, if it is in or on the sphere with this centre and squared radius.
+    #[inline]
+    pub(super) fn within(self, ray: Ray<S>, centre: Vector<S>, radius_squared: S) -> Option<Self> {
+        let from_centre = Vector::from(ray.at(self.distance)) - centre;
+        let square = from_centre.dot(from_centre);
+        let is_within = square.less_than(radius_squared) || square == radius_squared;
+        is_within.then_some(self)
+    }
+
+    /// The hit, with the normal of the plane.
+    #[inline]
+    pub(super) fn hit(self, ray: Ray<S>, normal: Vector<S>) -> Option<Hit<S>> {
+        Hit::of(ray, self.distance, normal, self.slope)
+    }
 }
