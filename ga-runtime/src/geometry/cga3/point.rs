@@ -151,8 +151,6 @@ macro_rules! displacements {
     ($($Vector:ident)*) => {$(
         displacements! { Point<S>, $Vector<S> }
         displacements! { Point<S>, &$Vector<S> }
-        displacements! { &Point<S>, $Vector<S> }
-        displacements! { &Point<S>, &$Vector<S> }
 
         impl<S: Ring> AddAssign<$Vector<S>> for Point<S> {
             #[inline]

@@ -1,7 +1,8 @@
 //! Vectors of vga3: products, lengths, angles and projections.
 
 use crate::cga3;
-use crate::scalar::{Real, Ring};
+use crate::geometry::number::is_regular;
+use crate::scalar::{Mask, Real, Ring};
 use crate::vga3::Vector;
 
 impl<S: Ring> Vector<S> {
