@@ -72,6 +72,7 @@ pub mod passes;
 pub mod program;
 mod search;
 pub mod signature;
+mod staging;
 pub mod task;
 pub mod verify;
 

@@ -19,6 +19,7 @@ use crate::forms::{self, Form, FormRule};
 use crate::kernel::Kernel;
 use crate::lower::{Choice, Choices, InnerRule, JoinRule, MeetRule, ProjectionRule, SandwichRule};
 use crate::program::{Program, Step, StepId};
+use crate::staging::staged;
 use crate::task::Task;
 
 /// The largest number of actions of versors that may have rules of their own.
@@ -193,7 +194,7 @@ fn by_best_choices(task: &Task<'_>) -> Kernel {
         search.improve(|choice| choice.held = true);
     }
     search.improve_sites();
-    search.best
+    staged(task, search.best)
 }
 
 struct Search<'t, 'a> {

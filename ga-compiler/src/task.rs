@@ -7,9 +7,10 @@ use crate::define::TypeDefinition;
 use crate::expression::Expression;
 use crate::ir::{Arena, Multivector, Value};
 use crate::kernel::Kernel;
-use crate::lower::{self, Choices, Lowered};
-use crate::passes;
+use crate::lower::{self, Choices, Lowered, Rule};
+use crate::passes::{self, Collected};
 use crate::program::{Program, StepId, Witness};
+use crate::staging;
 
 /// The number of operations above which a graph is left as it was built. The passes would take too
 /// long on the product of two multivectors of 32 blades.
@@ -115,7 +116,22 @@ impl<'a> Task<'a> {
 
     /// The kernel by some rules.
     pub(crate) fn by_choices(&self, choices: &Choices) -> Kernel {
-        self.optimised(self.lowered(choices))
+        let staged = match choices.all.staged {
+            true => staging::cheapest(self.staged(choices)),
+            false => None,
+        };
+        staged.unwrap_or_else(|| self.optimised(self.lowered(choices)))
+    }
+
+    /// Whether an operand stays the same over many calls.
+    pub(crate) fn has_uniform(&self) -> bool {
+        self.uniform.contains(&true)
+    }
+
+    /// The ways to collect the uniform coefficients of what some rules lower the program to, the
+    /// cheapest first.
+    pub(crate) fn staged(&self, choices: &Choices) -> Vec<Staged> {
+        self.with_relations(self.lowered(choices)).staged()
     }
 
     /// The graph by some rules, before the passes.
@@ -155,6 +171,10 @@ impl<'a> Task<'a> {
 
     /// The kernel of a graph.
     pub(crate) fn optimised(&self, lowered: LoweredTask) -> Kernel {
+        self.with_relations(lowered).kernel()
+    }
+
+    fn with_relations(&self, lowered: LoweredTask) -> LoweredGraph {
         let LoweredTask {
             mut arena,
             outputs,
@@ -163,21 +183,16 @@ impl<'a> Task<'a> {
             uniform,
             ..
         } = lowered;
-        let (arena, outputs) = if passes::cost(&arena, &outputs).total() > LARGEST {
-            (arena, outputs)
-        } else {
-            let mut relations = Vec::new();
-            for input in &inputs {
-                relations.extend(passes::relations(&mut arena, self.algebra, input));
-            }
-            let graph = passes::optimise(arena, outputs, &uniform, &relations);
-            finished(passes::reciprocal(&graph.0, &graph.1).unwrap_or(graph))
-        };
-        Kernel {
-            arena,
-            outputs,
+        let is_small = passes::cost(&arena, &outputs).total() <= LARGEST;
+        let relations = is_small.then(|| {
+            let of_operand = |input| passes::relations(&mut arena, self.algebra, input);
+            inputs.iter().flat_map(of_operand).collect()
+        });
+        LoweredGraph {
+            graph: (arena, outputs),
             choices,
             uniform,
+            relations,
         }
     }
 }
@@ -208,6 +223,81 @@ impl LoweredTask {
     /// The same number for the same graph.
     pub(crate) fn fingerprint(&self) -> u64 {
         self.arena.fingerprint(&self.outputs)
+    }
+}
+
+/// A graph as it was lowered.
+struct LoweredGraph {
+    graph: passes::Graph,
+    choices: Choices,
+    /// For each input, whether it stays the same over many calls.
+    uniform: Vec<bool>,
+    /// Values that are known to be zero; none where the graph is too large for the passes.
+    relations: Option<Vec<Value>>,
+}
+
+/// A lowered graph whose uniform coefficients are collected.
+pub(crate) struct Staged {
+    /// The operations of each call, then all operations, before the other passes.
+    pub(crate) price: (usize, usize),
+    lowered: LoweredGraph,
+}
+
+impl Staged {
+    /// The kernel that the other passes make of it.
+    pub(crate) fn kernel(self) -> Kernel {
+        self.lowered.kernel()
+    }
+}
+
+impl LoweredGraph {
+    /// The ways to collect its uniform coefficients, the cheapest first.
+    fn staged(&self) -> Vec<Staged> {
+        let (arena, outputs) = &self.graph;
+        let Some(relations) = &self.relations else {
+            return Vec::new();
+        };
+        let is_broken = self.choices.all.broken == Some(Rule::UniformCoefficients);
+        let staged = |mut collected: Collected| {
+            if is_broken
+                && let Some(output) = collected
+                    .graph
+                    .1
+                    .iter_mut()
+                    .find(|v| v.as_constant().is_none())
+            {
+                *output = -*output;
+            }
+            Staged {
+                price: collected.price,
+                lowered: Self {
+                    choices: self.choices.clone(),
+                    graph: collected.graph,
+                    uniform: self.uniform.clone(),
+                    relations: Some(collected.relations),
+                },
+            }
+        };
+        let found = passes::uniform_coefficients(arena, outputs, relations, &self.uniform);
+        found.into_iter().map(staged).collect()
+    }
+
+    /// The kernel that the passes make of it.
+    fn kernel(self) -> Kernel {
+        let (arena, outputs) = match &self.relations {
+            None => self.graph,
+            Some(relations) => {
+                let (arena, outputs) = self.graph;
+                let graph = passes::optimise(arena, outputs, &self.uniform, relations);
+                finished(passes::reciprocal(&graph.0, &graph.1).unwrap_or(graph))
+            }
+        };
+        Kernel {
+            arena,
+            outputs,
+            choices: self.choices,
+            uniform: self.uniform,
+        }
     }
 }
 

@@ -24,6 +24,9 @@ pub struct Choice {
     pub held: bool,
     /// For the image of a point divided by its weight.
     pub projection: ProjectionRule,
+    /// Whether the uniform coefficients of what varies are collected; see
+    /// [`Rule::UniformCoefficients`].
+    pub staged: bool,
     /// A rule that is broken on purpose, to test that the check of expansions notices it.
     pub broken: Option<Rule>,
 }
@@ -68,6 +71,9 @@ pub enum Rule {
     Rederive,
     /// A [`FormRule`].
     Form(FormRule),
+    /// What varies is written as a sum of monomials whose coefficients depend on uniform operands
+    /// alone, by the distributive law; see `passes/coefficients.rs`.
+    UniformCoefficients,
 }
 
 impl Default for Choice {
@@ -80,6 +86,7 @@ impl Default for Choice {
             rederive: false,
             held: false,
             projection: ProjectionRule::Division,
+            staged: false,
             broken: None,
         }
     }
@@ -152,9 +159,12 @@ impl Choice {
             ProjectionRule::Reciprocal => Some("reciprocal weight"),
             ProjectionRule::Image => Some("image of weight 1"),
         };
-        [sandwich, join, inner, meet, rederive, held, projection]
-            .into_iter()
-            .flatten()
-            .collect()
+        let staged = self.staged.then_some("uniform coefficients");
+        [
+            sandwich, join, inner, meet, rederive, held, projection, staged,
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
     }
 }

@@ -1,5 +1,6 @@
 //! What happens to a graph between lowering and emission.
 
+mod coefficients;
 mod cost;
 mod factor;
 mod flatten;
@@ -16,6 +17,7 @@ mod stage;
 mod substitute;
 mod uniformity;
 
+pub(crate) use coefficients::{Collected, uniform_coefficients};
 pub use cost::{Cost, cost};
 pub use factor::factor;
 pub use flatten::flatten;

@@ -98,7 +98,7 @@ pub(super) fn image(images: &[Value], value: Value) -> Value {
     images[value.node.index()].scaled(value.factor)
 }
 
-fn copied(copy: &mut Arena, node: &Node, images: &[Value]) -> Option<Value> {
+pub(super) fn copied(copy: &mut Arena, node: &Node, images: &[Value]) -> Option<Value> {
     match node {
         Node::One | Node::Input(_) => Some(Value::ONE),
         Node::Sum(terms) => match &**terms {

@@ -12,7 +12,8 @@
 //!    which read the node;
 //! 3. a sum takes another scale where that saves something.
 //!
-//! An alternative leaves out the first two steps, and the cheaper result is taken. It is right
+//! An alternative leaves out the first two steps, and where inputs are uniform, another one moves
+//! factors of products to uniform operands only. The cheapest result is taken. It is right
 //! because the scale of a node is divided out again where the node is read.
 
 use std::collections::BTreeMap;
@@ -38,18 +39,20 @@ pub fn scale(arena: &Arena, outputs: &[Value], uniform: &[bool]) -> Option<Graph
     let start = Scales::new(arena, outputs, &reads, uniform);
     let mut plain = start.clone();
     plain.settle_sums();
-    let mut pushed = start.clone();
-    pushed.push_down();
-    pushed.add_multiples();
-    pushed.settle_sums();
-    pushed.add_multiples();
-    let best = if pushed.total < plain.total {
-        pushed
-    } else {
-        plain
-    };
+    let has_uniform = uniform.contains(&true);
+    let mut best = plain;
+    for is_staged in [false, true].into_iter().take(1 + usize::from(has_uniform)) {
+        let mut pushed = start.clone();
+        pushed.push_down(is_staged);
+        pushed.add_multiples();
+        pushed.settle_sums();
+        pushed.add_multiples();
+        if pushed.total < best.total {
+            best = pushed;
+        }
+    }
     // A uniform multiple is worth a node even if it is read once.
-    let is_better = best.total < start.total || uniform.contains(&true);
+    let is_better = best.total < start.total || has_uniform;
     is_better.then(|| best.build(outputs, &reads))?
 }
 
@@ -188,9 +191,15 @@ impl<'a> Scales<'a> {
         best.map(|(multiple, _)| *multiple)
     }
 
-    /// Moves factors to the operands, from the outputs to the inputs.
-    fn push_down(&mut self) {
-        let is_sum = |id: NodeId| matches!(self.arena.node(id), Node::Sum(_));
+    /// Moves factors to the operands, from the outputs to the inputs: those of products to a sum,
+    /// or only to what is uniform.
+    fn push_down(&mut self, is_staged: bool) {
+        let weights = self.weights.clone();
+        let arena = self.arena;
+        let is_taken = |id: NodeId| match is_staged {
+            true => weights[id.index()] != VARYING,
+            false => matches!(arena.node(id), Node::Sum(_)),
+        };
         for id in self.live.clone().into_iter().rev() {
             let Some(multiple) = self.most_wanted(id) else {
                 continue;
@@ -200,8 +209,8 @@ impl<'a> Scales<'a> {
             }
             match self.arena.node(id) {
                 Node::Sum(_) => self.set_sum(id, multiple),
-                Node::Product(a, b) if is_sum(*a) => self.set_product(id, [multiple, Ratio::ONE]),
-                Node::Product(a, b) if is_sum(*b) => self.set_product(id, [Ratio::ONE, multiple]),
+                Node::Product(a, b) if is_taken(*a) => self.set_product(id, [multiple, Ratio::ONE]),
+                Node::Product(a, b) if is_taken(*b) => self.set_product(id, [Ratio::ONE, multiple]),
                 _ => {}
             }
         }

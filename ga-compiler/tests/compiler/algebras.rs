@@ -94,6 +94,7 @@ pub(crate) fn renamed() -> Definition {
             }
             #[hull(AnyEven)] #[facts(unit_versor)]
             struct Scaling { infinityorigin, scalar }
+            struct Volume { infinityxyzorigin }
         }
     })
 }

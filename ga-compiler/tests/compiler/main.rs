@@ -11,3 +11,4 @@ mod language;
 mod passes;
 mod rules;
 mod snapshots;
+mod staging;

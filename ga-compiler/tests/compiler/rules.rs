@@ -316,6 +316,16 @@ fn a_broken_rule_is_refused_in_functions() {
             },
             Rule::Projection(ProjectionRule::Reciprocal),
         ),
+        (
+            "fn moved(uniform m: Motor, uniform n: Motor, p: Point) -> Point {
+                sandwich(m, sandwich(n, p))
+            }",
+            Choice {
+                staged: true,
+                ..Choice::default()
+            },
+            Rule::UniformCoefficients,
+        ),
     ] {
         let functions = parse_functions(source.parse().expect("tokens")).expect("a function");
         let block = Block {
