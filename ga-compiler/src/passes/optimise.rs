@@ -21,6 +21,8 @@ pub fn optimise(arena: Arena, outputs: Vec<Value>, uniform: &[bool], relations: 
             let graph = apply(graph, substitute);
             let graph = apply(graph, |arena, outputs| hoist(arena, outputs, uniform));
             let graph = apply(graph, |arena, outputs| scale(arena, outputs, uniform));
+            // Factors that have moved to the terms of sums let these merge with others.
+            let graph = apply(graph, |arena, outputs| hoist(arena, outputs, uniform));
             let next = Candidate::new(graph, uniform);
             if next.price < best.price {
                 best = next;
