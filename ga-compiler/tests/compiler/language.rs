@@ -42,7 +42,7 @@ const KERNELS: [(&str, &str); 16] = [
     ),
     (
         "fn f(uniform s: Sphere, l: Line) -> Point { endpoints(l & s).0 }",
-        "40 mul, 23 add, 1 div, 1 sqrt, 1 other",
+        "34 mul, 18 add, 1 div, 1 sqrt, 1 other",
     ),
     (
         "fn f(m: Motor, v: RoundVector) -> Point { sandwich(m, point(v)) }",

@@ -134,6 +134,9 @@ fn scalar_function(function: Function, arguments: &[f64]) -> f64 {
     match function {
         Function::SquareRoot => x.sqrt(),
         Function::Absolute => x.abs(),
+        Function::Select if x == 0.0 => arguments[2],
+        Function::Select => arguments[1],
+        Function::Less => f64::from(u8::from(x < arguments[1])),
         Function::StumpffCosine => root.cos(),
         Function::StumpffSine if root < 1e-3 => 1.0 + x / 6.0,
         Function::StumpffSine => root.sin() / root,
@@ -276,6 +279,25 @@ fn inversions_in_spheres_far_from_the_origin() {
             let near = plus(centre, random.vector(1.0));
             let square = dot(centre, centre);
             joined([&centre, &[1.0, 0.5 * (square - 1e-2)], &near])
+        });
+    }
+}
+
+#[test]
+fn lines_that_nearly_touch_a_sphere() {
+    let source = "fn f(uniform s: DualSphere, p: Point, q: Point) -> Point {
+        endpoints((p ^ q ^ ei) & undual(s)).0
+    }";
+    for depth in [1e-2, 0.5] {
+        check(source, |random| {
+            let (centre, axis) = (random.vector(10.0), random.direction());
+            let across = cross(axis, random.direction());
+            let across = across.map(|x| x / dot(across, across).sqrt());
+            // The nearest point of the line lies this deep in the sphere of radius 1.
+            let nearest = plus(centre, across.map(|x| x * (1.0 - depth)));
+            let [p, q] = [-2.0, 3.0].map(|way| plus(nearest, axis.map(|x| x * way)));
+            let square = dot(centre, centre) - 1.0;
+            joined([&centre, &[1.0, 0.5 * square], &p, &q])
         });
     }
 }

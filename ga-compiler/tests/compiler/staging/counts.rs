@@ -34,7 +34,7 @@ const STAGED: &[Row] = &[
         "uniform m: Motor, uniform n: Motor, x: Line -> Line",
         "uniform m: Motion, uniform n: Motion, x: Axis -> Axis",
         "sandwich(m, sandwich(n, x))",
-        [27, 21],
+        [24, 18],
     ),
     (
         "uniform m: Motor, x: Point -> RoundVector",
@@ -47,7 +47,7 @@ const STAGED: &[Row] = &[
         "uniform m: RoundVector, x: Point -> RoundVector",
         "uniform m: Weighted, x: Place -> Weighted",
         "sandwich(m, x)",
-        [23, 22],
+        [16, 11],
     ),
     // The path between two motions: linear in functions of t and their products with it.
     (
@@ -98,7 +98,7 @@ const OTHERS: &[(&str, &str, [usize; 2])] = &[
     (
         "uniform s: Similarity, x: Line -> Line",
         "sandwich(s, x)",
-        [27, 21],
+        [27, 18],
     ),
     (
         "uniform v: EvenVersor, x: Point -> RoundVector",
@@ -118,7 +118,7 @@ const OTHERS: &[(&str, &str, [usize; 2])] = &[
     (
         "uniform m: Motor, a: Point, b: Point -> Line",
         "sandwich(m, a ^ b ^ ei)",
-        [30, 24],
+        [24, 21],
     ),
 ];
 
