@@ -150,7 +150,8 @@ fn the_real_feet_slide_no_more_than_recorded() {
             let step = place(after) - place(before);
             if step.length() < 0.01 {
                 recorded_slides.push(step.e1.hypot(step.e3));
-                let step = Vector::from(bones[after][ours][0]) - bones[before][ours][0].into();
+                let head = |frame: usize| Vector::from(bones[frame][ours][0]);
+                let step = head(after) - head(before);
                 slides.push(step.e1.hypot(step.e3));
             }
         }
