@@ -29,6 +29,9 @@ const MOST_SITES: usize = 8;
 const MOST_FORMS: usize = 6;
 const MOST_FINISHED: usize = 3;
 
+/// How often the kinds of rules are gone through.
+const MOST_ROUNDS: usize = 3;
+
 impl<'a> Task<'a> {
     /// The kernel by the given rules, or else the one of fewest operations that any rules give; of
     /// equals the first, or the one that works with differences.
@@ -147,53 +150,15 @@ fn by_best_choices(task: &Task<'_>) -> Kernel {
         acted: first.acted.clone(),
         best: task.optimised(first),
     };
-    let program = &*task.program;
-    if has_sandwich(program) {
-        for sandwich in SandwichRule::ALL {
-            search.improve(|choice| choice.sandwich = sandwich);
-        }
-        let has_quotient = program
-            .steps()
-            .any(|(_, step)| matches!(step, Step::Quotient(..)));
-        if has_quotient {
-            for projection in ProjectionRule::ALL {
-                search.improve(|choice| choice.projection = projection);
-            }
+    // A rule may pay only together with one that is tried later.
+    for _ in 0..MOST_ROUNDS {
+        let before = search.best.rank();
+        search.improve_kinds();
+        search.improve_sites();
+        if search.best.rank() == before {
+            break;
         }
     }
-    if has_product(program, &[Product::Wedge]) {
-        for join in JoinRule::ALL {
-            search.improve(|choice| choice.join = join);
-        }
-    }
-    let inner = [
-        Product::LeftContraction,
-        Product::RightContraction,
-        Product::ScalarProduct,
-    ];
-    if has_product(program, &inner) {
-        for inner in InnerRule::ALL {
-            search.improve(|choice| choice.inner = inner);
-        }
-    }
-    if has_product(program, &[Product::Vee]) && has_product(program, &[Product::Wedge]) {
-        for meet in MeetRule::ALL {
-            search.improve(|choice| choice.meet = meet);
-        }
-    }
-    if program.has_kinds() {
-        search.improve(|choice| choice.rederive = true);
-        for sandwich in SandwichRule::ALL {
-            search.improve(|choice| {
-                choice.rederive = true;
-                choice.sandwich = sandwich;
-            });
-        }
-    }
-    if program.operands.iter().any(is_derived) {
-        search.improve(|choice| choice.held = true);
-    }
-    search.improve_sites();
     staged(task, search.best)
 }
 
@@ -208,6 +173,56 @@ struct Search<'t, 'a> {
 }
 
 impl Search<'_, '_> {
+    /// Tries the kinds of rules one after the other.
+    fn improve_kinds(&mut self) {
+        let program = &*self.task.program;
+        if has_sandwich(program) {
+            for sandwich in SandwichRule::ALL {
+                self.improve(|choice| choice.sandwich = sandwich);
+            }
+        }
+        let has_quotient = program
+            .steps()
+            .any(|(_, step)| matches!(step, Step::Quotient(..)));
+        if has_quotient {
+            for projection in ProjectionRule::ALL {
+                self.improve(|choice| choice.projection = projection);
+            }
+        }
+        if has_product(program, &[Product::Wedge]) {
+            for join in JoinRule::ALL {
+                self.improve(|choice| choice.join = join);
+            }
+        }
+        let inner = [
+            Product::LeftContraction,
+            Product::RightContraction,
+            Product::ScalarProduct,
+        ];
+        if has_product(program, &inner) {
+            for inner in InnerRule::ALL {
+                self.improve(|choice| choice.inner = inner);
+            }
+        }
+        if has_product(program, &[Product::Vee]) && has_product(program, &[Product::Wedge]) {
+            for meet in MeetRule::ALL {
+                self.improve(|choice| choice.meet = meet);
+            }
+        }
+        if program.has_kinds() {
+            self.improve(|choice| choice.rederive = !choice.rederive);
+            for sandwich in SandwichRule::ALL {
+                self.improve(|choice| {
+                    choice.rederive = true;
+                    choice.sandwich = sandwich;
+                });
+            }
+        }
+        if program.operands.iter().any(is_derived) {
+            self.improve(|choice| choice.held = true);
+        }
+    }
+
     fn improve(&mut self, change: impl Fn(&mut Choice)) {
         let mut choices = self.best.choices.clone();
         change(&mut choices.all);

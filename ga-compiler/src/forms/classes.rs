@@ -226,6 +226,12 @@ impl<'a> Classes<'a> {
         key(a).cmp(&key(b)).then_with(by_value)
     }
 
+    /// Whether a class is the image under an action.
+    pub(super) fn has_action(&self, id: ClassId) -> bool {
+        let mut ways = self.class(id).ways.iter();
+        ways.any(|way| matches!(way.operation, Operation::Sandwich(..)))
+    }
+
     /// The known class of a multivector, if there is one. Quotients and functions in the given
     /// classes limit where it exists.
     pub(super) fn find(&self, values: &[Numbers], from: &[ClassId]) -> Option<Term> {

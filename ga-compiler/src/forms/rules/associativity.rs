@@ -19,33 +19,55 @@ pub(super) fn apply(classes: &mut Classes<'_>, id: ClassId, way: &Way) {
     else {
         return;
     };
-    for start in 0..factors.len() {
-        for end in start + 2..=factors.len() {
-            if end - start == factors.len() {
-                continue;
+    if way.rule == RULE {
+        return;
+    }
+    let whole = factors.len();
+    for start in 0..whole {
+        for end in start + 2..=whole {
+            let operation = Operation::Product(*product, factors[start..end].to_vec());
+            if end - start < whole
+                && let Some(group) = classes.known(&operation)
+            {
+                let mut grouped = factors[..start].to_vec();
+                grouped.push(group.class);
+                grouped.extend(&factors[end..]);
+                add(classes, id, way, *product, grouped, group.factor);
             }
-            let group = &factors[start..end];
-            let operation = Operation::Product(*product, group.to_vec());
-            let is_split = *product == Product::Geometric
-                && factors.len() <= LONGEST
-                && (start == 0 || end == factors.len());
-            let group = match classes.known(&operation) {
-                Some(known) => known,
-                None if is_split => match classes.chain(*product, group, RULE) {
-                    Some(made) => made,
-                    None => continue,
-                },
-                None => continue,
-            };
-            let mut grouped = factors[..start].to_vec();
-            grouped.push(group.class);
-            grouped.extend(&factors[end..]);
-            // factor · chain is the multivector of the class, and the chain a multiple of this.
-            let term = Term {
-                class: id,
-                factor: Ratio::ONE / (way.factor * group.factor),
-            };
-            classes.add_way(Operation::Product(*product, grouped), term, RULE);
         }
     }
+    if *product == Product::Geometric && (3..=LONGEST).contains(&whole) {
+        for place in 1..whole {
+            let (left, right) = factors.split_at(place);
+            if let Some(left) = classes.chain(*product, left, RULE)
+                && let Some(right) = classes.chain(*product, right, RULE)
+            {
+                let grouped = vec![left.class, right.class];
+                add(
+                    classes,
+                    id,
+                    way,
+                    *product,
+                    grouped,
+                    left.factor * right.factor,
+                );
+            }
+        }
+    }
+}
+
+/// Adds a grouping, the chain being the given multiple of it.
+fn add(
+    classes: &mut Classes<'_>,
+    id: ClassId,
+    way: &Way,
+    product: Product,
+    grouped: Vec<ClassId>,
+    factor: Ratio,
+) {
+    let term = Term {
+        class: id,
+        factor: Ratio::ONE / (way.factor * factor),
+    };
+    classes.add_way(Operation::Product(product, grouped), term, RULE);
 }

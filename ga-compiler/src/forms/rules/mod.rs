@@ -15,7 +15,8 @@ mod reversal;
 
 use rustc_hash::FxHashMap;
 
-use super::classes::{ClassId, Classes, Way};
+use super::classes::{ClassId, Classes, Operation, Way};
+use crate::algebra::Product;
 
 /// A rule: looks at one way to a class and proposes others.
 type Apply = fn(&mut Classes<'_>, ClassId, &Way);
@@ -35,8 +36,11 @@ const RULES: [Apply; 12] = [
     associativity::apply,
 ];
 
+/// How many of the rules are for all products.
+const EARLY: usize = 2;
+
 /// How many ways may be found beyond those that the program has.
-const MOST_WAYS: usize = 120;
+const MOST_WAYS: usize = 240;
 
 /// Applies all rules to all ways, those that are found included, up to a bound. A rule looks at the
 /// ways to what an operation reads, so it is applied again where there are more of those.
@@ -59,7 +63,13 @@ pub(super) fn saturate(classes: &mut Classes<'_>) {
                 if seen.insert((id, number), below) != Some(below) {
                     has_changed = true;
                     let way = way.clone();
-                    for apply in RULES {
+                    for (number, apply) in RULES.iter().enumerate() {
+                        // A product that is an action is not looked at in another way.
+                        let is_product =
+                            matches!(way.operation, Operation::Product(Product::Geometric, _));
+                        if number >= EARLY && is_product && classes.has_action(id) {
+                            break;
+                        }
                         apply(classes, id, &way);
                     }
                     if classes.ways > limit {

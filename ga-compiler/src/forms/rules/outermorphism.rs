@@ -51,7 +51,8 @@ fn inwards(classes: &mut Classes<'_>, versor: ClassId, operand: ClassId) {
     let versor = Term::of(versor);
     for way in classes.class(operand).ways.clone() {
         match &way.operation {
-            Operation::Product(product, factors) => {
+            // Of a geometric product the whole is moved more cheaply.
+            Operation::Product(product, factors) if *product != Product::Geometric => {
                 let images: Option<Vec<Term>> = factors
                     .iter()
                     .map(|factor| classes.sandwich(versor, Term::of(*factor), RULE))
