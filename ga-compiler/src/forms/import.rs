@@ -3,6 +3,7 @@
 use super::FormRule;
 use super::classes::{Classes, Operation, Term};
 use super::make::Made;
+use super::rules;
 use crate::algebra::{Product, Ratio, Unary};
 use crate::ir::Function;
 use crate::member::Numbers;
@@ -41,8 +42,12 @@ pub(super) fn import(
             }
         }
     }
+    let is_inner = inner_products(program, wanted, &is_needed);
     for (id, step) in program.steps().filter(|(id, _)| is_needed[id.index()]) {
         let get = |id: &StepId| made[id.index()];
+        if is_inner[id.index()] {
+            continue;
+        }
         let next = match step {
             Step::Operand(_) => made[id.index()],
             Step::Constant(blade, factor) => {
@@ -54,6 +59,11 @@ pub(super) fn import(
             }
             Step::Unary(Unary::Reverse, a) => get(a).and_then(|a| reversed(classes, a)),
             Step::Unary(unary, a) => get(a).and_then(|a| classes.unary(*unary, a, None)),
+            Step::Binary(Product::Geometric, ..) => {
+                let mut parts = Some(Vec::new());
+                gather(program, &is_inner, &made, id, &mut parts);
+                parts.and_then(|parts| product_of(classes, &parts))
+            }
             Step::Binary(product, a, b) => get(a)
                 .zip(get(b))
                 .and_then(|(a, b)| classes.product(*product, a, b, None)),
@@ -91,6 +101,62 @@ pub(super) fn import(
 /// Zero, as a multiple of one.
 fn zero(one: Made) -> Made {
     one.map(|one| one.scaled(Ratio::ZERO))
+}
+
+/// The geometric products that nothing but another geometric product reads, once.
+fn inner_products(program: &Program<'_>, wanted: &[StepId], is_needed: &[bool]) -> Vec<bool> {
+    let mut readers: Vec<Vec<StepId>> = vec![Vec::new(); program.len()];
+    for (id, step) in program.steps().filter(|(id, _)| is_needed[id.index()]) {
+        for read in step.reads() {
+            readers[read.index()].push(id);
+        }
+    }
+    let is_product = |id: StepId| matches!(program.step(id), Step::Binary(Product::Geometric, ..));
+    program
+        .steps()
+        .map(|(id, _)| {
+            let is_read_once = matches!(readers[id.index()].as_slice(), [by] if is_product(*by));
+            is_product(id) && is_read_once && !wanted.contains(&id)
+        })
+        .collect()
+}
+
+/// The factors of a product; none if one of them is zero.
+fn gather(
+    program: &Program<'_>,
+    is_inner: &[bool],
+    made: &[Made],
+    id: StepId,
+    parts: &mut Option<Vec<Term>>,
+) {
+    let Step::Binary(_, a, b) = program.step(id) else {
+        return;
+    };
+    for part in [*a, *b] {
+        if is_inner[part.index()] {
+            gather(program, is_inner, made, part, parts);
+        } else {
+            match (made[part.index()], &mut *parts) {
+                (Some(term), Some(parts)) => parts.push(term),
+                _ => *parts = None,
+            }
+        }
+    }
+}
+
+/// A geometric product of several, actions in it taken first.
+fn product_of(classes: &mut Classes<'_>, parts: &[Term]) -> Made {
+    let mut factor = Ratio::ONE;
+    let mut ids = Vec::new();
+    for part in parts {
+        factor = factor * part.factor;
+        ids.push(part.class);
+    }
+    let whole = match rules::as_action(classes, &ids, None) {
+        Some(whole) => Some(whole),
+        None => classes.chain(Product::Geometric, &ids, None),
+    };
+    whole.map(|term| term.scaled(factor))
 }
 
 fn function_of(

@@ -181,70 +181,61 @@ impl Classes<'_> {
                 _ => {}
             }
         }
-        let is_chain = matches!(product, Product::Geometric | Product::Wedge);
+        if matches!(product, Product::Geometric | Product::Wedge) {
+            return self
+                .chain(product, &[a, b], rule)
+                .map(|term| term.scaled(factor));
+        }
         let of = |classes: &Self| {
             classes.each_of_two(a, b, |a, b| {
                 numbers::product(classes.algebra, product, a, b)
             })
         };
-        if !is_chain {
-            let operation = Operation::Product(product, vec![a, b]);
-            return self
-                .insert(operation, of, rule)
-                .map(|term| term.scaled(factor));
-        }
-        let mut factors = Vec::new();
-        for part in [a, b] {
-            match self.factors(product, part) {
-                Some((inner, own)) => {
-                    factor = factor * own;
-                    factors.extend(inner);
-                }
-                None => factors.push(part),
-            }
-        }
-        // The value of the flat chain is that of the two parts, but for factors that moved out.
-        let mut moved = Ratio::ONE;
-        for part in [a, b] {
-            if let Some((_, own)) = self.factors(product, part) {
-                moved = moved * own;
-            }
-        }
-        let (factors, sign) = self.in_order(product, factors);
-        let scale = Ratio::ONE / (moved * sign);
-        factor = factor * sign;
-        if let [single] = factors.as_slice() {
-            return Some(Term::of(*single).scaled(factor));
-        }
-        let of = |classes: &Self| {
-            let scale = Residue::from_ratio(scale);
-            let values = of(classes);
-            values
-                .iter()
-                .map(|value| numbers::scaled(value, scale))
-                .collect()
-        };
-        self.insert(Operation::Product(product, factors), of, rule)
+        let operation = Operation::Product(product, vec![a, b]);
+        self.insert(operation, of, rule)
             .map(|term| term.scaled(factor))
     }
 
-    /// A chain of factors.
+    /// A geometric or an outer product of classes, with the factors of those that are such
+    /// products.
     pub(super) fn chain(
         &mut self,
         product: Product,
-        factors: &[ClassId],
+        parts: &[ClassId],
         rule: Option<FormRule>,
     ) -> Made {
-        let (&last, first) = factors.split_last()?;
-        if first.is_empty() {
-            return Some(Term::of(last));
+        let mut flat = Vec::new();
+        let mut moved = Ratio::ONE;
+        for part in parts {
+            match self.factors(product, *part) {
+                Some((inner, own)) => {
+                    moved = moved * own;
+                    flat.extend(inner);
+                }
+                None => flat.push(*part),
+            }
         }
-        let operation = Operation::Product(product, factors.to_vec());
-        if let Some(known) = self.known(&operation) {
-            return Some(known);
+        let (flat, sign) = self.in_order(product, flat);
+        let factor = moved * sign;
+        if let [single] = flat.as_slice() {
+            return Some(Term::of(*single).scaled(factor));
         }
-        let first = self.chain(product, first, rule)?;
-        self.product(product, first, Term::of(last), rule)
+        let of = |classes: &Self| {
+            let scale = Residue::from_ratio(Ratio::ONE / factor);
+            let points = 0..classes.points();
+            points
+                .map(|point| {
+                    let mut values = parts.iter().map(|id| &classes.class(*id).values[point]);
+                    let first = values.next().cloned().unwrap_or_default();
+                    let first = numbers::scaled(&first, scale);
+                    values.fold(first, |whole, next| {
+                        numbers::product(classes.algebra, product, &whole, next)
+                    })
+                })
+                .collect()
+        };
+        self.insert(Operation::Product(product, flat), of, rule)
+            .map(|term| term.scaled(factor))
     }
 
     /// The factors of a class that is a chain, and the factor in front of it.

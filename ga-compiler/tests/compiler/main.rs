@@ -11,4 +11,5 @@ mod language;
 mod passes;
 mod rules;
 mod snapshots;
+mod spelling;
 mod staging;

@@ -2,8 +2,9 @@
 //! M, and `M X ~M = −M X̂ ~M` for an odd M and an odd X. Next to each other, `M ~M = 1` for a
 //! unit versor.
 //!
-//! Inside a longer product this holds for any two factors, since the product is associative. What
-//! stands between the two is taken first, so that of `a b X ~b ~a` first b acts and then a.
+//! Inside a longer product this holds for any two factors, since the product is associative. The
+//! first factor of which the reverse follows is taken with its last reverse, so that
+//! `a b X ~b ~a` is the action of a on the action of b; composed actions follow from that.
 
 use crate::algebra::{Product, Ratio, Unary};
 use crate::forms::FormRule;
@@ -14,40 +15,90 @@ pub(super) fn apply(classes: &mut Classes<'_>, _: ClassId, way: &Way) {
     let Operation::Product(Product::Geometric, factors) = &way.operation else {
         return;
     };
-    for (first, &versor) in factors.iter().enumerate() {
-        if classes.is_scalar(versor) {
-            continue;
-        }
-        let Some(reverse) = reverse(classes, versor) else {
-            continue;
-        };
-        for (last, other) in factors.iter().enumerate().skip(first + 1) {
-            if *other != reverse.class {
-                continue;
-            }
-            let Some(image) = between(classes, versor, &factors[first + 1..last]) else {
-                continue;
-            };
-            // What is left, with the image in place of the action.
-            let mut rest = factors[..first].to_vec();
-            rest.push(image.class);
-            rest.extend(&factors[last + 1..]);
-            classes.chain(Product::Geometric, &rest, Some(FormRule::Conjugation));
-        }
+    if let Some((first, last)) = ends(classes, factors) {
+        replaced(classes, factors, first, last, Some(FormRule::Conjugation));
     }
 }
 
-/// `M X ~M`.
-fn between(classes: &mut Classes<'_>, versor: ClassId, middle: &[ClassId]) -> Option<Term> {
-    let rule = Some(FormRule::Conjugation);
-    if middle.is_empty() {
-        return if classes.is_unit(versor) {
-            classes.one()
-        } else {
-            None
-        };
+/// A product as an action, if it is one from its first factor to its last.
+pub(in crate::forms) fn as_action(
+    classes: &mut Classes<'_>,
+    parts: &[ClassId],
+    rule: Option<FormRule>,
+) -> Option<Term> {
+    let mut factors = Vec::new();
+    let mut scale = Ratio::ONE;
+    for part in parts {
+        match classes.factors(Product::Geometric, *part) {
+            Some((inner, own)) => {
+                scale = scale * own;
+                factors.extend(inner);
+            }
+            None => factors.push(*part),
+        }
     }
-    let middle = classes.chain(Product::Geometric, middle, rule)?;
+    let (first, last) = ends(classes, &factors)?;
+    if (first, last) != (0, factors.len() - 1) || factors.len() < 3 {
+        return None;
+    }
+    let middle = &factors[1..last];
+    let middle = match as_action(classes, middle, rule) {
+        Some(image) => image,
+        None => classes.chain(Product::Geometric, middle, rule)?,
+    };
+    let image = acted(classes, factors[0], middle, rule)?;
+    let reverse = reverse(classes, factors[0])?;
+    Some(image.scaled(scale / reverse.factor))
+}
+
+/// The first factor of which the reverse follows, and the last place where it does.
+fn ends(classes: &Classes<'_>, factors: &[ClassId]) -> Option<(usize, usize)> {
+    factors.iter().enumerate().find_map(|(first, versor)| {
+        if classes.is_scalar(*versor) {
+            return None;
+        }
+        let reverse = reverse(classes, *versor)?;
+        let last = factors.iter().rposition(|other| *other == reverse.class)?;
+        (last > first).then_some((first, last))
+    })
+}
+
+/// Adds the product with the action between two places in place of its factors.
+fn replaced(
+    classes: &mut Classes<'_>,
+    factors: &[ClassId],
+    first: usize,
+    last: usize,
+    rule: Option<FormRule>,
+) {
+    let versor = factors[first];
+    let middle = &factors[first + 1..last];
+    let image = if middle.is_empty() {
+        if !classes.is_unit(versor) {
+            return;
+        }
+        classes.one()
+    } else {
+        let middle = match as_action(classes, middle, rule) {
+            Some(image) => Some(image),
+            None => classes.chain(Product::Geometric, middle, rule),
+        };
+        middle.and_then(|middle| acted(classes, versor, middle, rule))
+    };
+    let Some(image) = image else { return };
+    let mut rest = factors[..first].to_vec();
+    rest.push(image.class);
+    rest.extend(&factors[last + 1..]);
+    classes.chain(Product::Geometric, &rest, rule);
+}
+
+/// `M X ~M` as an action.
+fn acted(
+    classes: &mut Classes<'_>,
+    versor: ClassId,
+    middle: Term,
+    rule: Option<FormRule>,
+) -> Option<Term> {
     let is_odd = classes.parity(versor)?;
     let sign = match is_odd {
         false => Ratio::ONE,

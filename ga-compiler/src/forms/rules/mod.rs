@@ -13,6 +13,8 @@ mod power;
 mod quotient;
 mod reversal;
 
+pub(super) use conjugation::as_action;
+
 use rustc_hash::FxHashMap;
 
 use super::classes::{ClassId, Classes, Operation, Way};
