@@ -123,12 +123,12 @@ impl Costs {
         Some(())
     }
 
-    /// The selections that look cheapest, the best first.
+    /// The selections that look cheapest, the best first: all, or so many that differ.
     pub(super) fn selections(
         &self,
         classes: &Classes<'_>,
         wanted: &[ClassId],
-        most: usize,
+        most: Option<usize>,
     ) -> Vec<Selection> {
         let Some(mut best) = self.select(classes, wanted, &[]) else {
             return Vec::new();
@@ -151,6 +151,7 @@ impl Costs {
         let least = best.cost;
         found.retain(|selection| selection.cost <= least + least);
         found.sort_by_key(|selection| selection.cost);
+        let Some(most) = most else { return found };
         // Of forms that differ in the grouping of products only, the first.
         let mut seen: Vec<Vec<Operation>> = Vec::new();
         found.retain(|selection| {
@@ -246,8 +247,10 @@ pub(super) fn extract<'a>(
         let mut step = emit(&mut program, &steps, &way.operation);
         let mut factor = way.factor;
         if let Some(rule) = way.rule {
+            // Two wrong signs might cancel.
+            let is_broken = broken == Some(rule) && !rules.contains(&rule);
             rules.push(rule);
-            if broken == Some(rule) {
+            if is_broken {
                 factor = -factor;
             }
         }

@@ -244,12 +244,25 @@ impl Classes<'_> {
         if class.is_leaf() {
             return None;
         }
-        class.ways.iter().find_map(|way| match &way.operation {
-            Operation::Product(other, factors) if *other == product => {
-                Some((factors.clone(), way.factor))
+        let chains = class.ways.iter().filter_map(|way| match &way.operation {
+            Operation::Product(other, factors)
+                if *other == product
+                    && factors.iter().all(|part| !self.is_chain(product, *part)) =>
+            {
+                Some((factors, way.factor))
             }
             _ => None,
-        })
+        });
+        let shortest = chains.min_by_key(|(factors, _)| factors.len());
+        shortest.map(|(factors, factor)| (factors.clone(), factor))
+    }
+
+    /// Whether a class is a chain, so that a chain with it as a factor is not flat.
+    fn is_chain(&self, product: Product, id: ClassId) -> bool {
+        let class = self.class(id);
+        let mut ways = class.ways.iter().map(|way| &way.operation);
+        !class.is_leaf()
+            && ways.any(|way| matches!(way, Operation::Product(other, _) if *other == product))
     }
 
     /// The factors in order, and the sign of the rearrangement: scalars first in a geometric

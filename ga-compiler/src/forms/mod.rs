@@ -67,7 +67,7 @@ pub(crate) fn cheapest<'a>(source: &Source<'_, 'a>, most: usize) -> Vec<Form<'a>
     };
     let ids: Vec<ClassId> = terms.iter().flatten().map(|term| term.class).collect();
     let costs = Costs::new(&mut classes);
-    let selections = costs.selections(&classes, &ids, most);
+    let selections = costs.selections(&classes, &ids, Some(most));
     let operands = &source.program.operands;
     selections
         .iter()
@@ -87,7 +87,7 @@ pub(crate) fn by_rules<'a>(source: &Source<'_, 'a>, choices: &Choices) -> Vec<Fo
         _ => None,
     };
     let operands = &source.program.operands;
-    let selections = costs.selections(&classes, &ids, usize::MAX);
+    let selections = costs.selections(&classes, &ids, None);
     let mut forms = selections
         .iter()
         .map(|selection| extract(&mut classes, operands, &known, selection, &terms, broken));

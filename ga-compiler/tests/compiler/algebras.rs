@@ -14,6 +14,14 @@ pub(crate) fn cga3_tokens() -> TokenStream {
     source[start..end].parse().expect("tokens")
 }
 
+/// The types of pga3.
+pub(crate) fn pga3() -> Definition {
+    let source = include_str!("../../../ga-runtime/src/algebras/pga3.rs");
+    let start = source.find("algebra! {").expect("the macro") + "algebra! {".len();
+    let end = source.rfind('}').expect("the macro");
+    check(source[start..end].parse().expect("tokens"))
+}
+
 /// The types of cga3.
 pub(crate) fn cga3() -> Definition {
     check(cga3_tokens())

@@ -6,6 +6,7 @@ mod algebras;
 mod counts;
 mod declarations;
 mod emit;
+mod forms;
 mod kernels;
 mod language;
 mod passes;

@@ -18,47 +18,81 @@ const RULE: Option<FormRule> = Some(FormRule::Definition);
 pub(super) fn apply(classes: &mut Classes<'_>, id: ClassId, way: &Way) {
     match &way.operation {
         Operation::Unary(Unary::Grade(grade), a) => {
-            let Some((factors, _)) = classes.factors(Product::Geometric, *a) else {
-                return;
-            };
-            let [a, b] = factors.as_slice() else { return };
-            let (Some(r), Some(s)) = (classes.grade(*a), classes.grade(*b)) else {
-                if *grade == 0 {
-                    try_product(classes, id, Product::ScalarProduct, *a, *b);
-                }
-                return;
-            };
-            let tried = [
-                (Product::ScalarProduct, Some(0)),
-                (Product::Wedge, Some(r + s)),
-                (Product::LeftContraction, s.checked_sub(r)),
-                (Product::RightContraction, r.checked_sub(s)),
-            ];
-            for (product, of) in tried {
-                if of == Some(*grade) {
-                    try_product(classes, id, product, *a, *b);
-                }
+            if let Some((factors, _)) = classes.factors(Product::Geometric, *a) {
+                part(classes, id, *grade, &factors);
             }
         }
         Operation::Sum(terms) => {
             let [first, second] = terms.as_slice() else {
                 return;
             };
-            let pair = |term: &Term| classes.factors(Product::Geometric, term.class);
-            let (Some((left, _)), Some((right, _))) = (pair(first), pair(second)) else {
-                return;
-            };
-            let ([a, b], [c, d]) = (left.as_slice(), right.as_slice()) else {
-                return;
-            };
-            if (a, b) != (d, c) {
-                return;
-            }
-            for product in Product::ALL.into_iter().skip(1) {
-                try_product(classes, id, product, *a, *b);
+            let chain = |term: &Term| classes.factors(Product::Geometric, term.class);
+            if let (Some((left, _)), Some((right, _))) = (chain(first), chain(second)) {
+                pair(classes, id, &left, &right);
             }
         }
         _ => {}
+    }
+}
+
+/// The longest product that is tried.
+const LONGEST: usize = 5;
+
+/// A part of the product of two parts of a chain.
+fn part(classes: &mut Classes<'_>, id: ClassId, grade: u32, factors: &[ClassId]) {
+    if factors.len() > LONGEST {
+        return;
+    }
+    for place in 1..factors.len() {
+        let (left, right) = factors.split_at(place);
+        if left.iter().all(|factor| classes.is_scalar(*factor)) {
+            continue;
+        }
+        let (Some(left), Some(right)) = (
+            classes.chain(Product::Geometric, left, RULE),
+            classes.chain(Product::Geometric, right, RULE),
+        ) else {
+            return;
+        };
+        let (a, b) = (left.class, right.class);
+        let tried = match (classes.grade(a), classes.grade(b)) {
+            (Some(r), Some(s)) => [
+                (Product::ScalarProduct, Some(0)),
+                (Product::Wedge, Some(r + s)),
+                (Product::LeftContraction, s.checked_sub(r)),
+                (Product::RightContraction, r.checked_sub(s)),
+            ],
+            _ => [(Product::ScalarProduct, Some(0)); 4],
+        };
+        for (product, of) in tried {
+            if of == Some(grade) {
+                try_product(classes, id, product, a, b);
+            }
+        }
+    }
+}
+
+/// A sum of `s a b` and a multiple of `s b a` with scalars s.
+fn pair(classes: &mut Classes<'_>, id: ClassId, left: &[ClassId], right: &[ClassId]) {
+    let scalars = left.iter().take_while(|id| classes.is_scalar(**id)).count();
+    if left.len() != right.len() || left[..scalars] != right[..scalars] {
+        return;
+    }
+    let (first, second) = (&left[scalars..], &right[scalars..]);
+    for place in 1..first.len() {
+        let (a, b) = first.split_at(place);
+        if [b, a].concat() != second {
+            continue;
+        }
+        let (Some(a), Some(b)) = (
+            classes.chain(Product::Geometric, &left[..scalars + place], RULE),
+            classes.chain(Product::Geometric, b, RULE),
+        ) else {
+            return;
+        };
+        for product in Product::ALL.into_iter().skip(1) {
+            try_product(classes, id, product, a.class, b.class);
+        }
     }
 }
 

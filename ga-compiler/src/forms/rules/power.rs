@@ -3,7 +3,7 @@
 //!
 //! A power of even exponent is a square: `M⁴ = (M²)²`, by associativity.
 
-use crate::algebra::{Product, Unary};
+use crate::algebra::{Product, Ratio, Unary};
 use crate::forms::FormRule;
 use crate::forms::classes::{ClassId, Classes, Operation, Term, Way};
 
@@ -17,6 +17,7 @@ pub(super) fn apply(classes: &mut Classes<'_>, id: ClassId, way: &Way) {
         return;
     };
     if rest.iter().any(|factor| *factor != base) {
+        group_powers(classes, id, way, factors);
         return;
     }
     if factors.len() == 2 && classes.is_unit(base) {
@@ -36,8 +37,33 @@ pub(super) fn apply(classes: &mut Classes<'_>, id: ClassId, way: &Way) {
         let operation = Operation::Product(Product::Geometric, vec![half.class; 2]);
         let term = Term {
             class: id,
-            factor: crate::algebra::Ratio::ONE / scale,
+            factor: Ratio::ONE / scale,
         };
         classes.add_way(operation, term, RULE);
+    }
+}
+
+/// Takes powers inside a chain as one factor.
+fn group_powers(classes: &mut Classes<'_>, id: ClassId, way: &Way, factors: &[ClassId]) {
+    for (start, base) in factors.iter().enumerate() {
+        if start > 0 && factors[start - 1] == *base {
+            continue;
+        }
+        let run = factors[start..].iter().take_while(|other| *other == base);
+        let end = start + run.count();
+        if end - start < 2 || classes.is_scalar(*base) {
+            continue;
+        }
+        let Some(power) = classes.chain(Product::Geometric, &factors[start..end], RULE) else {
+            continue;
+        };
+        let mut grouped = factors[..start].to_vec();
+        grouped.push(power.class);
+        grouped.extend(&factors[end..]);
+        let term = Term {
+            class: id,
+            factor: Ratio::ONE / (way.factor * power.factor),
+        };
+        classes.add_way(Operation::Product(Product::Geometric, grouped), term, RULE);
     }
 }

@@ -1,5 +1,5 @@
 //! Quotients by scalars and products: `(a/s) b = (a b)/s = a (b/s)`, by linearity. The divisor is the
-//! same in all of them, so that they exist for the same operands.
+//! same in all of them, so that they exist for the same operands; so it is in `a/s = (1/s) a`.
 
 use crate::algebra::Product;
 use crate::forms::FormRule;
@@ -20,6 +20,12 @@ pub(super) fn apply(classes: &mut Classes<'_>, _: ClassId, way: &Way) {
             }
         }
         Operation::Quotient(a, divisor) => {
+            if let Some(one) = classes.one()
+                && *a != one.class
+                && let Some(inverse) = classes.quotient(one, Term::of(*divisor), RULE)
+            {
+                classes.product(Product::Geometric, inverse, Term::of(*a), RULE);
+            }
             for other in classes.class(*a).ways.clone() {
                 let Operation::Product(product, factors) = &other.operation else {
                     continue;

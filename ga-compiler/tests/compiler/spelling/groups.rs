@@ -1,0 +1,440 @@
+//! Groups of spellings: the types of the operands and the result, and formulas that mean the same.
+
+pub(super) type Group = (&'static str, &'static [&'static str]);
+
+pub(super) const CGA3: &[Group] = &[
+    (
+        "m: Motor, n: Motor -> Motor",
+        &["rev(m * n)", "rev(n) * rev(m)"],
+    ),
+    ("m: Motor, n: Motor -> Motor", &["rev(m) * (m * n)", "n"]),
+    (
+        "m: Motor, n: Motor, p: Point -> Point",
+        &[
+            "sandwich(rev(m) * n, p)",
+            "sandwich(rev(m), sandwich(n, p))",
+            "rev(m) * n * p * rev(n) * m",
+            "inverse(m) * (n * p * inverse(n)) * m",
+        ],
+    ),
+    (
+        "a: Motor, b: Motor, c: Motor, p: Point -> Point",
+        &[
+            "sandwich(a * b * c, p)",
+            "sandwich(a, sandwich(b, sandwich(c, p)))",
+            "sandwich(a * b, sandwich(c, p))",
+            "a * b * c * p * rev(c) * rev(b) * rev(a)",
+            "let k = b * c; a * (k * p * rev(k)) * rev(a)",
+        ],
+    ),
+    (
+        "m: Motor, p: Point, q: Point -> Line",
+        &[
+            "sandwich(m, p ^ q ^ ei)",
+            "sandwich(m, p) ^ sandwich(m, q) ^ ei",
+            "m * (p ^ q ^ ei) * rev(m)",
+            "ei ^ sandwich(m, p) ^ sandwich(m, q)",
+            "let a = sandwich(m, p); let b = sandwich(m, q); a ^ b ^ ei",
+            "-(sandwich(m, q) ^ sandwich(m, p) ^ ei)",
+        ],
+    ),
+    (
+        "m: Motor, p: Point, q: Point, r: Point -> Circle",
+        &[
+            "sandwich(m, p ^ q ^ r)",
+            "sandwich(m, p) ^ sandwich(m, q) ^ sandwich(m, r)",
+            "sandwich(m, p ^ q) ^ sandwich(m, r)",
+        ],
+    ),
+    (
+        "p: Point, q: Point -> Scalar",
+        &[
+            "p | q",
+            "q | p",
+            "grade(p * q, 0)",
+            "scalar_product(p, q)",
+            "(p * q + q * p) / 2",
+            "right_contraction(p, q)",
+        ],
+    ),
+    (
+        "p: Point, q: Point -> Scalar",
+        &[
+            "-((p - q) | (p - q)) / 2",
+            "let d = q - p; scalar_product(d, d) / -2",
+        ],
+    ),
+    (
+        "a: Line, b: Line -> MotorGenerator",
+        &[
+            "commutator(a, b)",
+            "(a * b - b * a) / 2",
+            "0.5 * a * b - 0.5 * b * a",
+            "-commutator(b, a)",
+            "grade(a * b, 2) * 1",
+        ],
+    ),
+    (
+        "a: Sphere, b: Sphere -> Circle",
+        &[
+            "a & b",
+            "undual(dual(a) ^ dual(b))",
+            "-dual(dual(a) ^ dual(b))",
+            "dual(a) | b",
+            "let i = e123oi; ((a * inverse(i)) ^ (b * inverse(i))) * i",
+        ],
+    ),
+    (
+        "m: Motor, a: Sphere, b: Plane -> Circle",
+        &["sandwich(m, a & b)", "sandwich(m, a) & sandwich(m, b)"],
+    ),
+    (
+        "m: Similarity, x: Point -> Point",
+        &[
+            "let p = sandwich(m, x); p / p.eo",
+            "let p = sandwich(m, x); p * (1 / p.eo)",
+            "let p = sandwich(m, x); (1 / p.eo) * p",
+            "let p = sandwich(m, x); recip(p.eo) * p",
+            "let p = sandwich(m, x); -p / (-p.eo)",
+            "let p = sandwich(m, x); p / -(p | ei)",
+        ],
+    ),
+    (
+        "a: Rotor, b: Rotor -> Rotor",
+        &[
+            "a * b * rev(a)",
+            "sandwich(a, b)",
+            "a * b * inverse(a)",
+            "a * (b * rev(a))",
+            "rev(a * rev(b) * rev(a))",
+            "rev(a * rev(a * b))",
+        ],
+    ),
+    (
+        "t: Translator, r: Rotor, d: Dilator, p: Point -> RoundVector",
+        &[
+            "sandwich(t * r * d, p)",
+            "sandwich(t * r, sandwich(d, p))",
+            "sandwich(t, sandwich(r * d, p))",
+            "t * r * d * p * rev(d) * rev(r) * rev(t)",
+            "let m = t * r; let x = d * p * rev(d); m * x * rev(m)",
+        ],
+    ),
+    (
+        "m: Motor, p: Point, q: Point -> RoundVector",
+        &[
+            "sandwich(m, p + q)",
+            "sandwich(m, p) + sandwich(m, q)",
+            "sandwich(m, q + p)",
+            "m * q * rev(m) + m * p * rev(m)",
+        ],
+    ),
+    (
+        "m: Motor, p: Point, q: Point -> RoundVector",
+        &[
+            "sandwich(m, (p + q) / 2)",
+            "(sandwich(m, p) + sandwich(m, q)) / 2",
+            "0.5 * sandwich(m, p) + sandwich(m, q) * 0.5",
+        ],
+    ),
+    (
+        "m: Motor -> Motor",
+        &["m * m", "let k = m; k * m", "rev(rev(m) * rev(m))"],
+    ),
+    ("m: Motor -> Motor", &["m * m * m", "m * (m * m)"]),
+    (
+        "m: Motor -> Motor",
+        &["m * m * m * m", "let k = m * m; k * k", "m * (m * m) * m"],
+    ),
+    (
+        "m: Motor, p: Point -> Point",
+        &["sandwich(m * m, p)", "sandwich(m, sandwich(m, p))"],
+    ),
+    (
+        "s: DualSphere, p: Point -> RoundVector",
+        &["sandwich(s, p)", "-(s * p * rev(s))", "-(s * p * s)"],
+    ),
+    (
+        "s: DualPlane, p: Point -> RoundVector",
+        &["-(s * p * s)", "sandwich(s, p)"],
+    ),
+    (
+        "s: DualPlane, t: DualPlane, p: Point -> RoundVector",
+        &[
+            "sandwich(s, sandwich(t, p))",
+            "sandwich(s * t, p)",
+            "s * t * p * t * s",
+            "s * (t * p * rev(t)) * rev(s)",
+        ],
+    ),
+    (
+        "s: DualPlane, p: Point -> Point",
+        &[
+            "-(s * p * inverse(s))",
+            "-(s * p * s) / (s * s)",
+            "sandwich(s, p) / (s | s)",
+            "sandwich(s, p) / norm_squared(s)",
+        ],
+    ),
+    (
+        "a: RoundVector, b: RoundVector, c: RoundVector -> RoundVector",
+        &["a + b + c", "a + (b + c)", "c + a + b", "2 * a + b - a + c"],
+    ),
+    (
+        "s: Scalar, p: RoundVector, q: RoundVector -> PointPair",
+        &[
+            "s * (p ^ q)",
+            "(s * p) ^ q",
+            "(p ^ q) * s",
+            "p ^ (q * s)",
+            "-(q ^ (s * p))",
+        ],
+    ),
+    (
+        "p: RoundVector, q: RoundVector, r: RoundVector -> PointPair",
+        &["p ^ (q + r)", "(p ^ q) + (p ^ r)"],
+    ),
+    (
+        "m: Motor, n: Motor, k: Motor -> DualQuaternion",
+        &["m * (n + k)", "m * n + m * k"],
+    ),
+    (
+        "t: Scalar, p: RoundVector, q: RoundVector -> RoundVector",
+        &[
+            "p + t * (q - p)",
+            "(1 - t) * p + t * q",
+            "p - t * p + t * q",
+        ],
+    ),
+    (
+        "p: Point, q: Point -> Scalar",
+        &[
+            "sqrt(-2 * (p | q))",
+            "sqrt(2 * -(q | p))",
+            "sqrt((p - q) | (p - q))",
+            "norm(p - q)",
+        ],
+    ),
+    (
+        "p: RoundVector, q: RoundVector -> Scalar",
+        &[
+            "(p + q) | (p + q)",
+            "grade((p + q) * (p + q), 0)",
+            "norm_squared(p + q)",
+        ],
+    ),
+    (
+        "m: Motor, p: Point, q: Point -> PointPair",
+        &[
+            "sandwich(m, p ^ q)",
+            "sandwich(m, p) ^ sandwich(m, q)",
+            "m * (p ^ q) * rev(m)",
+            "-(sandwich(m, q) ^ sandwich(m, p))",
+        ],
+    ),
+    (
+        "m: Motor, p: Point, q: Point -> Scalar",
+        &[
+            "sandwich(m, p) | sandwich(m, q)",
+            "p | q",
+            "grade(m * p * rev(m) * m * q * rev(m), 0)",
+            "scalar_product(m * q * rev(m), sandwich(m, p))",
+        ],
+    ),
+    (
+        "m: Motor, p: Point -> Point",
+        &[
+            "rev(m) * (m * p * rev(m)) * m",
+            "p",
+            "sandwich(inverse(m), sandwich(m, p))",
+            "m * (rev(m) * p * m) * rev(m)",
+        ],
+    ),
+    (
+        "m: Motor, n: Motor, p: Point -> Point",
+        &[
+            "sandwich(m * n, p)",
+            "sandwich(m, sandwich(n, p))",
+            "let k = m * n; sandwich(k, p)",
+            "(m * n) * p * rev(m * n)",
+            "let k = m * n; k * p * rev(k)",
+            "m * n * p * inverse(m * n)",
+            "m * n * p * rev(n) * rev(m)",
+        ],
+    ),
+    (
+        "m: Motor, n: Motor, p: Point -> (Point, Motor)",
+        &[
+            "let k = m * n; (sandwich(k, p), k)",
+            "(sandwich(m, sandwich(n, p)), m * n)",
+            "(m * n * p * rev(m * n), rev(rev(n) * rev(m)))",
+        ],
+    ),
+    (
+        "uniform m: Motor, uniform n: Motor, p: Point -> Point",
+        &[
+            "sandwich(m * n, p)",
+            "sandwich(m, sandwich(n, p))",
+            "m * n * p * rev(n) * rev(m)",
+        ],
+    ),
+    (
+        "uniform m: Motor, n: Motor, p: Point -> Point",
+        &[
+            "sandwich(m * n, p)",
+            "sandwich(m, sandwich(n, p))",
+            "m * n * p * rev(n) * rev(m)",
+        ],
+    ),
+    (
+        "uniform m: Motor, p: Point, q: Point -> Line",
+        &[
+            "sandwich(m, p ^ q ^ ei)",
+            "sandwich(m, p) ^ sandwich(m, q) ^ ei",
+        ],
+    ),
+    (
+        "t: Translator, r: Rotor, d: Dilator, p: Point -> Point",
+        &[
+            "let q = sandwich(t * r * d, p); q / q.eo",
+            "let q = sandwich(t, sandwich(r, sandwich(d, p))); q / q.eo",
+            "let q = t * r * d * p * rev(t * r * d); q * (1 / q.eo)",
+        ],
+    ),
+    (
+        "m: Motor, a: Line, b: Line -> Scalar",
+        &[
+            "sandwich(m, a) | sandwich(m, b)",
+            "a | b",
+            "scalar_product(b, a)",
+        ],
+    ),
+    (
+        "m: Motor, a: Plane, b: Line -> FlatPoint",
+        &[
+            "sandwich(m, a & b)",
+            "sandwich(m, a) & sandwich(m, b)",
+            "undual(dual(sandwich(m, a)) ^ dual(sandwich(m, b)))",
+        ],
+    ),
+    (
+        "m: Motor, a: Sphere -> DualSphere",
+        &[
+            "dual(sandwich(m, a))",
+            "sandwich(m, dual(a))",
+            "sandwich(m, a) * inverse(e123oi)",
+            "-sandwich(m, a) * e123oi",
+        ],
+    ),
+    (
+        "r: Rotor, s: Rotor -> Rotor",
+        &[
+            "r * s * rev(r)",
+            "sandwich(r, s)",
+            "let k = r * s; k * rev(r)",
+        ],
+    ),
+    (
+        "p: Point, q: Point, r: Point -> Circle",
+        &[
+            "p ^ q ^ r",
+            "p ^ (q ^ r)",
+            "-(q ^ p ^ r)",
+            "wedge(wedge(p, q), r)",
+            "r ^ p ^ q",
+        ],
+    ),
+    (
+        "p: Point, q: Point, r: Point -> Plane",
+        &["p ^ q ^ r ^ ei", "-(ei ^ p ^ q ^ r)", "(p ^ q) ^ (r ^ ei)"],
+    ),
+    (
+        "a: RoundVector, b: RoundVector -> Even",
+        &["a * b", "(a | b) + (a ^ b)", "rev(b * a)"],
+    ),
+];
+
+pub(super) const PGA3: &[Group] = &[
+    (
+        "m: Motor, n: Motor, p: Point -> Point",
+        &[
+            "sandwich(m * n, p)",
+            "sandwich(m, sandwich(n, p))",
+            "m * n * p * rev(n) * rev(m)",
+            "m * n * p * inverse(m * n)",
+        ],
+    ),
+    (
+        "m: Motor, a: Plane, b: Plane -> Line",
+        &[
+            "sandwich(m, a ^ b)",
+            "sandwich(m, a) ^ sandwich(m, b)",
+            "-(sandwich(m, b) ^ sandwich(m, a))",
+        ],
+    ),
+    (
+        "m: Motor, p: Point -> Point",
+        &["rev(m) * (m * p * rev(m)) * m", "p"],
+    ),
+    ("m: Motor -> Motor", &["m * m", "rev(rev(m) * rev(m))"]),
+    (
+        "p: Point, q: Point -> Line",
+        &["p & q", "undual(dual(p) ^ dual(q))", "vee(p, q)"],
+    ),
+    (
+        "a: Plane, b: Plane -> Scalar",
+        &["a | b", "b | a", "grade(a * b, 0)", "(a * b + b * a) / 2"],
+    ),
+    (
+        "r: Rotor, s: Rotor -> Rotor",
+        &["r * s * rev(r)", "sandwich(r, s)", "r * (s * inverse(r))"],
+    ),
+    (
+        "m: Motor, a: Plane, b: Plane -> Plane",
+        &[
+            "sandwich(m, a + b)",
+            "sandwich(m, a) + sandwich(m, b)",
+            "m * b * rev(m) + m * a * rev(m)",
+        ],
+    ),
+];
+
+pub(super) const MINKOWSKI: &[Group] = &[
+    (
+        "m: Boost, n: Boost, v: Vector -> Vector",
+        &[
+            "sandwich(m * n, v)",
+            "sandwich(m, sandwich(n, v))",
+            "m * n * v * rev(n) * rev(m)",
+        ],
+    ),
+    (
+        "m: Boost, v: Vector, w: Vector -> Bivector",
+        &[
+            "sandwich(m, v ^ w)",
+            "sandwich(m, v) ^ sandwich(m, w)",
+            "(m * v * w * rev(m) - m * w * v * rev(m)) / 2",
+        ],
+    ),
+    (
+        "m: Boost, v: Vector, w: Vector -> Scalar",
+        &[
+            "sandwich(m, v) | sandwich(m, w)",
+            "v | w",
+            "(v * w + w * v) / 2",
+        ],
+    ),
+    (
+        "v: Vector, w: Vector -> Bivector",
+        &[
+            "v ^ w",
+            "-(w ^ v)",
+            "(v * w - w * v) / 2",
+            "commutator(v, w)",
+        ],
+    ),
+    (
+        "s: Scalar, v: Vector, w: Vector -> Bivector",
+        &["s * (v ^ w)", "(s * v) ^ w", "v ^ (w * s)"],
+    ),
+];
