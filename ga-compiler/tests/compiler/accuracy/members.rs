@@ -22,10 +22,18 @@ pub(crate) enum Family {
     Close,
     /// On one line up to 10⁻⁶.
     Sliver,
+    /// Two by two within 10⁻⁶ of each other.
+    Pairs,
 }
 
 impl Family {
-    pub(crate) const ALL: [Self; 4] = [Self::Ordinary, Self::Far, Self::Close, Self::Sliver];
+    pub(crate) const ALL: [Self; 5] = [
+        Self::Ordinary,
+        Self::Far,
+        Self::Close,
+        Self::Sliver,
+        Self::Pairs,
+    ];
 }
 
 /// A source of members: a linear congruential generator (Knuth's MMIX).
@@ -35,6 +43,8 @@ pub(crate) struct Source<'a> {
     state: u64,
     base: [f64; 3],
     direction: [f64; 3],
+    /// How many points there are already.
+    points: usize,
 }
 
 impl<'a> Source<'a> {
@@ -45,6 +55,7 @@ impl<'a> Source<'a> {
             state: seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) + 1,
             base: [0.0; 3],
             direction: [0.0; 3],
+            points: 0,
         };
         let reach = if family == Family::Far { 1e4 } else { 1.0 };
         source.base = [(); 3].map(|()| reach * source.next());
@@ -78,10 +89,14 @@ impl<'a> Source<'a> {
     }
 
     fn place(&mut self) -> [f64; 3] {
+        if self.family == Family::Pairs && self.points.is_multiple_of(2) {
+            self.base = [(); 3].map(|()| self.next());
+        }
+        self.points += 1;
         let along = self.next();
         let noise = match self.family {
             Family::Ordinary | Family::Far => 1.0,
-            Family::Close | Family::Sliver => 1e-6,
+            Family::Close | Family::Sliver | Family::Pairs => 1e-6,
         };
         let along = if self.family == Family::Sliver {
             along

@@ -137,6 +137,23 @@ fn rules_for_products_round_well() {
     check(&PRODUCTS, &[joins.as_slice(), &inner, &meets].concat());
 }
 
+/// The plain form of a distance between near points cancels, and the test shows it.
+#[test]
+fn cancellation_is_noticed() {
+    let definition = cga3();
+    let case = Case::new(&definition, PRODUCTS[0]);
+    let distance = Choice {
+        inner: InnerRule::Distance,
+        ..Choice::default()
+    };
+    let [plain, distance] = [Choice::default(), distance].map(|rule| case.compile(Some(rule)));
+    let samples = case.samples(Family::Close);
+    let exact = samples.iter().map(|sample| evaluate(&plain, sample));
+    let exact: Vec<Vec<Twofold>> = exact.collect();
+    let [plain, distance] = [plain, distance].map(|kernel| errors(&kernel, &samples, &exact)[0]);
+    assert!(plain > 1000.0 * distance, "{plain}, {distance}");
+}
+
 #[test]
 fn what_is_chosen_for_products_rounds_well() {
     check(&PRODUCTS, &[]);
