@@ -130,6 +130,7 @@ fn sandwich_name(rule: SandwichRule) -> Option<&'static str> {
         SandwichRule::ReflectionInner => Some("reflection by contraction"),
         SandwichRule::ReflectionOuter => Some("reflection by wedge"),
         SandwichRule::NullImage => Some("null image"),
+        SandwichRule::NullImageCommutator => Some("null image by commutator"),
         SandwichRule::ScaledSplit => Some("split with scaling"),
         SandwichRule::ScaledSplitMap => Some("linear map with scaling"),
     }

@@ -61,6 +61,19 @@ impl NullPair {
         Multivector::new(arena, terms)
     }
 
+    /// `Σ e E` from `Σ e E∧i`.
+    pub(super) fn without_null(self, arena: &mut Arena, value: &Multivector) -> Multivector {
+        let terms = value.terms().iter();
+        let terms = terms.map(|&(blade, e)| (self.rest(blade), e.scaled(self.sign(blade))));
+        let terms: Vec<_> = terms.collect();
+        Multivector::new(arena, terms)
+    }
+
+    /// Whether a blade is `E∧i`.
+    pub(super) const fn is_upper(self, blade: Blade) -> bool {
+        blade.contains(self.null) && !blade.contains(self.partner)
+    }
+
     /// The blade E of `E`, `E∧o`, `E∧i` or `E∧o∧i`.
     pub(super) fn rest(self, blade: Blade) -> Blade {
         blade.without(self.null).without(self.partner)

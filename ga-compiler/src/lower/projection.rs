@@ -72,13 +72,9 @@ impl ProjectionRule {
             let product = half_image(arena, algebra, pair, &image.versor, &image.operand)
                 .product(arena, algebra, Product::Geometric, &null, |_| true)
                 .product(arena, algebra, Product::Geometric, &reverse, |blade| {
-                    blade.grade() == 2 && !blade.contains(pair.partner)
+                    blade.grade() == 2 && pair.is_upper(blade)
                 });
-            let sign = |blade| pair.sign(blade) * by_weight;
-            let terms = product.terms().iter();
-            let terms = terms.map(|&(blade, value)| (pair.rest(blade), value.scaled(sign(blade))));
-            let terms: Vec<_> = terms.collect();
-            Multivector::new(arena, terms)
+            pair.without_null(arena, &product).scaled(by_weight)
         };
         let facts = Facts {
             null: true,

@@ -31,6 +31,8 @@ pub enum SandwichRule {
     /// `K i ~K / 2(x·i)` with `K = M x`, for a null vector x and a null basis vector i; see
     /// [`null_image`].
     NullImage,
+    /// The same by `[M, x]`, for a versor that keeps i up to a factor; see [`null_image`].
+    NullImageCommutator,
     /// `T (P X ~P) ~T` with `M = T P`, P a rotation with a scaling; see [`scaled_split`].
     ScaledSplit,
     /// The same, with the map of the rotation.
@@ -39,7 +41,7 @@ pub enum SandwichRule {
 
 impl SandwichRule {
     /// Every rule, in the order in which they are tried.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::LeftFirst,
         Self::RightFirst,
         Self::UnitCommutator,
@@ -48,6 +50,7 @@ impl SandwichRule {
         Self::ReflectionInner,
         Self::ReflectionOuter,
         Self::NullImage,
+        Self::NullImageCommutator,
         Self::ScaledSplit,
         Self::ScaledSplitMap,
     ];
@@ -84,6 +87,9 @@ impl SandwichRule {
                 reflection::lower(Form::Outer, arena, algebra, versor, operand)?
             }
             Self::NullImage => null_image::lower(arena, algebra, versor, operand)?,
+            Self::NullImageCommutator => {
+                null_image::by_commutator(arena, algebra, versor, operand)?
+            }
             Self::ScaledSplit if is_unit => {
                 let form = scaled_split::Form::Commutator;
                 scaled_split::lower(form, arena, algebra, versor, operand)?

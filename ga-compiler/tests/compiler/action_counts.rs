@@ -75,7 +75,7 @@ const ACTIONS: [Row; 18] = [
         "v: Similarity, x: Point -> RoundVector",
         "v: Similar, x: Place -> Weighted",
         "sandwich(v, x)",
-        cost(37, 35, 1),
+        cost(34, 34, 0),
     ),
     (
         "v: Similarity, x: Line -> Line",
