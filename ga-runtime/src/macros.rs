@@ -66,14 +66,17 @@
 /// | `blade` | X is an outer product of vectors |
 /// | `weight(b)` | the coefficient of the blade b is 1 |
 ///
-/// All facts except `unit_versor` must follow from constant and derived blades. `#[hull(Type)]`
+/// All facts except `unit_versor` and `blade` must follow from constant and derived blades. A type
+/// whose blades satisfy the Plücker relations may state `blade`: products of its members are then
+/// known to be blades where geometry says so, for instance that the meet of a line and a sphere is a
+/// point pair, whose square is a scalar. `#[hull(Type)]`
 /// names the type of sums and multiples that do not lie in the type itself; it must store all the
 /// blades.
 ///
 /// If any coefficients make a member of the type, its fields are public. Otherwise they are
 /// private, with a method for each blade that returns its coefficient, and a type whose facts
-/// restrict its coefficients is built by `new_unchecked`, `try_new(…, tolerance)` or
-/// `normalize(hull)`.
+/// restrict its coefficients is built by `new_unchecked` or `try_new(…, tolerance)`, one of unit
+/// versors also by `normalize(hull)`.
 ///
 /// # Products
 ///
@@ -177,6 +180,30 @@ macro_rules! algebra {
 /// Rust, where `^ & |` bind looser than `+ - * /`; a mix of both without parentheses is an error
 /// that shows both readings. A formula nests at most 128 levels deep (parentheses, calls, methods
 /// and signs) and has at most 1024 operators in a row; `let` splits a longer one.
+///
+/// # Operands that are blades
+///
+/// The types of cga3 for circles, lines and point pairs hold any sum of their blades, so that sums
+/// and coefficients need no checks. An operand marked `blade` is taken to be an outer product of
+/// vectors, as figures built from points are: the caller makes sure of that. What follows from the
+/// Plücker relations is then known, here that a circle C has a scalar `C ~C`:
+///
+/// ```
+/// use ga_runtime::cga3::{Circle, Point};
+///
+/// ga_runtime::ga! { ga_runtime::cga3;
+///     fn inverse_of(blade c: Circle) -> Circle { inverse(c) }
+/// }
+///
+/// # fn main() {
+/// let points = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point::from);
+/// let circle: Circle<f64> = points[0] ^ points[1] ^ points[2];
+/// assert_eq!(inverse_of(inverse_of(circle)), circle);
+/// # }
+/// ```
+///
+/// In a call from another function, the argument must be known to be a blade. An algebra of your
+/// own can say it in a type, by `#[facts(blade)]`.
 ///
 /// # Conditions
 ///

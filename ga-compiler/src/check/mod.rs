@@ -5,6 +5,8 @@ mod polynomial;
 mod products;
 mod types;
 
+use std::cell::OnceCell;
+
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -36,6 +38,7 @@ impl Definition {
             scalar: TypeDefinition::scalar(),
             types,
             products,
+            as_blades: OnceCell::new(),
         })
     }
 }

@@ -10,6 +10,8 @@ pub use polynomial::{Polynomial, PolynomialStep};
 pub use products::{Operation, ProductDefinition};
 pub use types::{CONSTANTS, Coefficient, Role, SCALAR_TYPE, TypeDefinition};
 
+use std::cell::OnceCell;
+
 use proc_macro2::TokenStream;
 use syn::{Attribute, Ident, Visibility};
 
@@ -33,6 +35,9 @@ pub struct Definition {
     pub types: Vec<TypeDefinition>,
     /// The products to emit, in the order of their declaration.
     pub products: Vec<ProductDefinition>,
+    /// The types with the fact that members are blades, where that is one; made when an operand
+    /// needs them.
+    pub(crate) as_blades: OnceCell<Vec<Option<TypeDefinition>>>,
 }
 
 impl Definition {

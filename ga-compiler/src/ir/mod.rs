@@ -13,11 +13,13 @@ mod arena;
 mod facts;
 mod function;
 mod multivector;
+mod plucker;
 mod residue;
 
 pub use arena::{Arena, Node, NodeId, Value};
 pub use facts::Facts;
 pub use function::Function;
 pub use multivector::Multivector;
+pub use plucker::plucker;
 pub use residue::{Residue, Residue as Prime};
 pub use residue::{ResidueSequence, ResidueSequence as PrimeSequence};

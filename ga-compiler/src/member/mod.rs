@@ -16,5 +16,6 @@ pub use membership::membership;
 pub use numbers::Numbers;
 pub use reason::Reason;
 pub(crate) use sample::POINTS;
+pub(crate) use sample::is_family;
 pub use sample::{sample, sequence};
 pub use stored::{from_stored, stored};

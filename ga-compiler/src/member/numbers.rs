@@ -100,7 +100,7 @@ pub(crate) fn is_unit_versor(algebra: &Algebra, value: &Numbers) -> bool {
 
 /// Whether a multivector is an outer product of vectors: it has one grade, and every contraction of
 /// it by a basis (grade − 1)-blade wedges with it to zero (the Plücker relations).
-pub(super) fn is_blade(algebra: &Algebra, value: &Numbers) -> bool {
+pub(crate) fn is_blade(algebra: &Algebra, value: &Numbers) -> bool {
     let mut grades = value
         .iter()
         .filter(|(_, v)| **v != Residue::ZERO)

@@ -1,10 +1,10 @@
 //! Random members of a type.
 
 use super::membership::membership;
-use super::numbers::{Numbers, product, sandwich};
+use super::numbers::{Numbers, coefficient, product, sandwich, scaled, signed};
 use super::stored::from_stored;
 use crate::algebra::{Algebra, Blade, Product, Ratio};
-use crate::define::TypeDefinition;
+use crate::define::{Coefficient, Role, TypeDefinition};
 use crate::ir::{Residue, ResidueSequence};
 
 /// How many random points are tried.
@@ -21,7 +21,8 @@ pub fn sequence(seed: u64) -> ResidueSequence {
 /// Where the stored coefficients are free they are drawn at random. Unit versors are products of
 /// `(1 + αb)²/(1 − α²b²)` over the 2-blades b that the type has or that its vectors span, with
 /// random α; for a type of odd blades such a product times a basis vector of square 1, or acting on
-/// it where the type has vectors alone.
+/// it where the type has vectors alone. Blades are outer products of vectors: of those that all
+/// blades of the type contain, and of random sums of the others.
 #[must_use]
 pub fn sample(
     algebra: &Algebra,
@@ -30,6 +31,9 @@ pub fn sample(
 ) -> Option<Numbers> {
     if kind.facts_are_implied {
         return Some(free_member(kind, sequence));
+    }
+    if kind.facts.blade {
+        return blade(algebra, kind, sequence);
     }
     let blades: Vec<Blade> = kind.coefficients.iter().map(|c| c.blade).collect();
     let vectors: Vec<Blade> = blades.iter().copied().filter(|b| b.grade() == 1).collect();
@@ -61,6 +65,58 @@ pub fn sample(
     membership(algebra, Some(kind), &candidate)
         .is_empty()
         .then_some(candidate)
+}
+
+/// Whether random members are found that have every blade of the type, and all blades have one
+/// parity: only then do they represent all of its unit versors or blades.
+#[must_use]
+pub(crate) fn is_family(algebra: &Algebra, kind: &TypeDefinition) -> bool {
+    let first = kind.coefficients.first();
+    let parity = first.map(|c| c.blade.involute_is_negative());
+    let is_mixed = kind
+        .coefficients
+        .iter()
+        .any(|c| Some(c.blade.involute_is_negative()) != parity);
+    let Some(member) = sample(algebra, kind, &mut sequence(0)) else {
+        return false;
+    };
+    let has = |c: &Coefficient| {
+        member
+            .get(&c.blade)
+            .is_some_and(|value| *value != Residue::ZERO)
+    };
+    !is_mixed && kind.coefficients.iter().all(has)
+}
+
+/// A random blade of a type; `None` where the outer products do not lie in the type.
+fn blade(
+    algebra: &Algebra,
+    kind: &TypeDefinition,
+    sequence: &mut ResidueSequence,
+) -> Option<Numbers> {
+    let blades = || kind.coefficients.iter().map(|c| c.blade.0);
+    let all = blades().fold(0, |all, blade| all | blade);
+    let common = Blade(blades().fold(all, |common, blade| common & blade));
+    let grade = kind.coefficients.first()?.blade.grade();
+    let mut member = Numbers::from([(common, Residue::ONE)]);
+    for _ in common.grade()..grade {
+        let others = Blade(all & !common.0).vectors().map(Blade::vector);
+        let vector: Numbers = others
+            .map(|vector| (vector, sequence.next_residue()))
+            .collect();
+        member = product(algebra, Product::Wedge, &member, &vector);
+    }
+    // A multiple has the constant coefficient that the type states.
+    let constant = kind.coefficients.iter().find_map(|c| match c.role {
+        Role::Constant(value) => Some((c.blade, signed(Residue::from_ratio(value), c.is_negative))),
+        Role::Stored | Role::Derived(_) => None,
+    });
+    if let Some((blade, value)) = constant {
+        member = scaled(&member, value * coefficient(&member, blade).recip());
+    }
+    membership(algebra, Some(kind), &member)
+        .is_empty()
+        .then_some(member)
 }
 
 /// The multivector with random stored coefficients, without regard to facts.

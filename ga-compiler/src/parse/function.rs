@@ -47,6 +47,8 @@ pub struct OperandSyntax {
     pub shape: ShapeSyntax,
     /// Whether it is marked `uniform`.
     pub is_uniform: bool,
+    /// Whether it is marked `blade`: the caller makes sure that it is one.
+    pub is_blade: bool,
 }
 
 /// A type: one of the algebra or `Scalar`, an array or a tuple.
@@ -267,14 +269,31 @@ impl Parse for FunctionSyntax {
 
 impl Parse for OperandSyntax {
     fn parse(input: ParseStream<'_>) -> Result<Self> {
-        let first = input.call(Ident::parse_any)?;
-        let is_uniform = first == "uniform" && !input.peek(Token![:]);
-        let name = if is_uniform { input.parse()? } else { first };
+        let (mut is_uniform, mut is_blade) = (false, false);
+        // A mark is a name before another name.
+        let name = loop {
+            let name = input.call(Ident::parse_any)?;
+            if input.peek(Token![:]) {
+                break name;
+            }
+            match name.to_string().as_str() {
+                "uniform" if !is_uniform => is_uniform = true,
+                "blade" if !is_blade => is_blade = true,
+                _ => {
+                    let message = format!(
+                        "expected `:` and the type of `{name}`; \
+                         `uniform` and `blade` may stand before the name of an operand, once each"
+                    );
+                    return Err(Error::new(name.span(), message));
+                }
+            }
+        };
         input.parse::<Token![:]>()?;
         Ok(Self {
             name,
             shape: input.parse()?,
             is_uniform,
+            is_blade,
         })
     }
 }

@@ -10,12 +10,12 @@
 use super::flatten::{collected, price};
 use super::rewrite::{Graph, image, reads, rewrite};
 use crate::algebra::{Algebra, Blade, Product, Unary};
-use crate::ir::{Arena, Function, Multivector, Node, Value};
+use crate::ir::{Arena, Function, Multivector, Node, Value, plucker};
 
 /// The values that are zero by the facts of an operand: the coefficients of `M ~M − 1` for a unit
-/// versor, of `X²` for a null X, of `X ∧ X` for a blade.
+/// versor, of `X²` for a null X, and the Plücker relations of a blade.
 pub fn relations(arena: &mut Arena, algebra: &Algebra, operand: &Multivector) -> Vec<Value> {
-    let mut zero = Vec::new();
+    let (mut zero, mut more) = (Vec::new(), Vec::new());
     if operand.facts.unit_versor {
         let reverse = operand.unary(arena, algebra, Unary::Reverse);
         let square = operand.product(arena, algebra, Product::Geometric, &reverse, |_| true);
@@ -26,10 +26,11 @@ pub fn relations(arena: &mut Arena, algebra: &Algebra, operand: &Multivector) ->
         zero.push(operand.product(arena, algebra, Product::Geometric, operand, |_| true));
     }
     if operand.facts.blade {
-        zero.push(operand.product(arena, algebra, Product::Wedge, operand, |_| true));
+        more.extend(plucker(arena, operand));
     }
     let coefficients = zero.iter().flat_map(Multivector::terms);
-    coefficients.map(|(_, value)| *value).collect()
+    let values = coefficients.map(|(_, value)| *value);
+    values.chain(more).collect()
 }
 
 /// Reduces sums by values of the same arena that are known to be zero; `None` where nothing gets

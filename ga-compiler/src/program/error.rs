@@ -46,7 +46,8 @@ impl fmt::Display for OperationError {
             }
             Self::NotVersor(found) => write!(
                 f,
-                "takes a blade or a versor, for which a ~a is a scalar; here it has {found}"
+                "takes a blade or a versor, for which a ~a is a scalar; here it has {found}; \
+                 an operand that is always a blade can be marked with `blade` before its name"
             ),
             Self::NotScalarAndNullPart(what, found) => write!(
                 f,
@@ -121,6 +122,12 @@ pub enum ResolveErrorKind {
     PatternParts(usize, ValueCount),
     /// The thing named holds so many values, and its type is declared as this.
     ShapeMismatch(String, ValueCount, String),
+    /// An operand of that type, in which everything is a blade, is marked `blade`.
+    NeedlessBlade(String),
+    /// An operand of that type, whose blades cannot be described, is marked `blade`.
+    NoBlades(String),
+    /// The thing named must be a blade; it has these blades of the basis.
+    NotBlade(String, String),
     /// The thing named is not of the type of that name, for a reason.
     TypeMismatch(String, String, String),
     /// The divisor of `/` has these blades.
@@ -245,6 +252,19 @@ impl fmt::Display for ResolveErrorKind {
             Self::TypeMismatch(what, name, reason) => {
                 write!(f, "{what} is not of type `{name}`: {reason}")
             }
+            Self::NeedlessBlade(kind) => {
+                write!(f, "every `{kind}` is a blade; leave out the mark `blade`")
+            }
+            Self::NoBlades(kind) => write!(
+                f,
+                "`{kind}` cannot be marked `blade`: the blades among its values do not form one \
+                 family that outer products of vectors generate"
+            ),
+            Self::NotBlade(what, found) => write!(
+                f,
+                "{what} must be a blade, an outer product of vectors, \
+                 but not every value of this is one; it has {found}"
+            ),
             Self::DivisorNotScalar(found) => write!(
                 f,
                 "the divisor is not a scalar, it has {found}; \

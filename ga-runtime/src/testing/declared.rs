@@ -80,6 +80,8 @@ pub fn constant_to_dense<S: Field>(
 /// If any stored coefficients make a member, they are the free numbers. Unit versors are products
 /// of `(1 + αb)²/(1 − α²b²)` with random α over the 2-blades b of the basis that the type has or
 /// that its vectors span; for a type of vectors, that versor acts on a basis vector of square 1.
+/// Members of a type of blades of one grade are outer products of vectors: of those basis vectors
+/// that all of its blades contain, and of sums of the others with free coefficients.
 /// Over floating point, `number` should be within ±0.9.
 ///
 /// ```
@@ -151,17 +153,21 @@ pub struct Members<S> {
     blades: &'static [usize],
     is_free: bool,
     planes: Vec<BasisPlane<S>>,
+    /// For a type of blades, what they are made of.
+    factors: Option<Factors>,
 }
 
 impl<S: Field> Members<S> {
-    /// For a type with these blades: of any coefficients if `is_free`, otherwise of unit versors.
+    /// For a type with these blades: of any coefficients if `is_free`, otherwise of blades where all
+    /// have the same grade, 2 or more, and of unit versors where not.
     ///
     /// # Panics
     /// If the metric is not that of a declared algebra.
     #[must_use]
     pub fn new(metric: &[&[(i64, i64)]], blades: &'static [usize], is_free: bool) -> Self {
         let algebra = algebra_of(metric);
-        let planes = if is_free {
+        let factors = Factors::of(blades).filter(|_| !is_free);
+        let planes = if is_free || factors.is_some() {
             Vec::new()
         } else {
             planes(&algebra, blades)
@@ -171,16 +177,17 @@ impl<S: Field> Members<S> {
             blades,
             is_free,
             planes,
+            factors,
         }
     }
 
     /// The number of free numbers of a member.
     #[must_use]
     pub fn count(&self) -> usize {
-        if self.is_free {
-            self.blades.len()
-        } else {
-            self.planes.len()
+        match &self.factors {
+            _ if self.is_free => self.blades.len(),
+            Some(factors) => factors.count * factors.vectors.len(),
+            None => self.planes.len(),
         }
     }
 
@@ -192,10 +199,23 @@ impl<S: Field> Members<S> {
             let mut next = |_| numbers.next().unwrap_or_else(S::zero);
             return Some(T::from_coefficients_unchecked(&mut next));
         }
-        let versor = self.unit_versor(numbers)?;
-        Some(T::from_coefficients_unchecked(&mut |blade| {
-            versor.coefficient(blade)
-        }))
+        let of_type = |dense: &Multivector<S>| -> T {
+            T::from_coefficients_unchecked(&mut |blade| dense.coefficient(blade))
+        };
+        let Some(factors) = &self.factors else {
+            return Some(of_type(&self.unit_versor(numbers)?));
+        };
+        let dense = factors.product(&self.algebra, numbers)?;
+        let element = of_type(&dense);
+        // A constant coefficient is that of a multiple of the blade.
+        let is_changed =
+            |blade: &&usize| element.coefficient(**blade) != dense.coefficient(**blade);
+        let Some(&constant) = self.blades.iter().find(is_changed) else {
+            return Some(element);
+        };
+        let found = dense.coefficient(constant);
+        let scale = element.coefficient(constant) / found;
+        (found != S::zero()).then(|| of_type(&dense.scale(scale)))
     }
 
     fn unit_versor(&self, numbers: &[S]) -> Option<Multivector<S>> {
@@ -225,6 +245,47 @@ impl<S: Field> Members<S> {
         } else {
             versor.geometric(&unit)
         })
+    }
+}
+
+/// What the blades of a type of one grade are made of.
+#[derive(Clone)]
+struct Factors {
+    /// The basis vectors that every blade of the type contains, together.
+    common: usize,
+    /// The other basis vectors.
+    vectors: Vec<usize>,
+    /// How many sums of the others are the further factors.
+    count: usize,
+}
+
+impl Factors {
+    /// `None` for blades of several grades, and of grades in which everything is a blade.
+    fn of(blades: &[usize]) -> Option<Self> {
+        let grade = blades.first()?.count_ones();
+        if grade < 2 || blades.iter().any(|blade| blade.count_ones() != grade) {
+            return None;
+        }
+        let all = blades.iter().fold(0, |all, blade| all | blade);
+        let common = blades.iter().fold(all, |common, blade| common & blade);
+        let bits = (0..usize::BITS).map(|bit| 1 << bit);
+        Some(Self {
+            common,
+            vectors: bits.filter(|bit| all & !common & bit != 0).collect(),
+            count: grade.checked_sub(common.count_ones())? as usize,
+        })
+    }
+
+    fn product<S: Field>(&self, algebra: &Algebra<S>, numbers: &[S]) -> Option<Multivector<S>> {
+        let mut blade = algebra.blade(self.common).ok()?;
+        for coefficients in numbers.chunks(self.vectors.len().max(1)) {
+            let mut vector = algebra.zero();
+            for (&bit, &coefficient) in self.vectors.iter().zip(coefficients) {
+                vector.set_coefficient(bit, coefficient).ok()?;
+            }
+            blade = blade.wedge(&vector);
+        }
+        Some(blade)
     }
 }
 

@@ -19,6 +19,7 @@
     clippy::pedantic
 )]
 
+mod blades;
 mod conformal;
 mod interface;
 mod metrics;

@@ -1,6 +1,7 @@
 //! Rust code: a module with the types, and a macro that passes the definition on.
 
 mod arithmetic;
+mod blades;
 mod blocks;
 mod body;
 mod context;
@@ -43,6 +44,7 @@ pub fn algebra(definition: &Definition, source: &TokenStream) -> TokenStream {
             items.extend(norm::emit(&context, kind));
         }
         items.extend(versors::emit(&context, kind));
+        items.extend(blades::emit(&context, kind));
         items.extend(conversions::emit(&context, kind));
     }
     items.extend(products::emit(&context));

@@ -2,15 +2,16 @@
 
 use syn::Ident;
 
-use super::super::Step;
 use super::super::error::{ResolveError, ResolveErrorKind};
 use super::super::limits::{MAX_CALL_DEPTH, MAX_CALLS};
 use super::super::nearest::nearest;
+use super::super::{Step, StepId};
 use super::condition::SELECT;
 use super::operation::{GRADE, Operation};
 use super::place::{ENDPOINTS, POINT};
 use super::{Bound, Resolver, Result};
 use crate::algebra::Unary;
+use crate::member::numbers;
 use crate::parse::{Block, Formula, FormulaKind, FunctionSyntax, Place};
 
 impl<'s> Resolver<'_, 's> {
@@ -114,7 +115,15 @@ impl<'s> Resolver<'_, 's> {
             let value = self.formula(argument)?;
             let shape = self.shape(&operand.shape)?;
             let what = format!("operand `{}` of `{name}`", operand.name);
-            self.fit(argument, &value, &shape, &what, &mut Vec::new())?;
+            let mut parts = Vec::new();
+            self.fit(argument, &value, &shape, &what, &mut parts)?;
+            if operand.is_blade
+                && let Some((part, _)) = parts.iter().find(|(part, _)| !self.is_blade(*part))
+            {
+                let found = self.builder.blade_names(*part);
+                let kind = ResolveErrorKind::NotBlade(what, found);
+                return Err(ResolveError::new(kind, argument.place()));
+            }
             scope.push((operand.name.clone(), value));
         }
         std::mem::swap(&mut self.scope, &mut scope);
@@ -129,6 +138,13 @@ impl<'s> Resolver<'_, 's> {
         let what = format!("the value of `{name}`");
         self.fit(formula, &value, &shape, &what, &mut Vec::new())?;
         Ok(value)
+    }
+
+    /// Whether a step is an outer product of vectors.
+    fn is_blade(&self, step: StepId) -> bool {
+        let algebra = &self.definition.algebra;
+        let mut values = self.builder.witness.values(step);
+        values.all(|value| numbers::is_blade(algebra, value))
     }
 
     /// Checks that a call does not lead back to a function that is being copied in, and that there

@@ -19,8 +19,11 @@ use super::mismatch::Mismatch;
 use super::{MAX_STEPS, Program, Step, StepId, Witness};
 use crate::algebra::Product;
 use crate::define::{Definition, Role, SCALAR_TYPE, TypeDefinition};
+use crate::ir::Facts;
+use crate::member;
 use crate::parse::{
-    Block, Formula, FormulaKind, FunctionSyntax, LetSyntax, PatternSyntax, Place, ShapeSyntax,
+    Block, Formula, FormulaKind, FunctionSyntax, LetSyntax, OperandSyntax, PatternSyntax, Place,
+    ShapeSyntax,
 };
 use crate::signature::{Operand, Shape};
 
@@ -184,7 +187,7 @@ impl<'a, 's> Resolver<'a, 's> {
             if uniform.len().saturating_add(size(&shape)) > MAX_STEPS {
                 return Err(ResolveError::new(ResolveErrorKind::TooManyOperands, place));
             }
-            let bound = self.operand(&shape);
+            let bound = self.operand(&shape, operand)?;
             uniform.resize(self.builder.program.operands.len(), operand.is_uniform);
             self.bind(&operand.name, bound);
             self.builder.operands.push(Operand {
@@ -206,24 +209,58 @@ impl<'a, 's> Resolver<'a, 's> {
         Ok(uniform)
     }
 
-    fn operand(&mut self, shape: &Shape) -> Bound {
+    fn operand(&mut self, shape: &Shape, syntax: &OperandSyntax) -> Result<Bound> {
         let kind = match shape {
+            Shape::Scalar | Shape::Type(_) if syntax.is_blade => self.as_blade(shape, syntax)?,
             Shape::Scalar => &self.definition.scalar,
             Shape::Type(index) => &self.definition.types[*index],
             Shape::Array(element, count) => {
-                let parts = (0..*count).map(|_| self.operand(element));
-                return Bound::Parts(parts.collect());
+                let parts = (0..*count).map(|_| self.operand(element, syntax));
+                return Ok(Bound::Parts(parts.collect::<Result<_>>()?));
             }
             Shape::Tuple(parts) => {
-                let parts = parts.iter().map(|part| self.operand(part));
-                return Bound::Parts(parts.collect());
+                let parts = parts.iter().map(|part| self.operand(part, syntax));
+                return Ok(Bound::Parts(parts.collect::<Result<_>>()?));
             }
         };
-        Bound::One(self.builder.program.operand(kind))
+        Ok(Bound::One(self.builder.program.operand(kind)))
     }
 
     fn shape(&self, syntax: &ShapeSyntax) -> Result<Shape> {
         Shape::resolve(self.definition, syntax)
+    }
+
+    /// The type of an operand that is marked `blade`, with that fact.
+    fn as_blade(&self, shape: &Shape, syntax: &OperandSyntax) -> Result<&'a TypeDefinition> {
+        let definition = self.definition;
+        let known = definition.as_blades.get_or_init(|| {
+            let types = definition.types.iter();
+            types.map(|kind| with_blade(definition, kind)).collect()
+        });
+        let found = match shape {
+            Shape::Type(index) => known.get(*index).and_then(Option::as_ref),
+            _ => None,
+        };
+        found.ok_or_else(|| {
+            let is_needless = match shape {
+                Shape::Type(index) => {
+                    let mut kind = definition.types[*index].clone();
+                    kind.facts = Facts {
+                        blade: true,
+                        ..Facts::default()
+                    };
+                    member::facts_not_implied(&definition.algebra, &kind).is_empty()
+                }
+                _ => true,
+            };
+            let text = shape.to_text(definition);
+            let kind = if is_needless {
+                ResolveErrorKind::NeedlessBlade(text)
+            } else {
+                ResolveErrorKind::NoBlades(text)
+            };
+            ResolveError::new(kind, Place::of(syntax.name.span()))
+        })
     }
 
     /// Names of values and of functions are kept apart, so that a value may have the name of a
@@ -333,6 +370,21 @@ impl<'a, 's> Resolver<'a, 's> {
         let kind = ResolveErrorKind::TypeMismatch(what.to_owned(), name, reason);
         Err(ResolveError::new(kind, place.place()))
     }
+}
+
+/// The type whose members are the blades among those of another; `None` where all or none are.
+fn with_blade(definition: &Definition, kind: &TypeDefinition) -> Option<TypeDefinition> {
+    let first = kind.coefficients.first()?.blade.grade();
+    let is_of_one_grade = kind.coefficients.iter().all(|c| c.blade.grade() == first);
+    if !is_of_one_grade || !kind.facts_are_implied || kind.facts.blade {
+        return None;
+    }
+    let mut with_blade = kind.clone();
+    with_blade.facts.blade = true;
+    let algebra = &definition.algebra;
+    with_blade.facts_are_implied = member::facts_not_implied(algebra, &with_blade).is_empty();
+    let is_needed = !with_blade.facts_are_implied;
+    (is_needed && member::is_family(algebra, &with_blade)).then_some(with_blade)
 }
 
 /// How many multivectors a value of that shape holds, as far as that can be counted. Empty arrays

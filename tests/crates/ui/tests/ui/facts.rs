@@ -1,15 +1,20 @@
 //! Facts that are unknown or do not follow from the blades.
 
-// Not every bivector of four dimensions is a blade.
+// Two planes that meet in one point span no family of blades, and blades have one grade.
 ga_runtime::algebra! {
-    mod fact_blade_does_not_follow {
+    mod fact_blade_without_family {
         basis e1, e2, e3, e4;
         signature 4, 0, 0;
 
         #[hull(Sums)]
         #[facts(blade)]
-        struct Plane { e12, e13, e14, e23, e24, e34 }
-        struct Sums { e12, e13, e14, e23, e24, e34 }
+        struct Plane { e12, e34 }
+        struct Sums { e12, e34 }
+
+        #[hull(Even)]
+        #[facts(blade)]
+        struct Mixed { scalar, e12, e13, e23 }
+        struct Even { scalar, e12, e13, e23 }
     }
 }
 

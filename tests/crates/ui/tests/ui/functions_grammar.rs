@@ -18,6 +18,19 @@ mod assignment {
     }
 }
 
+// Comparisons in a row, and a mark that does not exist.
+mod chain {
+    use ga_runtime::ga;
+
+    ga! { ga_runtime::cga3;
+        fn f(a: Scalar, b: Scalar, c: Scalar) -> Scalar { select(a < b < c, 1, 0) }
+    }
+
+    ga! { ga_runtime::cga3;
+        fn g(const a: Scalar) -> Scalar { a }
+    }
+}
+
 // A fault in a closure.
 mod closure {
     fn g() -> f64 {

@@ -1,5 +1,19 @@
 //! Functions of `ga!` whose names, types or values do not fit.
 
+// An operand that is marked as a blade without need, and an argument that may not be one.
+mod blade_mark {
+    use ga_runtime::ga;
+
+    ga! { ga_runtime::cga3;
+        fn f(blade m: Motor) -> Motor { m }
+        fn g(blade p: Point) -> Point { p }
+        fn inverted(blade c: Circle) -> Circle { inverse(c) }
+        fn h(c: Circle, p: PointPair, q: Point) -> Circle { inverted(c) + inverted(p ^ q) }
+        fn i(p: Point, q: Point, r: Point) -> Circle { inverted(p ^ q ^ r) }
+        fn j(c: Circle) -> Circle { inverse(c) }
+    }
+}
+
 // A coefficient that the operand's type does not have.
 mod blade_missing {
     use ga_runtime::ga;
@@ -7,6 +21,20 @@ mod blade_missing {
     ga! { ga_runtime::cga3;
         fn f(m: Motor) -> Scalar { m.e12oi }
         fn g(m: Motor) -> Scalar { m.length }
+    }
+}
+
+// Conditions and multivectors in each other's places.
+mod condition {
+    use ga_runtime::ga;
+
+    ga! { ga_runtime::cga3;
+        fn compared(p: Point, q: Point) -> Scalar { select(p == q, 1, 0) }
+        fn no_condition(x: Scalar) -> Scalar { select(x, 1, 0) }
+        fn no_number(x: Scalar) -> Scalar { 2 * (x < 1) }
+        fn result(x: Scalar) -> Scalar { x < 1 }
+        fn shapes(x: Scalar) -> [Scalar; 2] { select(x < 1, [x, x], x) }
+        fn types(x: Scalar, p: Point, v: RoundVector) -> Point { select(x > 0, p, v) }
     }
 }
 
@@ -167,6 +195,24 @@ mod sign_unknown {
         fn b(x: Scalar, y: Scalar) -> Dilator { let e = y + 2 * x * eoi; e / norm(e) }
         fn c(x: Scalar, y: Scalar) -> Dilator { let e = 3 * x + y * eoi; e / norm(e) }
         fn d(x: Scalar, y: Scalar) -> Dilator { let e = x + 4 * y * eoi; e / norm(e) }
+    }
+}
+
+// Places of what has none, and in algebras without points.
+mod place {
+    use ga_runtime::ga;
+
+    ga! { ga_runtime::cga3;
+        fn f(e: Plane) -> Point { point(e) }
+        fn g(l: Line) -> Point { point(l) }
+        fn h(d: DualPlane) -> Point { point(d) }
+        fn i(c: Circle) -> (Point, Point) { endpoints(c) }
+        fn j(p: FlatPoint) -> (Point, Point) { endpoints(p) }
+        fn k(p: PointPair) -> Point { endpoints(p) }
+    }
+
+    ga! { ga_runtime::pga3;
+        fn l(p: Point) -> Point { point(p) }
     }
 }
 
