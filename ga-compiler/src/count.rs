@@ -166,6 +166,8 @@ fn bodies(code: TokenStream) -> Result<Vec<(String, Block)>> {
                 }
             }
             Item::Struct(_) | Item::Use(_) => {}
+            // A warning.
+            Item::Const(constant) if constant.ident == "_" => {}
             other => return Err(unknown("this item", &other)),
         }
     }

@@ -1,8 +1,18 @@
-//! Errors with their places in the source, collected so that one run reports all of them.
+//! Errors and warnings with their places in the source, collected so that one run reports all of
+//! them.
 
 use proc_macro2::Span;
 use quote::ToTokens;
 use syn::Error;
+
+/// Something that is allowed and hardly meant, with its place in the source.
+#[derive(Clone, Debug)]
+pub struct Warning {
+    /// The first token.
+    pub span: Span,
+    /// What is to be said.
+    pub message: String,
+}
 
 /// All errors found so far.
 #[derive(Default)]

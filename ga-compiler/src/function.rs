@@ -8,6 +8,7 @@ use syn::{Attribute, Visibility};
 pub use crate::define::SCALAR_TYPE;
 pub use crate::signature::{Operand, Shape};
 
+use crate::diag::Warning;
 use crate::kernel::Kernel;
 
 /// A function in an algebra, compiled.
@@ -26,6 +27,8 @@ pub struct CompiledFunction {
     /// The graph. Its inputs are the stored coefficients of all operands, its outputs those of the
     /// result, each in order of declaration, arrays and tuples element by element.
     pub kernel: Kernel,
+    /// What is hardly meant.
+    pub warnings: Vec<Warning>,
 }
 
 impl fmt::Debug for CompiledFunction {

@@ -320,6 +320,7 @@ fn compile_resolved(
         operands: resolved.operands,
         result: resolved.result,
         kernel,
+        warnings: resolved.warnings,
     })
 }
 

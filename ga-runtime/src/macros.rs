@@ -287,6 +287,11 @@ macro_rules! algebra {
 /// says what was found, and whether a division by the weight would help. `let x: Line = …` checks
 /// an intermediate value.
 ///
+/// A product that is zero for all operands, though the operands are not, is hardly meant:
+/// `sphere | point` for `point | sphere`, or `line ^ ei`. The compiler warns of it, and of a result
+/// that is always zero, as the use of a deprecated constant `ALWAYS_ZERO`, since macros have no
+/// warnings of their own. `#[allow(deprecated)]` on the function silences that.
+///
 /// Divisions by zero and roots of negative numbers give what the scalar gives: infinities or NaN
 /// over floats.
 ///

@@ -35,6 +35,12 @@ impl Place {
         Error::new_spanned(tokens, message)
     }
 
+    /// The first token.
+    #[must_use]
+    pub const fn start(self) -> Span {
+        self.start
+    }
+
     /// The place from here to a later token.
     pub(super) const fn to(self, end: Span) -> Self {
         Self { end, ..self }

@@ -91,6 +91,7 @@ mod conformal {
             pub fn quotient(a: Sphere, b: Plane) -> Sphere { a / (b.e12oi + 2) }
             pub fn numbers(a: Circle) -> Circle { 0.5 * a * 1.25e2 + a / 3 - 1e-1 * a }
             pub fn blades(a: Multivector) -> Multivector { (e12 ^ a) + (e1 * a) - (a | e21) + e3oi }
+            #[allow(deprecated)] // A vector and a 3-vector have no regressive product.
             pub fn constant_types(a: Point, b: Circle) -> Multivector { (Infinity ^ a) + (b & E1) + Origin * E2 }
             pub fn coefficients(a: Multivector) -> RoundVector { a.e12 * e1 + a.e21() * e2 + a.scalar * e3 + a.ei * eo - a.e12oi * ei }
             pub fn norm_squared_name(a: Multivector, b: Point) -> RoundVector { norm_squared(a) * b }
@@ -103,6 +104,7 @@ mod conformal {
             pub fn three_points_and_infinity(a: Point, b: Point, c: Point) -> Plane { a ^ b ^ c ^ ei }
             pub fn four_points(a: Point, b: Point, c: Point, f: Point) -> Sphere { a ^ b ^ c ^ f }
             pub fn line_of_points(a: Point, b: Point) -> Line { a ^ b ^ ei }
+            #[allow(deprecated)] // The first join is zero.
             pub fn join_with_itself(a: Point, b: Point) -> Circle { (a ^ b ^ b) + (a ^ b ^ E1) }
             pub fn dual_of_a_meet(a: Sphere, b: Sphere, c: Sphere) -> PointPair { dual(dual(a) ^ dual(b) ^ dual(c)) }
             pub fn projection(p: Point, s: Circle) -> Multivector { (p | s) * s }
@@ -190,7 +192,7 @@ mod projective {
             pub fn commuted(a: Line, b: Line) -> Line { a.commutator(b) }
             pub fn inverted(a: Plane, m: MotorSum) -> MotorSum { m * inverse(a) * a }
             pub fn inverted_line(a: Rotor, b: Translator, m: Motor) -> Motor { inverse(a * b) * m }
-            pub fn projected(p: Point, l: Line) -> Multivector { (p | l) * l + right_contraction(l, p) + conjugate(p) }
+            pub fn projected(p: Point, l: Line) -> Multivector { (l | p) * l + right_contraction(p, l) + conjugate(p) }
             pub fn split(t: Translator, r: Rotor, x: Plane) -> Plane { t * r * x * rev(r) * rev(t) }
         }
     }
@@ -209,7 +211,7 @@ mod projective {
         commuted(a: Line, b: Line) = a.commutator(b);
         inverted(a: Plane, m: MotorSum) = m.clone();
         inverted_line(a: Rotor, b: Translator, m: Motor) = &(a * b).reverse() * m;
-        projected(p: Point, l: Line) = (p | l) * l + l.right_contraction(p) + p.conjugate();
+        projected(p: Point, l: Line) = (l | p) * l + p.right_contraction(l) + p.conjugate();
         split(t: Translator, r: Rotor, x: Plane) = t.sandwich(&r.sandwich(x));
     }
 }

@@ -9,6 +9,7 @@ use syn::Visibility;
 use syn::ext::IdentExt;
 
 use super::body::{Body, Source, stage_body};
+use super::warnings;
 use crate::define::{Definition, TypeDefinition};
 use crate::function::CompiledFunction;
 use crate::ir::{NodeId, Value};
@@ -33,14 +34,17 @@ pub fn functions(
         && closure.name.is_none()
     {
         let name = format_ident!("closure");
-        let items = emitter.function(closure, &name);
-        return quote! { { #items #name } };
+        let (items, warnings) = (emitter.function(closure, &name), warnings::emit(closure));
+        return quote! { { #warnings #items #name } };
     }
     functions
         .iter()
         .map(|function| {
             let name = function.name.clone();
-            emitter.function(function, &name.unwrap_or_else(|| format_ident!("closure")))
+            let name = name.unwrap_or_else(|| format_ident!("closure"));
+            let mut items = warnings::emit(function);
+            items.extend(emitter.function(function, &name));
+            items
         })
         .collect()
 }

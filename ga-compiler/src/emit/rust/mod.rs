@@ -15,6 +15,7 @@ mod products;
 mod surface;
 mod types;
 mod versors;
+mod warnings;
 
 pub use blocks::{ask_for_import, block_handover, pending};
 pub use functions::{function_stand_ins, functions};

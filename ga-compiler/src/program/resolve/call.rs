@@ -68,11 +68,16 @@ impl<'s> Resolver<'_, 's> {
         arguments: &'s [Formula],
     ) -> Result<Bound> {
         let operands: Result<Vec<_>> = arguments.iter().map(|a| self.single(a)).collect();
-        let step = operation.apply(&mut self.builder, &operands?);
-        step.map(Bound::One).map_err(|error| {
+        let operands = operands?;
+        let step = operation.apply(&mut self.builder, &operands);
+        let step = step.map_err(|error| {
             let kind = ResolveErrorKind::Operation(name, error);
             ResolveError::new(kind, formula.place())
-        })
+        })?;
+        if let (Operation::Product(product), [a, b]) = (operation, operands.as_slice()) {
+            self.note_product(formula, product, [*a, *b], step);
+        }
+        Ok(Bound::One(step))
     }
 
     fn part_of_grade(

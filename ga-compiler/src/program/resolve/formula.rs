@@ -94,24 +94,26 @@ impl<'s> Resolver<'_, 's> {
     fn row(&mut self, formula: &'s Formula) -> Result<Bound> {
         let (mut first, mut operations) = (formula, Vec::new());
         while let FormulaKind::Binary(operator, left, right) = &first.kind {
-            operations.push((*operator, &**left, &**right, first.place()));
+            operations.push((*operator, &**left, &**right, first));
             first = left;
         }
         let mut value = self.formula(first)?;
-        for (operator, left, right, place) in operations.into_iter().rev() {
-            value = self.binary(operator, (left, value), right, place)?;
+        for (operator, left, right, whole) in operations.into_iter().rev() {
+            value = self.binary(operator, (left, value), right, whole)?;
         }
         Ok(value)
     }
 
-    /// An operator on a value that is known, with its formula, and on another formula.
+    /// An operator on a value that is known, with its formula, and on another formula; `whole` is
+    /// the formula of both.
     fn binary(
         &mut self,
         operator: Operator,
         (left, value): (&Formula, Bound),
         right: &'s Formula,
-        place: Place,
+        whole: &Formula,
     ) -> Result<Bound> {
+        let place = whole.place();
         let junction = match operator {
             Operator::Both => Some(Function::And),
             Operator::Either => Some(Function::Or),
@@ -134,27 +136,25 @@ impl<'s> Resolver<'_, 's> {
             let kind = ResolveErrorKind::DivisorNotScalar(found);
             return Err(ResolveError::new(kind, right.place()));
         }
-        self.operation(operator, value, operand)
-            .map(Bound::One)
-            .map_err(|error| ResolveError::new(ResolveErrorKind::Operator(error), place))
+        let step = self
+            .operation(operator, value, operand)
+            .map_err(|error| ResolveError::new(ResolveErrorKind::Operator(error), place))?;
+        if let Some(product) = product(operator) {
+            self.note_product(whole, product, [value, operand], step);
+        }
+        Ok(Bound::One(step))
     }
 
     /// The value of an operator on multivectors.
     fn operation(&mut self, operator: Operator, a: StepId, b: StepId) -> Outcome {
-        let product = match operator {
-            Operator::Xor => Product::Wedge,
-            Operator::Or => Product::LeftContraction,
-            Operator::And => Product::Vee,
-            Operator::Divide => return self.builder.push(Step::Quotient(a, b)),
-            Operator::Add => return self.builder.push(Step::Sum(a, b)),
-            Operator::Subtract => {
-                let negative = self.builder.push(Step::Negative(b))?;
-                return self.builder.push(Step::Sum(a, negative));
-            }
-            // Those of conditions do not come here.
-            _ => Product::Geometric,
+        let step = match (product(operator), operator) {
+            (Some(product), _) => Step::Binary(product, a, b),
+            (None, Operator::Divide) => Step::Quotient(a, b),
+            (None, Operator::Subtract) => Step::Sum(a, self.builder.push(Step::Negative(b))?),
+            // Operators on conditions do not come here.
+            (None, _) => Step::Sum(a, b),
         };
-        self.builder.push(Step::Binary(product, a, b))
+        self.builder.push(step)
     }
 
     fn parts(&mut self, parts: &'s [Formula]) -> Result<Bound> {
@@ -225,6 +225,17 @@ impl<'s> Resolver<'_, 's> {
             };
         }
         Ok(sum)
+    }
+}
+
+/// The product that an operator stands for.
+const fn product(operator: Operator) -> Option<Product> {
+    match operator {
+        Operator::Multiply => Some(Product::Geometric),
+        Operator::Xor => Some(Product::Wedge),
+        Operator::Or => Some(Product::LeftContraction),
+        Operator::And => Some(Product::Vee),
+        _ => None,
     }
 }
 

@@ -8,6 +8,7 @@ mod operation;
 mod place;
 #[cfg(test)]
 mod tests;
+mod zero;
 
 use std::rc::Rc;
 
@@ -19,6 +20,7 @@ use super::mismatch::Mismatch;
 use super::{MAX_STEPS, Program, Step, StepId, Witness};
 use crate::algebra::Product;
 use crate::define::{Definition, Role, SCALAR_TYPE, TypeDefinition};
+use crate::diag::Warning;
 use crate::ir::Facts;
 use crate::member;
 use crate::parse::{
@@ -43,6 +45,8 @@ pub struct Resolved<'a> {
     pub result: Shape,
     /// The steps of the result, each with its type.
     pub outputs: Vec<(StepId, Option<&'a TypeDefinition>)>,
+    /// What is hardly meant.
+    pub warnings: Vec<Warning>,
 }
 
 /// Resolves a function; `block` holds the functions that it may call.
@@ -84,13 +88,17 @@ pub fn resolve_with<'a>(
         callers: vec![function],
         calls: 0,
         level: 0,
+        warnings: Vec::new(),
+        zeros: Vec::new(),
     };
     let uniform = resolver.operands(function)?;
     let result = resolver.shape(&function.result)?;
     let value = resolver.body(function)?;
     let mut outputs = Vec::new();
     resolver.fit(&function.value, &value, &result, "the result", &mut outputs)?;
+    resolver.note_result(&function.value, &value);
     state_kinds(definition, &mut resolver.builder);
+    let warnings = std::mem::take(&mut resolver.warnings);
     let Builder {
         program,
         witness,
@@ -104,6 +112,7 @@ pub fn resolve_with<'a>(
         uniform,
         result,
         outputs,
+        warnings,
     })
 }
 
@@ -175,6 +184,9 @@ struct Resolver<'a, 's> {
     calls: usize,
     /// How many formulas are being computed, each a part of the one before.
     level: usize,
+    warnings: Vec<Warning>,
+    /// The steps of which was said that they are always zero.
+    zeros: Vec<StepId>,
 }
 
 impl<'a, 's> Resolver<'a, 's> {

@@ -132,6 +132,7 @@ impl Recipe {
             visibility: syn::Visibility::Inherited,
             name: Some(quote::format_ident!("f")),
             operands: vec![operand("x", 0), operand("u", 1)],
+            warnings: Vec::new(),
             result: scalars(outputs.len()),
             kernel: Kernel {
                 uniform: (0..arena.inputs())
