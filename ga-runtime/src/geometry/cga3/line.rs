@@ -155,6 +155,13 @@ impl<S: Real<Mask = bool>> Line<S> {
 }
 
 impl<S: Ring> Line<S> {
+    /// The line with a direction and a moment that are perpendicular.
+    #[inline]
+    pub(super) fn from_vectors(direction: Vector<S>, moment: Vector<S>) -> Self {
+        let ([d1, d2, d3], [m1, m2, m3]) = (direction.into(), moment.into());
+        Self::new(m3, -m2, m1, -d1, -d2, -d3)
+    }
+
     /// The direction and the moment.
     #[inline]
     pub(super) fn vectors(self) -> (Vector<S>, Vector<S>) {

@@ -1,6 +1,7 @@
 //! Motors from their parts and matrices, and back.
 
 use crate::cga3::{DualQuaternion, Motor, Point, Rotor, Translator};
+use crate::geometry::number::are_numbers;
 use crate::scalar::{Field, Real};
 
 impl<S: Field> Motor<S> {
@@ -28,6 +29,7 @@ impl<S: Field> Motor<S> {
     }
 
     /// The matrix `[R | t]` by rows: `x' = R x + t`.
+    #[inline]
     #[must_use]
     pub fn to_matrix(self) -> [[S; 4]; 3] {
         let [r0, r1, r2] = self.rotor().to_matrix();
@@ -51,12 +53,12 @@ impl<S: Real<Mask = bool>> Motor<S> {
 
     /// The motor of a matrix `[R | t]` by rows; `None` where R is not a rotation within √ε, or t is
     /// not finite.
+    #[inline]
     #[must_use]
     pub fn from_matrix(rows: [[S; 4]; 3]) -> Option<Self> {
         let rotor = Rotor::from_matrix(rows.map(|[x, y, z, _]| [x, y, z]))?;
         let displacement = rows.map(|row| row[3]);
-        let is_finite = displacement.iter().all(|t| t.is_finite());
-        is_finite.then(|| Translator::from_displacement(displacement) * rotor)
+        are_numbers(displacement).then(|| Translator::from_displacement(displacement) * rotor)
     }
 }
 

@@ -149,7 +149,7 @@ impl<S: Real<Mask = bool>> Plane<S> {
 
     /// The normal n and the number d of the points x with `n·x = d`, both times the weight.
     #[inline]
-    fn vectors(self) -> (Vector<S>, S) {
+    pub(super) fn vectors(self) -> (Vector<S>, S) {
         let dual = self.dual();
         (dual.normal().into(), dual.ei)
     }

@@ -14,6 +14,7 @@ impl<S: Ring> Rotor<S> {
     }
 
     /// The rotation matrix by rows: `x' = matrix · x`.
+    #[inline]
     #[must_use]
     pub fn to_matrix(self) -> [[S; 3]; 3] {
         let ([x, y, z], w) = self.to_quaternion();
@@ -49,6 +50,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     /// let [x, y, z] = quarter.transform(Point::new(1.0, 0.0, 5.0)).coordinates();
     /// assert!(x.abs() < 1e-15 && (y - 1.0).abs() < 1e-15 && z == 5.0);
     /// ```
+    #[inline]
     #[must_use]
     pub fn from_axis_angle(axis: [S; 3], angle: S) -> Option<Self> {
         if !angle.is_finite() {

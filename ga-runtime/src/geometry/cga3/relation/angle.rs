@@ -50,6 +50,7 @@
 use super::circle_angles::circle_angles;
 use super::{CircleAngles, Figure, Primitive, hypotenuse, parallel};
 use crate::cga3::{Circle, DualCircle, DualPlane, DualSphere, Line, MotorGenerator, Plane, Sphere};
+use crate::geometry::number::{is_number, is_regular};
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -63,6 +64,14 @@ pub trait Extended<S>: Primitive<S> {
     /// The angle between two figures, the first of which is a circle and the second this primitive.
     #[doc(hidden)]
     fn angle_to_circle(circle: Figure<S>, figure: Figure<S>) -> Option<Self::ToCircle>;
+
+    /// A direction of any length, and whether it is a normal, of a primitive that is a figure;
+    /// `None` for types that do not know it without their figure.
+    #[doc(hidden)]
+    #[inline]
+    fn direction_or_normal(self) -> Option<(Vector<S>, bool)> {
+        None
+    }
 }
 
 macro_rules! one_angle {
@@ -76,7 +85,7 @@ macro_rules! one_angle {
     )*};
 }
 
-one_angle!(Line Plane Sphere MotorGenerator DualPlane DualSphere);
+one_angle!(Sphere MotorGenerator DualPlane DualSphere);
 
 macro_rules! two_angles {
     ($($Circle:ident)*) => {$(
@@ -103,6 +112,36 @@ macro_rules! two_angles {
 
 two_angles!(Circle DualCircle);
 
+impl<S: Real<Mask = bool>> Extended<S> for Line<S> {
+    type ToCircle = S;
+
+    fn angle_to_circle(circle: Figure<S>, figure: Figure<S>) -> Option<S> {
+        angle(circle, figure)
+    }
+
+    #[inline]
+    fn direction_or_normal(self) -> Option<(Vector<S>, bool)> {
+        let (direction, moment) = self.vectors();
+        let is_figure = is_regular(direction.length_squared()) && is_regular_or_less(moment);
+        is_figure.then_some((direction, false))
+    }
+}
+
+impl<S: Real<Mask = bool>> Extended<S> for Plane<S> {
+    type ToCircle = S;
+
+    fn angle_to_circle(circle: Figure<S>, figure: Figure<S>) -> Option<S> {
+        angle(circle, figure)
+    }
+
+    #[inline]
+    fn direction_or_normal(self) -> Option<(Vector<S>, bool)> {
+        let (normal, number) = self.vectors();
+        let is_figure = is_regular(normal.length_squared()) && is_number(number);
+        is_figure.then_some((normal, true))
+    }
+}
+
 macro_rules! angles {
     ($($Primitive:ident)*) => {$(
         impl<S: Real<Mask = bool>> $Primitive<S> {
@@ -110,8 +149,14 @@ macro_rules! angles {
             /// [`angle`](crate::geometry::relation::angle) for all pairs. `None` where a sphere and
             /// the other do not meet, beyond what rounding explains, or where either is not a
             /// figure.
+            #[inline]
             #[must_use]
             pub fn angle_to<T: Extended<S>>(self, other: T) -> Option<S> {
+                if let (Some(a), Some(b)) = (self.direction_or_normal(), other.direction_or_normal())
+                    && let Some(angle) = angle_of_directions(a, b)
+                {
+                    return Some(angle);
+                }
                 angle(self.figure()?, other.figure()?)
             }
         }
@@ -156,6 +201,31 @@ macro_rules! inversive_distances {
 
 inversive_distances!(Plane Sphere DualPlane DualSphere);
 
+/// Whether a vector is so short that its products with others in the regular range are finite.
+#[inline]
+fn is_regular_or_less<S: Real<Mask = bool>>(vector: Vector<S>) -> bool {
+    vector.length_squared().less_than(S::from_f64(1e24))
+}
+
+/// The angle of two directions of any length, each with whether it is a normal; `None` where their
+/// cross product is beyond the regular range.
+#[inline]
+fn angle_of_directions<S: Real<Mask = bool>>(
+    (u, u_is_normal): (Vector<S>, bool),
+    (v, v_is_normal): (Vector<S>, bool),
+) -> Option<S> {
+    let (across, along) = (u.cross(v).length_squared(), u.dot(v));
+    if !is_regular(across) || !is_number(along) {
+        return None;
+    }
+    Some(if u_is_normal == v_is_normal {
+        across.sqrt().atan2(along)
+    } else {
+        along.atan2(across.sqrt())
+    })
+}
+
+#[inline(never)]
 fn angle<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<S> {
     use Figure::{Circle, Line, Plane, Sphere};
     let between = |u: Vector<S>, v: Vector<S>| u.cross(v).length().atan2(u.dot(v));

@@ -1,8 +1,9 @@
 //! The common perpendicular of two lines: the shortest segment between them, with its line.
 
-use super::tolerance::within;
-use super::{Figure, Primitive, Tolerance, parallel};
+use super::tolerance::{angle_within, within};
+use super::{Tolerance, parallel};
 use crate::cga3::{Line, Point};
+use crate::geometry::number::{are_numbers, is_number};
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -45,31 +46,19 @@ impl<S: Real<Mask = bool>> Line<S> {
     /// assert_eq!(between.feet, [Point::new(5.0, 0.0, 1.0), Point::new(5.0, 0.0, 4.0)]);
     /// assert_eq!(between.line.direction(), [0.0, 0.0, 1.0]);
     /// ```
+    #[inline]
     #[must_use]
     pub fn common_perpendicular(
         self,
         other: Self,
         tolerance: Tolerance<S>,
     ) -> Option<CommonPerpendicular<S>> {
-        let Figure::Line {
-            point: p,
-            direction: d,
-        } = self.figure()?
-        else {
-            return None;
-        };
-        let Figure::Line {
-            point: q,
-            direction: e,
-        } = other.figure()?
-        else {
-            return None;
-        };
+        let ((p, d), (q, e)) = (self.parts()?, other.parts()?);
         let between = q - p;
         let normal = d.cross(e);
         let sine = normal.length();
-        let angle = sine.atan2(d.dot(e).abs());
-        if within(angle, tolerance.angle) || sine.less_than(parallel()) {
+        let is_parallel = angle_within(sine, d.dot(e).abs(), tolerance.angle);
+        if is_parallel || sine.less_than(parallel()) {
             let way = between.across(d);
             let distance = way.length();
             if within(distance, tolerance.distance) {
@@ -85,6 +74,7 @@ impl<S: Real<Mask = bool>> Line<S> {
     }
 }
 
+#[inline]
 fn assemble<S: Real<Mask = bool>>(
     feet: [Vector<S>; 2],
     direction: Vector<S>,
@@ -92,11 +82,13 @@ fn assemble<S: Real<Mask = bool>>(
     is_parallel: bool,
 ) -> Option<CommonPerpendicular<S>> {
     let line = Line::from_point_direction(feet[0].into(), direction.into());
-    let finite = feet.iter().all(|foot| foot.is_finite())
-        && Vector::from(line.moment()).is_finite()
-        && direction.is_finite()
-        && distance.is_finite();
-    finite.then(|| CommonPerpendicular {
+    let [first, second] = feet.map(Vector::coordinates);
+    let is_finite = are_numbers(first)
+        && are_numbers(second)
+        && are_numbers(line.moment())
+        && are_numbers(direction.coordinates())
+        && is_number(distance);
+    is_finite.then(|| CommonPerpendicular {
         line,
         feet: feet.map(Point::from),
         distance,

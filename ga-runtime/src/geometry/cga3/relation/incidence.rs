@@ -33,7 +33,7 @@
 //! ```
 
 use super::distance::{distance, from_sphere};
-use super::tolerance::within;
+use super::tolerance::{angle_within, within};
 use super::{Figure, Primitive, Tolerance};
 use crate::cga3::{
     Circle, DualCircle, DualFlatPoint, DualPlane, DualPointPair, DualSphere, FlatPoint, Line,
@@ -88,7 +88,7 @@ macro_rules! attitude {
             #[must_use]
             pub fn is_parallel_to<T: Directed<S>>(self, other: T, tolerance: Tolerance<S>) -> bool {
                 let slope = self.figure().zip(other.figure()).and_then(|(a, b)| slope(a, b));
-                slope.is_some_and(|[sine, cosine]| within(sine.atan2(cosine), tolerance.angle))
+                slope.is_some_and(|[sine, cosine]| angle_within(sine, cosine, tolerance.angle))
             }
 
             /// Whether the angle to the other is a right angle within `tolerance.angle`. Lines,
@@ -97,7 +97,7 @@ macro_rules! attitude {
             #[must_use]
             pub fn is_perpendicular_to<T: Directed<S>>(self, other: T, tolerance: Tolerance<S>) -> bool {
                 let slope = self.figure().zip(other.figure()).and_then(|(a, b)| slope(a, b));
-                slope.is_some_and(|[sine, cosine]| within(cosine.atan2(sine), tolerance.angle))
+                slope.is_some_and(|[sine, cosine]| angle_within(cosine, sine, tolerance.angle))
             }
         }
     )*};
@@ -138,7 +138,7 @@ pub(super) fn is_on<S: Real<Mask = bool>>(
     let near = |x: S| within(x, tolerance.distance);
     let point_is_on = |p: Vector<S>, b| distance(Figure::Point(p), b).is_some_and(near);
     let turned = |u: Vector<S>, v: Vector<S>| {
-        within(u.cross(v).length().atan2(u.dot(v).abs()), tolerance.angle)
+        angle_within(u.cross(v).length(), u.dot(v).abs(), tolerance.angle)
     };
     match (a, b) {
         (Figure::Point(p), b) => point_is_on(p, b),
@@ -156,7 +156,7 @@ pub(super) fn is_on<S: Real<Mask = bool>>(
                 direction.dot(normal).abs(),
                 direction.cross(normal).length(),
             ];
-            within(sine.atan2(cosine), tolerance.angle) && point_is_on(point, b)
+            angle_within(sine, cosine, tolerance.angle) && point_is_on(point, b)
         }
         (Figure::Plane { normal, distance }, Figure::Plane { normal: m, .. }) => {
             turned(normal, m) && point_is_on(normal * distance, b)

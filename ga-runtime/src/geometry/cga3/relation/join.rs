@@ -52,7 +52,7 @@
 
 use super::distance::distance;
 use super::incidence::is_on;
-use super::tolerance::within;
+use super::tolerance::{angle_within, within};
 use super::{Figure, Primitive, Tolerance, hypotenuse, parallel};
 use crate::cga3::{
     Circle, DualCircle, DualFlatPoint, DualPlane, DualPointPair, DualSphere, FlatPoint, Line,
@@ -265,7 +265,7 @@ fn two_lines<S: Real<Mask = bool>>(
     tolerance: Tolerance<S>,
 ) -> Option<Join<S>> {
     let normal = d.cross(e);
-    if within(normal.length().atan2(d.dot(e).abs()), tolerance.angle) {
+    if angle_within(normal.length(), d.dot(e).abs(), tolerance.angle) {
         return plane(p, d.cross(q - p));
     }
     let [first, second] =

@@ -61,6 +61,20 @@ impl<S: Real> Default for Tolerance<S> {
 }
 
 /// Whether a number is at most as large as a bound; false where either is NaN.
+#[inline]
 pub(super) fn within<S: Real<Mask = bool>>(x: S, bound: S) -> bool {
     x.abs().less_than(bound) || x.abs() == bound
+}
+
+/// Whether the angle with a sine and a cosine, both not negative, is at most as large as a bound.
+/// No angle is smaller than its sine, which decides most cases.
+#[inline]
+pub(super) fn angle_within<S: Real<Mask = bool>>(sine: S, cosine: S, bound: S) -> bool {
+    !bound.less_than(sine) && small_angle_within(sine, cosine, bound)
+}
+
+#[cold]
+#[inline(never)]
+fn small_angle_within<S: Real<Mask = bool>>(sine: S, cosine: S, bound: S) -> bool {
+    within(sine.atan2(cosine), bound)
 }

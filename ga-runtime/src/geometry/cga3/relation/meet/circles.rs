@@ -1,11 +1,11 @@
 //! Meets of circles with lines, planes, spheres and each other.
 
 use super::spheres::{power_plane, same_radius, touch};
-use super::{Meet, finite_point, less_square, line_parts, pair, plane_parts, radius};
+use super::{Meet, finite_point, less_square, pair, radius};
 use crate::cga3::{Circle, Line, Plane, Point, PointPair, Sphere};
 use crate::geometry::relation::distance::{distance, from_sphere};
 use crate::geometry::relation::figure::{circle_parts, sphere_parts};
-use crate::geometry::relation::tolerance::within;
+use crate::geometry::relation::tolerance::{angle_within, within};
 use crate::geometry::relation::{Figure, Tolerance};
 use crate::scalar::Real;
 use crate::vga3::Vector;
@@ -112,13 +112,13 @@ impl<S: Real<Mask = bool>> Meet<Circle<S>> for Line<S> {
     type Outcome = LineAndCircle<S>;
     fn meet(self, circle: Circle<S>, tolerance: Tolerance<S>) -> Option<LineAndCircle<S>> {
         let ((start, direction), (centre, normal, squared)) =
-            (line_parts(self)?, circle_parts(circle)?);
+            (self.parts()?, circle_parts(circle)?);
         let near = |x: S| within(x, tolerance.distance);
         let off = (centre - start).across(direction);
         let foot = centre - off;
         let slope = direction.dot(normal);
-        let angle = slope.abs().atan2(direction.cross(normal).length());
-        let is_flat = within(angle, tolerance.angle);
+        let cosine = direction.cross(normal).length();
+        let is_flat = angle_within(slope.abs(), cosine, tolerance.angle);
         if is_flat && near(off.dot(normal)) {
             let distance = off.length();
             if radius(squared, tolerance).is_some_and(|r| near(distance - r)) {
@@ -155,8 +155,7 @@ impl<S: Real<Mask = bool>> Meet<Circle<S>> for Plane<S> {
     type Scalar = S;
     type Outcome = PlaneAndCircle<S>;
     fn meet(self, circle: Circle<S>, tolerance: Tolerance<S>) -> Option<PlaneAndCircle<S>> {
-        let ((m, distance), (centre, normal, squared)) =
-            (plane_parts(self)?, circle_parts(circle)?);
+        let ((m, distance), (centre, normal, squared)) = (self.parts()?, circle_parts(circle)?);
         let near = |x: S| within(x, tolerance.distance);
         let height = centre.dot(m) - distance;
         let along = m.cross(normal);
@@ -165,7 +164,7 @@ impl<S: Real<Mask = bool>> Meet<Circle<S>> for Plane<S> {
         if real.is_some_and(|r| near(height.abs() + sine * r)) {
             return Some(PlaneAndCircle::Contained(circle));
         }
-        if within(sine.atan2(normal.dot(m).abs()), tolerance.angle) {
+        if angle_within(sine, normal.dot(m).abs(), tolerance.angle) {
             return Some(if near(height) {
                 PlaneAndCircle::Contained(circle)
             } else {
@@ -255,7 +254,7 @@ impl<S: Real<Mask = bool>> Meet<Circle<S>> for Circle<S> {
         let near = |x: S| within(x, tolerance.distance);
         let from = b - a;
         let sine = n.cross(m).length();
-        let is_flat = within(sine.atan2(n.dot(m).abs()), tolerance.angle)
+        let is_flat = angle_within(sine, n.dot(m).abs(), tolerance.angle)
             || near(sine * a_squared.max(b_squared).max(S::zero()).sqrt());
         if !is_flat {
             return in_two_planes(self, other, tolerance);

@@ -72,12 +72,13 @@ pub use circles::{CircleAndCircle, LineAndCircle, PlaneAndCircle, SphereAndCircl
 pub use flats::{LineAndLine, LineAndPlane, PlaneAndPlane};
 pub use spheres::{LineAndSphere, PlaneAndSphere, SphereAndSphere};
 
+use super::Tolerance;
 use super::tolerance::within;
-use super::{Figure, Primitive, Tolerance};
 use crate::cga3::{
     Circle, DualCircle, DualPlane, DualSphere, Line, MotorGenerator, Plane, Point, PointPair,
     Sphere,
 };
+use crate::geometry::number::are_numbers;
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -98,6 +99,7 @@ macro_rules! meets {
             /// The intersection of this and the other, by cases; see
             /// [`meet`](crate::geometry::relation::meet). `None` where one is not what its type
             /// says or the result is beyond the range of the scalar.
+            #[inline]
             #[must_use]
             pub fn meet<B>(self, other: B, tolerance: Tolerance<S>) -> Option<<Self as Meet<B>>::Outcome>
             where
@@ -117,6 +119,7 @@ macro_rules! either_way {
         impl<S: Real<Mask = bool>> Meet<$B<S>> for $A<S> {
             type Scalar = S;
             type Outcome = <$B<S> as Meet<$A<S>>>::Outcome;
+            #[inline]
             fn meet(self, other: $B<S>, tolerance: Tolerance<S>) -> Option<Self::Outcome> {
                 Meet::meet(other, self, tolerance)
             }
@@ -166,24 +169,9 @@ by_the_direct_form! {
     DualSphere Sphere;
 }
 
-/// The point nearest to the origin and the unit direction of a line.
-fn line_parts<S: Real<Mask = bool>>(line: Line<S>) -> Option<(Vector<S>, Vector<S>)> {
-    match line.figure()? {
-        Figure::Line { point, direction } => Some((point, direction)),
-        _ => None,
-    }
-}
-
-/// The unit normal and the distance of a plane.
-fn plane_parts<S: Real<Mask = bool>>(plane: Plane<S>) -> Option<(Vector<S>, S)> {
-    match plane.figure()? {
-        Figure::Plane { normal, distance } => Some((normal, distance)),
-        _ => None,
-    }
-}
-
 /// The radius, from its square; zero where the square is negative within the tolerance, `None`
 /// where it is imaginary.
+#[inline]
 fn radius<S: Real<Mask = bool>>(squared: S, tolerance: Tolerance<S>) -> Option<S> {
     if squared.less_than(S::zero()) {
         let is_zero = within(squared, tolerance.distance * tolerance.distance);
@@ -194,6 +182,7 @@ fn radius<S: Real<Mask = bool>>(squared: S, tolerance: Tolerance<S>) -> Option<S
 
 /// `x² − y²` with as little cancellation as possible, where the square x² and the length y are
 /// given.
+#[inline]
 fn less_square<S: Real<Mask = bool>>(squared: S, y: S) -> S {
     if squared.less_than(S::zero()) {
         return squared - y * y;
@@ -202,10 +191,12 @@ fn less_square<S: Real<Mask = bool>>(squared: S, y: S) -> S {
     (x - y) * (x + y)
 }
 
+#[inline]
 fn finite_point<S: Real<Mask = bool>>(place: Vector<S>) -> Option<Point<S>> {
-    place.is_finite().then(|| Point::from(place))
+    are_numbers(place.coordinates()).then(|| Point::from(place))
 }
 
+#[inline]
 fn pair<S: Real<Mask = bool>>(
     centre: Vector<S>,
     direction: Vector<S>,
@@ -214,10 +205,12 @@ fn pair<S: Real<Mask = bool>>(
     PointPair::from_centre_axis_radius_squared(centre.into(), direction.into(), squared)
 }
 
+/// The circle about a centre, with a unit normal.
+#[inline]
 fn circle<S: Real<Mask = bool>>(
     centre: Vector<S>,
     normal: Vector<S>,
     squared: S,
 ) -> Option<Circle<S>> {
-    Circle::from_centre_normal_radius_squared(centre.into(), normal.into(), squared)
+    Circle::around(centre, normal, squared)
 }

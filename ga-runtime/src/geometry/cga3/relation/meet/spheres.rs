@@ -1,11 +1,13 @@
 //! Meets of spheres with lines, planes and each other.
 
-use super::{Meet, circle, finite_point, less_square, line_parts, pair, plane_parts, radius};
+use super::{Meet, circle, finite_point, less_square, pair, radius};
 use crate::cga3::{Circle, Line, Plane, Point, PointPair, Sphere};
+use crate::geometry::number::is_regular;
 use crate::geometry::relation::Tolerance;
 use crate::geometry::relation::figure::sphere_parts;
 use crate::geometry::relation::tolerance::within;
 use crate::scalar::Real;
+use crate::vga3::Vector;
 
 /// How a line and a sphere meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -65,32 +67,73 @@ pub enum SphereAndSphere<S> {
 impl<S: Real<Mask = bool>> Meet<Sphere<S>> for Line<S> {
     type Scalar = S;
     type Outcome = LineAndSphere<S>;
+    #[inline]
     fn meet(self, sphere: Sphere<S>, tolerance: Tolerance<S>) -> Option<LineAndSphere<S>> {
-        let ((start, direction), (centre, squared)) = (line_parts(self)?, sphere_parts(sphere)?);
-        let off = (centre - start).across(direction);
-        let foot = centre - off;
-        let distance = off.length();
-        let is_tangent = |r: S| within(distance - r, tolerance.distance);
-        if radius(squared, tolerance).is_some_and(is_tangent) {
-            let point = finite_point(foot)?;
-            return Some(LineAndSphere::Tangent {
-                point,
-                direction: direction.into(),
-            });
+        let (d, m) = self.vectors();
+        let square = d.length_squared();
+        let (centre, squared) = sphere_parts(sphere)?;
+        if is_regular(square) && is_regular(squared) {
+            let inverse = square.sqrt().recip();
+            let direction = d * inverse;
+            // The moment about the centre.
+            let moment = (m - centre.cross(d)) * inverse;
+            let foot = centre + direction.cross(moment);
+            let (radius, distance) = (squared.sqrt(), moment.length_squared().sqrt());
+            let within = radius - distance;
+            if tolerance.distance.less_than(within.abs())
+                && let Some(pair) = PointPair::around(foot, direction, within * (radius + distance))
+            {
+                return Some(if within.less_than(S::zero()) {
+                    LineAndSphere::Imaginary(pair)
+                } else {
+                    LineAndSphere::Points(pair)
+                });
+            }
         }
-        let half_squared = less_square(squared, distance);
-        let pair = pair(foot, direction, half_squared)?;
-        Some(if half_squared.less_than(S::zero()) {
-            LineAndSphere::Imaginary(pair)
-        } else {
-            LineAndSphere::Points(pair)
-        })
+        line_and_sphere(
+            [d, m].map(Vector::coordinates),
+            centre.into(),
+            squared,
+            tolerance,
+        )
     }
+}
+
+/// The meet of a line, by direction and moment, and a sphere, by centre and squared radius.
+#[cold]
+#[inline(never)]
+fn line_and_sphere<S: Real<Mask = bool>>(
+    [d, m]: [[S; 3]; 2],
+    centre: [S; 3],
+    squared: S,
+    tolerance: Tolerance<S>,
+) -> Option<LineAndSphere<S>> {
+    let centre = Vector::from(centre);
+    let (start, direction) = Line::from_vectors(d.into(), m.into()).parts()?;
+    let off = (centre - start).across(direction);
+    let foot = centre - off;
+    let distance = off.length();
+    let is_tangent = |r: S| within(distance - r, tolerance.distance);
+    if radius(squared, tolerance).is_some_and(is_tangent) {
+        let point = finite_point(foot)?;
+        return Some(LineAndSphere::Tangent {
+            point,
+            direction: direction.into(),
+        });
+    }
+    let half_squared = less_square(squared, distance);
+    let pair = pair(foot, direction, half_squared)?;
+    Some(if half_squared.less_than(S::zero()) {
+        LineAndSphere::Imaginary(pair)
+    } else {
+        LineAndSphere::Points(pair)
+    })
 }
 
 impl<S: Real<Mask = bool>> Meet<Sphere<S>> for Plane<S> {
     type Scalar = S;
     type Outcome = PlaneAndSphere<S>;
+    #[inline]
     fn meet(self, sphere: Sphere<S>, tolerance: Tolerance<S>) -> Option<PlaneAndSphere<S>> {
         plane_and_sphere(self, sphere, tolerance, -S::one())
     }
@@ -99,18 +142,20 @@ impl<S: Real<Mask = bool>> Meet<Sphere<S>> for Plane<S> {
 impl<S: Real<Mask = bool>> Meet<Plane<S>> for Sphere<S> {
     type Scalar = S;
     type Outcome = PlaneAndSphere<S>;
+    #[inline]
     fn meet(self, plane: Plane<S>, tolerance: Tolerance<S>) -> Option<PlaneAndSphere<S>> {
         plane_and_sphere(plane, self, tolerance, S::one())
     }
 }
 
+#[inline]
 fn plane_and_sphere<S: Real<Mask = bool>>(
     plane: Plane<S>,
     sphere: Sphere<S>,
     tolerance: Tolerance<S>,
     sign: S,
 ) -> Option<PlaneAndSphere<S>> {
-    let ((normal, distance), (centre, squared)) = (plane_parts(plane)?, sphere_parts(sphere)?);
+    let ((normal, distance), (centre, squared)) = (plane.parts()?, sphere_parts(sphere)?);
     let height = centre.dot(normal) - distance;
     let foot = centre - normal * height;
     let normal = normal * sign;
@@ -134,6 +179,7 @@ fn plane_and_sphere<S: Real<Mask = bool>>(
 impl<S: Real<Mask = bool>> Meet<Sphere<S>> for Sphere<S> {
     type Scalar = S;
     type Outcome = SphereAndSphere<S>;
+    #[inline]
     fn meet(self, other: Self, tolerance: Tolerance<S>) -> Option<SphereAndSphere<S>> {
         let ((a, a_squared), (b, b_squared)) = (sphere_parts(self)?, sphere_parts(other)?);
         let way = b - a;
@@ -167,11 +213,13 @@ impl<S: Real<Mask = bool>> Meet<Sphere<S>> for Sphere<S> {
 
 /// The distance from the first of two centres, towards the second, of the plane of points of equal
 /// power: `(d² + r² − s²)/(2 d)`.
+#[inline]
 pub(super) fn power_plane<S: Real<Mask = bool>>(distance: S, squared: S, other_squared: S) -> S {
     (distance + (squared - other_squared) / distance) * S::from_ratio(1, 2)
 }
 
 /// Whether two radii, both real or both imaginary, are equal within the tolerance.
+#[inline]
 pub(super) fn same_radius<S: Real<Mask = bool>>(a: S, b: S, tolerance: Tolerance<S>) -> bool {
     match (radius(a, tolerance), radius(b, tolerance)) {
         (Some(r), Some(s)) => within(r - s, tolerance.distance),
@@ -181,6 +229,7 @@ pub(super) fn same_radius<S: Real<Mask = bool>>(a: S, b: S, tolerance: Tolerance
 }
 
 /// Whether two spheres, or circles in one plane, touch from the inside or from the outside.
+#[inline]
 pub(super) fn touch<S: Real<Mask = bool>>(
     distance: S,
     squared: S,
