@@ -16,8 +16,8 @@ pub(crate) const LAMP: f64 = 0.85;
 pub(crate) const GLOSS: f64 = 0.5;
 /// The distance at which half of the light of a surface is lost in the haze.
 pub(crate) const HAZE: f64 = 40.0;
-pub(crate) const HORIZON: Colour = Colour::new(0.80, 0.86, 0.93);
-pub(crate) const ZENITH: Colour = Colour::new(0.10, 0.24, 0.52);
+pub(crate) const HORIZON: Colour = Colour::new(0.66, 0.77, 0.90);
+pub(crate) const ZENITH: Colour = Colour::new(0.07, 0.19, 0.48);
 
 /// Where a thing is.
 pub(crate) enum Shape {
@@ -191,7 +191,7 @@ pub(crate) fn example() -> Scene {
         material,
     };
     let disc = |centre: [f64; 3], radius, material| {
-        let normal = [-0.62, -0.77, 0.14];
+        let normal = [-0.62, -0.77, -0.03];
         let circle = Circle::from_centre_normal_radius(centre.into(), normal, radius);
         Some(Thing {
             shape: Shape::Disc(circle?),
@@ -214,7 +214,7 @@ pub(crate) fn example() -> Scene {
         ball([-1.20, -1.75, 0.28], 0.28, plain([0.30, 0.14, 0.50], 0.06)),
         ball([2.30, -1.95, 0.30], 0.30, plain([0.12, 0.42, 0.12], 0.06)),
     ];
-    things.extend(disc([2.75, 1.60, 1.55], 1.40, plain([0.9, 0.9, 0.9], 0.88)));
+    things.extend(disc([2.75, 1.60, 1.56], 1.40, plain([0.9, 0.9, 0.9], 0.88)));
     things.extend(disc(
         [2.76, 1.61, 1.55],
         1.52,
@@ -222,7 +222,7 @@ pub(crate) fn example() -> Scene {
     ));
     Scene {
         things,
-        lamp: Point::new(-4.5, -4.0, 7.0),
+        lamp: Point::new(-5.0, -4.5, 5.5),
     }
 }
 

@@ -129,8 +129,22 @@ impl<S: Real<Mask = bool>> PointPair<S> {
         real_radius(self.parts()?.squares())
     }
 
-    /// The two points, in the order of `p∧q` for a positive weight. `None` for an imaginary pair
-    /// and for one of weight zero.
+    /// The two points, in the order of `p∧q`: `k p∧q` gives `[p, q]` for a positive factor k and
+    /// `[q, p]` for a negative one. `None` for an imaginary pair and for one of weight zero.
+    ///
+    /// For the meet `line & sphere` with a sphere of
+    /// [`from_centre_radius`](Sphere::from_centre_radius), that is the order against the direction
+    /// of the line: `-(line & sphere)` begins where the line enters the sphere.
+    /// [`Ray::entry_and_exit`](crate::geometry::ray::Ray::entry_and_exit) has that order for a
+    /// sphere of any weight.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Line, Point, Sphere};
+    /// let unit = Sphere::from_centre_radius(Point::new(0.0, 0.0, 0.0), 1.0);
+    /// let line = Line::from_point_direction(Point::new(5.0, 0.0, 0.0), [1.0, 0.0, 0.0]);
+    /// let ends = (-(line & unit)).endpoints().unwrap();
+    /// assert_eq!(ends, [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]].map(Point::from));
+    /// ```
     ///
     /// The coefficients of the pair determine the squared radius r² only up to the rounding of the
     /// squared distance c² of the centre from the origin, so for points that almost coincide only

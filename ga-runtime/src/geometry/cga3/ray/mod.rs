@@ -39,6 +39,11 @@
 //! determines its squared radius only up to some ε times the squared distance of the centre from
 //! the origin of coordinates; [`Figure`](super::relation::Figure) holds the radius itself.
 //!
+//! # Many rays
+//!
+//! [`Ray::sphere_distances`] and [`Ray::plane_distance`] take several rays in
+//! [`Lanes`](crate::scalar::Lanes) at once.
+//!
 //! # Example
 //!
 //! ```
@@ -68,6 +73,7 @@
 //! ```
 
 mod hit;
+mod lanes;
 mod motion;
 mod round;
 mod surface;
