@@ -2,6 +2,7 @@
 
 use super::Ray;
 use crate::cga3::{Direction, Point};
+use crate::geometry::number::is_regular;
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -119,15 +120,8 @@ fn unit<S: Real<Mask = bool>>(vector: Vector<S>) -> Option<Vector<S>> {
         // The normal of most planes: a step of Newton's method is exact to rounding.
         return Some(vector * (S::one() - excess * S::from_ratio(1, 2)));
     }
-    if is_usual(square) {
+    if is_regular(square) {
         return Some(vector * square.sqrt().recip());
     }
     vector.normalized()
-}
-
-/// Whether a square is so far from the ends of the range of the scalar that no product with it
-/// overflows or loses digits.
-#[inline]
-pub(super) fn is_usual<S: Real<Mask = bool>>(square: S) -> bool {
-    S::from_f64(1e-18).less_than(square) && square.less_than(S::from_f64(1e18))
 }

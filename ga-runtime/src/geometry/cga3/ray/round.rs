@@ -1,10 +1,10 @@
 //! Rays that meet spheres and discs.
 
-use super::hit::is_usual;
 use super::surface::Ahead;
 use super::{Hit, Ray};
 use crate::cga3::{Circle, DualCircle, DualSphere};
 use crate::geometry::cga3::round::RoundBivector;
+use crate::geometry::number::is_regular;
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -28,7 +28,7 @@ pub(super) fn sphere_crossing<S: Real<Mask = bool>>(
     let place = Vector::new(sphere.e1, sphere.e2, sphere.e3);
     // σ², which is w² r².
     let square = place.dot(place) - (sphere.ei + sphere.ei) * sphere.eo;
-    if is_usual(square) {
+    if is_regular(square) {
         return crossing(ray, place, sphere.eo, square);
     }
     let [centre, [radius_squared, ..]] = centre_and_square([
@@ -133,7 +133,7 @@ pub(super) fn disc_hit<S: Real<Mask = bool>>(
     let normal = Vector::new(-disc.e1o, -disc.e2o, -disc.e3o);
     let ahead = Ahead::of_plane(ray, normal, disc.eoi)?;
     let square = normal.dot(normal);
-    let (centre, radius_squared) = if is_usual(square) {
+    let (centre, radius_squared) = if is_regular(square) {
         let inverse = square.recip();
         let moment = Vector::new(disc.e23, -disc.e13, disc.e12);
         let centre = (normal * disc.eoi + normal.cross(moment)) * inverse;
