@@ -149,8 +149,8 @@ impl<S: Ring> From<Point<S>> for [S; 3] {
 
 macro_rules! displacements {
     ($($Vector:ident)*) => {$(
-        displacements! { Point<S>, $Vector<S> }
-        displacements! { Point<S>, &$Vector<S> }
+        displacements! { of $Vector<S> }
+        displacements! { of &$Vector<S> }
 
         impl<S: Ring> AddAssign<$Vector<S>> for Point<S> {
             #[inline]
@@ -166,26 +166,26 @@ macro_rules! displacements {
             }
         }
     )*};
-    ($Point:ty, $Vector:ty) => {
+    (of $Vector:ty) => {
         /// The point displaced by a vector v, `x + v`: the translation of the point.
-        impl<S: Ring> Add<$Vector> for $Point {
-            type Output = Point<S>;
+        impl<S: Ring> Add<$Vector> for Point<S> {
+            type Output = Self;
 
             #[inline]
-            fn add(self, displacement: $Vector) -> Point<S> {
+            fn add(self, displacement: $Vector) -> Self {
                 let [x, y, z] = displacement.coordinates();
-                Point::new(self.e1() + x, self.e2() + y, self.e3() + z)
+                Self::new(self.e1() + x, self.e2() + y, self.e3() + z)
             }
         }
 
         /// The point displaced by minus a vector v, `x − v`.
-        impl<S: Ring> Sub<$Vector> for $Point {
-            type Output = Point<S>;
+        impl<S: Ring> Sub<$Vector> for Point<S> {
+            type Output = Self;
 
             #[inline]
-            fn sub(self, displacement: $Vector) -> Point<S> {
+            fn sub(self, displacement: $Vector) -> Self {
                 let [x, y, z] = displacement.coordinates();
-                Point::new(self.e1() - x, self.e2() - y, self.e3() - z)
+                Self::new(self.e1() - x, self.e2() - y, self.e3() - z)
             }
         }
     };
