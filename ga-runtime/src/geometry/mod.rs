@@ -36,7 +36,8 @@
 //!
 //! - `Rotor`: `exp(−½θB)`; built by `from_axis_angle`, `from_rotation_vector`, `between`,
 //!   `from_matrix`, `from_quaternion`, `from_euler`, `look_along`; read by `to_axis_angle`,
-//!   `to_rotation_vector`, `to_matrix`, `to_quaternion`, `to_euler`, `path`; functions `log`, `powf`, `sqrt`, `interpolate`, `along`.
+//!   `to_rotation_vector`, `to_matrix`, `to_quaternion`, `to_euler`, `path`; functions `log`,
+//!   `powf`, `sqrt`, `interpolate`, `along`.
 //! - `Translator`: `1 − ½ t ei`; built by `from_displacement`; read by `displacement`; functions
 //!   `log`, `powf`, `sqrt`, `interpolate`.
 //! - `Motor`: `T R`; built by `translator * rotor`, `about`, `look_at`, `from_matrix`,

@@ -3,13 +3,16 @@
 //!
 //! | feature | crate | adds |
 //! | --- | --- | --- |
-//! | `approx-05` | approx 0.5 | comparisons with a tolerance for every declared type and affine maps |
+//! | `approx-05` | approx 0.5 | comparisons with a tolerance for every declared type |
 //! | `bytemuck-1` | bytemuck 1 | every type of the algebras here as plain memory |
 //! | `glam-034` | glam 0.34 | conversions from and to its types in `f32` and `f64` |
 //! | `mint-05` | mint 0.5 | conversions from and to its types in any scalar |
 //! | `nalgebra-035` | nalgebra 0.35 | conversions from and to its types in any scalar |
 //! | `num-traits-02` | num-traits 0.2 | `Zero` and `One`; foreign floating-point types as scalars |
-//! | `serde-1` | serde 1 | every declared type by the names of its blades, affine maps, lanes, dual numbers |
+//! | `serde-1` | serde 1 | every declared type read and written, by the names of its blades |
+//!
+//! The traits of serde are also implemented for lanes, dual numbers and affine maps, those of approx
+//! for affine maps.
 //!
 //! glam and nalgebra have counterparts of vectors, points, directions, motions, similarities and
 //! affine maps. mint has those of vectors, points, directions and rotors, and its 4×4 matrices are

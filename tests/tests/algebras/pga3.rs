@@ -49,6 +49,20 @@ proptest! {
     }
 
     #[test]
+    fn directions_lead_from_point_to_point(p in vector(5.0), q in vector(5.0), w in 0.1..9.0_f64) {
+        let (a, b) = (Point::from(p), Point::from_homogeneous(times(q, w), w));
+        let way = a.to(b).unwrap();
+        near_all(way.vector(), minus(q, p), 1e-14);
+        near_all(a.midpoint(b).unwrap().coordinates().unwrap(), times(plus(p, q), 0.5), 1e-14);
+        near_all([way.length()], [length(minus(q, p))], 1e-14);
+        near_all(way.normalized().unwrap().into(), times(minus(q, p), 1.0 / length(minus(q, p))), 1e-14);
+        let (u, v) = (Direction::from(p), Direction::from(q));
+        prop_assert_eq!((u.dot(v), u.cross(v).vector()), (dot(p, q), cross(p, q)));
+        prop_assert_eq!((u - u).normalized(), None);
+        prop_assert_eq!((a.to(Point::from(u)), Point::from(u).midpoint(a)), (None, None));
+    }
+
+    #[test]
     fn points_join(p in vector(5.0), q in vector(5.0), r in vector(5.0)) {
         let [a, b, c] = [p, q, r].map(Point::from_coordinates);
         let line = Line::through(a, b);

@@ -134,7 +134,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// let middle = Motor::default().interpolate(end, 0.5).transform(Point::new(0.0, 0.0));
     /// assert!(middle.distance(Point::new(1.0, -1.0)) < 1e-15);
     /// // Two translations are interpolated along a straight line.
-    /// let [a, b] = [[0.0, 2.0], [4.0, 2.0]].map(|t| Motor::from(Translator::from_displacement(t)));
+    /// let shift = |t| Motor::from(Translator::from_displacement(t));
+    /// let (a, b) = (shift([0.0, 2.0]), shift([4.0, 2.0]));
     /// assert_eq!(a.interpolate(b, 0.25).translator().displacement(), [1.0, 2.0]);
     /// ```
     #[must_use]

@@ -68,6 +68,33 @@ impl<S: Real<Mask = bool>> Point<S> {
         are_numbers(place).then_some(place)
     }
 
+    /// The direction from this point to another, `q − p`: the difference of the points with weight
+    /// 1. `None` where one is ideal, or beyond the range of the scalar.
+    ///
+    /// ```
+    /// use ga_runtime::pga3::{Direction, Point};
+    /// let p = Point::from([1.0, 2.0, 3.0]);
+    /// let q = Point::from_homogeneous([10.0, 10.0, 10.0], 2.0);
+    /// let way = p.to(q).unwrap();
+    /// assert_eq!(way, Direction::from([4.0, 3.0, 2.0]));
+    /// assert_eq!((p + Point::from(way)).coordinates(), Some([5.0, 5.0, 5.0]));
+    /// ```
+    #[must_use]
+    pub fn to(self, other: Self) -> Option<Direction<S>> {
+        let [p, q] = [self.coordinates()?, other.coordinates()?].map(Vector::from);
+        let way = (q - p).coordinates();
+        are_numbers(way).then(|| Direction::from_vector(way))
+    }
+
+    /// The point midway between two points, with weight 1; `None` where one is ideal, or beyond the
+    /// range of the scalar.
+    #[must_use]
+    pub fn midpoint(self, other: Self) -> Option<Self> {
+        let [p, q] = [self.coordinates()?, other.coordinates()?].map(Vector::from);
+        let middle = p.lerp(q, S::from_ratio(1, 2)).coordinates();
+        are_numbers(middle).then(|| Self::from_coordinates(middle))
+    }
+
     /// The distance between two points, `|P ∨ Q|` for weights 1; `None` where one is ideal, or
     /// beyond the range of the scalar.
     #[must_use]
@@ -98,5 +125,57 @@ impl<S: Ring> Direction<S> {
     #[must_use]
     pub fn vector(self) -> [S; 3] {
         [-self.e230, self.e130, -self.e120]
+    }
+    /// The inner product `u·v` of the free vectors.
+    #[inline]
+    #[must_use]
+    pub fn dot(self, other: Self) -> S {
+        Vector::from(self.vector()).dot(other.vector().into())
+    }
+
+    /// The cross product `u × v` of the free vectors, right-handed.
+    ///
+    /// ```
+    /// use ga_runtime::pga3::Direction;
+    /// let (u, v) = (Direction::from([1, 2, 3]), Direction::from([4, 5, 6]));
+    /// assert_eq!((u.cross(v).vector(), u.dot(v)), ([-3, 6, -3], 32));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn cross(self, other: Self) -> Self {
+        let cross = Vector::from(self.vector()).cross(other.vector().into());
+        Self::from_vector(cross.coordinates())
+    }
+}
+
+impl<S: Real<Mask = bool>> Direction<S> {
+    /// The length |v| of the free vector, without intermediate overflow or underflow. The norm of
+    /// the ideal point is zero.
+    #[inline]
+    #[must_use]
+    pub fn length(self) -> S {
+        Vector::from(self.vector()).length()
+    }
+
+    /// The direction of length 1 that points the same way; `None` where it is zero or not finite.
+    #[inline]
+    #[must_use]
+    pub fn normalized(self) -> Option<Self> {
+        let unit = Vector::from(self.vector()).normalized()?;
+        Some(Self::from_vector(unit.coordinates()))
+    }
+}
+
+impl<S: Ring> From<[S; 3]> for Direction<S> {
+    #[inline]
+    fn from(vector: [S; 3]) -> Self {
+        Self::from_vector(vector)
+    }
+}
+
+impl<S: Ring> From<Direction<S>> for [S; 3] {
+    #[inline]
+    fn from(direction: Direction<S>) -> Self {
+        direction.vector()
     }
 }

@@ -11,8 +11,8 @@ use super::coefficients::{Listed, Name};
 use crate::geometry::Affine;
 use crate::scalar::{Dual, Lanes, Ring};
 
-/// In human-readable formats a map of `linear`, the rows of L, and `translation`; otherwise the same
-/// twelve numbers.
+/// In human-readable formats a map of `linear`, the rows of L, and `translation`; otherwise the
+/// same twelve numbers.
 impl<S: Serialize> Serialize for Affine<S> {
     fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
         let parts = (&self.linear, &self.translation);
@@ -40,7 +40,8 @@ impl<'de, T: Deserialize<'de> + Copy, const N: usize> Deserialize<'de> for Lanes
     }
 }
 
-/// In human-readable formats a map of `value` and `derivatives`, a list; otherwise the same numbers.
+/// In human-readable formats a map of `value` and `derivatives`, a list; otherwise the same
+/// numbers.
 impl<S: Serialize + Copy, const N: usize> Serialize for Dual<S, N> {
     fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
         let parts = (&self.value, &List(self.derivatives));

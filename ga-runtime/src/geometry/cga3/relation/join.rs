@@ -23,10 +23,11 @@
 //! [`incidence`](super::incidence), and its angle decides whether lines are parallel. A point pair,
 //! a circle or a sphere whose radius is not larger than the distance is treated as its centre.
 //!
-//! Either operand may be in dual form; the result is in direct form and has weight 1. Where the outer product of both, in the order of the call, does not
-//! vanish (for two points: the outer product with infinity), the result is a positive multiple of
-//! it. Otherwise the result has the orientation of the operand that it equals or, for lines and
-//! circles in one plane, of the first of them.
+//! Either operand may be in dual form; the result is in direct form and has weight 1. Where the
+//! outer product of both direct forms, in the order of the call, does not vanish (for two points:
+//! the outer product with infinity), the result is a positive multiple of it. Otherwise the result
+//! has the orientation of the operand that it equals or, for lines and circles in one plane, of the
+//! first of them.
 //!
 //! It is `None` where one of the two is not a [`Figure`], or where the join is beyond the range of
 //! the scalar.

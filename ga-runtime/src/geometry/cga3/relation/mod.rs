@@ -16,7 +16,8 @@
 //! - [`inversion`]: `a.invert_in(sphere, tolerance)`, the image under inversion.
 //! - [`distance`]: `a.distance_to(b)` and `a.signed_distance_to(b)`, the least distance, in the
 //!   units of the coordinates.
-//! - [`angle`]: `a.angle_to(b)`, the angle in radians, and `a.inversive_distance_to(b)`.
+//! - [`angle`]: `a.angle_to(b)`, the angle in radians, or the two [`CircleAngles`] of circles, and
+//!   `a.inversive_distance_to(b)`.
 //! - [`common_perpendicular`]: `a.common_perpendicular(b, tolerance)`, the shortest segment between
 //!   two lines.
 //! - [`meet`]: `a.meet(b, tolerance)`, the intersection, by cases.

@@ -134,7 +134,8 @@ impl<S: Real<Mask = bool>> Line<S> {
     /// ```
     /// use ga_runtime::cga3::{Circle, Line, Point};
     /// use ga_runtime::geometry::relation::projection::LineOnCircle;
-    /// let ring = Circle::from_centre_normal_radius(Point::default(), [0.0, 0.0, 1.0], 2.0).unwrap();
+    /// let (o, up) = (Point::default(), [0.0, 0.0, 1.0]);
+    /// let ring = Circle::from_centre_normal_radius(o, up, 2.0).unwrap();
     /// let line = Line::from_point_direction(Point::new(0.0, 5.0, 1.0), [1.0, 0.0, 0.0]);
     /// let Some(LineOnCircle::HalfCircle { start, middle, end }) = line.project_onto(ring) else {
     ///     panic!()
@@ -227,7 +228,8 @@ impl<S: Real<Mask = bool>> Circle<S> {
     /// let tilted = [0.0, -0.6, 0.8];
     /// let circle =
     ///     Circle::from_centre_normal_radius(Point::new(1.0, 2.0, 3.0), tilted, 5.0).unwrap();
-    /// let Some(CircleOnPlane::Ellipse { centre, major, minor }) = circle.project_onto(ground) else {
+    /// let found = circle.project_onto(ground);
+    /// let Some(CircleOnPlane::Ellipse { centre, major, minor }) = found else {
     ///     panic!()
     /// };
     /// assert!(centre.distance(Point::new(1.0, 2.0, 0.0)) < 1e-14);
@@ -366,8 +368,8 @@ impl<S: Real<Mask = bool>> ProjectLine<S> for Circle<S> {
         if !S::zero().less_than(radius) {
             return None;
         }
-        // What is left of a vector after the subtraction of its part along the normal is noise if it
-        // is no longer than this.
+        // What is left of a vector after the subtraction of its part along the normal is noise if
+        // it is no longer than this.
         let noise = (point.length() + centre.length()) * parallel();
         let (flat, from) = (direction.across(normal), (point - centre).across(normal));
         let place = |way: Vector<S>| {

@@ -56,7 +56,8 @@ impl<S: Real<Mask = bool>> Circle<S> {
     /// ```
     /// use ga_runtime::cga3::{Circle, Line, Point};
     /// use ga_runtime::geometry::relation::Tolerance;
-    /// let circle = Circle::from_centre_normal_radius(Point::default(), [0.0, 0.0, 1.0], 2.0).unwrap();
+    /// let (o, up) = (Point::default(), [0.0, 0.0, 1.0]);
+    /// let circle = Circle::from_centre_normal_radius(o, up, 2.0).unwrap();
     /// let right = Point::new(2.0, 0.0, 0.0);
     /// let tangent = Line::from_point_direction(right, [0.0, 1.0, 0.0]);
     /// assert_eq!(circle.tangent_line_at(right, Tolerance::default()), Some(tangent));
