@@ -6,14 +6,14 @@ mod inner;
 mod join;
 mod linear_map;
 pub mod meet;
-mod null_image;
+pub mod null_image;
 mod null_pair;
 mod operand;
 mod program;
-mod projection;
-mod reflection;
+pub mod projection;
+pub mod reflection;
 mod sandwich;
-mod scaled_split;
+pub mod scaled_split;
 pub mod split;
 
 pub use choice::{Choice, Choices, Rule};

@@ -75,7 +75,7 @@ fn reflected(
     let part = vector.product(arena, algebra, second, &part, |_| true);
     scaled
         .scaled(Ratio::integer(sign))
-        .sum(arena, &part.scaled(Ratio::integer(-2 * i128::from(sign))))
+        .sum(arena, &part.scaled(Ratio::integer(-2 * sign)))
 }
 
 /// The square of a vector; `unit` if the versor that it comes from is a unit versor.

@@ -235,7 +235,7 @@ impl<'a> Source<'a> {
             for (&b, &second) in right {
                 for (blade, factor) in operation.of_blades(self.algebra, a, b) {
                     let term = first.product(second).product(Twofold::of_ratio(factor));
-                    let sum = result.entry(blade).or_insert_with(Twofold::default);
+                    let sum = result.entry(blade).or_default();
                     *sum = sum.sum(term);
                 }
             }
