@@ -107,10 +107,21 @@ pub fn expand_algebra(tokens: TokenStream) -> TokenStream {
         Err(error) => return error.into_compile_error(),
     };
     let checked = parse::parse_declaration(source.clone())
-        .and_then(|syntax| Definition::check(syntax, runtime));
+        .and_then(|syntax| Definition::check(syntax, runtime.clone()));
     match checked {
         Ok(definition) => emit::rust::algebra(&definition, &source),
-        Err(errors) => emit::rust::stand_ins(&source, &errors.into_compile_error()),
+        Err(errors) => emit::rust::stand_ins(&runtime, &source, &errors.into_compile_error()),
+    }
+}
+
+/// Expands to stand-ins for functions of an algebra whose declaration is faulty, so that code which
+/// calls them adds no errors of its own. The tokens are what `ga!` hands to the macro of that
+/// algebra: `[macro] [path] functions`. For other macros there is nothing to stand in for.
+#[must_use]
+pub fn expand_stand_ins(tokens: TokenStream) -> TokenStream {
+    match parse::parse_faulty(tokens) {
+        Ok(Some(faulty)) => emit::rust::stand_ins_of_functions(&faulty),
+        Ok(None) | Err(_) => TokenStream::new(),
     }
 }
 

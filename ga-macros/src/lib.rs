@@ -17,6 +17,12 @@ pub fn functions(tokens: TokenStream) -> TokenStream {
     ga_compiler::expand_functions(tokens.into()).into()
 }
 
+/// Stand-ins for what another macro would make of an algebra whose declaration is faulty.
+#[proc_macro]
+pub fn stand_ins(tokens: TokenStream) -> TokenStream {
+    ga_compiler::expand_stand_ins(tokens.into()).into()
+}
+
 /// Imports the block of a function that is used, and continues with the functions that use it.
 #[proc_macro]
 pub fn import(tokens: TokenStream) -> TokenStream {

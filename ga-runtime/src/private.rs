@@ -3,7 +3,7 @@
 
 /// The procedural macros behind the macros of this crate.
 pub mod macros {
-    pub use ga_macros::{algebra, functions, import, product_tests};
+    pub use ga_macros::{algebra, functions, import, product_tests, stand_ins};
 }
 
 /// Traits of other crates for a declared type.

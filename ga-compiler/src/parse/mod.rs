@@ -1,6 +1,7 @@
 //! From tokens to syntax trees. Nothing is resolved here: names are still names.
 
 mod declaration;
+mod faulty;
 mod formula;
 mod function;
 mod handover;
@@ -14,6 +15,7 @@ pub use declaration::{
     BasisSyntax, CoefficientSyntax, DeclarationSyntax, FactSyntax, MetricEntrySyntax, MetricSyntax,
     ProductSyntax, TypeSyntax, parse_declaration,
 };
+pub use faulty::{FaultyFunctions, parse_faulty};
 pub use formula::{Formula, FormulaKind, Operator};
 pub use function::{
     Block, FunctionSyntax, Import, LetSyntax, OperandSyntax, PatternSyntax, ShapeSyntax,

@@ -13,7 +13,7 @@ use super::warnings;
 use crate::define::{Definition, TypeDefinition};
 use crate::function::CompiledFunction;
 use crate::ir::{NodeId, Value};
-use crate::parse::{FunctionSyntax, ShapeSyntax};
+use crate::parse::{FaultyFunctions, FunctionSyntax, ShapeSyntax};
 use crate::passes::Stages;
 use crate::signature::{Operand, Shape};
 
@@ -88,6 +88,28 @@ pub fn function_stand_ins(
         });
     }
     Some(items)
+}
+
+/// Stand-ins for functions of a faulty algebra: their names are imported from the module that holds
+/// its errors.
+#[must_use]
+pub fn stand_ins_of_functions(faulty: &FaultyFunctions) -> TokenStream {
+    let FaultyFunctions { path, functions } = faulty;
+    if functions.is_empty() {
+        return quote! { { use #path::__errors::closure; closure } };
+    }
+    let imports = functions.iter().map(|(visibility, name, is_staged)| {
+        let prepared = is_staged.then(|| {
+            let prepared = name.unraw().to_string().to_upper_camel_case();
+            format_ident!("{prepared}", span = name.span())
+        });
+        let names = [name.clone()].into_iter().chain(prepared);
+        quote! {
+            #[allow(unused_imports)]
+            #visibility use #path::__errors::{#(#names),*};
+        }
+    });
+    imports.collect()
 }
 
 struct Emitter<'a> {

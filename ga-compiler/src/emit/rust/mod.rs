@@ -18,7 +18,7 @@ mod versors;
 mod warnings;
 
 pub use blocks::{ask_for_import, block_handover, pending};
-pub use functions::{function_stand_ins, functions};
+pub use functions::{function_stand_ins, functions, stand_ins_of_functions};
 pub use product_tests::product_tests;
 
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
@@ -60,9 +60,9 @@ pub fn algebra(definition: &Definition, source: &TokenStream) -> TokenStream {
 ///
 /// rustc reports no errors about names that are imported from a module with a `compile_error!` in
 /// it, nor about their uses. So the errors go into a module of their own, from which all names are
-/// imported.
+/// imported, those of functions in `ga!` blocks too.
 #[must_use]
-pub fn stand_ins(source: &TokenStream, errors: &TokenStream) -> TokenStream {
+pub fn stand_ins(runtime: &TokenStream, source: &TokenStream, errors: &TokenStream) -> TokenStream {
     let Ok(Outline {
         attributes,
         visibility,
@@ -82,14 +82,17 @@ pub fn stand_ins(source: &TokenStream, errors: &TokenStream) -> TokenStream {
         &name,
         &visibility,
         source,
-        &quote! { ($($input:tt)*) => {} },
+        &quote! {
+            ($($input:tt)*) => { #runtime::__private::macros::stand_ins! { $($input)* } }
+        },
     );
     quote! {
         #(#attributes)*
         #[doc(hidden)]
         #[allow(unused_imports)]
         #visibility mod #name {
-            mod __errors { #errors }
+            #[doc(hidden)]
+            pub mod __errors { #errors }
             pub use self::__errors::{#(#names),*};
         }
         #handover

@@ -55,6 +55,37 @@ mod everything {
     }
 }
 
+mod kernels {
+    ga_runtime::ga! { super::vga3;
+        /// Moves a vector.
+        pub fn turned(r: Rotor, v: Vector) -> Vector { r * v * rev(r) }
+        pub(crate) fn turning(uniform r: Rotor, v: Vector) -> Vector { r * v * rev(r) }
+        fn length(v: Vector) -> Scalar { sqrt(v | v) }
+    }
+
+    pub fn lengths(v: super::vga3::Vector<f64>) -> f64 {
+        let area = ga_runtime::ga! { super::vga3; |a: Vector, b: Vector| -> Bivector { a ^ b } };
+        length(v) + area(v, turned(Default::default(), v)).e12
+    }
+
+    pub struct Prepared {
+        pub all: Vec<Turning<f64>>,
+    }
+}
+
+mod more_kernels {
+    use crate::kernels::turned;
+
+    ga_runtime::ga! { crate::vga3;
+        use super::kernels::{turned as moved, turning};
+        pub fn twice(r: Rotor, v: Vector) -> Vector { moved(r, turning(r, v)) }
+    }
+
+    pub fn thrice(v: super::vga3::Vector<f64>) -> f64 {
+        turned(Default::default(), twice(Default::default(), v)).e1
+    }
+}
+
 mod tests {
     ga_runtime::testing::product_tests!(super::vga3);
     ga_runtime::testing::product_tests!(crate::vga3);
@@ -68,6 +99,10 @@ fn main() {
     let area: names::Bivector<f64> = E1 ^ vector * 2.0;
     let turn = names::Turn::try_new(1.0, 0.0, 0.0, 0.0, 1e-12).unwrap();
     names::turn_all(turn, &mut [vector, Vector::default()]);
+    let prepared = kernels::turning(turn);
+    let all: Vec<_> = vec![vector].into_iter().map(|v| prepared.apply(v)).collect();
+    assert_eq!(kernels::lengths(all[0]), more_kernels::thrice(vector));
+    assert_eq!(kernels::Prepared { all: vec![prepared] }.all.len(), 1);
     assert_eq!(e1 + e2, area.e12 + vector.length());
     assert_eq!(size_of::<vga3::Rotor<f32>>(), 16);
 }
