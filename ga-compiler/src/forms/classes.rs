@@ -122,6 +122,10 @@ pub(super) struct Limit(Option<Function>, ClassId);
 /// The largest numerator and denominator of a constant that is recognised.
 const LARGEST: u64 = 1 << 16;
 
+/// Stands at the end of the keys of conditions. No key of a number ends so, since the numbers there
+/// are residues modulo 2⁶¹ − 1.
+const CONDITION: u64 = u64::MAX;
+
 pub(super) struct Classes<'a> {
     pub(super) algebra: &'a Algebra,
     classes: Vec<Class>,
@@ -255,7 +259,9 @@ impl<'a> Classes<'a> {
         limits.extend(self.own_limit(&operation));
         limits.sort();
         limits.dedup();
-        let Some((key, scale)) = normalised(&values) else {
+        let is_condition =
+            matches!(&operation, Operation::Function(function, _) if function.is_condition());
+        let Some((mut key, scale)) = normalised(&values) else {
             let zero = Term {
                 class: ClassId(0),
                 factor: Ratio::ZERO,
@@ -263,6 +269,8 @@ impl<'a> Classes<'a> {
             self.known.insert(operation, zero);
             return None;
         };
+        // A condition is not the number that is 1 where it holds and 0 elsewhere.
+        key.extend(is_condition.then_some(CONDITION));
         let term = match self.lookup(&key, scale, &limits) {
             Ok(Some(term)) => term,
             _ => {
