@@ -117,7 +117,7 @@ impl Class {
 
 /// What limits where a value exists: a divisor, or the argument of a function.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub(super) struct Limit(Option<Function>, ClassId);
+pub(super) struct Limit(Option<Function>, ClassId, Option<Ratio>);
 
 /// The largest numerator and denominator of a constant that is recognised.
 const LARGEST: u64 = 1 << 16;
@@ -338,7 +338,7 @@ impl<'a> Classes<'a> {
     fn own_limit(&self, operation: &Operation) -> Option<Limit> {
         match operation {
             Operation::Quotient(_, divisor) => {
-                (!self.class(*divisor).is_constant).then_some(Limit(None, *divisor))
+                (!self.class(*divisor).is_constant).then_some(Limit(None, *divisor, None))
             }
             Operation::Function(
                 Function::Sine
@@ -349,7 +349,9 @@ impl<'a> Classes<'a> {
                 _,
             ) => None,
             Operation::Function(function, arguments) => {
-                Some(Limit(Some(*function), arguments[0].class))
+                // Stand-ins do not tell the sign of √4, so functions of other numbers have other limits.
+                let factor = arguments[0].factor;
+                Some(Limit(Some(*function), arguments[0].class, Some(factor)))
             }
             _ => None,
         }
