@@ -113,7 +113,10 @@ fn cheapest_form<'a>(forms: Vec<(Task<'a>, Vec<FormRule>)>) -> (Task<'a>, Vec<Fo
     let finished = lowered
         .into_iter()
         .filter(|(rank, ..)| rank.0 <= limit)
-        .map(|(_, graph, form)| (form.0.optimised(graph).rank(), form));
+        .map(|(_, graph, form)| {
+            let kernel = staged(&form.0, form.0.optimised(graph));
+            (kernel.rank(), form)
+        });
     let best = finished.min_by_key(|(rank, _)| *rank);
     best.expect("a form").1
 }

@@ -41,6 +41,11 @@ const RULES: [Apply; 12] = [
 /// How many of the rules are for all products.
 const EARLY: usize = 2;
 
+/// The number of ways of a program beyond which the rules that find most ways, distribution and
+/// associativity, are left out: functions with exponentials and logarithms are that long.
+const LONG: usize = 22;
+const LATE: usize = 2;
+
 /// How many ways may be found beyond those that the program has.
 const MOST_WAYS: usize = 240;
 
@@ -48,6 +53,7 @@ const MOST_WAYS: usize = 240;
 /// ways to what an operation reads, so it is applied again where there are more of those.
 pub(super) fn saturate(classes: &mut Classes<'_>) {
     let limit = classes.ways + MOST_WAYS;
+    let late = if classes.ways > LONG { LATE } else { 0 };
     let mut seen: FxHashMap<(ClassId, usize), usize> = FxHashMap::default();
     loop {
         let mut has_changed = false;
@@ -65,7 +71,7 @@ pub(super) fn saturate(classes: &mut Classes<'_>) {
                 if seen.insert((id, number), below) != Some(below) {
                     has_changed = true;
                     let way = way.clone();
-                    for (number, apply) in RULES.iter().enumerate() {
+                    for (number, apply) in RULES[..RULES.len() - late].iter().enumerate() {
                         // A product that is an action is not looked at in another way.
                         let is_product =
                             matches!(way.operation, Operation::Product(Product::Geometric, _));
