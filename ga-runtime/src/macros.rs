@@ -45,12 +45,17 @@
 ///
 /// `basis` names up to 16 vectors. The name of a blade joins the names of its vectors after their
 /// common prefix: `e1`, `e2`, `eo` give `e12`, `e1o`, `e2o`; another order changes the sign, `e21`
-/// is `−e12`. The metric is `signature p, q, r;` (squares 1, −1, 0) or any constant symmetric form,
-/// where products that are not stated are zero:
+/// is `−e12`. The metric is `signature p, q, r;` or any constant symmetric form, where products
+/// that are not stated are zero:
 ///
 /// ```text
 /// metric e1*e1 = 1, e2*e2 = 1, e3*e3 = 1, eo*ei = -1;
 /// ```
+///
+/// The squares of a signature, p times 1, then q times −1, then r times 0, go to the vectors in the
+/// order in which `basis` names them. So `basis e1, e2, e3, e0; signature 3, 0, 1;` means `e0² = 0`,
+/// while `basis e0, e1, e2, e3;` with the same signature means `e3² = 0`. Where the null vector comes
+/// first, state the metric: `metric e1*e1 = 1, e2*e2 = 1, e3*e3 = 1;`.
 ///
 /// # Types
 ///

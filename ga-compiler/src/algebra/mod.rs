@@ -55,6 +55,34 @@ impl Algebra {
         &self.metric
     }
 
+    /// The metric in words: the square of each basis vector, and the other inner products that are
+    /// not zero, as in `e1² = e2² = 1, eo² = ei² = 0, eo·ei = -1`.
+    #[must_use]
+    pub fn metric_text(&self) -> String {
+        let name = |index: usize| self.names.name(Blade::vector(index));
+        let dimension = self.dimension();
+        let mut parts: Vec<String> = Vec::new();
+        let mut row = String::new();
+        for index in 0..dimension {
+            let square = self.metric.get(index, index);
+            row.push_str(&format!("{}² = ", name(index)));
+            let is_last = index + 1 == dimension || self.metric.get(index + 1, index + 1) != square;
+            if is_last {
+                parts.push(format!("{row}{square}"));
+                row.clear();
+            }
+        }
+        for left in 0..dimension {
+            for right in left + 1..dimension {
+                let product = self.metric.get(left, right);
+                if !product.is_zero() {
+                    parts.push(format!("{}·{} = {product}", name(left), name(right)));
+                }
+            }
+        }
+        parts.join(", ")
+    }
+
     /// How blades are written.
     #[must_use]
     pub fn names(&self) -> &BladeNames {
@@ -116,5 +144,24 @@ impl Algebra {
             blade.wedge_is_negative(rest)
         };
         (rest, Ratio::integer(if is_negative { -1 } else { 1 }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_metric_is_written_by_squares_and_products() {
+        let text = |basis: &[&str], metric: Metric| {
+            let names: Vec<String> = basis.iter().map(ToString::to_string).collect();
+            Algebra::new(&names, metric).metric_text()
+        };
+        let signature = text(&["a", "b", "c", "d"], Metric::signature(2, 1, 1));
+        assert_eq!(signature, "a² = b² = 1, c² = -1, d² = 0");
+        let mut metric = Metric::signature(1, 0, 2);
+        metric.set(1, 2, Ratio::integer(-1));
+        let conformal = text(&["e1", "eo", "ei"], metric);
+        assert_eq!(conformal, "e1² = 1, eo² = ei² = 0, eo·ei = -1");
     }
 }

@@ -44,8 +44,11 @@ pub(super) fn check(
             } else {
                 let named = basis.names.len();
                 if sum != named {
-                    let message =
-                        format!("the signature counts {sum} basis vectors, but {named} are named");
+                    let message = format!(
+                        "the signature counts {sum} basis vectors, but {named} are named; \
+                         its squares go to the names as they are written{}",
+                        assigned(&names, counts)
+                    );
                     diagnostics.error(*span, message);
                 }
                 Metric::zero(names.len())
@@ -54,6 +57,23 @@ pub(super) fn check(
         MetricSyntax::Entries(entries) => check_entries(&names, basis, entries, diagnostics),
     };
     Ok(Algebra::new(&names, metric))
+}
+
+/// The squares that a signature gives to the names, as far as both go.
+fn assigned(names: &[String], [positive, negative, null]: &[usize; 3]) -> String {
+    let squares = [(*positive, "1"), (*negative, "-1"), (*null, "0")];
+    let squares = squares
+        .into_iter()
+        .flat_map(|(count, square)| std::iter::repeat_n(square, count.min(MAX_DIMENSION)));
+    let texts: Vec<String> = names
+        .iter()
+        .zip(squares)
+        .map(|(name, square)| format!("{name}² = {square}"))
+        .collect();
+    if texts.is_empty() {
+        return String::new();
+    }
+    format!(": {}", texts.join(", "))
 }
 
 fn check_entries(

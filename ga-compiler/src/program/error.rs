@@ -24,8 +24,9 @@ pub enum OperationError {
     NoPlace(String),
     /// It takes a point pair, and the operand has these blades.
     NotPointPair(String),
-    /// It needs the type of points of a conformal model, and these types could be it.
-    NoPoints(Vec<String>),
+    /// It needs the type of points of a conformal model, and these types could be it; the metric
+    /// in words.
+    NoPoints(Vec<String>, String),
     /// It divides by what is zero for all operands.
     DivisorZero,
     /// It exists for none of the operands that were tried.
@@ -63,12 +64,13 @@ impl fmt::Display for OperationError {
                 f,
                 "takes a point pair, a 2-blade without infinity, but this has {found}"
             ),
-            Self::NoPoints(types) if types.is_empty() => f.write_str(
+            Self::NoPoints(types, metric) if types.is_empty() => write!(
+                f,
                 "needs a type of points as null vectors, with derived blades, such as \
-                 `struct Point { e1, e2, e3, eo = 1, ei = (e1*e1 + e2*e2 + e3*e3)/2 }`; \
-                 this algebra does not declare one",
+                 `struct Point {{ e1, e2, e3, eo = 1, ei = (e1*e1 + e2*e2 + e3*e3)/2 }}`; \
+                 this algebra, in which {metric}, does not declare one"
             ),
-            Self::NoPoints(types) => write!(
+            Self::NoPoints(types, _) => write!(
                 f,
                 "needs one type of points as null vectors, but this algebra has {}",
                 types.join(" and ")
@@ -341,7 +343,7 @@ impl OperationError {
             | Self::NotVersor(_)
             | Self::NoPlace(_)
             | Self::NotPointPair(_)
-            | Self::NoPoints(_)
+            | Self::NoPoints(..)
             | Self::NotScalarAndNullPart(..) => false,
         }
     }

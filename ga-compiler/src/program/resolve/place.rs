@@ -48,7 +48,8 @@ impl<'a, 's> Resolver<'a, 's> {
             return Ok(model);
         }
         let names = models.iter().map(|model| model.point.name.to_string());
-        let error = OperationError::NoPoints(names.collect());
+        let metric = self.definition.algebra.metric_text();
+        let error = OperationError::NoPoints(names.collect(), metric);
         Err(operation_error(name, error, formula))
     }
 }

@@ -31,6 +31,23 @@ ga_runtime::algebra! {
     }
 }
 
+// The squares of the signature go to the names in order, so that e0 is not the null vector.
+ga_runtime::algebra! {
+    mod signature_in_another_order {
+        basis e0, e1, e2;
+        signature 2, 0, 1;
+
+        #[hull(Sums)]
+        #[facts(unit_versor)]
+        struct Shift { scalar = 1, e01, e02 }
+        struct Sums { scalar, e01, e02 }
+        #[hull(Vector)]
+        #[facts(null)]
+        struct Null { e0 }
+        struct Vector { e0 }
+    }
+}
+
 // A fact is unknown.
 ga_runtime::algebra! {
     mod fact_unknown {
