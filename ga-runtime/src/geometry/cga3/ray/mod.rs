@@ -50,7 +50,7 @@
 //! use ga_runtime::cga3::{Plane, Point, Sphere};
 //! use ga_runtime::geometry::ray::{Ray, Side};
 //!
-//! let ray = Ray::new(Point::new(0.0, 0.0, 5.0), [0.0, 0.0, -2.0]).unwrap();
+//! let ray = Ray::new(Point::new(0.0_f64, 0.0, 5.0), [0.0, 0.0, -2.0]).unwrap();
 //! let ball = Sphere::from_centre_radius(Point::default(), 1.0);
 //! let floor = Plane::from_point_normal(Point::new(0.0, 0.0, -3.0), [0.0, 0.0, 1.0]);
 //!
