@@ -111,7 +111,7 @@ pub fn jacobian<S: Real<Mask = bool>>(
     let mut before = Motor::default();
     joints.iter().map(move |joint| {
         let column = before.transform(joint.generator);
-        before = before * joint.motor();
+        before *= joint.motor();
         column
     })
 }
