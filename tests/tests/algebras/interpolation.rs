@@ -14,13 +14,14 @@ fn spiral(c: Vector, angle: f64, factor: f64, x: Vector) -> Vector {
 }
 
 fn about(c: Vector, angle: f64) -> Motor<f64> {
-    Motor::about(Point::from(c), Rotor::from_angle(angle).unwrap())
+    Motor::about(Point::from(c), Rotor::from_angle(angle).expect("an angle"))
 }
 
 /// The similarity about a fixed point.
 fn similarity(c: Vector, angle: f64, factor: f64) -> Similarity<f64> {
     let origin = spiral(c, angle, factor, [0.0; 2]);
-    Similarity::from_parts(origin, Rotor::from_angle(angle).unwrap(), factor).unwrap()
+    let rotor = Rotor::from_angle(angle).expect("an angle");
+    Similarity::from_parts(origin, rotor, factor).expect("a positive factor")
 }
 
 proptest! {

@@ -37,7 +37,8 @@ fn apart(a: Rotor<f64>, b: Rotor<f64>) -> f64 {
 
 fn rotors(rapidity: f64) -> impl Strategy<Value = Rotor<f64>> {
     (unit(), -rapidity..rapidity, unit(), -PI..PI).prop_map(|(v, rapidity, axis, angle)| {
-        Rotor::from_rapidity(v, rapidity).unwrap() * Rotor::from_axis_angle(axis, angle).unwrap()
+        let boost = Rotor::from_rapidity(v, rapidity).expect("a boost");
+        boost * Rotor::from_axis_angle(axis, angle).expect("an axis")
     })
 }
 

@@ -41,7 +41,8 @@ fn joints() -> impl Strategy<Value = Vec<Joint<f64>>> {
             Kind::Revolute(p, d) => Joint::revolute(Line::from_point_direction(p.into(), d), q),
             Kind::Prismatic(d) => Joint::prismatic(d.into(), q),
         };
-        joints.into_iter().map(|j| joint(j).unwrap()).collect()
+        let made = |j| joint(j).expect("an axis or a direction");
+        joints.into_iter().map(made).collect()
     })
 }
 

@@ -1,5 +1,7 @@
 //! Points displaced by directions, and what directions measure.
 
+use std::ops::{Add, Sub};
+
 use ga_runtime::cga3::{Direction, Line, Motor, Point, Rotor, Translator};
 use ga_runtime::scalar::{Lanes, Prime61, Ring};
 use ga_runtime::vga3;
@@ -11,10 +13,10 @@ proptest! {
     fn directions_and_vectors_displace_points(a in vector(9.0), b in vector(9.0)) {
         let (p, q, v) = (Point::from(a), Point::from(b), Direction::from(b));
         let w = vga3::Vector::from(b);
-        for sum in [p + v, p + w, &p + v, p + &v, &p + &v, &p + w, p + &w, &p + &w] {
+        for sum in [p + v, p + w, p.add(&v), p.add(&w), (&p).add(v), (&p).add(&w)] {
             prop_assert_eq!(<[f64; 3]>::from(sum), plus(a, b));
         }
-        for difference in [p - v, p - w, &p - v, p - &v, &p - &v, &p - w, p - &w, &p - &w] {
+        for difference in [p - v, p - w, p.sub(&v), p.sub(&w), (&p).sub(v), (&p).sub(&w)] {
             prop_assert_eq!(<[f64; 3]>::from(difference), minus(a, b));
         }
         let mut moved = p;

@@ -17,10 +17,13 @@ fn cbor<T: Serialize>(value: &T) -> Vec<u8> {
 
 /// Writes a value as the given text, and reads it again from both forms.
 fn round_trip<T: Serialize + DeserializeOwned + PartialEq + Debug>(value: T, text: &str) {
-    assert_eq!(serde_json::to_string(&value).unwrap(), text);
-    assert_eq!(serde_json::from_str::<T>(text).unwrap(), value);
+    assert_eq!(serde_json::to_string(&value).expect("a round trip"), text);
     assert_eq!(
-        ciborium::from_reader::<T, _>(&cbor(&value)[..]).unwrap(),
+        serde_json::from_str::<T>(text).expect("a round trip"),
+        value
+    );
+    assert_eq!(
+        ciborium::from_reader::<T, _>(&cbor(&value)[..]).expect("a round trip"),
         value
     );
 }
