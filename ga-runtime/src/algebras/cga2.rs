@@ -60,6 +60,12 @@ crate::algebra! {
         ///
         /// Its weight, the coefficient of eo, is 1, and it is null: `P² = 0`. Sums of points are
         /// [`RoundVector`]s.
+        ///
+        /// ```
+        /// use ga_runtime::cga2::Point;
+        /// let (p, q) = (Point::new(1.0, 1.0), Point::from([1.0, 6.0]));
+        /// assert_eq!((p.distance(q), p | q), (5.0, -12.5));
+        /// ```
         #[hull(RoundVector)]
         #[facts(null, weight(eo))]
         struct Point { e1, e2, eo = 1, ei = (e1*e1 + e2*e2)/2 }
@@ -73,6 +79,13 @@ crate::algebra! {
 
         /// Two points, `p∧q`; they are real, coinciding or imaginary if its square is positive,
         /// zero or negative.
+        ///
+        /// ```
+        /// use ga_runtime::cga2::{Point, PointPair};
+        /// let pair: PointPair<f64> = Point::new(1.0, 0.0) ^ Point::new(3.0, 0.0);
+        /// // The norm is minus the square: negative for a real pair.
+        /// assert_eq!(pair.norm_squared(), -4.0);
+        /// ```
         struct PointPair { e12, e1o, e2o, e1i, e2i, eoi }
 
         /// A point and infinity, `p∧ei`: the meet of two lines.
@@ -86,10 +99,26 @@ crate::algebra! {
         struct MotorGenerator { e12, e1i, e2i }
 
         /// A circle, `p∧q∧r` for three of its points; a line where one of them is infinity.
+        ///
+        /// ```
+        /// use ga_runtime::cga2::{Circle, Point};
+        /// let (p, q, r) = (Point::new(1.0, 0.0), Point::new(0.0, 1.0), Point::new(-1.0, 0.0));
+        /// let circle: Circle<f64> = p ^ q ^ r;
+        /// assert_eq!(circle.centre(), Some(Point::new(0.0, 0.0)));
+        /// // The norm is negative for a real circle.
+        /// assert!(circle.norm_squared() < 0.0);
+        /// ```
         struct Circle { e12o, e12i, e1oi, e2oi }
 
         /// A line, `p∧q∧ei` for two of its points: direction `q − p` in minus the coefficients of
         /// e1oi, e2oi, moment `p∧q` in that of e12i.
+        ///
+        /// ```
+        /// use ga_runtime::cga2::{Infinity, Line, Point};
+        /// let line: Line<f64> = Point::new(0.0, 2.0) ^ Point::new(1.0, 2.0) ^ Infinity;
+        /// assert_eq!(line.direction(), [1.0, 0.0]);
+        /// assert_eq!(line.signed_distance(Point::new(5.0, 3.0)), Some(1.0));
+        /// ```
         struct Line { e12i, e1oi, e2oi }
 
         /// A multiple of I = e1∧e2∧eo∧ei.
@@ -106,6 +135,13 @@ crate::algebra! {
         struct Translator { scalar = 1, e1i, e2i }
 
         /// A rigid motion: `M = T R`.
+        ///
+        /// ```
+        /// use ga_runtime::cga2::{Motor, Point, Rotor, Translator};
+        /// let half = Rotor::from_angle(std::f64::consts::PI).unwrap();
+        /// let motor: Motor<f64> = Translator::from_displacement([5.0, 0.0]) * half;
+        /// assert!(motor.transform(Point::new(1.0, 0.0)).distance(Point::new(4.0, 0.0)) < 1e-15);
+        /// ```
         #[hull(Even)]
         #[facts(unit_versor)]
         struct Motor { scalar, e12, e1i, e2i }

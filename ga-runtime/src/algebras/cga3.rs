@@ -119,88 +119,265 @@ crate::algebra! {
         ///
         /// Its weight, the coefficient of eo, is 1, and it is null: `P² = 0`. Sums of points are
         /// [`RoundVector`]s.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::Point;
+        /// let (p, q) = (Point::new(1.0, 2.0, 3.0), Point::from([1.0, 2.0, 7.0]));
+        /// assert_eq!(p.coordinates(), [1.0, 2.0, 3.0]);
+        /// assert_eq!((p.distance(q), p | q), (4.0, -8.0));
+        /// ```
         #[hull(RoundVector)]
         #[facts(null, weight(eo))]
         struct Point { e1, e2, e3, eo = 1, ei = (e1*e1 + e2*e2 + e3*e3)/2 }
 
         /// A vector of the algebra: a weighted point, a dual sphere `c − ½r² ei` about the point c,
         /// a dual plane.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{Point, RoundVector};
+        /// // The sum of two points is a dual sphere about the place between them, with weight 2.
+        /// let sum: RoundVector<f64> = Point::new(1.0, 0.0, 0.0) + Point::new(3.0, 0.0, 0.0);
+        /// assert_eq!(sum.centre(), Some(Point::new(2.0, 0.0, 0.0)));
+        /// assert_eq!(sum.radius_squared(), Some(-1.0));
+        /// // Its norm is the squared radius times the squared weight: positive for a real sphere.
+        /// assert_eq!(sum.norm_squared(), -4.0);
+        /// ```
         struct RoundVector { e1, e2, e3, eo, ei }
 
         /// The dual sphere `c − ½r² ei` about the point c, or a multiple of it: the points x with
         /// `x·σ = 0`. It is a point for r = 0, imaginary for r² < 0, and a dual plane where its
         /// coefficient of eo is zero.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{DualSphere, Point};
+        /// let sphere = DualSphere::from_centre_radius(Point::new(1.0, 0.0, 0.0), 2.0);
+        /// assert_eq!(sphere | Point::new(3.0, 0.0, 0.0), 0.0);
+        /// // The norm is the squared radius times the squared weight.
+        /// assert_eq!(sphere.norm_squared(), 4.0);
+        /// ```
         struct DualSphere { e1, e2, e3, eo, ei }
 
         /// The dual plane `n + d ei`: the points x with `n·x = d`, where n is the normal.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{DualPlane, Point};
+        /// let plane = DualPlane::from_normal_distance([0.0, 0.0, 1.0], 2.0);
+        /// assert_eq!(plane | Point::new(5.0, 5.0, 2.0), 0.0);
+        /// assert_eq!(plane.normal(), [0.0, 0.0, 1.0]);
+        /// ```
         struct DualPlane { e1, e2, e3, ei }
 
         /// Two points, `p∧q`; they are real, coinciding or imaginary if its square is positive,
         /// zero or negative.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{Point, PointPair};
+        /// let pair = PointPair::through(Point::new(1.0, 0.0, 0.0), Point::new(3.0, 0.0, 0.0));
+        /// assert_eq!(pair.centre(), Some(Point::new(2.0, 0.0, 0.0)));
+        /// assert_eq!(pair.radius(), Some(1.0));
+        /// // The norm is minus the square: negative for a real pair.
+        /// assert_eq!((pair.square(), pair.norm_squared()), (4.0, -4.0));
+        /// ```
         struct PointPair { e12, e13, e23, e1o, e2o, e3o, e1i, e2i, e3i, eoi }
 
         /// A circle in dual form, the meet `σ∧τ` of two dual spheres or planes that contain it. Its
         /// square is negative where the circle is real.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{DualCircle, DualPlane, DualSphere, Point};
+        /// let sphere = DualSphere::from_centre_radius(Point::ORIGIN, 5.0);
+        /// let plane = DualPlane::from_normal_distance([0.0, 0.0, 1.0], 3.0);
+        /// let circle: DualCircle<f64> = sphere ^ plane;
+        /// assert_eq!(circle.radius(), Some(4.0));
+        /// // The norm is positive for a real circle.
+        /// assert!(circle.norm_squared() > 0.0);
+        /// ```
         struct DualCircle { e12, e13, e23, e1o, e2o, e3o, e1i, e2i, e3i, eoi }
 
         /// A point and infinity, `p∧ei`: the meet of a line and a plane.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{FlatPoint, Infinity, Point};
+        /// let p = Point::new(1.0, 2.0, 3.0);
+        /// let flat: FlatPoint<f64> = p ^ Infinity;
+        /// assert_eq!(flat.to_point(), Some(p));
+        /// assert_eq!(FlatPoint::from(p), flat);
+        /// ```
         struct FlatPoint { e1i, e2i, e3i, eoi }
 
         /// A free vector, `v∧ei`. Motions rotate it and do not translate it.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{Direction, Line, Point};
+        /// let direction = Direction::from_vector([0.0, 0.0, 2.0]);
+        /// assert_eq!(direction.vector(), [0.0, 0.0, 2.0]);
+        /// let line: Line<f64> = Point::new(1.0, 0.0, 0.0) ^ direction;
+        /// assert_eq!(line.unit_direction(), Some([0.0, 0.0, 1.0]));
+        /// ```
         struct Direction { e1i, e2i, e3i }
 
         /// The generator of a rigid motion, a dual line: `−½θB` for a rotation by θ in the plane of
         /// the unit bivector B through the origin, `−½ t ei` for a translation by t.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{Motor, MotorGenerator, Translator};
+        /// let shift = Motor::from(Translator::from_displacement([2.0, 0.0, 0.0]));
+        /// let generator: MotorGenerator<f64> = shift.log();
+        /// assert_eq!(generator, MotorGenerator::new(0.0, 0.0, 0.0, -1.0, 0.0, 0.0));
+        /// assert_eq!((generator * 0.5).exp().translator().displacement(), [1.0, 0.0, 0.0]);
+        /// ```
         struct MotorGenerator { e12, e13, e23, e1i, e2i, e3i }
 
         /// A circle, `p∧q∧r` for three of its points; a line where one of them is infinity.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{Circle, Point};
+        /// let centre = Point::new(1.0, 2.0, 3.0);
+        /// let circle = Circle::from_centre_normal_radius(centre, [0.0, 0.0, 2.0], 4.0).unwrap();
+        /// assert_eq!(circle.radius(), Some(4.0));
+        /// assert_eq!(circle.unit_normal(), Some([0.0, 0.0, 1.0]));
+        /// // The norm is negative for a real circle, positive for an imaginary one.
+        /// assert!(circle.norm_squared() < 0.0);
+        /// ```
         struct Circle { e123, e12o, e13o, e23o, e12i, e13i, e23i, e1oi, e2oi, e3oi }
 
         /// A point pair in dual form, the meet `σ∧τ∧υ` of three dual spheres or planes.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{DualPointPair, Point, PointPair};
+        /// let pair = PointPair::through(Point::new(1.0, 0.0, 0.0), Point::new(3.0, 0.0, 0.0));
+        /// let dual: DualPointPair<f64> = pair.dual();
+        /// assert_eq!(dual.undual(), pair);
+        /// // The norm is positive for a real pair.
+        /// assert!(dual.norm_squared() > 0.0);
+        /// ```
         struct DualPointPair { e123, e12o, e13o, e23o, e12i, e13i, e23i, e1oi, e2oi, e3oi }
 
         /// A flat point in dual form, the meet `π∧ρ∧σ` of three dual planes.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{DualFlatPoint, FlatPoint, Point};
+        /// let flat = FlatPoint::from(Point::new(1.0, 2.0, 3.0));
+        /// let dual: DualFlatPoint<f64> = flat.dual();
+        /// assert_eq!(dual.undual(), flat);
+        /// ```
         struct DualFlatPoint { e123, e12i, e13i, e23i }
 
         /// A free bivector `B∧ei`: the attitude of a plane or circle, and the dual form of the
         /// direction of its normal.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{DualDirection, Plane, Point};
+        /// let plane = Plane::from_point_normal(Point::new(1.0, 2.0, 3.0), [0.0, 0.0, 2.0]);
+        /// let attitude: DualDirection<f64> = plane.attitude();
+        /// assert_eq!(attitude.normal(), [0.0, 0.0, 2.0]);
+        /// ```
         struct DualDirection { e12i, e13i, e23i }
 
         /// A line, `p∧q∧ei` for two of its points: direction `q − p` in minus the coefficients of
         /// e1oi, e2oi, e3oi, moment `p∧q` in those of e12i, e13i, e23i.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{Infinity, Line, Point};
+        /// let (p, q) = (Point::new(0.0, 1.0, 0.0), Point::new(2.0, 1.0, 0.0));
+        /// let line = Line::through(p, q);
+        /// assert_eq!(line, p ^ q ^ Infinity);
+        /// assert_eq!(line.direction(), [2.0, 0.0, 0.0]);
+        /// assert_eq!(line.distance(Point::new(7.0, 1.0, 3.0)), Some(3.0));
+        /// ```
         struct Line { e12i, e13i, e23i, e1oi, e2oi, e3oi }
 
         /// A sphere, `p∧q∧r∧s` for four of its points; a plane where one of them is infinity.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{Point, Sphere};
+        /// let sphere = Sphere::from_centre_radius(Point::new(1.0, 2.0, 3.0), 2.0);
+        /// assert_eq!(sphere.centre(), Some(Point::new(1.0, 2.0, 3.0)));
+        /// // The norm is minus the squared radius times the squared weight.
+        /// assert_eq!(sphere.norm_squared(), -4.0);
+        /// ```
         struct Sphere { e123o, e123i, e12oi, e13oi, e23oi }
 
         /// A plane, `p∧q∧r∧ei` for three of its points.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{Plane, Point};
+        /// let plane = Plane::from_point_normal(Point::new(0.0, 0.0, 2.0), [0.0, 0.0, 3.0]);
+        /// assert_eq!(plane.unit_normal(), Some([0.0, 0.0, 1.0]));
+        /// assert_eq!(plane.signed_distance(Point::new(1.0, 1.0, 5.0)), Some(3.0));
+        /// ```
         struct Plane { e123i, e12oi, e13oi, e23oi }
 
         /// A multiple of I = e1∧e2∧e3∧eo∧ei.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{Plane, Point, Pseudoscalar};
+        /// let plane = Plane::from_point_normal(Point::new(0.0, 0.0, 2.0), [0.0, 0.0, 1.0]);
+        /// // Zero for a point of the plane.
+        /// assert_eq!(plane ^ Point::new(4.0, 5.0, 2.0), Pseudoscalar::new(0.0));
+        /// ```
         struct Pseudoscalar { e123oi }
 
         /// A rotation about an axis through the origin: `R = exp(−½θB) = cos ½θ − sin ½θ B`.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{Direction, Rotor};
+        /// let angle = std::f64::consts::FRAC_PI_2;
+        /// let quarter = Rotor::from_axis_angle([0.0, 0.0, 1.0], angle).unwrap();
+        /// let [x, y, z] = quarter.transform(Direction::from_vector([1.0, 0.0, 3.0])).vector();
+        /// assert!(x.abs() < 1e-15 && (y - 1.0).abs() < 1e-15 && z == 3.0);
+        /// ```
         #[hull(Quaternion)]
         #[facts(unit_versor)]
         struct Rotor { scalar, e12, e13, e23 }
 
         /// A translation by t: `T = 1 − ½ t ei`.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{Point, Translator};
+        /// let shift = Translator::from_displacement([1.0, 0.0, 0.0]);
+        /// assert_eq!(shift.transform(Point::new(1.0, 2.0, 3.0)), Point::new(2.0, 2.0, 3.0));
+        /// ```
         #[hull(DualQuaternion)]
         #[facts(unit_versor)]
         struct Translator { scalar = 1, e1i, e2i, e3i }
 
         /// A rigid motion: `M = T R`, with `M ~M = 1` in every grade.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
+        /// let half = Rotor::from_axis_angle([0.0, 0.0, 1.0], std::f64::consts::PI).unwrap();
+        /// // Rotated first, then moved.
+        /// let motor: Motor<f64> = Translator::from_displacement([5.0, 0.0, 0.0]) * half;
+        /// let moved = motor.transform(Point::new(1.0, 0.0, 0.0));
+        /// assert!(moved.distance(Point::new(4.0, 0.0, 0.0)) < 1e-15);
+        /// assert_eq!(motor * Motor::IDENTITY, motor);
+        /// ```
         #[hull(DualQuaternion)]
         #[facts(unit_versor)]
         struct Motor { scalar, e12, e13, e23, e1i, e2i, e3i, e123i }
 
         /// A scaling by s about the origin: `D = exp(½ ln s · eo∧ei)`. The image of a point has
         /// weight 1/s.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{Dilator, Point};
+        /// let dilator = Dilator::from_factor(4.0).unwrap();
+        /// let image = dilator.transform_point(Point::new(1.0, 2.0, 0.0));
+        /// assert_eq!(image, Point::new(4.0, 8.0, 0.0));
+        /// ```
         #[hull(Even)]
         #[facts(unit_versor)]
         struct Dilator { scalar, eoi }
 
         /// A rigid motion with a scaling, `T R D`.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{Point, Rotor, Similarity};
+        /// let similarity = Similarity::from_parts([1.0, 0.0, 0.0], Rotor::IDENTITY, 4.0).unwrap();
+        /// let image: Point<f64> = similarity.transform_point(Point::new(1.0, 2.0, 0.0));
+        /// assert!(image.distance(Point::new(5.0, 8.0, 0.0)) < 1e-14);
+        /// ```
         #[hull(Even)]
         #[facts(unit_versor)]
         struct Similarity {
@@ -210,6 +387,13 @@ crate::algebra! {
         /// The special conformal map `K = 1 − k eo`: inversion in the unit sphere about the origin,
         /// translation by k, inversion again. It fixes the origin and maps x to
         /// `(x + k x²)/(1 + 2 k·x + k² x²)`.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{Point, Transversor};
+        /// let versor = Transversor::from_vector([1.0, 0.0, 0.0]);
+        /// let image = versor.transform_point(Point::new(1.0, 0.0, 0.0));
+        /// assert_eq!(image, Some(Point::new(0.5, 0.0, 0.0)));
+        /// ```
         #[hull(Even)]
         #[facts(unit_versor)]
         struct Transversor { scalar = 1, e1o, e2o, e3o }
@@ -218,6 +402,15 @@ crate::algebra! {
         ///
         /// An even versor with `V ~V = −1` is not a member: it is the pseudoscalar I times an
         /// [`OddVersor`] and reverses orientation as that does.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{EvenVersor, Point, Translator, Transversor};
+        /// let shift = Translator::from_displacement([1.0, 0.0, 0.0]);
+        /// let bend = Transversor::from_vector([1.0, 0.0, 0.0]);
+        /// let versor: EvenVersor<f64> = EvenVersor::from(shift) * EvenVersor::from(bend);
+        /// let image = versor.transform_point(Point::new(1.0, 0.0, 0.0)).unwrap();
+        /// assert!(image.distance(Point::new(1.5, 0.0, 0.0)) < 1e-15);
+        /// ```
         #[hull(Even)]
         #[facts(unit_versor)]
         struct EvenVersor {
@@ -232,6 +425,14 @@ crate::algebra! {
         ///
         /// An odd versor with `V ~V = −1`, such as a dual sphere of negative square, is not a
         /// member: it is I times an [`EvenVersor`] and preserves orientation as that does.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{DualSphere, OddVersor, Point};
+        /// let sphere = DualSphere::from_centre_radius(Point::ORIGIN, 2.0);
+        /// let inversion = OddVersor::inversion(sphere).unwrap();
+        /// let image = inversion.transform_point(Point::new(1.0, 0.0, 0.0)).unwrap();
+        /// assert!(image.distance(Point::new(4.0, 0.0, 0.0)) < 1e-14);
+        /// ```
         #[hull(Odd)]
         #[facts(unit_versor)]
         struct OddVersor {
@@ -241,16 +442,46 @@ crate::algebra! {
         }
 
         /// The generator of a similarity: that of a motion and `½ ln s · eo∧ei` for a scaling by s.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{Rotor, Similarity, SimilarityGenerator};
+        /// let similarity = Similarity::from_parts([0.0; 3], Rotor::default(), 4.0_f64).unwrap();
+        /// let generator: SimilarityGenerator<f64> = similarity.log().unwrap();
+        /// assert!((generator.eoi - 0.5 * 4.0_f64.ln()).abs() < 1e-15);
+        /// ```
         struct SimilarityGenerator { e12, e13, e23, e1i, e2i, e3i, eoi }
 
         /// Sums and multiples of rotors: the quaternions.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{Quaternion, Rotor};
+        /// let rotor = Rotor::from_axis_angle([0.0, 0.0, 1.0], 1.0_f64).unwrap();
+        /// let sum: Quaternion<f64> = Rotor::IDENTITY + rotor;
+        /// let middle = sum.normalize().unwrap();
+        /// assert!((middle.to_axis_angle().1 - 0.5).abs() < 1e-15);
+        /// ```
         struct Quaternion { scalar, e12, e13, e23 }
 
         /// Sums and multiples of motors: the dual quaternions. A weighted sum of motors,
         /// normalised, is their blend.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{DualQuaternion, Motor, Translator};
+        /// let shift = Motor::from(Translator::from_displacement([2.0, 0.0, 0.0]));
+        /// let sum: DualQuaternion<f64> = Motor::default() * 0.75 + shift * 0.25;
+        /// assert_eq!(sum.normalize().unwrap().translator().displacement(), [0.5, 0.0, 0.0]);
+        /// ```
         struct DualQuaternion { scalar, e12, e13, e23, e1i, e2i, e3i, e123i }
 
         /// All blades of even grade.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{Even, RoundVector};
+        /// let (a, b) = (RoundVector::E1, RoundVector::E2);
+        /// let product: Even<i64> = a * b;
+        /// assert_eq!(product, Even { e12: 1, ..Even::ZERO });
+        /// assert_eq!(product * product, -Even::ONE);
+        /// ```
         struct Even {
             scalar,
             e12, e13, e23, e1o, e2o, e3o, e1i, e2i, e3i, eoi,
@@ -258,6 +489,12 @@ crate::algebra! {
         }
 
         /// All blades of odd grade.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{Odd, RoundVector};
+        /// let vector = RoundVector::new(1.0, 2.0, 3.0, 4.0, 5.0);
+        /// assert_eq!(Odd::from(vector).extract_round_vector(), vector);
+        /// ```
         struct Odd {
             e1, e2, e3, eo, ei,
             e123, e12o, e13o, e23o, e12i, e13i, e23i, e1oi, e2oi, e3oi,
@@ -265,6 +502,16 @@ crate::algebra! {
         }
 
         /// All 32 blades.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{Multivector, Point};
+        /// let (p, q) = (Point::new(1.0, 0.0, 0.0), Point::new(3.0, 0.0, 0.0));
+        /// let product = Multivector::from(p) * Multivector::from(q);
+        /// assert_eq!((product.scalar, product.grade(0)), (p | q, Multivector::ONE * (p | q)));
+        /// // Back to a type, if it is a member of that.
+        /// assert_eq!(Point::try_from(Multivector::from(p)), Ok(p));
+        /// assert!(Point::try_from(product).is_err());
+        /// ```
         struct Multivector {
             scalar,
             e1, e2, e3, eo, ei,

@@ -45,9 +45,22 @@ crate::algebra! {
         metric e1*e1 = 1, e2*e2 = 1;
 
         /// The line of the points with `n·x + d = 0`, as `n + d e0`.
+        ///
+        /// ```
+        /// use ga_runtime::pga2::{Line, Point};
+        /// // The line y = 2.
+        /// let line = Line::new(0.0, 1.0, -2.0);
+        /// assert_eq!(line.signed_distance(Point::from_coordinates([1.0, 5.0])), Some(3.0));
+        /// ```
         struct Line { e1, e2, e0 }
         /// The meet of two lines. The point (x, y) is `e12 + x e20 + y e01`; with zero for e12 it
         /// is a direction.
+        ///
+        /// ```
+        /// use ga_runtime::pga2::Point;
+        /// let point = Point::from_coordinates([1.0, 2.0]);
+        /// assert_eq!((point * 2.0).coordinates(), Some([1.0, 2.0]));
+        /// ```
         struct Point { e12, e20, e01 }
         /// A multiple of I = e1∧e2∧e0.
         struct Pseudoscalar { e120 }

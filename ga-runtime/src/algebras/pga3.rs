@@ -62,11 +62,30 @@ crate::algebra! {
         metric e1*e1 = 1, e2*e2 = 1, e3*e3 = 1;
 
         /// The plane of the points with `n·x + d = 0`, as `n + d e0`.
+        ///
+        /// ```
+        /// use ga_runtime::pga3::{Plane, Point};
+        /// let plane = Plane::from_normal_distance([0.0, 0.0, 1.0], 2.0);
+        /// assert_eq!(plane.signed_distance(Point::from([1.0, 1.0, 5.0])), Some(3.0));
+        /// ```
         struct Plane { e1, e2, e3, e0 }
         /// The meet of two planes. A bivector with `L∧L` not zero is not a meet; it generates a
         /// screw.
+        ///
+        /// ```
+        /// use ga_runtime::pga3::{Line, Plane};
+        /// let line: Line<f64> = Plane::new(1.0, 0.0, 0.0, -1.0) ^ Plane::new(0.0, 1.0, 0.0, -2.0);
+        /// assert_eq!(line.direction(), [0.0, 0.0, 1.0]);
+        /// ```
         struct Line { e12, e13, e23, e10, e20, e30 }
         /// The meet of three planes; the point (x, y, z) is `e123 − x e230 + y e130 − z e120`.
+        ///
+        /// ```
+        /// use ga_runtime::pga3::Point;
+        /// let point = Point::from([1.0, 2.0, 3.0]);
+        /// assert_eq!((point * 2.0).coordinates(), Some([1.0, 2.0, 3.0]));
+        /// assert_eq!(Point::from([0.0; 3]), Point::ORIGIN);
+        /// ```
         struct Point { e123, e120, e130, e230 }
         /// A free vector v, the ideal point `−v1 e230 + v2 e130 − v3 e120`. Motions rotate it and
         /// do not translate it.
@@ -82,6 +101,14 @@ crate::algebra! {
         #[facts(unit_versor)]
         struct Translator { scalar = 1, e10, e20, e30 }
         /// A rigid motion, with `M ~M = 1` in every grade.
+        ///
+        /// ```
+        /// use ga_runtime::pga3::{Motor, Point, Rotor, Translator};
+        /// let half = Rotor::from_axis_angle([0.0, 0.0, 1.0], std::f64::consts::PI).unwrap();
+        /// let motor: Motor<f64> = Translator::from_displacement([5.0, 0.0, 0.0]) * half;
+        /// let [x, y, z] = motor.transform(Point::from([1.0, 0.0, 0.0])).coordinates().unwrap();
+        /// assert!((x - 4.0).abs() < 1e-15 && y.abs() < 1e-15 && z == 0.0);
+        /// ```
         #[hull(MotorSum)]
         #[facts(unit_versor)]
         struct Motor { scalar, e12, e13, e23, e10, e20, e30, e1230 }

@@ -61,15 +61,36 @@ crate::algebra! {
         metric g0*g0 = 1, g1*g1 = -1, g2*g2 = -1, g3*g3 = -1;
 
         /// A vector of spacetime: the event `t g0 + x g1 + y g2 + z g3`, a velocity, a momentum.
+        ///
+        /// ```
+        /// use ga_runtime::sta::Vector;
+        /// let (time, space) = (Vector::new(2.0, 0.0, 0.0, 0.0), Vector::new(0.0, 3.0, 0.0, 0.0));
+        /// // The norm is positive for timelike vectors and negative for spacelike ones.
+        /// assert_eq!((time.norm_squared(), space.norm_squared()), (4.0, -9.0));
+        /// assert_eq!(space.normalized(), Some(Vector::G1));
+        /// ```
         struct Vector { g0, g1, g2, g3 }
         /// A bivector: the field `E + I B` with E in g10 g20 g30 and B in g32 g13 g21; a generator
         /// of boosts and rotations.
+        ///
+        /// ```
+        /// use ga_runtime::sta::Bivector;
+        /// // The norm is −E² + B² of an electromagnetic field.
+        /// let field = Bivector::from_fields([1.0, 2.0, 3.0], [0.0, 0.0, 4.0]);
+        /// assert_eq!(field.norm_squared(), 2.0);
+        /// ```
         struct Bivector { g10, g20, g30, g32, g13, g21 }
         /// A trivector: an oriented volume in a hyperplane.
         struct Trivector { g123, g023, g013, g012 }
         /// A multiple of I = g0∧g1∧g2∧g3.
         struct Pseudoscalar { g0123 }
         /// A proper orthochronous Lorentz transformation, boosts and rotations in any order.
+        ///
+        /// ```
+        /// use ga_runtime::sta::{Rotor, Vector};
+        /// let boost: Rotor<f64> = Rotor::from_velocity([0.6, 0.0, 0.0]).unwrap();
+        /// assert!((boost.transform(Vector::G0).g0 - 1.25).abs() < 1e-15);
+        /// ```
         #[hull(Even)]
         #[facts(unit_versor)]
         struct Rotor { scalar, g10, g20, g30, g32, g13, g21, g0123 }

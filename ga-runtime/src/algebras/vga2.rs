@@ -46,15 +46,34 @@ crate::algebra! {
         signature 2, 0, 0;
 
         /// A vector of the plane.
+        ///
+        /// ```
+        /// use ga_runtime::vga2::{Bivector, Vector};
+        /// let (a, b) = (Vector::new(3.0, 0.0), Vector::new(1.0, 4.0));
+        /// assert_eq!((a | b, a ^ b), (3.0, Bivector::new(12.0)));
+        /// assert_eq!(a.normalized(), Some(Vector::E1));
+        /// ```
         struct Vector { e1, e2 }
         /// An oriented area: positive from e1 towards e2.
         struct Bivector { e12 }
         /// A rotation about the origin: `R = exp(−½θ e12) = cos ½θ − sin ½θ e12`.
+        ///
+        /// ```
+        /// use ga_runtime::vga2::{Rotor, Vector};
+        /// let quarter: Rotor<f64> = Rotor::from_angle(std::f64::consts::FRAC_PI_2).unwrap();
+        /// assert!((quarter.transform(Vector::E1) - Vector::E2).length() < 1e-15);
+        /// ```
         #[hull(Complex)]
         #[facts(unit_versor)]
         struct Rotor { scalar, e12 }
         /// The complex number `re + im e12`; `e12² = −1`. Sums and multiples of rotors are such
         /// numbers.
+        ///
+        /// ```
+        /// use ga_runtime::vga2::Complex;
+        /// let i = Complex::new(0.0, 1.0);
+        /// assert_eq!((1.0 + 2.0 * i) * i, -2.0 + i);
+        /// ```
         struct Complex { scalar, e12 }
         /// All 4 blades.
         struct Multivector { scalar, e1, e2, e12 }

@@ -49,18 +49,59 @@ crate::algebra! {
         signature 3, 0, 0;
 
         /// A vector of space.
+        ///
+        /// ```
+        /// use ga_runtime::vga3::Vector;
+        /// let (a, b) = (Vector::new(3.0, 0.0, 0.0), Vector::from([0.0, 4.0, 0.0]));
+        /// assert_eq!((a.dot(b), a.cross(b)), (0.0, Vector::Z * 12.0));
+        /// assert_eq!((a + b).length(), 5.0);
+        /// assert_eq!(Vector::new(0.0, 3.0, 4.0).normalized(), Some(Vector::new(0.0, 0.6, 0.8)));
+        /// assert_eq!(Vector::<f64>::ZERO.normalized(), None);
+        /// ```
         struct Vector { e1, e2, e3 }
         /// An oriented area: the plane that two vectors span, with its size.
+        ///
+        /// ```
+        /// use ga_runtime::vga3::{Bivector, Vector};
+        /// let area: Bivector<f64> = Vector::X ^ Vector::Y * 2.0;
+        /// assert_eq!(area, Bivector::new(2.0, 0.0, 0.0));
+        /// assert_eq!((area.area(), area.normal()), (2.0, [0.0, 0.0, 2.0]));
+        /// ```
         struct Bivector { e12, e13, e23 }
         /// An oriented volume, a multiple of I = e123.
+        ///
+        /// ```
+        /// use ga_runtime::vga3::{Trivector, Vector};
+        /// let volume = Vector::X ^ Vector::Y ^ Vector::Z * 2.0;
+        /// assert_eq!(volume, Trivector::new(2.0));
+        /// ```
         struct Trivector { e123 }
         /// A rotation about an axis through the origin: `R = exp(−½θB) = cos ½θ − sin ½θ B`.
+        ///
+        /// ```
+        /// use ga_runtime::vga3::{Rotor, Vector};
+        /// let quarter: Rotor<f64> = Rotor::between(Vector::X, Vector::Y).unwrap();
+        /// assert!((quarter.transform(Vector::X) - Vector::Y).length() < 1e-15);
+        /// ```
         #[hull(Quaternion)]
         #[facts(unit_versor)]
         struct Rotor { scalar, e12, e13, e23 }
         /// Sums and multiples of rotors: the quaternions.
+        ///
+        /// ```
+        /// use ga_runtime::vga3::{Quaternion, Vector};
+        /// // The product of two vectors has their inner product and their oriented area.
+        /// assert_eq!(Vector::new(1, 2, 0) * Vector::new(3, 4, 0), Quaternion::new(11, -2, 0, 0));
+        /// ```
         struct Quaternion { scalar, e12, e13, e23 }
         /// All 8 blades.
+        ///
+        /// ```
+        /// use ga_runtime::vga3::{Multivector, Vector};
+        /// let sum = 1.0 + Multivector::from(Vector::new(2.0, 0.0, 0.0));
+        /// assert_eq!(sum.to_string(), "1 + 2 e1");
+        /// assert_eq!("1 + 2 e1".parse(), Ok(sum));
+        /// ```
         struct Multivector { scalar, e1, e2, e3, e12, e13, e23, e123 }
 
         products {

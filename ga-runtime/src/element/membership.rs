@@ -97,7 +97,7 @@ where
             });
         }
     }
-    if !member.satisfies_facts(allowed) {
+    if !member.satisfies_facts(tolerance) {
         return Err(NotMember::NotUnitVersor { type_name });
     }
     Ok(member)

@@ -4,6 +4,7 @@ mod coefficients;
 mod emitted;
 mod membership;
 mod normalized;
+mod relative;
 mod text;
 
 pub use coefficients::Coefficients;
@@ -14,6 +15,7 @@ pub use text::ParseElementError;
 pub use membership::are_within;
 #[doc(hidden)]
 pub use normalized::scaled_norm;
+pub use relative::Relative;
 #[doc(hidden)]
 pub use text::{parse, write};
 
@@ -109,8 +111,9 @@ pub trait Element: Copy {
         })
     }
 
-    /// Whether the facts of the type hold: no coefficient of `M ~M − 1` of a unit versor is larger
-    /// than the tolerance, or not a number. True for types whose facts cannot be violated.
+    /// Whether the facts of the type hold: each coefficient of `M ~M − 1` of a unit versor is at most
+    /// as large as the tolerance times the terms that cancel in it. True for types whose facts hold
+    /// for all coefficients.
     #[inline]
     fn satisfies_facts(&self, _tolerance: Self::Scalar) -> bool
     where

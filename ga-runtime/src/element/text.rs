@@ -188,10 +188,16 @@ fn terms<T: Element<Scalar: FromStr>>(
         }
         let (name, value) = match word.parse::<T::Scalar>() {
             _ if T::NAMES.contains(&word) => (word, T::Scalar::one()),
-            Ok(number) => {
-                let name = words.next_if(|(next, _)| T::NAMES.contains(next));
-                (name.map_or(SCALAR, |(name, _)| name), number)
-            }
+            Ok(number) => match words.peek() {
+                Some(&(name, _)) if T::NAMES.contains(&name) => {
+                    words.next();
+                    (name, number)
+                }
+                Some(&(other, place)) if is_word::<T::Scalar>(other) => {
+                    return Err(unknown::<T>(other, place));
+                }
+                _ => (SCALAR, number),
+            },
             Err(_) => return Err(unknown::<T>(word, column)),
         };
         let value = if is_negative { -value } else { value };
@@ -212,6 +218,12 @@ fn terms<T: Element<Scalar: FromStr>>(
         terms.push((blade, if is_reversed { -value } else { value }));
     }
     Ok(terms)
+}
+
+/// Whether a text is a name and not a number such as `inf`.
+fn is_word<S: FromStr>(text: &str) -> bool {
+    let is_name = text.starts_with(|first: char| first.is_alphabetic() || first == '_');
+    is_name && text.parse::<S>().is_err()
 }
 
 fn unknown<T: Element>(word: &str, column: usize) -> ParseElementError {

@@ -44,7 +44,8 @@ macro_rules! __product_tests {
 /// The number of random cases of each test.
 const CASES: u32 = 256;
 
-/// The dense algebra of a metric given as fractions.
+/// The dense algebra of a metric given as fractions, its basis vectors named e1, e2 and so on;
+/// with the names of a declared algebra: [`Algebra::of`].
 ///
 /// # Panics
 /// If the metric is not square and symmetric. That of a declared algebra always is.
@@ -59,7 +60,7 @@ pub fn algebra_of<S: Field>(metric: &[&[(i64, i64)]]) -> Algebra<S> {
 
 /// All coefficients of an element.
 pub fn to_dense<T: Element>(algebra: &Algebra<T::Scalar>, element: &T) -> Multivector<T::Scalar> {
-    algebra.zero().map(|blade, _| element.coefficient(blade))
+    algebra.element(element)
 }
 
 /// The dense form of constants given as (blade, numerator, denominator).
@@ -89,19 +90,16 @@ pub fn constant_to_dense<S: Field>(
 /// use ga_runtime::testing::{assert_close, member, strategy};
 /// use proptest::prelude::*;
 ///
-/// let motors = member::<Motor<f64>, _>(strategy::float(0.9));
-/// let points = member::<Point<f64>, _>(strategy::float(10.0));
+/// let motors = member::<Motor<f64>>(strategy::float(0.9));
+/// let points = member::<Point<f64>>(strategy::float(10.0));
 /// proptest!(|(motor in motors, p in points.clone(), q in points)| {
 ///     let moved = motor.transform(p).distance(motor.transform(q));
 ///     assert_close!(moved, p.distance(q), 1e-12, 100.0);
 /// });
 /// ```
-pub fn member<T, N>(number: N) -> impl Strategy<Value = T> + Clone
-where
-    T: Element + core::fmt::Debug,
-    T::Scalar: Field,
-    N: Strategy<Value = T::Scalar> + Clone,
-{
+pub fn member<T: Element<Scalar: Field> + core::fmt::Debug>(
+    number: impl Strategy<Value = T::Scalar> + Clone,
+) -> impl Strategy<Value = T> + Clone {
     let members = Members::new(T::METRIC, T::BLADES, T::IS_FREE);
     vec(number, members.count()).prop_filter_map("a plane with α²b² = 1", move |numbers| {
         members.member(&numbers)
@@ -111,7 +109,7 @@ where
 /// Random members over the prime field.
 pub fn exact_member<T: Element<Scalar = Prime61> + core::fmt::Debug>()
 -> impl Strategy<Value = T> + Clone {
-    member::<T, _>(prime())
+    member::<T>(prime())
 }
 
 /// A strategy for the one value of a constant.

@@ -49,4 +49,6 @@ pub use declared::Members;
 pub use declared::{algebra_of, constant_to_dense, exact_member, for_all, member, only, to_dense};
 pub use sample::sample;
 #[doc(hidden)]
-pub use written::{assert_same, for_all_numbers, members};
+pub use written::{
+    assert_same, check_coefficients, check_linear, check_product, for_all_numbers, members,
+};

@@ -199,7 +199,7 @@ proptest! {
     }
 
     #[test]
-    fn random_members_of_float_types_are_members(motor in member::<Motor<f64>, _>(strategy::float(0.9))) {
+    fn random_members_of_float_types_are_members(motor in member::<Motor<f64>>(strategy::float(0.9))) {
         let [s, a, b, c, d, e, f, g] = motor_coefficients(motor);
         let size = motor_coefficients(motor).iter().fold(1.0_f64, |m, x| m.max(x.abs()));
         prop_assert!(Motor::try_new(s, a, b, c, d, e, f, g, 1e-13 * size * size).is_some());

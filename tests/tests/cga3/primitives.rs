@@ -175,9 +175,9 @@ proptest! {
 
     #[test]
     fn both_forms_hold_the_same_points(
-        sphere in member::<Sphere<Prime61>, _>(strategy::prime()),
-        vectors in prop::array::uniform3(member::<DualSphere<Prime61>, _>(strategy::prime())),
-        point in member::<Point<Prime61>, _>(strategy::prime()),
+        sphere in member::<Sphere<Prime61>>(strategy::prime()),
+        vectors in prop::array::uniform3(member::<DualSphere<Prime61>>(strategy::prime())),
+        point in member::<Point<Prime61>>(strategy::prime()),
     ) {
         // x ∧ X is the dual of x·X, up to the sign of the grade, for every form.
         let x = Multivector::from(point);
@@ -194,9 +194,9 @@ proptest! {
 
     #[test]
     fn attitudes_are_contractions_with_infinity(
-        p in member::<Point<Prime61>, _>(strategy::prime()),
-        q in member::<Point<Prime61>, _>(strategy::prime()),
-        r in member::<Point<Prime61>, _>(strategy::prime()),
+        p in member::<Point<Prime61>>(strategy::prime()),
+        q in member::<Point<Prime61>>(strategy::prime()),
+        r in member::<Point<Prime61>>(strategy::prime()),
     ) {
         let infinity = Multivector::from(Infinity);
         let attitude = |flat: Multivector<Prime61>| -(infinity | flat);
@@ -210,14 +210,14 @@ proptest! {
 
     #[test]
     fn dual_forms_move_as_what_they_stand_for(
-        motor in member::<Motor<Prime61>, _>(strategy::prime()),
-        similarity in member::<Similarity<Prime61>, _>(strategy::prime()),
-        mirror in member::<RoundVector<Prime61>, _>(strategy::prime()),
-        sphere in member::<DualSphere<Prime61>, _>(strategy::prime()),
-        circle in member::<DualCircle<Prime61>, _>(strategy::prime()),
-        pair in member::<DualPointPair<Prime61>, _>(strategy::prime()),
-        flat in member::<DualFlatPoint<Prime61>, _>(strategy::prime()),
-        free in member::<DualDirection<Prime61>, _>(strategy::prime()),
+        motor in member::<Motor<Prime61>>(strategy::prime()),
+        similarity in member::<Similarity<Prime61>>(strategy::prime()),
+        mirror in member::<RoundVector<Prime61>>(strategy::prime()),
+        sphere in member::<DualSphere<Prime61>>(strategy::prime()),
+        circle in member::<DualCircle<Prime61>>(strategy::prime()),
+        pair in member::<DualPointPair<Prime61>>(strategy::prime()),
+        flat in member::<DualFlatPoint<Prime61>>(strategy::prime()),
+        free in member::<DualDirection<Prime61>>(strategy::prime()),
     ) {
         fn check<V, X>(versor: V, x: X)
         where

@@ -21,6 +21,9 @@
 
 mod blades;
 mod conformal;
+mod elements;
+#[path = "../interop/every_type.rs"]
+mod every_type;
 mod interface;
 mod metrics;
 mod places;

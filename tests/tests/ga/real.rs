@@ -80,7 +80,7 @@ fn motors() -> impl Strategy<Value = Motor<f64>> + Clone {
 }
 
 fn generators(size: f64) -> impl Strategy<Value = MotorGenerator<f64>> + Clone {
-    member::<MotorGenerator<f64>, _>(strategy::float(size))
+    member::<MotorGenerator<f64>>(strategy::float(size))
 }
 
 #[test]
@@ -228,7 +228,7 @@ fn boosts_are_hyperbolic() {
 
 #[test]
 fn projective_motions() {
-    let lines = member::<ga_runtime::pga3::Line<f64>, _>(strategy::float(1.2));
+    let lines = member::<ga_runtime::pga3::Line<f64>>(strategy::float(1.2));
     for_all(lines, |b| {
         let m = compiled::projective(b);
         assert_close!(compiled::projective_round(m), m, 1e-13);

@@ -84,7 +84,7 @@ fn the_scalar_of_a_stage_may_change() {
 
 #[test]
 fn a_stage_is_copied_compared_and_shown() {
-    let motors = member::<Motor<f64>, _>(strategy::float(0.9));
+    let motors = member::<Motor<f64>>(strategy::float(0.9));
     for_all(motors, |m| {
         let moving = compiled::moving(m);
         let copy = moving;

@@ -126,7 +126,7 @@ fn comes_back<T>()
 where
     T: Element<Scalar = f64> + Serialize + DeserializeOwned + PartialEq + Debug,
 {
-    for_all(member::<T, _>(strategy::float(0.9)), |value| {
+    for_all(member::<T>(strategy::float(0.9)), |value| {
         assert_eq!(from_cbor(&cbor(&value)), Ok(value));
         let read: T = serde_json::from_str(&json(&value)).expect("what was written is read");
         for &blade in T::BLADES {

@@ -23,7 +23,7 @@ where
 {
     let mut runner = TestRunner::deterministic();
     let numbers = (-0.9_f32..0.9).prop_map(T::Scalar::from);
-    let strategy = member::<T, _>(numbers);
+    let strategy = member::<T>(numbers);
     (0..count)
         .map(|_| strategy.new_tree(&mut runner).expect("a member").current())
         .collect()

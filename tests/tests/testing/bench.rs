@@ -131,7 +131,7 @@ fn operands_may_be_drawn_otherwise() {
 
 #[test]
 fn samples_have_the_size_asked_for() {
-    let motors = member::<Motor<f64>, _>(strategy::float(0.9));
+    let motors = member::<Motor<f64>>(strategy::float(0.9));
     assert_eq!(sample(&motors, 0, 1), []);
     assert_eq!(sample(&motors, 5, 1), sample(&motors, 9, 1)[..5]);
 }

@@ -56,7 +56,7 @@ fn messages_name_the_blade() {
 /// where the type says so.
 fn check_members<T: Element<Scalar = f64> + PartialEq + std::fmt::Debug>() {
     let algebra = algebra_of::<f64>(T::METRIC);
-    for_all(member::<T, _>(strategy::float(0.9)), |element| {
+    for_all(member::<T>(strategy::float(0.9)), |element| {
         let dense = to_dense(&algebra, &element);
         assert!(dense.coefficients().iter().all(|x| x.is_finite()));
         let again = T::from_coefficients_unchecked(&mut |blade| element.coefficient(blade));
@@ -118,7 +118,7 @@ fn every_type_has_random_members() {
 fn random_motors_go_everywhere() {
     let mut seen = std::collections::BTreeSet::new();
     let seen_cell = std::cell::RefCell::new(&mut seen);
-    for_all(member::<Motor<f64>, _>(strategy::float(0.9)), |motor| {
+    for_all(member::<Motor<f64>>(strategy::float(0.9)), |motor| {
         let (axis, angle) = motor.rotor().to_axis_angle();
         let shift = motor.translator().displacement();
         let mut seen = seen_cell.borrow_mut();

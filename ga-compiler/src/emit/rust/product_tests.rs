@@ -6,6 +6,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use syn::ext::IdentExt;
 
+use super::surface::{has_product, takes_references};
 use crate::algebra::{Product, Ratio};
 use crate::define::{Definition, Operation, ProductDefinition, Role, TypeDefinition};
 
@@ -80,12 +81,49 @@ fn product_test(
         _ => reference,
     };
     let text = name.to_string();
+    let references = references(product.operation, &kinds, &locals);
     let body = quote! {
         let dense = [#(#dense_operands),*];
         let result: #result = #call;
         #runtime::testing::assert_same(#text, &[#(&#locals),*], &#found, &#expected);
+        #references
     };
     test(runtime, path, &name, &kinds, &body)
+}
+
+/// The operators on references, where there are some, against those on values.
+fn references(operation: Operation, kinds: &[&TypeDefinition], locals: &[Ident]) -> TokenStream {
+    let (Some(operator), [left, right], [a, b]) = (operator(operation), kinds, locals) else {
+        return TokenStream::new();
+    };
+    let mut checks = TokenStream::new();
+    let mut check = |found: TokenStream| {
+        checks.extend(quote! { ::std::assert_eq!(#found, result); });
+    };
+    if takes_references(left) && !left.is_constant() {
+        check(quote! { &#a #operator #b });
+    }
+    if takes_references(right) && !right.is_constant() && !left.is_constant() {
+        check(quote! { #a #operator &#b });
+        if takes_references(left) {
+            check(quote! { &#a #operator &#b });
+        }
+    }
+    checks
+}
+
+/// The operator of a product in Rust.
+fn operator(operation: Operation) -> Option<TokenStream> {
+    let Operation::Product(product) = operation else {
+        return None;
+    };
+    match product {
+        Product::Geometric => Some(quote! { * }),
+        Product::Wedge => Some(quote! { ^ }),
+        Product::LeftContraction => Some(quote! { | }),
+        Product::Vee => Some(quote! { & }),
+        Product::RightContraction | Product::ScalarProduct | Product::Commutator => None,
+    }
 }
 
 /// A test of random members of some types, which are called `operand0` and so on, or `number` for
@@ -121,7 +159,7 @@ fn test(
         fn #name() {
             #(#makers)*
             let counts = [#(#counts,)* 1];
-            #runtime::testing::for_all_numbers(#path::METRIC, &counts, &|algebra, numbers| {
+            #runtime::testing::for_all_numbers(#path::METRIC, #path::BASIS, &counts, &|algebra, numbers| {
                 #(#values)*
                 #body
                 ::core::option::Option::Some(())
@@ -155,16 +193,11 @@ fn call(operation: Operation, locals: &[Ident]) -> TokenStream {
         let method = format_ident!("{}", operation.name());
         return quote! { #first.#method() };
     };
-    match operation {
-        Operation::Product(Product::Geometric) => quote! { #first * #second },
-        Operation::Product(Product::Wedge) => quote! { #first ^ #second },
-        Operation::Product(Product::LeftContraction) => quote! { #first | #second },
-        Operation::Product(Product::Vee) => quote! { #first & #second },
-        operation => {
-            let method = format_ident!("{}", operation.name());
-            quote! { #first.#method(#second) }
-        }
+    if let Some(operator) = operator(operation) {
+        return quote! { #first #operator #second };
     }
+    let method = format_ident!("{}", operation.name());
+    quote! { #first.#method(#second) }
 }
 
 /// The operation by the reference. All methods are called by their paths, since traits of the user
@@ -240,12 +273,30 @@ fn type_test(definition: &Definition, path: &TokenStream, kind: &TypeDefinition)
         quote! { a.grade(grade) },
         quote! { #multivector::grade(&x, grade) },
     );
+    let name = &kind.name;
+    let linear = kind.is_linear().then(|| {
+        quote! { #runtime::testing::check_linear::<#path::#name<_>>(a, b, factor); }
+    });
+    let product = has_product(definition, kind).then(|| {
+        quote! { #runtime::testing::check_product::<#path::#name<_>>(a, b); }
+    });
+    let references = takes_references(kind).then(|| {
+        quote! {
+            ::std::assert_eq!((&a + b, a + &b, &a + &b), (a + b, a + b, a + b));
+            ::std::assert_eq!((&a - b, a - &b, &a - &b), (a - b, a - b, a - b));
+            ::std::assert_eq!((-&a, &a * factor, &a / factor), (-a, a * factor, a / factor));
+        }
+    });
     let body = quote! {
         let (a, b, factor) = (operand0, operand1, numbers[2][0]);
         let x = #runtime::testing::to_dense(algebra, &a);
         let y = #runtime::testing::to_dense(algebra, &b);
         #(#checks)*
         ::std::assert_eq!(a.norm_squared(), #multivector::norm_squared(&x));
+        #runtime::testing::check_coefficients(a, algebra);
+        #linear
+        #product
+        #references
         for grade in 0..=#dimension {
             #of_grade
         }

@@ -10,7 +10,7 @@ use super::context::Context;
 use super::types::{is_identity, needs_field};
 use super::versors::in_norm;
 use crate::algebra::{Blade, Product, Ratio};
-use crate::define::{Coefficient, Operation, ProductDefinition, TypeDefinition};
+use crate::define::{Coefficient, Definition, Operation, ProductDefinition, TypeDefinition};
 
 pub(super) fn emit(context: &Context<'_>) -> TokenStream {
     let runtime = context.runtime;
@@ -39,17 +39,16 @@ fn entries(context: &Context<'_>, kind: &TypeDefinition) -> Vec<TokenStream> {
             let fields = kind.stored().map(|c| &c.name);
             entries.push(quote! { normalized #name [#(#measured)*] [#(#fields)*] });
         }
-    } else if is_closed(context, kind, |_| true) {
+    } else if is_closed(context.definition, kind, |_| true) {
         entries.push(quote! { multiplied #name });
     }
     if kind.facts.unit_versor && kind.facts_are_implied {
         entries.push(quote! { always_unit #name });
     }
-    let has_one = is_identity(kind, &one);
-    if has_one && is_closed(context, kind, |right| right.name == kind.name) {
+    if has_product(context.definition, kind) {
         entries.push(quote! { product #name });
     }
-    entries.extend(constants(kind, has_one));
+    entries.extend(constants(kind));
     let sources = context.definition.types.iter();
     entries.extend(
         sources
@@ -73,7 +72,7 @@ fn entries(context: &Context<'_>, kind: &TypeDefinition) -> Vec<TokenStream> {
 
 /// Whether there are operators on references to the type. Each costs time when the algebra is
 /// built, so there are some for what programs keep in lists: points, vectors, directions, versors.
-fn takes_references(kind: &TypeDefinition) -> bool {
+pub(super) fn takes_references(kind: &TypeDefinition) -> bool {
     let size = kind.stored().count();
     size <= 4 || kind.facts.unit_versor && size <= 8
 }
@@ -144,17 +143,22 @@ fn not_declared(context: &Context<'_>, kind: &TypeDefinition) -> Option<TokenStr
 
 /// Whether the geometric product of a member with some type on the right is a member.
 fn is_closed(
-    context: &Context<'_>,
+    definition: &Definition,
     kind: &TypeDefinition,
     right: impl Fn(&TypeDefinition) -> bool,
 ) -> bool {
-    let is_kind = |index: usize| context.kind(index).name == kind.name;
-    context.definition.products.iter().any(|product| {
+    let is_kind = |index: usize| definition.types[index].name == kind.name;
+    definition.products.iter().any(|product| {
         product.operation == Operation::Product(Product::Geometric)
             && is_kind(product.operands[0])
-            && right(context.kind(product.operands[1]))
+            && right(&definition.types[product.operands[1]])
             && product.result.is_some_and(is_kind)
     })
+}
+
+/// Whether 1 is a member, and so are products of members.
+pub(super) fn has_product(definition: &Definition, kind: &TypeDefinition) -> bool {
+    is_identity(kind, &one) && is_closed(definition, kind, |right| right.name == kind.name)
 }
 
 /// The stored coefficients of 1.
@@ -167,11 +171,11 @@ fn one(c: &Coefficient) -> Ratio {
 }
 
 /// Zero, one and the basis vectors, where they are members.
-fn constants(kind: &TypeDefinition, has_one: bool) -> Vec<TokenStream> {
+fn constants(kind: &TypeDefinition) -> Vec<TokenStream> {
     let name = &kind.name;
     let fields = || kind.stored().map(|c| &c.name);
     let mut constants = Vec::new();
-    if has_one {
+    if is_identity(kind, &one) {
         let values = kind.stored().map(|c| {
             let constant = format_ident!("{}", if one(c).is_zero() { "ZERO" } else { "ONE" });
             let field = &c.name;

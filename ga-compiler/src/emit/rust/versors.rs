@@ -92,11 +92,19 @@ fn unknown(kind: &TypeDefinition) -> TypeDefinition {
 }
 
 fn try_new(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
-    let runtime = context.runtime;
+    let (runtime, algebra) = (context.runtime, &context.definition.algebra);
+    let candidate = unknown(kind);
+    let defect = Expression::difference(norm(), Expression::Constant(Ratio::ONE));
+    let blades = wanted(verify::result_blades(algebra, &[&candidate], &defect));
+    let kernel = Task::of_expression(algebra, &[&candidate], &defect, blades).compile();
     let arguments: Vec<_> = kind.stored().map(|c| &c.name).collect();
-    let path = context.path(kind);
+    // Read from the fields, since a variable of the code could be named like a blade.
+    let inputs = fields(&[(kind, format_ident!("versor"))]);
+    let code = body(&kernel, runtime, &inputs);
+    let (statements, defects) = (code.statements, code.outputs);
+    let (path, real) = (context.path(kind), quote! { #runtime::scalar::Real });
     quote! {
-        impl<S: #runtime::scalar::Real<Mask = ::core::primitive::bool>> #path {
+        impl<S: #real<Mask = ::core::primitive::bool>> #path {
             /// The unit versor with these coefficients, or `None` where some coefficient of
             /// `M ~M − 1` is larger than the tolerance, or not a number.
             #[must_use]
@@ -104,38 +112,39 @@ fn try_new(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
                 #(#arguments: S,)* tolerance: S
             ) -> ::core::option::Option<Self> {
                 let versor = Self { #(#arguments),* };
-                <Self as #runtime::Element>::satisfies_facts(&versor, tolerance).then_some(versor)
+                #statements
+                #runtime::__private::are_within(&[#(#defects),*], tolerance).then_some(versor)
             }
         }
     }
 }
 
-/// The check of the facts, a method of `Element`; nothing where they are implied.
+/// The check of the facts, a method of `Element`; nothing where they are implied. It runs over
+/// numbers that know how large the terms are that cancel in them.
 pub(super) fn facts(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     if kind.facts_are_implied || !kind.facts.unit_versor {
         return TokenStream::new();
     }
-    let (runtime, algebra) = (context.runtime, &context.definition.algebra);
-    let candidate = unknown(kind);
-    let defect = Expression::difference(norm(), Expression::Constant(Ratio::ONE));
-    let blades = wanted(verify::result_blades(algebra, &[&candidate], &defect));
-    let kernel = Task::of_expression(algebra, &[&candidate], &defect, blades).compile();
-    let code = body(&kernel, runtime, &fields(&[(kind, receiver())]));
-    let (statements, defects) = (code.statements, code.outputs);
+    let (runtime, name) = (context.runtime, &kind.name);
+    let fields = kind.stored().map(|c| &c.name);
+    let relative = quote! { #runtime::__private::Relative };
     quote! {
         fn satisfies_facts(&self, tolerance: S) -> ::core::primitive::bool
         where
             S: #runtime::scalar::Real<Mask = ::core::primitive::bool>
         {
-            #statements
-            #runtime::__private::are_within(&[#(#defects),*], tolerance)
+            #name::<#relative<S>>::try_new(
+                #(#relative::new(self.#fields),)* #relative::new(tolerance)
+            ).is_some()
         }
     }
 }
 
-/// With `M ~M = n + P`, n the scalar and P² = 0, the nearest unit versor is `(M − M P/(2n))/√n`:
-/// its square norm is `(n + P)(1 − P/n)/n = 1`. P is zero for rotors, and the defect of the Study
-/// condition for motors.
+/// With `M ~M = n + P`, n the scalar and P² = s a scalar, a unit versor near M is
+/// `(n + P)^(−½) M = (M (n + r) − P M)/(r √(2 (n + r)))`, where `r = √(n² − s)`.
+///
+/// P is zero for rotors. For motors it is the defect of the Study condition, s is 0, and the versor
+/// is `(M − P M/(2n))/√n`. Where s is not 0, this is done if P is a multiple of one blade.
 fn normalize(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let algebra = &context.definition.algebra;
     let candidate = unknown(kind);
@@ -143,14 +152,21 @@ fn normalize(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let scalar = Expression::unary(Unary::Grade(0), norm());
     let rest = Expression::difference(norm(), scalar);
     let square = Expression::binary(Product::Geometric, rest.clone(), rest.clone());
-    let change = Expression::binary(Product::Geometric, Expression::Operand(0), rest);
+    let change = Expression::binary(Product::Geometric, rest.clone(), Expression::Operand(0));
+    let squares = verify::result_blades(algebra, &[&candidate], &square);
+    let is_null = squares.is_empty();
+    let is_multiple_of_blade = || {
+        verify::result_blades(algebra, &[&candidate], &rest).len() == 1
+            && squares == [Blade::SCALAR]
+    };
     let applies = is_whole
-        && verify::result_blades(algebra, &[&candidate], &square).is_empty()
+        && (is_null || is_multiple_of_blade())
         && verify::result_fits(algebra, &[&candidate], &change, Some(&candidate)).is_ok();
     let (Some(hull), true) = (kind.hull, applies) else {
         return TokenStream::new();
     };
-    normalize_body(context, &candidate, context.kind(hull), change)
+    let square = (!is_null).then_some(square);
+    normalize_body(context, &candidate, context.kind(hull), change, square)
 }
 
 fn normalize_body(
@@ -158,13 +174,9 @@ fn normalize_body(
     candidate: &TypeDefinition,
     hull: &TypeDefinition,
     change: Expression,
+    square: Option<Expression>,
 ) -> TokenStream {
     let value = format_ident!("value");
-    let scalars = [format_ident!("half"), format_ident!("scale")];
-    let scaled = |expression, number| {
-        Expression::binary(Product::Geometric, expression, Expression::Operand(number))
-    };
-    let repaired = Expression::difference(Expression::Operand(0), scaled(change, 1));
     let (taken, _) = context.compile(
         &[(hull, value.clone())],
         &Expression::Operand(0),
@@ -173,12 +185,50 @@ fn normalize_body(
     let operand = [(candidate, value)];
     // The norm of a candidate, since by the facts of the type it would be 1.
     let (norm, _) = context.compile(&operand, &norm(), None);
-    let (nearest, _) =
-        context.compile_scaled(&operand, &scalars, &scaled(repaired, 2), Some(candidate));
     let (path, whole, runtime) = (context.path(candidate), context.path(hull), context.runtime);
-    let real = quote! { #runtime::scalar::Real };
-    let field = quote! { #runtime::scalar::Field };
+    let (real, field) = (
+        quote! { #runtime::scalar::Real },
+        quote! { #runtime::scalar::Field },
+    );
     let zero = constant(runtime, Ratio::ZERO);
+    let (formula, factors) = if let Some(square) = square {
+        let (square, _) = context.compile(&operand, &square, None);
+        let factors = quote! {
+            let square = { #square };
+            let root = <S as #real>::sqrt(norm * norm - square);
+            // norm + root, without cancellation for a negative norm.
+            let sum = if <S as #real>::less_than(norm, #zero) {
+                -square / (root - norm)
+            } else {
+                norm + root
+            };
+            if !<S as #real>::less_than(#zero, sum) {
+                return ::core::option::Option::None;
+            }
+            let part = <S as #field>::recip(root * <S as #real>::sqrt(sum + sum));
+            let whole = sum * part;
+        };
+        let formula = "`(M (n + r) − P M)/(r √(2 (n + r)))` with `r = √(n² − P²)`. `None` where there is none";
+        (formula, factors)
+    } else {
+        let factors = quote! {
+            if !<S as #real>::less_than(#zero, norm) {
+                return ::core::option::Option::None;
+            }
+            let whole = <S as #field>::recip(<S as #real>::sqrt(norm));
+            let part = whole * <S as #field>::recip(norm + norm);
+        };
+        (
+            "`(M − P M/(2n))/√n`. `None` where n is not positive",
+            factors,
+        )
+    };
+    let scalars = [format_ident!("whole"), format_ident!("part")];
+    let scaled = |expression, number| {
+        Expression::binary(Product::Geometric, expression, Expression::Operand(number))
+    };
+    let nearest = Expression::difference(scaled(Expression::Operand(0), 1), scaled(change, 2));
+    let (nearest, _) = context.compile_scaled(&operand, &scalars, &nearest, Some(candidate));
     let (least, most) = (
         constant(runtime, Ratio::ONE / Ratio::integer(16)),
         constant(runtime, Ratio::integer(16)),
@@ -187,10 +237,9 @@ fn normalize_body(
     let measured = in_norm(context, candidate);
     let name = &candidate.name;
     let text = format!(
-        "The unit versor nearest to an element of the hull: with `M ~M = n + P`, n the scalar, it is `(M − M P/(2n))/√n`. \
-         `None` where n is not positive, or a coefficient of the element or of the versor is not finite. Large and small \
-         elements lose nothing. Blades that `{}` does not have are ignored.",
-        candidate.name
+        "The unit versor nearest to an element of the hull: with `M ~M = n + P`, n the scalar, it is {formula}, or a \
+         coefficient of the element or of the versor is not finite. Large and small elements lose nothing. Blades that \
+         `{name}` does not have are ignored."
     );
     quote! {
         #runtime::__private::surface! { { renormalized #name } }
@@ -211,11 +260,7 @@ fn normalize_body(
                     value = Self { #(#fields: value.#fields / largest),* };
                     norm = { #norm };
                 }
-                if !<S as #real>::less_than(#zero, norm) {
-                    return ::core::option::Option::None;
-                }
-                let scale = <S as #field>::recip(<S as #real>::sqrt(norm));
-                let half = <S as #field>::recip(norm + norm);
+                #factors
                 let versor: Self = { #nearest };
                 let is_finite = #(<S as #real>::is_finite(versor.#fields))&&*;
                 if is_finite {

@@ -5,7 +5,12 @@ use core::ops::{Add, AddAssign, Sub, SubAssign};
 use crate::cga2::{Direction, FlatPoint, Point};
 use crate::geometry::number::are_numbers;
 use crate::geometry::vector2::{area, difference, dot, length, normalized, scaled};
-use crate::scalar::{Field, Real, Ring};
+use crate::scalar::{ConstRing, Field, Real, Ring};
+
+impl<S: ConstRing> Point<S> {
+    /// The origin.
+    pub const ORIGIN: Self = Self::new(S::ZERO, S::ZERO);
+}
 
 impl<S: Ring> Point<S> {
     /// The coordinates `[x, y]`.

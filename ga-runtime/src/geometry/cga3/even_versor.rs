@@ -7,6 +7,8 @@ use super::conformal_logarithm::parts;
 use crate::cga3::{Even, EvenVersor, Point, RoundVector};
 use crate::scalar::{Real, Ring};
 
+crate::__private::surface! { { renormalized EvenVersor } }
+
 impl<S: Real<Mask = bool>> EvenVersor<S> {
     /// The versor `N^(−½) X` nearest to a sum of even versors, with `N = X ~X`, a scalar and a
     /// 4-vector (the polar decomposition of Dorst and Valkenburg, 2011). A positive multiple of a

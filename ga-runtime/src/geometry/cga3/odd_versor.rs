@@ -11,6 +11,8 @@ use crate::cga3::{
 };
 use crate::scalar::{Real, Ring};
 
+crate::__private::surface! { { renormalized OddVersor } }
+
 impl<S: Real<Mask = bool>> OddVersor<S> {
     /// The reflection in a plane, `n + d ei` with a normal of length 1. `None` where the normal is
     /// zero or not finite, or the distance is not.

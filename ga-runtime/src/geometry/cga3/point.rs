@@ -3,8 +3,18 @@
 use core::ops::{Add, AddAssign, Sub, SubAssign};
 
 use crate::cga3::{Direction, Point};
-use crate::scalar::{Field, Real, Ring};
+use crate::scalar::{ConstRing, Field, Real, Ring};
 use crate::vga3::Vector;
+
+impl<S: ConstRing> Point<S> {
+    /// The origin.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::Point;
+    /// assert_eq!(Point::ORIGIN, Point::new(0.0, 0.0, 0.0));
+    /// ```
+    pub const ORIGIN: Self = Self::new(S::ZERO, S::ZERO, S::ZERO);
+}
 
 impl<S: Ring> Point<S> {
     /// The coordinates `[x, y, z]`.

@@ -9,6 +9,8 @@ use crate::geometry::number::are_numbers;
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
+crate::__private::surface! { { renormalized Similarity } }
+
 impl<S: Real<Mask = bool>> Similarity<S> {
     /// `T R D`: scaling about the origin, then the rotation, then the translation, so that
     /// `x' = s R x + t`. `None` where the factor is not positive and finite, or the displacement is

@@ -3,7 +3,12 @@
 use crate::geometry::number::are_numbers;
 use crate::geometry::vector2::{difference, length};
 use crate::pga2::{Motor, Point};
-use crate::scalar::{Real, Ring};
+use crate::scalar::{ConstRing, Real, Ring};
+
+impl<S: ConstRing> Point<S> {
+    /// The origin, with weight 1.
+    pub const ORIGIN: Self = Self::new(S::ONE, S::ZERO, S::ZERO);
+}
 
 impl<S: Ring> Point<S> {
     /// The point (x, y) with weight 1: `e12 + x e20 + y e01`.

@@ -2,8 +2,13 @@
 
 use crate::geometry::number::are_numbers;
 use crate::pga3::{Direction, Point};
-use crate::scalar::{Real, Ring};
+use crate::scalar::{ConstRing, Real, Ring};
 use crate::vga3::Vector;
+
+impl<S: ConstRing> Point<S> {
+    /// The origin, with weight 1.
+    pub const ORIGIN: Self = Self::new(S::ONE, S::ZERO, S::ZERO, S::ZERO);
+}
 
 impl<S: Ring> Point<S> {
     /// The point (x, y, z) with weight 1: `e123 − x e230 + y e130 − z e120`.

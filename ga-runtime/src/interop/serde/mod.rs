@@ -70,9 +70,8 @@
 #[doc(hidden)]
 pub mod coefficients;
 mod plain;
-mod relative;
 
-pub use relative::Relative;
+pub use crate::element::Relative;
 
 #[cfg(doc)]
 use crate::{

@@ -137,6 +137,52 @@ pub fn moved(point: [f64; 3]) -> [f64; 3] {
     motor.transform(Point::from(point)).coordinates()
 }
 
+/// What every type of an algebra has, for one of this crate.
+pub mod surface {
+    #![deny(
+        warnings,
+        missing_docs,
+        unused_qualifications,
+        clippy::all,
+        clippy::pedantic
+    )]
+
+    use crate::sta::{Bivector, Even, Rotor, Vector};
+
+    /// At rest at the origin of time.
+    pub const NOW: Vector<f64> = Vector::ZERO;
+
+    /// The sum of momenta given as text; `None` where one is not a momentum.
+    #[must_use]
+    pub fn total<'a>(momenta: impl Iterator<Item = &'a str>) -> Option<Vector<f64>> {
+        let momenta: Option<Vec<Vector<f64>>> = momenta.map(|text| text.parse().ok()).collect();
+        momenta.map(|momenta| momenta.iter().sum())
+    }
+
+    /// One observer after another.
+    #[must_use]
+    pub fn composed(observers: &[Rotor<f64>]) -> Option<Rotor<f64>> {
+        let mut product: Rotor<f64> = observers.iter().product();
+        product *= &Rotor::IDENTITY;
+        product.normalized()
+    }
+
+    /// The energy of a momentum, and the unit bivector of a field that is not null.
+    #[must_use]
+    pub fn read(momentum: &Vector<f64>, field: Bivector<f64>) -> Option<(f64, Bivector<f64>)> {
+        let doubled = momentum + momentum;
+        Some(((doubled / 2.0).coefficient_of("g0")?, field.normalized()?))
+    }
+
+    /// The boost of an even element, if it is one.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn boost(even: Even<f64>) -> Result<Rotor<f64>, ga::NotMember> {
+        (even + 0.0).try_into()
+    }
+}
+
 /// Functions compiled in an algebra of this crate.
 pub mod functions {
     #![deny(

@@ -37,6 +37,14 @@ pub fn through_others(turn: glam_034::Quat, shift: glam_034::Vec3) -> Option<Mot
     Some(nalgebra_035::Isometry3::from(motor).into())
 }
 
+/// Where a motion that is given as text moves the origin; `None` where the text is not a motion.
+#[must_use]
+pub fn image_of_origin(motion: &str) -> Option<[f64; 3]> {
+    let motor: Motor<f64> = motion.parse().ok()?;
+    let point = motor.normalized()?.transform(Point::ORIGIN);
+    point.is_finite().then(|| point.coordinates())
+}
+
 /// The bytes of points, for a vertex buffer.
 #[must_use]
 pub fn bytes(points: &[Point<f32>]) -> &[u8] {
