@@ -8,6 +8,9 @@ compile_error!(
      `libm` for builds without the standard library"
 );
 
+// Before the algebras, so that on the pages of the types the constructors come first.
+pub mod geometry;
+
 #[doc(hidden)]
 #[path = "private.rs"]
 pub mod __private;
@@ -17,7 +20,6 @@ pub mod batch;
 pub mod conventions {}
 pub mod dense;
 mod element;
-pub mod geometry;
 mod instruction_set;
 pub mod interop;
 mod macros;
@@ -30,16 +32,18 @@ mod unsafe_code;
 #[doc = include_str!("../docs/translation.md")]
 pub mod translation {}
 
+// All of each file is the module and, hidden, the macro of an algebra. By its name, the macro would
+// stand among the re-exports of this crate.
 #[cfg(feature = "cga2")]
-pub use algebras::cga2::cga2;
-pub use algebras::cga3::cga3;
+pub use algebras::cga2::*;
+pub use algebras::cga3::*;
 #[cfg(feature = "pga2")]
-pub use algebras::pga2::pga2;
+pub use algebras::pga2::*;
 #[cfg(feature = "pga3")]
-pub use algebras::pga3::pga3;
+pub use algebras::pga3::*;
 #[cfg(feature = "sta")]
-pub use algebras::sta::sta;
+pub use algebras::sta::*;
 #[cfg(feature = "vga2")]
-pub use algebras::vga2::vga2;
-pub use algebras::vga3::vga3;
+pub use algebras::vga2::*;
+pub use algebras::vga3::*;
 pub use element::{Coefficients, Element, NotMember, ParseElementError};

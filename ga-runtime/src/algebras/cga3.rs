@@ -151,7 +151,7 @@ crate::algebra! {
         /// ```
         /// use ga_runtime::cga3::{DualSphere, Point};
         /// let sphere = DualSphere::from_centre_radius(Point::new(1.0, 0.0, 0.0), 2.0);
-        /// assert_eq!(sphere | Point::new(3.0, 0.0, 0.0), 0.0);
+        /// assert_eq!(Point::new(3.0, 0.0, 0.0) | sphere, 0.0);
         /// // The norm is the squared radius times the squared weight.
         /// assert_eq!(sphere.norm_squared(), 4.0);
         /// ```
@@ -446,7 +446,7 @@ crate::algebra! {
         /// ```
         /// use ga_runtime::cga3::{Rotor, Similarity, SimilarityGenerator};
         /// let similarity = Similarity::from_parts([0.0; 3], Rotor::default(), 4.0_f64).unwrap();
-        /// let generator: SimilarityGenerator<f64> = similarity.log().unwrap();
+        /// let generator: SimilarityGenerator<f64> = similarity.log();
         /// assert!((generator.eoi - 0.5 * 4.0_f64.ln()).abs() < 1e-15);
         /// ```
         struct SimilarityGenerator { e12, e13, e23, e1i, e2i, e3i, eoi }
@@ -457,7 +457,7 @@ crate::algebra! {
         /// use ga_runtime::cga3::{Quaternion, Rotor};
         /// let rotor = Rotor::from_axis_angle([0.0, 0.0, 1.0], 1.0_f64).unwrap();
         /// let sum: Quaternion<f64> = Rotor::IDENTITY + rotor;
-        /// let middle = sum.normalize().unwrap();
+        /// let middle = Rotor::normalize(sum).unwrap();
         /// assert!((middle.to_axis_angle().1 - 0.5).abs() < 1e-15);
         /// ```
         struct Quaternion { scalar, e12, e13, e23 }

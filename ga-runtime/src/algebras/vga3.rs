@@ -98,7 +98,7 @@ crate::algebra! {
         ///
         /// ```
         /// use ga_runtime::vga3::{Multivector, Vector};
-        /// let sum = 1.0 + Multivector::from(Vector::new(2.0, 0.0, 0.0));
+        /// let sum: Multivector<f64> = 1.0 + Multivector::from(Vector::new(2.0, 0.0, 0.0));
         /// assert_eq!(sum.to_string(), "1 + 2 e1");
         /// assert_eq!("1 + 2 e1".parse(), Ok(sum));
         /// ```

@@ -95,9 +95,9 @@ pub enum ParseElementError {
     },
     /// A blade occurs twice.
     Repeated {
-        /// The second term.
+        /// The blade.
         term: String,
-        /// Where it begins.
+        /// Where its name occurs for the second time.
         column: usize,
     },
     /// The coefficients are not those of a member of the type.
@@ -128,7 +128,7 @@ impl Display for ParseElementError {
                 write!(f, "there is no term behind the sign at column {column}")
             }
             Self::Repeated { term, column } => {
-                write!(f, "the blade of `{term}` at column {column} occurs before")
+                write!(f, "the blade `{term}` at column {column} occurs before")
             }
             Self::NotMember(error) => error.fmt(f),
         }
@@ -189,8 +189,9 @@ fn terms<T: Element<Scalar: FromStr>>(
         let (name, value) = match word.parse::<T::Scalar>() {
             _ if T::NAMES.contains(&word) => (word, T::Scalar::one()),
             Ok(number) => match words.peek() {
-                Some(&(name, _)) if T::NAMES.contains(&name) => {
+                Some(&(name, place)) if T::NAMES.contains(&name) => {
                     words.next();
+                    column = place;
                     (name, number)
                 }
                 Some(&(other, place)) if is_word::<T::Scalar>(other) => {

@@ -75,6 +75,7 @@ use crate::scalar::Real;
 /// are opaque to the compiler as lists, so that no computation is removed or done beforehand, and
 /// yet a loop may be vectorised as it would be in a program. The group's throughput is in elements:
 /// the time of one operation is the reported time divided by 1,024.
+#[doc(hidden)]
 #[macro_export]
 macro_rules! __bench_product {
     (criterion = $($path:ident)::+ ; $($rest:tt)+) => {

@@ -34,6 +34,7 @@ use crate::scalar::{Field, Prime61};
 /// # }
 /// # fn main() {}
 /// ```
+#[doc(hidden)]
 #[macro_export]
 macro_rules! __product_tests {
     ($($algebra:tt)*) => {

@@ -36,7 +36,9 @@ mod sample;
 pub mod strategy;
 mod written;
 
+#[doc(inline)]
 pub use crate::__bench_product as bench_product;
+#[doc(inline)]
 pub use crate::__product_tests as product_tests;
 pub use crate::assert_close;
 pub use crate::dense;

@@ -313,7 +313,7 @@ mod text {
         );
         assert_eq!(
             message::<Rotor<f64>>("e12 + 1 + 3 e12"),
-            "the blade of `e12` at column 13 occurs before"
+            "the blade `e12` at column 13 occurs before"
         );
         assert_eq!(
             message::<Rotor<f64>>(" "),

@@ -44,12 +44,14 @@ pub fn algebra(definition: &Definition, source: &TokenStream) -> TokenStream {
         if !kind.is_constant() {
             items.extend(norm::emit(&context, kind));
         }
-        items.extend(versors::emit(&context, kind));
         items.extend(blades::emit(&context, kind));
         items.extend(conversions::emit(&context, kind));
     }
     items.extend(products::emit(&context));
     items.extend(surface::emit(&context));
+    for kind in &definition.types {
+        items.extend(types::unchecked_constructor(&context, kind));
+    }
     items.extend(interoperation::emit(&context));
     let module = module(definition, items);
     let handover = handover(definition, source);

@@ -100,12 +100,10 @@ fn references(operation: Operation, kinds: &[&TypeDefinition], locals: &[Ident])
     let mut check = |found: TokenStream| {
         checks.extend(quote! { ::std::assert_eq!(#found, result); });
     };
-    if takes_references(left) && !left.is_constant() {
+    if takes_references(left) {
         check(quote! { &#a #operator #b });
-    }
-    if takes_references(right) && !right.is_constant() && !left.is_constant() {
-        check(quote! { #a #operator &#b });
-        if takes_references(left) {
+        if takes_references(right) {
+            check(quote! { #a #operator &#b });
             check(quote! { &#a #operator &#b });
         }
     }

@@ -49,15 +49,10 @@ fn entries(context: &Context<'_>, kind: &TypeDefinition) -> Vec<TokenStream> {
         entries.push(quote! { product #name });
     }
     entries.extend(constants(kind));
-    let sources = context.definition.types.iter();
-    entries.extend(
-        sources
-            .filter(|source| is_checked_source(source, kind))
-            .map(|source| {
-                let source = &source.name;
-                quote! { try_from #source #name }
-            }),
-    );
+    entries.extend(checked_sources(context, kind).into_iter().map(|source| {
+        let source = &source.name;
+        quote! { try_from #source #name }
+    }));
     let hull = context.hull(kind);
     if let Some(scalar) = hull.stored().find(|c| c.blade == Blade::SCALAR) {
         let (hull, scalar) = (&hull.name, &scalar.name);
@@ -71,10 +66,16 @@ fn entries(context: &Context<'_>, kind: &TypeDefinition) -> Vec<TokenStream> {
 }
 
 /// Whether there are operators on references to the type. Each costs time when the algebra is
-/// built, so there are some for what programs keep in lists: points, vectors, directions, versors.
+/// built, so there are some for what programs keep in lists: points, vectors, directions, planes
+/// and rigid versors.
 pub(super) fn takes_references(kind: &TypeDefinition) -> bool {
-    let size = kind.stored().count();
-    size <= 4 || kind.facts.unit_versor && size <= 8
+    let grades = || kind.coefficients.iter().map(|c| c.blade.grade());
+    let is_of_one_grade = grades().min() == grades().max();
+    match kind.stored().count() {
+        2..=4 => is_of_one_grade || kind.facts.unit_versor,
+        5..=8 => kind.facts.unit_versor,
+        _ => false,
+    }
 }
 
 /// The trait and the method of a product's operator.
@@ -112,7 +113,7 @@ fn references(context: &Context<'_>, kind: &TypeDefinition) -> [TokenStream; 2] 
     let lefts = products.iter().filter_map(|product| {
         let operator = operator(product.operation)?;
         let left = context.kind(product.operands[0]);
-        let is_right = is_kind(*product.operands.get(1)?) && !left.is_constant();
+        let is_right = is_kind(*product.operands.get(1)?) && takes_references(left);
         let left = &left.name;
         is_right.then(|| quote! { #left #operator })
     });
@@ -122,7 +123,7 @@ fn references(context: &Context<'_>, kind: &TypeDefinition) -> [TokenStream; 2] 
     ]
 }
 
-/// The types that a unit versor moves and is not multiplied with.
+/// The types of up to six coefficients that a rigid versor moves and is not multiplied with.
 fn not_declared(context: &Context<'_>, kind: &TypeDefinition) -> Option<TokenStream> {
     let name = &kind.name;
     let rights = |operation: Operation| {
@@ -135,7 +136,8 @@ fn not_declared(context: &Context<'_>, kind: &TypeDefinition) -> Option<TokenStr
     let is_declared =
         |moved: &TypeDefinition| rights(geometric).any(|right| right.name == moved.name);
     let moved: Vec<_> = rights(Operation::Sandwich)
-        .filter(|moved| kind.facts.unit_versor && !moved.is_constant() && !is_declared(moved))
+        .filter(|moved| kind.facts.unit_versor && takes_references(kind) && !is_declared(moved))
+        .filter(|moved| (1..=6).contains(&moved.stored().count()))
         .map(|moved| &moved.name)
         .collect();
     (!moved.is_empty()).then(|| quote! { not_declared #name #(#moved)* })
@@ -206,16 +208,37 @@ fn constants(kind: &TypeDefinition) -> Vec<TokenStream> {
     constants
 }
 
-/// Whether some elements of `source` are members of `kind`, others not.
-fn is_checked_source(source: &TypeDefinition, kind: &TypeDefinition) -> bool {
+/// The types with a `TryFrom` to a type, some of whose elements are members: its hull, the smallest
+/// and the largest linear type of more blades, and, for unit versors, all wider types of them. Any
+/// other type has `try_from_element`.
+fn checked_sources<'a>(context: &Context<'a>, kind: &TypeDefinition) -> Vec<&'a TypeDefinition> {
     let covers = |a: &TypeDefinition, b: &TypeDefinition| {
         let mut blades = b.coefficients.iter();
         blades.all(|c| a.coefficient(c.blade).is_some())
     };
-    let are_versors = source.facts.unit_versor && kind.facts.unit_versor;
-    let loses = !covers(kind, source);
-    !source.is_constant()
-        && source.name != kind.name
-        && covers(source, kind)
-        && (source.is_linear() && (loses || !kind.is_linear()) || are_versors && loses)
+    let wider: Vec<_> = context
+        .definition
+        .types
+        .iter()
+        .filter(|source| !source.is_constant() && source.name != kind.name && covers(source, kind))
+        .collect();
+    let linear = || {
+        let is_source = |source: &&&TypeDefinition| {
+            source.is_linear() && (!kind.is_linear() || !covers(kind, source))
+        };
+        wider.iter().filter(is_source).copied()
+    };
+    let size = |source: &&TypeDefinition| source.coefficients.len();
+    let hull = kind.hull.map(|hull| context.kind(hull));
+    let ends = [hull, linear().min_by_key(size), linear().max_by_key(size)];
+    let versors = wider.iter().copied().filter(|source| {
+        source.facts.unit_versor && kind.facts.unit_versor && !covers(kind, source)
+    });
+    let mut sources: Vec<&TypeDefinition> = Vec::new();
+    for source in ends.into_iter().flatten().chain(versors) {
+        if sources.iter().all(|known| known.name != source.name) {
+            sources.push(source);
+        }
+    }
+    sources
 }

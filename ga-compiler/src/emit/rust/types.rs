@@ -1,6 +1,6 @@
 //! The struct of a type, its constructors and accessors, and how it prints.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use syn::ext::IdentExt;
 
@@ -19,6 +19,7 @@ pub(super) fn emit(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream 
     let parts = [
         structure(kind),
         constructor(context, kind),
+        versors::emit(context, kind),
         accessors(context, kind),
         default(context, kind),
         element(context, kind),
@@ -75,20 +76,39 @@ fn coefficients_text(kind: &TypeDefinition) -> String {
     format!("Coefficients: {}.", entries.join(", "))
 }
 
+/// `new`, where any coefficients make a member.
 fn constructor(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+    if !kind.facts_are_implied {
+        return TokenStream::new();
+    }
+    let name = format_ident!("new");
+    build_from_stored(
+        context,
+        kind,
+        &name,
+        "The member with these stored coefficients.",
+    )
+}
+
+/// `new_unchecked`, where some coefficients make no member. It comes last on the page of a type,
+/// since the other constructors check.
+pub(super) fn unchecked_constructor(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+    if kind.facts_are_implied {
+        return TokenStream::new();
+    }
+    let name = format_ident!("new_unchecked");
+    let text = "The member with these stored coefficients. The caller makes sure that the facts of the type hold; products of anything else are wrong.";
+    build_from_stored(context, kind, &name, text)
+}
+
+fn build_from_stored(
+    context: &Context<'_>,
+    kind: &TypeDefinition,
+    name: &Ident,
+    text: &str,
+) -> TokenStream {
     let path = context.path(kind);
     let fields: Vec<_> = kind.stored().map(|c| &c.name).collect();
-    let (name, text) = if kind.facts_are_implied {
-        (
-            format_ident!("new"),
-            "The member with these stored coefficients.",
-        )
-    } else {
-        (
-            format_ident!("new_unchecked"),
-            "The member with these stored coefficients. The caller makes sure that the facts of the type hold; products of anything else are wrong.",
-        )
-    };
     quote! {
         impl<S> #path {
             #[doc = #text]

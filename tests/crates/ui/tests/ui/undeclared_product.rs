@@ -5,7 +5,6 @@ use ga_runtime::cga3::{Line, Motor, Point};
 fn moved(motor: Motor<f64>, point: Point<f64>, line: &Line<f64>) {
     let _ = motor * point;
     let _ = &motor * *line;
-    let _ = motor.geometric(point);
 }
 
 fn main() {}
