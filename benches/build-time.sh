@@ -27,7 +27,7 @@ seconds() { # command
 least() { sort -n | head -n 1; }
 
 runtime="ga-runtime = { path = \"$root/ga-runtime\" }"
-glam=$(grep -m 1 '^glam' Cargo.toml)
+glam=$(grep -m 1 '^glam = ' Cargo.toml)
 crate only_runtime "$runtime"
 crate only_glam "$glam"
 for name in only_runtime only_glam; do

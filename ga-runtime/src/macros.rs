@@ -92,6 +92,22 @@
 /// type without facts has just the blades of the result. That each result lies in its type is
 /// verified when the macro runs, by exact evaluation at random points.
 ///
+/// # What every type has
+///
+/// - `coefficients()`, an iterator of (name, value); `coefficient_of("e12")`; `is_finite()`.
+/// - `Display`, as `1 + 2 e12`, and `FromStr` for the same text, with an error that names the term
+///   and its place.
+/// - `+`, `-`, `*` and `/` by a number, negation; `+=`, `-=`, `*=`, `/=` and `Sum` where the result
+///   is of the same type; `Product` for types with 1. A number is added to types whose hull has a
+///   scalar. `2.0 * x` and `2.0 + x` are there for `f32` and `f64`.
+/// - Operators on references for types of one grade with two to four stored coefficients, and for
+///   unit versors with two to eight.
+/// - `norm_squared()`, with its sign on the page, and `normalized()`, where the norm is not zero for
+///   all members.
+/// - `TryFrom` the hull, the smallest and the largest type of more blades, and wider unit versors,
+///   up to rounding; `try_from_element(element, tolerance)` from any type.
+/// - The constants `ZERO`, `ONE` or `IDENTITY`, and those of basis vectors in types of vectors.
+///
 /// # The macro of the algebra
 ///
 /// Besides the module, a macro of the same name is emitted, which passes the definition to macros

@@ -40,7 +40,7 @@ macro_rules! __surface_entry {
             /// largest coefficient.
             ///
             /// # Errors
-            /// [`NotMember`]($crate::NotMember) with the coefficient that is different.
+            /// `ga_runtime::NotMember` with the coefficient that is different.
             #[inline]
             pub fn try_from_element<U: $crate::Element<Scalar = S>>(
                 element: U,

@@ -35,6 +35,11 @@ pub enum NotMember {
         /// The name of the type.
         type_name: &'static str,
     },
+    /// The coefficients are not those of a blade, an outer product of vectors.
+    NotBlade {
+        /// The name of the type.
+        type_name: &'static str,
+    },
 }
 
 impl fmt::Display for NotMember {
@@ -57,6 +62,9 @@ impl fmt::Display for NotMember {
             ),
             Self::NotUnitVersor { type_name } => {
                 write!(f, "not a {type_name}: M ~M is not 1 up to the tolerance")
+            }
+            Self::NotBlade { type_name } => {
+                write!(f, "not a {type_name}: it is not a blade up to the tolerance")
             }
         }
     }
@@ -98,7 +106,11 @@ where
         }
     }
     if !member.satisfies_facts(tolerance) {
-        return Err(NotMember::NotUnitVersor { type_name });
+        return Err(if T::IS_UNIT_VERSOR {
+            NotMember::NotUnitVersor { type_name }
+        } else {
+            NotMember::NotBlade { type_name }
+        });
     }
     Ok(member)
 }

@@ -122,7 +122,7 @@ fn try_new(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
 /// The check of the facts, a method of `Element`; nothing where they are implied. It runs over
 /// numbers that know how large the terms are that cancel in them.
 pub(super) fn facts(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
-    if kind.facts_are_implied || !kind.facts.unit_versor {
+    if kind.facts_are_implied || kind.is_constant() {
         return TokenStream::new();
     }
     let (runtime, name) = (context.runtime, &kind.name);

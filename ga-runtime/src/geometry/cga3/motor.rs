@@ -4,6 +4,26 @@ use crate::cga3::{DualQuaternion, Motor, Point, Rotor, Translator};
 use crate::geometry::number::are_numbers;
 use crate::scalar::{Field, Real};
 
+impl<S: Real<Mask = bool>> Motor<S> {
+    /// The rotation by a rotor about a point instead of the origin, `T(p) R T(−p)`.
+    #[inline]
+    #[must_use]
+    pub fn about(point: Point<S>, rotor: Rotor<S>) -> Self {
+        let turned = rotor.transform(point);
+        Translator::from_displacement(turned.vector_to(point).into()) * rotor
+    }
+
+    /// The motor of a matrix `[R | t]` by rows; `None` where R is not a rotation within √ε, or t is
+    /// not finite.
+    #[inline]
+    #[must_use]
+    pub fn from_matrix(rows: [[S; 4]; 3]) -> Option<Self> {
+        let rotor = Rotor::from_matrix(rows.map(|[x, y, z, _]| [x, y, z]))?;
+        let displacement = rows.map(|row| row[3]);
+        are_numbers(displacement).then(|| Translator::from_displacement(displacement) * rotor)
+    }
+}
+
 impl<S: Field> Motor<S> {
     /// The rotation R of `M = T R`, which is applied first.
     #[inline]
@@ -39,26 +59,6 @@ impl<S: Field> Motor<S> {
             [r1[0], r1[1], r1[2], y],
             [r2[0], r2[1], r2[2], z],
         ]
-    }
-}
-
-impl<S: Real<Mask = bool>> Motor<S> {
-    /// The rotation by a rotor about a point instead of the origin, `T(p) R T(−p)`.
-    #[inline]
-    #[must_use]
-    pub fn about(point: Point<S>, rotor: Rotor<S>) -> Self {
-        let turned = rotor.transform(point);
-        Translator::from_displacement(turned.vector_to(point).into()) * rotor
-    }
-
-    /// The motor of a matrix `[R | t]` by rows; `None` where R is not a rotation within √ε, or t is
-    /// not finite.
-    #[inline]
-    #[must_use]
-    pub fn from_matrix(rows: [[S; 4]; 3]) -> Option<Self> {
-        let rotor = Rotor::from_matrix(rows.map(|[x, y, z, _]| [x, y, z]))?;
-        let displacement = rows.map(|row| row[3]);
-        are_numbers(displacement).then(|| Translator::from_displacement(displacement) * rotor)
     }
 }
 

@@ -5,40 +5,6 @@ use crate::cga3::{Quaternion, Rotor};
 use crate::scalar::{Real, Ring};
 use crate::vga3::Vector;
 
-impl<S: Ring> Rotor<S> {
-    /// The unit quaternion of the same rotation, `[x, y, z]` and w.
-    #[inline]
-    #[must_use]
-    pub fn to_quaternion(self) -> ([S; 3], S) {
-        ([-self.e23(), self.e13(), -self.e12()], self.scalar())
-    }
-
-    /// The rotation matrix by rows: `x' = matrix · x`.
-    #[inline]
-    #[must_use]
-    pub fn to_matrix(self) -> [[S; 3]; 3] {
-        let ([x, y, z], w) = self.to_quaternion();
-        let (one, two) = (S::one(), S::from_integer(2));
-        [
-            [
-                one - two * (y * y + z * z),
-                two * (x * y - w * z),
-                two * (x * z + w * y),
-            ],
-            [
-                two * (x * y + w * z),
-                one - two * (x * x + z * z),
-                two * (y * z - w * x),
-            ],
-            [
-                two * (x * z - w * y),
-                two * (y * z + w * x),
-                one - two * (x * x + y * y),
-            ],
-        ]
-    }
-}
-
 impl<S: Real<Mask = bool>> Rotor<S> {
     /// The rotation by an angle in radians about an axis through the origin, right-handed:
     /// `R = cos ½θ − sin ½θ (n1 e23 − n2 e13 + n3 e12)`. The axis need not have length 1; `None`
@@ -228,6 +194,40 @@ impl<S: Real<Mask = bool>> Rotor<S> {
 
     fn from_quaternion_unchecked(Vector { e1, e2, e3 }: Vector<S>, w: S) -> Self {
         Self::new_unchecked(w, -e3, e2, -e1)
+    }
+}
+
+impl<S: Ring> Rotor<S> {
+    /// The unit quaternion of the same rotation, `[x, y, z]` and w.
+    #[inline]
+    #[must_use]
+    pub fn to_quaternion(self) -> ([S; 3], S) {
+        ([-self.e23(), self.e13(), -self.e12()], self.scalar())
+    }
+
+    /// The rotation matrix by rows: `x' = matrix · x`.
+    #[inline]
+    #[must_use]
+    pub fn to_matrix(self) -> [[S; 3]; 3] {
+        let ([x, y, z], w) = self.to_quaternion();
+        let (one, two) = (S::one(), S::from_integer(2));
+        [
+            [
+                one - two * (y * y + z * z),
+                two * (x * y - w * z),
+                two * (x * z + w * y),
+            ],
+            [
+                two * (x * y + w * z),
+                one - two * (x * x + z * z),
+                two * (y * z - w * x),
+            ],
+            [
+                two * (x * z - w * y),
+                two * (y * z + w * x),
+                one - two * (x * x + y * y),
+            ],
+        ]
     }
 }
 
