@@ -64,7 +64,10 @@ impl fmt::Display for NotMember {
                 write!(f, "not a {type_name}: M ~M is not 1 up to the tolerance")
             }
             Self::NotBlade { type_name } => {
-                write!(f, "not a {type_name}: it is not a blade up to the tolerance")
+                write!(
+                    f,
+                    "not a {type_name}: it is not a blade up to the tolerance"
+                )
             }
         }
     }
@@ -118,10 +121,10 @@ where
 /// Whether no defect is larger than the tolerance, or not a number.
 #[inline]
 pub fn are_within<S: Real<Mask = bool>>(defects: &[S], tolerance: S) -> bool {
+    // Comparisons with NaN are false.
     defects.iter().all(|defect| {
         let size = defect.abs();
-        // Written so that NaN is refused: every comparison with it is false.
-        size.is_finite() && (size.less_than(tolerance) || size == tolerance)
+        size.is_finite() && size.less_or_equal(tolerance)
     })
 }
 

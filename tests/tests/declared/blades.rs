@@ -200,3 +200,19 @@ fn a_line_meets_a_sphere_in_two_points() {
     assert!((unit.e3oi().abs() - 1.0).abs() < 1e-15);
     assert_eq!(compiled::names(3, 1), 2);
 }
+
+/// A line has a moment perpendicular to its direction.
+#[test]
+fn elements_that_are_no_blades_are_not_converted() {
+    use figures::{AnyLine, Line};
+    use ga_runtime::NotMember;
+
+    let across = AnyLine::new(1e9_f64, 0.0, 0.0, 1e9, 0.0, 0.0);
+    let line = Line::try_from(across).expect("a line");
+    assert_eq!((line.e12i(), line.e1oi()), (1e9, 1e9));
+    assert_eq!(line.to_string().parse(), Ok(line));
+    let along = AnyLine::new(1.0, 0.0, 0.0, 0.0, 0.0, 1.0);
+    let error = Line::try_from(along).expect_err("a moment along the direction");
+    assert_eq!(error, NotMember::NotBlade { type_name: "Line" });
+    assert!(Line::try_from_element(along, 2.0).is_ok());
+}

@@ -42,14 +42,7 @@ pub(super) fn emit(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream 
             ) -> ::core::option::Option<Self> {
                 let blade = Self { #(#arguments),* };
                 #statements
-                let defects = [#(#defects),*];
-                for defect in defects {
-                    let size = <S as #real>::abs(defect);
-                    if !<S as #real>::is_finite(size) || !<S as #real>::less_or_equal(size, tolerance) {
-                        return ::core::option::Option::None;
-                    }
-                }
-                ::core::option::Option::Some(blade)
+                #runtime::__private::are_within(&[#(#defects),*], tolerance).then_some(blade)
             }
         }
     }
