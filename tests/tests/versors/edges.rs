@@ -244,7 +244,7 @@ fn similarities_are_repaired() {
     let mut drifted =
         Even::from(Similarity::from_parts([0.0; 3], Rotor::default(), 1.0_f32).expect("one"));
     for _ in 0..100_000 {
-        drifted = drifted * Even::from(step);
+        drifted *= Even::from(step);
     }
     let whole = |v: Even<f32>| (v * v.reverse()).scalar;
     assert!((whole(drifted) - 1.0).abs() > 1e-5, "no drift to repair");

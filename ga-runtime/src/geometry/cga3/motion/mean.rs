@@ -234,7 +234,7 @@ fn iterate<S: Real<Mask = bool>>(
         }
         steps += 1;
         before = Some(level);
-        mean = mean * here.step();
+        mean *= here.step();
         here = Deviation::from(mean, terms);
     }
 }
