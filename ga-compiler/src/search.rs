@@ -207,7 +207,9 @@ impl Search<'_, '_> {
                 self.improve(|choice| choice.inner = inner);
             }
         }
-        if has_product(program, &[Product::Vee]) && has_product(program, &[Product::Wedge]) {
+        if has_product(program, &[Product::Vee, Product::LeftContraction])
+            && has_product(program, &[Product::Wedge])
+        {
             for meet in MeetRule::ALL {
                 self.improve(|choice| choice.meet = meet);
             }

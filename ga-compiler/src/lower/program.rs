@@ -316,29 +316,41 @@ impl Lowering<'_> {
         left.product(self.arena, self.algebra, product, right, |_| true)
     }
 
-    /// A product of two outer products of vectors by their factors.
+    /// A product of two outer products of vectors by their factors. For an I with an inverse,
+    /// `dual(a)⌋b = (a I⁻¹)⌋b` is the meet `a ∨ b`.
     fn by_factors(&mut self, product: Product, a: StepId, b: StepId) -> Option<Multivector> {
         let is_inner = matches!(
             product,
             Product::LeftContraction | Product::RightContraction | Product::ScalarProduct
         );
-        let rule = match product {
-            Product::Vee if self.choice.meet == MeetRule::Factors => Rule::Meet(self.choice.meet),
-            _ if is_inner && self.choice.inner == InnerRule::Gram => Rule::Inner(self.choice.inner),
+        let (rule, a, multiple) = match (product, self.undualised(a)) {
+            (Product::Vee, _) => (Rule::Meet(self.choice.meet), a, Ratio::ONE),
+            (Product::LeftContraction, Some((a, multiple))) => {
+                (Rule::Meet(self.choice.meet), a, multiple)
+            }
+            _ if is_inner => (Rule::Inner(self.choice.inner), a, Ratio::ONE),
             _ => return None,
         };
         let [(left, first), (right, second)] = [self.joined(a), self.joined(b)];
-        let value = if is_inner {
-            gram::lower(self.arena, self.algebra, &left, &right)?
-        } else {
-            meet::lower(self.arena, self.algebra, &left, &right)?
+        let value = match rule {
+            Rule::Meet(MeetRule::Factors) => meet::lower(self.arena, self.algebra, &left, &right)?,
+            Rule::Inner(InnerRule::Gram) => gram::lower(self.arena, self.algebra, &left, &right)?,
+            _ => return None,
         };
-        let value = if first == second {
-            value
-        } else {
-            value.scaled(Ratio::integer(-1))
-        };
-        Some(self.applied(rule, value))
+        let sign = if first == second { 1 } else { -1 };
+        Some(self.applied(rule, value.scaled(multiple * Ratio::integer(sign))))
+    }
+
+    /// The operand of a dual, or of its negative, with the factor of `a I⁻¹`.
+    fn undualised(&self, id: StepId) -> Option<(StepId, Ratio)> {
+        let square = self.algebra.metric().pseudoscalar_square();
+        match self.program.step(id) {
+            _ if square.is_zero() => None,
+            Step::Unary(Unary::Dual, a) => Some((*a, Ratio::ONE)),
+            Step::Unary(Unary::Undual, a) => Some((*a, square)),
+            Step::Negative(a) => self.undualised(*a).map(|(a, multiple)| (a, -multiple)),
+            _ => None,
+        }
     }
 
     /// The factors of an outer product, or of its reverse or negative; and whether it is the

@@ -125,7 +125,7 @@ fn names_do_not_change_the_cost_of_actions() {
     check_renamed(&ACTIONS);
 }
 
-const PRODUCTS: [Row; 8] = [
+const PRODUCTS: [Row; 9] = [
     (
         "a: Point, b: Point -> Scalar",
         "a: Place, b: Place -> Scalar",
@@ -169,6 +169,12 @@ const PRODUCTS: [Row; 8] = [
         "a: Point, b: Point, c: Point, p: Point, q: Point -> FlatPoint",
         "a: Place, b: Place, c: Place, p: Place, q: Place -> FlatPlace",
         "(p ^ q ^ INFINITY) & (a ^ b ^ c ^ INFINITY)",
+        cost(18, 22, 0),
+    ),
+    (
+        "a: Point, b: Point, c: Point, p: Point, q: Point -> FlatPoint",
+        "a: Place, b: Place, c: Place, p: Place, q: Place -> FlatPlace",
+        "dual(a ^ b ^ c ^ INFINITY) | (p ^ q ^ INFINITY)",
         cost(18, 22, 0),
     ),
     (
