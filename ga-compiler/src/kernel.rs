@@ -1,6 +1,6 @@
 //! One compiled graph: what it computes, what it costs, and whether it agrees with its source.
 
-use crate::algebra::{Algebra, Blade, NamedBlade};
+use crate::algebra::{Algebra, Blade, NamedBlade, Ratio};
 use crate::define::TypeDefinition;
 use crate::expression::Expression;
 use crate::ir::{Arena, Node, Residue, Value};
@@ -22,6 +22,9 @@ pub struct Kernel {
     /// For each input, whether it stays the same over many calls. The nodes that depend on such
     /// inputs alone are the prologue.
     pub uniform: Vec<bool>,
+    /// Numbers of the source that are inputs of the graph, after those of the operands, since
+    /// products of them have too many digits.
+    pub literals: Vec<Ratio>,
 }
 
 impl Kernel {
@@ -67,7 +70,9 @@ impl Kernel {
     /// The outputs for given inputs over the prime field.
     #[must_use]
     pub fn evaluate(&self, inputs: &[Residue]) -> Vec<Residue> {
-        let values = self.arena.evaluate(inputs);
+        let mut inputs = inputs.to_vec();
+        inputs.extend(self.literals.iter().copied().map(Residue::from_ratio));
+        let values = self.arena.evaluate(&inputs);
         self.outputs
             .iter()
             .map(|output| values[output.node.index()] * Residue::from_ratio(output.factor))

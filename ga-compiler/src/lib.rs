@@ -65,6 +65,7 @@ pub mod forms;
 pub mod function;
 pub mod ir;
 pub mod kernel;
+mod literals;
 pub mod lower;
 mod member;
 pub mod parse;
@@ -79,12 +80,14 @@ pub mod verify;
 use proc_macro2::TokenStream;
 use syn::{Error, Result};
 
-use define::Definition;
+use algebra::{Algebra, NamedBlade};
+use define::{Definition, TypeDefinition};
 use fingerprint::fingerprint;
 use function::CompiledFunction;
 use kernel::Kernel;
+use literals::Opaque;
 use parse::{Block, FunctionSyntax};
-use program::{Mismatch, ResolveError, ResolveErrorKind, Resolved};
+use program::{Mismatch, ResolveError, ResolveErrorKind, Resolved, StepId};
 use task::Task;
 
 /// A compiled function with the algebra it is written in.
@@ -296,6 +299,28 @@ fn resolve<'a>(
     program::resolve_with(definition, function, block, &explain)
 }
 
+/// The kernel of a function with its long numbers as operands, which are given with the kernel.
+fn with_opaque_literals(
+    algebra: &Algebra,
+    resolved: &Resolved<'_>,
+    wanted: &[(StepId, Vec<NamedBlade>)],
+) -> Kernel {
+    let scalar = TypeDefinition::scalar();
+    let opaque = Opaque::new(&resolved.program, &scalar);
+    let wanted = wanted.iter();
+    let wanted = wanted.map(|(step, blades)| (opaque.image(*step), blades.clone()));
+    let mut uniform = resolved.uniform.clone();
+    uniform.resize(resolved.program.operands.len(), false);
+    let is_staged = uniform.contains(&true);
+    uniform.resize(opaque.program.operands.len(), is_staged);
+    let task = Task::of_program(algebra, &opaque.program, wanted.collect()).with_uniform(&uniform);
+    let literals = opaque.literals.clone();
+    Kernel {
+        literals,
+        ..task.compile()
+    }
+}
+
 fn compile_resolved(
     definition: &Definition,
     function: &FunctionSyntax,
@@ -310,11 +335,13 @@ fn compile_resolved(
     let task = Task::of_program(algebra, program, wanted.clone())
         .with_uniform(&resolved.uniform)
         .with_witness(&resolved.witness);
-    let kernel = task.compile();
+    let mut kernel = task.compile();
     if kernel.is_out_of_range() {
-        let message = "the numbers in this function have too many digits together: \
-                       constants computed from them need more than 128 bits; \
-                       make one of the numbers an operand";
+        kernel = with_opaque_literals(algebra, &resolved, &wanted);
+    }
+    if kernel.is_out_of_range() {
+        let message = "the constants of the types in this function have too many digits together: \
+                       products of them need more than 128 bits";
         return Err(function.value.error(message));
     }
     if !kernel.agrees_with(program, &resolved.witness, &wanted) {

@@ -89,7 +89,12 @@ fn cheapest(task: &Task<'_>) -> Kernel {
     };
     let mut kernel = by_best_choices(&best);
     kernel.choices.forms = rules;
-    kernel
+    // A form that is cheap as it is may hide that terms vanish when coefficients are collected.
+    if kernel.choices.forms.is_empty() {
+        kernel
+    } else {
+        staged(task, kernel)
+    }
 }
 
 /// The form that gives the cheapest graph by some common rules.

@@ -10,7 +10,8 @@ use crate::task::{Staged, Task};
 /// How many graphs go through all passes.
 const MOST: usize = 3;
 
-/// The kernel, or a cheaper one with uniform coefficients.
+/// The kernel, or a cheaper one of the task with uniform coefficients. The kernel may be that of
+/// another form of the program.
 pub(crate) fn staged(task: &Task<'_>, kernel: Kernel) -> Kernel {
     if !task.has_uniform() {
         return kernel;
@@ -39,12 +40,18 @@ pub(crate) fn cheapest(mut candidates: Vec<Staged>) -> Option<Kernel> {
 
 /// The rules that were found, and plain ones.
 fn tried(found: &Choices) -> Vec<Choices> {
+    let all = Choice {
+        staged: true,
+        ..found.all
+    };
+    // The steps with rules of their own are those of the form that was found.
+    let sites = match found.forms.is_empty() {
+        true => found.sites.clone(),
+        false => Vec::new(),
+    };
     let mut tried = vec![Choices {
-        all: Choice {
-            staged: true,
-            ..found.all
-        },
-        ..found.clone()
+        sites,
+        ..all.into()
     }];
     for sandwich in [
         SandwichRule::LeftFirst,
@@ -55,8 +62,7 @@ fn tried(found: &Choices) -> Vec<Choices> {
             let choices = Choices::from(Choice {
                 sandwich,
                 rederive,
-                staged: true,
-                ..found.all
+                ..all
             });
             if !tried.contains(&choices) {
                 tried.push(choices);

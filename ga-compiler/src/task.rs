@@ -297,6 +297,7 @@ impl LoweredGraph {
             outputs,
             choices: self.choices,
             uniform: self.uniform,
+            literals: Vec::new(),
         }
     }
 }

@@ -97,6 +97,40 @@ impl Ratio {
         self.numerator as f64 / self.denominator as f64
     }
 
+    /// The nearest number m · 2ᵉ with an m of at most 53 bits, as in double precision, ties to an
+    /// even m.
+    #[must_use]
+    pub fn nearest_double(self) -> (i64, i32) {
+        const BITS: u32 = 53;
+        let divisor = self.denominator.unsigned_abs();
+        let size = self.numerator.unsigned_abs();
+        let (mut quotient, mut rest) = (size / divisor, size % divisor);
+        let mut exponent = 0;
+        // One bit more than there is room for, to round by.
+        while quotient < 1 << BITS && (rest != 0 || quotient == 0) && size != 0 {
+            (quotient, rest, exponent) = (2 * quotient, 2 * rest, exponent - 1);
+            if rest >= divisor {
+                (quotient, rest) = (quotient + 1, rest - divisor);
+            }
+        }
+        while quotient >= 1 << BITS {
+            let is_half = quotient & 1 == 1;
+            let is_last = quotient < 1 << (BITS + 1);
+            quotient >>= 1;
+            exponent += 1;
+            if is_last {
+                quotient += u128::from(is_half && (rest != 0 || quotient & 1 == 1));
+            } else {
+                rest |= u128::from(is_half);
+            }
+        }
+        let mantissa = i64::try_from(quotient).unwrap_or(i64::MAX);
+        (
+            mantissa * i64::from(self.numerator.signum() as i8),
+            exponent,
+        )
+    }
+
     /// The larger of numerator and denominator.
     #[must_use]
     pub fn height(self) -> i128 {
@@ -270,6 +304,33 @@ mod tests {
         assert_eq!(sixth * Ratio::integer(6), Ratio::ONE);
         assert_eq!(Ratio::new(1, 0), None);
     }
+
+    #[test]
+    fn the_nearest_double_is_that_of_the_standard_library() {
+        for (numerator, denominator) in [
+            (314_159_265_358_979_323_846, 100_000_000_000_000_000_000),
+            (12_345_678_901_234_567, 100_000_000_000_000_000),
+            (-1, 3),
+            (1, 1 << 100),
+            (0, 1),
+            ((1 << 54) + 1, 1),
+            ((1 << 54) + 2, 1),
+            ((1 << 54) + 6, 1),
+            ((1 << 53) + 1, 1 << 30),
+            (i128::MAX - 1, 7),
+        ] {
+            let ratio = Ratio::new(numerator, denominator).unwrap();
+            let (mantissa, exponent) = ratio.nearest_double();
+            let found = mantissa as f64 * 2_f64.powi(exponent);
+            let text = match (numerator, denominator) {
+                (314_159_265_358_979_323_846, _) => "3.14159265358979323846".to_owned(),
+                (12_345_678_901_234_567, _) => "0.12345678901234567".to_owned(),
+                _ => (numerator as f64 / denominator as f64).to_string(),
+            };
+            assert_eq!(Ok(found), text.parse(), "{ratio}");
+        }
+    }
+
     #[test]
     fn nothing_wraps_round() {
         let large = Ratio::integer(1 << 100);

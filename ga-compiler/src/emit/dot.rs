@@ -43,7 +43,7 @@ fn attributes(title: &str) -> String {
 fn nodes(definition: &Definition, function: &CompiledFunction, stages: &Stages) -> String {
     let kernel = &function.kernel;
     let arena = &kernel.arena;
-    let inputs = formula::inputs(definition, &function.operands);
+    let inputs = formula::all_inputs(definition, function);
     let (mut once, mut always) = (String::new(), String::new());
     let is_read =
         |id: NodeId| stages.inner.uses[id.index()] > 0 || stages.prologue.uses[id.index()] > 0;

@@ -21,9 +21,17 @@ pub(super) fn number(literal: &Lit) -> Result<Ratio> {
         let message = "a number takes the scalar type of the function; leave out the suffix";
         return Err(Error::new_spanned(literal, message));
     }
-    decimal(&digits)
-        .ok_or_else(|| Error::new_spanned(literal, "the number has too many digits for 64 bits"))
+    decimal(&digits).ok_or_else(|| {
+        let message = "the number is too large or too small: the limits are 1e36 and 1e-36";
+        Error::new_spanned(literal, message)
+    })
 }
+
+/// How many digits are read. Double precision has 17, so that what is left out does not matter.
+const MOST_DIGITS: usize = 30;
+
+/// The largest power of ten of a numerator or denominator.
+const MOST_ZEROS: i32 = 37;
 
 fn decimal(text: &str) -> Option<Ratio> {
     let (mantissa, exponent) = match text.split_once(['e', 'E']) {
@@ -32,15 +40,32 @@ fn decimal(text: &str) -> Option<Ratio> {
     };
     let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
     let fraction = fraction.trim_end_matches('0');
-    let numerator: i64 = format!("{whole}{fraction}").parse().ok()?;
-    let shift = exponent.checked_sub(i32::try_from(fraction.len()).ok()?)?;
-    let power = 10_i64.checked_pow(shift.unsigned_abs())?;
-    if shift < 0 {
-        return Ratio::new(i128::from(numerator), i128::from(power));
+    let digits = format!("{whole}{fraction}");
+    let mut digits = digits.trim_start_matches('0').to_owned();
+    if digits.is_empty() {
+        return Some(Ratio::ZERO);
     }
-    numerator
-        .checked_mul(power)
-        .map(|value| Ratio::integer(i128::from(value)))
+    let mut shift = exponent.checked_sub(i32::try_from(fraction.len()).ok()?)?;
+    // So few digits that both the digits and the power of ten have room.
+    let too_long = digits.len().saturating_sub(MOST_DIGITS);
+    let too_small = usize::try_from((-shift).saturating_sub(MOST_ZEROS)).unwrap_or(0);
+    let cut = too_long.max(too_small);
+    if cut > 0 {
+        let kept = digits.len().checked_sub(cut).filter(|&kept| kept >= 17)?;
+        let is_up = digits.as_bytes()[kept] >= b'5';
+        digits.truncate(kept);
+        shift = shift.checked_add(i32::try_from(cut).ok()?)?;
+        let rounded = digits.parse::<i128>().ok()? + i128::from(is_up);
+        digits = rounded.to_string();
+    }
+    let numerator: i128 = digits.parse().ok()?;
+    let power = 10_i128.checked_pow(shift.unsigned_abs())?;
+    let value = if shift < 0 {
+        Ratio::new(numerator, power)?
+    } else {
+        Ratio::integer(numerator.checked_mul(power)?)
+    };
+    (!value.is_out_of_range()).then_some(value)
 }
 
 #[cfg(test)]
@@ -60,6 +85,13 @@ mod tests {
             let expected = Ratio::new(numerator, denominator);
             assert_eq!(read(text).ok(), expected, "{text}");
         }
-        assert!(read("1.0f32").is_err() && read("123456789012345678901").is_err());
+        assert!(read("1.0f32").is_err() && read("1e60").is_err() && read("1e-60").is_err());
+        let long = read("123456789012345678901").expect("a number");
+        assert_eq!(long, Ratio::integer(123_456_789_012_345_678_901));
+        // Digits that do not matter are rounded away.
+        let pi = read("3.14159265358979323846264338327950288419716939937510").expect("pi");
+        assert!((pi.to_f64() - std::f64::consts::PI).abs() < 1e-15);
+        assert!(pi.height() < 10_i128.pow(31));
+        assert!(read("0.00000000000000000001234567890123456789012345").is_ok());
     }
 }

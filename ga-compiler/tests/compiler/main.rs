@@ -9,6 +9,7 @@ mod emit;
 mod forms;
 mod kernels;
 mod language;
+mod literals;
 mod passes;
 mod rules;
 mod snapshots;

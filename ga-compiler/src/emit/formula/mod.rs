@@ -49,7 +49,7 @@ use print::{Printer, bare};
 /// ```
 #[must_use]
 pub fn function(definition: &Definition, function: &CompiledFunction) -> String {
-    let inputs = inputs(definition, &function.operands);
+    let inputs = all_inputs(definition, function);
     // Multiplied out if the lines stay short, otherwise with smaller and smaller parts.
     let mut best: Option<String> = None;
     for most_terms in MOST_TERMS {
@@ -146,6 +146,18 @@ pub fn inputs(definition: &Definition, operands: &[Operand]) -> Vec<(String, usi
             names.push((format!("{name}{separator}{path}"), number));
         }
     }
+    names
+}
+
+/// The names of the inputs of a function's graph, numbers of the source among them.
+pub(super) fn all_inputs(
+    definition: &Definition,
+    function: &CompiledFunction,
+) -> Vec<(String, usize)> {
+    let mut names = inputs(definition, &function.operands);
+    let count = function.operands.len();
+    let literals = function.kernel.literals.iter().enumerate();
+    names.extend(literals.map(|(place, value)| (value.to_f64().to_string(), count + place)));
     names
 }
 

@@ -84,22 +84,56 @@ pub(super) fn stage_body(
 
 /// A constant of the scalar type `S`.
 pub(super) fn constant(runtime: &TokenStream, value: Ratio) -> TokenStream {
-    let integer = |value: i128| i64::try_from(value).map(Literal::i64_suffixed);
-    let (Ok(numerator), Ok(denominator)) =
-        (integer(value.numerator()), integer(value.denominator()))
-    else {
-        let message = format!("the constant {value} does not fit 64 bits");
-        return quote! { ::core::compile_error!(#message) };
+    let ratio = |numerator: i64, denominator: i64| {
+        let [numerator, denominator] = [numerator, denominator].map(Literal::i64_suffixed);
+        quote! { <S as #runtime::scalar::Field>::from_ratio(#numerator, #denominator) }
     };
-    if !value.is_integer() {
-        return quote! { <S as #runtime::scalar::Field>::from_ratio(#numerator, #denominator) };
+    let integer = |value: i64| {
+        let value = Literal::i64_suffixed(value);
+        quote! { <S as #runtime::scalar::Ring>::from_integer(#value) }
+    };
+    let parts = [value.numerator(), value.denominator()];
+    match parts.map(i64::try_from) {
+        [Ok(0), _] => return quote! { <S as #runtime::scalar::Ring>::zero() },
+        [Ok(1), Ok(1)] => return quote! { <S as #runtime::scalar::Ring>::one() },
+        [Ok(numerator), Ok(1)] => return integer(numerator),
+        [Ok(numerator), Ok(denominator)] if value.height() <= MOST_EXACT => {
+            return ratio(numerator, denominator);
+        }
+        _ => {}
     }
-    match value.numerator() {
-        0 => quote! { <S as #runtime::scalar::Ring>::zero() },
-        1 => quote! { <S as #runtime::scalar::Ring>::one() },
-        _ => quote! { <S as #runtime::scalar::Ring>::from_integer(#numerator) },
+    // Other numbers are rounded once, to double precision.
+    let (mut mantissa, mut exponent) = value.nearest_double();
+    while exponent < 0 && mantissa % 2 == 0 {
+        (mantissa, exponent) = (mantissa / 2, exponent + 1);
     }
+    let step = MOST_SHIFT.min(exponent.unsigned_abs());
+    let mut left = exponent.unsigned_abs() - step;
+    let power = |shift: u32| 1_i64 << shift;
+    let mut tokens = match exponent < 0 {
+        true => ratio(mantissa, power(step)),
+        false => integer(mantissa),
+    };
+    if exponent >= 0 {
+        left += step;
+    }
+    while left > 0 {
+        let step = MOST_SHIFT.min(left);
+        left -= step;
+        let factor = match exponent < 0 {
+            true => ratio(1, power(step)),
+            false => integer(power(step)),
+        };
+        tokens = quote! { (#tokens * #factor) };
+    }
+    tokens
 }
+
+/// The largest numerator and denominator that are exact in double precision.
+const MOST_EXACT: i128 = 1 << 53;
+
+/// The largest power of two in one number.
+const MOST_SHIFT: u32 = 62;
 
 struct Writer<'a> {
     arena: &'a Arena,

@@ -8,7 +8,7 @@ use quote::{format_ident, quote};
 use syn::Visibility;
 use syn::ext::IdentExt;
 
-use super::body::{Body, Source, stage_body};
+use super::body::{Body, Source, constant, stage_body};
 use super::warnings;
 use crate::define::{Definition, TypeDefinition};
 use crate::function::CompiledFunction;
@@ -124,7 +124,7 @@ impl Emitter<'_> {
             return self.staged(function, name);
         }
         let (attributes, visibility) = (&function.attributes, &function.visibility);
-        let inputs = self.inputs(&function.operands);
+        let inputs = self.inputs(function);
         let parameters = self.parameters(function.operands.iter());
         let result = self.shape_path(&function.result);
         let stages = function.kernel.stages();
@@ -136,7 +136,7 @@ impl Emitter<'_> {
         };
         let kernel = &function.kernel;
         let body = stage_body(&kernel.arena, stages.inner, &kernel.outputs, &source);
-        let (bound, statements) = (self.bound(&body), &body.statements);
+        let (bound, statements) = (self.bound(function, &body), &body.statements);
         let built = self.build(&function.result, &mut body.outputs.iter());
         quote! {
             #(#attributes)*
@@ -152,7 +152,7 @@ impl Emitter<'_> {
     /// A function of the uniform operands that returns a struct, whose method takes the others.
     fn staged(&self, function: &CompiledFunction, name: &Ident) -> TokenStream {
         let (attributes, visibility) = (&function.attributes, &function.visibility);
-        let inputs = self.inputs(&function.operands);
+        let inputs = self.inputs(function);
         let kernel = &function.kernel;
         let Stages {
             prologue,
@@ -178,7 +178,8 @@ impl Emitter<'_> {
         let uniform = self.parameters(function.operands.iter().filter(|o| o.is_uniform));
         let varying = self.parameters(function.operands.iter().filter(|o| !o.is_uniform));
         let result = self.shape_path(&function.result);
-        let (first_bound, second_bound) = (self.bound(&first), self.bound(&second));
+        let (first_bound, second_bound) =
+            (self.bound(function, &first), self.bound(function, &second));
         let (statements, inner_statements) = (&first.statements, &second.statements);
         let built = self.build(&function.result, &mut second.outputs.iter());
         let structure = prepared.structure();
@@ -208,7 +209,12 @@ impl Emitter<'_> {
         }
     }
 
-    fn bound(&self, body: &Body) -> TokenStream {
+    fn bound(&self, function: &CompiledFunction, body: &Body) -> TokenStream {
+        let has_fraction = function
+            .kernel
+            .literals
+            .iter()
+            .any(|value| !value.is_integer());
         let runtime = self.runtime;
         let name = match body {
             Body {
@@ -217,6 +223,7 @@ impl Emitter<'_> {
             Body {
                 needs_field: true, ..
             } => format_ident!("Field"),
+            _ if has_fraction => format_ident!("Field"),
             _ => format_ident!("Ring"),
         };
         quote! { #runtime::scalar::#name }
@@ -251,13 +258,15 @@ impl Emitter<'_> {
         }
     }
 
-    /// The expressions of all stored coefficients of all operands.
-    fn inputs(&self, operands: &[Operand]) -> Vec<TokenStream> {
+    /// The expressions of all stored coefficients of all operands, and numbers of the source.
+    fn inputs(&self, function: &CompiledFunction) -> Vec<TokenStream> {
         let mut inputs = Vec::new();
-        for operand in operands {
+        for operand in &function.operands {
             let name = &operand.name;
             self.coefficients(&operand.shape, &quote! { #name }, &mut inputs);
         }
+        let literals = function.kernel.literals.iter();
+        inputs.extend(literals.map(|&value| constant(self.runtime, value)));
         inputs
     }
 

@@ -27,7 +27,7 @@ use crate::function::CompiledFunction;
 use crate::ir::{Function, Node, NodeId, Value};
 use crate::passes::Stage;
 use crate::signature::Operand;
-use body::Body;
+use body::{Body, constant};
 use names::Names;
 use shapes::{Shapes, call, comment};
 
@@ -118,7 +118,9 @@ impl Writer<'_> {
             .iter()
             .map(|operand| scope.give(&operand.name.unraw().to_string()))
             .collect();
-        let inputs = self.inputs(&function.operands, &parameters);
+        let mut inputs = self.inputs(&function.operands, &parameters);
+        let literals = function.kernel.literals.iter();
+        inputs.extend(literals.map(|&value| constant(value)));
         let stages = function.kernel.stages();
 
         let mut text = String::new();
@@ -259,7 +261,7 @@ fn member_names(function: &CompiledFunction, handed: &[NodeId], inputs: &[String
     handed
         .iter()
         .map(|&id| match function.kernel.arena.node(id) {
-            Node::Input(number) => {
+            Node::Input(number) if number + function.kernel.literals.len() < inputs.len() => {
                 let path = inputs.get(*number).map_or("", String::as_str);
                 let word = |letter: char| match letter {
                     '.' | '[' => Some('_'),

@@ -139,6 +139,7 @@ impl Recipe {
                     .map(|input| is_staged && input >= INPUTS[0])
                     .collect(),
                 arena,
+                literals: Vec::new(),
                 outputs,
                 choices: ga_compiler::lower::Choices::default(),
             },

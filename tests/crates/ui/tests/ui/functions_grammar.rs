@@ -146,7 +146,7 @@ mod no_result {
     }
 }
 
-// Numbers whose product exceeds 128 bits, and one number with too many digits.
+// Numbers that are too large and too small. Long ones are no error.
 mod number_range {
     use ga_runtime::ga;
 
@@ -156,7 +156,11 @@ mod number_range {
     }
 
     ga! { ga_runtime::cga3;
-        fn h(x: Scalar) -> Scalar { x * 3.14159265358979323846 }
+        fn h(x: Scalar) -> Scalar { x * 1e60 }
+    }
+
+    ga! { ga_runtime::cga3;
+        fn i(x: Scalar) -> Scalar { x * 3.14159265358979323846e-60 }
     }
 }
 
