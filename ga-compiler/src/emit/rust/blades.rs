@@ -25,6 +25,7 @@ pub(super) fn emit(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream 
         arena,
         outputs,
         choices: lower::Choices::default(),
+        literals: Vec::new(),
     };
     let inputs = fields(&[(kind, format_ident!("blade"))]);
     let code = body(&kernel, context.runtime, &inputs);
