@@ -263,7 +263,7 @@ impl Search<'_, '_> {
         }
         let lowered = self.task.lowered(choices);
         let size = lowered.rank().0;
-        if !self.seen.insert(lowered.fingerprint()) || size > self.size + self.size / 2 + 8 {
+        if !self.seen.insert(lowered.fingerprint()) || size > self.size + self.size / 3 + 8 {
             return;
         }
         let acted = lowered.acted.clone();

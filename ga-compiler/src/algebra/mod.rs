@@ -13,8 +13,9 @@ pub use product::{Product, Unary};
 pub use ratio::Ratio;
 
 use std::cell::RefCell;
-use std::collections::HashMap;
 use std::rc::Rc;
+
+use rustc_hash::FxHashMap;
 
 /// The largest number of basis vectors.
 pub const MAX_DIMENSION: usize = 16;
@@ -28,7 +29,7 @@ pub struct Algebra {
     names: BladeNames,
     metric: Metric,
     pseudoscalar_square: Ratio,
-    geometric: RefCell<HashMap<(Blade, Blade), BladeSum>>,
+    geometric: RefCell<FxHashMap<(Blade, Blade), BladeSum>>,
 }
 
 impl Algebra {

@@ -3,7 +3,8 @@
 use super::rewrite::{Graph, reads, with_first};
 use super::uniformity::Uniformity;
 use super::{cost, factor, flatten, hoist, reduce, scale, share, substitute};
-use crate::ir::{Arena, Value};
+use crate::algebra::Ratio;
+use crate::ir::{Arena, Node, Value};
 
 /// Rewrites a graph to an equal one that costs no more.
 ///
@@ -12,6 +13,7 @@ use crate::ir::{Arena, Value};
 /// that are known to be zero.
 #[must_use]
 pub fn optimise(arena: Arena, outputs: Vec<Value>, uniform: &[bool], relations: &[Value]) -> Graph {
+    let has_uniform = uniform.contains(&true);
     let mut starts = Vec::new();
     starts.extend(reduced(&arena, &outputs, relations));
     starts.push(flatten(&arena, &outputs).unwrap_or_else(|| (arena.clone(), outputs.clone())));
@@ -20,6 +22,10 @@ pub fn optimise(arena: Arena, outputs: Vec<Value>, uniform: &[bool], relations: 
         for graph in restructured(start, uniform) {
             let graph = apply(graph, substitute);
             let graph = apply(graph, |arena, outputs| hoist(arena, outputs, uniform));
+            // What follows saves multiples by constants at most.
+            if !has_uniform && without_multiples(&graph) > best.price.1 {
+                continue;
+            }
             let graph = apply(graph, |arena, outputs| scale(arena, outputs, uniform));
             // Factors that have moved to the terms of sums let these merge with others.
             let graph = apply(graph, |arena, outputs| hoist(arena, outputs, uniform));
@@ -30,6 +36,20 @@ pub fn optimise(arena: Arena, outputs: Vec<Value>, uniform: &[bool], relations: 
         }
     }
     best.graph
+}
+
+/// The operations of a graph but for multiplications by constants.
+fn without_multiples((arena, outputs): &Graph) -> usize {
+    let reads = reads(arena, outputs);
+    let is_multiple =
+        |value: &&Value| value.as_constant().is_none() && value.factor.abs() != Ratio::ONE;
+    let live = arena.ids().filter(|id| reads[id.index()] > 0);
+    let multiples = live.map(|id| match arena.node(id) {
+        Node::Sum(values) | Node::Function(_, values) => values.iter().filter(is_multiple).count(),
+        Node::One | Node::Input(_) | Node::Product(..) | Node::Quotient(..) => 0,
+    });
+    let multiples = multiples.sum::<usize>() + outputs.iter().filter(is_multiple).count();
+    cost(arena, outputs).total() - multiples
 }
 
 /// The graph flattened and reduced, if the relations make it cheaper.
