@@ -25,17 +25,22 @@ fn pairs(count: usize) -> Pairs {
 
 /// Centroids and moments in one pass over differences from the first points, then the singular
 /// values (Umeyama, 1991).
-fn by_singular_values(pairs: &[(Point3<f64>, Point3<f64>)]) -> Option<Isometry3<f64>> {
-    let (x0, y0) = pairs.first()?;
+fn by_singular_values(
+    pairs: impl ExactSizeIterator<Item = (f64, Point3<f64>, Point3<f64>)> + Clone,
+    total: Option<f64>,
+) -> Option<Isometry3<f64>> {
+    let (_, x0, y0) = pairs.clone().next()?;
+    let mut sum = 0.0;
     let (mut x_sum, mut y_sum) = (Vector3::zeros(), Vector3::zeros());
     let mut moments = Matrix3::zeros();
-    for (x, y) in pairs {
-        let (x, y) = (x - x0, y - y0);
+    for (weight, x, y) in pairs {
+        let (x, y) = ((x - x0) * weight, y - y0);
+        sum += weight;
         x_sum += x;
-        y_sum += y;
+        y_sum += y * weight;
         moments += y * x.transpose();
     }
-    let share = 1.0 / pairs.len() as f64;
+    let share = 1.0 / total.unwrap_or(sum);
     moments -= y_sum * x_sum.transpose() * share;
     let decomposed = moments.svd(true, true);
     let (mut u, v) = (decomposed.u?, decomposed.v_t?);
@@ -64,11 +69,21 @@ pub(crate) fn all(criterion: &mut Criterion) {
         g.once("nullcone", &ours, |pairs| {
             Motor::from_point_pairs(pairs).map(|fit| fit.motion)
         });
-        g.once("nullcone, weighted", &weighted, |pairs| {
+        g.once("nalgebra, moments and singular values", &theirs, |pairs| {
+            let equal = pairs.iter().map(|&(x, y)| (1.0, x, y));
+            by_singular_values(equal, Some(pairs.len() as f64))
+        });
+        drop(g);
+        let theirs: Vec<_> = theirs.iter().map(|&(x, y)| (0.5, x, y)).collect();
+        let mut g = group(
+            criterion,
+            &format!("motion from {count} weighted pairs of points"),
+        );
+        g.once("nullcone", &weighted, |pairs| {
             Motor::from_weighted_point_pairs(pairs).map(|fit| fit.motion)
         });
         g.once("nalgebra, moments and singular values", &theirs, |pairs| {
-            by_singular_values(pairs)
+            by_singular_values(pairs.iter().copied(), None)
         });
     }
 }

@@ -13,4 +13,5 @@ mod projected;
 mod projection;
 mod ray;
 mod ray_degenerate;
+mod sizes;
 mod tangent;

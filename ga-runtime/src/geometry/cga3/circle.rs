@@ -101,7 +101,7 @@ impl<S: Real<Mask = bool>> Circle<S> {
 
     /// The centre; `None` for a line, or where it or the squared radius is beyond the range of the
     /// scalar.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
         let round = self.parts()?;
@@ -111,7 +111,7 @@ impl<S: Real<Mask = bool>> Circle<S> {
 
     /// The squared radius, negative for an imaginary circle; `None` where there is no
     /// [centre](Self::centre).
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn radius_squared(self) -> Option<S> {
         Some(-self.parts()?.signed_square()?)
@@ -120,7 +120,7 @@ impl<S: Real<Mask = bool>> Circle<S> {
     /// The radius; `None` for a line and for an imaginary circle. The coefficients of the circle
     /// determine r² only up to the rounding of the squared distance of the centre from the origin:
     /// where `|r²| ≤ 32 ε (2c² + r²)` the radius is zero.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn radius(self) -> Option<S> {
         let [a, b] = self.parts()?.squares();
@@ -157,7 +157,7 @@ impl<S: Real<Mask = bool>> Circle<S> {
         Some(Sphere::from_centre_radius_squared(round.centre(), squared))
     }
 
-    #[inline]
+    #[inline(always)]
     pub(super) fn parts(self) -> Option<RoundBivector<S>> {
         RoundBivector::of(self.dual())
     }

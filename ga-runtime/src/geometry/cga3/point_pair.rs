@@ -107,7 +107,7 @@ impl<S: Real<Mask = bool>> PointPair<S> {
 
     /// The midpoint of the two points; `None` for a pair of weight zero, or beyond the range of the
     /// scalar.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
         Some(self.parts()?.centre())
@@ -115,7 +115,7 @@ impl<S: Real<Mask = bool>> PointPair<S> {
 
     /// The square of half the distance between the points, `P²/(ei⌋P)²`: zero for a tangent,
     /// negative for an imaginary pair; `None` where there is no [centre](Self::centre).
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn radius_squared(self) -> Option<S> {
         self.parts()?.signed_square()
@@ -123,7 +123,7 @@ impl<S: Real<Mask = bool>> PointPair<S> {
 
     /// Half the distance between the points; `None` for an imaginary pair and for one of weight
     /// zero. Zero where the square is zero up to rounding, as for [`endpoints`](Self::endpoints).
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn radius(self) -> Option<S> {
         real_radius(self.parts()?.squares())
@@ -153,13 +153,15 @@ impl<S: Real<Mask = bool>> PointPair<S> {
     /// the size of the operands: [`Kind`](crate::geometry::Kind) recognises a tangent with a
     /// tolerance of your choice, and [`meet`](crate::geometry::relation::meet) by distances in
     /// space.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn endpoints(self) -> Option<[Point<S>; 2]> {
         let round = self.parts()?;
         let reach = round.reach(real_square(round.squares())?);
         let (first, second) = (round.centre - reach, round.centre + reach);
-        let is_finite = are_numbers(first.coordinates()) && are_numbers(second.coordinates());
+        let is_finite = are_numbers([
+            first.e1, first.e2, first.e3, second.e1, second.e2, second.e3,
+        ]);
         is_finite.then(|| [Point::from(first), Point::from(second)])
     }
 
@@ -176,7 +178,7 @@ impl<S: Real<Mask = bool>> PointPair<S> {
         ))
     }
 
-    #[inline]
+    #[inline(always)]
     fn parts(self) -> Option<RoundBivector<S>> {
         RoundBivector::of(DualCircle::from(self))
     }

@@ -2,6 +2,7 @@
 
 use super::logarithm::turn_exponential;
 use crate::cga3::{Quaternion, Rotor};
+use crate::geometry::number::are_numbers;
 use crate::scalar::{Real, Ring};
 use crate::vga3::Vector;
 
@@ -79,27 +80,25 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     /// let [x, y, _] = rotor.transform(Point::new(2.0, 0.0, 0.0)).coordinates();
     /// assert!(x.abs() < 1e-15 && (y - 2.0).abs() < 1e-15);
     /// ```
+    #[inline]
     #[must_use]
     pub fn between(from: [S; 3], to: [S; 3]) -> Option<Self> {
         let [a, b] = [from, to].map(|v| Vector::from(v).normalized());
         let (a, b) = (a?, b?);
+        // The cosine and the sine of half the angle are half the lengths of b + a and b − a.
+        let (sum, half) = (a + b, S::from_ratio(1, 2));
+        let length = sum.length();
         if !a.dot(b).less_than(S::zero()) {
-            return Self::between_close(a, b);
+            let vector = a.cross(b).divided(length);
+            return Some(Self::from_quaternion_unchecked(vector, length * half));
         }
-        // More than a quarter turn: a half turn to −a about the same axis, then the rest of the
-        // rotation. The axis is computed from a + b, which is accurate even if b is close to −a.
-        let back = -a;
+        // The axis is computed from a + b, which is accurate even if b is close to −a.
         let axis = a
-            .cross(b - back)
+            .cross(sum)
             .normalized()
             .or_else(|| a.cross(smallest_axis(a)).normalized())?;
-        let half_turn = Self::from_quaternion_unchecked(axis, S::zero());
-        let turn = Self::between_close(back, b)? * half_turn;
-        Some(if turn.scalar().less_than(S::zero()) {
-            -turn
-        } else {
-            turn
-        })
+        let vector = axis * ((b - a).length() * half);
+        Some(Self::from_quaternion_unchecked(vector, length * half))
     }
 
     /// The rotor of the rotation of a quaternion `w + x i + y j + z k`, given as `[x, y, z]` and w:
@@ -113,6 +112,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     /// assert!((y - 0.6).abs() < 1e-15 && (w - 0.8).abs() < 1e-15);
     /// assert_eq!(Rotor::from_quaternion([0.0; 3], 0.0), None);
     /// ```
+    #[inline]
     #[must_use]
     pub fn from_quaternion(vector: [S; 3], scalar: S) -> Option<Self> {
         let [x, y, z] = vector;
@@ -122,44 +122,28 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     /// The rotor of a rotation matrix given by rows (Cui, eq. 25, corrected): of the four quotients
     /// that give the rotor, the one with the largest divisor is used, so that half turns are not
     /// special cases. `None` where the matrix is not a rotation within √ε.
+    #[inline]
     #[must_use]
     pub fn from_matrix(rows: [[S; 3]; 3]) -> Option<Self> {
-        let tolerance = S::epsilon().sqrt();
         let [r0, r1, r2] = rows;
-        for (a, b, expected) in [
-            (r0, r0, S::one()),
-            (r1, r1, S::one()),
-            (r2, r2, S::one()),
-            (r0, r1, S::zero()),
-            (r0, r2, S::zero()),
-            (r1, r2, S::zero()),
-            (Vector::from(r0).cross(r1.into()).into(), r2, S::one()),
-        ] {
-            let deviation = (Vector::from(a).dot(b.into()) - expected).abs();
-            if !deviation.is_finite() || tolerance.less_than(deviation) {
-                return None;
-            }
-        }
+        let [x, y, z] = rows.map(Vector::from);
         let one = S::one();
-        let [xx, yy, zz] = [r0[0], r1[1], r2[2]];
-        let candidates = [
-            (
-                [r2[1] - r1[2], r0[2] - r2[0], r1[0] - r0[1]],
-                one + xx + yy + zz,
-            ),
-            (
-                [one + xx - yy - zz, r0[1] + r1[0], r0[2] + r2[0]],
-                r2[1] - r1[2],
-            ),
-            (
-                [r0[1] + r1[0], one - xx + yy - zz, r1[2] + r2[1]],
-                r0[2] - r2[0],
-            ),
-            (
-                [r0[2] + r2[0], r1[2] + r2[1], one - xx - yy + zz],
-                r1[0] - r0[1],
-            ),
+        let deviations = [
+            x.dot(x) - one,
+            y.dot(y) - one,
+            z.dot(z) - one,
+            x.dot(y),
+            x.dot(z),
+            y.dot(z),
+            x.cross(y).dot(z) - one,
         ];
+        let tolerance = S::epsilon().sqrt();
+        // Without a number, no comparison holds.
+        let is_near = |deviation: S| !tolerance.less_than(deviation.abs());
+        if !are_numbers(deviations) || !deviations.into_iter().all(is_near) {
+            return None;
+        }
+        let [xx, yy, zz] = [r0[0], r1[1], r2[2]];
         let divisors = [
             one + xx + yy + zz,
             one + xx - yy - zz,
@@ -172,8 +156,17 @@ impl<S: Real<Mask = bool>> Rotor<S> {
                 best = place;
             }
         }
-        let (vector, scalar) = candidates[best];
-        let rotor = Self::from_quaternion(vector, scalar)?;
+        let differences = [r2[1] - r1[2], r0[2] - r2[0], r1[0] - r0[1]];
+        let [yz, zx, xy] = [r1[2] + r2[1], r0[2] + r2[0], r0[1] + r1[0]];
+        let (vector, scalar) = match best {
+            0 => (differences, divisors[0]),
+            1 => ([divisors[1], xy, zx], differences[0]),
+            2 => ([xy, divisors[2], yz], differences[1]),
+            _ => ([zx, yz, divisors[3]], differences[2]),
+        };
+        // Half of it has a length between 1 and 2.
+        let half = S::from_ratio(1, 2);
+        let rotor = Self::from_quaternion(vector.map(|x| x * half), scalar * half)?;
         Some(if rotor.scalar().less_than(S::zero()) {
             -rotor
         } else {
@@ -181,17 +174,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         })
     }
 
-    /// `(1 + b a)/|1 + b a|` for unit vectors less than a half turn apart.
-    fn between_close(a: Vector<S>, b: Vector<S>) -> Option<Self> {
-        let axis = a.cross(b);
-        Self::normalize(Quaternion::new(
-            S::one() + a.dot(b),
-            -axis[2],
-            axis[1],
-            -axis[0],
-        ))
-    }
-
+    #[inline]
     fn from_quaternion_unchecked(Vector { e1, e2, e3 }: Vector<S>, w: S) -> Self {
         Self::new_unchecked(w, -e3, e2, -e1)
     }

@@ -23,7 +23,7 @@ pub(super) struct RoundBivector<S> {
 impl<S: Real<Mask = bool>> RoundBivector<S> {
     /// `None` for a flat one, where d vanishes, or where centre or β are beyond the range of the
     /// scalar.
-    #[inline]
+    #[inline(always)]
     pub(super) fn of(bivector: DualCircle<S>) -> Option<Self> {
         let b = bivector;
         let direction = Vector::new(-b.e1o, -b.e2o, -b.e3o);
@@ -45,7 +45,7 @@ impl<S: Real<Mask = bool>> RoundBivector<S> {
         })
     }
 
-    #[inline]
+    #[inline(always)]
     fn divided(d: Vector<S>, moment: Vector<S>, last: Vector<S>, along: S) -> Option<Self> {
         // Divided by d² only once, so that exact values stay exact.
         let square = d.dot(d);
@@ -67,30 +67,32 @@ impl<S: Real<Mask = bool>> RoundBivector<S> {
     }
 
     /// d, of length 1.
-    #[inline]
+    #[inline(always)]
     pub(super) fn axis(self) -> Vector<S> {
         self.direction.divided(self.square.sqrt())
     }
 
     /// d, of a given length.
-    #[inline]
+    #[inline(always)]
     pub(super) fn reach(self, length_squared: S) -> Vector<S> {
         let factor = length_squared / self.square;
-        if is_regular(factor) {
-            return self.direction * factor.sqrt();
-        }
-        self.axis() * length_squared.sqrt()
+        let factor = if is_regular(factor) {
+            factor.sqrt()
+        } else {
+            quotient_of_roots(length_squared, self.square)
+        };
+        self.direction * factor
     }
 
     /// `2β` and `c²`: their difference is the squared radius of a point pair, or minus the squared
     /// radius of a dual circle.
-    #[inline]
+    #[inline(always)]
     pub(super) fn squares(self) -> [S; 2] {
         [self.infinite + self.infinite, self.centre.dot(self.centre)]
     }
 
     /// `2β − c²`. `None` beyond the range of the scalar.
-    #[inline]
+    #[inline(always)]
     pub(super) fn signed_square(self) -> Option<S> {
         let [a, b] = self.squares();
         is_number(a - b).then_some(a - b)
@@ -112,6 +114,12 @@ fn scaled<S: Real<Mask = bool>>(vectors: [[S; 3]; 3], along: S) -> Option<[[S; 3
     let round = RoundBivector::divided(direction, moment, last, along / length)?;
     let numbers = [round.square, round.infinite, S::zero()];
     Some([round.centre.into(), round.direction.into(), numbers])
+}
+
+#[cold]
+#[inline(never)]
+fn quotient_of_roots<S: Real>(a: S, b: S) -> S {
+    a.sqrt() / b.sqrt()
 }
 
 /// The bivector with the centre c, the unit axis d and β. Its weight is 1.
@@ -137,20 +145,31 @@ pub(super) fn is_finite<S: Ring>(b: DualCircle<S>) -> bool {
 /// The coefficients of a round determine r² only as a difference of squared lengths, so that a
 /// difference below 32 ε (|a| + |b|) is rounding and is treated as zero: a tangent has a real
 /// radius, even if r² was rounded to a negative number.
-#[inline]
+#[inline(always)]
 pub(super) fn real_square<S: Real<Mask = bool>>([a, b]: [S; 2]) -> Option<S> {
     let squared = a - b;
-    let rounding = S::epsilon() * S::from_integer(32) * (a.abs() + b.abs());
-    if rounding.less_than(squared) {
+    if rounding([a, b]).less_than(squared) {
         return Some(squared);
     }
-    // Without a number, no comparison holds.
-    let is_zero = squared.is_finite() && !rounding.less_than(squared.abs());
+    zero_or_imaginary([a, b])
+}
+
+#[inline]
+fn rounding<S: Real>([a, b]: [S; 2]) -> S {
+    S::epsilon() * S::from_integer(32) * (a.abs() + b.abs())
+}
+
+/// Zero where a difference is rounding; `None` where it is negative or not a number.
+#[cold]
+#[inline(never)]
+fn zero_or_imaginary<S: Real<Mask = bool>>([a, b]: [S; 2]) -> Option<S> {
+    let squared = a - b;
+    let is_zero = squared.is_finite() && !rounding([a, b]).less_than(squared.abs());
     is_zero.then(S::zero)
 }
 
 /// The root of [`real_square`].
-#[inline]
+#[inline(always)]
 pub(super) fn real_radius<S: Real<Mask = bool>>(squares: [S; 2]) -> Option<S> {
     real_square(squares).map(S::sqrt)
 }

@@ -13,9 +13,10 @@ use crate::vga3::Vector;
 /// The motion that fits best. How well it does is a [`residual`](Fit::residual) that is computed
 /// from the pairs on request.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Fit<V> {
+pub struct Fit<V, S> {
     /// The motion, a [`Rotor`], [`Motor`] or [`Similarity`] of non-negative scalar part.
     pub motion: V,
+    alignment: Alignment<S>,
 }
 
 impl<S: Real<Mask = bool>> Motor<S> {
@@ -55,9 +56,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
     ///     })
     /// );
     /// ```
-    pub fn from_point_pairs(pairs: &[(Point<S>, Point<S>)]) -> Result<Fit<Self>, FitError<S>> {
-        let motion = motor(pairs.iter().map(equal_weight))?;
-        Ok(Fit { motion })
+    pub fn from_point_pairs(pairs: &[(Point<S>, Point<S>)]) -> Result<Fit<Self, S>, FitError<S>> {
+        motor(pairs.iter().map(equal_weight), count(pairs))
     }
 
     /// The same with weights: `Σ wᵢ |yᵢ − M xᵢ ~M|²` is least. Pairs of weight zero are ignored,
@@ -68,9 +68,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// zero.
     pub fn from_weighted_point_pairs(
         pairs: &[(S, Point<S>, Point<S>)],
-    ) -> Result<Fit<Self>, FitError<S>> {
-        let motion = motor(pairs.iter().map(weighted))?;
-        Ok(Fit { motion })
+    ) -> Result<Fit<Self, S>, FitError<S>> {
+        motor(pairs.iter().map(weighted), None)
     }
 }
 
@@ -94,9 +93,8 @@ impl<S: Real<Mask = bool>> Similarity<S> {
     /// let image = fit.motion.transform(Point::new(1.0, 1.0, 1.0)).centre().unwrap();
     /// assert!(image.distance(Point::new(4.0, 4.0, 3.0)) < 1e-14 && fit.residual(&pairs) < 1e-15);
     /// ```
-    pub fn from_point_pairs(pairs: &[(Point<S>, Point<S>)]) -> Result<Fit<Self>, FitError<S>> {
-        let motion = similarity(pairs.iter().map(equal_weight))?;
-        Ok(Fit { motion })
+    pub fn from_point_pairs(pairs: &[(Point<S>, Point<S>)]) -> Result<Fit<Self, S>, FitError<S>> {
+        similarity(pairs.iter().map(equal_weight), count(pairs))
     }
 
     /// The same with weights; see [`Motor::from_weighted_point_pairs`].
@@ -105,9 +103,8 @@ impl<S: Real<Mask = bool>> Similarity<S> {
     /// Those of [`Motor::from_weighted_point_pairs`].
     pub fn from_weighted_point_pairs(
         pairs: &[(S, Point<S>, Point<S>)],
-    ) -> Result<Fit<Self>, FitError<S>> {
-        let motion = similarity(pairs.iter().map(weighted))?;
-        Ok(Fit { motion })
+    ) -> Result<Fit<Self, S>, FitError<S>> {
+        similarity(pairs.iter().map(weighted), None)
     }
 }
 
@@ -135,9 +132,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     ///     (axis[2] + 1.0).abs() < 1e-15 && (angle - std::f64::consts::FRAC_PI_2).abs() < 1e-15
     /// );
     /// ```
-    pub fn from_direction_pairs(pairs: &[([S; 3], [S; 3])]) -> Result<Fit<Self>, FitError<S>> {
-        let motion = rotor(pairs.iter().map(equal_weight))?;
-        Ok(Fit { motion })
+    pub fn from_direction_pairs(pairs: &[([S; 3], [S; 3])]) -> Result<Fit<Self, S>, FitError<S>> {
+        rotor(pairs.iter().map(equal_weight), count(pairs))
     }
 
     /// The same with weights: `Σ wᵢ |bᵢ − R aᵢ ~R|²` is least. Pairs of weight zero are ignored,
@@ -148,15 +144,14 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     /// all zero.
     pub fn from_weighted_direction_pairs(
         pairs: &[(S, [S; 3], [S; 3])],
-    ) -> Result<Fit<Self>, FitError<S>> {
-        let motion = rotor(pairs.iter().map(weighted))?;
-        Ok(Fit { motion })
+    ) -> Result<Fit<Self, S>, FitError<S>> {
+        rotor(pairs.iter().map(weighted), None)
     }
 }
 
 macro_rules! residuals {
     ($($Motion:ident $Member:ty: $left:ident;)*) => {$(
-        impl<S: Real<Mask = bool>> Fit<$Motion<S>> {
+        impl<S: Real<Mask = bool>> Fit<$Motion<S>, S> {
             /// The root mean square of the distances that remain between the members of pairs,
             /// `√(Σ |yᵢ − xᵢ'|² / n)`: of the pairs that were fitted, or of others. Zero for no
             /// pairs; infinite or NaN where a number is not finite or a distance is beyond the range
@@ -165,7 +160,7 @@ macro_rules! residuals {
             pub fn residual(&self, pairs: &[($Member, $Member)]) -> S {
                 let left = |pair| {
                     let (weight, x, y) = equal_weight(pair);
-                    (weight, $left(self.motion, x, y).length())
+                    (weight, self.alignment.$left(x, y).length())
                 };
                 root_mean_square(pairs.iter().map(left))
             }
@@ -175,7 +170,7 @@ macro_rules! residuals {
             pub fn weighted_residual(&self, pairs: &[(S, $Member, $Member)]) -> S {
                 let left = |pair| {
                     let (weight, x, y) = weighted(pair);
-                    (weight, $left(self.motion, x, y).length())
+                    (weight, self.alignment.$left(x, y).length())
                 };
                 root_mean_square(pairs.iter().map(left))
             }
@@ -184,28 +179,9 @@ macro_rules! residuals {
 }
 
 residuals! {
-    Motor Point<S>: left_by_motor;
-    Similarity Point<S>: left_by_similarity;
-    Rotor [S; 3]: left_by_rotor;
-}
-
-fn left_by_motor<S: Real<Mask = bool>>(motor: Motor<S>, x: Vector<S>, y: Vector<S>) -> Vector<S> {
-    y - Vector::from(motor.transform(Point::from(x)))
-}
-
-fn left_by_similarity<S: Real<Mask = bool>>(
-    similarity: Similarity<S>,
-    x: Vector<S>,
-    y: Vector<S>,
-) -> Vector<S> {
-    let image = similarity.transform(Point::from(x)).centre();
-    // A similarity of finite numbers has a weight above zero.
-    image.map_or(y, |image| y - Vector::from(image))
-}
-
-fn left_by_rotor<S: Real<Mask = bool>>(rotor: Rotor<S>, x: Vector<S>, y: Vector<S>) -> Vector<S> {
-    let (x, y) = unit_pair(x, y);
-    y - Vector::from(rotor.transform(Point::from(x)))
+    Motor Point<S>: left_of_points;
+    Similarity Point<S>: left_of_points;
+    Rotor [S; 3]: left_of_directions;
 }
 
 /// `√(Σ w l² / Σ w)`, without overflow of the squares.
@@ -228,6 +204,11 @@ fn root_mean_square<S: Real<Mask = bool>>(lengths: impl Iterator<Item = (S, S)> 
     (sum / total).sqrt() * largest
 }
 
+/// The sum of equal weights.
+fn count<S: Real, T>(pairs: &[T]) -> Option<S> {
+    Some(S::from_integer(pairs.len() as i64))
+}
+
 fn equal_weight<S: Real, T: Copy + Into<Vector<S>>>(&(x, y): &(T, T)) -> (S, Vector<S>, Vector<S>) {
     (S::one(), x.into(), y.into())
 }
@@ -238,31 +219,58 @@ fn weighted<S: Real, T: Copy + Into<Vector<S>>>(
     (weight, x.into(), y.into())
 }
 
+#[inline]
 fn motor<S: Real<Mask = bool>>(
     pairs: impl ExactSizeIterator<Item = (S, Vector<S>, Vector<S>)> + Clone,
-) -> Result<Motor<S>, FitError<S>> {
-    let found = Alignment::of(pairs)?;
-    finite(found.shift(S::one())? * found.rotor)
+    total: Option<S>,
+) -> Result<Fit<Motor<S>, S>, FitError<S>> {
+    let alignment = Alignment {
+        factor: S::one(),
+        ..Alignment::of::<1>(pairs, total)?
+    };
+    let motion = finite(alignment.shift()? * alignment.rotor)?;
+    Ok(Fit { motion, alignment })
 }
 
+#[inline]
 fn similarity<S: Real<Mask = bool>>(
     pairs: impl ExactSizeIterator<Item = (S, Vector<S>, Vector<S>)> + Clone,
-) -> Result<Similarity<S>, FitError<S>> {
-    let found = Alignment::of(pairs)?;
-    let dilator = Dilator::from_factor(found.factor).ok_or(FitError::OutOfRange)?;
-    Ok(finite(found.shift(found.factor)? * found.rotor)? * dilator)
+    total: Option<S>,
+) -> Result<Fit<Similarity<S>, S>, FitError<S>> {
+    let alignment = Alignment::of::<2>(pairs, total)?;
+    let dilator = Dilator::from_factor(alignment.factor).ok_or(FitError::OutOfRange)?;
+    let motion = finite(alignment.shift()? * alignment.rotor)? * dilator;
+    Ok(Fit { motion, alignment })
 }
 
+#[inline]
 fn rotor<S: Real<Mask = bool>>(
     pairs: impl ExactSizeIterator<Item = (S, Vector<S>, Vector<S>)> + Clone,
-) -> Result<Rotor<S>, FitError<S>> {
+    total: Option<S>,
+) -> Result<Fit<Rotor<S>, S>, FitError<S>> {
     let units = pairs.clone().map(|(weight, x, y)| {
         let (x, y) = unit_pair(x, y);
         (weight, x, y)
     });
-    if let Some((rotor, _)) = Moments::of(units).and_then(|moments| moments.rotation()) {
-        return Ok(rotor);
-    }
+    let moments = Moments::<S, 1>::of(units, total);
+    let found = moments.and_then(|moments| moments.rotation());
+    let motion = match found {
+        Some((rotor, _)) => rotor,
+        None => rotor_of_any(pairs)?,
+    };
+    let alignment = Alignment {
+        rotor: motion,
+        factor: S::one(),
+        centroids: [Vector::default(); 2],
+    };
+    Ok(Fit { motion, alignment })
+}
+
+#[cold]
+#[inline(never)]
+fn rotor_of_any<S: Real<Mask = bool>>(
+    pairs: impl ExactSizeIterator<Item = (S, Vector<S>, Vector<S>)>,
+) -> Result<Rotor<S>, FitError<S>> {
     let mut pairs = counting(pairs, 2)?;
     for (index, pair) in &mut pairs {
         let of_length_one = |v: Vector<S>| {
@@ -285,6 +293,7 @@ fn unit_pair<S: Real<Mask = bool>>(x: Vector<S>, y: Vector<S>) -> (Vector<S>, Ve
 }
 
 /// The best rotation and scale factor between points relative to their centroids.
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct Alignment<S> {
     rotor: Rotor<S>,
     factor: S,
@@ -292,12 +301,22 @@ struct Alignment<S> {
 }
 
 impl<S: Real<Mask = bool>> Alignment<S> {
-    fn of(
+    #[inline]
+    fn of<const N: usize>(
         pairs: impl ExactSizeIterator<Item = (S, Vector<S>, Vector<S>)> + Clone,
+        total: Option<S>,
     ) -> Result<Self, FitError<S>> {
-        if let Some(found) = Self::by_moments(pairs.clone()) {
-            return Ok(found);
+        match Self::by_moments::<N>(pairs.clone(), total) {
+            Some(found) => Ok(found),
+            None => Self::centred(pairs),
         }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn centred(
+        pairs: impl ExactSizeIterator<Item = (S, Vector<S>, Vector<S>)>,
+    ) -> Result<Self, FitError<S>> {
         let centred = Centred::from(pairs)?;
         let rotor = fixed_rotation(&centred.pairs, centred.sides)?;
         Ok(Self {
@@ -308,9 +327,14 @@ impl<S: Real<Mask = bool>> Alignment<S> {
     }
 
     /// In one pass, relative to the first pair, where that is accurate.
-    fn by_moments(pairs: impl Iterator<Item = (S, Vector<S>, Vector<S>)> + Clone) -> Option<Self> {
+    #[inline]
+    fn by_moments<const N: usize>(
+        pairs: impl Iterator<Item = (S, Vector<S>, Vector<S>)> + Clone,
+        total: Option<S>,
+    ) -> Option<Self> {
         let (_, x0, y0) = pairs.clone().next()?;
-        let moments = Moments::of(pairs.map(|(weight, x, y)| (weight, x - x0, y - y0)))?;
+        let about_first = pairs.map(|(weight, x, y)| (weight, x - x0, y - y0));
+        let moments = Moments::<S, N>::of(about_first, total)?;
         let (rotor, factor) = moments.about_means()?.rotation()?;
         let [x, y] = moments.sums.map(|sum| sum.divided(moments.total));
         Some(Self {
@@ -321,14 +345,32 @@ impl<S: Real<Mask = bool>> Alignment<S> {
     }
 
     /// The translation that moves the image of the first centroid to the second.
-    fn shift(&self, factor: S) -> Result<Translator<S>, FitError<S>> {
+    fn shift(&self) -> Result<Translator<S>, FitError<S>> {
         let [from, to] = self.centroids;
-        let image = self.rotor.transform(Point::from(from * factor));
-        let displacement = to - Vector::from(image);
+        let displacement = to - self.image(from);
         displacement
             .is_finite()
             .then(|| Translator::from_displacement(displacement.into()))
             .ok_or(FitError::OutOfRange)
+    }
+
+    /// The rotated and scaled vector.
+    fn image(&self, vector: Vector<S>) -> Vector<S> {
+        self.rotor
+            .transform(Point::from(vector * self.factor))
+            .into()
+    }
+
+    /// What is left of the second of two points, relative to the centroids, which keeps digits far
+    /// from the origin.
+    fn left_of_points(&self, x: Vector<S>, y: Vector<S>) -> Vector<S> {
+        let [from, to] = self.centroids;
+        (y - to) - self.image(x - from)
+    }
+
+    fn left_of_directions(&self, x: Vector<S>, y: Vector<S>) -> Vector<S> {
+        let (x, y) = unit_pair(x, y);
+        y - self.image(x)
     }
 }
 

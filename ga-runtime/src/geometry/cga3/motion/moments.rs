@@ -6,82 +6,93 @@ use crate::geometry::number::is_regular;
 use crate::scalar::{Real, Ring};
 use crate::vga3::Vector;
 
-/// Sums over weighted pairs of vectors x and y.
+/// Sums over weighted pairs of vectors x and y, with the squares of both together for N = 1, where
+/// they are about equally long, and apart for N = 2.
 #[derive(Clone, Copy)]
-pub(super) struct Moments<S> {
+pub(super) struct Moments<S, const N: usize> {
     /// `Σ w`.
     pub(super) total: S,
     /// `Σ w x` and `Σ w y`.
     pub(super) sums: [Vector<S>; 2],
     /// `Σ w x yᵀ`.
     products: Matrix<S, 3>,
-    /// `Σ w x²` and `Σ w y²`.
-    squares: [S; 2],
+    /// `Σ w x²` and `Σ w y²`, or their sum.
+    squares: [S; N],
 }
 
-impl<S: Real<Mask = bool>> Moments<S> {
-    /// The sums of pairs; `None` where a weight is negative. Numbers that are not finite give sums
-    /// that are not.
+impl<S: Real<Mask = bool>, const N: usize> Moments<S, N> {
+    /// The sums of pairs, given `Σ w` where it is known; `None` where a weight is negative. Numbers
+    /// that are not finite give sums that are not.
     #[inline]
-    pub(super) fn of(pairs: impl Iterator<Item = (S, Vector<S>, Vector<S>)>) -> Option<Self> {
+    pub(super) fn of(
+        pairs: impl Iterator<Item = (S, Vector<S>, Vector<S>)>,
+        known_total: Option<S>,
+    ) -> Option<Self> {
         let zero = S::zero();
-        let mut moments = Self {
-            total: zero,
-            sums: [Vector::default(); 2],
-            products: [[zero; 3]; 3],
-            squares: [zero; 2],
-        };
+        let mut total = zero;
+        let mut sums = [Vector::default(); 2];
+        let mut products = [[zero; 3]; 3];
+        // Component by component, so that vector registers are added up only at the end.
+        let mut squares = [Vector::default(); N];
         let mut is_negative = false;
         for (weight, x, y) in pairs {
             is_negative |= weight.less_than(zero);
-            moments.total += weight;
+            total += weight;
             let (wx, wy) = (x * weight, y * weight);
-            moments.sums[0] += wx;
-            moments.sums[1] += wy;
-            for (row, a) in moments.products.iter_mut().zip(wx.coordinates()) {
+            sums[0] += wx;
+            sums[1] += wy;
+            for (row, a) in products.iter_mut().zip(wx.coordinates()) {
                 for (entry, b) in row.iter_mut().zip(y.coordinates()) {
                     *entry = a.mul_add(b, *entry);
                 }
             }
-            moments.squares[0] += wx.dot(x);
-            moments.squares[1] += wy.dot(y);
+            squares[0] += wx.component_product(x);
+            squares[N - 1] += wy.component_product(y);
         }
-        (!is_negative).then_some(moments)
+        (!is_negative).then_some(Self {
+            total: known_total.unwrap_or(total),
+            sums,
+            products,
+            squares: squares.map(|square| square.e1 + square.e2 + square.e3),
+        })
     }
 
     /// The moments about the means; `None` where the means are so far from the origin that digits
     /// would be lost.
     #[inline]
     pub(super) fn about_means(mut self) -> Option<Self> {
-        let [x, y] = self.sums.map(|sum| sum.divided(self.total));
-        for (row, a) in self.products.iter_mut().zip(x.coordinates()) {
+        let means = self.sums.map(|sum| sum.divided(self.total));
+        for (row, a) in self.products.iter_mut().zip(means[0].coordinates()) {
             for (entry, b) in row.iter_mut().zip(self.sums[1].coordinates()) {
                 *entry = a.neg_mul_add(b, *entry);
             }
         }
+        let about_origin = self.squares;
+        self.squares[0] -= means[0].dot(self.sums[0]);
+        self.squares[N - 1] -= means[1].dot(self.sums[1]);
         let most = S::from_integer(16);
-        for ((square, mean), sum) in self.squares.iter_mut().zip([x, y]).zip(self.sums) {
-            let about = *square - mean.dot(sum);
-            if !square.less_than(about * most) {
-                return None;
-            }
-            *square = about;
-        }
-        Some(self)
+        let mut squares = about_origin.into_iter().zip(self.squares);
+        squares
+            .all(|(origin, mean)| origin.less_than(mean * most))
+            .then_some(self)
     }
 
     /// The rotor R for which `Σ w |y − s R x|²` is least, of non-negative scalar part, and the
-    /// factor `s = Σ w y·R x / Σ w x²`; `None` where the sums are not finite, or where the vectors
+    /// factor `s = Σ w y·R x / Σ w x²`, which is exact for N = 2 only; `None` where the sums are not finite, or where the vectors
     /// are too close to a line, or to several equally good rotations, for the sums to fix R to the
     /// accuracy of the scalar.
     ///
-    /// With the moments divided by `√(Σ w x² Σ w y²)`, the largest eigenvalue λ of Horn's matrix K
-    /// is at most 1, and Newton's method from there finds it as a root of the characteristic
+    /// With the moments divided by `√(Σ w x² Σ w y²)`, or by half the sum of both squares, the largest
+    /// eigenvalue λ of Horn's matrix K is at most 1, and Newton's method from there finds it as a root of the characteristic
     /// polynomial (Theobald, Rapid calculation of RMSDs using a quaternion-based characteristic
     /// polynomial, Acta Crystallographica A 61, 2005). Each column of the adjugate of `K − λ` is a
     /// multiple of the quaternion of R. One Newton step for R follows.
     pub(super) fn rotation(&self) -> Option<(Rotor<S>, S)> {
-        let [x_square, y_square] = self.squares;
+        let [x_square, y_square] = if N == 1 {
+            [self.squares[0] * S::from_ratio(1, 2); 2]
+        } else {
+            [self.squares[0], self.squares[N - 1]]
+        };
         if !(is_regular(self.total) && is_regular(x_square) && is_regular(y_square)) {
             return None;
         }

@@ -93,7 +93,7 @@ impl<S: Real<Mask = bool>> Meet<Line<S>> for Line<S> {
 impl<S: Real<Mask = bool>> Meet<Plane<S>> for Line<S> {
     type Scalar = S;
     type Outcome = LineAndPlane<S>;
-    #[inline]
+    #[inline(always)]
     fn meet(self, plane: Plane<S>, tolerance: Tolerance<S>) -> Option<LineAndPlane<S>> {
         let ((d, m), (n, number)) = (self.vectors(), plane.vectors());
         let slope = d.dot(n);
@@ -142,7 +142,7 @@ fn line_and_plane<S: Real<Mask = bool>>(
 impl<S: Real<Mask = bool>> Meet<Plane<S>> for Plane<S> {
     type Scalar = S;
     type Outcome = PlaneAndPlane<S>;
-    #[inline]
+    #[inline(always)]
     fn meet(self, other: Self, tolerance: Tolerance<S>) -> Option<PlaneAndPlane<S>> {
         let ((n, d), (m, e)) = (self.vectors(), other.vectors());
         let along = n.cross(m);

@@ -99,7 +99,7 @@ macro_rules! meets {
             /// The intersection of this and the other, by cases; see
             /// [`meet`](crate::geometry::relation::meet). `None` where one is not what its type
             /// says or the result is beyond the range of the scalar.
-            #[inline]
+            #[inline(always)]
             #[must_use]
             pub fn meet<B>(self, other: B, tolerance: Tolerance<S>) -> Option<<Self as Meet<B>>::Outcome>
             where
@@ -119,7 +119,7 @@ macro_rules! either_way {
         impl<S: Real<Mask = bool>> Meet<$B<S>> for $A<S> {
             type Scalar = S;
             type Outcome = <$B<S> as Meet<$A<S>>>::Outcome;
-            #[inline]
+            #[inline(always)]
             fn meet(self, other: $B<S>, tolerance: Tolerance<S>) -> Option<Self::Outcome> {
                 Meet::meet(other, self, tolerance)
             }

@@ -1,7 +1,7 @@
 //! Meets of spheres with lines, planes and each other.
 
 use super::{Meet, circle, finite_point, less_square, pair, radius};
-use crate::cga3::{Circle, Line, Plane, Point, PointPair, Sphere};
+use crate::cga3::{Circle, DualPlane, DualSphere, Line, Plane, Point, PointPair, Sphere};
 use crate::geometry::number::is_regular;
 use crate::geometry::relation::Tolerance;
 use crate::geometry::relation::figure::sphere_parts;
@@ -67,7 +67,7 @@ pub enum SphereAndSphere<S> {
 impl<S: Real<Mask = bool>> Meet<Sphere<S>> for Line<S> {
     type Scalar = S;
     type Outcome = LineAndSphere<S>;
-    #[inline]
+    #[inline(always)]
     fn meet(self, sphere: Sphere<S>, tolerance: Tolerance<S>) -> Option<LineAndSphere<S>> {
         let (d, m) = self.vectors();
         let square = d.length_squared();
@@ -133,7 +133,7 @@ fn line_and_sphere<S: Real<Mask = bool>>(
 impl<S: Real<Mask = bool>> Meet<Sphere<S>> for Plane<S> {
     type Scalar = S;
     type Outcome = PlaneAndSphere<S>;
-    #[inline]
+    #[inline(always)]
     fn meet(self, sphere: Sphere<S>, tolerance: Tolerance<S>) -> Option<PlaneAndSphere<S>> {
         plane_and_sphere(self, sphere, tolerance, -S::one())
     }
@@ -142,20 +142,62 @@ impl<S: Real<Mask = bool>> Meet<Sphere<S>> for Plane<S> {
 impl<S: Real<Mask = bool>> Meet<Plane<S>> for Sphere<S> {
     type Scalar = S;
     type Outcome = PlaneAndSphere<S>;
-    #[inline]
+    #[inline(always)]
     fn meet(self, plane: Plane<S>, tolerance: Tolerance<S>) -> Option<PlaneAndSphere<S>> {
         plane_and_sphere(plane, self, tolerance, S::one())
     }
 }
 
-#[inline]
+#[inline(always)]
 fn plane_and_sphere<S: Real<Mask = bool>>(
     plane: Plane<S>,
     sphere: Sphere<S>,
     tolerance: Tolerance<S>,
     sign: S,
 ) -> Option<PlaneAndSphere<S>> {
-    let ((normal, distance), (centre, squared)) = (plane.parts()?, sphere_parts(sphere)?);
+    let (n, number) = plane.vectors();
+    let square = n.length_squared();
+    let (centre, squared) = sphere_parts(sphere)?;
+    if is_regular(square) && is_regular(squared) {
+        let inverse = square.sqrt().recip();
+        let normal = n * inverse;
+        let height = (n.dot(centre) - number) * inverse;
+        let (radius, distance) = (squared.sqrt(), height.abs());
+        let within = radius - distance;
+        if tolerance.distance.less_than(within.abs())
+            && let Some(circle) = Circle::around(
+                centre - normal * height,
+                normal * sign,
+                within * (radius + distance),
+            )
+        {
+            return Some(if within.less_than(S::zero()) {
+                PlaneAndSphere::Imaginary(circle)
+            } else {
+                PlaneAndSphere::Circle(circle)
+            });
+        }
+    }
+    near_plane_and_sphere(
+        (n.into(), number),
+        (centre.into(), squared),
+        tolerance,
+        sign,
+    )
+}
+
+/// The meet of a plane, by normal and distance, and a sphere, by centre and squared radius.
+#[cold]
+#[inline(never)]
+fn near_plane_and_sphere<S: Real<Mask = bool>>(
+    (normal, number): ([S; 3], S),
+    (centre, squared): ([S; 3], S),
+    tolerance: Tolerance<S>,
+    sign: S,
+) -> Option<PlaneAndSphere<S>> {
+    let plane = DualPlane::from_normal_distance(normal, number).undual();
+    let (normal, distance) = plane.parts()?;
+    let centre = Vector::from(centre);
     let height = centre.dot(normal) - distance;
     let foot = centre - normal * height;
     let normal = normal * sign;
@@ -179,36 +221,69 @@ fn plane_and_sphere<S: Real<Mask = bool>>(
 impl<S: Real<Mask = bool>> Meet<Sphere<S>> for Sphere<S> {
     type Scalar = S;
     type Outcome = SphereAndSphere<S>;
-    #[inline]
+    #[inline(always)]
     fn meet(self, other: Self, tolerance: Tolerance<S>) -> Option<SphereAndSphere<S>> {
         let ((a, a_squared), (b, b_squared)) = (sphere_parts(self)?, sphere_parts(other)?);
         let way = b - a;
-        let distance = way.length();
-        if within(distance, tolerance.distance) || distance == S::zero() {
-            return Some(if same_radius(a_squared, b_squared, tolerance) {
-                SphereAndSphere::Coincident(self)
-            } else {
-                SphereAndSphere::Concentric
-            });
+        let square = way.length_squared();
+        if is_regular(square) && is_regular(a_squared) && is_regular(b_squared) {
+            let distance = square.sqrt();
+            let way = way.divided(distance);
+            let along = power_plane(distance, a_squared, b_squared);
+            let (r, s) = (a_squared.sqrt(), b_squared.sqrt());
+            let is_far = |x: S| tolerance.distance.less_than(x.abs());
+            let squared = (r - along.abs()) * (r + along.abs());
+            if is_far(distance)
+                && is_far(distance - (r + s))
+                && is_far(distance - (r - s).abs())
+                && let Some(circle) = Circle::around(a + way * along, way, squared)
+            {
+                return Some(if squared.less_than(S::zero()) {
+                    SphereAndSphere::Imaginary(circle)
+                } else {
+                    SphereAndSphere::Circle(circle)
+                });
+            }
         }
-        let way = way.divided(distance);
-        let along = power_plane(distance, a_squared, b_squared);
-        let place = a + way * along;
-        if touch(distance, a_squared, b_squared, tolerance) {
-            let point = finite_point(place)?;
-            return Some(SphereAndSphere::Tangent {
-                point,
-                normal: way.into(),
-            });
-        }
-        let squared = less_square(a_squared, along.abs());
-        let circle = circle(place, way, squared)?;
-        Some(if squared.less_than(S::zero()) {
-            SphereAndSphere::Imaginary(circle)
-        } else {
-            SphereAndSphere::Circle(circle)
-        })
+        near_spheres([self.dual(), other.dual()], tolerance)
     }
+}
+
+/// The meet of spheres that may touch, or coincide, or have an imaginary radius.
+#[cold]
+#[inline(never)]
+fn near_spheres<S: Real<Mask = bool>>(
+    dual: [DualSphere<S>; 2],
+    tolerance: Tolerance<S>,
+) -> Option<SphereAndSphere<S>> {
+    let [sphere, other] = dual.map(DualSphere::undual);
+    let ((a, a_squared), (b, b_squared)) = (sphere_parts(sphere)?, sphere_parts(other)?);
+    let way = b - a;
+    let distance = way.length();
+    if within(distance, tolerance.distance) || distance == S::zero() {
+        return Some(if same_radius(a_squared, b_squared, tolerance) {
+            SphereAndSphere::Coincident(sphere)
+        } else {
+            SphereAndSphere::Concentric
+        });
+    }
+    let way = way.divided(distance);
+    let along = power_plane(distance, a_squared, b_squared);
+    let place = a + way * along;
+    if touch(distance, a_squared, b_squared, tolerance) {
+        let point = finite_point(place)?;
+        return Some(SphereAndSphere::Tangent {
+            point,
+            normal: way.into(),
+        });
+    }
+    let squared = less_square(a_squared, along.abs());
+    let circle = circle(place, way, squared)?;
+    Some(if squared.less_than(S::zero()) {
+        SphereAndSphere::Imaginary(circle)
+    } else {
+        SphereAndSphere::Circle(circle)
+    })
 }
 
 /// The distance from the first of two centres, towards the second, of the plane of points of equal
