@@ -1,14 +1,17 @@
-//! What every declared type has beside its products: `algebra!` describes its types to this macro,
-//! each entry in braces, in the order of the entries of [`__surface`].
+//! What every declared type has beside its products. `algebra!` describes its types to this macro,
+//! by entries in braces: `{ linear Line } { normalized Line [e1oi e2oi e3oi] [e12i …] }`.
+//!
+//! The code is here and not in the compiler, since each emitted token costs time in the build. The
+//! names of type parameters end in an underscore, since a type may be called `T` or `Rhs`.
 
-/// Emits the methods and traits of one entry each.
+/// Emits the methods and traits of each entry.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __surface {
     ($({ $($entry:tt)* })*) => { $( $crate::__surface_entry! { $($entry)* } )* };
 }
 
-/// One entry.
+/// Emits the methods and traits of one entry.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __surface_entry {
