@@ -166,6 +166,20 @@ impl<'a> Classes<'a> {
         blades
     }
 
+    /// The coefficients of vectors that are the same for all operands.
+    pub(super) fn constants(&self, id: ClassId) -> Vec<(Blade, Ratio)> {
+        let values = &self.class(id).values;
+        let Some(first) = values.first() else {
+            return Vec::new();
+        };
+        let constant = |(blade, number): (&Blade, &Residue)| {
+            let is_same = values.iter().all(|value| value.get(blade) == Some(number));
+            let factor = fraction(*number).filter(|_| is_same && blade.grade() == 1)?;
+            Some((*blade, factor))
+        };
+        first.iter().filter_map(constant).collect()
+    }
+
     /// The grades that a class has, as a set of bits.
     pub(super) fn grades(&self, id: ClassId) -> u32 {
         let blades = self.class(id).values.iter().flat_map(|v| v.keys());
@@ -228,6 +242,12 @@ impl<'a> Classes<'a> {
         };
         let by_value = || numbers(a).cmp(numbers(b));
         key(a).cmp(&key(b)).then_with(by_value)
+    }
+
+    /// Whether a versor acts on a class.
+    pub(super) fn is_moved(&self, id: ClassId) -> bool {
+        let mut ways = self.classes.iter().flat_map(|class| &class.ways);
+        ways.any(|way| matches!(way.operation, Operation::Sandwich(_, operand) if operand == id))
     }
 
     /// Whether a class is the image under an action.

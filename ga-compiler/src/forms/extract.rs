@@ -2,12 +2,28 @@
 
 use super::classes::{ClassId, Classes, Operation, Term};
 use super::estimate::Estimates;
-use super::{Form, FormRule};
+use super::{Form, FormRule, rules};
 use crate::algebra::{Blade, Product, Ratio};
 use crate::define::TypeDefinition;
 use crate::ir::{Facts, Residue};
 use crate::member::{membership, numbers};
 use crate::program::{Program, Step, StepId};
+
+/// By how much a product of images that takes differences of them counts more.
+const IMAGES: usize = 16;
+
+/// Whether an operation is an outer product of images that have a weight in common.
+fn is_rounded(classes: &Classes<'_>, operation: &Operation) -> bool {
+    let Operation::Product(Product::Wedge, factors) = operation else {
+        return false;
+    };
+    let is_image = |id: &ClassId| {
+        let class = classes.class(*id);
+        !class.is_constant && classes.has_action(*id)
+    };
+    let images: Vec<ClassId> = factors.iter().copied().filter(is_image).collect();
+    rules::cancels(classes, &images)
+}
 
 /// Which way is taken to each class.
 #[derive(Clone, PartialEq, Eq)]
@@ -41,7 +57,13 @@ impl Costs {
                 .iter()
                 .map(|(operation, factor)| {
                     let scale = usize::from(factor.abs() != Ratio::ONE);
-                    estimates.cost(classes, id, operation) + scale
+                    let cost = estimates.cost(classes, id, operation) + scale;
+                    // Where the whole can be moved, differences are not taken of rounded images.
+                    if is_rounded(classes, operation) && classes.has_action(id) {
+                        cost.saturating_mul(IMAGES)
+                    } else {
+                        cost
+                    }
                 })
                 .collect();
             own.push(costs);

@@ -28,11 +28,13 @@ pub enum FormRule {
     Quotient,
     /// `a (b + c) = a b + a c`, and `s (a b) = (s a) b` for a scalar s.
     Distribution,
+    /// `a ∧ b = a ∧ (b − λ a)`.
+    Difference,
 }
 
 impl FormRule {
     /// Every rule.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::Reversal,
         Self::Associativity,
         Self::Conjugation,
@@ -45,6 +47,7 @@ impl FormRule {
         Self::Duality,
         Self::Quotient,
         Self::Distribution,
+        Self::Difference,
     ];
 
     /// The rule in words.
@@ -63,6 +66,7 @@ impl FormRule {
             Self::Duality => "duality",
             Self::Quotient => "quotient of a product",
             Self::Distribution => "distribution",
+            Self::Difference => "join with a difference",
         }
     }
 }

@@ -10,7 +10,7 @@ use ga_compiler::task::Task;
 use crate::algebras::cga3;
 
 /// For each rule a function in which it applies.
-const CASES: [(FormRule, &str); 12] = [
+const CASES: [(FormRule, &str); 13] = [
     (
         FormRule::Reversal,
         "fn f(a: Motor, b: Motor) -> Motor { rev(a * b) }",
@@ -51,6 +51,10 @@ const CASES: [(FormRule, &str); 12] = [
     (
         FormRule::Quotient,
         "fn f(s: Scalar, a: RoundVector, b: RoundVector) -> PointPair { (a / s) ^ b }",
+    ),
+    (
+        FormRule::Difference,
+        "fn f(m: Motor, p: Point, q: Point) -> PointPair { sandwich(m, p ^ q) }",
     ),
     (
         FormRule::Distribution,

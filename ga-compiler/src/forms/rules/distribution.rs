@@ -1,7 +1,8 @@
 //! Products are bilinear: `a (b + c) = a b + a c`, and `s (a b) = (s a) b = a (s b)` for a scalar s.
 //!
-//! In one direction a sum is multiplied out, in the other a first or last factor that several terms
-//! have in common is taken out. A scalar moves from the product to each factor and back.
+//! A first or last factor that several terms have in common is taken out. Sums are not multiplied
+//! out, since differences would be taken after products, where they cancel. A scalar moves from the
+//! product to each factor and back.
 
 use crate::algebra::Product;
 use crate::forms::FormRule;
@@ -9,36 +10,16 @@ use crate::forms::classes::{ClassId, Classes, Operation, Term, Way};
 
 const RULE: Option<FormRule> = Some(FormRule::Distribution);
 
-/// The longest sum that is multiplied out.
+/// The most factors among which a scalar moves.
 const LONGEST: usize = 3;
 
 pub(super) fn apply(classes: &mut Classes<'_>, _: ClassId, way: &Way) {
     match &way.operation {
         Operation::Sum(terms) => take_out(classes, terms),
         Operation::Product(product, factors) => {
-            multiply_out(classes, *product, factors);
             move_scalar(classes, *product, factors);
         }
         _ => {}
-    }
-}
-
-fn multiply_out(classes: &mut Classes<'_>, product: Product, factors: &[ClassId]) {
-    for (place, factor) in factors.iter().enumerate() {
-        let Some((terms, scale)) = classes.terms(*factor) else {
-            continue;
-        };
-        if terms.len() > LONGEST {
-            continue;
-        }
-        let parts: Vec<Term> = terms
-            .iter()
-            .filter_map(|term| {
-                let part = with(classes, product, factors, place, Term::of(term.class))?;
-                Some(part.scaled(term.factor * scale))
-            })
-            .collect();
-        classes.sum(&parts, RULE);
     }
 }
 

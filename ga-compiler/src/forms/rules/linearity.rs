@@ -1,7 +1,8 @@
 //! An action is linear: `M (a + b) ~M = M a ~M + M b ~M`, `M (s a) ~M = s M a ~M` and
 //! `M (a/s) ~M = (M a ~M)/s` for a scalar s.
 //!
-//! In one direction the parts are moved, in the other the whole is.
+//! Of a sum the whole is moved, not its parts: the difference of two images cancels where that of
+//! two near points does not. With scalars either is tried.
 
 use crate::algebra::Product;
 use crate::forms::FormRule;
@@ -54,13 +55,6 @@ fn inwards(classes: &mut Classes<'_>, versor: ClassId, operand: ClassId) {
     let versor = Term::of(versor);
     for way in classes.class(operand).ways.clone() {
         match &way.operation {
-            Operation::Sum(terms) => {
-                let images: Vec<Term> = terms
-                    .iter()
-                    .filter_map(|term| classes.sandwich(versor, *term, RULE))
-                    .collect();
-                classes.sum(&images, RULE);
-            }
             Operation::Quotient(a, divisor) => {
                 if let Some(image) = classes.sandwich(versor, Term::of(*a), RULE) {
                     classes.quotient(image, Term::of(*divisor), RULE);

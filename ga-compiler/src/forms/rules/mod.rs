@@ -4,6 +4,7 @@ mod associativity;
 mod composition;
 mod conjugation;
 mod definition;
+mod difference;
 mod distribution;
 mod duality;
 mod invariant_part;
@@ -14,6 +15,7 @@ mod quotient;
 mod reversal;
 
 pub(super) use conjugation::as_action;
+pub(super) use outermorphism::cancels;
 
 use rustc_hash::FxHashMap;
 
@@ -23,12 +25,13 @@ use crate::algebra::Product;
 /// A rule: looks at one way to a class and proposes others.
 type Apply = fn(&mut Classes<'_>, ClassId, &Way);
 
-const RULES: [Apply; 12] = [
+const RULES: [Apply; 13] = [
     reversal::apply,
     conjugation::apply,
     definition::apply,
     duality::apply,
     composition::apply,
+    difference::apply,
     outermorphism::apply,
     linearity::apply,
     invariant_part::apply,

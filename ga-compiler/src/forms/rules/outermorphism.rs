@@ -52,7 +52,9 @@ fn inwards(classes: &mut Classes<'_>, versor: ClassId, operand: ClassId) {
     for way in classes.class(operand).ways.clone() {
         match &way.operation {
             // Of a geometric product the whole is moved more cheaply.
-            Operation::Product(product, factors) if *product != Product::Geometric => {
+            Operation::Product(product, factors)
+                if *product != Product::Geometric && !cancels(classes, factors) =>
+            {
                 let images: Option<Vec<Term>> = factors
                     .iter()
                     .map(|factor| classes.sandwich(versor, Term::of(*factor), RULE))
@@ -69,6 +71,20 @@ fn inwards(classes: &mut Classes<'_>, versor: ClassId, operand: ClassId) {
             _ => {}
         }
     }
+}
+
+/// Whether a product of the factors takes differences of them: two have a weight in common. The
+/// images would be rounded before that.
+pub(in crate::forms) fn cancels(classes: &Classes<'_>, factors: &[ClassId]) -> bool {
+    let weights = factors.iter().filter(|id| !classes.class(**id).is_constant);
+    let mut seen = Vec::new();
+    for blade in weights.flat_map(|id| classes.constants(*id)) {
+        if seen.contains(&blade.0) {
+            return true;
+        }
+        seen.push(blade.0);
+    }
+    false
 }
 
 /// The image of the product of what all factors are images of.

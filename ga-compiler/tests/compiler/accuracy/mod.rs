@@ -8,9 +8,12 @@ mod members;
 mod twofold;
 
 use ga_compiler::define::Definition;
+use ga_compiler::forms::FormRule;
 use ga_compiler::ir::{Node, Value};
 use ga_compiler::kernel::{Kernel, wanted};
-use ga_compiler::lower::{Choice, InnerRule, JoinRule, MeetRule, ProjectionRule, SandwichRule};
+use ga_compiler::lower::{
+    Choice, Choices, InnerRule, JoinRule, MeetRule, ProjectionRule, SandwichRule,
+};
 use ga_compiler::parse::{Block, parse_functions};
 use ga_compiler::program::{Resolved, resolve};
 use ga_compiler::task::Task;
@@ -159,6 +162,103 @@ fn what_is_chosen_for_products_rounds_well() {
     check(&PRODUCTS, &[]);
 }
 
+/// Functions with the rules for forms.
+const FORMS: [(FormRule, &str); 18] = [
+    (
+        FormRule::Composition,
+        "m: Motor, n: Motor, x: Point -> RoundVector { sandwich(m * n, x) }",
+    ),
+    (
+        FormRule::Composition,
+        "m: Motor, n: Motor, x: Line -> Line { sandwich(m, sandwich(n, x)) }",
+    ),
+    (
+        FormRule::Conjugation,
+        "m: Motor, n: Motor -> DualQuaternion { n * m * n * rev(m) }",
+    ),
+    (
+        FormRule::Outermorphism,
+        "m: Motor, a: Point, b: Point -> PointPair { sandwich(m, a) ^ sandwich(m, b) }",
+    ),
+    (
+        FormRule::Outermorphism,
+        "m: Motor, a: Point, b: Point -> PointPair { sandwich(m, a ^ b) }",
+    ),
+    (
+        FormRule::Outermorphism,
+        "m: Motor, a: Point, b: Point, c: Point -> Plane { sandwich(m, a ^ b ^ c ^ ei) }",
+    ),
+    (
+        FormRule::Outermorphism,
+        "m: Motor, a: Point, b: Point -> Scalar { sandwich(m, a) | sandwich(m, b) }",
+    ),
+    (
+        FormRule::Outermorphism,
+        "m: Motor, a: Sphere, b: Plane -> Circle { sandwich(m, a) & sandwich(m, b) }",
+    ),
+    (
+        FormRule::Linearity,
+        "m: Motor, a: Point, b: Point -> RoundVector { sandwich(m, a) - sandwich(m, b) }",
+    ),
+    (
+        FormRule::InvariantPart,
+        "m: Motor, n: Motor -> DualQuaternion { m * n * rev(m) }",
+    ),
+    (FormRule::Power, "m: Motor -> DualQuaternion { m * m }"),
+    (
+        FormRule::Power,
+        "m: Motor -> DualQuaternion { m * m * m * m }",
+    ),
+    (
+        FormRule::Definition,
+        "a: Line, b: Line -> MotorGenerator { (a * b - b * a) / 2 }",
+    ),
+    (
+        FormRule::Duality,
+        "a: Sphere, b: Sphere -> Circle { undual(dual(a) ^ dual(b)) }",
+    ),
+    (
+        FormRule::Quotient,
+        "s: RoundVector, a: Point, b: RoundVector -> PointPair { (a / s.eo) ^ b }",
+    ),
+    (
+        FormRule::Distribution,
+        "a: Point, b: Point, c: Point -> PointPair { (a ^ b) - (a ^ c) }",
+    ),
+    (
+        FormRule::Distribution,
+        "a: Point, b: Point -> Scalar { (a - b) | (a - b) }",
+    ),
+    (
+        FormRule::Reversal,
+        "m: Motor, n: Motor -> DualQuaternion { rev(m * n) }",
+    ),
+];
+
+#[test]
+fn rules_for_forms_round_well() {
+    let mut missed = String::new();
+    let definition = cga3();
+    for (rule, source) in FORMS {
+        let case = Case::new(&definition, source);
+        let plain = case.compile(Some(Choice::default()));
+        compare(
+            &case,
+            source,
+            &plain,
+            &[case.compile_form(rule)],
+            &mut missed,
+        );
+    }
+    assert!(missed.is_empty(), "{missed}");
+}
+
+#[test]
+fn what_is_chosen_of_forms_rounds_well() {
+    let sources: Vec<&str> = FORMS.iter().map(|(_, source)| *source).collect();
+    check(&sources, &[]);
+}
+
 /// Compares every rule, or the kernel that is chosen if none is given, with the plain form, in
 /// every case and family.
 fn check(cases: &[&str], rules: &[Choice]) {
@@ -176,24 +276,29 @@ fn check(cases: &[&str], rules: &[Choice]) {
         if kernels.is_empty() {
             kernels.push(case.compile(None));
         }
-        for family in Family::ALL {
-            let samples = case.samples(family);
-            let exact = samples.iter().map(|sample| evaluate(&plain, sample));
-            let exact: Vec<Vec<Twofold>> = exact.collect();
-            let before = errors(&plain, &samples, &exact);
-            for kernel in &kernels {
-                let after = errors(kernel, &samples, &exact);
-                for (place, (after, before)) in after.iter().zip(&before).enumerate() {
-                    let worst = after / before;
-                    if worst > MOST {
-                        let names = kernel.choices.names();
-                        missed += &format!("{source} {family:?} {names:?} [{place}]: {worst:.1}\n");
-                    }
+        compare(&case, source, &plain, &kernels, &mut missed);
+    }
+    assert!(missed.is_empty(), "{missed}");
+}
+
+/// Compares kernels with the plain form in every family.
+fn compare(case: &Case<'_>, source: &str, plain: &Kernel, kernels: &[Kernel], missed: &mut String) {
+    for family in Family::ALL {
+        let samples = case.samples(family);
+        let exact = samples.iter().map(|sample| evaluate(plain, sample));
+        let exact: Vec<Vec<Twofold>> = exact.collect();
+        let before = errors(plain, &samples, &exact);
+        for kernel in kernels {
+            let after = errors(kernel, &samples, &exact);
+            for (place, (after, before)) in after.iter().zip(&before).enumerate() {
+                let worst = after / before;
+                if worst > MOST {
+                    let names = kernel.choices.names();
+                    *missed += &format!("{source} {family:?} {names:?} [{place}]: {worst:.1}\n");
                 }
             }
         }
     }
-    assert!(missed.is_empty(), "{missed}");
 }
 
 /// One function.
@@ -228,8 +333,26 @@ impl<'a> Case<'a> {
         let task = Task::of_program(algebra, &self.resolved.program, outputs.collect());
         match choice {
             Some(choice) => task.with_choices(choice).compile(),
-            None => task.compile(),
+            None => task.with_witness(&self.resolved.witness).compile(),
         }
+    }
+
+    /// The kernel of the form that a rule leads to.
+    fn compile_form(&self, rule: FormRule) -> Kernel {
+        let outputs = self.resolved.outputs.iter();
+        let outputs = outputs.map(|(step, kind)| (*step, wanted(*kind)));
+        let choices = Choices {
+            forms: vec![rule],
+            ..Choices::default()
+        };
+        Task::of_program(
+            &self.definition.algebra,
+            &self.resolved.program,
+            outputs.collect(),
+        )
+        .with_witness(&self.resolved.witness)
+        .with_choices(choices)
+        .compile()
     }
 
     fn samples(&self, family: Family) -> Vec<Sample> {

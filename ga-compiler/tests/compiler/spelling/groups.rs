@@ -39,14 +39,6 @@ pub(super) const CGA3: &[Group] = &[
         ],
     ),
     (
-        "m: Motor, p: Point, q: Point, r: Point -> Circle",
-        &[
-            "sandwich(m, p ^ q ^ r)",
-            "sandwich(m, p) ^ sandwich(m, q) ^ sandwich(m, r)",
-            "sandwich(m, p ^ q) ^ sandwich(m, r)",
-        ],
-    ),
-    (
         "p: Point, q: Point -> Scalar",
         &[
             "p | q",
@@ -197,14 +189,6 @@ pub(super) const CGA3: &[Group] = &[
     (
         "m: Motor, n: Motor, k: Motor -> DualQuaternion",
         &["m * (n + k)", "m * n + m * k"],
-    ),
-    (
-        "t: Scalar, p: RoundVector, q: RoundVector -> RoundVector",
-        &[
-            "p + t * (q - p)",
-            "(1 - t) * p + t * q",
-            "p - t * p + t * q",
-        ],
     ),
     (
         "p: Point, q: Point -> Scalar",

@@ -89,7 +89,7 @@ fn formula(random: &mut Random) -> (Formula, &'static str) {
             (pair, "PointPair")
         }
         2 => {
-            let pair = Joined(vec![vector(random, 0), vector(random, 1)]);
+            let pair = Joined(vec![vector(random, 0), vector(random, 0)]);
             (Moved(boxed(versor(random, 1)), boxed(pair)), "PointPair")
         }
         3 => {
