@@ -241,6 +241,9 @@ impl Parse for TypeSyntax {
                 ));
             }
         }
+        if input.peek(Token![pub]) {
+            return Err(input.error("the types of an algebra are public; leave out `pub`"));
+        }
         if !input.peek(Token![struct]) {
             return Err(input.error("expected a `struct` of blades, or `products`"));
         }

@@ -86,4 +86,14 @@ ga_runtime::algebra! {
     }
 }
 
+// A type with its visibility.
+ga_runtime::algebra! {
+    mod visibility_of_type {
+        basis e1;
+        signature 1, 0, 0;
+
+        pub struct Vector { e1 }
+    }
+}
+
 fn main() {}
