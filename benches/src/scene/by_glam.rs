@@ -196,7 +196,7 @@ fn sky(direction: DVec3) -> DVec3 {
 
 pub(super) fn render(scene: &Scene, camera: &Camera, [width, height]: [usize; 2]) -> Vec<DVec3> {
     let pixel = 2.0 / height as f64 * camera.height;
-    let origin = DVec3::from(camera.pose.translation);
+    let origin = camera.pose.translation;
     let mut picture = Vec::with_capacity(width * height);
     for row in 0..height {
         for column in 0..width {

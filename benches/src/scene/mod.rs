@@ -4,7 +4,6 @@
 mod by_glam;
 mod by_kernels;
 #[path = "../../../ga-runtime/examples/ray_tracer/scene.rs"]
-#[allow(clippy::duplicate_mod)]
 mod by_methods;
 
 use ga_runtime::vga3::Vector;
