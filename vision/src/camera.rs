@@ -217,12 +217,13 @@ impl Camera {
         }
     }
 
-    /// The ray that a pixel looks along, in the world: in the camera's frame it begins at the origin
-    /// in the direction `((u − c_x)/f_x, (v − c_y)/f_y, 1)`, and the reverse of the pose moves it.
+    /// The ray that a pixel looks along, in the world: in the camera's frame it begins at the
+    /// origin in the direction `((u − c_x)/f_x, (v − c_y)/f_y, 1)`, and the reverse of the pose
+    /// moves it.
     ///
     /// # Errors
-    /// [`CameraError::NotFinite`] for a pixel that is not finite, or so far from the others that
-    /// its direction is not.
+    /// [`CameraError::NotFinite`] for a pixel that is not finite, or so far from the principal
+    /// point that its direction is not.
     pub fn ray(&self, pixel: [f64; 2]) -> Result<Ray<f64>, CameraError> {
         let [u, v] = pixel;
         let ([fx, fy], [cx, cy]) = (self.intrinsics.focal, self.intrinsics.principal);
