@@ -4,12 +4,14 @@ use crate::scalar::{Real, Ring};
 
 /// Whether a number is finite, in a ring that may have infinity and NaN: their difference from
 /// themselves is NaN, which is not equal to anything.
+#[expect(clippy::eq_op, reason = "NaN where the number is not finite")]
 #[inline]
 pub(crate) fn is_number<S: Ring>(x: S) -> bool {
     x - x == S::zero()
 }
 
 /// Whether all components are finite.
+#[expect(clippy::eq_op, reason = "NaN where a component is not finite")]
 #[inline]
 pub(crate) fn are_numbers<S: Ring, const N: usize>(components: [S; N]) -> bool {
     let mut sum = S::zero();
