@@ -354,6 +354,21 @@ macro_rules! algebra {
 /// assert_eq!(moved, [[1.0, 0.0, 0.0], [2.0, 2.0, 3.0]]);
 /// # }
 /// ```
+///
+/// A function that is linear in what varies becomes a matrix, whatever chain of actions, duals and
+/// projections it is made of.
+///
+/// # What a single call costs
+///
+/// A motor that moves one point, where the compiler can see neither, takes 2.0 (built for the
+/// processor at hand) to 2.9 times (default flags) as long as a product of glam's `Mat4` with the
+/// point, since glam keeps each column in one vector register. To move many points, mark the motor
+/// `uniform`, call the functions of `batch`, or convert the motor by `to_matrix` once.
+///
+/// A loop over records of an odd number of coefficients, such as three points, may be slower if it
+/// is built for a processor with AVX-512: LLVM then reads and writes them by gathers and scatters.
+/// The flags `-C target-feature=+prefer-no-gather,+prefer-no-scatter` avoid these (2.6 ns instead
+/// of 7 for the circle through three points in `f32`).
 #[macro_export]
 macro_rules! ga {
     ($($path:ident)::+ ; $($functions:tt)*) => {
