@@ -42,7 +42,8 @@ pub(super) fn commutator(
     first.sum(arena, &second.scaled(Ratio::integer(-1)))
 }
 
-/// `Σ x (M b ~M)` over the blades b of X with coefficients x, b involuted for an odd M, for a unit versor M.
+/// `Σ x (M b ~M)` over the blades b of X with coefficients x, b involuted for an odd M,
+/// for a unit versor M.
 pub(super) fn linear_map(
     arena: &mut Arena,
     algebra: &Algebra,

@@ -52,8 +52,8 @@ pub(super) fn lower(
     Some(image.scaled(twice.recip()?))
 }
 
-/// Lowers the image of a null vector by a commutator; `None` where the versor does not keep infinity,
-/// or has no scaling.
+/// Lowers the image of a null vector by a commutator; `None` where the versor does not keep
+/// infinity, or has no scaling.
 pub(super) fn by_commutator(
     arena: &mut Arena,
     algebra: &Algebra,

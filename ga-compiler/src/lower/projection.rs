@@ -7,8 +7,9 @@
 //!
 //! - `y·i = x·(~V i V) = (x·i)/λ`: the reciprocal of the weight of y is λ divided by the weight of
 //!   x. Where V has no o at all, `V ~V = 1` says `A ~A = 1`, and the weight stays.
-//! - `λ y i = λ V x ~V i = V x i ~V = K i ~A` with `K = V x`, since `i ~V = ~(V i) = ~(A i) = i ~A`.
-//!   The part of grade 2 gives the coefficients of λ y but that of i, and `y² = 0` gives that.
+//! - `λ y i = λ V x ~V i = V x i ~V = K i ~A` with `K = V x`, since
+//!   `i ~V = ~(V i) = ~(A i) = i ~A`. The part of grade 2 gives the coefficients of λ y but that of
+//!   i, and `y² = 0` gives that.
 //! - For a further versor U that keeps the weight, `U y ~U` divided by its weight is
 //!   `U (y divided by its weight) ~U`.
 

@@ -4,8 +4,8 @@
 //! often o occurs, is its degree; degrees add up in products, and no blade has a degree beyond ±1.
 //! Let a unit versor M have blades of degrees 0 and 1 only. Of `M ~M = 1` the part of degree 0 says
 //! `P ~P = 1` for the part P of degree 0, and with `T = M ~P = 1 + τ`, where τ has degree 1,
-//! `T ~T = 1` says `~τ = −τ`. So `M = T P`, and T acts as the translation of [`split`](super::split)
-//! does.
+//! `T ~T = 1` says `~τ = −τ`. So `M = T P`, and T acts as the translation of
+//! [`split`](super::split) does.
 //!
 //! With `E = o∧i/(o·i)`, `E² = 1`, the idempotents `(1 ± E)/2` split P: it is
 //! `p₊ (1 + E)/2 + p₋ (1 − E)/2`, where p₊ and p₋ have neither o nor i. Since `~E = −E`,
