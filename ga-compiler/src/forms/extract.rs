@@ -12,9 +12,9 @@ use crate::program::{Program, Step, StepId};
 /// By how much a product of images that takes differences of them counts more.
 const IMAGES: usize = 16;
 
-/// Whether an operation is an outer product of images that have a weight in common.
+/// Whether an operation is an outer product or a commutator of images that have a weight in common.
 fn is_rounded(classes: &Classes<'_>, operation: &Operation) -> bool {
-    let Operation::Product(Product::Wedge, factors) = operation else {
+    let Operation::Product(Product::Wedge | Product::Commutator, factors) = operation else {
         return false;
     };
     let is_image = |id: &ClassId| {

@@ -394,11 +394,7 @@ pub(super) const MINKOWSKI: &[Group] = &[
     ),
     (
         "m: Boost, v: Vector, w: Vector -> Bivector",
-        &[
-            "sandwich(m, v ^ w)",
-            "sandwich(m, v) ^ sandwich(m, w)",
-            "(m * v * w * rev(m) - m * w * v * rev(m)) / 2",
-        ],
+        &["sandwich(m, v ^ w)", "sandwich(m, v) ^ sandwich(m, w)"],
     ),
     (
         "m: Boost, v: Vector, w: Vector -> Scalar",
