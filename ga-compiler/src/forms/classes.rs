@@ -238,7 +238,7 @@ impl<'a> Classes<'a> {
         };
         let numbers = |id: ClassId| {
             let values = self.class(id).values.iter().flatten();
-            values.map(|(blade, number)| (blade.0, number.residue()))
+            values.map(|(blade, number)| (blade.0, *number))
         };
         let by_value = || numbers(a).cmp(numbers(b));
         key(a).cmp(&key(b)).then_with(by_value)
@@ -433,7 +433,12 @@ fn normalised(values: &[Numbers]) -> Option<(Vec<u64>, Residue)> {
     for value in values {
         for (blade, number) in value {
             key.push(u64::from(blade.0));
-            key.push((*number * inverse).residue());
+            let number = *number * inverse;
+            key.push(number.residue());
+            if !number.is_real() {
+                // No residue is as large, so that the parts of different numbers are not confused.
+                key.extend([u64::MAX - 1, number.imaginary()]);
+            }
         }
         key.push(u64::MAX);
     }
@@ -443,6 +448,9 @@ fn normalised(values: &[Numbers]) -> Option<(Vec<u64>, Residue)> {
 /// The fraction of small height that a residue is, by the extended algorithm of Euclid (Wang 1981).
 fn fraction(residue: Residue) -> Option<Ratio> {
     const MODULUS: i128 = (1 << 61) - 1;
+    if !residue.is_real() {
+        return None;
+    }
     if residue == Residue::ONE {
         return Some(Ratio::ONE);
     }

@@ -354,7 +354,7 @@ impl Arena {
     }
 
     /// The values of all nodes for the given inputs, over the prime field. A root that does not
-    /// exist there is an arbitrary residue.
+    /// exist is an arbitrary residue.
     #[must_use]
     pub fn evaluate(&self, inputs: &[Residue]) -> Vec<Residue> {
         let mut results = Vec::with_capacity(self.nodes.len());

@@ -172,8 +172,8 @@ impl Function {
         }
     }
 
-    /// The stand-in over the prime field. `None` where the argument of a root has none, so that
-    /// another point must be tried.
+    /// The stand-in over the prime field. The root of a residue without a root there is a multiple of
+    /// i = √−1. `None` where such a number has no root, so that another point must be tried.
     #[must_use]
     pub fn evaluate(self, arguments: &[Residue]) -> Option<Residue> {
         let x = arguments[0];
@@ -229,8 +229,8 @@ impl Function {
         })
     }
 
-    /// The stand-in for a root of a constant that has none in the prime field: an arbitrary
-    /// residue, whose square is not that constant.
+    /// The stand-in for a root of a constant that has none: an arbitrary residue, whose square is not
+    /// that constant. Roots of fractions always exist, but not all roots of sums of roots.
     #[must_use]
     pub fn stand_in(self, arguments: &[Residue]) -> Residue {
         random(self, arguments)
@@ -284,7 +284,9 @@ const fn condition(holds: bool) -> Residue {
 fn random(function: Function, arguments: &[Residue]) -> Residue {
     let start = Residue::new(0x9e37_79b9_7f4a_7c15 ^ function as u64);
     arguments.iter().fold(start, |state, argument| {
-        ResidueSequence::new(state.residue() ^ argument.residue().rotate_left(17)).next_residue()
+        let imaginary = argument.imaginary().rotate_left(31);
+        let argument = argument.residue().rotate_left(17) ^ imaginary;
+        ResidueSequence::new(state.residue() ^ argument).next_residue()
     })
 }
 
@@ -356,10 +358,9 @@ mod tests {
         for _ in 0..64 {
             let x = sequence.next_residue();
             let value = |function: Function| function.evaluate(&[x]);
-            if let Some(root) = value(Function::SquareRoot) {
-                assert_eq!(root * root, x);
-                roots += 1;
-            }
+            let root = value(Function::SquareRoot).expect("each residue has a root");
+            assert_eq!(root * root, x);
+            roots += usize::from(root.is_real());
             let (Some(sine), Some(cosine)) = (value(Function::Sine), value(Function::Cosine))
             else {
                 panic!("total")

@@ -1,4 +1,5 @@
-//! The field of integers modulo 2⁶¹ − 1, in which the compiler checks its own work exactly.
+//! The field of integers modulo 2⁶¹ − 1 and the roots of its elements, in which the compiler checks
+//! its own work exactly.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -6,45 +7,84 @@ use crate::algebra::Ratio;
 
 const MODULUS: u64 = (1 << 61) - 1;
 
-/// A residue modulo 2⁶¹ − 1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Residue(u64);
+/// A residue modulo p = 2⁶¹ − 1, or `a + b i` with such residues and i² = −1.
+///
+/// Since p is 3 modulo 4, −1 has no root among the residues, and the numbers `a + b i` form the
+/// field of p² elements. Every residue has a root there; the other elements have one in half of the
+/// cases.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Residue {
+    real: u64,
+    imaginary: u64,
+}
 
 impl Residue {
     /// Zero.
-    pub const ZERO: Self = Self(0);
+    pub const ZERO: Self = Self::real(0);
     /// One.
-    pub const ONE: Self = Self(1);
+    pub const ONE: Self = Self::real(1);
 
     /// The residue of a number.
     #[must_use]
     pub const fn new(value: u64) -> Self {
-        Self(value % MODULUS)
+        Self::real(value % MODULUS)
     }
 
-    /// The residue as a number below the modulus.
+    const fn real(real: u64) -> Self {
+        let imaginary = 0;
+        Self { real, imaginary }
+    }
+
+    /// The residue as a number below the modulus: a of `a + b i`.
     #[must_use]
     pub const fn residue(self) -> u64 {
-        self.0
+        self.real
     }
 
-    /// A root of a square; `None` for the other half of the residues.
+    /// The factor b of i in `a + b i`.
+    #[must_use]
+    pub const fn imaginary(self) -> u64 {
+        self.imaginary
+    }
+
+    /// Whether this is a residue modulo p.
+    #[must_use]
+    pub const fn is_real(self) -> bool {
+        self.imaginary == 0
+    }
+
+    /// One of the two roots, the same at each call; `None` for half of the elements that are not
+    /// residues modulo p.
+    ///
+    /// The root of a square of residues is a square itself, so that the root of a product of such
+    /// squares is the product of their roots.
     #[must_use]
     pub fn square_root(self) -> Option<Self> {
-        // The modulus is 3 modulo 4.
-        let root = self.power((MODULUS + 1) / 4);
-        (root * root == self).then_some(root)
+        if self.is_real() {
+            return Some(root(self.real).map_or_else(
+                || Self {
+                    real: 0,
+                    imaginary: power(negative(self.real), (MODULUS + 1) / 4),
+                },
+                Self::real,
+            ));
+        }
+        // (x + y i)² = a + b i with 2 x² = a + s, s² = a² + b². The product of (a + s)/2 and
+        // (a − s)/2 is −b²/4, so exactly one of them is a square.
+        let size = root(self.norm())?;
+        let half = (MODULUS + 1) / 2;
+        let square = |size: u64| multiplied(half, added(self.real, size));
+        let real = root(square(size)).or_else(|| root(square(negative(size))))?;
+        let inverse = power(added(real, real), MODULUS - 2);
+        let imaginary = multiplied(self.imaginary, inverse);
+        Some(Self { real, imaginary })
     }
 
-    /// The residue or its negative, whichever is a square. As with real numbers, it has a root, and
-    /// the absolute value of a product is the product of the absolute values.
+    /// The root of the square: the element or its negative. The absolute value of a product of
+    /// residues is the product of their absolute values, as with real numbers.
     #[must_use]
     pub fn absolute(self) -> Self {
-        if self.square_root().is_some() {
-            self
-        } else {
-            -self
-        }
+        (self * self).square_root().unwrap_or(self)
     }
 
     /// The image of a fraction. A denominator that the modulus divides gives zero.
@@ -52,7 +92,7 @@ impl Residue {
     pub fn from_ratio(ratio: Ratio) -> Self {
         let residue = |value: i128| {
             let value = value.rem_euclid(i128::from(MODULUS));
-            Self(u64::try_from(value).unwrap_or(0))
+            Self::real(u64::try_from(value).unwrap_or(0))
         };
         if ratio.is_integer() {
             return residue(ratio.numerator());
@@ -63,49 +103,102 @@ impl Residue {
     /// The inverse; zero for zero.
     #[must_use]
     pub fn recip(self) -> Self {
-        self.power(MODULUS - 2)
+        if self.is_real() {
+            return Self::real(power(self.real, MODULUS - 2));
+        }
+        let inverse = power(self.norm(), MODULUS - 2);
+        Self {
+            real: multiplied(self.real, inverse),
+            imaginary: multiplied(negative(self.imaginary), inverse),
+        }
     }
 
-    fn power(self, mut exponent: u64) -> Self {
-        let (mut power, mut base) = (Self::ONE, self);
-        while exponent > 0 {
-            if exponent & 1 == 1 {
-                power = power * base;
-            }
-            base = base * base;
-            exponent >>= 1;
-        }
-        power
+    /// `a² + b²`, which is zero for zero only.
+    fn norm(self) -> u64 {
+        added(
+            multiplied(self.real, self.real),
+            multiplied(self.imaginary, self.imaginary),
+        )
     }
+}
+
+const fn added(a: u64, b: u64) -> u64 {
+    let sum = a + b;
+    if sum < MODULUS { sum } else { sum - MODULUS }
+}
+
+const fn negative(a: u64) -> u64 {
+    if a == 0 { 0 } else { MODULUS - a }
+}
+
+#[allow(clippy::cast_possible_truncation, reason = "both parts are below 2⁶¹")]
+const fn multiplied(a: u64, b: u64) -> u64 {
+    let wide = a as u128 * b as u128;
+    added(wide as u64 & MODULUS, (wide >> 61) as u64)
+}
+
+const fn power(mut base: u64, mut exponent: u64) -> u64 {
+    let mut power = 1;
+    while exponent > 0 {
+        if exponent & 1 == 1 {
+            power = multiplied(power, base);
+        }
+        base = multiplied(base, base);
+        exponent >>= 1;
+    }
+    power
+}
+
+/// The root that is a square itself, of a square modulo p.
+fn root(square: u64) -> Option<u64> {
+    let root = power(square, (MODULUS + 1) / 4);
+    (multiplied(root, root) == square).then_some(root)
 }
 
 impl Add for Residue {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        Self::new(self.0 + other.0)
+        Self {
+            real: added(self.real, other.real),
+            imaginary: added(self.imaginary, other.imaginary),
+        }
     }
 }
 
 impl Sub for Residue {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
-        Self::new(self.0 + MODULUS - other.0)
+        self + -other
     }
 }
 
 impl Neg for Residue {
     type Output = Self;
     fn neg(self) -> Self {
-        Self::ZERO - self
+        Self {
+            real: negative(self.real),
+            imaginary: negative(self.imaginary),
+        }
     }
 }
 
 impl Mul for Residue {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        let wide = u128::from(self.0) * u128::from(other.0);
-        let folded = (wide & u128::from(MODULUS)) + (wide >> 61);
-        Self(u64::try_from(folded % u128::from(MODULUS)).unwrap_or(0))
+        let (a, b) = (self, other);
+        let real = multiplied(a.real, b.real);
+        if a.is_real() && b.is_real() {
+            return Self::real(real);
+        }
+        let square = multiplied(a.imaginary, b.imaginary);
+        let imaginary = added(
+            multiplied(a.real, b.imaginary),
+            multiplied(a.imaginary, b.real),
+        );
+        Self {
+            real: added(real, negative(square)),
+            imaginary,
+        }
     }
 }
 
@@ -147,9 +240,36 @@ mod tests {
         let value = Residue::new(123_456_789_012_345_678);
         assert_eq!(value * value.recip(), Residue::ONE);
         assert_eq!(
-            Residue(MODULUS - 1) * Residue(MODULUS - 1),
+            Residue::new(MODULUS - 1) * Residue::new(MODULUS - 1),
             Residue::ONE,
             "(−1)²"
         );
+    }
+
+    #[test]
+    fn roots_of_residues_exist_beside_them() {
+        let mut sequence = ResidueSequence::new(3);
+        let mut roots = 0;
+        for _ in 0..64 {
+            let (a, b) = (sequence.next_residue(), sequence.next_residue());
+            let root = |x: Residue| x.square_root().expect("each residue has one");
+            assert_eq!(root(a) * root(a), a);
+            assert_eq!(root(a).is_real(), !root(-a).is_real());
+            assert_eq!((a * a).square_root(), Some(a.absolute()));
+            assert_eq!((a * b).absolute(), a.absolute() * b.absolute());
+            if root(a).is_real() && root(b).is_real() {
+                assert_eq!(root(a * b), root(a) * root(b));
+            }
+            let z = a + b * root(-Residue::ONE);
+            assert_eq!(z * z.recip(), Residue::ONE);
+            assert_eq!(z - z, Residue::ZERO);
+            let square = root(z * z);
+            assert!(square == z || square == -z);
+            if let Some(root) = z.square_root() {
+                assert_eq!(root * root, z);
+                roots += 1;
+            }
+        }
+        assert!((16..48).contains(&roots), "half of the others are squares");
     }
 }

@@ -8,8 +8,10 @@ use crate::define::TypeDefinition;
 use crate::ir::{Facts, Function, Residue};
 use crate::member::{self, Numbers, numbers};
 
-/// How many points are tried before the search is given up.
-const TRIES: u64 = 4096;
+/// How many points are tried before points are taken at which roots are multiples of i, and how many
+/// before the search is given up.
+const TRIES_WITH_REAL_ROOTS: u64 = 4096;
+const TRIES: u64 = 2 * TRIES_WITH_REAL_ROOTS;
 
 /// How many points decide what holds everywhere. Where absolute values are taken, a wrong sign
 /// agrees at half of the points by chance.
@@ -20,7 +22,16 @@ const POINTS_WITH_SIGNS: usize = 16;
 /// them in each combination.
 const POINTS_WITH_CHOICES: usize = 48;
 
+/// How many points are taken at most until every root has been a residue.
+const POINTS_WITH_ROOTS: usize = 64;
+
 /// A program's values at random points of the operands' types.
+///
+/// Half of all residues have roots among the residues. As long as such points are found, all roots
+/// are residues, and the root of a product is the product of the roots, as with positive numbers.
+/// Where too many roots depend on the same operands, they are multiples of i at some points. There
+/// the square of a root is still its argument, but `√x √y` is `√(x y)` or its negative, so what
+/// needs this identity is refused.
 #[derive(Clone, Debug, Default)]
 pub struct Witness {
     points: Vec<Point>,
@@ -52,14 +63,21 @@ impl Witness {
         let mut points = std::mem::take(&mut self.points);
         points.retain(|point| point.members.len() == program.operands.len());
         let mut known = points.into_iter();
-        while self.points.len() < wanted || !is_covered(program, &self.points) {
+        loop {
+            let is_real =
+                self.tried < TRIES_WITH_REAL_ROOTS || has_real_roots(program, &self.points);
+            if self.points.len() >= wanted && is_covered(program, &self.points) && is_real {
+                return true;
+            }
+            if !is_real && self.points.len() >= POINTS_WITH_ROOTS {
+                return false;
+            }
             let start = known.next().or_else(|| self.start(algebra, program));
             let Some(point) = start.and_then(|start| self.settle(algebra, program, start)) else {
                 return false;
             };
             self.points.push(point);
         }
-        true
     }
 
     fn start(&mut self, algebra: &Algebra, program: &Program<'_>) -> Option<Point> {
@@ -83,7 +101,7 @@ impl Witness {
         program: &Program<'_>,
         mut point: Point,
     ) -> Option<Point> {
-        while let Err(failed) = point.extend(algebra, program) {
+        while let Err(failed) = point.extend(algebra, program, self.tried < TRIES_WITH_REAL_ROOTS) {
             if self.tried >= TRIES {
                 return None;
             }
@@ -191,14 +209,45 @@ impl Witness {
 }
 
 impl Point {
-    /// Evaluates the missing steps, up to the first that does not exist here.
-    fn extend(&mut self, algebra: &Algebra, program: &Program<'_>) -> Result<(), StepId> {
+    /// Evaluates the missing steps, up to the first that does not exist here, or that is not a
+    /// residue although roots shall be.
+    fn extend(
+        &mut self,
+        algebra: &Algebra,
+        program: &Program<'_>,
+        with_real_roots: bool,
+    ) -> Result<(), StepId> {
         for (id, _) in program.steps().skip(self.values.len()) {
             let value = evaluate_step(algebra, program, id, &self.members, &self.values);
-            self.values.push(value.ok_or(id)?);
+            let value = value.ok_or(id)?;
+            if with_real_roots && is_variable_root(program, id) && !is_real(&value) {
+                return Err(id);
+            }
+            self.values.push(value);
         }
         Ok(())
     }
+}
+
+/// Whether a step is a root of what depends on operands.
+fn is_variable_root(program: &Program<'_>, id: StepId) -> bool {
+    matches!(program.step(id), Step::Function(Function::SquareRoot, _)) && !program.is_constant(id)
+}
+
+fn is_real(value: &Numbers) -> bool {
+    value.values().all(|number| number.is_real())
+}
+
+/// Whether every root is a residue at some point: the root of `−x²` never is.
+fn has_real_roots(program: &Program<'_>, points: &[Point]) -> bool {
+    let mut roots = program
+        .steps()
+        .map(|(id, _)| id)
+        .filter(|&id| is_variable_root(program, id));
+    roots.all(|id| {
+        let mut values = points.iter().map(|point| &point.values[id.index()]);
+        points.is_empty() || values.any(is_real)
+    })
 }
 
 /// Whether the points show the outcomes of the program's comparisons, one by one and in pairs, so

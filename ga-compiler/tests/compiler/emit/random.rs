@@ -56,7 +56,7 @@ pub(crate) fn inputs(function: &CompiledFunction, seed: u64) -> Option<Vec<Resid
             Node::Function(Function::SquareRoot, arguments) => {
                 let argument = arguments[0];
                 let value = values[argument.node.index()] * Residue::from_ratio(argument.factor);
-                value.square_root().is_some()
+                value.square_root().is_some_and(Residue::is_real)
             }
             _ => true,
         })
