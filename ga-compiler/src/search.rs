@@ -153,6 +153,7 @@ fn by_best_choices(task: &Task<'_>) -> Kernel {
     let first = task.lowered(&Choices::default());
     let mut search = Search {
         task,
+        tried: vec![Choices::default()],
         seen: FxHashSet::from_iter([first.fingerprint()]),
         size: first.rank().0,
         acted: first.acted.clone(),
@@ -174,7 +175,9 @@ struct Search<'t, 'a> {
     task: &'t Task<'a>,
     best: Kernel,
     acted: Vec<StepId>,
-    /// The graphs that went through the passes.
+    /// The rules that were tried.
+    tried: Vec<Choices>,
+    /// The graphs that went through the passes, or were too large.
     seen: FxHashSet<u64>,
     /// The operations of each call in the graph of the best kernel before the passes.
     size: usize,
@@ -258,9 +261,10 @@ impl Search<'_, '_> {
     /// Takes other rules if they make a cheaper graph. Of equals, rules that work with differences
     /// are preferred, since they round less.
     fn try_choices(&mut self, choices: &Choices) {
-        if *choices == self.best.choices {
+        if self.tried.contains(choices) {
             return;
         }
+        self.tried.push(choices.clone());
         let lowered = self.task.lowered(choices);
         let size = lowered.rank().0;
         if !self.seen.insert(lowered.fingerprint()) || size > self.size + self.size / 3 + 8 {

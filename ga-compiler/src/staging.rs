@@ -3,6 +3,8 @@
 //! Collecting makes nearly the same graph of whatever the rules lowered, so that few rules need to
 //! be tried: those that were found without it, and the plain ones for actions of versors.
 
+use rustc_hash::FxHashSet;
+
 use crate::kernel::Kernel;
 use crate::lower::{Choice, Choices, SandwichRule};
 use crate::task::{Staged, Task};
@@ -18,8 +20,12 @@ pub(crate) fn staged(task: &Task<'_>, kernel: Kernel) -> Kernel {
     }
     let (each, _) = kernel.rank();
     let mut candidates: Vec<Staged> = Vec::new();
+    let mut seen = FxHashSet::default();
     for choices in tried(&kernel.choices) {
-        candidates.extend(task.staged(&choices));
+        let lowered = task.lowered(&choices);
+        if seen.insert(lowered.fingerprint()) {
+            candidates.extend(task.staged(lowered));
+        }
     }
     // The other passes save less than half of a graph's operations.
     candidates.retain(|staged| staged.price.0 < 2 * each);

@@ -117,7 +117,7 @@ impl<'a> Task<'a> {
     /// The kernel by some rules.
     pub(crate) fn by_choices(&self, choices: &Choices) -> Kernel {
         let staged = match choices.all.staged {
-            true => staging::cheapest(self.staged(choices)),
+            true => staging::cheapest(self.staged(self.lowered(choices))),
             false => None,
         };
         staged.unwrap_or_else(|| self.optimised(self.lowered(choices)))
@@ -128,10 +128,9 @@ impl<'a> Task<'a> {
         self.uniform.contains(&true)
     }
 
-    /// The ways to collect the uniform coefficients of what some rules lower the program to, the
-    /// cheapest first.
-    pub(crate) fn staged(&self, choices: &Choices) -> Vec<Staged> {
-        self.with_relations(self.lowered(choices)).staged()
+    /// The ways to collect the uniform coefficients of a graph, the cheapest first.
+    pub(crate) fn staged(&self, lowered: LoweredTask) -> Vec<Staged> {
+        self.with_relations(lowered).staged()
     }
 
     /// The graph by some rules, before the passes.

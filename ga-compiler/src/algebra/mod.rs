@@ -5,6 +5,7 @@ mod metric;
 mod names;
 mod product;
 mod ratio;
+mod table;
 
 pub use blade::Blade;
 pub use metric::Metric;
@@ -12,10 +13,9 @@ pub use names::{BladeNames, NameError, NamedBlade, SCALAR};
 pub use product::{Product, Unary};
 pub use ratio::Ratio;
 
-use std::cell::RefCell;
 use std::rc::Rc;
 
-use rustc_hash::FxHashMap;
+use table::Table;
 
 /// The largest number of basis vectors.
 pub const MAX_DIMENSION: usize = 16;
@@ -29,7 +29,7 @@ pub struct Algebra {
     names: BladeNames,
     metric: Metric,
     pseudoscalar_square: Ratio,
-    geometric: RefCell<FxHashMap<(Blade, Blade), BladeSum>>,
+    products: Table,
 }
 
 impl Algebra {
@@ -39,8 +39,8 @@ impl Algebra {
         Self {
             names: BladeNames::new(basis),
             pseudoscalar_square: metric.pseudoscalar_square(),
+            products: Table::new(metric.dimension()),
             metric,
-            geometric: RefCell::default(),
         }
     }
 
@@ -105,13 +105,7 @@ impl Algebra {
     /// The geometric product of two basis blades.
     #[must_use]
     pub fn geometric(&self, left: Blade, right: Blade) -> BladeSum {
-        let key = (left, right);
-        if let Some(known) = self.geometric.borrow().get(&key) {
-            return Rc::clone(known);
-        }
-        let product: BladeSum = self.metric.geometric(left, right).into();
-        self.geometric.borrow_mut().insert(key, Rc::clone(&product));
-        product
+        Product::Geometric.of_blades(self, left, right)
     }
 
     /// The dual of a basis blade: `a I⁻¹`, or the right complement (`a ∧ dual a = I`) where I is

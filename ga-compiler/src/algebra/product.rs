@@ -1,6 +1,6 @@
 //! The operations of an algebra, and what each does to basis blades.
 
-use super::{Algebra, Blade, Ratio};
+use super::{Algebra, Blade, BladeSum, Ratio};
 
 /// A bilinear product.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -72,7 +72,12 @@ impl Product {
 
     /// The product of two basis blades.
     #[must_use]
-    pub fn of_blades(self, algebra: &Algebra, left: Blade, right: Blade) -> Vec<(Blade, Ratio)> {
+    pub fn of_blades(self, algebra: &Algebra, left: Blade, right: Blade) -> BladeSum {
+        let make = || self.made(algebra, left, right).into();
+        algebra.products.get(self, left, right, make)
+    }
+
+    fn made(self, algebra: &Algebra, left: Blade, right: Blade) -> Vec<(Blade, Ratio)> {
         let (r, s) = (left.grade(), right.grade());
         let of_grade = |grade: Option<u32>| -> Vec<(Blade, Ratio)> {
             let Some(grade) = grade else { return vec![] };
@@ -81,7 +86,7 @@ impl Product {
             terms
         };
         match self {
-            Self::Geometric => algebra.geometric(left, right).to_vec(),
+            Self::Geometric => algebra.metric.geometric(left, right),
             Self::Wedge => {
                 if left.0 & right.0 != 0 {
                     return vec![];
@@ -147,7 +152,7 @@ fn vee(algebra: &Algebra, left: Blade, right: Blade) -> Vec<(Blade, Ratio)> {
     let mut sums = Sums::default();
     for (a, first) in algebra.dual(left) {
         for (b, second) in algebra.dual(right) {
-            for (joined, third) in Product::Wedge.of_blades(algebra, a, b) {
+            for &(joined, third) in Product::Wedge.of_blades(algebra, a, b).iter() {
                 for (blade, fourth) in algebra.undual(joined) {
                     sums.add(blade, first * second * third * fourth);
                 }

@@ -39,6 +39,9 @@ impl Ratio {
         if is_limit(numerator) || is_limit(denominator) {
             return Some(Self::OUT_OF_RANGE);
         }
+        if denominator == 1 {
+            return Some(Self::integer(numerator));
+        }
         let divisor = greatest_common_divisor(numerator, denominator).max(1) * denominator.signum();
         Some(Self {
             numerator: numerator / divisor,
@@ -228,7 +231,13 @@ impl Mul for Ratio {
             return Self::OUT_OF_RANGE;
         }
         if self.is_integer() && other.is_integer() {
-            return whole(self.numerator.checked_mul(other.numerator));
+            return match (
+                i64::try_from(self.numerator),
+                i64::try_from(other.numerator),
+            ) {
+                (Ok(a), Ok(b)) => Self::integer(i128::from(a) * i128::from(b)),
+                _ => whole(self.numerator.checked_mul(other.numerator)),
+            };
         }
         reduced(
             self.numerator.checked_mul(other.numerator),
@@ -243,6 +252,9 @@ impl Div for Ratio {
     fn div(self, other: Self) -> Self {
         if other == Self::ONE {
             return self;
+        }
+        if other == Self::integer(-1) {
+            return -self;
         }
         if self.is_zero() || other.is_zero() {
             return Self::ZERO;

@@ -72,7 +72,7 @@ impl Estimates {
             let mut terms: FxHashMap<Blade, usize> = FxHashMap::default();
             for (a, first) in &left {
                 for (b, second) in &self.supports[factor.index()] {
-                    for (blade, _) in product.of_blades(algebra, *a, *b) {
+                    for &(blade, _) in product.of_blades(algebra, *a, *b).iter() {
                         let is_wanted = !is_last
                             || self.supports[id.index()]
                                 .iter()

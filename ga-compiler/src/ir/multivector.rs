@@ -1,7 +1,5 @@
 //! Multivectors whose coefficients are values of an arena.
 
-use std::collections::BTreeMap;
-
 use super::{Arena, Facts, Value};
 use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
 
@@ -16,15 +14,33 @@ pub struct Multivector {
 impl Multivector {
     /// A multivector of the given coefficients; zeros are dropped and equal blades are added.
     pub fn new(arena: &mut Arena, terms: impl IntoIterator<Item = (Blade, Value)>) -> Self {
-        let mut sums: BTreeMap<Blade, Vec<Value>> = BTreeMap::new();
+        // The place of each blade's sum plus one, by the bits of the blade.
+        let mut places: Vec<usize> = Vec::new();
+        let mut sums: Vec<(Blade, Vec<Value>)> = Vec::new();
         for (blade, value) in terms {
-            sums.entry(blade).or_default().push(value);
+            let bits = blade.0 as usize;
+            if bits >= places.len() {
+                places.resize(2 * bits + 1, 0);
+            }
+            match places[bits] {
+                0 => {
+                    sums.push((blade, vec![value]));
+                    places[bits] = sums.len();
+                }
+                place => sums[place - 1].1.push(value),
+            }
         }
-        let terms = sums
-            .into_iter()
-            .map(|(blade, values)| (blade, arena.sum(values)))
-            .filter(|(_, value)| !value.is_zero())
-            .collect();
+        sums.sort_by_key(|(blade, _)| *blade);
+        let mut terms = Vec::with_capacity(sums.len());
+        for (blade, values) in sums {
+            let value = match values.as_slice() {
+                [single] => *single,
+                _ => arena.sum(values),
+            };
+            if !value.is_zero() {
+                terms.push((blade, value));
+            }
+        }
         Self {
             terms,
             facts: Facts::default(),
@@ -112,7 +128,7 @@ impl Multivector {
         let mut terms = Vec::new();
         for &(left, a) in &self.terms {
             for &(right, b) in &other.terms {
-                for (blade, factor) in product.of_blades(algebra, left, right) {
+                for &(blade, factor) in product.of_blades(algebra, left, right).iter() {
                     if keep(blade) {
                         terms.push((blade, arena.product(a, b).scaled(factor)));
                     }

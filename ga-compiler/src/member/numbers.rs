@@ -45,7 +45,7 @@ pub(crate) fn product(
     for (&a, &first) in left {
         for (&b, &second) in right {
             let both = first * second;
-            for (blade, factor) in operation.of_blades(algebra, a, b) {
+            for &(blade, factor) in operation.of_blades(algebra, a, b).iter() {
                 add(&mut result, blade, both * Residue::from_ratio(factor));
             }
         }

@@ -13,7 +13,6 @@ use crate::ir::{Arena, Node, Value};
 /// that are known to be zero.
 #[must_use]
 pub fn optimise(arena: Arena, outputs: Vec<Value>, uniform: &[bool], relations: &[Value]) -> Graph {
-    let has_uniform = uniform.contains(&true);
     let mut starts = Vec::new();
     starts.extend(reduced(&arena, &outputs, relations));
     starts.push(flatten(&arena, &outputs).unwrap_or_else(|| (arena.clone(), outputs.clone())));
@@ -23,7 +22,7 @@ pub fn optimise(arena: Arena, outputs: Vec<Value>, uniform: &[bool], relations: 
             let graph = apply(graph, substitute);
             let graph = apply(graph, |arena, outputs| hoist(arena, outputs, uniform));
             // What follows saves multiples by constants at most.
-            if !has_uniform && without_multiples(&graph) > best.price.1 {
+            if without_multiples(&graph, uniform) > best.price.0 {
                 continue;
             }
             let graph = apply(graph, |arena, outputs| scale(arena, outputs, uniform));
@@ -38,8 +37,8 @@ pub fn optimise(arena: Arena, outputs: Vec<Value>, uniform: &[bool], relations: 
     best.graph
 }
 
-/// The operations of a graph but for multiplications by constants.
-fn without_multiples((arena, outputs): &Graph) -> usize {
+/// The varying operations of a graph but for multiplications by constants, or fewer.
+fn without_multiples((arena, outputs): &Graph, uniform: &[bool]) -> usize {
     let reads = reads(arena, outputs);
     let is_multiple =
         |value: &&Value| value.as_constant().is_none() && value.factor.abs() != Ratio::ONE;
@@ -49,7 +48,11 @@ fn without_multiples((arena, outputs): &Graph) -> usize {
         Node::One | Node::Input(_) | Node::Product(..) | Node::Quotient(..) => 0,
     });
     let multiples = multiples.sum::<usize>() + outputs.iter().filter(is_multiple).count();
-    cost(arena, outputs).total() - multiples
+    let varying = match uniform.contains(&true) {
+        true => varying_cost(arena, outputs, uniform),
+        false => cost(arena, outputs).total(),
+    };
+    varying.saturating_sub(multiples)
 }
 
 /// The graph flattened and reduced, if the relations make it cheaper.

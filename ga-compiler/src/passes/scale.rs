@@ -126,17 +126,24 @@ impl<'a> Scales<'a> {
         if id == Arena::ONE {
             return;
         }
-        self.total -= self.cost(id);
+        // The scale itself costs nothing.
+        let weight = match multiple == self.scales[id.index()] {
+            true => 0,
+            false => self.weights[id.index()],
+        };
         let wanted = &mut self.wanted[id.index()];
         match wanted.iter().position(|(other, _)| *other == multiple) {
             Some(place) if is_added => wanted[place].1 += 1,
             Some(place) if wanted[place].1 > 1 => wanted[place].1 -= 1,
             Some(place) => {
                 wanted.swap_remove(place);
+                self.total -= weight;
             }
-            None => wanted.push((multiple, 1)),
+            None => {
+                wanted.push((multiple, 1));
+                self.total += weight;
+            }
         }
-        self.total += self.cost(id);
     }
 
     /// Adds or takes away what a node reads.

@@ -233,7 +233,7 @@ impl<'a> Source<'a> {
         let mut result = Numbers::new();
         for (&a, &first) in left {
             for (&b, &second) in right {
-                for (blade, factor) in operation.of_blades(self.algebra, a, b) {
+                for &(blade, factor) in operation.of_blades(self.algebra, a, b).iter() {
                     let term = first.product(second).product(Twofold::of_ratio(factor));
                     let sum = result.entry(blade).or_default();
                     *sum = sum.sum(term);
