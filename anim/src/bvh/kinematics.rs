@@ -21,7 +21,7 @@ impl Bvh {
             for (channel, &value) in joint.channels.iter().zip(&values[joint.first_channel..]) {
                 match *channel {
                     Channel::Position(axis) => displacement[axis] += value,
-                    Channel::Rotation(axis) => rotor = rotor * about_axis(axis, value.to_radians()),
+                    Channel::Rotation(axis) => rotor *= about_axis(axis, value.to_radians()),
                 }
             }
             let own = Translator::from_displacement(displacement) * rotor;

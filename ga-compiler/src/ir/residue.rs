@@ -72,7 +72,7 @@ impl Residue {
         // (x + y i)² = a + b i with 2 x² = a + s, s² = a² + b². The product of (a + s)/2 and
         // (a − s)/2 is −b²/4, so exactly one of them is a square.
         let size = root(self.norm())?;
-        let half = (MODULUS + 1) / 2;
+        let half = MODULUS.div_ceil(2);
         let square = |size: u64| multiplied(half, added(self.real, size));
         let real = root(square(size)).or_else(|| root(square(negative(size))))?;
         let inverse = power(added(real, real), MODULUS - 2);

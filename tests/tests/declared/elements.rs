@@ -1,6 +1,11 @@
 //! Methods and traits that every declared type has, on every type of ga-runtime: coefficients by
 //! name, text, conversions that check, normalization.
 
+#![allow(
+    clippy::float_cmp,
+    reason = "coefficients are copied, and other values are exact"
+)]
+
 use std::fmt::{Debug, Display};
 use std::str::FromStr;
 
@@ -14,8 +19,8 @@ use super::every_type::every_type;
 fn by_name<T: Element<Scalar = f64>>(algebra: &Algebra<f64>, element: &T, name: &str) -> f64 {
     let dense = algebra.element(element);
     let place = |digit: char| {
-        let is_named = |vector: &&str| vector.ends_with(digit);
-        T::BASIS.iter().position(|vector| is_named(&vector))
+        let mut names = T::BASIS.iter();
+        names.position(|vector| vector.ends_with(digit))
     };
     let vectors = name[1..].chars().filter_map(place);
     let blade = match name {

@@ -30,7 +30,7 @@ fn keys() -> impl Strategy<Value = Vec<Key>> + Clone {
         let (mut time, mut at) = (-1.0, Motor::default());
         let key = |(duration, step, turned): (f64, Motor<f64>, bool)| {
             time += duration;
-            at = at * step;
+            at *= step;
             (time, if turned { -at } else { at })
         };
         steps.into_iter().map(key).collect()

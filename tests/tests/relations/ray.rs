@@ -65,7 +65,7 @@ proptest! {
         prop_assume!((length(minus(foot, c)) - r).abs() > 1e-3);
         let expected = ends.and_then(|ends| ends.into_iter().find(|t| *t > 0.0));
         let ball = sphere(c, r) * w;
-        for found in [ray(o, d).first_hit(ball), ray(o, d).first_hit(ball.dual()), ray(o, d).first_hit(&ball.figure().unwrap())] {
+        for found in [ray(o, d).first_hit(ball), ray(o, d).first_hit(ball.dual()), ray(o, d).first_hit(ball.figure().unwrap())] {
             match expected {
                 None => prop_assert_eq!(found, None),
                 Some(t) => check(found, o, d, t, times(minus(along(o, t, d), c), 1.0 / r)),
@@ -154,7 +154,7 @@ proptest! {
             prop_assert_eq!(found, None);
         }
         let reversed = [corners[0], corners[2], corners[1]].map(point);
-        prop_assert_eq!(ray(o, d).first_hit(&reversed).map(|hit| hit.side == Side::Back), found.map(|hit| hit.side == Side::Front));
+        prop_assert_eq!(ray(o, d).first_hit(reversed).map(|hit| hit.side == Side::Back), found.map(|hit| hit.side == Side::Front));
         prop_assert_eq!(ray(o, times(d, -1.0)).first_hit(corners.map(point)), None);
     }
 

@@ -12,10 +12,8 @@ const RULE: Option<FormRule> = Some(FormRule::Duality);
 
 pub(super) fn apply(classes: &mut Classes<'_>, _: ClassId, way: &Way) {
     match &way.operation {
-        Operation::Unary(Unary::Dual, a) => {
-            if !classes.algebra.is_degenerate() {
-                classes.unary(Unary::Undual, Term::of(*a), RULE);
-            }
+        Operation::Unary(Unary::Dual, a) if !classes.algebra.is_degenerate() => {
+            classes.unary(Unary::Undual, Term::of(*a), RULE);
         }
         Operation::Unary(Unary::Undual, a) => {
             if !classes.algebra.is_degenerate() {
