@@ -54,7 +54,10 @@ impl Estimates {
             Operation::Function(..) => 4,
         };
         let is_uniform = classes.class(id).is_uniform;
-        4 + operations * if is_uniform { 1 } else { OPERATION }
+        // Inner products have more rules than geometric ones that give the same.
+        let is_general = matches!(operation, Operation::Product(Product::Geometric, _));
+        4 + usize::from(is_general && classes.is_scalar(id))
+            + operations * if is_uniform { 1 } else { OPERATION }
     }
 
     fn product(

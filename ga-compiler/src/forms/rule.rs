@@ -30,11 +30,15 @@ pub enum FormRule {
     Distribution,
     /// `a ∧ b = a ∧ (b − λ a)`.
     Difference,
+    /// `v X v = 2 v ∧ (v ⌋ X) ± v² X` and `(X ∧ v) v = v² X − (X ⌊ v) v` for a vector v.
+    Vector,
+    /// `a · (M b ~M) = (~M a M) · b`.
+    Adjoint,
 }
 
 impl FormRule {
     /// Every rule.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 15] = [
         Self::Reversal,
         Self::Associativity,
         Self::Conjugation,
@@ -48,6 +52,8 @@ impl FormRule {
         Self::Quotient,
         Self::Distribution,
         Self::Difference,
+        Self::Vector,
+        Self::Adjoint,
     ];
 
     /// The rule in words.
@@ -67,6 +73,8 @@ impl FormRule {
             Self::Quotient => "quotient of a product",
             Self::Distribution => "distribution",
             Self::Difference => "join with a difference",
+            Self::Vector => "product with a vector",
+            Self::Adjoint => "adjoint action",
         }
     }
 }

@@ -10,7 +10,7 @@ use ga_compiler::task::Task;
 use crate::algebras::cga3;
 
 /// For each rule a function in which it applies.
-const CASES: [(FormRule, &str); 13] = [
+const CASES: [(FormRule, &str); 15] = [
     (
         FormRule::Reversal,
         "fn f(a: Motor, b: Motor) -> Motor { rev(a * b) }",
@@ -55,6 +55,14 @@ const CASES: [(FormRule, &str); 13] = [
     (
         FormRule::Difference,
         "fn f(m: Motor, p: Point, q: Point) -> PointPair { sandwich(m, p ^ q) }",
+    ),
+    (
+        FormRule::Vector,
+        "fn f(p: Point, a: DualPlane) -> RoundVector { (p ^ a) * inverse(a) }",
+    ),
+    (
+        FormRule::Adjoint,
+        "fn f(m: Motor, p: Point, a: DualPlane) -> Scalar { p | sandwich(m, a) }",
     ),
     (
         FormRule::Distribution,

@@ -22,6 +22,15 @@ pub(super) fn apply(classes: &mut Classes<'_>, id: ClassId, way: &Way) {
                 part(classes, id, *grade, &factors);
             }
         }
+        // The whole of it may be one part.
+        Operation::Product(Product::LeftContraction | Product::RightContraction, factors) => {
+            if let [a, b] = *factors.as_slice() {
+                try_product(classes, id, Product::Geometric, a, b);
+            }
+        }
+        Operation::Product(Product::Geometric, factors) if classes.is_scalar(id) => {
+            part(classes, id, 0, factors);
+        }
         Operation::Sum(terms) => {
             let [first, second] = terms.as_slice() else {
                 return;

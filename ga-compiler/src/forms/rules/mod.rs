@@ -1,5 +1,6 @@
 //! The rules, each in a file of its own, and their application until nothing new comes out.
 
+mod adjoint;
 mod associativity;
 mod composition;
 mod conjugation;
@@ -13,6 +14,7 @@ mod outermorphism;
 mod power;
 mod quotient;
 mod reversal;
+mod vector;
 
 pub(super) use conjugation::as_action;
 pub(super) use outermorphism::cancels;
@@ -25,7 +27,7 @@ use crate::algebra::Product;
 /// A rule: looks at one way to a class and proposes others.
 type Apply = fn(&mut Classes<'_>, ClassId, &Way);
 
-const RULES: [Apply; 13] = [
+const RULES: [Apply; 15] = [
     reversal::apply,
     conjugation::apply,
     definition::apply,
@@ -37,6 +39,8 @@ const RULES: [Apply; 13] = [
     invariant_part::apply,
     power::apply,
     quotient::apply,
+    vector::apply,
+    adjoint::apply,
     distribution::apply,
     associativity::apply,
 ];
@@ -74,11 +78,13 @@ pub(super) fn saturate(classes: &mut Classes<'_>) {
                 if seen.insert((id, number), below) != Some(below) {
                     has_changed = true;
                     let way = way.clone();
+                    // A number is left alone, `M ~M` for instance.
+                    let is_moved = !classes.is_scalar(id) && classes.has_action(id);
                     for (number, apply) in RULES[..RULES.len() - late].iter().enumerate() {
                         // A product that is an action is not looked at in another way.
                         let is_product =
                             matches!(way.operation, Operation::Product(Product::Geometric, _));
-                        if number >= EARLY && is_product && classes.has_action(id) {
+                        if number >= EARLY && is_product && is_moved {
                             break;
                         }
                         apply(classes, id, &way);

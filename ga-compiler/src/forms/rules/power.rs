@@ -1,7 +1,7 @@
 //! Powers of a unit versor: `M² = M (M + ~M) − 1`, since `M ~M = 1`. Of `M + ~M` only the scalar and
 //! what else the reversal keeps is left, twice: of a rotor `M² = 2 s M − 1`.
 //!
-//! A power of even exponent is a square: `M⁴ = (M²)²`, by associativity.
+//! A power of even exponent is a square: `M⁴ = (M²)²`, by associativity; so `M⁵ = M M⁴`.
 
 use crate::algebra::{Product, Ratio, Unary};
 use crate::forms::FormRule;
@@ -30,8 +30,17 @@ pub(super) fn apply(classes: &mut Classes<'_>, id: ClassId, way: &Way) {
             let minus = one.scaled(-one.factor);
             classes.sum(&[product, minus], RULE);
         }
-    } else if factors.len() % 2 == 0
-        && let Some(half) = classes.chain(Product::Geometric, &factors[1 + rest.len() / 2..], RULE)
+    } else if factors.len() % 2 == 1 {
+        if let Some(rest) = classes.chain(Product::Geometric, rest, RULE) {
+            let term = Term {
+                class: id,
+                factor: Ratio::ONE / (way.factor * rest.factor),
+            };
+            let operation = Operation::Product(Product::Geometric, vec![base, rest.class]);
+            classes.add_way(operation, term, RULE);
+        }
+    } else if let Some(half) =
+        classes.chain(Product::Geometric, &factors[1 + rest.len() / 2..], RULE)
     {
         let scale = way.factor * half.factor * half.factor;
         let operation = Operation::Product(Product::Geometric, vec![half.class; 2]);

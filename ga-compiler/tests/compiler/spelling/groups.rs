@@ -333,12 +333,87 @@ pub(super) const CGA3: &[Group] = &[
         &["p ^ q ^ r ^ ei", "-(ei ^ p ^ q ^ r)", "(p ^ q) ^ (r ^ ei)"],
     ),
     (
+        "p: Point, a: DualPlane -> RoundVector",
+        &[
+            "(p ^ a) * inverse(a)",
+            "(p ^ a) * a / (a | a)",
+            "p - (p | a) * inverse(a)",
+            "p - (a | p) * a / (a * a)",
+        ],
+    ),
+    (
+        "p: Point, a: Plane -> RoundVector",
+        &[
+            "(p | a) * inverse(a)",
+            "(p | a) * a / (a * a)",
+            "(p | a) | inverse(a)",
+            "((p | a) | a) / (a | a)",
+        ],
+    ),
+    (
+        "a: DualPlane, p: Point -> Point",
+        &[
+            "-(a * p * inverse(a))",
+            "sandwich(a, p) / (a * a)",
+            "p - 2 * (a | p) / (a | a) * a",
+            "p - 2 * (p | a) * inverse(a)",
+        ],
+    ),
+    (
+        "s: DualSphere, p: Point -> RoundVector",
+        &[
+            "sandwich(s, p)",
+            "(s | s) * p - 2 * (s | p) * s",
+            "(s * s) * p - 2 * s * (p | s)",
+        ],
+    ),
+    (
+        "m: Motor, n: Motor, p: Point, q: Point -> Scalar",
+        &[
+            "sandwich(m, p) | sandwich(n, q)",
+            "p | sandwich(rev(m) * n, q)",
+            "sandwich(rev(n) * m, p) | q",
+        ],
+    ),
+    (
+        "m: Motor, p: Point, a: Plane -> Scalar",
+        &[
+            "(sandwich(m, p) ^ a).e123oi",
+            "-(sandwich(m, p) | dual(a))",
+            "(p ^ sandwich(rev(m), a)).e123oi",
+        ],
+    ),
+    (
+        "m: Rotor -> Rotor",
+        &[
+            "m * m * m * m * m",
+            "m * (m * m) * (m * m)",
+            "let k = m * m; k * k * m",
+        ],
+    ),
+    (
+        "p: Point, q: Point -> Scalar",
+        &[
+            "norm_squared(p ^ q)",
+            "grade((p ^ q) * rev(p ^ q), 0)",
+            "-((p ^ q) | (p ^ q))",
+            "-(p | q) * (p | q)",
+        ],
+    ),
+    (
         "a: RoundVector, b: RoundVector -> Even",
         &["a * b", "(a | b) + (a ^ b)", "rev(b * a)"],
     ),
 ];
 
 pub(super) const PGA3: &[Group] = &[
+    (
+        "m: Motor, n: Motor, a: Plane, b: Plane -> Scalar",
+        &[
+            "sandwich(m, a) | sandwich(n, b)",
+            "a | sandwich(rev(m) * n, b)",
+        ],
+    ),
     (
         "m: Motor, n: Motor, p: Point -> Point",
         &[
@@ -384,6 +459,14 @@ pub(super) const PGA3: &[Group] = &[
 ];
 
 pub(super) const MINKOWSKI: &[Group] = &[
+    (
+        "a: Vector, v: Vector -> Vector",
+        &[
+            "-(a * v * inverse(a))",
+            "sandwich(a, v) / (a * a)",
+            "v - 2 * (a | v) / (a | a) * a",
+        ],
+    ),
     (
         "m: Boost, n: Boost, v: Vector -> Vector",
         &[

@@ -73,7 +73,7 @@ const STAGED: &[Row] = &[
         "uniform l: Plane, x: Point -> FlatPoint",
         "uniform l: Flat, x: Place -> FlatPlace",
         "((x ^ INFINITY) | l) * inverse(l)",
-        [9, 8],
+        [6, 6],
     ),
     (
         "uniform a: Point, uniform b: Point, uniform c: Point, x: Point -> Pseudoscalar",
