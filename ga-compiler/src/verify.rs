@@ -13,7 +13,7 @@ use crate::algebra::{Algebra, Blade};
 use crate::define::TypeDefinition;
 use crate::expression::Expression;
 use crate::ir::Residue;
-use crate::member::POINTS;
+use crate::member;
 use crate::program::{self, Program};
 
 /// Checks that the value of an expression is a member of a type, or a scalar, for all members of
@@ -28,7 +28,7 @@ pub fn result_fits(
     kind: Option<&TypeDefinition>,
 ) -> Result<(), Vec<String>> {
     let mut reasons = Vec::new();
-    for point in 0..POINTS {
+    for point in 0..member::points(algebra, operands) {
         let Some(result) = at_random(algebra, operands, expression, point) else {
             return Err(vec!["an operand has no members".to_owned()]);
         };
@@ -54,7 +54,7 @@ pub fn result_blades(
     expression: &Expression,
 ) -> Vec<Blade> {
     let mut blades = Vec::new();
-    for point in 0..POINTS {
+    for point in 0..member::points(algebra, operands) {
         let result = at_random(algebra, operands, expression, point).unwrap_or_default();
         for (blade, value) in result {
             if value != Residue::ZERO && !blades.contains(&blade) {

@@ -1,14 +1,18 @@
 //! Random members of a type.
 
+use super::components::Components;
 use super::membership::membership;
-use super::numbers::{Numbers, coefficient, product, sandwich, scaled, signed};
+use super::numbers::{Numbers, coefficient, product, scaled, signed};
 use super::stored::from_stored;
-use crate::algebra::{Algebra, Blade, Product, Ratio};
+use crate::algebra::{Algebra, Blade, Product};
 use crate::define::{Coefficient, Role, TypeDefinition};
 use crate::ir::{Residue, ResidueSequence};
 
-/// How many random points are tried.
+/// How many random points are tried, where every type is an irreducible variety.
 pub(crate) const POINTS: u64 = 2;
+
+/// How many are tried at most where types have several components.
+const MOST_POINTS: u64 = 64;
 
 /// The reproducible sequence of residues of a seed.
 #[must_use]
@@ -18,10 +22,10 @@ pub fn sequence(seed: u64) -> ResidueSequence {
 
 /// A random member of a type; `None` where none is found.
 ///
-/// Where the stored coefficients are free they are drawn at random. Unit versors are products of
-/// `(1 + αb)²/(1 − α²b²)` over the 2-blades b that the type has or that its vectors span, with
-/// random α; for a type of odd blades such a product times a basis vector of square 1, or acting on
-/// it where the type has vectors alone. Blades are outer products of vectors: of those that all
+/// Where the stored coefficients are free they are drawn at random. Unit versors are products V of
+/// `(1 + αb)²/(1 − α²b²)` over the bivectors b that the type has or that its vectors span, with
+/// random α, times a unit versor U of a random component of the variety, or `V U ~V`; for most types
+/// of even blades U is 1. Blades are outer products of vectors: of those that all
 /// blades of the type contain, and of random sums of the others.
 #[must_use]
 pub fn sample(
@@ -35,36 +39,22 @@ pub fn sample(
     if kind.facts.blade {
         return blade(algebra, kind, sequence);
     }
-    let blades: Vec<Blade> = kind.coefficients.iter().map(|c| c.blade).collect();
-    let vectors: Vec<Blade> = blades.iter().copied().filter(|b| b.grade() == 1).collect();
-    let mut planes: Vec<Blade> = blades.iter().copied().filter(|b| b.grade() == 2).collect();
-    for (place, a) in vectors.iter().enumerate() {
-        planes.extend(vectors[place + 1..].iter().map(|b| Blade(a.0 | b.0)));
+    Components::new(algebra, kind).sample(sequence)
+}
+
+/// How many random points show what holds for all members of some types: each component of a type
+/// is drawn, and each combination of components of different operands.
+#[must_use]
+pub(crate) fn points(algebra: &Algebra, operands: &[&TypeDefinition]) -> u64 {
+    let components = operands
+        .iter()
+        .filter(|kind| kind.facts.unit_versor && !kind.facts_are_implied && !kind.facts.blade)
+        .map(|kind| Components::new(algebra, kind).count() as u64)
+        .fold(1, u64::saturating_mul);
+    if components <= 1 {
+        return POINTS;
     }
-    planes.sort();
-    planes.dedup();
-    let mut versor = Numbers::from([(Blade::SCALAR, Residue::ONE)]);
-    for plane in planes {
-        let factor = unit_factor(algebra, plane, sequence.next_residue());
-        versor = product(algebra, Product::Geometric, &versor, &factor);
-    }
-    let candidate = if blades.iter().all(|b| b.grade() % 2 == 1) {
-        let unit = vectors.iter().find(|b| {
-            let square = algebra.geometric(**b, **b);
-            *square == [(Blade::SCALAR, Ratio::ONE)]
-        })?;
-        let unit = Numbers::from([(*unit, Residue::ONE)]);
-        if vectors.len() == blades.len() {
-            sandwich(algebra, &versor, &unit)
-        } else {
-            product(algebra, Product::Geometric, &versor, &unit)
-        }
-    } else {
-        versor
-    };
-    membership(algebra, Some(kind), &candidate)
-        .is_empty()
-        .then_some(candidate)
+    components.saturating_mul(8).min(MOST_POINTS)
 }
 
 /// Whether random members are found that have every blade of the type, and all blades have one
@@ -77,6 +67,12 @@ pub(crate) fn is_family(algebra: &Algebra, kind: &TypeDefinition) -> bool {
         .coefficients
         .iter()
         .any(|c| Some(c.blade.involute_is_negative()) != parity);
+    if is_mixed {
+        return false;
+    }
+    if !kind.facts.blade {
+        return Components::new(algebra, kind).are_whole(&mut sequence(0));
+    }
     let Some(member) = sample(algebra, kind, &mut sequence(0)) else {
         return false;
     };
@@ -85,7 +81,7 @@ pub(crate) fn is_family(algebra: &Algebra, kind: &TypeDefinition) -> bool {
             .get(&c.blade)
             .is_some_and(|value| *value != Residue::ZERO)
     };
-    !is_mixed && kind.coefficients.iter().all(has)
+    kind.coefficients.iter().all(has)
 }
 
 /// A random blade of a type; `None` where the outer products do not lie in the type.
@@ -123,20 +119,4 @@ fn blade(
 pub(super) fn free_member(kind: &TypeDefinition, sequence: &mut ResidueSequence) -> Numbers {
     let stored: Vec<_> = kind.stored().map(|_| sequence.next_residue()).collect();
     from_stored(kind, &stored)
-}
-
-/// `(1 + αb)²/(1 − α²b²)`, a unit versor for every 2-blade b of the basis.
-fn unit_factor(algebra: &Algebra, plane: Blade, alpha: Residue) -> Numbers {
-    let square = algebra
-        .geometric(plane, plane)
-        .iter()
-        .find(|(blade, _)| *blade == Blade::SCALAR)
-        .map_or(Residue::ZERO, |(_, value)| Residue::from_ratio(*value));
-    let norm = (Residue::ONE - alpha * alpha * square).recip();
-    let root = Numbers::from([(Blade::SCALAR, Residue::ONE), (plane, alpha)]);
-    let mut versor = product(algebra, Product::Geometric, &root, &root);
-    for value in versor.values_mut() {
-        *value = *value * norm;
-    }
-    versor
 }

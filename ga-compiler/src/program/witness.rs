@@ -13,9 +13,8 @@ use crate::member::{self, Numbers, numbers};
 const TRIES_WITH_REAL_ROOTS: u64 = 4096;
 const TRIES: u64 = 2 * TRIES_WITH_REAL_ROOTS;
 
-/// How many points decide what holds everywhere. Where absolute values are taken, a wrong sign
-/// agrees at half of the points by chance.
-const POINTS: usize = 2;
+/// How many points decide what holds everywhere at least where absolute values are taken: a wrong
+/// sign agrees at half of the points by chance.
 const POINTS_WITH_SIGNS: usize = 16;
 
 /// How many points are taken at most until every comparison has held and failed, and every two of
@@ -36,6 +35,8 @@ const POINTS_WITH_ROOTS: usize = 64;
 pub struct Witness {
     points: Vec<Point>,
     tried: u64,
+    /// How many points the types of that many operands take.
+    wanted: Option<(usize, usize)>,
 }
 
 #[derive(Clone, Debug)]
@@ -55,11 +56,19 @@ impl Witness {
                 Step::Function(Function::Absolute | Function::SquareRoot, _)
             )
         };
-        let wanted = if program.steps.iter().any(is_sign) {
+        let signs = if program.steps.iter().any(is_sign) {
             POINTS_WITH_SIGNS
         } else {
-            POINTS
+            0
         };
+        let operands = program.operands.len();
+        let known = self.wanted.filter(|known| known.0 == operands);
+        let known = known.unwrap_or_else(|| {
+            let points = member::points(algebra, &program.operands);
+            (operands, usize::try_from(points).unwrap_or(0))
+        });
+        self.wanted = Some(known);
+        let wanted = known.1.max(signs);
         let mut points = std::mem::take(&mut self.points);
         points.retain(|point| point.members.len() == program.operands.len());
         let mut known = points.into_iter();

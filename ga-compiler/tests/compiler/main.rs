@@ -3,6 +3,7 @@
 mod accuracy;
 mod action_counts;
 mod algebras;
+mod components;
 mod counts;
 mod declarations;
 mod emit;

@@ -6,7 +6,7 @@ use super::{Field, Mask, Real};
 ///
 /// For x < 0 a rotation, C = cos √−x and S = sin √−x / √−x; for x > 0 a boost or a scaling, with
 /// cosh and sinh; at x = 0 both are 1. `S′ = (C − S)/(2x)` is the derivative of S, for bivectors
-/// whose square has a part of square zero besides the scalar.
+/// whose square has a part of square zero besides the scalar. What is too large for a float is +∞.
 ///
 /// ```
 /// use ga_runtime::scalar::versor_exponential;
@@ -24,8 +24,10 @@ pub fn versor_exponential<S: Real>(x: S) -> (S, S, S) {
     let (sine, cosine) = angle.sin_cos();
     let (mut c, mut s) = (cosine, sine / divisor);
     let is_growing = S::zero().less_than(x);
+    let mut is_large = is_growing;
     if is_growing.any() {
         let exponential = angle.exp();
+        is_large = is_growing & !exponential.is_finite();
         let inverse = exponential.recip();
         let half = S::from_ratio(1, 2);
         c = S::select(is_growing, half * (exponential + inverse), c);
@@ -36,7 +38,30 @@ pub fn versor_exponential<S: Real>(x: S) -> (S, S, S) {
         s = S::select(is_tiny, sine_series(x), s);
         slope = S::select(is_tiny, slope_series(x), slope);
     }
+    if is_large.any() {
+        let (large_c, large_s, large_slope) = large(x, angle);
+        c = S::select(is_large, large_c, c);
+        s = S::select(is_large, large_s, s);
+        slope = S::select(is_large, large_slope, slope);
+    }
     (c, s, slope)
+}
+
+/// C, S and S′ where the exponential of the angle is infinite: `C = eᵃ/2`, `S = C/a` and
+/// `S′ = (C − S)/2a²` to rounding. Infinite values come from products of finite numbers, so that a
+/// derivative of zero stays zero.
+fn large<S: Real>(x: S, angle: S) -> (S, S, S) {
+    let (one, half) = (S::one(), S::from_ratio(1, 2));
+    let is_single = S::from_f64(1e-10).less_than(S::epsilon());
+    let limit = S::select(is_single, S::from_integer(120), S::from_integer(1000));
+    // Above the limit all three are infinite, and grow.
+    let is_huge = limit.less_than(angle);
+    let bounded = S::select(is_huge, limit + (angle / limit).ln(), angle);
+    let root = (half * bounded).exp();
+    let sine = S::select(is_huge, one, angle.recip());
+    let slope = S::select(is_huge, one, half * (one - sine) / x);
+    let c = half * root;
+    (c * root, sine * c * root, slope * c * root)
 }
 
 /// 1/S(x) and `−2 S′(x)/S(x)³` from C(x) and `q = S(x)² x`: the factors by which `B = W/S` follows

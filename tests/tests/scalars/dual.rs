@@ -331,3 +331,44 @@ fn text() {
     assert_eq!(Dual::<f64, 2>::from(3.0), Dual::constant(3.0));
     assert_eq!(Dual::<f64, 2>::default(), Dual::zero());
 }
+
+#[test]
+fn exponentials_of_large_boosts_are_large_and_not_nan() {
+    use ga_runtime::scalar::versor_exponential;
+
+    // e⁷¹⁰ is too large for a float, and its half is not.
+    let a = 710.0_f64;
+    let (c, s, slope) = versor_exponential(Dual::variable(a * a));
+    let truth = a - 2.0_f64.ln();
+    for (found, logarithm) in [
+        (c.value, truth),
+        (s.value, truth - a.ln()),
+        (slope.value, truth + ((a - 1.0) / (2.0 * a * a * a)).ln()),
+        // C′ = S/2.
+        (c.derivative(), truth - (2.0 * a).ln()),
+        (s.derivative(), slope.value.ln()),
+    ] {
+        assert!((found.ln() - logarithm).abs() < 1e-12, "{found:e}");
+    }
+    for x in [1e6, 1e12, 1e308] {
+        let (c, s, slope) = versor_exponential(Dual::variable(x));
+        for found in [c, s, slope] {
+            assert_eq!(found, Dual::new(f64::INFINITY, [f64::INFINITY]), "at {x:e}");
+        }
+        let (c, s, slope) = versor_exponential(Dual::<f64>::constant(x));
+        for found in [c, s, slope] {
+            assert_eq!(found, Dual::new(f64::INFINITY, [0.0]), "at {x:e}");
+        }
+    }
+    for x in [1e5_f32, 1e38, f32::INFINITY] {
+        assert_eq!(
+            versor_exponential(x),
+            (f32::INFINITY, f32::INFINITY, f32::INFINITY)
+        );
+    }
+    // The lanes beside are not changed.
+    let (c, _, slope) = versor_exponential(Lanes::from_array([1e6, 1.0]));
+    let alone = versor_exponential(1.0_f64);
+    assert_eq!([c.to_array()[1], slope.to_array()[1]], [alone.0, alone.2]);
+    assert_eq!([c.to_array()[0], slope.to_array()[0]], [f64::INFINITY; 2]);
+}
