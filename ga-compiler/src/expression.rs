@@ -13,7 +13,7 @@ pub enum Expression {
     Unary(Unary, Box<Expression>),
     /// A bilinear product.
     Binary(Product, Box<Expression>, Box<Expression>),
-    /// `M X ~M` for an even M, `M X̂ ~M` for an odd one.
+    /// `M X ~M`, and `M X̂ ~M` for an M of which all blades are odd.
     Sandwich(Box<Expression>, Box<Expression>),
     /// A sum.
     Sum(Box<Expression>, Box<Expression>),

@@ -43,6 +43,9 @@ impl<'a> Opaque<'a> {
         for (id, step) in program.steps() {
             let next = result.step(step, count);
             result.program.state(next, program.stated(id));
+            if let Some(parity) = program.parity(id) {
+                result.program.state_parity(next, parity);
+            }
             if let Some(kind) = program.kind(id) {
                 result.program.state_kind(next, kind);
             }

@@ -182,7 +182,7 @@ macro_rules! algebra {
 /// | `a + b`, `a - b`, `-a`, `a / x` | sum, difference, negative, quotient by a scalar |
 /// | `reverse` or `rev`, `involute`, `conjugate` | involutions |
 /// | `dual`, `undual`, `grade(a, 2)` | duals, the part of a grade |
-/// | `sandwich(m, x)` or `transform` | `m x ~m`, for odd m `m x̂ ~m` |
+/// | `sandwich(m, x)` or `transform` | `m x ~m`; `m x̂ ~m` for an m that is always odd |
 /// | `norm_squared`, `norm`, `normalize` | `⟨a ~a⟩₀`, its root, `a` with norm 1 |
 /// | `inverse` or `inv` | `~a/(a ~a)` |
 /// | `exp` | of scalars, and of bivectors B where B² is a scalar plus a null part |

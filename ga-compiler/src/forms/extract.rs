@@ -7,7 +7,7 @@ use crate::algebra::{Blade, Product, Ratio};
 use crate::define::TypeDefinition;
 use crate::ir::{Facts, Residue};
 use crate::member::{membership, numbers};
-use crate::program::{Program, Step, StepId};
+use crate::program::{Parity, Program, Step, StepId};
 
 /// By how much a product of images that takes differences of them counts more.
 const IMAGES: usize = 16;
@@ -407,4 +407,12 @@ fn state<'a>(
     }
     facts.unit_versor |= factor.abs() == Ratio::ONE && classes.known_unit(id);
     program.state(step, facts);
+    program.state_parity(
+        step,
+        match classes.parity(id) {
+            Some(false) => Parity::Even,
+            Some(true) => Parity::Odd,
+            None => Parity::Mixed,
+        },
+    );
 }

@@ -82,9 +82,10 @@ impl Classes<'_> {
 
     pub(super) fn sandwich(&mut self, m: Term, x: Term, rule: Option<FormRule>) -> Made {
         let factor = m.factor * m.factor * x.factor;
+        let is_odd = self.parity(m.class) == Some(true);
         let of = |classes: &Self| {
             classes.each_of_two(m.class, x.class, |m, x| {
-                numbers::sandwich(classes.algebra, m, x)
+                numbers::sandwich(classes.algebra, m, is_odd, x)
             })
         };
         self.insert(Operation::Sandwich(m.class, x.class), of, rule)

@@ -53,6 +53,11 @@ pub fn lower(
         lowering.site = Some(id);
         let value = lowering.step(id, step);
         let facts = value.facts.and(program.stated(id));
+        // Terms of the other parity are zero, though the graph does not show it.
+        let value = match program.parity(id) {
+            Some(parity) => value.filtered(|blade| parity.allows(blade)),
+            None => value,
+        };
         let value = value.with_facts(facts);
         lowering.values[id.index()] = match program.kind(id) {
             Some(kind) if choices.all.rederive => {

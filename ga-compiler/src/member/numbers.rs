@@ -63,13 +63,22 @@ pub(crate) fn unary(algebra: &Algebra, operation: Unary, operand: &Numbers) -> N
     result
 }
 
-/// `M X ~M`, with the grade involution of X where M is odd.
-pub(crate) fn sandwich(algebra: &Algebra, versor: &Numbers, operand: &Numbers) -> Numbers {
-    let mut blades = versor
+/// Whether every blade is odd. Zero is even.
+pub(crate) fn is_odd(value: &Numbers) -> bool {
+    let mut blades = value
         .iter()
         .filter(|(_, value)| **value != Residue::ZERO)
         .peekable();
-    let is_odd = blades.peek().is_some() && blades.all(|(blade, _)| blade.involute_is_negative());
+    blades.peek().is_some() && blades.all(|(blade, _)| blade.involute_is_negative())
+}
+
+/// `M X ~M`, with the grade involution of X for an odd M.
+pub(crate) fn sandwich(
+    algebra: &Algebra,
+    versor: &Numbers,
+    is_odd: bool,
+    operand: &Numbers,
+) -> Numbers {
     let operand = if is_odd {
         unary(algebra, Unary::Involute, operand)
     } else {
@@ -88,7 +97,7 @@ pub(crate) fn is_unit_versor(algebra: &Algebra, value: &Numbers) -> bool {
     let keeps_vectors = || {
         (0..algebra.dimension()).all(|index| {
             let vector = Numbers::from([(Blade::vector(index), Residue::ONE)]);
-            let moved = sandwich(algebra, value, &vector);
+            let moved = sandwich(algebra, value, false, &vector);
             moved
                 .iter()
                 .all(|(blade, &number)| blade.grade() == 1 || number == Residue::ZERO)

@@ -28,6 +28,10 @@ impl Builder<'_> {
             return Err(OperationError::TooManySteps);
         }
         let is_quotient = matches!(step, Step::Quotient(..));
+        if let Step::Sandwich(versor, _) | Step::Unary(Unary::Reverse, versor) = step {
+            self.program
+                .state_parity(versor, self.witness.parity(versor));
+        }
         let id = self.program.push(step);
         if self.witness.extend(self.algebra, &self.program) {
             return Ok(id);

@@ -1,6 +1,6 @@
 //! The plain meaning of a program, over the prime field.
 
-use super::{Program, Step, StepId};
+use super::{Parity, Program, Step, StepId};
 use crate::algebra::{Algebra, Blade};
 use crate::ir::Residue;
 use crate::member::{Numbers, numbers};
@@ -37,7 +37,11 @@ pub(super) fn evaluate_step(
         Step::Constant(blade, factor) => Numbers::from([(*blade, Residue::from_ratio(*factor))]),
         Step::Unary(operation, a) => numbers::unary(algebra, *operation, value(*a)),
         Step::Binary(product, a, b) => numbers::product(algebra, *product, value(*a), value(*b)),
-        Step::Sandwich(m, x) => numbers::sandwich(algebra, value(*m), value(*x)),
+        Step::Sandwich(m, x) => {
+            let parity = program.parity(*m);
+            let is_odd = parity.map_or_else(|| numbers::is_odd(value(*m)), |p| p == Parity::Odd);
+            numbers::sandwich(algebra, value(*m), is_odd, value(*x))
+        }
         Step::Sum(a, b) => {
             let mut sum = value(*a).clone();
             for (&blade, &number) in value(*b) {

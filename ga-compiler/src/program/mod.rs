@@ -55,7 +55,8 @@ pub enum Step {
     Unary(Unary, StepId),
     /// A bilinear product.
     Binary(Product, StepId, StepId),
-    /// `M X ~M` for an even M, `M X̂ ~M` for an odd one.
+    /// `M X ~M`, and `M X̂ ~M` for an M that is odd for all operands. So it is `M X ~M` where M is
+    /// always zero, where it has even and odd parts, and where it is odd for some operands only.
     Sandwich(StepId, StepId),
     /// A sum.
     Sum(StepId, StepId),
@@ -88,6 +89,29 @@ impl Step {
     }
 }
 
+/// Which grades a multivector has, for all operands. Zero is even.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Parity {
+    /// Even ones.
+    Even,
+    /// Odd ones.
+    Odd,
+    /// Some of either.
+    Mixed,
+}
+
+impl Parity {
+    /// Whether a value of this parity may have a blade.
+    #[must_use]
+    pub const fn allows(self, blade: Blade) -> bool {
+        match self {
+            Self::Even => !blade.involute_is_negative(),
+            Self::Odd => blade.involute_is_negative(),
+            Self::Mixed => true,
+        }
+    }
+}
+
 /// The steps of a function. A step comes after everything that it reads.
 #[derive(Clone, Default)]
 pub struct Program<'a> {
@@ -98,6 +122,7 @@ pub struct Program<'a> {
     known: HashMap<Step, StepId>,
     facts: HashMap<StepId, Facts>,
     kinds: HashMap<StepId, &'a TypeDefinition>,
+    parities: HashMap<StepId, Parity>,
 }
 
 impl<'a> Program<'a> {
@@ -183,6 +208,17 @@ impl<'a> Program<'a> {
     #[must_use]
     pub fn stated(&self, id: StepId) -> Facts {
         self.facts.get(&id).copied().unwrap_or_default()
+    }
+
+    /// States the parity of a step, which its terms need not show: those of one parity may cancel.
+    pub fn state_parity(&mut self, id: StepId, parity: Parity) {
+        self.parities.insert(id, parity);
+    }
+
+    /// The parity that was stated of a step.
+    #[must_use]
+    pub fn parity(&self, id: StepId) -> Option<Parity> {
+        self.parities.get(&id).copied()
     }
 
     /// States that a step is always a member of a type.

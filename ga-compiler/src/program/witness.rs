@@ -2,7 +2,7 @@
 //! resolved.
 
 use super::evaluate::evaluate_step;
-use super::{Program, Step, StepId};
+use super::{Parity, Program, Step, StepId};
 use crate::algebra::{Algebra, Blade, Product};
 use crate::define::TypeDefinition;
 use crate::ir::{Facts, Function, Residue};
@@ -154,6 +154,16 @@ impl Witness {
         blades
     }
 
+    /// Which grades a step has.
+    #[must_use]
+    pub fn parity(&self, id: StepId) -> Parity {
+        let blades = self.blades(id);
+        let parities = [Parity::Even, Parity::Odd];
+        let mut parities = parities.into_iter();
+        let found = parities.find(|parity| blades.iter().all(|&blade| parity.allows(blade)));
+        found.unwrap_or(Parity::Mixed)
+    }
+
     /// Whether a step is a scalar.
     #[must_use]
     pub fn is_scalar(&self, id: StepId) -> bool {
@@ -189,12 +199,7 @@ impl Witness {
     /// vectors. In five dimensions and fewer the last follows from the others.
     #[must_use]
     pub fn is_unit_versor(&self, algebra: &Algebra, id: StepId) -> bool {
-        let parity: Vec<_> = self
-            .blades(id)
-            .iter()
-            .map(|blade| blade.grade() % 2)
-            .collect();
-        parity.windows(2).all(|pair| pair[0] == pair[1])
+        self.parity(id) != Parity::Mixed
             && self
                 .values(id)
                 .all(|value| numbers::is_unit_versor(algebra, value))

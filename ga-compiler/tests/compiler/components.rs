@@ -163,3 +163,53 @@ fn motors_with_tied_blades() {
         "not as derived",
     );
 }
+
+/// The parity of a versor is that of its value, whatever terms the graph has that cancel.
+#[test]
+fn parity_is_that_of_the_value() {
+    let space = sound(quote! {
+        mod space {
+            basis e1, e2, e3;
+            signature 3;
+            struct Vector { e1, e2, e3 }
+            #[hull(Vector)] #[facts(unit_versor)] struct Mirror { e1, e2, e3 }
+            #[hull(Even)] #[facts(unit_versor)] struct Rotor { scalar, e12, e13, e23 }
+            struct Even { scalar, e12, e13, e23 }
+            struct One { scalar = 1 }
+        }
+    });
+    // An odd versor with an even part that is zero by the facts of r, and the other way about. Each
+    // difference from the plain meaning is zero.
+    for difference in [
+        "sandwich(n + (r * rev(r) - 1) * e12, v) + n * v * n",
+        "sandwich(n + (n * n - 1) * r, r) - n * r * n",
+        "sandwich(r + (r * rev(r) - 1) * n, v) - r * v * rev(r)",
+        "(r + (r * rev(r) - 1) * n) * v * rev(r + (r * rev(r) - 1) * n) - sandwich(r, v)",
+        // Of both parities: M X ~M. Zero is even.
+        "sandwich(1 + v, 1) - (1 + v) * rev(1 + v)",
+        "sandwich(1 + v, n) - (1 + v) * n * rev(1 + v)",
+        "sandwich(n - n, v)",
+        // Odd for some operands only: M X ~M for all.
+        "sandwich(select(a < 0, n, r), v) - select(a < 0, n, r) * v * rev(select(a < 0, n, r))",
+    ] {
+        let operands = "a: Scalar, n: Mirror, r: Rotor, v: Vector";
+        accepted(
+            &space,
+            &format!("fn f({operands}) -> One {{ 1 + ({difference}) }}"),
+        );
+        let other = format!("fn f({operands}) -> One {{ 1 + 2 * v * v + ({difference}) }}");
+        refused(&space, &other, "scalar is not 1");
+    }
+    // The graph, whose terms show another parity, agrees.
+    for versor in [
+        "n + (r * rev(r) - 1) * e12",
+        "n + (n * n - 1) * r",
+        "r + (r * rev(r) - 1) * n",
+        "select(a < 0, n, r)",
+    ] {
+        let function = format!(
+            "fn f(a: Scalar, n: Mirror, r: Rotor, v: Vector) -> Vector {{ sandwich({versor}, v) }}"
+        );
+        accepted(&space, &function);
+    }
+}
