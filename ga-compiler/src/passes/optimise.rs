@@ -1,5 +1,7 @@
 //! The passes together.
 
+use rustc_hash::FxHashSet;
+
 use super::rewrite::{Graph, reads, with_first};
 use super::uniformity::Uniformity;
 use super::{cost, factor, flatten, hoist, reduce, scale, share, substitute};
@@ -17,8 +19,12 @@ pub fn optimise(arena: Arena, outputs: Vec<Value>, uniform: &[bool], relations: 
     starts.extend(reduced(&arena, &outputs, relations));
     starts.push(flatten(&arena, &outputs).unwrap_or_else(|| (arena.clone(), outputs.clone())));
     let mut best = Candidate::new((arena, outputs), uniform);
+    let mut seen = FxHashSet::default();
     for start in &starts {
         for graph in restructured(start, uniform) {
+            if !seen.insert(graph.0.fingerprint(&graph.1)) {
+                continue;
+            }
             let graph = apply(graph, substitute);
             let graph = apply(graph, |arena, outputs| hoist(arena, outputs, uniform));
             // What follows saves multiples by constants at most.

@@ -223,6 +223,9 @@ macro_rules! __surface_entry {
                 sum
             }
         }
+    };
+    // The same with the number on the left.
+    (number_and $name:ident $hull:ident) => {
         $crate::__surface_entry! { number_and $name $hull f32 }
         $crate::__surface_entry! { number_and $name $hull f64 }
     };

@@ -57,6 +57,9 @@ fn entries(context: &Context<'_>, kind: &TypeDefinition) -> Vec<TokenStream> {
     if let Some(scalar) = hull.stored().find(|c| c.blade == Blade::SCALAR) {
         let (hull, scalar) = (&hull.name, &scalar.name);
         entries.push(quote! { with_scalar #name #hull #scalar });
+        if kind.is_linear() {
+            entries.push(quote! { number_and #name #hull });
+        }
     }
     if takes_references(kind) {
         entries.extend(references(context, kind));
