@@ -138,7 +138,7 @@ fn action(classes: &mut Classes<'_>, id: ClassId, terms: &[Term]) {
             continue;
         }
         let algebra = classes.algebra;
-        let values = classes.each_of_two(v, x, |v, x| numbers::sandwich(algebra, v, x));
+        let values = classes.each_of_two(v, x, |v, x| numbers::sandwich(algebra, v, true, x));
         if classes
             .find(&values, &[v, x])
             .is_some_and(|term| term.class == id)
