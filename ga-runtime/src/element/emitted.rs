@@ -160,7 +160,7 @@ macro_rules! __surface_entry {
                     self, Self::norm_squared, [$(self.$measured),*], divided,
                 )?;
                 let unit = divided(element, $crate::scalar::Real::sqrt(size));
-                let is_finite = $($crate::scalar::Real::is_finite(unit.$field))&&*;
+                let is_finite = $($crate::scalar::Real::is_finite(unit.$field))&*;
                 is_finite.then_some(unit)
             }
         }

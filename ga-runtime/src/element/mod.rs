@@ -14,7 +14,7 @@ pub use text::ParseElementError;
 #[doc(hidden)]
 pub use membership::are_within;
 #[doc(hidden)]
-pub use normalized::scaled_norm;
+pub use normalized::{divided_by_largest, scaled_norm};
 pub use relative::Relative;
 #[doc(hidden)]
 pub use text::{parse, write};

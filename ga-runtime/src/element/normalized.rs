@@ -27,3 +27,16 @@ pub fn scaled_norm<T: Copy, S: Real<Mask = bool>, const N: usize>(
     let size = norm_squared(scaled).abs();
     (zero.less_than(size) && size.is_finite()).then_some((scaled, size))
 }
+
+/// Numbers divided by the largest absolute value of some of them; `None` where that is zero or not
+/// finite. It takes and returns arrays, so that the numbers of its callers stay in registers.
+#[cold]
+#[inline(never)]
+pub fn divided_by_largest<S: Real<Mask = bool>, const N: usize, const M: usize>(
+    numbers: [S; N],
+    measured: [S; M],
+) -> Option<[S; N]> {
+    let zero = S::zero();
+    let largest = measured.into_iter().fold(zero, |most, x| most.max(x.abs()));
+    (zero.less_than(largest) && largest.is_finite()).then(|| numbers.map(|x| x / largest))
+}

@@ -28,6 +28,13 @@ pub(crate) fn is_regular<S: Real>(square: S) -> S::Mask {
     S::from_f64(1e-24).less_than(square) & square.less_than(S::from_f64(1e24))
 }
 
+/// Whether a number that is not negative is finite, and so small that sums and products of two such
+/// numbers are finite too.
+#[inline]
+pub(crate) fn is_moderate<S: Real>(x: S) -> S::Mask {
+    x.less_than(S::from_f64(1e18))
+}
+
 /// `ln(1 + y)` as `y ln u/(u − 1)` for `u = 1 + y`, which is exact to rounding (Higham, Accuracy
 /// and Stability of Numerical Algorithms, 2002, 1.14.1).
 pub(super) fn logarithm_above_one<S: Real<Mask = bool>>(y: S) -> S {

@@ -1,6 +1,6 @@
 //! Relations of the same figures at every size: lengths grow with the size, angles do not.
 
-use ga_runtime::cga3::{Line, Plane, Point, PointPair, Sphere};
+use ga_runtime::cga3::{Line, Plane, Point, PointPair, Rotor, Sphere};
 use ga_runtime::geometry::relation::Tolerance;
 use ga_runtime::geometry::relation::meet::{
     LineAndPlane, LineAndSphere, PlaneAndPlane, PlaneAndSphere, SphereAndSphere,
@@ -192,5 +192,32 @@ fn numbers_beyond_all_sizes_give_nothing() {
         assert_eq!(spoilt.angle_to(line), None);
         assert_eq!(spoilt.distance_to(line), None);
         assert_eq!(spoilt.support(), None);
+    }
+}
+
+#[test]
+fn rotations_between_directions_of_every_size() {
+    let root = core::f32::consts::FRAC_1_SQRT_2;
+    for exponent in -37..=37 {
+        for other in [-37, -11, -6, 0, 6, 11, 37] {
+            let [a, b] = [exponent, other].map(|power| 10_f32.powi(power));
+            let quarter = Rotor::between([a, 0.0, 0.0], [0.0, b, 0.0]).expect("directions");
+            let ([x, y, z], w) = quarter.to_quaternion();
+            assert_eq!([x, y], [0.0, 0.0]);
+            assert!((z - root).abs() < 1e-6 && (w - root).abs() < 1e-6);
+        }
+    }
+}
+
+/// Half of the angle is just below a right angle, where the sum of both unit directions cancels.
+#[test]
+fn rotations_between_nearly_opposite_directions() {
+    for exponent in 0..=12 {
+        let small = 10_f64.powi(-exponent);
+        let (a, b) = ([1.0, 0.0, 0.0], [-small.cos(), small.sin(), 0.0]);
+        let ([x, y, z], w) = Rotor::between(a, b).expect("directions").to_quaternion();
+        let (sine, cosine) = (0.5 * small).sin_cos();
+        assert_eq!([x, y], [0.0, 0.0]);
+        assert!((z - cosine).abs() < 1e-15 && (w - sine).abs() < 1e-15);
     }
 }

@@ -230,8 +230,8 @@ fn normalize_body(
     let nearest = Expression::difference(scaled(Expression::Operand(0), 1), scaled(change, 2));
     let (nearest, _) = context.compile_scaled(&operand, &scalars, &nearest, Some(candidate));
     let (least, most) = (
-        constant(runtime, Ratio::ONE / Ratio::integer(16)),
-        constant(runtime, Ratio::integer(16)),
+        constant(runtime, Ratio::ONE / Ratio::integer(1024)),
+        constant(runtime, Ratio::integer(1024)),
     );
     let fields: Vec<_> = candidate.stored().map(|c| &c.name).collect();
     let measured = in_norm(context, candidate);
@@ -245,6 +245,7 @@ fn normalize_body(
         #runtime::__private::surface! { { renormalized #name } }
         impl<S: #real<Mask = ::core::primitive::bool>> #path {
             #[doc = #text]
+            #[inline]
             #[must_use]
             pub fn normalize(value: #whole) -> ::core::option::Option<Self> {
                 let mut value: Self = { #taken };
@@ -252,17 +253,16 @@ fn normalize_body(
                 if !<S as #real>::less_than(#least, norm) || !<S as #real>::less_than(norm, #most) {
                     // The squares may have left the range of S; those of coefficients up to one do
                     // not.
-                    let mut largest = #zero;
-                    #(largest = <S as #real>::max(largest, <S as #real>::abs(value.#measured));)*
-                    if !<S as #real>::less_than(#zero, largest) || !<S as #real>::is_finite(largest) {
-                        return ::core::option::Option::None;
-                    }
-                    value = Self { #(#fields: value.#fields / largest),* };
+                    let [#(#fields),*] = #runtime::__private::divided_by_largest(
+                        [#(value.#fields),*],
+                        [#(value.#measured),*],
+                    )?;
+                    value = Self { #(#fields),* };
                     norm = { #norm };
                 }
                 #factors
                 let versor: Self = { #nearest };
-                let is_finite = #(<S as #real>::is_finite(versor.#fields))&&*;
+                let is_finite = #(<S as #real>::is_finite(versor.#fields))&*;
                 if is_finite {
                     ::core::option::Option::Some(versor)
                 } else {

@@ -2,6 +2,7 @@
 
 use super::round::{self, RoundBivector, real_radius};
 use crate::cga3::{Circle, DualDirection, Infinity, Line, Plane, Point, Sphere};
+use crate::geometry::number::is_moderate;
 use crate::scalar::{Field, Real};
 use crate::vga3::Vector;
 
@@ -70,16 +71,19 @@ impl<S: Real<Mask = bool>> Circle<S> {
         normal: [S; 3],
         radius_squared: S,
     ) -> Option<Self> {
-        let (centre, axis) = (Vector::from(centre), Vector::from(normal).normalized()?);
-        Self::around(centre, axis, radius_squared)
+        let axis = round::unit_axis(normal)?;
+        Self::around(centre.into(), axis, radius_squared)
     }
 
     /// The same with a normal of length 1.
-    #[inline]
+    #[inline(always)]
     pub(super) fn around(centre: Vector<S>, normal: Vector<S>, radius_squared: S) -> Option<Self> {
         let infinite = (centre.length_squared() - radius_squared) * S::from_ratio(1, 2);
         let bivector = round::bivector(centre, normal, infinite);
-        round::is_finite(bivector).then(|| bivector.undual())
+        // No coefficient is larger than the sum of 1, c² and |r²|.
+        let is_finite = is_moderate(centre.length_squared() + radius_squared.abs())
+            || round::is_finite(bivector);
+        is_finite.then(|| bivector.undual())
     }
 
     /// The tangent element at a point, in the plane perpendicular to a normal: a circle of radius

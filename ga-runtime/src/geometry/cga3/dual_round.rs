@@ -88,12 +88,10 @@ impl<S: Field> RoundVector<S> {
     #[inline]
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
-        let place = [self.e1, self.e2, self.e3];
-        if !self.eo.is_invertible() {
-            return None;
-        }
-        let place = place.map(|x| x / self.eo);
-        are_numbers(place).then(|| Point::from(place))
+        let is_round = self.eo.is_invertible();
+        let weight = if is_round { self.eo } else { S::one() };
+        let place = [self.e1, self.e2, self.e3].map(|x| x / weight);
+        (is_round & are_numbers(place)).then(|| Point::from(place))
     }
 
     /// The squared radius of a dual sphere; see [`DualSphere::radius_squared`].

@@ -24,11 +24,9 @@ impl<S: Field> FlatPoint<S> {
     #[inline]
     #[must_use]
     pub fn to_point(self) -> Option<Point<S>> {
-        let place = [self.e1i, self.e2i, self.e3i];
-        if !self.eoi.is_invertible() {
-            return None;
-        }
-        let place = place.map(|x| x / self.eoi);
-        are_numbers(place).then(|| Point::from(place))
+        let is_finite = self.eoi.is_invertible();
+        let weight = if is_finite { self.eoi } else { S::one() };
+        let place = [self.e1i, self.e2i, self.e3i].map(|x| x / weight);
+        (is_finite & are_numbers(place)).then(|| Point::from(place))
     }
 }

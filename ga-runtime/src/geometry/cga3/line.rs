@@ -90,7 +90,7 @@ impl<S: Real<Mask = bool>> Line<S> {
         let (direction, moment) = self.vectors();
         let square = direction.length_squared();
         if is_regular(square) {
-            let place = direction.cross(moment).divided(square);
+            let place = direction.cross(moment) * square.recip();
             if are_numbers(place.coordinates()) {
                 return Some(place.into());
             }
@@ -114,7 +114,7 @@ impl<S: Real<Mask = bool>> Line<S> {
         let square = direction.length_squared();
         if is_regular(square) {
             let along = direction * direction.dot(point.into());
-            let place = (along + direction.cross(moment)).divided(square);
+            let place = (along + direction.cross(moment)) * square.recip();
             if are_numbers(place.coordinates()) {
                 return Some(place.into());
             }

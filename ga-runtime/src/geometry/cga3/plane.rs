@@ -1,7 +1,7 @@
 //! Planes, direct and dual.
 
 use crate::cga3::{DualDirection, DualPlane, Plane, Point};
-use crate::geometry::number::{are_numbers, is_number, is_regular};
+use crate::geometry::number::{are_numbers, is_moderate, is_number, is_regular};
 use crate::scalar::{Field, Real, Ring};
 use crate::vga3::Vector;
 
@@ -139,9 +139,10 @@ impl<S: Real<Mask = bool>> Plane<S> {
         let square = normal.length_squared();
         if is_regular(square) {
             let height = normal.dot(point) - number;
-            let place = point - normal * (factor * height / square);
-            if are_numbers(place.coordinates()) {
-                return Some(place);
+            let way = factor * height / square;
+            // The normal is moderate too, and a point without a number gives none here.
+            if is_moderate(way.abs()) {
+                return Some(point - normal * way);
             }
         }
         moved_of_any(normal.into(), number, point.into(), factor).map(Vector::from)

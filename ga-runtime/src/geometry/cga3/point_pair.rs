@@ -2,7 +2,7 @@
 
 use super::round::{self, RoundBivector, real_radius, real_square};
 use crate::cga3::{Direction, DualCircle, Infinity, Line, Point, PointPair, Sphere};
-use crate::geometry::number::are_numbers;
+use crate::geometry::number::{are_numbers, is_moderate};
 use crate::scalar::{Field, Real, Ring};
 use crate::vga3::Vector;
 
@@ -65,16 +65,19 @@ impl<S: Real<Mask = bool>> PointPair<S> {
         axis: [S; 3],
         radius_squared: S,
     ) -> Option<Self> {
-        let (centre, axis) = (Vector::from(centre), Vector::from(axis).normalized()?);
-        Self::around(centre, axis, radius_squared)
+        let axis = round::unit_axis(axis)?;
+        Self::around(centre.into(), axis, radius_squared)
     }
 
     /// The same with an axis of length 1.
-    #[inline]
+    #[inline(always)]
     pub(super) fn around(centre: Vector<S>, axis: Vector<S>, radius_squared: S) -> Option<Self> {
         let infinite = (centre.length_squared() + radius_squared) * S::from_ratio(1, 2);
         let bivector = round::bivector(centre, axis, infinite);
-        round::is_finite(bivector).then(|| Self::from(bivector))
+        // No coefficient is larger than the sum of 1, c² and |r²|.
+        let is_finite = is_moderate(centre.length_squared() + radius_squared.abs())
+            || round::is_finite(bivector);
+        is_finite.then(|| Self::from(bivector))
     }
 
     /// The tangent element at a point p in a direction: the limit of two points that approach each
@@ -157,11 +160,13 @@ impl<S: Real<Mask = bool>> PointPair<S> {
     #[must_use]
     pub fn endpoints(self) -> Option<[Point<S>; 2]> {
         let round = self.parts()?;
-        let reach = round.reach(real_square(round.squares())?);
+        let squares @ [twice, centre_squared] = round.squares();
+        let reach = round.reach(real_square(squares)?);
         let (first, second) = (round.centre - reach, round.centre + reach);
-        let is_finite = are_numbers([
-            first.e1, first.e2, first.e3, second.e1, second.e2, second.e3,
-        ]);
+        let is_finite = is_moderate(twice.abs() + centre_squared)
+            || are_numbers([
+                first.e1, first.e2, first.e3, second.e1, second.e2, second.e3,
+            ]);
         is_finite.then(|| [Point::from(first), Point::from(second)])
     }
 

@@ -2,7 +2,7 @@
 
 use super::logarithm::turn_exponential;
 use crate::cga3::{Quaternion, Rotor};
-use crate::geometry::number::are_numbers;
+use crate::geometry::number::is_regular;
 use crate::scalar::{Real, Ring};
 use crate::vga3::Vector;
 
@@ -83,6 +83,30 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     #[inline]
     #[must_use]
     pub fn between(from: [S; 3], to: [S; 3]) -> Option<Self> {
+        let [a, b] = [from, to].map(Vector::from);
+        let [a_squared, b_squared] = [a, b].map(Vector::length_squared);
+        let product = a_squared * b_squared;
+        if is_regular(a_squared) & is_regular(b_squared) & is_regular(product) {
+            // The product b a is |a| |b| (cos θ − sin θ B): adding |a| |b| halves the angle. Near
+            // opposite directions the sum would cancel.
+            let (size, along) = (product.sqrt(), a.dot(b));
+            if (size * S::from_ratio(-7, 8)).less_than(along) {
+                let (vector, scalar) = (a.cross(b), size + along);
+                let square = vector.length_squared() + scalar * scalar;
+                let inverse = square.sqrt().recip();
+                return Some(Self::from_quaternion_unchecked(
+                    vector * inverse,
+                    scalar * inverse,
+                ));
+            }
+        }
+        Self::between_any(from, to)
+    }
+
+    /// The same for directions of any size, and for opposite ones.
+    #[cold]
+    #[inline(never)]
+    fn between_any(from: [S; 3], to: [S; 3]) -> Option<Self> {
         let [a, b] = [from, to].map(|v| Vector::from(v).normalized());
         let (a, b) = (a?, b?);
         // The cosine and the sine of half the angle are half the lengths of b + a and b − a.
@@ -120,9 +144,9 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     }
 
     /// The rotor of a rotation matrix given by rows (Cui, eq. 25, corrected): of the four quotients
-    /// that give the rotor, the one with the largest divisor is used, so that half turns are not
+    /// that give the rotor, one whose divisor is at least 1 is used, so that half turns are not
     /// special cases. `None` where the matrix is not a rotation within √ε.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn from_matrix(rows: [[S; 3]; 3]) -> Option<Self> {
         let [r0, r1, r2] = rows;
@@ -138,40 +162,35 @@ impl<S: Real<Mask = bool>> Rotor<S> {
             x.cross(y).dot(z) - one,
         ];
         let tolerance = S::epsilon().sqrt();
-        // Without a number, no comparison holds.
-        let is_near = |deviation: S| !tolerance.less_than(deviation.abs());
-        if !are_numbers(deviations) || !deviations.into_iter().all(is_near) {
+        // Without a number, no comparison holds. All are made, without a branch after each.
+        let is_rotation = deviations
+            .into_iter()
+            .fold(true, |all, x| all & x.abs().less_or_equal(tolerance));
+        if !is_rotation {
             return None;
         }
         let [xx, yy, zz] = [r0[0], r1[1], r2[2]];
-        let divisors = [
-            one + xx + yy + zz,
-            one + xx - yy - zz,
-            one - xx + yy - zz,
-            one - xx - yy + zz,
-        ];
-        let mut best = 0;
-        for place in 1..4 {
-            if divisors[best].less_than(divisors[place]) {
-                best = place;
-            }
-        }
-        let differences = [r2[1] - r1[2], r0[2] - r2[0], r1[0] - r0[1]];
+        let [dx, dy, dz] = [r2[1] - r1[2], r0[2] - r2[0], r1[0] - r0[1]];
         let [yz, zx, xy] = [r1[2] + r2[1], r0[2] + r2[0], r0[1] + r1[0]];
-        let (vector, scalar) = match best {
-            0 => (differences, divisors[0]),
-            1 => ([divisors[1], xy, zx], differences[0]),
-            2 => ([xy, divisors[2], yz], differences[1]),
-            _ => ([zx, yz, divisors[3]], differences[2]),
-        };
-        // Half of it has a length between 1 and 2.
-        let half = S::from_ratio(1, 2);
-        let rotor = Self::from_quaternion(vector.map(|x| x * half), scalar * half)?;
-        Some(if rotor.scalar().less_than(S::zero()) {
-            -rotor
+        // Four times the quaternion times one of its components, which is at least a half.
+        let (vector, w) = if zz.less_than(S::zero()) {
+            if yy.less_than(xx) {
+                ([one + xx - yy - zz, xy, zx], dx)
+            } else {
+                ([xy, one - xx + yy - zz, yz], dy)
+            }
+        } else if xx.less_than(-yy) {
+            ([zx, yz, one - xx - yy + zz], dz)
         } else {
-            rotor
-        })
+            ([dx, dy, dz], one + xx + yy + zz)
+        };
+        let vector = Vector::from(vector);
+        let length = (vector.length_squared() + w * w).sqrt();
+        let inverse = S::select(w.less_than(S::zero()), -length, length).recip();
+        Some(Self::from_quaternion_unchecked(
+            vector * inverse,
+            w * inverse,
+        ))
     }
 
     #[inline]

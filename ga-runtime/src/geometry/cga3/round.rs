@@ -4,7 +4,7 @@
 //! of a circle has it with the normal d of its plane and `β = ½(c² − r²)`.
 
 use crate::cga3::{DualCircle, Point};
-use crate::geometry::number::{are_numbers, is_number, is_regular};
+use crate::geometry::number::{are_numbers, is_moderate, is_number, is_regular};
 use crate::scalar::{Field, Real, Ring};
 use crate::vga3::Vector;
 
@@ -29,11 +29,10 @@ impl<S: Real<Mask = bool>> RoundBivector<S> {
         let direction = Vector::new(-b.e1o, -b.e2o, -b.e3o);
         let moment = Vector::new(b.e23, -b.e13, b.e12);
         let last = Vector::new(b.e1i, b.e2i, b.e3i);
-        if is_regular(direction.length_squared()) {
-            let regular = Self::divided(direction, moment, last, b.eoi);
-            if regular.is_some() {
-                return regular;
-            }
+        let round = Self::divided(direction, moment, last, b.eoi);
+        let [twice, centre_squared] = round.squares();
+        if is_regular(round.square) & is_moderate(twice.abs() + centre_squared) {
+            return Some(round);
         }
         let [centre, direction, [square, infinite, _]] =
             scaled([direction, moment, last].map(Vector::coordinates), b.eoi)?;
@@ -46,18 +45,17 @@ impl<S: Real<Mask = bool>> RoundBivector<S> {
     }
 
     #[inline(always)]
-    fn divided(d: Vector<S>, moment: Vector<S>, last: Vector<S>, along: S) -> Option<Self> {
+    fn divided(d: Vector<S>, moment: Vector<S>, last: Vector<S>, along: S) -> Self {
         // Divided by d² only once, so that exact values stay exact.
         let square = d.dot(d);
         let centre = (d * along + d.cross(moment)).divided(square);
         let infinite = (along * along - d.dot(last)) / square;
-        let is_finite = are_numbers([centre.e1, centre.e2, centre.e3, infinite]);
-        is_finite.then_some(Self {
+        Self {
             centre,
             direction: d,
             square,
             infinite,
-        })
+        }
     }
 
     /// The centre as a point.
@@ -111,7 +109,11 @@ fn scaled<S: Real<Mask = bool>>(vectors: [[S; 3]; 3], along: S) -> Option<[[S; 3
         return None;
     }
     let [direction, moment, last] = vectors.map(|vector| vector.divided(length));
-    let round = RoundBivector::divided(direction, moment, last, along / length)?;
+    let round = RoundBivector::divided(direction, moment, last, along / length);
+    let Vector { e1, e2, e3 } = round.centre;
+    if !are_numbers([e1, e2, e3, round.infinite]) {
+        return None;
+    }
     let numbers = [round.square, round.infinite, S::zero()];
     Some([round.centre.into(), round.direction.into(), numbers])
 }
@@ -122,8 +124,25 @@ fn quotient_of_roots<S: Real>(a: S, b: S) -> S {
     a.sqrt() / b.sqrt()
 }
 
+/// A vector divided by its length, by one division where its square is regular.
+#[inline(always)]
+pub(super) fn unit_axis<S: Real<Mask = bool>>(axis: [S; 3]) -> Option<Vector<S>> {
+    let vector = Vector::from(axis);
+    let square = vector.length_squared();
+    if is_regular(square) {
+        return Some(vector * square.sqrt().recip());
+    }
+    unit_axis_of_any(axis).map(Vector::from)
+}
+
+#[cold]
+#[inline(never)]
+fn unit_axis_of_any<S: Real<Mask = bool>>(axis: [S; 3]) -> Option<[S; 3]> {
+    Vector::from(axis).normalized().map(Vector::coordinates)
+}
+
 /// The bivector with the centre c, the unit axis d and β. Its weight is 1.
-#[inline]
+#[inline(always)]
 pub(super) fn bivector<S: Field>(c: Vector<S>, d: Vector<S>, infinite: S) -> DualCircle<S> {
     let along = c.dot(d);
     let [m1, m2, m3] = c.cross(d).coordinates();
@@ -133,11 +152,17 @@ pub(super) fn bivector<S: Field>(c: Vector<S>, d: Vector<S>, infinite: S) -> Dua
 }
 
 /// Whether all coefficients of a bivector are finite.
-#[inline]
+#[inline(always)]
 pub(super) fn is_finite<S: Ring>(b: DualCircle<S>) -> bool {
-    are_numbers([
+    are_all_numbers([
         b.e12, b.e13, b.e23, b.e1o, b.e2o, b.e3o, b.e1i, b.e2i, b.e3i, b.eoi,
     ])
+}
+
+#[cold]
+#[inline(never)]
+fn are_all_numbers<S: Ring>(coefficients: [S; 10]) -> bool {
+    are_numbers(coefficients)
 }
 
 /// The square r² = a − b; `None` where it is negative or not finite.

@@ -50,7 +50,7 @@
 use super::circle_angles::circle_angles;
 use super::{CircleAngles, Figure, Primitive, hypotenuse, parallel};
 use crate::cga3::{Circle, DualCircle, DualPlane, DualSphere, Line, MotorGenerator, Plane, Sphere};
-use crate::geometry::number::{is_number, is_regular};
+use crate::geometry::number::{is_moderate, is_number, is_regular};
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -215,14 +215,22 @@ fn angle_of_directions<S: Real<Mask = bool>>(
     (v, v_is_normal): (Vector<S>, bool),
 ) -> Option<S> {
     let (across, along) = (u.cross(v).length_squared(), u.dot(v));
-    if !is_regular(across) || !is_number(along) {
+    if !is_regular(across) || !is_moderate(along.abs()) {
         return None;
     }
-    Some(if u_is_normal == v_is_normal {
-        across.sqrt().atan2(along)
-    } else {
-        along.atan2(across.sqrt())
-    })
+    let (sine, size) = (across.sqrt(), (across + along * along).sqrt());
+    if u_is_normal != v_is_normal {
+        return Some(along.atan2(sine));
+    }
+    // The acute angle, by the polynomial for half of the angle of a rotation.
+    let inverse = size.recip();
+    let (by_sine, _) = (along.abs() * inverse).angle_by_sine();
+    let acute = by_sine * (sine * inverse);
+    Some(S::select(
+        along.less_than(S::zero()),
+        S::from_f64(core::f64::consts::PI) - acute,
+        acute,
+    ))
 }
 
 #[inline(never)]

@@ -3,7 +3,7 @@
 use super::tolerance::{angle_within, within};
 use super::{Tolerance, parallel};
 use crate::cga3::{Line, Point};
-use crate::geometry::number::{are_numbers, is_number};
+use crate::geometry::number::{are_numbers, is_moderate, is_number, is_regular};
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -53,25 +53,69 @@ impl<S: Real<Mask = bool>> Line<S> {
         other: Self,
         tolerance: Tolerance<S>,
     ) -> Option<CommonPerpendicular<S>> {
-        let ((p, d), (q, e)) = (self.parts()?, other.parts()?);
-        let between = q - p;
+        let ((d, m), (e, n)) = (self.vectors(), other.vectors());
         let normal = d.cross(e);
-        let sine = normal.length();
-        let is_parallel = angle_within(sine, d.dot(e).abs(), tolerance.angle);
-        if is_parallel || sine.less_than(parallel()) {
-            let way = between.across(d);
-            let distance = way.length();
-            if within(distance, tolerance.distance) {
-                return None;
-            }
-            return assemble([p, p + way], way.divided(distance), distance, true);
-        }
-        let normal = normal.divided(sine);
+        let squares @ [d_squared, e_squared, square] = [d, e, normal].map(Vector::length_squared);
+        // Directions of any length are not normalized first, and each square divides only once.
+        let [by_d, by_e, by_square] = squares.map(S::recip);
+        let sine_squared = square * by_d * by_e;
+        let least = tolerance.angle * tolerance.angle + parallel::<S>() * parallel::<S>();
+        let (p, q) = (d.cross(m) * by_d, e.cross(n) * by_e);
+        let between = q - p;
         // p + s d and q + t e differ by a multiple of the normal.
-        let first = p + d * (between.cross(e).dot(normal) / sine);
-        let second = q + e * (between.cross(d).dot(normal) / sine);
-        assemble([first, second], normal, between.dot(normal).abs(), false)
+        let first = p + d * (between.cross(e).dot(normal) * by_square);
+        let second = q + e * (between.cross(d).dot(normal) * by_square);
+        let unit = normal * (square.sqrt() * by_square);
+        let is_plain = is_regular(d_squared)
+            & is_regular(e_squared)
+            & is_regular(square)
+            & least.less_than(sine_squared)
+            & is_moderate(first.length_squared() + second.length_squared())
+            & is_moderate(between.length_squared());
+        if is_plain {
+            return Some(CommonPerpendicular {
+                line: Line::from_point_direction(first.into(), unit.into()),
+                feet: [first, second].map(Point::from),
+                distance: between.dot(unit).abs(),
+                is_parallel: false,
+            });
+        }
+        near_parallel(
+            [d, m].map(Vector::coordinates),
+            [e, n].map(Vector::coordinates),
+            tolerance,
+        )
     }
+}
+
+/// The common perpendicular of lines, each by direction and moment, that may be parallel or beyond
+/// the regular range.
+#[cold]
+#[inline(never)]
+fn near_parallel<S: Real<Mask = bool>>(
+    [d, m]: [[S; 3]; 2],
+    [e, n]: [[S; 3]; 2],
+    tolerance: Tolerance<S>,
+) -> Option<CommonPerpendicular<S>> {
+    let (p, d) = Line::from_vectors(d.into(), m.into()).parts()?;
+    let (q, e) = Line::from_vectors(e.into(), n.into()).parts()?;
+    let between = q - p;
+    let normal = d.cross(e);
+    let sine = normal.length();
+    let is_parallel = angle_within(sine, d.dot(e).abs(), tolerance.angle);
+    if is_parallel || sine.less_than(parallel()) {
+        let way = between.across(d);
+        let distance = way.length();
+        if within(distance, tolerance.distance) {
+            return None;
+        }
+        return assemble([p, p + way], way.divided(distance), distance, true);
+    }
+    let normal = normal.divided(sine);
+    // p + s d and q + t e differ by a multiple of the normal.
+    let first = p + d * (between.cross(e).dot(normal) / sine);
+    let second = q + e * (between.cross(d).dot(normal) / sine);
+    assemble([first, second], normal, between.dot(normal).abs(), false)
 }
 
 #[inline]

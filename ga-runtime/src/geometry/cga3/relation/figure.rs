@@ -10,7 +10,7 @@ use crate::cga3::{
     MotorGenerator, Plane, Point, PointPair, Sphere,
 };
 use crate::geometry::cga3::round::real_radius;
-use crate::geometry::number::{is_number, is_regular};
+use crate::geometry::number::{are_numbers, is_moderate, is_number, is_regular};
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -123,14 +123,25 @@ pub trait Primitive<S>: Copy {
         signed_distance(self.figure()?, other.figure()?)
     }
 
-    /// The nearest place to a point.
+    /// The nearest place to a point, if it is finite.
     #[doc(hidden)]
     #[inline]
     fn nearest_place(self, point: Vector<S>) -> Option<Vector<S>>
     where
         S: Real<Mask = bool>,
     {
-        nearest(point, self.figure()?)
+        nearest(point, self.figure()?).filter(|place| place.is_finite())
+    }
+
+    /// Whether a point is at most as far away as the tolerance allows.
+    #[doc(hidden)]
+    #[inline]
+    fn is_near(self, point: Vector<S>, tolerance: Tolerance<S>) -> bool
+    where
+        S: Real<Mask = bool>,
+    {
+        let distance = self.distance_from_point(point);
+        distance.is_some_and(|distance| within(distance, tolerance.distance))
     }
 
     /// Whether all of this primitive is on the other.
@@ -186,8 +197,7 @@ impl<S: Real<Mask = bool>> Primitive<S> for Point<S> {
 
     #[inline]
     fn lies_on<T: Primitive<S>>(self, other: T, tolerance: Tolerance<S>) -> bool {
-        let distance = other.distance_from_point(self.into());
-        distance.is_some_and(|distance| within(distance, tolerance.distance))
+        other.is_near(self.into(), tolerance)
     }
 }
 
@@ -278,6 +288,18 @@ impl<S: Real<Mask = bool>> Primitive<S> for Plane<S> {
     fn nearest_place(self, point: Vector<S>) -> Option<Vector<S>> {
         self.moved_along_normal(point, S::one())
     }
+
+    #[inline]
+    fn is_near(self, point: Vector<S>, tolerance: Tolerance<S>) -> bool {
+        let (normal, number) = self.vectors();
+        let square = normal.length_squared();
+        let height = (normal.dot(point) - number).abs();
+        if is_regular(square) & is_moderate(height) {
+            return height.less_or_equal(tolerance.distance * square.sqrt());
+        }
+        let distance = self.distance_from_point(point);
+        distance.is_some_and(|distance| within(distance, tolerance.distance))
+    }
 }
 
 impl<S: Real<Mask = bool>> Primitive<S> for Circle<S> {
@@ -340,10 +362,11 @@ impl<S: Real<Mask = bool>> Primitive<S> for Sphere<S> {
     #[inline]
     fn nearest_place(self, point: Vector<S>) -> Option<Vector<S>> {
         if self.e123o == S::zero() {
-            return nearest(point, self.figure()?);
+            return nearest(point, self.figure()?).filter(|place| place.is_finite());
         }
         let (centre, squares) = self.dual().parts()?;
-        radius_towards(centre, point - centre, real_radius(squares)?)
+        let place = radius_towards(centre, point - centre, real_radius(squares)?)?;
+        are_numbers(place.coordinates()).then_some(place)
     }
 }
 
@@ -395,4 +418,17 @@ pub(super) fn circle_parts<S: Real<Mask = bool>>(
 pub(super) fn sphere_parts<S: Real<Mask = bool>>(sphere: Sphere<S>) -> Option<(Vector<S>, S)> {
     let (centre, [a, b]) = sphere.dual().parts()?;
     is_number(a - b).then_some((centre, a - b))
+}
+
+/// The same by one division, where the centre and the radius are so far from both ends of the range
+/// of the scalar that sums and products of their squares are accurate. `None` elsewhere, and for an
+/// imaginary sphere.
+#[inline(always)]
+pub(super) fn regular_sphere<S: Real<Mask = bool>>(sphere: Sphere<S>) -> Option<(Vector<S>, S)> {
+    let dual = sphere.dual();
+    let inverse = dual.eo.recip();
+    let centre = Vector::new(dual.e1, dual.e2, dual.e3) * inverse;
+    let square = centre.length_squared();
+    let squared = square - (dual.ei + dual.ei) * inverse;
+    (is_moderate(square) & is_regular(squared)).then_some((centre, squared))
 }

@@ -55,8 +55,7 @@ impl<S: Real<Mask = bool>> Point<S> {
     #[inline]
     #[must_use]
     pub fn project_onto<T: Primitive<S>>(self, other: T) -> Option<Self> {
-        let place = other.nearest_place(self.into())?;
-        are_numbers(place.coordinates()).then(|| Point::from(place))
+        other.nearest_place(self.into()).map(Point::from)
     }
 
     /// The free vector `p − p'` to this point from the [nearest point](Self::project_onto) p' of

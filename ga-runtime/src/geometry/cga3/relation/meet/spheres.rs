@@ -4,7 +4,7 @@ use super::{Meet, circle, finite_point, less_square, pair, radius};
 use crate::cga3::{Circle, DualPlane, DualSphere, Line, Plane, Point, PointPair, Sphere};
 use crate::geometry::number::is_regular;
 use crate::geometry::relation::Tolerance;
-use crate::geometry::relation::figure::sphere_parts;
+use crate::geometry::relation::figure::{regular_sphere, sphere_parts};
 use crate::geometry::relation::tolerance::within;
 use crate::scalar::Real;
 use crate::vga3::Vector;
@@ -71,8 +71,9 @@ impl<S: Real<Mask = bool>> Meet<Sphere<S>> for Line<S> {
     fn meet(self, sphere: Sphere<S>, tolerance: Tolerance<S>) -> Option<LineAndSphere<S>> {
         let (d, m) = self.vectors();
         let square = d.length_squared();
-        let (centre, squared) = sphere_parts(sphere)?;
-        if is_regular(square) && is_regular(squared) {
+        if let Some((centre, squared)) = regular_sphere(sphere)
+            && is_regular(square)
+        {
             let inverse = square.sqrt().recip();
             let direction = d * inverse;
             // The moment about the centre.
@@ -90,6 +91,7 @@ impl<S: Real<Mask = bool>> Meet<Sphere<S>> for Line<S> {
                 });
             }
         }
+        let (centre, squared) = sphere_parts(sphere)?;
         line_and_sphere(
             [d, m].map(Vector::coordinates),
             centre.into(),
@@ -157,8 +159,9 @@ fn plane_and_sphere<S: Real<Mask = bool>>(
 ) -> Option<PlaneAndSphere<S>> {
     let (n, number) = plane.vectors();
     let square = n.length_squared();
-    let (centre, squared) = sphere_parts(sphere)?;
-    if is_regular(square) && is_regular(squared) {
+    if let Some((centre, squared)) = regular_sphere(sphere)
+        && is_regular(square)
+    {
         let inverse = square.sqrt().recip();
         let normal = n * inverse;
         let height = (n.dot(centre) - number) * inverse;
@@ -178,6 +181,7 @@ fn plane_and_sphere<S: Real<Mask = bool>>(
             });
         }
     }
+    let (centre, squared) = sphere_parts(sphere)?;
     near_plane_and_sphere(
         (n.into(), number),
         (centre.into(), squared),
@@ -223,19 +227,21 @@ impl<S: Real<Mask = bool>> Meet<Sphere<S>> for Sphere<S> {
     type Outcome = SphereAndSphere<S>;
     #[inline(always)]
     fn meet(self, other: Self, tolerance: Tolerance<S>) -> Option<SphereAndSphere<S>> {
-        let ((a, a_squared), (b, b_squared)) = (sphere_parts(self)?, sphere_parts(other)?);
-        let way = b - a;
-        let square = way.length_squared();
-        if is_regular(square) && is_regular(a_squared) && is_regular(b_squared) {
+        if let (Some((a, a_squared)), Some((b, b_squared))) =
+            (regular_sphere(self), regular_sphere(other))
+        {
+            let way = b - a;
+            let square = way.length_squared();
             let distance = square.sqrt();
-            let way = way.divided(distance);
-            let along = power_plane(distance, a_squared, b_squared);
+            let inverse = distance.recip();
+            let way = way * inverse;
+            let along = (distance + (a_squared - b_squared) * inverse) * S::from_ratio(1, 2);
             let (r, s) = (a_squared.sqrt(), b_squared.sqrt());
             let is_far = |x: S| tolerance.distance.less_than(x.abs());
             let squared = (r - along.abs()) * (r + along.abs());
-            if is_far(distance)
-                && is_far(distance - (r + s))
-                && is_far(distance - (r - s).abs())
+            let is_apart =
+                is_far(distance) & is_far(distance - (r + s)) & is_far(distance - (r - s).abs());
+            if (is_regular(square) & is_apart)
                 && let Some(circle) = Circle::around(a + way * along, way, squared)
             {
                 return Some(if squared.less_than(S::zero()) {
