@@ -76,7 +76,7 @@ impl<S: Real<Mask = bool>> Circle<S> {
     }
 
     /// The same with a normal of length 1.
-    #[inline(always)]
+    #[inline]
     pub(super) fn around(centre: Vector<S>, normal: Vector<S>, radius_squared: S) -> Option<Self> {
         let infinite = (centre.length_squared() - radius_squared) * S::from_ratio(1, 2);
         let bivector = round::bivector(centre, normal, infinite);

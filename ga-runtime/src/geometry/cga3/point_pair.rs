@@ -70,7 +70,7 @@ impl<S: Real<Mask = bool>> PointPair<S> {
     }
 
     /// The same with an axis of length 1.
-    #[inline(always)]
+    #[inline]
     pub(super) fn around(centre: Vector<S>, axis: Vector<S>, radius_squared: S) -> Option<Self> {
         let infinite = (centre.length_squared() + radius_squared) * S::from_ratio(1, 2);
         let bivector = round::bivector(centre, axis, infinite);

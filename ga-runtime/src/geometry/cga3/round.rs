@@ -142,7 +142,7 @@ fn unit_axis_of_any<S: Real<Mask = bool>>(axis: [S; 3]) -> Option<[S; 3]> {
 }
 
 /// The bivector with the centre c, the unit axis d and β. Its weight is 1.
-#[inline(always)]
+#[inline]
 pub(super) fn bivector<S: Field>(c: Vector<S>, d: Vector<S>, infinite: S) -> DualCircle<S> {
     let along = c.dot(d);
     let [m1, m2, m3] = c.cross(d).coordinates();
@@ -152,17 +152,11 @@ pub(super) fn bivector<S: Field>(c: Vector<S>, d: Vector<S>, infinite: S) -> Dua
 }
 
 /// Whether all coefficients of a bivector are finite.
-#[inline(always)]
+#[inline]
 pub(super) fn is_finite<S: Ring>(b: DualCircle<S>) -> bool {
-    are_all_numbers([
+    are_numbers([
         b.e12, b.e13, b.e23, b.e1o, b.e2o, b.e3o, b.e1i, b.e2i, b.e3i, b.eoi,
     ])
-}
-
-#[cold]
-#[inline(never)]
-fn are_all_numbers<S: Ring>(coefficients: [S; 10]) -> bool {
-    are_numbers(coefficients)
 }
 
 /// The square r² = a − b; `None` where it is negative or not finite.
