@@ -1,11 +1,11 @@
 //! Equivalent forms of programs, so that the spelling of a formula does not matter.
 //!
 //! A program is taken apart into *classes* of equal multivectors. Each has one or more *ways*,
-//! operations that give it. [Rules](rules) add ways, until nothing new comes out or a bound is
+//! operations that give it. Rules, in `rules/`, add ways, until nothing new comes out or a bound is
 //! reached. Then a program is put together again from one way for each class: by estimates first,
 //! and of those that look cheapest the search takes the one whose graph is cheapest.
 //!
-//! What is equal is decided by evaluation, see [`classes`]. So formulas with the same meaning meet
+//! What is equal is decided by evaluation, see `classes.rs`. So formulas with the same meaning meet
 //! in one class however they are written, and a rule cannot change a meaning. Every expansion is
 //! checked once more when it is done.
 //!
@@ -13,7 +13,7 @@
 //!
 //! 1. Give it a name in [`FormRule`], with its identity.
 //! 2. Write a file in `rules/` with the proof, and a function that looks at one way and proposes
-//!    others by [`Classes::product`](classes::Classes), `sandwich`, `sum` and so on. It matches
+//!    others by `Classes::product`, `sandwich`, `sum` and so on. It matches
 //!    structure and what classes know (grades, unit versors), never names.
 //! 3. List it in `rules/mod.rs`, and in `tests/compiler/forms.rs` a function where it applies: the
 //!    test breaks the rule there, and the compiler must notice.
