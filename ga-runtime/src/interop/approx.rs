@@ -1,13 +1,13 @@
 //! approx 0.5: comparisons with a tolerance for every type, those of your own algebras included.
 //!
-//! [`AbsDiffEq`](approx_05::AbsDiffEq), [`RelativeEq`](approx_05::RelativeEq) and
-//! [`UlpsEq`](approx_05::UlpsEq) compare each stored coefficient with its counterpart, by the
-//! scalar's own trait and with its defaults; two values are close where all coefficients are. So a
-//! tolerance applies to coefficients: for a [`Point`](crate::cga3::Point) these are coordinates,
-//! for a [`Rotor`](crate::cga3::Rotor) cosine and sine of half the angle. A versor and its negative
-//! are the same transformation but are not close to one another, and multiples of a blade represent
-//! the same object but are not close either. Constant types have one member and do not implement
-//! these traits. [`Affine`] maps are compared in the same way, entry by entry.
+//! [`AbsDiffEq`], [`RelativeEq`] and [`UlpsEq`] compare each stored coefficient with its
+//! counterpart, by the scalar's own trait and with its defaults; two values are close where all
+//! coefficients are. So a tolerance applies to coefficients: for a [`Point`](crate::cga3::Point)
+//! these are coordinates, for a [`Rotor`](crate::cga3::Rotor) cosine and sine of half the angle. A
+//! versor and its negative are the same transformation but are not close to one another, and
+//! multiples of a blade represent the same object but are not close either. Constant types have one
+//! member and do not implement these traits. [`Affine`] maps are compared in the same way, entry by
+//! entry.
 //!
 //! ```
 //! use approx_05::{assert_abs_diff_eq, assert_abs_diff_ne, assert_relative_eq};
