@@ -28,4 +28,5 @@ mod interface;
 mod metrics;
 mod places;
 mod same_text;
+mod tied;
 mod versors;
