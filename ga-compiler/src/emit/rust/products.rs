@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 
 use super::context::{Context, other, receiver};
 use crate::algebra::Product;
-use crate::define::{Operation, ProductDefinition, TypeDefinition};
+use crate::define::{Definition, Operation, ProductDefinition, TypeDefinition};
 
 /// How an operation on two operands appears in Rust.
 struct Face {
@@ -83,7 +83,16 @@ fn binary(context: &Context<'_>, product: &ProductDefinition, face: &Face) -> To
     );
     let result = product.result.map(|index| context.kind(index));
     let operands = [(left, receiver()), (right, other())];
-    let (body, needs_field) = context.compile(&operands, &product.operation.expression(), result);
+    let (body, needs_field) = match is_of_products(context.definition, product) {
+        true => {
+            let multiply = quote! { ::core::ops::Mul::mul };
+            (
+                quote! { #multiply(#multiply(self, other), self.reverse()) },
+                false,
+            )
+        }
+        false => context.compile(&operands, &product.operation.expression(), result),
+    };
     let (path, argument, output) = (
         context.path(left),
         context.path(right),
@@ -107,6 +116,30 @@ fn binary(context: &Context<'_>, product: &ProductDefinition, face: &Face) -> To
             fn #method(self, other: #argument) -> #output { #body }
         }
     }
+}
+
+/// Whether a product is `a b ~a` of two multivectors with all of many blades. No rule saves
+/// anything there, and as two calls of their product it takes much less time to compile.
+fn is_of_products(definition: &Definition, product: &ProductDefinition) -> bool {
+    const LEAST: usize = 32;
+    let [left, ..] = product.operands[..] else {
+        return false;
+    };
+    let algebra = &definition.algebra;
+    let dimension = algebra.dimension();
+    let metric = algebra.metric();
+    let mut places = (0..dimension).flat_map(|a| (0..dimension).map(move |b| (a, b)));
+    let kind = &definition.types[left];
+    let is_same = |p: &ProductDefinition, operation: Operation| {
+        p.operation == operation && p.operands == [left, left] && p.result == Some(left)
+    };
+    let has_all = kind.is_linear() && kind.coefficients.len() == 1 << dimension;
+    let geometric = Operation::Product(Product::Geometric);
+    has_all
+        && kind.coefficients.len() >= LEAST
+        && is_same(product, Operation::Sandwich)
+        && definition.products.iter().any(|p| is_same(p, geometric))
+        && places.all(|(a, b)| metric.get(a, b).is_integer())
 }
 
 /// A product is inlined into its caller, and so is compiled for the instructions that the caller
