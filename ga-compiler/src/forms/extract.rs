@@ -38,6 +38,8 @@ pub(super) struct Selection {
 /// The costs of all ways.
 pub(super) struct Costs {
     own: Vec<Vec<usize>>,
+    /// Whether a way takes differences of rounded images, though the whole can be moved.
+    rounded: Vec<Vec<bool>>,
     /// The cheapest way to each class, and its cost as a tree.
     best: Vec<(usize, usize)>,
 }
@@ -45,7 +47,7 @@ pub(super) struct Costs {
 impl Costs {
     pub(super) fn new(classes: &mut Classes<'_>) -> Self {
         let mut estimates = Estimates::new(classes);
-        let mut own = Vec::new();
+        let (mut own, mut rounded) = (Vec::new(), Vec::new());
         for id in classes.ids() {
             let operations: Vec<(Operation, Ratio)> = classes
                 .class(id)
@@ -57,16 +59,15 @@ impl Costs {
                 .iter()
                 .map(|(operation, factor)| {
                     let scale = usize::from(factor.abs() != Ratio::ONE);
-                    let cost = estimates.cost(classes, id, operation) + scale;
-                    // Where the whole can be moved, differences are not taken of rounded images.
-                    if is_rounded(classes, operation) && classes.has_action(id) {
-                        cost.saturating_mul(IMAGES)
-                    } else {
-                        cost
-                    }
+                    estimates.cost(classes, id, operation) + scale
                 })
                 .collect();
             own.push(costs);
+            let is_moved = classes.has_action(id);
+            let operations = operations.iter();
+            let of =
+                |(operation, _): &(Operation, Ratio)| is_moved && is_rounded(classes, operation);
+            rounded.push(operations.map(of).collect::<Vec<bool>>());
         }
         let mut best = vec![(0, usize::MAX); classes.len()];
         loop {
@@ -74,6 +75,9 @@ impl Costs {
             for id in classes.ids() {
                 for (place, way) in classes.class(id).ways.iter().enumerate() {
                     let mut cost = own[id.index()][place];
+                    if rounded[id.index()][place] {
+                        cost = cost.saturating_mul(IMAGES);
+                    }
                     for read in way.operation.reads() {
                         cost = cost.saturating_add(best[read.index()].1);
                     }
@@ -84,7 +88,7 @@ impl Costs {
                 }
             }
             if !has_changed {
-                return Self { own, best };
+                return Self { own, rounded, best };
             }
         }
     }
@@ -104,7 +108,34 @@ impl Costs {
         self.settled(classes, wanted, ways)
     }
 
+    /// The selection of some ways. Images of which differences are taken are computed by moved
+    /// differences, where there is a way to that.
     fn settled(
+        &self,
+        classes: &Classes<'_>,
+        wanted: &[ClassId],
+        ways: Vec<usize>,
+    ) -> Option<Selection> {
+        let selection = self.visited(classes, wanted, ways)?;
+        let mut ways = selection.ways.clone();
+        for id in &selection.order {
+            let place = ways[id.index()];
+            if self.rounded[id.index()][place]
+                && let Some(exact) =
+                    by_differences(classes, &classes.class(*id).ways[place].operation)
+            {
+                for (id, place) in exact {
+                    ways[id.index()] = place;
+                }
+            }
+        }
+        if ways == selection.ways {
+            return Some(selection);
+        }
+        Some(self.visited(classes, wanted, ways).unwrap_or(selection))
+    }
+
+    fn visited(
         &self,
         classes: &Classes<'_>,
         wanted: &[ClassId],
@@ -115,6 +146,17 @@ impl Costs {
         let mut cost = 0;
         for &id in wanted {
             self.visit(classes, &ways, id, &mut states, &mut order, &mut cost)?;
+        }
+        for id in &order {
+            let place = ways[id.index()];
+            if !self.rounded[id.index()][place] {
+                continue;
+            }
+            let exact = by_differences(classes, &classes.class(*id).ways[place].operation);
+            let is_exact = |(id, place): &(ClassId, usize)| ways[id.index()] == *place;
+            if !exact.is_some_and(|exact| exact.iter().all(is_exact)) {
+                cost += (IMAGES - 1) * self.own[id.index()][place];
+            }
         }
         Some(Selection { ways, order, cost })
     }
@@ -210,6 +252,24 @@ impl Costs {
     }
 }
 
+/// The ways to the images in a product, all but the first, by which they are sums of the first and
+/// of moved differences; `None` where there is no such way to one of them.
+fn by_differences(classes: &Classes<'_>, operation: &Operation) -> Option<Vec<(ClassId, usize)>> {
+    let Operation::Product(Product::Wedge, factors) = operation else {
+        return None;
+    };
+    let images = rules::Images::of(classes, factors)?;
+    let place = |id: ClassId| {
+        let mut ways = classes.class(id).ways.iter();
+        ways.position(|way| {
+            let reads = way.operation.reads();
+            way.rule == Some(FormRule::Difference) && reads.contains(&images.first)
+        })
+    };
+    let others = images.others.iter();
+    others.map(|(id, _)| Some((*id, place(*id)?))).collect()
+}
+
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum State {
     New,
@@ -218,7 +278,7 @@ enum State {
 }
 
 impl Selection {
-    /// The operations other than geometric products, in the order of their classes.
+    /// The operations other than associative products, in the order of their classes.
     fn operations(&self, classes: &Classes<'_>) -> Vec<Operation> {
         let mut order = self.order.clone();
         order.sort_unstable();
@@ -226,7 +286,10 @@ impl Selection {
             .iter()
             .map(|id| &classes.class(*id).ways[self.ways[id.index()]].operation);
         operations
-            .filter(|operation| !matches!(operation, Operation::Product(Product::Geometric, _)))
+            .filter(|operation| {
+                let associative = [Product::Geometric, Product::Wedge];
+                !matches!(operation, Operation::Product(product, _) if associative.contains(product))
+            })
             .cloned()
             .collect()
     }

@@ -103,6 +103,12 @@ impl Classes<'_> {
                 None => flat.push(term),
             }
         }
+        self.sum_of(&flat, rule)
+    }
+
+    /// A sum of some terms as they are.
+    pub(super) fn sum_of(&mut self, terms: &[Term], rule: Option<FormRule>) -> Made {
+        let mut flat = terms.to_vec();
         flat.sort_by(|a, b| self.compare(a.class, b.class));
         flat.dedup_by(|next, kept| {
             let is_same = next.class == kept.class;

@@ -1,7 +1,7 @@
 //! Outer products of vectors, by one of several rules that agree everywhere.
 
 use crate::algebra::{Algebra, Blade, Product, Ratio};
-use crate::ir::{Arena, Multivector};
+use crate::ir::{Arena, Multivector, Node, NodeId, Value};
 
 /// How `v₁ ∧ v₂ ∧ … ∧ vₖ` is computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -17,6 +17,9 @@ pub enum JoinRule {
     /// `v₁ ∧ (v₂ − λ₂ v₁) ∧ … `, equal since `v₁ ∧ v₁ = 0`. With λ the quotient of constant
     /// coefficients of one blade, that blade is gone from all factors but the first: of points of
     /// weight 1 only differences are left. The differences are multiplied first.
+    ///
+    /// A factor that was computed as `v₁ + d` has the difference d, by which the difference of sums
+    /// of squares follows, too: `x² − y² = (x − y)(x + y)`.
     Difference,
 }
 
@@ -114,10 +117,79 @@ pub(super) fn differences(arena: &mut Arena, factors: &[Multivector]) -> Option<
         });
     let (blade, weight) = weight?;
     let rest = rest.iter().map(|factor| match constant(factor, blade) {
-        Some(other) => factor.sum(arena, &first.scaled(-(other / weight))),
+        Some(other) => difference_of(arena, factor, &first.scaled(-(other / weight))),
         None => factor.clone(),
     });
     Some(std::iter::once(first.clone()).chain(rest).collect())
+}
+
+/// The sum of two vectors. A coefficient that is a sum with the opposite of the other among its
+/// terms is what is left of that sum: `(a + b) − a = b`, before anything is rounded.
+fn difference_of(arena: &mut Arena, left: &Multivector, right: &Multivector) -> Multivector {
+    let sum = left.sum(arena, right);
+    let terms: Vec<(Blade, Value)> = sum
+        .terms()
+        .iter()
+        .map(|&(blade, value)| {
+            let (left, right) = (left.coefficient(blade), right.coefficient(blade));
+            let exact = cancelled(arena, left, right);
+            let exact = exact.or_else(|| squares(arena, left, right));
+            (blade, exact.unwrap_or(value))
+        })
+        .collect();
+    Multivector::new(arena, terms)
+}
+
+fn cancelled(arena: &mut Arena, sum: Value, opposite: Value) -> Option<Value> {
+    for (whole, term) in [(sum, opposite), (opposite, sum)] {
+        let Node::Sum(terms) = arena.node(whole.node) else {
+            continue;
+        };
+        let terms: Vec<Value> = terms.iter().map(|t| t.scaled(whole.factor)).collect();
+        if terms.contains(&-term) {
+            let rest = terms.into_iter().filter(|other| *other != -term);
+            return Some(arena.sum(rest));
+        }
+    }
+    None
+}
+
+/// The difference of two sums of squares by `x² − y² = (x − y)(x + y)`, where each `x − y` is known
+/// before x is rounded.
+fn squares(arena: &mut Arena, sum: Value, opposite: Value) -> Option<Value> {
+    let (mut left, mut right) = (Vec::new(), Vec::new());
+    gather(arena, sum, &mut left)?;
+    gather(arena, opposite, &mut right)?;
+    if left.len() != right.len() {
+        return None;
+    }
+    let mut terms = Vec::with_capacity(left.len());
+    for (x, factor) in left {
+        let x = Value::of(x);
+        let term = right.iter().find_map(|&(y, other)| {
+            let difference = cancelled(arena, x, -Value::of(y))?;
+            (other == -factor).then_some((difference, Value::of(y)))
+        });
+        let (difference, y) = term?;
+        let both = arena.sum([x, y]);
+        terms.push(arena.product(difference, both).scaled(factor));
+    }
+    Some(arena.sum(terms))
+}
+
+/// The squares that a value is a sum of, with their factors; `None` if it is not one.
+fn gather(arena: &Arena, value: Value, squares: &mut Vec<(NodeId, Ratio)>) -> Option<()> {
+    match arena.node(value.node) {
+        Node::Sum(terms) => {
+            let mut terms = terms.iter();
+            terms.try_for_each(|term| gather(arena, term.scaled(value.factor), squares))
+        }
+        Node::Product(a, b) if a == b => {
+            squares.push((*a, value.factor));
+            Some(())
+        }
+        _ => None,
+    }
 }
 
 /// The coefficient of a blade where it is a constant other than zero.

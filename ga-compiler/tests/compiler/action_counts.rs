@@ -4,7 +4,7 @@ use ga_compiler::count::Operations;
 
 use crate::counts::{Row, check_names, check_renamed, cost};
 
-const ACTIONS: [Row; 18] = [
+const ACTIONS: [Row; 22] = [
     (
         "s: DualSphere, x: RoundVector -> RoundVector",
         "s: Weighted, x: Weighted -> Weighted",
@@ -112,6 +112,30 @@ const ACTIONS: [Row; 18] = [
         "m: Motion, d: Scaling, x: Place -> Place",
         "let y = sandwich(m, sandwich(d, x)); y / y.ORIGIN",
         cost(25, 19, 0),
+    ),
+    (
+        "m: Motor, p: Point, q: Point -> PointPair",
+        "m: Motion, p: Place, q: Place -> Pair",
+        "sandwich(m, p ^ q)",
+        cost(61, 49, 0),
+    ),
+    (
+        "m: Motor, p: Point, q: Point -> PointPair",
+        "m: Motion, p: Place, q: Place -> Pair",
+        "sandwich(m, p) ^ sandwich(m, q)",
+        cost(61, 49, 0),
+    ),
+    (
+        "m: Motor, p: Point, q: Point, r: Point -> Circle",
+        "m: Motion, p: Place, q: Place, r: Place -> Ring",
+        "sandwich(m, p ^ q ^ r)",
+        cost(99, 73, 0),
+    ),
+    (
+        "m: Motor, p: Point, q: Point -> Line",
+        "m: Motion, p: Place, q: Place -> Axis",
+        "sandwich(m, p ^ q ^ INFINITY)",
+        cost(45, 36, 0),
     ),
 ];
 

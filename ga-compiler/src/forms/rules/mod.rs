@@ -17,6 +17,7 @@ mod reversal;
 mod vector;
 
 pub(super) use conjugation::as_action;
+pub(super) use difference::Images;
 pub(super) use outermorphism::cancels;
 
 use rustc_hash::FxHashMap;

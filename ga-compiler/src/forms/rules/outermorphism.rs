@@ -6,7 +6,7 @@
 //! it leaves alone, such as infinity under motions or a scalar, may be taken for an image of itself.
 //! In one direction the parts of a product are moved, in the other the whole is.
 
-use crate::algebra::{Product, Unary};
+use crate::algebra::{Product, Ratio, Unary};
 use crate::forms::FormRule;
 use crate::forms::classes::{ClassId, Classes, Operation, Term, Way};
 
@@ -53,7 +53,8 @@ fn inwards(classes: &mut Classes<'_>, versor: ClassId, operand: ClassId) {
         match &way.operation {
             // Of a geometric product the whole is moved more cheaply.
             Operation::Product(product, factors)
-                if *product != Product::Geometric && !cancels(classes, factors) =>
+                if *product != Product::Geometric
+                    && (*product == Product::Wedge || !cancels(classes, factors)) =>
             {
                 let images: Option<Vec<Term>> = factors
                     .iter()
@@ -142,6 +143,16 @@ fn original(classes: &mut Classes<'_>, versor: ClassId, id: ClassId) -> Option<T
 }
 
 fn product_of(classes: &mut Classes<'_>, product: Product, parts: &[Term]) -> Option<Term> {
+    if product == Product::Wedge {
+        // All factors at once, since a product of some of them may have other factors too.
+        let factor = parts.iter().fold(Ratio::ONE, |all, part| all * part.factor);
+        let ids: Vec<ClassId> = parts.iter().map(|part| part.class).collect();
+        let is_scalar = |id: &ClassId| classes.is_scalar(*id);
+        if !ids.iter().any(is_scalar) {
+            let whole = classes.chain(product, &ids, RULE)?;
+            return Some(whole.scaled(factor));
+        }
+    }
     let (first, rest) = parts.split_first()?;
     rest.iter().try_fold(*first, |whole, part| {
         classes.product(product, whole, *part, RULE)

@@ -163,7 +163,15 @@ fn what_is_chosen_for_products_rounds_well() {
 }
 
 /// Functions with the rules for forms.
-const FORMS: [(FormRule, &str); 18] = [
+const FORMS: [(FormRule, &str); 20] = [
+    (
+        FormRule::Difference,
+        "m: Motor, a: Point, b: Point, c: Point -> Circle { sandwich(m, a ^ b ^ c) }",
+    ),
+    (
+        FormRule::Difference,
+        "m: Motor, a: Point, b: Point -> Line { sandwich(m, a ^ b ^ ei) }",
+    ),
     (
         FormRule::Composition,
         "m: Motor, n: Motor, x: Point -> RoundVector { sandwich(m * n, x) }",

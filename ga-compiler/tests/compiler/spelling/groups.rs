@@ -213,7 +213,52 @@ pub(super) const CGA3: &[Group] = &[
             "sandwich(m, p ^ q)",
             "sandwich(m, p) ^ sandwich(m, q)",
             "m * (p ^ q) * rev(m)",
+            "let a = sandwich(m, p); let b = sandwich(m, q); a ^ b",
             "-(sandwich(m, q) ^ sandwich(m, p))",
+        ],
+    ),
+    (
+        "m: Motor, p: Point, q: Point, r: Point -> Circle",
+        &[
+            "sandwich(m, p ^ q ^ r)",
+            "sandwich(m, p) ^ sandwich(m, q) ^ sandwich(m, r)",
+            "sandwich(m, p ^ q) ^ sandwich(m, r)",
+            "sandwich(m, p) ^ sandwich(m, q ^ r)",
+            "m * (p ^ q ^ r) * rev(m)",
+            "-sandwich(m, q ^ p ^ r)",
+            "let a = p ^ q; sandwich(m, a ^ r)",
+        ],
+    ),
+    (
+        "m: Motor, p: Point, q: Point, r: Point -> Plane",
+        &[
+            "sandwich(m, p ^ q ^ r ^ ei)",
+            "sandwich(m, p) ^ sandwich(m, q) ^ sandwich(m, r) ^ ei",
+        ],
+    ),
+    (
+        "m: Motor, p: Point, q: Point, r: Point, s: Point -> Sphere",
+        &[
+            "sandwich(m, p ^ q ^ r ^ s)",
+            "sandwich(m, p) ^ sandwich(m, q) ^ sandwich(m, r) ^ sandwich(m, s)",
+        ],
+    ),
+    (
+        "m: Motor, p: Point, q: Point, x: RoundVector -> PointPair",
+        &[
+            "sandwich(m, p ^ (q + x))",
+            "sandwich(m, p ^ q) + sandwich(m, p ^ x)",
+            "sandwich(m, p) ^ sandwich(m, q + x)",
+            "sandwich(m, p) ^ (sandwich(m, q) + sandwich(m, x))",
+        ],
+    ),
+    (
+        "m: Motor, p: Point, q: Point, r: Point -> PointPair",
+        &[
+            "sandwich(m, p ^ (q + r))",
+            "sandwich(m, p ^ q) + sandwich(m, p ^ r)",
+            "sandwich(m, p) ^ sandwich(m, q + r)",
+            "sandwich(m, p) ^ (sandwich(m, q) + sandwich(m, r))",
         ],
     ),
     (
