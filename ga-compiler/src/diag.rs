@@ -5,7 +5,7 @@ use proc_macro2::Span;
 use quote::ToTokens;
 use syn::Error;
 
-/// Something that is allowed and hardly meant, with its place in the source.
+/// Something that is allowed but is probably a mistake, with its place in the source.
 #[derive(Clone, Debug)]
 pub struct Warning {
     /// The first token.

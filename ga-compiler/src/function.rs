@@ -27,7 +27,7 @@ pub struct CompiledFunction {
     /// The graph. Its inputs are the stored coefficients of all operands, its outputs those of the
     /// result, each in order of declaration, arrays and tuples element by element.
     pub kernel: Kernel,
-    /// What is hardly meant.
+    /// What is allowed but is probably a mistake.
     pub warnings: Vec<Warning>,
 }
 

@@ -308,7 +308,7 @@ macro_rules! algebra {
 /// says what was found, and whether a division by the weight would help. `let x: Line = …` checks
 /// an intermediate value.
 ///
-/// A product that is zero for all operands, though the operands are not, is hardly meant:
+/// A product that is zero for all operands, though the operands are not, is probably a mistake:
 /// `sphere | point` for `point | sphere`, or `line ^ ei`. The compiler warns of it, and of a result
 /// that is always zero, as the use of a deprecated constant `ALWAYS_ZERO`, since macros have no
 /// warnings of their own. `#[allow(deprecated)]` on the function silences that.

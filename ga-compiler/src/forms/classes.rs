@@ -63,8 +63,6 @@ pub(super) enum Operation {
     Sum(Vec<Term>),
     Quotient(ClassId, ClassId),
     Coefficient(ClassId, Blade),
-    /// The second of three values where the first is not zero, and the third where it is.
-    Select([Term; 3]),
     Function(Function, Vec<Term>),
 }
 
@@ -77,7 +75,6 @@ impl Operation {
             Self::Product(_, factors) => factors.clone(),
             Self::Sandwich(a, b) | Self::Quotient(a, b) => vec![*a, *b],
             Self::Sum(terms) | Self::Function(_, terms) => terms.iter().map(|t| t.class).collect(),
-            Self::Select(terms) => terms.map(|t| t.class).to_vec(),
         }
     }
 }
@@ -122,16 +119,15 @@ pub(super) struct Limit(Option<Function>, ClassId, Option<Ratio>);
 /// The largest numerator and denominator of a constant that is recognised.
 const LARGEST: u64 = 1 << 16;
 
-/// Stands at the end of the keys of conditions. No key of a number ends so, since the numbers there
-/// are residues modulo 2⁶¹ − 1.
-const CONDITION: u64 = u64::MAX;
-
 pub(super) struct Classes<'a> {
     pub(super) algebra: &'a Algebra,
     classes: Vec<Class>,
     known: FxHashMap<Operation, Term>,
     by_value: FxHashMap<Vec<u64>, Vec<ClassId>>,
     pub(super) ways: usize,
+    /// Whether something with limits is zero at all points: `x/y*y - x`, or `abs(x) - x` besides
+    /// the root of x. It is not zero where its limits are not kept.
+    pub(super) has_limited_zero: bool,
 }
 
 impl<'a> Classes<'a> {
@@ -142,6 +138,7 @@ impl<'a> Classes<'a> {
             known: FxHashMap::default(),
             by_value: FxHashMap::default(),
             ways: 0,
+            has_limited_zero: false,
         }
     }
 
@@ -279,9 +276,8 @@ impl<'a> Classes<'a> {
         limits.extend(self.own_limit(&operation));
         limits.sort();
         limits.dedup();
-        let is_condition =
-            matches!(&operation, Operation::Function(function, _) if function.is_condition());
-        let Some((mut key, scale)) = normalised(&values) else {
+        let Some((key, scale)) = normalised(&values) else {
+            self.has_limited_zero |= !limits.is_empty();
             let zero = Term {
                 class: ClassId(0),
                 factor: Ratio::ZERO,
@@ -289,8 +285,6 @@ impl<'a> Classes<'a> {
             self.known.insert(operation, zero);
             return None;
         };
-        // A condition is not the number that is 1 where it holds and 0 elsewhere.
-        key.extend(is_condition.then_some(CONDITION));
         let term = match self.lookup(&key, scale, &limits) {
             Ok(Some(term)) => term,
             _ => {

@@ -50,7 +50,6 @@ impl Estimates {
                 each.sum::<usize>().saturating_sub(whole)
             }
             Operation::Quotient(..) => whole + 1,
-            Operation::Select(_) => whole,
             Operation::Function(..) => 4,
         };
         let is_uniform = classes.class(id).is_uniform;

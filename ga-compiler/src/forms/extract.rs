@@ -410,10 +410,6 @@ fn emit(program: &mut Program<'_>, steps: &[Option<StepId>], operation: &Operati
                 .collect();
             return joined(program, &ids, Step::Sum);
         }
-        Operation::Select(terms) => {
-            let [condition, a, b] = terms.map(|term| value(program, steps, term));
-            Step::Select(condition, a, b)
-        }
         Operation::Function(function, arguments) => {
             let ids = arguments
                 .iter()

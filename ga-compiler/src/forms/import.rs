@@ -10,13 +10,16 @@ use crate::member::Numbers;
 use crate::program::{Program, Step, StepId, Witness};
 
 /// The classes of the steps that some steps need; `None` for those that are zero or not needed.
+/// There are none at all where the values at the points of the witness do not tell what is equal:
+/// where there are choices, which do not show every outcome, and where a step is zero only as far
+/// as it exists.
 pub(super) fn import(
     classes: &mut Classes<'_>,
     program: &Program<'_>,
     witness: &Witness,
     uniform: &[bool],
     wanted: &[StepId],
-) -> Vec<Made> {
+) -> Option<Vec<Made>> {
     let values = |id: StepId| -> Vec<Numbers> { witness.values(id).cloned().collect() };
     let mut made: Vec<Made> = vec![None; program.len()];
     // Operands and the number 1 come first, so that what equals them is them.
@@ -79,15 +82,11 @@ pub(super) fn import(
                 .and_then(|(a, b)| classes.quotient(a, b, None)),
             Step::Negative(a) => get(a).map(|a| a.scaled(Ratio::integer(-1))),
             Step::Coefficient(a, blade) => get(a).and_then(|a| classes.coefficient(a, *blade)),
-            Step::Select(condition, a, b) => {
-                let one = classes.one();
-                let terms = [condition, a, b].map(|id| get(id).or_else(|| zero(one)));
-                match terms {
-                    [Some(condition), Some(a), Some(b)] => {
-                        classes.select([condition, a, b], values(id))
-                    }
-                    _ => None,
-                }
+            Step::Select(..) => return None,
+            Step::Function(function, _)
+                if function.is_condition() || function.is_random_choice() =>
+            {
+                return None;
             }
             Step::Function(function, arguments) => {
                 function_of(classes, *function, arguments.iter().map(get), values(id))
@@ -95,7 +94,7 @@ pub(super) fn import(
         };
         made[id.index()] = next;
     }
-    made
+    (!classes.has_limited_zero).then_some(made)
 }
 
 /// Zero, as a multiple of one.

@@ -76,10 +76,6 @@ impl Classes<'_> {
         self.insert(Operation::Function(function, arguments), |_| values, None)
     }
 
-    pub(super) fn select(&mut self, terms: [Term; 3], values: Vec<Numbers>) -> Made {
-        self.insert(Operation::Select(terms), |_| values, None)
-    }
-
     pub(super) fn sandwich(&mut self, m: Term, x: Term, rule: Option<FormRule>) -> Made {
         let factor = m.factor * m.factor * x.factor;
         let is_odd = self.parity(m.class) == Some(true);

@@ -111,7 +111,7 @@ fn classes_of<'a, 's>(
         return None;
     }
     let mut classes = Classes::new(algebra);
-    let made = import::import(&mut classes, program, witness, uniform, wanted);
+    let made = import::import(&mut classes, program, witness, uniform, wanted)?;
     rules::saturate(&mut classes);
     let mut known = Known {
         facts: Vec::new(),

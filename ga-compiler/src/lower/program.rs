@@ -368,7 +368,7 @@ impl Lowering<'_> {
                 factors.extend(others);
                 (factors, first != second)
             }
-            Step::Unary(Unary::Reverse, a) => {
+            Step::Unary(Unary::Reverse, a) if self.is_join(*a) => {
                 let (factors, is_negative) = self.joined(*a);
                 let is_reversed = factors.len() % 4 >= 2;
                 (factors, is_negative != is_reversed)
@@ -378,6 +378,15 @@ impl Lowering<'_> {
                 (factors, !is_negative)
             }
             _ => (vec![self.values[id.index()].clone()], false),
+        }
+    }
+
+    /// Whether a step is an outer product, or its reverse or negative.
+    fn is_join(&self, id: StepId) -> bool {
+        match self.program.step(id) {
+            Step::Binary(Product::Wedge, ..) => true,
+            Step::Unary(Unary::Reverse, a) | Step::Negative(a) => self.is_join(*a),
+            _ => false,
         }
     }
 

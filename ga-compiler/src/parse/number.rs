@@ -48,7 +48,7 @@ fn decimal(text: &str) -> Option<Ratio> {
     let mut shift = exponent.checked_sub(i32::try_from(fraction.len()).ok()?)?;
     // So few digits that both the digits and the power of ten have room.
     let too_long = digits.len().saturating_sub(MOST_DIGITS);
-    let too_small = usize::try_from((-shift).saturating_sub(MOST_ZEROS)).unwrap_or(0);
+    let too_small = usize::try_from(shift.saturating_neg().saturating_sub(MOST_ZEROS)).unwrap_or(0);
     let cut = too_long.max(too_small);
     if cut > 0 {
         let kept = digits.len().checked_sub(cut).filter(|&kept| kept >= 17)?;
@@ -86,6 +86,14 @@ mod tests {
             assert_eq!(read(text).ok(), expected, "{text}");
         }
         assert!(read("1.0f32").is_err() && read("1e60").is_err() && read("1e-60").is_err());
+        for text in [
+            "1e-2147483648",
+            "1.5e-2147483647",
+            "1e2147483647",
+            "1e-2147483649",
+        ] {
+            assert!(read(text).is_err(), "{text}");
+        }
         let long = read("123456789012345678901").expect("a number");
         assert_eq!(long, Ratio::integer(123_456_789_012_345_678_901));
         // Digits that do not matter are rounded away.

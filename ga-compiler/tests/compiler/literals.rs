@@ -39,6 +39,20 @@ fn long_numbers_are_emitted_everywhere() {
     }
 }
 
+/// Scalars of more than double precision get the number as it is written.
+#[test]
+fn fractions_of_64_bits_are_emitted_exactly() {
+    let cga3 = cga3();
+    let function = compile(
+        &cga3,
+        "fn f(x: Scalar) -> Scalar { 0.12345678901234567 * x }",
+    );
+    let code = rust::functions(&cga3, &quote!(algebra), std::slice::from_ref(&function));
+    let code = code.to_string();
+    let number = "from_ratio (12345678901234567i64 , 100000000000000000i64)";
+    assert!(code.contains(number), "{code}");
+}
+
 #[test]
 fn products_of_long_numbers_are_right() {
     let cga3 = cga3();

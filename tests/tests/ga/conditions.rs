@@ -43,6 +43,22 @@ mod compiled {
         /// The root that is not chosen does not exist.
         pub fn root_or_zero(x: Scalar) -> Scalar { select(x < 0, 0, sqrt(x)) }
         pub fn ramp(x: Scalar) -> Scalar { select(x > 0, x * x, -x) + max(x, 2 * x) }
+        /// A conjunction of six comparisons.
+        pub fn boxed(x: Scalar, y: Scalar, z: Scalar, a: Scalar, b: Scalar) -> Scalar {
+            select(x > a && x < b && y > a && y < b && z > a && z < b, x * 2, y)
+        }
+        /// Two conjunctions of which one holds without the other.
+        pub fn two_ranges(x: Scalar, y: Scalar, z: Scalar, w: Scalar) -> [Scalar; 2] {
+            [
+                select(x < y && y < z && z < w && x < 0, x, w),
+                select(x < y && y < z && z < w && w < 0, x, w),
+            ]
+        }
+        pub fn nested(x: Scalar, y: Scalar, z: Scalar, a: Scalar) -> Scalar {
+            select(x > a, select(y > a, select(z > a, x * y, 0), 0), 0)
+        }
+        /// Zero at each point where x has a root, and not zero where y is zero.
+        pub fn limited(x: Scalar, y: Scalar) -> [Scalar; 3] { [sqrt(x), abs(x) - x, x / y * y - x] }
         pub fn staged(uniform a: Scalar, uniform b: Scalar, x: Scalar, y: Scalar) -> [Scalar; 3] {
             let is_less = a < b && !(a == 0);
             [select(is_less, a, b) * x, select(is_less || x < a, x, y), select(a < b, a * a, b)]
@@ -153,6 +169,35 @@ fn what_is_not_chosen_does_no_harm() {
     assert_eq!(compiled::root_or_zero(4.0), 2.0);
     let lanes = compiled::root_or_zero(Lanes::from_array([9.0, -1.0]));
     assert_eq!(lanes.to_array(), [3.0, 0.0]);
+}
+
+#[test]
+fn long_conjunctions_are_those_of_rust() {
+    let inside = [0.25, 0.5, 0.75];
+    for x in inside.into_iter().chain([-1.0, 2.0]) {
+        for y in inside.into_iter().chain([-1.0, 2.0]) {
+            for z in inside.into_iter().chain([-1.0, 2.0]) {
+                let is_inside = [x, y, z].iter().all(|c| (0.0..1.0).contains(c));
+                let truth = if is_inside { x * 2.0 } else { y };
+                assert_eq!(compiled::boxed(x, y, z, 0.0, 1.0), truth, "{x} {y} {z}");
+                let truth = if x > 0.0 && y > 0.0 && z > 0.0 {
+                    x * y
+                } else {
+                    0.0
+                };
+                assert_eq!(compiled::nested(x, y, z, 0.0), truth, "{x} {y} {z}");
+            }
+        }
+    }
+    assert_eq!(compiled::two_ranges(-1.0, 1.0, 2.0, 3.0), [-1.0, 3.0]);
+    assert_eq!(compiled::two_ranges(-4.0, -3.0, -2.0, -1.0), [-4.0, -4.0]);
+    assert_eq!(compiled::two_ranges(1.0, 2.0, 3.0, 4.0), [4.0, 4.0]);
+}
+
+#[test]
+fn what_is_zero_at_most_points_is_computed() {
+    let [root, twice, quotient] = compiled::limited(-2.0, 0.0);
+    assert!(root.is_nan() && twice == 4.0 && quotient.is_nan());
 }
 
 #[test]

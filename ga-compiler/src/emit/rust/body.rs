@@ -97,9 +97,7 @@ pub(super) fn constant(runtime: &TokenStream, value: Ratio) -> TokenStream {
         [Ok(0), _] => return quote! { <S as #runtime::scalar::Ring>::zero() },
         [Ok(1), Ok(1)] => return quote! { <S as #runtime::scalar::Ring>::one() },
         [Ok(numerator), Ok(1)] => return integer(numerator),
-        [Ok(numerator), Ok(denominator)] if value.height() <= MOST_EXACT => {
-            return ratio(numerator, denominator);
-        }
+        [Ok(numerator), Ok(denominator)] => return ratio(numerator, denominator),
         _ => {}
     }
     // Other numbers are rounded once, to double precision.
@@ -128,9 +126,6 @@ pub(super) fn constant(runtime: &TokenStream, value: Ratio) -> TokenStream {
     }
     tokens
 }
-
-/// The largest numerator and denominator that are exact in double precision.
-const MOST_EXACT: i128 = 1 << 53;
 
 /// The largest power of two in one number.
 const MOST_SHIFT: u32 = 62;

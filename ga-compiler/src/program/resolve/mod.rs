@@ -45,7 +45,7 @@ pub struct Resolved<'a> {
     pub result: Shape,
     /// The steps of the result, each with its type.
     pub outputs: Vec<(StepId, Option<&'a TypeDefinition>)>,
-    /// What is hardly meant.
+    /// What is allowed but is probably a mistake.
     pub warnings: Vec<Warning>,
 }
 

@@ -1,9 +1,10 @@
-//! Warnings about values that are always zero, which is hardly what their author means.
+//! Warnings about values that are always zero, which is probably a mistake.
 
-use super::super::StepId;
+use super::super::{Step, StepId};
 use super::{Bound, Resolver};
 use crate::algebra::{Product, Ratio};
 use crate::diag::Warning;
+use crate::ir::Function;
 use crate::parse::{Formula, FormulaKind};
 
 impl Resolver<'_, '_> {
@@ -46,12 +47,38 @@ impl Resolver<'_, '_> {
         });
     }
 
+    /// Whether a step depends on a quotient or on a function of operands that does not exist, or
+    /// has another form, somewhere: `abs(x) - x` is zero at the points where x has a root.
+    fn has_limits(&self, id: StepId) -> bool {
+        let program = &self.builder.program;
+        let mut is_read = vec![false; program.len()];
+        is_read[id.index()] = true;
+        for (id, step) in program
+            .steps()
+            .rev()
+            .filter(|(id, _)| !program.is_constant(*id))
+        {
+            if !is_read[id.index()] {
+                continue;
+            }
+            match step {
+                Step::Quotient(_, divisor) if !program.is_constant(*divisor) => return true,
+                Step::Function(Function::SquareRoot | Function::Absolute, _) => return true,
+                _ => {}
+            }
+            for read in step.reads() {
+                is_read[read.index()] = true;
+            }
+        }
+        false
+    }
+
     /// Notes the parts of the result that are always zero, unless they are written as zero.
     pub(super) fn note_result(&mut self, formula: &Formula, value: &Bound) {
         let is_written = matches!(formula.kind, FormulaKind::Number(Ratio::ZERO));
         match (value, &formula.kind) {
             (Bound::One(id), _) => {
-                let is_zero = self.builder.witness.is_zero(*id);
+                let is_zero = self.builder.witness.is_zero(*id) && !self.has_limits(*id);
                 if is_zero && !is_written && !self.zeros.contains(id) {
                     self.zeros.push(*id);
                     self.warnings.push(Warning {

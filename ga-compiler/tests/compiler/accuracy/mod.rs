@@ -353,14 +353,16 @@ impl<'a> Case<'a> {
             forms: vec![rule],
             ..Choices::default()
         };
-        Task::of_program(
+        let kernel = Task::of_program(
             &self.definition.algebra,
             &self.resolved.program,
             outputs.collect(),
         )
         .with_witness(&self.resolved.witness)
         .with_choices(choices)
-        .compile()
+        .compile();
+        assert!(kernel.choices.forms.contains(&rule), "no form by {rule:?}");
+        kernel
     }
 
     fn samples(&self, family: Family) -> Vec<Sample> {
