@@ -83,7 +83,7 @@ impl Camera {
         let [eye, target] = [eye, target].map(Vector::from);
         let view = Rotor::look_along((target - eye).into(), up.into()).map_err(|error| {
             RenderError::Camera(match error {
-                LookAtError::TargetAtEye => "its eye and its target coincide",
+                LookAtError::NoDirection => "its eye and its target coincide",
                 LookAtError::UpIsZero => "its up vector is zero",
                 LookAtError::UpAlongView => "it looks along its up vector",
                 _ => "a position is not finite",

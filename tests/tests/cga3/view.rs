@@ -117,7 +117,7 @@ proptest! {
 fn views_without_a_direction_are_errors() {
     let (o, up) = (Point::default(), Direction::new(0.0, 1.0, 0.0));
     let at = |x: f64, y: f64, z: f64| Motor::look_at(o, Point::new(x, y, z), up).unwrap_err();
-    assert_eq!(at(0.0, 0.0, 0.0), LookAtError::TargetAtEye);
+    assert_eq!(at(0.0, 0.0, 0.0), LookAtError::NoDirection);
     assert_eq!(at(0.0, -3.0, 0.0), LookAtError::UpAlongView);
     assert_eq!(at(1e-9, 3.0, 0.0), LookAtError::UpAlongView);
     assert_eq!(at(f64::NAN, 0.0, 1.0), LookAtError::NotFinite);

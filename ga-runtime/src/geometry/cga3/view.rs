@@ -18,7 +18,7 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// `Rotor::new_unchecked(0.0, 0.0, 0.0, -1.0) * Motor::look_at(…)?`.
     ///
     /// # Errors
-    /// As for [`Rotor::look_along`]; [`LookAtError::TargetAtEye`] where the two points coincide.
+    /// As for [`Rotor::look_along`]; [`LookAtError::NoDirection`] where the two points coincide.
     ///
     /// ```
     /// use ga_runtime::cga3::{Direction, Motor, Point};
@@ -53,7 +53,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         if !(forward.is_finite() && up.is_finite()) {
             return Err(LookAtError::NotFinite);
         }
-        let forward = forward.normalized().ok_or(LookAtError::TargetAtEye)?;
+        let forward = forward.normalized().ok_or(LookAtError::NoDirection)?;
         let up = up.normalized().ok_or(LookAtError::UpIsZero)?;
         let across = forward.cross(up);
         let right = across
@@ -71,8 +71,8 @@ impl<S: Real<Mask = bool>> Rotor<S> {
 pub enum LookAtError {
     /// A coordinate, or the difference of two, is infinite or not a number.
     NotFinite,
-    /// The target is at the eye, so that there is no viewing direction.
-    TargetAtEye,
+    /// The viewing direction is zero: the target is at the eye.
+    NoDirection,
     /// The upward direction is zero.
     UpIsZero,
     /// The upward direction is parallel to the viewing direction.
@@ -85,7 +85,7 @@ impl Display for LookAtError {
             Self::NotFinite => {
                 "a coordinate of the eye, the target or the upward direction is not finite"
             }
-            Self::TargetAtEye => "the target is at the eye, so there is no viewing direction",
+            Self::NoDirection => "the viewing direction is zero",
             Self::UpIsZero => "the upward direction is zero",
             Self::UpAlongView => "the upward direction is parallel to the viewing direction",
         })
