@@ -254,8 +254,8 @@ macro_rules! algebra {
 ///
 /// Conditions can be bound by `let`, but they are neither operands nor results. They need
 /// [`Real`](crate::scalar::Real). As in Rust, a comparison with NaN does not hold, except `!=`.
-/// `sign` is 0 at 0 and NaN at NaN; `min` and `max` give their first operand where the other is
-/// NaN. While the function is checked, each comparison is taken to hold and not to hold, in every
+/// `sign` is 0 at 0 and NaN at NaN; `min` and `max` give their first operand where either is NaN.
+/// While the function is checked, each comparison is taken to hold and not to hold, in every
 /// combination of two, whatever the numbers are.
 ///
 /// # Places

@@ -227,7 +227,9 @@ impl<S: Real<Mask = bool>> Direction<S> {
         length(self.vector())
     }
 
-    /// The Euclidean norm of the free vector, its [`length`](Self::length).
+    /// The Euclidean norm of the free vector, its [`length`](Self::length). It is not the square
+    /// root of [`norm_squared`](Self::norm_squared), which is that of the blade `v∧ei` and always
+    /// zero.
     #[inline]
     #[must_use]
     pub fn norm(self) -> S {

@@ -104,7 +104,9 @@ impl<S: Real> Direction<S> {
         Vector::from(self).length()
     }
 
-    /// The Euclidean norm of the free vector, its [`length`](Self::length).
+    /// The Euclidean norm of the free vector, its [`length`](Self::length). It is not the square
+    /// root of [`norm_squared`](Self::norm_squared), which is that of the blade `v∧ei` and always
+    /// zero.
     #[inline]
     #[must_use]
     pub fn norm(self) -> S {

@@ -6,7 +6,7 @@ use crate::geometry::number::is_regular;
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
-/// Where a ray hits a surface.
+/// Where a ray hits a surface. In a hit that is made by hand, `normal` must have length 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit<S> {
     /// The distance from the origin of the ray, in the units of the coordinates.
@@ -32,7 +32,7 @@ pub enum Side {
 impl<S: Real<Mask = bool>> Ray<S> {
     /// The ray that a mirror at the hit point sends on: it begins there, in the direction
     /// `−n d n = d − 2 (d·n) n`, where n is the normal. For a sphere that is the reflection in its
-    /// tangent plane.
+    /// tangent plane. [`reflect_in`](Self::reflect_in) is the mirror image of the whole ray.
     ///
     /// ```
     /// use ga_runtime::cga3::{Plane, Point};
