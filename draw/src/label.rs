@@ -35,8 +35,9 @@ pub(crate) fn text_width(text: &str, size: f64) -> f64 {
 }
 
 /// Places labels beside their anchors and inside the picture, so that they cover neither each other
-/// nor dots, nor lines where possible, nor the boxes that are taken, and so that they stand away from the middle of the picture
-/// where possible. Where labels crowd, some stand farther away, at the end of a line.
+/// nor dots, nor lines where possible, nor the boxes that are taken, and so that they stand away
+/// from the middle of the picture where possible. Where labels crowd, some stand farther away, at
+/// the end of a line.
 pub(crate) fn placed(
     picture: &Picture,
     camera: &Camera,

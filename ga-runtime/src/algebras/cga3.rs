@@ -221,8 +221,8 @@ crate::algebra! {
         ///
         /// ```
         /// use ga_runtime::cga3::{Motor, MotorGenerator, Translator};
-        /// let shift = Motor::from(Translator::from_displacement([2.0, 0.0, 0.0]));
-        /// let generator: MotorGenerator<f64> = shift.log();
+        /// let translation = Motor::from(Translator::from_displacement([2.0, 0.0, 0.0]));
+        /// let generator: MotorGenerator<f64> = translation.log();
         /// assert_eq!(generator, MotorGenerator::new(0.0, 0.0, 0.0, -1.0, 0.0, 0.0));
         /// assert_eq!((generator * 0.5).exp().translator().displacement(), [1.0, 0.0, 0.0]);
         /// ```
@@ -335,8 +335,8 @@ crate::algebra! {
         ///
         /// ```
         /// use ga_runtime::cga3::{Point, Translator};
-        /// let shift = Translator::from_displacement([1.0, 0.0, 0.0]);
-        /// assert_eq!(shift.transform(Point::new(1.0, 2.0, 3.0)), Point::new(2.0, 2.0, 3.0));
+        /// let translation = Translator::from_displacement([1.0, 0.0, 0.0]);
+        /// assert_eq!(translation.transform(Point::new(1.0, 2.0, 3.0)), Point::new(2.0, 2.0, 3.0));
         /// ```
         #[hull(DualQuaternion)]
         #[facts(unit_versor)]
@@ -405,9 +405,9 @@ crate::algebra! {
         ///
         /// ```
         /// use ga_runtime::cga3::{EvenVersor, Point, Translator, Transversor};
-        /// let shift = Translator::from_displacement([1.0, 0.0, 0.0]);
+        /// let translation = Translator::from_displacement([1.0, 0.0, 0.0]);
         /// let bend = Transversor::from_vector([1.0, 0.0, 0.0]);
-        /// let versor: EvenVersor<f64> = EvenVersor::from(shift) * EvenVersor::from(bend);
+        /// let versor: EvenVersor<f64> = EvenVersor::from(translation) * EvenVersor::from(bend);
         /// let image = versor.transform_point(Point::new(1.0, 0.0, 0.0)).unwrap();
         /// assert!(image.distance(Point::new(1.5, 0.0, 0.0)) < 1e-15);
         /// ```
@@ -467,8 +467,8 @@ crate::algebra! {
         ///
         /// ```
         /// use ga_runtime::cga3::{DualQuaternion, Motor, Translator};
-        /// let shift = Motor::from(Translator::from_displacement([2.0, 0.0, 0.0]));
-        /// let sum: DualQuaternion<f64> = Motor::default() * 0.75 + shift * 0.25;
+        /// let translation = Motor::from(Translator::from_displacement([2.0, 0.0, 0.0]));
+        /// let sum: DualQuaternion<f64> = Motor::default() * 0.75 + translation * 0.25;
         /// assert_eq!(sum.normalize().unwrap().translator().displacement(), [0.5, 0.0, 0.0]);
         /// ```
         struct DualQuaternion { scalar, e12, e13, e23, e1i, e2i, e3i, e123i }

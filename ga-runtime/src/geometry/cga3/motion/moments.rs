@@ -78,15 +78,16 @@ impl<S: Real<Mask = bool>, const N: usize> Moments<S, N> {
     }
 
     /// The rotor R for which `Σ w |y − s R x|²` is least, of non-negative scalar part, and the
-    /// factor `s = Σ w y·R x / Σ w x²`, which is exact for N = 2 only; `None` where the sums are not finite, or where the vectors
-    /// are too close to a line, or to several equally good rotations, for the sums to fix R to the
-    /// accuracy of the scalar.
+    /// factor `s = Σ w y·R x / Σ w x²`, which is exact for N = 2 only; `None` where the sums are
+    /// not finite, or where the vectors are too close to a line, or to several equally good
+    /// rotations, for the sums to fix R to the accuracy of the scalar.
     ///
-    /// With the moments divided by `√(Σ w x² Σ w y²)`, or by half the sum of both squares, the largest
-    /// eigenvalue λ of Horn's matrix K is at most 1, and Newton's method from there finds it as a root of the characteristic
-    /// polynomial (Theobald, Rapid calculation of RMSDs using a quaternion-based characteristic
-    /// polynomial, Acta Crystallographica A 61, 2005). Each column of the adjugate of `K − λ` is a
-    /// multiple of the quaternion of R. One Newton step for R follows.
+    /// With the moments divided by `√(Σ w x² Σ w y²)`, or by half the sum of both squares, the
+    /// largest eigenvalue λ of Horn's matrix K is at most 1, and Newton's method from there finds
+    /// it as a root of the characteristic polynomial (Theobald, Rapid calculation of RMSDs using a
+    /// quaternion-based characteristic polynomial, Acta Crystallographica A 61, 2005). Each column
+    /// of the adjugate of `K − λ` is a multiple of the quaternion of R. One Newton step for R
+    /// follows.
     pub(super) fn rotation(&self) -> Option<(Rotor<S>, S)> {
         let [x_square, y_square] = if N == 1 {
             [self.squares[0] * S::from_ratio(1, 2); 2]
@@ -206,20 +207,20 @@ impl<S: Ring> Minors<S> {
 }
 
 /// A Newton step for a rotor near the best one, with the trace of the moments of the rotated
-/// vectors; `None` where the step is not small. With `p = R x`, a rotation by δ changes `Σ w y·p` by
-/// `δ·τ − ½ δᵀ(tr K − K)δ`, where `τ = Σ w p × y` and K is the symmetric part of `Σ w p yᵀ`.
+/// vectors; `None` where the step is not small. With `p = R x`, a rotation by δ changes `Σ w y·p`
+/// by `δ·τ − ½ δᵀ(tr K − K)δ`, where `τ = Σ w p × y` and K is the symmetric part of `Σ w p yᵀ`.
 fn improved<S: Real<Mask = bool>>(rotor: Rotor<S>, moments: Matrix<S, 3>) -> Option<(Rotor<S>, S)> {
     let half = S::from_ratio(1, 2);
     let [x, y, z] = moments.map(Vector::from);
-    let turned = rotor
+    let rotated = rotor
         .to_matrix()
         .map(|[a, b, c]| (x * a + y * b + z * c).coordinates());
-    let torque = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| turned[i][j] - turned[j][i]);
-    let trace = turned[0][0] + turned[1][1] + turned[2][2];
-    let mut stiffness = turned;
+    let torque = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| rotated[i][j] - rotated[j][i]);
+    let trace = rotated[0][0] + rotated[1][1] + rotated[2][2];
+    let mut stiffness = rotated;
     for row in 0..3 {
         for column in 0..3 {
-            let symmetric = (turned[row][column] + turned[column][row]) * half;
+            let symmetric = (rotated[row][column] + rotated[column][row]) * half;
             stiffness[row][column] = if row == column {
                 trace - symmetric
             } else {
@@ -233,14 +234,14 @@ fn improved<S: Real<Mask = bool>>(rotor: Rotor<S>, moments: Matrix<S, 3>) -> Opt
     }
     // The rotor of a small rotation is (1, ½ δ), up to the cube of δ and to its length.
     let [x, y, z] = (step * half).coordinates();
-    let turned = Rotor::new_unchecked(S::one(), -z, y, -x) * rotor;
-    let (vector, scalar) = turned.to_quaternion();
+    let rotated = Rotor::new_unchecked(S::one(), -z, y, -x) * rotor;
+    let (vector, scalar) = rotated.to_quaternion();
     let rotor = Rotor::from_quaternion(vector, scalar)?;
     Some((with_scalar_above_zero(rotor), trace))
 }
 
-/// The rotor of the same rotation with a scalar part that is not negative. The scalar part of a half
-/// turn may be rounded to either side of zero: then the sign stays and it becomes zero.
+/// The rotor of the same rotation with a scalar part that is not negative. The scalar part of a
+/// half turn may be rounded to either side of zero: then the sign stays and it becomes zero.
 fn with_scalar_above_zero<S: Real<Mask = bool>>(rotor: Rotor<S>) -> Rotor<S> {
     let scalar = rotor.scalar();
     if !scalar.less_than(S::zero()) {

@@ -66,8 +66,8 @@ impl<S: Real<Mask = bool>> Mirror<S> for Plane<S> {
         let Figure::Plane { normal, distance } = self.figure()? else {
             return None;
         };
-        let shift = shift(normal * (distance + distance))?;
-        Some((shift * half_turn(normal), true))
+        let translation = translation(normal * (distance + distance))?;
+        Some((translation * half_turn(normal), true))
     }
 
     #[inline]
@@ -84,8 +84,8 @@ impl<S: Real<Mask = bool>> Mirror<S> for Line<S> {
         };
         // The point nearest to the origin is perpendicular to the direction: a half turn about the
         // axis through the origin maps it to its negative.
-        let shift = shift(point * S::from_integer(2))?;
-        Some((shift * half_turn(direction), false))
+        let translation = translation(point * S::from_integer(2))?;
+        Some((translation * half_turn(direction), false))
     }
 
     #[inline]
@@ -96,8 +96,8 @@ impl<S: Real<Mask = bool>> Mirror<S> for Line<S> {
 
 impl<S: Real<Mask = bool>> Mirror<S> for Point<S> {
     fn reflection(self) -> Option<(Motor<S>, bool)> {
-        let shift = shift(Vector::from(self) * S::from_integer(2))?;
-        Some((shift.into(), true))
+        let translation = translation(Vector::from(self) * S::from_integer(2))?;
+        Some((translation.into(), true))
     }
 
     #[inline]
@@ -138,8 +138,8 @@ macro_rules! reflections {
     ($($Element:ident)*) => {$(
         impl<S: Real<Mask = bool>> $Element<S> {
             /// The image under reflection in a plane, a line or a point; see
-            /// [`reflection`](crate::geometry::relation::reflection). `None` where the mirror is not a
-            /// figure, or the image is not finite.
+            /// [`reflection`](crate::geometry::relation::reflection). `None` where the mirror is
+            /// not a figure, or the image is not finite.
             #[must_use]
             pub fn reflect_in<M: Mirror<S>>(self, mirror: M) -> Option<Self> {
                 image(self, mirror)
@@ -200,7 +200,7 @@ fn half_turn<S: Real>(Vector { e1, e2, e3 }: Vector<S>) -> Rotor<S> {
     Rotor::new_unchecked(S::zero(), -e3, e2, -e1)
 }
 
-fn shift<S: Real<Mask = bool>>(displacement: Vector<S>) -> Option<Translator<S>> {
+fn translation<S: Real<Mask = bool>>(displacement: Vector<S>) -> Option<Translator<S>> {
     displacement
         .is_finite()
         .then(|| Translator::from_displacement(displacement.into()))
