@@ -229,7 +229,7 @@ pub fn check_types(declaration: TokenStream, runtime: TokenStream) -> Result<Def
 /// let functions = compile(&definition, quote::quote! {
 ///     fn reflect(v: Vector, n: Vector) -> Vector { -n * v * inverse(n) }
 /// })?;
-/// assert_eq!(functions[0].kernel.cost().divisions, 2);
+/// assert_eq!(functions[0].kernel.cost().divisions, 1);
 /// # Ok::<(), syn::Error>(())
 /// ```
 ///
