@@ -42,6 +42,13 @@ const STAGED: &[Row] = &[
         "sandwich(m, x)",
         [13, 11],
     ),
+    // Near points are subtracted before anything else, not after products with the plane.
+    (
+        "p: Point, uniform q: Point, uniform n: DualPlane -> Scalar",
+        "p: Place, uniform q: Place, uniform n: Normal -> Scalar",
+        "(p - q) | n",
+        [3, 5],
+    ),
     // Mirrors and inversions, written as vectors.
     (
         "uniform m: RoundVector, x: Point -> RoundVector",
