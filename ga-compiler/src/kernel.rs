@@ -3,7 +3,7 @@
 use crate::algebra::{Algebra, Blade, NamedBlade, Ratio};
 use crate::define::TypeDefinition;
 use crate::expression::Expression;
-use crate::ir::{Arena, Node, Residue, Value};
+use crate::ir::{Arena, Node, Outcomes, Residue, Value};
 use crate::lower::Choices;
 use crate::passes::{self, Cost, Stages};
 use crate::program::{Program, StepId, Witness};
@@ -70,9 +70,13 @@ impl Kernel {
     /// The outputs for given inputs over the prime field.
     #[must_use]
     pub fn evaluate(&self, inputs: &[Residue]) -> Vec<Residue> {
+        self.evaluate_with(inputs, &Outcomes::default())
+    }
+
+    fn evaluate_with(&self, inputs: &[Residue], outcomes: &Outcomes) -> Vec<Residue> {
         let mut inputs = inputs.to_vec();
         inputs.extend(self.literals.iter().copied().map(Residue::from_ratio));
-        let values = self.arena.evaluate(&inputs);
+        let values = self.arena.evaluate_with(&inputs, outcomes);
         self.outputs
             .iter()
             .map(|output| values[output.node.index()] * Residue::from_ratio(output.factor))
@@ -119,7 +123,7 @@ impl Kernel {
         witness: &Witness,
         wanted: &[(StepId, Vec<NamedBlade>)],
     ) -> bool {
-        witness.points().all(|(members, values)| {
+        witness.points().all(|(members, values, outcomes)| {
             let expected = wanted.iter().flat_map(|(step, blades)| {
                 let value = &values[step.index()];
                 blades.iter().map(|named| {
@@ -127,7 +131,7 @@ impl Kernel {
                     if named.is_negative { -found } else { found }
                 })
             });
-            let found = self.evaluate(&inputs_of(&program.operands, members));
+            let found = self.evaluate_with(&inputs_of(&program.operands, members), outcomes);
             found.into_iter().eq(expected)
         })
     }

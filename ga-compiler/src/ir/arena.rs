@@ -4,7 +4,7 @@ use std::hash::{Hash, Hasher};
 
 use rustc_hash::{FxHashMap, FxHasher};
 
-use super::{Function, Residue};
+use super::{Function, Outcomes, Residue};
 use crate::algebra::Ratio;
 
 /// The place of a node in its arena. A node comes after everything that it refers to.
@@ -357,6 +357,11 @@ impl Arena {
     /// exist is an arbitrary residue.
     #[must_use]
     pub fn evaluate(&self, inputs: &[Residue]) -> Vec<Residue> {
+        self.evaluate_with(inputs, &Outcomes::default())
+    }
+
+    /// The same, where outcomes are taken for some comparisons.
+    pub(crate) fn evaluate_with(&self, inputs: &[Residue], outcomes: &Outcomes) -> Vec<Residue> {
         let mut results = Vec::with_capacity(self.nodes.len());
         for node in &self.nodes {
             let result = match node {
@@ -372,7 +377,7 @@ impl Arena {
                         .iter()
                         .map(|v| results_at(&results, v.node) * Residue::from_ratio(v.factor))
                         .collect();
-                    let value = function.evaluate(&arguments);
+                    let value = function.evaluate_with(&arguments, outcomes);
                     value.unwrap_or_else(|| function.stand_in(&arguments))
                 }
             };

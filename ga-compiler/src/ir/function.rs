@@ -1,5 +1,7 @@
 //! Functions of scalars beyond arithmetic.
 
+use rustc_hash::FxHashMap;
+
 use super::{Residue, ResidueSequence};
 use crate::algebra::Ratio;
 
@@ -229,6 +231,18 @@ impl Function {
         })
     }
 
+    /// The same, where outcomes are taken for some comparisons.
+    pub(crate) fn evaluate_with(
+        self,
+        arguments: &[Residue],
+        outcomes: &Outcomes,
+    ) -> Option<Residue> {
+        match outcomes.get(self, arguments) {
+            Some(holds) => Some(condition(holds)),
+            None => self.evaluate(arguments),
+        }
+    }
+
     /// The stand-in for a root of a constant that has none: an arbitrary residue, whose square is not
     /// that constant. Roots of fractions always exist, but not all roots of sums of roots.
     #[must_use]
@@ -273,6 +287,34 @@ impl Function {
             | Self::Select => None,
         }
     }
+}
+
+/// Outcomes that are taken for comparisons of some numbers, in place of random ones.
+#[derive(Clone, Debug, Default)]
+pub struct Outcomes(FxHashMap<(Function, Vec<u64>), bool>);
+
+impl Outcomes {
+    /// Takes an outcome for a comparison of two numbers, unless one is taken already.
+    pub(crate) fn set(&mut self, comparison: Function, numbers: &[Residue], holds: bool) {
+        self.0.entry(key(comparison, numbers)).or_insert(holds);
+    }
+
+    fn get(&self, function: Function, arguments: &[Residue]) -> Option<bool> {
+        if self.0.is_empty() || !function.is_condition() {
+            return None;
+        }
+        self.0.get(&key(function, arguments)).copied()
+    }
+}
+
+/// The same for both orders of numbers that are compared for equality.
+fn key(comparison: Function, numbers: &[Residue]) -> (Function, Vec<u64>) {
+    let parts = |number: &Residue| [number.residue(), number.imaginary()];
+    let parts: Vec<u64> = match (comparison, numbers) {
+        (Function::Equal, [a, b]) => parts(&((*a - *b) * (*a - *b))).to_vec(),
+        _ => numbers.iter().flat_map(parts).collect(),
+    };
+    (comparison, parts)
 }
 
 /// A condition as a residue.

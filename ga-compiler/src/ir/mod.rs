@@ -18,7 +18,7 @@ mod residue;
 
 pub use arena::{Arena, Node, NodeId, Value};
 pub use facts::Facts;
-pub use function::Function;
+pub use function::{Function, Outcomes};
 pub use multivector::Multivector;
 pub use plucker::plucker;
 pub use residue::{Residue, Residue as Prime};

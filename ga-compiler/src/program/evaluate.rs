@@ -2,7 +2,7 @@
 
 use super::{Parity, Program, Step, StepId};
 use crate::algebra::{Algebra, Blade};
-use crate::ir::Residue;
+use crate::ir::{Outcomes, Residue};
 use crate::member::{Numbers, numbers};
 
 /// The value of every step for given members of the operands' types, operation by operation as they
@@ -16,19 +16,21 @@ pub fn evaluate(
 ) -> Option<Vec<Numbers>> {
     let mut values = Vec::with_capacity(program.steps.len());
     for (id, _) in program.steps() {
-        let value = evaluate_step(algebra, program, id, members, &values)?;
+        let value = evaluate_step(algebra, program, id, members, &values, &Outcomes::default())?;
         values.push(value);
     }
     Some(values)
 }
 
-/// The value of one step, from those of the steps before it.
+/// The value of one step, from those of the steps before it, with outcomes that are taken for some
+/// comparisons.
 pub(super) fn evaluate_step(
     algebra: &Algebra,
     program: &Program<'_>,
     id: StepId,
     members: &[Numbers],
     values: &[Numbers],
+    outcomes: &Outcomes,
 ) -> Option<Numbers> {
     let value = |id: StepId| &values[id.index()];
     let scalar = |id: StepId| numbers::coefficient(value(id), Blade::SCALAR);
@@ -66,7 +68,7 @@ pub(super) fn evaluate_step(
         }
         Step::Function(function, arguments) => {
             let arguments: Vec<_> = arguments.iter().map(|&id| scalar(id)).collect();
-            let result = function.evaluate(&arguments);
+            let result = function.evaluate_with(&arguments, outcomes);
             let is_constant = program.is_constant(id);
             let result = result.or_else(|| is_constant.then(|| function.stand_in(&arguments)));
             Numbers::from([(Blade::SCALAR, result?)])

@@ -7,6 +7,7 @@
 //! across them.
 
 mod build;
+mod choices;
 mod conformal;
 mod error;
 mod evaluate;

@@ -1,11 +1,12 @@
 //! The values of a program's steps at random points, by which types are checked while names are
 //! resolved.
 
+use super::choices::{self, Goal};
 use super::evaluate::evaluate_step;
 use super::{Parity, Program, Step, StepId};
 use crate::algebra::{Algebra, Blade, Product};
 use crate::define::TypeDefinition;
-use crate::ir::{Facts, Function, Residue};
+use crate::ir::{Facts, Function, Outcomes, Residue};
 use crate::member::{self, Numbers, numbers};
 
 /// How many points are tried before points are taken at which roots are multiples of i, and how many
@@ -21,6 +22,16 @@ const POINTS_WITH_SIGNS: usize = 16;
 /// them in each combination.
 const POINTS_WITH_CHOICES: usize = 48;
 
+/// How many points with chosen outcomes are taken at most, and how many are tried for one of them
+/// and for all.
+const POINTS_WITH_OUTCOMES: usize = 64;
+const TRIES_OF_ONE: u64 = 64;
+const TRIES_WITH_OUTCOMES: u64 = 4096;
+
+/// How many comparisons there are at least where points are added at which all of them hold, and
+/// none.
+const MANY_COMPARISONS: usize = 3;
+
 /// How many points are taken at most until every root has been a residue.
 const POINTS_WITH_ROOTS: usize = 64;
 
@@ -34,15 +45,24 @@ const POINTS_WITH_ROOTS: usize = 64;
 #[derive(Clone, Debug, Default)]
 pub struct Witness {
     points: Vec<Point>,
+    /// Points at which comparisons have outcomes that show a branch.
+    chosen: Vec<Point>,
     tried: u64,
+    tried_with_outcomes: u64,
+    /// How many steps there were when the points showed all outcomes.
+    covered: usize,
     /// How many points the types of that many operands take.
     wanted: Option<(usize, usize)>,
 }
 
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 struct Point {
     members: Vec<Numbers>,
     values: Vec<Numbers>,
+    /// The outcomes that some comparisons have here.
+    wanted: Goal,
+    /// The same by the numbers that are compared.
+    outcomes: Outcomes,
 }
 
 impl Witness {
@@ -71,17 +91,26 @@ impl Witness {
         let wanted = known.1.max(signs);
         let mut points = std::mem::take(&mut self.points);
         points.retain(|point| point.members.len() == program.operands.len());
+        if points.is_empty() {
+            self.covered = 0;
+            self.chosen.clear();
+        }
         let mut known = points.into_iter();
         loop {
             let is_real =
                 self.tried < TRIES_WITH_REAL_ROOTS || has_real_roots(program, &self.points);
-            if self.points.len() >= wanted && is_covered(program, &self.points) && is_real {
+            let is_covered = || is_covered(program, &self.points, self.covered);
+            if self.points.len() >= wanted && is_real && is_covered() {
+                self.choose(algebra, program);
                 return true;
             }
             if !is_real && self.points.len() >= POINTS_WITH_ROOTS {
                 return false;
             }
-            let start = known.next().or_else(|| self.start(algebra, program));
+            let start = known.next().or_else(|| {
+                self.tried += 1;
+                start(algebra, program, self.tried - 1)
+            });
             let Some(point) = start.and_then(|start| self.settle(algebra, program, start)) else {
                 return false;
             };
@@ -89,17 +118,82 @@ impl Witness {
         }
     }
 
-    fn start(&mut self, algebra: &Algebra, program: &Program<'_>) -> Option<Point> {
-        let mut sequence = member::sequence(self.tried);
-        self.tried += 1;
-        let members = program.operands.iter();
-        let members: Option<Vec<_>> = members
-            .map(|kind| member::sample(algebra, kind, &mut sequence))
-            .collect();
-        members.map(|members| Point {
-            members,
-            values: Vec::new(),
-        })
+    /// Adds points that show the branches of choices, as far as there are some.
+    fn choose(&mut self, algebra: &Algebra, program: &Program<'_>) {
+        for point in std::mem::take(&mut self.chosen) {
+            self.settle_chosen(algebra, program, point);
+        }
+        for (id, step) in program.steps().skip(self.covered) {
+            for goal in choices::goals(program, id) {
+                let is_shown = |point: &Point| {
+                    let mut goal = goal.iter();
+                    goal.all(|(id, holds)| is_true(point, *id) == *holds)
+                };
+                if self.all().any(is_shown) {
+                    continue;
+                }
+                if let Some(wanted) = choices::outcomes(program, &goal) {
+                    self.add_chosen(algebra, program, wanted);
+                }
+            }
+            if matches!(step, Step::Function(function, _) if is_comparison(*function)) {
+                let comparisons: Vec<StepId> = program
+                    .steps()
+                    .take(id.index() + 1)
+                    .filter(|(_, step)| {
+                        matches!(step, Step::Function(function, _) if is_comparison(*function))
+                    })
+                    .map(|(id, _)| id)
+                    .collect();
+                if comparisons.len() == MANY_COMPARISONS {
+                    for holds in [true, false] {
+                        let all = comparisons.iter().map(|id| (*id, holds));
+                        self.add_chosen(algebra, program, all.collect());
+                    }
+                }
+            }
+        }
+        self.covered = program.len();
+    }
+
+    fn add_chosen(&mut self, algebra: &Algebra, program: &Program<'_>, wanted: Goal) {
+        if self.chosen.len() >= POINTS_WITH_OUTCOMES {
+            return;
+        }
+        let mut wanted = wanted;
+        wanted.retain(|(id, _)| !program.is_constant(*id));
+        let point = self.start_chosen(algebra, program);
+        if let Some(point) = point {
+            self.settle_chosen(algebra, program, Point { wanted, ..point });
+        }
+    }
+
+    fn start_chosen(&mut self, algebra: &Algebra, program: &Program<'_>) -> Option<Point> {
+        self.tried_with_outcomes += 1;
+        start(algebra, program, (1 << 32) + self.tried_with_outcomes)
+    }
+
+    /// Evaluates the missing steps at a point with chosen outcomes. It is dropped where no point
+    /// with them is found: there may be none, such as where a chosen divisor is zero.
+    fn settle_chosen(&mut self, algebra: &Algebra, program: &Program<'_>, mut point: Point) {
+        let with_real_roots = self.tried < TRIES_WITH_REAL_ROOTS;
+        for _ in 0..TRIES_OF_ONE {
+            let Err(failed) = point.extend(algebra, program, with_real_roots) else {
+                self.chosen.push(point);
+                return;
+            };
+            if self.tried_with_outcomes >= TRIES_WITH_OUTCOMES {
+                return;
+            }
+            let Some(other) = self.start_chosen(algebra, program) else {
+                return;
+            };
+            point.redraw(program, failed, other);
+        }
+    }
+
+    fn all(&self) -> impl Iterator<Item = &Point> {
+        self.points.iter().chain(&self.chosen)
     }
 
     /// Evaluates the missing steps at a point. Where a step does not exist, the operands that it
@@ -114,30 +208,26 @@ impl Witness {
             if self.tried >= TRIES {
                 return None;
             }
-            let other = self.start(algebra, program)?;
-            let free = free_operands(program, failed);
-            point.values.clear();
-            for (operand, member) in other.members.into_iter().enumerate() {
-                if free.is_empty() || free.contains(&operand) {
-                    point.members[operand] = member;
-                }
-            }
+            self.tried += 1;
+            let other = start(algebra, program, self.tried - 1)?;
+            point.redraw(program, failed, other);
+            self.covered = 0;
         }
         Some(point)
     }
 
     /// The values of a step.
     pub fn values(&self, id: StepId) -> impl Iterator<Item = &Numbers> {
-        self.points
-            .iter()
-            .map(move |point| &point.values[id.index()])
+        self.all().map(move |point| &point.values[id.index()])
     }
 
-    /// The members of the operands' types at each point, and the values of all steps.
-    pub fn points(&self) -> impl Iterator<Item = (&[Numbers], &[Numbers])> {
-        self.points
-            .iter()
-            .map(|point| (point.members.as_slice(), point.values.as_slice()))
+    /// The members of the operands' types at each point, the values of all steps, and the outcomes
+    /// that are taken for comparisons.
+    pub fn points(&self) -> impl Iterator<Item = (&[Numbers], &[Numbers], &Outcomes)> {
+        self.all().map(|point| {
+            let (members, values) = (point.members.as_slice(), point.values.as_slice());
+            (members, values, &point.outcomes)
+        })
     }
 
     /// The blades whose coefficients are not always zero.
@@ -231,8 +321,18 @@ impl Point {
         program: &Program<'_>,
         with_real_roots: bool,
     ) -> Result<(), StepId> {
-        for (id, _) in program.steps().skip(self.values.len()) {
-            let value = evaluate_step(algebra, program, id, &self.members, &self.values);
+        for (id, step) in program.steps().skip(self.values.len()) {
+            if let Step::Function(function, arguments) = step
+                && let Some((_, holds)) = self.wanted.iter().find(|(wanted, _)| *wanted == id)
+            {
+                let numbers = arguments
+                    .iter()
+                    .map(|part| numbers::coefficient(&self.values[part.index()], Blade::SCALAR));
+                let numbers: Vec<_> = numbers.collect();
+                self.outcomes.set(*function, &numbers, *holds);
+            }
+            let (members, values) = (&self.members, &self.values);
+            let value = evaluate_step(algebra, program, id, members, values, &self.outcomes);
             let value = value.ok_or(id)?;
             if with_real_roots && is_variable_root(program, id) && !is_real(&value) {
                 return Err(id);
@@ -241,6 +341,40 @@ impl Point {
         }
         Ok(())
     }
+
+    /// Takes the operands of another point that a failed step reads, except for those that earlier
+    /// roots read.
+    fn redraw(&mut self, program: &Program<'_>, failed: StepId, other: Self) {
+        let free = free_operands(program, failed);
+        self.values.clear();
+        self.outcomes = Outcomes::default();
+        for (operand, member) in other.members.into_iter().enumerate() {
+            if free.is_empty() || free.contains(&operand) {
+                self.members[operand] = member;
+            }
+        }
+    }
+}
+
+/// A point at which nothing is evaluated yet.
+fn start(algebra: &Algebra, program: &Program<'_>, seed: u64) -> Option<Point> {
+    let mut sequence = member::sequence(seed);
+    let members = program.operands.iter();
+    let members: Option<Vec<_>> = members
+        .map(|kind| member::sample(algebra, kind, &mut sequence))
+        .collect();
+    members.map(|members| Point {
+        members,
+        ..Point::default()
+    })
+}
+
+fn is_comparison(function: Function) -> bool {
+    function.is_condition() && function.is_random_choice()
+}
+
+fn is_true(point: &Point, id: StepId) -> bool {
+    numbers::coefficient(&point.values[id.index()], Blade::SCALAR) != Residue::ZERO
 }
 
 /// Whether a step is a root of what depends on operands.
@@ -264,48 +398,53 @@ fn has_real_roots(program: &Program<'_>, points: &[Point]) -> bool {
     })
 }
 
-/// Whether the points show the outcomes of the program's comparisons, one by one and in pairs, so
-/// that no branch of a choice goes unseen.
-fn is_covered(program: &Program<'_>, points: &[Point]) -> bool {
-    let choices = program.steps().filter_map(|(id, step)| match step {
-        Step::Function(function, arguments) if function.is_random_choice() => {
+/// Whether the points show the outcomes of the program's comparisons, one by one and in pairs.
+/// They do so for the comparisons among the first `covered` steps.
+fn is_covered(program: &Program<'_>, points: &[Point], covered: usize) -> bool {
+    let random = |(id, step)| match step {
+        &Step::Function(function, ref arguments) if function.is_random_choice() => {
             // A comparison gives 0 or 1; the smaller or the larger number is the first or not.
             let reference = (!function.is_condition()).then_some(arguments[0]);
             Some((id, reference))
         }
         _ => None,
-    });
-    let outcomes: Vec<Vec<bool>> = choices
-        .map(|(id, reference)| {
-            let scalar = |point: &Point, id: StepId| {
-                numbers::coefficient(&point.values[id.index()], Blade::SCALAR)
-            };
-            let of_point = |point: &Point| match reference {
-                Some(first) => scalar(point, id) == scalar(point, first),
-                None => scalar(point, id) != Residue::ZERO,
-            };
-            points.iter().map(of_point).collect()
-        })
-        .collect();
-    let shows_all = |first: &[bool], second: &[bool]| {
-        [(false, false), (false, true), (true, false), (true, true)]
-            .into_iter()
-            .all(|wanted| {
-                first
-                    .iter()
-                    .copied()
-                    .zip(second.iter().copied())
-                    .any(|found| found == wanted)
-            })
     };
-    points.len() >= POINTS_WITH_CHOICES
-        || outcomes.iter().enumerate().all(|(place, first)| {
-            first.contains(&true)
-                && first.contains(&false)
-                && outcomes[..place]
-                    .iter()
-                    .all(|second| shows_all(first, second))
-        })
+    if points.len() >= POINTS_WITH_CHOICES
+        || program
+            .steps()
+            .skip(covered)
+            .filter_map(random)
+            .next()
+            .is_none()
+    {
+        return true;
+    }
+    let choices: Vec<(StepId, Option<StepId>)> = program.steps().filter_map(random).collect();
+    // The points where each has one outcome, as bits.
+    let outcomes = choices.iter().map(|(id, reference)| {
+        let scalar = |point: &Point, id: StepId| {
+            numbers::coefficient(&point.values[id.index()], Blade::SCALAR)
+        };
+        let holds = |point: &Point| match reference {
+            Some(first) => scalar(point, *id) == scalar(point, *first),
+            None => is_true(point, *id),
+        };
+        points
+            .iter()
+            .fold(0_u64, |bits, point| bits << 1 | u64::from(holds(point)))
+    });
+    let outcomes: Vec<u64> = outcomes.collect();
+    let every = (1_u64 << points.len()) - 1;
+    let shows_all = |a: u64, b: u64| {
+        let combinations = [a & b, a & !b, !a & b, !a & !b];
+        combinations.iter().all(|points| points & every != 0)
+    };
+    let is_both = |a: u64| a != 0 && a != every;
+    choices.iter().enumerate().all(|(place, (id, _))| {
+        id.index() < covered
+            || is_both(outcomes[place])
+                && (0..place).all(|other| shows_all(outcomes[place], outcomes[other]))
+    })
 }
 
 /// The operands that a step depends on and that no earlier root depends on.

@@ -173,7 +173,7 @@ fn what_is_not_chosen_does_no_harm() {
 
 #[test]
 fn long_conjunctions_are_those_of_rust() {
-    let inside = [0.25, 0.5, 0.75];
+    let inside = [0.25_f64, 0.5, 0.75];
     for x in inside.into_iter().chain([-1.0, 2.0]) {
         for y in inside.into_iter().chain([-1.0, 2.0]) {
             for z in inside.into_iter().chain([-1.0, 2.0]) {
@@ -196,7 +196,7 @@ fn long_conjunctions_are_those_of_rust() {
 
 #[test]
 fn what_is_zero_at_most_points_is_computed() {
-    let [root, twice, quotient] = compiled::limited(-2.0, 0.0);
+    let [root, twice, quotient]: [f64; 3] = compiled::limited(-2.0, 0.0);
     assert!(root.is_nan() && twice == 4.0 && quotient.is_nan());
 }
 

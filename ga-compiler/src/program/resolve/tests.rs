@@ -39,6 +39,32 @@ fn chain(count: usize, open: &str, close: &str) -> String {
     calling.chain([last]).collect()
 }
 
+/// Branches behind many comparisons count, although comparisons at random points hold only by
+/// chance.
+#[test]
+fn every_branch_of_long_conditions_is_checked() {
+    let numbers = "a: Scalar, b: Scalar, c: Scalar, d: Scalar, e: Scalar, v: Vector";
+    let conjunction = "a < b && b < c && c < d && d < e && e < a && a < c && b < d && c < e";
+    for body in [
+        format!("select({conjunction}, 1 + v, v)"),
+        format!("select(!({conjunction}), v, 1 + v)"),
+        "select(a < b, select(b < c, select(c < d, select(d < e, select(e < a, \
+         select(a < c, select(b < d, 1 + v, v), v), v), v), v), v), v)"
+            .to_owned(),
+    ] {
+        let function = format!("fn f({numbers}) -> Vector {{ {body} }}");
+        let found = message(&function);
+        assert!(found.contains("Vector"), "{found}");
+        let function = function.replace("1 + v", "2 * v");
+        assert_eq!(messages(&function), Vec::<String>::new(), "{function}");
+    }
+    // What is never zero where it is used has a quotient.
+    let function = "fn f(a: Scalar, b: Scalar, c: Scalar, d: Scalar) -> Scalar {
+        1 / select(a < b && b < c && c < d, 0, 1 + a * a)
+    }";
+    assert_eq!(messages(function), Vec::<String>::new());
+}
+
 #[test]
 fn a_recursion_is_one_error() {
     let never_ends =
