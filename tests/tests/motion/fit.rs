@@ -472,3 +472,42 @@ fn single_precision_fits_too() {
     assert_close!(fit.motion, expected, 1e-6);
     assert!(fit.residual(&pairs) < 1e-6);
 }
+
+#[test]
+fn residuals_of_numbers_that_are_not_finite_are_not_zero() {
+    let x = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let pairs = paired(&x, &x);
+    let fit = Motor::from_point_pairs(&pairs).unwrap();
+    let nan = Point::new(f64::NAN, 0.0, 0.0);
+    assert_eq!(fit.residual(&[]), 0.0);
+    assert_eq!(fit.residual(&pairs), 0.0);
+    for place in 0..3 {
+        let mut others = pairs.clone();
+        others[place].1 = nan;
+        assert!(fit.residual(&others).is_nan());
+        others[(place + 1) % 3].1 = Point::new(5.0, 0.0, 0.0);
+        assert!(fit.residual(&others).is_nan());
+        others[(place + 2) % 3].1 = Point::new(f64::INFINITY, 0.0, 0.0);
+        assert!(!fit.residual(&others).is_finite());
+    }
+    let directions: [([f64; 3], [f64; 3]); 2] = [
+        ([1.0, 0.0, 0.0], [1.0, 0.0, 0.0]),
+        ([0.0, 1.0, 0.0], [0.0, 1.0, 0.0]),
+    ];
+    let fit_of_directions = Rotor::from_direction_pairs(&directions).unwrap();
+    // A direction of length zero is not a direction.
+    assert!(
+        fit_of_directions
+            .residual(&[([0.0_f64; 3], [1.0, 0.0, 0.0])])
+            .is_nan()
+    );
+    // Pairs of weight zero are ignored, whatever they are.
+    let far = Point::new(4.0, 4.0, 0.0);
+    let weighted = [
+        (0.0, nan, nan),
+        (2.0, Point::new(4.0, 1.0, 0.0), far),
+        (0.0, far, nan),
+    ];
+    assert_close!(fit.weighted_residual(&weighted), 3.0, 1e-14);
+    assert_eq!(fit.weighted_residual(&weighted[..1]), 0.0);
+}

@@ -184,24 +184,23 @@ residuals! {
     Rotor [S; 3]: left_of_directions;
 }
 
-/// `√(Σ w l² / Σ w)`, without overflow of the squares.
+/// `√(Σ w l² / Σ w)`, without overflow of the squares; zero where all weights are zero.
 fn root_mean_square<S: Real<Mask = bool>>(lengths: impl Iterator<Item = (S, S)> + Clone) -> S {
-    let most = |most: S, (weight, length): (S, S)| {
-        if S::zero().less_than(weight) {
-            most.max(length)
-        } else {
-            most
-        }
-    };
-    let largest = lengths.clone().fold(S::zero(), most);
-    if !S::zero().less_than(largest) {
-        return largest;
-    }
-    let [sum, total] = lengths.fold([S::zero(); 2], |[sum, total], (weight, length)| {
-        let part = length / largest;
+    let zero = S::zero();
+    let lengths = lengths.filter(|&(weight, _)| weight != zero);
+    let largest = lengths
+        .clone()
+        .fold(zero, |most, (_, length)| most.max(length));
+    // `max` skips NaN, which is then only in the sum.
+    let unit = S::select(zero.less_than(largest), largest, S::one());
+    let [sum, total] = lengths.fold([zero; 2], |[sum, total], (weight, length)| {
+        let part = length / unit;
         [sum + part * part * weight, total + weight]
     });
-    (sum / total).sqrt() * largest
+    if total == zero {
+        return zero;
+    }
+    (sum / total).sqrt() * unit
 }
 
 /// The sum of equal weights.
