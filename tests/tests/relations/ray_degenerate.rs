@@ -1,6 +1,6 @@
 //! Rays where there is no hit, almost none, or no sensible input, and rays far from the origin.
 
-use ga_runtime::cga3::{Circle, DualSphere, Plane, Point, Sphere};
+use ga_runtime::cga3::{Circle, DualSphere, Plane, Point, Rotor, Sphere, Translator};
 use ga_runtime::geometry::ray::{Hit, Ray, Side};
 use ga_runtime::geometry::relation::Figure;
 use ga_runtime::vga3::Vector;
@@ -306,6 +306,38 @@ fn f32_and_f64_give_the_same_hits() {
                 (low - high).abs() < 2e-3 || high < 1e-5,
                 "{low} is not {high}"
             );
+        }
+    }
+}
+
+#[test]
+fn spheres_of_radius_zero_are_not_hit() {
+    let motor = Rotor::from_axis_angle([1.0, 2.0, -3.0], 0.7).expect("an axis")
+        * Translator::from_displacement([0.3, -0.7, 0.9]);
+    for centre in [[0.1, 0.2, 0.3], [-7.3, 0.9, 1e3], [1e-4, 3e-5, 0.7]] {
+        let point = Sphere::from_centre_radius(Point::from(centre), 0.0);
+        let small = Sphere::from_centre_radius(Point::from(centre), 1e-4 * (1.0 + centre[2]));
+        let images = [
+            (point, small, Point::from(centre)),
+            (
+                motor.transform(point),
+                motor.transform(small),
+                motor.transform(Point::from(centre)),
+            ),
+        ];
+        for (point, small, centre) in images {
+            for weight in [1.0, -3.0, 1e-20, 1e20] {
+                let (point, small) = (point * weight, small * weight);
+                for direction in [[1.0, 0.0, 0.0], [0.3, -0.5, 0.2], [0.0, 1.0, 1.0]] {
+                    let ray = ray(centre.coordinates(), direction).advance(-2.0);
+                    assert_eq!(ray.first_hit(point), None);
+                    assert_eq!(ray.first_hit(point.dual()), None);
+                    assert_eq!(ray.entry_and_exit(point), None);
+                    assert_eq!(ray.sphere_distances(point), (false, [0.0; 2]));
+                    // A sphere whose radius is above the rounding is.
+                    assert!(ray.first_hit(small).is_some() && ray.sphere_distances(small).0);
+                }
+            }
         }
     }
 }

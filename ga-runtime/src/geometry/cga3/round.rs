@@ -118,9 +118,10 @@ fn scaled<S: Real<Mask = bool>>(vectors: [[S; 3]; 3], along: S) -> Option<[[S; 3
     Some([round.centre.into(), round.direction.into(), numbers])
 }
 
+/// √a/√b, where a/b is beyond the regular range.
 #[cold]
 #[inline(never)]
-fn quotient_of_roots<S: Real>(a: S, b: S) -> S {
+pub(super) fn quotient_of_roots<S: Real>(a: S, b: S) -> S {
     a.sqrt() / b.sqrt()
 }
 
@@ -173,8 +174,15 @@ pub(super) fn real_square<S: Real<Mask = bool>>([a, b]: [S; 2]) -> Option<S> {
     zero_or_imaginary([a, b])
 }
 
-#[inline]
-fn rounding<S: Real>([a, b]: [S; 2]) -> S {
+/// The square a − b where it is positive by more than rounding.
+#[inline(always)]
+pub(super) fn positive_square<S: Real<Mask = bool>>([a, b]: [S; 2]) -> Option<S> {
+    rounding([a, b]).less_than(a - b).then(|| a - b)
+}
+
+/// The difference a − b below which it is rounding.
+#[inline(always)]
+pub(super) fn rounding<S: Real>([a, b]: [S; 2]) -> S {
     S::epsilon() * S::from_integer(32) * (a.abs() + b.abs())
 }
 

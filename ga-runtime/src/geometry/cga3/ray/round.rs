@@ -3,7 +3,7 @@
 use super::surface::Ahead;
 use super::{Hit, Ray};
 use crate::cga3::{Circle, DualCircle, DualSphere};
-use crate::geometry::cga3::round::RoundBivector;
+use crate::geometry::cga3::round::{RoundBivector, positive_square};
 use crate::geometry::number::is_regular;
 use crate::scalar::Real;
 use crate::vga3::Vector;
@@ -19,33 +19,34 @@ pub(super) struct Crossing<S> {
     to_centre: Vector<S>,
 }
 
-/// How a ray crosses a dual sphere `σ = w (c − ½r² ei)`; `None` for a miss, and for a dual plane.
+/// How a ray crosses a dual sphere `σ = w (c − ½r² ei)`; `None` for a miss, for a radius that is
+/// zero up to the rounding of σ, and for a dual plane.
 #[inline]
 pub(super) fn sphere_crossing<S: Real<Mask = bool>>(
     ray: Ray<S>,
     sphere: DualSphere<S>,
 ) -> Option<Crossing<S>> {
     let place = Vector::new(sphere.e1, sphere.e2, sphere.e3);
-    // σ², which is w² r².
-    let square = place.dot(place) - (sphere.ei + sphere.ei) * sphere.eo;
-    if is_regular(square) {
-        return crossing(ray, place, sphere.eo, square);
+    // Their difference is σ², which is w² r².
+    let squares = [place.dot(place), (sphere.ei + sphere.ei) * sphere.eo];
+    if is_regular(squares[0] - squares[1]) {
+        return crossing(ray, place, sphere.eo, positive_square(squares)?);
     }
-    let [centre, [radius_squared, ..]] = centre_and_square([
+    let [centre, [a, b, _]] = centre_and_square([
         [sphere.e1, sphere.e2, sphere.e3],
         [sphere.eo, sphere.ei, S::zero()],
     ]);
-    sphere_of(ray, centre.into(), radius_squared)
+    crossing(ray, centre.into(), S::one(), positive_square([a, b])?)
 }
 
-/// Centre and squared radius of a sphere of any weight, given its coefficients of e1, e2, e3 and
-/// of eo, ei.
+/// The centre c of a sphere of any weight, with c² and c² − r², given its coefficients of e1, e2,
+/// e3 and of eo, ei.
 #[cold]
 #[inline(never)]
 fn centre_and_square<S: Real>([place, [eo, ei, _]]: [[S; 3]; 2]) -> [[S; 3]; 2] {
     let centre = Vector::from(place).divided(eo);
-    let radius_squared = centre.dot(centre) - (ei + ei) / eo;
-    [centre.into(), [radius_squared, S::zero(), S::zero()]]
+    let squares = [centre.dot(centre), (ei + ei) / eo, S::zero()];
+    [centre.into(), squares]
 }
 
 /// How a ray crosses the sphere with this centre and squared radius; `None` unless that is
