@@ -145,3 +145,17 @@ fn an_inside_out_sphere_counts_as_the_sphere() {
     assert_eq!((-a).inversive_distance_to(b), a.inversive_distance_to(b));
     assert_eq!(a.dual().inversive_distance_to(b.dual()), Some(-2.75));
 }
+
+#[test]
+fn distances_from_lines_of_any_weight_are_within_the_range() {
+    for (distance, weight) in [(1e20_f32, 1e-11), (1e-22, 1e11), (3.0, 1e-11), (3.0, 1e11)] {
+        let line = Line::from_point_direction(Point::default(), [0.0, 0.0, weight]);
+        let found = line
+            .distance(Point::new(0.0, distance, 5.0))
+            .expect("a distance");
+        assert!(
+            (found / distance - 1.0).abs() < 1e-6,
+            "{found} at {distance}"
+        );
+    }
+}

@@ -1,5 +1,6 @@
 //! Lines.
 
+use super::round::quotient_of_roots;
 use crate::cga3::{Direction, Line, Point};
 use crate::geometry::number::{are_numbers, is_regular};
 use crate::scalar::{Real, Ring};
@@ -132,7 +133,12 @@ impl<S: Real<Mask = bool>> Line<S> {
         let arm = Vector::from(point).cross(direction) - moment;
         let reach = arm.length_squared();
         if is_regular(square) && is_regular(reach) {
-            return Some((reach / square).sqrt());
+            let quotient = reach / square;
+            return Some(if is_regular(quotient) {
+                quotient.sqrt()
+            } else {
+                quotient_of_roots(reach, square)
+            });
         }
         distance_of_any(direction.into(), moment.into(), point.coordinates())
     }
