@@ -4,7 +4,7 @@ use super::Real;
 
 /// The smooth step of shading languages: 0 up to `low`, 1 from `high` on, and between them
 /// `t² (3 − 2t)` with `t = (x − low)/(high − low)`, whose slope is zero at both ends (Hermite).
-/// Where `low` is not below `high` it jumps at `low`. NaN stays NaN.
+/// Where `low` is not below `high` it jumps at `low`. Both ends are finite; NaN stays NaN.
 ///
 /// ```
 /// use ga_runtime::scalar::smooth_step;
@@ -17,7 +17,11 @@ pub fn smooth_step<S: Real>(low: S, high: S, x: S) -> S {
     let (zero, one) = (S::zero(), S::one());
     let is_wide = low.less_than(high);
     let width = S::select(is_wide, high - low, one);
-    let t = ((x - low) / width).max(zero).min(one);
+    // Where the width overflows, everything is halved.
+    let scale = S::select(width.is_finite(), one, S::from_ratio(1, 2));
+    let (low_end, high_end) = (low * scale, high * scale);
+    let width = S::select(is_wide, high_end - low_end, one);
+    let t = ((x * scale - low_end) / width).max(zero).min(one);
     let smooth = t * t * (S::from_integer(3) - S::from_integer(2) * t);
     // At the jump itself 1, and NaN for NaN.
     let at_jump = one + (x - low) * zero;

@@ -39,3 +39,13 @@ fn lanes_step_each_for_itself() {
     );
     assert_eq!(found, lanes([0.5, 1.0, 0.15625, 0.0]));
 }
+
+#[test]
+fn steps_wider_than_the_range_are_smooth() {
+    let (low, high) = (-f64::MAX, f64::MAX);
+    let step = |x: f64| smooth_step(low, high, x);
+    assert_eq!([step(low), step(0.0), step(high)], [0.0, 0.5, 1.0]);
+    assert_eq!([step(-f64::INFINITY), step(f64::INFINITY)], [0.0, 1.0]);
+    assert_eq!([step(0.5 * low), step(0.5 * high)], [0.15625, 0.84375]);
+    assert!(step(f64::NAN).is_nan());
+}
