@@ -117,7 +117,7 @@ proptest! {
         near_all([ad[0] - bc[0], ad[1] - bc[1]], [1.0, 0.0], 1e-12 * size(a).powi(2));
         near_all(coefficients(Rotor::from_sl2c(m).unwrap()), coefficients(a), 1e-15 * size(a));
         let doubled = m.map(|row| row.map(|x| x.map(|x| 2.0 * x)));
-        prop_assert_eq!(Rotor::from_sl2c(doubled), None);
+        prop_assert_eq!(Rotor::from_sl2c(doubled), Err(NotLorentz::Determinant));
     }
 
     #[test]
@@ -181,4 +181,38 @@ fn the_former_names_are_still_there() {
     use ga_runtime::geometry::NotConformal;
     assert_eq!(NotConformal::Turns, NotConformal::Rotates);
     assert_eq!(NotConformal::Shifts, NotConformal::Translates);
+}
+
+proptest! {
+    /// A multiple of a spinor matrix by a complex number near 1 is the same transformation.
+    #[test]
+    fn determinants_near_one_are_divided_out(a in rotors(2.0), re in -1e-9..1e-9_f64, im in -1e-9..1e-9_f64) {
+        let multiple = a.to_sl2c().map(|row| row.map(|entry| times(entry, [1.0 + re, im])));
+        let found = Rotor::from_sl2c(multiple).unwrap();
+        near_all(coefficients(found), coefficients(a), 1e-13 * size(a).powi(3));
+    }
+}
+
+#[test]
+fn spinor_matrices_without_a_rotor_are_errors() {
+    let (zero, one) = ([0.0; 2], [1.0, 0.0]);
+    let of = |a: [f64; 2], d: [f64; 2]| Rotor::from_sl2c([[a, zero], [zero, d]]);
+    assert_eq!(of(one, [-1.0, 0.0]), Err(NotLorentz::Determinant));
+    assert_eq!(of(zero, zero), Err(NotLorentz::Determinant));
+    assert_eq!(of(one, [1.0, 1e-6]), Err(NotLorentz::Determinant));
+    assert_eq!(of(one, [f64::NAN, 0.0]), Err(NotLorentz::NotFinite));
+    assert_eq!(of([1e200, 0.0], [1e200, 0.0]), Err(NotLorentz::NotFinite));
+    // The determinant of the matrix of a large boost is 1 only up to the rounding of its entries.
+    let boost = Rotor::from_rapidity([0.0, 0.0, 1.0], 15.0).unwrap();
+    let again = Rotor::from_sl2c(boost.to_sl2c()).unwrap();
+    near_all(
+        coefficients(again),
+        coefficients(boost),
+        1e-15 * size(boost),
+    );
+    // A singular matrix of large entries is not within rounding of a rotor.
+    assert_eq!(
+        Rotor::from_sl2c([[[1e5, 0.0], [1e5, 0.0]], [[1e5, 0.0], [1e5, 0.0]]]),
+        Err(NotLorentz::Determinant)
+    );
 }

@@ -2,6 +2,7 @@
 
 use core::fmt::{Display, Formatter, Result as FormatResult};
 
+use super::complex::Complex;
 use crate::cga3;
 use crate::geometry::number::are_numbers;
 use crate::scalar::{Real, Ring};
@@ -103,30 +104,56 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     }
 
     /// The rotor of a complex 2×2 matrix of determinant 1, by rows, each entry as
-    /// `[real part, imaginary part]`; see [`to_sl2c`](Self::to_sl2c). `None` where the determinant
-    /// differs from 1 by more than √ε, relative to the size of its two products where that is above
-    /// 1, or where a number is not finite.
-    #[must_use]
-    pub fn from_sl2c([[a, b], [c, d]]: [[[S; 2]; 2]; 2]) -> Option<Self> {
-        let times = |x: [S; 2], y: [S; 2]| [x[0] * y[0] - x[1] * y[1], x[0] * y[1] + x[1] * y[0]];
-        let (ad, bc) = (times(a, d), times(b, c));
-        let length = |[re, im]: [S; 2]| vga3::Vector::new(re, im, S::zero()).length();
-        let off = length([ad[0] - bc[0] - S::one(), ad[1] - bc[1]]);
-        let size = length(ad).max(length(bc)).max(S::one());
-        if !off.less_than(S::epsilon().sqrt() * size) {
-            return None;
+    /// `[real part, imaginary part]`; see [`to_sl2c`](Self::to_sl2c). A determinant that differs
+    /// from 1 by more than rounding is divided out: the matrix is divided by its square root.
+    ///
+    /// # Errors
+    /// [`NotLorentz::NotFinite`] where an entry or the determinant is not finite, and
+    /// [`NotLorentz::Determinant`] where the determinant differs from 1 by √ε or more, relative to
+    /// the size of its two products where that is above 1, or by ½ or more.
+    ///
+    /// ```
+    /// use ga_runtime::geometry::NotLorentz;
+    /// use ga_runtime::sta::Rotor;
+    /// let (zero, one, two) = ([0.0, 0.0], [1.0, 0.0], [2.0, 0.0]);
+    /// assert_eq!(Rotor::from_sl2c([[one, zero], [zero, one]]), Ok(Rotor::default()));
+    /// assert_eq!(Rotor::from_sl2c([[two, zero], [zero, one]]), Err(NotLorentz::Determinant));
+    /// ```
+    pub fn from_sl2c(rows: [[[S; 2]; 2]; 2]) -> Result<Self, NotLorentz> {
+        let [[a, b], [c, d]] = rows.map(|row| row.map(|[re, im]| Complex::new(re, im)));
+        let one = Complex::new(S::one(), S::zero());
+        let (ad, bc) = (a.times(d), b.times(c));
+        let determinant = ad.plus(bc.negative());
+        if !(rows.into_iter().flatten().all(are_numbers)
+            && are_numbers([determinant.real, determinant.imaginary]))
+        {
+            return Err(NotLorentz::NotFinite);
         }
+        let off = determinant.plus(one.negative()).modulus();
+        let size = ad.modulus().max(bc.modulus()).max(S::one());
         let half = S::from_ratio(1, 2);
+        if !off.less_than(half.min(S::epsilon().sqrt() * size)) {
+            return Err(NotLorentz::Determinant);
+        }
+        // The determinant of a rotor's own matrix differs from 1 by this much, which to divide by
+        // would only add to the errors.
+        let largest = [a, b, c, d]
+            .map(Complex::modulus)
+            .into_iter()
+            .fold(S::one(), S::max);
+        let is_one = off.less_than(S::from_integer(8) * S::epsilon() * largest * largest);
+        let root = if is_one { one } else { determinant.root() };
+        let [a, b, c, d] = [a, b, c, d].map(|entry| entry.divided_by(root));
         let mean = |x: S, y: S| half * (x + y);
-        Some(Self::new_unchecked(
-            mean(a[0], d[0]),
-            mean(b[0], c[0]),
-            mean(c[1], -b[1]),
-            mean(a[0], -d[0]),
-            mean(b[1], c[1]),
-            mean(b[0], -c[0]),
-            mean(a[1], -d[1]),
-            mean(a[1], d[1]),
+        Ok(Self::new_unchecked(
+            mean(a.real, d.real),
+            mean(b.real, c.real),
+            mean(c.imaginary, -b.imaginary),
+            mean(a.real, -d.real),
+            mean(b.imaginary, c.imaginary),
+            mean(b.real, -c.real),
+            mean(a.imaginary, -d.imaginary),
+            mean(a.imaginary, d.imaginary),
         ))
     }
 }
@@ -142,11 +169,11 @@ fn proper<S: Real<Mask = bool>>(rows: [[S; 4]; 4]) -> Option<Rotor<S>> {
     let (one, half) = (S::one(), S::from_ratio(1, 2));
     // With L the boost by v, the columns of the rotation ~L Λ are x − (1 − 1/γ) v v·x/v².
     let share = (gamma * (one + gamma)).recip();
-    let turned = [1, 2, 3].map(|k| {
+    let rotated = [1, 2, 3].map(|k| {
         let x = column(k);
         x - proper_velocity * (proper_velocity.dot(x) * share)
     });
-    let rotation = [0, 1, 2].map(|row| turned.map(|x| x[row]));
+    let rotation = [0, 1, 2].map(|row| rotated.map(|x| x[row]));
     let (vector, scalar) = cga3::Rotor::from_matrix(rotation)?.to_quaternion();
     let cosh = ((gamma + one) * half).sqrt();
     let sinh = proper_velocity * (half / cosh);
@@ -163,7 +190,7 @@ fn proper<S: Real<Mask = bool>>(rows: [[S; 4]; 4]) -> Option<Rotor<S>> {
 }
 
 /// Why a matrix is not that of a rotor: not a proper Lorentz transformation that keeps the
-/// direction of time.
+/// direction of time, or not in SL(2, ℂ).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum NotLorentz {
@@ -175,6 +202,8 @@ pub enum NotLorentz {
     ReversesTime,
     /// It is a Lorentz transformation that keeps the direction of time and mirrors space.
     ReversesSpace,
+    /// The determinant of a spinor matrix is not 1.
+    Determinant,
 }
 
 impl Display for NotLorentz {
@@ -184,6 +213,7 @@ impl Display for NotLorentz {
             Self::ChangesIntervals => "the matrix does not preserve intervals",
             Self::ReversesTime => "the transformation exchanges future and past",
             Self::ReversesSpace => "the transformation mirrors space",
+            Self::Determinant => "the determinant of the spinor matrix is not 1",
         })
     }
 }
