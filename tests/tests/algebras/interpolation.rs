@@ -110,3 +110,17 @@ fn ends_without_a_power() {
     );
     near_all([(middle.y()).abs()], [0.0], 1e-15);
 }
+
+#[test]
+fn motions_beyond_the_range_are_interpolated_by_nan() {
+    let far = |x: f64| Motor::from(Translator::from_displacement([x, 0.0]));
+    // The motion between the two is beyond the range, each of them is not.
+    let half_turn = Rotor::from_angle(PI).unwrap();
+    let end = far(1.7e308) * half_turn;
+    assert!(end.e1i().is_finite() && end.e2i().is_finite());
+    let found = far(-1.7e308).interpolate(end, 0.5);
+    assert!(found.e1i().is_nan() && found.e2i().is_nan());
+    assert!(far(f64::NAN).interpolate(far(1.0), 0.5).e1i().is_nan());
+    let middle = far(-1e300).interpolate(far(3e300), 0.5).translator();
+    assert!((middle.displacement()[0] / 1e300 - 1.0).abs() < 1e-15);
+}

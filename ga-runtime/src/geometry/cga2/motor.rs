@@ -77,8 +77,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// ```
     #[must_use]
     pub fn about(point: Point<S>, rotor: Rotor<S>) -> Self {
-        let turned = rotor.transform(point).coordinates();
-        Translator::from_displacement(difference(point.coordinates(), turned)) * rotor
+        let rotated = rotor.transform(point).coordinates();
+        Translator::from_displacement(difference(point.coordinates(), rotated)) * rotor
     }
 
     /// The fixed point, about which the motor rotates; `None` for a translation, or where it is
@@ -124,8 +124,10 @@ impl<S: Real<Mask = bool>> Motor<S> {
     }
 
     /// The interpolation from `self` at t = 0 to `other` at t = 1 at constant speed about one
-    /// point, `M exp(t log(~M N))`, by the shorter rotation. t may be outside [0, 1]. NaN stays
-    /// NaN.
+    /// point, `M exp(t log(~M N))`, by the shorter rotation. t may be outside [0, 1]. As for the
+    /// motors of cga3 there is always a motor, also for opposite rotations; its coefficients are
+    /// finite where all numbers are and `log(~M N)` is within the range of the scalar, otherwise
+    /// some are NaN.
     ///
     /// ```
     /// use ga_runtime::cga2::{Motor, Point, Rotor, Translator};
@@ -134,8 +136,8 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// let middle = Motor::default().interpolate(end, 0.5).transform(Point::new(0.0, 0.0));
     /// assert!(middle.distance(Point::new(1.0, -1.0)) < 1e-15);
     /// // Two translations are interpolated along a straight line.
-    /// let shift = |t| Motor::from(Translator::from_displacement(t));
-    /// let (a, b) = (shift([0.0, 2.0]), shift([4.0, 2.0]));
+    /// let translation = |t| Motor::from(Translator::from_displacement(t));
+    /// let (a, b) = (translation([0.0, 2.0]), translation([4.0, 2.0]));
     /// assert_eq!(a.interpolate(b, 0.25).translator().displacement(), [1.0, 2.0]);
     /// ```
     #[must_use]
@@ -144,17 +146,19 @@ impl<S: Real<Mask = bool>> Motor<S> {
         if between.scalar().less_than(S::zero()) {
             between = -between;
         }
-        // If the scalar part is not negative, only motors that are not finite have no logarithm.
+        // As the scalar part is not negative, the logarithm exists but for its range.
+        let nan = S::zero() / S::zero();
         match between.powf(t) {
             Some(part) => self * part,
-            None => self * between,
+            None => Self::new_unchecked(nan, nan, nan, nan),
         }
     }
 }
 
 impl<S: Real<Mask = bool>> Rotor<S> {
     /// The interpolation from `self` at t = 0 to `other` at t = 1 at constant angular velocity, by
-    /// the shorter rotation: `R exp(t log(~R R'))`. t may be outside [0, 1]. NaN stays NaN.
+    /// the shorter rotation: `R exp(t log(~R R'))`. t may be outside [0, 1]. There is always a
+    /// rotor, also for opposite rotations; NaN stays NaN.
     #[must_use]
     pub fn interpolate(self, other: Self, t: S) -> Self {
         let mut between = self.reverse() * other;

@@ -131,8 +131,8 @@ impl<S: Real<Mask = bool>> Similarity<S> {
 
     /// The interpolation from `self` at t = 0 to `other` at t = 1, `A (~A B)ᵗ`, by the shorter
     /// rotation: points move along logarithmic spirals about the fixed point, and the factor
-    /// changes by equal ratios in equal times. t may be outside [0, 1]. `None` as for
-    /// [`powf`](Self::powf).
+    /// changes by equal ratios in equal times. t may be outside [0, 1]. `None` where a number is
+    /// not finite, or the result is beyond the range of the scalar.
     ///
     /// ```
     /// use ga_runtime::cga2::{Dilator, Similarity};
