@@ -254,9 +254,14 @@ macro_rules! algebra {
 ///
 /// Conditions can be bound by `let`, but they are neither operands nor results. They need
 /// [`Real`](crate::scalar::Real). As in Rust, a comparison with NaN does not hold, except `!=`.
-/// `sign` is 0 at 0 and NaN at NaN; `min` and `max` give their first operand where either is NaN.
-/// While the function is checked, each comparison is taken to hold and not to hold, in every
-/// combination of two, whatever the numbers are.
+/// `sign` is 0 at 0 and NaN at NaN; `min` and `max` give their first operand where either is
+/// NaN.
+///
+/// While the function is checked, a comparison holds or does not hold whatever the numbers are, so
+/// that `x < y && y < x` may hold. The check looks at each pair of comparisons in every combination
+/// (up to 48 points), at both outcomes of every `&&`, `||` and `!`, and at the branches of a
+/// `select` within the operands of another (up to 64 of each, and 64 points in all). Functions with
+/// conditions, `min` or `max` are compiled as they are written; no equivalent formula is tried.
 ///
 /// # Places
 ///

@@ -1,13 +1,23 @@
 //! Classes of equal multivectors, each with the operations that give it.
 //!
-//! Two multivectors are equal if they are equal at the random points of the program's witness. By
-//! the lemma of Schwartz and Zippel an error has a probability below 2⁻⁵⁰. So a rule only proposes
-//! an operation: what it gives is computed, and decides the class it joins. A rule that is wrong
-//! proposes an operation that joins another class, and is never used.
+//! A class is an e-class and a way an e-node of an e-graph, and the rules are applied by equality
+//! saturation (Tate et al. 2009; Willsey et al., egg, 2021).
 //!
-//! Multiples of one multivector by a constant share a class. A quotient or a function that does
-//! not exist everywhere keeps its class apart from others that exist where it does not: `x s/s` is
-//! not replaced by `x`.
+//! Two multivectors are taken as equal if they are equal at the random points of the program's
+//! witness. For polynomials and quotients of them an error has a probability below 2⁻⁵⁰, by the
+//! lemma of Schwartz and Zippel. So a rule only proposes an operation: what it gives is computed,
+//! and decides the class it joins. A rule that is wrong proposes an operation that joins another
+//! class, and is not used for this one. Only where a rule states a way directly, since it groups
+//! what was there, is nothing computed.
+//!
+//! Equal values at the points do not mean equal formulas everywhere where there are choices, which
+//! hold at random there, and where a root keeps the sign of its argument fixed. Such programs are
+//! not taken apart, see `import.rs`.
+//!
+//! Multiples of one multivector by a constant share a class. Values with other divisors, or other
+//! arguments of functions, have classes of their own: `x/y*y` and `x` differ where y is zero. Two
+//! values with the same limits share a class, and in the finished graph `y/x*x` may be y, since a
+//! common factor of a dividend and a divisor cancels there.
 
 use std::cmp::Ordering;
 

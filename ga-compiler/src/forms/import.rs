@@ -4,9 +4,9 @@ use super::FormRule;
 use super::classes::{Classes, Operation, Term};
 use super::make::Made;
 use super::rules;
-use crate::algebra::{Product, Ratio, Unary};
+use crate::algebra::{Blade, Product, Ratio, Unary};
 use crate::ir::Function;
-use crate::member::Numbers;
+use crate::member::{Numbers, numbers};
 use crate::program::{Program, Step, StepId, Witness};
 
 /// The classes of the steps that some steps need; `None` for those that are zero or not needed.
@@ -88,6 +88,12 @@ pub(super) fn import(
             {
                 return None;
             }
+            // A root besides it keeps the sign of its argument the same at all points.
+            Step::Function(Function::Absolute, arguments)
+                if !program.is_constant(id) && has_one_sign(witness, id, arguments[0]) =>
+            {
+                return None;
+            }
             Step::Function(function, arguments) => {
                 function_of(classes, *function, arguments.iter().map(get), values(id))
             }
@@ -95,6 +101,15 @@ pub(super) fn import(
         made[id.index()] = next;
     }
     (!classes.has_limited_zero).then_some(made)
+}
+
+/// Whether an absolute value is its argument at all points, or its negative at all.
+fn has_one_sign(witness: &Witness, absolute: StepId, argument: StepId) -> bool {
+    let scalars = |id: StepId| {
+        let values = witness.values(id);
+        values.map(|value| numbers::coefficient(value, Blade::SCALAR))
+    };
+    scalars(absolute).eq(scalars(argument)) || scalars(absolute).eq(scalars(argument).map(|x| -x))
 }
 
 /// Zero, as a multiple of one.

@@ -6,8 +6,9 @@
 //! and of those that look cheapest the search takes the one whose graph is cheapest.
 //!
 //! What is equal is decided by evaluation, see `classes.rs`. So formulas with the same meaning meet
-//! in one class however they are written, and a rule cannot change a meaning. Every expansion is
-//! checked once more when it is done.
+//! in one class however they are written, and what a wrong rule proposes joins another class. Every
+//! expansion is checked once more when it is done, at the same points. Programs with choices, with
+//! `min` and with `max` are compiled as they are written, since comparisons are random there.
 //!
 //! # Adding a rule
 //!

@@ -59,6 +59,7 @@ mod compiled {
         }
         /// Zero at each point where x has a root, and not zero where y is zero.
         pub fn limited(x: Scalar, y: Scalar) -> [Scalar; 3] { [sqrt(x), abs(x) - x, x / y * y - x] }
+        pub fn absolute(x: Scalar) -> [Scalar; 3] { [sqrt(x), abs(x), 2 * abs(x) - x] }
         pub fn staged(uniform a: Scalar, uniform b: Scalar, x: Scalar, y: Scalar) -> [Scalar; 3] {
             let is_less = a < b && !(a == 0);
             [select(is_less, a, b) * x, select(is_less || x < a, x, y), select(a < b, a * a, b)]
@@ -198,6 +199,8 @@ fn long_conjunctions_are_those_of_rust() {
 fn what_is_zero_at_most_points_is_computed() {
     let [root, twice, quotient]: [f64; 3] = compiled::limited(-2.0, 0.0);
     assert!(root.is_nan() && twice == 4.0 && quotient.is_nan());
+    let [_, size, other] = compiled::absolute(-2.0);
+    assert_eq!((size, other), (2.0, 6.0));
 }
 
 #[test]

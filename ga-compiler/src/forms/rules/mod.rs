@@ -28,31 +28,58 @@ use crate::algebra::Product;
 /// A rule: looks at one way to a class and proposes others.
 type Apply = fn(&mut Classes<'_>, ClassId, &Way);
 
-const RULES: [Apply; 15] = [
-    reversal::apply,
-    conjugation::apply,
-    definition::apply,
-    duality::apply,
-    composition::apply,
-    difference::apply,
-    outermorphism::apply,
-    linearity::apply,
-    invariant_part::apply,
-    power::apply,
-    quotient::apply,
-    vector::apply,
-    adjoint::apply,
-    distribution::apply,
-    associativity::apply,
+/// A rule, and which ways it looks at.
+struct Applied {
+    apply: Apply,
+    /// Whether it looks at products that are actions too.
+    is_for_actions: bool,
+    /// Whether it finds so many ways that it is left out of long programs.
+    is_for_short: bool,
+}
+
+impl Applied {
+    const fn new(apply: Apply) -> Self {
+        Self {
+            apply,
+            is_for_actions: false,
+            is_for_short: false,
+        }
+    }
+}
+
+const RULES: [Applied; 15] = [
+    Applied {
+        is_for_actions: true,
+        ..Applied::new(reversal::apply)
+    },
+    Applied {
+        is_for_actions: true,
+        ..Applied::new(conjugation::apply)
+    },
+    Applied::new(definition::apply),
+    Applied::new(duality::apply),
+    Applied::new(composition::apply),
+    Applied::new(difference::apply),
+    Applied::new(outermorphism::apply),
+    Applied::new(linearity::apply),
+    Applied::new(invariant_part::apply),
+    Applied::new(power::apply),
+    Applied::new(quotient::apply),
+    Applied::new(vector::apply),
+    Applied::new(adjoint::apply),
+    Applied {
+        is_for_short: true,
+        ..Applied::new(distribution::apply)
+    },
+    Applied {
+        is_for_short: true,
+        ..Applied::new(associativity::apply)
+    },
 ];
 
-/// How many of the rules are for all products.
-const EARLY: usize = 2;
-
-/// The number of ways of a program beyond which the rules that find most ways, distribution and
-/// associativity, are left out: functions with exponentials and logarithms are that long.
+/// The number of ways of a program beyond which it is long: functions with exponentials and
+/// logarithms are.
 const LONG: usize = 22;
-const LATE: usize = 2;
 
 /// How many ways may be found beyond those that the program has.
 const MOST_WAYS: usize = 240;
@@ -61,7 +88,7 @@ const MOST_WAYS: usize = 240;
 /// ways to what an operation reads, so it is applied again where there are more of those.
 pub(super) fn saturate(classes: &mut Classes<'_>) {
     let limit = classes.ways + MOST_WAYS;
-    let late = if classes.ways > LONG { LATE } else { 0 };
+    let is_long = classes.ways > LONG;
     let mut seen: FxHashMap<(ClassId, usize), usize> = FxHashMap::default();
     loop {
         let mut has_changed = false;
@@ -81,14 +108,17 @@ pub(super) fn saturate(classes: &mut Classes<'_>) {
                     let way = way.clone();
                     // A number is left alone, `M ~M` for instance.
                     let is_moved = !classes.is_scalar(id) && classes.has_action(id);
-                    for (number, apply) in RULES[..RULES.len() - late].iter().enumerate() {
+                    let is_product =
+                        matches!(way.operation, Operation::Product(Product::Geometric, _));
+                    for rule in &RULES {
+                        if is_long && rule.is_for_short {
+                            continue;
+                        }
                         // A product that is an action is not looked at in another way.
-                        let is_product =
-                            matches!(way.operation, Operation::Product(Product::Geometric, _));
-                        if number >= EARLY && is_product && is_moved {
+                        if !rule.is_for_actions && is_product && is_moved {
                             break;
                         }
-                        apply(classes, id, &way);
+                        (rule.apply)(classes, id, &way);
                     }
                     if classes.ways > limit {
                         return;

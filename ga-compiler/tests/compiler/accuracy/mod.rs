@@ -163,7 +163,15 @@ fn what_is_chosen_for_products_rounds_well() {
 }
 
 /// Functions with the rules for forms.
-const FORMS: [(FormRule, &str); 20] = [
+const FORMS: [(FormRule, &str); 23] = [
+    (
+        FormRule::Vector,
+        "p: Point, a: DualPlane -> RoundVector { (p ^ a) * inverse(a) }",
+    ),
+    (
+        FormRule::Adjoint,
+        "m: Motor, p: Point, a: DualPlane -> Scalar { p | sandwich(m, a) }",
+    ),
     (
         FormRule::Difference,
         "m: Motor, a: Point, b: Point, c: Point -> Circle { sandwich(m, a ^ b ^ c) }",
@@ -171,6 +179,10 @@ const FORMS: [(FormRule, &str); 20] = [
     (
         FormRule::Difference,
         "m: Motor, a: Point, b: Point -> Line { sandwich(m, a ^ b ^ ei) }",
+    ),
+    (
+        FormRule::Associativity,
+        "m: Motor, n: Motor, k: Motor -> DualQuaternion { m * n * k }",
     ),
     (
         FormRule::Composition,
@@ -247,6 +259,9 @@ const FORMS: [(FormRule, &str); 20] = [
 fn rules_for_forms_round_well() {
     let mut missed = String::new();
     let definition = cga3();
+    for rule in FormRule::ALL {
+        assert!(FORMS.iter().any(|(other, _)| *other == rule), "{rule:?}");
+    }
     for (rule, source) in FORMS {
         let case = Case::new(&definition, source);
         let plain = case.compile(Some(Choice::default()));
