@@ -87,3 +87,29 @@ fn operations_cost_what_is_stated() {
     }
     assert!(missed.is_empty(), "{missed}");
 }
+
+/// The reverse of what is not an outer product of its factors stays, where no other form is tried.
+#[test]
+fn reverses_in_meets_are_kept() {
+    let cga3 = algebras::cga3();
+    let operands = "x: Scalar, s: Circle, a: Point, b: Point, c: Point";
+    for meet in ["rev(s) & (a ^ b ^ c)", "rev(-s) & rev(a ^ b ^ c)"] {
+        let text = format!("fn f({operands}) -> RoundVector {{ ({meet}) * select(x < 0, 1, 2) }}");
+        // Panics where the graph does not agree with the steps as they are written.
+        let _ = compile(&cga3, &text);
+    }
+}
+
+/// Many choices are checked quickly: pairs of comparisons are counted once.
+#[test]
+fn many_choices_are_compiled() {
+    let cga3 = algebras::cga3();
+    let terms: Vec<String> = (0..120)
+        .map(|k| format!("select(x < {k}, y, {k})"))
+        .collect();
+    let text = format!(
+        "fn f(x: Scalar, y: Scalar) -> Scalar {{ {} }}",
+        terms.join(" + ")
+    );
+    let _ = compile(&cga3, &text);
+}
