@@ -225,7 +225,8 @@ fn angle_of_directions<S: Real<Mask = bool>>(
     // The acute angle, by the polynomial for half of the angle of a rotation.
     let inverse = size.recip();
     let (by_sine, _) = (along.abs() * inverse).angle_by_sine();
-    let acute = by_sine * (sine * inverse);
+    // Rounding of the polynomial must not make it obtuse.
+    let acute = (by_sine * (sine * inverse)).min(S::from_f64(core::f64::consts::FRAC_PI_2));
     Some(S::select(
         along.less_than(S::zero()),
         S::from_f64(core::f64::consts::PI) - acute,
