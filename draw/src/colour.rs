@@ -22,8 +22,8 @@ pub struct Colour(pub [u8; 3]);
 /// The first seven follow Okabe and Ito's set, which people with any kind of colour vision can tell
 /// apart (Color Universal Design, 2008). Five more follow, so that no colour is repeated within
 /// twelve elements. Each has a contrast of at least 3 : 1 to a light and to a dark background (Web
-/// Content Accessibility Guidelines 2.1, criterion 1.4.11); some are darker than Okabe and Ito's for
-/// that reason.
+/// Content Accessibility Guidelines 2.1, criterion 1.4.11); some are darker than Okabe and Ito's
+/// for that reason.
 pub const PALETTE: [Colour; 12] = [
     Colour([0x00, 0x72, 0xb2]),
     Colour([0xd5, 0x5e, 0x00]),

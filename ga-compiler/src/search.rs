@@ -5,8 +5,8 @@
 //! one after the other, each with the best rules of the kinds before, since all combinations would
 //! be too many. Then rules of single steps in which a versor acts are tried.
 //!
-//! Lowering is much quicker than the passes. So a graph that was seen before, or that is much larger
-//! than that of the best rules so far, does not go through them.
+//! Lowering is much quicker than the passes. So a graph that was seen before, or that is much
+//! larger than that of the best rules so far, does not go through them.
 
 use std::borrow::Cow;
 use std::cmp::Ordering;

@@ -53,9 +53,9 @@
 /// ```
 ///
 /// The squares of a signature, p times 1, then q times −1, then r times 0, go to the vectors in the
-/// order in which `basis` names them. So `basis e1, e2, e3, e0; signature 3, 0, 1;` means `e0² = 0`,
-/// while `basis e0, e1, e2, e3;` with the same signature means `e3² = 0`. Where the null vector comes
-/// first, state the metric: `metric e1*e1 = 1, e2*e2 = 1, e3*e3 = 1;`.
+/// order in which `basis` names them. So `basis e1, e2, e3, e0; signature 3, 0, 1;` means
+/// `e0² = 0`, while `basis e0, e1, e2, e3;` with the same signature means `e3² = 0`. Where the null
+/// vector comes first, state the metric: `metric e1*e1 = 1, e2*e2 = 1, e3*e3 = 1;`.
 ///
 /// # Types
 ///
@@ -73,10 +73,9 @@
 ///
 /// All facts except `unit_versor` and `blade` must follow from constant and derived blades. A type
 /// whose blades satisfy the Plücker relations may state `blade`: products of its members are then
-/// known to be blades where geometry says so, for instance that the meet of a line and a sphere is a
-/// point pair, whose square is a scalar. `#[hull(Type)]`
-/// names the type of sums and multiples that do not lie in the type itself; it must store all the
-/// blades.
+/// known to be blades where geometry says so, for instance that the meet of a line and a sphere is
+/// a point pair, whose square is a scalar. `#[hull(Type)]` names the type of sums and multiples
+/// that do not lie in the type itself; it must store all the blades.
 ///
 /// If any coefficients make a member of the type, its fields are public. Otherwise they are
 /// private, with a method for each blade that returns its coefficient, and a type whose facts
@@ -102,8 +101,8 @@
 ///   scalar. `2.0 * x` and `2.0 + x` are there for `f32` and `f64`.
 /// - Operators on references for types of one grade with two to four stored coefficients, and for
 ///   unit versors with two to eight.
-/// - `norm_squared()`, with its sign on the page, and `normalized()`, where the norm is not zero for
-///   all members.
+/// - `norm_squared()`, with its sign on the page, and `normalized()`, where the norm is not zero
+///   for all members.
 /// - `TryFrom` the hull, the smallest and the largest type of more blades, and wider unit versors,
 ///   up to rounding; `try_from_element(element, tolerance)` from any type.
 /// - The constants `ZERO`, `ONE` or `IDENTITY`, and those of basis vectors in types of vectors.
@@ -291,7 +290,8 @@ macro_rules! algebra {
 /// }
 ///
 /// # fn main() {
-/// let [o, x, y, z] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point::from);
+/// let places = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+/// let [o, x, y, z] = places.map(Point::from);
 /// let hit = through(Point::new(2.0, 3.0, 4.0), Point::new(2.0, 3.0, 1.0), o ^ x ^ y ^ Infinity);
 /// assert_eq!(hit.coordinates(), [2.0, 3.0, 0.0]);
 ///

@@ -283,8 +283,8 @@ fn check_hull(
     }
 }
 
-/// Decides whether the facts follow from the blades. Only `unit_versor` and `blade` may restrict the
-/// stored coefficients, since only then it is known how to draw random members.
+/// Decides whether the facts follow from the blades. Only `unit_versor` and `blade` may restrict
+/// the stored coefficients, since only then it is known how to draw random members.
 fn establish_facts(
     algebra: &Algebra,
     kind: &mut TypeDefinition,

@@ -373,7 +373,8 @@ impl<'a> Classes<'a> {
                 _,
             ) => None,
             Operation::Function(function, arguments) => {
-                // Stand-ins do not tell the sign of √4, so functions of other numbers have other limits.
+                // Stand-ins do not tell the sign of √4, so functions of other numbers have other
+                // limits.
                 let factor = arguments[0].factor;
                 Some(Limit(Some(*function), arguments[0].class, Some(factor)))
             }

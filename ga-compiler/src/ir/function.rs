@@ -174,8 +174,8 @@ impl Function {
         }
     }
 
-    /// The stand-in over the prime field. The root of a residue without a root there is a multiple of
-    /// i = √−1. `None` where such a number has no root, so that another point must be tried.
+    /// The stand-in over the prime field. The root of a residue without a root there is a multiple
+    /// of i = √−1. `None` where such a number has no root, so that another point must be tried.
     #[must_use]
     pub fn evaluate(self, arguments: &[Residue]) -> Option<Residue> {
         let x = arguments[0];
@@ -243,8 +243,8 @@ impl Function {
         }
     }
 
-    /// The stand-in for a root of a constant that has none: an arbitrary residue, whose square is not
-    /// that constant. Roots of fractions always exist, but not all roots of sums of roots.
+    /// The stand-in for a root of a constant that has none: an arbitrary residue, whose square is
+    /// not that constant. Roots of fractions always exist, but not all roots of sums of roots.
     #[must_use]
     pub fn stand_in(self, arguments: &[Residue]) -> Residue {
         random(self, arguments)

@@ -3,8 +3,8 @@
 use super::{Arena, Multivector, NodeId, Value};
 use crate::algebra::Blade;
 
-/// The Plücker relations of a multivector of one grade: values that are all zero exactly where it is
-/// an outer product of vectors, each once. For X of grade k they are the coefficients of
+/// The Plücker relations of a multivector of one grade: values that are all zero exactly where it
+/// is an outer product of vectors, each once. For X of grade k they are the coefficients of
 /// `(b*⌋X)∧X` over all basis blades b of grade k − 1, with the dual basis, so that the metric does
 /// not matter. For a bivector they say that `X∧X = 0`.
 pub fn plucker(arena: &mut Arena, x: &Multivector) -> Vec<Value> {

@@ -2,8 +2,8 @@
 //!
 //! A component is what the identity component of the group acts on: the unit versors V that the
 //! bivectors of the type, and of its vectors, generate. With a seed U, one member, it is `V U`, or
-//! `V U ~V` where the products leave the type. Without a bivector whose square is not zero, M and −M
-//! lie in different components: a translation with a stored scalar is one with 1 or with −1.
+//! `V U ~V` where the products leave the type. Without a bivector whose square is not zero, M and
+//! −M lie in different components: a translation with a stored scalar is one with 1 or with −1.
 
 use super::membership::membership;
 use super::numbers::{Numbers, add, coefficient, product, scaled, unary};

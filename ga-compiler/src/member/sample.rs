@@ -24,9 +24,9 @@ pub fn sequence(seed: u64) -> ResidueSequence {
 ///
 /// Where the stored coefficients are free they are drawn at random. Unit versors are products V of
 /// `(1 + αb)²/(1 − α²b²)` over the bivectors b that the type has or that its vectors span, with
-/// random α, times a unit versor U of a random component of the variety, or `V U ~V`; for most types
-/// of even blades U is 1. Blades are outer products of vectors: of those that all
-/// blades of the type contain, and of random sums of the others.
+/// random α, times a unit versor U of a random component of the variety, or `V U ~V`; for most
+/// types of even blades U is 1. Blades are outer products of vectors: of those that all blades of
+/// the type contain, and of random sums of the others.
 #[must_use]
 pub fn sample(
     algebra: &Algebra,

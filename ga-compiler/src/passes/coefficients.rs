@@ -1,10 +1,10 @@
 //! Staging by linearity: uniform coefficients of what varies.
 //!
 //! A function that is linear in what varies, whatever chain of actions, duals and projections it is
-//! made of, is a matrix: its entries depend on uniform inputs alone and are computed once. This pass
-//! writes every value as `Σ u m` with uniform coefficients u and *monomials* m, which are products
-//! of varying *atoms*: inputs, functions, quotients, and sums that are left as they are. A uniform
-//! expression stays as it is; only what varies is expanded.
+//! made of, is a matrix: its entries depend on uniform inputs alone and are computed once. This
+//! pass writes every value as `Σ u m` with uniform coefficients u and *monomials* m, which are
+//! products of varying *atoms*: inputs, functions, quotients, and sums that are left as they are. A
+//! uniform expression stays as it is; only what varies is expanded.
 //!
 //! It is right by the distributive law. What it may not do is lose accuracy:
 //!

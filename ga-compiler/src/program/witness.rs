@@ -9,8 +9,8 @@ use crate::define::TypeDefinition;
 use crate::ir::{Facts, Function, Outcomes, Residue};
 use crate::member::{self, Numbers, numbers};
 
-/// How many points are tried before points are taken at which roots are multiples of i, and how many
-/// before the search is given up.
+/// How many points are tried before points are taken at which roots are multiples of i, and how
+/// many before the search is given up.
 const TRIES_WITH_REAL_ROOTS: u64 = 4096;
 const TRIES: u64 = 2 * TRIES_WITH_REAL_ROOTS;
 

@@ -111,9 +111,9 @@ pub trait Element: Copy {
         })
     }
 
-    /// Whether the facts of the type hold: each coefficient of `M ~M − 1` of a unit versor, and each
-    /// Plücker relation of a blade, is at most as large as the tolerance times the terms that cancel
-    /// in it. True for types whose facts hold for all coefficients.
+    /// Whether the facts of the type hold: each coefficient of `M ~M − 1` of a unit versor, and
+    /// each Plücker relation of a blade, is at most as large as the tolerance times the terms that
+    /// cancel in it. True for types whose facts hold for all coefficients.
     #[inline]
     fn satisfies_facts(&self, _tolerance: Self::Scalar) -> bool
     where

@@ -61,8 +61,8 @@ const SCALAR: &str = "scalar";
 /// let error = "e12i + 2 e45 - e1oi".parse::<Line<f64>>().unwrap_err();
 /// assert_eq!(
 ///     error.to_string(),
-///     "`e45` at column 10 is not a term of a Line, whose blades are e12i, e13i, e23i, e1oi, e2oi, \
-///      e3oi"
+///     "`e45` at column 10 is not a term of a Line, whose blades are e12i, e13i, e23i, e1oi, \
+///      e2oi, e3oi"
 /// );
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]

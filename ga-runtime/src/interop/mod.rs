@@ -11,8 +11,8 @@
 //! | `num-traits-02` | num-traits 0.2 | `Zero` and `One`; foreign floating-point types as scalars |
 //! | `serde-1` | serde 1 | every declared type read and written, by the names of its blades |
 //!
-//! The traits of serde are also implemented for lanes, dual numbers and affine maps, those of approx
-//! for affine maps.
+//! The traits of serde are also implemented for lanes, dual numbers and affine maps, those of
+//! approx for affine maps.
 //!
 //! glam and nalgebra have counterparts of vectors, points, directions, motions, similarities and
 //! affine maps. mint has those of vectors, points, directions and rotors, and its 4×4 matrices are

@@ -157,8 +157,8 @@ pub struct Members<S> {
 }
 
 impl<S: Field> Members<S> {
-    /// For a type with these blades: of any coefficients if `is_free`, otherwise of blades where all
-    /// have the same grade, 2 or more, and of unit versors where not.
+    /// For a type with these blades: of any coefficients if `is_free`, otherwise of blades where
+    /// all have the same grade, 2 or more, and of unit versors where not.
     ///
     /// # Panics
     /// If the metric is not that of a declared algebra.

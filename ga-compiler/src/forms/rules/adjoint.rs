@@ -1,9 +1,9 @@
-//! A versor moves from one factor to the other: `⟨a M b ~M⟩₀ = ⟨~M a M b⟩₀`, since the scalar part of
-//! a product does not change when its last factor goes to the front.
+//! A versor moves from one factor to the other: `⟨a M b ~M⟩₀ = ⟨~M a M b⟩₀`, since the scalar part
+//! of a product does not change when its last factor goes to the front.
 //!
-//! For a unit versor M the reverse is the inverse, so the inner products that are scalars follow. An
-//! outer product that is a pseudoscalar is the scalar product with a dual, which an action keeps up
-//! to a sign.
+//! For a unit versor M the reverse is the inverse, so the inner products that are scalars follow.
+//! An outer product that is a pseudoscalar is the scalar product with a dual, which an action keeps
+//! up to a sign.
 
 use crate::algebra::{Product, Unary};
 use crate::forms::FormRule;

@@ -1,9 +1,9 @@
 //! The action of a product is one action after the other: `(a b) X ~(a b) = a (b X ~b) ~a`, since
 //! `~(a b) = ~b ~a`.
 //!
-//! With odd versors the grade involution goes along: b acts as `b X̂ ~b`, and the involution of that
-//! is `b X ~b` again. In one direction a versor is split into its factors, in the other two versors
-//! are composed.
+//! With odd versors the grade involution goes along: b acts as `b X̂ ~b`, and the involution of
+//! that is `b X ~b` again. In one direction a versor is split into its factors, in the other two
+//! versors are composed.
 
 use crate::algebra::Product;
 use crate::forms::FormRule;

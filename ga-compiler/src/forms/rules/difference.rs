@@ -1,14 +1,15 @@
 //! Joins of differences: `a ∧ b = a ∧ (b − λ a)`, since `a ∧ a = 0`.
 //!
-//! With λ the quotient of two constant coefficients, such as the weights of points, that coefficient
-//! is gone from all factors but the first. The difference is taken before anything is rounded, so
-//! that afterwards the factors can be moved apart. As [`JoinRule::Difference`] does within one
-//! product, for what acts on the product.
+//! With λ the quotient of two constant coefficients, such as the weights of points, that
+//! coefficient is gone from all factors but the first. The difference is taken before anything is
+//! rounded, so that afterwards the factors can be moved apart. As [`JoinRule::Difference`] does
+//! within one product, for what acts on the product.
 //!
-//! In a product of images `M a ~M ∧ M b ~M` the second factor is the sum of the first and of a moved
-//! difference: `M b ~M = λ M a ~M + M (b − λ a) ~M`, since an action is linear. Where the type of
-//! the factors determines some coefficients by others, only the others of the moved difference are
-//! needed. Where the first factor is subtracted again, it cancels before anything is rounded.
+//! In a product of images `M a ~M ∧ M b ~M` the second factor is the sum of the first and of a
+//! moved difference: `M b ~M = λ M a ~M + M (b − λ a) ~M`, since an action is linear. Where the
+//! type of the factors determines some coefficients by others, only the others of the moved
+//! difference are needed. Where the first factor is subtracted again, it cancels before anything is
+//! rounded.
 //!
 //! [`JoinRule::Difference`]: crate::lower::JoinRule::Difference
 

@@ -1,4 +1,5 @@
-//! Products are bilinear: `a (b + c) = a b + a c`, and `s (a b) = (s a) b = a (s b)` for a scalar s.
+//! Products are bilinear: `a (b + c) = a b + a c`, and `s (a b) = (s a) b = a (s b)` for a scalar
+//! s.
 //!
 //! A first or last factor that several terms have in common is taken out. Sums are not multiplied
 //! out, since differences would be taken after products, where they cancel. A scalar moves from the

@@ -1,6 +1,6 @@
-//! A unit versor leaves scalars alone: `M ⟨X⟩₀ ~M = ⟨X⟩₀ M ~M = ⟨X⟩₀`. So only the rest of an X with
-//! a scalar part is moved: `M X ~M = ⟨X⟩₀ + M (X − ⟨X⟩₀) ~M`. The same holds for any other grade
-//! that turns out to be left alone, as the pseudoscalar is by an even versor.
+//! A unit versor leaves scalars alone: `M ⟨X⟩₀ ~M = ⟨X⟩₀ M ~M = ⟨X⟩₀`. So only the rest of an X
+//! with a scalar part is moved: `M X ~M = ⟨X⟩₀ + M (X − ⟨X⟩₀) ~M`. The same holds for any other
+//! grade that turns out to be left alone, as the pseudoscalar is by an even versor.
 
 use crate::algebra::Unary;
 use crate::forms::FormRule;

@@ -3,8 +3,8 @@
 //!
 //! It keeps grades, so it is one for every product that consists of grades of the geometric product
 //! (outer and inner products), for the commutator, and for reversal and the grade involution. What
-//! it leaves alone, such as infinity under motions or a scalar, may be taken for an image of itself.
-//! In one direction the parts of a product are moved, in the other the whole is.
+//! it leaves alone, such as infinity under motions or a scalar, may be taken for an image of
+//! itself. In one direction the parts of a product are moved, in the other the whole is.
 
 use crate::algebra::{Product, Ratio, Unary};
 use crate::forms::FormRule;

@@ -1,5 +1,5 @@
-//! Powers of a unit versor: `M² = M (M + ~M) − 1`, since `M ~M = 1`. Of `M + ~M` only the scalar and
-//! what else the reversal keeps is left, twice: of a rotor `M² = 2 s M − 1`.
+//! Powers of a unit versor: `M² = M (M + ~M) − 1`, since `M ~M = 1`. Of `M + ~M` only the scalar
+//! and what else the reversal keeps is left, twice: of a rotor `M² = 2 s M − 1`.
 //!
 //! A power of even exponent is a square: `M⁴ = (M²)²`, by associativity; so `M⁵ = M M⁴`.
 

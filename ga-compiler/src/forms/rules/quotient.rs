@@ -1,5 +1,5 @@
-//! Quotients by scalars and products: `(a/s) b = (a b)/s = a (b/s)`, by linearity. The divisor is the
-//! same in all of them, so that they exist for the same operands; so it is in `a/s = (1/s) a`.
+//! Quotients by scalars and products: `(a/s) b = (a b)/s = a (b/s)`, by linearity. The divisor is
+//! the same in all of them, so that they exist for the same operands; so it is in `a/s = (1/s) a`.
 
 use crate::algebra::Product;
 use crate::forms::FormRule;

@@ -1,9 +1,9 @@
 //! Products with a vector: `X v = X ∧ v + X ⌊ v`, and `v X = v ∧ X + v ⌋ X`.
 //!
 //! - `(X ∧ v) v = (X v − X ⌊ v) v = v² X − (X ⌊ v) v`: a rejection as a difference.
-//! - `v X v = ±(v² X − 2 v ∧ (v ⌋ X))`, the sign being that of the grade involution of X. Divided by
-//!   v², only the second term is: `X − 2 v ∧ ((v ⌋ X)/v²)`. The other way round, such a sum is an
-//!   action, for which [`SandwichRule`] has more ways.
+//! - `v X v = ±(v² X − 2 v ∧ (v ⌋ X))`, the sign being that of the grade involution of X. Divided
+//!   by v², only the second term is: `X − 2 v ∧ ((v ⌋ X)/v²)`. The other way round, such a sum is
+//!   an action, for which [`SandwichRule`] has more ways.
 //!
 //! A hyperplane A that is not in dual form is the dual of a vector v, so that `A X A = ±v X v` and
 //! `(X ⌋ A) A = ±(X ∧ v) v`.

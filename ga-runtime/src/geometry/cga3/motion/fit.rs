@@ -154,8 +154,8 @@ macro_rules! residuals {
         impl<S: Real<Mask = bool>> Fit<$Motion<S>, S> {
             /// The root mean square of the distances that remain between the members of pairs,
             /// `√(Σ |yᵢ − xᵢ'|² / n)`: of the pairs that were fitted, or of others. Zero for no
-            /// pairs; infinite or NaN where a number is not finite or a distance is beyond the range
-            /// of the scalar.
+            /// pairs; infinite or NaN where a number is not finite or a distance is beyond the
+            /// range of the scalar.
             #[must_use]
             pub fn residual(&self, pairs: &[($Member, $Member)]) -> S {
                 let left = |pair| {
