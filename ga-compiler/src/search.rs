@@ -19,7 +19,7 @@ use crate::forms::{self, Form, FormRule};
 use crate::kernel::Kernel;
 use crate::lower::{Choice, Choices, InnerRule, JoinRule, MeetRule, ProjectionRule, SandwichRule};
 use crate::program::{Program, Step, StepId};
-use crate::staging::staged;
+use crate::staging::{self, staged};
 use crate::task::Task;
 
 /// The largest number of actions of versors that may have rules of their own.
@@ -45,6 +45,15 @@ impl<'a> Task<'a> {
             },
             None => cheapest(self),
         }
+    }
+
+    /// The kernel by some rules.
+    fn by_choices(&self, choices: &Choices) -> Kernel {
+        let staged = match choices.all.staged {
+            true => staging::cheapest(self.staged(self.lowered(choices))),
+            false => None,
+        };
+        staged.unwrap_or_else(|| self.optimised(self.lowered(choices)))
     }
 
     /// Tasks for other forms of the program, with the rules that lead to them; with choices, for

@@ -10,7 +10,6 @@ use crate::kernel::Kernel;
 use crate::lower::{self, Choices, Lowered, Rule};
 use crate::passes::{self, Collected};
 use crate::program::{Program, StepId, Witness};
-use crate::staging;
 
 /// The number of operations above which a graph is left as it was built. The passes would take too
 /// long on the product of two multivectors of 32 blades.
@@ -112,15 +111,6 @@ impl<'a> Task<'a> {
     pub fn with_choices(mut self, choices: impl Into<Choices>) -> Self {
         self.choices = Some(choices.into());
         self
-    }
-
-    /// The kernel by some rules.
-    pub(crate) fn by_choices(&self, choices: &Choices) -> Kernel {
-        let staged = match choices.all.staged {
-            true => staging::cheapest(self.staged(self.lowered(choices))),
-            false => None,
-        };
-        staged.unwrap_or_else(|| self.optimised(self.lowered(choices)))
     }
 
     /// Whether an operand stays the same over many calls.

@@ -24,10 +24,9 @@ mod estimate;
 mod extract;
 mod import;
 mod make;
-mod rule;
 mod rules;
 
-pub use rule::FormRule;
+pub use crate::lower::FormRule;
 
 use crate::algebra::Algebra;
 use crate::define::{Role, TypeDefinition};

@@ -1,7 +1,6 @@
 //! Which rules a lowering uses.
 
-use super::{InnerRule, JoinRule, MeetRule, ProjectionRule, SandwichRule};
-use crate::forms::FormRule;
+use super::{FormRule, InnerRule, JoinRule, MeetRule, ProjectionRule, SandwichRule};
 use crate::program::StepId;
 
 /// A rule for each kind of step.

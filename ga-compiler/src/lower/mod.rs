@@ -1,6 +1,7 @@
 //! From programs to the graph: operands become inputs, products become sums of products.
 
 mod choice;
+mod form_rule;
 pub mod gram;
 mod inner;
 mod join;
@@ -17,6 +18,7 @@ pub mod scaled_split;
 pub mod split;
 
 pub use choice::{Choice, Choices, Rule};
+pub use form_rule::FormRule;
 pub use inner::InnerRule;
 pub use join::JoinRule;
 pub use meet::MeetRule;

@@ -68,7 +68,7 @@ const SCALAR: &str = "scalar";
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ParseElementError {
-    /// There is no text.
+    /// The text is empty.
     Empty,
     /// A word is neither a number nor the name of a blade of the type.
     UnknownTerm {

@@ -1,7 +1,7 @@
 //! The names of the rules by which formulas are rewritten.
 
 /// An identity of geometric algebra by which a formula has another form. Each is stated and proved
-/// in the file of its name.
+/// in the file of its name in `forms/rules`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum FormRule {
     /// `~(a b) = ~b ~a`.
