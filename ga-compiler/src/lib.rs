@@ -5,28 +5,18 @@
 //!
 //! ```text
 //! tokens ─ parse ─┬─ check → define ─┐
-//!                 └─ program ────────┴→ lower → passes → emit
-//!                       └── verify ───────────┘
+//!                 └─ resolve ────────┴→ ga-symbolic → emit
 //! ```
 //!
-//! Each module uses only those that stand before it in this list; `fingerprint` and `diag` are
-//! small helpers of all:
+//! What lies between reading and writing Rust is the crate `ga-symbolic`, whose public modules are
+//! found here too, from [`algebra`] to [`kernel`]. This crate has the rest. Each module uses only
+//! those that stand before it in this list; `fingerprint`, `nearest` and `diag` are small helpers
+//! of all:
 //!
-//! - [`algebra`]: blades, metric, and the products of basis blades.
-//! - [`ir`]: the graph, hash-consed, and multivectors over it.
-//! - [`expression`]: formulas as trees, for what the compiler itself writes.
-//! - [`define`]: a checked declaration as plain data; [`signature`]: the operands and the result of
-//!   a function.
 //! - [`diag`]: errors, collected; [`parse`]: grammars; names are not resolved yet.
-//! - `member`: the members of a type over the prime field; [`verify`] shows it to users.
-//! - [`program`]: the steps of a function, on whole multivectors; names are resolved here.
-//! - [`verify`]: values of expressions over the prime field, which decide what a result is and
-//!   check the compiler's work.
-//! - `check`: the checks of a declaration; every error is found here, at its token.
-//! - [`lower`]: steps to the graph, by named rules.
-//! - [`passes`]: rewriting of graphs, order, stages, cost.
-//! - [`kernel`]: one compiled graph; [`task`]: what is to be compiled; `search`: the rules that
-//!   make the cheapest graph; [`function`]: one compiled function.
+//! - [`check`]: the checks of a declaration; every error is found here, at its token.
+//! - [`resolve`]: names to the steps of a program.
+//! - [`function`]: one compiled function.
 //! - [`emit`]: Rust, WGSL, formulas and graphs; `count`: operations in emitted Rust.
 //! - `explain`: messages about values that are not of their declared type.
 //!
@@ -51,31 +41,22 @@
 //! # Ok::<(), syn::Error>(())
 //! ```
 
-pub mod algebra;
-mod check;
+pub mod check;
 #[cfg(feature = "count")]
 pub mod count;
-pub mod define;
 pub mod diag;
 pub mod emit;
 mod explain;
-pub mod expression;
 mod fingerprint;
-pub mod forms;
 pub mod function;
-pub mod ir;
-pub mod kernel;
-mod literals;
-pub mod lower;
-mod member;
+mod nearest;
 pub mod parse;
-pub mod passes;
-pub mod program;
-mod search;
-pub mod signature;
-mod staging;
-pub mod task;
-pub mod verify;
+pub mod resolve;
+
+pub use ga_symbolic::{
+    algebra, define, expression, forms, ir, kernel, lower, passes, program, signature, task, verify,
+};
+use ga_symbolic::{literals, member};
 
 use proc_macro2::TokenStream;
 use syn::{Error, Result};
@@ -87,7 +68,8 @@ use function::CompiledFunction;
 use kernel::Kernel;
 use literals::Opaque;
 use parse::{Block, FunctionSyntax};
-use program::{Mismatch, ResolveError, ResolveErrorKind, Resolved, StepId};
+use program::{Mismatch, StepId};
+use resolve::{ResolveError, ResolveErrorKind, Resolved};
 use task::Task;
 
 /// A compiled function with the algebra it is written in.
@@ -110,7 +92,7 @@ pub fn expand_algebra(tokens: TokenStream) -> TokenStream {
         Err(error) => return error.into_compile_error(),
     };
     let checked = parse::parse_declaration(source.clone())
-        .and_then(|syntax| Definition::check(syntax, runtime.clone()));
+        .and_then(|syntax| check::check(syntax, runtime.clone()));
     match checked {
         Ok(definition) => emit::rust::algebra(&definition, &source),
         Err(errors) => emit::rust::stand_ins(&runtime, &source, &errors.into_compile_error()),
@@ -135,7 +117,7 @@ pub fn expand_stand_ins(tokens: TokenStream) -> TokenStream {
 pub fn expand_product_tests(tokens: TokenStream) -> TokenStream {
     let expanded = parse::parse_handover(tokens).and_then(|handover| {
         let syntax = parse::parse_declaration(handover.declaration)?;
-        let definition = Definition::check(syntax, handover.runtime)?;
+        let definition = check::check(syntax, handover.runtime)?;
         Ok(emit::rust::product_tests(&definition, &handover.input))
     });
     expanded.unwrap_or_else(Error::into_compile_error)
@@ -209,7 +191,7 @@ pub fn expand_import(tokens: TokenStream) -> TokenStream {
 pub fn check_types(declaration: TokenStream, runtime: TokenStream) -> Result<Definition> {
     let mut syntax = parse::parse_declaration(declaration)?;
     syntax.products.clear();
-    Definition::check(syntax, runtime)
+    check::check(syntax, runtime)
 }
 
 /// Compiles functions of an algebra, written as in `ga!`, and checks each against its plain
@@ -296,7 +278,7 @@ fn resolve<'a>(
     block: &Block,
 ) -> std::result::Result<Resolved<'a>, ResolveError> {
     let explain = |mismatch: &Mismatch<'_, '_>| explain::explain(definition, mismatch);
-    program::resolve_with(definition, function, block, &explain)
+    resolve::resolve_with(definition, function, block, &explain)
 }
 
 /// The kernel of a function with its long numbers as operands, which are given with the kernel.

@@ -2,7 +2,7 @@
 //! long it takes to build all of them.
 
 use anyhow::{Context, Result, anyhow};
-use ga_compiler::define::{Definition, Operation, TypeDefinition};
+use ga_compiler::define::{Operation, TypeDefinition};
 use nullcone_benches::declaration;
 use quote::quote;
 
@@ -10,8 +10,8 @@ fn main() -> Result<()> {
     let declaration = declaration::cga3().context("cga3 is declared by the macro")?;
     let syntax =
         ga_compiler::parse::parse_declaration(declaration).map_err(|error| anyhow!("{error}"))?;
-    let definition =
-        Definition::check(syntax, quote! { ga_runtime }).map_err(|error| anyhow!("{error}"))?;
+    let definition = ga_compiler::check::check(syntax, quote! { ga_runtime })
+        .map_err(|error| anyhow!("{error}"))?;
     let path = |kind: &TypeDefinition, scalar: &str| match kind.is_constant() {
         true => format!("ga_runtime::cga3::{}", kind.name),
         false => format!("ga_runtime::cga3::{}<{scalar}>", kind.name),

@@ -8,37 +8,38 @@ mod types;
 use std::cell::OnceCell;
 
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{ToTokens, quote};
 
 use crate::define::{Definition, TypeDefinition};
 use crate::diag::Diagnostics;
 use crate::parse::DeclarationSyntax;
 
-impl Definition {
-    /// Checks a parsed declaration. `runtime` is the path of ga-runtime, if the declaration does
-    /// not give it.
-    ///
-    /// # Errors
-    /// Everything that is wrong with the declaration, each error at its token. What depends on a
-    /// faulty part is not checked, so that no error is only a consequence of another.
-    pub fn check(syntax: DeclarationSyntax, runtime: TokenStream) -> syn::Result<Self> {
-        let mut diagnostics = Diagnostics::default();
-        let algebra = basis::check(&syntax.basis, &syntax.metric, &mut diagnostics)?;
-        let is_sound = diagnostics.count() == 0;
-        let (types, sound) = types::check(&algebra, is_sound, &syntax.types, &mut diagnostics);
-        let products =
-            products::check(&algebra, &types, &sound, &syntax.products, &mut diagnostics);
-        diagnostics.into_result()?;
-        Ok(Self {
-            attributes: syntax.attributes,
-            visibility: syntax.visibility,
-            name: syntax.name,
-            runtime: syntax.runtime.map_or(runtime, |path| quote!(#path)),
-            algebra,
-            scalar: TypeDefinition::scalar(),
-            types,
-            products,
-            as_blades: OnceCell::new(),
-        })
-    }
+/// Checks a parsed declaration. `runtime` is the path of ga-runtime, if the declaration does
+/// not give it.
+///
+/// # Errors
+/// Everything that is wrong with the declaration, each error at its token. What depends on a
+/// faulty part is not checked, so that no error is only a consequence of another.
+pub fn check(syntax: DeclarationSyntax, runtime: TokenStream) -> syn::Result<Definition> {
+    let mut diagnostics = Diagnostics::default();
+    let algebra = basis::check(&syntax.basis, &syntax.metric, &mut diagnostics)?;
+    let is_sound = diagnostics.count() == 0;
+    let (types, sound) = types::check(&algebra, is_sound, &syntax.types, &mut diagnostics);
+    let products = products::check(&algebra, &types, &sound, &syntax.products, &mut diagnostics);
+    diagnostics.into_result()?;
+    Ok(Definition {
+        attributes: syntax
+            .attributes
+            .iter()
+            .map(ToTokens::to_token_stream)
+            .collect(),
+        visibility: syntax.visibility.into_token_stream(),
+        name: syntax.name,
+        runtime: syntax.runtime.map_or(runtime, |path| quote!(#path)),
+        algebra,
+        scalar: TypeDefinition::scalar(),
+        types,
+        products,
+        as_blades: OnceCell::new(),
+    })
 }

@@ -5,11 +5,13 @@ use std::collections::hash_map::Entry;
 
 use heck::ToSnakeCase;
 use proc_macro2::Span;
+use quote::ToTokens;
 use syn::ext::IdentExt;
 use syn::{Error, Ident};
 
+use super::polynomial;
 use crate::algebra::{Algebra, NameError, NamedBlade, Product};
-use crate::define::{CONSTANTS, Coefficient, Polynomial, Role, SCALAR_TYPE, TypeDefinition};
+use crate::define::{CONSTANTS, Coefficient, Role, SCALAR_TYPE, TypeDefinition};
 use crate::diag::Diagnostics;
 use crate::ir::Facts;
 use crate::member;
@@ -47,7 +49,7 @@ pub(super) fn check(
             diagnostics.error(kind.name.span(), "a type lists at least one blade");
         }
         types.push(TypeDefinition {
-            docs: kind.docs.clone(),
+            docs: kind.docs.iter().map(ToTokens::to_token_stream).collect(),
             name: kind.name.clone(),
             coefficients: check_coefficients(algebra, &kind.coefficients, diagnostics),
             facts: check_facts(algebra, &kind.facts, diagnostics),
@@ -163,7 +165,7 @@ fn check_coefficients(
                 Some(place) => Ok(place),
             }
         };
-        match Polynomial::resolve(value, lookup) {
+        match polynomial::resolve(value, lookup) {
             Ok(polynomial) => {
                 coefficients[index].role = match polynomial.as_constant() {
                     Some(constant) => Role::Constant(constant),

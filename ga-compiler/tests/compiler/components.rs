@@ -1,12 +1,12 @@
 //! Unit versors whose variety has several components, or whose blades are tied to each other.
 
 use ga_compiler::define::Definition;
-use ga_compiler::{compile, parse};
+use ga_compiler::{check, compile, parse};
 use proc_macro2::TokenStream;
 use quote::quote;
 
 fn check(declaration: TokenStream) -> syn::Result<Definition> {
-    Definition::check(parse::parse_declaration(declaration)?, quote!(::ga_runtime))
+    check::check(parse::parse_declaration(declaration)?, quote!(::ga_runtime))
 }
 
 fn sound(declaration: TokenStream) -> Definition {

@@ -2,14 +2,14 @@
 //! and what is emitted.
 
 use ga_compiler::define::Definition;
-use ga_compiler::{expand_algebra, parse};
+use ga_compiler::{check, expand_algebra, parse};
 use proc_macro2::TokenStream;
 use quote::quote;
 
 fn check(declaration: TokenStream) -> Result<Definition, Vec<String>> {
     let messages = |errors: syn::Error| errors.into_iter().map(|e| e.to_string()).collect();
     parse::parse_declaration(declaration)
-        .and_then(|syntax| Definition::check(syntax, quote!(::ga_runtime)))
+        .and_then(|syntax| check::check(syntax, quote!(::ga_runtime)))
         .map_err(messages)
 }
 

@@ -4,7 +4,7 @@ use ga_compiler::forms::FormRule;
 use ga_compiler::kernel::wanted;
 use ga_compiler::lower::{Choice, Choices, Rule};
 use ga_compiler::parse::{Block, parse_functions};
-use ga_compiler::program::resolve;
+use ga_compiler::resolve::resolve;
 use ga_compiler::task::Task;
 
 use crate::algebras::cga3;

@@ -11,7 +11,7 @@ use ga_compiler::lower::{
 };
 use ga_compiler::parse::{Block, parse_functions};
 use ga_compiler::passes::schedule;
-use ga_compiler::program::resolve;
+use ga_compiler::resolve::resolve;
 use ga_compiler::task::Task;
 use ga_compiler::verify;
 

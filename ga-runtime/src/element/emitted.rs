@@ -16,7 +16,7 @@ macro_rules! __surface {
 #[macro_export]
 macro_rules! __surface_entry {
     // Its coefficients, by the trait that its `Element` requires of the scalar.
-    (element $name:ident $bound:ident) => {
+    (element $name:ident $graded:ident $bound:ident) => {
         impl<S: $crate::scalar::$bound> $name<S> {
             /// The coefficients of all blades of the type with their names.
             #[inline]
@@ -28,6 +28,12 @@ macro_rules! __surface_entry {
             #[must_use]
             pub fn coefficient_of(self, name: &::core::primitive::str) -> ::core::option::Option<S> {
                 $crate::Element::coefficient_of(self, name)
+            }
+            /// The part of one grade; zero where the type has no blade of it.
+            #[inline]
+            #[must_use]
+            pub fn grade(self, grade: ::core::primitive::usize) -> $graded<S> {
+                $crate::__private::grade(self, grade)
             }
             /// Whether every coefficient is neither infinite nor NaN; for lanes, one mask entry per
             /// lane.

@@ -156,6 +156,18 @@ pub fn default_tolerance<S: Real>() -> S {
     S::epsilon() * S::from_integer(1024)
 }
 
+/// The part of one grade, in a type with all blades of the element.
+#[inline]
+pub fn grade<T: Element, U: Element<Scalar = T::Scalar>>(element: T, grade: usize) -> U {
+    U::from_coefficients_unchecked(&mut |blade| {
+        if blade.count_ones() as usize == grade {
+            element.coefficient(blade)
+        } else {
+            T::Scalar::zero()
+        }
+    })
+}
+
 /// The element 1 of a type that has it.
 #[inline]
 pub fn one<T: Element>() -> T {

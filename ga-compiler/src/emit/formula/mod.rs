@@ -20,6 +20,7 @@ use crate::ir::{Arena, Node, NodeId, Value};
 use crate::signature::{Operand, Shape};
 use expand::Expander;
 use polynomial::Polynomial;
+#[cfg(feature = "dot")]
 pub(super) use print::name as function_name;
 use print::{Printer, bare};
 

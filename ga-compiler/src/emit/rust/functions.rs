@@ -15,6 +15,7 @@ use crate::function::CompiledFunction;
 use crate::ir::{NodeId, Value};
 use crate::parse::{FaultyFunctions, FunctionSyntax, ShapeSyntax};
 use crate::passes::Stages;
+use crate::resolve::resolve_shape;
 use crate::signature::{Operand, Shape};
 
 /// The functions as items, or a single closure as an expression. `path` is where the module of the
@@ -65,7 +66,7 @@ pub fn function_stand_ins(
     let mut items = TokenStream::new();
     for function in functions {
         let name = function.name.as_ref()?;
-        let shape = |syntax: &ShapeSyntax| Shape::resolve(definition, syntax).ok();
+        let shape = |syntax: &ShapeSyntax| resolve_shape(definition, syntax).ok();
         if function.operands.iter().any(|operand| operand.is_uniform) {
             return None;
         }

@@ -1,4 +1,4 @@
-//! Reverse, involute, conjugate and grade selection.
+//! Reverse, involute and conjugate.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -31,7 +31,6 @@ pub(super) fn emit(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream 
     for (operation, text) in involutions {
         items.extend(involution(context, kind, operation, text));
     }
-    items.extend(grade(context, kind));
     items
 }
 
@@ -58,44 +57,6 @@ fn involution(
             #[inline]
             #[must_use]
             pub fn #name(self) -> #output { #body }
-        }
-    }
-}
-
-fn grade(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
-    let hull = context.hull(kind);
-    let mut grades: Vec<u32> = hull.stored().map(|c| c.blade.grade()).collect();
-    grades.sort_unstable();
-    grades.dedup();
-    let absent = u32::MAX;
-    let mut needs_field = false;
-    let mut part = |grade| {
-        let expression = Expression::unary(Unary::Grade(grade), Expression::Operand(0));
-        let (body, field) = context.compile(&[(kind, receiver())], &expression, Some(hull));
-        needs_field |= field;
-        body
-    };
-    let arms: Vec<_> = grades
-        .iter()
-        .map(|&grade| {
-            let (number, body) = (grade as usize, part(grade));
-            quote! { #number => { #body } }
-        })
-        .collect();
-    let rest = part(absent);
-    let (path, output, bound) = (
-        context.path(kind),
-        context.path(hull),
-        context.bound(needs_field),
-    );
-    quote! {
-        impl<S: #bound> #path {
-            /// The part of one grade; zero where the type has no blade of it.
-            #[inline]
-            #[must_use]
-            pub fn grade(self, grade: ::core::primitive::usize) -> #output {
-                match grade { #(#arms,)* _ => { #rest } }
-            }
         }
     }
 }

@@ -26,6 +26,7 @@ use quote::{ToTokens, format_ident, quote};
 use syn::Visibility;
 use syn::ext::IdentExt;
 
+use super::item::{attributes_of, visibility_of};
 use crate::define::{CONSTANTS, Definition};
 use crate::fingerprint::fingerprint;
 use crate::parse::{Outline, parse_outline};
@@ -103,9 +104,10 @@ pub fn stand_ins(runtime: &TokenStream, source: &TokenStream, errors: &TokenStre
 
 fn module(definition: &Definition, items: TokenStream) -> TokenStream {
     let (name, visibility) = (&definition.name, &definition.visibility);
+    let declared = attributes_of(&definition.attributes);
     let mut docs = Vec::new();
     let mut attributes = Vec::new();
-    for attribute in &definition.attributes {
+    for attribute in &declared {
         match attribute.meta.require_name_value() {
             // As inner attributes, so that links in the text find the types.
             Ok(meta) if meta.path.is_ident("doc") => docs.push(&meta.value),
@@ -152,7 +154,12 @@ fn handover(definition: &Definition, source: &TokenStream) -> TokenStream {
             $($callback)* ! { [#runtime] { #declaration } $($input)* }
         }
     };
-    macro_of(&definition.name, &definition.visibility, source, &rule)
+    macro_of(
+        &definition.name,
+        &visibility_of(&definition.visibility),
+        source,
+        &rule,
+    )
 }
 
 /// A path with `$crate` for a leading `crate`, so that a macro can pass it on to another crate.

@@ -31,7 +31,9 @@ fn entries(context: &Context<'_>, kind: &TypeDefinition) -> Vec<TokenStream> {
             "Ring"
         }
     );
-    let mut entries = vec![quote! { element #name #bound }];
+    let hull = context.hull(kind);
+    let graded = &hull.name;
+    let mut entries = vec![quote! { element #name #graded #bound }];
     if kind.is_linear() {
         entries.push(quote! { linear #name });
         let measured = in_norm(context, kind);
@@ -53,7 +55,6 @@ fn entries(context: &Context<'_>, kind: &TypeDefinition) -> Vec<TokenStream> {
         let source = &source.name;
         quote! { try_from #source #name }
     }));
-    let hull = context.hull(kind);
     if let Some(scalar) = hull.stored().find(|c| c.blade == Blade::SCALAR) {
         let (hull, scalar) = (&hull.name, &scalar.name);
         entries.push(quote! { with_scalar #name #hull #scalar });

@@ -30,7 +30,7 @@ pub(super) fn emit(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream 
 fn constant_type(kind: &TypeDefinition) -> TokenStream {
     let (docs, name, table) = (&kind.docs, &kind.name, coefficients_text(kind));
     quote! {
-        #(#docs)*
+        #docs
         #[doc = ""]
         #[doc = #table]
         #[derive(
@@ -50,7 +50,7 @@ fn structure(kind: &TypeDefinition) -> TokenStream {
         quote! { #[doc = #text] #visibility #field: S }
     });
     quote! {
-        #(#docs)*
+        #docs
         #[doc = ""]
         #[doc = #table]
         #[derive(

@@ -8,6 +8,7 @@ use quote::ToTokens;
 use syn::Attribute;
 use syn::ext::IdentExt;
 
+use super::super::item;
 use super::names::Names;
 use crate::define::{Definition, SCALAR_TYPE};
 use crate::signature::Shape;
@@ -142,7 +143,7 @@ impl<'a> Shapes<'a> {
             members.push(nothing());
         }
         self.structures.push(Structure {
-            docs: comment(&kind.docs),
+            docs: comment(&item::attributes_of(&kind.docs)),
             name: names.give(&kind.name.unraw().to_string()),
             members,
         });

@@ -15,7 +15,7 @@ use ga_compiler::lower::{
     Choice, Choices, InnerRule, JoinRule, MeetRule, ProjectionRule, SandwichRule,
 };
 use ga_compiler::parse::{Block, parse_functions};
-use ga_compiler::program::{Resolved, resolve};
+use ga_compiler::resolve::{Resolved, resolve};
 use ga_compiler::task::Task;
 
 use crate::algebras::cga3;

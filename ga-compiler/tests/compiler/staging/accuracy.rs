@@ -5,7 +5,7 @@ use ga_compiler::ir::{Arena, Function, Node, Value};
 use ga_compiler::kernel::{Kernel, wanted};
 use ga_compiler::lower::Choice;
 use ga_compiler::parse::{Block, parse_functions};
-use ga_compiler::program::resolve;
+use ga_compiler::resolve::resolve;
 use ga_compiler::task::Task;
 
 use crate::algebras;

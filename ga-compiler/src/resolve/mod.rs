@@ -1,0 +1,417 @@
+//! From syntax to programs: names get their meaning here, and an error points at the token of a
+//! name that has none.
+
+mod call;
+mod condition;
+mod error;
+mod formula;
+mod limits;
+mod operation;
+mod place;
+mod shape;
+#[cfg(test)]
+mod tests;
+mod zero;
+
+pub use error::{ResolveError, ResolveErrorKind, ValueCount};
+pub(crate) use shape::resolve_shape;
+
+use std::rc::Rc;
+
+use syn::Ident;
+
+use crate::algebra::Product;
+use crate::define::{Definition, Role, SCALAR_TYPE, TypeDefinition};
+use crate::diag::Warning;
+use crate::ir::Facts;
+use crate::member;
+use crate::parse::{
+    Block, Formula, FormulaKind, FunctionSyntax, LetSyntax, OperandSyntax, PatternSyntax, Place,
+    ShapeSyntax,
+};
+use crate::program::build::Builder;
+use crate::program::{MAX_STEPS, Mismatch, Program, Step, StepId, Witness};
+use crate::signature::{Operand, Shape};
+
+type Result<T> = std::result::Result<T, ResolveError>;
+
+/// A function whose names have their meaning.
+pub struct Resolved<'a> {
+    /// The steps.
+    pub program: Program<'a>,
+    /// Their values at random points.
+    pub witness: Witness,
+    /// The operands.
+    pub operands: Vec<Operand>,
+    /// For each operand of the program, whether it is uniform.
+    pub uniform: Vec<bool>,
+    /// The type of the result.
+    pub result: Shape,
+    /// The steps of the result, each with its type.
+    pub outputs: Vec<(StepId, Option<&'a TypeDefinition>)>,
+    /// What is allowed but is probably a mistake.
+    pub warnings: Vec<Warning>,
+}
+
+/// Resolves a function; `block` holds the functions that it may call.
+///
+/// # Errors
+/// The first name, type or operation that has no meaning, at its token; a result that is not a
+/// member of its type.
+pub fn resolve<'a>(
+    definition: &'a Definition,
+    function: &FunctionSyntax,
+    block: &Block,
+) -> Result<Resolved<'a>> {
+    resolve_with(definition, function, block, &|mismatch| {
+        mismatch.to_string()
+    })
+}
+
+/// The same, where `explain` says in words why a value is not of its declared type.
+///
+/// # Errors
+/// As for [`resolve`].
+pub fn resolve_with<'a>(
+    definition: &'a Definition,
+    function: &FunctionSyntax,
+    block: &Block,
+    explain: &dyn Fn(&Mismatch<'_, '_>) -> String,
+) -> Result<Resolved<'a>> {
+    let mut resolver = Resolver {
+        definition,
+        builder: Builder {
+            algebra: &definition.algebra,
+            program: Program::default(),
+            witness: Witness::default(),
+            operands: Vec::new(),
+        },
+        block,
+        explain,
+        scope: Vec::new(),
+        callers: vec![function],
+        calls: 0,
+        level: 0,
+        warnings: Vec::new(),
+        zeros: Vec::new(),
+    };
+    let uniform = resolver.operands(function)?;
+    let result = resolver.shape(&function.result)?;
+    let value = resolver.body(function)?;
+    let mut outputs = Vec::new();
+    resolver.fit(&function.value, &value, &result, "the result", &mut outputs)?;
+    resolver.note_result(&function.value, &value);
+    state_kinds(definition, &mut resolver.builder);
+    let warnings = std::mem::take(&mut resolver.warnings);
+    let Builder {
+        program,
+        witness,
+        operands,
+        ..
+    } = resolver.builder;
+    Ok(Resolved {
+        program,
+        witness,
+        operands,
+        uniform,
+        result,
+        outputs,
+        warnings,
+    })
+}
+
+/// States which steps are members of a type with derived coefficients: points that have been moved,
+/// for instance.
+fn state_kinds<'a>(definition: &'a Definition, builder: &mut Builder<'a>) {
+    let is_derived = |kind: &&TypeDefinition| {
+        let mut roles = kind.coefficients.iter().map(|c| &c.role);
+        roles.any(|role| matches!(role, Role::Derived(_)))
+    };
+    let kinds: Vec<_> = definition.types.iter().filter(is_derived).collect();
+    let products: Vec<StepId> = builder
+        .program
+        .steps()
+        .filter(|(_, step)| {
+            matches!(
+                step,
+                Step::Binary(Product::Geometric, ..)
+                    | Step::Sandwich(..)
+                    | Step::Quotient(..)
+                    | Step::Select(..)
+            )
+        })
+        .map(|(id, _)| id)
+        .collect();
+    for id in products {
+        let is_member = |kind: &&&TypeDefinition| {
+            let reasons = builder.witness.reasons(builder.algebra, id, Some(kind));
+            reasons.is_empty()
+        };
+        if let Some(kind) = kinds.iter().find(is_member) {
+            builder.program.state_kind(id, kind);
+        }
+    }
+}
+
+/// What a name stands for, or a formula gives.
+#[derive(Clone)]
+enum Bound {
+    /// A multivector.
+    One(StepId),
+    /// A condition.
+    Condition(StepId),
+    /// The elements of a tuple or an array; shared, since names may be read many times.
+    Parts(Rc<[Bound]>),
+}
+
+impl Bound {
+    fn count(&self) -> ValueCount {
+        match self {
+            Self::One(_) => ValueCount::One,
+            Self::Condition(_) => ValueCount::Condition,
+            Self::Parts(parts) => ValueCount::Several(parts.len()),
+        }
+    }
+}
+
+struct Resolver<'a, 's> {
+    definition: &'a Definition,
+    builder: Builder<'a>,
+    /// The functions that may be called.
+    block: &'s Block,
+    explain: &'s dyn Fn(&Mismatch<'_, '_>) -> String,
+    /// The values that have a name, the innermost last.
+    scope: Vec<(Ident, Bound)>,
+    /// The functions that are being copied in, each called by the one before.
+    callers: Vec<&'s FunctionSyntax>,
+    /// How many calls have been copied in.
+    calls: usize,
+    /// How many formulas are being computed, each a part of the one before.
+    level: usize,
+    warnings: Vec<Warning>,
+    /// The steps of which was said that they are always zero.
+    zeros: Vec<StepId>,
+}
+
+impl<'a, 's> Resolver<'a, 's> {
+    /// Adds the operands to the program, and returns for each whether it is uniform.
+    fn operands(&mut self, function: &FunctionSyntax) -> Result<Vec<bool>> {
+        let mut uniform = Vec::new();
+        for operand in &function.operands {
+            let shape = self.shape(&operand.shape)?;
+            let place = Place::of(operand.name.span());
+            if uniform.len().saturating_add(size(&shape)) > MAX_STEPS {
+                return Err(ResolveError::new(ResolveErrorKind::TooManyOperands, place));
+            }
+            let bound = self.operand(&shape, operand)?;
+            uniform.resize(self.builder.program.operands.len(), operand.is_uniform);
+            self.bind(&operand.name, bound);
+            self.builder.operands.push(Operand {
+                name: operand.name.clone(),
+                shape,
+                is_uniform: operand.is_uniform,
+            });
+        }
+        let Builder {
+            algebra,
+            program,
+            witness,
+            ..
+        } = &mut self.builder;
+        if !witness.extend(algebra, program) {
+            let place = function.value.place();
+            return Err(ResolveError::new(ResolveErrorKind::NoOperands, place));
+        }
+        Ok(uniform)
+    }
+
+    fn operand(&mut self, shape: &Shape, syntax: &OperandSyntax) -> Result<Bound> {
+        let kind = match shape {
+            Shape::Scalar | Shape::Type(_) if syntax.is_blade => self.as_blade(shape, syntax)?,
+            Shape::Scalar => &self.definition.scalar,
+            Shape::Type(index) => &self.definition.types[*index],
+            Shape::Array(element, count) => {
+                let parts = (0..*count).map(|_| self.operand(element, syntax));
+                return Ok(Bound::Parts(parts.collect::<Result<_>>()?));
+            }
+            Shape::Tuple(parts) => {
+                let parts = parts.iter().map(|part| self.operand(part, syntax));
+                return Ok(Bound::Parts(parts.collect::<Result<_>>()?));
+            }
+        };
+        Ok(Bound::One(self.builder.program.operand(kind)))
+    }
+
+    fn shape(&self, syntax: &ShapeSyntax) -> Result<Shape> {
+        resolve_shape(self.definition, syntax)
+    }
+
+    /// The type of an operand that is marked `blade`, with that fact.
+    fn as_blade(&self, shape: &Shape, syntax: &OperandSyntax) -> Result<&'a TypeDefinition> {
+        let definition = self.definition;
+        let known = definition.as_blades.get_or_init(|| {
+            let types = definition.types.iter();
+            types.map(|kind| with_blade(definition, kind)).collect()
+        });
+        let found = match shape {
+            Shape::Type(index) => known.get(*index).and_then(Option::as_ref),
+            _ => None,
+        };
+        found.ok_or_else(|| {
+            let is_needless = match shape {
+                Shape::Type(index) => {
+                    let mut kind = definition.types[*index].clone();
+                    kind.facts = Facts {
+                        blade: true,
+                        ..Facts::default()
+                    };
+                    member::facts_not_implied(&definition.algebra, &kind).is_empty()
+                }
+                _ => true,
+            };
+            let text = shape.to_text(definition);
+            let kind = if is_needless {
+                ResolveErrorKind::NeedlessBlade(text)
+            } else {
+                ResolveErrorKind::NoBlades(text)
+            };
+            ResolveError::new(kind, Place::of(syntax.name.span()))
+        })
+    }
+
+    /// Names of values and of functions are kept apart, so that a value may have the name of a
+    /// function.
+    fn bind(&mut self, name: &Ident, bound: Bound) {
+        self.scope.push((name.clone(), bound));
+    }
+
+    fn body(&mut self, function: &'s FunctionSyntax) -> Result<Bound> {
+        for statement in &function.statements {
+            self.statement(statement)?;
+        }
+        self.formula(&function.value)
+    }
+
+    fn statement(&mut self, statement: &'s LetSyntax) -> Result<()> {
+        let value = self.formula(&statement.value)?;
+        if let Some(shape) = &statement.shape {
+            let shape = self.shape(shape)?;
+            self.fit(&statement.value, &value, &shape, "this", &mut Vec::new())?;
+        }
+        self.destructure(&statement.pattern, &value)
+    }
+
+    fn destructure(&mut self, pattern: &PatternSyntax, value: &Bound) -> Result<()> {
+        match (pattern, value) {
+            (PatternSyntax::Name(name), value) => {
+                self.bind(name, value.clone());
+                Ok(())
+            }
+            (PatternSyntax::Wildcard, _) => Ok(()),
+            (PatternSyntax::Parts(_, patterns), Bound::Parts(parts))
+                if patterns.len() == parts.len() =>
+            {
+                let mut pairs = patterns.iter().zip(parts.iter());
+                pairs.try_for_each(|(pattern, part)| self.destructure(pattern, part))
+            }
+            (PatternSyntax::Parts(span, patterns), value) => {
+                let kind = ResolveErrorKind::PatternParts(patterns.len(), value.count());
+                Err(ResolveError::new(kind, Place::of(*span)))
+            }
+        }
+    }
+
+    /// Checks a value against a type, and lists the steps with their types. `what` names the value
+    /// in errors.
+    fn fit(
+        &mut self,
+        place: &Formula,
+        value: &Bound,
+        shape: &Shape,
+        what: &str,
+        outputs: &mut Vec<(StepId, Option<&'a TypeDefinition>)>,
+    ) -> Result<()> {
+        let part_of = |index: usize| match &place.kind {
+            FormulaKind::Tuple(parts) | FormulaKind::Array(parts) => parts.get(index),
+            _ => None,
+        };
+        let (parts, shapes): (_, Vec<&Shape>) = match (value, shape) {
+            (Bound::One(id), Shape::Scalar | Shape::Type(_)) => {
+                let kind = match shape {
+                    Shape::Type(index) => Some(&self.definition.types[*index]),
+                    _ => None,
+                };
+                self.check(place, *id, kind, what)?;
+                outputs.push((*id, kind));
+                return Ok(());
+            }
+            (Bound::Parts(parts), Shape::Array(element, count)) if parts.len() == *count => {
+                (parts, vec![&**element; *count])
+            }
+            (Bound::Parts(parts), Shape::Tuple(shapes)) if parts.len() == shapes.len() => {
+                (parts, shapes.iter().collect())
+            }
+            (value, shape) => {
+                let declared = shape.to_text(self.definition);
+                let kind =
+                    ResolveErrorKind::ShapeMismatch(what.to_owned(), value.count(), declared);
+                return Err(ResolveError::new(kind, place.place()));
+            }
+        };
+        for (index, (part, shape)) in parts.iter().zip(shapes).enumerate() {
+            let inner = part_of(index).unwrap_or(place);
+            self.fit(inner, part, shape, what, outputs)?;
+        }
+        Ok(())
+    }
+
+    fn check(
+        &mut self,
+        place: &Formula,
+        id: StepId,
+        kind: Option<&'a TypeDefinition>,
+        what: &str,
+    ) -> Result<()> {
+        let algebra = &self.definition.algebra;
+        let reasons = self.builder.witness.reasons(algebra, id, kind);
+        if reasons.is_empty() {
+            if let Some(kind) = kind {
+                self.builder.program.state(id, kind.facts);
+            }
+            return Ok(());
+        }
+        let name = kind.map_or(SCALAR_TYPE.to_owned(), |kind| kind.name.to_string());
+        let mismatch = Mismatch::new(&self.builder, self.definition, id, kind, reasons);
+        let reason = (self.explain)(&mismatch);
+        let kind = ResolveErrorKind::TypeMismatch(what.to_owned(), name, reason);
+        Err(ResolveError::new(kind, place.place()))
+    }
+}
+
+/// The type whose members are the blades among those of another; `None` where all or none are.
+fn with_blade(definition: &Definition, kind: &TypeDefinition) -> Option<TypeDefinition> {
+    let first = kind.coefficients.first()?.blade.grade();
+    let is_of_one_grade = kind.coefficients.iter().all(|c| c.blade.grade() == first);
+    if !is_of_one_grade || !kind.facts_are_implied || kind.facts.blade {
+        return None;
+    }
+    let mut with_blade = kind.clone();
+    with_blade.facts.blade = true;
+    let algebra = &definition.algebra;
+    with_blade.facts_are_implied = member::facts_not_implied(algebra, &with_blade).is_empty();
+    let is_needed = !with_blade.facts_are_implied;
+    (is_needed && member::is_family(algebra, &with_blade)).then_some(with_blade)
+}
+
+/// How many multivectors a value of that shape holds, as far as that can be counted. Empty arrays
+/// and tuples count as one.
+fn size(shape: &Shape) -> usize {
+    let size = match shape {
+        Shape::Scalar | Shape::Type(_) => 1,
+        Shape::Array(element, count) => size(element).saturating_mul(*count),
+        Shape::Tuple(parts) => parts
+            .iter()
+            .fold(0, |sum: usize, part| sum.saturating_add(size(part))),
+    };
+    size.max(1)
+}

@@ -1,0 +1,148 @@
+//! The operations that have a name.
+
+use crate::algebra::{Product, Ratio, Unary};
+use crate::ir::Function;
+use crate::program::build::{Builder, Outcome};
+use crate::program::{OperationError, Step, StepId};
+
+use super::condition::SELECT;
+use super::place::{ENDPOINTS, POINT};
+
+/// An operation with a name.
+#[derive(Clone, Copy)]
+pub(super) enum Operation {
+    /// A linear operation.
+    Unary(Unary),
+    /// A product.
+    Product(Product),
+    /// The action of a versor.
+    Sandwich,
+    /// A function of scalars.
+    Function(Function),
+    /// A number between two others.
+    Clamp,
+    /// −1, 0 or 1.
+    Sign,
+    /// `1/x` of a scalar.
+    Reciprocal,
+    /// The exponential of a scalar or a bivector.
+    Exponential,
+    /// The logarithm of a scalar or a unit versor.
+    Logarithm,
+    /// `√|⟨a ~a⟩₀|`.
+    Norm,
+    /// `⟨a ~a⟩₀`.
+    NormSquared,
+    /// The multiple with norm 1.
+    Normalize,
+    /// The inverse of a blade or a versor.
+    Inverse,
+}
+
+/// The operation that takes a number, the grade, beside its operand: `grade(a, 2)`.
+pub(super) const GRADE: &str = "grade";
+
+/// All other operations of multivectors by name; some have two names.
+const NAMES: [(&str, Operation); 33] = [
+    ("reverse", Operation::Unary(Unary::Reverse)),
+    ("rev", Operation::Unary(Unary::Reverse)),
+    ("involute", Operation::Unary(Unary::Involute)),
+    ("conjugate", Operation::Unary(Unary::Conjugate)),
+    ("dual", Operation::Unary(Unary::Dual)),
+    ("undual", Operation::Unary(Unary::Undual)),
+    ("geometric", Operation::Product(Product::Geometric)),
+    ("wedge", Operation::Product(Product::Wedge)),
+    (
+        "left_contraction",
+        Operation::Product(Product::LeftContraction),
+    ),
+    (
+        "right_contraction",
+        Operation::Product(Product::RightContraction),
+    ),
+    ("scalar_product", Operation::Product(Product::ScalarProduct)),
+    ("commutator", Operation::Product(Product::Commutator)),
+    ("vee", Operation::Product(Product::Vee)),
+    ("sandwich", Operation::Sandwich),
+    ("transform", Operation::Sandwich),
+    ("sqrt", Operation::Function(Function::SquareRoot)),
+    ("abs", Operation::Function(Function::Absolute)),
+    ("sin", Operation::Function(Function::Sine)),
+    ("cos", Operation::Function(Function::Cosine)),
+    ("atan2", Operation::Function(Function::ArcTangent)),
+    ("ln", Operation::Function(Function::NaturalLogarithm)),
+    ("min", Operation::Function(Function::Minimum)),
+    ("max", Operation::Function(Function::Maximum)),
+    ("clamp", Operation::Clamp),
+    ("sign", Operation::Sign),
+    ("recip", Operation::Reciprocal),
+    ("exp", Operation::Exponential),
+    ("log", Operation::Logarithm),
+    ("norm", Operation::Norm),
+    ("norm_squared", Operation::NormSquared),
+    ("normalize", Operation::Normalize),
+    ("inverse", Operation::Inverse),
+    ("inv", Operation::Inverse),
+];
+
+impl Operation {
+    /// All names, those of operations that take something else than multivectors included.
+    pub(super) fn names() -> impl Iterator<Item = &'static str> {
+        NAMES
+            .iter()
+            .map(|(name, _)| *name)
+            .chain([GRADE, SELECT, POINT, ENDPOINTS])
+    }
+
+    /// The operation of that name, with the name.
+    pub(super) fn from_name(name: &str) -> Option<(&'static str, Self)> {
+        NAMES.iter().copied().find(|(known, _)| *known == name)
+    }
+
+    /// How many operands it takes.
+    pub(super) fn arity(self) -> usize {
+        match self {
+            Self::Clamp => 3,
+            Self::Product(_) | Self::Sandwich => 2,
+            Self::Function(function) => function.arity(),
+            Self::Unary(_)
+            | Self::Sign
+            | Self::Reciprocal
+            | Self::Exponential
+            | Self::Logarithm
+            | Self::Norm
+            | Self::NormSquared
+            | Self::Normalize
+            | Self::Inverse => 1,
+        }
+    }
+
+    /// The steps of the operation on as many operands as it takes.
+    pub(super) fn apply(self, builder: &mut Builder<'_>, operands: &[StepId]) -> Outcome {
+        let first = operands[0];
+        match self {
+            Self::Unary(operation) => builder.push(Step::Unary(operation, first)),
+            Self::Product(product) => builder.push(Step::Binary(product, first, operands[1])),
+            Self::Sandwich => builder.push(Step::Sandwich(first, operands[1])),
+            Self::Function(function) => builder.function(function, operands),
+            Self::Clamp => {
+                let raised = builder.function(Function::Maximum, &[first, operands[1]])?;
+                builder.function(Function::Minimum, &[raised, operands[2]])
+            }
+            Self::Sign => builder.sign(first),
+            Self::Reciprocal => {
+                let one = builder.number(Ratio::ONE)?;
+                if !builder.witness.is_scalar(first) {
+                    return Err(OperationError::NotScalar(builder.blade_names(first)));
+                }
+                builder.push(Step::Quotient(one, first))
+            }
+            Self::Exponential => builder.exponential(first),
+            Self::Logarithm => builder.logarithm(first),
+            Self::Norm => builder.norm(first),
+            Self::NormSquared => builder.norm_squared(first),
+            Self::Normalize => builder.normalize(first),
+            Self::Inverse => builder.inverse(first),
+        }
+    }
+}

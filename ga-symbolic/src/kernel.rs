@@ -1,0 +1,166 @@
+//! One compiled graph: what it computes, what it costs, and whether it agrees with its source.
+
+use crate::algebra::{Algebra, Blade, NamedBlade, Ratio};
+use crate::define::TypeDefinition;
+use crate::expression::Expression;
+use crate::ir::{Arena, Node, Outcomes, Residue, Value};
+use crate::lower::Choices;
+use crate::passes::{self, Cost, Stages};
+use crate::program::{Program, StepId, Witness};
+use crate::verify;
+
+/// A graph whose inputs are the stored coefficients of the operands, one after the other, and whose
+/// outputs are the stored coefficients of the result, all in the order of their declarations.
+#[derive(Clone, Debug)]
+pub struct Kernel {
+    /// The graph.
+    pub arena: Arena,
+    /// The outputs.
+    pub outputs: Vec<Value>,
+    /// The rules that won.
+    pub choices: Choices,
+    /// For each input, whether it stays the same over many calls. The nodes that depend on such
+    /// inputs alone are the prologue.
+    pub uniform: Vec<bool>,
+    /// Numbers of the source that are inputs of the graph, after those of the operands, since
+    /// products of them have too many digits.
+    pub literals: Vec<Ratio>,
+}
+
+impl Kernel {
+    /// The cost by which graphs are compared: the operations of each call, then those of the
+    /// prologue.
+    pub(crate) fn rank(&self) -> (usize, usize) {
+        let prologue = self.prologue_cost().total();
+        (self.cost().total() - prologue, prologue)
+    }
+
+    /// The number of operations on uniform inputs alone, which are done once for many calls.
+    #[must_use]
+    pub fn prologue_cost(&self) -> Cost {
+        if !self.uniform.contains(&true) {
+            return Cost::default();
+        }
+        let handed = self.stages().handed.into_iter().map(Value::of);
+        passes::cost(&self.arena, &handed.collect::<Vec<_>>())
+    }
+
+    /// What depends on uniform inputs alone, apart from the rest.
+    #[must_use]
+    pub fn stages(&self) -> Stages {
+        Stages::new(&self.arena, &self.outputs, &self.uniform)
+    }
+
+    /// The number of operations.
+    #[must_use]
+    pub fn cost(&self) -> Cost {
+        passes::cost(&self.arena, &self.outputs)
+    }
+
+    /// Whether some constant in it is out of the range of exact arithmetic.
+    #[must_use]
+    pub fn is_out_of_range(&self) -> bool {
+        let is_beyond = |value: &Value| value.factor.is_out_of_range();
+        let in_graph = self.arena.ids().any(|id| match self.arena.node(id) {
+            Node::Sum(values) | Node::Function(_, values) => values.iter().any(is_beyond),
+            Node::One | Node::Input(_) | Node::Product(..) | Node::Quotient(..) => false,
+        });
+        in_graph || self.outputs.iter().any(is_beyond)
+    }
+
+    /// The outputs for given inputs over the prime field.
+    #[must_use]
+    pub fn evaluate(&self, inputs: &[Residue]) -> Vec<Residue> {
+        self.evaluate_with(inputs, &Outcomes::default())
+    }
+
+    fn evaluate_with(&self, inputs: &[Residue], outcomes: &Outcomes) -> Vec<Residue> {
+        let mut inputs = inputs.to_vec();
+        inputs.extend(self.literals.iter().copied().map(Residue::from_ratio));
+        let values = self.arena.evaluate_with(&inputs, outcomes);
+        self.outputs
+            .iter()
+            .map(|output| values[output.node.index()] * Residue::from_ratio(output.factor))
+            .collect()
+    }
+
+    /// Whether the graph agrees with the plain meaning of the expression at a random point of the
+    /// operands' types.
+    #[must_use]
+    pub fn agrees(
+        &self,
+        algebra: &Algebra,
+        operands: &[&TypeDefinition],
+        expression: &Expression,
+        result: Option<&TypeDefinition>,
+        seed: u64,
+    ) -> bool {
+        let mut sequence = verify::sequence(seed);
+        let members: Option<Vec<_>> = operands
+            .iter()
+            .map(|kind| verify::sample(algebra, kind, &mut sequence))
+            .collect();
+        let Some(members) = members else { return false };
+        let Some(meaning) = verify::evaluate(algebra, operands, expression, &members) else {
+            return false;
+        };
+        let expected = match result {
+            None => vec![
+                meaning
+                    .get(&Blade::SCALAR)
+                    .copied()
+                    .unwrap_or(Residue::ZERO),
+            ],
+            Some(kind) => verify::stored(kind, &meaning),
+        };
+        self.evaluate(&inputs_of(operands, &members)) == expected
+    }
+
+    /// Whether the graph agrees with the plain meaning of a program at the points of its witness.
+    #[must_use]
+    pub fn agrees_with(
+        &self,
+        program: &Program<'_>,
+        witness: &Witness,
+        wanted: &[(StepId, Vec<NamedBlade>)],
+    ) -> bool {
+        witness.points().all(|(members, values, outcomes)| {
+            let expected = wanted.iter().flat_map(|(step, blades)| {
+                let value = &values[step.index()];
+                blades.iter().map(|named| {
+                    let found = value.get(&named.blade).copied().unwrap_or(Residue::ZERO);
+                    if named.is_negative { -found } else { found }
+                })
+            });
+            let found = self.evaluate_with(&inputs_of(&program.operands, members), outcomes);
+            found.into_iter().eq(expected)
+        })
+    }
+}
+
+/// The stored coefficients of some members, one after the other.
+fn inputs_of(operands: &[&TypeDefinition], members: &[verify::Numbers]) -> Vec<Residue> {
+    operands
+        .iter()
+        .zip(members)
+        .flat_map(|(kind, member)| verify::stored(kind, member))
+        .collect()
+}
+
+/// The stored blades of a type, or the scalar.
+#[must_use]
+pub fn wanted(result: Option<&TypeDefinition>) -> Vec<NamedBlade> {
+    let scalar = NamedBlade {
+        blade: Blade::SCALAR,
+        is_negative: false,
+    };
+    let stored = |kind: &TypeDefinition| {
+        kind.stored()
+            .map(|c| NamedBlade {
+                blade: c.blade,
+                is_negative: c.is_negative,
+            })
+            .collect()
+    };
+    result.map_or_else(|| vec![scalar], stored)
+}

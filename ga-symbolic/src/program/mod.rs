@@ -1,0 +1,254 @@
+//! Programs: the operations of a function in the order in which they are computed, each stored
+//! once.
+//!
+//! A [`Program`] stands between the source and the graph. Its steps are operations on whole
+//! multivectors; which rule works a step out, and which of its coefficients are needed at all, is
+//! decided when it is lowered. Calls of other functions are copied in, so that rules apply
+//! across them.
+
+pub mod build;
+mod choices;
+pub mod conformal;
+mod evaluate;
+mod limits;
+mod mismatch;
+mod operation_error;
+mod place;
+mod witness;
+
+pub use evaluate::evaluate;
+pub use limits::MAX_STEPS;
+pub use mismatch::{Mismatch, Remedy, with_remedy};
+pub use operation_error::OperationError;
+pub use witness::Witness;
+
+use std::collections::HashMap;
+
+use crate::algebra::{Blade, Product, Ratio, Unary};
+use crate::define::TypeDefinition;
+use crate::expression::Expression;
+use crate::ir::{Facts, Function};
+
+/// The place of a step in its program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct StepId(usize);
+
+impl StepId {
+    /// The place as an index.
+    #[must_use]
+    pub const fn index(self) -> usize {
+        self.0
+    }
+}
+
+/// An operation on multivectors.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Step {
+    /// An operand, by its number.
+    Operand(usize),
+    /// A basis blade with a factor; numbers are multiples of the scalar blade.
+    Constant(Blade, Ratio),
+    /// A linear operation.
+    Unary(Unary, StepId),
+    /// A bilinear product.
+    Binary(Product, StepId, StepId),
+    /// `M X ~M`, and `M X̂ ~M` for an M that is odd for all operands. So it is `M X ~M` where M is
+    /// always zero, where it has even and odd parts, and where it is odd for some operands only.
+    Sandwich(StepId, StepId),
+    /// A sum.
+    Sum(StepId, StepId),
+    /// The quotient by a scalar.
+    Quotient(StepId, StepId),
+    /// The negative.
+    Negative(StepId),
+    /// The coefficient of a blade, as a scalar.
+    Coefficient(StepId, Blade),
+    /// A function of scalars or conditions.
+    Function(Function, Vec<StepId>),
+    /// The second step where the condition that comes first holds, else the third.
+    Select(StepId, StepId, StepId),
+}
+
+impl Step {
+    /// The steps that this one reads.
+    #[must_use]
+    pub fn reads(&self) -> Vec<StepId> {
+        match self {
+            Self::Operand(_) | Self::Constant(..) => Vec::new(),
+            Self::Unary(_, a) | Self::Negative(a) | Self::Coefficient(a, _) => vec![*a],
+            Self::Binary(_, a, b)
+            | Self::Sandwich(a, b)
+            | Self::Sum(a, b)
+            | Self::Quotient(a, b) => vec![*a, *b],
+            Self::Function(_, arguments) => arguments.clone(),
+            Self::Select(condition, a, b) => vec![*condition, *a, *b],
+        }
+    }
+}
+
+/// Which grades a multivector has, for all operands. Zero is even.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Parity {
+    /// Even ones.
+    Even,
+    /// Odd ones.
+    Odd,
+    /// Some of either.
+    Mixed,
+}
+
+impl Parity {
+    /// Whether a value of this parity may have a blade.
+    #[must_use]
+    pub const fn allows(self, blade: Blade) -> bool {
+        match self {
+            Self::Even => !blade.involute_is_negative(),
+            Self::Odd => blade.involute_is_negative(),
+            Self::Mixed => true,
+        }
+    }
+}
+
+/// The steps of a function. A step comes after everything that it reads.
+#[derive(Clone, Default)]
+pub struct Program<'a> {
+    /// The types of the operands; a plain number is [`TypeDefinition::scalar`].
+    pub operands: Vec<&'a TypeDefinition>,
+    steps: Vec<Step>,
+    constant: Vec<bool>,
+    known: HashMap<Step, StepId>,
+    facts: HashMap<StepId, Facts>,
+    kinds: HashMap<StepId, &'a TypeDefinition>,
+    parities: HashMap<StepId, Parity>,
+}
+
+impl<'a> Program<'a> {
+    /// The program that only names its operands.
+    #[must_use]
+    pub fn new(operands: &[&'a TypeDefinition]) -> Self {
+        let mut program = Self::default();
+        for kind in operands {
+            program.operand(kind);
+        }
+        program
+    }
+
+    /// The program of one expression, and its last step.
+    #[must_use]
+    pub fn of_expression(
+        operands: &[&'a TypeDefinition],
+        expression: &Expression,
+    ) -> (Self, StepId) {
+        let mut program = Self::new(operands);
+        let result = program.expression(expression);
+        (program, result)
+    }
+
+    /// A further operand.
+    pub fn operand(&mut self, kind: &'a TypeDefinition) -> StepId {
+        let number = self.operands.len();
+        self.operands.push(kind);
+        self.push(Step::Operand(number))
+    }
+
+    /// A step; one that is there already is not added again.
+    pub fn push(&mut self, step: Step) -> StepId {
+        if let Some(&id) = self.known.get(&step) {
+            return id;
+        }
+        let id = StepId(self.steps.len());
+        let is_constant = !matches!(step, Step::Operand(_))
+            && step.reads().iter().all(|read| self.is_constant(*read));
+        self.constant.push(is_constant);
+        self.steps.push(step.clone());
+        self.known.insert(step, id);
+        id
+    }
+
+    /// The step at a place.
+    #[must_use]
+    pub fn step(&self, id: StepId) -> &Step {
+        &self.steps[id.index()]
+    }
+
+    /// Whether a step has the same value for all operands.
+    #[must_use]
+    pub fn is_constant(&self, id: StepId) -> bool {
+        self.constant[id.index()]
+    }
+
+    /// All steps in order.
+    pub fn steps(&self) -> impl DoubleEndedIterator<Item = (StepId, &Step)> {
+        let ids = (0..self.steps.len()).map(StepId);
+        ids.zip(&self.steps)
+    }
+
+    /// The number of steps.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.steps.len()
+    }
+
+    /// Whether there is no step.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.steps.is_empty()
+    }
+
+    /// States facts of a step beyond what its operation tells.
+    pub fn state(&mut self, id: StepId, facts: Facts) {
+        let known = self.facts.entry(id).or_default();
+        *known = known.and(facts);
+    }
+
+    /// The facts that were stated of a step.
+    #[must_use]
+    pub fn stated(&self, id: StepId) -> Facts {
+        self.facts.get(&id).copied().unwrap_or_default()
+    }
+
+    /// States the parity of a step, which its terms need not show: those of one parity may cancel.
+    pub fn state_parity(&mut self, id: StepId, parity: Parity) {
+        self.parities.insert(id, parity);
+    }
+
+    /// The parity that was stated of a step.
+    #[must_use]
+    pub fn parity(&self, id: StepId) -> Option<Parity> {
+        self.parities.get(&id).copied()
+    }
+
+    /// States that a step is always a member of a type.
+    pub fn state_kind(&mut self, id: StepId, kind: &'a TypeDefinition) {
+        self.kinds.insert(id, kind);
+    }
+
+    /// The type that a step was stated to be a member of.
+    #[must_use]
+    pub fn kind(&self, id: StepId) -> Option<&'a TypeDefinition> {
+        self.kinds.get(&id).copied()
+    }
+
+    /// Whether the type of some step is known.
+    #[must_use]
+    pub fn has_kinds(&self) -> bool {
+        !self.kinds.is_empty()
+    }
+
+    /// The steps of an expression over the operands; the last one is its value.
+    pub fn expression(&mut self, expression: &Expression) -> StepId {
+        let step = match expression {
+            Expression::Operand(number) => Step::Operand(*number),
+            Expression::Constant(value) => Step::Constant(Blade::SCALAR, *value),
+            Expression::Unary(operation, a) => Step::Unary(*operation, self.expression(a)),
+            Expression::Binary(product, a, b) => {
+                Step::Binary(*product, self.expression(a), self.expression(b))
+            }
+            Expression::Sandwich(a, b) => Step::Sandwich(self.expression(a), self.expression(b)),
+            Expression::Sum(a, b) => Step::Sum(self.expression(a), self.expression(b)),
+            Expression::Quotient(a, b) => Step::Quotient(self.expression(a), self.expression(b)),
+            Expression::Negative(a) => Step::Negative(self.expression(a)),
+        };
+        self.push(step)
+    }
+}
