@@ -11,6 +11,7 @@
 //! | [`Part`] | the faces of one group as a mesh of their own |
 //! | [`normals`] | smooth normals |
 //! | [`obj`] | reads and writes Wavefront OBJ |
+//! | [`topology`] | edges, and the faces around each vertex |
 //! | [`gltf`] | writes binary glTF with skins and animations |
 //!
 //! # Conventions
@@ -33,6 +34,7 @@ mod mesh;
 pub mod normals;
 pub mod obj;
 mod part;
+pub mod topology;
 
 pub use error::MeshError;
 pub use faces::{Faces, Polygons};

@@ -6,3 +6,4 @@ mod gltf;
 mod normals;
 mod obj;
 mod polygons;
+mod topology;
