@@ -21,6 +21,14 @@ pub enum MeshError {
         /// How many vertices there are.
         vertices: usize,
     },
+    /// There are not as many positions as the mesh has vertices.
+    #[error("{found} positions for {expected} vertices")]
+    VertexCount {
+        /// How many vertices there are.
+        expected: usize,
+        /// How many positions.
+        found: usize,
+    },
     /// A coordinate of a vertex is infinite or not a number.
     #[error("vertex {vertex} has a coordinate that is not finite: {coordinates:?}")]
     NotFinite {
@@ -29,36 +37,120 @@ pub enum MeshError {
         /// Its coordinates.
         coordinates: [f64; 3],
     },
-    /// A texture coordinate is infinite or not a number.
-    #[error("texture coordinate {index} is not finite: {coordinates:?}")]
-    TextureNotFinite {
-        /// The texture coordinate.
+    /// A number of an attribute is infinite or not a number.
+    #[error("{attribute} {index} is not finite: {value:?}")]
+    AttributeNotFinite {
+        /// The name of one value of the attribute, such as `"texture coordinate"`.
+        attribute: &'static str,
+        /// The value.
         index: usize,
-        /// Its value.
-        coordinates: [f64; 2],
+        /// Its numbers.
+        value: Vec<f64>,
     },
-    /// The list of texture corners is not as long as the list of face corners.
-    #[error("{found} texture corners for {expected} corners of faces")]
-    TextureLength {
+    /// A normal or a tangent has no direction.
+    #[error("{attribute} {index} is the zero vector")]
+    ZeroVector {
+        /// `"normal"` or `"tangent"`.
+        attribute: &'static str,
+        /// The vector.
+        index: usize,
+    },
+    /// The handedness of a tangent is neither 1 nor −1.
+    #[error("the handedness of tangent {index} is {handedness}; it must be 1 or -1")]
+    Handedness {
+        /// The tangent.
+        index: usize,
+        /// Its handedness.
+        handedness: f64,
+    },
+    /// The list of an attribute's corners is not as long as the list of face corners.
+    #[error("the list of {attribute} indices has {found} entries for {expected} corners of faces")]
+    AttributeLength {
+        /// The name of one value of the attribute.
+        attribute: &'static str,
         /// Corners of faces.
         expected: usize,
-        /// Corners with texture.
+        /// Entries in the list.
         found: usize,
     },
-    /// A corner refers to a texture coordinate that does not exist.
-    #[error("corner {corner} refers to texture coordinate {index}, but there are {coordinates}")]
-    TextureIndexOutOfRange {
+    /// A corner refers to a value that does not exist.
+    #[error("corner {corner} refers to {attribute} {index}, but there are {values}")]
+    AttributeOutOfRange {
+        /// The name of one value of the attribute.
+        attribute: &'static str,
         /// The corner.
         corner: usize,
-        /// The texture coordinate it refers to.
+        /// The value it refers to.
         index: u32,
         /// How many there are.
-        coordinates: usize,
+        values: usize,
     },
-    /// A group refers to a face that does not exist.
+    /// A mesh has colours for some vertices only, or for more than it has.
+    #[error("{colours} colours for {vertices} vertices")]
+    ColourCount {
+        /// How many vertices there are.
+        vertices: usize,
+        /// How many colours.
+        colours: usize,
+    },
+    /// The list of the faces' materials is not as long as the list of faces.
+    #[error("{found} materials of faces for {faces} faces")]
+    FaceMaterialCount {
+        /// How many faces there are.
+        faces: usize,
+        /// How many entries the list has.
+        found: usize,
+    },
+    /// A face refers to a material that does not exist.
+    #[error("face {face} refers to material {material}, but there are {materials} materials")]
+    MaterialOutOfRange {
+        /// The face.
+        face: usize,
+        /// The material it refers to.
+        material: u32,
+        /// How many there are.
+        materials: usize,
+    },
+    /// A number of a material is outside its range.
+    #[error("the {number} of material {material:?} is out of range")]
+    MaterialNumber {
+        /// The name of the material.
+        material: String,
+        /// What the number stands for.
+        number: &'static str,
+    },
+    /// A polyline has fewer than two vertices.
+    #[error("polyline {polyline} has {vertices} vertices; a polyline has at least 2")]
+    PolylineTooShort {
+        /// The polyline.
+        polyline: usize,
+        /// How many vertices it has.
+        vertices: usize,
+    },
+    /// A polyline refers to a vertex that does not exist.
+    #[error("polyline {polyline} refers to vertex {index}, but there are {vertices} vertices")]
+    PolylineOutOfRange {
+        /// The polyline.
+        polyline: usize,
+        /// The vertex it refers to.
+        index: u32,
+        /// How many vertices there are.
+        vertices: usize,
+    },
+    /// An element of the list of points refers to a vertex that does not exist.
+    #[error("point {point} refers to vertex {index}, but there are {vertices} vertices")]
+    PointOutOfRange {
+        /// The element of the list.
+        point: usize,
+        /// The vertex it refers to.
+        index: u32,
+        /// How many vertices there are.
+        vertices: usize,
+    },
+    /// A group or an object refers to a face that does not exist.
     #[error("group {group:?} refers to face {face}, but there are {faces} faces")]
     GroupOutOfRange {
-        /// The group.
+        /// The name of the group or object.
         group: String,
         /// The face it refers to.
         face: u32,

@@ -1,15 +1,14 @@
 //! Lists of polygons.
 
 use crate::MeshError;
+use crate::lists::{Lists, TooMany};
 
 /// Polygons, each a list of vertex indices in order along its boundary, in one block of memory.
 ///
 /// Seen from outside, the corners run counter-clockwise.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Faces {
-    /// Where in `corners` each face begins, and the end of the last.
-    offsets: Vec<u32>,
-    corners: Vec<u32>,
+    polygons: Lists,
 }
 
 /// The polygons of [`Faces`], one after the other.
@@ -29,14 +28,44 @@ impl Faces {
     pub fn from_polygons<P: AsRef<[u32]>>(
         polygons: impl IntoIterator<Item = P>,
     ) -> Result<Self, MeshError> {
-        let mut faces = Self {
-            offsets: vec![0],
-            corners: Vec::new(),
-        };
+        let mut faces = Self::default();
         for polygon in polygons {
             faces.push(polygon.as_ref())?;
         }
         Ok(faces)
+    }
+
+    /// Faces that all have `N` corners, such as triangles, without a copy of each.
+    ///
+    /// # Errors
+    ///
+    /// As [`Faces::from_polygons`].
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// let faces = ga_mesh::Faces::from_uniform(vec![[0, 1, 2], [0, 2, 3]])?;
+    /// assert_eq!(faces.get(1), Some(&[0, 2, 3][..]));
+    /// # Ok::<(), ga_mesh::MeshError>(())
+    /// ```
+    pub fn from_uniform<const N: usize>(polygons: Vec<[u32; N]>) -> Result<Self, MeshError> {
+        if N < 3 && !polygons.is_empty() {
+            let (face, corners) = (0, N);
+            return Err(MeshError::FaceTooShort { face, corners });
+        }
+        let count = polygons.len().saturating_mul(N);
+        if u32::try_from(count).is_err() {
+            return Err(too_many(TooMany(count)));
+        }
+        let offsets = (0..=polygons.len()).map(|face| (face * N) as u32);
+        Ok(Self {
+            polygons: Lists::new(offsets.collect(), polygons.into_flattened()),
+        })
+    }
+
+    /// Faces from lists of at least three corners each.
+    pub(crate) fn from_lists(polygons: Lists) -> Self {
+        Self { polygons }
     }
 
     /// Adds a face at the end.
@@ -49,20 +78,13 @@ impl Faces {
             let (face, corners) = (self.len(), polygon.len());
             return Err(MeshError::FaceTooShort { face, corners });
         }
-        let count = self.corners.len() + polygon.len();
-        let end = u32::try_from(count).map_err(|_| MeshError::TooLarge {
-            what: "corners",
-            count,
-        })?;
-        self.corners.extend_from_slice(polygon);
-        self.offsets.push(end);
-        Ok(())
+        self.polygons.push(polygon).map_err(too_many)
     }
 
     /// How many faces there are.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.offsets.len() - 1
+        self.polygons.len()
     }
 
     /// Whether there is no face.
@@ -74,26 +96,31 @@ impl Faces {
     /// The vertices of face `face`.
     #[must_use]
     pub fn get(&self, face: usize) -> Option<&[u32]> {
-        let end = *self.offsets.get(face + 1)? as usize;
-        Some(&self.corners[self.offsets[face] as usize..end])
+        self.polygons.get(face)
     }
 
     /// Where in [`Faces::corners`] the corners of `face` lie.
-    pub(crate) fn corner_range(&self, face: usize) -> std::ops::Range<usize> {
-        self.offsets[face] as usize..self.offsets[face + 1] as usize
+    ///
+    /// # Panics
+    ///
+    /// When there is no such face.
+    #[must_use]
+    pub fn corner_range(&self, face: usize) -> std::ops::Range<usize> {
+        let offsets = self.offsets();
+        offsets[face] as usize..offsets[face + 1] as usize
     }
 
     /// The corners of all faces, one face after the other.
     #[must_use]
     pub fn corners(&self) -> &[u32] {
-        &self.corners
+        self.polygons.items()
     }
 
     /// Where in [`Faces::corners`] each face begins, and the end of the last: one number more than
     /// there are faces.
     #[must_use]
     pub fn offsets(&self) -> &[u32] {
-        &self.offsets
+        self.polygons.offsets()
     }
 
     /// The faces, one after the other.
@@ -110,22 +137,28 @@ impl Faces {
     /// the shape of other faces depends on which corner comes first.
     #[must_use]
     pub fn triangles(&self) -> Vec<[u32; 3]> {
-        let mut triangles = Vec::with_capacity(self.corners.len() - 2 * self.len());
+        let mut triangles = Vec::with_capacity(self.corners().len() - 2 * self.len());
         for face in self {
             triangles.extend(face[1..].windows(2).map(|edge| [face[0], edge[0], edge[1]]));
         }
         triangles
     }
+
+    /// The same triangles as [`Faces::triangles`], each as three indices into
+    /// [`Faces::corners`], by which attributes of corners are found.
+    #[must_use]
+    pub fn corner_triangles(&self) -> Vec<[u32; 3]> {
+        let mut triangles = Vec::with_capacity(self.corners().len() - 2 * self.len());
+        for face in self.offsets().windows(2) {
+            triangles.extend((face[0] + 1..face[1] - 1).map(|next| [face[0], next, next + 1]));
+        }
+        triangles
+    }
 }
 
-impl Default for Faces {
-    /// No faces.
-    fn default() -> Self {
-        Self {
-            offsets: vec![0],
-            corners: Vec::new(),
-        }
-    }
+fn too_many(TooMany(count): TooMany) -> MeshError {
+    let what = "corners";
+    MeshError::TooLarge { what, count }
 }
 
 impl<'a> IntoIterator for &'a Faces {

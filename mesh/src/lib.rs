@@ -7,7 +7,9 @@
 //!
 //! | module or type | what it is |
 //! | --- | --- |
-//! | [`Mesh`], [`Faces`], [`Texture`], [`Group`] | the data |
+//! | [`Mesh`], [`Faces`], [`Polylines`] | the data |
+//! | [`CornerAttribute`], [`Tangent`], [`Group`] | attributes of corners, named sets of faces |
+//! | [`Material`], [`Texture`] | the appearance of faces |
 //! | [`Part`] | the faces of one group as a mesh of their own |
 //! | [`normals`] | smooth normals |
 //! | [`obj`] | reads and writes Wavefront OBJ |
@@ -27,16 +29,22 @@
 //! # Ok::<(), ga_mesh::obj::ObjError>(())
 //! ```
 
+mod attribute;
+mod colour_space;
 mod error;
 mod faces;
 pub mod gltf;
+mod lists;
+mod material;
 mod mesh;
 pub mod normals;
 pub mod obj;
-mod part;
+mod polylines;
 pub mod topology;
 
+pub use attribute::{CornerAttribute, Normals, Rgba, Tangent, Tangents, TextureCoordinates};
 pub use error::MeshError;
 pub use faces::{Faces, Polygons};
-pub use mesh::{Group, Mesh, Position, Texture};
-pub use part::Part;
+pub use material::{AlphaMode, Filter, Image, Material, Minification, Phong, Texture, Wrap};
+pub use mesh::{Group, Mesh, Part, Position};
+pub use polylines::Polylines;

@@ -1,10 +1,41 @@
+//! The statements of an OBJ file, one after the other.
+
 use std::collections::HashMap;
 
-use super::lines::Lines;
-use super::{ObjError, ObjProblem};
-use crate::{Faces, Group, Mesh, MeshError, Texture};
+use ga_runtime::vga3::Vector;
 
-pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, ObjError> {
+use super::lines::Lines;
+use super::words::{Words, integer, numbers, text};
+use super::{ObjError, ObjProblem};
+use crate::lists::Lists;
+use crate::{Faces, Group, Polylines};
+
+/// What an OBJ file says, indices checked and counted from 0.
+#[derive(Default)]
+pub(super) struct Statements {
+    pub(super) positions: Vec<[f64; 3]>,
+    /// Empty, or one for each position; in the file's colour space, without opacity.
+    pub(super) colours: Vec<[f64; 3]>,
+    pub(super) texture: Vec<[f64; 2]>,
+    pub(super) normals: Vec<Vector<f64>>,
+    pub(super) faces: Faces,
+    /// Empty, or one for each corner of the faces.
+    pub(super) texture_corners: Vec<Option<u32>>,
+    pub(super) normal_corners: Vec<Option<u32>>,
+    pub(super) groups: Vec<Group>,
+    pub(super) objects: Vec<Group>,
+    /// The names of `usemtl` lines, and where each is named first.
+    pub(super) materials: Vec<(String, usize)>,
+    /// Empty, or one for each face.
+    pub(super) face_materials: Vec<Option<u32>>,
+    /// What `mtllib` lines name, with their lines.
+    pub(super) libraries: Vec<(String, usize)>,
+    pub(super) polylines: Polylines,
+    pub(super) points: Vec<u32>,
+    pub(super) last_line: usize,
+}
+
+pub(super) fn statements(bytes: &[u8]) -> Result<Statements, ObjError> {
     let mut parser = Parser::default();
     let mut lines = Lines::new(bytes);
     for (line, text) in lines.by_ref() {
@@ -12,32 +43,47 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, ObjError> {
             .statement(line, &text)
             .map_err(|problem| ObjError { line, problem })?;
     }
-    parser.finish(lines.taken().max(1))
+    parser.finish(bytes, lines.taken().max(1))
 }
 
-/// The part of a mesh that has been read. Indices into it count from 0.
+/// The part of a file that has been read. Positive indices are not checked until its end, since an
+/// element may come before the vertices it uses.
 #[derive(Default)]
 struct Parser {
-    positions: Vec<[f64; 3]>,
-    texture: Vec<[f64; 2]>,
-    normals: usize,
-    faces: Faces,
-    texture_corners: Vec<Option<u32>>,
-    /// The line each face is on, for what can be wrong with it only at the end.
-    face_lines: Vec<usize>,
-    /// The greatest index of a normal, and its face.
-    last_normal: Option<(u32, usize)>,
-    groups: Vec<Group>,
+    read: Statements,
+    /// Where the faces end in `corners`.
+    face_ends: Vec<u32>,
+    corners: Vec<u32>,
     group_by_name: HashMap<String, usize>,
-    /// The groups of the latest `g` line and the object of the latest `o` line, as indices into
-    /// `groups`.
+    object_by_name: HashMap<String, usize>,
+    material_by_name: HashMap<String, u32>,
+    /// The groups of the latest `g` line, the object of the latest `o` line and the material of the
+    /// latest `usemtl` line.
     open_groups: Vec<usize>,
     open_object: Option<usize>,
-    /// The vertices of the face being read.
-    corners: Vec<u32>,
+    open_material: Option<u32>,
+}
+
+/// The lists that an index may refer to.
+#[derive(Clone, Copy)]
+enum List {
+    Vertices,
+    Texture,
+    Normals,
+}
+
+impl List {
+    fn keyword(self) -> &'static str {
+        match self {
+            List::Vertices => "v",
+            List::Texture => "vt",
+            List::Normals => "vn",
+        }
+    }
 }
 
 /// A corner of a face, indices from 0.
+#[derive(Clone, Copy)]
 struct Corner {
     vertex: u32,
     texture: Option<u32>,
@@ -45,108 +91,188 @@ struct Corner {
 }
 
 impl Parser {
-    fn statement(&mut self, line: usize, text: &[u8]) -> Result<(), ObjProblem> {
-        let text = match std::str::from_utf8(text) {
-            Ok(text) if !text.contains('\0') => text,
-            // A comment may have any encoding.
-            _ if text.trim_ascii_start().starts_with(b"#") && !text.contains(&0) => return Ok(()),
-            _ => return Err(ObjProblem::NotText),
-        };
-        let mut words = text
-            .split_ascii_whitespace()
-            .take_while(|word| !word.starts_with('#'));
+    fn statement(&mut self, line: usize, bytes: &[u8]) -> Result<(), ObjProblem> {
+        let mut words = Words::new(bytes);
         let Some(keyword) = words.next() else {
-            return Ok(());
+            // A comment may have any encoding.
+            return if bytes.contains(&0) {
+                Err(ObjProblem::NotText)
+            } else {
+                Ok(())
+            };
         };
         match keyword {
-            "v" => {
-                let ([x, y, z, ..], count) = numbers::<6>(words)?;
-                expect_count("v", "3, 4 or 6", count, matches!(count, 3 | 4 | 6))?;
-                self.positions.push([x, y, z]);
-            }
-            "vt" => {
-                let ([u, v, _], count) = numbers::<3>(words)?;
+            b"v" => self.vertex(&mut words),
+            b"f" => self.face(words),
+            b"vt" => {
+                let ([u, v, _], count) = numbers::<3>(&mut words)?;
                 expect_count("vt", "1, 2 or 3", count, matches!(count, 1..=3))?;
-                self.texture.push([u, v]);
+                self.read.texture.push([u, v]);
+                Ok(())
             }
-            "vn" => {
-                let (_, count) = numbers::<3>(words)?;
+            b"vn" => {
+                let ([x, y, z], count) = numbers::<3>(&mut words)?;
                 expect_count("vn", "3", count, count == 3)?;
-                self.normals += 1;
+                self.read.normals.push(Vector::new(x, y, z));
+                Ok(())
             }
-            "f" => self.face(line, words)?,
-            "g" => {
+            _ => self.rare_statement(line, keyword, words),
+        }
+    }
+
+    fn rare_statement(
+        &mut self,
+        line: usize,
+        keyword: &[u8],
+        words: Words<'_>,
+    ) -> Result<(), ObjProblem> {
+        match keyword {
+            b"l" => {
+                let vertices = words
+                    .map(|word| self.vertex_of_line(word))
+                    .collect::<Result<Vec<u32>, _>>()?;
+                let found = vertices.len();
+                self.read
+                    .polylines
+                    .push(&vertices)
+                    .map_err(|_| ObjProblem::LineTooShort { found })
+            }
+            b"p" => {
+                for word in words {
+                    let point = self.vertex_alone(word)?;
+                    self.read.points.push(point);
+                }
+                Ok(())
+            }
+            b"g" => {
                 self.open_groups.clear();
                 for name in words {
-                    let group = self.group(name);
+                    let group = named(&mut self.read.groups, &mut self.group_by_name, text(name)?);
                     if !self.open_groups.contains(&group) {
                         self.open_groups.push(group);
                     }
                 }
+                Ok(())
             }
-            "o" => {
-                let name = words.collect::<Vec<_>>().join(" ");
-                self.open_object = (!name.is_empty()).then(|| self.group(&name));
+            b"o" => {
+                let name = words.joined()?;
+                self.open_object = (!name.is_empty())
+                    .then(|| named(&mut self.read.objects, &mut self.object_by_name, &name));
+                Ok(())
             }
-            "p" | "l" | "s" | "mg" | "bevel" | "c_interp" | "d_interp" | "lod" | "maplib"
-            | "usemap" | "usemtl" | "mtllib" | "shadow_obj" | "trace_obj" => {}
-            _ => {
-                return Err(ObjProblem::UnknownStatement {
-                    word: keyword.to_owned(),
+            b"usemtl" => {
+                let name = words.joined()?;
+                self.open_material = (!name.is_empty() && name != super::NO_MATERIAL).then(|| {
+                    let materials = &mut self.read.materials;
+                    let next = materials.len() as u32;
+                    *self
+                        .material_by_name
+                        .entry(name)
+                        .or_insert_with_key(|name| {
+                            materials.push((name.clone(), line));
+                            next
+                        })
                 });
+                Ok(())
+            }
+            b"mtllib" => {
+                self.read.libraries.push((words.joined()?, line));
+                Ok(())
+            }
+            b"s" | b"mg" | b"bevel" | b"c_interp" | b"d_interp" | b"lod" | b"maplib"
+            | b"usemap" | b"shadow_obj" | b"trace_obj" => Ok(words.joined().map(|_| ())?),
+            _ => {
+                let word = text(keyword)?.to_owned();
+                words.joined()?;
+                Err(ObjProblem::UnknownStatement { word })
             }
         }
+    }
+
+    fn vertex(&mut self, words: &mut Words<'_>) -> Result<(), ObjProblem> {
+        let ([x, y, z, red, green, blue], count) = numbers::<6>(words)?;
+        expect_count("v", "3, 4 or 6", count, matches!(count, 3 | 4 | 6))?;
+        let colours = &mut self.read.colours;
+        if count == 6 {
+            // Vertices before the first one with a colour are white, as are those without.
+            colours.resize(self.read.positions.len(), [1.0; 3]);
+            colours.push([red, green, blue]);
+        } else if !colours.is_empty() {
+            colours.push([1.0; 3]);
+        }
+        self.read.positions.push([x, y, z]);
         Ok(())
     }
 
-    fn group(&mut self, name: &str) -> usize {
-        if let Some(&group) = self.group_by_name.get(name) {
-            return group;
+    fn face(&mut self, mut words: Words<'_>) -> Result<(), ObjProblem> {
+        let first = self.corners.len();
+        while let Some(rest) = words.rest() {
+            let corner = match self.short_corner(rest) {
+                Some((corner, length)) if words.advance(length) => corner,
+                _ => self.corner(words.next().map_or(Ok(""), text)?)?,
+            };
+            add_corner(
+                &mut self.read.texture_corners,
+                self.corners.len(),
+                corner.texture,
+            );
+            add_corner(
+                &mut self.read.normal_corners,
+                self.corners.len(),
+                corner.normal,
+            );
+            self.corners.push(corner.vertex);
         }
-        let group = self.groups.len();
-        self.groups.push(Group {
-            name: name.to_owned(),
-            faces: Vec::new(),
-        });
-        self.group_by_name.insert(name.to_owned(), group);
-        group
-    }
-
-    fn face<'a>(
-        &mut self,
-        line: usize,
-        words: impl Iterator<Item = &'a str>,
-    ) -> Result<(), ObjProblem> {
-        let mut corners = std::mem::take(&mut self.corners);
-        corners.clear();
-        for word in words {
-            let Corner {
-                vertex,
-                texture,
-                normal,
-            } = self.corner(word)?;
-            corners.push(vertex);
-            self.texture_corners.push(texture);
-            if let Some(normal) =
-                normal.filter(|&normal| self.last_normal.is_none_or(|(last, _)| normal > last))
-            {
-                self.last_normal = Some((normal, self.faces.len()));
-            }
+        let found = self.corners.len() - first;
+        if found < 3 {
+            return Err(ObjProblem::FaceTooShort { found });
         }
-        let face = self.faces.len() as u32;
-        self.faces.push(&corners).map_err(|error| match error {
-            MeshError::FaceTooShort { corners: found, .. } => ObjProblem::FaceTooShort { found },
-            error => ObjProblem::Mesh(error),
+        let count = self.corners.len();
+        let end = u32::try_from(count).map_err(|_| {
+            let what = "corners";
+            ObjProblem::Mesh(crate::MeshError::TooLarge { what, count })
         })?;
-        self.corners = corners;
-        self.face_lines.push(line);
-        let object = self
-            .open_object
-            .filter(|object| !self.open_groups.contains(object));
-        for &group in self.open_groups.iter().chain(&object) {
-            self.groups[group].faces.push(face);
+        let face = self.face_ends.len() as u32;
+        self.face_ends.push(end);
+        for &group in &self.open_groups {
+            self.read.groups[group].faces.push(face);
         }
+        if let Some(object) = self.open_object {
+            self.read.objects[object].faces.push(face);
+        }
+        add_corner(
+            &mut self.read.face_materials,
+            face as usize,
+            self.open_material,
+        );
         Ok(())
+    }
+
+    /// The corner at the start of `bytes` and its length, in the forms that nearly all corners
+    /// have. Other text is `None`.
+    fn short_corner(&self, bytes: &[u8]) -> Option<(Corner, usize)> {
+        let (vertex, mut length) = integer(bytes)?;
+        let mut corner = Corner {
+            vertex: self.from_zero(vertex, List::Vertices)?,
+            texture: None,
+            normal: None,
+        };
+        if bytes.get(length) == Some(&b'/') {
+            length += 1;
+            if let Some((texture, digits)) = integer(&bytes[length..]) {
+                corner.texture = Some(self.from_zero(texture, List::Texture)?);
+                length += digits;
+                if bytes.get(length) != Some(&b'/') {
+                    return Some((corner, length));
+                }
+            } else if bytes.get(length) != Some(&b'/') {
+                return None;
+            }
+            let (normal, digits) = integer(&bytes[length + 1..])?;
+            corner.normal = Some(self.from_zero(normal, List::Normals)?);
+            length += 1 + digits;
+        }
+        Some((corner, length))
     }
 
     fn corner(&self, word: &str) -> Result<Corner, ObjProblem> {
@@ -159,123 +285,213 @@ impl Parser {
         {
             return Err(bad());
         }
-        let index = |part: &str, what: &'static str, count: usize| -> Result<u32, ObjProblem> {
-            let index: i64 = part.parse().map_err(|_| bad())?;
-            let from_zero = if index < 0 {
-                index.checked_add(count as i64)
-            } else {
-                index.checked_sub(1)
-            };
-            from_zero
-                .and_then(|index| u32::try_from(index).ok())
-                .ok_or_else(|| {
-                    let word = word.to_owned();
-                    ObjProblem::IndexOutOfRange {
-                        word,
-                        what,
-                        index,
-                        count,
-                    }
-                })
-        };
+        let index = |part: &str, list| self.index(word, part, list).unwrap_or_else(|| Err(bad()));
         Ok(Corner {
-            vertex: index(vertex.unwrap_or(""), "v", self.positions.len())?,
+            vertex: index(vertex.unwrap_or(""), List::Vertices)?,
             texture: match texture {
                 None | Some("") => None,
-                Some(part) => Some(index(part, "vt", self.texture.len())?),
+                Some(part) => Some(index(part, List::Texture)?),
             },
-            normal: normal
-                .map(|part| index(part, "vn", self.normals))
-                .transpose()?,
+            normal: normal.map(|part| index(part, List::Normals)).transpose()?,
         })
     }
 
-    /// A face may come before its vertices, so positive indices are checked here.
-    fn finish(self, last_line: usize) -> Result<Mesh, ObjError> {
+    /// The vertex of a corner `v` or `v/vt` of a polyline.
+    fn vertex_of_line(&self, word: &[u8]) -> Result<u32, ObjProblem> {
+        let word = text(word)?;
+        let bad = || ObjProblem::BadLineVertex {
+            word: word.to_owned(),
+        };
+        let (vertex, texture) = match word.split_once('/') {
+            Some((vertex, texture)) => (vertex, Some(texture)),
+            None => (word, None),
+        };
+        if let Some(texture) = texture {
+            let index = self.index(word, texture, List::Texture);
+            index.unwrap_or_else(|| Err(bad()))?;
+        }
+        let index = self.index(word, vertex, List::Vertices);
+        index.unwrap_or_else(|| Err(bad()))
+    }
+
+    fn vertex_alone(&self, word: &[u8]) -> Result<u32, ObjProblem> {
+        let word = text(word)?;
+        let index = self.index(word, word, List::Vertices);
+        index.unwrap_or_else(|| {
+            Err(ObjProblem::BadPoint {
+                word: word.to_owned(),
+            })
+        })
+    }
+
+    /// The index that `part` of a word stands for, or `None` where it is not an integer.
+    fn index(&self, word: &str, part: &str, list: List) -> Option<Result<u32, ObjProblem>> {
+        let index: i64 = part.parse().ok()?;
+        Some(
+            self.from_zero(index, list)
+                .ok_or_else(|| ObjProblem::IndexOutOfRange {
+                    word: word.to_owned(),
+                    what: list.keyword(),
+                    index,
+                    count: self.count(list),
+                }),
+        )
+    }
+
+    fn count(&self, list: List) -> usize {
+        match list {
+            List::Vertices => self.read.positions.len(),
+            List::Texture => self.read.texture.len(),
+            List::Normals => self.read.normals.len(),
+        }
+    }
+
+    /// An index of the file, from 1 or backwards from −1, counted from 0.
+    #[inline]
+    fn from_zero(&self, index: i64, list: List) -> Option<u32> {
+        let from_zero = if index < 0 {
+            index.checked_add(self.count(list) as i64)?
+        } else {
+            index - 1
+        };
+        u32::try_from(from_zero).ok()
+    }
+
+    fn finish(mut self, bytes: &[u8], last_line: usize) -> Result<Statements, ObjError> {
         let at_end = |problem| ObjError {
             line: last_line,
             problem,
         };
-        if self.positions.is_empty() {
+        let read = &mut self.read;
+        if read.positions.is_empty() {
             return Err(at_end(ObjProblem::NoVertices));
         }
-        if self.faces.is_empty() {
+        if self.face_ends.is_empty() && read.polylines.is_empty() && read.points.is_empty() {
             return Err(at_end(ObjProblem::NoFaces));
         }
-        self.check_indices()?;
-        let mesh = Mesh::new(self.positions, self.faces)
-            .and_then(|mesh| mesh.with_groups(self.groups))
-            .and_then(|mesh| {
-                if self.texture.is_empty() {
-                    return Ok(mesh);
-                }
-                mesh.with_texture(Texture {
-                    coordinates: self.texture,
-                    corners: self.texture_corners,
-                })
-            });
-        mesh.map_err(|error| at_end(ObjProblem::Mesh(error)))
+        let corners = self.corners.len();
+        if !read.texture.is_empty() || !read.texture_corners.is_empty() {
+            read.texture_corners.resize(corners, None);
+        }
+        if !read.normals.is_empty() || !read.normal_corners.is_empty() {
+            read.normal_corners.resize(corners, None);
+        }
+        if !read.face_materials.is_empty() {
+            read.face_materials.resize(self.face_ends.len(), None);
+        }
+        read.last_line = last_line;
+        self.check_indices(bytes)?;
+        let mut offsets = Vec::with_capacity(self.face_ends.len() + 1);
+        offsets.push(0);
+        offsets.append(&mut self.face_ends);
+        self.read.faces = Faces::from_lists(Lists::new(offsets, self.corners));
+        Ok(self.read)
     }
 
-    fn check_indices(&self) -> Result<(), ObjError> {
-        let out_of_range = |face: usize, what, index: u32, count| {
+    /// Finds the first element that refers to something beyond the end of its list.
+    fn check_indices(&self, bytes: &[u8]) -> Result<(), ObjError> {
+        let beyond = |index: u32, list: List| index as usize >= self.count(list);
+        let problem = |index: u32, list: List| {
             let index = i64::from(index) + 1;
-            let problem = ObjProblem::IndexOutOfRange {
+            ObjProblem::IndexOutOfRange {
                 word: index.to_string(),
-                what,
+                what: list.keyword(),
                 index,
-                count,
-            };
-            ObjError {
-                line: self.face_lines[face],
-                problem,
+                count: self.count(list),
             }
         };
-        let (vertices, coordinates) = (self.positions.len(), self.texture.len());
-        let mut corner = 0;
-        for (face, corners) in self.faces.iter().enumerate() {
-            for &vertex in corners {
-                if vertex as usize >= vertices {
-                    return Err(out_of_range(face, "v", vertex, vertices));
-                }
-                match self.texture_corners[corner] {
-                    Some(index) if index as usize >= coordinates => {
-                        return Err(out_of_range(face, "vt", index, coordinates));
-                    }
-                    _ => corner += 1,
-                }
+        let read = &self.read;
+        let optional = |indices: &[Option<u32>], list| {
+            let found = indices
+                .iter()
+                .position(|index| index.is_some_and(|i| beyond(i, list)));
+            found.map(|corner| (corner, list, indices[corner].unwrap_or_default()))
+        };
+        let vertices = &self.corners;
+        let vertex = vertices
+            .iter()
+            .position(|&index| beyond(index, List::Vertices))
+            .map(|corner| (corner, List::Vertices, vertices[corner]));
+        let first = vertex
+            .into_iter()
+            .chain(optional(&read.texture_corners, List::Texture))
+            .chain(optional(&read.normal_corners, List::Normals))
+            .min_by_key(|&(corner, ..)| corner);
+        if let Some((corner, list, index)) = first {
+            let face = self
+                .face_ends
+                .partition_point(|&end| end as usize <= corner);
+            return Err(ObjError {
+                line: line_of(bytes, b"f", face),
+                problem: problem(index, list),
+            });
+        }
+        for (number, line) in read.polylines.iter().enumerate() {
+            if let Some(&index) = line.iter().find(|&&index| beyond(index, List::Vertices)) {
+                return Err(ObjError {
+                    line: line_of(bytes, b"l", number),
+                    problem: problem(index, List::Vertices),
+                });
             }
         }
-        match self.last_normal {
-            Some((index, face)) if index as usize >= self.normals => {
-                Err(out_of_range(face, "vn", index, self.normals))
-            }
-            _ => Ok(()),
+        if let Some(point) = read
+            .points
+            .iter()
+            .position(|&index| beyond(index, List::Vertices))
+        {
+            return Err(ObjError {
+                line: line_of_point(bytes, point),
+                problem: problem(read.points[point], List::Vertices),
+            });
         }
+        Ok(())
     }
 }
 
-/// The numbers on a line: the first `N` of them, 0 where there are fewer, and how many there are.
-fn numbers<'a, const N: usize>(
-    words: impl Iterator<Item = &'a str>,
-) -> Result<([f64; N], usize), ObjProblem> {
-    let mut values = [0.0; N];
-    let mut count = 0;
-    for word in words {
-        let value: f64 = word.parse().map_err(|_| ObjProblem::NotANumber {
-            word: word.to_owned(),
-        })?;
-        if !value.is_finite() {
-            return Err(ObjProblem::NotFinite {
-                word: word.to_owned(),
-            });
-        }
-        if let Some(slot) = values.get_mut(count) {
-            *slot = value;
-        }
-        count += 1;
+/// Appends to a list that stays empty until the first entry that is there; `length` is its length
+/// with the absent entries before.
+#[inline]
+fn add_corner(list: &mut Vec<Option<u32>>, length: usize, entry: Option<u32>) {
+    if entry.is_some() && list.len() < length {
+        list.resize(length, None);
     }
-    Ok((values, count))
+    if entry.is_some() || !list.is_empty() {
+        list.push(entry);
+    }
+}
+
+/// The index of the group of this name, a new one where there is none.
+fn named(groups: &mut Vec<Group>, by_name: &mut HashMap<String, usize>, name: &str) -> usize {
+    if let Some(&group) = by_name.get(name) {
+        return group;
+    }
+    groups.push(Group {
+        name: name.to_owned(),
+        faces: Vec::new(),
+    });
+    by_name.insert(name.to_owned(), groups.len() - 1);
+    groups.len() - 1
+}
+
+/// The line of the statement of this keyword that comes after `before` others.
+fn line_of(bytes: &[u8], keyword: &[u8], before: usize) -> usize {
+    let mut lines = Lines::new(bytes)
+        .filter(|(_, text)| Words::new(text).next() == Some(keyword))
+        .map(|(line, _)| line);
+    lines.nth(before).unwrap_or(1)
+}
+
+/// The line of the point that comes after `before` others in `p` lines.
+fn line_of_point(bytes: &[u8], before: usize) -> usize {
+    let mut points = Lines::new(bytes).flat_map(|(line, text)| {
+        let mut words = Words::new(&text);
+        let count = match words.next() {
+            Some(b"p") => words.count(),
+            _ => 0,
+        };
+        std::iter::repeat_n(line, count)
+    });
+    points.nth(before).unwrap_or(1)
 }
 
 fn expect_count(

@@ -3,6 +3,7 @@
 
 use ga_mesh::Mesh;
 use ga_mesh::obj::{self, ObjProblem};
+use ga_runtime::vga3::Vector;
 use nullcone_shared_data::shared;
 use serde_json::Value;
 use tobj::LoadOptions;
@@ -37,8 +38,8 @@ fn real_files_have_the_counts_and_sums_known_for_them() {
             "{name}"
         );
         let texture = mesh
-            .texture()
-            .map_or(0, |texture| texture.coordinates.len());
+            .texture_coordinates()
+            .map_or(0, |texture| texture.values.len());
         assert_eq!(texture as u64, truth["vt"].as_u64().unwrap(), "{name}");
         let [low, high] = mesh.bounds().unwrap();
         for axis in 0..3 {
@@ -195,8 +196,8 @@ f 1 2 3 4
             .iter()
             .eq([&[0, 1, 2][..], &[0, 2, 3], &[0, 1, 2, 3]])
     );
-    let texture = mesh.texture().unwrap();
-    assert_eq!(texture.coordinates, [[0.25, 0.0], [0.5, 0.75], [1.0, 1.0]]);
+    let texture = mesh.texture_coordinates().unwrap();
+    assert_eq!(texture.values, [[0.25, 0.0], [0.5, 0.75], [1.0, 1.0]]);
     assert_eq!(texture.corners[..4], [Some(0), Some(1), Some(2), None]);
     assert!(texture.corners[4..].iter().all(Option::is_none));
     let groups: Vec<_> = mesh
@@ -204,14 +205,19 @@ f 1 2 3 4
         .iter()
         .map(|group| (group.name.as_str(), &group.faces[..]))
         .collect();
-    assert_eq!(
-        groups,
-        [
-            ("thing one", &[0, 1, 2][..]),
-            ("left", &[0]),
-            ("right", &[0, 2])
-        ]
-    );
+    assert_eq!(groups, [("left", &[0][..]), ("right", &[0, 2])]);
+    assert_eq!(mesh.objects().len(), 1);
+    assert_eq!(mesh.object("thing one").unwrap().faces, [0, 1, 2]);
+    assert_eq!(mesh.materials().len(), 1);
+    assert!((0..3).all(|face| mesh.material(face).unwrap().name == "red"));
+    let normals = mesh.normals().unwrap();
+    assert_eq!(normals.values, [Vector::new(0.0, 0.0, 1.0)]);
+    assert_eq!(normals.corners[..6], [Some(0); 6]);
+    assert_eq!(normals.corners[6..], [None; 4]);
+    // 0.5 in sRGB is the linear light ((0.5 + 0.055) / 1.055)^2.4; vertices without are white.
+    let grey = (0.555f64 / 1.055).powf(2.4);
+    assert_eq!(mesh.colours().unwrap()[0], [1.0; 4]);
+    assert_eq!(mesh.colours().unwrap()[3], [grey, grey, grey, 1.0]);
 }
 
 #[test]
@@ -345,7 +351,7 @@ fn errors_name_the_file() {
 
 mod properties {
     use super::*;
-    use ga_mesh::{Faces, Group, Texture};
+    use ga_mesh::{CornerAttribute, Faces, Group};
     use proptest::collection::vec;
     use proptest::prelude::*;
 
@@ -376,10 +382,10 @@ mod properties {
                     };
                     Mesh::new(positions, Faces::from_polygons(vertices).unwrap())
                         .and_then(|mesh| {
-                            mesh.with_texture(Texture {
-                                coordinates,
+                            mesh.with_texture_coordinates(vec![CornerAttribute {
+                                values: coordinates,
                                 corners,
-                            })
+                            }])
                         })
                         .and_then(|mesh| {
                             mesh.with_groups(groups.into_iter().enumerate().map(named).collect())
@@ -427,7 +433,7 @@ mod properties {
         #[test]
         fn indices_from_the_end_mean_the_same(mesh in meshes()) {
             let text = obj::to_text(&mesh);
-            let coordinates = mesh.texture().unwrap().coordinates.len() as i64;
+            let coordinates = mesh.texture_coordinates().unwrap().values.len() as i64;
             let mut from_the_end = String::new();
             for line in text.lines() {
                 let mut words = line.split(' ');

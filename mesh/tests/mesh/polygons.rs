@@ -1,6 +1,6 @@
 //! Meshes: what they turn down, and parts of them.
 
-use ga_mesh::{Faces, Group, Mesh, MeshError, Texture};
+use ga_mesh::{CornerAttribute, Faces, Group, Mesh, MeshError, TextureCoordinates};
 use proptest::array::uniform3;
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -54,25 +54,27 @@ fn what_is_no_mesh_is_an_error() {
     ));
 
     let texture = |coordinates: &[[f64; 2]], corners: &[Option<u32>]| {
-        square().with_texture(Texture {
-            coordinates: coordinates.to_vec(),
+        square().with_texture_coordinates(vec![CornerAttribute {
+            values: coordinates.to_vec(),
             corners: corners.to_vec(),
-        })
+        }])
     };
     let none = [None; 7];
     assert_eq!(
         texture(&[], &none[..6]),
-        Err(MeshError::TextureLength {
+        Err(MeshError::AttributeLength {
+            attribute: "texture coordinate",
             expected: 7,
             found: 6
         })
     );
     let mut one = none;
     one[5] = Some(1);
-    let error = MeshError::TextureIndexOutOfRange {
+    let error = MeshError::AttributeOutOfRange {
+        attribute: "texture coordinate",
         corner: 5,
         index: 1,
-        coordinates: 1,
+        values: 1,
     };
     assert_eq!(texture(&[[0.0, 0.0]], &one), Err(error));
     let message = texture(&[[0.0, f64::NAN]], &none).unwrap_err().to_string();
@@ -125,8 +127,8 @@ proptest! {
         chosen in vec(any::<prop::sample::Index>(), 1..6),
     ) {
         let corner_count: usize = polygons.iter().map(Vec::len).sum();
-        let texture = Texture {
-            coordinates: (0..corner_count).map(|i| [i as f64, 0.5]).collect(),
+        let texture = TextureCoordinates {
+            values: (0..corner_count).map(|i| [i as f64, 0.5]).collect(),
             corners: (0..corner_count as u32).map(|i| (i % 3 > 0).then_some(i)).collect(),
         };
         let faces: Vec<u32> = chosen.iter().map(|index| index.index(polygons.len()) as u32).collect();
@@ -135,7 +137,7 @@ proptest! {
             Group { name: "some".into(), faces },
         ];
         let mesh = Mesh::new(positions.clone(), Faces::from_polygons(&polygons).unwrap())
-            .and_then(|mesh| mesh.with_texture(texture))
+            .and_then(|mesh| mesh.with_texture_coordinates(vec![texture]))
             .and_then(|mesh| mesh.with_groups(groups))
             .unwrap();
         let part = mesh.part("some").unwrap();
@@ -154,7 +156,7 @@ proptest! {
             let old = old as usize;
             prop_assert_eq!(places(&part.mesh, new), places(&mesh, old));
             for k in 0..polygons[old].len() {
-                let texture = |mesh: &Mesh, corner: usize| mesh.texture().unwrap().corners[corner];
+                let texture = |mesh: &Mesh, corner: usize| mesh.texture_coordinates().unwrap().corners[corner];
                 prop_assert_eq!(texture(&part.mesh, corner), texture(&mesh, firsts[old] + k));
                 corner += 1;
             }

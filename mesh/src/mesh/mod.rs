@@ -1,8 +1,13 @@
 //! Meshes.
 
+mod attributes;
+mod part;
+
 use ga_runtime::cga3::Point;
 
-use crate::{Faces, MeshError};
+use crate::{Faces, Material, MeshError, Normals, Polylines, Rgba, Tangents, TextureCoordinates};
+
+pub use part::Part;
 
 /// The position of one vertex, as a conformal point: three coordinates are stored, and products see
 /// the whole conformal vector.
@@ -10,35 +15,44 @@ pub type Position = Point<f64>;
 
 /// A polygon mesh whose indices are all in range and whose numbers are all finite.
 ///
-/// Positions carry the unit and the axes of their source; see [`Mesh::scaled`].
+/// Vertices have positions and may have colours. Corners of faces may have texture coordinates,
+/// normals and tangents, each with its own numbering, so that vertices need not be split where
+/// these differ between faces. Faces may be in groups and objects and may have a material. Polylines
+/// and single points may be drawn beside the faces. Positions carry the unit and the axes of their
+/// source; see [`Mesh::scaled`].
 ///
 /// # Examples
 ///
 /// ```
-/// use ga_mesh::{Faces, Mesh};
+/// use ga_mesh::{CornerAttribute, Faces, Material, Mesh};
 ///
 /// let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
 /// let square = Mesh::new(corners.to_vec(), Faces::from_polygons([[0, 1, 2, 3]])?)?;
 /// assert_eq!(square.triangles(), [[0, 1, 2], [0, 2, 3]]);
+///
+/// let picture = corners.map(|[x, y, _]| [x, y]).to_vec();
+/// let coordinates = CornerAttribute::of_vertices(picture, square.faces());
+/// let painted = square
+///     .with_texture_coordinates(vec![coordinates])?
+///     .with_materials(vec![Material::named("paint")], vec![Some(0)])?;
+/// assert_eq!(painted.material(0).map(|material| material.name.as_str()), Some("paint"));
 /// # Ok::<(), ga_mesh::MeshError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh {
-    pub(crate) positions: Vec<Position>,
-    pub(crate) faces: Faces,
-    pub(crate) texture: Option<Texture>,
-    pub(crate) groups: Vec<Group>,
-}
-
-/// Texture coordinates, numbered independently of the vertices: a vertex may have a different
-/// coordinate in each of its faces.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Texture {
-    /// The coordinates (u, v), u to the right and v up; the unit square is one picture.
-    pub coordinates: Vec<[f64; 2]>,
-    /// For each corner of each face, in the order of [`Faces::corners`], the index of its
-    /// coordinate, if it has one.
-    pub corners: Vec<Option<u32>>,
+    positions: Vec<Position>,
+    faces: Faces,
+    colours: Option<Vec<Rgba>>,
+    texture_coordinates: Vec<TextureCoordinates>,
+    normals: Option<Normals>,
+    tangents: Option<Tangents>,
+    groups: Vec<Group>,
+    objects: Vec<Group>,
+    materials: Vec<Material>,
+    /// Empty without materials, else one for each face.
+    face_materials: Vec<Option<u32>>,
+    polylines: Polylines,
+    points: Vec<u32>,
 }
 
 /// A named set of faces.
@@ -51,7 +65,7 @@ pub struct Group {
 }
 
 impl Mesh {
-    /// A mesh of these vertices and faces, without texture coordinates or groups.
+    /// A mesh of these vertices and faces, without any other attribute.
     ///
     /// # Errors
     ///
@@ -88,58 +102,17 @@ impl Mesh {
         Ok(Self {
             positions,
             faces,
-            texture: None,
+            colours: None,
+            texture_coordinates: Vec::new(),
+            normals: None,
+            tangents: None,
             groups: Vec::new(),
+            objects: Vec::new(),
+            materials: Vec::new(),
+            face_materials: Vec::new(),
+            polylines: Polylines::default(),
+            points: Vec::new(),
         })
-    }
-
-    /// The same mesh with these texture coordinates.
-    ///
-    /// # Errors
-    ///
-    /// [`MeshError::TextureNotFinite`], [`MeshError::TextureLength`] and
-    /// [`MeshError::TextureIndexOutOfRange`].
-    pub fn with_texture(mut self, texture: Texture) -> Result<Self, MeshError> {
-        for (index, &coordinates) in texture.coordinates.iter().enumerate() {
-            if !coordinates.iter().all(|x| x.is_finite()) {
-                return Err(MeshError::TextureNotFinite { index, coordinates });
-            }
-        }
-        let (expected, found) = (self.faces.corners().len(), texture.corners.len());
-        if expected != found {
-            return Err(MeshError::TextureLength { expected, found });
-        }
-        let coordinates = texture.coordinates.len();
-        for (corner, index) in texture.corners.iter().enumerate() {
-            if let Some(index) = index.filter(|&index| index as usize >= coordinates) {
-                return Err(MeshError::TextureIndexOutOfRange {
-                    corner,
-                    index,
-                    coordinates,
-                });
-            }
-        }
-        self.texture = Some(texture);
-        Ok(self)
-    }
-
-    /// The same mesh with these groups; the faces of each are put in rising order, each once.
-    ///
-    /// # Errors
-    ///
-    /// [`MeshError::GroupOutOfRange`].
-    pub fn with_groups(mut self, mut groups: Vec<Group>) -> Result<Self, MeshError> {
-        let faces = self.faces.len();
-        for group in &mut groups {
-            group.faces.sort_unstable();
-            group.faces.dedup();
-            if let Some(&face) = group.faces.last().filter(|&&face| face as usize >= faces) {
-                let group = group.name.clone();
-                return Err(MeshError::GroupOutOfRange { group, face, faces });
-            }
-        }
-        self.groups = groups;
-        Ok(self)
     }
 
     /// The number of vertices, including those that no face uses.
@@ -171,24 +144,6 @@ impl Mesh {
         self.faces.triangles()
     }
 
-    /// The texture coordinates, if the mesh has any.
-    #[must_use]
-    pub fn texture(&self) -> Option<&Texture> {
-        self.texture.as_ref()
-    }
-
-    /// The groups, in the order of the file.
-    #[must_use]
-    pub fn groups(&self) -> &[Group] {
-        &self.groups
-    }
-
-    /// The group of this name.
-    #[must_use]
-    pub fn group(&self, name: &str) -> Option<&Group> {
-        self.groups.iter().find(|group| group.name == name)
-    }
-
     /// The least and the greatest value of each coordinate, or `None` without vertices.
     #[must_use]
     pub fn bounds(&self) -> Option<[[f64; 3]; 2]> {
@@ -201,22 +156,36 @@ impl Mesh {
         })
     }
 
-    /// The same mesh with other positions of its vertices, as after skinning.
+    /// The same mesh with other positions of its vertices, as after skinning. Normals and tangents
+    /// are left out, since they belong to the shape as it was.
     ///
     /// # Errors
     ///
     /// As [`Mesh::new`]; fewer positions than before leave faces with
-    /// [`MeshError::IndexOutOfRange`].
+    /// [`MeshError::IndexOutOfRange`], and another number with [`MeshError::VertexCount`].
     pub fn with_positions<P: Into<Position>>(&self, positions: Vec<P>) -> Result<Self, MeshError> {
         let moved = Self::new(positions, self.faces.clone())?;
+        let (expected, found) = (self.vertex_count(), moved.vertex_count());
+        if expected != found {
+            return Err(MeshError::VertexCount { expected, found });
+        }
         Ok(Self {
-            texture: self.texture.clone(),
+            positions: moved.positions,
+            faces: moved.faces,
+            colours: self.colours.clone(),
+            texture_coordinates: self.texture_coordinates.clone(),
+            normals: None,
+            tangents: None,
             groups: self.groups.clone(),
-            ..moved
+            objects: self.objects.clone(),
+            materials: self.materials.clone(),
+            face_materials: self.face_materials.clone(),
+            polylines: self.polylines.clone(),
+            points: self.points.clone(),
         })
     }
 
-    /// The same mesh in another unit: every coordinate times `factor`.
+    /// The same mesh in another unit: every coordinate times `factor`. Normals and tangents stay.
     ///
     /// A mesh in decimetres becomes one in metres with `0.1`.
     ///
@@ -224,6 +193,12 @@ impl Mesh {
     ///
     /// [`MeshError::NotFinite`] when a product overflows or `factor` is not a number.
     pub fn scaled(&self, factor: f64) -> Result<Self, MeshError> {
-        self.with_positions(self.coordinates().map(|x| x.map(|x| x * factor)).collect())
+        let scaled =
+            self.with_positions(self.coordinates().map(|x| x.map(|x| x * factor)).collect())?;
+        Ok(Self {
+            normals: self.normals.clone(),
+            tangents: self.tangents.clone(),
+            ..scaled
+        })
     }
 }

@@ -1,0 +1,129 @@
+//! What can be wrong with an OBJ file.
+
+use super::mtl::MtlError;
+use super::words::WordError;
+use crate::MeshError;
+
+/// What is wrong with an OBJ file, and where.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("line {line}: {problem}")]
+pub struct ObjError {
+    /// The line, from 1; for a line continued with `\`, its first line; for what is missing,
+    /// the last line.
+    pub line: usize,
+    /// What is wrong.
+    pub problem: ObjProblem,
+}
+
+/// What can be wrong with an OBJ file.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ObjProblem {
+    /// The line is not UTF-8, or holds a null byte.
+    #[error("the file is not UTF-8 text")]
+    NotText,
+    /// The first word of the line stands for nothing in a polygon mesh.
+    #[error("a line of a polygon mesh cannot begin with {word:?}")]
+    UnknownStatement {
+        /// The word.
+        word: String,
+    },
+    /// A word is in the place of a number.
+    #[error("{word:?} is not a number")]
+    NotANumber {
+        /// The word.
+        word: String,
+    },
+    /// A number is infinite, not a number, or too large.
+    #[error("{word:?} is not a finite number")]
+    NotFinite {
+        /// The word.
+        word: String,
+    },
+    /// A line has too few or too many numbers.
+    #[error("a {statement} line has {expected} numbers, but this one has {found}")]
+    WrongCount {
+        /// The line's first word.
+        statement: &'static str,
+        /// How many numbers it may have, in words.
+        expected: &'static str,
+        /// How many it has.
+        found: usize,
+    },
+    /// A corner of a face is not of the form `v`, `v/vt`, `v//vn` or `v/vt/vn`.
+    #[error("{word:?} is not a corner of a face (v, v/vt, v//vn or v/vt/vn)")]
+    BadCorner {
+        /// The corner.
+        word: String,
+    },
+    /// A face has fewer than three corners.
+    #[error("a face has at least 3 corners, but this one has {found}")]
+    FaceTooShort {
+        /// How many it has.
+        found: usize,
+    },
+    /// A vertex of a polyline is not of the form `v` or `v/vt`.
+    #[error("{word:?} is not a vertex of a line (v or v/vt)")]
+    BadLineVertex {
+        /// The vertex.
+        word: String,
+    },
+    /// A word of a `p` line is not an index.
+    #[error("{word:?} is not the index of a vertex")]
+    BadPoint {
+        /// The word.
+        word: String,
+    },
+    /// A polyline has fewer than two vertices.
+    #[error("a line has at least 2 vertices, but this one has {found}")]
+    LineTooShort {
+        /// How many it has.
+        found: usize,
+    },
+    /// A corner of a face refers to something that does not exist.
+    #[error("{word:?} refers to {what} {index}, but there are {count}")]
+    IndexOutOfRange {
+        /// The corner.
+        word: String,
+        /// `"v"`, `"vt"` or `"vn"`.
+        what: &'static str,
+        /// The index as the file has it, from 1 or negative.
+        index: i64,
+        /// How many there are, for a negative index before this line.
+        count: usize,
+    },
+    /// There is no `v` line.
+    #[error("the file ends without a vertex")]
+    NoVertices,
+    /// There is no `f`, `l` or `p` line.
+    #[error("the file ends without a face")]
+    NoFaces,
+    /// The mesh is too large.
+    #[error(transparent)]
+    Mesh(MeshError),
+    /// A material library that the line names cannot be read.
+    #[error("cannot read {library}: {message}")]
+    LibraryUnreadable {
+        /// The name of the library.
+        library: String,
+        /// What the operating system said.
+        message: String,
+    },
+    /// A material library that the line names has a fault.
+    #[error("{library}: {error}")]
+    Library {
+        /// The name of the library.
+        library: String,
+        /// The fault and its line in the library.
+        error: MtlError,
+    },
+}
+
+impl From<WordError> for ObjProblem {
+    fn from(error: WordError) -> Self {
+        match error {
+            WordError::NotText => ObjProblem::NotText,
+            WordError::NotANumber(word) => ObjProblem::NotANumber { word },
+            WordError::NotFinite(word) => ObjProblem::NotFinite { word },
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! What can be wrong with an MTL file.
+
+use crate::obj::words::WordError;
+
+/// What is wrong with an MTL file, and where.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("line {line}: {problem}")]
+pub struct MtlError {
+    /// The line, from 1; for a line continued with `\`, its first line.
+    pub line: usize,
+    /// What is wrong.
+    pub problem: MtlProblem,
+}
+
+/// What can be wrong with an MTL file.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum MtlProblem {
+    /// The line is not UTF-8, or holds a null byte.
+    #[error("the file is not UTF-8 text")]
+    NotText,
+    /// A word is in the place of a number.
+    #[error("{word:?} is not a number")]
+    NotANumber {
+        /// The word.
+        word: String,
+    },
+    /// A number is infinite, not a number, or too large.
+    #[error("{word:?} is not a finite number")]
+    NotFinite {
+        /// The word.
+        word: String,
+    },
+    /// A line has too few or too many numbers.
+    #[error("a {statement} line has {expected}, but this one has {found}")]
+    WrongCount {
+        /// The line's first word.
+        statement: String,
+        /// How many numbers it may have, in words.
+        expected: &'static str,
+        /// How many it has.
+        found: usize,
+    },
+    /// A colour is a spectral curve or has CIE XYZ coordinates.
+    #[error("{statement} {kind} is not supported; write red, green and blue")]
+    ColourKind {
+        /// The line's first word.
+        statement: String,
+        /// `"spectral"` or `"xyz"`.
+        kind: String,
+    },
+    /// A property comes before the first `newmtl` line.
+    #[error("{statement} comes before the first newmtl line")]
+    NoMaterial {
+        /// The line's first word.
+        statement: String,
+    },
+    /// A `newmtl` line has no name.
+    #[error("a newmtl line has a name, but this one has none")]
+    NoName,
+    /// A line for a picture does not name one.
+    #[error("a {statement} line ends with the path of a picture, but this one has none")]
+    NoPicture {
+        /// The line's first word.
+        statement: String,
+    },
+    /// A picture has an option that does not exist.
+    #[error("{statement} has no option {option}")]
+    UnknownOption {
+        /// The line's first word.
+        statement: String,
+        /// The option.
+        option: String,
+    },
+    /// An option of a picture lacks its value.
+    #[error("the option {option} of {statement} has no value")]
+    OptionValue {
+        /// The line's first word.
+        statement: String,
+        /// The option.
+        option: String,
+    },
+}
+
+impl From<WordError> for MtlProblem {
+    fn from(error: WordError) -> Self {
+        match error {
+            WordError::NotText => MtlProblem::NotText,
+            WordError::NotANumber(word) => MtlProblem::NotANumber { word },
+            WordError::NotFinite(word) => MtlProblem::NotFinite { word },
+        }
+    }
+}

@@ -1,0 +1,58 @@
+//! Wavefront MTL: the libraries of materials of OBJ files.
+//!
+//! | line | read as |
+//! | --- | --- |
+//! | `newmtl name` | the following lines describe this material |
+//! | `Kd r g b` | the base colour |
+//! | `d α`, `Tr 1−α` | the opacity; below 1 what lies behind shows through |
+//! | `Ke r g b` | the emission |
+//! | `Pr`, `Pm` | roughness and metallic part, as many programs write them |
+//! | `Ka`, `Ks`, `Ns`, `Ni`, `illum` | [`Phong`](crate::Phong)'s model as it stands |
+//! | `map_Kd`, `map_Ke` | factors of the base colour and of the emission |
+//! | `norm`, `map_Kn` | normals in the tangent frame; `-bm` scales them |
+//! | `map_Pr`, `map_Pm` | roughness and metallic part, where both name one picture |
+//! | `map_Ka`, `map_Ks`, `map_Ns`, `map_d`, `bump`, `map_bump` | the pictures of Phong's model |
+//! | all other lines | ignored |
+//!
+//! Without `Pr` the roughness follows from `Ns` by the formula of [`Material`]. Without `Ns` the
+//! exponent is 0. `illum 0` stands for an unlit surface. A colour of one number is grey. Numbers
+//! are taken as linear light, and those beyond their range as the nearest within it, since MTL
+//! allows for them. Spectral curves and `xyz` colours are an error.
+//!
+//! A picture is a path, whose `\` become `/`, after options: `-o` and `-s` place it, `-clamp on`
+//! does not repeat it, `-bm` scales bumps and normals, `-imfchan` chooses a channel; others are
+//! checked for their number of words and ignored.
+//!
+//! Source: Wavefront, *MTL material format (Lightwave, OBJ)*, version 4.2, 1995; `Pr`, `Pm`, `Ke`
+//! and `norm` from Exocortex, *Physically-Based Rendering in MTL*, 2013.
+
+mod error;
+mod parser;
+mod texture;
+mod write;
+
+use crate::Material;
+
+pub use error::{MtlError, MtlProblem};
+pub use write::to_text;
+
+/// Reads the materials of a library, in its order.
+///
+/// # Errors
+///
+/// [`MtlError`], for the first faulty line.
+///
+/// # Examples
+///
+/// ```
+/// let materials = ga_mesh::obj::mtl::parse(b"newmtl brick\nKd 0.5 0.1 0.1\nNs 30\n")?;
+/// assert_eq!(materials[0].base_colour, [0.5, 0.1, 0.1, 1.0]);
+/// assert_eq!(materials[0].roughness, 0.5);
+///
+/// let error = ga_mesh::obj::mtl::parse(b"newmtl brick\nKd red\n").unwrap_err();
+/// assert_eq!(error.to_string(), "line 2: \"red\" is not a number");
+/// # Ok::<(), ga_mesh::obj::mtl::MtlError>(())
+/// ```
+pub fn parse(bytes: &[u8]) -> Result<Vec<Material>, MtlError> {
+    parser::parse(bytes)
+}

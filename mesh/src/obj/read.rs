@@ -1,0 +1,336 @@
+//! OBJ files as meshes with their materials.
+
+use std::collections::HashMap;
+use std::fmt;
+use std::io;
+use std::path::Path;
+
+use ga_files::ReadError;
+use ga_runtime::vga3::Vector;
+
+use super::parser::{Statements, statements};
+use super::{ObjError, ObjProblem, mtl};
+use crate::colour_space::linear_from_srgb;
+use crate::{CornerAttribute, Image, Material, Mesh, MeshError};
+
+/// A mesh, and what was replaced where its file refers to something that is not there.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Loaded {
+    /// The mesh.
+    pub mesh: Mesh,
+    /// What was replaced.
+    pub warnings: Vec<Warning>,
+}
+
+/// Something that an OBJ file refers to, or should say, and that is not there; and what the mesh
+/// has in its place.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Warning {
+    /// There is no material library of this name. Its materials are the default one.
+    MissingLibrary {
+        /// The line that names it.
+        line: usize,
+        /// Its name.
+        library: String,
+    },
+    /// No library defines this material. It is the default one.
+    UndefinedMaterial {
+        /// The line that uses it first.
+        line: usize,
+        /// Its name.
+        material: String,
+    },
+    /// There is no such picture. The material keeps the reference to it.
+    MissingTexture {
+        /// The name of the material.
+        material: String,
+        /// The path of the picture.
+        path: String,
+    },
+    /// Some `vn` lines are zero vectors. Corners with one of them have no normal.
+    ZeroNormals {
+        /// How many lines.
+        count: usize,
+    },
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Warning::MissingLibrary { line, library } => write!(
+                f,
+                "line {line}: there is no file {library}; its materials have the default appearance"
+            ),
+            Warning::UndefinedMaterial { line, material } => write!(
+                f,
+                "line {line}: no library defines the material {material:?}; it has the default \
+                 appearance"
+            ),
+            Warning::MissingTexture { material, path } => write!(
+                f,
+                "material {material:?}: there is no picture {path}; the surface is shown without it"
+            ),
+            Warning::ZeroNormals { count } => write!(
+                f,
+                "{count} normals are zero vectors; corners that refer to them have no normal"
+            ),
+        }
+    }
+}
+
+/// Reads the mesh in a file, with the material libraries beside it.
+///
+/// # Errors
+///
+/// [`ReadError::Io`], or [`ReadError::Contents`] as [`parse_with_libraries`] gives.
+pub fn read(path: impl AsRef<Path>) -> Result<Mesh, ReadError<ObjError>> {
+    read_with_warnings(path).map(|loaded| loaded.mesh)
+}
+
+/// Reads the mesh in a file as [`read`] does, and says what was replaced.
+///
+/// # Errors
+///
+/// As [`read`].
+pub fn read_with_warnings(path: impl AsRef<Path>) -> Result<Loaded, ReadError<ObjError>> {
+    let path = path.as_ref();
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let mut loaded = ga_files::read(path, |bytes| {
+        parse_with_libraries(bytes, |library| std::fs::read(folder.join(library)))
+    })?;
+    for material in loaded.mesh.materials() {
+        for texture in material.textures() {
+            if let Image::File(path) = &texture.image
+                && !folder.join(path).exists()
+            {
+                let warning = Warning::MissingTexture {
+                    material: material.name.clone(),
+                    path: path.clone(),
+                };
+                if !loaded.warnings.contains(&warning) {
+                    loaded.warnings.push(warning);
+                }
+            }
+        }
+    }
+    Ok(loaded)
+}
+
+/// Reads a mesh from the bytes of a file. Its materials have their names and are the default
+/// otherwise.
+///
+/// # Errors
+///
+/// [`ObjError`], for the first faulty line; indices out of range are found after all other errors.
+///
+/// # Examples
+///
+/// ```
+/// let mesh = ga_mesh::obj::parse(b"v 0 0 0\nv 1 0 0\nv 0 1 0\ng corner\nf 1 2 -1\n")?;
+/// assert_eq!(mesh.faces().get(0), Some(&[0, 1, 2][..]));
+/// assert_eq!(mesh.group("corner").map(|group| group.faces.len()), Some(1));
+///
+/// let error = ga_mesh::obj::parse(b"v 0 0 0\nv 1 0\n").unwrap_err();
+/// assert_eq!(error.to_string(), "line 2: a v line has 3, 4 or 6 numbers, but this one has 2");
+/// # Ok::<(), ga_mesh::obj::ObjError>(())
+/// ```
+pub fn parse(bytes: &[u8]) -> Result<Mesh, ObjError> {
+    parse_with_libraries(bytes, |_| Err(io::ErrorKind::NotFound.into())).map(|loaded| loaded.mesh)
+}
+
+/// Reads a mesh from the bytes of a file; `open` gives the bytes of a material library by its name.
+///
+/// A name with spaces is asked for as a whole first and then word by word, since `mtllib` may list
+/// several files. Of several materials of one name the first counts. The mesh has all materials of
+/// the libraries, in their order.
+///
+/// # Errors
+///
+/// As [`parse`]; [`ObjProblem::LibraryUnreadable`] where `open` fails otherwise than with
+/// [`NotFound`](io::ErrorKind::NotFound), and [`ObjProblem::Library`] for a fault in a library.
+///
+/// # Examples
+///
+/// ```
+/// use ga_mesh::obj::parse_with_libraries;
+///
+/// let text = b"mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n";
+/// let loaded = parse_with_libraries(text, |_| Ok(b"newmtl red\nKd 1 0 0\n".to_vec()))?;
+/// let red = loaded.mesh.material(0).map(|material| material.base_colour);
+/// assert_eq!(red, Some([1.0, 0.0, 0.0, 1.0]));
+/// # Ok::<(), ga_mesh::obj::ObjError>(())
+/// ```
+pub fn parse_with_libraries(
+    bytes: &[u8],
+    mut open: impl FnMut(&str) -> io::Result<Vec<u8>>,
+) -> Result<Loaded, ObjError> {
+    let mut read = statements(bytes)?;
+    let mut warnings = Vec::new();
+    let mut materials = Vec::new();
+    for (library, line) in std::mem::take(&mut read.libraries) {
+        add_library(&library, line, &mut open, &mut materials, &mut warnings)?;
+    }
+    let face_materials = resolve(&mut read, &mut materials, &mut warnings);
+    drop_zero_normals(&mut read, &mut warnings);
+    let line = read.last_line;
+    let mesh = mesh(read, materials, face_materials).map_err(|error| ObjError {
+        line,
+        problem: ObjProblem::Mesh(error),
+    })?;
+    Ok(Loaded { mesh, warnings })
+}
+
+/// Adds the materials of what a `mtllib` line names.
+fn add_library(
+    name: &str,
+    line: usize,
+    open: &mut impl FnMut(&str) -> io::Result<Vec<u8>>,
+    materials: &mut Vec<Material>,
+    warnings: &mut Vec<Warning>,
+) -> Result<(), ObjError> {
+    let mut open = |library: &str| match open(library) {
+        Ok(bytes) => Ok(Some(bytes)),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+        Err(error) => Err(ObjError {
+            line,
+            problem: ObjProblem::LibraryUnreadable {
+                library: library.to_owned(),
+                message: error.to_string(),
+            },
+        }),
+    };
+    let mut add = |library: &str, bytes: Vec<u8>| {
+        let read = mtl::parse(&bytes).map_err(|error| ObjError {
+            line,
+            problem: ObjProblem::Library {
+                library: library.to_owned(),
+                error,
+            },
+        })?;
+        materials.extend(read);
+        Ok(())
+    };
+    if name.is_empty() {
+        return Ok(());
+    }
+    if let Some(bytes) = open(name)? {
+        return add(name, bytes);
+    }
+    let words: Vec<&str> = name.split(' ').collect();
+    let mut found = Vec::new();
+    if words.len() > 1 {
+        for word in &words {
+            found.push(open(word)?);
+        }
+    }
+    if found.iter().all(Option::is_none) {
+        let library = name.to_owned();
+        warnings.push(Warning::MissingLibrary { line, library });
+        return Ok(());
+    }
+    for (word, bytes) in words.into_iter().zip(found) {
+        match bytes {
+            Some(bytes) => add(word, bytes)?,
+            None => warnings.push(Warning::MissingLibrary {
+                line,
+                library: word.to_owned(),
+            }),
+        }
+    }
+    Ok(())
+}
+
+/// The material of each face as an index into `materials`, which gains those that are used but not
+/// defined.
+fn resolve(
+    read: &mut Statements,
+    materials: &mut Vec<Material>,
+    warnings: &mut Vec<Warning>,
+) -> Vec<Option<u32>> {
+    let mut by_name = HashMap::new();
+    for (index, material) in materials.iter().enumerate() {
+        by_name.entry(material.name.clone()).or_insert(index as u32);
+    }
+    let mut indices = Vec::new();
+    for (name, line) in std::mem::take(&mut read.materials) {
+        let index = match by_name.get(&name) {
+            Some(&index) => index,
+            None => {
+                materials.push(Material::named(name.clone()));
+                let material = name;
+                warnings.push(Warning::UndefinedMaterial { line, material });
+                materials.len() as u32 - 1
+            }
+        };
+        indices.push(index);
+    }
+    let mut face_materials = std::mem::take(&mut read.face_materials);
+    for material in face_materials.iter_mut().flatten() {
+        *material = indices[*material as usize];
+    }
+    face_materials.resize(read.faces.len(), None);
+    face_materials
+}
+
+/// Takes zero vectors out of the list of normals and numbers the others anew.
+fn drop_zero_normals(read: &mut Statements, warnings: &mut Vec<Warning>) {
+    let is_zero = |normal: &Vector<f64>| *normal == Vector::default();
+    let count = read.normals.iter().filter(|normal| is_zero(normal)).count();
+    if count == 0 {
+        return;
+    }
+    warnings.push(Warning::ZeroNormals { count });
+    let mut next = 0;
+    let numbers: Vec<Option<u32>> = read
+        .normals
+        .iter()
+        .map(|normal| {
+            let number = (!is_zero(normal)).then_some(next);
+            next += u32::from(number.is_some());
+            number
+        })
+        .collect();
+    read.normals.retain(|normal| !is_zero(normal));
+    for corner in &mut read.normal_corners {
+        *corner = corner.and_then(|index| numbers[index as usize]);
+    }
+}
+
+fn mesh(
+    read: Statements,
+    materials: Vec<Material>,
+    face_materials: Vec<Option<u32>>,
+) -> Result<Mesh, MeshError> {
+    let mut mesh = Mesh::new(read.positions, read.faces)?
+        .with_groups(read.groups)?
+        .with_objects(read.objects)?
+        .with_polylines(read.polylines)?
+        .with_points(read.points)?;
+    if !materials.is_empty() {
+        mesh = mesh.with_materials(materials, face_materials)?;
+    }
+    if !read.texture_corners.is_empty() || !read.texture.is_empty() {
+        mesh = mesh.with_texture_coordinates(vec![CornerAttribute {
+            values: read.texture,
+            corners: read.texture_corners,
+        }])?;
+    }
+    if !read.normals.is_empty() {
+        mesh = mesh.with_normals(CornerAttribute {
+            values: read.normals,
+            corners: read.normal_corners,
+        })?;
+    }
+    if !read.colours.is_empty() {
+        let linear = |[red, green, blue]: [f64; 3]| {
+            [
+                linear_from_srgb(red),
+                linear_from_srgb(green),
+                linear_from_srgb(blue),
+                1.0,
+            ]
+        };
+        mesh = mesh.with_colours(read.colours.into_iter().map(linear).collect())?;
+    }
+    Ok(mesh)
+}
