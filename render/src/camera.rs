@@ -1,31 +1,42 @@
 //! The pinhole camera of a picture.
 
-use ga_runtime::cga3::Rotor;
+use ga_runtime::cga3::{Motor, Point, Rotor};
 use ga_runtime::geometry::LookAtError;
 
-use crate::{LARGEST_COORDINATE, RenderError, Vector};
+use crate::lens::Lens;
+use crate::{Intrinsics, LARGEST_COORDINATE, RenderError, Vector};
 
-/// A pinhole camera: position, viewing direction and field of view.
+/// A pinhole camera: position, viewing direction and projection.
 ///
-/// Its frame is right-handed with *x* to the right, *y* up and *z* towards the viewer; a point's
-/// *depth* is its distance along the viewing direction, so `-z`. Pixel *(0, 0)* is at the top left,
-/// and pixel centres lie on halves. A point at right offset *x*, up offset *y* and depth *d* falls
-/// on
+/// A point's *depth* is its distance along the viewing direction. Pixel *(0, 0)* is at the top
+/// left; columns and rows count from its upper left corner, so that pixel centres lie on halves. A
+/// point at right offset *x*, up offset *y* and depth *d* falls on
 ///
 /// ```text
 /// column = width/2  + (x/d) (height/2) / tan(φ/2)
 /// row    = height/2 − (y/d) (height/2) / tan(φ/2)
 /// ```
 ///
-/// with φ the vertical field of view. Lengths are in the unit of the model, angles in radians.
+/// with φ the vertical field of view, or where the [`Intrinsics`] of [`Camera::pinhole`] place it.
+/// Lengths are in the unit of the model, angles in radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     eye: Vector,
     right: Vector,
     up: Vector,
     forward: Vector,
-    tangent: f64,
+    projection: Projection,
     near: f64,
+    far: f64,
+}
+
+/// How a camera projects what lies in its frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Projection {
+    /// By the tangent of half the vertical field of view, for a picture of any size.
+    FieldOfView { tangent: f64 },
+    /// By pixels of one picture.
+    Pixels(Intrinsics),
 }
 
 /// The side a model is seen from, in a world whose *y* axis points up.
@@ -33,7 +44,7 @@ pub struct Camera {
 pub struct ViewDirection {
     /// Angle about the *y* axis, in radians: 0 looks at the model from +*z*, π/2 from +*x*.
     pub azimuth: f64,
-    /// Angle above the horizon, in radians, between −π/2 and π/2 (both excluded).
+    /// Angle above the horizon, in radians, from −π/2 to π/2.
     pub elevation: f64,
 }
 
@@ -98,9 +109,85 @@ impl Camera {
             right,
             up,
             forward: -back,
-            tangent: half_tangent(vertical_field_of_view)?,
+            projection: Projection::FieldOfView {
+                tangent: half_tangent(vertical_field_of_view)?,
+            },
             near,
+            far: f64::INFINITY,
         })
+    }
+
+    /// A camera with given intrinsics in a given pose.
+    ///
+    /// The motor takes the world into the camera's frame, which has the axes of computer vision: *x*
+    /// to the right, *y* down, *z* forwards. The picture is as large as [`Style`](crate::Style)
+    /// says; the intrinsics are those of that picture. Nothing nearer than the depth `near` is
+    /// drawn.
+    ///
+    /// # Errors
+    ///
+    /// [`RenderError::Camera`] when a number is not finite, a focal length or `near` is not
+    /// positive, or the motor is not a rigid motion.
+    ///
+    /// ```
+    /// use ga_render::{Camera, Intrinsics};
+    /// use ga_runtime::cga3::{Motor, Translator};
+    ///
+    /// let intrinsics = Intrinsics::new([500.0, 500.0], [319.5, 239.5]);
+    /// let pose = Motor::from(Translator::from_displacement([0.0, 0.0, 2.0]));
+    /// let camera = Camera::pinhole(intrinsics, pose, 0.1)?;
+    /// // u = 500 · 0.1/2 + 319.5 = 344.5 and v = 500 · 0.2/2 + 239.5 = 289.5; columns and rows count
+    /// // from a corner, u and v from the middle of the first pixel.
+    /// let [column, row, depth] = camera.project([0.1, 0.2, 0.0], 640, 480).unwrap();
+    /// assert!((column - 345.0).abs() < 1e-12 && (row - 290.0).abs() < 1e-12 && depth == 2.0);
+    /// # Ok::<(), ga_render::RenderError>(())
+    /// ```
+    pub fn pinhole(
+        intrinsics: Intrinsics,
+        world_to_camera: Motor<f64>,
+        near: f64,
+    ) -> Result<Self, RenderError> {
+        intrinsics.check()?;
+        let [right, down, forward] = world_to_camera.rotor().to_matrix().map(Vector::from);
+        let eye = Vector::from(world_to_camera.reverse().transform(Point::default()));
+        let unit = |v: Vector| (v.length() - 1.0).abs() <= 1e-6;
+        if !(unit(right) && unit(down) && unit(forward)) {
+            return Err(RenderError::Camera("its pose is not a rigid motion"));
+        }
+        if !eye
+            .coordinates()
+            .iter()
+            .all(|c| c.abs() <= LARGEST_COORDINATE)
+        {
+            return Err(RenderError::Camera("a position is not finite"));
+        }
+        if !(near > 0.0 && near <= LARGEST_COORDINATE) {
+            return Err(RenderError::Camera("its near depth is not positive"));
+        }
+        Ok(Self {
+            eye,
+            right,
+            up: -down,
+            forward,
+            projection: Projection::Pixels(intrinsics),
+            near,
+            far: f64::INFINITY,
+        })
+    }
+
+    /// The same camera, which draws nothing further away than the depth `far`.
+    ///
+    /// # Errors
+    ///
+    /// [`RenderError::Camera`] when `far` is not greater than the near depth.
+    pub fn with_far(self, far: f64) -> Result<Self, RenderError> {
+        if far > self.near {
+            Ok(Self { far, ..self })
+        } else {
+            Err(RenderError::Camera(
+                "its far depth is not beyond its near depth",
+            ))
+        }
     }
 
     /// The nearest camera on the given side that sees all `points`, with the picture `aspect`
@@ -114,8 +201,7 @@ impl Camera {
     /// # Errors
     ///
     /// [`RenderError::Camera`] when there is no point or only one place to look at, when a value is
-    /// not finite, the elevation is not below a right angle, or `aspect` or `margin` make no
-    /// picture.
+    /// not finite, the elevation is beyond a right angle, or `aspect` or `margin` make no picture.
     pub fn fit(
         points: impl IntoIterator<Item = [f64; 3]>,
         view: ViewDirection,
@@ -130,9 +216,9 @@ impl Camera {
         if !(0.0..1.0).contains(&margin) {
             return Err(RenderError::Camera("its margin is not between 0 and 1"));
         }
-        let level = view.azimuth.is_finite() && view.elevation.abs() < 89.9f64.to_radians();
-        if !level {
-            return Err(RenderError::Camera("its elevation reaches a right angle"));
+        let right_angle = std::f64::consts::FRAC_PI_2;
+        if !(view.azimuth.is_finite() && view.elevation.abs() <= right_angle) {
+            return Err(RenderError::Camera("its elevation is beyond a right angle"));
         }
         let backward = view.towards_camera();
         let right = Vector::new(view.azimuth.cos(), 0.0, -view.azimuth.sin());
@@ -170,8 +256,9 @@ impl Camera {
             right,
             up,
             forward,
-            tangent,
+            projection: Projection::FieldOfView { tangent },
             near: (nearest - eye_depth) * 0.25,
+            far: f64::INFINITY,
         })
     }
 
@@ -208,18 +295,37 @@ impl Camera {
         self.near
     }
 
-    /// Column, row and depth at which a picture of the given size shows `point`; `None` when it is
-    /// nearer than the near depth or behind the camera.
+    /// The greatest depth that is drawn.
+    pub fn far(&self) -> f64 {
+        self.far
+    }
+
+    /// The motor from the world into the camera's frame with *x* to the right, *y* down and *z*
+    /// forwards.
+    pub fn world_to_camera(&self) -> Motor<f64> {
+        let row = |axis: Vector| [axis.e1, axis.e2, axis.e3, -axis.dot(self.eye)];
+        let rows = [row(self.right), row(-self.up), row(self.forward)];
+        Motor::from_matrix(rows).unwrap_or_default()
+    }
+
+    /// Column, row and depth at which a picture of the given size shows `point`, with the centre of
+    /// pixel (0, 0) at (½, ½); `None` when it is nearer than the near depth, behind the camera, or
+    /// beyond the far depth. A picture of the camera with [`Intrinsics`] has one size, and the one
+    /// given here is not used.
     pub fn project(&self, point: [f64; 3], width: u32, height: u32) -> Option<[f64; 3]> {
         let Vector {
             e1: x,
             e2: y,
             e3: depth,
         } = self.view(point.into());
-        (depth >= self.near).then(|| {
+        (depth >= self.near && depth <= self.far).then(|| {
             let [column, row] = Lens::new(self, width, height).project([x, y], 1.0 / depth);
             [column, row, depth]
         })
+    }
+
+    pub(crate) fn projection(&self) -> Projection {
+        self.projection
     }
 
     /// Right offset, up offset and depth of a point.
@@ -235,40 +341,6 @@ impl Camera {
     /// The world vector of a vector given by right offset, up offset and depth.
     pub(crate) fn world_direction(&self, view: Vector) -> Vector {
         self.right * view.e1 + self.up * view.e2 + self.forward * view.e3
-    }
-}
-
-/// A camera's projection onto the pixels of one picture.
-#[derive(Clone, Copy)]
-pub(crate) struct Lens {
-    /// Pixels per unit of `x / depth`.
-    pub(crate) focal: f64,
-    pub(crate) centre: [f64; 2],
-}
-
-impl Lens {
-    pub(crate) fn new(camera: &Camera, width: u32, height: u32) -> Self {
-        Self {
-            focal: f64::from(height) / (2.0 * camera.tangent),
-            centre: [f64::from(width) / 2.0, f64::from(height) / 2.0],
-        }
-    }
-
-    /// Column and row of the point at these right and up offsets and the given inverse depth.
-    pub(crate) fn project(&self, [x, y]: [f64; 2], inverse_depth: f64) -> [f64; 2] {
-        [
-            self.centre[0] + x * inverse_depth * self.focal,
-            self.centre[1] - y * inverse_depth * self.focal,
-        ]
-    }
-
-    /// The view vector of depth 1 through a place in the picture.
-    pub(crate) fn ray(&self, column: f64, row: f64) -> Vector {
-        Vector::new(
-            (column - self.centre[0]) / self.focal,
-            (self.centre[1] - row) / self.focal,
-            1.0,
-        )
     }
 }
 

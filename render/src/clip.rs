@@ -2,22 +2,23 @@
 
 use crate::Vector;
 
-/// How far beyond the picture's centre a corner may fall, in half heights or widths of the picture.
-/// Wide enough that few triangles are cut, small enough that the rasteriser's integers do not
-/// overflow.
-const GUARD: f64 = 8.0;
-
-/// The half-spaces that a polygon has to lie in: beyond the near depth, and within a pyramid around
-/// the picture.
+/// The half-spaces that a polygon has to lie in: between the near and the far depth, and within a
+/// pyramid around the picture.
 pub(crate) struct Clipper {
-    near: f64,
-    /// Guard slope `x / depth`, `y / depth`.
-    slope: [f64; 2],
+    depths: [f64; 2],
+    /// The least and the greatest slopes `x' / depth` and `y / depth`.
+    low: [f64; 2],
+    high: [f64; 2],
+    /// `x' = x + shear y`.
+    shear: f64,
 }
 
-/// The corners of a clipped triangle: one more than it had for each of the five planes, at most.
+/// Near, far, left, right, below, above.
+const PLANES: usize = 6;
+
+/// The corners of a clipped triangle: one more than it had for each of the planes, at most.
 pub(crate) struct Polygon {
-    corners: [Vector; 8],
+    corners: [Vector; 3 + PLANES],
     len: usize,
 }
 
@@ -33,18 +34,20 @@ impl Polygon {
 
     fn empty() -> Self {
         Self {
-            corners: [Vector::default(); 8],
+            corners: [Vector::default(); 3 + PLANES],
             len: 0,
         }
     }
 }
 
 impl Clipper {
-    /// `half_width` and `half_height` are the picture's half extents as slopes.
-    pub(crate) fn new(near: f64, half_width: f64, half_height: f64) -> Self {
+    /// The half-spaces between two depths and two slopes `(x + shear y) / depth` and `y / depth`.
+    pub(crate) fn new(depths: [f64; 2], low: [f64; 2], high: [f64; 2], shear: f64) -> Self {
         Self {
-            near,
-            slope: [half_width * GUARD, half_height * GUARD],
+            depths,
+            low,
+            high,
+            shear,
         }
     }
 
@@ -55,7 +58,7 @@ impl Clipper {
         for corner in triangle {
             polygon.push(corner);
         }
-        for plane in 0..5 {
+        for plane in 0..PLANES {
             let outside = |corner: &Vector| self.signed_distance(plane, *corner) < 0.0;
             if polygon.corners().iter().any(outside) {
                 polygon = self.cut(plane, &polygon);
@@ -64,16 +67,22 @@ impl Clipper {
         polygon
     }
 
-    /// The part of a segment beyond the near depth.
-    pub(crate) fn clip_segment(&self, ends: [Vector; 2]) -> Option<[Vector; 2]> {
-        let [a, b] = ends;
-        let (da, db) = (self.signed_distance(0, a), self.signed_distance(0, b));
-        match (da >= 0.0, db >= 0.0) {
-            (true, true) => Some(ends),
-            (false, false) => None,
-            (true, false) => Some([a, crossing(a, b, da, db)]),
-            (false, true) => Some([crossing(a, b, da, db), b]),
+    /// The part of a segment that lies in all half-spaces.
+    pub(crate) fn clip_segment(&self, mut ends: [Vector; 2]) -> Option<[Vector; 2]> {
+        for plane in 0..PLANES {
+            let [a, b] = ends;
+            let (da, db) = (
+                self.signed_distance(plane, a),
+                self.signed_distance(plane, b),
+            );
+            ends = match (da >= 0.0, db >= 0.0) {
+                (true, true) => ends,
+                (false, false) => return None,
+                (true, false) => [a, crossing(a, b, da, db)],
+                (false, true) => [crossing(a, b, da, db), b],
+            };
         }
+        Some(ends)
     }
 
     /// Sutherland and Hodgman's step for one plane.
@@ -99,12 +108,14 @@ impl Clipper {
     /// Positive inside, linear in the point.
     fn signed_distance(&self, plane: usize, point: Vector) -> f64 {
         let [x, y, depth] = point.coordinates();
+        let x = x + self.shear * y;
         match plane {
-            0 => depth - self.near,
-            1 => self.slope[0] * depth - x,
-            2 => self.slope[0] * depth + x,
-            3 => self.slope[1] * depth - y,
-            _ => self.slope[1] * depth + y,
+            0 => depth - self.depths[0],
+            1 => self.depths[1] - depth,
+            2 => x - self.low[0] * depth,
+            3 => self.high[0] * depth - x,
+            4 => y - self.low[1] * depth,
+            _ => self.high[1] * depth - y,
         }
     }
 }
@@ -123,6 +134,8 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
+    const FAR: f64 = f64::INFINITY;
+
     fn twice_area(corners: &[Vector]) -> f64 {
         corners
             .windows(2)
@@ -136,7 +149,7 @@ mod tests {
 
     #[test]
     fn a_triangle_half_behind_the_near_plane_keeps_its_front_part() {
-        let clipper = Clipper::new(1.0, 1e3, 1e3);
+        let clipper = Clipper::new([1.0, FAR], [-8e3; 2], [8e3; 2], 0.0);
         let triangle = [[0.0, 0.0, 3.0], [1.0, 0.0, -1.0], [-1.0, 0.0, -1.0]];
         let front = [[0.0, 0.0, 3.0], [0.5, 0.0, 1.0], [-0.5, 0.0, 1.0]];
         let polygon = clipper.clip(triangle.map(Vector::from));
@@ -148,18 +161,18 @@ mod tests {
         /// closed form.
         #[test]
         fn a_right_triangle_loses_its_corners(size in 8.5f64..15.9) {
-            let clipper = Clipper::new(0.5, 1.0, 1.0);
+            let clipper = Clipper::new([0.5, FAR], [-8.0; 2], [8.0; 2], 0.0);
             let triangle = [[0.0, 0.0, 1.0], [size, 0.0, 1.0], [0.0, size, 1.0]].map(Vector::from);
-            let cut_off = size - GUARD;
+            let cut_off = size - 8.0;
             let area = size * size - 2.0 * cut_off * cut_off;
             prop_assert!((twice_area(clipper.clip(triangle).corners()) - area).abs() < 1e-9);
         }
 
         #[test]
         fn every_corner_left_is_inside(triangle in prop::array::uniform3(prop::array::uniform3(-20f64..20.0))) {
-            let clipper = Clipper::new(0.5, 0.3, 0.4);
+            let clipper = Clipper::new([0.5, 9.0], [-2.4, -3.2], [2.4, 3.2], 0.3);
             for corner in clipper.clip(triangle.map(Vector::from)).corners() {
-                for plane in 0..5 {
+                for plane in 0..PLANES {
                     prop_assert!(clipper.signed_distance(plane, *corner) > -1e-9);
                 }
             }

@@ -1,8 +1,7 @@
 //! The level ground under a model, and the background behind both.
 
-use crate::Style;
-use crate::Vector;
 use crate::shadow::GroundShadow;
+use crate::{Camera, Style, Vector};
 use ga_image::colour::LinearColour;
 use ga_runtime::scalar::smooth_step;
 
@@ -13,6 +12,20 @@ pub struct Ground {
     pub height: f64,
     /// The distance between grid lines, in the unit of the model.
     pub grid: f64,
+}
+
+impl Ground {
+    /// The depth at which a ray of depth 1 in the camera's frame meets the ground; infinite where it
+    /// does not.
+    pub(crate) fn depth(&self, camera: &Camera, ray: Vector) -> f64 {
+        let fall = camera.world_direction(ray).e2;
+        let depth = (self.height - camera.eye()[1]) / fall;
+        if depth >= camera.near() && depth <= camera.far() {
+            depth
+        } else {
+            f64::INFINITY
+        }
+    }
 }
 
 /// What determines the colour of the ground at each place.

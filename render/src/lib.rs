@@ -1,11 +1,22 @@
 //! Pictures of triangle meshes: a small software renderer.
 //!
-//! [`render`] draws a mesh, given as plain positions and triangles, with smooth shading, on a level
-//! ground that shows its shadow, and optionally line segments such as bones on top. It returns the
-//! picture and its [`DepthMap`]. Hidden surfaces are removed by a depth buffer at several samples
-//! per pixel, and lighting is computed in linear light. Equal input gives equal pictures, bit for
-//! bit, for any number of threads. The world's *y* axis points up; lengths are in the unit of the
-//! model. [`sheet`] puts the pictures of an animation side by side.
+//! [`render`] draws the objects of a [`Scene`], given as plain positions and triangles, on a level
+//! ground that shows their shadow, and lines and dots over them. It returns the picture and its
+//! [`DepthMap`]. [`Buffers`] are what is seen at the centre of each pixel as numbers: which
+//! triangle, how far away, with which texture coordinates. [`sheet`] puts the pictures of an
+//! animation side by side.
+//!
+//! | type | what it is |
+//! | --- | --- |
+//! | [`Scene`], [`Object`], [`Polyline`], [`Dot`], [`Ground`] | what is drawn |
+//! | [`Material`], [`texture::Texture`] | the appearance of surfaces |
+//! | [`Camera`], [`Intrinsics`], [`ViewDirection`] | from where it is seen |
+//! | [`Style`], [`Lighting`] | size, light and colours of the picture |
+//!
+//! Hidden surfaces are removed by a depth buffer with several samples for each pixel. A triangle is
+//! shaded once for each pixel, in linear light, and the pixel is the mean of its samples. Equal
+//! input gives equal pictures, bit for bit, for any number of threads. The world's *y* axis points
+//! up; lengths are in the unit of the model.
 //!
 //! ```
 //! use ga_render::{Camera, Scene, Style, ViewDirection, render};
@@ -22,53 +33,45 @@
 //! # Ok::<(), ga_render::RenderError>(())
 //! ```
 
+mod buffers;
 mod camera;
+mod check;
 mod clip;
 mod depth;
 mod depth_contrast;
+mod error;
+mod fragment;
 mod ground;
-mod overlay;
+mod intrinsics;
+mod lens;
+mod material;
+mod occlusion;
 mod raster;
 mod resolve;
+mod scene;
 mod shade;
 mod shadow;
+mod shadow_map;
 pub mod sheet;
+mod stroke;
 mod style;
 mod surface;
+pub mod texture;
+mod world;
 
 use ga_image::colour::SrgbEncoder;
 use image::RgbImage;
 
+pub use buffers::{Buffers, SurfacePoint};
 pub use camera::{Camera, ViewDirection};
 pub use depth::DepthMap;
+pub use error::RenderError;
 pub use ground::Ground;
+pub use intrinsics::{Intrinsics, PixelOrigin};
+pub use material::Material;
+pub use scene::{Attribute, Dot, MaterialChoice, Normals, Object, Polyline, Scene, Visibility};
 pub use shade::{Light, Lighting};
-pub use style::Style;
-
-/// What a picture shows.
-#[derive(Clone, Copy, Debug)]
-pub struct Scene<'a> {
-    /// One point for each vertex.
-    pub positions: &'a [[f64; 3]],
-    /// Three vertex indices for each triangle, counter-clockwise seen from outside.
-    pub triangles: &'a [[u32; 3]],
-    /// Segments drawn over the picture, with a dot at each end; hidden by nothing.
-    pub bones: &'a [[[f64; 3]; 2]],
-    /// The ground, if there is one.
-    pub ground: Option<Ground>,
-}
-
-impl<'a> Scene<'a> {
-    /// A mesh alone.
-    pub fn new(positions: &'a [[f64; 3]], triangles: &'a [[u32; 3]]) -> Self {
-        Self {
-            positions,
-            triangles,
-            bones: &[],
-            ground: None,
-        }
-    }
-}
+pub use style::{Shading, Style};
 
 /// A picture and the depths in it.
 #[derive(Clone, Debug)]
@@ -79,58 +82,23 @@ pub struct Rendering {
     pub depth: DepthMap,
 }
 
-/// Why a scene cannot be drawn.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum RenderError {
-    /// A position has a coordinate that is NaN, infinite, or beyond 10³⁰.
-    #[error("vertex {vertex} has a coordinate that is not finite or beyond 1e30")]
-    Position {
-        /// Index of the vertex.
-        vertex: usize,
-    },
-    /// A triangle names a vertex that does not exist.
-    #[error("triangle {triangle} names vertex {vertex}, but there are {vertices} vertices")]
-    Triangle {
-        /// Index of the triangle.
-        triangle: usize,
-        /// The vertex it names.
-        vertex: u32,
-        /// The number of vertices there are.
-        vertices: usize,
-    },
-    /// An end of a bone has a coordinate that is NaN, infinite, or beyond 10³⁰.
-    #[error("bone {bone} has an end with a coordinate that is not finite or beyond 1e30")]
-    Bone {
-        /// Index of the bone.
-        bone: usize,
-    },
-    /// The ground's height is not finite or its grid is not positive.
-    #[error("the ground's height is not finite or its grid not positive")]
-    Ground,
-    /// The camera is not usable; the text says why.
-    #[error("invalid camera: {0}")]
-    Camera(&'static str),
-    /// The style is not usable; the text says why.
-    #[error("invalid picture: {0}")]
-    Style(&'static str),
-}
-
 /// Draws a scene.
 ///
-/// The mesh is drawn two-sided; triangles without area are left out. Parts nearer than the camera's
-/// near depth are cut off exactly.
+/// Surfaces are drawn two-sided; triangles without area are left out. Parts nearer than the camera's
+/// near depth or beyond its far depth are cut off exactly.
 ///
 /// # Errors
 ///
-/// [`RenderError`] for coordinates that are not finite, indices out of range, and unusable styles.
+/// [`RenderError`] for numbers that are not finite, indices out of range, and unusable styles.
 pub fn render(scene: &Scene, camera: &Camera, style: &Style) -> Result<Rendering, RenderError> {
     style.check()?;
-    check(scene)?;
-    let samples = surface::Samples::draw(scene, camera, style);
-    let (mut light, depth) = resolve::resolve(scene, camera, style, &samples)?;
-    let extent = bounding_diagonal(scene.positions);
-    depth_contrast::darken_behind_edges(&mut light, &depth, extent, style.depth_contrast);
-    overlay::draw_bones(&mut light, scene.bones, camera, style);
+    check::check(scene)?;
+    let world = world::World::new(scene, camera)?;
+    let size = [style.width, style.height];
+    let samples = surface::Samples::draw(&world, camera, size, style.supersampling);
+    let (mut light, depth) = resolve::resolve(&world, scene.ground, camera, style, &samples)?;
+    depth_contrast::darken_behind_edges(&mut light, &depth, world.extent(), style.depth_contrast);
+    stroke::draw(&mut light, scene, camera, style, &samples);
 
     let encoder = SrgbEncoder::new();
     let bytes = light.iter().flat_map(|&c| encoder.encode(c)).collect();
@@ -144,44 +112,3 @@ type Vector = ga_runtime::vga3::Vector<f64>;
 
 /// Squares and triple products of coordinates up to here stay finite.
 const LARGEST_COORDINATE: f64 = 1e30;
-
-fn check(scene: &Scene) -> Result<(), RenderError> {
-    let reasonable = |p: &[f64; 3]| p.iter().all(|c| c.abs() <= LARGEST_COORDINATE);
-    if let Some(vertex) = scene.positions.iter().position(|p| !reasonable(p)) {
-        return Err(RenderError::Position { vertex });
-    }
-    let vertices = scene.positions.len();
-    for (triangle, corners) in scene.triangles.iter().enumerate() {
-        if let Some(&vertex) = corners.iter().find(|&&v| v as usize >= vertices) {
-            return Err(RenderError::Triangle {
-                triangle,
-                vertex,
-                vertices,
-            });
-        }
-    }
-    if let Some(bone) = scene
-        .bones
-        .iter()
-        .position(|ends| !ends.iter().all(reasonable))
-    {
-        return Err(RenderError::Bone { bone });
-    }
-    match scene.ground {
-        Some(ground)
-            if !(ground.height.abs() <= LARGEST_COORDINATE
-                && ground.grid.is_normal()
-                && ground.grid > 0.0) =>
-        {
-            Err(RenderError::Ground)
-        }
-        _ => Ok(()),
-    }
-}
-
-/// The length of the bounding box's diagonal; 0 without positions.
-fn bounding_diagonal(positions: &[[f64; 3]]) -> f64 {
-    let corners = positions.iter().map(|&p| [Vector::from(p); 2]);
-    let bounds = corners.reduce(|[low, high], [a, b]| [low.min(a), high.max(b)]);
-    bounds.map_or(0.0, |[low, high]| low.distance(high))
-}

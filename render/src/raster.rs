@@ -5,6 +5,8 @@
 //! triangles belongs to exactly one of them by the top-left rule, so a closed mesh has neither
 //! cracks nor pixels drawn twice.
 
+use std::ops::Range;
+
 /// Grid steps per pixel. Corners up to 2¹⁶ pixels away then make products of up to 2⁵⁹.
 const STEPS: i64 = 4096;
 
@@ -20,6 +22,16 @@ pub(crate) type Corner = [f64; 3];
 pub(crate) fn fill(
     width: usize,
     height: usize,
+    triangle: [Corner; 3],
+    visit: impl FnMut(usize, f32),
+) {
+    fill_rows(width, 0..height, triangle, visit);
+}
+
+/// As [`fill`], for some rows of the picture alone; the index counts from its first row.
+pub(crate) fn fill_rows(
+    width: usize,
+    within: Range<usize>,
     mut triangle: [Corner; 3],
     mut visit: impl FnMut(usize, f32),
 ) {
@@ -36,7 +48,8 @@ pub(crate) fn fill(
     }
 
     let columns = pixel_range(corners.map(|c| c[0]), width);
-    let rows = pixel_range(corners.map(|c| c[1]), height);
+    let rows = pixel_range(corners.map(|c| c[1]), within.end);
+    let rows = rows.start.max(within.start)..rows.end;
     if columns.is_empty() || rows.is_empty() {
         return;
     }
@@ -105,9 +118,19 @@ fn centre(pixel: usize) -> i64 {
     pixel as i64 * STEPS + STEPS / 2
 }
 
+/// The rows of a picture of this height whose centres a triangle may cover.
+pub(crate) fn rows_of(corners: impl Iterator<Item = Corner>, height: usize) -> Range<usize> {
+    let (low, high) = corners.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), c| {
+        (low.min(c[1]), high.max(c[1]))
+    });
+    // A cast from float saturates; the grid may move a corner by less than a row.
+    let end = (high.max(0.0) as usize).saturating_add(1).min(height);
+    (low.max(0.0) as usize).saturating_sub(1).min(end)..end
+}
+
 /// The pixels within a picture of `size` whose centres lie between the least and the greatest
 /// coordinate.
-fn pixel_range(coordinates: [i64; 3], size: usize) -> std::ops::Range<usize> {
+fn pixel_range(coordinates: [i64; 3], size: usize) -> Range<usize> {
     let least = coordinates[0].min(coordinates[1]).min(coordinates[2]);
     let greatest = coordinates[0].max(coordinates[1]).max(coordinates[2]);
     let clamp = |pixel: i64| pixel.clamp(0, size as i64) as usize;

@@ -1,46 +1,57 @@
 //! From samples to pixels: shading, ground and background, averaged in linear light.
 
-use ga_mesh::normals::{area_vector, vertex_normals};
+use ga_image::colour::LinearColour;
+use ga_image::plane::Plane;
 use rayon::prelude::*;
 
 use crate::camera::Camera;
 use crate::depth::DepthMap;
+use crate::fragment::Fragment;
 use crate::ground::{GroundShading, background};
-use crate::shade::WorldLighting;
-use crate::shadow::GroundShadow;
-use crate::surface::{Samples, barycentric};
-use crate::{RenderError, Scene, Style, Vector};
-use ga_image::colour::LinearColour;
+use crate::occlusion;
+use crate::shade::{Reaching, WorldLighting};
+use crate::shadow::{Caster, GroundShadow};
+use crate::shadow_map::ShadowMap;
+use crate::surface::{NO_TRIANGLE, Samples};
+use crate::world::World;
+use crate::{Ground, Material, RenderError, Shading, Style, Vector};
 
 /// Tangents of the half angles of the key light and of the part of the sky that counts for the
 /// contact shadow.
 const KEY_TANGENT: f64 = 0.06;
 const SKY_TANGENT: f64 = 0.9;
 
+/// The most samples along a side of a pixel.
+const MOST: usize = 8;
+
 /// The linear light of each pixel, row by row, and the depths.
 pub(crate) fn resolve(
-    scene: &Scene,
+    world: &World,
+    ground: Option<Ground>,
     camera: &Camera,
     style: &Style,
     samples: &Samples,
 ) -> Result<(Vec<LinearColour>, DepthMap), RenderError> {
     let lighting = WorldLighting::new(
         &style.lighting,
-        style.gloss,
         camera.forward().into(),
         camera.right().into(),
     )
     .ok_or(RenderError::Style("a light has no direction"))?;
+    let lit = style.shading == Shading::Lit;
+    let factor = style.supersampling as usize;
     let resolver = Resolver {
-        scene,
+        world,
         camera,
         style,
         samples,
-        normals: vertex_normals(scene.positions, scene.triangles)
-            .into_iter()
-            .map(Vector::from)
-            .collect(),
-        ground: ground_shading(scene, camera, style, &lighting),
+        plain: style.material(),
+        ground: ground.map(|ground| ground_shading(world, ground, camera, style, &lighting)),
+        shadows: (lit && style.self_shadow > 0.0)
+            .then(|| ShadowMap::new(world, lighting.towards_key()))
+            .flatten(),
+        all_around: (lit && style.ambient_occlusion > 0.0)
+            .then(|| occlusion::reaching(world, samples, factor)),
         lighting,
     };
 
@@ -60,13 +71,17 @@ pub(crate) fn resolve(
 }
 
 struct Resolver<'a> {
-    scene: &'a Scene<'a>,
+    world: &'a World<'a>,
     camera: &'a Camera,
     style: &'a Style,
     samples: &'a Samples,
-    normals: Vec<Vector>,
     lighting: WorldLighting,
+    /// The material of objects without one.
+    plain: Material<'static>,
     ground: Option<GroundShading<'a>>,
+    shadows: Option<ShadowMap>,
+    /// The share of light from all around that reaches each pixel.
+    all_around: Option<Plane>,
 }
 
 struct Pixel {
@@ -76,28 +91,44 @@ struct Pixel {
 }
 
 impl Resolver<'_> {
+    /// A pixel's light. Each triangle in it is shaded once, at the middle of its samples.
     fn pixel(&self, column: usize, row: usize) -> Pixel {
         let n = self.style.supersampling as usize;
-        let per_sample = 1.0 / (n * n) as f64;
-        let mut light = LinearColour::BLACK;
-        let (mut covered, mut nearest) = (0, 0f32);
-        for j in 0..n {
-            for i in 0..n {
-                let (x, y) = (column * n + i, row * n + j);
-                let index = y * self.samples.width + x;
-                let inverse = self.samples.inverse_depth[index];
-                if inverse == 0.0 {
-                    continue;
-                }
-                let ray = self.samples.lens.ray(x as f64 + 0.5, y as f64 + 0.5);
-                if self.ground_depth(ray) < 1.0 / f64::from(inverse) {
-                    continue;
-                }
-                light += self.surface(self.samples.triangle[index], ray);
+        let mut seen = [NO_TRIANGLE; MOST * MOST];
+        let mut nearest = 0f32;
+        for sample in 0..n * n {
+            let (x, y) = (column * n + sample % n, row * n + sample / n);
+            let index = y * self.samples.width + x;
+            let inverse = self.samples.inverse_depth[index];
+            if inverse > 0.0 && !self.is_below_ground(x, y, inverse) {
+                seen[sample] = self.samples.triangle[index];
                 nearest = nearest.max(inverse);
-                covered += 1;
             }
         }
+
+        let mut light = LinearColour::BLACK;
+        let mut covered = 0;
+        for first in 0..n * n {
+            let triangle = seen[first];
+            if triangle == NO_TRIANGLE {
+                continue;
+            }
+            let (mut count, mut across, mut down) = (0.0, 0.0, 0.0);
+            for sample in first..n * n {
+                if seen[sample] == triangle {
+                    seen[sample] = NO_TRIANGLE;
+                    count += 1.0;
+                    across += (sample % n) as f64;
+                    down += (sample / n) as f64;
+                    covered += 1;
+                }
+            }
+            let x = (column * n) as f64 + across / count + 0.5;
+            let y = (row * n) as f64 + down / count + 0.5;
+            let ray = self.samples.lens.ray(x, y);
+            light += self.surface(triangle, ray, row * self.style.width as usize + column) * count;
+        }
+        let per_sample = 1.0 / (n * n) as f64;
         let coverage = f64::from(covered) * per_sample;
         light = light * per_sample;
         if coverage < 1.0 {
@@ -110,105 +141,89 @@ impl Resolver<'_> {
         }
     }
 
-    /// The mesh's light towards the eye along a ray of the camera's frame.
-    fn surface(&self, triangle: u32, ray: Vector) -> LinearColour {
-        let corners = self.scene.triangles[triangle as usize].map(|v| v as usize);
-        let weights = barycentric(ray, corners.map(|v| self.samples.view[v]));
-        let mut normal = Vector::default();
-        for (corner, weight) in corners.into_iter().zip(weights) {
-            normal += self.normals[corner] * weight;
-        }
-        let flat = area_vector(corners.map(|v| self.scene.positions[v].into()));
-        let towards_viewer = self.camera.world_direction(-ray);
-        let (Some(mut normal), Some(towards_viewer)) = (
-            normal.normalized().or_else(|| flat.normalized()),
-            towards_viewer.normalized(),
-        ) else {
-            return self.style.surface;
+    fn is_below_ground(&self, x: usize, y: usize, inverse_depth: f32) -> bool {
+        self.ground.as_ref().is_some_and(|shading| {
+            let ray = self.samples.lens.ray(x as f64 + 0.5, y as f64 + 0.5);
+            shading.ground.depth(self.camera, ray) < 1.0 / f64::from(inverse_depth)
+        })
+    }
+
+    /// A triangle's light towards the eye along a ray of the camera's frame.
+    fn surface(&self, triangle: u32, ray: Vector, pixel: usize) -> LinearColour {
+        let face = self.world.face(triangle);
+        let material = self.world.material(&face).unwrap_or(&self.plain);
+        let n = f64::from(self.style.supersampling);
+        let Some(fragment) = Fragment::new(face, ray, self.camera, &self.samples.lens, n) else {
+            return material.base_colour;
         };
-        if flat.dot(towards_viewer) < 0.0 {
-            normal = -normal;
+        let look = fragment.look(material);
+        if look.unlit || self.style.shading == Shading::Unlit {
+            return look.surface.base_colour;
         }
-        self.lighting
-            .shade(self.style.surface, normal, towards_viewer)
+        let key = self.shadows.as_ref().map_or(1.0, |shadows| {
+            let visibility = shadows.visibility(fragment.point, fragment.flat);
+            1.0 - self.style.self_shadow * (1.0 - visibility)
+        });
+        let all_around = self.all_around.as_ref().map_or(1.0, |plane| {
+            1.0 - self.style.ambient_occlusion * (1.0 - f64::from(plane.values()[pixel]))
+        });
+        let reaching = Reaching {
+            key: key.max(0.0),
+            all_around: all_around.max(0.0) * look.occlusion,
+        };
+        let reflected = self
+            .lighting
+            .shade(&look.surface, fragment.towards_viewer, reaching);
+        reflected + look.emission
     }
 
     /// What is seen beside the mesh, at the middle of a pixel.
     fn surroundings(&self, column: usize, row: usize) -> LinearColour {
         let n = f64::from(self.style.supersampling);
         let (x, y) = ((column as f64 + 0.5) * n, (row as f64 + 0.5) * n);
-        let ray = self.samples.lens.ray(x, y);
         let behind = background(
             self.style,
             (row as f64 + 0.5) / f64::from(self.style.height),
         );
-        let depth = self.ground_depth(ray);
-        match &self.ground {
-            Some(ground) if depth.is_finite() => {
-                let direction = self.camera.world_direction(ray);
-                let point = Vector::from(self.camera.eye()) + direction * depth;
-                // A pixel's patch of ground is longer than wide by one over the sine of the ray's
-                // slope.
-                let sine = direction.e2.abs() / direction.length();
-                let pixel = depth * n / self.samples.lens.focal;
-                ground.colour(point, pixel / sine.sqrt(), behind)
-            }
-            _ => behind,
-        }
-    }
-
-    /// The depth at which a ray of the camera's frame meets the ground; infinite where it does not.
-    fn ground_depth(&self, ray: Vector) -> f64 {
-        let Some(ground) = &self.ground else {
-            return f64::INFINITY;
+        let Some(shading) = &self.ground else {
+            return behind;
         };
-        let fall = self.camera.world_direction(ray).e2;
-        let depth = (ground.ground.height - self.camera.eye()[1]) / fall;
-        if depth >= self.camera.near() {
-            depth
-        } else {
-            f64::INFINITY
+        let ray = self.samples.lens.ray(x, y);
+        let depth = shading.ground.depth(self.camera, ray);
+        if depth.is_infinite() {
+            return behind;
         }
+        let direction = self.camera.world_direction(ray);
+        let point = Vector::from(self.camera.eye()) + direction * depth;
+        // A pixel's patch of ground is longer than wide by one over the sine of the ray's slope.
+        let sine = direction.e2.abs() / direction.length();
+        let pixel = depth * n / self.samples.lens.magnification();
+        shading.colour(point, pixel / sine.sqrt(), behind)
     }
 }
 
 fn ground_shading<'a>(
-    scene: &Scene,
+    world: &World,
+    ground: Ground,
     camera: &Camera,
     style: &'a Style,
     lighting: &WorldLighting,
-) -> Option<GroundShading<'a>> {
-    let ground = scene.ground?;
-    let shadow = |direction, tangent| {
-        GroundShadow::new(
-            scene.positions,
-            scene.triangles,
-            ground.height,
-            direction,
-            tangent,
-        )
-    };
+) -> GroundShading<'a> {
+    let casters: Vec<Caster> = world.objects.iter().map(Caster::from).collect();
+    let shadow =
+        |direction, tangent| GroundShadow::new(&casters, ground.height, direction, tangent);
     let (key_shadow, sky_shadow) = rayon::join(
         || shadow(lighting.towards_key(), KEY_TANGENT),
         || shadow(Vector::Y, SKY_TANGENT),
     );
     let eye = Vector::from(camera.eye());
-    let centre = centre_of(scene.positions).unwrap_or(eye);
-    Some(GroundShading {
+    let centre = world.centre().unwrap_or(eye);
+    GroundShading {
         ground,
         style,
         key_shadow,
         sky_shadow,
         centre,
         fade: centre.distance(eye),
-    })
-}
-
-/// The mean of some points.
-fn centre_of(positions: &[[f64; 3]]) -> Option<Vector> {
-    let sum = positions
-        .iter()
-        .map(|&position| Vector::from(position))
-        .reduce(|a, b| a + b)?;
-    Some(sum * (1.0 / positions.len() as f64))
+    }
 }

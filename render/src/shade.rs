@@ -33,20 +33,31 @@ pub(crate) struct WorldLighting {
     fill: (Vector, LinearColour),
     sky: LinearColour,
     bounce: LinearColour,
-    gloss: f64,
 }
 
-/// How closely a highlight keeps to the mirror direction (Blinn and Phong's exponent).
-const SHARPNESS: i32 = 28;
+/// A place of a surface, as far as its reflection depends on it; see [`Material`](crate::Material).
+pub(crate) struct Surface {
+    pub(crate) base_colour: LinearColour,
+    pub(crate) metallic: f64,
+    pub(crate) roughness: f64,
+    pub(crate) reflectance: f64,
+    /// A unit vector.
+    pub(crate) normal: Vector,
+}
+
+/// The shares of the lights that reach a place, 0 to 1.
+#[derive(Clone, Copy)]
+pub(crate) struct Reaching {
+    pub(crate) key: f64,
+    pub(crate) all_around: f64,
+}
+
+/// The least α: highlights of distant lights are still as wide as a few pixels.
+const LEAST_ALPHA: f64 = 0.002;
 
 impl WorldLighting {
     /// `None` when a light has no direction.
-    pub(crate) fn new(
-        lighting: &Lighting,
-        gloss: f64,
-        forward: Vector,
-        right: Vector,
-    ) -> Option<Self> {
+    pub(crate) fn new(lighting: &Lighting, forward: Vector, right: Vector) -> Option<Self> {
         let backward = Vector::new(-forward.e1, 0.0, -forward.e3)
             .normalized()
             .or_else(|| Vector::new(-right.e3, 0.0, right.e1).normalized())?;
@@ -61,7 +72,6 @@ impl WorldLighting {
             fill: world(&lighting.fill)?,
             sky: lighting.sky,
             bounce: lighting.bounce,
-            gloss,
         })
     }
 
@@ -70,24 +80,91 @@ impl WorldLighting {
         self.key.0
     }
 
-    /// The light that a surface of the given colour and unit normal sends in the unit direction
-    /// `towards_viewer`.
+    /// The light that a surface sends in the unit direction `towards_viewer`.
     pub(crate) fn shade(
         &self,
-        surface: LinearColour,
-        normal: Vector,
+        surface: &Surface,
         towards_viewer: Vector,
+        reaching: Reaching,
     ) -> LinearColour {
-        let mut diffuse = self.bounce.lerp(self.sky, 0.5 + 0.5 * normal.e2);
-        let mut highlight = LinearColour::BLACK;
-        for (direction, colour) in [self.key, self.fill] {
-            let facing = normal.dot(direction).max(0.0);
-            diffuse += colour * facing;
-            if let Some(half) = (direction + towards_viewer).normalized() {
-                let closeness = normal.dot(half).max(0.0).powi(SHARPNESS);
-                highlight += colour * (self.gloss * closeness * facing.sqrt());
-            }
+        let reflection = Reflection::new(surface, towards_viewer);
+        let key = reflection.of(self.key.0) * self.key.1 * reaching.key;
+        let fill = reflection.of(self.fill.0) * self.fill.1;
+        let mirrored = surface.normal * (2.0 * surface.normal.dot(towards_viewer)) - towards_viewer;
+        let around = reflection.diffuse * self.all_around(surface.normal)
+            + reflection.of_surroundings() * self.all_around(mirrored);
+        key + fill + around * reaching.all_around
+    }
+
+    /// The light that arrives from the surroundings of a unit direction.
+    fn all_around(&self, direction: Vector) -> LinearColour {
+        let height = (0.5 + 0.5 * direction.e2).clamp(0.0, 1.0);
+        self.bounce.lerp(self.sky, height)
+    }
+}
+
+/// What is the same for all lights in the reflection of a surface towards a viewer.
+struct Reflection<'a> {
+    surface: &'a Surface,
+    towards_viewer: Vector,
+    diffuse: LinearColour,
+    /// F₀ and F₉₀.
+    fresnel: [LinearColour; 2],
+    alpha_squared: f64,
+    /// n·v.
+    facing: f64,
+}
+
+impl<'a> Reflection<'a> {
+    fn new(surface: &'a Surface, towards_viewer: Vector) -> Self {
+        let alpha = (surface.roughness * surface.roughness).max(LEAST_ALPHA);
+        let dielectric = LinearColour::WHITE * surface.reflectance;
+        let straight = dielectric.lerp(surface.base_colour, surface.metallic);
+        let grazing = LinearColour::from(straight.channels().map(|f| (25.0 * f).min(1.0)));
+        Self {
+            surface,
+            towards_viewer,
+            diffuse: surface.base_colour * (1.0 - surface.metallic),
+            fresnel: [straight, grazing],
+            alpha_squared: alpha * alpha,
+            // A normal between two corners may lean away from the viewer.
+            facing: surface.normal.dot(towards_viewer).max(1e-4),
         }
-        surface * diffuse + highlight
+    }
+
+    /// The share of the light from a unit direction that is reflected towards the viewer.
+    fn of(&self, direction: Vector) -> LinearColour {
+        let lit = self.surface.normal.dot(direction);
+        if lit <= 0.0 {
+            return LinearColour::BLACK;
+        }
+        let Some(half) = (direction + self.towards_viewer).normalized() else {
+            return self.diffuse * lit;
+        };
+        let a = self.alpha_squared;
+        let closeness = self.surface.normal.dot(half).clamp(0.0, 1.0);
+        let spread = closeness * closeness * (a - 1.0) + 1.0;
+        // π D.
+        let distribution = a / (spread * spread);
+        let reach = |one: f64, other: f64| one * (other * other * (1.0 - a) + a).sqrt();
+        let visibility = 0.5 / (reach(lit, self.facing) + reach(self.facing, lit));
+        let fresnel = self.fresnel_at(self.towards_viewer.dot(half), 1.0);
+        (self.diffuse + fresnel * (distribution * visibility)) * lit
+    }
+
+    /// The share of the light from all around that is reflected as in a mirror.
+    fn of_surroundings(&self) -> LinearColour {
+        self.fresnel_at(self.facing, 1.0 - self.surface.roughness)
+    }
+
+    /// F, with F₉₀ scaled by a factor.
+    fn fresnel_at(&self, cosine: f64, grazing: f64) -> LinearColour {
+        let part = (1.0 - cosine).clamp(0.0, 1.0).powi(5);
+        let [straight, most] = self.fresnel.map(LinearColour::channels);
+        let channel = |i: usize| {
+            let most = (most[i] * grazing).max(straight[i]);
+            straight[i] + (most - straight[i]) * part
+        };
+        LinearColour::new(channel(0), channel(1), channel(2))
     }
 }

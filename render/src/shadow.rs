@@ -2,6 +2,7 @@
 
 use crate::Vector;
 use crate::raster;
+use crate::world::Placed;
 use ga_image::plane::Plane;
 
 /// How much of a light reaches each place of the ground.
@@ -17,6 +18,21 @@ pub(crate) struct GroundShadow {
     darkness: Plane,
 }
 
+/// A mesh in the world that casts a shadow.
+pub(crate) struct Caster<'a> {
+    pub(crate) positions: &'a [Vector],
+    pub(crate) triangles: &'a [[u32; 3]],
+}
+
+impl<'a> From<&'a Placed<'a>> for Caster<'a> {
+    fn from(placed: &'a Placed<'a>) -> Self {
+        Self {
+            positions: &placed.positions,
+            triangles: placed.object.triangles,
+        }
+    }
+}
+
 /// Texels along a side of the map.
 const SIZE: usize = 288;
 
@@ -28,21 +44,24 @@ impl GroundShadow {
     /// The shadow on the plane `y = ground`, for a light in the direction `towards_light` (above
     /// the horizon) whose half angle has the given tangent; `None` for a model that casts none.
     pub(crate) fn new(
-        positions: &[[f64; 3]],
-        triangles: &[[u32; 3]],
+        casters: &[Caster],
         ground: f64,
         towards_light: Vector,
         light_tangent: f64,
     ) -> Option<Self> {
         let slant = [towards_light.e1, towards_light.e3].map(|c| c / towards_light.e2);
         // x and z on the ground, and the height above it.
-        let project = |&[x, y, z]: &[f64; 3]| {
+        let project = |position: &Vector| {
+            let [x, y, z] = position.coordinates();
             let height = y - ground;
             [x - slant[0] * height, z - slant[1] * height, height]
         };
-        let projected: Vec<[f64; 3]> = positions.iter().map(project).collect();
+        let projected: Vec<Vec<[f64; 3]>> = casters
+            .iter()
+            .map(|caster| caster.positions.iter().map(project).collect())
+            .collect();
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        for point in &projected {
+        for point in projected.iter().flatten() {
             for axis in 0..2 {
                 low[axis] = low[axis].min(point[axis]);
                 high[axis] = high[axis].max(point[axis]);
@@ -57,14 +76,16 @@ impl GroundShadow {
         let origin = low.map(|c| c - border as f64 / density);
         let mut lowest = Plane::filled(SIZE, SIZE, f32::INFINITY);
         let texels = lowest.values_mut();
-        for triangle in triangles {
-            let corners = triangle.map(|v| {
-                let [x, z, height] = projected[v as usize];
-                [(x - origin[0]) * density, (z - origin[1]) * density, height]
-            });
-            raster::fill(SIZE, SIZE, corners, |texel, height| {
-                texels[texel] = texels[texel].min(height);
-            });
+        for (caster, projected) in casters.iter().zip(&projected) {
+            for triangle in caster.triangles {
+                let corners = triangle.map(|v| {
+                    let [x, z, height] = projected[v as usize];
+                    [(x - origin[0]) * density, (z - origin[1]) * density, height]
+                });
+                raster::fill(SIZE, SIZE, corners, |texel, height| {
+                    texels[texel] = texels[texel].min(height);
+                });
+            }
         }
         Some(Self {
             origin,
@@ -135,23 +156,23 @@ mod tests {
     use super::*;
 
     /// A square plate of side 2 at height `h` over the ground, two triangles.
-    fn plate(height: f64) -> ([[f64; 3]; 4], [[u32; 3]; 2]) {
+    fn plate(height: f64) -> [Vector; 4] {
         let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
-        (corners.map(|[x, z]| [x, height, z]), [[0, 1, 2], [0, 2, 3]])
+        corners.map(|[x, z]| Vector::new(x, height, z))
+    }
+
+    fn shadow_of(positions: &[Vector; 4], towards_light: Vector, tangent: f64) -> GroundShadow {
+        let plate = Caster {
+            positions,
+            triangles: &[[0, 1, 2], [0, 2, 3]],
+        };
+        GroundShadow::new(&[plate], 0.0, towards_light, tangent).unwrap()
     }
 
     #[test]
     fn a_plate_under_a_slanting_light_shadows_the_place_beside_it() {
-        let (positions, triangles) = plate(3.0);
         // Down from the left: the shadow moves right by the height.
-        let shadow = GroundShadow::new(
-            &positions,
-            &triangles,
-            0.0,
-            Vector::new(-0.5, 0.5, 0.0),
-            0.01,
-        )
-        .unwrap();
+        let shadow = shadow_of(&plate(3.0), Vector::new(-0.5, 0.5, 0.0), 0.01);
         assert!(shadow.visibility(3.0, 0.0) < 1e-3);
         assert!(shadow.visibility(2.2, 0.8) < 1e-3);
         for lit in [[1.7, 0.0], [4.3, 0.0], [3.0, 1.3], [3.0, -1.3], [90.0, 0.0]] {
@@ -162,8 +183,7 @@ mod tests {
     #[test]
     fn the_edge_of_a_shadow_is_as_soft_as_the_blocker_is_high() {
         let softness = |height: f64| {
-            let (positions, triangles) = plate(height);
-            let shadow = GroundShadow::new(&positions, &triangles, 0.0, Vector::Y, 0.1).unwrap();
+            let shadow = shadow_of(&plate(height), Vector::Y, 0.1);
             let half_shadow = shadow.visibility(1.0, 0.0);
             assert!(
                 (half_shadow - 0.5).abs() < 0.1,

@@ -1,7 +1,7 @@
 //! How a picture looks, apart from what is in it.
 
-use crate::RenderError;
 use crate::shade::{Light, Lighting};
+use crate::{Material, RenderError};
 use ga_image::colour::LinearColour;
 
 /// Size, light and colours of a picture.
@@ -13,9 +13,12 @@ pub struct Style {
     pub height: u32,
     /// Samples along each side of a pixel, 1 to 8.
     pub supersampling: u32,
-    /// The mesh's colour.
+    /// Whether surfaces are lit.
+    pub shading: Shading,
+    /// The colour of objects without a material.
     pub surface: LinearColour,
-    /// Strength of the mesh's highlights.
+    /// The share of light that objects without a material reflect as a highlight at a right angle;
+    /// their other numbers are those of [`Material::default`].
     pub gloss: f64,
     /// The lights.
     pub lighting: Lighting,
@@ -29,6 +32,13 @@ pub struct Style {
     pub shadow: f64,
     /// How much of the ground's light is taken away close under the mesh, 0 to 1.
     pub occlusion: f64,
+    /// How much of the key light objects keep from each other and from themselves, 0 to 1. The
+    /// shadow is found in a map of 2048 × 2048 depths seen from the light, and its edge is smoothed
+    /// over three of them. Cut-outs cast the shadow of the whole triangle.
+    pub self_shadow: f64,
+    /// How much of the light from all around is kept away by what is near, 0 to 1: found in the
+    /// depths of the picture, within 6 % of the diagonal of the objects' bounding box.
+    pub ambient_occlusion: f64,
     /// How strongly surfaces are darkened beside nearer ones, so that crossing limbs can be
     /// distinguished: the share of light that is removed where a surface lies one diagonal of the
     /// mesh's bounding box behind its surroundings; 0 for none.
@@ -41,6 +51,16 @@ pub struct Style {
     pub bone_width: f64,
 }
 
+/// Whether surfaces are lit.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Shading {
+    /// By the lights, as their [`Material`] says.
+    #[default]
+    Lit,
+    /// Each surface shows its base colour.
+    Unlit,
+}
+
 impl Default for Style {
     /// A clay figure before a blue-grey background, 480 × 640.
     fn default() -> Self {
@@ -48,8 +68,9 @@ impl Default for Style {
             width: 480,
             height: 640,
             supersampling: 2,
+            shading: Shading::Lit,
             surface: LinearColour::from_srgb([214, 203, 190]),
-            gloss: 0.10,
+            gloss: 0.025,
             lighting: Lighting {
                 key: Light {
                     direction: [-0.75, 1.0, 0.6],
@@ -70,6 +91,8 @@ impl Default for Style {
             grid: LinearColour::from_srgb([174, 182, 193]),
             shadow: 0.42,
             occlusion: 0.35,
+            self_shadow: 0.0,
+            ambient_occlusion: 0.0,
             depth_contrast: 3.5,
             bone: LinearColour::from_srgb([28, 88, 160]),
             joint: LinearColour::from_srgb([250, 168, 40]),
@@ -84,23 +107,20 @@ impl Style {
         f64::from(self.width) / f64::from(self.height)
     }
 
-    pub(crate) fn check(&self) -> Result<(), RenderError> {
-        const MOST_SAMPLES: u32 = 16_384;
-        if self.width == 0 || self.height == 0 {
-            return Err(RenderError::Style("its width or height is zero"));
+    /// The material of objects without one.
+    pub(crate) fn material(&self) -> Material<'static> {
+        Material {
+            base_colour: self.surface,
+            reflectance: self.gloss.min(1.0),
+            ..Material::default()
         }
+    }
+
+    pub(crate) fn check(&self) -> Result<(), RenderError> {
         if !(1..=8).contains(&self.supersampling) {
             return Err(RenderError::Style("its supersampling is not 1 to 8"));
         }
-        let across = self
-            .width
-            .max(self.height)
-            .saturating_mul(self.supersampling);
-        if across > MOST_SAMPLES {
-            return Err(RenderError::Style(
-                "it has more than 16384 samples along a side",
-            ));
-        }
+        check_size([self.width, self.height], self.supersampling)?;
         if !self.numbers().all(|n| n.is_finite() && n >= 0.0) {
             return Err(RenderError::Style(
                 "a colour or strength is negative or not finite",
@@ -131,10 +151,26 @@ impl Style {
             self.gloss,
             self.shadow,
             self.occlusion,
+            self.self_shadow,
+            self.ambient_occlusion,
             self.bone_width,
             self.depth_contrast,
         ];
         let channels = colours.into_iter().flat_map(LinearColour::channels);
         channels.chain(strengths)
     }
+}
+
+/// Checks the size of a picture with this many samples along each side of a pixel.
+pub(crate) fn check_size([width, height]: [u32; 2], factor: u32) -> Result<(), RenderError> {
+    const MOST_SAMPLES: u32 = 16_384;
+    if width == 0 || height == 0 {
+        return Err(RenderError::Style("its width or height is zero"));
+    }
+    if width.max(height).saturating_mul(factor) > MOST_SAMPLES {
+        return Err(RenderError::Style(
+            "it has more than 16384 samples along a side",
+        ));
+    }
+    Ok(())
 }

@@ -1,67 +1,202 @@
 //! Which triangle is seen at which sample, and how far away.
 
-use crate::camera::{Camera, Lens};
+use std::ops::Range;
+
+use rayon::prelude::*;
+
+use crate::camera::Camera;
 use crate::clip::Clipper;
-use crate::{Scene, Style, Vector, raster};
+use crate::lens::Lens;
+use crate::raster::{self, Corner};
+use crate::world::{Face, World};
+use crate::{Material, Vector};
 
 /// The visible surface at every sample of a picture.
 pub(crate) struct Samples {
     pub(crate) width: usize,
+    pub(crate) height: usize,
     /// 1 / depth of the nearest surface; 0 where there is none.
     pub(crate) inverse_depth: Vec<f32>,
-    /// The triangle seen, where `inverse_depth` is not 0.
+    /// The number of the triangle seen, or [`NO_TRIANGLE`].
     pub(crate) triangle: Vec<u32>,
-    /// Each vertex in the camera's frame: right offset, up offset, depth.
-    pub(crate) view: Vec<Vector>,
     pub(crate) lens: Lens,
 }
 
-impl Samples {
-    pub(crate) fn draw(scene: &Scene, camera: &Camera, style: &Style) -> Self {
-        let (columns, rows) = (
-            style.width * style.supersampling,
-            style.height * style.supersampling,
-        );
-        let (width, height) = (columns as usize, rows as usize);
-        let lens = Lens::new(camera, columns, rows);
-        let clipper = Clipper::new(
-            camera.near(),
-            lens.centre[0] / lens.focal,
-            lens.centre[1] / lens.focal,
-        );
-        let mut inverse_depth = vec![0f32; width * height];
-        let mut seen = vec![0u32; width * height];
-        let view: Vec<Vector> = scene
-            .positions
-            .iter()
-            .map(|&position| camera.view(position.into()))
-            .collect();
-        let project = |point: Vector| {
-            let inverse = 1.0 / point.e3;
-            let [column, row] = lens.project([point.e1, point.e2], inverse);
-            [column, row, inverse]
-        };
+/// No surface is seen at a sample.
+pub(crate) const NO_TRIANGLE: u32 = u32::MAX;
 
-        for (index, triangle) in scene.triangles.iter().enumerate() {
-            let polygon = clipper.clip(triangle.map(|v| view[v as usize]));
-            let corners = polygon.corners();
-            for i in 2..corners.len() {
-                let fan = [corners[0], corners[i - 1], corners[i]].map(project);
-                raster::fill(width, height, fan, |sample, inverse| {
-                    if inverse > inverse_depth[sample] {
-                        inverse_depth[sample] = inverse;
-                        seen[sample] = index as u32;
-                    }
+/// Rows that are drawn together. What is drawn does not depend on it.
+const BAND: usize = 48;
+
+impl Samples {
+    /// Draws all triangles into a picture of `factor` samples along each side of a pixel.
+    pub(crate) fn draw(
+        world: &World,
+        camera: &Camera,
+        [width, height]: [u32; 2],
+        factor: u32,
+    ) -> Self {
+        let lens = Lens::new(camera, width, height).scaled(f64::from(factor));
+        let (width, height) = ((width * factor) as usize, (height * factor) as usize);
+        let drawing = Drawing {
+            world,
+            lens,
+            clipper: lens.clipper([camera.near(), camera.far()], width, height),
+            width,
+        };
+        let rows: Vec<Vec<Range<u16>>> = world
+            .objects
+            .iter()
+            .map(|placed| {
+                let triangles = 0..placed.object.triangles.len();
+                let rows = triangles.into_par_iter().map(|triangle| {
+                    let number = (placed.first + triangle) as u32;
+                    let corners = drawing.polygon(&world.face(number));
+                    let rows = raster::rows_of(corners.into_iter(), height);
+                    rows.start as u16..rows.end as u16
                 });
+                rows.collect()
+            })
+            .collect();
+
+        let mut inverse_depth = vec![0f32; width * height];
+        let mut triangle = vec![NO_TRIANGLE; width * height];
+        let bands = inverse_depth
+            .par_chunks_mut(width * BAND)
+            .zip(triangle.par_chunks_mut(width * BAND));
+        bands.enumerate().for_each(|(band, (depths, triangles))| {
+            let begin = band * BAND;
+            let end = begin + depths.len() / width;
+            for (placed, rows) in world.objects.iter().zip(&rows) {
+                let solid = world.is_solid(placed);
+                for (index, rows) in rows.iter().enumerate() {
+                    if usize::from(rows.start) < end && usize::from(rows.end) > begin {
+                        let number = (placed.first + index) as u32;
+                        drawing.triangle(number, solid, begin..end, depths, triangles);
+                    }
+                }
             }
-        }
+        });
         Self {
             width,
+            height,
             inverse_depth,
-            triangle: seen,
-            view,
+            triangle,
             lens,
         }
+    }
+}
+
+/// What is the same for all triangles.
+struct Drawing<'a> {
+    world: &'a World<'a>,
+    lens: Lens,
+    clipper: Clipper,
+    width: usize,
+}
+
+impl Drawing<'_> {
+    /// The visible part of a triangle on the picture, with the inverse depth of each corner.
+    fn polygon(&self, face: &Face) -> Corners {
+        let polygon = self.clipper.clip(face.view());
+        let mut corners = Corners::default();
+        for &corner in polygon.corners() {
+            let inverse = 1.0 / corner.e3;
+            let [column, row] = self.lens.project([corner.e1, corner.e2], inverse);
+            corners.push([column, row, inverse]);
+        }
+        corners
+    }
+
+    /// Draws a triangle into some rows.
+    fn triangle(
+        &self,
+        number: u32,
+        solid: bool,
+        rows: Range<usize>,
+        depths: &mut [f32],
+        triangles: &mut [u32],
+    ) {
+        let face = self.world.face(number);
+        let cut = if solid { None } else { self.cut(&face) };
+        let polygon = self.polygon(&face);
+        let first = rows.start * self.width;
+        for fan in polygon.fans() {
+            raster::fill_rows(self.width, rows.clone(), fan, |sample, inverse| {
+                let index = sample - first;
+                if inverse <= depths[index] {
+                    return;
+                }
+                if let Some(cut) = &cut {
+                    let (row, column) = (sample / self.width, sample % self.width);
+                    let ray = self.lens.ray(column as f64 + 0.5, row as f64 + 0.5);
+                    if !cut.shows(ray) {
+                        return;
+                    }
+                }
+                depths[index] = inverse;
+                triangles[index] = number;
+            });
+        }
+    }
+
+    fn cut(&self, face: &Face) -> Option<Cut<'_>> {
+        let material = self.world.material(face)?;
+        Some(Cut {
+            material,
+            cutoff: material.cutoff?,
+            view: face.view(),
+            coordinates: face.texture_coordinates(),
+            opacities: face
+                .colours()
+                .map_or([1.0; 3], |colours| colours.map(|colour| colour[3])),
+        })
+    }
+}
+
+/// A triangle that is there only where it is opaque.
+struct Cut<'a> {
+    material: &'a Material<'a>,
+    cutoff: f64,
+    view: [Vector; 3],
+    coordinates: Option<[[f64; 2]; 3]>,
+    opacities: [f64; 3],
+}
+
+impl Cut<'_> {
+    /// Whether the surface is there along a ray.
+    fn shows(&self, ray: Vector) -> bool {
+        let weights = barycentric(ray, self.view);
+        let mut opacity = self.material.opacity;
+        opacity *= (0..3).map(|i| weights[i] * self.opacities[i]).sum::<f64>();
+        if let (Some(map), Some(corners)) = (self.material.base_colour_map, self.coordinates) {
+            let coordinates = [0, 1].map(|c| (0..3).map(|i| weights[i] * corners[i][c]).sum());
+            opacity *= map.at(coordinates, 0.0)[3];
+        }
+        opacity >= self.cutoff
+    }
+}
+
+/// The corners of a clipped triangle on the picture.
+#[derive(Clone, Copy, Default)]
+struct Corners {
+    corners: [Corner; 9],
+    len: usize,
+}
+
+impl Corners {
+    fn push(&mut self, corner: Corner) {
+        self.corners[self.len] = corner;
+        self.len += 1;
+    }
+
+    fn into_iter(self) -> impl Iterator<Item = Corner> {
+        self.corners.into_iter().take(self.len)
+    }
+
+    /// Triangles that share the first corner.
+    fn fans(&self) -> impl Iterator<Item = [Corner; 3]> + '_ {
+        (2..self.len).map(|i| [self.corners[0], self.corners[i - 1], self.corners[i]])
     }
 }
 
@@ -71,12 +206,21 @@ impl Samples {
 /// The ray direction is `Σ λᵢ pᵢ` up to scale, so by Cramer's rule `λᵢ ∝ det(ray, pⱼ, pₖ)`: exact
 /// under perspective, wherever the corners lie. A triangle seen edge-on has no such place and gets
 /// its middle.
-pub(crate) fn barycentric(ray: Vector, [a, b, c]: [Vector; 3]) -> [f64; 3] {
-    let volumes = [
+pub(crate) fn barycentric(ray: Vector, corners: [Vector; 3]) -> [f64; 3] {
+    weights(volumes(ray, corners))
+}
+
+/// `det(ray, pⱼ, pₖ)` for each corner of a triangle; linear in the ray.
+pub(crate) fn volumes(ray: Vector, [a, b, c]: [Vector; 3]) -> [f64; 3] {
+    [
         ray.dot(b.cross(c)),
         ray.dot(c.cross(a)),
         ray.dot(a.cross(b)),
-    ];
+    ]
+}
+
+/// The barycentric coordinates in proportion to these volumes.
+pub(crate) fn weights(volumes: [f64; 3]) -> [f64; 3] {
     let total: f64 = volumes.iter().sum();
     let weights = volumes.map(|v| (v / total).clamp(0.0, 1.0));
     // Clamping keeps a sample on a sliver's rounded outline from being extrapolated.

@@ -77,7 +77,7 @@ fn points<'a>(frame: &Frame<'a>) -> impl Iterator<Item = [f64; 3]> + Clone + use
 fn check(frame: &Frame) -> Result<(), SheetError> {
     let finite = |p: &[f64; 3]| p.iter().all(|c| c.is_finite());
     let source = match frame.positions.iter().position(|p| !finite(p)) {
-        Some(vertex) => RenderError::Position { vertex },
+        Some(vertex) => RenderError::Position { object: 0, vertex },
         None => match frame.bones.iter().position(|ends| !ends.iter().all(finite)) {
             Some(bone) => RenderError::Bone { bone },
             None => return Ok(()),

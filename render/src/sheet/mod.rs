@@ -179,10 +179,9 @@ pub fn contact_sheet(
         .enumerate()
         .map(|(index, frame)| {
             let scene = Scene {
-                positions: frame.positions,
-                triangles,
                 bones: frame.bones,
                 ground: Some(stage.ground),
+                ..Scene::new(frame.positions, triangles)
             };
             render(&scene, &stage.cameras[index], &options.style).map_err(|source| {
                 SheetError::Frame {

@@ -14,20 +14,23 @@ fn bad_input_is_named() {
     let (camera, style) = (front(5.0), small());
     let draw = |positions, triangles, bones, ground, style| {
         let scene = Scene {
-            positions,
-            triangles,
             bones,
             ground,
+            ..Scene::new(positions, triangles)
         };
         render(&scene, &camera, &style).map(|_| ())
     };
     assert_eq!(
         draw(&positions, &[], &[], None, style),
-        Err(RenderError::Position { vertex: 2 })
+        Err(RenderError::Position {
+            object: 0,
+            vertex: 2
+        })
     );
     assert_eq!(
         draw(&good, &[[0, 1, 2], [2, 1, 3]], &[], None, style),
         Err(RenderError::Triangle {
+            object: 0,
             triangle: 1,
             vertex: 3,
             vertices: 3

@@ -309,12 +309,16 @@ fn bad_input_is_named() {
         make(&good, &broken, &small()),
         Err(SheetError::Frame {
             number: 1,
-            source: RenderError::Position { vertex: 4 }
+            source: RenderError::Position {
+                object: 0,
+                vertex: 4
+            }
         })
     );
     let mut short = positions.clone();
     short[2].pop();
     let source = RenderError::Triangle {
+        object: 0,
         triangle: 4,
         vertex: 5,
         vertices: 5,

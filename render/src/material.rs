@@ -1,0 +1,108 @@
+//! The appearance of surfaces.
+
+use ga_image::colour::LinearColour;
+
+use crate::texture::Texture;
+
+/// The appearance of a surface: the metallic–roughness model of glTF 2.0.
+///
+/// A surface with base colour *c*, metallic part *m*, roughness *r* and unit normal *n* that
+/// receives light of colour *E* from the unit direction *l* sends towards the unit direction *v*
+///
+/// ```text
+/// (n·l) E ((1 − m) c + π D V F)
+/// D = α² / (π ((n·h)² (α² − 1) + 1)²),   α = r²,   h = (l + v) / |l + v|
+/// V = 1 / (2 (n·l √((n·v)² (1 − α²) + α²) + n·v √((n·l)² (1 − α²) + α²)))
+/// F = F₀ + (F₉₀ − F₀) (1 − v·h)⁵,   F₀ = (1 − m) reflectance + m c,   F₉₀ = min(1, 25 F₀)
+/// ```
+///
+/// so that a white surface without highlights that faces a light shows the light's colour. (D is
+/// the distribution of Trowbridge and Reitz, "GGX"; V the visibility by Smith's shadowing, F
+/// Schlick's form of Fresnel's equations.) Light from all around adds (1 − m) c times what arrives
+/// from the side of the normal, and F for v·n times what arrives from the mirrored direction,
+/// with F₉₀ scaled by 1 − r. What the surface emits is added.
+///
+/// Where there is a texture, the number or colour is a factor of what the texture says. All colours
+/// are linear light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material<'a> {
+    /// The share of each channel that is reflected.
+    pub base_colour: LinearColour,
+    /// Opacity, 0 to 1; see [`cutoff`](Self::cutoff).
+    pub opacity: f64,
+    /// A factor of the base colour and the opacity.
+    pub base_colour_map: Option<&'a Texture>,
+    /// 0 for a dielectric, 1 for a metal.
+    pub metallic: f64,
+    /// 0 for a mirror, 1 for chalk.
+    pub roughness: f64,
+    /// Green is a factor of the roughness, blue of the metallic part.
+    pub metallic_roughness_map: Option<&'a Texture>,
+    /// The share of light that a dielectric reflects at a right angle, 0.04 for most; 0 for no
+    /// highlights.
+    pub reflectance: f64,
+    /// Normals in the frame of tangent, bitangent and normal: `(r, g, b) = (n + 1) / 2`.
+    pub normal_map: Option<&'a Texture>,
+    /// A factor of the first two coordinates of the normals in the map.
+    pub normal_scale: f64,
+    /// Red is the share of the light from all around that arrives.
+    pub occlusion_map: Option<&'a Texture>,
+    /// How much of the occlusion is applied: the light is a factor 1 + strength (red − 1).
+    pub occlusion_strength: f64,
+    /// The light that the surface sends by itself.
+    pub emission: LinearColour,
+    /// A factor of the emission.
+    pub emission_map: Option<&'a Texture>,
+    /// The surface is not there where its opacity is below this. `None` draws it opaque everywhere:
+    /// nothing shines through a surface here.
+    pub cutoff: Option<f64>,
+    /// Whether the base colour is shown as it is, without light.
+    pub unlit: bool,
+}
+
+impl Default for Material<'_> {
+    /// White, without metal, of roughness 0.5.
+    fn default() -> Self {
+        Self {
+            base_colour: LinearColour::WHITE,
+            opacity: 1.0,
+            base_colour_map: None,
+            metallic: 0.0,
+            roughness: 0.5,
+            metallic_roughness_map: None,
+            reflectance: 0.04,
+            normal_map: None,
+            normal_scale: 1.0,
+            occlusion_map: None,
+            occlusion_strength: 1.0,
+            emission: LinearColour::BLACK,
+            emission_map: None,
+            cutoff: None,
+            unlit: false,
+        }
+    }
+}
+
+impl Material<'_> {
+    /// The name of a number that is out of its range.
+    pub(crate) fn faulty_number(&self) -> Option<&'static str> {
+        let fraction = |number: f64| (0.0..=1.0).contains(&number);
+        let light = |colour: LinearColour| {
+            let channels = colour.channels();
+            channels.iter().all(|c| c.is_finite() && *c >= 0.0)
+        };
+        [
+            ("base colour", light(self.base_colour)),
+            ("opacity", fraction(self.opacity)),
+            ("metallic part", fraction(self.metallic)),
+            ("roughness", fraction(self.roughness)),
+            ("reflectance", fraction(self.reflectance)),
+            ("normal scale", self.normal_scale.is_finite()),
+            ("occlusion strength", fraction(self.occlusion_strength)),
+            ("emission", light(self.emission)),
+            ("cutoff", self.cutoff.is_none_or(f64::is_finite)),
+        ]
+        .into_iter()
+        .find_map(|(name, fits)| (!fits).then_some(name))
+    }
+}

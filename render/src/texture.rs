@@ -1,0 +1,339 @@
+//! Pictures on surfaces.
+
+use ga_image::colour::LinearColour;
+use image::RgbaImage;
+
+/// A picture on a surface, with linear numbers, and smaller copies of it for surfaces far away.
+///
+/// Texture coordinates (u, v) run to the right and up; (0, 0) is the lower left corner of the
+/// picture, and the centres of its pixels lie on halves of a pixel.
+///
+/// ```
+/// use ga_render::texture::{Sampler, Texture};
+/// use image::{Rgba, RgbaImage};
+///
+/// let mut picture = RgbaImage::from_pixel(2, 1, Rgba([0, 0, 0, 255]));
+/// picture.put_pixel(1, 0, Rgba([255, 255, 255, 255]));
+/// let texture = Texture::colour(&picture, Sampler::default())?;
+/// assert_eq!(texture.at([0.75, 0.5], 0.0), [1.0; 4]);
+/// assert_eq!(texture.at([0.5, 0.5], 0.0)[0], 0.5);
+/// # Ok::<(), ga_render::texture::TextureError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Texture {
+    /// The picture, and where the filter asks for them its copies, each half as wide and high as
+    /// the one before.
+    levels: Vec<Level>,
+    sampler: Sampler,
+}
+
+/// How a texture is read between and beyond its pixels.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Sampler {
+    /// What is seen beyond the edges, along u and along v.
+    pub wrap: [Wrap; 2],
+    /// How pixels are mixed.
+    pub filter: Filter,
+}
+
+/// What a texture shows beyond its edges.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Wrap {
+    /// The picture again.
+    #[default]
+    Repeat,
+    /// The picture again, every other time mirrored.
+    MirroredRepeat,
+    /// The pixels at the edge.
+    ClampToEdge,
+}
+
+/// How the pixels of a texture are mixed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Filter {
+    /// The nearest pixel alone.
+    Nearest,
+    /// Linearly between the four nearest pixels.
+    Bilinear,
+    /// Linearly between neighbours, and between two copies of the picture whose pixels are about as
+    /// large as those of the rendered picture ("mipmaps").
+    #[default]
+    Trilinear,
+}
+
+/// Why pixels do not make a texture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum TextureError {
+    /// There are no pixels.
+    #[error("a texture needs at least one pixel, but this one has {width} × {height}")]
+    Empty {
+        /// Columns.
+        width: usize,
+        /// Rows.
+        height: usize,
+    },
+    /// The number of pixels is not that of the rows and columns.
+    #[error("{found} pixels do not make a texture of {width} × {height}")]
+    Length {
+        /// Columns.
+        width: usize,
+        /// Rows.
+        height: usize,
+        /// The number of pixels.
+        found: usize,
+    },
+}
+
+/// A pixel: 65535 stands for 1.
+type Texel = [u16; 4];
+
+#[derive(Clone, Debug, PartialEq)]
+struct Level {
+    width: usize,
+    height: usize,
+    texels: Vec<Texel>,
+}
+
+impl Texture {
+    /// A texture of colours that are encoded as sRGB; the alpha channel is linear.
+    ///
+    /// # Errors
+    ///
+    /// [`TextureError::Empty`].
+    pub fn colour(picture: &RgbaImage, sampler: Sampler) -> Result<Self, TextureError> {
+        let decoded: Vec<u16> = (0..=255)
+            .map(|code| quantised(LinearColour::from_srgb([code; 3]).red))
+            .collect();
+        let linear = |code: u8| decoded[usize::from(code)];
+        let texels = picture.pixels().map(|&image::Rgba([r, g, b, a])| {
+            [linear(r), linear(g), linear(b), u16::from(a) * 257]
+        });
+        Self::build(size_of(picture), texels.collect(), sampler)
+    }
+
+    /// A texture of plain numbers, such as normals or roughness: 255 stands for 1.
+    ///
+    /// # Errors
+    ///
+    /// [`TextureError::Empty`].
+    pub fn data(picture: &RgbaImage, sampler: Sampler) -> Result<Self, TextureError> {
+        let texels = picture.pixels().map(|p| p.0.map(|c| u16::from(c) * 257));
+        Self::build(size_of(picture), texels.collect(), sampler)
+    }
+
+    /// A texture of plain numbers from 0 to 1, row by row from the top; numbers beyond are clamped.
+    /// They are stored with 16 bits.
+    ///
+    /// # Errors
+    ///
+    /// Any [`TextureError`].
+    pub fn numbers(
+        width: usize,
+        height: usize,
+        pixels: &[[f64; 4]],
+        sampler: Sampler,
+    ) -> Result<Self, TextureError> {
+        if width.checked_mul(height) != Some(pixels.len()) {
+            let found = pixels.len();
+            return Err(TextureError::Length {
+                width,
+                height,
+                found,
+            });
+        }
+        let texels = pixels.iter().map(|pixel| pixel.map(quantised)).collect();
+        Self::build([width, height], texels, sampler)
+    }
+
+    fn build(
+        [width, height]: [usize; 2],
+        texels: Vec<Texel>,
+        sampler: Sampler,
+    ) -> Result<Self, TextureError> {
+        if texels.is_empty() {
+            return Err(TextureError::Empty { width, height });
+        }
+        let mut levels = vec![Level {
+            width,
+            height,
+            texels,
+        }];
+        if sampler.filter == Filter::Trilinear {
+            while let Some(next) = levels.last().and_then(Level::halved) {
+                levels.push(next);
+            }
+        }
+        Ok(Self { levels, sampler })
+    }
+
+    /// Columns.
+    pub fn width(&self) -> usize {
+        self.levels[0].width
+    }
+
+    /// Rows.
+    pub fn height(&self) -> usize {
+        self.levels[0].height
+    }
+
+    /// Red, green, blue and alpha at texture coordinates (u, v), for a pixel of the rendered picture
+    /// that is `footprint` pixels of the texture wide.
+    pub fn at(&self, coordinates: [f64; 2], footprint: f64) -> [f64; 4] {
+        match self.sampler.filter {
+            Filter::Nearest => self.levels[0].nearest(coordinates, self.sampler.wrap),
+            Filter::Bilinear => self.levels[0].bilinear(coordinates, self.sampler.wrap),
+            Filter::Trilinear => self.trilinear(coordinates, footprint),
+        }
+    }
+
+    fn trilinear(&self, coordinates: [f64; 2], footprint: f64) -> [f64; 4] {
+        let last = self.levels.len() - 1;
+        // The greater comes first, so that a footprint that is not a number reads the picture.
+        let level = 1f64.max(footprint).log2().min(last as f64);
+        let below = level as usize;
+        let fine = self.levels[below].bilinear(coordinates, self.sampler.wrap);
+        let part = level - below as f64;
+        if part == 0.0 {
+            return fine;
+        }
+        let coarse = self.levels[below + 1].bilinear(coordinates, self.sampler.wrap);
+        mix(fine, coarse, part)
+    }
+}
+
+impl Level {
+    fn nearest(&self, coordinates: [f64; 2], wrap: [Wrap; 2]) -> [f64; 4] {
+        let [x, y] = self.place(coordinates, wrap);
+        let column = wrapped(x.floor() as i64, self.width, wrap[0]);
+        let row = wrapped(y.floor() as i64, self.height, wrap[1]);
+        self.texel(column, row)
+    }
+
+    fn bilinear(&self, coordinates: [f64; 2], wrap: [Wrap; 2]) -> [f64; 4] {
+        let [x, y] = self.place(coordinates, wrap).map(|c| c - 0.5);
+        let (left, top) = (x.floor(), y.floor());
+        let columns = [0, 1].map(|i| wrapped(left as i64 + i, self.width, wrap[0]));
+        let rows = [0, 1].map(|i| wrapped(top as i64 + i, self.height, wrap[1]));
+        let [upper, lower] = rows.map(|row| {
+            let [a, b] = columns.map(|column| self.texel(column, row));
+            mix(a, b, x - left)
+        });
+        mix(upper, lower, y - top)
+    }
+
+    /// Column and row of texture coordinates, where they repeat within two pictures.
+    fn place(&self, [u, v]: [f64; 2], wrap: [Wrap; 2]) -> [f64; 2] {
+        let near = |c: f64, wrap| match wrap {
+            Wrap::Repeat => c - c.floor(),
+            Wrap::MirroredRepeat => c - 2.0 * (c / 2.0).floor(),
+            Wrap::ClampToEdge => c.clamp(0.0, 1.0),
+        };
+        [
+            near(u, wrap[0]) * self.width as f64,
+            near(1.0 - v, wrap[1]) * self.height as f64,
+        ]
+    }
+
+    fn texel(&self, column: usize, row: usize) -> [f64; 4] {
+        self.texels[row * self.width + column].map(|c| f64::from(c) / 65535.0)
+    }
+
+    /// The picture with half the columns and rows, each pixel the mean of the area that it covers;
+    /// `None` for a single pixel.
+    fn halved(&self) -> Option<Self> {
+        if self.width == 1 && self.height == 1 {
+            return None;
+        }
+        let (width, height) = ((self.width / 2).max(1), (self.height / 2).max(1));
+        let columns: Vec<_> = (0..width).map(|c| shares(c, width, self.width)).collect();
+        let mut texels = Vec::with_capacity(width * height);
+        for row in 0..height {
+            let rows = shares(row, height, self.height);
+            for columns in &columns {
+                let mut sum = [0.0; 4];
+                for &(j, down) in &rows {
+                    for &(i, across) in columns {
+                        let texel = self.texels[j * self.width + i];
+                        for (sum, channel) in sum.iter_mut().zip(texel) {
+                            *sum += f64::from(channel) * (down * across);
+                        }
+                    }
+                }
+                texels.push(sum.map(|c| c.round() as u16));
+            }
+        }
+        Some(Self {
+            width,
+            height,
+            texels,
+        })
+    }
+}
+
+/// The pixels of a row of `fine` that one of `coarse` equal parts covers, with their shares of it.
+fn shares(part: usize, coarse: usize, fine: usize) -> Vec<(usize, f64)> {
+    let per_part = fine as f64 / coarse as f64;
+    let (begin, end) = (part as f64 * per_part, (part + 1) as f64 * per_part);
+    (begin as usize..(end.ceil() as usize).min(fine))
+        .map(|pixel| {
+            let covered = end.min((pixel + 1) as f64) - begin.max(pixel as f64);
+            (pixel, covered.max(0.0) / per_part)
+        })
+        .collect()
+}
+
+fn wrapped(index: i64, size: usize, wrap: Wrap) -> usize {
+    let size = size as i64;
+    let index = match wrap {
+        Wrap::Repeat => index.rem_euclid(size),
+        Wrap::MirroredRepeat => {
+            let within = index.rem_euclid(2 * size);
+            within.min(2 * size - 1 - within)
+        }
+        Wrap::ClampToEdge => index.clamp(0, size - 1),
+    };
+    index as usize
+}
+
+fn mix(a: [f64; 4], b: [f64; 4], t: f64) -> [f64; 4] {
+    std::array::from_fn(|i| a[i] * (1.0 - t) + b[i] * t)
+}
+
+fn quantised(number: f64) -> u16 {
+    (number.clamp(0.0, 1.0) * 65535.0).round() as u16
+}
+
+fn size_of(picture: &RgbaImage) -> [usize; 2] {
+    [picture.width() as usize, picture.height() as usize]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_shares_of_a_part_add_to_one_and_each_pixel_is_used_up() {
+        for fine in 1..40usize {
+            let coarse = (fine / 2).max(1);
+            let mut used = vec![0.0; fine];
+            for part in 0..coarse {
+                let shares = shares(part, coarse, fine);
+                let total: f64 = shares.iter().map(|share| share.1).sum();
+                assert!((total - 1.0).abs() < 1e-12);
+                for (pixel, share) in shares {
+                    used[pixel] += share;
+                }
+            }
+            let expected = coarse as f64 / fine as f64;
+            assert!(used.iter().all(|u| (u - expected).abs() < 1e-12), "{fine}");
+        }
+    }
+
+    #[test]
+    fn indices_beyond_the_edges_follow_the_wrap_mode() {
+        let row = |wrap| (-4..7).map(|i| wrapped(i, 3, wrap)).collect::<Vec<_>>();
+        assert_eq!(row(Wrap::Repeat), [2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0]);
+        assert_eq!(row(Wrap::MirroredRepeat), [2, 2, 1, 0, 0, 1, 2, 2, 1, 0, 0]);
+        assert_eq!(row(Wrap::ClampToEdge), [0, 0, 0, 0, 0, 1, 2, 2, 2, 2, 2]);
+    }
+}
