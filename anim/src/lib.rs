@@ -15,7 +15,7 @@
 //! | [`distance_weights`] | weights from the distance to the bones |
 //! | [`retarget`] | transfers a recording to another body |
 //! | [`leg`] | the leg of hip, knee and ankle (Cui, §2.3.3): from angles to positions and back |
-//! | [`gltf`] | skeletons and clips as the data that [`ga_mesh::gltf`] writes |
+//! | [`gltf`] | skeletons and clips as the data that [`ga_mesh::gltf::model`] writes |
 //!
 //! # Conventions
 //!

@@ -3,7 +3,7 @@
 use anyhow::{Context, Result};
 use ga_anim::clip::Clip;
 use ga_anim::gltf;
-use ga_mesh::gltf::{Material, Model, Skin, to_glb};
+use ga_mesh::gltf::model::{Material, Model, Skin, to_glb};
 use ga_mesh::normals::vertex_normals;
 use ga_mesh::obj;
 

@@ -14,7 +14,7 @@
 //! | [`normals`] | smooth normals |
 //! | [`obj`] | reads and writes Wavefront OBJ |
 //! | [`topology`] | edges, and the faces around each vertex |
-//! | [`gltf`] | writes binary glTF with skins and animations |
+//! | [`gltf`] | reads and writes glTF with materials, skins and animations |
 //!
 //! # Conventions
 //!

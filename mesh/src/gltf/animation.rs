@@ -1,184 +1,115 @@
-//! Motions of joints as samplers and channels.
+//! Skins and animations.
 
-use gltf_json as json;
-use gltf_json::Index;
-use gltf_json::animation::{Channel, Interpolation, Property, Sampler, Target};
-use gltf_json::validation::Checked;
+use super::Extras;
 
-use super::document::{Document, Elements};
-use super::rigid::{normalized, rotation, translation};
-use super::{Animation, GltfError, JointNode, Track};
-
-/// Appends an animation of these joints, whose nodes have their numbers.
-pub(super) fn add(
-    animation: &Animation,
-    joints: &[JointNode],
-    document: &mut Document,
-) -> Result<(), GltfError> {
-    let times = times(animation)?;
-    let tracks = tracks(animation, joints)?;
-    let input = document.add(None, Elements::bounded_floats(&times));
-    let mut targets = Vec::new();
-    let mut outputs = Vec::new();
-    for track in &tracks {
-        if let Some(rotations) = &track.rotations {
-            targets.push((track.joint, Property::Rotation));
-            outputs.push(Elements::floats(rotations));
-        }
-        if let Some(translations) = &track.translations {
-            targets.push((track.joint, Property::Translation));
-            outputs.push(Elements::floats(translations));
-        }
-    }
-    let (mut samplers, mut channels) = (Vec::new(), Vec::new());
-    let outputs = document.add_together(outputs);
-    for ((joint, property), output) in targets.into_iter().zip(outputs) {
-        let sampler = Sampler {
-            input,
-            interpolation: Checked::Valid(Interpolation::Linear),
-            output,
-            extensions: None,
-            extras: Default::default(),
-        };
-        channels.push(Channel {
-            sampler: Index::push(&mut samplers, sampler),
-            target: Target {
-                node: Index::new(joint as u32),
-                path: Checked::Valid(property),
-                extensions: None,
-                extras: Default::default(),
-            },
-            extensions: None,
-            extras: Default::default(),
-        });
-    }
-    document.root.push(json::Animation {
-        name: Some(animation.name.clone()),
-        samplers,
-        channels,
-        extensions: None,
-        extras: Default::default(),
-    });
-    Ok(())
+/// Joints that move the vertices of a mesh.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Skin {
+    /// Its name.
+    pub name: Option<String>,
+    /// The nodes that are its joints, in the order in which vertices number them.
+    pub joints: Vec<usize>,
+    /// For each joint, the matrix that takes the mesh to the joint's frame at rest, column by
+    /// column; the identity for each where empty.
+    pub inverse_bind_matrices: Vec<[f32; 16]>,
+    /// A node above all joints.
+    pub skeleton: Option<usize>,
+    /// Data of an application.
+    pub extras: Extras,
 }
 
-/// The times of the keys in single precision.
-fn times(animation: &Animation) -> Result<Vec<[f32; 1]>, GltfError> {
-    if animation.times.is_empty() {
-        return Err(GltfError::NoKeys {
-            animation: animation.name.clone(),
-        });
-    }
-    let mut earliest = 0.0;
-    let mut times = Vec::with_capacity(animation.times.len());
-    for (key, &time) in animation.times.iter().enumerate() {
-        let time = time as f32;
-        if !(time >= earliest && time.is_finite()) {
-            return Err(GltfError::Time {
-                animation: animation.name.clone(),
-                key,
-            });
-        }
-        earliest = time.next_up();
-        times.push([time]);
-    }
-    Ok(times)
+/// A motion of nodes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Animation {
+    /// Its name.
+    pub name: Option<String>,
+    /// What moves; at most one channel for each node and kind of [`Keys`].
+    pub channels: Vec<Channel>,
+    /// Data of an application.
+    pub extras: Extras,
 }
 
-/// The tracks in single precision, at least one of them with rotations or translations.
-fn tracks(animation: &Animation, joints: &[JointNode]) -> Result<Vec<SingleTrack>, GltfError> {
-    let mut seen = vec![false; joints.len()];
-    let mut tracks = Vec::with_capacity(animation.tracks.len());
-    for track in &animation.tracks {
-        match seen.get_mut(track.joint) {
-            Some(seen) if !*seen => *seen = true,
-            _ => {
-                return Err(GltfError::TrackJoint {
-                    animation: animation.name.clone(),
-                    joint: track.joint,
-                });
-            }
-        }
-        tracks.push(SingleTrack::new(animation, track)?);
-    }
-    if tracks.is_empty() {
-        return Err(GltfError::NoKeys {
-            animation: animation.name.clone(),
-        });
-    }
-    for (index, track) in tracks.iter_mut().enumerate() {
-        // An animation must have a channel, so the first track keeps its rotations.
-        track.drop_rest(&joints[track.joint], index == 0);
-    }
-    Ok(tracks)
+/// How one property of a node changes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Channel {
+    /// The node.
+    pub node: usize,
+    /// The times of the keys in seconds, not negative and strictly increasing.
+    pub times: Vec<f32>,
+    /// What lies between the keys.
+    pub interpolation: Interpolation,
+    /// The values at those times. [`Interpolation::CubicSpline`] has three for each key: the
+    /// tangent into it, its value, the tangent out of it.
+    pub keys: Keys,
+    /// Data of an application.
+    pub extras: Extras,
 }
 
-/// A track in single precision; a part that stays at rest is `None`.
-struct SingleTrack {
-    joint: usize,
-    rotations: Option<Vec<[f32; 4]>>,
-    translations: Option<Vec<[f32; 3]>>,
+/// What lies between two keys.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Interpolation {
+    /// The straight line between them; for rotations the shorter arc, by slerp.
+    #[default]
+    Linear,
+    /// The first of them.
+    Step,
+    /// The cubic Hermite spline through them; rotations are normalised.
+    CubicSpline,
 }
 
-impl SingleTrack {
-    fn new(animation: &Animation, track: &Track) -> Result<Self, GltfError> {
-        if track.keys.len() != animation.times.len() {
-            return Err(GltfError::TrackLength {
-                animation: animation.name.clone(),
-                joint: track.joint,
-                expected: animation.times.len(),
-                found: track.keys.len(),
-            });
-        }
-        let mut rotations = Vec::with_capacity(track.keys.len());
-        let mut translations = Vec::with_capacity(track.keys.len());
-        let mut before = [0.0, 0.0, 0.0, 1.0];
-        for (key, &motor) in track.keys.iter().enumerate() {
-            let bad_key = || GltfError::Key {
-                animation: animation.name.clone(),
-                joint: track.joint,
-                key,
-            };
-            let motor = normalized(motor).ok_or_else(bad_key)?;
-            let place = translation(motor).map(|c| c as f32);
-            if !place.iter().all(|c| c.is_finite()) {
-                return Err(bad_key());
-            }
-            let mut quaternion = rotation(motor);
-            let cosine: f64 = (0..4).map(|i| quaternion[i] * before[i]).sum();
-            if cosine < 0.0 {
-                quaternion = quaternion.map(|c| -c);
-            }
-            before = quaternion;
-            rotations.push(quaternion.map(|c| c as f32));
-            translations.push(place);
-        }
-        Ok(Self {
-            joint: track.joint,
-            rotations: Some(rotations),
-            translations: Some(translations),
-        })
-    }
+/// The values of a property of a node.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Keys {
+    /// Translations.
+    Translation(Vec<[f32; 3]>),
+    /// Rotations as unit quaternions (x, y, z, w).
+    Rotation(Vec<[f32; 4]>),
+    /// Factors along the axes.
+    Scale(Vec<[f32; 3]>),
+    /// Weights of morph targets: for each key one for each target.
+    Weights(Vec<f32>),
+}
 
-    /// Drops the translations and, unless `keep_rotations`, the rotations if they stay at rest.
-    fn drop_rest(&mut self, joint: &JointNode, keep_rotations: bool) {
-        let rest_translation = translation(joint.rest).map(|c| c as f32);
-        let mut translations = self.translations.iter().flatten();
-        if translations.all(|t| are_close(t, &rest_translation)) {
-            self.translations = None;
-        }
-        let rest = normalized(joint.rest).unwrap_or_default();
-        let rest_rotation = rotation(rest).map(|c| c as f32);
-        let opposite = rest_rotation.map(|c| -c);
-        let is_at_rest = |r: &[f32; 4]| are_close(r, &rest_rotation) || are_close(r, &opposite);
-        if !keep_rotations && self.rotations.iter().flatten().all(is_at_rest) {
-            self.rotations = None;
+impl Interpolation {
+    /// How many values each key has.
+    #[must_use]
+    pub fn values_per_key(self) -> usize {
+        match self {
+            Self::Linear | Self::Step => 1,
+            Self::CubicSpline => 3,
         }
     }
 }
 
-/// Equal except for rounding.
-fn are_close<const N: usize>(a: &[f32; N], b: &[f32; N]) -> bool {
-    const TOLERANCE: f32 = 1e-7;
-    (0..N).all(|i| (a[i] - b[i]).abs() <= TOLERANCE * (1.0 + b[i].abs()))
+impl Keys {
+    /// How many numbers a value has; weights count as one each.
+    #[must_use]
+    pub fn width(&self) -> usize {
+        match self {
+            Self::Translation(_) | Self::Scale(_) => 3,
+            Self::Rotation(_) => 4,
+            Self::Weights(_) => 1,
+        }
+    }
+
+    /// The numbers of all values, one value after the other.
+    #[must_use]
+    pub fn numbers(&self) -> &[f32] {
+        match self {
+            Self::Translation(values) | Self::Scale(values) => values.as_flattened(),
+            Self::Rotation(values) => values.as_flattened(),
+            Self::Weights(values) => values,
+        }
+    }
+
+    /// The name of the property, as glTF has it.
+    #[must_use]
+    pub fn path(&self) -> &'static str {
+        match self {
+            Self::Translation(_) => "translation",
+            Self::Rotation(_) => "rotation",
+            Self::Scale(_) => "scale",
+            Self::Weights(_) => "weights",
+        }
+    }
 }

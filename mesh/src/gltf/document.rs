@@ -1,223 +1,248 @@
-//! A file under construction: its JSON and its binary part.
+//! Documents: nodes, scenes and cameras, and the lists of everything that they refer to.
 
-use std::collections::BTreeMap;
+use super::{Animation, GltfError, Image, Material, Mesh, Sampler, Skin, Texture};
 
-use gltf_json::accessor::{ComponentType, GenericComponentType, Type};
-use gltf_json::buffer::{Buffer, Target, View};
-use gltf_json::mesh::Semantic;
-use gltf_json::validation::{Checked, USize64};
-use gltf_json::{Accessor, Index, Root, Value};
+/// Data of an application, as JSON.
+pub type Extras = Option<serde_json::Value>;
 
-use super::GltfError;
+/// The contents of a glTF file. Elements refer to each other by their index in these lists.
+///
+/// # Examples
+///
+/// ```
+/// use ga_mesh::gltf::{self, Document, Mesh, Node, Primitive, Scene};
+///
+/// let triangle = Primitive {
+///     positions: vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+///     ..Primitive::default()
+/// };
+/// let document = Document {
+///     nodes: vec![Node { mesh: Some(0), ..Node::default() }],
+///     meshes: vec![Mesh { primitives: vec![triangle], ..Mesh::default() }],
+///     scenes: vec![Scene { nodes: vec![0], ..Scene::default() }],
+///     scene: Some(0),
+///     ..Document::default()
+/// };
+/// let file = gltf::to_glb(&document)?;
+/// assert_eq!(gltf::parse(&file)?.meshes, document.meshes);
+/// # Ok::<(), gltf::GltfError>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Document {
+    /// Who made the file, and with what.
+    pub asset: Asset,
+    /// The scene to show first.
+    pub scene: Option<usize>,
+    /// The scenes.
+    pub scenes: Vec<Scene>,
+    /// The nodes.
+    pub nodes: Vec<Node>,
+    /// The meshes.
+    pub meshes: Vec<Mesh>,
+    /// The skins.
+    pub skins: Vec<Skin>,
+    /// The animations.
+    pub animations: Vec<Animation>,
+    /// The materials.
+    pub materials: Vec<Material>,
+    /// The textures.
+    pub textures: Vec<Texture>,
+    /// How textures are sampled.
+    pub samplers: Vec<Sampler>,
+    /// The images.
+    pub images: Vec<Image>,
+    /// The cameras.
+    pub cameras: Vec<Camera>,
+    /// Data of an application.
+    pub extras: Extras,
+}
 
-/// The attributes of the vertices: which accessor holds them.
-pub(super) type Attributes = BTreeMap<Checked<Semantic>, Index<Accessor>>;
+/// Who made a file, and with what.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Asset {
+    /// The program that wrote the file. A document without one is written with `Nullcone`.
+    pub generator: Option<String>,
+    /// Whose work it is.
+    pub copyright: Option<String>,
+    /// Data of an application.
+    pub extras: Extras,
+}
 
-/// A document and the bytes that its accessors describe: little-endian, every accessor at a
-/// multiple of four.
-#[derive(Default)]
-pub(super) struct Document {
-    pub(super) root: Root,
-    bytes: Vec<u8>,
+/// Nodes that are shown together.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Scene {
+    /// Its name.
+    pub name: Option<String>,
+    /// The nodes at its top; none of them has a parent.
+    pub nodes: Vec<usize>,
+    /// Data of an application.
+    pub extras: Extras,
+}
+
+/// A frame of reference relative to its parent's, and what stands in it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Node {
+    /// Its name.
+    pub name: Option<String>,
+    /// The nodes below it. A node has at most one parent and is not its own ancestor.
+    pub children: Vec<usize>,
+    /// Its frame relative to its parent's.
+    pub transform: Transform,
+    /// The mesh in this frame.
+    pub mesh: Option<usize>,
+    /// The skin that moves the mesh. The mesh then ignores the frame of the node.
+    pub skin: Option<usize>,
+    /// The camera in this frame, which looks along −z with y up.
+    pub camera: Option<usize>,
+    /// The weights of the mesh's morph targets, in place of those of the mesh.
+    pub weights: Option<Vec<f32>>,
+    /// Data of an application.
+    pub extras: Extras,
+}
+
+/// A change of frame: p ↦ translation + rotation (scale · p), or p ↦ matrix · p.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Transform {
+    /// Scale along the axes, then rotation, then translation.
+    Decomposed {
+        /// The translation.
+        translation: [f32; 3],
+        /// The rotation as a unit quaternion (x, y, z, w).
+        rotation: [f32; 4],
+        /// The factor along each axis.
+        scale: [f32; 3],
+    },
+    /// A 4 × 4 matrix, column by column; its last row is (0, 0, 0, 1). A node that an animation
+    /// moves has no matrix.
+    Matrix([f32; 16]),
+}
+
+/// How a scene is projected onto a picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Camera {
+    /// Its name.
+    pub name: Option<String>,
+    /// The projection.
+    pub projection: Projection,
+    /// Data of an application.
+    pub extras: Extras,
+}
+
+/// The projection of a camera.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Projection {
+    /// A pinhole camera.
+    Perspective {
+        /// Width by height of the picture; that of the window where absent.
+        aspect_ratio: Option<f32>,
+        /// The vertical angle of view in radians.
+        vertical_angle: f32,
+        /// The distance of the near clipping plane.
+        near: f32,
+        /// The distance of the far clipping plane; infinite where absent.
+        far: Option<f32>,
+    },
+    /// A parallel projection.
+    Orthographic {
+        /// Half the width of the view.
+        half_width: f32,
+        /// Half its height.
+        half_height: f32,
+        /// The distance of the near clipping plane.
+        near: f32,
+        /// The distance of the far clipping plane.
+        far: f32,
+    },
 }
 
 impl Document {
-    /// Appends elements as a buffer view of their own.
-    pub(super) fn add(&mut self, target: Option<Target>, elements: Elements) -> Index<Accessor> {
-        let (view, start) = self.begin_view(target);
-        let accessor = self.append(view, start, elements);
-        self.end_view(view, start);
-        accessor
+    /// The parent of each node.
+    ///
+    /// # Errors
+    ///
+    /// [`GltfError`] for a child that does not exist, has two parents or is its own ancestor.
+    pub fn parents(&self) -> Result<Vec<Option<usize>>, GltfError> {
+        super::hierarchy::parents(&self.nodes)
     }
 
-    /// Appends several lists of elements as one buffer view.
-    pub(super) fn add_together(
-        &mut self,
-        lists: impl IntoIterator<Item = Elements>,
-    ) -> Vec<Index<Accessor>> {
-        let (view, start) = self.begin_view(None);
-        let accessors = lists
-            .into_iter()
-            .map(|elements| self.append(view, start, elements))
-            .collect();
-        self.end_view(view, start);
-        accessors
+    /// The frame of each node in the world, as the upper three rows of a 4 × 4 matrix: that of its
+    /// parent times its own.
+    ///
+    /// # Errors
+    ///
+    /// As [`Document::parents`].
+    pub fn world_matrices(&self) -> Result<Vec<[[f64; 4]; 3]>, GltfError> {
+        super::hierarchy::world_matrices(&self.nodes)
     }
 
-    fn begin_view(&mut self, target: Option<Target>) -> (Index<View>, usize) {
-        let start = self.bytes.len();
-        let view = self.root.push(View {
-            buffer: Index::new(0),
-            byte_length: USize64(0),
-            byte_offset: Some(USize64::from(start)),
-            byte_stride: None,
-            name: None,
-            target: target.map(Checked::Valid),
-            extensions: None,
-            extras: Default::default(),
-        });
-        (view, start)
-    }
-
-    fn append(&mut self, view: Index<View>, start: usize, elements: Elements) -> Index<Accessor> {
-        let offset = self.bytes.len() - start;
-        self.bytes.extend_from_slice(&elements.bytes);
-        self.bytes.resize(self.bytes.len().next_multiple_of(4), 0);
-        let (min, max) = elements.bounds.unzip();
-        self.root.push(Accessor {
-            buffer_view: Some(view),
-            byte_offset: Some(USize64::from(offset)),
-            count: USize64::from(elements.count),
-            component_type: Checked::Valid(GenericComponentType(elements.component)),
-            type_: Checked::Valid(elements.shape),
-            min,
-            max,
-            name: None,
-            normalized: false,
-            sparse: None,
-            extensions: None,
-            extras: Default::default(),
-        })
-    }
-
-    fn end_view(&mut self, view: Index<View>, start: usize) {
-        self.root.buffer_views[view.value()].byte_length = USize64::from(self.bytes.len() - start);
-    }
-
-    /// The bytes of the GLB file: a header, a chunk of JSON and a chunk of binary data.
-    pub(super) fn into_glb(mut self) -> Result<Vec<u8>, GltfError> {
-        self.root.push(Buffer {
-            byte_length: USize64::from(self.bytes.len()),
-            name: None,
-            uri: None,
-            extensions: None,
-            extras: Default::default(),
-        });
-        let mut text = self
-            .root
-            .to_vec()
-            .expect("a document of valid items has a JSON form");
-        text.resize(text.len().next_multiple_of(4), b' ');
-
-        let length = HEADER + 2 * CHUNK_HEADER + text.len() + self.bytes.len();
-        let length = u32::try_from(length).map_err(|_| GltfError::TooLarge)?;
-        let mut file = Vec::with_capacity(length as usize);
-        file.extend_from_slice(b"glTF");
-        file.extend_from_slice(&2u32.to_le_bytes());
-        file.extend_from_slice(&length.to_le_bytes());
-        for (kind, chunk) in [(b"JSON", &text), (b"BIN\0", &self.bytes)] {
-            // Both chunks are shorter than the file, whose length fits into 32 bits.
-            file.extend_from_slice(&(chunk.len() as u32).to_le_bytes());
-            file.extend_from_slice(kind);
-            file.extend_from_slice(chunk);
-        }
-        Ok(file)
+    /// Whether every element refers to elements that exist, every list has the length that others
+    /// imply, and every number is finite and in its range. The reader returns only such documents,
+    /// and the writer writes only such.
+    ///
+    /// # Errors
+    ///
+    /// [`GltfError`] names the first element that is at fault.
+    pub fn validate(&self) -> Result<(), GltfError> {
+        super::validate::document(self)
     }
 }
 
-const HEADER: usize = 12;
-const CHUNK_HEADER: usize = 8;
+impl Transform {
+    /// The change to the same frame.
+    pub const IDENTITY: Self = Self::Decomposed {
+        translation: [0.0; 3],
+        rotation: [0.0, 0.0, 0.0, 1.0],
+        scale: [1.0; 3],
+    };
 
-/// The contents of an accessor.
-pub(super) struct Elements {
-    component: ComponentType,
-    shape: Type,
-    count: usize,
-    bytes: Vec<u8>,
-    /// The least and the greatest value of each component.
-    bounds: Option<(Value, Value)>,
-}
-
-impl Elements {
-    /// Vectors or matrices of `N` numbers.
-    pub(super) fn floats<const N: usize>(elements: &[[f32; N]]) -> Self {
-        let shape = match N {
-            1 => Type::Scalar,
-            2 => Type::Vec2,
-            3 => Type::Vec3,
-            4 => Type::Vec4,
-            _ => Type::Mat4,
-        };
-        let numbers = elements.as_flattened().iter();
-        Self {
-            component: ComponentType::F32,
-            shape,
-            count: elements.len(),
-            bytes: numbers.flat_map(|number| number.to_le_bytes()).collect(),
-            bounds: None,
-        }
-    }
-
-    /// As [`floats`](Self::floats), with the least and the greatest value of each component stated.
-    pub(super) fn bounded_floats<const N: usize>(elements: &[[f32; N]]) -> Self {
-        let fold = |start: f32, pick: fn(f32, f32) -> f32| {
-            let bound = elements.iter().fold([start; N], |bound, element| {
-                std::array::from_fn(|i| pick(bound[i], element[i]))
-            });
-            Value::from(bound.to_vec())
-        };
-        Self {
-            bounds: Some((
-                fold(f32::INFINITY, f32::min),
-                fold(f32::NEG_INFINITY, f32::max),
-            )),
-            ..Self::floats(elements)
-        }
-    }
-
-    /// Indices below `limit`, in the smallest type that glTF allows for them. (The greatest value
-    /// of a type must not be used, since it restarts primitives.)
-    pub(super) fn indices(indices: impl Iterator<Item = u32> + Clone, limit: usize) -> Self {
-        let count = indices.clone().count();
-        let (component, bytes) = if limit <= usize::from(u16::MAX) {
-            let short = indices.flat_map(|i| (i as u16).to_le_bytes());
-            (ComponentType::U16, short.collect())
-        } else {
-            (
-                ComponentType::U32,
-                indices.flat_map(u32::to_le_bytes).collect(),
-            )
-        };
-        Self {
-            component,
-            shape: Type::Scalar,
-            count,
-            bytes,
-            bounds: None,
-        }
-    }
-
-    /// Four joints for each vertex, of `joints` in total.
-    pub(super) fn joints(elements: &[[u16; 4]], joints: usize) -> Self {
-        let numbers = elements.as_flattened().iter();
-        let (component, bytes) = if joints <= 256 {
-            (ComponentType::U8, numbers.map(|&j| j as u8).collect())
-        } else {
-            (
-                ComponentType::U16,
-                numbers.flat_map(|j| j.to_le_bytes()).collect(),
-            )
-        };
-        Self {
-            component,
-            shape: Type::Vec4,
-            count: elements.len(),
-            bytes,
-            bounds: None,
+    /// The upper three rows of the 4 × 4 matrix. The quaternion is normalised.
+    #[must_use]
+    pub fn to_matrix(&self) -> [[f64; 4]; 3] {
+        match self {
+            Self::Matrix(columns) => {
+                let entry = |row: usize, column: usize| f64::from(columns[4 * column + row]);
+                std::array::from_fn(|row| std::array::from_fn(|column| entry(row, column)))
+            }
+            Self::Decomposed {
+                translation,
+                rotation,
+                scale,
+            } => {
+                let rotation = rotation_matrix(rotation.map(f64::from));
+                std::array::from_fn(|row| {
+                    let [x, y, z] = rotation[row];
+                    let [sx, sy, sz] = scale.map(f64::from);
+                    [x * sx, y * sy, z * sz, f64::from(translation[row])]
+                })
+            }
         }
     }
 }
 
-/// Rounds to single precision; `what` and `index` name the vector when it does not fit.
-pub(super) fn single<const N: usize>(
-    vector: [f64; N],
-    what: &'static str,
-    index: usize,
-) -> Result<[f32; N], GltfError> {
-    let rounded = vector.map(|c| c as f32);
-    if rounded.iter().all(|c| c.is_finite()) {
-        Ok(rounded)
-    } else {
-        Err(GltfError::NotFinite { what, index })
+impl Default for Transform {
+    fn default() -> Self {
+        Self::IDENTITY
     }
+}
+
+/// The matrix of a quaternion (x, y, z, w) of any length but zero, row by row.
+fn rotation_matrix([x, y, z, w]: [f64; 4]) -> [[f64; 3]; 3] {
+    let twice = 2.0 / (x * x + y * y + z * z + w * w);
+    [
+        [
+            1.0 - twice * (y * y + z * z),
+            twice * (x * y - z * w),
+            twice * (x * z + y * w),
+        ],
+        [
+            twice * (x * y + z * w),
+            1.0 - twice * (x * x + z * z),
+            twice * (y * z - x * w),
+        ],
+        [
+            twice * (x * z - y * w),
+            twice * (y * z + x * w),
+            1.0 - twice * (x * x + y * y),
+        ],
+    ]
 }

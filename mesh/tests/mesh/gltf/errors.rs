@@ -1,6 +1,6 @@
 //! Models that cannot be written.
 
-use ga_mesh::gltf::{GltfError, Material, Model, to_glb};
+use ga_mesh::gltf::model::{Material, Model, ModelError, to_glb};
 
 use super::source::{Source, strip};
 
@@ -14,24 +14,24 @@ fn what_cannot_be_written_is_named() {
     };
     let animation = || "bend".to_owned();
 
-    assert_eq!(fails(&|s| s.triangles = vec![[1, 1, 2]]), GltfError::Empty);
+    assert_eq!(fails(&|s| s.triangles = vec![[1, 1, 2]]), ModelError::Empty);
     assert_eq!(
         fails(&|s| s.positions[4][1] = 1e39),
-        GltfError::NotFinite {
+        ModelError::NotFinite {
             what: "position",
             index: 4
         }
     );
     assert_eq!(
         fails(&|s| s.normals[3][0] = f64::NAN),
-        GltfError::NotFinite {
+        ModelError::NotFinite {
             what: "normal",
             index: 3
         }
     );
     assert_eq!(
         fails(&|s| s.triangles[2][1] = 6),
-        GltfError::Triangle {
+        ModelError::Triangle {
             triangle: 2,
             vertex: 6,
             vertices: 6
@@ -39,7 +39,7 @@ fn what_cannot_be_written_is_named() {
     );
     assert_eq!(
         fails(&|s| s.normals.truncate(5)),
-        GltfError::Count {
+        ModelError::Count {
             what: "normals",
             expected: 6,
             found: 5
@@ -47,7 +47,7 @@ fn what_cannot_be_written_is_named() {
     );
     assert_eq!(
         fails(&|s| s.weights = strip(2, 5, 2, 1).weights),
-        GltfError::Count {
+        ModelError::Count {
             what: "vertices with weights",
             expected: 6,
             found: 5
@@ -55,7 +55,7 @@ fn what_cannot_be_written_is_named() {
     );
     assert_eq!(
         fails(&|s| s.weights[4] = vec![(0, 0.5), (2, 0.5)]),
-        GltfError::Influence {
+        ModelError::Influence {
             vertex: 4,
             joint: 2,
             joints: 2
@@ -67,13 +67,13 @@ fn what_cannot_be_written_is_named() {
         (vec![(0, 1.5), (1, -0.5)], 1.0),
         (vec![(0, f64::INFINITY)], f64::INFINITY),
     ] {
-        let error = GltfError::Weights { vertex: 5, sum };
+        let error = ModelError::Weights { vertex: 5, sum };
         assert_eq!(fails(&|s| s.weights[5] = weights.clone()), error);
     }
-    assert_eq!(fails(&|s| s.joints.clear()), GltfError::JointCount(0));
+    assert_eq!(fails(&|s| s.joints.clear()), ModelError::JointCount(0));
     assert_eq!(
         fails(&|s| s.joints[0].parent = Some(1)),
-        GltfError::ParentNotBefore {
+        ModelError::ParentNotBefore {
             joint: "joint 0".into(),
             parent: 1
         }
@@ -83,31 +83,31 @@ fn what_cannot_be_written_is_named() {
         &|s: &mut Source| s.joints[1].rest.translation[2] = f64::INFINITY,
     ] {
         let joint = "joint 1".into();
-        assert_eq!(fails(change), GltfError::Rest { joint });
+        assert_eq!(fails(change), ModelError::Rest { joint });
     }
     assert_eq!(
         fails(&|s| s.joints[1].rest.translation[2] = 1e39),
-        GltfError::NotFinite {
+        ModelError::NotFinite {
             what: "joint",
             index: 1
         }
     );
     assert_eq!(
         fails(&|s| s.animations[0].times.clear()),
-        GltfError::NoKeys {
+        ModelError::NoKeys {
             animation: animation()
         }
     );
     assert_eq!(
         fails(&|s| s.animations[0].tracks.clear()),
-        GltfError::NoKeys {
+        ModelError::NoKeys {
             animation: animation()
         }
     );
     for (key, time) in [(0, -0.1), (1, 0.0), (2, f64::NAN), (2, 1.0 / 30.0 + 1e-12)] {
         assert_eq!(
             fails(&|s| s.animations[0].times[key] = time),
-            GltfError::Time {
+            ModelError::Time {
                 animation: animation(),
                 key
             }
@@ -116,7 +116,7 @@ fn what_cannot_be_written_is_named() {
     for joint in [0, 2] {
         assert_eq!(
             fails(&|s| s.animations[0].tracks[1].joint = joint),
-            GltfError::TrackJoint {
+            ModelError::TrackJoint {
                 animation: animation(),
                 joint
             }
@@ -124,7 +124,7 @@ fn what_cannot_be_written_is_named() {
     }
     assert_eq!(
         fails(&|s| s.animations[0].tracks[1].keys.truncate(2)),
-        GltfError::TrackLength {
+        ModelError::TrackLength {
             animation: animation(),
             joint: 1,
             expected: 3,
@@ -136,7 +136,7 @@ fn what_cannot_be_written_is_named() {
             as &dyn Fn(&mut Source),
         &|s: &mut Source| s.animations[0].tracks[1].keys[2].translation[0] = 1e39,
     ] {
-        let key = GltfError::Key {
+        let key = ModelError::Key {
             animation: animation(),
             joint: 1,
             key: 2,
@@ -152,6 +152,6 @@ fn what_cannot_be_written_is_named() {
             material: glass,
             ..good.build().model()
         }),
-        Err(GltfError::Material)
+        Err(ModelError::Material)
     );
 }

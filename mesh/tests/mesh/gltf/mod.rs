@@ -5,7 +5,7 @@ mod reader;
 mod source;
 mod validator;
 
-use ga_mesh::gltf::{Material, Model, to_glb};
+use ga_mesh::gltf::model::{Material, Model, to_glb};
 use gltf::animation::util::ReadOutputs;
 use proptest::prelude::*;
 

@@ -1,6 +1,8 @@
 //! Models to write, and where their vertices belong.
 
-use ga_mesh::gltf::{Animation, GltfError, JointNode, Material, Model, Skin, Track, to_glb};
+use ga_mesh::gltf::model::{
+    Animation, JointNode, Material, Model, ModelError, Skin, Track, to_glb,
+};
 use ga_runtime::cga3::{Motor, Rotor, Translator};
 use glam::{DMat4, DQuat, DVec3};
 use proptest::prelude::*;
@@ -124,7 +126,7 @@ impl Source {
         }
     }
 
-    pub(crate) fn write(&self) -> Result<Vec<u8>, GltfError> {
+    pub(crate) fn write(&self) -> Result<Vec<u8>, ModelError> {
         to_glb(&self.build().model())
     }
 

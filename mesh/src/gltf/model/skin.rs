@@ -1,65 +1,54 @@
 //! Joints as nodes, their motors at rest, and the influences on each vertex.
 
 use ga_runtime::cga3::Motor;
-use gltf_json as json;
-use gltf_json::Index;
-use gltf_json::buffer::Target;
-use gltf_json::mesh::Semantic;
-use gltf_json::scene::UnitQuaternion;
-use gltf_json::validation::Checked;
 
-use super::document::{Attributes, Document, Elements, single};
+use super::super::{self as gltf, Document, Node, Primitive, Transform};
 use super::rigid::{inverse_matrix, normalized, rotation, translation};
-use super::{GltfError, JointNode, Skin};
+use super::{JointNode, ModelError, Skin, single};
 
 /// Appends the nodes of a skin, numbered as its joints, and the skin; one more node follows if the
-/// joints have several roots. Returns the skin and the node above all joints.
+/// joints have several roots. Returns the node above all joints.
 pub(super) fn add(
     skin: &Skin,
     vertices: usize,
     document: &mut Document,
-) -> Result<(Index<json::Skin>, Index<json::Node>), GltfError> {
+) -> Result<usize, ModelError> {
     check(skin, vertices)?;
-    let mut inverse_bind = Vec::with_capacity(skin.joints.len());
+    let mut inverse_bind_matrices = Vec::with_capacity(skin.joints.len());
     let mut globals: Vec<Motor<f64>> = Vec::with_capacity(skin.joints.len());
     for (index, joint) in skin.joints.iter().enumerate() {
-        let local = normalized(joint.rest).ok_or_else(|| GltfError::Rest {
+        let local = normalized(joint.rest).ok_or_else(|| ModelError::Rest {
             joint: joint.name.clone(),
         })?;
         let global = joint.parent.map_or(local, |parent| globals[parent] * local);
         globals.push(global);
-        inverse_bind.push(single(inverse_matrix(global), "joint", index)?);
-        let translation = single(translation(local), "joint", index)?;
-        let rotation = single(rotation(local), "joint", index)?;
-        document.root.push(json::Node {
+        inverse_bind_matrices.push(single(inverse_matrix(global), "joint", index)?);
+        document.nodes.push(Node {
             name: Some(joint.name.clone()),
-            translation: Some(translation).filter(|t| *t != [0.0; 3]),
-            rotation: Some(rotation)
-                .filter(|r| *r != [0.0, 0.0, 0.0, 1.0])
-                .map(UnitQuaternion),
-            ..json::Node::default()
+            transform: Transform::Decomposed {
+                translation: single(translation(local), "joint", index)?,
+                rotation: single(rotation(local), "joint", index)?,
+                scale: [1.0; 3],
+            },
+            ..Node::default()
         });
     }
     let root = link(skin.joints, document);
-    let inverse_bind = document.add(None, Elements::floats(&inverse_bind));
-    let skin = document.root.push(json::Skin {
-        joints: (0..skin.joints.len() as u32).map(Index::new).collect(),
+    document.skins.push(gltf::Skin {
+        joints: (0..skin.joints.len()).collect(),
+        inverse_bind_matrices,
         skeleton: Some(root),
-        inverse_bind_matrices: Some(inverse_bind),
-        name: None,
-        extensions: None,
-        extras: Default::default(),
+        ..gltf::Skin::default()
     });
-    Ok((skin, root))
+    Ok(root)
 }
 
 /// `JOINTS_n` and `WEIGHTS_n` for as many `n` as the vertex with the most influences needs.
-pub(super) fn add_attributes(
+pub(super) fn add_influences(
     skin: &Skin,
     vertices: usize,
-    document: &mut Document,
-    attributes: &mut Attributes,
-) -> Result<(), GltfError> {
+    primitive: &mut Primitive,
+) -> Result<(), ModelError> {
     check(skin, vertices)?;
     let rows = skin
         .weights
@@ -77,31 +66,27 @@ pub(super) fn add_attributes(
                 weights[vertex][slot] = weight;
             }
         }
-        let target = Some(Target::ArrayBuffer);
-        let joints = document.add(target, Elements::joints(&joints, skin.joints.len()));
-        let weights = document.add(target, Elements::floats(&weights));
-        let set = set as u32;
-        attributes.insert(Checked::Valid(Semantic::Joints(set)), joints);
-        attributes.insert(Checked::Valid(Semantic::Weights(set)), weights);
+        primitive.joints.push(joints);
+        primitive.weights.push(weights);
     }
     Ok(())
 }
 
-fn check(skin: &Skin, vertices: usize) -> Result<(), GltfError> {
+fn check(skin: &Skin, vertices: usize) -> Result<(), ModelError> {
     let joints = skin.joints.len();
     if joints == 0 || joints > 1 << 16 {
-        return Err(GltfError::JointCount(joints));
+        return Err(ModelError::JointCount(joints));
     }
     for (index, joint) in skin.joints.iter().enumerate() {
         if let Some(parent) = joint.parent.filter(|&parent| parent >= index) {
-            return Err(GltfError::ParentNotBefore {
+            return Err(ModelError::ParentNotBefore {
                 joint: joint.name.clone(),
                 parent,
             });
         }
     }
     if skin.weights.len() != vertices {
-        return Err(GltfError::Count {
+        return Err(ModelError::Count {
             what: "vertices with weights",
             expected: vertices,
             found: skin.weights.len(),
@@ -112,26 +97,23 @@ fn check(skin: &Skin, vertices: usize) -> Result<(), GltfError> {
 
 /// Adds each joint to its parent's children; returns the root, which is a new node when there are
 /// several.
-fn link(joints: &[JointNode], document: &mut Document) -> Index<json::Node> {
+fn link(joints: &[JointNode], document: &mut Document) -> usize {
     let mut roots = Vec::new();
-    for (index, joint) in joints.iter().enumerate() {
-        let node = Index::new(index as u32);
+    for (node, joint) in joints.iter().enumerate() {
         match joint.parent {
-            Some(parent) => document.root.nodes[parent]
-                .children
-                .get_or_insert_default()
-                .push(node),
+            Some(parent) => document.nodes[parent].children.push(node),
             None => roots.push(node),
         }
     }
     if let [root] = roots[..] {
         return root;
     }
-    document.root.push(json::Node {
+    document.nodes.push(Node {
         name: Some("skeleton".to_owned()),
-        children: Some(roots),
-        ..json::Node::default()
-    })
+        children: roots,
+        ..Node::default()
+    });
+    document.nodes.len() - 1
 }
 
 /// A vertex's influences in single precision, the greatest first. Their sum is as near to 1 as
@@ -140,7 +122,7 @@ fn single_influences(
     vertex: usize,
     influences: &[(u32, f64)],
     joints: usize,
-) -> Result<Vec<(u16, f32)>, GltfError> {
+) -> Result<Vec<(u16, f32)>, ModelError> {
     /// How far from 1 the sum of weights may be.
     const TOLERANCE: f64 = 1e-6;
     let sum: f64 = influences.iter().map(|&(_, weight)| weight).sum();
@@ -148,10 +130,10 @@ fn single_influences(
     // False for a sum that is not a number.
     let sum_to_one = (sum - 1.0).abs() <= TOLERANCE;
     if !(are_positive && sum_to_one) {
-        return Err(GltfError::Weights { vertex, sum });
+        return Err(ModelError::Weights { vertex, sum });
     }
     if let Some(&(joint, _)) = influences.iter().find(|(j, _)| *j as usize >= joints) {
-        return Err(GltfError::Influence {
+        return Err(ModelError::Influence {
             vertex,
             joint,
             joints,

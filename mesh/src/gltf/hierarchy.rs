@@ -1,0 +1,81 @@
+//! The tree of the nodes.
+
+use super::error::{Element, Problem};
+use super::{GltfError, Node};
+
+/// The parent of each node.
+pub(super) fn parents(nodes: &[Node]) -> Result<Vec<Option<usize>>, GltfError> {
+    let mut parents: Vec<Option<usize>> = vec![None; nodes.len()];
+    for (parent, node) in nodes.iter().enumerate() {
+        for &child in &node.children {
+            let fault = |element, problem| Err(GltfError::new(Element::Node(element), problem));
+            match parents.get(child) {
+                None => {
+                    let problem = Problem::OutOfRange {
+                        what: "node",
+                        index: child,
+                        count: nodes.len(),
+                    };
+                    return fault(parent, problem);
+                }
+                Some(&Some(first)) => {
+                    let second = parent;
+                    return fault(child, Problem::TwoParents { first, second });
+                }
+                Some(None) => parents[child] = Some(parent),
+            }
+        }
+    }
+    parents_before_children(nodes, &parents)?;
+    Ok(parents)
+}
+
+/// The frame of each node in the world.
+pub(super) fn world_matrices(nodes: &[Node]) -> Result<Vec<[[f64; 4]; 3]>, GltfError> {
+    let parents = parents(nodes)?;
+    let mut world: Vec<_> = nodes
+        .iter()
+        .map(|node| node.transform.to_matrix())
+        .collect();
+    for node in parents_before_children(nodes, &parents)? {
+        if let Some(parent) = parents[node] {
+            world[node] = product(&world[parent], &world[node]);
+        }
+    }
+    Ok(world)
+}
+
+/// All nodes, each after its parent. A node that cannot be reached from a root is in a cycle or
+/// below one.
+fn parents_before_children(
+    nodes: &[Node],
+    parents: &[Option<usize>],
+) -> Result<Vec<usize>, GltfError> {
+    let mut order: Vec<usize> = (0..nodes.len()).filter(|&n| parents[n].is_none()).collect();
+    let mut next = 0;
+    while let Some(&node) = order.get(next) {
+        order.extend(&nodes[node].children);
+        next += 1;
+    }
+    if order.len() == nodes.len() {
+        return Ok(order);
+    }
+    let mut reached = vec![false; nodes.len()];
+    order.iter().for_each(|&node| reached[node] = true);
+    // Walking up from any such node enters the cycle after at most as many steps as there are nodes.
+    let mut node = reached.iter().position(|reached| !reached).unwrap_or(0);
+    for _ in 0..nodes.len() {
+        node = parents[node].unwrap_or(node);
+    }
+    Err(GltfError::new(Element::Node(node), Problem::Cycle))
+}
+
+/// The product of two matrices whose last row is (0, 0, 0, 1).
+fn product(a: &[[f64; 4]; 3], b: &[[f64; 4]; 3]) -> [[f64; 4]; 3] {
+    std::array::from_fn(|row| {
+        std::array::from_fn(|column| {
+            let sum: f64 = (0..3).map(|i| a[row][i] * b[i][column]).sum();
+            if column == 3 { sum + a[row][3] } else { sum }
+        })
+    })
+}

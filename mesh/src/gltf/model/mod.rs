@@ -1,0 +1,208 @@
+//! One mesh with normals and one material, a skin with any number of joints and of influences on a
+//! vertex, and animations that rotate and translate the joints.
+//!
+//! [`to_document`] makes a [`Document`] of them and [`to_glb`] a file, which passes the Khronos
+//! validator without errors or warnings. Skin and animations are plain data here: joints with
+//! names, parents and motors at rest, weights as lists, tracks of times and motors. The crate
+//! ga-anim makes them from its skeletons and clips.
+//!
+//! Coordinates are written as they are, in single precision. A motor is written as its translation
+//! and its quaternion *(x, y, z, w)*, which for a rotation by the angle α about the unit axis *n*
+//! is *(n sin(α/2), cos(α/2))*.
+//!
+//! ```
+//! use ga_mesh::gltf::model::{Material, Model, to_glb};
+//!
+//! let model = Model {
+//!     name: "triangle",
+//!     positions: &[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+//!     normals: &[[0.0, 0.0, 1.0]; 3],
+//!     triangles: &[[0, 1, 2]],
+//!     material: Material::default(),
+//!     skin: None,
+//!     animations: &[],
+//! };
+//! let file = to_glb(&model)?;
+//! assert_eq!(&file[..8], b"glTF\x02\0\0\0");
+//! # Ok::<(), ga_mesh::gltf::model::ModelError>(())
+//! ```
+
+mod animation;
+mod error;
+mod primitive;
+mod rigid;
+mod skin;
+
+use ga_runtime::cga3::Motor;
+
+use super::{self as gltf, Document, Mesh, Node, Scene};
+pub use error::ModelError;
+
+/// A mesh, and what moves it.
+#[derive(Clone, Copy, Debug)]
+pub struct Model<'a> {
+    /// The name of the mesh and of its node.
+    pub name: &'a str,
+    /// One point for each vertex, in metres.
+    pub positions: &'a [[f64; 3]],
+    /// One direction for each vertex, of any length. A zero vector, as for a vertex that no
+    /// triangle uses, is written as straight up.
+    pub normals: &'a [[f64; 3]],
+    /// Three vertex indices for each triangle, counter-clockwise seen from outside. Triangles that
+    /// name a vertex twice are left out.
+    pub triangles: &'a [[u32; 3]],
+    /// The appearance of the whole surface.
+    pub material: Material<'a>,
+    /// The joints that carry the mesh, if any.
+    pub skin: Option<Skin<'a>>,
+    /// Motions of the joints.
+    pub animations: &'a [Animation],
+}
+
+/// A dielectric surface of one colour.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// Red, green, blue as linear light, 0 to 1.
+    pub base_colour: [f64; 3],
+    /// 0 for a mirror, 1 for chalk.
+    pub roughness: f64,
+}
+
+impl Default for Material<'_> {
+    /// Warm grey plaster, (214, 203, 190) in sRGB.
+    fn default() -> Self {
+        Self {
+            name: "plaster",
+            base_colour: [0.6724431569576875, 0.5972017883637634, 0.5149176653765214],
+            roughness: 0.8,
+        }
+    }
+}
+
+/// Joints at rest, and their influence on the vertices.
+#[derive(Clone, Copy, Debug)]
+pub struct Skin<'a> {
+    /// The joints, parents before children.
+    pub joints: &'a [JointNode],
+    /// For each vertex of the mesh, the joints that move it, as indices into `joints`, with their
+    /// weights, which sum to 1.
+    pub weights: &'a [Vec<(u32, f64)>],
+}
+
+/// A joint as a node of the scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointNode {
+    /// Its name.
+    pub name: String,
+    /// The joint above it, or `None` for a root.
+    pub parent: Option<usize>,
+    /// Its frame at rest relative to its parent's frame.
+    pub rest: Motor<f64>,
+}
+
+/// A motion: for some joints, their frames relative to their parents at each of some times.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Animation {
+    /// Its name.
+    pub name: String,
+    /// The times of the keys in seconds, not negative and strictly increasing.
+    pub times: Vec<f64>,
+    /// The joints that move; at most one track for each.
+    pub tracks: Vec<Track>,
+}
+
+/// The motion of one joint. Viewers interpolate between keys, translations linearly and rotations
+/// by slerp.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Track {
+    /// The joint, as an index into the skin's joints.
+    pub joint: usize,
+    /// Its frame relative to its parent's frame at each time of the animation.
+    pub keys: Vec<Motor<f64>>,
+}
+
+/// The model as a document.
+///
+/// The mesh stands at the root of the scene beside the joints. Influences are written four to a
+/// `JOINTS_n`/`WEIGHTS_n` pair, the greatest first, so that a viewer that reads one pair only shows
+/// the best approximation. Motors are normalised. Of the two signs of a key's quaternion the one
+/// nearer to the key before is written, so that viewers that do not choose still take the shorter
+/// rotation. A translation or rotation that stays within 10⁻⁷ of rest in every key gets no channel.
+///
+/// # Errors
+///
+/// [`ModelError`] names the faulty element.
+pub fn to_document(model: &Model) -> Result<Document, ModelError> {
+    let mut document = Document {
+        materials: vec![material(&model.material)?],
+        meshes: vec![Mesh {
+            name: Some(model.name.to_owned()),
+            primitives: vec![primitive::primitive(model)?],
+            ..Mesh::default()
+        }],
+        scene: Some(0),
+        ..Document::default()
+    };
+    let mut roots = Vec::new();
+    if let Some(skin) = &model.skin {
+        roots.push(skin::add(skin, model.positions.len(), &mut document)?);
+    }
+    roots.push(document.nodes.len());
+    document.nodes.push(Node {
+        name: Some(model.name.to_owned()),
+        mesh: Some(0),
+        skin: model.skin.map(|_| 0),
+        ..Node::default()
+    });
+    document.scenes.push(Scene {
+        nodes: roots,
+        ..Scene::default()
+    });
+    let joints: &[JointNode] = model.skin.map_or(&[], |skin| skin.joints);
+    for animation in model.animations {
+        document
+            .animations
+            .push(animation::animation(animation, joints)?);
+    }
+    Ok(document)
+}
+
+/// The bytes of a GLB file that contains the model; see [`to_document`].
+///
+/// # Errors
+///
+/// As [`to_document`].
+pub fn to_glb(model: &Model) -> Result<Vec<u8>, ModelError> {
+    Ok(gltf::to_glb(&to_document(model)?)?)
+}
+
+fn material(material: &Material) -> Result<gltf::Material, ModelError> {
+    let [red, green, blue] = material.base_colour;
+    let fractions = [red, green, blue, material.roughness];
+    if !fractions.iter().all(|f| (0.0..=1.0).contains(f)) {
+        return Err(ModelError::Material);
+    }
+    Ok(gltf::Material {
+        name: Some(material.name.to_owned()),
+        base_colour: [red, green, blue, 1.0].map(|c| c as f32),
+        metallic: 0.0,
+        roughness: material.roughness as f32,
+        ..gltf::Material::default()
+    })
+}
+
+/// Rounds to single precision; `what` and `index` name the vector when it does not fit.
+fn single<const N: usize>(
+    vector: [f64; N],
+    what: &'static str,
+    index: usize,
+) -> Result<[f32; N], ModelError> {
+    let rounded = vector.map(|c| c as f32);
+    if rounded.iter().all(|c| c.is_finite()) {
+        Ok(rounded)
+    } else {
+        Err(ModelError::NotFinite { what, index })
+    }
+}

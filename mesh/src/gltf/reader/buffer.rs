@@ -1,0 +1,94 @@
+//! Buffers, and the parts of them that accessors and images refer to.
+
+use std::borrow::Cow;
+
+use super::super::error::{Element, Problem};
+use super::super::uri::{self, Uri};
+use super::super::{GltfError, json};
+use super::Files;
+
+/// The bytes of every buffer.
+pub(super) struct Buffers<'a> {
+    buffers: Vec<Cow<'a, [u8]>>,
+}
+
+impl<'a> Buffers<'a> {
+    /// The buffers of a file: the first may be the binary chunk, others are files or data in URIs.
+    pub(super) fn load(
+        root: &json::Root,
+        binary: Option<&'a [u8]>,
+        files: &mut Files,
+    ) -> Result<Self, GltfError> {
+        let mut buffers = Vec::with_capacity(root.buffers.len());
+        for (index, buffer) in root.buffers.iter().enumerate() {
+            let fault = |problem| GltfError::new(Element::Buffer(index), problem);
+            let length = buffer.byte_length;
+            let mut bytes = match (&buffer.uri, binary) {
+                (Some(uri), _) => Cow::Owned(load(uri, length, files).map_err(fault)?),
+                (None, Some(binary)) if index == 0 => Cow::Borrowed(binary),
+                (None, _) => return Err(fault(Problem::Missing("a URI"))),
+            };
+            let found = bytes.len() as u64;
+            if found < length {
+                let needed = length;
+                return Err(fault(Problem::TooShort { needed, found }));
+            }
+            // At most the length of a slice.
+            let length = length as usize;
+            match &mut bytes {
+                Cow::Borrowed(bytes) => *bytes = &bytes[..length],
+                Cow::Owned(bytes) => bytes.truncate(length),
+            }
+            buffers.push(bytes);
+        }
+        Ok(Self { buffers })
+    }
+
+    /// How many bytes there are.
+    pub(super) fn size(&self) -> u64 {
+        self.buffers.iter().map(|buffer| buffer.len() as u64).sum()
+    }
+
+    /// The bytes of a buffer view, and how far apart the items in it begin if it says so.
+    pub(super) fn view(
+        &self,
+        root: &json::Root,
+        index: usize,
+    ) -> Result<(&[u8], Option<u64>), GltfError> {
+        let element = || Element::BufferView(index);
+        let view = root
+            .buffer_views
+            .get(index)
+            .ok_or_else(|| GltfError::dangling("buffer view", index, root.buffer_views.len()))?;
+        let buffer = self.buffers.get(view.buffer).ok_or_else(|| {
+            GltfError::dangling("buffer", view.buffer, self.buffers.len()).within(element())
+        })?;
+        let (start, found) = (view.byte_offset, buffer.len() as u64);
+        let needed = start.saturating_add(view.byte_length);
+        if needed > found {
+            let problem = Problem::TooShort { needed, found };
+            return Err(GltfError::new(element(), problem));
+        }
+        // Both are at most the length of a slice.
+        Ok((&buffer[start as usize..needed as usize], view.byte_stride))
+    }
+}
+
+/// The first `length` bytes of what a URI names, or fewer if there are not so many.
+fn load(uri: &str, length: u64, files: &mut Files) -> Result<Vec<u8>, Problem> {
+    match uri::parse(uri) {
+        Some(Uri::Data { bytes, .. }) => Ok(bytes),
+        Some(Uri::File(path)) => files(&path, length),
+        None => Err(uri_problem(uri)),
+    }
+}
+
+/// A URI that cannot be used, without the data that it may hold.
+pub(super) fn uri_problem(uri: &str) -> Problem {
+    const SHOWN: usize = 60;
+    let mut shown: String = uri.chars().take(SHOWN).collect();
+    if shown.len() < uri.len() {
+        shown.push('…');
+    }
+    Problem::Uri(shown)
+}

@@ -1,0 +1,215 @@
+//! Reading: JSON and buffers to a [`Document`].
+
+mod accessor;
+mod animation;
+mod buffer;
+mod image;
+mod material;
+mod node;
+mod primitive;
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+
+use ga_files::ReadError;
+
+use super::error::{Element, Problem};
+use super::{Asset, Document, GltfError, ImageSource, Mesh, Skin, glb, json};
+use accessor::{Accessors, Format};
+use buffer::Buffers;
+
+/// The extensions that a file may require.
+pub const SUPPORTED_EXTENSIONS: [&str; 4] = [
+    "KHR_materials_emissive_strength",
+    "KHR_materials_unlit",
+    QUANTIZATION,
+    "KHR_texture_transform",
+];
+
+const QUANTIZATION: &str = "KHR_mesh_quantization";
+
+/// Reads the file of a path relative to the glTF file, up to a number of bytes.
+type Files<'f> = dyn FnMut(&Path, u64) -> Result<Vec<u8>, Problem> + 'f;
+
+/// Reads a `.glb` or `.gltf` file and the files of its buffers. Its first bytes decide which it is,
+/// not its name. Files of images are not opened; see [`Document::load_images`].
+///
+/// # Errors
+///
+/// [`ReadError::Io`] when the file cannot be read, else [`ReadError::Contents`] with what
+/// [`parse`] reports, and [`Problem::Io`] for a buffer whose file cannot be read.
+pub fn read(path: impl AsRef<Path>) -> Result<Document, ReadError<GltfError>> {
+    let path = path.as_ref();
+    let folder = folder_of(path);
+    ga_files::read(path, |file| {
+        document(file, &mut |path, length| {
+            read_file(&folder.join(path), length)
+        })
+    })
+}
+
+/// A document from the bytes of a GLB file, or of a glTF file whose buffers are data in URIs.
+///
+/// Integers that stand for fractions become numbers in single precision, sparse accessors full
+/// lists, colours without alpha opaque. Extensions other than [`SUPPORTED_EXTENSIONS`] are left out.
+/// Channels of animations without a node are left out, as the specification advises.
+///
+/// # Errors
+///
+/// [`GltfError`] names the faulty element: bytes that are cut off, JSON of another form, a required
+/// extension that is not supported, an accessor beyond its buffer, and whatever
+/// [`Document::validate`] reports. A document may take up 64 MiB and 64 bytes for each byte of the
+/// file; past that the error is [`Problem::TooLarge`].
+pub fn parse(file: &[u8]) -> Result<Document, GltfError> {
+    document(file, &mut |path, _| {
+        let (path, kind) = (path.to_path_buf(), io::ErrorKind::Unsupported);
+        Err(Problem::Io { path, kind })
+    })
+}
+
+impl Document {
+    /// Reads the files of images that are named by a URI, relative to a folder, and puts their
+    /// bytes in the document.
+    ///
+    /// # Errors
+    ///
+    /// [`Problem::Io`] for the first image whose file cannot be read; images before it are loaded.
+    pub fn load_images(&mut self, folder: impl AsRef<Path>) -> Result<(), GltfError> {
+        for (index, image) in self.images.iter_mut().enumerate() {
+            if let ImageSource::Uri(uri) = &image.source {
+                image.source = image::load(uri, folder.as_ref())
+                    .map_err(|problem| GltfError::new(Element::Image(index), problem))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The folder that contains a file.
+pub(super) fn folder_of(path: &Path) -> PathBuf {
+    path.parent().unwrap_or(Path::new("")).to_path_buf()
+}
+
+/// The first `limit` bytes of a file.
+fn read_file(path: &Path, limit: u64) -> Result<Vec<u8>, Problem> {
+    let read = || -> io::Result<Vec<u8>> {
+        let file = File::open(path)?;
+        if !file.metadata()?.is_file() {
+            return Err(io::ErrorKind::InvalidInput.into());
+        }
+        let mut bytes = Vec::new();
+        file.take(limit).read_to_end(&mut bytes)?;
+        Ok(bytes)
+    };
+    read().map_err(|error| {
+        let (path, kind) = (path.to_path_buf(), error.kind());
+        Problem::Io { path, kind }
+    })
+}
+
+fn document(file: &[u8], files: &mut Files) -> Result<Document, GltfError> {
+    let (text, binary) = if glb::is_glb(file) {
+        glb::split(file)?
+    } else {
+        (file, None)
+    };
+    let root: json::Root = serde_json::from_slice(text)
+        .map_err(|error| GltfError::new(Element::Json, Problem::Json(error.to_string())))?;
+    check_version(&root.asset)?;
+    let unknown = |name: &&String| !SUPPORTED_EXTENSIONS.contains(&name.as_str());
+    if let Some(name) = root.extensions_required.iter().find(unknown) {
+        let problem = Problem::UnknownExtension(name.clone());
+        return Err(GltfError::new(Element::File, problem));
+    }
+    let buffers = Buffers::load(&root, binary, files)?;
+    let accessors = Accessors::new(&root, &buffers, file.len());
+    let document = decode(&root, &buffers, &accessors)?;
+    document.validate()?;
+    Ok(document)
+}
+
+/// A file may state the least version that a reader must know, beside its own.
+fn check_version(asset: &json::Asset) -> Result<(), GltfError> {
+    let (version, is_known) = match &asset.min_version {
+        Some(minimum) => (minimum, minimum == "2.0"),
+        None => (&asset.version, asset.version.split('.').next() == Some("2")),
+    };
+    if is_known {
+        return Ok(());
+    }
+    let problem = Problem::Version(version.clone());
+    Err(GltfError::new(Element::File, problem))
+}
+
+fn decode(
+    root: &json::Root,
+    buffers: &Buffers,
+    accessors: &Accessors,
+) -> Result<Document, GltfError> {
+    let is_quantized = root.extensions_used.iter().any(|name| name == QUANTIZATION);
+    Ok(Document {
+        asset: Asset {
+            generator: root.asset.generator.clone(),
+            copyright: root.asset.copyright.clone(),
+            extras: root.asset.extras.clone(),
+        },
+        scene: root.scene,
+        scenes: root.scenes.iter().map(node::scene).collect(),
+        nodes: numbered(&root.nodes, node::node)?,
+        meshes: numbered(&root.meshes, |index, mesh| {
+            Ok(Mesh {
+                name: mesh.name.clone(),
+                primitives: numbered(&mesh.primitives, |primitive, json| {
+                    let reader = primitive::Reader {
+                        accessors,
+                        is_quantized,
+                        mesh: index,
+                        primitive,
+                    };
+                    reader.primitive(json)
+                })?,
+                weights: mesh.weights.clone(),
+                extras: mesh.extras.clone(),
+            })
+        })?,
+        skins: numbered(&root.skins, |index, json| skin(index, json, accessors))?,
+        animations: numbered(&root.animations, |index, json| {
+            animation::animation(index, json, accessors)
+        })?,
+        materials: numbered(&root.materials, material::material)?,
+        textures: root.textures.iter().map(material::texture).collect(),
+        samplers: numbered(&root.samplers, material::sampler)?,
+        images: numbered(&root.images, |index, json| {
+            image::image(index, json, root, buffers, accessors)
+        })?,
+        cameras: numbered(&root.cameras, node::camera)?,
+        extras: root.extras.clone(),
+    })
+}
+
+fn numbered<T, U>(
+    items: &[T],
+    convert: impl Fn(usize, &T) -> Result<U, GltfError>,
+) -> Result<Vec<U>, GltfError> {
+    let items = items.iter().enumerate();
+    items.map(|(index, item)| convert(index, item)).collect()
+}
+
+fn skin(index: usize, json: &json::Skin, accessors: &Accessors) -> Result<Skin, GltfError> {
+    let mut matrices = match json.inverse_bind_matrices {
+        Some(accessor) => accessors
+            .floats(accessor, super::Shape::Mat4, Format::Float)
+            .map_err(|error| error.within(Element::Skin(index)))?,
+        None => Vec::new(),
+    };
+    // There may be more than there are joints.
+    matrices.truncate(json.joints.len());
+    Ok(Skin {
+        name: json.name.clone(),
+        joints: json.joints.clone(),
+        inverse_bind_matrices: matrices,
+        skeleton: json.skeleton,
+        extras: json.extras.clone(),
+    })
+}

@@ -1,0 +1,253 @@
+//! What a document must be: references that exist, lists of matching lengths, numbers in range.
+
+mod animation;
+mod primitive;
+
+use super::error::{Element, Problem};
+use super::{Camera, Document, GltfError, Material, Node, Projection, Skin, Transform};
+
+type Checked = Result<(), GltfError>;
+
+pub(super) fn document(document: &Document) -> Checked {
+    let parents = document.parents()?;
+    if let Some(scene) = document.scene {
+        exists("scene", scene, document.scenes.len())?;
+    }
+    for (index, scene) in document.scenes.iter().enumerate() {
+        let within = |error: GltfError| error.within(Element::Scene(index));
+        for &node in &scene.nodes {
+            exists("node", node, document.nodes.len()).map_err(within)?;
+            if parents[node].is_some() {
+                let (property, value) = ("a node at its top", node.to_string());
+                return fault(Element::Scene(index), Problem::Value { property, value });
+            }
+        }
+        distinct("node", &scene.nodes).map_err(within)?;
+    }
+    for (index, mesh) in document.meshes.iter().enumerate() {
+        primitive::mesh(index, mesh, document)?;
+    }
+    for (index, node) in document.nodes.iter().enumerate() {
+        self::node(index, node, document).map_err(|error| error.within(Element::Node(index)))?;
+    }
+    for (index, skin) in document.skins.iter().enumerate() {
+        self::skin(skin, document).map_err(|error| error.within(Element::Skin(index)))?;
+    }
+    for (index, animation) in document.animations.iter().enumerate() {
+        self::animation::animation(index, animation, document)?;
+    }
+    for (index, material) in document.materials.iter().enumerate() {
+        let checked = self::material(material, document.textures.len());
+        checked.map_err(|error| error.within(Element::Material(index)))?;
+    }
+    for (index, texture) in document.textures.iter().enumerate() {
+        let within = |error: GltfError| error.within(Element::Texture(index));
+        if let Some(image) = texture.image {
+            exists("image", image, document.images.len()).map_err(within)?;
+        }
+        if let Some(sampler) = texture.sampler {
+            exists("sampler", sampler, document.samplers.len()).map_err(within)?;
+        }
+    }
+    for (index, camera) in document.cameras.iter().enumerate() {
+        self::camera(camera).map_err(|error| error.within(Element::Camera(index)))?;
+    }
+    Ok(())
+}
+
+fn node(index: usize, node: &Node, document: &Document) -> Checked {
+    if let Some(camera) = node.camera {
+        exists("camera", camera, document.cameras.len())?;
+    }
+    let is_finite = match node.transform {
+        Transform::Matrix(matrix) => {
+            let last_row = [matrix[3], matrix[7], matrix[11], matrix[15]];
+            if last_row != [0.0, 0.0, 0.0, 1.0] {
+                let value = format!("{last_row:?}");
+                let property = "the last row of the matrix";
+                return fault(Element::File, Problem::Value { property, value });
+            }
+            matrix.iter().all(|number| number.is_finite())
+        }
+        Transform::Decomposed {
+            translation,
+            rotation,
+            scale,
+        } => {
+            if rotation == [0.0; 4] {
+                let (property, value) = ("rotation", "zero".to_owned());
+                return fault(Element::File, Problem::Value { property, value });
+            }
+            let numbers = translation.iter().chain(&rotation).chain(&scale);
+            numbers.copied().all(f32::is_finite)
+        }
+    };
+    let weights = node.weights.iter().flatten();
+    if !is_finite || !weights.copied().all(f32::is_finite) {
+        return fault(Element::File, Problem::NotFinite { item: index });
+    }
+    let Some(mesh) = node.mesh else {
+        return match (node.skin, &node.weights) {
+            (None, None) => Ok(()),
+            _ => fault(
+                Element::File,
+                Problem::Missing("the mesh of its skin or weights"),
+            ),
+        };
+    };
+    exists("mesh", mesh, document.meshes.len())?;
+    if let Some(weights) = &node.weights {
+        let (expected, found) = (targets_of(document, mesh), weights.len());
+        count("weights of morph targets", expected, found)?;
+    }
+    if let Some(skin) = node.skin {
+        exists("skin", skin, document.skins.len())?;
+        let joints = document.skins[skin].joints.len();
+        let primitives = document.meshes[mesh].primitives.iter().enumerate();
+        for (primitive, data) in primitives {
+            primitive::influences(mesh, primitive, data, joints)?;
+        }
+    }
+    Ok(())
+}
+
+fn skin(skin: &Skin, document: &Document) -> Checked {
+    if skin.joints.is_empty() {
+        return fault(Element::File, Problem::Missing("joints"));
+    }
+    for &joint in skin.joints.iter().chain(&skin.skeleton) {
+        exists("node", joint, document.nodes.len())?;
+    }
+    distinct("joint", &skin.joints)?;
+    let matrices = &skin.inverse_bind_matrices;
+    if !matrices.is_empty() {
+        let (expected, found) = (skin.joints.len(), matrices.len());
+        count("inverse bind matrices", expected, found)?;
+    }
+    finite(matrices)
+}
+
+fn material(material: &Material, textures: usize) -> Checked {
+    for info in material.textures() {
+        exists("texture", info.texture, textures)?;
+        if let Some(transform) = info.transform {
+            let numbers = [transform.offset, transform.scale, [transform.rotation, 0.0]];
+            finite(&numbers)?;
+        }
+    }
+    let fractions = material
+        .base_colour
+        .iter()
+        .chain(&material.emissive)
+        .chain([
+            &material.metallic,
+            &material.roughness,
+            &material.occlusion_strength,
+        ]);
+    for fraction in fractions {
+        in_range("a factor", *fraction, 0.0..=1.0)?;
+    }
+    in_range(
+        "normalTexture.scale",
+        material.normal_scale,
+        f32::MIN..=f32::MAX,
+    )?;
+    in_range(
+        "emissiveStrength",
+        material.emissive_strength,
+        0.0..=f32::MAX,
+    )?;
+    if let super::Alpha::Mask(cutoff) = material.alpha {
+        in_range("alphaCutoff", cutoff, 0.0..=f32::MAX)?;
+    }
+    Ok(())
+}
+
+fn camera(camera: &Camera) -> Checked {
+    const POSITIVE: std::ops::RangeInclusive<f32> = f32::MIN_POSITIVE..=f32::MAX;
+    let (near, far) = match camera.projection {
+        Projection::Perspective {
+            aspect_ratio,
+            vertical_angle,
+            near,
+            far,
+        } => {
+            in_range("yfov", vertical_angle, POSITIVE)?;
+            in_range("aspectRatio", aspect_ratio.unwrap_or(1.0), POSITIVE)?;
+            in_range("znear", near, POSITIVE)?;
+            (near, far)
+        }
+        Projection::Orthographic {
+            half_width,
+            half_height,
+            near,
+            far,
+        } => {
+            for (property, half) in [("xmag", half_width), ("ymag", half_height)] {
+                in_range(property, half.abs(), POSITIVE)?;
+            }
+            in_range("znear", near, 0.0..=f32::MAX)?;
+            (near, Some(far))
+        }
+    };
+    in_range("zfar", far.unwrap_or(f32::MAX), near.next_up()..=f32::MAX)
+}
+
+/// The number of morph targets of a mesh.
+fn targets_of(document: &Document, mesh: usize) -> usize {
+    let mesh = document.meshes.get(mesh);
+    let primitive = mesh.and_then(|mesh| mesh.primitives.first());
+    primitive.map_or(0, |primitive| primitive.targets.len())
+}
+
+fn fault<T>(element: Element, problem: Problem) -> Result<T, GltfError> {
+    Err(GltfError::new(element, problem))
+}
+
+fn exists(what: &'static str, index: usize, count: usize) -> Checked {
+    if index < count {
+        Ok(())
+    } else {
+        Err(GltfError::dangling(what, index, count))
+    }
+}
+
+fn distinct(what: &'static str, indices: &[usize]) -> Checked {
+    let mut sorted = indices.to_vec();
+    sorted.sort_unstable();
+    match sorted.windows(2).find(|pair| pair[0] == pair[1]) {
+        Some(pair) => {
+            let index = pair[0];
+            fault(Element::File, Problem::Duplicate { what, index })
+        }
+        None => Ok(()),
+    }
+}
+
+fn count(what: &'static str, expected: usize, found: usize) -> Checked {
+    if expected == found {
+        return Ok(());
+    }
+    let problem = Problem::Count {
+        what,
+        expected,
+        found,
+    };
+    fault(Element::File, problem)
+}
+
+fn finite<const N: usize>(items: &[[f32; N]]) -> Checked {
+    let is_finite = |item: &[f32; N]| item.iter().all(|number| number.is_finite());
+    match items.iter().position(|item| !is_finite(item)) {
+        Some(item) => fault(Element::File, Problem::NotFinite { item }),
+        None => Ok(()),
+    }
+}
+
+fn in_range(property: &'static str, value: f32, range: std::ops::RangeInclusive<f32>) -> Checked {
+    if range.contains(&value) {
+        return Ok(());
+    }
+    let value = value.to_string();
+    fault(Element::File, Problem::Value { property, value })
+}
