@@ -1,12 +1,48 @@
-//! Pictures as numbers: planes of pixels, colours and files.
+//! Pictures as numbers: planes of pixels, filters, quality, colours and files.
 //!
-//! - [`plane`]: a grid of numbers, one for each pixel, and its blur.
-//! - [`colour`]: linear light and its encoding as 8-bit sRGB.
-//! - [`png`]: pictures as PNG files.
+//! - [`plane`]: grids of pixels, owned and borrowed; [`sample`]: what a pixel may be.
+//! - [`picture`]: pictures whose kind of pixel is known only at run time.
+//! - [`file`](mod@file): reading and writing pictures of any known format; [`png`], [`jpeg`],
+//!   [`pnm`], [`pfm`] and [`y4m`]: each format with all that it offers.
+//! - [`colour`]: linear light and its encoding as 8-bit sRGB; [`grey`](mod@grey): from colour to
+//!   grey; [`ycbcr`]: the encoding of video.
+//! - [`filter`]: Gaussian blur and other convolutions; [`pyramid`]: halved sizes;
+//!   [`resample`]: other sizes.
 //!
-//! Columns are counted from the left and rows from the top, both from 0. Pictures with 8 bits for
-//! each channel are those of the crate [`image`].
+//! Columns are counted from the left and rows from the top, both from 0. The pixel in column *c*
+//! and row *r* covers the square from (*c*, *r*) to (*c* + 1, *r* + 1): its centre is at
+//! (*c* + ½, *r* + ½).
+//!
+//! ```
+//! use ga_image::file;
+//! use ga_image::filter::{Border, Gaussian};
+//! use ga_image::grey::Luma;
+//! use ga_image::plane::Plane;
+//!
+//! let folder = tempfile::tempdir()?;
+//! let path = folder.path().join("picture.png");
+//! let picture = Plane::from_fn(64, 48, |column, row| [4 * column as u8, 5 * row as u8, 0]);
+//! file::write(&path, &picture)?;
+//!
+//! let grey = file::read(&path)?.to_grey::<f32>(Luma::Bt601);
+//! let smooth = Gaussian::new(2.0)?.blur(&grey, Border::Mirror);
+//! file::write(folder.path().join("smooth.pfm"), &smooth)?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod colour;
+pub mod file;
+pub mod filter;
+pub mod grey;
+mod header;
+pub mod jpeg;
+pub mod pfm;
+pub mod picture;
 pub mod plane;
 pub mod png;
+pub mod pnm;
+pub mod pyramid;
+pub mod resample;
+pub mod sample;
+pub mod y4m;
+pub mod ycbcr;

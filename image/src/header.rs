@@ -1,0 +1,96 @@
+//! The headers of PNM and PFM: words in ASCII, divided by white space.
+
+use crate::file::{DecodeError, Format};
+
+/// Reads the words of a header, then what follows it.
+pub(crate) struct Header<'a> {
+    format: Format,
+    bytes: &'a [u8],
+    at: usize,
+}
+
+impl<'a> Header<'a> {
+    pub(crate) fn new(format: Format, bytes: &'a [u8]) -> Self {
+        Self {
+            format,
+            bytes,
+            at: 0,
+        }
+    }
+
+    /// The letter or digit after the P with which the file begins.
+    pub(crate) fn magic(&mut self) -> Result<u8, DecodeError> {
+        match self.word()? {
+            [b'P', kind] => Ok(*kind),
+            _ => Err(self.error("the file does not begin with P and one letter or digit")),
+        }
+    }
+
+    /// The next word, as a whole number that is not negative.
+    pub(crate) fn number(&mut self) -> Result<usize, DecodeError> {
+        let word = self.text()?;
+        // `parse` would accept a sign.
+        if !word.bytes().all(|byte| byte.is_ascii_digit()) {
+            return Err(self.error("a whole number is expected"));
+        }
+        word.parse()
+            .map_err(|_| self.error("the number is too large"))
+    }
+
+    /// The next word, as a number.
+    pub(crate) fn float(&mut self) -> Result<f64, DecodeError> {
+        let word = self.text()?;
+        word.parse().map_err(|_| self.error("a number is expected"))
+    }
+
+    /// The length of the whole file.
+    pub(crate) fn length(&self) -> usize {
+        self.bytes.len()
+    }
+
+    /// What follows the one white space after the last word.
+    pub(crate) fn data(&self) -> Result<&'a [u8], DecodeError> {
+        match &self.bytes[self.at..] {
+            [space, data @ ..] if space.is_ascii_whitespace() => Ok(data),
+            _ => Err(self.error("white space is expected after the header")),
+        }
+    }
+
+    pub(crate) fn error(&self, problem: &'static str) -> DecodeError {
+        DecodeError::Syntax {
+            format: self.format,
+            offset: self.at,
+            problem,
+        }
+    }
+
+    fn text(&mut self) -> Result<&'a str, DecodeError> {
+        let word = self.word()?;
+        str::from_utf8(word).map_err(|_| self.error("a number is expected"))
+    }
+
+    fn word(&mut self) -> Result<&'a [u8], DecodeError> {
+        self.skip_space();
+        let rest = &self.bytes[self.at..];
+        let length = rest
+            .iter()
+            .position(|byte| byte.is_ascii_whitespace() || *byte == b'#')
+            .unwrap_or(rest.len());
+        if length == 0 {
+            return Err(self.error("the file ends where a number is expected"));
+        }
+        self.at += length;
+        Ok(&rest[..length])
+    }
+
+    /// Skips white space, and comments from `#` to the end of the line.
+    fn skip_space(&mut self) {
+        let mut comment = false;
+        let rest = &self.bytes[self.at..];
+        let length = rest.iter().position(|byte| {
+            comment = (comment || *byte == b'#') && *byte != b'\n' && *byte != b'\r';
+            !comment && !byte.is_ascii_whitespace()
+        });
+        self.at += length.unwrap_or(rest.len());
+    }
+}

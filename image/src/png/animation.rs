@@ -1,0 +1,95 @@
+//! Animated PNG.
+
+use std::borrow::Borrow;
+
+use png::{Encoder, Filter};
+
+use super::encode::{kind, raw};
+use crate::file::{EncodeError, Format, size_for};
+use crate::picture::PictureView;
+use crate::plane::Plane;
+
+/// How an animation is played.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Animation {
+    /// Frames in a second, as numerator and denominator.
+    pub frames_per_second: [u16; 2],
+    /// How often it is played; 0 is without end.
+    pub plays: u32,
+}
+
+impl Default for Animation {
+    /// 25 frames in a second, without end.
+    fn default() -> Self {
+        Self {
+            frames_per_second: [25, 1],
+            plays: 0,
+        }
+    }
+}
+
+/// The bytes of an animated PNG file. Programs that know only still pictures show the first frame.
+///
+/// The frames may be borrowed, or made one after another by an iterator.
+///
+/// # Errors
+///
+/// [`EncodeError::Frames`] when there are none, [`EncodeError::FrameSize`] when a frame differs in
+/// size from the first, and as [`encode`](super::encode).
+///
+/// # Examples
+///
+/// ```
+/// use ga_image::plane::Plane;
+/// use ga_image::png::{self, Animation};
+///
+/// let frames = (0..10).map(|i| Plane::from_fn(20, 10, |c, r| if c + r == i { 255u8 } else { 0 }));
+/// let bytes = png::encode_animation(frames, Animation::default())?;
+/// assert_eq!(png::decode(&bytes)?.to_rgb::<u8>().get(0, 0), Some([255; 3]));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn encode_animation<P: Copy, F: Borrow<Plane<P>>>(
+    frames: impl IntoIterator<Item = F, IntoIter: ExactSizeIterator>,
+    animation: Animation,
+) -> Result<Vec<u8>, EncodeError>
+where
+    for<'a> PictureView<'a>: From<&'a Plane<P>>,
+{
+    let mut frames = frames.into_iter();
+    let count = frames.len();
+    let (Ok(declared), Some(first)) = (u32::try_from(count), frames.next()) else {
+        return Err(EncodeError::Frames {
+            format: Format::Png,
+            frames: count,
+        });
+    };
+    let picture = PictureView::from(first.borrow());
+    let (colour, depth) = kind(&picture)?;
+    let size = [picture.width(), picture.height()];
+    let [width, height] = size_for(Format::Png, size)?;
+
+    let mut bytes = Vec::new();
+    let mut encoder = Encoder::new(&mut bytes, width, height);
+    encoder.set_color(colour);
+    encoder.set_depth(depth);
+    encoder.set_filter(Filter::Adaptive);
+    encoder.set_animated(declared, animation.plays)?;
+    let [numerator, denominator] = animation.frames_per_second;
+    encoder.set_frame_delay(denominator, numerator)?;
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(&raw(&picture))?;
+    for (index, frame) in frames.enumerate() {
+        let picture = PictureView::from(frame.borrow());
+        let this = [picture.width(), picture.height()];
+        if this != size {
+            return Err(EncodeError::FrameSize {
+                frame: index + 1,
+                size: this,
+                first: size,
+            });
+        }
+        writer.write_image_data(&raw(&picture))?;
+    }
+    writer.finish()?;
+    Ok(bytes)
+}

@@ -1,0 +1,174 @@
+//! What a pixel is made of: samples, one for each channel.
+
+use std::fmt::Debug;
+
+use crate::grey::{Luma, weighted, weighted_bytes};
+
+/// The number that one channel of a pixel holds: `u8`, `u16` or `f32`.
+///
+/// Black is 0. White is the greatest number of an integer type, and 1 for `f32`, which may also
+/// hold numbers outside 0 to 1.
+///
+/// ```
+/// use ga_image::sample::Sample;
+///
+/// assert_eq!(u8::from_f32(127.5), 128);
+/// assert_eq!(u8::from_f32(-3.0), 0);
+/// assert_eq!(u16::from_unit(0.5f32), 32768);
+/// assert_eq!(255u8.to_unit(), 1.0);
+/// ```
+pub trait Sample: Copy + Debug + Default + PartialEq + PartialOrd + Send + Sync + 'static {
+    /// The number of white.
+    const WHITE: f32;
+
+    /// The number as `f32`, without scaling.
+    fn to_f32(self) -> f32;
+
+    /// The nearest number of this type, without scaling. For integers, halves are rounded up, what
+    /// is out of range becomes the nearest number in range, and NaN becomes 0.
+    fn from_f32(value: f32) -> Self;
+
+    /// The number divided by that of white.
+    #[must_use]
+    fn to_unit(self) -> f32 {
+        self.to_f32() / Self::WHITE
+    }
+
+    /// The nearest number to `value` times that of white.
+    #[must_use]
+    fn from_unit(value: f32) -> Self {
+        Self::from_f32(value * Self::WHITE)
+    }
+
+    /// The grey of a colour; see [`Luma::of`].
+    #[doc(hidden)]
+    #[must_use]
+    fn luma(rgb: [Self; 3], luma: Luma) -> Self {
+        Self::from_f32(weighted(rgb.map(Self::to_f32), luma))
+    }
+}
+
+/// What a plane holds at each place: a sample, or an array of samples, one for each channel.
+///
+/// `[u8; 3]` is red, green and blue with 8 bits each; `[u8; 4]` has an alpha channel after them,
+/// not premultiplied.
+pub trait Pixel: Copy + Debug + Default + PartialEq + Send + Sync + 'static {
+    /// The type of each channel.
+    type Sample: Sample;
+
+    /// The number of channels.
+    const CHANNELS: usize;
+
+    /// The samples of these pixels, one pixel after another.
+    fn samples(pixels: &[Self]) -> &[Self::Sample];
+
+    /// The samples of these pixels, to be changed.
+    fn samples_mut(pixels: &mut [Self]) -> &mut [Self::Sample];
+}
+
+macro_rules! integer_samples {
+    ($($integer:ty $({ $luma:item })?),*) => {$(
+        impl Sample for $integer {
+            const WHITE: f32 = <$integer>::MAX as f32;
+
+            #[inline]
+            fn to_f32(self) -> f32 {
+                f32::from(self)
+            }
+
+            #[inline]
+            fn from_f32(value: f32) -> Self {
+                // The conversion truncates and saturates.
+                (value + 0.5) as Self
+            }
+
+            $(
+                #[inline]
+                $luma
+            )?
+        }
+    )*};
+}
+
+integer_samples!(
+    u8 {
+        fn luma(rgb: [Self; 3], luma: Luma) -> Self {
+            weighted_bytes(rgb, luma)
+        }
+    },
+    u16
+);
+
+impl Sample for f32 {
+    const WHITE: f32 = 1.0;
+
+    #[inline]
+    fn to_f32(self) -> f32 {
+        self
+    }
+
+    #[inline]
+    fn from_f32(value: f32) -> Self {
+        value
+    }
+}
+
+macro_rules! pixels_of_one_sample {
+    ($($sample:ty)*) => {$(
+        impl Pixel for $sample {
+            type Sample = Self;
+
+            const CHANNELS: usize = 1;
+
+            #[inline]
+            fn samples(pixels: &[Self]) -> &[Self] {
+                pixels
+            }
+
+            #[inline]
+            fn samples_mut(pixels: &mut [Self]) -> &mut [Self] {
+                pixels
+            }
+        }
+    )*};
+}
+
+pixels_of_one_sample!(u8 u16 f32);
+
+impl<S: Sample, const N: usize> Pixel for [S; N]
+where
+    [S; N]: Default,
+{
+    type Sample = S;
+
+    const CHANNELS: usize = N;
+
+    #[inline]
+    fn samples(pixels: &[Self]) -> &[S] {
+        pixels.as_flattened()
+    }
+
+    #[inline]
+    fn samples_mut(pixels: &mut [Self]) -> &mut [S] {
+        pixels.as_flattened_mut()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_integer_survives_the_way_through_the_unit_interval() {
+        assert!((0..=u8::MAX).all(|v| u8::from_unit(v.to_unit()) == v));
+        assert!((0..=u16::MAX).all(|v| u16::from_unit(v.to_unit()) == v));
+    }
+
+    #[test]
+    fn what_is_out_of_range_becomes_the_nearest_number() {
+        assert_eq!(
+            [-1.0, 256.0, f32::INFINITY, f32::NAN].map(u8::from_f32),
+            [0, 255, 255, 0]
+        );
+    }
+}

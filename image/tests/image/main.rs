@@ -1,0 +1,17 @@
+//! Tests of pictures: files of every format, filters, sizes.
+
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+mod files;
+mod films;
+mod hostile;
+mod scaling;
+
+use std::path::PathBuf;
+
+/// A file of this crate's test data.
+fn data(name: &str) -> PathBuf {
+    [env!("CARGO_MANIFEST_DIR"), "tests/data", name]
+        .iter()
+        .collect()
+}
