@@ -11,6 +11,7 @@
 //! | [`CornerAttribute`], [`Tangent`], [`Group`] | attributes of corners, named sets of faces |
 //! | [`Material`], [`Texture`] | the appearance of faces |
 //! | [`Part`] | the faces of one group as a mesh of their own |
+//! | [`atlas`] | cuts a surface into charts and places them in a texture |
 //! | [`normals`] | smooth normals |
 //! | [`obj`] | reads and writes Wavefront OBJ |
 //! | [`topology`] | edges, and the faces around each vertex |
@@ -29,6 +30,7 @@
 //! # Ok::<(), ga_mesh::obj::ObjError>(())
 //! ```
 
+pub mod atlas;
 mod attribute;
 mod colour_space;
 mod error;

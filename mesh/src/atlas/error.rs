@@ -1,0 +1,59 @@
+//! Why a mesh has no atlas.
+
+/// A mesh, or options, from which no atlas can be made. Vertices and faces are counted from 0.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum AtlasError {
+    /// There is no face.
+    #[error("the mesh has no faces")]
+    NoFaces,
+    /// Every face is degenerate.
+    #[error("all {faces} faces are degenerate: there is nothing to flatten")]
+    NoArea {
+        /// How many faces there are.
+        faces: usize,
+    },
+    /// A face refers to a vertex that does not exist.
+    #[error("face {face} refers to vertex {index}, but there are {vertices} vertices")]
+    IndexOutOfRange {
+        /// The face.
+        face: usize,
+        /// The vertex it refers to.
+        index: u32,
+        /// How many vertices there are.
+        vertices: usize,
+    },
+    /// A coordinate of a vertex is infinite or not a number.
+    #[error("vertex {vertex} has a coordinate that is not finite")]
+    NotFinite {
+        /// The vertex.
+        vertex: usize,
+    },
+    /// The side of the texture is not between 1 and [`MAX_SIZE`](super::MAX_SIZE) texels.
+    #[error("a texture of {size} texels a side; it must be from 1 to {max}", max = super::MAX_SIZE)]
+    Size {
+        /// The side, in texels.
+        size: u32,
+    },
+    /// The charts do not fit into the texture at any scale, since each needs its margin.
+    #[error(
+        "{charts} charts with margins of {margin_texels} texels do not fit into {size} × {size} \
+         texels"
+    )]
+    DoesNotFit {
+        /// How many charts there are.
+        charts: usize,
+        /// The margin of each, in texels.
+        margin_texels: u32,
+        /// The side of the texture, in texels.
+        size: u32,
+    },
+    /// More faces or vertices than 32-bit indices can number.
+    #[error("{count} {what} are more than 32-bit indices can number")]
+    TooLarge {
+        /// What there is too much of.
+        what: &'static str,
+        /// How many there are.
+        count: usize,
+    },
+}

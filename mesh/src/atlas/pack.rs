@@ -1,0 +1,348 @@
+//! Placing charts in a square so that no two claim the same cell.
+
+use super::chart::{Flat, cross, minus};
+use super::mask::{Mask, SLACK};
+
+/// Cells along a side of the grid in which charts are placed, at most.
+const CELLS: usize = 1024;
+
+/// Sizes that are tried.
+const TRIES: usize = 7;
+
+/// A chart to be placed: its image, in the unit of the surface.
+pub(super) struct Item {
+    pub(super) triangles: Vec<[u32; 3]>,
+    pub(super) places: Vec<Flat>,
+}
+
+/// Turns an image so that its bounding rectangle is smallest, the longer side horizontal.
+pub(super) fn straighten(places: &mut [Flat]) {
+    let hull = hull(places);
+    let mut best = (f64::INFINITY, [1.0, 0.0]);
+    for (at, &a) in hull.iter().enumerate() {
+        let b = hull[(at + 1) % hull.len()];
+        let [x, y] = minus(b, a);
+        let length = x.hypot(y);
+        if length > 0.0 {
+            let direction = [x / length, y / length];
+            let [w, h] = extent(&hull, direction);
+            if w * h < best.0 {
+                let lying = if w >= h {
+                    direction
+                } else {
+                    [-direction[1], direction[0]]
+                };
+                best = (w * h, lying);
+            }
+        }
+    }
+    let [c, s] = best.1;
+    for place in places {
+        *place = [c * place[0] + s * place[1], c * place[1] - s * place[0]];
+    }
+}
+
+/// The width and the height of points in a frame whose first axis has this direction.
+fn extent(points: &[Flat], [c, s]: Flat) -> Flat {
+    let mut low = [f64::INFINITY; 2];
+    let mut high = [f64::NEG_INFINITY; 2];
+    for [x, y] in points {
+        let place = [c * x + s * y, c * y - s * x];
+        for axis in 0..2 {
+            low[axis] = low[axis].min(place[axis]);
+            high[axis] = high[axis].max(place[axis]);
+        }
+    }
+    minus(high, low)
+}
+
+/// The convex hull, by Andrew's monotone chain.
+fn hull(places: &[Flat]) -> Vec<Flat> {
+    let mut sorted = places.to_vec();
+    sorted.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    let mut hull: Vec<Flat> = Vec::new();
+    for upper in [false, true] {
+        let kept = hull.len();
+        let mut add = |point: &Flat| {
+            while hull.len() >= kept + 2 {
+                let (a, b) = (hull[hull.len() - 2], hull[hull.len() - 1]);
+                if cross(minus(b, a), minus(*point, b)) > 0.0 {
+                    break;
+                }
+                hull.pop();
+            }
+            hull.push(*point);
+        };
+        if upper {
+            sorted.iter().rev().for_each(&mut add);
+        } else {
+            sorted.iter().for_each(&mut add);
+        }
+        hull.pop();
+    }
+    if hull.is_empty() { sorted } else { hull }
+}
+
+/// The images of the items in a square of `size` texels, at the largest common scale that was
+/// found; `None` if they do not fit at any scale.
+///
+/// The texels that an item touches, and those within `margin` of them, are its own.
+pub(super) fn pack(items: &[Item], size: u32, margin: u32) -> Option<Vec<Vec<Flat>>> {
+    let texels = (size as usize).div_ceil(CELLS);
+    let grid = size as usize / texels;
+    let margin = (margin as usize).div_ceil(texels);
+    let area: f64 = items.iter().map(area).sum();
+    let mut scale = grid as f64 * (0.72 / area).sqrt();
+    let mut best: Option<(f64, Vec<Placed>)> = None;
+    let mut upper = f64::INFINITY;
+    for attempt in 0..40 {
+        let shapes: Vec<[Shape; 4]> = items
+            .iter()
+            .map(|item| shapes(item, scale, margin))
+            .collect();
+        let fitted = place(&shapes, grid);
+        match fitted {
+            Ok((placed, height)) => {
+                best = Some((scale, placed));
+                // The free rows at the top allow for a larger scale.
+                let larger = scale * (grid as f64 / height as f64).sqrt().clamp(1.008, 1.1);
+                if attempt >= TRIES || larger >= 0.995 * upper {
+                    break;
+                }
+                scale = larger;
+            }
+            Err(reach) => {
+                upper = scale;
+                if best.is_some() || (attempt > 12 && scale < 1e-3) {
+                    break;
+                }
+                let by_reach = (grid as f64 / reach).sqrt().clamp(0.7, 0.985);
+                scale *= by_reach;
+            }
+        }
+    }
+    let (scale, placed) = best?;
+    let write = |(item, placed): (&Item, Placed)| {
+        let places = turned(item, placed.rotation, scale, margin);
+        let offset = [placed.column as f64, placed.row as f64];
+        let texels = texels as f64;
+        let moved = |place: Flat| [0, 1].map(|axis| (place[axis] + offset[axis]) * texels);
+        places.into_iter().map(moved).collect()
+    };
+    Some(items.iter().zip(placed).map(write).collect())
+}
+
+/// The area of an image.
+pub(super) fn area(item: &Item) -> f64 {
+    let areas = item.triangles.iter().map(|triangle| {
+        let [a, b, c] = triangle.map(|vertex| item.places[vertex as usize]);
+        0.5 * cross(minus(b, a), minus(c, a))
+    });
+    areas.sum()
+}
+
+/// Where an item lies.
+#[derive(Clone, Copy, Debug)]
+struct Placed {
+    /// Quarter rotations.
+    rotation: usize,
+    column: usize,
+    row: usize,
+}
+
+/// The cells of an item in one rotation.
+struct Shape {
+    mask: Mask,
+    /// The rows, those that are likely to collide first.
+    order: Vec<u32>,
+    /// Some rows with the lengths of their longest runs.
+    runs: Vec<(usize, usize)>,
+}
+
+/// The image of an item rotated by quarters, scaled, and moved so that its least coordinates are
+/// `margin` and a little.
+fn turned(item: &Item, rotation: usize, scale: f64, margin: usize) -> Vec<Flat> {
+    let turn = |[x, y]: Flat| match rotation {
+        0 => [x, y],
+        1 => [-y, x],
+        2 => [-x, -y],
+        _ => [y, -x],
+    };
+    let mut low = [f64::INFINITY; 2];
+    for &place in &item.places {
+        let place = turn(place);
+        low = [low[0].min(place[0]), low[1].min(place[1])];
+    }
+    let start = margin as f64 + 2.0 * SLACK;
+    let places = item.places.iter().map(|&place| {
+        let place = turn(place);
+        [0, 1].map(|axis| (place[axis] - low[axis]) * scale + start)
+    });
+    places.collect()
+}
+
+fn shapes(item: &Item, scale: f64, margin: usize) -> [Shape; 4] {
+    std::array::from_fn(|rotation| {
+        let places = turned(item, rotation, scale, margin);
+        Shape::new(Mask::of_triangles(&item.triangles, &places, margin))
+    })
+}
+
+impl Shape {
+    fn new(mask: Mask) -> Self {
+        // Rows in the order of the bits of their numbers reversed: far apart first.
+        let bits = usize::BITS - (mask.height.max(2) - 1).leading_zeros();
+        let order = (0..1_u32 << bits)
+            .map(|row| row.reverse_bits() >> (u32::BITS - bits))
+            .filter(|&row| (row as usize) < mask.height)
+            .collect();
+        let mut runs: Vec<(usize, usize)> = (0..8)
+            .map(|eighth| (mask.height - 1) * eighth / 7)
+            .map(|row| (row, mask.longest_run(row, false)))
+            .collect();
+        runs.sort_by(|a, b| b.1.cmp(&a.1));
+        Self { mask, order, runs }
+    }
+}
+
+/// Places all shapes, the largest first, each as low as it fits and then as far to the left. In
+/// case of success also how many rows are used; otherwise about how many rows would be needed.
+fn place(shapes: &[[Shape; 4]], grid: usize) -> Result<(Vec<Placed>, usize), f64> {
+    let cells: usize = shapes.iter().map(|shapes| shapes[0].mask.count()).sum();
+    if cells > grid * grid {
+        return Err(cells as f64 / grid as f64 * 1.05);
+    }
+    let mut order: Vec<usize> = (0..shapes.len()).collect();
+    order.sort_by_key(|&item| {
+        let mask = &shapes[item][0].mask;
+        (std::cmp::Reverse(mask.width.max(mask.height)), item)
+    });
+    let mut square = Square::new(grid);
+    let nowhere = Placed {
+        rotation: 0,
+        column: 0,
+        row: 0,
+    };
+    let mut placed = vec![nowhere; shapes.len()];
+    let mut used = 0;
+    let mut done = 0;
+    for &item in &order {
+        let mut best: Option<(usize, Placed)> = None;
+        for (rotation, shape) in shapes[item].iter().enumerate() {
+            let limit = best.as_ref().map_or(grid, |(top, _)| top - 1);
+            if let Some([column, row]) = square.lowest(shape, limit) {
+                let top = row + shape.mask.height;
+                best = Some((
+                    top,
+                    Placed {
+                        rotation,
+                        column,
+                        row,
+                    },
+                ));
+            }
+        }
+        let Some((top, place)) = best else {
+            let left = (cells - done) as f64 / cells as f64;
+            return Err(grid as f64 * (1.03 + left));
+        };
+        let shape = &shapes[item][place.rotation];
+        square.add(shape, place.column, place.row);
+        done += shape.mask.count();
+        used = used.max(top);
+        placed[item] = place;
+    }
+    Ok((placed, used))
+}
+
+/// The cells that are taken.
+struct Square {
+    taken: Mask,
+    /// The longest run of free cells of each row.
+    free: Vec<usize>,
+}
+
+impl Square {
+    fn new(grid: usize) -> Self {
+        Self {
+            taken: Mask::empty(grid, grid),
+            free: vec![grid; grid],
+        }
+    }
+
+    /// The lowest place, and the leftmost of these, at which a shape ends at or below `limit`.
+    fn lowest(&self, shape: &Shape, limit: usize) -> Option<[usize; 2]> {
+        let mask = &shape.mask;
+        if mask.width > self.taken.width {
+            return None;
+        }
+        let mut hint = 0;
+        for row in 0..=limit.checked_sub(mask.height)? {
+            if shape
+                .runs
+                .iter()
+                .any(|&(at, run)| self.free[row + at] < run)
+            {
+                continue;
+            }
+            let mut column = 0;
+            while column + mask.width <= self.taken.width {
+                match self.collision(shape, column, row, &mut hint) {
+                    Some(next) => column = next,
+                    None => return Some([column, row]),
+                }
+            }
+        }
+        None
+    }
+
+    /// Whether a shape would overlap what is taken; if so, the next column at which the run that
+    /// collides would not.
+    fn collision(&self, shape: &Shape, column: usize, row: usize, hint: &mut u32) -> Option<usize> {
+        if let Some(next) = self.row_collision(&shape.mask, column, row, *hint) {
+            return Some(next);
+        }
+        for &at in &shape.order {
+            if let Some(next) = self.row_collision(&shape.mask, column, row, at) {
+                *hint = at;
+                return Some(next);
+            }
+        }
+        None
+    }
+
+    fn row_collision(&self, mask: &Mask, column: usize, row: usize, at: u32) -> Option<usize> {
+        let at = (at as usize).min(mask.height - 1);
+        let taken = self.taken.row(row + at);
+        let (skip, shift) = (column / 64, column % 64);
+        let words = mask.row(at);
+        for place in (skip..(skip + words.len() + 1).min(taken.len())).rev() {
+            let index = place - skip;
+            let here = words.get(index).map_or(0, |word| word << shift);
+            let before = index.checked_sub(1).map_or(0, |index| words[index]);
+            let carried = before.checked_shr(64 - shift as u32).unwrap_or(0);
+            let common = (here | carried) & taken[place];
+            if common != 0 {
+                let last = 64 * place + 63 - common.leading_zeros() as usize;
+                return Some(last + 1 - mask.run_start(at, last - column));
+            }
+        }
+        None
+    }
+
+    fn add(&mut self, shape: &Shape, column: usize, row: usize) {
+        let mask = &shape.mask;
+        let (skip, shift) = (column / 64, column % 64);
+        let stride = self.taken.stride;
+        for at in 0..mask.height {
+            let taken = &mut self.taken.words[(row + at) * stride..(row + at + 1) * stride];
+            for (index, &word) in mask.row(at).iter().enumerate() {
+                taken[skip + index] |= word << shift;
+                if shift > 0 && skip + index + 1 < stride {
+                    taken[skip + index + 1] |= word >> (64 - shift);
+                }
+            }
+            self.free[row + at] = self.taken.longest_run(row + at, true);
+        }
+    }
+}
