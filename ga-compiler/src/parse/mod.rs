@@ -8,6 +8,7 @@ mod handover;
 mod import;
 mod nesting;
 mod number;
+mod operator;
 mod outline;
 mod place;
 
@@ -16,7 +17,7 @@ pub use declaration::{
     ProductSyntax, TypeSyntax, parse_declaration,
 };
 pub use faulty::{FaultyFunctions, parse_faulty};
-pub use formula::{Formula, FormulaKind, Operator};
+pub use formula::{Formula, FormulaKind};
 pub use function::{
     Block, FunctionSyntax, Import, LetSyntax, OperandSyntax, PatternSyntax, ShapeSyntax,
     parse_function, parse_functions,
@@ -26,5 +27,6 @@ pub use handover::{
 };
 pub use import::{UseSyntax, parse_use};
 pub use nesting::{MAX_NESTING, MAX_OPERATORS, check_brackets};
+pub use operator::Operator;
 pub use outline::{Outline, parse_outline};
 pub use place::Place;

@@ -34,17 +34,7 @@ pub(super) fn import(
         }
     }
     classes.one();
-    let mut is_needed = vec![false; program.len()];
-    for id in wanted {
-        is_needed[id.index()] = true;
-    }
-    for (id, step) in program.steps().rev() {
-        if is_needed[id.index()] {
-            for read in step.reads() {
-                is_needed[read.index()] = true;
-            }
-        }
-    }
+    let is_needed = needed(program, wanted);
     let is_inner = inner_products(program, wanted, &is_needed);
     for (id, step) in program.steps().filter(|(id, _)| is_needed[id.index()]) {
         let get = |id: &StepId| made[id.index()];
@@ -101,6 +91,22 @@ pub(super) fn import(
         made[id.index()] = next;
     }
     (!classes.has_limited_zero).then_some(made)
+}
+
+/// Whether a step is wanted, or one reads it that is.
+fn needed(program: &Program<'_>, wanted: &[StepId]) -> Vec<bool> {
+    let mut is_needed = vec![false; program.len()];
+    for id in wanted {
+        is_needed[id.index()] = true;
+    }
+    for (id, step) in program.steps().rev() {
+        if is_needed[id.index()] {
+            for read in step.reads() {
+                is_needed[read.index()] = true;
+            }
+        }
+    }
+    is_needed
 }
 
 /// Whether an absolute value is its argument at all points, or its negative at all.

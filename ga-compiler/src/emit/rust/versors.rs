@@ -186,43 +186,8 @@ fn normalize_body(
     // The norm of a candidate, since by the facts of the type it would be 1.
     let (norm, _) = context.compile(&operand, &norm(), None);
     let (path, whole, runtime) = (context.path(candidate), context.path(hull), context.runtime);
-    let (real, field) = (
-        quote! { #runtime::scalar::Real },
-        quote! { #runtime::scalar::Field },
-    );
-    let zero = constant(runtime, Ratio::ZERO);
-    let (formula, factors) = if let Some(square) = square {
-        let (square, _) = context.compile(&operand, &square, None);
-        let factors = quote! {
-            let square = { #square };
-            let root = <S as #real>::sqrt(norm * norm - square);
-            // norm + root, without cancellation for a negative norm.
-            let sum = if <S as #real>::less_than(norm, #zero) {
-                -square / (root - norm)
-            } else {
-                norm + root
-            };
-            if !<S as #real>::less_than(#zero, sum) {
-                return ::core::option::Option::None;
-            }
-            let part = <S as #field>::recip(root * <S as #real>::sqrt(sum + sum));
-            let whole = sum * part;
-        };
-        let formula = "`(M (n + r) − P M)/(r √(2 (n + r)))` with `r = √(n² − P²)`. `None` where there is none";
-        (formula, factors)
-    } else {
-        let factors = quote! {
-            if !<S as #real>::less_than(#zero, norm) {
-                return ::core::option::Option::None;
-            }
-            let whole = <S as #field>::recip(<S as #real>::sqrt(norm));
-            let part = whole * <S as #field>::recip(norm + norm);
-        };
-        (
-            "`(M − P M/(2n))/√n`. `None` where n is not positive",
-            factors,
-        )
-    };
+    let real = quote! { #runtime::scalar::Real };
+    let (formula, factors) = normalizing_factors(context, &operand, square);
     let scalars = [format_ident!("whole"), format_ident!("part")];
     let scaled = |expression, number| {
         Expression::binary(Product::Geometric, expression, Expression::Operand(number))
@@ -270,6 +235,53 @@ fn normalize_body(
                 }
             }
         }
+    }
+}
+
+/// The formula of `normalize`, and the statements that compute its two factors, `whole` of M and
+/// `part` of `P M`, from `norm`.
+fn normalizing_factors(
+    context: &Context<'_>,
+    operand: &[(&TypeDefinition, Ident)],
+    square: Option<Expression>,
+) -> (&'static str, TokenStream) {
+    let runtime = context.runtime;
+    let (real, field) = (
+        quote! { #runtime::scalar::Real },
+        quote! { #runtime::scalar::Field },
+    );
+    let zero = constant(runtime, Ratio::ZERO);
+    if let Some(square) = square {
+        let (square, _) = context.compile(operand, &square, None);
+        let factors = quote! {
+            let square = { #square };
+            let root = <S as #real>::sqrt(norm * norm - square);
+            // norm + root, without cancellation for a negative norm.
+            let sum = if <S as #real>::less_than(norm, #zero) {
+                -square / (root - norm)
+            } else {
+                norm + root
+            };
+            if !<S as #real>::less_than(#zero, sum) {
+                return ::core::option::Option::None;
+            }
+            let part = <S as #field>::recip(root * <S as #real>::sqrt(sum + sum));
+            let whole = sum * part;
+        };
+        let formula = "`(M (n + r) − P M)/(r √(2 (n + r)))` with `r = √(n² − P²)`. `None` where there is none";
+        (formula, factors)
+    } else {
+        let factors = quote! {
+            if !<S as #real>::less_than(#zero, norm) {
+                return ::core::option::Option::None;
+            }
+            let whole = <S as #field>::recip(<S as #real>::sqrt(norm));
+            let part = whole * <S as #field>::recip(norm + norm);
+        };
+        (
+            "`(M − P M/(2n))/√n`. `None` where n is not positive",
+            factors,
+        )
     }
 }
 
