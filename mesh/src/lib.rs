@@ -14,6 +14,7 @@
 //! | [`atlas`] | cuts a surface into charts and places them in a texture |
 //! | [`normals`] | smooth normals |
 //! | [`obj`] | reads and writes Wavefront OBJ |
+//! | [`subdivision`] | Loop and Catmull–Clark surfaces with creases, stencils and limits |
 //! | [`topology`] | edges, and the faces around each vertex |
 //! | [`gltf`] | reads and writes glTF with materials, skins and animations |
 //!
@@ -42,6 +43,7 @@ mod mesh;
 pub mod normals;
 pub mod obj;
 mod polylines;
+pub mod subdivision;
 pub mod topology;
 
 pub use attribute::{CornerAttribute, Normals, Rgba, Tangent, Tangents, TextureCoordinates};

@@ -160,6 +160,11 @@ impl Edges {
         }
     }
 
+    /// Whether every face has three corners.
+    pub(super) fn all_triangles(&self) -> bool {
+        self.face_of_corner.is_none()
+    }
+
     /// Whether exactly one side lies on an edge.
     #[must_use]
     pub fn is_boundary(&self, edge: u32) -> bool {

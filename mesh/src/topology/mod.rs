@@ -3,17 +3,24 @@
 //! | type | what it is |
 //! | --- | --- |
 //! | [`Edges`] | the edges of a mesh: the faces at each edge, the edge at each side of a face |
+//! | [`Neighbours`] | the vertices that an edge joins each vertex to |
+//! | [`VertexCorners`] | the corners of faces at each vertex |
 //! | [`VertexRings`], [`Fan`] | the faces and edges around each vertex, in order |
 //!
-//! Both are tables of indices, filled by counting sort. They accept any mesh, also one with edges
+//! All are tables of indices, filled by counting sort. They accept any mesh, also one with edges
 //! of three faces or with faces that name a vertex twice, so that a report can name such elements.
 //!
 //! The *corner* c of a mesh is position c of [`Faces::corners`](crate::Faces::corners). The *side*
 //! c of a face runs from the vertex at corner c to the vertex at the face's next corner.
 
+mod corners;
 mod edges;
+mod neighbours;
 mod rings;
 mod sides;
 
+pub use corners::VertexCorners;
 pub use edges::Edges;
+pub use neighbours::Neighbours;
+pub(crate) use rings::non_manifold_vertices;
 pub use rings::{Fan, VertexRings};

@@ -1,6 +1,6 @@
 //! The faces around each vertex.
 
-use super::Edges;
+use super::{Edges, VertexCorners};
 use crate::Faces;
 
 /// The faces and edges around each vertex of a mesh, in order.
@@ -71,38 +71,35 @@ impl VertexRings {
     pub fn new(faces: &Faces, edges: &Edges) -> Self {
         let count = faces.corners().len();
         assert_eq!(edges.of_corners().len(), count, "edges of other faces");
-        let (offsets, corners) = corners_by_vertex(faces.corners(), edges.vertex_count());
-        let mut walk = Walk {
-            faces,
-            edges,
-            visited: vec![false; count],
-        };
+        let corners = VertexCorners::new(faces, edges.vertex_count());
+        let mut visited = vec![false; count];
+        let walk = Walk { faces, edges };
         let mut rings = Self {
-            offsets: Vec::with_capacity(offsets.len()),
+            offsets: Vec::with_capacity(edges.vertex_count() + 1),
             spans: Vec::with_capacity(edges.vertex_count()),
             corners: Vec::with_capacity(count),
             edges: Vec::with_capacity(count + edges.len() / 8),
         };
-        for ends in offsets.windows(2) {
+        for vertex in 0..edges.vertex_count() as u32 {
             rings.offsets.push(rings.spans.len() as u32);
-            let corners = &corners[ends[0] as usize..ends[1] as usize];
+            let corners = corners.of(vertex);
             // Open fans first, from the end at which they begin.
             for &corner in corners {
                 let [before, _] = walk.edges_at(corner);
-                if !walk.visited[corner as usize] && edges.sides(before).len() != 2 {
-                    rings.push_fan(&mut walk, corner);
+                if !visited[corner as usize] && edges.sides(before).len() != 2 {
+                    rings.push_fan(walk, &mut visited, corner);
                 }
             }
             // An open fan whose faces are not oriented alike may have no such beginning.
             for &corner in corners {
                 let [_, after] = walk.edges_at(corner);
-                if !walk.visited[corner as usize] && edges.sides(after).len() != 2 {
-                    rings.push_fan(&mut walk, corner);
+                if !visited[corner as usize] && edges.sides(after).len() != 2 {
+                    rings.push_fan(walk, &mut visited, corner);
                 }
             }
             for &corner in corners {
-                if !walk.visited[corner as usize] {
-                    rings.push_fan(&mut walk, corner);
+                if !visited[corner as usize] {
+                    rings.push_fan(walk, &mut visited, corner);
                 }
             }
         }
@@ -136,20 +133,20 @@ impl VertexRings {
 
     /// Adds the fan that begins at this corner, whose first edge is the one that the walk does not
     /// cross.
-    fn push_fan(&mut self, walk: &mut Walk<'_>, start: u32) {
+    fn push_fan(&mut self, walk: Walk<'_>, visited: &mut [bool], start: u32) {
         let (first_corner, first_edge) = (self.corners.len(), self.edges.len());
         let [before, after] = walk.edges_at(start);
         let backwards = walk.edges.sides(before).len() == 2 && walk.edges.sides(after).len() != 2;
         let mut entered = if backwards { after } else { before };
         let mut corner = start;
         let closed = loop {
-            walk.visited[corner as usize] = true;
+            visited[corner as usize] = true;
             self.corners.push(corner);
             self.edges.push(entered);
             let [before, after] = walk.edges_at(corner);
             let left = if entered == before { after } else { before };
             match walk.across(corner, left) {
-                Some(next) if !walk.visited[next as usize] => (corner, entered) = (next, left),
+                Some(next) if !visited[next as usize] => (corner, entered) = (next, left),
                 Some(next) if next == start => break true,
                 _ => {
                     self.edges.push(left);
@@ -166,17 +163,37 @@ impl VertexRings {
     }
 }
 
+/// The vertices whose faces form more than one fan, in rising order, of a mesh without edges of
+/// three faces.
+pub(crate) fn non_manifold_vertices(faces: &Faces, edges: &Edges) -> Vec<u32> {
+    let corners = faces.corners();
+    let mut faces_at = vec![0_u32; edges.vertex_count()];
+    let mut corner_at = vec![0; edges.vertex_count()];
+    for (corner, &vertex) in (0..).zip(corners) {
+        faces_at[vertex as usize] += 1;
+        corner_at[vertex as usize] = corner;
+    }
+    let walk = Walk { faces, edges };
+    let mut vertices = Vec::new();
+    for (vertex, (&faces, &start)) in (0..).zip(faces_at.iter().zip(&corner_at)) {
+        if faces > 1 && walk.fan_size(start) != faces {
+            vertices.push(vertex);
+        }
+    }
+    vertices
+}
+
 /// Steps from face to face around a vertex.
+#[derive(Clone, Copy)]
 struct Walk<'a> {
     faces: &'a Faces,
     edges: &'a Edges,
-    visited: Vec<bool>,
 }
 
 impl Walk<'_> {
     /// The edge of the side that begins at a corner, and of the side that ends there: the edges
     /// before and after the face, counter-clockwise around the vertex.
-    fn edges_at(&self, corner: u32) -> [u32; 2] {
+    fn edges_at(self, corner: u32) -> [u32; 2] {
         let of_corners = self.edges.of_corners();
         [
             of_corners[corner as usize],
@@ -184,7 +201,27 @@ impl Walk<'_> {
         ]
     }
 
-    fn previous(&self, corner: u32) -> u32 {
+    /// How many faces the fan of a corner has, in a mesh without edges of three faces.
+    #[inline]
+    fn fan_size(self, start: u32) -> u32 {
+        let [before, after] = self.edges_at(start);
+        let mut size = 1;
+        for mut left in [after, before] {
+            let mut corner = start;
+            while let Some(next) = self.across(corner, left) {
+                if next == start {
+                    return size;
+                }
+                size += 1;
+                corner = next;
+                let [before, after] = self.edges_at(corner);
+                left = if left == before { after } else { before };
+            }
+        }
+        size
+    }
+
+    fn previous(self, corner: u32) -> u32 {
         let range = self.range(corner);
         if corner == range.start {
             range.end - 1
@@ -193,7 +230,7 @@ impl Walk<'_> {
         }
     }
 
-    fn next(&self, corner: u32) -> u32 {
+    fn next(self, corner: u32) -> u32 {
         let range = self.range(corner);
         if corner + 1 == range.end {
             range.start
@@ -203,7 +240,12 @@ impl Walk<'_> {
     }
 
     /// The corners of the face of a corner.
-    fn range(&self, corner: u32) -> std::ops::Range<u32> {
+    #[inline]
+    fn range(self, corner: u32) -> std::ops::Range<u32> {
+        if self.edges.all_triangles() {
+            let first = corner - corner % 3;
+            return first..first + 3;
+        }
         let range = self
             .faces
             .corner_range(self.edges.face_of_corner(corner) as usize);
@@ -211,7 +253,7 @@ impl Walk<'_> {
     }
 
     /// The corner at the same vertex in the other face at an edge, if there is one other.
-    fn across(&self, corner: u32, edge: u32) -> Option<u32> {
+    fn across(self, corner: u32, edge: u32) -> Option<u32> {
         let &[one, other] = self.edges.sides(edge) else {
             return None;
         };
@@ -225,25 +267,4 @@ impl Walk<'_> {
         let at_vertex = self.faces.corners()[side as usize] == vertex;
         Some(if at_vertex { side } else { self.next(side) })
     }
-}
-
-/// The corners of each vertex in rising order, and where those of each vertex begin.
-fn corners_by_vertex(corners: &[u32], vertices: usize) -> (Vec<u32>, Vec<u32>) {
-    let mut offsets = vec![0_u32; vertices + 1];
-    for &vertex in corners {
-        offsets[vertex as usize] += 1;
-    }
-    let mut total = 0;
-    for offset in &mut offsets {
-        total += *offset;
-        *offset = total;
-    }
-    // Filling from the back moves the end of each vertex to its beginning.
-    let mut sorted = vec![0; corners.len()];
-    for (corner, &vertex) in corners.iter().enumerate().rev() {
-        let place = &mut offsets[vertex as usize];
-        *place -= 1;
-        sorted[*place as usize] = corner as u32;
-    }
-    (offsets, sorted)
 }
