@@ -42,6 +42,13 @@ pub(crate) struct Ball {
     pub(crate) radius: f64,
 }
 
+/// The angle of two vectors of any length, accurate for small ones too.
+#[inline]
+pub(crate) fn angle(u: DVec3, v: DVec3) -> Option<f64> {
+    let angle = u.cross(v).length().atan2(u.dot(v));
+    angle.is_finite().then_some(angle)
+}
+
 pub(crate) fn point(p: cga3::Point<f64>) -> DVec3 {
     p.coordinates().into()
 }
@@ -147,6 +154,64 @@ impl Sphere {
 }
 
 impl Round {
+    /// The pair of two points.
+    #[inline]
+    pub(crate) fn pair(p: DVec3, q: DVec3) -> Self {
+        let (p_half, q_half) = (0.5 * p.length_squared(), 0.5 * q.length_squared());
+        Self {
+            axis: q - p,
+            moment: p.cross(q),
+            along: q_half - p_half,
+            last: p * q_half - q * p_half,
+        }
+    }
+
+    /// The circle through three points. Its centre c has `c · u = a` and `c · v = b` for the sides
+    /// u and v, so that `c × (u × v) = b u − a v`.
+    #[inline]
+    pub(crate) fn circle(p: DVec3, q: DVec3, r: DVec3) -> Self {
+        let (u, v) = (q - p, r - p);
+        let [p_half, q_half, r_half] = [p, q, r].map(|x| 0.5 * x.length_squared());
+        let axis = u.cross(v);
+        let moment = u * (r_half - p_half) - v * (q_half - p_half);
+        Self {
+            axis,
+            moment,
+            along: axis.dot(p),
+            last: p.cross(moment) + axis * p_half,
+        }
+    }
+
+    /// The circle with a centre, a unit normal and a squared radius.
+    #[inline]
+    pub(crate) fn around(centre: DVec3, axis: DVec3, squared: f64) -> Self {
+        let along = centre.dot(axis);
+        let infinite = 0.5 * (centre.length_squared() - squared);
+        Self {
+            axis,
+            moment: centre.cross(axis),
+            along,
+            last: centre * along - axis * infinite,
+        }
+    }
+
+    /// The two points of a pair.
+    #[inline]
+    pub(crate) fn endpoints(&self) -> Option<[DVec3; 2]> {
+        let (centre, twice) = self.parts()?;
+        let squared = twice - centre.length_squared();
+        let reach = self.axis.normalize() * squared.sqrt();
+        (squared >= 0.0).then(|| [centre - reach, centre + reach])
+    }
+
+    /// Centre, normal and radius of a circle.
+    #[inline]
+    pub(crate) fn figure(&self) -> Option<(DVec3, DVec3, f64)> {
+        let (centre, twice) = self.parts()?;
+        let squared = centre.length_squared() - twice;
+        (squared >= 0.0).then(|| (centre, self.axis.normalize(), squared.sqrt()))
+    }
+
     /// Centre and twice β.
     #[inline]
     pub(crate) fn parts(&self) -> Option<(DVec3, f64)> {

@@ -1,4 +1,8 @@
 //! Figures from points, centres, normals and radii.
+//!
+//! Where a figure is made and read at once, glam alone keeps to numbers that are not those of the
+//! figure: the half length of a pair, the sides of a triangle. Rows "with the same coefficients"
+//! compute those of the pair or the circle and read the result from them, as ours do.
 
 use criterion::Criterion;
 use ga_runtime::cga3::{Circle, Line, Plane, PointPair, Rotor, Sphere};
@@ -66,6 +70,11 @@ pub(crate) fn all(criterion: &mut Criterion) {
             ends.iter().all(|end| end.is_finite()).then_some(ends)
         },
     );
+    g.map(
+        "glam, with the same coefficients",
+        &vectors,
+        |[p, q, ..]| by_hand::Round::pair(*p, *q).endpoints(),
+    );
     drop(g);
 
     let mut g = group(criterion, "circle from centre, normal and radius");
@@ -73,15 +82,7 @@ pub(crate) fn all(criterion: &mut Criterion) {
         Circle::from_centre_normal_radius(*p, n.coordinates(), r.e1())
     });
     g.map("glam", &vectors, |[p, n, r, _]| {
-        let axis = n.try_normalize()?;
-        let along = p.dot(axis);
-        let infinite = 0.5 * (p.length_squared() - r.x * r.x);
-        Some(by_hand::Round {
-            axis,
-            moment: p.cross(axis),
-            along,
-            last: *p * along - axis * infinite,
-        })
+        Some(by_hand::Round::around(*p, n.try_normalize()?, r.x * r.x))
     });
     drop(g);
 
@@ -104,6 +105,11 @@ pub(crate) fn all(criterion: &mut Criterion) {
             .is_finite()
             .then(|| (*p + to_centre, normal * inverse.sqrt(), to_centre.length()))
     });
+    g.map(
+        "glam, with the same coefficients",
+        &vectors,
+        |[p, q, r, _]| by_hand::Round::circle(*p, *q, *r).figure(),
+    );
     drop(g);
 
     let mut g = group(

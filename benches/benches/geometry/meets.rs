@@ -1,4 +1,8 @@
 //! Where figures meet, and the common perpendicular of two lines.
+//!
+//! The meets of spheres give a circle as an element, real or imaginary, with ten coefficients. The
+//! rows of glam give centre, normal and radius of a real one instead; the rows "to coefficients"
+//! compute the ten coefficients from them and tell the cases apart, as ours do.
 
 use criterion::Criterion;
 use ga_runtime::cga3::{Line, Plane, Sphere};
@@ -126,6 +130,21 @@ pub(crate) fn all(criterion: &mut Criterion) {
         let left = squared - height * height;
         (left >= 0.0).then(|| (centre - a.normal * height, a.normal, left.sqrt()))
     });
+    g.zip(
+        "glam, to coefficients",
+        &plain_planes,
+        &plain_spheres,
+        |[a, ..], [s, _]| {
+            let a = a.normalized()?;
+            let (centre, squared) = s.parts()?;
+            let height = centre.dot(a.normal) - a.distance;
+            let left = squared - height * height;
+            let foot = centre - a.normal * height;
+            let circle = by_hand::Round::around(foot, -a.normal, left);
+            // Which of the two cases it is, and none for a tangent.
+            (left.abs() > tolerance.distance).then_some((circle, left > 0.0))
+        },
+    );
     drop(g);
 
     let mut g = group(criterion, "circle of two spheres");
@@ -139,6 +158,16 @@ pub(crate) fn all(criterion: &mut Criterion) {
         let along = 0.5 * (distance + (r - s) / distance);
         let left = r - along * along;
         (left >= 0.0).then(|| (a + normal * along, normal, left.sqrt()))
+    });
+    g.map("glam, to coefficients", &plain_spheres, |[s, t]| {
+        let ((a, r), (b, s)) = (s.parts()?, t.parts()?);
+        let way = b - a;
+        let distance = way.length();
+        let normal = way / distance;
+        let along = 0.5 * (distance + (r - s) / distance);
+        let left = r - along * along;
+        let circle = by_hand::Round::around(a + normal * along, normal, left);
+        (left.abs() > tolerance.distance).then_some((circle, left > 0.0))
     });
     drop(g);
 

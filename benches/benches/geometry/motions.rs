@@ -1,4 +1,8 @@
 //! Motors: made, read, applied, composed, inverted and interpolated.
+//!
+//! A motor stores its translation t as the quaternion `½ t q` beside its rotation q, where glam
+//! keeps t itself. Rows "of a dual quaternion" do the same with glam as ours: they compute t from
+//! that product, or the product from t.
 
 use criterion::Criterion;
 use ga_runtime::cga3::{DualQuaternion, Motor, Rotor, Translator};
@@ -32,6 +36,28 @@ fn affine(motor: Motor<f64>) -> DAffine3 {
         translation,
     } = isometry(motor);
     DAffine3::from_rotation_translation(rotation, translation)
+}
+
+/// q and `½ t q` of a rotation q and a translation t.
+fn quaternions(motor: Motor<f64>) -> [DQuat; 2] {
+    let parts = motor.to_dual_quaternion();
+    [parts.real, parts.dual].map(|([x, y, z], w)| DQuat::from_xyzw(x, y, z, w))
+}
+
+/// The same of an isometry.
+#[inline]
+fn with_product(
+    Isometry {
+        rotation,
+        translation,
+    }: Isometry,
+) -> [DQuat; 2] {
+    let (half, vector) = (0.5 * translation, rotation.xyz());
+    let product = half * rotation.w + half.cross(vector);
+    [
+        rotation,
+        DQuat::from_vec4(product.extend(-half.dot(vector))),
+    ]
 }
 
 /// The parts of a dual quaternion, in any basis in which both have the same order.
@@ -96,6 +122,7 @@ pub(crate) fn all(criterion: &mut Criterion) {
         .map(|(a, _)| (a.rotor(), a.translator().displacement()))
         .collect();
     let matrices: Vec<_> = motors.iter().map(|(a, _)| a.to_matrix()).collect();
+    let quaternions: Vec<_> = motors.iter().map(|(a, _)| quaternions(*a)).collect();
 
     let mut g = group(criterion, "motion from rotation and translation");
     g.map("nullcone", &parts, |(rotor, displacement)| {
@@ -103,6 +130,9 @@ pub(crate) fn all(criterion: &mut Criterion) {
     });
     g.map("glam DAffine3", &isometries, |(m, _)| {
         DAffine3::from_rotation_translation(m.rotation, m.translation)
+    });
+    g.map("glam, of a dual quaternion", &isometries, |(m, _)| {
+        with_product(*m)
     });
     drop(g);
 
@@ -120,11 +150,17 @@ pub(crate) fn all(criterion: &mut Criterion) {
     g.map("glam DAffine3", &isometries, |(m, _)| {
         DAffine3::from_rotation_translation(m.rotation, m.translation)
     });
+    g.map(
+        "glam DAffine3, of a dual quaternion",
+        &quaternions,
+        |[real, dual]| {
+            let translation = 2.0 * (*dual * real.conjugate()).xyz();
+            DAffine3::from_rotation_translation(*real, translation)
+        },
+    );
     drop(g);
 
-    let mut g = group(criterion, "motion from a matrix");
-    g.map("nullcone", &matrices, |rows| Motor::from_matrix(*rows));
-    g.map("glam", &affines, |(a, _)| {
+    let isometry_of_matrix = |a: &DAffine3| {
         let rows = a.matrix3;
         let is_rotation = (rows * rows.transpose()).abs_diff_eq(DMat3::IDENTITY, 1e-8)
             && (rows.determinant() - 1.0).abs() < 1e-8;
@@ -132,6 +168,12 @@ pub(crate) fn all(criterion: &mut Criterion) {
             rotation: DQuat::from_mat3(&rows),
             translation: a.translation,
         })
+    };
+    let mut g = group(criterion, "motion from a matrix");
+    g.map("nullcone", &matrices, |rows| Motor::from_matrix(*rows));
+    g.map("glam", &affines, |(a, _)| isometry_of_matrix(a));
+    g.map("glam, of a dual quaternion", &affines, |(a, _)| {
+        isometry_of_matrix(a).map(with_product)
     });
     drop(g);
 

@@ -2,7 +2,6 @@
 
 use criterion::Criterion;
 use ga_runtime::cga3::{Circle, DualCircle, Line, Plane, PointPair, Sphere};
-use glam::DVec3;
 use nullcone_benches::inputs;
 
 use super::by_hand::{self, Ball};
@@ -58,21 +57,12 @@ pub(crate) fn all(criterion: &mut Criterion) {
     g.map("nullcone", &circles, |c| {
         Some((c.centre()?, c.unit_normal()?, c.radius()?))
     });
-    g.map("glam", &plain_circles, |c| {
-        let (centre, twice) = c.parts()?;
-        let squared = centre.length_squared() - twice;
-        (squared >= 0.0).then(|| (centre, c.axis.normalize(), squared.sqrt()))
-    });
+    g.map("glam", &plain_circles, |c| c.figure());
     drop(g);
 
     let mut g = group(criterion, "endpoints of a pair");
     g.map("nullcone", &pairs, |p| p.endpoints());
-    g.map("glam", &plain_pairs, |p| -> Option<[DVec3; 2]> {
-        let (centre, twice) = p.parts()?;
-        let squared = twice - centre.length_squared();
-        let reach = p.axis.normalize() * squared.sqrt();
-        (squared >= 0.0).then(|| [centre - reach, centre + reach])
-    });
+    g.map("glam", &plain_pairs, |p| p.endpoints());
     drop(g);
 
     let mut g = group(criterion, "unit normal of a plane");
