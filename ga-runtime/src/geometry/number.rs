@@ -30,6 +30,9 @@ pub(crate) fn is_regular<S: Real>(square: S) -> S::Mask {
 
 /// Whether a number that is not negative is finite, and so small that sums and products of two such
 /// numbers are finite too.
+///
+/// A sum of numbers that are not negative is moderate only if each of them is. Where one of them is
+/// a square and another its inverse, the square is regular: one comparison says it of all.
 #[inline]
 pub(crate) fn is_moderate<S: Real>(x: S) -> S::Mask {
     x.less_than(S::from_f64(1e18))

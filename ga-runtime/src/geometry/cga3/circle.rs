@@ -100,7 +100,7 @@ impl<S: Real<Mask = bool>> Circle<S> {
     #[inline]
     #[must_use]
     pub fn unit_normal(self) -> Option<[S; 3]> {
-        self.carrier().unit_normal()
+        round::unit_axis(self.carrier().normal()).map(Vector::coordinates)
     }
 
     /// The centre; `None` for a line, or where it or the squared radius is beyond the range of the
@@ -108,9 +108,7 @@ impl<S: Real<Mask = bool>> Circle<S> {
     #[inline(always)]
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
-        let round = self.parts()?;
-        round.signed_square()?;
-        Some(round.centre())
+        Some(RoundBivector::with_square(self.dual())?.centre())
     }
 
     /// The squared radius, negative for an imaginary circle; `None` where there is no
@@ -143,8 +141,7 @@ impl<S: Real<Mask = bool>> Circle<S> {
     #[inline]
     #[must_use]
     pub fn axis(self) -> Option<Line<S>> {
-        let round = self.parts()?;
-        round.signed_square()?;
+        let round = RoundBivector::with_square(self.dual())?;
         Some(Line::from_point_direction(
             round.centre(),
             round.axis().into(),

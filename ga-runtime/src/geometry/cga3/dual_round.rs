@@ -57,9 +57,20 @@ impl<S: Field> DualSphere<S> {
     /// The centre c, and c² and `c² − r²`.
     #[inline]
     pub(super) fn parts(self) -> Option<(Vector<S>, [S; 2])> {
-        let centre = Vector::from(self.centre()?);
-        let squares = [centre.length_squared(), (self.ei + self.ei) / self.eo];
-        Some((centre, squares))
+        if !self.eo.is_invertible() {
+            return None;
+        }
+        let inverse = self.eo.recip();
+        let centre = Vector::new(self.e1, self.e2, self.e3) * inverse;
+        let twice = self.ei + self.ei;
+        let last = twice * inverse;
+        // A sum is a number only if each of its terms is.
+        if is_number(centre.e1 + centre.e2 + centre.e3 + last) {
+            return Some((centre, [centre.length_squared(), last]));
+        }
+        let [x, y, z, last] = divided([self.e1, self.e2, self.e3], twice, self.eo)?;
+        let centre = Vector::new(x, y, z);
+        Some((centre, [centre.length_squared(), last]))
     }
 }
 
@@ -88,10 +99,17 @@ impl<S: Field> RoundVector<S> {
     #[inline]
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
-        let is_round = self.eo.is_invertible();
-        let weight = if is_round { self.eo } else { S::one() };
-        let place = [self.e1, self.e2, self.e3].map(|x| x / weight);
-        (is_round & are_numbers(place)).then(|| Point::from(place))
+        if !self.eo.is_invertible() {
+            return None;
+        }
+        let inverse = self.eo.recip();
+        let (x, y, z) = (self.e1 * inverse, self.e2 * inverse, self.e3 * inverse);
+        // The sum is a number only if each of them is.
+        if is_number(x + y + z) {
+            return Some(Point::new(x, y, z));
+        }
+        let [x, y, z, _] = divided([self.e1, self.e2, self.e3], S::zero(), self.eo)?;
+        Some(Point::new(x, y, z))
     }
 
     /// The squared radius of a dual sphere; see [`DualSphere::radius_squared`].
@@ -100,6 +118,15 @@ impl<S: Field> RoundVector<S> {
     pub fn radius_squared(self) -> Option<S> {
         DualSphere::from(self).radius_squared()
     }
+}
+
+/// Three coordinates, which must be finite, and another number, each divided by the weight. For a
+/// weight whose inverse is beyond the range of the scalar, and for large coordinates.
+#[cold]
+#[inline(never)]
+fn divided<S: Field>(coordinates: [S; 3], other: S, weight: S) -> Option<[S; 4]> {
+    let place @ [x, y, z] = coordinates.map(|coordinate| coordinate / weight);
+    are_numbers(place).then(|| [x, y, z, other / weight])
 }
 
 impl<S: Real<Mask = bool>> DualCircle<S> {

@@ -2,7 +2,7 @@
 
 use super::round::quotient_of_roots;
 use crate::cga3::{Direction, Line, Point};
-use crate::geometry::number::{are_numbers, is_regular};
+use crate::geometry::number::{are_numbers, is_moderate, is_regular};
 use crate::scalar::{Real, Ring};
 use crate::vga3::Vector;
 
@@ -90,11 +90,11 @@ impl<S: Real<Mask = bool>> Line<S> {
     pub fn support(self) -> Option<Point<S>> {
         let (direction, moment) = self.vectors();
         let square = direction.length_squared();
-        if is_regular(square) {
-            let place = direction.cross(moment) * square.recip();
-            if are_numbers(place.coordinates()) {
-                return Some(place.into());
-            }
+        let inverse = square.recip();
+        let place = direction.cross(moment) * inverse;
+        // The sum of the coordinates is a number only if each of them is.
+        if is_moderate(square + inverse + (place.e1 + place.e2 + place.e3).abs()) {
+            return Some(place.into());
         }
         let [place, _] = parts_of_any(direction.into(), moment.into())?;
         Some(place.into())
@@ -113,12 +113,12 @@ impl<S: Real<Mask = bool>> Line<S> {
     pub fn foot(self, point: Point<S>) -> Option<Point<S>> {
         let (direction, moment) = self.vectors();
         let square = direction.length_squared();
-        if is_regular(square) {
-            let along = direction * direction.dot(point.into());
-            let place = (along + direction.cross(moment)) * square.recip();
-            if are_numbers(place.coordinates()) {
-                return Some(place.into());
-            }
+        let inverse = square.recip();
+        let along = direction * direction.dot(point.into());
+        let place = (along + direction.cross(moment)) * inverse;
+        // The sum of the coordinates is a number only if each of them is.
+        if is_moderate(square + inverse + (place.e1 + place.e2 + place.e3).abs()) {
+            return Some(place.into());
         }
         foot_of_any(direction.into(), moment.into(), point.coordinates()).map(Point::from)
     }

@@ -1,7 +1,7 @@
 //! Motors from their parts and matrices, and back.
 
 use crate::cga3::{DualQuaternion, Motor, Point, Rotor, Translator};
-use crate::geometry::number::are_numbers;
+use crate::geometry::number::{are_numbers, is_moderate};
 use crate::scalar::{Field, Real};
 
 impl<S: Real<Mask = bool>> Motor<S> {
@@ -77,6 +77,37 @@ impl<S: Real<Mask = bool>> DualQuaternion<S> {
     #[inline]
     #[must_use]
     pub fn normalize(self) -> Option<Motor<S>> {
-        Motor::normalize(self)
+        // The real part q and the other part d as quaternions: q is scaled to length 1, and what d
+        // has along q is removed.
+        let Self {
+            scalar,
+            e12,
+            e13,
+            e23,
+            e1i,
+            e2i,
+            e3i,
+            e123i,
+        } = self;
+        let square = scalar * scalar + e12 * e12 + e13 * e13 + e23 * e23;
+        let inverse = square.recip();
+        let along = (scalar * e123i - e12 * e3i + (e13 * e2i - e23 * e1i)) * inverse;
+        let d = [
+            e1i + e23 * along,
+            e2i - e13 * along,
+            e3i + e12 * along,
+            e123i - scalar * along,
+        ];
+        let sum = d[0] + d[1] + (d[2] + d[3]);
+        // The sum is moderate only if each of its terms is finite.
+        if !is_moderate(square + inverse + sum.abs()) {
+            return Motor::normalize(self);
+        }
+        let scale = inverse.sqrt();
+        let [scalar, e12, e13, e23] = [scalar, e12, e13, e23].map(|x| x * scale);
+        let [e1i, e2i, e3i, e123i] = d.map(|x| x * scale);
+        Some(Motor::new_unchecked(
+            scalar, e12, e13, e23, e1i, e2i, e3i, e123i,
+        ))
     }
 }

@@ -1,7 +1,7 @@
 //! Planes, direct and dual.
 
 use crate::cga3::{DualDirection, DualPlane, Plane, Point};
-use crate::geometry::number::{are_numbers, is_moderate, is_number, is_regular};
+use crate::geometry::number::{is_moderate, is_number, is_regular};
 use crate::scalar::{Field, Real, Ring};
 use crate::vga3::Vector;
 
@@ -89,11 +89,10 @@ impl<S: Real<Mask = bool>> Plane<S> {
     pub fn support(self) -> Option<Point<S>> {
         let (normal, number) = self.vectors();
         let square = normal.length_squared();
-        if is_regular(square) {
-            let place = normal * (number / square);
-            if are_numbers(place.coordinates()) {
-                return Some(place.into());
-            }
+        let inverse = square.recip();
+        let way = number * inverse;
+        if is_moderate(square + inverse + way.abs()) {
+            return Some((normal * way).into());
         }
         moved_of_any(normal.into(), number, [S::zero(); 3], S::one()).map(Point::from)
     }
@@ -137,13 +136,11 @@ impl<S: Real<Mask = bool>> Plane<S> {
     pub(super) fn moved_along_normal(self, point: Vector<S>, factor: S) -> Option<Vector<S>> {
         let (normal, number) = self.vectors();
         let square = normal.length_squared();
-        if is_regular(square) {
-            let height = normal.dot(point) - number;
-            let way = factor * height / square;
-            // The normal is moderate too, and a point without a number gives none here.
-            if is_moderate(way.abs()) {
-                return Some(point - normal * way);
-            }
+        let inverse = square.recip();
+        let way = (normal.dot(point) - number) * (factor * inverse);
+        // A point without a number gives a way without one.
+        if is_moderate(square + inverse + way.abs()) {
+            return Some(point - normal * way);
         }
         moved_of_any(normal.into(), number, point.into(), factor).map(Vector::from)
     }

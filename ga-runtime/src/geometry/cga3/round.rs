@@ -14,8 +14,8 @@ pub(super) struct RoundBivector<S> {
     pub(super) centre: Vector<S>,
     /// d, of any length.
     pub(super) direction: Vector<S>,
-    /// d².
-    pub(super) square: S,
+    /// `1/d²`.
+    pub(super) inverse: S,
     /// β.
     pub(super) infinite: S,
 }
@@ -25,36 +25,48 @@ impl<S: Real<Mask = bool>> RoundBivector<S> {
     /// scalar.
     #[inline(always)]
     pub(super) fn of(bivector: DualCircle<S>) -> Option<Self> {
-        let b = bivector;
+        Self::parts(bivector, false)
+    }
+
+    /// The same; `None` also where `2β − c²` is beyond the range of the scalar.
+    #[inline(always)]
+    pub(super) fn with_square(bivector: DualCircle<S>) -> Option<Self> {
+        Self::parts(bivector, true)
+    }
+
+    #[inline(always)]
+    fn parts(b: DualCircle<S>, needs_square: bool) -> Option<Self> {
         let direction = Vector::new(-b.e1o, -b.e2o, -b.e3o);
         let moment = Vector::new(b.e23, -b.e13, b.e12);
         let last = Vector::new(b.e1i, b.e2i, b.e3i);
         let round = Self::divided(direction, moment, last, b.eoi);
         let [twice, centre_squared] = round.squares();
-        if is_regular(round.square) & is_moderate(twice.abs() + centre_squared) {
+        let sizes = direction.length_squared() + round.inverse;
+        if is_moderate(sizes + twice.abs() + centre_squared) {
             return Some(round);
         }
-        let [centre, direction, [square, infinite, _]] =
+        let [centre, direction, [inverse, infinite, _]] =
             scaled([direction, moment, last].map(Vector::coordinates), b.eoi)?;
-        Some(Self {
+        let round = Self {
             centre: centre.into(),
             direction: direction.into(),
-            square,
+            inverse,
             infinite,
-        })
+        };
+        if needs_square {
+            round.signed_square()?;
+        }
+        Some(round)
     }
 
     #[inline(always)]
     fn divided(d: Vector<S>, moment: Vector<S>, last: Vector<S>, along: S) -> Self {
-        // Divided by d² only once, so that exact values stay exact.
-        let square = d.dot(d);
-        let centre = (d * along + d.cross(moment)).divided(square);
-        let infinite = (along * along - d.dot(last)) / square;
+        let inverse = d.dot(d).recip();
         Self {
-            centre,
+            centre: (d * along + d.cross(moment)) * inverse,
             direction: d,
-            square,
-            infinite,
+            inverse,
+            infinite: (along * along - d.dot(last)) * inverse,
         }
     }
 
@@ -67,17 +79,17 @@ impl<S: Real<Mask = bool>> RoundBivector<S> {
     /// d, of length 1.
     #[inline(always)]
     pub(super) fn axis(self) -> Vector<S> {
-        self.direction.divided(self.square.sqrt())
+        self.direction * self.inverse.sqrt()
     }
 
     /// d, of a given length.
     #[inline(always)]
     pub(super) fn reach(self, length_squared: S) -> Vector<S> {
-        let factor = length_squared / self.square;
+        let factor = length_squared * self.inverse;
         let factor = if is_regular(factor) {
             factor.sqrt()
         } else {
-            quotient_of_roots(length_squared, self.square)
+            product_of_roots(length_squared, self.inverse)
         };
         self.direction * factor
     }
@@ -114,7 +126,7 @@ fn scaled<S: Real<Mask = bool>>(vectors: [[S; 3]; 3], along: S) -> Option<[[S; 3
     if !are_numbers([e1, e2, e3, round.infinite]) {
         return None;
     }
-    let numbers = [round.square, round.infinite, S::zero()];
+    let numbers = [round.inverse, round.infinite, S::zero()];
     Some([round.centre.into(), round.direction.into(), numbers])
 }
 
@@ -123,6 +135,13 @@ fn scaled<S: Real<Mask = bool>>(vectors: [[S; 3]; 3], along: S) -> Option<[[S; 3
 #[inline(never)]
 pub(super) fn quotient_of_roots<S: Real>(a: S, b: S) -> S {
     a.sqrt() / b.sqrt()
+}
+
+/// √a √b, where a b is beyond the regular range.
+#[cold]
+#[inline(never)]
+fn product_of_roots<S: Real>(a: S, b: S) -> S {
+    a.sqrt() * b.sqrt()
 }
 
 /// A vector divided by its length, by one division where its square is regular.

@@ -50,7 +50,6 @@
 use super::circle_angles::circle_angles;
 use super::{CircleAngles, Figure, Primitive, hypotenuse, parallel};
 use crate::cga3::{Circle, DualCircle, DualPlane, DualSphere, Line, MotorGenerator, Plane, Sphere};
-use crate::geometry::number::{is_moderate, is_number, is_regular};
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -65,11 +64,11 @@ pub trait Extended<S>: Primitive<S> {
     #[doc(hidden)]
     fn angle_to_circle(circle: Figure<S>, figure: Figure<S>) -> Option<Self::ToCircle>;
 
-    /// A direction of any length, and whether it is a normal, of a primitive that is a figure;
-    /// `None` for types that do not know it without their figure.
+    /// What is needed for angles of a line or a plane; `None` for types that do not know it without
+    /// their figure.
     #[doc(hidden)]
     #[inline]
-    fn direction_or_normal(self) -> Option<(Vector<S>, bool)> {
+    fn attitude_and_size(self) -> Option<AttitudeAndSize<S>> {
         None
     }
 }
@@ -120,10 +119,13 @@ impl<S: Real<Mask = bool>> Extended<S> for Line<S> {
     }
 
     #[inline]
-    fn direction_or_normal(self) -> Option<(Vector<S>, bool)> {
+    fn attitude_and_size(self) -> Option<AttitudeAndSize<S>> {
         let (direction, moment) = self.vectors();
-        let is_figure = is_regular(direction.length_squared()) && is_regular_or_less(moment);
-        is_figure.then_some((direction, false))
+        Some(AttitudeAndSize {
+            vector: direction,
+            is_normal: false,
+            size: moment.length_squared(),
+        })
     }
 }
 
@@ -135,10 +137,13 @@ impl<S: Real<Mask = bool>> Extended<S> for Plane<S> {
     }
 
     #[inline]
-    fn direction_or_normal(self) -> Option<(Vector<S>, bool)> {
+    fn attitude_and_size(self) -> Option<AttitudeAndSize<S>> {
         let (normal, number) = self.vectors();
-        let is_figure = is_regular(normal.length_squared()) && is_number(number);
-        is_figure.then_some((normal, true))
+        Some(AttitudeAndSize {
+            vector: normal,
+            is_normal: true,
+            size: number * number,
+        })
     }
 }
 
@@ -152,7 +157,7 @@ macro_rules! angles {
             #[inline]
             #[must_use]
             pub fn angle_to<T: Extended<S>>(self, other: T) -> Option<S> {
-                if let (Some(a), Some(b)) = (self.direction_or_normal(), other.direction_or_normal())
+                if let (Some(a), Some(b)) = (self.attitude_and_size(), other.attitude_and_size())
                     && let Some(angle) = angle_of_directions(a, b)
                 {
                     return Some(angle);
@@ -201,25 +206,34 @@ macro_rules! inversive_distances {
 
 inversive_distances!(Plane Sphere DualPlane DualSphere);
 
-/// Whether a vector is so short that its products with others in the regular range are finite.
-#[inline]
-fn is_regular_or_less<S: Real<Mask = bool>>(vector: Vector<S>) -> bool {
-    vector.length_squared().less_than(S::from_f64(1e24))
+/// A direction or a normal of any length, and the square of the other numbers.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+pub struct AttitudeAndSize<S> {
+    vector: Vector<S>,
+    is_normal: bool,
+    size: S,
 }
 
-/// The angle of two directions of any length, each with whether it is a normal; `None` where their
-/// cross product is beyond the regular range.
+/// The angle of two directions of any length; `None` where they are nearly parallel or a number is
+/// large, in which case one of them may be no figure.
 #[inline]
 fn angle_of_directions<S: Real<Mask = bool>>(
-    (u, u_is_normal): (Vector<S>, bool),
-    (v, v_is_normal): (Vector<S>, bool),
+    a: AttitudeAndSize<S>,
+    b: AttitudeAndSize<S>,
 ) -> Option<S> {
+    let (u, v) = (a.vector, b.vector);
     let (across, along) = (u.cross(v).length_squared(), u.dot(v));
-    if !is_regular(across) || !is_moderate(along.abs()) {
+    // A cross product that is not small shows that none of both vectors is.
+    let squares = u.length_squared() + v.length_squared();
+    let is_regular = S::from_f64(1e-12).less_than(across)
+        & squares.less_than(S::from_f64(1e12))
+        & (a.size + b.size).less_than(S::from_f64(1e24));
+    if !is_regular {
         return None;
     }
     let (sine, size) = (across.sqrt(), (across + along * along).sqrt());
-    if u_is_normal != v_is_normal {
+    if a.is_normal != b.is_normal {
         return Some(along.atan2(sine));
     }
     // The acute angle, by the polynomial for half of the angle of a rotation.

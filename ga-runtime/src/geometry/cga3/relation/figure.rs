@@ -430,5 +430,6 @@ pub(super) fn regular_sphere<S: Real<Mask = bool>>(sphere: Sphere<S>) -> Option<
     let centre = Vector::new(dual.e1, dual.e2, dual.e3) * inverse;
     let square = centre.length_squared();
     let squared = square - (dual.ei + dual.ei) * inverse;
-    (is_moderate(square) & is_regular(squared)).then_some((centre, squared))
+    let is_regular = S::from_f64(1e-24).less_than(squared) & is_moderate(square + squared);
+    is_regular.then_some((centre, squared))
 }

@@ -92,11 +92,16 @@ impl<S: Real<Mask = bool>> Meet<Sphere<S>> for Line<S> {
             }
         }
         let (centre, squared) = sphere_parts(sphere)?;
-        line_and_sphere(
-            [d, m].map(Vector::coordinates),
-            centre.into(),
-            squared,
-            tolerance,
+        let line = [d, m].map(Vector::coordinates);
+        Some(
+            match near_line_and_sphere(line, centre.into(), squared, tolerance)? {
+                (Case::Tangent, c) => LineAndSphere::Tangent {
+                    point: Point::new(c[0], c[1], c[2]),
+                    direction: [c[3], c[4], c[5]],
+                },
+                (Case::Real, c) => LineAndSphere::Points(pair_of(c)),
+                (Case::Imaginary, c) => LineAndSphere::Imaginary(pair_of(c)),
+            },
         )
     }
 }
@@ -104,12 +109,12 @@ impl<S: Real<Mask = bool>> Meet<Sphere<S>> for Line<S> {
 /// The meet of a line, by direction and moment, and a sphere, by centre and squared radius.
 #[cold]
 #[inline(never)]
-fn line_and_sphere<S: Real<Mask = bool>>(
+fn near_line_and_sphere<S: Real<Mask = bool>>(
     [d, m]: [[S; 3]; 2],
     centre: [S; 3],
     squared: S,
     tolerance: Tolerance<S>,
-) -> Option<LineAndSphere<S>> {
+) -> Option<(Case, [S; 10])> {
     let centre = Vector::from(centre);
     let (start, direction) = Line::from_vectors(d.into(), m.into()).parts()?;
     let off = (centre - start).across(direction);
@@ -117,19 +122,14 @@ fn line_and_sphere<S: Real<Mask = bool>>(
     let distance = off.length();
     let is_tangent = |r: S| within(distance - r, tolerance.distance);
     if radius(squared, tolerance).is_some_and(is_tangent) {
-        let point = finite_point(foot)?;
-        return Some(LineAndSphere::Tangent {
-            point,
-            direction: direction.into(),
-        });
+        return tangent(foot, direction);
     }
     let half_squared = less_square(squared, distance);
-    let pair = pair(foot, direction, half_squared)?;
-    Some(if half_squared.less_than(S::zero()) {
-        LineAndSphere::Imaginary(pair)
-    } else {
-        LineAndSphere::Points(pair)
-    })
+    let b = pair(foot, direction, half_squared)?;
+    let coefficients = [
+        b.e12, b.e13, b.e23, b.e1o, b.e2o, b.e3o, b.e1i, b.e2i, b.e3i, b.eoi,
+    ];
+    Some((Case::of(half_squared), coefficients))
 }
 
 impl<S: Real<Mask = bool>> Meet<Sphere<S>> for Plane<S> {
@@ -182,11 +182,16 @@ fn plane_and_sphere<S: Real<Mask = bool>>(
         }
     }
     let (centre, squared) = sphere_parts(sphere)?;
-    near_plane_and_sphere(
-        (n.into(), number),
-        (centre.into(), squared),
-        tolerance,
-        sign,
+    let (plane, sphere) = ((n.into(), number), (centre.into(), squared));
+    Some(
+        match near_plane_and_sphere(plane, sphere, tolerance, sign)? {
+            (Case::Tangent, c) => PlaneAndSphere::Tangent {
+                point: Point::new(c[0], c[1], c[2]),
+                normal: [c[3], c[4], c[5]],
+            },
+            (Case::Real, c) => PlaneAndSphere::Circle(circle_of(c)),
+            (Case::Imaginary, c) => PlaneAndSphere::Imaginary(circle_of(c)),
+        },
     )
 }
 
@@ -198,7 +203,7 @@ fn near_plane_and_sphere<S: Real<Mask = bool>>(
     (centre, squared): ([S; 3], S),
     tolerance: Tolerance<S>,
     sign: S,
-) -> Option<PlaneAndSphere<S>> {
+) -> Option<(Case, [S; 10])> {
     let plane = DualPlane::from_normal_distance(normal, number).undual();
     let (normal, distance) = plane.parts()?;
     let centre = Vector::from(centre);
@@ -207,19 +212,54 @@ fn near_plane_and_sphere<S: Real<Mask = bool>>(
     let normal = normal * sign;
     let is_tangent = |r: S| within(height.abs() - r, tolerance.distance);
     if radius(squared, tolerance).is_some_and(is_tangent) {
-        let point = finite_point(foot)?;
-        return Some(PlaneAndSphere::Tangent {
-            point,
-            normal: normal.into(),
-        });
+        return tangent(foot, normal);
     }
     let circle_squared = less_square(squared, height.abs());
     let circle = circle(foot, normal, circle_squared)?;
-    Some(if circle_squared.less_than(S::zero()) {
-        PlaneAndSphere::Imaginary(circle)
-    } else {
-        PlaneAndSphere::Circle(circle)
-    })
+    Some((Case::of(circle_squared), coefficients_of(circle)))
+}
+
+/// The cases in which a sphere meets a line or a plane.
+#[derive(Clone, Copy)]
+enum Case {
+    Tangent,
+    Real,
+    Imaginary,
+}
+
+impl Case {
+    fn of<S: Real<Mask = bool>>(radius_squared: S) -> Self {
+        if radius_squared.less_than(S::zero()) {
+            Self::Imaginary
+        } else {
+            Self::Real
+        }
+    }
+}
+
+// Outlined code returns the coefficients as an array, so that those of its callers stay in
+// registers.
+
+fn tangent<S: Real<Mask = bool>>(place: Vector<S>, way: Vector<S>) -> Option<(Case, [S; 10])> {
+    let [x, y, z] = finite_point(place)?.coordinates();
+    let (Vector { e1, e2, e3 }, zero) = (way, S::zero());
+    Some((Case::Tangent, [x, y, z, e1, e2, e3, zero, zero, zero, zero]))
+}
+
+#[inline(always)]
+fn pair_of<S: Real>([a, b, c, d, e, f, g, h, i, j]: [S; 10]) -> PointPair<S> {
+    PointPair::new(a, b, c, d, e, f, g, h, i, j)
+}
+
+#[inline(always)]
+fn circle_of<S: Real>([a, b, c, d, e, f, g, h, i, j]: [S; 10]) -> Circle<S> {
+    Circle::new(a, b, c, d, e, f, g, h, i, j)
+}
+
+fn coefficients_of<S: Real>(c: Circle<S>) -> [S; 10] {
+    [
+        c.e123, c.e12o, c.e13o, c.e23o, c.e12i, c.e13i, c.e23i, c.e1oi, c.e2oi, c.e3oi,
+    ]
 }
 
 impl<S: Real<Mask = bool>> Meet<Sphere<S>> for Sphere<S> {
