@@ -13,6 +13,7 @@
 //! | [`Part`] | the faces of one group as a mesh of their own |
 //! | [`atlas`] | cuts a surface into charts and places them in a texture |
 //! | [`normals`] | smooth normals |
+//! | [`query`] | nearest points, rays, overlaps |
 //! | [`obj`] | reads and writes Wavefront OBJ |
 //! | [`subdivision`] | Loop and Catmull–Clark surfaces with creases, stencils and limits |
 //! | [`topology`] | edges, and the faces around each vertex |
@@ -45,6 +46,8 @@ pub mod obj;
 mod polylines;
 pub mod subdivision;
 pub mod topology;
+mod part;
+pub mod query;
 
 pub use attribute::{CornerAttribute, Normals, Rgba, Tangent, Tangents, TextureCoordinates};
 pub use error::MeshError;

@@ -8,4 +8,5 @@ mod gltf;
 mod normals;
 mod obj;
 mod polygons;
+mod query;
 mod topology;

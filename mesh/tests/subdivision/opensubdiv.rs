@@ -57,7 +57,8 @@ fn smooth_meshes_and_boundaries_agree() {
         if name == "loop_triangle_edgeonly" {
             // One of its triangles has two sharp corners and another three; the OBJ files lack
             // the tags, but level 1 has these vertices where level 0 has them.
-            tags.corners.extend([45, 63, 96, 99, 101].map(|v| corner(v, f64::INFINITY)));
+            tags.corners
+                .extend([45, 63, 96, 99, 101].map(|v| corner(v, f64::INFINITY)));
         }
         for level in 1..=3 {
             let (_, points) = refine(&shape, rules, &tags, level);

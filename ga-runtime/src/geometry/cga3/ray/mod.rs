@@ -43,7 +43,8 @@
 //! # Many rays
 //!
 //! [`Ray::sphere_distances`] and [`Ray::plane_distance`] take several rays in
-//! [`Lanes`](crate::scalar::Lanes) at once.
+//! [`Lanes`](crate::scalar::Lanes) at once. [`Ray::triangle_test`] prepares one ray for many
+//! triangles.
 //!
 //! # Example
 //!
@@ -82,6 +83,7 @@ mod triangle;
 
 pub use hit::{Hit, Side};
 pub use surface::Surface;
+pub use triangle::{Crossing, TriangleTest};
 
 use crate::cga3::{Direction, Line, Point, Sphere};
 use crate::scalar::{Real, Ring};

@@ -2,7 +2,7 @@
 
 use super::{Hit, Ray, Surface};
 use crate::cga3::Point;
-use crate::scalar::Real;
+use crate::scalar::{Lanes, Real};
 use crate::vga3::Vector;
 
 /// The triangle with these corners.
@@ -16,26 +16,14 @@ impl<S: Real<Mask = bool>> Surface<S> for [Point<S>; 3] {
         let direction = Vector::from(ray.direction);
         let rotate = rotation_of_axes(direction);
         let along = rotate(direction);
-        let (slope_x, slope_y) = (along.e1 / along.e3, along.e2 / along.e3);
+        let slopes = [along.e1 / along.e3, along.e2 / along.e3];
         let from_origin = self.map(|corner| ray.origin.vector_to(corner));
-        let [a, b, c] = from_origin.map(|corner| {
-            let corner = rotate(corner);
-            let x = corner.e1 - slope_x * corner.e3;
-            let y = corner.e2 - slope_y * corner.e3;
-            Vector::new(x, y, corner.e3)
-        });
-        let areas = Vector::new(area(b, c), area(c, a), area(a, b));
-        let zero = S::zero();
-        let [u, v, w] = areas.coordinates();
-        let is_negative = u.less_than(zero) || v.less_than(zero) || w.less_than(zero);
-        let is_positive = zero.less_than(u) || zero.less_than(v) || zero.less_than(w);
-        if is_negative == is_positive {
-            // Outside, or degenerate as seen along the ray.
+        let (areas, heights) = sheared(from_origin.map(rotate), slopes);
+        if !is_inside(areas) {
             return None;
         }
-        let height = areas.dot(Vector::new(a.e3, b.e3, c.e3));
-        let distance = height / ((u + v + w) * along.e3);
-        if !zero.less_than(distance) {
+        let distance = distance(areas, heights, along.e3);
+        if !S::zero().less_than(distance) {
             return None;
         }
         let [p, q, r] = from_origin;
@@ -44,17 +32,142 @@ impl<S: Real<Mask = bool>> Surface<S> for [Point<S>; 3] {
     }
 }
 
+/// A ray made ready for tests with many triangles, of which it takes several at a time in
+/// [`Lanes`]; built by [`Ray::triangle_test`].
+///
+/// Each test decides as [`Ray::first_hit`] does for the corners of the triangle, and finds the same
+/// distance, bit for bit. So there is no gap between triangles that share an edge.
+///
+/// ```
+/// use ga_runtime::cga3::Point;
+/// use ga_runtime::geometry::ray::Ray;
+/// use ga_runtime::scalar::Lanes;
+///
+/// let ray = Ray::new(Point::new(1.0, 1.0, 3.0), [0.0, 0.0, -1.0]).unwrap();
+/// // Two triangles at different heights; the second one has its corner r beside the ray.
+/// let p = [[0.0, 0.0], [0.0, 0.0], [1.0, 2.0]].map(Lanes::from_array);
+/// let q = [[4.0, 4.0], [0.0, 0.0], [1.0, 2.0]].map(Lanes::from_array);
+/// let r = [[0.0, 4.0], [4.0, 0.5], [1.0, 2.0]].map(Lanes::from_array);
+/// let crossing = ray.triangle_test().crossing(&[p, q, r]);
+/// assert_eq!(crossing.is_hit.to_array(), [true, false]);
+/// assert_eq!(crossing.distance[0], 2.0);
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct TriangleTest<S> {
+    origin: [S; 3],
+    slopes: [S; 2],
+    along: S,
+    /// The coordinates in the order in which the one along the ray comes last.
+    axes: [usize; 3],
+}
+
+/// Where the line of a ray crosses triangles, one in each lane.
+#[derive(Clone, Copy, Debug)]
+pub struct Crossing<S: Real> {
+    /// Whether the ray hits the triangle, at a distance of more than zero.
+    pub is_hit: S::Mask,
+    /// The distance along the ray. It has a meaning only where the triangle is hit.
+    pub distance: S,
+    /// The barycentric coordinates of the point times their sum, in the order of the corners. They
+    /// have a meaning only where the triangle is hit.
+    pub areas: [S; 3],
+}
+
+impl<S: Real<Mask = bool>> Ray<S> {
+    /// The ray made ready for tests with many triangles.
+    #[inline]
+    #[must_use]
+    pub fn triangle_test(self) -> TriangleTest<S> {
+        let direction = Vector::from(self.direction);
+        let axes: [usize; 3] = rotation_of_axes(direction)(Vector::from([0, 1, 2])).into();
+        let [x, y, z] = axes.map(|axis| direction[axis]);
+        let origin = Vector::from(self.origin);
+        TriangleTest {
+            origin: axes.map(|axis| origin[axis]),
+            slopes: [x / z, y / z],
+            along: z,
+            axes,
+        }
+    }
+}
+
+impl<S: Real<Mask = bool>> TriangleTest<S> {
+    /// Where the ray crosses the triangles with these corners, given as the coordinates x, y and z
+    /// of the first, second and third corners.
+    #[inline(always)]
+    #[must_use]
+    pub fn crossing<const N: usize>(
+        &self,
+        corners: &[[Lanes<S, N>; 3]; 3],
+    ) -> Crossing<Lanes<S, N>> {
+        // Written out: closures over arrays of lanes are not always inlined.
+        let [x, y, z] = self.axes;
+        let [o1, o2, o3] = self.origin;
+        let origin = Vector::from([Lanes::splat(o1), Lanes::splat(o2), Lanes::splat(o3)]);
+        let [a, b, c] = corners;
+        let from_origin = [
+            Vector::from([a[x], a[y], a[z]]) - origin,
+            Vector::from([b[x], b[y], b[z]]) - origin,
+            Vector::from([c[x], c[y], c[z]]) - origin,
+        ];
+        let slopes = [Lanes::splat(self.slopes[0]), Lanes::splat(self.slopes[1])];
+        let (areas, heights) = sheared(from_origin, slopes);
+        let distance = distance(areas, heights, Lanes::splat(self.along));
+        let is_ahead = Lanes::splat(S::zero()).less_than(distance);
+        Crossing {
+            is_hit: is_inside(areas) & is_ahead & (distance * distance).is_finite(),
+            distance,
+            areas: areas.coordinates(),
+        }
+    }
+}
+
+/// Twice the areas of the triangles that the ray forms with two corners, seen along it, opposite to
+/// each corner, and the coordinates of the corners along the axis of the ray. The corners are given
+/// from the origin of the ray, with the largest component of its direction as the third coordinate.
+#[inline(always)]
+fn sheared<S: Real>(corners: [Vector<S>; 3], slopes: [S; 2]) -> (Vector<S>, Vector<S>) {
+    let shear = |corner: Vector<S>| {
+        let x = corner.e1 - slopes[0] * corner.e3;
+        let y = corner.e2 - slopes[1] * corner.e3;
+        Vector::new(x, y, corner.e3)
+    };
+    let [a, b, c] = corners;
+    let [a, b, c] = [shear(a), shear(b), shear(c)];
+    let areas = Vector::new(area(b, c), area(c, a), area(a, b));
+    (areas, Vector::new(a.e3, b.e3, c.e3))
+}
+
+/// Whether the areas have one sign, as far as they have one, and are not all zero, as those of a
+/// triangle are that is degenerate as seen along the ray.
+#[inline(always)]
+fn is_inside<S: Real>(areas: Vector<S>) -> S::Mask {
+    let [u, v, w] = areas.coordinates();
+    let zero = S::zero();
+    let is_negative = u.less_than(zero) | v.less_than(zero) | w.less_than(zero);
+    let is_positive = zero.less_than(u) | zero.less_than(v) | zero.less_than(w);
+    (is_negative | is_positive) & !(is_negative & is_positive)
+}
+
+/// The distance along the ray: the mean of the heights, weighted by the areas.
+#[inline(always)]
+fn distance<S: Real>(areas: Vector<S>, heights: Vector<S>, along: S) -> S {
+    areas.dot(heights) / ((areas.e1 + areas.e2 + areas.e3) * along)
+}
+
 /// The rotation of the coordinates by which the largest component of a direction becomes the third.
 #[inline]
-fn rotation_of_axes<S: Real<Mask = bool>>(direction: Vector<S>) -> impl Fn(Vector<S>) -> Vector<S> {
+fn rotation_of_axes<S: Real<Mask = bool>, T>(
+    direction: Vector<S>,
+) -> impl Fn(Vector<T>) -> Vector<T> {
     let size = direction.abs();
     let is_first = size.e2.less_than(size.e1) && size.e3.less_than(size.e1);
     let is_second = !is_first && size.e3.less_than(size.e2);
-    move |v: Vector<S>| {
+    move |v: Vector<T>| {
         if is_first {
-            Vector::new(v.e2, v.e3, v.e1)
+            Vector::from([v.e2, v.e3, v.e1])
         } else if is_second {
-            Vector::new(v.e3, v.e1, v.e2)
+            Vector::from([v.e3, v.e1, v.e2])
         } else {
             v
         }
@@ -63,7 +176,7 @@ fn rotation_of_axes<S: Real<Mask = bool>>(direction: Vector<S>) -> impl Fn(Vecto
 
 /// Twice the signed area of the triangle with two corners and the origin, in the plane of the first
 /// two coordinates.
-#[inline]
+#[inline(always)]
 fn area<S: Real>(a: Vector<S>, b: Vector<S>) -> S {
     a.e1 * b.e2 - a.e2 * b.e1
 }

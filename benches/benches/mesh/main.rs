@@ -1,0 +1,13 @@
+//! Meshes beside other crates that do the same work.
+
+mod queries;
+
+use criterion::{criterion_group, criterion_main};
+use nullcone_benches::comparison;
+
+criterion_group! {
+    name = benches;
+    config = comparison::criterion();
+    targets = queries::all
+}
+criterion_main!(benches);

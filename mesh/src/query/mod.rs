@@ -1,0 +1,113 @@
+//! Queries on the surface of a mesh: the nearest point, what a ray hits, what lies within reach.
+//!
+//! A [`Bvh`] is a bounding volume hierarchy over the triangles of a mesh: a tree whose nodes hold
+//! boxes around the triangles below them, so that a query visits only the triangles near its
+//! answer. It is built once, keeps a copy of the corners, and is independent of the mesh after
+//! that.
+//!
+//! | query | method |
+//! | --- | --- |
+//! | the nearest point of the surface | [`Bvh::nearest`], [`Bvh::nearest_within`] |
+//! | what a ray hits first, and whether it hits anything | [`Bvh::first_hit`], [`Bvh::is_hit`] |
+//!
+//! Elements of the algebra go in and come out: points, rays and hits are those of
+//! [`ga_runtime::cga3`] and [`ga_runtime::geometry::ray`].
+//!
+//! # Exactness
+//!
+//! The answer is that of a comparison with every triangle, one after the other: the boxes are
+//! rounded outwards, and among several triangles at the same distance, the one with the lowest
+//! index is taken. So the same mesh and the same query always give the same answer. Rays do not
+//! slip through edges that triangles share (S. Woop, C. Benthin and I. Wald, Watertight
+//! Ray/Triangle Intersection, JCGT 2, 2013). Degenerate triangles are segments or points for
+//! distances, and are never hit by rays.
+//!
+//! Distances are in the unit of the coordinates. Computations take up to the fourth power of
+//! lengths: differences of coordinates should be below 10⁷⁵ and, between corners of a triangle,
+//! above 10⁻⁷⁵.
+//!
+//! # Example
+//!
+//! ```
+//! use ga_mesh::query::Bvh;
+//! use ga_runtime::cga3::Point;
+//! use ga_runtime::geometry::ray::Ray;
+//!
+//! let corners = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 4.0, 0.0], [0.0, 4.0, 0.0]];
+//! let square = Bvh::new(&corners, &[[0, 1, 2], [0, 2, 3]])?;
+//!
+//! let nearest = square.nearest(Point::new(3.0, 1.0, 2.0))?;
+//! assert_eq!(nearest.point, Point::new(3.0, 1.0, 0.0));
+//! assert_eq!((nearest.distance, nearest.triangle), (2.0, 0));
+//!
+//! let ray = Ray::new(Point::new(1.0, 3.0, 5.0), [0.0, 0.0, -1.0]).unwrap();
+//! let found = square.first_hit(ray).unwrap();
+//! assert_eq!((found.hit.distance, found.triangle), (5.0, 1));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod build;
+mod error;
+mod frame;
+mod nearest;
+mod node;
+mod packet;
+mod ray;
+
+use ga_runtime::cga3::Point;
+use ga_runtime::vga3::Vector;
+
+use crate::MeshError;
+pub use error::QueryError;
+pub use nearest::Nearest;
+pub use ray::MeshHit;
+
+use frame::Frame;
+use node::{LEAF, Node};
+use packet::Packet;
+
+/// A bounding volume hierarchy over triangles; see the [module](self).
+#[derive(Clone, Debug)]
+pub struct Bvh {
+    frame: Frame,
+    bounds: Option<[Vector<f64>; 2]>,
+    /// The first one is the root.
+    nodes: Vec<Node>,
+    packets: Vec<Packet>,
+    triangle_count: usize,
+}
+
+impl Bvh {
+    /// The hierarchy over these triangles, by the surface area heuristic with bins. Positions that
+    /// no triangle uses are not looked at. Without triangles, rays hit nothing and the other
+    /// queries say so.
+    ///
+    /// # Errors
+    ///
+    /// [`MeshError::IndexOutOfRange`]; [`MeshError::NotFinite`] for a corner of a triangle;
+    /// [`MeshError::TooLarge`] past 2³⁰ triangles.
+    pub fn new<P: Copy + Into<Point<f64>>>(
+        positions: &[P],
+        triangles: &[[u32; 3]],
+    ) -> Result<Self, MeshError> {
+        build::build(positions, triangles)
+    }
+
+    /// How many triangles there are.
+    #[must_use]
+    pub fn triangle_count(&self) -> usize {
+        self.triangle_count
+    }
+
+    /// The least and the greatest coordinates of the triangles; `None` if there are none.
+    #[must_use]
+    pub fn bounds(&self) -> Option<[Point<f64>; 2]> {
+        self.bounds.map(|bounds| bounds.map(Point::from))
+    }
+
+    /// The packet of a leaf, if it has one.
+    #[inline(always)]
+    fn packet(&self, leaf: u32) -> Option<&Packet> {
+        self.packets.get((leaf ^ LEAF) as usize)
+    }
+}

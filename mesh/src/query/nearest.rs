@@ -1,0 +1,247 @@
+//! The nearest point of the surface.
+
+use ga_runtime::cga3::Point;
+use ga_runtime::scalar::Real;
+use ga_runtime::vga3::Vector;
+
+use super::frame::Frame;
+use super::node::{Children, LEAF, Node, Stack};
+use super::packet::{Four, Packet, WIDTH};
+use super::{Bvh, QueryError};
+
+/// A point of the surface, and its distance from the point of a query.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nearest {
+    /// The point of the surface.
+    pub point: Point<f64>,
+    /// Its distance from the point of the query.
+    pub distance: f64,
+    /// The index of the triangle on which it lies.
+    pub triangle: u32,
+    /// Its barycentric coordinates, with sum 1, in the order of the corners. One of them is zero,
+    /// exactly, where the point lies on an edge, and two at a corner.
+    pub barycentric: [f64; 3],
+}
+
+/// More than the relative errors of squared distances in single precision.
+const LARGER: f32 = 1.0 + 1.0 / (1 << 18) as f32;
+
+impl Bvh {
+    /// The point of the surface that is nearest to a point. Of several triangles at the same
+    /// distance it is the one with the lowest index.
+    ///
+    /// # Errors
+    ///
+    /// [`QueryError::NoTriangles`]; [`QueryError::NotFinite`] for a point that is not finite or so
+    /// far away that the square of its distance is not.
+    ///
+    /// ```
+    /// use ga_mesh::query::{Bvh, QueryError};
+    /// use ga_runtime::cga3::Point;
+    /// let corners = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
+    /// let triangle = Bvh::new(&corners, &[[0, 1, 2]])?;
+    /// let nearest = triangle.nearest(Point::new(2.0, -3.0, 4.0))?;
+    /// assert_eq!((nearest.point, nearest.distance), (Point::new(2.0, 0.0, 0.0), 5.0));
+    /// assert_eq!(nearest.barycentric, [0.5, 0.5, 0.0]);
+    ///
+    /// let nothing = Bvh::new(&corners, &[])?;
+    /// assert_eq!(nothing.nearest(Point::default()), Err(QueryError::NoTriangles));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn nearest(&self, point: Point<f64>) -> Result<Nearest, QueryError> {
+        if self.nodes.is_empty() {
+            return Err(QueryError::NoTriangles);
+        }
+        self.nearest_within(point, f64::INFINITY)?
+            .filter(|nearest| nearest.distance.is_finite())
+            .ok_or(QueryError::NotFinite { what: "point" })
+    }
+
+    /// The point of the surface that is nearest to a point, if its distance is at most `radius`,
+    /// which may be infinite; `None` also without triangles.
+    ///
+    /// # Errors
+    ///
+    /// [`QueryError::NotFinite`] for a point that is not finite, and a radius that is NaN.
+    pub fn nearest_within(
+        &self,
+        point: Point<f64>,
+        radius: f64,
+    ) -> Result<Option<Nearest>, QueryError> {
+        let position = Vector::from(point);
+        if !position.is_finite() {
+            return Err(QueryError::NotFinite { what: "point" });
+        }
+        if radius.is_nan() {
+            return Err(QueryError::NotFinite { what: "radius" });
+        }
+        if radius < 0.0 {
+            return Ok(None);
+        }
+        let mut best = radius * radius;
+        let mut found: Option<(&Packet, usize, u32)> = None;
+        let point = splat(position);
+        self.approach(position, best, |packet| {
+            let squares = closest(point, packet.vectors()).square.to_array();
+            for lane in 0..WIDTH {
+                let (square, triangle) = (squares[lane], packet.triangles[lane]);
+                if square <= best
+                    && (square < best || found.is_none_or(|(_, _, other)| triangle < other))
+                {
+                    best = square;
+                    found = Some((packet, lane, triangle));
+                }
+            }
+            best
+        });
+        Ok(found.map(|(packet, lane, _)| nearest_of(packet, lane, position)))
+    }
+
+    /// Visits the packets whose boxes are nearer to a point than the square root of `limit`, near
+    /// ones first. `visit` returns the limit from then on.
+    #[inline(always)]
+    pub(super) fn approach<'a>(
+        &'a self,
+        point: Vector<f64>,
+        limit: f64,
+        mut visit: impl FnMut(&'a Packet) -> f64,
+    ) {
+        if self.nodes.is_empty() {
+            return;
+        }
+        let (position, error) = Frame::rounded(self.frame.position(point), 0.0);
+        let mut reach = Reach {
+            below: [Children::splat(error); 3],
+            above: [Children::splat(-error); 3],
+        };
+        for axis in 0..3 {
+            let x = Children::splat(position[axis]);
+            reach.below[axis] += x;
+            reach.above[axis] += x;
+        }
+        let scale = self.frame.scale;
+        let rounded = |square: f64| (square * scale * scale) as f32 * LARGER;
+        let mut limit = rounded(limit);
+        let mut stack = Stack::new();
+        while let Some((square, reference)) = stack.pop() {
+            if !(square <= limit) {
+                continue;
+            }
+            if reference & LEAF == 0 {
+                let node = &self.nodes[reference as usize];
+                stack.push(reach.squares(node, limit), &node.children);
+            } else {
+                let Some(packet) = self.packet(reference) else {
+                    continue;
+                };
+                limit = rounded(visit(packet));
+            }
+        }
+    }
+}
+
+/// A point made ready for tests with boxes, in the coordinates of the frame.
+struct Reach {
+    /// The point, moved towards boxes above it and below it by its error.
+    below: [Children; 3],
+    above: [Children; 3],
+}
+
+impl Reach {
+    /// The squared distance to the box of each child, or a little less; infinity beyond the limit.
+    #[inline(always)]
+    fn squares(&self, node: &Node, limit: f32) -> [f32; WIDTH] {
+        let zero = Children::splat(0.0);
+        let mut sum = zero;
+        for axis in 0..3 {
+            let above = node.bounds[2 * axis] - self.below[axis];
+            let below = self.above[axis] - node.bounds[2 * axis + 1];
+            let outside = zero.max(above).max(below);
+            sum += outside * outside;
+        }
+        let is_near = sum.less_or_equal(Children::splat(limit));
+        Real::select(is_near, sum, Children::splat(f32::INFINITY)).to_array()
+    }
+}
+
+/// The same vector for each triangle of a packet.
+#[inline(always)]
+fn splat(v: Vector<f64>) -> Vector<Four> {
+    Vector::new(Four::splat(v.e1), Four::splat(v.e2), Four::splat(v.e3))
+}
+
+/// The point of a triangle that is nearest to a point.
+struct Closest<S> {
+    /// The barycentric coordinates of the point.
+    weights: [S; 3],
+    /// The squared distance.
+    square: S,
+}
+
+/// The point of a triangle that is nearest to a point: the foot of the perpendicular on its plane,
+/// where that lies inside, or else the nearest point of an edge. A degenerate triangle has no
+/// inside.
+#[inline(always)]
+fn closest<S: Real>(point: Vector<S>, [a, b, c]: [Vector<S>; 3]) -> Closest<S> {
+    let (zero, one) = (S::zero(), S::one());
+    let (ab, ac, ap) = (b - a, c - a, point - a);
+
+    let (along_ab, square_ab) = along_segment(ap, ab);
+    let (along_ac, square_ac) = along_segment(ap, ac);
+    let (along_bc, square_bc) = along_segment(point - b, c - b);
+    let mut best = Closest {
+        weights: [one - along_ab, along_ab, zero],
+        square: square_ab,
+    };
+    best.improve([one - along_ac, zero, along_ac], square_ac);
+    best.improve([zero, one - along_bc, along_bc], square_bc);
+
+    let normal = ab.cross(ac);
+    let [v, w] = [ap.cross(ac).dot(normal), ab.cross(ap).dot(normal)];
+    let sum = normal.dot(normal);
+    let is_inside = zero.less_than(v) & zero.less_than(w) & (v + w).less_than(sum);
+    let u = zero.max(sum - v - w) / sum;
+    let (v, w) = (v / sum, w / sum);
+    let offset = ap - ab * v - ac * w;
+    let beyond = best.square + one;
+    let square = S::select(is_inside, offset.dot(offset), beyond);
+    best.improve([u, v, w], square);
+    best
+}
+
+impl<S: Real> Closest<S> {
+    /// Takes another point where that is nearer.
+    #[inline(always)]
+    fn improve(&mut self, weights: [S; 3], square: S) {
+        let is_nearer = square.less_than(self.square);
+        for (weight, other) in self.weights.iter_mut().zip(weights) {
+            *weight = S::select(is_nearer, other, *weight);
+        }
+        self.square = S::select(is_nearer, square, self.square);
+    }
+}
+
+/// The part of a segment, which runs from the origin, at which a point is nearest to it, from 0 to
+/// 1, and the squared distance.
+#[inline(always)]
+fn along_segment<S: Real>(point: Vector<S>, segment: Vector<S>) -> (S, S) {
+    let (zero, one) = (S::zero(), S::one());
+    let (along, whole) = (point.dot(segment), segment.dot(segment));
+    let part = S::select(along.less_than(whole), along / whole, one);
+    let part = S::select(zero.less_than(along), part, zero);
+    let offset = point - segment * part;
+    (part, offset.dot(offset))
+}
+
+/// The nearest point of one triangle of a packet.
+pub(super) fn nearest_of(packet: &Packet, lane: usize, position: Vector<f64>) -> Nearest {
+    let [a, b, c] = packet.triangle(lane);
+    let Closest { weights, square } = closest(position, [a, b, c]);
+    let [u, v, w] = weights;
+    Nearest {
+        point: (a * u + b * v + c * w).into(),
+        distance: square.sqrt(),
+        triangle: packet.triangles[lane],
+        barycentric: weights,
+    }
+}
