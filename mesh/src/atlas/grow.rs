@@ -43,11 +43,12 @@ impl Partition {
     }
 }
 
-/// Charts that cover a surface. Each is connected; a few faces in it may lie outside the cone.
-pub(super) fn grow(surface: &Surface) -> Partition {
+/// Charts that cover a surface, by these normals of its faces. Each is connected; a few faces in it
+/// may lie outside the cone.
+pub(super) fn grow(surface: &Surface, normals: &[Vector]) -> Partition {
     let total: f64 = surface.areas.iter().sum();
     let island = total * ISLAND;
-    let mut growth = Growth::new(surface);
+    let mut growth = Growth::new(surface, normals);
     growth.cover(0.0);
     growth.merge();
     for _ in 0..ROUNDS {
@@ -67,15 +68,17 @@ struct Seed {
 
 struct Growth<'a> {
     surface: &'a Surface,
+    normals: &'a [Vector],
     chart_of: Vec<u32>,
     seeds: Vec<Seed>,
     heap: Heap,
 }
 
 impl<'a> Growth<'a> {
-    fn new(surface: &'a Surface) -> Self {
+    fn new(surface: &'a Surface, normals: &'a [Vector]) -> Self {
         Self {
             surface,
+            normals,
             chart_of: vec![NONE; surface.len()],
             seeds: Vec::new(),
             heap: Heap::default(),
@@ -121,7 +124,7 @@ impl<'a> Growth<'a> {
                 }
             }
             let chart = self.seeds.len() as u32;
-            let mut axis = self.surface.normals[seed as usize];
+            let mut axis = self.normals[seed as usize];
             let mut faces = self.grow_one(seed, axis, chart);
             // Grown from the border of its neighbours, the chart is one-sided. Its middle is a
             // better place to begin.
@@ -169,7 +172,7 @@ impl<'a> Growth<'a> {
             next += 1;
             for beside in self.surface.neighbours(face) {
                 let free = self.chart_of[beside as usize] == NONE;
-                if free && self.surface.normals[beside as usize].dot(axis) >= CONE {
+                if free && self.normals[beside as usize].dot(axis) >= CONE {
                     self.chart_of[beside as usize] = chart;
                     faces.push(beside);
                 }
@@ -187,16 +190,16 @@ impl<'a> Growth<'a> {
         let mut area = 0.0;
         for &face in faces {
             let weight = surface.areas[face as usize];
-            axis += surface.normals[face as usize] * weight;
+            axis += self.normals[face as usize] * weight;
             centre += surface.centres[face as usize] * weight;
             area += weight;
         }
         let centre = centre * (1.0 / area);
-        let first = surface.normals[faces[0] as usize];
+        let first = self.normals[faces[0] as usize];
         let axis = axis.normalized().unwrap_or(first);
         let mut nearest = (f64::INFINITY, faces[0]);
         for &face in faces {
-            if surface.normals[face as usize].dot(axis) >= CONE {
+            if self.normals[face as usize].dot(axis) >= CONE {
                 let offset = surface.centres[face as usize] - centre;
                 nearest = min(nearest, (offset.length_squared(), face));
             }
@@ -208,7 +211,7 @@ impl<'a> Growth<'a> {
                 axis,
             };
         }
-        let axis = if surface.normals[nearest.1 as usize].dot(axis) >= CONE {
+        let axis = if self.normals[nearest.1 as usize].dot(axis) >= CONE {
             axis
         } else {
             first
@@ -251,7 +254,7 @@ impl<'a> Growth<'a> {
             let axis = self.seeds[chart as usize].axis;
             let here = surface.centres[face as usize];
             for beside in surface.neighbours(face) {
-                let cosine = surface.normals[beside as usize].dot(axis);
+                let cosine = self.normals[beside as usize].dot(axis);
                 if self.chart_of[beside as usize] == NONE && cosine >= CONE {
                     let step = here.distance(surface.centres[beside as usize]);
                     let step = step * (1.0 + BEND * (1.0 - cosine));
@@ -265,7 +268,12 @@ impl<'a> Growth<'a> {
 
     /// Joins charts while the union stays within a cone.
     fn merge(&mut self) {
-        super::merge::merge(self.surface, &mut self.chart_of, self.seeds.len());
+        super::merge::merge(
+            self.surface,
+            self.normals,
+            &mut self.chart_of,
+            self.seeds.len(),
+        );
         self.renumber();
     }
 
@@ -292,13 +300,13 @@ impl<'a> Growth<'a> {
 
     /// Gives the faces without a chart to the charts beside them.
     fn absorb(&mut self) {
-        let surface = self.surface;
+        let (surface, normals) = (self.surface, self.normals);
         let push = |heap: &mut Heap, chart_of: &[u32], distance: f32, face: u32| {
             let chart = chart_of[face as usize];
-            let normal = surface.normals[face as usize];
+            let normal = normals[face as usize];
             for beside in surface.neighbours(face) {
                 if chart_of[beside as usize] == NONE {
-                    let bend = 1.0 - normal.dot(surface.normals[beside as usize]);
+                    let bend = 1.0 - normal.dot(normals[beside as usize]);
                     heap.push(distance + bend as f32, beside, chart);
                 }
             }

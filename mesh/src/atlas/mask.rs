@@ -28,43 +28,136 @@ impl Mask {
         }
     }
 
-    /// The cells that some triangles touch, and those within `margin` cells of them. The least
-    /// coordinates of the triangles are `margin`.
-    pub(super) fn of_triangles(triangles: &[[u32; 3]], places: &[Flat], margin: usize) -> Self {
+    /// The cells that an image touches, given by the segments of its boundary, and those within
+    /// `margin` cells of them. The least coordinates of the segments are `margin` and a little.
+    pub(super) fn of_image(boundary: &[[Flat; 2]], margin: usize) -> Self {
         let mut reach = [0.0_f64; 2];
-        for place in places {
+        for place in boundary.iter().flatten() {
             reach = [reach[0].max(place[0]), reach[1].max(place[1])];
         }
         let extent = |axis: usize| (reach[axis] + SLACK) as usize + 1 + margin;
         let mut mask = Self::empty(extent(0), extent(1));
-        for triangle in triangles {
-            let corners = triangle.map(|vertex| places[vertex as usize]);
-            raster::touched(corners, SLACK, |row, [first, last]| {
+        // A cell that no segment touches is inside if its centre is.
+        for &segment in boundary {
+            raster::crossings(segment, |row, column| {
+                let (row, column) = (row.max(0) as usize, column.max(0) as usize);
+                if row < mask.height && column < mask.width {
+                    mask.words[row * mask.stride + column / 64] ^= 1 << (column % 64);
+                }
+            });
+        }
+        mask.fill_between();
+        for &[a, b] in boundary {
+            raster::touched([a, b, b], SLACK, |row, [first, last]| {
                 let row = (row.max(0) as usize).min(mask.height - 1);
                 let last = (last.max(0) as usize).min(mask.width - 1);
-                mask.fill(row, first.max(0) as usize, last);
+                mask.fill(row, [first.max(0) as usize, last], |_, _| ());
             });
         }
         mask.dilate(margin);
         mask
     }
 
+    /// Replaces each cell by the parity of the cells of its row up to it.
+    fn fill_between(&mut self) {
+        for row in self.words.chunks_exact_mut(self.stride) {
+            let mut carry = 0;
+            for word in row {
+                for shift in [1, 2, 4, 8, 16, 32] {
+                    *word ^= *word << shift;
+                }
+                *word ^= carry;
+                carry = (*word >> 63).wrapping_neg();
+            }
+        }
+    }
+
+    /// The squares of `cell` × `cell` cells that contain one of the set.
+    pub(super) fn coarse(self, cell: usize) -> Self {
+        if cell == 1 {
+            return self;
+        }
+        let mut coarse = Self::empty(self.width.div_ceil(cell), self.height.div_ceil(cell));
+        let mut union = vec![0; self.stride];
+        for (row, words) in coarse.words.chunks_exact_mut(coarse.stride).enumerate() {
+            union.fill(0);
+            for row in cell * row..(cell * row + cell).min(self.height) {
+                for (union, word) in union.iter_mut().zip(self.row(row)) {
+                    *union |= word;
+                }
+            }
+            for (at, &word) in union.iter().enumerate() {
+                let mut word = word;
+                while word != 0 {
+                    let column = (64 * at + word.trailing_zeros() as usize) / cell;
+                    words[column / 64] |= 1 << (column % 64);
+                    // On to the first cell of the next square.
+                    let next = (column + 1) * cell - 64 * at;
+                    word = if next < 64 { word >> next << next } else { 0 };
+                }
+            }
+        }
+        coarse
+    }
+
     pub(super) fn row(&self, row: usize) -> &[u64] {
         &self.words[row * self.stride..(row + 1) * self.stride]
     }
 
-    /// Puts the cells from `first` to `last` of a row into the set.
-    fn fill(&mut self, row: usize, first: usize, last: usize) {
-        let row = &mut self.words[row * self.stride..(row + 1) * self.stride];
+    /// Puts the cells of a row from the first to the last column into the set. Calls
+    /// `common(index, cells)` for each word with cells that were in it already.
+    pub(super) fn fill(
+        &mut self,
+        row: usize,
+        [first, last]: [usize; 2],
+        mut common: impl FnMut(usize, u64),
+    ) {
+        let begin = row * self.stride;
         let (a, b) = (first / 64, last / 64);
-        let head = u64::MAX << (first % 64);
-        let tail = u64::MAX >> (63 - last % 64);
-        if a == b {
-            row[a] |= head & tail;
-        } else {
-            row[a] |= head;
-            row[a + 1..b].fill(u64::MAX);
-            row[b] |= tail;
+        for at in a..=b {
+            let head = if at == a {
+                u64::MAX << (first % 64)
+            } else {
+                u64::MAX
+            };
+            let tail = if at == b {
+                u64::MAX >> (63 - last % 64)
+            } else {
+                u64::MAX
+            };
+            let word = &mut self.words[begin + at];
+            if *word & head & tail != 0 {
+                common(begin + at, *word & head & tail);
+            }
+            *word |= head & tail;
+        }
+    }
+
+    /// Puts the cells of another mask into the set, moved by some columns and rows. Calls
+    /// `common(index, cells)` for each word with cells that were in it already.
+    pub(super) fn add(
+        &mut self,
+        other: &Self,
+        [column, row]: [usize; 2],
+        mut common: impl FnMut(usize, u64),
+    ) {
+        let (skip, shift) = (column / 64, column % 64);
+        for at in 0..other.height.min(self.height.saturating_sub(row)) {
+            let begin = (row + at) * self.stride;
+            let mut before = 0;
+            for index in 0..=other.stride {
+                let word = other.row(at).get(index).copied().unwrap_or(0);
+                let moved =
+                    word << shift | u64::checked_shr(before, 64 - shift as u32).unwrap_or(0);
+                before = word;
+                if skip + index < self.stride {
+                    let place = begin + skip + index;
+                    if self.words[place] & moved != 0 {
+                        common(place, self.words[place] & moved);
+                    }
+                    self.words[place] |= moved;
+                }
+            }
         }
     }
 

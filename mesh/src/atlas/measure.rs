@@ -1,8 +1,10 @@
 //! What an atlas is like: stretch, folds, texels that are used, and texels claimed twice.
 
 use super::chart::{Flat, stretch};
+use super::flatten::Flattened;
+use super::mask::Mask;
 use super::raster;
-use super::surface::{NONE, Surface};
+use super::surface::Surface;
 
 /// The figures of an atlas.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,71 +28,101 @@ pub struct Report {
     pub overlapping_texels: usize,
 }
 
-/// The report, and pairs of faces of one chart that claim the same texel.
+/// The report, and a pair of faces of one chart that claim the same texel, if there is one.
+///
+/// `texels` are the corners of the faces of the surface, `places` the vertices of each chart, both
+/// in texels.
 pub(super) fn measure(
     surface: &Surface,
-    chart_of: &[u32],
-    charts: usize,
+    charts: &[Flattened],
     texels: &[[Flat; 3]],
+    places: &[Vec<Flat>],
     size: u32,
     margin: u32,
-) -> (Report, Vec<[u32; 2]>) {
+) -> (Report, Option<[u32; 2]>) {
     let side = size as usize;
-    let mut covered = vec![NONE; side * side];
-    let mut claimed = vec![NONE; side * side];
-    let mut is_double = vec![false; side * side];
-    let mut pairs = Vec::new();
+    let mut double = Mask::empty(side, side);
+    let mut claimed = Mask::empty(side, side);
+    let mut covered = Mask::empty(side, side);
+    let mut pair = None;
+    for (flattened, places) in charts.iter().zip(places) {
+        let faces = &flattened.chart.faces;
+        for &face in faces {
+            let mut is_new = true;
+            raster::centres(texels[face as usize], |row, columns| {
+                let (row, columns) = (row as usize, columns.map(|column| column as usize));
+                covered.fill(row, columns, |word, cells| {
+                    is_new = false;
+                    double.words[word] |= cells;
+                });
+            });
+            if !is_new && pair.is_none() {
+                pair = first_to_share(faces, face, texels);
+            }
+        }
+        let (mask, offset) = claims(flattened, places, margin as usize);
+        claimed.add(&mask, offset, |word, cells| double.words[word] |= cells);
+    }
     let (mut area, mut flat_area, mut stretched) = (0.0, 0.0, 0.0);
-    let (mut greatest, mut flipped, mut used) = (0.0_f64, 0, 0);
-    let reach = i64::from(margin);
+    let (mut greatest, mut flipped) = (0.0_f64, 0);
     for (face, &corners) in texels.iter().enumerate() {
         let (on_surface, flat, squared) = stretch(surface.corners(face as u32), corners);
         area += on_surface;
         flat_area += flat;
         stretched += squared * on_surface;
         greatest = greatest.max(squared);
-        if !(flat > 0.0) {
-            flipped += 1;
-        }
-        raster::centres(corners, |column, row| {
-            let Some(texel) = texel(column, row, side) else {
-                return;
-            };
-            let before = covered[texel];
-            if before == NONE {
-                covered[texel] = face as u32;
-                used += 1;
-            } else {
-                is_double[texel] = true;
-                if chart_of[before as usize] == chart_of[face] {
-                    pairs.push([before, face as u32]);
-                }
-            }
-        });
-        let chart = chart_of[face];
-        raster::touched(corners, 0.0, |row, [first, last]| {
-            for row in row - reach..=row + reach {
-                for column in first - reach..=last + reach {
-                    if let Some(texel) = texel(column, row, side) {
-                        let before = std::mem::replace(&mut claimed[texel], chart);
-                        is_double[texel] |= before != NONE && before != chart;
-                    }
-                }
-            }
-        });
+        flipped += usize::from(!(flat > 0.0));
     }
     let report = Report {
-        charts,
-        utilisation: f64::from(used) / (side * side) as f64,
+        charts: charts.len(),
+        utilisation: covered.count() as f64 / (side * side) as f64,
         stretch_l2: (stretched * flat_area).sqrt() / area,
         stretch_max: (greatest * flat_area / area).sqrt(),
         flipped,
-        overlapping_texels: is_double.iter().filter(|&&double| double).count(),
+        overlapping_texels: double.count(),
     };
-    (report, pairs)
+    (report, pair)
 }
 
-fn texel(column: i64, row: i64, side: usize) -> Option<usize> {
-    let (column, row) = (usize::try_from(column).ok()?, usize::try_from(row).ok()?);
-    (column < side && row < side).then(|| row * side + column)
+/// The texels that a chart claims, and where in the texture the mask begins.
+fn claims(flattened: &Flattened, places: &[Flat], margin: usize) -> (Mask, [usize; 2]) {
+    let chart = &flattened.chart;
+    let sides = chart.boundary().map(|side| chart.side(side));
+    let mut segments: Vec<[Flat; 2]> = sides
+        .map(|side| side.map(|vertex| places[vertex as usize]))
+        .collect();
+    let offset = [0, 1].map(|axis| {
+        let values = segments.iter().flatten().map(|place| place[axis]);
+        (values.fold(f64::INFINITY, f64::min) as usize).saturating_sub(margin)
+    });
+    for place in segments.iter_mut().flatten() {
+        for axis in 0..2 {
+            place[axis] -= offset[axis] as f64;
+        }
+    }
+    (Mask::of_image(&segments, margin), offset)
+}
+
+/// This face of a chart, with the first one that has a texel centre in common with it.
+fn first_to_share(faces: &[u32], face: u32, texels: &[[Flat; 3]]) -> Option<[u32; 2]> {
+    let spans = |face: u32| {
+        let mut spans = Vec::new();
+        raster::centres(texels[face as usize], |row, columns| {
+            spans.push((row, columns))
+        });
+        spans
+    };
+    let own = spans(face);
+    let shares = |&&other: &&u32| {
+        other != face
+            && spans(other).iter().any(|(row, [first, last])| {
+                own.iter()
+                    .any(|(r, [f, l])| r == row && f <= last && first <= l)
+            })
+    };
+    let other = faces
+        .iter()
+        .take_while(|&&other| other != face)
+        .find(shares)?;
+    Some([*other, face])
 }

@@ -13,8 +13,8 @@ const STRETCH: f64 = 1.06;
 
 /// Joins charts, the smallest first, each with the neighbour that it shares the longest border
 /// with. A chart that is joined keeps the number of the other.
-pub(super) fn merge(surface: &Surface, chart_of: &mut [u32], charts: usize) {
-    let mut union = Union::new(surface, chart_of, charts);
+pub(super) fn merge(surface: &Surface, normals: &[Vector], chart_of: &mut [u32], charts: usize) {
+    let mut union = Union::new(surface, normals, chart_of, charts);
     let mut order: Vec<u32> = (0..charts as u32).collect();
     order.sort_by(|&a, &b| {
         let area = |chart: u32| union.areas[chart as usize];
@@ -24,7 +24,7 @@ pub(super) fn merge(surface: &Surface, chart_of: &mut [u32], charts: usize) {
     while std::mem::take(&mut changed) {
         for &chart in &order {
             while !union.faces[chart as usize].is_empty() {
-                let Some(partner) = union.partner(surface, chart) else {
+                let Some(partner) = union.partner(chart) else {
                     break;
                 };
                 union.join(chart, partner);
@@ -39,7 +39,9 @@ pub(super) fn merge(surface: &Surface, chart_of: &mut [u32], charts: usize) {
     }
 }
 
-struct Union {
+struct Union<'a> {
+    surface: &'a Surface,
+    normals: &'a [Vector],
     faces: Vec<Vec<u32>>,
     /// Sums of normals times areas.
     sums: Vec<Vector>,
@@ -48,9 +50,11 @@ struct Union {
     borders: Vec<FxHashMap<u32, f64>>,
 }
 
-impl Union {
-    fn new(surface: &Surface, chart_of: &[u32], charts: usize) -> Self {
+impl<'a> Union<'a> {
+    fn new(surface: &'a Surface, normals: &'a [Vector], chart_of: &[u32], charts: usize) -> Self {
         let mut union = Self {
+            surface,
+            normals,
             faces: vec![Vec::new(); charts],
             sums: vec![Vector::default(); charts],
             areas: vec![0.0; charts],
@@ -62,7 +66,7 @@ impl Union {
             }
             let area = surface.areas[face];
             union.faces[chart as usize].push(face as u32);
-            union.sums[chart as usize] += surface.normals[face] * area;
+            union.sums[chart as usize] += normals[face] * area;
             union.areas[chart as usize] += area;
             for side in 3 * face as u32..3 * face as u32 + 3 {
                 let other = surface.across[side as usize];
@@ -82,20 +86,20 @@ impl Union {
 
     /// The neighbour with the longest common border among those with which the union projects
     /// well.
-    fn partner(&self, surface: &Surface, chart: u32) -> Option<u32> {
+    fn partner(&self, chart: u32) -> Option<u32> {
         let mut neighbours: Vec<(u32, f64)> = self.borders[chart as usize]
             .iter()
             .map(|(&beside, &length)| (beside, length))
             .collect();
         neighbours.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
-        let allowed = |&(beside, _): &(u32, f64)| self.projects(surface, [chart, beside]);
+        let allowed = |&(beside, _): &(u32, f64)| self.projects([chart, beside]);
         neighbours
             .into_iter()
             .find(allowed)
             .map(|(beside, _)| beside)
     }
 
-    fn projects(&self, surface: &Surface, pair: [u32; 2]) -> bool {
+    fn projects(&self, pair: [u32; 2]) -> bool {
         let sum = self.sums[pair[0] as usize] + self.sums[pair[1] as usize];
         let Some(axis) = sum.normalized() else {
             return false;
@@ -103,12 +107,12 @@ impl Union {
         let mut stretched = 0.0;
         for chart in pair {
             for &face in &self.faces[chart as usize] {
-                let cosine = surface.normals[face as usize].dot(axis);
+                let cosine = self.normals[face as usize].dot(axis);
                 if cosine < CONE {
                     return false;
                 }
                 let squared = 0.5 * (1.0 + 1.0 / (cosine * cosine));
-                stretched += surface.areas[face as usize] * squared;
+                stretched += self.surface.areas[face as usize] * squared;
             }
         }
         // The projected area is the component of the sum along the axis.

@@ -148,7 +148,8 @@ pub fn unwrap(
     }
     let surface = Surface::new(positions, triangles)?;
     let mut charts = Vec::new();
-    for faces in grow::grow(&surface).faces() {
+    let partition = partition(&surface, options.charts);
+    for faces in partition.faces() {
         charts.extend(flatten::flatten(&surface, faces, STRETCH));
     }
     charts = reduce::reduce(&surface, charts, options.charts);
@@ -158,7 +159,7 @@ pub fn unwrap(
         let Some(placement) = Placement::new(&surface, &charts, options) else {
             break;
         };
-        if let Some(&pair) = placement.pairs.first() {
+        if let Some(pair) = placement.pair {
             charts = cut_overlap(&surface, charts, pair);
             continue;
         }
@@ -185,8 +186,31 @@ pub fn unwrap(
     Ok(best.into_atlas(&surface, triangles, size))
 }
 
+/// Charts whose normals lie in cones; where that gives many, those of smoothed normals, if they
+/// are fewer.
+fn partition(surface: &Surface, most: usize) -> grow::Partition {
+    let mut normals = surface.normals.clone();
+    let mut best = grow::grow(surface, &normals);
+    for _ in 0..SMOOTHINGS {
+        if best.charts <= most / 2 {
+            break;
+        }
+        for _ in 0..4 {
+            normals = surface.smoothed(&normals);
+        }
+        let smoother = grow::grow(surface, &normals);
+        if smoother.charts < best.charts {
+            best = smoother;
+        }
+    }
+    best
+}
+
+/// How often normals are smoothed further, at most.
+const SMOOTHINGS: usize = 3;
+
 /// The greatest L2 stretch of a chart that is relaxed.
-const STRETCH: f64 = 1.15;
+const STRETCH: f64 = 1.2;
 
 /// How often charts are cut and placed anew, at most.
 const CUTS: usize = 8;
@@ -197,7 +221,8 @@ struct Placement {
     /// For each face of the surface, its corners in texels.
     texels: Vec<[Flat; 3]>,
     report: Report,
-    pairs: Vec<[u32; 2]>,
+    /// Two faces of one chart that claim the same texel.
+    pair: Option<[u32; 2]>,
 }
 
 impl Placement {
@@ -207,19 +232,19 @@ impl Placement {
         let places = pack::pack(&items, size, margin)?;
         let mut chart_of = vec![NONE; surface.len()];
         let mut texels = vec![[[0.0; 2]; 3]; surface.len()];
-        for (index, (chart, places)) in charts.iter().zip(places).enumerate() {
-            for (&face, triangle) in chart.chart.faces.iter().zip(&chart.chart.triangles) {
+        for (index, (flattened, places)) in charts.iter().zip(&places).enumerate() {
+            let chart = &flattened.chart;
+            for (&face, triangle) in chart.faces.iter().zip(&chart.triangles) {
                 chart_of[face as usize] = index as u32;
                 texels[face as usize] = triangle.map(|vertex| places[vertex as usize]);
             }
         }
-        let (report, pairs) =
-            measure::measure(surface, &chart_of, charts.len(), &texels, size, margin);
+        let (report, pair) = measure::measure(surface, charts, &texels, &places, size, margin);
         Some(Self {
             chart_of,
             texels,
             report,
-            pairs,
+            pair,
         })
     }
 
@@ -265,10 +290,14 @@ fn item(flattened: &Flattened) -> pack::Item {
         *place = place.map(|x| x * scale);
     }
     pack::straighten(&mut places);
-    pack::Item {
-        triangles: flattened.chart.triangles.clone(),
-        places,
-    }
+    let sides = flattened
+        .chart
+        .boundary()
+        .map(|side| flattened.chart.side(side));
+    let boundary = sides
+        .map(|side| side.map(|vertex| places[vertex as usize]))
+        .collect();
+    pack::Item { boundary, places }
 }
 
 /// Cuts the chart in which these two faces overlap.

@@ -4,15 +4,23 @@ use super::chart::{Flat, cross, minus};
 use super::mask::{Mask, SLACK};
 
 /// Cells along a side of the grid in which charts are placed, at most.
-const CELLS: usize = 1024;
+const CELLS: usize = 512;
 
-/// Sizes that are tried.
-const TRIES: usize = 7;
+/// Scales that are tried at most.
+const TRIES: usize = 12;
+
+/// The search for the scale ends when the largest that fits and the smallest that does not are in
+/// this ratio.
+const CLOSE: f64 = 1.008;
+
+/// The part of the square that charts and their margins usually fill.
+const FILLED: f64 = 0.72;
 
 /// A chart to be placed: its image, in the unit of the surface.
 pub(super) struct Item {
-    pub(super) triangles: Vec<[u32; 3]>,
     pub(super) places: Vec<Flat>,
+    /// The segments of the boundary, with the image to their left.
+    pub(super) boundary: Vec<[Flat; 2]>,
 }
 
 /// Turns an image so that its bounding rectangle is smallest, the longer side horizontal.
@@ -88,57 +96,65 @@ fn hull(places: &[Flat]) -> Vec<Flat> {
 ///
 /// The texels that an item touches, and those within `margin` of them, are its own.
 pub(super) fn pack(items: &[Item], size: u32, margin: u32) -> Option<Vec<Vec<Flat>>> {
-    let texels = (size as usize).div_ceil(CELLS);
-    let grid = size as usize / texels;
-    let margin = (margin as usize).div_ceil(texels);
-    let area: f64 = items.iter().map(area).sum();
-    let mut scale = grid as f64 * (0.72 / area).sqrt();
+    let cell = (size as usize).div_ceil(CELLS);
+    let grid = size as usize / cell;
+    let margin = margin as usize;
+    let mut scale = first_scale(items, size as usize, margin);
     let mut best: Option<(f64, Vec<Placed>)> = None;
-    let mut upper = f64::INFINITY;
-    for attempt in 0..40 {
+    let mut too_large = f64::INFINITY;
+    for attempt in 0.. {
         let shapes: Vec<[Shape; 4]> = items
             .iter()
-            .map(|item| shapes(item, scale, margin))
+            .map(|item| shapes(item, scale, margin, cell))
             .collect();
-        let fitted = place(&shapes, grid);
-        match fitted {
-            Ok((placed, height)) => {
-                best = Some((scale, placed));
-                // The free rows at the top allow for a larger scale.
-                let larger = scale * (grid as f64 / height as f64).sqrt().clamp(1.008, 1.1);
-                if attempt >= TRIES || larger >= 0.995 * upper {
-                    break;
-                }
-                scale = larger;
-            }
-            Err(reach) => {
-                upper = scale;
-                if best.is_some() || (attempt > 12 && scale < 1e-3) {
-                    break;
-                }
-                let by_reach = (grid as f64 / reach).sqrt().clamp(0.7, 0.985);
-                scale *= by_reach;
-            }
+        if let Some(placed) = place(&shapes, grid) {
+            best = Some((scale, placed));
+        } else {
+            too_large = scale;
         }
+        scale = match &best {
+            Some((fits, _)) if attempt >= TRIES || too_large < CLOSE * fits => break,
+            Some((fits, _)) if too_large == f64::INFINITY => fits * 1.04,
+            Some((fits, _)) => (fits * too_large).sqrt(),
+            // Margins may take all the place, however small the charts are.
+            None if attempt >= 4 * TRIES => return None,
+            None => scale * if attempt < 8 { 0.96 } else { 0.8 },
+        };
     }
     let (scale, placed) = best?;
     let write = |(item, placed): (&Item, Placed)| {
-        let places = turned(item, placed.rotation, scale, margin);
-        let offset = [placed.column as f64, placed.row as f64];
-        let texels = texels as f64;
-        let moved = |place: Flat| [0, 1].map(|axis| (place[axis] + offset[axis]) * texels);
-        places.into_iter().map(moved).collect()
+        let offset = [placed.column, placed.row].map(|cells| (cell * cells) as f64);
+        let turned = turned(&item.places, item, placed.rotation, scale, margin);
+        let moved = |place: Flat| [0, 1].map(|axis| place[axis] + offset[axis]);
+        turned.into_iter().map(moved).collect()
     };
     Some(items.iter().zip(placed).map(write).collect())
 }
 
-/// The area of an image.
-pub(super) fn area(item: &Item) -> f64 {
-    let areas = item.triangles.iter().map(|triangle| {
-        let [a, b, c] = triangle.map(|vertex| item.places[vertex as usize]);
-        0.5 * cross(minus(b, a), minus(c, a))
-    });
-    areas.sum()
+/// The scale at which the items and their margins have a part of the square's area that usually
+/// fits.
+fn first_scale(items: &[Item], size: usize, margin: usize) -> f64 {
+    let (mut area, mut length) = (0.0, 0.0);
+    for item in items {
+        let [a, l] = extents(item);
+        area += a;
+        length += l;
+    }
+    // area s² + border s = texels, with a border of the margin and half a texel.
+    let border = length * (margin as f64 + 0.5);
+    let texels = FILLED * (size * size) as f64;
+    2.0 * texels / (border + (border * border + 4.0 * area * texels).sqrt())
+}
+
+/// The area of an image, and the length of its boundary.
+fn extents(item: &Item) -> [f64; 2] {
+    let mut sum = [0.0; 2];
+    for &[a, b] in &item.boundary {
+        let [x, y] = minus(b, a);
+        sum[0] += 0.5 * cross(a, b);
+        sum[1] += x.hypot(y);
+    }
+    sum
 }
 
 /// Where an item lies.
@@ -159,9 +175,9 @@ struct Shape {
     runs: Vec<(usize, usize)>,
 }
 
-/// The image of an item rotated by quarters, scaled, and moved so that its least coordinates are
-/// `margin` and a little.
-fn turned(item: &Item, rotation: usize, scale: f64, margin: usize) -> Vec<Flat> {
+/// Places of an item rotated by quarters, scaled, and moved so that the least coordinates of the
+/// item are `margin` and a little.
+fn turned(places: &[Flat], item: &Item, rotation: usize, scale: f64, margin: usize) -> Vec<Flat> {
     let turn = |[x, y]: Flat| match rotation {
         0 => [x, y],
         1 => [-y, x],
@@ -169,22 +185,24 @@ fn turned(item: &Item, rotation: usize, scale: f64, margin: usize) -> Vec<Flat> 
         _ => [y, -x],
     };
     let mut low = [f64::INFINITY; 2];
-    for &place in &item.places {
+    for &[place, _] in &item.boundary {
         let place = turn(place);
         low = [low[0].min(place[0]), low[1].min(place[1])];
     }
     let start = margin as f64 + 2.0 * SLACK;
-    let places = item.places.iter().map(|&place| {
+    let places = places.iter().map(|&place| {
         let place = turn(place);
         [0, 1].map(|axis| (place[axis] - low[axis]) * scale + start)
     });
     places.collect()
 }
 
-fn shapes(item: &Item, scale: f64, margin: usize) -> [Shape; 4] {
+fn shapes(item: &Item, scale: f64, margin: usize, cell: usize) -> [Shape; 4] {
     std::array::from_fn(|rotation| {
-        let places = turned(item, rotation, scale, margin);
-        Shape::new(Mask::of_triangles(&item.triangles, &places, margin))
+        let ends = item.boundary.as_flattened();
+        let ends = turned(ends, item, rotation, scale, margin);
+        let (segments, _) = ends.as_chunks();
+        Shape::new(Mask::of_image(segments, margin).coarse(cell))
     })
 }
 
@@ -205,12 +223,12 @@ impl Shape {
     }
 }
 
-/// Places all shapes, the largest first, each as low as it fits and then as far to the left. In
-/// case of success also how many rows are used; otherwise about how many rows would be needed.
-fn place(shapes: &[[Shape; 4]], grid: usize) -> Result<(Vec<Placed>, usize), f64> {
+/// Places all shapes, the largest first, each as low as it fits and then as far to the left; `None`
+/// when one does not fit.
+fn place(shapes: &[[Shape; 4]], grid: usize) -> Option<Vec<Placed>> {
     let cells: usize = shapes.iter().map(|shapes| shapes[0].mask.count()).sum();
     if cells > grid * grid {
-        return Err(cells as f64 / grid as f64 * 1.05);
+        return None;
     }
     let mut order: Vec<usize> = (0..shapes.len()).collect();
     order.sort_by_key(|&item| {
@@ -224,35 +242,24 @@ fn place(shapes: &[[Shape; 4]], grid: usize) -> Result<(Vec<Placed>, usize), f64
         row: 0,
     };
     let mut placed = vec![nowhere; shapes.len()];
-    let mut used = 0;
-    let mut done = 0;
     for &item in &order {
         let mut best: Option<(usize, Placed)> = None;
         for (rotation, shape) in shapes[item].iter().enumerate() {
             let limit = best.as_ref().map_or(grid, |(top, _)| top - 1);
             if let Some([column, row]) = square.lowest(shape, limit) {
-                let top = row + shape.mask.height;
-                best = Some((
-                    top,
-                    Placed {
-                        rotation,
-                        column,
-                        row,
-                    },
-                ));
+                let place = Placed {
+                    rotation,
+                    column,
+                    row,
+                };
+                best = Some((row + shape.mask.height, place));
             }
         }
-        let Some((top, place)) = best else {
-            let left = (cells - done) as f64 / cells as f64;
-            return Err(grid as f64 * (1.03 + left));
-        };
-        let shape = &shapes[item][place.rotation];
-        square.add(shape, place.column, place.row);
-        done += shape.mask.count();
-        used = used.max(top);
+        let (_, place) = best?;
+        square.add(&shapes[item][place.rotation], place.column, place.row);
         placed[item] = place;
     }
-    Ok((placed, used))
+    Some(placed)
 }
 
 /// The cells that are taken.
@@ -331,18 +338,9 @@ impl Square {
     }
 
     fn add(&mut self, shape: &Shape, column: usize, row: usize) {
-        let mask = &shape.mask;
-        let (skip, shift) = (column / 64, column % 64);
-        let stride = self.taken.stride;
-        for at in 0..mask.height {
-            let taken = &mut self.taken.words[(row + at) * stride..(row + at + 1) * stride];
-            for (index, &word) in mask.row(at).iter().enumerate() {
-                taken[skip + index] |= word << shift;
-                if shift > 0 && skip + index + 1 < stride {
-                    taken[skip + index + 1] |= word >> (64 - shift);
-                }
-            }
-            self.free[row + at] = self.taken.longest_run(row + at, true);
+        self.taken.add(&shape.mask, [column, row], |_, _| ());
+        for row in row..row + shape.mask.height {
+            self.free[row] = self.taken.longest_run(row, true);
         }
     }
 }

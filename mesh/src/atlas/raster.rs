@@ -36,27 +36,41 @@ pub(super) fn touched(corners: [Flat; 3], slack: f64, mut span: impl FnMut(i64, 
     }
 }
 
-/// Calls `texel(column, row)` for each texel whose centre lies in the triangle. Of two triangles
+/// Calls `span(row, columns)` with the texels whose centres lie in the triangle. Of two triangles
 /// with a common side, exactly one has a centre that lies on it.
-pub(super) fn centres(corners: [Flat; 3], mut texel: impl FnMut(i64, i64)) {
+pub(super) fn centres(corners: [Flat; 3], mut span: impl FnMut(i64, [i64; 2])) {
     let low = corners.iter().fold(f64::INFINITY, |y, p| y.min(p[1]));
     let high = corners.iter().fold(f64::NEG_INFINITY, |y, p| y.max(p[1]));
     for row in (low - 0.5).ceil() as i64..(high - 0.5).ceil() as i64 {
         let y = row as f64 + 0.5;
         let mut ends = [f64::INFINITY, f64::NEG_INFINITY];
         for (p, q) in [(0, 1), (1, 2), (2, 0)] {
-            let (p, q) = (corners[p], corners[q]);
-            // The same order of the ends in both triangles gives the same rounding.
-            let (p, q) = if p[1] <= q[1] { (p, q) } else { (q, p) };
-            if p[1] <= y && y < q[1] {
-                let x = p[0] + (y - p[1]) * ((q[0] - p[0]) / (q[1] - p[1]));
+            if let Some(x) = at_height(y, corners[p], corners[q]) {
                 ends = [ends[0].min(x), ends[1].max(x)];
             }
         }
-        if ends[0] < ends[1] {
-            for column in (ends[0] - 0.5).ceil() as i64..(ends[1] - 0.5).ceil() as i64 {
-                texel(column, row);
-            }
+        let [first, after] = ends.map(|x| (x - 0.5).ceil() as i64);
+        if first < after {
+            span(row, [first, after - 1]);
         }
     }
+}
+
+/// Calls `cross(row, column)` for each row of texel centres that a segment crosses, with the first
+/// column whose centre is not to the left of the segment.
+pub(super) fn crossings([p, q]: [Flat; 2], mut cross: impl FnMut(i64, i64)) {
+    let (low, high) = (p[1].min(q[1]), p[1].max(q[1]));
+    for row in (low - 0.5).ceil() as i64..(high - 0.5).ceil() as i64 {
+        if let Some(x) = at_height(row as f64 + 0.5, p, q) {
+            cross(row, (x - 0.5).ceil() as i64);
+        }
+    }
+}
+
+/// Where a segment, without its upper end, has this height.
+fn at_height(y: f64, p: Flat, q: Flat) -> Option<f64> {
+    // The same order of the ends in both triangles at a side gives the same rounding.
+    let (p, q) = if p[1] <= q[1] { (p, q) } else { (q, p) };
+    let inside = p[1] <= y && y < q[1];
+    inside.then(|| p[0] + (y - p[1]) * ((q[0] - p[0]) / (q[1] - p[1])))
 }

@@ -81,6 +81,16 @@ impl Surface {
         sides.filter(|&&side| side != NONE).map(|side| side / 3)
     }
 
+    /// For each face, the mean direction of its vector and those of its neighbours.
+    pub(super) fn smoothed(&self, vectors: &[Vector]) -> Vec<Vector> {
+        let mean = |face: usize| {
+            let beside = self.neighbours(face as u32);
+            let sum = beside.fold(vectors[face], |sum, beside| sum + vectors[beside as usize]);
+            sum.normalized().unwrap_or(vectors[face])
+        };
+        (0..self.len()).map(mean).collect()
+    }
+
     /// The ends of a side.
     pub(super) fn side(&self, side: u32) -> [Vector; 2] {
         let triangle = self.triangles[side as usize / 3];
