@@ -11,9 +11,11 @@
 
 use crate::instruction_set::InstructionSet;
 
-/// A loop that can be compiled for several sets of instructions. `run` must be `#[inline(always)]`,
-/// so that it is compiled as part of the function that enables them.
-pub(crate) trait Work {
+/// A loop that can be compiled for several sets of instructions, for
+/// [`Batch::run`](crate::batch::Batch::run).
+pub trait Work {
+    /// The loop. It must be `#[inline(always)]`, as must be what it calls, so that it is compiled
+    /// as part of the function that enables the instructions.
     fn run(self);
 }
 

@@ -8,6 +8,7 @@
 //!   grey; [`ycbcr`]: the encoding of video.
 //! - [`filter`]: Gaussian blur and other convolutions; [`pyramid`]: halved sizes;
 //!   [`resample`]: other sizes.
+//! - [`quality`]: PSNR and SSIM of two pictures.
 //!
 //! Columns are counted from the left and rows from the top, both from 0. The pixel in column *c*
 //! and row *r* covers the square from (*c*, *r*) to (*c* + 1, *r* + 1): its centre is at
@@ -42,6 +43,7 @@ pub mod plane;
 pub mod png;
 pub mod pnm;
 pub mod pyramid;
+pub mod quality;
 pub mod resample;
 pub mod sample;
 pub mod y4m;

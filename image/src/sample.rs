@@ -3,6 +3,7 @@
 use std::fmt::Debug;
 
 use crate::grey::{Luma, weighted, weighted_bytes};
+use crate::quality::{squared_error, squared_error_of_bytes};
 
 /// The number that one channel of a pixel holds: `u8`, `u16` or `f32`.
 ///
@@ -46,6 +47,14 @@ pub trait Sample: Copy + Debug + Default + PartialEq + PartialOrd + Send + Sync 
     fn luma(rgb: [Self; 3], luma: Luma) -> Self {
         Self::from_f32(weighted(rgb.map(Self::to_f32), luma))
     }
+
+    /// The sum of the squared differences; see [`mse`](crate::quality::mse).
+    #[doc(hidden)]
+    #[must_use]
+    #[inline(always)]
+    fn squared_error(a: &[Self], b: &[Self]) -> f64 {
+        squared_error(a, b)
+    }
 }
 
 /// What a plane holds at each place: a sample, or an array of samples, one for each channel.
@@ -67,7 +76,7 @@ pub trait Pixel: Copy + Debug + Default + PartialEq + Send + Sync + 'static {
 }
 
 macro_rules! integer_samples {
-    ($($integer:ty $({ $luma:item })?),*) => {$(
+    ($($integer:ty { $($own:item)* })*) => {$(
         impl Sample for $integer {
             const WHITE: f32 = <$integer>::MAX as f32;
 
@@ -82,22 +91,25 @@ macro_rules! integer_samples {
                 (value + 0.5) as Self
             }
 
-            $(
-                #[inline]
-                $luma
-            )?
+            $($own)*
         }
     )*};
 }
 
-integer_samples!(
+integer_samples! {
     u8 {
+        #[inline]
         fn luma(rgb: [Self; 3], luma: Luma) -> Self {
             weighted_bytes(rgb, luma)
         }
-    },
-    u16
-);
+
+        #[inline(always)]
+        fn squared_error(a: &[Self], b: &[Self]) -> f64 {
+            squared_error_of_bytes(a, b)
+        }
+    }
+    u16 {}
+}
 
 impl Sample for f32 {
     const WHITE: f32 = 1.0;

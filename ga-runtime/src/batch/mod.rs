@@ -43,6 +43,7 @@ pub use crate::instruction_set::InstructionSet;
 /// An alias of [`InstructionSet`].
 #[doc(no_inline)]
 pub use crate::instruction_set::InstructionSet as Path;
+pub use crate::unsafe_code::Work;
 pub use blend::BlendError;
 pub use moved::Moved;
 
@@ -128,6 +129,30 @@ impl Batch {
     #[must_use]
     pub fn path(self) -> InstructionSet {
         self.instruction_set
+    }
+
+    /// Runs a loop of your own, compiled for the set of instructions.
+    ///
+    /// ```
+    /// use ga_runtime::batch::{Batch, Work};
+    ///
+    /// struct Scale<'a>(&'a mut [f32]);
+    ///
+    /// impl Work for Scale<'_> {
+    ///     #[inline(always)]
+    ///     fn run(self) {
+    ///         for number in self.0 {
+    ///             *number *= 2.0;
+    ///         }
+    ///     }
+    /// }
+    ///
+    /// let mut numbers = [1.5; 100];
+    /// Batch::new().run(Scale(&mut numbers));
+    /// assert_eq!(numbers[99], 3.0);
+    /// ```
+    pub fn run(self, work: impl Work) {
+        crate::unsafe_code::run(self.instruction_set, work);
     }
 }
 

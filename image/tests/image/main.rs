@@ -1,10 +1,11 @@
-//! Tests of pictures: files of every format, filters, sizes.
+//! Tests of pictures: files of every format, filters, sizes, quality.
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 mod files;
 mod films;
 mod hostile;
+mod quality;
 mod scaling;
 
 use std::path::PathBuf;
