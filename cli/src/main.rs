@@ -20,7 +20,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use commands::{animate, demo, draw, expand};
+use commands::{animate, demo, draw, expand, mesh};
 
 /// Animation, stereo vision and pictures on conformal geometric algebra.
 #[derive(Parser)]
@@ -39,6 +39,7 @@ enum Command {
     Animate(animate::Arguments),
     Expand(expand::Arguments),
     Draw(draw::Arguments),
+    Mesh(mesh::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -48,6 +49,7 @@ fn main() -> ExitCode {
         Command::Animate(arguments) => animate::run(arguments, cli.quiet),
         Command::Expand(arguments) => expand::run(arguments),
         Command::Draw(arguments) => draw::run(arguments, cli.quiet),
+        Command::Mesh(arguments) => mesh::run(arguments, cli.quiet),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

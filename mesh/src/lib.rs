@@ -12,11 +12,13 @@
 //! | [`Material`], [`Texture`] | the appearance of faces |
 //! | [`Part`] | the faces of one group as a mesh of their own |
 //! | [`atlas`] | cuts a surface into charts and places them in a texture |
-//! | [`normals`] | smooth normals |
 //! | [`query`] | nearest points, rays, overlaps |
-//! | [`obj`] | reads and writes Wavefront OBJ |
 //! | [`subdivision`] | Loop and Catmull–Clark surfaces with creases, stencils and limits |
-//! | [`topology`] | edges, and the faces around each vertex |
+//! | [`normals`], [`tangents`] | smooth normals, tangents for normal maps |
+//! | [`obj`] | reads and writes Wavefront OBJ |
+//! | [`ply`] | reads and writes PLY |
+//! | [`mod@format`] | reads and writes files by the ending of their names |
+//! | [`topology`] | edges, rings, components; a report on what is irregular |
 //! | [`gltf`] | reads and writes glTF with materials, skins and animations |
 //!
 //! # Conventions
@@ -37,17 +39,20 @@ mod attribute;
 mod colour_space;
 mod error;
 mod faces;
+pub mod format;
 pub mod gltf;
 mod lists;
 mod material;
 mod mesh;
 pub mod normals;
 pub mod obj;
+pub mod ply;
 mod polylines;
-pub mod subdivision;
-pub mod topology;
-mod part;
 pub mod query;
+pub mod subdivision;
+pub mod tangents;
+pub mod topology;
+mod words;
 
 pub use attribute::{CornerAttribute, Normals, Rgba, Tangent, Tangents, TextureCoordinates};
 pub use error::MeshError;

@@ -225,6 +225,30 @@ impl Material {
         .flatten()
     }
 
+    /// All textures of the material, to be changed.
+    pub fn textures_mut(&mut self) -> impl Iterator<Item = &mut Texture> {
+        let mut phong: [Option<&mut Texture>; 5] = Default::default();
+        if let Some(terms) = &mut self.phong {
+            phong = [
+                terms.ambient_texture.as_mut(),
+                terms.specular_texture.as_mut(),
+                terms.exponent_texture.as_mut(),
+                terms.opacity_texture.as_mut(),
+                terms.bump_texture.as_mut(),
+            ];
+        }
+        [
+            self.base_colour_texture.as_mut(),
+            self.metallic_roughness_texture.as_mut(),
+            self.normal_texture.as_mut(),
+            self.occlusion_texture.as_mut(),
+            self.emissive_texture.as_mut(),
+        ]
+        .into_iter()
+        .chain(phong)
+        .flatten()
+    }
+
     /// The name of a number that is out of its range.
     pub(crate) fn faulty_number(&self) -> Option<&'static str> {
         let fraction = |numbers: &[f64]| numbers.iter().all(|n| (0.0..=1.0).contains(n));

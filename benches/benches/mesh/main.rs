@@ -1,5 +1,6 @@
 //! Meshes beside other crates that do the same work.
 
+mod obj;
 mod queries;
 
 use criterion::{criterion_group, criterion_main};
@@ -8,6 +9,6 @@ use nullcone_benches::comparison;
 criterion_group! {
     name = benches;
     config = comparison::criterion();
-    targets = queries::all
+    targets = obj::all, queries::all
 }
 criterion_main!(benches);

@@ -4,3 +4,4 @@ pub(crate) mod animate;
 pub(crate) mod demo;
 pub(crate) mod draw;
 pub(crate) mod expand;
+pub(crate) mod mesh;

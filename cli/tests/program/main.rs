@@ -8,3 +8,4 @@ mod common;
 mod demo;
 mod draw;
 mod expand;
+mod mesh;

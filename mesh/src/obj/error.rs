@@ -1,8 +1,8 @@
 //! What can be wrong with an OBJ file.
 
 use super::mtl::MtlError;
-use super::words::WordError;
 use crate::MeshError;
+use crate::words::WordError;
 
 /// What is wrong with an OBJ file, and where.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

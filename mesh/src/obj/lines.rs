@@ -25,7 +25,7 @@ impl<'a> Lines<'a> {
     /// One line of the file without its end, and whether the next line continues it.
     fn physical(&mut self) -> Option<(&'a [u8], bool)> {
         let rest = self.rest?;
-        let line = match rest.iter().position(|&byte| byte == b'\n') {
+        let line = match memchr::memchr(b'\n', rest) {
             Some(end) => {
                 self.rest = Some(&rest[end + 1..]);
                 &rest[..end]

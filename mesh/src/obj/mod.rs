@@ -47,7 +47,6 @@ mod lines;
 pub mod mtl;
 mod parser;
 mod read;
-mod words;
 mod write;
 
 pub use error::{ObjError, ObjProblem};

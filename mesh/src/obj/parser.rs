@@ -5,9 +5,9 @@ use std::collections::HashMap;
 use ga_runtime::vga3::Vector;
 
 use super::lines::Lines;
-use super::words::{Words, integer, numbers, text};
 use super::{ObjError, ObjProblem};
 use crate::lists::Lists;
+use crate::words::{Words, integer, numbers, text};
 use crate::{Faces, Group, Polylines};
 
 /// What an OBJ file says, indices checked and counted from 0.

@@ -4,9 +4,14 @@
 
 mod atlas;
 mod attributes;
+mod damage;
 mod gltf;
+mod materials;
 mod normals;
 mod obj;
+mod ply;
 mod polygons;
 mod query;
+mod report;
+mod tangents;
 mod topology;

@@ -1,6 +1,6 @@
 //! What can be wrong with an MTL file.
 
-use crate::obj::words::WordError;
+use crate::words::WordError;
 
 /// What is wrong with an MTL file, and where.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -3,7 +3,7 @@
 use super::texture::{Picture, picture};
 use super::{MtlError, MtlProblem};
 use crate::obj::lines::Lines;
-use crate::obj::words::{Words, numbers, text};
+use crate::words::{Words, numbers, text};
 use crate::{AlphaMode, Material, Phong, Texture};
 
 pub(super) fn parse(bytes: &[u8]) -> Result<Vec<Material>, MtlError> {

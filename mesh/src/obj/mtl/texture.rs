@@ -1,7 +1,7 @@
 //! Pictures of materials, with their options.
 
 use super::MtlProblem;
-use crate::obj::words::{Words, number, text};
+use crate::words::{Words, number, text};
 use crate::{Texture, Wrap};
 
 /// A picture, and what its options say that is not about its place.

@@ -2,7 +2,7 @@
 
 /// What can be wrong with a word.
 #[derive(Debug)]
-pub(super) enum WordError {
+pub(crate) enum WordError {
     /// It is not UTF-8, or holds a null byte.
     NotText,
     /// It stands in the place of a number.
@@ -13,17 +13,17 @@ pub(super) enum WordError {
 
 /// The words of a line up to a comment, which begins with a word that begins with `#`.
 #[derive(Clone)]
-pub(super) struct Words<'a> {
+pub(crate) struct Words<'a> {
     rest: &'a [u8],
 }
 
 impl<'a> Words<'a> {
-    pub(super) fn new(line: &'a [u8]) -> Self {
+    pub(crate) fn new(line: &'a [u8]) -> Self {
         Self { rest: line }
     }
 
     /// What follows the white space, or `None` at the end of the line or at a comment.
-    pub(super) fn rest(&mut self) -> Option<&'a [u8]> {
+    pub(crate) fn rest(&mut self) -> Option<&'a [u8]> {
         while let [first, rest @ ..] = self.rest {
             if !first.is_ascii_whitespace() {
                 return (*first != b'#').then_some(self.rest);
@@ -34,7 +34,7 @@ impl<'a> Words<'a> {
     }
 
     /// Goes on `length` bytes further, if a word ends there.
-    pub(super) fn advance(&mut self, length: usize) -> bool {
+    pub(crate) fn advance(&mut self, length: usize) -> bool {
         let ends = self
             .rest
             .get(length)
@@ -46,7 +46,7 @@ impl<'a> Words<'a> {
     }
 
     /// The words, with one space between two of them.
-    pub(super) fn joined(self) -> Result<String, WordError> {
+    pub(crate) fn joined(self) -> Result<String, WordError> {
         let words: Vec<&str> = self.map(text).collect::<Result<_, _>>()?;
         Ok(words.join(" "))
     }
@@ -65,7 +65,7 @@ impl<'a> Iterator for Words<'a> {
 }
 
 /// A word as text.
-pub(super) fn text(word: &[u8]) -> Result<&str, WordError> {
+pub(crate) fn text(word: &[u8]) -> Result<&str, WordError> {
     match std::str::from_utf8(word) {
         Ok(text) if !text.contains('\0') => Ok(text),
         _ => Err(WordError::NotText),
@@ -74,7 +74,7 @@ pub(super) fn text(word: &[u8]) -> Result<&str, WordError> {
 
 /// The numbers on the rest of a line: the first `N` of them, 0 where there are fewer, and how many
 /// there are.
-pub(super) fn numbers<const N: usize>(
+pub(crate) fn numbers<const N: usize>(
     words: &mut Words<'_>,
 ) -> Result<([f64; N], usize), WordError> {
     let mut values = [0.0; N];
@@ -89,7 +89,7 @@ pub(super) fn numbers<const N: usize>(
 }
 
 /// The next word as a finite number, or `None` at the end of the line.
-pub(super) fn number(words: &mut Words<'_>) -> Result<Option<f64>, WordError> {
+pub(crate) fn number(words: &mut Words<'_>) -> Result<Option<f64>, WordError> {
     let Some(rest) = words.rest() else {
         return Ok(None);
     };
@@ -157,7 +157,7 @@ const POWERS_OF_TEN: [f64; 23] = [
 ];
 
 /// The integer of at most 18 digits at the start of `bytes` and its length.
-pub(super) fn integer(bytes: &[u8]) -> Option<(i64, usize)> {
+pub(crate) fn integer(bytes: &[u8]) -> Option<(i64, usize)> {
     let negative = bytes.first() == Some(&b'-');
     let start = usize::from(negative);
     let mut at = start;

@@ -1,0 +1,43 @@
+//! `nullcone mesh`: polygon meshes in files.
+
+mod convert;
+mod info;
+
+use std::path::Path;
+
+use anyhow::Result;
+use clap::Subcommand;
+use ga_mesh::format::{self, Loaded};
+
+/// Examine and convert polygon meshes.
+///
+/// Files may be Wavefront OBJ with MTL (.obj) or PLY (.ply); the ending of the name says which.
+#[derive(Clone, Debug, clap::Args)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Clone, Debug, Subcommand)]
+enum Command {
+    Info(info::Arguments),
+    Convert(convert::Arguments),
+}
+
+pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+    match &arguments.command {
+        Command::Info(arguments) => info::run(arguments, quiet),
+        Command::Convert(arguments) => convert::run(arguments, quiet),
+    }
+}
+
+/// Reads a mesh, and says on standard error what its file refers to that is not there.
+fn read(file: &Path, quiet: bool) -> Result<Loaded> {
+    let loaded = format::read(file)?;
+    if !quiet {
+        for warning in &loaded.warnings {
+            eprintln!("warning: {}: {warning}", file.display());
+        }
+    }
+    Ok(loaded)
+}

@@ -1,0 +1,19 @@
+//! Wavefront OBJ with a material library: the input is both files, with a null byte between them.
+//! What is read must come back when it is written.
+#![no_main]
+
+use ga_mesh::obj;
+use libfuzzer_sys::fuzz_target;
+
+fuzz_target!(|data: &[u8]| {
+    let mut files = data.splitn(2, |&byte| byte == 0);
+    let text = files.next().unwrap_or_default();
+    let library = files.next().unwrap_or_default();
+    let Ok(loaded) = obj::parse_with_libraries(text, |_| Ok(library.to_vec())) else {
+        return;
+    };
+    let mesh = loaded.mesh;
+    let back = obj::parse(obj::to_text(&mesh).as_bytes()).expect("what is written is readable");
+    assert_eq!(back.positions(), mesh.positions());
+    assert_eq!(back.faces(), mesh.faces());
+});

@@ -1,0 +1,17 @@
+//! PLY: what is read must come back when it is written, in every encoding.
+#![no_main]
+
+use ga_mesh::ply::{self, Encoding};
+use libfuzzer_sys::fuzz_target;
+
+fuzz_target!(|data: &[u8]| {
+    let Ok(mesh) = ply::parse(data) else {
+        return;
+    };
+    for encoding in [Encoding::Ascii, Encoding::LittleEndian, Encoding::BigEndian] {
+        let back =
+            ply::parse(&ply::to_bytes(&mesh, encoding)).expect("what is written is readable");
+        assert_eq!(back.positions(), mesh.positions());
+        assert_eq!(back.faces(), mesh.faces());
+    }
+});

@@ -1,0 +1,197 @@
+//! Mesh files of any format, chosen by the ending of their names.
+
+use std::ffi::OsStr;
+use std::path::{Component, Path, PathBuf};
+
+use ga_files::{ReadError, WriteError};
+
+use crate::ply::PlyError;
+use crate::{Image, Mesh, MeshError, obj, ply};
+
+/// A format of mesh files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// Wavefront OBJ; see [`obj`].
+    Obj,
+    /// PLY; see [`ply`].
+    Ply,
+}
+
+/// A mesh from a file, and what was replaced where the file refers to something that is not there.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Loaded {
+    /// The mesh.
+    pub mesh: Mesh,
+    /// What was replaced, a sentence each.
+    pub warnings: Vec<String>,
+}
+
+/// How a mesh is written, for formats that leave a choice.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Options {
+    /// The encoding of PLY.
+    pub ply: ply::Encoding,
+}
+
+/// A mesh file that could not be read or written.
+#[derive(Debug, thiserror::Error)]
+pub enum FormatError {
+    /// The name of the file has no ending that stands for a format.
+    #[error("{}: the name of a mesh file must end in .obj or .ply", path.display())]
+    Unknown {
+        /// The file.
+        path: PathBuf,
+    },
+    /// A Wavefront OBJ file could not be read.
+    #[error(transparent)]
+    Obj(#[from] ReadError<obj::ObjError>),
+    /// A PLY file could not be read.
+    #[error(transparent)]
+    Ply(#[from] ReadError<PlyError>),
+    /// A file could not be written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
+    /// The mesh does not fit the format.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+}
+
+impl Format {
+    /// The format that the ending of a file's name stands for, in small or capital letters.
+    ///
+    /// # Errors
+    ///
+    /// [`FormatError::Unknown`].
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use ga_mesh::format::Format;
+    ///
+    /// assert_eq!(Format::of_path("scans/Bunny.PLY")?, Format::Ply);
+    /// assert!(Format::of_path("bunny.txt").is_err());
+    /// # Ok::<(), ga_mesh::format::FormatError>(())
+    /// ```
+    pub fn of_path(path: impl AsRef<Path>) -> Result<Self, FormatError> {
+        let path = path.as_ref();
+        let ending = path.extension().and_then(OsStr::to_str).unwrap_or("");
+        match ending.to_ascii_lowercase().as_str() {
+            "obj" => Ok(Format::Obj),
+            "ply" => Ok(Format::Ply),
+            _ => Err(FormatError::Unknown {
+                path: path.to_path_buf(),
+            }),
+        }
+    }
+}
+
+/// Reads a mesh.
+///
+/// # Errors
+///
+/// [`FormatError`].
+pub fn read(path: impl AsRef<Path>) -> Result<Loaded, FormatError> {
+    let path = path.as_ref();
+    match Format::of_path(path)? {
+        Format::Obj => {
+            let loaded = obj::read_with_warnings(path)?;
+            let warnings = loaded.warnings.iter().map(ToString::to_string).collect();
+            let mesh = loaded.mesh;
+            Ok(Loaded { mesh, warnings })
+        }
+        Format::Ply => Ok(Loaded {
+            mesh: ply::read(path)?,
+            warnings: Vec::new(),
+        }),
+    }
+}
+
+/// Writes a mesh, whole or not at all.
+///
+/// # Errors
+///
+/// [`FormatError`].
+pub fn write(path: impl AsRef<Path>, mesh: &Mesh, options: &Options) -> Result<(), FormatError> {
+    let path = path.as_ref();
+    match Format::of_path(path)? {
+        Format::Obj => Ok(obj::write(path, mesh)?),
+        Format::Ply => Ok(ply::write(path, mesh, options.ply)?),
+    }
+}
+
+/// The mesh of a file as it is to be written to another file: where that lies in another folder,
+/// the paths of pictures are changed so that they lead to the same pictures.
+///
+/// # Errors
+///
+/// None for a mesh that was read; [`FormatError::Mesh`] is passed on.
+pub fn relocated(mesh: &Mesh, from: &Path, to: &Path) -> Result<Mesh, FormatError> {
+    let folder = |file: &Path| {
+        let folder = std::path::absolute(file).ok()?;
+        folder.parent().map(Path::to_path_buf)
+    };
+    let (Some(from), Some(to)) = (folder(from), folder(to)) else {
+        return Ok(mesh.clone());
+    };
+    if from == to || mesh.materials().is_empty() {
+        return Ok(mesh.clone());
+    }
+    let mut materials = mesh.materials().to_vec();
+    for texture in materials
+        .iter_mut()
+        .flat_map(|material| material.textures_mut())
+    {
+        if let Image::File(path) = &mut texture.image
+            && let Some(relative) = relative_path(&to, &from.join(&*path))
+        {
+            *path = relative;
+        }
+    }
+    let of_faces = mesh.face_materials().to_vec();
+    Ok(mesh.clone().with_materials(materials, of_faces)?)
+}
+
+/// The path from a folder to a file, both absolute, with `/` between folders.
+fn relative_path(folder: &Path, file: &Path) -> Option<String> {
+    let (mut folder, mut file) = (normal(folder), normal(file));
+    let shared = folder.iter().zip(&file).take_while(|(a, b)| a == b).count();
+    // Nothing in common, as on two drives.
+    if shared == 0 {
+        return None;
+    }
+    let mut steps = vec![".."; folder.split_off(shared).len()];
+    let rest = file.split_off(shared);
+    for component in &rest {
+        steps.push(component.as_os_str().to_str()?);
+    }
+    Some(steps.join("/"))
+}
+
+/// The components of an absolute path, `.` and `..` resolved.
+fn normal(path: &Path) -> Vec<Component<'_>> {
+    let mut components = Vec::new();
+    for component in path.components() {
+        match component {
+            Component::CurDir => {}
+            Component::ParentDir => {
+                components.pop();
+            }
+            other => components.push(other),
+        }
+    }
+    components
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[cfg(unix)]
+    #[test]
+    fn paths_lead_from_folder_to_file() {
+        let relative = |folder: &str, file: &str| relative_path(folder.as_ref(), file.as_ref());
+        assert_eq!(relative("/a/b", "/a/b/c.png").unwrap(), "c.png");
+        assert_eq!(relative("/a/b", "/a/x/../d/c.png").unwrap(), "../d/c.png");
+        assert_eq!(relative("/a/b/c", "/d.png").unwrap(), "../../../d.png");
+    }
+}

@@ -1,0 +1,94 @@
+//! PLY, the polygon format of Stanford: as text or binary in either byte order.
+//!
+//! | element | property | what it is |
+//! | --- | --- | --- |
+//! | `vertex` | `x y z` | the position, required |
+//! | | `nx ny nz` | the normal, made a unit vector; a zero vector stands for none |
+//! | | `red green blue alpha` | the colour in sRGB; integers are parts of their greatest value |
+//! | | `s t`, `u v`, `texture_u texture_v` | the texture coordinate |
+//! | `face` | list `vertex_indices` or `vertex_index` | the polygon |
+//! | | list `texcoord` | a texture coordinate for each corner, or nothing |
+//! | `edge` | `vertex1 vertex2` | a polyline of two vertices |
+//!
+//! Other elements and properties are read over and dropped: materials and pictures (`comment
+//! TextureFile` included), colours of faces, confidence and quality. Triangle strips are an error.
+//! A file may have vertices alone, as scans do. Every number must be finite and every index in
+//! range. Before anything is read, the counts in the header are compared with the length of the
+//! file, so that a false one costs no memory.
+//!
+//! What PLY has no place for is left out when a mesh is written: groups, objects, materials,
+//! tangents, points, further sets of texture coordinates, and normals that differ between the faces
+//! at a vertex. Texture coordinates that differ there become `texcoord` lists. Numbers are written
+//! as `float` where that loses nothing, else as `double`; colours as bytes likewise. Polylines
+//! become edges.
+//!
+//! The reader is not one from crates.io, since the one that is kept up, `ply-rs-bw`, refuses
+//! numbers such as `.5`, does not compare counts with the file, and describes errors in several
+//! lines.
+//!
+//! Source: Turk, *The PLY Polygon File Format*, 1994.
+
+mod body;
+mod error;
+mod header;
+mod read;
+mod write;
+
+use std::path::Path;
+
+use ga_files::{ReadError, WriteError};
+
+use crate::Mesh;
+
+pub use error::{Place, PlyError, PlyProblem};
+pub use write::to_bytes;
+
+/// How the numbers of a file are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Encoding {
+    /// As text.
+    Ascii,
+    /// Binary, the lowest byte first.
+    #[default]
+    LittleEndian,
+    /// Binary, the highest byte first.
+    BigEndian,
+}
+
+/// Reads the mesh in a file.
+///
+/// # Errors
+///
+/// [`ReadError::Io`], or [`ReadError::Contents`] as [`parse`] gives.
+pub fn read(path: impl AsRef<Path>) -> Result<Mesh, ReadError<PlyError>> {
+    ga_files::read(path, parse)
+}
+
+/// Reads a mesh from the bytes of a file.
+///
+/// # Errors
+///
+/// [`PlyError`], for the first fault; indices out of range are found after all other errors.
+///
+/// # Examples
+///
+/// ```
+/// let text = b"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
+///     property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n\
+///     0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+/// let mesh = ga_mesh::ply::parse(text)?;
+/// assert_eq!(mesh.triangles(), [[0, 1, 2]]);
+/// # Ok::<(), ga_mesh::ply::PlyError>(())
+/// ```
+pub fn parse(bytes: &[u8]) -> Result<Mesh, PlyError> {
+    read::mesh(bytes)
+}
+
+/// Writes a mesh to a file, whole or not at all.
+///
+/// # Errors
+///
+/// [`WriteError`]; an earlier file of that name then stays as it was.
+pub fn write(path: impl AsRef<Path>, mesh: &Mesh, encoding: Encoding) -> Result<(), WriteError> {
+    ga_files::write(path, &to_bytes(mesh, encoding))
+}

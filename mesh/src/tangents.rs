@@ -1,0 +1,220 @@
+//! Tangents of surfaces with texture coordinates, for normal maps.
+
+use std::collections::HashMap;
+
+use bevy_mikktspace::{Geometry, TangentSpace, generate_tangents};
+use ga_runtime::vga3::Vector;
+
+use crate::normals::vertex_normals;
+use crate::{CornerAttribute, Faces, Mesh, Tangent, Tangents};
+
+/// Why a mesh has no tangents.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum TangentError {
+    /// The mesh has no such set of texture coordinates.
+    #[error("the mesh has no set {set} of texture coordinates")]
+    NoTextureCoordinates {
+        /// The set, from 0.
+        set: usize,
+    },
+    /// A coordinate of a vertex is too large for single precision.
+    #[error("vertex {vertex} is too far away for single precision: {coordinates:?}")]
+    TooFar {
+        /// The vertex.
+        vertex: usize,
+        /// Its coordinates.
+        coordinates: [f64; 3],
+    },
+    /// A texture coordinate is too large for single precision.
+    #[error("texture coordinate {index} is too large for single precision: {value:?}")]
+    TextureTooLarge {
+        /// The texture coordinate.
+        index: usize,
+        /// Its value.
+        value: [f64; 2],
+    },
+}
+
+/// The tangents of a mesh by Mikkelsen's algorithm, which the programs that make and show normal
+/// maps have in common.
+///
+/// Normals are those of the mesh, or [`vertex_normals`] where it has none. Faces of more than four
+/// corners are split as by [`Faces::triangles`]. A face gets no tangents where one of its corners
+/// lacks a texture coordinate or has no normal. Tangents are computed in single precision.
+///
+/// Source: Mikkelsen, *Simulation of Wrinkled Surfaces Revisited*, 2008; the code is that of the
+/// crate `bevy_mikktspace`.
+///
+/// # Errors
+///
+/// [`TangentError`].
+///
+/// # Examples
+///
+/// On a square whose picture lies upright, u grows along x and v along y:
+///
+/// ```
+/// use ga_mesh::{obj, tangents};
+///
+/// let square = obj::parse(
+///     b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n",
+/// )?;
+/// let tangents = tangents::mikktspace(&square, 0)?;
+/// let tangent = tangents.get(0).ok_or("no tangent")?;
+/// assert_eq!(tangent.direction.coordinates(), [1.0, 0.0, 0.0]);
+/// assert_eq!(tangent.handedness, 1.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn mikktspace(mesh: &Mesh, set: usize) -> Result<Tangents, TangentError> {
+    let texture = mesh
+        .texture_coordinate_sets()
+        .get(set)
+        .ok_or(TangentError::NoTextureCoordinates { set })?;
+    let mut surface = Surface::new(mesh, texture)?;
+    match generate_tangents(&mut surface) {
+        Ok(()) => Ok(surface.tangents()),
+        // No reason exists in this version of the library.
+        Err(_) => Err(TangentError::NoTextureCoordinates { set }),
+    }
+}
+
+/// Triangles and quadrilaterals as the library takes them.
+struct Surface {
+    /// Three or four corners of the mesh for each, the last repeated for triangles.
+    faces: Vec<[u32; 4]>,
+    vertices: Vec<u32>,
+    positions: Vec<[f32; 3]>,
+    /// For each corner of the mesh.
+    normals: Vec<[f32; 3]>,
+    texture: Vec<[f32; 2]>,
+    tangents: Vec<Option<TangentSpace>>,
+}
+
+impl Surface {
+    fn new(mesh: &Mesh, texture: &CornerAttribute<[f64; 2]>) -> Result<Self, TangentError> {
+        let corners = mesh.faces().corners();
+        let mut positions = Vec::with_capacity(mesh.vertex_count());
+        for (vertex, coordinates) in mesh.coordinates().enumerate() {
+            let single = coordinates.map(|x| x as f32);
+            if !single.iter().all(|x| x.is_finite()) {
+                return Err(TangentError::TooFar {
+                    vertex,
+                    coordinates,
+                });
+            }
+            positions.push(single);
+        }
+        for (index, &value) in texture.values.iter().enumerate() {
+            if !value.iter().all(|&x| (x as f32).is_finite()) {
+                return Err(TangentError::TextureTooLarge { index, value });
+            }
+        }
+        let normals = corner_normals(mesh);
+        let usable = |corner: u32| {
+            let corner = corner as usize;
+            texture.get(corner).is_some() && normals[corner] != Vector::default()
+        };
+        Ok(Self {
+            faces: small_faces(mesh.faces(), usable),
+            vertices: corners.to_vec(),
+            positions,
+            normals: normals
+                .iter()
+                .map(|normal| normal.coordinates().map(|x| x as f32))
+                .collect(),
+            texture: (0..corners.len())
+                .map(|corner| {
+                    texture
+                        .get(corner)
+                        .map_or([0.0; 2], |uv| uv.map(|x| x as f32))
+                })
+                .collect(),
+            tangents: vec![None; corners.len()],
+        })
+    }
+
+    fn corner(&self, face: usize, corner: usize) -> usize {
+        self.faces[face][corner] as usize
+    }
+
+    fn tangents(&self) -> Tangents {
+        let mut values = Vec::new();
+        let mut numbers = HashMap::new();
+        let corners = self.tangents.iter().map(|tangent| {
+            let [x, y, z, handedness] = (*tangent)?.tangent_encoded();
+            let direction = Vector::new(x, y, z).normalized()?;
+            let key = [x, y, z, handedness].map(f32::to_bits);
+            let number = *numbers.entry(key).or_insert_with(|| {
+                values.push(Tangent {
+                    direction: direction.coordinates().map(f64::from).into(),
+                    handedness: handedness.into(),
+                });
+                values.len() as u32 - 1
+            });
+            Some(number)
+        });
+        let corners = corners.collect();
+        Tangents { values, corners }
+    }
+}
+
+/// The normal at each corner, the zero vector where there is none.
+fn corner_normals(mesh: &Mesh) -> Vec<Vector<f64>> {
+    let corners = mesh.faces().corners();
+    if let Some(normals) = mesh.normals() {
+        let normal = |corner| normals.get(corner).copied().unwrap_or_default();
+        return (0..corners.len()).map(normal).collect();
+    }
+    let positions: Vec<[f64; 3]> = mesh.coordinates().collect();
+    let normals = vertex_normals(&positions, &mesh.triangles());
+    let of_vertex = |&vertex: &u32| Vector::from(normals[vertex as usize]);
+    corners.iter().map(of_vertex).collect()
+}
+
+/// The faces all of whose corners are usable, those of more than four corners split.
+fn small_faces(faces: &Faces, usable: impl Fn(u32) -> bool) -> Vec<[u32; 4]> {
+    let mut small = Vec::with_capacity(faces.len());
+    for range in faces.offsets().windows(2) {
+        let (first, end) = (range[0], range[1]);
+        if !(first..end).all(&usable) {
+            continue;
+        }
+        if end - first == 4 {
+            small.push([first, first + 1, first + 2, first + 3]);
+        } else {
+            let triangles = (first + 1..end - 1).map(|next| [first, next, next + 1, next + 1]);
+            small.extend(triangles);
+        }
+    }
+    small
+}
+
+impl Geometry for Surface {
+    fn num_faces(&self) -> usize {
+        self.faces.len()
+    }
+
+    fn num_vertices_of_face(&self, face: usize) -> usize {
+        let [.., third, fourth] = self.faces[face];
+        if third == fourth { 3 } else { 4 }
+    }
+
+    fn position(&self, face: usize, corner: usize) -> [f32; 3] {
+        self.positions[self.vertices[self.corner(face, corner)] as usize]
+    }
+
+    fn normal(&self, face: usize, corner: usize) -> [f32; 3] {
+        self.normals[self.corner(face, corner)]
+    }
+
+    fn tex_coord(&self, face: usize, corner: usize) -> [f32; 2] {
+        self.texture[self.corner(face, corner)]
+    }
+
+    fn set_tangent(&mut self, tangent: Option<TangentSpace>, face: usize, corner: usize) {
+        let corner = self.corner(face, corner);
+        if self.tangents[corner].is_none() {
+            self.tangents[corner] = tangent;
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! Files that are cut off or changed at every place: an error or a mesh, never a panic.
+
+use ga_mesh::Mesh;
+use ga_mesh::obj::{self, mtl};
+use ga_mesh::ply::{self, Encoding};
+
+const OBJ: &[u8] = b"# sample
+mtllib a.mtl
+v 0 0 0 1 0.5 0
+v 1 0 0
+v 1 1 -2.5e-1
+v 0 1 .5
+vt 0 0
+vt 1 1
+vn 0 0 1
+o thing
+g left right
+usemtl red
+f 1/1/1 2/2/1 -2/-1/-1
+f 1//1 3//1 4//1
+s off
+f 1 2 \\
+ 3 4
+l 1 2 3
+p -1
+";
+
+const MTL: &[u8] = b"newmtl red
+Ka 0.1 0.1 0.1
+Kd 1 0 0
+Ns 10
+d 0.5
+illum 2
+map_Kd -o 0.5 0 -s 2 2 -clamp on a b.png
+norm -bm 0.5 n.png
+";
+
+/// Bytes that mean something in one of the formats.
+const BYTES: [u8; 12] = [
+    0, b' ', b'\n', b'-', b'.', b'/', b'0', b'9', b'#', b'\\', 0x7f, 0xff,
+];
+
+/// The sample cut off at every place, with every byte changed, with every byte left out, and with
+/// every byte doubled.
+fn damaged(sample: &[u8], mut check: impl FnMut(&[u8])) {
+    for place in 0..sample.len() {
+        check(&sample[..place]);
+        let mut copy = sample.to_vec();
+        for byte in BYTES {
+            copy[place] = byte;
+            check(&copy);
+        }
+        copy[place] = sample[place] ^ 1;
+        check(&copy);
+        copy.remove(place);
+        check(&copy);
+        copy.insert(place, sample[place]);
+        copy.insert(place, sample[place]);
+        check(&copy);
+    }
+}
+
+fn assert_sound(mesh: &Mesh) {
+    assert!(mesh.coordinates().flatten().all(f64::is_finite));
+    let vertices = mesh.vertex_count();
+    let corners = mesh.faces().corners();
+    assert!(corners.iter().all(|&v| (v as usize) < vertices));
+    assert!(mesh.faces().iter().all(|face| face.len() >= 3));
+}
+
+#[test]
+fn damaged_obj_files() {
+    let mut readable = 0;
+    damaged(OBJ, |text| {
+        if let Ok(loaded) = obj::parse_with_libraries(text, |_| Ok(MTL.to_vec())) {
+            assert_sound(&loaded.mesh);
+            readable += 1;
+        }
+    });
+    assert!(readable > 0);
+}
+
+#[test]
+fn damaged_mtl_files() {
+    let mut readable = 0;
+    damaged(MTL, |text| {
+        let _ = mtl::parse(text);
+        if let Ok(loaded) = obj::parse_with_libraries(OBJ, |_| Ok(text.to_vec())) {
+            assert_sound(&loaded.mesh);
+            readable += 1;
+        }
+    });
+    assert!(readable > 0);
+}
+
+#[test]
+fn damaged_ply_files() {
+    let mesh = obj::parse(OBJ).unwrap();
+    for encoding in [Encoding::Ascii, Encoding::LittleEndian, Encoding::BigEndian] {
+        let sample = ply::to_bytes(&mesh, encoding);
+        assert!(ply::parse(&sample).is_ok());
+        damaged(&sample, |file| {
+            if let Ok(mesh) = ply::parse(file) {
+                assert_sound(&mesh);
+            }
+        });
+    }
+}
