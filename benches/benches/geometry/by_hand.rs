@@ -128,6 +128,25 @@ impl Line {
 }
 
 impl Sphere {
+    /// The sphere through four points. The sides from the first and halves of their squares give
+    /// the way to the centre times the determinant of the sides.
+    #[inline]
+    pub(crate) fn through([p, q, r, s]: [DVec3; 4]) -> Self {
+        let sides = [q - p, r - p, s - p];
+        let halves = sides.map(|side| 0.5 * side.length_squared());
+        let across = sides[1].cross(sides[2]);
+        let weight = sides[0].dot(across);
+        let way = halves[0] * across
+            + halves[1] * sides[2].cross(sides[0])
+            + halves[2] * sides[0].cross(sides[1]);
+        let middle = p * weight + way;
+        Self {
+            weight,
+            middle,
+            constant: middle.dot(p) - 0.5 * weight * p.length_squared(),
+        }
+    }
+
     #[inline]
     pub(crate) fn centre(&self) -> Option<DVec3> {
         let inverse = self.weight.recip();
@@ -182,7 +201,8 @@ impl Round {
         }
     }
 
-    /// The circle with a centre, a unit normal and a squared radius.
+    /// The circle with a centre, a unit normal and a squared radius, or the pair with a centre, a
+    /// unit axis and minus a squared radius.
     #[inline]
     pub(crate) fn around(centre: DVec3, axis: DVec3, squared: f64) -> Self {
         let along = centre.dot(axis);

@@ -2,7 +2,7 @@
 //!
 //! Where a figure is made and read at once, glam alone keeps to numbers that are not those of the
 //! figure: the half length of a pair, the sides of a triangle. Rows "with the same coefficients"
-//! compute those of the pair or the circle and read the result from them, as ours do.
+//! compute those of the pair, the circle or the sphere and read the result from them, as ours do.
 
 use criterion::Criterion;
 use ga_runtime::cga3::{Circle, Line, Plane, PointPair, Rotor, Sphere};
@@ -133,6 +133,9 @@ pub(crate) fn all(criterion: &mut Criterion) {
             centre: *p + to_centre,
             radius: to_centre.length(),
         })
+    });
+    g.map("glam, with the same coefficients", &vectors, |points| {
+        by_hand::Sphere::through(*points).ball()
     });
     drop(g);
 

@@ -1,8 +1,8 @@
 //! Where figures meet, and the common perpendicular of two lines.
 //!
-//! The meets of spheres give a circle as an element, real or imaginary, with ten coefficients. The
-//! rows of glam give centre, normal and radius of a real one instead; the rows "to coefficients"
-//! compute the ten coefficients from them and tell the cases apart, as ours do.
+//! The meets of spheres give a circle or a pair of points as an element, real or imaginary, with ten
+//! coefficients. The rows of glam give centre, normal and radius of a real circle, or two points;
+//! the rows "to coefficients" compute the ten coefficients and tell the cases apart, as ours do.
 
 use criterion::Criterion;
 use ga_runtime::cga3::{Line, Plane, Sphere};
@@ -111,6 +111,20 @@ pub(crate) fn all(criterion: &mut Criterion) {
         let reach = direction * half.sqrt();
         (half >= 0.0).then(|| -> [DVec3; 2] { [foot - reach, foot + reach] })
     });
+    g.zip(
+        "glam, to coefficients",
+        &plain_lines,
+        &plain_spheres,
+        |[l, _], [s, _]| {
+            let (place, direction) = l.parts()?;
+            let (centre, squared) = s.parts()?;
+            let along = (centre - place).dot(direction);
+            let foot = place + direction * along;
+            let half = squared - foot.distance_squared(centre);
+            let pair = by_hand::Round::around(foot, direction, -half);
+            (half.abs() > tolerance.distance).then_some((pair, half > 0.0))
+        },
+    );
     drop(g);
 
     let mut g = group(criterion, "circle of a plane and a sphere");

@@ -45,7 +45,16 @@ impl<S: Field> Motor<S> {
     #[inline]
     #[must_use]
     pub fn translator(self) -> Translator<S> {
-        Translator::from_displacement(self.transform(Point::default()).coordinates())
+        let (s, d0) = (self.scalar(), self.e123i());
+        let [q12, q13, q23] = [self.e12(), self.e13(), self.e23()];
+        let [d1, d2, d3] = [self.e1i(), self.e2i(), self.e3i()];
+        // Minus half the displacement.
+        let half = [
+            s * d1 + q12 * d2 + (q13 * d3 + q23 * d0),
+            s * d2 - q12 * d1 + (q23 * d3 - q13 * d0),
+            s * d3 - q13 * d1 + (q12 * d0 - q23 * d2),
+        ];
+        Translator::from_displacement(half.map(|x| S::zero() - (x + x)))
     }
 
     /// The matrix `[R | t]` by rows: `x' = R x + t`.

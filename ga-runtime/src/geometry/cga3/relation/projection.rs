@@ -44,6 +44,7 @@ use super::{Figure, Primitive, parallel};
 use crate::cga3::{
     Circle, Direction, DualCircle, DualPlane, FlatPoint, Line, Plane, Point, PointPair, Sphere,
 };
+use crate::geometry::cga3::round::unit_axis;
 use crate::geometry::number::are_numbers;
 use crate::scalar::Real;
 use crate::vga3::Vector;
@@ -454,7 +455,7 @@ pub(super) fn radius_towards<S: Real<Mask = bool>>(
     if radius == S::zero() {
         return Some(centre);
     }
-    Some(centre + way.normalized()? * radius)
+    Some(centre + unit_axis(way.into())? * radius)
 }
 
 /// A line and a plane as plain vectors.
