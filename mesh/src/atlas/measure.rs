@@ -28,7 +28,7 @@ pub struct Report {
     pub overlapping_texels: usize,
 }
 
-/// The report, and a pair of faces of one chart that claim the same texel, if there is one.
+/// The report, and for each chart of which two faces claim the same texel, such a pair.
 ///
 /// `texels` are the corners of the faces of the surface, `places` the vertices of each chart, both
 /// in texels.
@@ -39,14 +39,15 @@ pub(super) fn measure(
     places: &[Vec<Flat>],
     size: u32,
     margin: u32,
-) -> (Report, Option<[u32; 2]>) {
+) -> (Report, Vec<[u32; 2]>) {
     let side = size as usize;
     let mut double = Mask::empty(side, side);
     let mut claimed = Mask::empty(side, side);
     let mut covered = Mask::empty(side, side);
-    let mut pair = None;
+    let mut pairs = Vec::new();
     for (flattened, places) in charts.iter().zip(places) {
         let faces = &flattened.chart.faces;
+        let mut pair = None;
         for &face in faces {
             let mut is_new = true;
             raster::centres(texels[face as usize], |row, columns| {
@@ -60,6 +61,7 @@ pub(super) fn measure(
                 pair = first_to_share(faces, face, texels);
             }
         }
+        pairs.extend(pair);
         let (mask, offset) = claims(flattened, places, margin as usize);
         claimed.add(&mask, offset, |word, cells| double.words[word] |= cells);
     }
@@ -81,7 +83,7 @@ pub(super) fn measure(
         flipped,
         overlapping_texels: double.count(),
     };
-    (report, pair)
+    (report, pairs)
 }
 
 /// The texels that a chart claims, and where in the texture the mask begins.

@@ -155,22 +155,21 @@ pub fn unwrap(
     charts = reduce::reduce(&surface, charts, options.charts);
 
     let mut best: Option<Placement> = None;
-    for _ in 0..CUTS {
-        let Some(placement) = Placement::new(&surface, &charts, options) else {
-            break;
-        };
-        if let Some(pair) = placement.pair {
-            charts = cut_overlap(&surface, charts, pair);
+    let mut repairs = 0;
+    let mut cuts = 0;
+    while let Some(placement) = Placement::new(&surface, &charts, options) {
+        if !placement.pairs.is_empty() && repairs < REPAIRS {
+            repairs += 1;
+            charts = cut_overlaps(&surface, charts, &placement.pairs);
             continue;
         }
-        let utilisation = placement.report.utilisation;
-        if best
-            .as_ref()
-            .is_none_or(|best| utilisation > best.report.utilisation)
-        {
+        let used = |placement: &Placement| placement.report.utilisation;
+        let utilisation = used(&placement);
+        if best.as_ref().is_none_or(|best| utilisation > used(best)) {
             best = Some(placement);
         }
-        if utilisation >= options.utilisation {
+        cuts += 1;
+        if utilisation >= options.utilisation || cuts == CUTS {
             break;
         }
         match cut_large(&surface, &charts, options.charts) {
@@ -212,8 +211,12 @@ const SMOOTHINGS: usize = 3;
 /// The greatest L2 stretch of a chart that is relaxed.
 const STRETCH: f64 = 1.2;
 
-/// How often charts are cut and placed anew, at most.
+/// How often large charts are cut and all are placed anew, at most.
 const CUTS: usize = 8;
+
+/// How often charts that overlap themselves by texels are cut, at most. Charts whose boundaries
+/// cross are cut before, so one is usually enough.
+const REPAIRS: usize = 20;
 
 /// Charts with their places in the texture.
 struct Placement {
@@ -221,8 +224,8 @@ struct Placement {
     /// For each face of the surface, its corners in texels.
     texels: Vec<[Flat; 3]>,
     report: Report,
-    /// Two faces of one chart that claim the same texel.
-    pair: Option<[u32; 2]>,
+    /// For each chart of which two faces claim the same texel, such a pair.
+    pairs: Vec<[u32; 2]>,
 }
 
 impl Placement {
@@ -239,12 +242,12 @@ impl Placement {
                 texels[face as usize] = triangle.map(|vertex| places[vertex as usize]);
             }
         }
-        let (report, pair) = measure::measure(surface, charts, &texels, &places, size, margin);
+        let (report, pairs) = measure::measure(surface, charts, &texels, &places, size, margin);
         Some(Self {
             chart_of,
             texels,
             report,
-            pair,
+            pairs,
         })
     }
 
@@ -300,19 +303,21 @@ fn item(flattened: &Flattened) -> pack::Item {
     pack::Item { boundary, places }
 }
 
-/// Cuts the chart in which these two faces overlap.
-fn cut_overlap(surface: &Surface, charts: Vec<Flattened>, pair: [u32; 2]) -> Vec<Flattened> {
-    let mut cut = Vec::with_capacity(charts.len() + 1);
+/// Cuts the charts in which pairs of faces overlap, between these faces.
+fn cut_overlaps(surface: &Surface, charts: Vec<Flattened>, pairs: &[[u32; 2]]) -> Vec<Flattened> {
+    let mut cut = Vec::with_capacity(charts.len() + pairs.len());
     for flattened in charts {
-        let place = |face: u32| flattened.chart.faces.iter().position(|&f| f == face);
-        match [place(pair[0]), place(pair[1])] {
-            [Some(a), Some(b)] => {
-                let ends = [a as u32, b as u32];
-                for half in flatten::split(surface, &flattened.chart, ends) {
-                    cut.extend(flatten::flatten(surface, half, STRETCH));
-                }
-            }
-            _ => cut.push(flattened),
+        let chart = &flattened.chart;
+        let place = |face: u32| chart.faces.iter().position(|&f| f == face);
+        let ends = pairs
+            .iter()
+            .find_map(|&[a, b]| Some([place(a)?, place(b)?]));
+        let Some(ends) = ends else {
+            cut.push(flattened);
+            continue;
+        };
+        for half in flatten::split(surface, chart, ends.map(|end| end as u32)) {
+            cut.extend(flatten::flatten(surface, half, STRETCH));
         }
     }
     cut
@@ -356,5 +361,5 @@ fn cut_large(surface: &Surface, charts: &[Flattened], most: usize) -> Option<Vec
             all.push(Flattened::clone(flattened));
         }
     }
-    Some(all)
+    (all.len() <= most).then_some(all)
 }
