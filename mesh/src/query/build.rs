@@ -1,5 +1,5 @@
 //! Building the hierarchy, from the root down: the set of triangles with the largest box is split
-//! in two, until there are four sets. Splits are chosen by the surface area heuristic: the sum over
+//! in two, until there are eight sets. Splits are chosen by the surface area heuristic: the sum over
 //! both sides of the area of the box times the number of packets is least among planes between bins
 //! (I. Wald, On fast Construction of SAH-based Bounding Volume Hierarchies, 2007).
 
@@ -8,7 +8,7 @@ use ga_runtime::vga3::Vector;
 
 use super::Bvh;
 use super::frame::{Frame, rounded_down, rounded_up};
-use super::node::{Children, DEPTH, LEAF, NOTHING, Node};
+use super::node::{BRANCHES, Children, DEPTH, LEAF, NOTHING, Node};
 use super::packet::{Packet, WIDTH};
 use crate::MeshError;
 
@@ -16,10 +16,10 @@ use crate::MeshError;
 const BINS: usize = 16;
 
 /// Below this depth, sets are split in half, which bounds the depth of the tree.
-const SAH_DEPTH: usize = 16;
+const SAH_DEPTH: usize = 9;
 
-/// The greatest number of triangles: four times `4^(DEPTH − SAH_DEPTH − 1)` would be within the
-/// depth, and packets must be numbered by the bits below [`LEAF`].
+/// The greatest number of triangles. Split in half from [`SAH_DEPTH`] on, they stay within
+/// [`DEPTH`], and the bits below [`LEAF`] can number their packets.
 const LIMIT: usize = 1 << 30;
 
 pub(super) fn build<P: Copy + Into<Point<f64>>>(
@@ -60,7 +60,7 @@ pub(super) fn build<P: Copy + Into<Point<f64>>>(
         .map(|triangle| Boxed::new(triangle, corners(triangle).map(|c| frame.position(c))))
         .collect();
     let mut tree = Tree {
-        nodes: Vec::with_capacity(triangles.len() / WIDTH),
+        nodes: Vec::with_capacity(triangles.len() / 16),
         packets: Vec::with_capacity(triangles.len() / 2),
         corners,
     };
@@ -164,10 +164,10 @@ impl<C: Fn(u32) -> [Vector<f64>; 3]> Tree<C> {
     /// Adds a node over these triangles, of which there is at least one, and returns its index.
     fn add_node(&mut self, boxes: &mut [Boxed], bounds: Aabb, depth: usize) -> u32 {
         debug_assert!(depth < DEPTH);
-        let mut sets = [const { None }; WIDTH];
+        let mut sets = [const { None }; BRANCHES];
         sets[0] = Some(Set { boxes, bounds });
         let by_area = depth < SAH_DEPTH;
-        for free in 1..WIDTH {
+        for free in 1..BRANCHES {
             let largest = sets[..free]
                 .iter_mut()
                 .flatten()
@@ -199,7 +199,7 @@ impl<C: Fn(u32) -> [Vector<f64>; 3]> Tree<C> {
         let empty = [f32::INFINITY, f32::NEG_INFINITY];
         self.nodes.push(Node {
             bounds: [0, 1, 2, 3, 4, 5].map(|row| Children::splat(empty[row % 2])),
-            children: [NOTHING; WIDTH],
+            children: [NOTHING; BRANCHES],
         });
         for (lane, set) in sets.into_iter().flatten().enumerate() {
             let Set { boxes, bounds } = set;

@@ -5,7 +5,7 @@ use ga_runtime::scalar::Real;
 use ga_runtime::vga3::Vector;
 
 use super::frame::Frame;
-use super::node::{Children, LEAF, Node, Stack};
+use super::node::{BRANCHES, Children, LEAF, Node, Stack};
 use super::packet::{Four, Packet, WIDTH};
 use super::{Bvh, QueryError};
 
@@ -150,7 +150,7 @@ struct Reach {
 impl Reach {
     /// The squared distance to the box of each child, or a little less; infinity beyond the limit.
     #[inline(always)]
-    fn squares(&self, node: &Node, limit: f32) -> [f32; WIDTH] {
+    fn squares(&self, node: &Node, limit: f32) -> [f32; BRANCHES] {
         let zero = Children::splat(0.0);
         let mut sum = zero;
         for axis in 0..3 {

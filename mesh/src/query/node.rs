@@ -2,10 +2,11 @@
 
 use ga_runtime::scalar::Lanes;
 
-use super::packet::WIDTH;
+/// How many children a node has.
+pub(super) const BRANCHES: usize = 8;
 
 /// One number for each child.
-pub(super) type Children = Lanes<f32, WIDTH>;
+pub(super) type Children = Lanes<f32, BRANCHES>;
 
 /// Set in the reference to a child that is a leaf; the other bits number its packet. Without it,
 /// they number a node.
@@ -14,7 +15,7 @@ pub(super) const LEAF: u32 = 1 << 31;
 /// The reference to a child that does not exist: a leaf without a packet.
 pub(super) const NOTHING: u32 = u32::MAX;
 
-/// Four children with their boxes, in the coordinates of the frame. The boxes are rounded outwards.
+/// Eight children with their boxes, in the coordinates of the frame. The boxes are rounded outwards.
 /// A child that does not exist has a box that is met by no query whose
 /// numbers are in the range of `f32`, and refers to [`NOTHING`].
 #[derive(Clone, Debug)]
@@ -23,14 +24,15 @@ pub(super) struct Node {
     /// The lower and the upper bound of x, of y and of z.
     pub(super) bounds: [Children; 6],
     /// Nodes and leaves.
-    pub(super) children: [u32; WIDTH],
+    pub(super) children: [u32; BRANCHES],
 }
 
 /// The longest path from the root to a leaf. The builder keeps to it.
-pub(super) const DEPTH: usize = 32;
+pub(super) const DEPTH: usize = 20;
 
-/// As many references as a traversal can have put aside: three at each node of a path.
-pub(super) const STACK: usize = (WIDTH - 1) * DEPTH + 1;
+/// As many references as a traversal can have put aside: seven at each node of a path, the node
+/// itself, and a place for one that is not kept.
+pub(super) const STACK: usize = (BRANCHES - 1) * DEPTH + 2;
 
 /// What a traversal has put aside: references to nodes and leaves, each with a lower bound of its
 /// distance.
@@ -60,19 +62,22 @@ impl Stack {
     /// Puts aside the children of a node at which `distances` is below infinity, the nearest one
     /// last. Distances are not negative.
     #[inline(always)]
-    pub(super) fn push(&mut self, distances: [f32; WIDTH], children: &[u32; WIDTH]) {
+    pub(super) fn push(&mut self, distances: [f32; BRANCHES], children: &[u32; BRANCHES]) {
+        // Without branches, since it cannot be predicted which children are met.
         let first = self.length;
+        let mut length = first;
         for (distance, child) in distances.into_iter().zip(children) {
-            // Numbers that are not negative are in the order of their bits.
-            let entry = u64::from(distance.to_bits()) << 32 | u64::from(*child);
-            if distance < f32::INFINITY && self.length < STACK {
-                let mut place = self.length;
-                while place > first && self.entries[place - 1] < entry {
-                    self.entries[place] = self.entries[place - 1];
-                    place -= 1;
-                }
-                self.entries[place] = entry;
-                self.length += 1;
+            if let Some(place) = self.entries.get_mut(length) {
+                *place = u64::from(distance.to_bits()) << 32 | u64::from(*child);
+            }
+            length += usize::from(distance < f32::INFINITY);
+        }
+        self.length = length.min(STACK);
+        // Numbers that are not negative are in the order of their bits.
+        if let Some((last, others)) = self.entries[first..self.length].split_last_mut() {
+            for other in others {
+                let (near, far) = ((*last).min(*other), (*last).max(*other));
+                (*last, *other) = (near, far);
             }
         }
     }

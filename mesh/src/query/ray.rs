@@ -6,7 +6,7 @@ use ga_runtime::vga3::Vector;
 
 use super::Bvh;
 use super::frame::Frame;
-use super::node::{Children, LEAF, Node, Stack};
+use super::node::{BRANCHES, Children, LEAF, Node, Stack};
 use super::packet::{Packet, WIDTH};
 
 /// Where a ray hits the surface of a mesh.
@@ -215,7 +215,7 @@ impl Slabs {
     /// At which distance from the start the ray enters the box of each child; infinity where it
     /// misses the box, or enters it beyond the limit.
     #[inline(always)]
-    fn distances(&self, node: &Node, limit: f32) -> [f32; WIDTH] {
+    fn distances(&self, node: &Node, limit: f32) -> [f32; BRANCHES] {
         let mut enters = Children::splat(0.0);
         let mut leaves = Children::splat(limit);
         for axis in 0..3 {
