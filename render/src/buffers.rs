@@ -132,50 +132,36 @@ impl<'a> Buffers<'a> {
 
     /// Texture coordinates u and v, and a mask that is 1 where there are any, else 0; where it is 0,
     /// u and v are 0.
-    pub fn texture_coordinates(&self) -> [Plane; 3] {
-        self.planes(|seen| {
+    pub fn texture_coordinates(&self) -> Plane<[f32; 3]> {
+        self.plane(|seen| {
             let coordinates = seen.and_then(|seen| seen.texture_coordinates);
-            coordinates.map_or([0.0; 3], |[u, v]| [u, v, 1.0])
+            coordinates.map_or([0.0; 3], |[u, v]| [u as f32, v as f32, 1.0])
         })
     }
 
     /// The unit normals for shading in the world; zero where there is no surface.
-    pub fn normals(&self) -> [Plane; 3] {
-        self.planes(|seen| seen.map_or([0.0; 3], |seen| seen.normal))
+    pub fn normals(&self) -> Plane<[f32; 3]> {
+        self.plane(|seen| seen.map_or([0.0; 3], |seen| seen.normal.map(|c| c as f32)))
     }
 
     /// The places in the world; infinite where there is no surface.
-    pub fn positions(&self) -> [Plane; 3] {
-        self.planes(|seen| seen.map_or([f64::INFINITY; 3], |seen| seen.position))
+    pub fn positions(&self) -> Plane<[f32; 3]> {
+        self.plane(|seen| seen.map_or([f32::INFINITY; 3], |seen| seen.position.map(|c| c as f32)))
     }
 
-    /// What is seen in each pixel, row by row.
-    pub fn points(&self) -> Vec<Option<SurfacePoint>> {
-        self.collect(|seen| seen)
+    /// What is seen in each pixel.
+    pub fn points(&self) -> Plane<Option<SurfacePoint>> {
+        self.plane(|seen| seen)
     }
 
-    fn plane(&self, value: impl Fn(Option<SurfacePoint>) -> f32 + Sync) -> Plane {
-        let values = self.collect(value);
-        let mut plane = Plane::filled(self.width(), self.height(), 0.0);
-        plane.values_mut().copy_from_slice(&values);
-        plane
-    }
-
-    fn planes(&self, values: impl Fn(Option<SurfacePoint>) -> [f64; 3] + Sync) -> [Plane; 3] {
-        let values = self.collect(values);
-        std::array::from_fn(|channel| {
-            let mut plane = Plane::filled(self.width(), self.height(), 0.0);
-            for (to, from) in plane.values_mut().iter_mut().zip(&values) {
-                *to = from[channel] as f32;
-            }
-            plane
-        })
-    }
-
-    fn collect<T: Send>(&self, value: impl Fn(Option<SurfacePoint>) -> T + Sync) -> Vec<T> {
-        (0..self.width() * self.height())
+    fn plane<T: Copy + Send>(&self, value: impl Fn(Option<SurfacePoint>) -> T + Sync) -> Plane<T> {
+        let width = self.width();
+        let values: Vec<T> = (0..width * self.height())
             .into_par_iter()
-            .map(|index| value(self.get(index % self.width(), index / self.width())))
-            .collect()
+            .map(|index| value(self.get(index % width, index / width)))
+            .collect();
+        Plane::from_fn(width, self.height(), |column, row| {
+            values[row * width + column]
+        })
     }
 }

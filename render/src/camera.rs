@@ -4,6 +4,7 @@ use ga_runtime::cga3::{Motor, Point, Rotor};
 use ga_runtime::geometry::LookAtError;
 
 use crate::lens::Lens;
+use crate::world::is_rigid;
 use crate::{Intrinsics, LARGEST_COORDINATE, RenderError, Vector};
 
 /// A pinhole camera: position, viewing direction and projection.
@@ -150,8 +151,7 @@ impl Camera {
         intrinsics.check()?;
         let [right, down, forward] = world_to_camera.rotor().to_matrix().map(Vector::from);
         let eye = Vector::from(world_to_camera.reverse().transform(Point::default()));
-        let unit = |v: Vector| (v.length() - 1.0).abs() <= 1e-6;
-        if !(unit(right) && unit(down) && unit(forward)) {
+        if !is_rigid(world_to_camera) {
             return Err(RenderError::Camera("its pose is not a rigid motion"));
         }
         if !eye

@@ -9,6 +9,7 @@
 //! | type | what it is |
 //! | --- | --- |
 //! | [`Scene`], [`Object`], [`Polyline`], [`Dot`], [`Ground`] | what is drawn |
+//! | [`model`] | models from files as such scenes |
 //! | [`Material`], [`texture::Texture`] | the appearance of surfaces |
 //! | [`Camera`], [`Intrinsics`], [`ViewDirection`] | from where it is seen |
 //! | [`Style`], [`Lighting`] | size, light and colours of the picture |
@@ -45,6 +46,7 @@ mod ground;
 mod intrinsics;
 mod lens;
 mod material;
+pub mod model;
 mod occlusion;
 mod raster;
 mod resolve;
@@ -98,7 +100,7 @@ pub fn render(scene: &Scene, camera: &Camera, style: &Style) -> Result<Rendering
     let samples = surface::Samples::draw(&world, camera, size, style.supersampling);
     let (mut light, depth) = resolve::resolve(&world, scene.ground, camera, style, &samples)?;
     depth_contrast::darken_behind_edges(&mut light, &depth, world.extent(), style.depth_contrast);
-    stroke::draw(&mut light, scene, camera, style, &samples);
+    stroke::draw(&mut light, scene, &world, camera, style, &samples);
 
     let encoder = SrgbEncoder::new();
     let bytes = light.iter().flat_map(|&c| encoder.encode(c)).collect();

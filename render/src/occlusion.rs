@@ -3,7 +3,9 @@
 //! After Mittring 2007, *Finding next gen: CryEngine 2*, with points spread over the hemisphere of
 //! the normal: a point above a surface is taken to be blocked where something lies in front of it
 //! in the picture, unless that is too near to the eye to be a neighbour. Points are denser towards
-//! the normal, as the cosine law of diffuse light asks, so the share of free points is the light.
+//! the normal, as the cosine law of diffuse light asks, and all distances up to the radius are
+//! alike, so that a blocker counts the less the farther it is. The share of free points is the
+//! light.
 
 use ga_image::plane::Plane;
 use rayon::prelude::*;
@@ -159,16 +161,19 @@ fn seen(
 
 /// Points over the hemisphere around the third axis, rotated differently for each pixel of a tile.
 fn points(radius: f64) -> [[Vector; POINTS]; TILE * TILE] {
-    const GOLDEN: f64 = 0.618_033_988_749_895;
+    // Steps of these fractions of the unit interval, of the golden ratio and of the plane's analogue
+    // of it, spread any number of directions and distances evenly.
+    const AROUND: f64 = 0.618_033_988_749_895;
+    const ALONG: f64 = 0.569_840_290_998_053_2;
+    let share = |index: usize| index as f64 / (TILE * TILE) as f64;
     std::array::from_fn(|pixel| {
-        // Steps of 7 visit all sixteen and keep neighbours apart.
-        let rotation = ((pixel * 7) % (TILE * TILE)) as f64 / (TILE * TILE) as f64;
+        // Steps of 7 and of 11 visit all sixteen and keep neighbours apart.
+        let rotation = share((pixel * 7) % (TILE * TILE));
+        let displacement = share((pixel * 11) % (TILE * TILE)) + share(1) / 2.0;
         std::array::from_fn(|i| {
             let part = (i as f64 + 0.5) / POINTS as f64;
-            let around = std::f64::consts::TAU * (i as f64 * GOLDEN + rotation).fract();
-            // Distances from a fiftieth of the radius, more of them near.
-            let spread = (i as f64 * GOLDEN * GOLDEN + rotation).fract();
-            let distance = radius * (0.02 + 0.98 * spread * spread);
+            let around = std::f64::consts::TAU * (i as f64 * AROUND + rotation);
+            let distance = radius * (i as f64 * ALONG + displacement).fract();
             let (sine, cosine) = (part.sqrt(), (1.0 - part).sqrt());
             Vector::new(around.cos() * sine, around.sin() * sine, cosine) * distance
         })

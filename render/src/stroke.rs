@@ -5,7 +5,8 @@ use rayon::prelude::*;
 
 use crate::camera::Camera;
 use crate::scene::{Scene, Visibility};
-use crate::surface::Samples;
+use crate::surface::{NO_TRIANGLE, Samples, volumes};
+use crate::world::World;
 use crate::{Ground, Style};
 
 /// The dot at a joint is this much wider than a bone.
@@ -24,11 +25,13 @@ const BAND: usize = 32;
 pub(crate) fn draw(
     light: &mut [LinearColour],
     scene: &Scene,
+    world: &World,
     camera: &Camera,
     style: &Style,
     samples: &Samples,
 ) {
     let surfaces = Surfaces {
+        world,
         samples,
         ground: scene.ground,
         camera,
@@ -109,6 +112,7 @@ fn strokes(scene: &Scene, style: &Style, surfaces: &Surfaces) -> Vec<Stroke> {
 
 /// What may hide lines.
 struct Surfaces<'a> {
+    world: &'a World<'a>,
     samples: &'a Samples,
     ground: Option<Ground>,
     camera: &'a Camera,
@@ -123,11 +127,22 @@ impl Surfaces<'_> {
         // A cast from float saturates.
         let i = (x as usize).min(self.samples.width - 1);
         let j = (y as usize).min(self.samples.height - 1);
-        let surface = f64::from(self.samples.inverse_depth[j * self.samples.width + i]);
-        let ground = self.ground.map_or(0.0, |ground| {
-            1.0 / ground.depth(self.camera, self.samples.lens.ray(x, y))
-        });
-        surface.max(ground) > inverse_depth * (1.0 + TOLERANCE)
+        let ray = self.samples.lens.ray(x, y);
+        let least = inverse_depth * (1.0 + TOLERANCE);
+        let behind_ground = self
+            .ground
+            .is_some_and(|ground| 1.0 / ground.depth(self.camera, ray) > least);
+        let index = j * self.samples.width + i;
+        let triangle = self.samples.triangle[index];
+        if triangle == NO_TRIANGLE || f64::from(self.samples.inverse_depth[index]) <= least {
+            return behind_ground;
+        }
+        // The sample lies beside the place: on a steep surface, that changes the depth. The plane of
+        // the triangle p₁ p₂ p₃ has the inverse depth Σ det(ray, pⱼ, pₖ) / det(p₁, p₂, p₃).
+        let corners = self.world.face(triangle).view();
+        let total: f64 = volumes(ray, corners).iter().sum();
+        let exact = total / corners[0].dot(corners[1].cross(corners[2]));
+        behind_ground || exact > least
     }
 }
 

@@ -1,7 +1,6 @@
 //! Pictures on surfaces.
 
-use ga_image::colour::LinearColour;
-use image::RgbaImage;
+use ga_image::picture::PictureView;
 
 /// A picture on a surface, with linear numbers, and smaller copies of it for surfaces far away.
 ///
@@ -28,7 +27,7 @@ pub struct Texture {
 }
 
 /// How a texture is read between and beyond its pixels.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Sampler {
     /// What is seen beyond the edges, along u and along v.
     pub wrap: [Wrap; 2],
@@ -37,7 +36,7 @@ pub struct Sampler {
 }
 
 /// What a texture shows beyond its edges.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Wrap {
     /// The picture again.
     #[default]
@@ -49,7 +48,7 @@ pub enum Wrap {
 }
 
 /// How the pixels of a texture are mixed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Filter {
     /// The nearest pixel alone.
     Nearest,
@@ -100,25 +99,37 @@ impl Texture {
     /// # Errors
     ///
     /// [`TextureError::Empty`].
-    pub fn colour(picture: &RgbaImage, sampler: Sampler) -> Result<Self, TextureError> {
-        let decoded: Vec<u16> = (0..=255)
-            .map(|code| quantised(LinearColour::from_srgb([code; 3]).red))
-            .collect();
-        let linear = |code: u8| decoded[usize::from(code)];
-        let texels = picture.pixels().map(|&image::Rgba([r, g, b, a])| {
-            [linear(r), linear(g), linear(b), u16::from(a) * 257]
-        });
-        Self::build(size_of(picture), texels.collect(), sampler)
+    pub fn colour<'a>(
+        picture: impl Into<PictureView<'a>>,
+        sampler: Sampler,
+    ) -> Result<Self, TextureError> {
+        let decoded: Vec<u16> = (0..=u16::MAX).map(linear).collect();
+        Self::of_picture(picture.into(), sampler, |[red, green, blue, alpha]| {
+            let [red, green, blue] = [red, green, blue].map(|code| decoded[usize::from(code)]);
+            [red, green, blue, alpha]
+        })
     }
 
-    /// A texture of plain numbers, such as normals or roughness: 255 stands for 1.
+    /// A texture of plain numbers, such as normals or roughness: white stands for 1.
     ///
     /// # Errors
     ///
     /// [`TextureError::Empty`].
-    pub fn data(picture: &RgbaImage, sampler: Sampler) -> Result<Self, TextureError> {
-        let texels = picture.pixels().map(|p| p.0.map(|c| u16::from(c) * 257));
-        Self::build(size_of(picture), texels.collect(), sampler)
+    pub fn data<'a>(
+        picture: impl Into<PictureView<'a>>,
+        sampler: Sampler,
+    ) -> Result<Self, TextureError> {
+        Self::of_picture(picture.into(), sampler, |texel| texel)
+    }
+
+    fn of_picture(
+        picture: PictureView,
+        sampler: Sampler,
+        texel: impl Fn(Texel) -> Texel,
+    ) -> Result<Self, TextureError> {
+        let size = [picture.width(), picture.height()];
+        let pixels = picture.to_rgba::<u16>().into_values();
+        Self::build(size, pixels.into_iter().map(texel).collect(), sampler)
     }
 
     /// A texture of plain numbers from 0 to 1, row by row from the top; numbers beyond are clamped.
@@ -303,8 +314,14 @@ fn quantised(number: f64) -> u16 {
     (number.clamp(0.0, 1.0) * 65535.0).round() as u16
 }
 
-fn size_of(picture: &RgbaImage) -> [usize; 2] {
-    [picture.width() as usize, picture.height() as usize]
+/// The linear light of a 16-bit sRGB code; see [`ga_image::colour`].
+fn linear(code: u16) -> u16 {
+    let encoded = f64::from(code) / 65535.0;
+    quantised(if encoded <= 0.04045 {
+        encoded / 12.92
+    } else {
+        ((encoded + 0.055) / 1.055).powf(2.4)
+    })
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use ga_mesh::normals::{area_vector, vertex_normals};
 use ga_runtime::batch;
-use ga_runtime::cga3::{Motor, Point};
+use ga_runtime::cga3::{Motor, Point, Rotor};
 use rayon::prelude::*;
 
 use crate::material::Material;
@@ -179,14 +179,18 @@ impl Placed<'_> {
     }
 }
 
+/// Whether a motor is one, within rounding.
+pub(crate) fn is_rigid(motor: Motor<f64>) -> bool {
+    let rotor = motor.rotor();
+    Rotor::try_new(rotor.scalar(), rotor.e12(), rotor.e13(), rotor.e23(), 1e-6).is_some()
+}
+
 /// The vertices of an object in the world; `None` where its transform is not usable.
 fn place(object: &Object) -> Option<Vec<Vector>> {
     if object.transform == Motor::default() {
         return Some(object.positions.iter().map(|&p| Vector::from(p)).collect());
     }
-    let rows = object.transform.rotor().to_matrix();
-    let unit = |row: [f64; 3]| (Vector::from(row).length() - 1.0).abs() <= 1e-6;
-    if !rows.into_iter().all(unit) {
+    if !is_rigid(object.transform) {
         return None;
     }
     let mut points: Vec<Point<f64>> = object.positions.iter().map(|&p| p.into()).collect();

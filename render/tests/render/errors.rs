@@ -2,8 +2,10 @@
 
 use ga_image::colour::LinearColour;
 use ga_render::{
-    Camera, Ground, Light, Lighting, RenderError, Scene, Style, ViewDirection, render,
+    Attribute, Camera, Dot, Ground, Light, Lighting, Material, MaterialChoice, Normals, Polyline,
+    RenderError, Scene, Style, ViewDirection, Visibility, render,
 };
+use ga_runtime::cga3::{Motor, Translator};
 
 use crate::{front, small};
 
@@ -135,4 +137,163 @@ fn bad_input_is_named() {
     ] {
         assert!(matches!(bad, Err(RenderError::Camera(_))), "{bad:?}");
     }
+}
+
+/// A scene of one triangle with something wrong.
+fn refused(spoil: impl Fn(&mut Scene)) -> RenderError {
+    let positions = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let mut scene = Scene::new(&positions, &[[0, 1, 2]]);
+    scene.materials = &[];
+    spoil(&mut scene);
+    render(&scene, &front(5.0), &small())
+        .map(|_| ())
+        .unwrap_err()
+}
+
+#[test]
+fn attributes_must_fit_their_object() {
+    let text = |spoil: fn(&mut Scene)| refused(spoil).to_string();
+    assert_eq!(
+        text(|s| s.objects[0].texture_coordinates = Some(Attribute::of_vertices(&[[0.0; 2]; 2]))),
+        "the texture coordinates of object 0: there is not one value for each vertex (element 2)"
+    );
+    assert_eq!(
+        text(|s| s.objects[0].normals = Normals::Given(Attribute::of_corners(&[[0.0; 3]], &[]))),
+        "the normals of object 0: there is not one entry for each triangle (element 0)"
+    );
+    assert_eq!(
+        text(|s| {
+            let corners = &[Some([0, 0, 1])];
+            s.objects[0].tangents = Some(Attribute::of_corners(&[[1.0; 4]], corners));
+        }),
+        "the tangents of object 0: a triangle names a value that does not exist (element 0)"
+    );
+    assert_eq!(
+        text(|s| s.objects[0].colours =
+            Some(Attribute::of_vertices(&[[1.0, 1.0, f64::NAN, 1.0]; 3]))),
+        "the colours of object 0: a number is not finite or beyond 1e30 (element 0)"
+    );
+    assert_eq!(
+        text(|s| s.objects[0].colours = Some(Attribute::of_vertices(&[[1.0, 1.0, -1.0, 1.0]; 3]))),
+        "the colours of object 0: a number is negative (element 0)"
+    );
+    assert_eq!(
+        text(|s| s.objects[0].material = MaterialChoice::PerTriangle(&[])),
+        "the materials of object 0: there is not one entry for each triangle (element 0)"
+    );
+}
+
+#[test]
+fn materials_and_transforms_are_checked() {
+    assert_eq!(
+        refused(|s| s.objects[0].material = MaterialChoice::One(0)),
+        RenderError::MaterialIndex {
+            object: 0,
+            material: 0,
+            materials: 0
+        }
+    );
+    let material = |material: Material<'static>| {
+        let materials: &'static [Material] = Box::leak(Box::new([Material::default(), material]));
+        refused(|s| s.materials = materials)
+    };
+    for (bad, quantity) in [
+        (
+            Material {
+                roughness: 1.5,
+                ..Material::default()
+            },
+            "roughness",
+        ),
+        (
+            Material {
+                metallic: f64::NAN,
+                ..Material::default()
+            },
+            "metallic part",
+        ),
+        (
+            Material {
+                opacity: -0.1,
+                ..Material::default()
+            },
+            "opacity",
+        ),
+        (
+            Material {
+                normal_scale: f64::INFINITY,
+                ..Material::default()
+            },
+            "normal scale",
+        ),
+        (
+            Material {
+                emission: LinearColour::new(0.0, -1.0, 0.0),
+                ..Material::default()
+            },
+            "emission",
+        ),
+    ] {
+        assert_eq!(
+            material(bad),
+            RenderError::Material {
+                material: 1,
+                quantity
+            }
+        );
+    }
+    for bad in [
+        Motor::new_unchecked(2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+        Motor::new_unchecked(f64::NAN, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+        Motor::from(Translator::from_displacement([0.0, 1e200, 0.0])),
+    ] {
+        assert_eq!(
+            refused(|s| s.objects[0].transform = bad),
+            RenderError::Transform { object: 0 }
+        );
+    }
+}
+
+#[test]
+fn lines_and_dots_are_checked() {
+    let good = Polyline {
+        points: &[[0.0; 3]],
+        colour: LinearColour::WHITE,
+        width: 1.0,
+        visibility: Visibility::Hidden,
+    };
+    for bad in [
+        Polyline {
+            points: &[[0.0, f64::NAN, 0.0]],
+            ..good
+        },
+        Polyline {
+            width: -1.0,
+            ..good
+        },
+        Polyline {
+            colour: LinearColour::new(f64::INFINITY, 0.0, 0.0),
+            ..good
+        },
+    ] {
+        let positions = [[0.0; 3]];
+        let scene = Scene {
+            lines: &[good, bad],
+            ..Scene::new(&positions, &[])
+        };
+        let error = render(&scene, &front(5.0), &small()).map(|_| ());
+        assert_eq!(error, Err(RenderError::Line { line: 1 }));
+    }
+    let dot = Dot {
+        position: [0.0; 3],
+        colour: LinearColour::WHITE,
+        diameter: f64::NAN,
+        visibility: Visibility::OnTop,
+    };
+    let scene = Scene {
+        dots: &[dot],
+        ..Scene::default()
+    };
+    let error = render(&scene, &front(5.0), &small()).map(|_| ());
+    assert_eq!(error, Err(RenderError::Dot { dot: 0 }));
 }

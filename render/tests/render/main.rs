@@ -2,10 +2,16 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
+mod buffers;
 mod camera;
 mod errors;
+mod light;
+mod materials;
 mod pictures;
+mod pinhole;
+mod scenes;
 mod sheet;
+mod strokes;
 
 use ga_render::{Camera, Style};
 

@@ -1,7 +1,10 @@
 //! Pictures against projections, depths and colours worked out by hand.
 
 use ga_image::colour::LinearColour;
-use ga_render::{Camera, Ground, Light, Lighting, Rendering, Scene, Style, ViewDirection, render};
+use ga_render::{
+    Camera, Ground, Light, Lighting, Polyline, Rendering, Scene, Style, ViewDirection, Visibility,
+    render,
+};
 use ga_runtime::vga3::Vector;
 use image::Rgb;
 use proptest::prelude::*;
@@ -41,7 +44,7 @@ fn front_ray(style: &Style, column: u32, row: u32) -> [f64; 3] {
     ]
 }
 
-fn sphere(radius: f64, centre: [f64; 3]) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+pub(crate) fn sphere(radius: f64, centre: [f64; 3]) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
     let (rings, sides) = (48u32, 96u32);
     let (mut positions, mut triangles) = (Vec::new(), Vec::new());
     for ring in 0..=rings {
@@ -422,6 +425,38 @@ fn sky_and_shadow_colours_follow_srgb() {
         *empty.unwrap().colour.get_pixel(30, 30),
         Rgb([10, 120, 240])
     );
+}
+
+#[test]
+fn any_number_of_threads_gives_the_same_picture() {
+    let (positions, triangles) = sphere(0.5, [0.0, 0.2, 0.0]);
+    let points = [[-1.0, 0.0, 0.0], [1.0, 0.5, 0.3]];
+    let lines = [Polyline {
+        points: &points,
+        colour: LinearColour::WHITE,
+        width: 2.5,
+        visibility: Visibility::Hidden,
+    }];
+    let scene = Scene {
+        lines: &lines,
+        ground: Some(Ground {
+            height: -0.3,
+            grid: 0.2,
+        }),
+        ..Scene::new(&positions, &triangles)
+    };
+    let style = Style {
+        self_shadow: 1.0,
+        ambient_occlusion: 1.0,
+        ..small()
+    };
+    let draw = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+        let pool = pool.build().unwrap();
+        pool.install(|| render(&scene, &front(3.0), &style).unwrap())
+    };
+    let (one, many) = (draw(1), draw(5));
+    assert!(one.colour == many.colour && one.depth == many.depth);
 }
 
 proptest! {

@@ -1,0 +1,150 @@
+//! Models from files as they are drawn: triangles, materials and textures in memory.
+//!
+//! [`Model::from_mesh`] takes a mesh with its materials. A [`Model`] owns what a [`Scene`] borrows:
+//!
+//! ```
+//! use ga_render::model::Model;
+//! use ga_render::{Camera, Style, ViewDirection, render};
+//!
+//! let mesh = ga_mesh::obj::parse(b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n").unwrap();
+//! let model = Model::from_mesh(&mesh, None)?;
+//! let style = Style::default();
+//! let view = ViewDirection::default();
+//! let camera = Camera::fit(model.points(), view, 0.5, style.aspect(), 0.1)?;
+//! let materials = model.materials();
+//! let picture = render(&model.scene(&materials), &camera, &style)?;
+//! assert!(picture.depth.range().is_some());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod from_mesh;
+mod textures;
+
+use crate::texture::Texture;
+use crate::{Attribute, Material, MaterialChoice, Normals, Object, Scene};
+
+pub use textures::TextureFileError;
+
+/// A model in memory, ready to be drawn.
+#[derive(Clone, Debug, Default)]
+pub struct Model {
+    parts: Vec<Part>,
+    surfaces: Vec<Surface>,
+    textures: Vec<Texture>,
+    warnings: Vec<String>,
+}
+
+/// Triangles with attributes.
+#[derive(Clone, Debug, Default)]
+struct Part {
+    positions: Vec<[f64; 3]>,
+    triangles: Vec<[u32; 3]>,
+    normals: Option<Corners<[f64; 3]>>,
+    texture_coordinates: Option<Corners<[f64; 2]>>,
+    tangents: Option<Corners<[f64; 4]>>,
+    /// One for each vertex, or none.
+    colours: Vec<[f64; 4]>,
+    /// One for each triangle.
+    materials: Vec<Option<u32>>,
+}
+
+/// Values at the corners of triangles; see [`Attribute`].
+#[derive(Clone, Debug)]
+struct Corners<T> {
+    values: Vec<T>,
+    corners: Vec<Option<[u32; 3]>>,
+}
+
+/// A material whose textures are given by index.
+#[derive(Clone, Copy, Debug, Default)]
+struct Surface {
+    material: Material<'static>,
+    base_colour: Option<usize>,
+    metallic_roughness: Option<usize>,
+    normal: Option<usize>,
+    occlusion: Option<usize>,
+    emission: Option<usize>,
+}
+
+impl Model {
+    /// The materials, which borrow the model's textures.
+    pub fn materials(&self) -> Vec<Material<'_>> {
+        let texture = |index: Option<usize>| index.map(|index| &self.textures[index]);
+        let materials = self.surfaces.iter().map(|surface| Material {
+            base_colour_map: texture(surface.base_colour),
+            metallic_roughness_map: texture(surface.metallic_roughness),
+            normal_map: texture(surface.normal),
+            occlusion_map: texture(surface.occlusion),
+            emission_map: texture(surface.emission),
+            ..surface.material
+        });
+        materials.collect()
+    }
+
+    /// The model as a scene with its [`materials`](Self::materials).
+    pub fn scene<'a>(&'a self, materials: &'a [Material<'a>]) -> Scene<'a> {
+        Scene {
+            objects: self.parts.iter().map(Part::object).collect(),
+            materials,
+            ..Scene::default()
+        }
+    }
+
+    /// The vertices of all triangles, in the world.
+    pub fn points(&self) -> impl Iterator<Item = [f64; 3]> + '_ {
+        self.parts.iter().flat_map(|part| {
+            let corners = part.triangles.iter().flatten();
+            corners.map(|&vertex| part.positions[vertex as usize])
+        })
+    }
+
+    /// The ends of all edges of triangles, each edge once for each triangle part.
+    pub fn edges(&self) -> Vec<[[f64; 3]; 2]> {
+        let mut edges = Vec::new();
+        for part in &self.parts {
+            let mut pairs: Vec<[u32; 2]> = part
+                .triangles
+                .iter()
+                .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]])
+                .map(|[a, b]| [a.min(b), a.max(b)])
+                .collect();
+            pairs.sort_unstable();
+            pairs.dedup();
+            let place = |vertex: u32| part.positions[vertex as usize];
+            edges.extend(pairs.iter().map(|pair| pair.map(place)));
+        }
+        edges
+    }
+
+    /// How many triangles there are.
+    pub fn triangle_count(&self) -> usize {
+        self.parts.iter().map(|part| part.triangles.len()).sum()
+    }
+
+    /// What could not be drawn as the file asks, and what is drawn in its place; a sentence each.
+    pub fn warnings(&self) -> &[String] {
+        &self.warnings
+    }
+}
+
+impl Part {
+    fn object(&self) -> Object<'_> {
+        Object {
+            normals: self
+                .normals
+                .as_ref()
+                .map_or(Normals::Smooth, |normals| Normals::Given(normals.view())),
+            texture_coordinates: self.texture_coordinates.as_ref().map(Corners::view),
+            tangents: self.tangents.as_ref().map(Corners::view),
+            colours: (!self.colours.is_empty()).then(|| Attribute::of_vertices(&self.colours)),
+            material: MaterialChoice::PerTriangle(&self.materials),
+            ..Object::new(&self.positions, &self.triangles)
+        }
+    }
+}
+
+impl<T: Copy> Corners<T> {
+    fn view(&self) -> Attribute<'_, T> {
+        Attribute::of_corners(&self.values, &self.corners)
+    }
+}
