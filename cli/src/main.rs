@@ -1,6 +1,7 @@
 //! The `nullcone` program: animation and stereo vision on conformal geometric algebra, and a look
 //! into its compiler.
 
+mod camera_file;
 mod checks;
 mod commands;
 mod failure;
@@ -15,12 +16,13 @@ mod sheet;
 mod storyboard;
 mod summary;
 mod two_views;
+mod view;
 
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use commands::{animate, demo, draw, expand, mesh};
+use commands::{animate, demo, draw, expand, mesh, render};
 
 /// Animation, stereo vision and pictures on conformal geometric algebra.
 #[derive(Parser)]
@@ -40,6 +42,7 @@ enum Command {
     Expand(expand::Arguments),
     Draw(draw::Arguments),
     Mesh(mesh::Arguments),
+    Render(render::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -50,6 +53,7 @@ fn main() -> ExitCode {
         Command::Expand(arguments) => expand::run(arguments),
         Command::Draw(arguments) => draw::run(arguments, cli.quiet),
         Command::Mesh(arguments) => mesh::run(arguments, cli.quiet),
+        Command::Render(arguments) => render::run(arguments, cli.quiet),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -5,3 +5,4 @@ pub(crate) mod demo;
 pub(crate) mod draw;
 pub(crate) mod expand;
 pub(crate) mod mesh;
+pub(crate) mod render;

@@ -9,3 +9,4 @@ mod demo;
 mod draw;
 mod expand;
 mod mesh;
+mod render;

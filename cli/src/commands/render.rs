@@ -1,0 +1,305 @@
+//! `nullcone render`: a picture of a model.
+
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use anyhow::{Context, Result, bail, ensure};
+use clap::ValueEnum;
+use ga_image::colour::LinearColour;
+use ga_image::plane::Plane;
+use ga_image::{pfm, png};
+use ga_render::model::Model;
+use ga_render::{
+    Buffers, Camera, Ground, Polyline, Scene, Shading, Style, SurfacePoint, Visibility, render,
+};
+
+use crate::output::{self, File};
+use crate::view::View;
+
+/// Draw a model.
+///
+/// The model is Wavefront OBJ with its materials and textures, PLY or glTF. It is lit by a key light
+/// from the upper left of the camera, a weak light from the right and light from all around; objects
+/// cast shadows.
+///
+/// The camera (--camera) is one of
+///
+///   front, side, top, three-quarter
+///       a view of the whole model, whose y axis points up and which looks along +z
+///   eye X,Y,Z target X,Y,Z fov DEGREES
+///   eye X,Y,Z target X,Y,Z up X,Y,Z fov DEGREES
+///       a place, what it looks at, the upward direction (0,1,0 by default) and the vertical field
+///       of view, as one argument in quotation marks
+///   FILE.json
+///       intrinsics in pixels and the pose from the world to the camera, whose axes are x right,
+///       y down, z forwards; (0, 0) is the middle of the first pixel. A point p falls on
+///       (fx x/z + cx, fy y/z + cy), where (x, y, z) = rotation p + translation:
+///
+///       {"width": 640, "height": 480, "fx": 500, "fy": 500, "cx": 319.5, "cy": 239.5,
+///        "rotation": [[1, 0, 0], [0, -1, 0], [0, 0, -1]], "translation": [0, 0, 2]}
+///
+///       "skew" (0 by default), "near" and "far" may be added.
+#[derive(Clone, Debug, clap::Args)]
+#[command(verbatim_doc_comment)]
+pub(crate) struct Arguments {
+    /// The model: its name ends in .obj, .ply, .glb or .gltf.
+    #[arg(value_name = "MODEL")]
+    model: PathBuf,
+    /// From where it is seen; see above.
+    #[arg(long, value_name = "VIEW", default_value = "three-quarter")]
+    camera: String,
+    /// Columns and rows of the picture; by default those of the camera's file, or 1280x720.
+    #[arg(long, value_name = "WxH")]
+    size: Option<String>,
+    /// The picture, as PNG.
+    #[arg(long, value_name = "FILE.png")]
+    out: PathBuf,
+    /// Whether surfaces are lit or show their base colour.
+    #[arg(long, value_enum, default_value_t = Light::Lit)]
+    shading: Light,
+    /// Samples along each side of a pixel, 1 to 8, against jagged edges.
+    #[arg(long, value_name = "N", default_value_t = 3)]
+    samples: u32,
+    /// One colour behind the model, as six hexadecimal digits such as ffffff, in place of a
+    /// gradient.
+    #[arg(long, value_name = "RRGGBB")]
+    background: Option<String>,
+    /// Draw the edges of all triangles.
+    #[arg(long)]
+    wireframe: bool,
+    /// Put the model on level ground.
+    #[arg(long)]
+    ground: bool,
+    /// Also write what is seen at the middle of each pixel as numbers into this folder.
+    ///
+    /// depth.pfm holds the distance along the viewing direction and distance.pfm that from the eye,
+    /// both infinite where nothing is seen; uv.pfm texture coordinates and a mask; normal.pfm the
+    /// normal in the world; identity.png, with 16 bits for each channel, the object, counted from 1,
+    /// in red and the triangle, counted from 1, in green (multiples of 65536) and blue (the rest);
+    /// material.png, grey with 16 bits, the material, counted from 1. Where nothing is seen, all
+    /// these are 0.
+    #[arg(long, value_name = "DIR")]
+    buffers: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Light {
+    Lit,
+    Unlit,
+}
+
+const DEFAULT_SIZE: [u32; 2] = [1280, 720];
+
+/// The names of the files of `--buffers`.
+const BUFFERS: [&str; 6] = [
+    "depth.pfm",
+    "distance.pfm",
+    "uv.pfm",
+    "normal.pfm",
+    "identity.png",
+    "material.png",
+];
+
+pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+    let Arguments {
+        model: path, out, ..
+    } = arguments;
+    let ending = out.extension().and_then(|ending| ending.to_str());
+    if ending != Some("png") {
+        bail!("--out {}: its name must end in .png", out.display());
+    }
+    if let Some(folder) = &arguments.buffers {
+        output::check_place(folder, &BUFFERS)?;
+    }
+    let view = View::parse(&arguments.camera)?;
+    let size = match &arguments.size {
+        Some(size) => Some(parse_size(size)?),
+        None => None,
+    };
+    let [width, height] = match (view.size(), size) {
+        (Some(own), Some(asked)) if own != asked => bail!(
+            "--size {}x{}: the camera {} is for {}x{}",
+            asked[0],
+            asked[1],
+            arguments.camera,
+            own[0],
+            own[1]
+        ),
+        (own, asked) => own.or(asked).unwrap_or(DEFAULT_SIZE),
+    };
+    let mut style = Style {
+        width,
+        height,
+        supersampling: arguments.samples,
+        shading: match arguments.shading {
+            Light::Lit => Shading::Lit,
+            Light::Unlit => Shading::Unlit,
+        },
+        self_shadow: 0.8,
+        ambient_occlusion: 0.7,
+        depth_contrast: 0.0,
+        ..Style::default()
+    };
+    if let Some(background) = &arguments.background {
+        style.background = [parse_colour(background)?; 2];
+    }
+
+    let model = read(path)?;
+    ensure!(
+        model.triangle_count() > 0,
+        "{}: there is no triangle to be drawn",
+        path.display()
+    );
+    for warning in model.warnings() {
+        eprintln!("warning: {}: {warning}", path.display());
+    }
+    let camera = view.camera(&model, style.aspect())?;
+    let begin = Instant::now();
+    let drawing = draw(&model, &camera, &style, arguments)?;
+    let milliseconds = begin.elapsed().as_millis();
+
+    if let Some(folder) = &arguments.buffers {
+        output::write_all(folder, &drawing.buffers)?;
+    }
+    ga_files::write(out, &drawing.png)?;
+    if !quiet {
+        println!(
+            "wrote {} ({width} × {height}, {} triangles, {milliseconds} ms)",
+            out.display(),
+            model.triangle_count()
+        );
+    }
+    Ok(())
+}
+
+fn read(path: &Path) -> Result<Model> {
+    let folder = path.parent();
+    let mesh = ga_mesh::obj::read(path)?;
+    Model::from_mesh(&mesh, folder).with_context(|| path.display().to_string())
+}
+
+/// The files that are to be written.
+struct Drawing {
+    png: Vec<u8>,
+    buffers: Vec<File>,
+}
+
+fn draw(model: &Model, camera: &Camera, style: &Style, arguments: &Arguments) -> Result<Drawing> {
+    let materials = model.materials();
+    let edges = if arguments.wireframe {
+        model.edges()
+    } else {
+        Vec::new()
+    };
+    let lines: Vec<Polyline> = edges
+        .iter()
+        .map(|ends| Polyline {
+            points: ends,
+            colour: LinearColour::from_srgb([30, 40, 60]),
+            width: 1.0,
+            visibility: Visibility::Hidden,
+        })
+        .collect();
+    let scene = Scene {
+        lines: &lines,
+        ground: arguments.ground.then(|| ground(model)),
+        ..model.scene(&materials)
+    };
+    let picture = render(&scene, camera, style)?;
+    let buffers = match arguments.buffers {
+        Some(_) => {
+            let buffers = Buffers::new(&scene, camera, style.width, style.height)?;
+            encode_buffers(&buffers)?
+        }
+        None => Vec::new(),
+    };
+    Ok(Drawing {
+        png: png::encode(&picture.colour)?,
+        buffers,
+    })
+}
+
+/// Level ground under the model, with a grid of about a fifth of its size.
+fn ground(model: &Model) -> Ground {
+    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+    for point in model.points() {
+        for axis in 0..3 {
+            low[axis] = low[axis].min(point[axis]);
+            high[axis] = high[axis].max(point[axis]);
+        }
+    }
+    let size = (0..3)
+        .map(|axis| high[axis] - low[axis])
+        .fold(0.0, f64::max);
+    Ground {
+        height: low[1],
+        grid: (size / 5.0).max(f64::MIN_POSITIVE),
+    }
+}
+
+fn encode_buffers(buffers: &Buffers) -> Result<Vec<File>> {
+    let points = buffers.points();
+    let counted = |number: usize| u16::try_from(number + 1);
+    let mut too_many = false;
+    let mut identity = |point: Option<SurfacePoint>| {
+        let Some(point) = point else {
+            return [0; 3];
+        };
+        let triangle = point.triangle as u32 + 1;
+        let object = counted(point.object).unwrap_or_else(|_| {
+            too_many = true;
+            u16::MAX
+        });
+        [object, (triangle >> 16) as u16, triangle as u16]
+    };
+    let identities = points.map(&mut identity);
+    let materials = points.map(|point| {
+        let material = point.and_then(|point| point.material);
+        material.map_or(0, |material| counted(material as usize).unwrap_or(u16::MAX))
+    });
+    ensure!(
+        !too_many && !materials.values().contains(&u16::MAX),
+        "--buffers: there are more objects or materials than 16 bits can number"
+    );
+    let contents = [
+        float(&buffers.depth())?,
+        float(&buffers.distance())?,
+        floats(&buffers.texture_coordinates())?,
+        floats(&buffers.normals())?,
+        png::encode(&identities)?,
+        png::encode(&materials)?,
+    ];
+    let files = BUFFERS.into_iter().zip(contents);
+    Ok(files
+        .map(|(name, contents)| File { name, contents })
+        .collect())
+}
+
+fn float(plane: &Plane<f32>) -> Result<Vec<u8>> {
+    Ok(pfm::encode(plane, pfm::ByteOrder::Little)?)
+}
+
+fn floats(plane: &Plane<[f32; 3]>) -> Result<Vec<u8>> {
+    Ok(pfm::encode(plane, pfm::ByteOrder::Little)?)
+}
+
+fn parse_size(text: &str) -> Result<[u32; 2]> {
+    let sides = text
+        .split_once(['x', 'X', '×'])
+        .and_then(|(width, height)| {
+            let [width, height] = [width, height].map(|side| side.trim().parse().ok());
+            Some([width?, height?])
+        });
+    sides.with_context(|| format!("--size {text}: not of the form WxH, such as 1280x720"))
+}
+
+fn parse_colour(text: &str) -> Result<LinearColour> {
+    let digits = text.strip_prefix('#').unwrap_or(text);
+    let code = Some(digits)
+        .filter(|digits| digits.len() == 6 && digits.chars().all(|c| c.is_ascii_hexdigit()))
+        .and_then(|digits| u32::from_str_radix(digits, 16).ok());
+    let [_, red, green, blue] = code
+        .with_context(|| format!("--background {text}: not six hexadecimal digits"))?
+        .to_be_bytes();
+    Ok(LinearColour::from_srgb([red, green, blue]))
+}

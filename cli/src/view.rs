@@ -1,0 +1,127 @@
+//! From where a model is seen.
+
+use std::path::Path;
+
+use anyhow::{Context, Result, bail};
+use ga_render::model::Model;
+use ga_render::{Camera, ViewDirection};
+
+use crate::camera_file::CameraFile;
+
+/// What `--camera` asks for.
+#[derive(Clone, Debug)]
+pub(crate) enum View {
+    /// The whole model from a side.
+    Named(ViewDirection),
+    /// From a place towards another.
+    Towards {
+        eye: [f64; 3],
+        target: [f64; 3],
+        up: [f64; 3],
+        /// The vertical field of view in degrees.
+        field_of_view: f64,
+    },
+    /// Given intrinsics and pose.
+    File(CameraFile),
+}
+
+/// The vertical field of view of named views, in radians.
+const FIELD_OF_VIEW: f64 = 0.6;
+
+/// The free border of named views, as a fraction of half the picture.
+const MARGIN: f64 = 0.08;
+
+/// The near depth of a camera at a place, as a share of the distance to its target.
+const NEAR: f64 = 1e-3;
+
+impl View {
+    /// Reads a file where the text is the name of one.
+    pub(crate) fn parse(text: &str) -> Result<Self> {
+        let side = |azimuth: f64, elevation: f64| {
+            Ok(Self::Named(ViewDirection {
+                azimuth: azimuth.to_radians(),
+                elevation: elevation.to_radians(),
+            }))
+        };
+        match text.trim() {
+            "front" => side(0.0, 0.0),
+            "side" => side(90.0, 0.0),
+            "top" => side(0.0, 90.0),
+            "three-quarter" => side(35.0, 20.0),
+            words if words.starts_with("eye ") => towards(words),
+            path if path.to_ascii_lowercase().ends_with(".json") => Ok(Self::File(ga_files::read(
+                Path::new(path),
+                CameraFile::parse,
+            )?)),
+            _ => bail!(
+                "--camera {text}: not front, side, top, three-quarter, a file that ends in .json, \
+                 or of the form \"eye X,Y,Z target X,Y,Z fov DEGREES\""
+            ),
+        }
+    }
+
+    /// The size of the picture, where the view is for one.
+    pub(crate) fn size(&self) -> Option<[u32; 2]> {
+        match self {
+            Self::File(file) => Some(file.size()),
+            Self::Named(_) | Self::Towards { .. } => None,
+        }
+    }
+
+    /// The camera for a picture with this quotient of width and height.
+    pub(crate) fn camera(&self, model: &Model, aspect: f64) -> Result<Camera> {
+        Ok(match self {
+            Self::Named(view) => Camera::fit(model.points(), *view, FIELD_OF_VIEW, aspect, MARGIN)?,
+            Self::Towards {
+                eye,
+                target,
+                up,
+                field_of_view,
+            } => {
+                let squares = (0..3).map(|axis| (eye[axis] - target[axis]).powi(2));
+                let near = NEAR * squares.sum::<f64>().sqrt();
+                let near = near.max(f64::MIN_POSITIVE);
+                Camera::look_at(*eye, *target, *up, field_of_view.to_radians(), near)?
+            }
+            Self::File(file) => file.camera()?,
+        })
+    }
+}
+
+/// `eye X,Y,Z target X,Y,Z [up X,Y,Z] fov DEGREES`, the pairs in any order.
+fn towards(text: &str) -> Result<View> {
+    let (mut eye, mut target, mut up, mut field_of_view) = (None, None, None, None);
+    let mut words = text.split_whitespace();
+    while let Some(name) = words.next() {
+        let value = words
+            .next()
+            .with_context(|| format!("--camera: there is nothing after {name}"))?;
+        match name {
+            "eye" => eye = Some(triple(name, value)?),
+            "target" => target = Some(triple(name, value)?),
+            "up" => up = Some(triple(name, value)?),
+            "fov" => field_of_view = Some(number(name, value)?),
+            _ => bail!("--camera: {name:?} is not eye, target, up or fov"),
+        }
+    }
+    Ok(View::Towards {
+        eye: eye.context("--camera: the eye is missing")?,
+        target: target.context("--camera: the target is missing")?,
+        up: up.unwrap_or([0.0, 1.0, 0.0]),
+        field_of_view: field_of_view.context("--camera: the field of view (fov) is missing")?,
+    })
+}
+
+fn triple(name: &str, text: &str) -> Result<[f64; 3]> {
+    let numbers = text.split(',').map(|part| number(name, part));
+    let numbers = numbers.collect::<Result<Vec<_>>>()?;
+    let found = numbers.len();
+    <[f64; 3]>::try_from(numbers)
+        .ok()
+        .with_context(|| format!("--camera: {name} {text} has {found} numbers, not 3"))
+}
+
+fn number(name: &str, text: &str) -> Result<f64> {
+    let number = text.parse().ok().filter(|number: &f64| number.is_finite());
+    number.with_context(|| format!("--camera: {text:?} after {name} is not a finite number"))
+}

@@ -1,0 +1,222 @@
+//! `nullcone render`: what it writes, and how it tells what is wrong.
+
+use std::path::Path;
+
+use image::{Rgb, RgbImage};
+use tempfile::tempdir;
+
+use crate::common::{assert_failure, assert_success, names, nullcone, text};
+
+/// A square of side 2 around the origin that faces +z, red on its left half.
+const SQUARE: &str = "mtllib square.mtl\n\
+    v -1 -1 0\nv 0 -1 0\nv 1 -1 0\nv -1 1 0\nv 0 1 0\nv 1 1 0\n\
+    vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n\
+    usemtl red\nf 1/1 2/2 5/3 4/4\nusemtl painted\nf 2/1 3/2 6/3 5/4\n";
+
+const MATERIALS: &str = "newmtl red\nKd 1 0 0\nnewmtl painted\nKd 1 1 1\nmap_Kd paint.png\n";
+
+/// 65 × 65 pixels at distance 4: u = 80 x/4 + 32 and v = −80 y/4 + 32, so a unit is 20 pixels.
+const CAMERA: &str = r#"{"width": 65, "height": 65, "fx": 80, "fy": 80, "cx": 32, "cy": 32,
+    "rotation": [[1, 0, 0], [0, -1, 0], [0, 0, -1]], "translation": [0, 0, 4]}"#;
+
+/// A folder with the square, a picture that is green above and blue below, and the camera.
+fn prepare(folder: &Path) {
+    std::fs::write(folder.join("square.obj"), SQUARE).unwrap();
+    std::fs::write(folder.join("square.mtl"), MATERIALS).unwrap();
+    std::fs::write(folder.join("camera.json"), CAMERA).unwrap();
+    let paint = |_, row| [Rgb([0, 255, 0]), Rgb([0, 0, 255])][usize::from(row >= 8u32)];
+    RgbImage::from_fn(16, 16, paint)
+        .save(folder.join("paint.png"))
+        .unwrap();
+}
+
+#[test]
+fn a_textured_square_is_where_its_camera_puts_it() {
+    let folder = tempdir().unwrap();
+    prepare(folder.path());
+    let arguments = "render square.obj --camera camera.json --out p/p.png --shading unlit \
+                     --samples 1 --background 000000 --buffers numbers";
+    let output = nullcone(folder.path(), arguments.split_whitespace());
+    assert_success(&output);
+    assert!(text(&output.stdout).starts_with("wrote p/p.png (65 × 65, 4 triangles, "));
+    let picture = image::open(folder.path().join("p/p.png"))
+        .unwrap()
+        .to_rgb8();
+    assert_eq!(picture.dimensions(), (65, 65));
+    let colour = |column, row| picture.get_pixel(column, row).0;
+    assert_eq!(colour(14, 32), [255, 0, 0]);
+    assert_eq!(colour(30, 50), [255, 0, 0]);
+    assert_eq!(colour(34, 14), [0, 255, 0]);
+    assert_eq!(colour(50, 50), [0, 0, 255]);
+    for outside in [[10, 32], [54, 32], [32, 10], [32, 54]] {
+        assert_eq!(colour(outside[0], outside[1]), [0; 3]);
+    }
+
+    let numbers = folder.path().join("numbers");
+    assert_eq!(
+        names(&numbers),
+        [
+            "depth.pfm",
+            "distance.pfm",
+            "identity.png",
+            "material.png",
+            "normal.pfm",
+            "uv.pfm"
+        ]
+    );
+    // PFM: a header of three lines, then rows from the bottom.
+    let floats = |name: &str, channels: usize| {
+        let bytes = std::fs::read(numbers.join(name)).unwrap();
+        let data = bytes[bytes.len() - 65 * 65 * channels * 4..].to_vec();
+        move |column: usize, row: usize, channel: usize| {
+            let at = 4 * (((64 - row) * 65 + column) * channels + channel);
+            f32::from_le_bytes(data[at..at + 4].try_into().unwrap())
+        }
+    };
+    let (depth, distance) = (floats("depth.pfm", 1), floats("distance.pfm", 1));
+    assert_eq!(depth(20, 20, 0), 4.0);
+    assert_eq!(depth(5, 5, 0), f32::INFINITY);
+    let away = (4f32 * 4.0 + 0.6 * 0.6 * 2.0).sqrt();
+    assert!((distance(20, 20, 0) - away).abs() < 1e-6);
+    // (44, 20) sees (0.6, 0.6): u = 0.6 on the right half, v = 0.8.
+    let uv = floats("uv.pfm", 3);
+    let here = [0, 1, 2].map(|channel| uv(44, 20, channel));
+    assert!((here[0] - 0.6).abs() < 1e-6 && (here[1] - 0.8).abs() < 1e-6 && here[2] == 1.0);
+    let identity = image::open(numbers.join("identity.png"))
+        .unwrap()
+        .to_rgb16();
+    assert_eq!(identity.get_pixel(44, 46).0, [1, 0, 3]);
+    assert_eq!(identity.get_pixel(3, 3).0, [0; 3]);
+    let material = image::open(numbers.join("material.png"))
+        .unwrap()
+        .to_luma16();
+    assert_eq!(material.get_pixel(20, 20).0, [1]);
+    assert_eq!(material.get_pixel(44, 20).0, [2]);
+}
+
+#[test]
+fn views_show_the_whole_model() {
+    let folder = tempdir().unwrap();
+    prepare(folder.path());
+    for (camera, wide) in [
+        ("front", true),
+        ("three-quarter", true),
+        ("eye 0,0,4 target 0,0,0 fov 40", true),
+        ("eye 0,4,0.01 target 0,0,0 up 0,0,-1 fov 40", false),
+    ] {
+        let arguments = [
+            "render",
+            "square.obj",
+            "--camera",
+            camera,
+            "--size",
+            "80x60",
+        ];
+        let more = [
+            "--out",
+            "p.png",
+            "--background",
+            "#000000",
+            "-q",
+            "--ground",
+        ];
+        let more = if wide { &more[..5] } else { &more[..] };
+        let output = nullcone(folder.path(), arguments.iter().chain(more));
+        assert_success(&output);
+        assert!(output.stdout.is_empty());
+        let picture = image::open(folder.path().join("p.png")).unwrap().to_rgb8();
+        assert_eq!(picture.dimensions(), (80, 60));
+        let seen = picture.pixels().filter(|pixel| pixel.0 != [0; 3]).count();
+        assert_eq!(seen > 1000, wide, "{camera}: {seen}");
+        let border = |column, row| picture.get_pixel(column, row).0 == [0; 3];
+        assert!((0..80).all(|column| border(column, 0)), "{camera}");
+    }
+}
+
+#[test]
+fn a_picture_that_is_missing_is_named() {
+    let folder = tempdir().unwrap();
+    prepare(folder.path());
+    std::fs::remove_file(folder.path().join("paint.png")).unwrap();
+    let output = nullcone(folder.path(), ["render", "square.obj", "--out", "p.png"]);
+    assert_success(&output);
+    let warning = text(&output.stderr);
+    assert!(
+        warning.contains("painted") && warning.contains("paint.png"),
+        "{warning}"
+    );
+    std::fs::write(folder.path().join("paint.png"), "no picture").unwrap();
+    let output = nullcone(folder.path(), ["render", "square.obj", "--out", "q.png"]);
+    assert_failure(&output, &["square.obj", "painted", "paint.png"]);
+    assert!(!folder.path().join("q.png").exists());
+}
+
+#[test]
+fn bad_input_leaves_nothing() {
+    let folder = tempdir().unwrap();
+    prepare(folder.path());
+    std::fs::write(folder.path().join("empty.obj"), "v 0 0 0\n").unwrap();
+    let before = names(folder.path());
+    let fails = |arguments: &[&str], parts: &[&str]| {
+        let output = nullcone(folder.path(), [&["render"], arguments].concat());
+        assert_failure(&output, parts);
+        assert_eq!(names(folder.path()), before);
+    };
+    fails(&["square.obj", "--out", "p.jpg"], &["--out p.jpg", ".png"]);
+    fails(
+        &["empty.obj", "--out", "p.png"],
+        &["empty.obj", "no triangle"],
+    );
+    fails(&["none.obj", "--out", "p.png"], &["none.obj"]);
+    let with = |more: &[&str], parts: &[&str]| {
+        fails(&[&["square.obj", "--out", "p.png"], more].concat(), parts);
+    };
+    with(&["--size", "80"], &["--size 80", "WxH"]);
+    with(&["--size", "0x5"], &["width or height is zero"]);
+    with(&["--samples", "9"], &["supersampling"]);
+    with(&["--background", "grey"], &["--background grey"]);
+    with(
+        &["--camera", "behind"],
+        &["--camera behind", "three-quarter"],
+    );
+    with(
+        &["--camera", "eye 1,2 target 0,0,0 fov 3"],
+        &["eye 1,2 has 2 numbers"],
+    );
+    with(
+        &["--camera", "eye 1,2,3 target 0,0,x fov 3"],
+        &["\"x\" after target"],
+    );
+    with(&["--camera", "eye 1,2,3 fov 3"], &["the target is missing"]);
+    with(&["--camera", "eye 1,2,3 target 1,2,3 fov 3"], &["coincide"]);
+    with(
+        &["--camera", "eye 1,2,3 target 0,0,0 fov 180"],
+        &["field of view"],
+    );
+    with(
+        &["--camera", "camera.json", "--size", "64x65"],
+        &["--size 64x65", "65x65"],
+    );
+    with(&["--buffers", "square.obj"], &["square.obj is a file"]);
+}
+
+#[test]
+fn faults_of_a_camera_file_are_named() {
+    let folder = tempdir().unwrap();
+    prepare(folder.path());
+    for (from, to, part) in [
+        ("\"fx\": 80", "\"fx\": 0", "focal length"),
+        ("\"fx\": 80, ", "", "missing field `fx`"),
+        ("[0, -1, 0]", "[0, 1, 0]", "rigid motion"),
+        ("4]}", "4], \"far\": 0}", "far depth"),
+        ("\"cx\"", "\"c\"", "unknown field `c`"),
+    ] {
+        let bad = CAMERA.replace(from, to);
+        assert_ne!(bad, CAMERA);
+        std::fs::write(folder.path().join("camera.json"), bad).unwrap();
+        let arguments = "render square.obj --camera camera.json --out p.png";
+        let output = nullcone(folder.path(), arguments.split_whitespace());
+        assert_failure(&output, &["camera.json", part]);
+    }
+    assert!(!folder.path().join("p.png").exists());
+}
