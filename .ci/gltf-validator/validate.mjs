@@ -2,7 +2,7 @@
 // Prints one line for each file, then its messages; fails on any error or warning, and on no files at all.
 
 import { readFile } from 'node:fs/promises';
-import { basename } from 'node:path';
+import { basename, dirname, join } from 'node:path';
 import validator from 'gltf-validator';
 
 const SEVERITIES = ['error', 'warning', 'info', 'hint'];
@@ -10,6 +10,8 @@ const SEVERITIES = ['error', 'warning', 'info', 'hint'];
 async function validate(path) {
   const report = await validator.validateBytes(new Uint8Array(await readFile(path)), {
     uri: basename(path),
+    externalResourceFunction: async (uri) =>
+      new Uint8Array(await readFile(join(dirname(path), decodeURIComponent(uri)))),
     maxIssues: 0,
   });
   const { numErrors, numWarnings, numInfos, numHints, messages } = report.issues;

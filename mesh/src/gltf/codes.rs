@@ -1,7 +1,8 @@
 //! The codes and names that stand for shapes, types, modes and filters in the JSON.
 
 use super::json::{component_type, sampling};
-use super::{Components, Filter, Interpolation, MinFilter, Mode, Shape, Wrap};
+use super::{Components, Interpolation, Mode, Shape};
+use crate::{Filter, Minification, Wrap};
 
 /// The type of the numbers of an accessor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -101,9 +102,14 @@ impl Shape {
         }
     }
 
-    /// The bytes of an item.
-    pub(super) fn size(self, component: ComponentType) -> usize {
+    /// The bytes from an item to the next where nothing else is stated.
+    pub(super) fn stride(self, component: ComponentType) -> usize {
         self.columns() * self.column_stride(component)
+    }
+
+    /// The bytes of an item, without padding behind its last column.
+    pub(super) fn size(self, component: ComponentType) -> usize {
+        (self.columns() - 1) * self.column_stride(component) + self.rows() * component.size()
     }
 }
 
@@ -162,10 +168,10 @@ impl Filter {
     }
 }
 
-impl MinFilter {
+impl Minification {
     pub(super) fn from_code(code: u64) -> Option<Self> {
         use Filter::{Linear, Nearest};
-        let (pixels, levels) = match code {
+        let (filter, levels) = match code {
             sampling::NEAREST => (Nearest, None),
             sampling::LINEAR => (Linear, None),
             sampling::NEAREST_MIPMAP_NEAREST => (Nearest, Some(Nearest)),
@@ -174,13 +180,13 @@ impl MinFilter {
             sampling::LINEAR_MIPMAP_LINEAR => (Linear, Some(Linear)),
             _ => return None,
         };
-        Some(Self { pixels, levels })
+        Some(Self { filter, levels })
     }
 
     pub(super) fn code(self) -> u64 {
         use Filter::{Linear, Nearest};
-        match (self.pixels, self.levels) {
-            (pixels, None) => pixels.code(),
+        match (self.filter, self.levels) {
+            (filter, None) => filter.code(),
             (Nearest, Some(Nearest)) => sampling::NEAREST_MIPMAP_NEAREST,
             (Linear, Some(Nearest)) => sampling::LINEAR_MIPMAP_NEAREST,
             (Nearest, Some(Linear)) => sampling::NEAREST_MIPMAP_LINEAR,

@@ -60,7 +60,7 @@ pub struct Document {
 /// Who made a file, and with what.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Asset {
-    /// The program that wrote the file. A document without one is written with `Nullcone`.
+    /// The program that wrote the file.
     pub generator: Option<String>,
     /// Whose work it is.
     pub copyright: Option<String>,
@@ -184,6 +184,16 @@ impl Document {
     /// [`GltfError`] names the first element that is at fault.
     pub fn validate(&self) -> Result<(), GltfError> {
         super::validate::document(self)
+    }
+}
+
+impl Asset {
+    /// The asset of documents that this crate makes.
+    pub(super) fn of_this_crate() -> Self {
+        Self {
+            generator: Some("Nullcone".to_owned()),
+            ..Self::default()
+        }
     }
 }
 

@@ -3,6 +3,8 @@
 use std::fmt;
 use std::path::PathBuf;
 
+use crate::MeshError;
+
 /// What is wrong with a glTF file or with a [`Document`](super::Document), and which element has
 /// it. Elements are counted from 0, as in the file.
 #[derive(Clone, Debug, PartialEq)]
@@ -209,6 +211,8 @@ pub enum Problem {
     },
     /// A URI that does not name a file beside this one and holds no data.
     Uri(String),
+    /// The document does not form a mesh.
+    Mesh(MeshError),
     /// A file that this one refers to cannot be read.
     Io {
         /// The file.
@@ -368,6 +372,7 @@ impl fmt::Display for Problem {
             ),
             Self::Duplicate { what, index } => write!(f, "has {what} {index} twice"),
             Self::Uri(uri) => write!(f, "the URI {uri:?} does not name a file and holds no data"),
+            Self::Mesh(error) => error.fmt(f),
             Self::Io { path, kind } => write!(f, "cannot read {}: {kind}", path.display()),
         }
     }

@@ -62,16 +62,21 @@ fn parents_before_children(
     }
     let mut reached = vec![false; nodes.len()];
     order.iter().for_each(|&node| reached[node] = true);
-    // Walking up from any such node enters the cycle after at most as many steps as there are nodes.
+    // Walking up from any such node enters the cycle after at most as many steps as there are nodes,
+    // and as many more go round it.
     let mut node = reached.iter().position(|reached| !reached).unwrap_or(0);
-    for _ in 0..nodes.len() {
+    let mut first = usize::MAX;
+    for step in 0..2 * nodes.len() {
         node = parents[node].unwrap_or(node);
+        if step >= nodes.len() {
+            first = first.min(node);
+        }
     }
-    Err(GltfError::new(Element::Node(node), Problem::Cycle))
+    Err(GltfError::new(Element::Node(first), Problem::Cycle))
 }
 
 /// The product of two matrices whose last row is (0, 0, 0, 1).
-fn product(a: &[[f64; 4]; 3], b: &[[f64; 4]; 3]) -> [[f64; 4]; 3] {
+pub(super) fn product(a: &[[f64; 4]; 3], b: &[[f64; 4]; 3]) -> [[f64; 4]; 3] {
     std::array::from_fn(|row| {
         std::array::from_fn(|column| {
             let sum: f64 = (0..3).map(|i| a[row][i] * b[i][column]).sum();

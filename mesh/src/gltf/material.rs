@@ -1,6 +1,7 @@
 //! Materials, textures and images.
 
 use super::Extras;
+use crate::{AlphaMode, Filter, Minification, Wrap};
 
 /// The appearance of a surface, by the model of metalness and roughness.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,25 +34,13 @@ pub struct Material {
     /// The texture of that light, in sRGB.
     pub emissive_texture: Option<TextureInfo>,
     /// What alpha means.
-    pub alpha: Alpha,
+    pub alpha_mode: AlphaMode,
     /// Whether the back of the surface is seen too.
     pub double_sided: bool,
     /// Whether the base colour is shown as it is, without light, by `KHR_materials_unlit`.
     pub unlit: bool,
     /// Data of an application.
     pub extras: Extras,
-}
-
-/// What the alpha of a material means.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Alpha {
-    /// Nothing: the surface is opaque.
-    #[default]
-    Opaque,
-    /// The surface is there where alpha is not below this value.
-    Mask(f32),
-    /// The share of the surface in the colour that is seen.
-    Blend,
 }
 
 /// A texture, and where on the surface it lies.
@@ -100,43 +89,13 @@ pub struct Sampler {
     /// Where a pixel of the texture covers several of the picture.
     pub magnification: Option<Filter>,
     /// Where a pixel of the picture covers several of the texture.
-    pub minification: Option<MinFilter>,
+    pub minification: Option<Minification>,
     /// Beyond the image along u.
     pub wrap_u: Wrap,
     /// Beyond the image along v.
     pub wrap_v: Wrap,
     /// Data of an application.
     pub extras: Extras,
-}
-
-/// Which pixels a sample is taken from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Filter {
-    /// The nearest.
-    Nearest,
-    /// The nearest four, bilinearly.
-    Linear,
-}
-
-/// Which pixels, of which levels of a pyramid, a sample is taken from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct MinFilter {
-    /// Which pixels of a level.
-    pub pixels: Filter,
-    /// Which levels; the image itself where absent.
-    pub levels: Option<Filter>,
-}
-
-/// What lies beyond an image.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Wrap {
-    /// The image again.
-    #[default]
-    Repeat,
-    /// The image mirrored.
-    MirroredRepeat,
-    /// The pixels at its edge.
-    ClampToEdge,
 }
 
 /// An image.
@@ -182,7 +141,7 @@ impl Default for Material {
             emissive: [0.0; 3],
             emissive_strength: 1.0,
             emissive_texture: None,
-            alpha: Alpha::Opaque,
+            alpha_mode: AlphaMode::Opaque,
             double_sided: false,
             unlit: false,
             extras: None,

@@ -11,6 +11,7 @@
 //! | motion | [`Skin`], [`Animation`], [`Channel`], [`Keys`] |
 //! | appearance | [`Material`], [`Texture`], [`Sampler`], [`Image`] |
 //! | one skinned mesh | [`model`] |
+//! | a [`Mesh`](crate::Mesh) | [`read_mesh`], [`write_mesh`], [`Document::to_mesh`] |
 //!
 //! glTF is right-handed with *y* up and metres; angles are radians. Texture coordinates have v
 //! *down*, so that (0, 0) is the upper left corner of the image.
@@ -28,6 +29,7 @@
 
 mod animation;
 mod codes;
+mod convert;
 mod document;
 mod error;
 mod glb;
@@ -42,12 +44,10 @@ mod validate;
 mod writer;
 
 pub use animation::{Animation, Channel, Interpolation, Keys, Skin};
+pub use convert::{Vertices, read_mesh, write_mesh};
 pub use document::{Asset, Camera, Document, Extras, Node, Projection, Scene, Transform};
 pub use error::{Element, GltfError, Problem};
-pub use material::{
-    Alpha, Filter, Image, ImageSource, Material, MinFilter, Sampler, Texture, TextureInfo,
-    TextureTransform, Wrap,
-};
+pub use material::{Image, ImageSource, Material, Sampler, Texture, TextureInfo, TextureTransform};
 pub use mesh::{Components, CustomAttribute, Mesh, Mode, MorphTarget, Primitive, Shape};
 pub use reader::{SUPPORTED_EXTENSIONS, parse, read};
 pub use writer::{GltfFiles, WriteGltfError, to_glb, to_gltf, write};

@@ -52,3 +52,9 @@ fn parse_data(data: &str) -> Option<Uri> {
 pub(super) fn of_file(name: &str) -> String {
     urlencoding::encode(name).into_owned()
 }
+
+/// The URI of a file, given by its path with `/` between folders.
+pub(super) fn of_path(path: &str) -> String {
+    let folders: Vec<_> = path.split('/').map(urlencoding::encode).collect();
+    folders.join("/")
+}

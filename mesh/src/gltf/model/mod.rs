@@ -35,7 +35,7 @@ mod skin;
 
 use ga_runtime::cga3::Motor;
 
-use super::{self as gltf, Document, Mesh, Node, Scene};
+use super::{self as gltf, Asset, Document, Mesh, Node, Scene};
 pub use error::ModelError;
 
 /// A mesh, and what moves it.
@@ -136,6 +136,7 @@ pub struct Track {
 /// [`ModelError`] names the faulty element.
 pub fn to_document(model: &Model) -> Result<Document, ModelError> {
     let mut document = Document {
+        asset: Asset::of_this_crate(),
         materials: vec![material(&model.material)?],
         meshes: vec![Mesh {
             name: Some(model.name.to_owned()),

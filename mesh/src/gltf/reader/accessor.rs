@@ -164,16 +164,16 @@ impl<'a> Accessors<'a> {
                     view,
                     offset: accessor.byte_offset,
                     count: accessor.count,
+                    size: layout.size(),
+                    stride: layout.stride(),
+                    may_interleave: true,
                 };
-                Some(
-                    self.items(&items, layout.size(), true)
-                        .map_err(|e| e.of(index))?,
-                )
+                Some(self.items(&items).map_err(|e| e.of(index))?)
             }
             None => None,
         };
-        let size = layout.size() as u64;
-        self.charge(accessor.count.saturating_mul(size.max(4)))
+        let size = 4 * layout.shape.components() as u64;
+        self.charge(accessor.count.saturating_mul(size))
             .map_err(fault)?;
         // A count that the buffers or the budget have room for.
         let count = accessor.count as usize;
@@ -208,22 +208,17 @@ impl<'a> Accessors<'a> {
     }
 
     /// The bytes from the first item to the last and how many bytes apart the items begin.
-    fn items(
-        &self,
-        items: &Items,
-        size: usize,
-        may_have_stride: bool,
-    ) -> Result<(&'a [u8], usize), Fault> {
+    fn items(&self, items: &Items) -> Result<(&'a [u8], usize), Fault> {
         let &Items {
             view,
             offset,
             count,
+            size,
+            ..
         } = items;
         let (bytes, stride) = self.buffers.view(self.root, view).map_err(Fault::Other)?;
-        let stride = match stride {
-            Some(stride) if may_have_stride => stride,
-            _ => size as u64,
-        };
+        let stride = stride.filter(|_| items.may_interleave);
+        let stride = stride.unwrap_or(items.stride as u64);
         if stride < size as u64 {
             let (property, value) = ("byteStride", stride.to_string());
             return Err(Fault::Here(Problem::Value { property, value }));
@@ -268,15 +263,21 @@ impl<'a> Accessors<'a> {
             view: indices.buffer_view,
             offset: indices.byte_offset,
             count: changes,
+            size: width.size(),
+            stride: width.size(),
+            may_interleave: false,
         };
-        let (index_bytes, _) = self.items(&items, width.size(), false)?;
+        let (index_bytes, _) = self.items(&items)?;
         let items = Items {
             view: sparse.values.buffer_view,
             offset: sparse.values.byte_offset,
             count: changes,
+            size: layout.size(),
+            stride: layout.stride(),
+            may_interleave: false,
         };
-        let (value_bytes, stride) = self.items(&items, layout.size(), false)?;
-        let bytes = changes.saturating_mul(layout.size() as u64);
+        let (value_bytes, stride) = self.items(&items)?;
+        let bytes = changes.saturating_mul(layout.stride() as u64);
         self.charge(bytes).map_err(Fault::Here)?;
         let values = layout.gather(value_bytes, stride, changes as usize);
         let mut targets = Vec::with_capacity(changes as usize);
@@ -306,6 +307,12 @@ struct Items {
     view: usize,
     offset: u64,
     count: u64,
+    /// The bytes of an item.
+    size: usize,
+    /// The bytes from an item to the next, unless the buffer view says otherwise.
+    stride: usize,
+    /// Whether the buffer view may say otherwise.
+    may_interleave: bool,
 }
 
 /// A problem of the accessor itself, or an error of what it refers to.
@@ -402,6 +409,11 @@ impl Layout {
     /// The bytes of an item.
     fn size(&self) -> usize {
         self.shape.size(self.component)
+    }
+
+    /// The bytes from an item to the next where nothing else is stated.
+    fn stride(&self) -> usize {
+        self.shape.stride(self.component)
     }
 
     fn zeros(&self, count: usize) -> Components {

@@ -1,10 +1,8 @@
 //! Materials, textures and samplers.
 
 use super::super::error::{Element, Problem};
-use super::super::{
-    Alpha, Filter, GltfError, Material, MinFilter, Sampler, Texture, TextureInfo, TextureTransform,
-    Wrap, json,
-};
+use super::super::{GltfError, Material, Sampler, Texture, TextureInfo, TextureTransform, json};
+use crate::{AlphaMode, Filter, Minification, Wrap};
 
 pub(super) fn material(index: usize, json: &json::Material) -> Result<Material, GltfError> {
     let default = Material::default();
@@ -41,10 +39,12 @@ pub(super) fn material(index: usize, json: &json::Material) -> Result<Material, 
             .and_then(|extension| extension.emissive_strength)
             .unwrap_or(default.emissive_strength),
         emissive_texture: info(&json.emissive_texture),
-        alpha: match json.alpha_mode.as_deref() {
-            None | Some("OPAQUE") => Alpha::Opaque,
-            Some("MASK") => Alpha::Mask(json.alpha_cutoff.unwrap_or(0.5)),
-            Some("BLEND") => Alpha::Blend,
+        alpha_mode: match json.alpha_mode.as_deref() {
+            None | Some("OPAQUE") => AlphaMode::Opaque,
+            Some("MASK") => AlphaMode::Mask {
+                cutoff: json.alpha_cutoff.unwrap_or(0.5).into(),
+            },
+            Some("BLEND") => AlphaMode::Blend,
             Some(other) => {
                 let (property, value) = ("alphaMode", other.to_owned());
                 let problem = Problem::Value { property, value };
@@ -97,7 +97,7 @@ pub(super) fn sampler(index: usize, json: &json::Sampler) -> Result<Sampler, Glt
         .map(|filter| Filter::from_code(filter).ok_or_else(|| code("magFilter", filter)));
     let minification = json
         .min_filter
-        .map(|filter| MinFilter::from_code(filter).ok_or_else(|| code("minFilter", filter)));
+        .map(|filter| Minification::from_code(filter).ok_or_else(|| code("minFilter", filter)));
     Ok(Sampler {
         name: json.name.clone(),
         magnification: magnification.transpose()?,

@@ -6,6 +6,8 @@ mod primitive;
 use super::error::{Element, Problem};
 use super::{Camera, Document, GltfError, Material, Node, Projection, Skin, Transform};
 
+use crate::AlphaMode;
+
 type Checked = Result<(), GltfError>;
 
 pub(super) fn document(document: &Document) -> Checked {
@@ -157,8 +159,8 @@ fn material(material: &Material, textures: usize) -> Checked {
         material.emissive_strength,
         0.0..=f32::MAX,
     )?;
-    if let super::Alpha::Mask(cutoff) = material.alpha {
-        in_range("alphaCutoff", cutoff, 0.0..=f32::MAX)?;
+    if let AlphaMode::Mask { cutoff } = material.alpha_mode {
+        in_range("alphaCutoff", cutoff as f32, 0.0..=f32::MAX)?;
     }
     Ok(())
 }

@@ -117,7 +117,7 @@ impl Buffer {
         let component = ComponentType::of(numbers);
         let column = shape.rows() * component.size();
         let column_stride = shape.column_stride(component);
-        let stride = shape.size(component).next_multiple_of(4);
+        let stride = shape.stride(component).next_multiple_of(4);
         let mut padded = Vec::with_capacity(bytes.len());
         for item in bytes.chunks(column * shape.columns()) {
             let start = padded.len();
@@ -131,6 +131,7 @@ impl Buffer {
         let count = numbers.len() / shape.components();
         let purpose = Use::Vertices;
         let accessor = self.push(count, shape, component, normalized, purpose, &padded);
+        // Stated too where nothing but the padding of the last column makes the difference.
         if stride != shape.size(component)
             && let Some(view) = self.accessors[accessor].buffer_view
         {

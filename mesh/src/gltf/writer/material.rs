@@ -1,8 +1,7 @@
 //! Materials, textures and samplers.
 
-use super::super::{
-    Alpha, Document, Filter, Material, MinFilter, Sampler, Texture, TextureInfo, Wrap, json,
-};
+use super::super::{Document, Material, Sampler, Texture, TextureInfo, json};
+use crate::{AlphaMode, Filter, Minification, Wrap};
 
 /// The names of the extensions that the materials use.
 pub(super) fn extensions(document: &Document) -> Vec<String> {
@@ -42,10 +41,10 @@ pub(super) fn material(material: &Material) -> json::Material {
     let normal_scale = changed(material.normal_scale, default.normal_scale);
     let strength = changed(material.occlusion_strength, default.occlusion_strength);
     let emissive_strength = changed(material.emissive_strength, default.emissive_strength);
-    let (mode, cutoff) = match material.alpha {
-        Alpha::Opaque => (None, None),
-        Alpha::Mask(cutoff) => (Some("MASK"), changed(cutoff, 0.5)),
-        Alpha::Blend => (Some("BLEND"), None),
+    let (mode, cutoff) = match material.alpha_mode {
+        AlphaMode::Opaque => (None, None),
+        AlphaMode::Mask { cutoff } => (Some("MASK"), changed(cutoff as f32, 0.5)),
+        AlphaMode::Blend => (Some("BLEND"), None),
     };
     json::Material {
         name: material.name.clone(),
@@ -105,7 +104,7 @@ pub(super) fn sampler(sampler: &Sampler) -> json::Sampler {
     json::Sampler {
         name: sampler.name.clone(),
         mag_filter: sampler.magnification.map(Filter::code),
-        min_filter: sampler.minification.map(MinFilter::code),
+        min_filter: sampler.minification.map(Minification::code),
         wrap_s: changed(sampler.wrap_u, Wrap::Repeat).map(Wrap::code),
         wrap_t: changed(sampler.wrap_v, Wrap::Repeat).map(Wrap::code),
         extras: sampler.extras.clone(),

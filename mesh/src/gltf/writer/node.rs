@@ -6,12 +6,7 @@ pub(super) fn asset(asset: &Asset) -> json::Asset {
     json::Asset {
         version: "2.0".to_owned(),
         min_version: None,
-        generator: Some(
-            asset
-                .generator
-                .clone()
-                .unwrap_or_else(|| "Nullcone".to_owned()),
-        ),
+        generator: asset.generator.clone(),
         copyright: asset.copyright.clone(),
         extras: asset.extras.clone(),
     }

@@ -1,7 +1,14 @@
 //! Written files, read back by an independent reader and evaluated with the matrices of glam.
 
+mod accessors;
+mod bad_input;
+mod convert;
+mod documents;
 mod errors;
+mod mutations;
 mod reader;
+mod sampler;
+mod samples;
 mod source;
 mod validator;
 

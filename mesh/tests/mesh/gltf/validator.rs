@@ -3,6 +3,9 @@
 use std::path::Path;
 use std::process::Command;
 
+use ga_mesh::gltf::write;
+
+use super::documents::example;
 use super::source::strip;
 
 /// Needs Node.js and `npm ci` in `.ci/gltf-validator`; skipped without them.
@@ -33,6 +36,17 @@ fn the_khronos_validator_finds_nothing() {
         let path = folder.path().join(format!("{index}.glb"));
         std::fs::write(&path, source.write().unwrap()).unwrap();
         validate.arg(path);
+    }
+    for seed in 0..40 {
+        let document = example(seed);
+        let path = folder.path().join(format!("document {seed}.glb"));
+        write(&path, &document).unwrap();
+        validate.arg(path);
+        if seed % 4 == 0 {
+            let path = folder.path().join(format!("document {seed}.gltf"));
+            write(&path, &document).unwrap();
+            validate.arg(path);
+        }
     }
     let output = validate.output().unwrap();
     let text = String::from_utf8_lossy(&output.stdout);

@@ -1,0 +1,192 @@
+//! From a mesh to a document.
+
+use std::collections::BTreeMap;
+
+use super::super::{self as gltf, Asset, Document, Mode, Node, Primitive, Scene};
+use super::material;
+use crate::Mesh;
+
+/// What all faces of a primitive have in common.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
+struct Kind {
+    /// The object, or the number of objects for faces without one.
+    object: usize,
+    material: Option<u32>,
+    /// For each set of texture coordinates whether all corners have them.
+    texcoords: Vec<bool>,
+    normals: bool,
+    tangents: bool,
+}
+
+/// A corner as far as it matters to a vertex of a primitive: the vertex and the indices of the
+/// corner's attributes.
+type Key = (u32, Vec<Option<u32>>);
+
+pub(super) fn document(mesh: &Mesh) -> Document {
+    let mut document = Document {
+        asset: Asset::of_this_crate(),
+        scene: Some(0),
+        ..Document::default()
+    };
+    material::from_materials(mesh.materials(), &mut document);
+    // One list of primitives for each object, and one for faces without an object and for lines.
+    let mut lists: Vec<Vec<Primitive>> = vec![Vec::new(); mesh.objects().len() + 1];
+    for (kind, faces) in kinds(mesh) {
+        lists[kind.object].push(triangles(mesh, &kind, &faces));
+    }
+    lists[mesh.objects().len()].extend(lines(mesh));
+    let named = lists.into_iter().enumerate().map(|(object, primitives)| {
+        let object = mesh.objects().get(object);
+        (object.map(|object| object.name.clone()), primitives)
+    });
+    let named = named.filter(|(_, primitives)| !primitives.is_empty());
+    for (index, (name, primitives)) in named.enumerate() {
+        document.meshes.push(gltf::Mesh {
+            name: name.clone(),
+            primitives,
+            ..gltf::Mesh::default()
+        });
+        document.nodes.push(Node {
+            name,
+            mesh: Some(index),
+            ..Node::default()
+        });
+    }
+    document.scenes.push(Scene {
+        nodes: (0..document.nodes.len()).collect(),
+        ..Scene::default()
+    });
+    document
+}
+
+/// The faces of each kind, in the order of the objects and, within one, of the materials.
+fn kinds(mesh: &Mesh) -> BTreeMap<Kind, Vec<usize>> {
+    let mut objects = vec![mesh.objects().len(); mesh.faces().len()];
+    for (index, object) in mesh.objects().iter().enumerate() {
+        object
+            .faces
+            .iter()
+            .for_each(|&face| objects[face as usize] = index);
+    }
+    let mut kinds: BTreeMap<Kind, Vec<usize>> = BTreeMap::new();
+    for (face, &object) in objects.iter().enumerate() {
+        let corners = mesh.faces().corner_range(face);
+        let all = |list: &[Option<u32>]| list[corners.clone()].iter().all(Option::is_some);
+        let normals = mesh.normals().is_some_and(|normals| all(&normals.corners));
+        let kind = Kind {
+            object,
+            material: mesh.face_materials().get(face).copied().flatten(),
+            texcoords: {
+                let sets = mesh.texture_coordinate_sets().iter();
+                // A set must not be missing where a later one is there.
+                let mut has: Vec<bool> = sets.map(|set| all(&set.corners)).collect();
+                let count = has.iter().position(|has| !has).unwrap_or(has.len());
+                has[count..].fill(false);
+                has
+            },
+            normals,
+            tangents: normals
+                && mesh
+                    .tangents()
+                    .is_some_and(|tangents| all(&tangents.corners)),
+        };
+        kinds.entry(kind).or_default().push(face);
+    }
+    kinds
+}
+
+/// The primitive of faces of one kind. Its vertices are in the order of those of the mesh.
+fn triangles(mesh: &Mesh, kind: &Kind, faces: &[usize]) -> Primitive {
+    let key = |corner: usize| -> Key {
+        let sets = mesh.texture_coordinate_sets().iter().zip(&kind.texcoords);
+        let texcoords = sets
+            .filter(|(_, has)| **has)
+            .map(|(set, _)| set.corners[corner]);
+        let normal = mesh.normals().filter(|_| kind.normals);
+        let tangent = mesh.tangents().filter(|_| kind.tangents);
+        let directions = [
+            normal.and_then(|normals| normals.corners[corner]),
+            tangent.and_then(|tangents| tangents.corners[corner]),
+        ];
+        let vertex = mesh.faces().corners()[corner];
+        (vertex, texcoords.chain(directions).collect())
+    };
+    // For each distinct corner its first index in the mesh, then its index in the primitive.
+    let mut corners: BTreeMap<Key, (usize, u32)> = BTreeMap::new();
+    for &face in faces {
+        for corner in mesh.faces().corner_range(face) {
+            corners.entry(key(corner)).or_insert((corner, 0));
+        }
+    }
+    let mut firsts = Vec::with_capacity(corners.len());
+    for (first, number) in corners.values_mut() {
+        *number = firsts.len() as u32;
+        firsts.push(*first);
+    }
+    let mut indices = Vec::new();
+    for &face in faces {
+        let range = mesh.faces().corner_range(face);
+        let numbers: Vec<u32> = range.map(|corner| corners[&key(corner)].1).collect();
+        for pair in numbers[1..].windows(2) {
+            indices.extend([numbers[0], pair[0], pair[1]]);
+        }
+    }
+    let vertices = firsts.iter().map(|&corner| mesh.faces().corners()[corner]);
+    let mut primitive = vertices_of(mesh, vertices);
+    primitive.mode = Mode::Triangles;
+    primitive.indices = Some(indices);
+    primitive.material = kind.material.map(|material| material as usize);
+    let sets = mesh.texture_coordinate_sets().iter().zip(&kind.texcoords);
+    for (set, _) in sets.filter(|(_, has)| **has) {
+        let values = firsts.iter().filter_map(|&corner| set.get(corner));
+        // glTF has v down.
+        let downwards = |&[u, v]: &[f64; 2]| [u as f32, (1.0 - v) as f32];
+        primitive.texcoords.push(values.map(downwards).collect());
+    }
+    if let Some(normals) = mesh.normals().filter(|_| kind.normals) {
+        let values = firsts.iter().filter_map(|&corner| normals.get(corner));
+        primitive.normals = values.map(|n| n.coordinates().map(|c| c as f32)).collect();
+    }
+    if let Some(tangents) = mesh.tangents().filter(|_| kind.tangents) {
+        let values = firsts.iter().filter_map(|&corner| tangents.get(corner));
+        let tangent = |tangent: &crate::Tangent| {
+            let [x, y, z] = tangent.direction.coordinates().map(|c| c as f32);
+            [x, y, z, tangent.handedness as f32]
+        };
+        primitive.tangents = values.map(tangent).collect();
+    }
+    primitive
+}
+
+/// A primitive with the places and colours of these vertices.
+fn vertices_of(mesh: &Mesh, vertices: impl Iterator<Item = u32> + Clone) -> Primitive {
+    let place = |vertex: u32| mesh.positions()[vertex as usize].coordinates();
+    let positions = vertices
+        .clone()
+        .map(|vertex| place(vertex).map(|c| c as f32));
+    let colours = mesh.colours().map(|colours| {
+        let colour = |vertex: u32| colours[vertex as usize].map(|c| c as f32);
+        vertices.clone().map(colour).collect()
+    });
+    Primitive {
+        positions: positions.collect(),
+        colours: colours.into_iter().collect(),
+        ..Primitive::default()
+    }
+}
+
+/// The polylines, one primitive each, and the points.
+fn lines(mesh: &Mesh) -> Vec<Primitive> {
+    let line = |line: &[u32]| Primitive {
+        mode: Mode::LineStrip,
+        ..vertices_of(mesh, line.iter().copied())
+    };
+    let mut primitives: Vec<Primitive> = mesh.polylines().iter().map(line).collect();
+    if !mesh.points().is_empty() {
+        primitives.push(Primitive {
+            mode: Mode::Points,
+            ..vertices_of(mesh, mesh.points().iter().copied())
+        });
+    }
+    primitives
+}

@@ -1,0 +1,242 @@
+//! From a document to a mesh.
+
+use std::collections::HashMap;
+
+use super::super::error::{Element, Problem};
+use super::super::{Document, GltfError, Mode, Node, Primitive};
+use super::material;
+use super::place::{Placed, World};
+use crate::{
+    CornerAttribute, Faces, Group, Mesh, MeshError, Normals, Polylines, Rgba, Tangent, Tangents,
+};
+
+/// What becomes of vertices at the same place.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Vertices {
+    /// Each stays a vertex, so that they are numbered as in the file.
+    #[default]
+    Kept,
+    /// Those with equal coordinates become one vertex, so that faces are connected across seams of
+    /// texture coordinates and normals. Of their colours the first is kept.
+    Joined,
+}
+
+pub(super) fn mesh(document: &Document, vertices: Vertices) -> Result<Mesh, GltfError> {
+    document.validate()?;
+    let world = World::new(document)?;
+    let mut parts = Parts::default();
+    for (index, node) in document.nodes.iter().enumerate() {
+        let Some(mesh) = node.mesh.map(|mesh| &document.meshes[mesh]) else {
+            continue;
+        };
+        let first_face = parts.faces.len() as u32;
+        for primitive in &mesh.primitives {
+            let placed = world.place(index, node, primitive);
+            parts
+                .add(primitive, placed)
+                .map_err(|problem| GltfError::new(Element::Node(index), Problem::Mesh(problem)))?;
+        }
+        let faces = (first_face..parts.faces.len() as u32).collect();
+        let name = name(index, node, mesh);
+        parts.objects.push(Group { name, faces });
+    }
+    if vertices == Vertices::Joined {
+        parts.join();
+    }
+    parts
+        .into_mesh(document)
+        .map_err(|problem| GltfError::new(Element::File, Problem::Mesh(problem)))
+}
+
+/// The name of a node, of its mesh, or else its number.
+fn name(index: usize, node: &Node, mesh: &super::super::Mesh) -> String {
+    let name = node.name.as_ref().or(mesh.name.as_ref());
+    name.cloned().unwrap_or_else(|| format!("node {index}"))
+}
+
+/// A mesh under construction.
+#[derive(Default)]
+struct Parts {
+    positions: Vec<[f64; 3]>,
+    /// The vertices as they are numbered in `positions`, three for each face.
+    faces: Vec<[u32; 3]>,
+    face_materials: Vec<Option<u32>>,
+    /// For each vertex its attributes; the corners of faces refer to the vertices before any join.
+    colours: Vec<Option<Rgba>>,
+    texcoords: Vec<Vec<Option<[f64; 2]>>>,
+    normals: Vec<Option<ga_runtime::vga3::Vector<f64>>>,
+    tangents: Vec<Option<Tangent>>,
+    /// For each vertex before any join the one that it is now.
+    joined: Option<Vec<u32>>,
+    objects: Vec<Group>,
+    polylines: Vec<Vec<u32>>,
+    points: Vec<u32>,
+}
+
+impl Parts {
+    fn add(&mut self, primitive: &Primitive, placed: Placed) -> Result<(), MeshError> {
+        // A primitive without positions cannot be seen.
+        let vertices = placed.positions.len();
+        if vertices == 0 {
+            return Ok(());
+        }
+        let first = self.positions.len();
+        let count = first + vertices;
+        let too_large = |_| MeshError::TooLarge {
+            what: "vertices",
+            count,
+        };
+        let offset = u32::try_from(count).map_err(too_large)? - vertices as u32;
+        self.positions.extend(placed.positions);
+        for mut triangle in primitive.triangles() {
+            if placed.is_mirrored {
+                triangle.swap(1, 2);
+            }
+            self.faces.push(triangle.map(|vertex| vertex + offset));
+            self.face_materials
+                .push(primitive.material.map(|m| m as u32));
+        }
+        self.add_lines(primitive, offset);
+
+        let colours = primitive.colours.first().into_iter().flatten();
+        self.colours.extend(colours.map(|c| Some(c.map(f64::from))));
+        self.colours.resize(count, None);
+        for (set, coordinates) in primitive.texcoords.iter().enumerate() {
+            if set == self.texcoords.len() {
+                self.texcoords.push(vec![None; first]);
+            }
+            // glTF has v down.
+            let upwards = |&[u, v]: &[f32; 2]| Some([u.into(), 1.0 - f64::from(v)]);
+            self.texcoords[set].extend(coordinates.iter().map(upwards));
+        }
+        for set in &mut self.texcoords {
+            set.resize(count, None);
+        }
+        let is_direction =
+            |vector: &ga_runtime::vga3::Vector<f64>| vector.coordinates() != [0.0; 3];
+        let normals = placed.normals.into_iter();
+        self.normals
+            .extend(normals.map(|normal| Some(normal).filter(is_direction)));
+        self.normals.resize(count, None);
+        let mirror = if placed.is_mirrored { -1.0 } else { 1.0 };
+        let tangents = placed.tangents.into_iter().zip(&primitive.tangents);
+        self.tangents
+            .extend(tangents.map(|(direction, &[_, _, _, sign])| {
+                let handedness = mirror * f64::from(sign).signum();
+                let tangent = Tangent {
+                    direction,
+                    handedness,
+                };
+                is_direction(&direction).then_some(tangent)
+            }));
+        self.tangents.resize(count, None);
+        Ok(())
+    }
+
+    /// Adds the lines or points of a primitive.
+    fn add_lines(&mut self, primitive: &Primitive, offset: u32) {
+        let all = || (0..primitive.vertex_count() as u32).collect();
+        let indices: Vec<u32> = match primitive.mode {
+            Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan => return,
+            _ => primitive.indices.clone().unwrap_or_else(all),
+        };
+        let mut vertices: Vec<u32> = indices.into_iter().map(|vertex| vertex + offset).collect();
+        match primitive.mode {
+            Mode::Points => self.points.extend(vertices),
+            Mode::Lines => {
+                let pairs = vertices.as_chunks::<2>().0;
+                self.polylines
+                    .extend(pairs.iter().map(|pair| pair.to_vec()));
+            }
+            _ => {
+                if primitive.mode == Mode::LineLoop {
+                    vertices.extend(vertices.first().copied());
+                }
+                if vertices.len() > 1 {
+                    self.polylines.push(vertices);
+                }
+            }
+        }
+    }
+
+    /// Makes vertices with equal coordinates one.
+    fn join(&mut self) {
+        let mut places: HashMap<[u64; 3], u32> = HashMap::new();
+        let mut positions = Vec::new();
+        let mut colours = Vec::new();
+        let mut joined = Vec::with_capacity(self.positions.len());
+        for (&position, &colour) in self.positions.iter().zip(&self.colours) {
+            // Adding zero makes −0 and 0 one place.
+            let place = position.map(|coordinate| (coordinate + 0.0).to_bits());
+            let vertex = *places.entry(place).or_insert_with(|| {
+                positions.push(position);
+                colours.push(colour);
+                positions.len() as u32 - 1
+            });
+            joined.push(vertex);
+        }
+        (self.positions, self.colours) = (positions, colours);
+        for line in &mut self.polylines {
+            line.iter_mut()
+                .for_each(|vertex| *vertex = joined[*vertex as usize]);
+        }
+        self.points
+            .iter_mut()
+            .for_each(|vertex| *vertex = joined[*vertex as usize]);
+        self.joined = Some(joined);
+    }
+
+    fn into_mesh(self, document: &Document) -> Result<Mesh, MeshError> {
+        let corners: &[u32] = self.faces.as_flattened();
+        let vertex = |&corner: &u32| match &self.joined {
+            Some(joined) => joined[corner as usize],
+            None => corner,
+        };
+        let polygons = self
+            .faces
+            .iter()
+            .map(|face| face.map(|corner| vertex(&corner)));
+        let mut mesh = Mesh::new(self.positions, Faces::from_polygons(polygons)?)?;
+        if self.colours.iter().any(Option::is_some) {
+            let colours = self.colours.iter().map(|colour| colour.unwrap_or([1.0; 4]));
+            mesh = mesh.with_colours(colours.collect())?;
+        }
+        let texcoords = self.texcoords.iter();
+        let texcoords = texcoords.map(|set| at_corners(set, corners));
+        mesh = mesh.with_texture_coordinates(texcoords.collect())?;
+        if self.normals.iter().any(Option::is_some) {
+            let normals: Normals = at_corners(&self.normals, corners);
+            mesh = mesh.with_normals(normals)?;
+        }
+        if self.tangents.iter().any(Option::is_some) {
+            let tangents: Tangents = at_corners(&self.tangents, corners);
+            mesh = mesh.with_tangents(tangents)?;
+        }
+        if !document.materials.is_empty() {
+            let materials = material::to_materials(document);
+            mesh = mesh.with_materials(materials, self.face_materials)?;
+        }
+        mesh.with_objects(self.objects)?
+            .with_polylines(Polylines::from_lines(&self.polylines)?)?
+            .with_points(self.points)
+    }
+}
+
+/// The attribute of corners from that of vertices, of which some have none.
+fn at_corners<T: Copy>(of_vertices: &[Option<T>], corners: &[u32]) -> CornerAttribute<T> {
+    let mut values = Vec::new();
+    let numbers: Vec<Option<u32>> = of_vertices
+        .iter()
+        .map(|value| {
+            value.map(|value| {
+                values.push(value);
+                values.len() as u32 - 1
+            })
+        })
+        .collect();
+    let corners = corners.iter().map(|&vertex| numbers[vertex as usize]);
+    CornerAttribute {
+        corners: corners.collect(),
+        values,
+    }
+}

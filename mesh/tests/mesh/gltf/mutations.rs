@@ -1,0 +1,83 @@
+//! Damaged files: an error or a document, never a panic.
+
+use ga_mesh::gltf::{Vertices, parse, to_glb, to_gltf};
+
+use super::documents::example;
+use super::samples::samples;
+
+/// What reads must be a document that can be written and placed.
+fn survives(file: &[u8]) {
+    if let Ok(document) = parse(file) {
+        to_glb(&document).unwrap();
+        // A transform may be too large for double precision.
+        let _ = document.to_mesh(Vertices::Joined);
+    }
+}
+
+/// A GLB file whose header states the length that it has; other files as they are.
+fn with_length(mut file: Vec<u8>) -> Vec<u8> {
+    let length = file.len() as u32;
+    if file.starts_with(b"glTF")
+        && let Some(stated) = file.get_mut(8..12)
+    {
+        stated.copy_from_slice(&length.to_le_bytes());
+    }
+    file
+}
+
+/// One file of each form: the JSON with its buffer in a URI.
+fn examples() -> Vec<Vec<u8>> {
+    let document = example(11);
+    let json = br#"{"asset":{"version":"2.0"},"accessors":[{"bufferView":0,"componentType":5126,
+        "type":"VEC3","count":3,"sparse":{"count":1,"indices":{"bufferView":1,"componentType":5121},
+        "values":{"bufferView":0}}}],"bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,
+        "byteLength":1}],"buffers":[{"byteLength":36,"uri":"data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAA
+        AAAAAAAAAAAAAAgD8AAAAA"}],"meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":0},
+        "mode":5}]}],"nodes":[{"mesh":0,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]}]}"#;
+    let json: Vec<u8> = json
+        .iter()
+        .copied()
+        .filter(|byte| !byte.is_ascii_whitespace())
+        .collect();
+    assert!(parse(&json).is_ok());
+    vec![
+        to_glb(&document).unwrap(),
+        json,
+        to_gltf(&document, "x").unwrap().json,
+    ]
+}
+
+#[test]
+fn files_may_end_anywhere() {
+    for file in examples() {
+        for end in (0..file.len()).step_by(7) {
+            survives(&file[..end]);
+            survives(&with_length(file[..end].to_vec()));
+        }
+    }
+    for path in samples() {
+        let file = std::fs::read(&path).unwrap();
+        if path.extension().is_some_and(|extension| extension == "glb") {
+            for end in (0..file.len()).step_by(7) {
+                assert!(parse(&file[..end]).is_err());
+            }
+        }
+        for end in (0..file.len()).step_by(7 * 499) {
+            survives(&with_length(file[..end].to_vec()));
+        }
+    }
+}
+
+#[test]
+fn any_byte_may_be_wrong() {
+    for file in examples() {
+        let step = 1 + file.len() / 4096;
+        for at in (0..file.len()).step_by(step) {
+            for mask in [0x01, 0x04, 0x10, 0x80, 0xff] {
+                let mut damaged = file.clone();
+                damaged[at] ^= mask;
+                survives(&damaged);
+            }
+        }
+    }
+}
