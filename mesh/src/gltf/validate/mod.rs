@@ -29,11 +29,11 @@ pub(super) fn document(document: &Document) -> Checked {
     for (index, mesh) in document.meshes.iter().enumerate() {
         primitive::mesh(index, mesh, document)?;
     }
-    for (index, node) in document.nodes.iter().enumerate() {
-        self::node(index, node, document).map_err(|error| error.within(Element::Node(index)))?;
-    }
     for (index, skin) in document.skins.iter().enumerate() {
         self::skin(skin, document).map_err(|error| error.within(Element::Skin(index)))?;
+    }
+    for (index, node) in document.nodes.iter().enumerate() {
+        self::node(index, node, document).map_err(|error| error.within(Element::Node(index)))?;
     }
     for (index, animation) in document.animations.iter().enumerate() {
         self::animation::animation(index, animation, document)?;
