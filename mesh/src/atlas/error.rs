@@ -48,6 +48,20 @@ pub enum AtlasError {
         /// The side of the texture, in texels.
         size: u32,
     },
+    /// The list of coordinates does not have an entry for each face.
+    #[error("{found} triangles with texture coordinates for {expected} faces")]
+    Coordinates {
+        /// How many faces there are.
+        expected: usize,
+        /// How many entries there are.
+        found: usize,
+    },
+    /// A texture coordinate is not a number or lies outside of the unit square.
+    #[error("face {face} has texture coordinates outside of the unit square")]
+    OutsideSquare {
+        /// The face.
+        face: usize,
+    },
     /// More faces or vertices than 32-bit indices can number.
     #[error("{count} {what} are more than 32-bit indices can number")]
     TooLarge {

@@ -48,10 +48,8 @@ impl Mask {
         }
         mask.fill_between();
         for &[a, b] in boundary {
-            raster::touched([a, b, b], SLACK, |row, [first, last]| {
-                let row = (row.max(0) as usize).min(mask.height - 1);
-                let last = (last.max(0) as usize).min(mask.width - 1);
-                mask.fill(row, [first.max(0) as usize, last], |_, _| ());
+            raster::touched([a, b, b], SLACK, |row, columns| {
+                mask.fill(row, columns, |_, _| ());
             });
         }
         mask.dilate(margin);
@@ -104,15 +102,20 @@ impl Mask {
         &self.words[row * self.stride..(row + 1) * self.stride]
     }
 
-    /// Puts the cells of a row from the first to the last column into the set. Calls
+    /// Puts the cells of a row from the first to the last column, as far as there are such cells,
+    /// into the set. Calls
     /// `common(index, cells)` for each word with cells that were in it already.
     pub(super) fn fill(
         &mut self,
-        row: usize,
-        [first, last]: [usize; 2],
+        row: i64,
+        [first, last]: [i64; 2],
         mut common: impl FnMut(usize, u64),
     ) {
-        let begin = row * self.stride;
+        if !(0..self.height as i64).contains(&row) || last < 0 || first >= self.width as i64 {
+            return;
+        }
+        let (first, last) = (first.max(0) as usize, (last as usize).min(self.width - 1));
+        let begin = row as usize * self.stride;
         let (a, b) = (first / 64, last / 64);
         for at in a..=b {
             let head = if at == a {
@@ -162,7 +165,7 @@ impl Mask {
     }
 
     /// Adds all cells within `margin` rows and columns of the set.
-    fn dilate(&mut self, margin: usize) {
+    pub(super) fn dilate(&mut self, margin: usize) {
         for _ in 0..margin {
             for row in self.words.chunks_exact_mut(self.stride) {
                 let mut carry = 0;
@@ -183,6 +186,11 @@ impl Mask {
                     above[at] = word;
                 }
             }
+        }
+        // Cells to the right of the last column do not exist.
+        let spare = 64 * self.stride - self.width;
+        for row in self.words.chunks_exact_mut(self.stride) {
+            row[self.stride - 1] &= u64::MAX >> spare;
         }
     }
 

@@ -1,7 +1,6 @@
 //! What an atlas is like: stretch, folds, texels that are used, and texels claimed twice.
 
-use super::chart::{Flat, stretch};
-use super::flatten::Flattened;
+use super::chart::{Flat, minus, stretch};
 use super::mask::Mask;
 use super::raster;
 use super::surface::Surface;
@@ -30,13 +29,11 @@ pub struct Report {
 
 /// The report, and for each chart of which two faces claim the same texel, such a pair.
 ///
-/// `texels` are the corners of the faces of the surface, `places` the vertices of each chart, both
-/// in texels.
+/// `texels` are the corners of the faces of the surface in texels.
 pub(super) fn measure(
     surface: &Surface,
-    charts: &[Flattened],
+    charts: &[Vec<u32>],
     texels: &[[Flat; 3]],
-    places: &[Vec<Flat>],
     size: u32,
     margin: u32,
 ) -> (Report, Vec<[u32; 2]>) {
@@ -45,13 +42,11 @@ pub(super) fn measure(
     let mut claimed = Mask::empty(side, side);
     let mut covered = Mask::empty(side, side);
     let mut pairs = Vec::new();
-    for (flattened, places) in charts.iter().zip(places) {
-        let faces = &flattened.chart.faces;
+    for faces in charts {
         let mut pair = None;
         for &face in faces {
             let mut is_new = true;
             raster::centres(texels[face as usize], |row, columns| {
-                let (row, columns) = (row as usize, columns.map(|column| column as usize));
                 covered.fill(row, columns, |word, cells| {
                     is_new = false;
                     double.words[word] |= cells;
@@ -62,9 +57,10 @@ pub(super) fn measure(
             }
         }
         pairs.extend(pair);
-        let (mask, offset) = claims(flattened, places, margin as usize);
+        let (mask, offset) = claims(faces, texels, side, margin as usize);
         claimed.add(&mask, offset, |word, cells| double.words[word] |= cells);
     }
+
     let (mut area, mut flat_area, mut stretched) = (0.0, 0.0, 0.0);
     let (mut greatest, mut flipped) = (0.0_f64, 0);
     for (face, &corners) in texels.iter().enumerate() {
@@ -87,26 +83,30 @@ pub(super) fn measure(
 }
 
 /// The texels that a chart claims, and where in the texture the mask begins.
-fn claims(flattened: &Flattened, places: &[Flat], margin: usize) -> (Mask, [usize; 2]) {
-    let chart = &flattened.chart;
-    let sides = chart.boundary().map(|side| chart.side(side));
-    let mut segments: Vec<[Flat; 2]> = sides
-        .map(|side| side.map(|vertex| places[vertex as usize]))
-        .collect();
-    let offset = [0, 1].map(|axis| {
-        let values = segments.iter().flatten().map(|place| place[axis]);
-        (values.fold(f64::INFINITY, f64::min) as usize).saturating_sub(margin)
-    });
-    for place in segments.iter_mut().flatten() {
+fn claims(faces: &[u32], texels: &[[Flat; 3]], side: usize, margin: usize) -> (Mask, [usize; 2]) {
+    let (mut low, mut high) = ([side; 2], [0; 2]);
+    for place in faces.iter().flat_map(|&face| texels[face as usize]) {
         for axis in 0..2 {
-            place[axis] -= offset[axis] as f64;
+            let cell = place[axis].floor() as usize;
+            low[axis] = low[axis].min(cell.saturating_sub(margin));
+            high[axis] = high[axis].max(cell.saturating_add(margin + 1).min(side));
         }
     }
-    (Mask::of_image(&segments, margin), offset)
+    let extent = [0, 1].map(|axis| high[axis].saturating_sub(low[axis]));
+    let mut mask = Mask::empty(extent[0].max(1), extent[1].max(1));
+    let origin = low.map(|cell| cell as f64);
+    for &face in faces {
+        let corners = texels[face as usize].map(|place| minus(place, origin));
+        raster::touched(corners, 0.0, |row, columns| {
+            mask.fill(row, columns, |_, _| ());
+        });
+    }
+    mask.dilate(margin);
+    (mask, low)
 }
 
 /// This face of a chart, with the first one that has a texel centre in common with it.
-fn first_to_share(faces: &[u32], face: u32, texels: &[[Flat; 3]]) -> Option<[u32; 2]> {
+fn first_to_share(faces: &[u32], face: u32, texels: &[[Flat; 3]], side: usize) -> Option<[u32; 2]> {
     let spans = |face: u32| {
         let mut spans = Vec::new();
         raster::centres(texels[face as usize], |row, columns| {

@@ -29,7 +29,7 @@ mod measure;
 mod merge;
 mod overlap;
 mod pack;
-mod raster;
+pub(crate) mod raster;
 mod reduce;
 mod relax;
 mod surface;
@@ -50,7 +50,6 @@ pub const MAX_SIZE: u32 = 16_384;
 
 /// What an atlas is made for.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
 pub struct Options {
     /// The side of the square texture in texels, from 1 to [`MAX_SIZE`]; 1024 by default.
     pub size: u32,
@@ -185,6 +184,73 @@ pub fn unwrap(
     Ok(best.into_atlas(&surface, triangles, size))
 }
 
+/// The figures of texture coordinates from anywhere, given as those of [`Atlas::coordinates`].
+/// Triangles with a common edge are in one chart if their coordinates agree there.
+///
+/// # Errors
+///
+/// As [`unwrap`], and [`AtlasError::Coordinates`], [`AtlasError::OutsideSquare`].
+pub fn measure(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    coordinates: &[[[f64; 2]; 3]],
+    options: &Options,
+) -> Result<Report, AtlasError> {
+    let Options { size, .. } = *options;
+    if !(1..=MAX_SIZE).contains(&size) {
+        return Err(AtlasError::Size { size });
+    }
+    if coordinates.len() != triangles.len() {
+        return Err(AtlasError::Coordinates {
+            expected: triangles.len(),
+            found: coordinates.len(),
+        });
+    }
+    let is_inside = |corners: &[[f64; 2]; 3]| {
+        let mut numbers = corners.as_flattened().iter();
+        numbers.all(|x| (0.0..=1.0).contains(x))
+    };
+    if let Some(face) = coordinates.iter().position(|corners| !is_inside(corners)) {
+        return Err(AtlasError::OutsideSquare { face });
+    }
+    let surface = Surface::new(positions, triangles)?;
+    let of_face = |face: u32| coordinates[surface.originals[face as usize] as usize];
+    let at = |side: u32| {
+        let corners = of_face(side / 3);
+        let corner = side as usize % 3;
+        [corners[corner], corners[(corner + 1) % 3]]
+    };
+    let mut seen = vec![false; surface.len()];
+    let mut charts = Vec::new();
+    for first in 0..surface.len() as u32 {
+        if std::mem::replace(&mut seen[first as usize], true) {
+            continue;
+        }
+        let mut chart = vec![first];
+        let mut next = 0;
+        while let Some(&face) = chart.get(next) {
+            next += 1;
+            for side in 3 * face..3 * face + 3 {
+                let other = surface.across[side as usize];
+                if other == NONE || seen[other as usize / 3] {
+                    continue;
+                }
+                let [a, b] = at(other);
+                if at(side) == [b, a] {
+                    seen[other as usize / 3] = true;
+                    chart.push(other / 3);
+                }
+            }
+        }
+        charts.push(chart);
+    }
+    let texel = |corners: [Flat; 3]| corners.map(|place| place.map(|x| x * f64::from(size)));
+    let texels: Vec<[Flat; 3]> = (0..surface.len() as u32)
+        .map(|face| texel(of_face(face)))
+        .collect();
+    Ok(measure::measure(&surface, &charts, &texels, size, options.margin_texels).0)
+}
+
 /// Charts whose normals lie in cones; where that gives many, those of smoothed normals, if they
 /// are fewer.
 fn partition(surface: &Surface, most: usize) -> grow::Partition {
@@ -242,7 +308,8 @@ impl Placement {
                 texels[face as usize] = triangle.map(|vertex| places[vertex as usize]);
             }
         }
-        let (report, pairs) = measure::measure(surface, charts, &texels, &places, size, margin);
+        let faces: Vec<Vec<u32>> = charts.iter().map(|f| f.chart.faces.clone()).collect();
+        let (report, pairs) = measure::measure(surface, &faces, &texels, size, margin);
         Some(Self {
             chart_of,
             texels,

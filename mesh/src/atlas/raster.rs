@@ -4,7 +4,7 @@ use super::chart::Flat;
 
 /// Calls `span(row, columns)` with the texels that the triangle touches, also with a corner only,
 /// each row once. Parts within `slack` of a texel touch it.
-pub(super) fn touched(corners: [Flat; 3], slack: f64, mut span: impl FnMut(i64, [i64; 2])) {
+pub(crate) fn touched(corners: [Flat; 3], slack: f64, mut span: impl FnMut(i64, [i64; 2])) {
     let low = corners.iter().fold(f64::INFINITY, |y, p| y.min(p[1])) - slack;
     let high = corners.iter().fold(f64::NEG_INFINITY, |y, p| y.max(p[1])) + slack;
     for row in low.floor() as i64..=high.floor() as i64 {
@@ -38,7 +38,7 @@ pub(super) fn touched(corners: [Flat; 3], slack: f64, mut span: impl FnMut(i64, 
 
 /// Calls `span(row, columns)` with the texels whose centres lie in the triangle. Of two triangles
 /// with a common side, exactly one has a centre that lies on it.
-pub(super) fn centres(corners: [Flat; 3], mut span: impl FnMut(i64, [i64; 2])) {
+pub(crate) fn centres(corners: [Flat; 3], mut span: impl FnMut(i64, [i64; 2])) {
     let low = corners.iter().fold(f64::INFINITY, |y, p| y.min(p[1]));
     let high = corners.iter().fold(f64::NEG_INFINITY, |y, p| y.max(p[1]));
     for row in (low - 0.5).ceil() as i64..(high - 0.5).ceil() as i64 {

@@ -29,6 +29,11 @@ impl Shape {
         self
     }
 
+    fn named(mut self, name: &str) -> Self {
+        self.name = name.into();
+        self
+    }
+
     /// This surface and another one beside it.
     fn with(mut self, other: Self) -> Self {
         let first = self.positions.len() as u32;
@@ -93,7 +98,7 @@ fn tube(length: f64, columns: u32, rows: u32) -> Shape {
     })
 }
 
-fn terrain(width: f64) -> Shape {
+pub(super) fn terrain(width: f64) -> Shape {
     grid("terrain", [120, 60], [false, false], |u, v| {
         let height = 0.1 * (9.0 * u).sin() * (7.0 * v).cos() + 0.02 * (40.0 * u + 25.0 * v).sin();
         [width * u, v, height]
@@ -156,7 +161,7 @@ fn rough(mut shape: Shape, name: &str, amount: f64) -> Shape {
     shape
 }
 
-pub(super) fn file(path: &str, group: Option<&str>) -> Option<Shape> {
+fn file(path: &str, group: Option<&str>) -> Option<Shape> {
     let file = shared(path)?;
     let mesh = ga_files::read(&file, ga_mesh::obj::parse).unwrap();
     let mesh = match group {
@@ -204,6 +209,14 @@ fn fan() -> Shape {
     all
 }
 
+/// A plane with steep spikes all over it.
+pub(super) fn spikes() -> Shape {
+    grid("spikes", [60, 60], [false, false], |u, v| {
+        let bump = (20.0 * u).sin() * (20.0 * v).sin();
+        [u, v, 0.25 * bump * bump * bump]
+    })
+}
+
 pub(super) fn all() -> Vec<Shape> {
     let bumps = |[x, y, z]: [f64; 3]| {
         let a = 1.0 + 0.06 * (9.0 * x).sin() * (8.0 * y).sin() * (7.0 * z + 1.0).sin();
@@ -211,23 +224,23 @@ pub(super) fn all() -> Vec<Shape> {
     };
     let mut shapes = vec![
         torus(72, 96, [1.0, 0.4]),
-        torus(200, 20, [1.0, 0.05]).map("thin ring", |p| p),
+        torus(200, 20, [1.0, 0.05]).named("thin ring"),
         torus(72, 96, [1.0, 0.4]).map("torus with bumps", bumps),
         rough(torus(72, 96, [1.0, 0.4]), "rough torus", 0.012),
         rough(torus(72, 96, [1.0, 0.4]), "very rough torus", 0.03),
         sphere(64, 32),
         sphere(160, 80).map("sphere with bumps", bumps),
         sphere(40, 20).map("ellipsoid", |[x, y, z]| [x, 3.0 * y, 0.2 * z]),
-        tube(200.0, 12, 400).map("long tube", |p| p),
+        tube(200.0, 12, 400).named("long tube"),
         tube(8.0, 24, 40),
         tube(60.0, 8, 300).map("bent tube", |[x, y, z]| {
             [x + 10.0 * (z / 5.0).sin(), y + 10.0 * (z / 7.0).cos(), z]
         }),
         terrain(1.0),
-        terrain(8.0).map("long terrain", |p| p),
+        terrain(8.0).named("long terrain"),
         rough(terrain(1.0), "rough terrain", 0.004),
         cube([0.0; 3], 1, false),
-        cube([0.0; 3], 8, true).map("split cube", |p| p),
+        cube([0.0; 3], 8, true).named("split cube"),
         screw(),
         moebius(),
         fan(),
@@ -237,10 +250,6 @@ pub(super) fn all() -> Vec<Shape> {
         torus(72, 96, [1.0, 0.4]).map("tiny torus", |p| p.map(|x| x * 1e-160)),
         torus(72, 96, [1.0, 0.4]).map("huge torus", |p| p.map(|x| x * 1e300)),
         torus(72, 96, [1.0, 0.4]).map("far torus", |p| p.map(|x| x + 1e6)),
-        grid("spikes", [60, 60], [false, false], |u, v| {
-            let bump = (20.0 * u).sin() * (20.0 * v).sin();
-            [u, v, 0.25 * bump * bump * bump]
-        }),
         grid("one square", [1, 1], [false, false], |u, v| [u, v, 0.0]),
     ];
     let mut cubes = cube([0.0; 3], 1, false);
@@ -248,7 +257,7 @@ pub(super) fn all() -> Vec<Shape> {
         let corner = [2.0 * f64::from(index), noise(index as usize), 0.0];
         cubes = cubes.with(cube(corner, 1, false));
     }
-    shapes.push(cubes.map("sixty cubes", |p| p));
+    shapes.push(cubes.named("sixty cubes"));
     let files = [
         ("data/anim/stanford-bunny.obj", None),
         ("data/anim/spot.obj", None),
