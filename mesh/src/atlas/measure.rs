@@ -106,7 +106,7 @@ fn claims(faces: &[u32], texels: &[[Flat; 3]], side: usize, margin: usize) -> (M
 }
 
 /// This face of a chart, with the first one that has a texel centre in common with it.
-fn first_to_share(faces: &[u32], face: u32, texels: &[[Flat; 3]], side: usize) -> Option<[u32; 2]> {
+fn first_to_share(faces: &[u32], face: u32, texels: &[[Flat; 3]]) -> Option<[u32; 2]> {
     let spans = |face: u32| {
         let mut spans = Vec::new();
         raster::centres(texels[face as usize], |row, columns| {
