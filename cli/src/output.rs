@@ -1,13 +1,24 @@
-//! The files that a command writes into a folder.
+//! What a command writes: text to standard output, files into a folder.
 
+use std::io::{ErrorKind, Write};
 use std::path::Path;
 
-use anyhow::{Result, ensure};
+use anyhow::{Context, Result, ensure};
 
 /// A file to be written.
 pub(crate) struct File {
     pub(crate) name: &'static str,
     pub(crate) contents: Vec<u8>,
+}
+
+/// Prints text to standard output. A reader that has closed the pipe, as `head` does, is not an error.
+pub(crate) fn print(text: &str) -> Result<()> {
+    match std::io::stdout().lock().write_all(text.as_bytes()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(error).context("cannot write to standard output")
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Fails early where a folder cannot take these files.

@@ -1,13 +1,12 @@
 //! The summary that is printed at the end.
 
 use std::fmt::Write as _;
-use std::io::{ErrorKind, Write as _};
 use std::path::Path;
 use std::time::Duration;
 
 use anyhow::{Context, Result};
 
-use crate::output::File;
+use crate::output::{self, File};
 use crate::report::Report;
 
 /// Prints where everything was written and the main results. It is not an error when the reader of
@@ -19,12 +18,7 @@ pub(crate) fn print(
     elapsed: Duration,
 ) -> Result<()> {
     let text = text(report, folder, files, elapsed);
-    match std::io::stdout().lock().write_all(text.as_bytes()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
-            Err(error).context("the files are written, but the summary cannot be printed")
-        }
-        _ => Ok(()),
-    }
+    output::print(&text).context("the files are written, but the summary cannot be printed")
 }
 
 fn text(report: &Report, folder: &Path, files: &[File], elapsed: Duration) -> String {

@@ -5,6 +5,8 @@ use std::path::PathBuf;
 use anyhow::{Result, bail};
 use ga_draw::Scene;
 
+use crate::output;
+
 /// Draw a scene of points, spheres, circles, lines, planes and motions.
 ///
 /// The scene is JSON with a list of elements, each of one kind: point, flat_point, point_pair,
@@ -43,7 +45,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let scene = ga_files::read(file, Scene::from_json)?;
     ga_files::write(out, write(&scene).as_bytes())?;
     if !quiet {
-        println!("wrote {}", out.display());
+        output::print(&format!("wrote {}\n", out.display()))?;
     }
     Ok(())
 }

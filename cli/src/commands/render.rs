@@ -163,11 +163,11 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     }
     ga_files::write(out, &drawing.png)?;
     if !quiet {
-        println!(
-            "wrote {} ({width} × {height}, {} triangles, {milliseconds} ms)",
+        let triangles = model.triangle_count();
+        output::print(&format!(
+            "wrote {} ({width} × {height}, {triangles} triangles, {milliseconds} ms)\n",
             out.display(),
-            model.triangle_count()
-        );
+        ))?;
     }
     Ok(())
 }

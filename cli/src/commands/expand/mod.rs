@@ -6,7 +6,6 @@ mod diagnostic;
 mod operations;
 mod source;
 
-use std::io::{ErrorKind, Write};
 use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
@@ -15,6 +14,7 @@ use ga_compiler::define::Definition;
 use ga_compiler::emit::{dot, formula, rust, wgsl};
 use ga_compiler::function::CompiledFunction;
 
+use crate::output;
 use algebra::Algebra;
 pub(crate) use diagnostic::SourceError;
 use source::Source;
@@ -89,11 +89,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<()> {
             .get_or_insert_with(|| quote::format_ident!("closure"));
     }
     let text = written(arguments, &algebra, &functions)?;
-    match std::io::stdout().lock().write_all(text.as_bytes()) {
-        // The reader has closed the pipe, as `head` does.
-        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
-        other => other.context("cannot write to standard output"),
-    }
+    output::print(&text)
 }
 
 fn written(

@@ -6,6 +6,8 @@ use anyhow::Result;
 use ga_mesh::format::{self, Options};
 use ga_mesh::ply::Encoding;
 
+use crate::output::print;
+
 /// Write a mesh in the format that the ending of the output's name says.
 ///
 /// What both formats have is kept: positions, polygons, normals, texture coordinates, colours of
@@ -49,7 +51,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     };
     format::write(output, &mesh, &options)?;
     if !quiet {
-        println!("wrote {}", output.display());
+        print(&format!("wrote {}\n", output.display()))?;
     }
     Ok(())
 }

@@ -7,6 +7,8 @@ use ga_mesh::topology::Report;
 use ga_mesh::{Group, Mesh};
 use serde::Serialize;
 
+use crate::output;
+
 /// Count the elements of a mesh and say whether it is a regular surface.
 ///
 /// For instance
@@ -33,11 +35,10 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let loaded = super::read(&arguments.file, quiet)?;
     let info = Info::new(&loaded.mesh, loaded.warnings);
     if arguments.json {
-        println!("{}", serde_json::to_string_pretty(&info)?);
+        output::print(&(serde_json::to_string_pretty(&info)? + "\n"))
     } else {
-        print!("{}", info.table());
+        output::print(&info.table())
     }
-    Ok(())
 }
 
 /// What is said about a mesh.
