@@ -1,5 +1,6 @@
 //! Meshes beside other crates that do the same work.
 
+mod bake;
 mod obj;
 mod queries;
 
@@ -9,6 +10,6 @@ use nullcone_benches::comparison;
 criterion_group! {
     name = benches;
     config = comparison::criterion();
-    targets = obj::all, queries::all
+    targets = bake::all, obj::all, queries::all
 }
 criterion_main!(benches);

@@ -4,6 +4,7 @@
 
 mod animate;
 mod bad_input;
+mod bake;
 mod common;
 mod demo;
 mod draw;

@@ -1,0 +1,174 @@
+//! `nullcone mesh bake`: files, report and errors.
+
+use ga_image::picture::Picture;
+use serde_json::Value;
+use tempfile::{TempDir, tempdir};
+
+use crate::common::{assert_failure, assert_success, names, nullcone, text};
+
+/// A square of two triangles, and a square that rises by 0.01 from the left to the right, from red
+/// to green.
+const COARSE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n";
+const FINE: &str = "v 0 0 0 1 0 0\nv 1 0 0.01 0 1 0\nv 1 1 0.01 0 1 0\nv 0 1 0 1 0 0\nf 1 2 3 4\n";
+
+fn folder() -> TempDir {
+    let folder = tempdir().unwrap();
+    std::fs::write(folder.path().join("coarse.obj"), COARSE).unwrap();
+    std::fs::write(folder.path().join("fine.obj"), FINE).unwrap();
+    let with_coordinates = COARSE
+        .replace("f 1 2 3\nf 1 3 4", "f 1/1 2/2 3/3\nf 1/1 3/3 4/4")
+        .replace("f 1/1 2", "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2");
+    std::fs::write(folder.path().join("own.obj"), with_coordinates).unwrap();
+    folder
+}
+
+fn bake(folder: &TempDir, more: &[&str]) -> std::process::Output {
+    let command = [
+        "mesh", "bake", "--fine", "fine.obj", "--out", "out", "--json",
+    ];
+    nullcone(folder.path(), command.iter().chain(more))
+}
+
+fn picture(folder: &TempDir, name: &str) -> Picture {
+    ga_image::file::read(folder.path().join("out").join(name)).unwrap()
+}
+
+#[test]
+fn maps_of_own_coordinates_show_the_fine_mesh() {
+    let folder = folder();
+    let maps = "normal,displacement,colour,occlusion";
+    let arguments = [
+        "--coarse", "own.obj", "--size", "64", "--maps", maps, "--rays", "8",
+    ];
+    let output = bake(&folder, &arguments);
+    assert_success(&output);
+    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(report["unwrapped"], false);
+    assert_eq!(report["charts"], 1);
+    assert_eq!(report["utilisation"], 1.0);
+    assert_eq!(report["flipped"], 0);
+    assert_eq!(report["overlapping"], 0);
+    assert!((report["stretch"].as_f64().unwrap() - 1.0).abs() < 1e-12);
+    for step in [
+        "read",
+        "atlas",
+        "hierarchy",
+        "normal",
+        "displacement",
+        "colour",
+        "occlusion",
+    ] {
+        assert!(report["seconds"][step].as_f64().unwrap() >= 0.0, "{step}");
+    }
+
+    // The middle of a texel in column c is at x = (c + 0.5) / 64, where the height is 0.01 x.
+    let range = |end: &str| report["displacement"][end].as_f64().unwrap();
+    let (minimum, maximum) = (range("minimum"), range("maximum"));
+    assert!((minimum - 0.01 * 0.5 / 64.0).abs() < 1e-6, "{minimum}");
+    assert!((maximum - 0.01 * 63.5 / 64.0).abs() < 1e-6, "{maximum}");
+    let Picture::Grey16(heights) = picture(&folder, "displacement.png") else {
+        panic!("displacement has 16 bits");
+    };
+    for column in 0..64 {
+        let share = f64::from(heights.get(column, 20).unwrap()) / 65_535.0;
+        assert!(
+            (share - column as f64 / 63.0).abs() < 2e-4,
+            "{column}: {share}"
+        );
+    }
+
+    // The normal (−0.01, 0, 1), and light that goes linearly from red to green.
+    let Picture::Rgb8(normals) = picture(&folder, "normal.png") else {
+        panic!("normals are RGB");
+    };
+    assert_eq!(normals.get(31, 31), Some([126, 128, 255]));
+    let Picture::Rgb8(colours) = picture(&folder, "colour.png") else {
+        panic!("colours are RGB");
+    };
+    let [red, green, blue] = colours.get(31, 40).unwrap();
+    assert!(red.abs_diff(188) <= 2 && green.abs_diff(188) <= 2 && blue == 0);
+    let Picture::Grey8(open) = picture(&folder, "occlusion.png") else {
+        panic!("occlusion is grey");
+    };
+    assert!(open.values().iter().all(|&share| share == 255));
+}
+
+#[test]
+fn an_atlas_is_made_where_there_are_no_coordinates_or_on_demand() {
+    let folder = folder();
+    for arguments in [
+        &["--coarse", "coarse.obj"][..],
+        &["--coarse", "own.obj", "--unwrap"],
+    ] {
+        let size = ["--size", "64", "--margin", "2"];
+        let output = bake(&folder, &[arguments, &size].concat());
+        assert_success(&output);
+        let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!(report["unwrapped"], true);
+        let utilisation = report["utilisation"].as_f64().unwrap();
+        assert!(utilisation > 0.7 && utilisation < 1.0, "{utilisation}");
+    }
+    let files = [
+        "coarse.glb",
+        "coarse.mtl",
+        "coarse.obj",
+        "colour.png",
+        "displacement.png",
+        "normal.png",
+    ];
+    assert_eq!(names(&folder.path().join("out")), files);
+
+    let (document, _, images) = gltf::import(folder.path().join("out/coarse.glb")).unwrap();
+    let material = document.materials().next().unwrap();
+    assert!(material.normal_texture().is_some());
+    assert!(
+        material
+            .pbr_metallic_roughness()
+            .base_color_texture()
+            .is_some()
+    );
+    assert_eq!((images[0].width, images[0].height), (64, 64));
+    let library = std::fs::read_to_string(folder.path().join("out/coarse.mtl")).unwrap();
+    assert!(library.contains("map_Kd colour.png"), "{library}");
+    let mesh = ga_mesh::obj::read(folder.path().join("out/coarse.obj")).unwrap();
+    assert_eq!((mesh.vertex_count(), mesh.faces().len()), (4, 2));
+    let coordinates = mesh.texture_coordinates().unwrap();
+    assert!(coordinates.corners.iter().all(Option::is_some));
+}
+
+#[test]
+fn nothing_is_written_where_the_bake_fails() {
+    let folder = folder();
+    std::fs::write(
+        folder.path().join("flat.obj"),
+        "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n",
+    )
+    .unwrap();
+    for (arguments, message) in [
+        (
+            &["--coarse", "flat.obj"][..],
+            "flat.obj: no texture: all 1 faces are degenerate",
+        ),
+        (&["--coarse", "missing.obj"], "missing.obj"),
+        (
+            &["--coarse", "coarse.obj", "--size", "8", "--margin", "9"],
+            "do not fit",
+        ),
+        (
+            &["--coarse", "coarse.obj", "--distance=-1"],
+            "distance is -1",
+        ),
+    ] {
+        assert_failure(&bake(&folder, arguments), &[message]);
+        assert!(!folder.path().join("out").exists(), "{arguments:?}");
+    }
+    for arguments in [["--maps", "gloss"], ["--size", "0"]] {
+        let output = bake(
+            &folder,
+            &[&["--coarse", "coarse.obj"], &arguments[..]].concat(),
+        );
+        assert_eq!(output.status.code(), Some(2));
+        assert!(text(&output.stderr).contains(arguments[0]));
+        assert!(!folder.path().join("out").exists(), "{arguments:?}");
+    }
+}
