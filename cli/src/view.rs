@@ -5,6 +5,7 @@ use std::path::Path;
 use anyhow::{Context, Result, bail};
 use ga_render::model::Model;
 use ga_render::{Camera, ViewDirection};
+use ga_runtime::cga3::{Motor, Point, Rotor};
 
 use crate::camera_file::CameraFile;
 
@@ -68,10 +69,30 @@ impl View {
         }
     }
 
-    /// The camera for a picture with this quotient of width and height.
-    pub(crate) fn camera(&self, model: &Model, aspect: f64) -> Result<Camera> {
+    /// The cameras of a number of pictures with this quotient of width and height, the first as the
+    /// view asks for, the others around the vertical axis through the middle of the model. A named
+    /// view has the model whole in all of them.
+    pub(crate) fn cameras(&self, model: &Model, aspect: f64, count: u32) -> Result<Vec<Camera>> {
+        let [low, high] = bounds(model);
+        let middle = Point::new((low[0] + high[0]) / 2.0, 0.0, (low[2] + high[2]) / 2.0);
+        let steps = (0..count).map(|step| {
+            let angle = std::f64::consts::TAU * f64::from(step) / f64::from(count);
+            let rotor = Rotor::from_axis_angle([0.0, 1.0, 0.0], angle).unwrap_or_default();
+            Motor::about(middle, rotor)
+        });
+        // Seen from a camera that has moved, the model has moved in the opposite way.
+        let shown = steps.clone().flat_map(|motion| {
+            let back = motion.reverse();
+            let points = model.points();
+            points.map(move |point| back.transform(Point::from(point)).coordinates())
+        });
+        let first = self.camera(shown, aspect)?;
+        Ok(steps.map(|motion| first.moved(motion)).collect())
+    }
+
+    fn camera(&self, shown: impl Iterator<Item = [f64; 3]>, aspect: f64) -> Result<Camera> {
         Ok(match self {
-            Self::Named(view) => Camera::fit(model.points(), *view, FIELD_OF_VIEW, aspect, MARGIN)?,
+            Self::Named(view) => Camera::fit(shown, *view, FIELD_OF_VIEW, aspect, MARGIN)?,
             Self::Towards {
                 eye,
                 target,
@@ -86,6 +107,17 @@ impl View {
             Self::File(file) => file.camera()?,
         })
     }
+}
+
+/// The least and the greatest coordinates of the model's vertices.
+pub(crate) fn bounds(model: &Model) -> [[f64; 3]; 2] {
+    let start = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+    model.points().fold(start, |[low, high], point| {
+        [
+            [0, 1, 2].map(|axis: usize| low[axis].min(point[axis])),
+            [0, 1, 2].map(|axis: usize| high[axis].max(point[axis])),
+        ]
+    })
 }
 
 /// `eye X,Y,Z target X,Y,Z [up X,Y,Z] fov DEGREES`, the pairs in any order.

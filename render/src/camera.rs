@@ -1,6 +1,6 @@
 //! The pinhole camera of a picture.
 
-use ga_runtime::cga3::{Motor, Point, Rotor};
+use ga_runtime::cga3::{Direction, Motor, Point, Rotor};
 use ga_runtime::geometry::LookAtError;
 
 use crate::lens::Lens;
@@ -266,6 +266,31 @@ impl Camera {
     pub fn moved_by(&self, displacement: [f64; 3]) -> Self {
         Self {
             eye: self.eye + Vector::from(displacement),
+            ..*self
+        }
+    }
+
+    /// The same camera after a rigid motion of the world's points, so that it sees what moved with
+    /// it as before.
+    ///
+    /// ```
+    /// use ga_render::Camera;
+    /// use ga_runtime::cga3::{Motor, Rotor};
+    ///
+    /// let up = [0.0, 1.0, 0.0];
+    /// let camera = Camera::look_at([0.0, 0.0, 5.0], [0.0; 3], up, 0.8, 0.1)?;
+    /// let quarter = Rotor::from_axis_angle(up, std::f64::consts::FRAC_PI_2).unwrap();
+    /// let [x, y, z] = camera.moved(Motor::from(quarter)).eye();
+    /// assert!((x - 5.0).abs() < 1e-12 && y.abs() < 1e-12 && z.abs() < 1e-12);
+    /// # Ok::<(), ga_render::RenderError>(())
+    /// ```
+    pub fn moved(&self, motion: Motor<f64>) -> Self {
+        let rotate = |axis: Vector| Vector::from(motion.transform(Direction::from(axis)));
+        Self {
+            eye: motion.transform(Point::from(self.eye)).into(),
+            right: rotate(self.right),
+            up: rotate(self.up),
+            forward: rotate(self.forward),
             ..*self
         }
     }

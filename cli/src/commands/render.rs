@@ -6,15 +6,18 @@ use std::time::Instant;
 use anyhow::{Context, Result, bail, ensure};
 use clap::ValueEnum;
 use ga_image::colour::LinearColour;
+use ga_image::file::EncodeError;
+use ga_image::picture::PictureView;
 use ga_image::plane::Plane;
-use ga_image::{pfm, png};
+use ga_image::{pfm, png, y4m};
+use ga_mesh::format::{self, Loaded};
 use ga_render::model::Model;
 use ga_render::{
     Buffers, Camera, Ground, Polyline, Scene, Shading, Style, SurfacePoint, Visibility, render,
 };
 
 use crate::output::{self, File};
-use crate::view::View;
+use crate::view::{View, bounds};
 
 /// Draw a model.
 ///
@@ -51,9 +54,13 @@ pub(crate) struct Arguments {
     /// Columns and rows of the picture; by default those of the camera's file, or 1280x720.
     #[arg(long, value_name = "WxH")]
     size: Option<String>,
-    /// The picture, as PNG.
-    #[arg(long, value_name = "FILE.png")]
+    /// The picture: PNG if its name ends in .png, or a film without compression if it ends in .y4m.
+    #[arg(long, value_name = "FILE.png or FILE.y4m")]
     out: PathBuf,
+    /// As many pictures with the camera moving once around the model: an animated PNG or a film
+    /// with 25 pictures in a second.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    turntable: u32,
     /// Whether surfaces are lit or show their base colour.
     #[arg(long, value_enum, default_value_t = Light::Lit)]
     shading: Light,
@@ -70,7 +77,8 @@ pub(crate) struct Arguments {
     /// Put the model on level ground.
     #[arg(long)]
     ground: bool,
-    /// Also write what is seen at the middle of each pixel as numbers into this folder.
+    /// Also write what the first picture shows at the middle of each pixel, as numbers, into this
+    /// folder.
     ///
     /// depth.pfm holds the distance along the viewing direction and distance.pfm that from the eye,
     /// both infinite where nothing is seen; uv.pfm texture coordinates and a mask; normal.pfm the
@@ -90,6 +98,9 @@ enum Light {
 
 const DEFAULT_SIZE: [u32; 2] = [1280, 720];
 
+/// The most pictures of a turntable.
+const MOST_PICTURES: u32 = 1000;
+
 /// The names of the files of `--buffers`.
 const BUFFERS: [&str; 6] = [
     "depth.pfm",
@@ -105,9 +116,16 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         model: path, out, ..
     } = arguments;
     let ending = out.extension().and_then(|ending| ending.to_str());
-    if ending != Some("png") {
-        bail!("--out {}: its name must end in .png", out.display());
-    }
+    let encode = match ending {
+        Some("png") => encode_png,
+        Some("y4m") => encode_y4m,
+        _ => bail!("--out {}: its name must end in .png or .y4m", out.display()),
+    };
+    ensure!(
+        (1..=MOST_PICTURES).contains(&arguments.turntable),
+        "--turntable {}: not 1 to {MOST_PICTURES}",
+        arguments.turntable
+    );
     if let Some(folder) = &arguments.buffers {
         output::check_place(folder, &BUFFERS)?;
     }
@@ -150,18 +168,16 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         "{}: there is no triangle to be drawn",
         path.display()
     );
-    for warning in model.warnings() {
-        eprintln!("warning: {}: {warning}", path.display());
-    }
-    let camera = view.camera(&model, style.aspect())?;
+    let cameras = view.cameras(&model, style.aspect(), arguments.turntable)?;
     let begin = Instant::now();
-    let drawing = draw(&model, &camera, &style, arguments)?;
+    let drawing = draw(&model, &cameras, &style, arguments)?;
     let milliseconds = begin.elapsed().as_millis();
 
+    let film = encode(&drawing.pictures)?;
     if let Some(folder) = &arguments.buffers {
         output::write_all(folder, &drawing.buffers)?;
     }
-    ga_files::write(out, &drawing.png)?;
+    ga_files::write(out, &film)?;
     if !quiet {
         let triangles = model.triangle_count();
         output::print(&format!(
@@ -172,19 +188,45 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     Ok(())
 }
 
+/// The model in a file. What it refers to that is not there is said on standard error.
 fn read(path: &Path) -> Result<Model> {
-    let folder = path.parent();
-    let mesh = ga_mesh::obj::read(path)?;
-    Model::from_mesh(&mesh, folder).with_context(|| path.display().to_string())
+    let Loaded { mesh, mut warnings } = format::read(path)?;
+    let model = Model::from_mesh(&mesh, path.parent());
+    let model = model.with_context(|| path.display().to_string())?;
+    for warning in model.warnings() {
+        if !warnings.contains(warning) {
+            warnings.push(warning.clone());
+        }
+    }
+    for warning in warnings {
+        eprintln!("warning: {}: {warning}", path.display());
+    }
+    Ok(model)
 }
 
-/// The files that are to be written.
+/// Pictures, and the files of buffers.
 struct Drawing {
-    png: Vec<u8>,
+    pictures: Vec<Plane<[u8; 3]>>,
     buffers: Vec<File>,
 }
 
-fn draw(model: &Model, camera: &Camera, style: &Style, arguments: &Arguments) -> Result<Drawing> {
+fn encode_png(pictures: &[Plane<[u8; 3]>]) -> Result<Vec<u8>, EncodeError> {
+    match pictures {
+        [picture] => png::encode(picture),
+        _ => png::encode_animation(pictures, png::Animation::default()),
+    }
+}
+
+fn encode_y4m(pictures: &[Plane<[u8; 3]>]) -> Result<Vec<u8>, EncodeError> {
+    y4m::encode(pictures, y4m::Film::default())
+}
+
+fn draw(
+    model: &Model,
+    cameras: &[Camera],
+    style: &Style,
+    arguments: &Arguments,
+) -> Result<Drawing> {
     let materials = model.materials();
     let edges = if arguments.wireframe {
         model.edges()
@@ -205,29 +247,24 @@ fn draw(model: &Model, camera: &Camera, style: &Style, arguments: &Arguments) ->
         ground: arguments.ground.then(|| ground(model)),
         ..model.scene(&materials)
     };
-    let picture = render(&scene, camera, style)?;
-    let buffers = match arguments.buffers {
-        Some(_) => {
+    let pictures = cameras.iter().map(|camera| {
+        let picture = render(&scene, camera, style)?.colour;
+        Ok(PictureView::from(&picture).to_rgb())
+    });
+    let pictures = pictures.collect::<Result<Vec<_>>>()?;
+    let buffers = match (&arguments.buffers, cameras) {
+        (Some(_), [camera, ..]) => {
             let buffers = Buffers::new(&scene, camera, style.width, style.height)?;
             encode_buffers(&buffers)?
         }
-        None => Vec::new(),
+        _ => Vec::new(),
     };
-    Ok(Drawing {
-        png: png::encode(&picture.colour)?,
-        buffers,
-    })
+    Ok(Drawing { pictures, buffers })
 }
 
 /// Level ground under the model, with a grid of about a fifth of its size.
 fn ground(model: &Model) -> Ground {
-    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-    for point in model.points() {
-        for axis in 0..3 {
-            low[axis] = low[axis].min(point[axis]);
-            high[axis] = high[axis].max(point[axis]);
-        }
-    }
+    let [low, high] = bounds(model);
     let size = (0..3)
         .map(|axis| high[axis] - low[axis])
         .fold(0.0, f64::max);

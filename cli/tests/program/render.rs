@@ -152,6 +152,35 @@ fn a_picture_that_is_missing_is_named() {
 }
 
 #[test]
+fn a_turntable_sees_both_sides() {
+    let folder = tempdir().unwrap();
+    prepare(folder.path());
+    for out in ["turn.png", "turn.y4m"] {
+        let arguments = "render square.obj --camera front --size 40x40 --turntable 4 \
+                         --shading unlit --background 000000 --out";
+        let arguments = arguments.split_whitespace().chain([out]);
+        assert_success(&nullcone(folder.path(), arguments));
+    }
+    let bytes = std::fs::read(folder.path().join("turn.png")).unwrap();
+    let chunks = |name: &[u8]| bytes.windows(4).filter(|window| *window == name).count();
+    assert_eq!((chunks(b"acTL"), chunks(b"fcTL")), (1, 4));
+
+    let bytes = std::fs::read(folder.path().join("turn.y4m")).unwrap();
+    let film = ga_image::y4m::Reader::new(&bytes).unwrap();
+    let colours = film.film().colours;
+    let frames: Vec<_> = film.map(|frame| frame.unwrap().to_rgb(colours)).collect();
+    assert_eq!(frames.len(), 4);
+    // The red half is on the left from the front, on the right from behind; from the sides the
+    // square is a line.
+    let red = |frame: usize, column| {
+        let [red, green, blue] = frames[frame].get(column, 20).unwrap();
+        red > 200 && green < 60 && blue < 60
+    };
+    assert!(red(0, 10) && !red(0, 30) && !red(2, 10) && red(2, 30));
+    assert!([1, 3].iter().all(|&side| !red(side, 10) && !red(side, 30)));
+}
+
+#[test]
 fn bad_input_leaves_nothing() {
     let folder = tempdir().unwrap();
     prepare(folder.path());
@@ -162,7 +191,10 @@ fn bad_input_leaves_nothing() {
         assert_failure(&output, parts);
         assert_eq!(names(folder.path()), before);
     };
-    fails(&["square.obj", "--out", "p.jpg"], &["--out p.jpg", ".png"]);
+    fails(
+        &["square.obj", "--out", "p.jpg"],
+        &["--out p.jpg", ".png or .y4m"],
+    );
     fails(
         &["empty.obj", "--out", "p.png"],
         &["empty.obj", "no triangle"],
@@ -173,6 +205,7 @@ fn bad_input_leaves_nothing() {
     };
     with(&["--size", "80"], &["--size 80", "WxH"]);
     with(&["--size", "0x5"], &["width or height is zero"]);
+    with(&["--turntable", "0"], &["--turntable 0"]);
     with(&["--samples", "9"], &["supersampling"]);
     with(&["--background", "grey"], &["--background grey"]);
     with(

@@ -29,30 +29,30 @@ pub use textures::TextureFileError;
 #[derive(Clone, Debug, Default)]
 pub struct Model {
     parts: Vec<Part>,
+    /// The values that the corners of parts refer to.
+    normals: Vec<[f64; 3]>,
+    texture_coordinates: Vec<[f64; 2]>,
+    tangents: Vec<[f64; 4]>,
     surfaces: Vec<Surface>,
     textures: Vec<Texture>,
     warnings: Vec<String>,
 }
 
-/// Triangles with attributes.
+/// For each triangle the indices of the values at its corners, if it has any.
+type Corners = Vec<Option<[u32; 3]>>;
+
+/// The triangles of an object, which has its own numbers for the vertices.
 #[derive(Clone, Debug, Default)]
 struct Part {
     positions: Vec<[f64; 3]>,
     triangles: Vec<[u32; 3]>,
-    normals: Option<Corners<[f64; 3]>>,
-    texture_coordinates: Option<Corners<[f64; 2]>>,
-    tangents: Option<Corners<[f64; 4]>>,
+    normals: Option<Corners>,
+    texture_coordinates: Option<Corners>,
+    tangents: Option<Corners>,
     /// One for each vertex, or none.
     colours: Vec<[f64; 4]>,
     /// One for each triangle.
     materials: Vec<Option<u32>>,
-}
-
-/// Values at the corners of triangles; see [`Attribute`].
-#[derive(Clone, Debug)]
-struct Corners<T> {
-    values: Vec<T>,
-    corners: Vec<Option<[u32; 3]>>,
 }
 
 /// A material whose textures are given by index.
@@ -84,9 +84,21 @@ impl Model {
     /// The model as a scene with its [`materials`](Self::materials).
     pub fn scene<'a>(&'a self, materials: &'a [Material<'a>]) -> Scene<'a> {
         Scene {
-            objects: self.parts.iter().map(Part::object).collect(),
+            objects: self.parts.iter().map(|part| self.object(part)).collect(),
             materials,
             ..Scene::default()
+        }
+    }
+
+    fn object<'a>(&'a self, part: &'a Part) -> Object<'a> {
+        Object {
+            normals: attribute(&self.normals, &part.normals)
+                .map_or(Normals::Smooth, Normals::Given),
+            texture_coordinates: attribute(&self.texture_coordinates, &part.texture_coordinates),
+            tangents: attribute(&self.tangents, &part.tangents),
+            colours: (!part.colours.is_empty()).then(|| Attribute::of_vertices(&part.colours)),
+            material: MaterialChoice::PerTriangle(&part.materials),
+            ..Object::new(&part.positions, &part.triangles)
         }
     }
 
@@ -127,24 +139,11 @@ impl Model {
     }
 }
 
-impl Part {
-    fn object(&self) -> Object<'_> {
-        Object {
-            normals: self
-                .normals
-                .as_ref()
-                .map_or(Normals::Smooth, |normals| Normals::Given(normals.view())),
-            texture_coordinates: self.texture_coordinates.as_ref().map(Corners::view),
-            tangents: self.tangents.as_ref().map(Corners::view),
-            colours: (!self.colours.is_empty()).then(|| Attribute::of_vertices(&self.colours)),
-            material: MaterialChoice::PerTriangle(&self.materials),
-            ..Object::new(&self.positions, &self.triangles)
-        }
-    }
-}
-
-impl<T: Copy> Corners<T> {
-    fn view(&self) -> Attribute<'_, T> {
-        Attribute::of_corners(&self.values, &self.corners)
-    }
+fn attribute<'a, T: Copy>(
+    values: &'a [T],
+    corners: &'a Option<Corners>,
+) -> Option<Attribute<'a, T>> {
+    corners
+        .as_ref()
+        .map(|corners| Attribute::of_corners(values, corners))
 }

@@ -46,7 +46,7 @@ pub enum TextureFileError {
 
 /// What the numbers of a picture mean.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
-pub(super) enum Meaning {
+enum Meaning {
     /// Colours, encoded as sRGB.
     Colour,
     /// Plain numbers.
@@ -55,7 +55,7 @@ pub(super) enum Meaning {
 
 /// Loads each picture once for each way in which it is read.
 pub(super) struct Loader<'a> {
-    pub(super) model: &'a mut Model,
+    model: &'a mut Model,
     folder: Option<&'a Path>,
     loaded: HashMap<(String, Meaning, Sampler), Option<usize>>,
 }
@@ -76,6 +76,10 @@ impl<'a> Loader<'a> {
         material: &ga_mesh::Material,
     ) -> Result<Surface, TextureFileError> {
         let name = &material.name;
+        if material.alpha_mode == AlphaMode::Blend {
+            let warning = format!("material {name:?} is transparent; it is drawn opaque");
+            self.model.warnings.push(warning);
+        }
         let [red, green, blue, opacity] = material.base_colour;
         let mut load = |reference: &Option<Reference>, meaning| match reference {
             Some(reference) => self.texture(name, reference, meaning),
@@ -121,25 +125,11 @@ impl<'a> Loader<'a> {
             reference.magnification,
             reference.minification,
         );
-        self.load(material, key, sampler, meaning, |loader| {
-            loader.picture(material, &reference.image)
-        })
-    }
-
-    /// The texture of what `picture` gives, unless it was loaded before by this key.
-    pub(super) fn load(
-        &mut self,
-        material: &str,
-        key: String,
-        sampler: Sampler,
-        meaning: Meaning,
-        picture: impl FnOnce(&mut Self) -> Result<Option<Picture>, TextureFileError>,
-    ) -> Result<Option<usize>, TextureFileError> {
         let key = (key, meaning, sampler);
         if let Some(&texture) = self.loaded.get(&key) {
             return Ok(texture);
         }
-        let index = match picture(self)? {
+        let index = match self.picture(material, &reference.image)? {
             None => None,
             Some(picture) => {
                 let pixels = picture.to_rgba::<u16>();
@@ -171,11 +161,7 @@ impl<'a> Loader<'a> {
     }
 
     /// The picture in a file; `None`, with a warning, where it does not exist.
-    pub(super) fn file(
-        &mut self,
-        material: &str,
-        path: &str,
-    ) -> Result<Option<Picture>, TextureFileError> {
+    fn file(&mut self, material: &str, path: &str) -> Result<Option<Picture>, TextureFileError> {
         let file = self.folder.map(|folder| folder.join(path));
         match file.filter(|file| file.exists()) {
             Some(file) => {
@@ -197,14 +183,14 @@ impl<'a> Loader<'a> {
 }
 
 /// The picture in the bytes of a file.
-pub(super) fn decode(material: &str, bytes: &[u8]) -> Result<Picture, TextureFileError> {
+fn decode(material: &str, bytes: &[u8]) -> Result<Picture, TextureFileError> {
     ga_image::file::decode(bytes).map_err(|problem| TextureFileError::Embedded {
         material: material.to_owned(),
         problem,
     })
 }
 
-pub(super) fn sampler(
+fn sampler(
     wrap: [MeshWrap; 2],
     magnification: Option<MeshFilter>,
     minification: Option<Minification>,
