@@ -1,10 +1,12 @@
 //! Gaussian pyramids: a picture at half, a quarter, an eighth of its size, and so on.
 
+use ga_runtime::batch::{Batch, Work};
+
 use crate::filter::{Border, Continued};
 use crate::plane::{Plane, PlaneView};
 use crate::sample::{Pixel, Sample};
 
-const WEIGHTS: [f32; 5] = [1.0, 4.0, 6.0, 4.0, 1.0];
+/// Neighbours on either side that take part.
 const RADIUS: usize = 2;
 
 /// A picture and its halved versions, each made by [`halved`] from the one before.
@@ -59,41 +61,52 @@ pub fn halved<'a, P: Pixel>(picture: impl Into<PlaneView<'a, P>>) -> Plane<P> {
     let picture = picture.into();
     let (width, height) = (picture.width().div_ceil(2), picture.height().div_ceil(2));
     let mut result = Plane::filled(width, height, P::default());
-    if picture.is_empty() {
-        return result;
-    }
-    let mut continued = Continued::new(picture.width(), RADIUS, Border::Mirror);
-    // Row `i` along rows is in place `i % 5`.
-    let mut ring = [(); 5].map(|()| vec![0.0f32; width * P::CHANNELS]);
-    let mut ready = 0;
-    for row in 0..height {
-        while ready < picture.height() && ready <= 2 * row + RADIUS {
-            let source = continued.row(P::samples(picture.row(ready)), P::CHANNELS);
-            halve_row(source, &mut ring[ready % 5], P::CHANNELS);
-            ready += 1;
-        }
-        let rows: [&[f32]; 5] = std::array::from_fn(|place| {
-            let index = (2 * row + place).cast_signed() - RADIUS.cast_signed();
-            ring[Border::Mirror.index(index, picture.height()) % 5].as_slice()
+    if !picture.is_empty() {
+        Batch::new().run(Halving {
+            picture,
+            result: &mut result,
         });
-        let target = P::samples_mut(result.row_mut(row));
-        for (i, target) in target.iter_mut().enumerate() {
-            let sum = (0..5)
-                .map(|place| WEIGHTS[place] * rows[place][i])
-                .sum::<f32>();
-            // Sums of 16-bit numbers and weights stay below 2²⁴, so that integers are exact.
-            *target = P::Sample::from_f32(sum * (1.0 / 256.0));
-        }
     }
     result
 }
 
-fn halve_row(source: &[f32], target: &mut [f32], channels: usize) {
-    for (column, target) in target.chunks_exact_mut(channels).enumerate() {
-        let window = &source[2 * column * channels..][..5 * channels];
-        for (channel, target) in target.iter_mut().enumerate() {
-            let sample = |place: usize| WEIGHTS[place] * window[place * channels + channel];
-            *target = (0..5).map(sample).sum();
+struct Halving<'a, P> {
+    picture: PlaneView<'a, P>,
+    result: &'a mut Plane<P>,
+}
+
+impl<P: Pixel> Work for Halving<'_, P> {
+    #[inline(always)]
+    fn run(self) {
+        let length = self.picture.width() * P::CHANNELS;
+        let mut continued = Continued::new(self.picture.width(), RADIUS, Border::Mirror);
+        for row in 0..self.result.height() {
+            let rows: [&[P::Sample]; 5] = std::array::from_fn(|place| {
+                let index = (2 * row + place).cast_signed() - RADIUS.cast_signed();
+                let row = Border::Mirror.index(index, self.picture.height());
+                &P::samples(self.picture.row(row))[..length]
+            });
+            let source = continued.row(P::CHANNELS, |sums| {
+                for (i, sum) in sums[..length].iter_mut().enumerate() {
+                    *sum = weighted_sum(rows.map(|row| row[i].to_f32()));
+                }
+            });
+            let target = P::samples_mut(self.result.row_mut(row));
+            let windows = source.windows(5 * P::CHANNELS).step_by(2 * P::CHANNELS);
+            for (target, window) in target.chunks_exact_mut(P::CHANNELS).zip(windows) {
+                for (channel, target) in target.iter_mut().enumerate() {
+                    let numbers = [0, 1, 2, 3, 4].map(|i| window[i * P::CHANNELS + channel]);
+                    // Sums of 16-bit numbers and weights stay below 2²⁴, so that integers are
+                    // exact.
+                    *target = P::Sample::from_f32(weighted_sum(numbers) * (1.0 / 256.0));
+                }
+            }
         }
     }
+}
+
+/// By [1 4 6 4 1].
+#[inline(always)]
+fn weighted_sum([a, b, c, d, e]: [f32; 5]) -> f32 {
+    (a + e) + 4.0 * (b + d) + 6.0 * c
 }

@@ -3,7 +3,7 @@
 //! A picture covers the same rectangle before and after. The centre of pixel *i* of *n* is at
 //! (*i* + ½) / *n* of the width, so that nothing moves by parts of a pixel.
 
-use crate::filter::add_scaled;
+use crate::filter::to_floats;
 use crate::plane::{Plane, PlaneView, SizeError};
 use crate::sample::{Pixel, Sample};
 
@@ -101,10 +101,10 @@ fn weighted<P: Pixel>(
         sums.fill(0.0);
         for (offset, weight) in share.weights.iter().enumerate() {
             let source = P::samples(picture.row(share.first + offset));
-            for (float, sample) in floats.iter_mut().zip(source) {
-                *float = sample.to_f32();
+            to_floats(source, &mut floats);
+            for (sum, float) in sums.iter_mut().zip(&floats) {
+                *sum += weight * float;
             }
-            add_scaled(&mut sums, &floats, *weight);
         }
         let target = P::samples_mut(result.row_mut(row));
         for (target, share) in target.chunks_exact_mut(P::CHANNELS).zip(&columns) {

@@ -83,7 +83,8 @@ impl Gaussian {
         picture: impl Into<PlaneView<'a, P>>,
         border: Border,
     ) -> Plane<P> {
-        let weights: Vec<f32> = self.weights.iter().map(|w| *w as f32).collect();
+        let outwards = &self.weights[self.radius()..];
+        let weights: Vec<f32> = outwards.iter().map(|w| *w as f32).collect();
         convolve(picture.into(), &weights, border)
     }
 }

@@ -7,4 +7,4 @@ mod tent;
 
 pub use border::Border;
 pub use gaussian::{Gaussian, SigmaError};
-pub(crate) use separable::{Continued, add_scaled};
+pub(crate) use separable::{Continued, to_floats};

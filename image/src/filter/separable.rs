@@ -1,65 +1,110 @@
 //! Convolution along rows, then along columns, with one row in memory for each weight.
 
+use ga_runtime::batch::{Batch, Work};
+
 use super::Border;
 use crate::plane::{Plane, PlaneView};
 use crate::sample::{Pixel, Sample};
 
-/// Convolves with the same symmetric weights along both axes; `weights` has an odd length.
+/// Convolves with the same symmetric weights along both axes. `weights` are those of the middle and
+/// of the pixels at rising distances from it; there is at least one.
 pub(super) fn convolve<P: Pixel>(
     picture: PlaneView<'_, P>,
     weights: &[f32],
     border: Border,
 ) -> Plane<P> {
-    let (width, height) = (picture.width(), picture.height());
-    let mut convolved = Plane::filled(width, height, P::default());
-    if picture.is_empty() {
-        return convolved;
-    }
-    let radius = weights.len() / 2;
-    let row_length = width * P::CHANNELS;
-    let mut continued = Continued::new(width, radius, border);
-    // Row `i` along rows is in place `i % weights.len()`. The rows that a row of the result needs
-    // lie within `radius` of it, since borders reflect to the inside.
-    let mut ring = vec![vec![0.0f32; row_length]; weights.len()];
-    let mut sums = vec![0.0f32; row_length];
-    let mut ready = 0;
-    for row in 0..height {
-        while ready < height && ready <= row + radius {
-            let source = continued.row(P::samples(picture.row(ready)), P::CHANNELS);
-            let target = &mut ring[ready % weights.len()];
-            target.fill(0.0);
-            for (place, weight) in weights.iter().enumerate() {
-                add_scaled(target, &source[place * P::CHANNELS..], *weight);
-            }
-            ready += 1;
-        }
-        sums.fill(0.0);
-        for (place, weight) in weights.iter().enumerate() {
-            let index = (row + place).cast_signed() - radius.cast_signed();
-            let source = border.index(index, height) % weights.len();
-            add_scaled(&mut sums, &ring[source], *weight);
-        }
-        let target = P::samples_mut(convolved.row_mut(row));
-        for (target, sum) in target.iter_mut().zip(&sums) {
-            *target = P::Sample::from_f32(*sum);
-        }
+    let mut convolved = Plane::filled(picture.width(), picture.height(), P::default());
+    if !picture.is_empty() {
+        Batch::new().run(Convolution {
+            picture,
+            weights,
+            border,
+            convolved: &mut convolved,
+        });
     }
     convolved
 }
 
-/// Adds `weight` times the numbers of `from`, which may be longer.
-#[inline]
-pub(crate) fn add_scaled(to: &mut [f32], from: &[f32], weight: f32) {
-    for (to, from) in to.iter_mut().zip(from) {
-        *to += weight * from;
+struct Convolution<'a, P> {
+    picture: PlaneView<'a, P>,
+    weights: &'a [f32],
+    border: Border,
+    convolved: &'a mut Plane<P>,
+}
+
+impl<P: Pixel> Work for Convolution<'_, P> {
+    #[inline(always)]
+    fn run(self) {
+        let (width, height) = (self.picture.width(), self.picture.height());
+        let radius = self.weights.len() - 1;
+        let slots = 2 * radius + 1;
+        let row_length = width * P::CHANNELS;
+        let mut continued = Continued::new(width, radius, self.border);
+        // Row `i` along rows is in place `i % slots`. The rows that a row of the result needs lie
+        // within `radius` of it, since borders reflect to the inside.
+        let mut ring = vec![vec![0.0f32; row_length]; slots];
+        let mut sums = vec![0.0f32; row_length];
+        let mut ready = 0;
+        for row in 0..height {
+            while ready < height && ready <= row + radius {
+                let source = continued.row(P::CHANNELS, |floats| {
+                    to_floats(P::samples(self.picture.row(ready)), floats);
+                });
+                let at = |column: usize| &source[column * P::CHANNELS..];
+                let pair = |d: usize| (at(radius - d), at(radius + d));
+                weighted_sum(&mut ring[ready % slots], self.weights, pair);
+                ready += 1;
+            }
+            let at = |offset: usize| {
+                let index = (row + offset).cast_signed() - radius.cast_signed();
+                ring[self.border.index(index, height) % slots].as_slice()
+            };
+            weighted_sum(&mut sums, self.weights, |d| {
+                (at(radius - d), at(radius + d))
+            });
+            let target = P::samples_mut(self.convolved.row_mut(row));
+            for (target, sum) in target.iter_mut().zip(&sums) {
+                *target = P::Sample::from_f32(*sum);
+            }
+        }
     }
 }
 
-/// Rows as floats, continued on both sides.
+/// The sum of the numbers in the middle and of those at each distance on both sides, weighted.
+#[inline(always)]
+fn weighted_sum<'a>(
+    sums: &mut [f32],
+    weights: &[f32],
+    pair: impl Fn(usize) -> (&'a [f32], &'a [f32]),
+) {
+    for (d, weight) in weights.iter().enumerate() {
+        let (before, after) = pair(d);
+        if d == 0 {
+            for (sum, middle) in sums.iter_mut().zip(before) {
+                *sum = weight * middle;
+            }
+        } else {
+            for ((sum, before), after) in sums.iter_mut().zip(before).zip(after) {
+                *sum += weight * (before + after);
+            }
+        }
+    }
+}
+
+/// Converts samples.
+#[inline(always)]
+pub(crate) fn to_floats<S: Sample>(samples: &[S], floats: &mut [f32]) {
+    for (float, sample) in floats.iter_mut().zip(samples) {
+        *float = sample.to_f32();
+    }
+}
+
+/// Rows of floats, continued on both sides.
 pub(crate) struct Continued {
     /// The columns that stand before the first and after the last.
     before: Vec<usize>,
     after: Vec<usize>,
+    width: usize,
     samples: Vec<f32>,
 }
 
@@ -72,24 +117,25 @@ impl Continued {
         Self {
             before: indices(-reach..0),
             after: indices(columns..columns + reach),
+            width,
             samples: Vec::new(),
         }
     }
 
-    /// The row, continued.
-    pub(crate) fn row<S: Sample>(&mut self, row: &[S], channels: usize) -> &[f32] {
-        let pixel = |column: usize| {
-            let samples = &row[column * channels..][..channels];
-            samples.iter().map(|sample| sample.to_f32())
-        };
-        self.samples.clear();
-        for column in &self.before {
-            self.samples.extend(pixel(*column));
-        }
-        self.samples
-            .extend(row.iter().map(|sample| sample.to_f32()));
-        for column in &self.after {
-            self.samples.extend(pixel(*column));
+    /// The row that `fill` writes, continued.
+    #[inline(always)]
+    pub(crate) fn row(&mut self, channels: usize, fill: impl FnOnce(&mut [f32])) -> &[f32] {
+        let start = self.before.len() * channels;
+        let end = start + self.width * channels;
+        self.samples.resize(end + self.after.len() * channels, 0.0);
+        fill(&mut self.samples[start..end]);
+        let outside = [(0, &self.before), (end, &self.after)];
+        for (place, columns) in outside {
+            for (offset, column) in columns.iter().enumerate() {
+                let pixel = start + column * channels;
+                self.samples
+                    .copy_within(pixel..pixel + channels, place + offset * channels);
+            }
         }
         &self.samples
     }

@@ -1,6 +1,7 @@
 //! Structural similarity.
 
 use ga_runtime::batch::{Batch, Work};
+use ga_runtime::scalar::Lanes;
 
 use crate::filter::{Border, Gaussian};
 use crate::plane::{Plane, PlaneView, SizeError, same_size};
@@ -206,8 +207,16 @@ const TILE: usize = 128;
 /// A row of each of the four quantities that are averaged, with the columns around a tile.
 type Wide = [[f32; TILE + 2 * RADIUS]; 4];
 
+/// Neighbouring columns.
+type Columns = Lanes<f32, 8>;
+
+const LANES: usize = 8;
+
 /// A row of their means along rows.
-type Means = [[f32; TILE]; 4];
+type Means = [[Columns; TILE / LANES]; 4];
+
+/// A value for each column of a tile.
+type Row = [[f32; LANES]; TILE / LANES];
 
 /// The windows of two pictures.
 ///
@@ -231,8 +240,9 @@ impl<P: Pixel, F: FnMut(usize, usize, &[f32], &[f32])> Work for Windows<'_, '_, 
             let width = (columns - left).min(TILE);
             let mut wide: Wide = [[0.0; TILE + 2 * RADIUS]; 4];
             // Source row `i` is in place `i % WINDOW`.
-            let mut ring: [Means; WINDOW] = [[[0.0; TILE]; 4]; WINDOW];
-            let (mut ssim, mut contrast_structure) = ([0.0; TILE], [0.0; TILE]);
+            let mut ring: [Means; WINDOW] = [[[Columns::splat(0.0); TILE / LANES]; 4]; WINDOW];
+            let mut ssim: Row = [[0.0; LANES]; TILE / LANES];
+            let mut contrast_structure = ssim;
             for (row, (a, b)) in self.a.rows().zip(self.b.rows()).enumerate() {
                 let used = left * P::CHANNELS..(left + width + 2 * RADIUS) * P::CHANNELS;
                 let a = &P::samples(a)[used.clone()];
@@ -247,7 +257,12 @@ impl<P: Pixel, F: FnMut(usize, usize, &[f32], &[f32])> Work for Windows<'_, '_, 
                 let rows: [&Means; WINDOW] = std::array::from_fn(|i| &ring[(top + i) % WINDOW]);
                 self.constants
                     .compare(rows, &mut ssim, &mut contrast_structure);
-                (self.take)(left, top, &ssim[..width], &contrast_structure[..width]);
+                (self.take)(
+                    left,
+                    top,
+                    &ssim.as_flattened()[..width],
+                    &contrast_structure.as_flattened()[..width],
+                );
             }
         }
     }
@@ -282,45 +297,51 @@ impl<P: Pixel, F> Windows<'_, '_, P, F> {
 fn along_row(
     wide: &[f32; TILE + 2 * RADIUS],
     weights: &[f32; RADIUS + 1],
-    means: &mut [f32; TILE],
+    means: &mut [Columns; TILE / LANES],
 ) {
-    for i in 0..TILE {
-        let mut sum = weights[0] * wide[i + RADIUS];
+    let columns = |start: usize| {
+        let numbers = wide[start..].first_chunk::<LANES>();
+        Columns::from_array(numbers.copied().unwrap_or_default())
+    };
+    for (i, mean) in means.iter_mut().enumerate() {
+        let middle = LANES * i + RADIUS;
+        let mut sum = Columns::splat(weights[0]) * columns(middle);
         for d in 1..=RADIUS {
-            sum += weights[d] * (wide[i + RADIUS - d] + wide[i + RADIUS + d]);
+            sum += Columns::splat(weights[d]) * (columns(middle - d) + columns(middle + d));
         }
-        means[i] = sum;
+        *mean = sum;
     }
 }
 
 impl Constants {
     /// SSIM, and its factor of contrast and structure, from eleven rows of means.
     #[inline(always)]
-    fn compare(
-        &self,
-        rows: [&Means; WINDOW],
-        ssim: &mut [f32; TILE],
-        contrast_structure: &mut [f32; TILE],
-    ) {
-        let mean = |quantity: usize, i: usize| {
-            let mut sum = self.weights[0] * rows[RADIUS][quantity][i];
-            for d in 1..=RADIUS {
-                let pair = rows[RADIUS - d][quantity][i] + rows[RADIUS + d][quantity][i];
-                sum += self.weights[d] * pair;
+    fn compare(&self, rows: [&Means; WINDOW], ssim: &mut Row, contrast_structure: &mut Row) {
+        let [c1, c2, middle, one, half] =
+            [self.c1, self.c2, self.middle, 1.0, 0.5].map(Columns::splat);
+        let mut means: Means = [[Columns::splat(0.0); TILE / LANES]; 4];
+        for (quantity, means) in means.iter_mut().enumerate() {
+            let rows = rows.map(|row| &row[quantity]);
+            for (i, mean) in means.iter_mut().enumerate() {
+                let mut sum = Columns::splat(self.weights[0]) * rows[RADIUS][i];
+                for d in 1..=RADIUS {
+                    let pair = rows[RADIUS - d][i] + rows[RADIUS + d][i];
+                    sum += Columns::splat(self.weights[d]) * pair;
+                }
+                *mean = sum;
             }
-            sum
-        };
-        for i in 0..TILE {
-            let (sum, difference) = (mean(0, i), mean(1, i));
+        }
+        for i in 0..TILE / LANES {
+            let (sum, difference) = (means[0][i], means[1][i]);
             let difference_square = difference * difference;
-            let sum_variance = mean(2, i) - sum * sum;
-            let difference_variance = mean(3, i) - difference_square;
-            let whole_sum = sum + self.middle;
-            let squares = 0.5 * (whole_sum * whole_sum + difference_square) + self.c1;
-            let variances = 0.5 * (sum_variance + difference_variance) + self.c2;
-            let structure = 1.0 - difference_variance / variances;
-            contrast_structure[i] = structure;
-            ssim[i] = (1.0 - difference_square / squares) * structure;
+            let sum_variance = means[2][i] - sum * sum;
+            let difference_variance = means[3][i] - difference_square;
+            let whole_sum = sum + middle;
+            let squares = half * (whole_sum * whole_sum + difference_square) + c1;
+            let variances = half * (sum_variance + difference_variance) + c2;
+            let structure = one - difference_variance / variances;
+            contrast_structure[i] = structure.to_array();
+            ssim[i] = ((one - difference_square / squares) * structure).to_array();
         }
     }
 }
