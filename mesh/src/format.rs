@@ -5,8 +5,9 @@ use std::path::{Component, Path, PathBuf};
 
 use ga_files::{ReadError, WriteError};
 
+use crate::gltf::{GltfError, WriteGltfError};
 use crate::ply::PlyError;
-use crate::{Image, Mesh, MeshError, obj, ply};
+use crate::{Image, Mesh, MeshError, gltf, obj, ply};
 
 /// A format of mesh files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,6 +16,8 @@ pub enum Format {
     Obj,
     /// PLY; see [`ply`].
     Ply,
+    /// glTF 2.0, as JSON or GLB; see [`gltf`].
+    Gltf,
 }
 
 /// A mesh from a file, and what was replaced where the file refers to something that is not there.
@@ -37,7 +40,7 @@ pub struct Options {
 #[derive(Debug, thiserror::Error)]
 pub enum FormatError {
     /// The name of the file has no ending that stands for a format.
-    #[error("{}: the name of a mesh file must end in .obj or .ply", path.display())]
+    #[error("{}: the name of a mesh file must end in .obj, .ply, .glb or .gltf", path.display())]
     Unknown {
         /// The file.
         path: PathBuf,
@@ -48,6 +51,12 @@ pub enum FormatError {
     /// A PLY file could not be read.
     #[error(transparent)]
     Ply(#[from] ReadError<PlyError>),
+    /// A glTF file could not be read.
+    #[error(transparent)]
+    Gltf(#[from] ReadError<GltfError>),
+    /// The mesh does not fit glTF, or the file could not be written.
+    #[error(transparent)]
+    WriteGltf(#[from] WriteGltfError),
     /// A file could not be written.
     #[error(transparent)]
     Write(#[from] WriteError),
@@ -78,6 +87,7 @@ impl Format {
         match ending.to_ascii_lowercase().as_str() {
             "obj" => Ok(Format::Obj),
             "ply" => Ok(Format::Ply),
+            "glb" | "gltf" => Ok(Format::Gltf),
             _ => Err(FormatError::Unknown {
                 path: path.to_path_buf(),
             }),
@@ -103,6 +113,10 @@ pub fn read(path: impl AsRef<Path>) -> Result<Loaded, FormatError> {
             mesh: ply::read(path)?,
             warnings: Vec::new(),
         }),
+        Format::Gltf => Ok(Loaded {
+            mesh: gltf::read_mesh(path)?,
+            warnings: Vec::new(),
+        }),
     }
 }
 
@@ -116,6 +130,7 @@ pub fn write(path: impl AsRef<Path>, mesh: &Mesh, options: &Options) -> Result<(
     match Format::of_path(path)? {
         Format::Obj => Ok(obj::write(path, mesh)?),
         Format::Ply => Ok(ply::write(path, mesh, options.ply)?),
+        Format::Gltf => Ok(gltf::write_mesh(path, mesh)?),
     }
 }
 

@@ -360,7 +360,8 @@ impl fmt::Display for Problem {
             ),
             Self::Weights { vertex, sum } => write!(
                 f,
-                "the weights of vertex {vertex} are all zero, or one is negative: their sum is {sum}"
+                "the weights of vertex {vertex} are all zero, or one is negative: \
+                 their sum is {sum}"
             ),
             Self::Cycle => f.write_str("is an ancestor of itself"),
             Self::TwoParents { first, second } => {

@@ -62,8 +62,8 @@ fn parents_before_children(
     }
     let mut reached = vec![false; nodes.len()];
     order.iter().for_each(|&node| reached[node] = true);
-    // Walking up from any such node enters the cycle after at most as many steps as there are nodes,
-    // and as many more go round it.
+    // Walking up from any such node enters the cycle after at most as many steps as there are
+    // nodes, and as many more go round it.
     let mut node = reached.iter().position(|reached| !reached).unwrap_or(0);
     let mut first = usize::MAX;
     for step in 0..2 * nodes.len() {

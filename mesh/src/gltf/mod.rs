@@ -29,6 +29,7 @@
 
 mod animation;
 mod codes;
+mod conform;
 mod convert;
 mod document;
 mod error;

@@ -11,7 +11,8 @@ use ga_mesh::format::{self, Loaded};
 
 /// Examine and convert polygon meshes.
 ///
-/// Files may be Wavefront OBJ with MTL (.obj) or PLY (.ply); the ending of the name says which.
+/// Files may be Wavefront OBJ with MTL (.obj), PLY (.ply) or glTF 2.0 (.glb, .gltf); the ending of
+/// the name says which.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct Arguments {
     #[command(subcommand)]

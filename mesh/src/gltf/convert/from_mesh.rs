@@ -1,10 +1,11 @@
 //! From a mesh to a document.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use super::super::{self as gltf, Asset, Document, Mode, Node, Primitive, Scene};
 use super::material;
-use crate::Mesh;
+use crate::{Mesh, tangents};
 
 /// What all faces of a primitive have in common.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
@@ -23,6 +24,7 @@ struct Kind {
 type Key = (u32, Vec<Option<u32>>);
 
 pub(super) fn document(mesh: &Mesh) -> Document {
+    let mesh = &with_tangents(mesh);
     let mut document = Document {
         asset: Asset::of_this_crate(),
         scene: Some(0),
@@ -57,6 +59,20 @@ pub(super) fn document(mesh: &Mesh) -> Document {
         ..Scene::default()
     });
     document
+}
+
+/// The mesh with tangents where a material has a texture of normals, which is defined by them.
+fn with_tangents(mesh: &Mesh) -> Cow<'_, Mesh> {
+    let mut textures = mesh.materials().iter().map(|m| m.normal_texture.as_ref());
+    if let Some(texture) = textures.find_map(|texture| texture)
+        && mesh.normals().is_some()
+        && mesh.tangents().is_none()
+        && let Ok(tangents) = tangents::mikktspace(mesh, texture.set as usize)
+        && let Ok(mesh) = mesh.clone().with_tangents(tangents)
+    {
+        return Cow::Owned(mesh);
+    }
+    Cow::Borrowed(mesh)
 }
 
 /// The faces of each kind, in the order of the objects and, within one, of the materials.

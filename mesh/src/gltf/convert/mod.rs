@@ -26,7 +26,9 @@ impl Document {
     /// # Errors
     ///
     /// As [`Document::validate`]; [`Problem::Mesh`](super::Problem::Mesh) where a transform takes a
-    /// vertex beyond double precision.
+    /// vertex beyond double precision; [`Problem::TooLarge`](super::Problem::TooLarge) where nodes
+    /// place more than 16 million vertices and corners of faces, and their meshes more than a
+    /// thousand times each on average.
     pub fn to_mesh(&self, vertices: Vertices) -> Result<Mesh, GltfError> {
         to_mesh::mesh(self, vertices)
     }
@@ -34,6 +36,8 @@ impl Document {
     /// A mesh as a document: a node for each object, and one for faces without an object; in it a
     /// primitive for each material and set of attributes, one for polylines and one for points.
     ///
+    /// A mesh with normals and a texture of normals but no tangents gets them from
+    /// [`mikktspace`](crate::tangents::mikktspace).
     /// A vertex is split where its corners have different attributes. Polygons become triangles as
     /// by [`Faces::triangles`](crate::Faces::triangles). Vertices that nothing uses are left out,
     /// as are tangents where there are no normals, groups, and terms of Phong's model.

@@ -23,6 +23,7 @@ pub enum Vertices {
 
 pub(super) fn mesh(document: &Document, vertices: Vertices) -> Result<Mesh, GltfError> {
     document.validate()?;
+    check_size(document)?;
     let world = World::new(document)?;
     let mut parts = Parts::default();
     for (index, node) in document.nodes.iter().enumerate() {
@@ -46,6 +47,31 @@ pub(super) fn mesh(document: &Document, vertices: Vertices) -> Result<Mesh, Gltf
     parts
         .into_mesh(document)
         .map_err(|problem| GltfError::new(Element::File, Problem::Mesh(problem)))
+}
+
+/// Many nodes may place one mesh. A few bytes for each must not become a mesh of any size, so nodes
+/// may place 16 million corners and vertices, or each mesh a thousand times.
+fn check_size(document: &Document) -> Result<(), GltfError> {
+    const FREE: u64 = 1 << 24;
+    const TIMES: u64 = 1000;
+    let size = |primitive: &Primitive| {
+        let indices = primitive.indices.as_ref().map_or(0, Vec::len);
+        (primitive.vertex_count() + indices) as u64
+    };
+    let meshes = document.meshes.iter();
+    let sizes: Vec<u64> = meshes
+        .map(|mesh| mesh.primitives.iter().map(size).sum())
+        .collect();
+    let placed = document.nodes.iter().filter_map(|node| node.mesh);
+    let needed = placed.fold(0, |sum: u64, mesh| sum.saturating_add(sizes[mesh]));
+    let limit = FREE.max(TIMES.saturating_mul(sizes.iter().sum()));
+    if needed > limit {
+        // As bytes: three numbers of eight bytes each.
+        let [needed, limit] = [needed, limit].map(|count| count.saturating_mul(24));
+        let problem = Problem::TooLarge { needed, limit };
+        return Err(GltfError::new(Element::File, problem));
+    }
+    Ok(())
 }
 
 /// The name of a node, of its mesh, or else its number.

@@ -52,8 +52,8 @@ pub fn read(path: impl AsRef<Path>) -> Result<Document, ReadError<GltfError>> {
 /// A document from the bytes of a GLB file, or of a glTF file whose buffers are data in URIs.
 ///
 /// Integers that stand for fractions become numbers in single precision, sparse accessors full
-/// lists, colours without alpha opaque. Extensions other than [`SUPPORTED_EXTENSIONS`] are left out.
-/// Channels of animations without a node are left out, as the specification advises.
+/// lists, colours without alpha opaque. Extensions other than [`SUPPORTED_EXTENSIONS`] are left
+/// out, and so are channels of animations without a node, as the specification advises.
 ///
 /// # Errors
 ///

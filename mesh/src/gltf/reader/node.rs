@@ -36,7 +36,7 @@ pub(super) fn node(index: usize, json: &json::Node) -> Result<Node, GltfError> {
         mesh: json.mesh,
         skin: json.skin,
         camera: json.camera,
-        weights: json.weights.clone(),
+        weights: json.weights.clone().filter(|weights| !weights.is_empty()),
         extras: json.extras.clone(),
     })
 }

@@ -1,5 +1,7 @@
 //! Meshes and their primitives, and the influence of joints on them.
 
+use std::collections::HashSet;
+
 use super::super::error::{Element, Problem};
 use super::super::{Components, CustomAttribute, Document, GltfError, Mesh, Primitive};
 use super::{Checked, count, exists, fault, finite, targets_of};
@@ -182,6 +184,7 @@ impl Attributes {
     }
 
     fn custom(&self, attributes: &[CustomAttribute]) -> Result<bool, GltfError> {
+        let mut seen = HashSet::new();
         for (index, attribute) in attributes.iter().enumerate() {
             let name = &attribute.name;
             let fault = |problem| fault(self.element(name), problem);
@@ -189,10 +192,7 @@ impl Attributes {
                 let (property, value) = ("the name", name.clone());
                 return fault(Problem::Value { property, value });
             }
-            if attributes[..index]
-                .iter()
-                .any(|earlier| earlier.name == *name)
-            {
+            if !seen.insert(name) {
                 let what = "an attribute of this name, number";
                 return fault(Problem::Duplicate { what, index });
             }

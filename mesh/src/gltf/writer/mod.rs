@@ -38,7 +38,8 @@ pub struct GltfFiles {
 /// those named by a URI stay files of their own, which this does not write.
 ///
 /// Numbers are written in single precision as they are, so that [`parse`](super::parse) returns the
-/// same vertices, weights and keys. Lists that are equal are written once.
+/// same vertices, weights and keys. Lists that are equal are written once. What the Khronos
+/// validator reports of such a file is in the document; [`Document::conformed`] mends most of it.
 ///
 /// # Errors
 ///

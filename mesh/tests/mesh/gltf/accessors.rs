@@ -111,7 +111,8 @@ fn interleaved_attributes_are_taken_apart() {
         "accessors": [
             {"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 2},
             {"bufferView": 0, "byteOffset": 12, "componentType": 5126, "type": "VEC3", "count": 2},
-            {"bufferView": 1, "componentType": 5121, "normalized": true, "type": "VEC3", "count": 2},
+            {"bufferView": 1, "componentType": 5121, "normalized": true, "type": "VEC3",
+             "count": 2},
         ],
         "bufferViews": [
             {"buffer": 0, "byteLength": 48, "byteStride": 24},

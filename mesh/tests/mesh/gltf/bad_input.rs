@@ -36,7 +36,12 @@ fn model() -> (Value, Vec<u8>) {
         &mut bytes,
         &[0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0],
     );
-    let accessor = |offset: usize, component: u32, shape: &str, count: usize| json!({"bufferView": 0, "byteOffset": offset, "componentType": component, "type": shape, "count": count});
+    let accessor = |offset: usize, component: u32, shape: &str, count: usize| {
+        json!({
+            "bufferView": 0, "byteOffset": offset,
+            "componentType": component, "type": shape, "count": count,
+        })
+    };
     let json = json!({
         "asset": {"version": "2.0"},
         "scenes": [{"nodes": [0, 2]}],
@@ -110,78 +115,359 @@ fn the_model_is_good() {
 
 #[test]
 fn references_and_lengths_are_checked() {
-    let attribute = "mesh 0, primitive 0, attribute";
-    for (pointer, value, expected) in [
-        ("/asset/version", json!("1.0"), "file: version 1.0 of glTF is not supported".to_owned()),
-        ("/asset/minVersion", json!("2.1"), "file: version 2.1 of glTF is not supported".to_owned()),
-        ("/extensionsRequired", json!(["KHR_mesh_quantization", "KHR_draco_mesh_compression"]), "file: requires the extension KHR_draco_mesh_compression, which is not supported".to_owned()),
-        ("/meshes/0/primitives/0/attributes/POSITION", json!(6), format!("{attribute} POSITION: refers to accessor 6, but there are 6")),
-        ("/meshes/0/primitives/0/attributes/POSITION", json!(4_294_967_296u64), format!("{attribute} POSITION: refers to accessor 4294967296, but there are 6")),
-        ("/meshes/0/primitives/0/attributes/NORMAL", json!(3), format!("{attribute} NORMAL: accessor 3: is SCALAR of UNSIGNED_SHORT, but must be VEC3 of FLOAT")),
-        ("/meshes/0/primitives/0/attributes/TEXCOORD_1", json!(0), format!("{attribute} TEXCOORD_1: lacks the set with the number before it")),
-        ("/meshes/0/primitives/0/attributes/COLOUR", json!(0), format!("{attribute} COLOUR: the name cannot be COLOUR")),
-        ("/meshes/0/primitives/0/targets/0", json!({"NORMAL": 5}), "mesh 0, primitive 0, morph target 0, attribute NORMAL: accessor 5: is VEC4 of FLOAT, but must be VEC3 of FLOAT".to_owned()),
-        ("/meshes/0/primitives/0/targets/0", json!({}), "mesh 0, primitive 0: lacks attributes of a morph target".to_owned()),
-        ("/meshes/0/primitives/0/mode", json!(7), "mesh 0, primitive 0: mode cannot be 7".to_owned()),
-        ("/meshes/0/primitives/0/material", json!(0), "mesh 0, primitive 0: refers to material 0, but there are 0".to_owned()),
-        ("/meshes/0/weights", json!([1.0, 2.0]), "mesh 0: has 2 weights of morph targets, not 1".to_owned()),
-        ("/meshes/0/primitives", json!([]), "mesh 0: lacks primitives".to_owned()),
-        ("/accessors/0/bufferView", json!(1), format!("{attribute} POSITION: accessor 0: refers to buffer view 1, but there are 1")),
-        ("/accessors/0/count", json!(1_000_000_000), format!("{attribute} POSITION: accessor 0: needs 12000000000 bytes, but has 180")),
-        ("/accessors/0/count", json!(u64::MAX), format!("{attribute} POSITION: accessor 0: needs 18446744073709551615 bytes, but has 180")),
-        ("/accessors/0/count", json!(3), format!("{attribute} WEIGHTS_0: has 4 items, not 3")),
-        ("/accessors/0/count", json!(0), format!("{attribute} POSITION: accessor 0: count cannot be 0")),
-        ("/accessors/0/byteOffset", json!(133), format!("{attribute} POSITION: accessor 0: needs 181 bytes, but has 180")),
-        ("/accessors/0/type", json!("VEC5"), format!("{attribute} POSITION: accessor 0: type cannot be VEC5")),
-        ("/accessors/0/componentType", json!(5124), format!("{attribute} POSITION: accessor 0: componentType cannot be 5124")),
-        ("/accessors/0/sparse", json!({"count": 1, "indices": {"bufferView": 0, "componentType": 5126}, "values": {"bufferView": 0}}), format!("{attribute} POSITION: accessor 0: type of sparse indices cannot be FLOAT")),
-        ("/accessors/0/sparse", json!({"count": 2, "indices": {"bufferView": 0, "componentType": 5121}, "values": {"bufferView": 0}}), format!("{attribute} POSITION: accessor 0: sparse index 1 is 0, which is not greater than the index before it or not less than the count 4")),
-        ("/accessors/0/sparse", json!({"count": 5, "indices": {"bufferView": 0, "componentType": 5121}, "values": {"bufferView": 0}}), format!("{attribute} POSITION: accessor 0: sparse count cannot be 5")),
-        ("/accessors/4/normalized", json!(true), "none".to_owned()),
-        ("/bufferViews/0/byteStride", json!(8), format!("{attribute} POSITION: accessor 0: byteStride cannot be 8")),
-        ("/bufferViews/0/byteLength", json!(181), format!("{attribute} POSITION: accessor 0: buffer view 0: needs 181 bytes, but has 180")),
-        ("/bufferViews/0/buffer", json!(1), format!("{attribute} POSITION: accessor 0: buffer view 0: refers to buffer 1, but there are 1")),
-        ("/buffers/0/byteLength", json!(184), "buffer 0: needs 184 bytes, but has 180".to_owned()),
-        ("/buffers/0/uri", json!("http://example.org/a.bin"), "buffer 0: the URI \"http://example.org/a.bin\" does not name a file and holds no data".to_owned()),
-        ("/buffers/0/uri", json!("/etc/passwd"), "buffer 0: the URI \"/etc/passwd\" does not name a file and holds no data".to_owned()),
-        ("/buffers/0/uri", json!("data:;base64,%%"), "buffer 0: the URI \"data:;base64,%%\" does not name a file and holds no data".to_owned()),
-        ("/nodes/1/children", json!([0]), "node 0: is an ancestor of itself".to_owned()),
-        ("/nodes/1/children", json!([1]), "node 1: is a child of node 0 and of node 1".to_owned()),
-        ("/nodes/1/children", json!([9]), "node 1: refers to node 9, but there are 3".to_owned()),
-        ("/nodes/1/matrix", json!([1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]), "node 1: the last row of the matrix cannot be [1.0, 0.0, 0.0, 1.0]".to_owned()),
-        ("/nodes/1/rotation", json!([0, 0, 0, 0]), "node 1: rotation cannot be zero".to_owned()),
-        ("/nodes/1/translation", json!([1e39, 0, 0]), "node 1: item 1 has a number that is not finite".to_owned()),
-        ("/nodes/1/skin", json!(0), "node 1: lacks the mesh of its skin or weights".to_owned()),
-        ("/nodes/1/camera", json!(0), "node 1: refers to camera 0, but there are 0".to_owned()),
-        ("/nodes/2/mesh", json!(1), "node 2: refers to mesh 1, but there are 1".to_owned()),
-        ("/nodes/2/skin", json!(1), "node 2: refers to skin 1, but there are 1".to_owned()),
-        ("/nodes/2/weights", json!([]), "node 2: has 0 weights of morph targets, not 1".to_owned()),
-        ("/scenes/0/nodes", json!([1]), "scene 0: a node at its top cannot be 1".to_owned()),
-        ("/scenes/0/nodes", json!([0, 0]), "scene 0: has node 0 twice".to_owned()),
-        ("/scene", json!(1), "file: refers to scene 1, but there are 1".to_owned()),
-        ("/skins/0/joints", json!([]), "skin 0: lacks joints".to_owned()),
-        ("/skins/0/joints", json!([0]), format!("node 2: {attribute} JOINTS_0: vertex 0 is moved by joint 1, but the skin has 1 joints")),
-        ("/skins/0/joints", json!([0, 0]), "skin 0: has joint 0 twice".to_owned()),
-        ("/skins/0/skeleton", json!(3), "skin 0: refers to node 3, but there are 3".to_owned()),
-        ("/skins/0/inverseBindMatrices", json!(2), "skin 0: accessor 2: is VEC4 of FLOAT, but must be MAT4 of FLOAT".to_owned()),
-        ("/animations/0/channels/0/sampler", json!(1), "animation 0, channel 0: refers to sampler 1, but there are 1".to_owned()),
-        ("/animations/0/channels/0/target/node", json!(3), "animation 0, channel 0: refers to node 3, but there are 3".to_owned()),
-        ("/animations/0/channels/0/target/path", json!("colour"), "animation 0, channel 0: path cannot be colour".to_owned()),
-        ("/animations/0/channels/0/target/path", json!("scale"), "animation 0, channel 0: accessor 5: is VEC4 of FLOAT, but must be VEC3 of FLOAT".to_owned()),
-        ("/animations/0/samplers/0/interpolation", json!("CUBIC"), "animation 0, channel 0: interpolation cannot be CUBIC".to_owned()),
-        ("/animations/0/samplers/0/interpolation", json!("CUBICSPLINE"), "animation 0, channel 0: has 2 values of keys, not 6".to_owned()),
-        ("/animations/0/channels/0/target", json!({"path": "pointer"}), "none".to_owned()),
-        ("/materials", json!([{"normalTexture": {"index": 0}}]), "material 0: refers to texture 0, but there are 0".to_owned()),
-        ("/materials", json!([{"alphaMode": "GLASS"}]), "material 0: alphaMode cannot be GLASS".to_owned()),
-        ("/materials", json!([{"pbrMetallicRoughness": {"metallicFactor": 1.5}}]), "material 0: a factor cannot be 1.5".to_owned()),
-        ("/textures", json!([{"source": 0}]), "texture 0: refers to image 0, but there are 0".to_owned()),
-        ("/samplers", json!([{"wrapS": 1}]), "sampler 0: wrapS cannot be 1".to_owned()),
-        ("/images", json!([{}]), "image 0: lacks a URI and a buffer view".to_owned()),
-        ("/images", json!([{"bufferView": 3}]), "image 0: refers to buffer view 3, but there are 1".to_owned()),
-        ("/cameras", json!([{"type": "perspective"}]), "camera 0: lacks perspective".to_owned()),
-        ("/cameras", json!([{"type": "perspective", "perspective": {"yfov": 0, "znear": 1}}]), "camera 0: yfov cannot be 0".to_owned()),
-    ] {
-        assert_eq!(message(pointer, value.clone()), expected, "{pointer} {value}");
+    // In pointers and messages # stands for the primitive, @ for an attribute of it.
+    let check = |pointer: &str, value: Value, expected: &str| {
+        let pointer = pointer.replace('#', "/meshes/0/primitives/0");
+        let expected = expected.replace('@', "#, attribute");
+        let expected = expected.replace('#', "mesh 0, primitive 0");
+        assert_eq!(
+            message(&pointer, value.clone()),
+            expected,
+            "{pointer} {value}"
+        );
+    };
+    let sparse = |count: usize, component: u32| {
+        json!({
+            "count": count,
+            "indices": {"bufferView": 0, "componentType": component},
+            "values": {"bufferView": 0},
+        })
+    };
+    check(
+        "/asset/version",
+        json!("1.0"),
+        "file: version 1.0 of glTF is not supported",
+    );
+    check(
+        "/asset/minVersion",
+        json!("2.1"),
+        "file: version 2.1 of glTF is not supported",
+    );
+    check(
+        "/extensionsRequired",
+        json!(["KHR_mesh_quantization", "KHR_draco_mesh_compression"]),
+        "file: requires the extension KHR_draco_mesh_compression, which is not supported",
+    );
+    check(
+        "#/attributes/POSITION",
+        json!(6),
+        "@ POSITION: refers to accessor 6, but there are 6",
+    );
+    check(
+        "#/attributes/POSITION",
+        json!(4_294_967_296u64),
+        "@ POSITION: refers to accessor 4294967296, but there are 6",
+    );
+    check(
+        "#/attributes/NORMAL",
+        json!(3),
+        "@ NORMAL: accessor 3: is SCALAR of UNSIGNED_SHORT, but must be VEC3 of FLOAT",
+    );
+    check(
+        "#/attributes/TEXCOORD_1",
+        json!(0),
+        "@ TEXCOORD_1: lacks the set with the number before it",
+    );
+    check(
+        "#/attributes/COLOUR",
+        json!(0),
+        "@ COLOUR: the name cannot be COLOUR",
+    );
+    check(
+        "#/targets/0",
+        json!({"NORMAL": 5}),
+        "#, morph target 0, attribute NORMAL: accessor 5: is VEC4 of FLOAT, but must \
+         be VEC3 of FLOAT",
+    );
+    check(
+        "#/targets/0",
+        json!({}),
+        "#: lacks attributes of a morph target",
+    );
+    check("#/mode", json!(7), "#: mode cannot be 7");
+    check(
+        "#/material",
+        json!(0),
+        "#: refers to material 0, but there are 0",
+    );
+    check(
+        "/meshes/0/weights",
+        json!([1.0, 2.0]),
+        "mesh 0: has 2 weights of morph targets, not 1",
+    );
+    check(
+        "/meshes/0/primitives",
+        json!([]),
+        "mesh 0: lacks primitives",
+    );
+    check(
+        "/accessors/0/bufferView",
+        json!(1),
+        "@ POSITION: accessor 0: refers to buffer view 1, but there are 1",
+    );
+    check(
+        "/accessors/0/count",
+        json!(1_000_000_000),
+        "@ POSITION: accessor 0: needs 12000000000 bytes, but has 180",
+    );
+    check(
+        "/accessors/0/count",
+        json!(u64::MAX),
+        "@ POSITION: accessor 0: needs 18446744073709551615 bytes, but has 180",
+    );
+    check(
+        "/accessors/0/count",
+        json!(3),
+        "@ WEIGHTS_0: has 4 items, not 3",
+    );
+    check(
+        "/accessors/0/count",
+        json!(0),
+        "@ POSITION: accessor 0: count cannot be 0",
+    );
+    check(
+        "/accessors/0/byteOffset",
+        json!(133),
+        "@ POSITION: accessor 0: needs 181 bytes, but has 180",
+    );
+    check(
+        "/accessors/0/type",
+        json!("VEC5"),
+        "@ POSITION: accessor 0: type cannot be VEC5",
+    );
+    check(
+        "/accessors/0/componentType",
+        json!(5124),
+        "@ POSITION: accessor 0: componentType cannot be 5124",
+    );
+    check(
+        "/accessors/0/sparse",
+        sparse(1, 5126),
+        "@ POSITION: accessor 0: type of sparse indices cannot be FLOAT",
+    );
+    check(
+        "/accessors/0/sparse",
+        sparse(2, 5121),
+        "@ POSITION: accessor 0: sparse index 1 is 0, which is not greater than the \
+         index before it or not less than the count 4",
+    );
+    check(
+        "/accessors/0/sparse",
+        sparse(5, 5121),
+        "@ POSITION: accessor 0: sparse count cannot be 5",
+    );
+    check("/accessors/4/normalized", json!(true), "none");
+    check(
+        "/bufferViews/0/byteStride",
+        json!(8),
+        "@ POSITION: accessor 0: byteStride cannot be 8",
+    );
+    check(
+        "/bufferViews/0/byteLength",
+        json!(181),
+        "@ POSITION: accessor 0: buffer view 0: needs 181 bytes, but has 180",
+    );
+    check(
+        "/bufferViews/0/buffer",
+        json!(1),
+        "@ POSITION: accessor 0: buffer view 0: refers to buffer 1, but there are 1",
+    );
+    check(
+        "/buffers/0/byteLength",
+        json!(184),
+        "buffer 0: needs 184 bytes, but has 180",
+    );
+    check(
+        "/buffers/0/uri",
+        json!("http://example.org/a.bin"),
+        "buffer 0: the URI \"http://example.org/a.bin\" does not name a file and holds \
+         no data",
+    );
+    check(
+        "/buffers/0/uri",
+        json!("/etc/passwd"),
+        "buffer 0: the URI \"/etc/passwd\" does not name a file and holds no data",
+    );
+    check(
+        "/buffers/0/uri",
+        json!("data:;base64,%%"),
+        "buffer 0: the URI \"data:;base64,%%\" does not name a file and holds no data",
+    );
+    check(
+        "/nodes/1/children",
+        json!([0]),
+        "node 0: is an ancestor of itself",
+    );
+    check(
+        "/nodes/1/children",
+        json!([1]),
+        "node 1: is a child of node 0 and of node 1",
+    );
+    check(
+        "/nodes/1/children",
+        json!([9]),
+        "node 1: refers to node 9, but there are 3",
+    );
+    check(
+        "/nodes/1/matrix",
+        json!([1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]),
+        "node 1: the last row of the matrix cannot be [1.0, 0.0, 0.0, 1.0]",
+    );
+    check(
+        "/nodes/1/rotation",
+        json!([0, 0, 0, 0]),
+        "node 1: rotation cannot be zero",
+    );
+    check(
+        "/nodes/1/skin",
+        json!(0),
+        "node 1: lacks the mesh of its skin or weights",
+    );
+    check(
+        "/nodes/1/camera",
+        json!(0),
+        "node 1: refers to camera 0, but there are 0",
+    );
+    check(
+        "/nodes/2/mesh",
+        json!(1),
+        "node 2: refers to mesh 1, but there are 1",
+    );
+    check(
+        "/nodes/2/skin",
+        json!(1),
+        "node 2: refers to skin 1, but there are 1",
+    );
+    check(
+        "/nodes/2/weights",
+        json!([1, 2]),
+        "node 2: has 2 weights of morph targets, not 1",
+    );
+    check(
+        "/scenes/0/nodes",
+        json!([1]),
+        "scene 0: a node at its top cannot be 1",
+    );
+    check(
+        "/scenes/0/nodes",
+        json!([0, 0]),
+        "scene 0: has node 0 twice",
+    );
+    check(
+        "/scene",
+        json!(1),
+        "file: refers to scene 1, but there are 1",
+    );
+    check("/skins/0/joints", json!([]), "skin 0: lacks joints");
+    check(
+        "/skins/0/joints",
+        json!([0]),
+        "node 2: @ JOINTS_0: vertex 0 is moved by joint 1, but the skin has 1 joints",
+    );
+    check(
+        "/skins/0/joints",
+        json!([0, 0]),
+        "skin 0: has joint 0 twice",
+    );
+    check(
+        "/skins/0/skeleton",
+        json!(3),
+        "skin 0: refers to node 3, but there are 3",
+    );
+    check(
+        "/skins/0/inverseBindMatrices",
+        json!(2),
+        "skin 0: accessor 2: is VEC4 of FLOAT, but must be MAT4 of FLOAT",
+    );
+    check(
+        "/animations/0/channels/0/sampler",
+        json!(1),
+        "animation 0, channel 0: refers to sampler 1, but there are 1",
+    );
+    check(
+        "/animations/0/channels/0/target/node",
+        json!(3),
+        "animation 0, channel 0: refers to node 3, but there are 3",
+    );
+    check(
+        "/animations/0/channels/0/target/path",
+        json!("colour"),
+        "animation 0, channel 0: path cannot be colour",
+    );
+    check(
+        "/animations/0/channels/0/target/path",
+        json!("scale"),
+        "animation 0, channel 0: accessor 5: is VEC4 of FLOAT, but must be VEC3 of FLOAT",
+    );
+    check(
+        "/animations/0/samplers/0/interpolation",
+        json!("CUBIC"),
+        "animation 0, channel 0: interpolation cannot be CUBIC",
+    );
+    check(
+        "/animations/0/samplers/0/interpolation",
+        json!("CUBICSPLINE"),
+        "animation 0, channel 0: has 2 values of keys, not 6",
+    );
+    check(
+        "/animations/0/channels/0/target",
+        json!({"path": "pointer"}),
+        "none",
+    );
+    check(
+        "/materials",
+        json!([{"normalTexture": {"index": 0}}]),
+        "material 0: refers to texture 0, but there are 0",
+    );
+    check(
+        "/materials",
+        json!([{"alphaMode": "GLASS"}]),
+        "material 0: alphaMode cannot be GLASS",
+    );
+    check(
+        "/materials",
+        json!([{"pbrMetallicRoughness": {"metallicFactor": 1.5}}]),
+        "material 0: a factor cannot be 1.5",
+    );
+    check(
+        "/textures",
+        json!([{"source": 0}]),
+        "texture 0: refers to image 0, but there are 0",
+    );
+    check(
+        "/samplers",
+        json!([{"wrapS": 1}]),
+        "sampler 0: wrapS cannot be 1",
+    );
+    check(
+        "/images",
+        json!([{}]),
+        "image 0: lacks a URI and a buffer view",
+    );
+    check(
+        "/images",
+        json!([{"bufferView": 3}]),
+        "image 0: refers to buffer view 3, but there are 1",
+    );
+    check(
+        "/cameras",
+        json!([{"type": "perspective"}]),
+        "camera 0: lacks perspective",
+    );
+    check(
+        "/cameras",
+        json!([{"type": "perspective", "perspective": {"yfov": 0, "znear": 1}}]),
+        "camera 0: yfov cannot be 0",
+    );
+}
+
+/// The place in the text is named, since no element is known yet.
+#[test]
+fn numbers_beyond_single_precision_are_errors() {
+    for value in [json!([1e39, 0, 0]), json!([0, -1e300, 0])] {
+        let message = message("/nodes/1/translation", value);
+        let start = "JSON: number out of range at line 1 column ";
+        assert!(message.starts_with(start), "{message}");
     }
 }
 
@@ -209,7 +495,8 @@ fn numbers_are_checked() {
     );
     assert_eq!(
         message_of_bytes(144, &[0; 4]),
-        "animation 0, channel 0: the time of key 1, 0 s, is negative or not after the time before it"
+        "animation 0, channel 0: the time of key 1, 0 s, is negative or not after the time \
+         before it"
     );
     assert_eq!(
         message_of_bytes(140, &(-0.5f32).to_le_bytes()),

@@ -235,6 +235,31 @@ fn nodes_place_and_mirror_their_meshes() {
     assert_eq!(mesh.texture_coordinates().unwrap().values[2], [0.0, 0.0]);
 }
 
+/// A few bytes in the file for each node must not become gigabytes.
+#[test]
+fn nodes_may_not_place_a_mesh_without_end() {
+    let node = Node {
+        mesh: Some(0),
+        ..Node::default()
+    };
+    let document = |nodes: usize| Document {
+        nodes: vec![node.clone(); nodes],
+        meshes: vec![ours::Mesh {
+            primitives: vec![Primitive {
+                positions: vec![[0.0; 3]; 1000],
+                ..Primitive::default()
+            }],
+            ..ours::Mesh::default()
+        }],
+        ..Document::default()
+    };
+    let placed = document(1000).to_mesh(Vertices::Kept).unwrap();
+    assert_eq!(placed.vertex_count(), 1_000_000);
+    let error = document(20_000).to_mesh(Vertices::Kept).unwrap_err();
+    let expected = "file: needs 480000000 bytes, more than the limit of 402653184";
+    assert_eq!(error.to_string(), expected);
+}
+
 /// Half of one target and twice the other.
 #[test]
 fn morph_targets_have_the_weights_of_the_node() {

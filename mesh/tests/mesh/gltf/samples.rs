@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use ga_mesh::gltf::{self as ours, Document, ImageSource, Keys, Transform};
+use ga_mesh::gltf::{self as ours, Document, ImageSource, Keys, Transform, Vertices};
 use gltf::animation::util::ReadOutputs;
 use nullcone_shared_data::shared;
 
@@ -139,6 +139,35 @@ fn every_sample_survives_writing() {
 
 fn is_file(image: &ours::Image) -> bool {
     matches!(image.source, ImageSource::Uri(_))
+}
+
+/// Where every vertex is, and moves, is as before.
+#[test]
+fn a_conformed_document_has_the_same_shape() {
+    for path in samples() {
+        let document = ours::read(&path).unwrap();
+        let conformed = document.conformed().unwrap();
+        assert_eq!(conformed.conformed().unwrap(), conformed);
+        for animation in 0..document.animations.len() {
+            let [before, after] = [&document, &conformed].map(|document| {
+                let posed = posed(document, animation, 0.37);
+                posed.to_mesh(Vertices::Kept).unwrap()
+            });
+            // No sample has a mesh behind a skinned one, so that the vertices keep their order.
+            assert_eq!(before.vertex_count(), after.vertex_count());
+            let bounds = before.bounds().unwrap();
+            let size = bounds
+                .as_flattened()
+                .iter()
+                .fold(1.0f64, |s, c| s.max(c.abs()));
+            for (before, after) in before.coordinates().zip(after.coordinates()) {
+                for axis in 0..3 {
+                    let error = (before[axis] - after[axis]).abs();
+                    assert!(error <= 1e-6 * size, "{path:?}: {error}");
+                }
+            }
+        }
+    }
 }
 
 /// One sample names a picture that is not there. The document reads; only loading the picture
