@@ -61,8 +61,8 @@ impl Cage {
     /// # Errors
     ///
     /// [`SubdivisionError::Empty`], [`SubdivisionError::Mesh`] for an index out of range,
-    /// [`SubdivisionError::NotATriangle`] in Loop's scheme, [`SubdivisionError::DegenerateFace`] and
-    /// [`SubdivisionError::NonManifoldEdge`].
+    /// [`SubdivisionError::NotATriangle`] in Loop's scheme, [`SubdivisionError::DegenerateFace`]
+    /// and [`SubdivisionError::NonManifoldEdge`].
     pub fn new(faces: Faces, vertices: usize, rules: Rules) -> Result<Self, SubdivisionError> {
         Self::with_smoothing(faces, vertices, rules, Smoothing::Smooth)
     }
@@ -218,8 +218,8 @@ impl Cage {
     /// in Catmull and Clark's scheme the new vertex in face f is V + E + f.
     ///
     /// Loop's scheme puts four triangles in the place of each: one at each corner, which begins
-    /// there, and the one in the middle, which begins with the vertex on the first side. Catmull and
-    /// Clark's puts a quadrilateral in the place of each corner, which begins at that corner.
+    /// there, and the one in the middle, which begins with the vertex on the first side. Catmull
+    /// and Clark's puts a quadrilateral in the place of each corner, which begins at that corner.
     ///
     /// # Errors
     ///

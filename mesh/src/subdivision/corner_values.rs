@@ -3,6 +3,7 @@
 use super::cage::Smoothing;
 use super::{Boundary, Cage, Corner, Crease, Rules, Stencils, SubdivisionError, Tags, TextureRule};
 use crate::Faces;
+use crate::topology::DisjointSets;
 
 /// Values at the corners of faces, such as texture coordinates, which may differ between the faces
 /// at a vertex: OpenSubdiv's face-varying data.
@@ -73,7 +74,7 @@ impl CornerValues {
             return Ok(None);
         }
 
-        let mut groups = Groups((0..count as u32).collect());
+        let mut groups = DisjointSets::new(count);
         let mut continuous = vec![false; cage.edges().len()];
         for (edge, continuous) in (0..).zip(&mut continuous) {
             let Some(pairs) = corner_pairs(cage, edge) else {
@@ -88,7 +89,9 @@ impl CornerValues {
             };
             if pairs.into_iter().all(same) {
                 *continuous = true;
-                pairs.into_iter().for_each(|pair| groups.join(pair));
+                pairs
+                    .into_iter()
+                    .for_each(|[one, other]| groups.unite(one, other));
             }
         }
 
@@ -98,7 +101,7 @@ impl CornerValues {
         for (face, _) in sizes.iter().enumerate().filter(|(_, size)| size.has_values) {
             let mut polygon = Vec::new();
             for corner in range(face) {
-                let group = groups.of(corner as u32) as usize;
+                let group = groups.find(corner as u32) as usize;
                 let value = *value_of_group[group].get_or_insert_with(|| {
                     sources.extend(corners[corner]);
                     sources.len() as u32 - 1
@@ -240,24 +243,4 @@ fn tags(cage: &Cage, value_of_corner: &[Option<u32>], continuous: &[bool]) -> Ta
         }
     }
     tags
-}
-
-/// Groups of corners with one value, as trees: for each corner another of its group, or itself.
-struct Groups(Vec<u32>);
-
-impl Groups {
-    /// The corner that stands for a group.
-    fn of(&mut self, mut corner: u32) -> u32 {
-        while self.0[corner as usize] != corner {
-            let parent = self.0[corner as usize];
-            self.0[corner as usize] = self.0[parent as usize];
-            corner = parent;
-        }
-        corner
-    }
-
-    fn join(&mut self, [one, other]: [u32; 2]) {
-        let (one, other) = (self.of(one), self.of(other));
-        self.0[one.max(other) as usize] = one.min(other);
-    }
 }

@@ -40,7 +40,9 @@ use crate::topology::{Fan, VertexRings};
 ///
 /// let octahedron = [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]];
 /// let positions = octahedron.map(|x| x.map(f64::from));
-/// let faces = [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
+/// let upper = [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4]];
+/// let lower = [[2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
+/// let faces = upper.into_iter().chain(lower);
 /// let cage = Cage::new(Faces::from_polygons(faces)?, 6, Rules::LOOP)?;
 ///
 /// let limit = Limit::new(&cage)?;
@@ -63,7 +65,7 @@ impl Limit {
     ///
     /// A crease or corner that is still sharp counts as infinitely sharp, as in OpenSubdiv; refine
     /// the mesh until it is not, if its limit is wanted. Where faces of Catmull and Clark's scheme
-    /// are not quadrilaterals, the limit is that of the vertices one level finer, which is the same.
+    /// are not quadrilaterals, the limit is taken one level finer, where it is the same.
     ///
     /// - On a crease the first tangent runs along it. The second lies in the surface to the left of
     ///   it. It belongs to the greatest eigenvalue among the vectors that are symmetric about the
@@ -75,8 +77,8 @@ impl Limit {
     /// - At a corner the tangents point along two sharp edges that follow each other around the
     ///   vertex. Where there are not two, the surface has a tip without a tangent plane, and the
     ///   first two edges stand in for it.
-    /// - A vertex of two triangles or quadrilaterals that are back to back has no tangent plane, nor
-    ///   has a vertex without faces: their tangents are 0.
+    /// - A vertex of two triangles or quadrilaterals that are back to back has no tangent plane,
+    ///   nor has a vertex without faces: their tangents are 0.
     ///
     /// # Errors
     ///

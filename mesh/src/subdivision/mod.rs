@@ -1,14 +1,16 @@
 //! Subdivision surfaces: smooth surfaces as the limit of meshes that are refined again and again.
 //!
-//! A [`Cage`] holds faces, creases and [`Rules`]; [`Cage::refine`] gives the next level and the
-//! [`Stencils`] that compute it, which can be applied again to a mesh that moves, or to colours and weights.
+//! [`subdivide`] refines a [`Mesh`](crate::Mesh) with all that it carries. Below it, a [`Cage`]
+//! holds faces, creases and [`Rules`]; [`Cage::refine`] gives the next level and the [`Stencils`]
+//! that compute it, which can be applied again to a mesh that moves, or to colours and weights.
 //! [`Limit`] gives points and normals of the limit surface itself.
 //!
 //! | type | what it is |
 //! | --- | --- |
-//! | [`Scheme`], [`Boundary`], [`CreaseMethod`], [`TextureRule`] | the rules, gathered in [`Rules`] |
+//! | [`Rules`]: [`Scheme`], [`Boundary`], [`CreaseMethod`], [`TextureRule`] | the rules |
 //! | [`Tags`], [`Crease`], [`Corner`], [`TagText`] | sharp edges and vertices, and their text |
 //! | [`Cage`], [`Refined`] | a control mesh without positions, and its next level |
+//! | [`Subdivision`] | a mesh with its attributes, level by level |
 //! | [`CornerValues`] | texture coordinates with their seams |
 //! | [`Stencils`] | fine values as weighted sums of coarse ones |
 //! | [`Limit`] | points and tangents of the limit surface |
@@ -39,6 +41,7 @@ mod corner_values;
 mod error;
 mod limit;
 mod loops;
+mod mesh;
 mod rules;
 mod sharpness;
 mod stencils;
@@ -48,6 +51,7 @@ pub use cage::{Cage, Refined};
 pub use corner_values::CornerValues;
 pub use error::SubdivisionError;
 pub use limit::Limit;
+pub use mesh::{Subdivision, subdivide};
 pub use rules::{Boundary, CreaseMethod, Rules, Scheme, TextureRule};
 pub use stencils::{StencilLength, Stencils, Value};
 pub use tags::{Corner, Crease, INFINITELY_SHARP, TagError, TagProblem, TagText, Tags};

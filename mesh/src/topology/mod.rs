@@ -32,3 +32,4 @@ pub use neighbours::Neighbours;
 pub use report::Report;
 pub(crate) use rings::non_manifold_vertices;
 pub use rings::{Fan, VertexRings};
+pub(crate) use union::DisjointSets;

@@ -282,7 +282,7 @@ fn regular_vertices_have_the_known_masks() {
         [0.625, 0.0625, 0.0625, 0.0625, 0.0625, 0.0625, 0.0625]
     );
 
-    // A vertex of four quadrilaterals: 36, 6 and 1 parts of 64, the tensor product of 1/8, 6/8, 1/8.
+    // A vertex of four quadrilaterals: the tensor product of 1/8, 6/8, 1/8 with itself.
     let shape = grid(2, 2);
     let stencils = shape
         .cage(Rules::CATMULL_CLARK, &Tags::default())

@@ -228,8 +228,8 @@ impl Dense {
             let count = face.len();
             let edge = |place: usize| number[&pair(face[place % count], face[(place + 1) % count])];
             let centre = vertices + edge_count + index as u32;
-            for place in 0..count {
-                let mut child = vec![face[place], edge(place)];
+            for (place, &vertex) in face.iter().enumerate() {
+                let mut child = vec![vertex, edge(place)];
                 if self.rules.scheme == Scheme::CatmullClark {
                     child.push(centre);
                 }

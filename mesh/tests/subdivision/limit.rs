@@ -76,33 +76,43 @@ fn refinement_tends_to_the_limit() {
     }
 }
 
-/// The normals of the faces at a vertex, after many levels, tend to the limit normal, on the side of
-/// a crease that is asked for.
+/// The largest distance of the unit normal of a face at an old vertex from the limit normal there,
+/// after some levels.
+fn normals_off(shape: &Shape, rules: Rules, level: usize) -> f64 {
+    let normals = Limit::new(&shape.cage(rules, &Tags::default())).unwrap();
+    let normals = normals.normals(&shape.positions).unwrap();
+    let (cage, points) = refine(shape, rules, &Tags::default(), level);
+    let mut off = 0.0_f64;
+    for face in cage.faces() {
+        let Some(&vertex) = face.iter().find(|&&v| (v as usize) < normals.len()) else {
+            continue;
+        };
+        let [a, b, c] = [0, 1, face.len() - 1].map(|at| points[face[at] as usize]);
+        let edge = |to: [f64; 3]| [0, 1, 2].map(|axis| to[axis] - a[axis]);
+        let ([x, y, z], [u, v, w]) = (edge(b), edge(c));
+        let cross = [y * w - z * v, z * u - x * w, x * v - y * u];
+        let length = distance(cross, [0.0; 3]);
+        off = off.max(distance(
+            cross.map(|x| x / length),
+            normals[vertex as usize],
+        ));
+    }
+    off
+}
+
 #[test]
 fn face_normals_tend_to_the_limit_normal() {
     for rules in [Rules::LOOP, Rules::CATMULL_CLARK] {
         for shape in shapes() {
             let shape = split(&shape, rules);
-            let normals = Limit::new(&shape.cage(rules, &Tags::default())).unwrap();
-            let normals = normals.normals(&shape.positions).unwrap();
-            let (cage, points) = refine(&shape, rules, &Tags::default(), 7);
-            for face in cage.faces() {
-                let Some(&vertex) = face.iter().find(|&&v| (v as usize) < normals.len()) else {
-                    continue;
-                };
-                let [a, b, c] = [0, 1, face.len() - 1].map(|at| points[face[at] as usize]);
-                let edge = |to: [f64; 3]| [0, 1, 2].map(|axis| to[axis] - a[axis]);
-                let ([x, y, z], [u, v, w]) = (edge(b), edge(c));
-                let cross = [y * w - z * v, z * u - x * w, x * v - y * u];
-                let length = distance(cross, [0.0; 3]);
-                let unit = cross.map(|x| x / length);
-                let far = distance(unit, normals[vertex as usize]);
-                assert!(
-                    far < 0.05,
-                    "{rules:?}: {unit:?}, not {:?}",
-                    normals[vertex as usize]
-                );
-            }
+            let [early, late] = [3, 7].map(|level| normals_off(&shape, rules, level));
+            // The error falls slowest at vertices of valence 8: by the ratio of two eigenvalues of
+            // the ring, which is 0.82 a level for Catmull and Clark, 0.45 in four levels.
+            assert!(
+                late < 0.46 * early + 1e-9,
+                "{rules:?}: {early}, then {late}"
+            );
+            assert!(late < 0.1, "{rules:?}: {late}");
         }
     }
 }
