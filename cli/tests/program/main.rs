@@ -10,4 +10,5 @@ mod demo;
 mod draw;
 mod expand;
 mod mesh;
+mod mesh_subdivide;
 mod render;

@@ -2,6 +2,7 @@
 
 mod convert;
 mod info;
+mod subdivide;
 
 use std::path::Path;
 
@@ -9,7 +10,7 @@ use anyhow::Result;
 use clap::Subcommand;
 use ga_mesh::format::{self, Loaded};
 
-/// Examine and convert polygon meshes.
+/// Examine, convert and refine polygon meshes.
 ///
 /// Files may be Wavefront OBJ with MTL (.obj), PLY (.ply) or glTF 2.0 (.glb, .gltf); the ending of
 /// the name says which.
@@ -23,12 +24,14 @@ pub(crate) struct Arguments {
 enum Command {
     Info(info::Arguments),
     Convert(convert::Arguments),
+    Subdivide(subdivide::Arguments),
 }
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     match &arguments.command {
         Command::Info(arguments) => info::run(arguments, quiet),
         Command::Convert(arguments) => convert::run(arguments, quiet),
+        Command::Subdivide(arguments) => subdivide::run(arguments, quiet),
     }
 }
 
