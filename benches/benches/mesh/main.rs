@@ -3,6 +3,7 @@
 mod bake;
 mod obj;
 mod queries;
+mod subdivision;
 
 use criterion::{criterion_group, criterion_main};
 use nullcone_benches::comparison;
@@ -10,6 +11,6 @@ use nullcone_benches::comparison;
 criterion_group! {
     name = benches;
     config = comparison::criterion();
-    targets = bake::all, obj::all, queries::all
+    targets = bake::all, obj::all, queries::all, subdivision::all
 }
 criterion_main!(benches);
