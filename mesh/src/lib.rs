@@ -12,6 +12,7 @@
 //! | [`Material`], [`Texture`] | the appearance of faces |
 //! | [`Part`] | the faces of one group as a mesh of their own |
 //! | [`atlas`] | cuts a surface into charts and places them in a texture |
+//! | [`bake`] | maps of a fine surface for a coarse one: normals, displacement, colour, occlusion |
 //! | [`query`] | nearest points, rays, overlaps |
 //! | [`subdivision`] | Loop and Catmull–Clark surfaces with creases, stencils and limits |
 //! | [`normals`], [`tangents`] | smooth normals, tangents for normal maps |
@@ -36,6 +37,7 @@
 
 pub mod atlas;
 mod attribute;
+pub mod bake;
 mod colour_space;
 mod error;
 mod faces;

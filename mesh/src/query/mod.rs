@@ -49,6 +49,7 @@
 mod build;
 mod error;
 mod frame;
+mod line;
 mod nearest;
 mod node;
 mod packet;
@@ -59,7 +60,9 @@ use ga_runtime::vga3::Vector;
 
 use crate::MeshError;
 pub use error::QueryError;
+pub(crate) use line::LineHit;
 pub use nearest::Nearest;
+pub(crate) use nearest::closest_weights;
 pub use ray::MeshHit;
 
 use frame::Frame;

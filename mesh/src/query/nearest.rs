@@ -178,6 +178,11 @@ struct Closest<S> {
     square: S,
 }
 
+/// The barycentric coordinates of the point of a triangle that is nearest to a point.
+pub(crate) fn closest_weights(point: Vector<f64>, corners: [Vector<f64>; 3]) -> [f64; 3] {
+    closest(point, corners).weights
+}
+
 /// The point of a triangle that is nearest to a point: the foot of the perpendicular on its plane,
 /// where that lies inside, or else the nearest point of an edge. A degenerate triangle has no
 /// inside.

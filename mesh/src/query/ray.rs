@@ -154,7 +154,7 @@ impl Bvh {
 
     /// The ray made ready for tests with boxes; `None` where it misses them all.
     #[inline(always)]
-    fn slabs(&self, ray: Ray<f64>) -> Option<Slabs> {
+    pub(super) fn slabs(&self, ray: Ray<f64>) -> Option<Slabs> {
         let bounds = self.bounds?;
         let direction = Vector::from(ray.direction());
         let origin = Vector::from(ray.origin());
@@ -196,7 +196,7 @@ impl Bvh {
 }
 
 /// A ray made ready for tests with boxes, in the coordinates of the frame.
-struct Slabs {
+pub(super) struct Slabs {
     /// The bounds through which the ray enters; those through which it leaves are the others of the
     /// same axes.
     near_rows: [usize; 3],
@@ -206,9 +206,9 @@ struct Slabs {
     far: [Children; 3],
     inverse: [Children; 3],
     /// The distance from the origin of the ray to the start.
-    skipped: f64,
-    scale: f64,
-    error: f32,
+    pub(super) skipped: f64,
+    pub(super) scale: f64,
+    pub(super) error: f32,
 }
 
 impl Slabs {
@@ -216,6 +216,15 @@ impl Slabs {
     /// misses the box, or enters it beyond the limit.
     #[inline(always)]
     fn distances(&self, node: &Node, limit: f32) -> [f32; BRANCHES] {
+        let [enters, leaves] = self.interval(node, limit);
+        let missed = Children::splat(f32::INFINITY);
+        Real::select(enters.less_or_equal(leaves), enters, missed).to_array()
+    }
+
+    /// At which distances from the start the ray enters and leaves the box of each child, from zero
+    /// to the limit; it misses boxes that it leaves before it enters them.
+    #[inline(always)]
+    pub(super) fn interval(&self, node: &Node, limit: f32) -> [Children; 2] {
         let mut enters = Children::splat(0.0);
         let mut leaves = Children::splat(limit);
         for axis in 0..3 {
@@ -225,13 +234,12 @@ impl Slabs {
             enters = enters.max(near);
             leaves = leaves.min(far * Children::splat(LARGER));
         }
-        let missed = Children::splat(f32::INFINITY);
-        Real::select(enters.less_or_equal(leaves), enters, missed).to_array()
+        [enters, leaves]
     }
 
     /// A distance along the ray, from the start, in the coordinates of the frame, rounded up.
     #[inline(always)]
-    fn rounded(&self, distance: f64) -> f32 {
+    pub(super) fn rounded(&self, distance: f64) -> f32 {
         ((distance - self.skipped) * self.scale) as f32 * LARGER + self.error
     }
 }

@@ -71,6 +71,9 @@ pub struct Crossing<S: Real> {
     /// The barycentric coordinates of the point times their sum, in the order of the corners. They
     /// have a meaning only where the triangle is hit.
     pub areas: [S; 3],
+    /// The inner product of the direction with the normal `(q − p) × (r − p)` of the corners: less
+    /// than zero where the ray comes from the front.
+    pub slope: S,
 }
 
 impl<S: Real<Mask = bool>> Ray<S> {
@@ -112,12 +115,14 @@ impl<S: Real<Mask = bool>> TriangleTest<S> {
         ];
         let slopes = [Lanes::splat(self.slopes[0]), Lanes::splat(self.slopes[1])];
         let (areas, heights) = sheared(from_origin, slopes);
-        let distance = distance(areas, heights, Lanes::splat(self.along));
+        let along = Lanes::splat(self.along);
+        let distance = distance(areas, heights, along);
         let is_ahead = Lanes::splat(S::zero()).less_than(distance);
         Crossing {
             is_hit: is_inside(areas) & is_ahead & (distance * distance).is_finite(),
             distance,
             areas: areas.coordinates(),
+            slope: slope(areas, along),
         }
     }
 }
@@ -152,7 +157,14 @@ fn is_inside<S: Real>(areas: Vector<S>) -> S::Mask {
 /// The distance along the ray: the mean of the heights, weighted by the areas.
 #[inline(always)]
 fn distance<S: Real>(areas: Vector<S>, heights: Vector<S>, along: S) -> S {
-    areas.dot(heights) / ((areas.e1 + areas.e2 + areas.e3) * along)
+    areas.dot(heights) / slope(areas, along)
+}
+
+/// The inner product of the direction with the normal of the triangle, whose component along the
+/// axis of the ray the shear keeps.
+#[inline(always)]
+fn slope<S: Real>(areas: Vector<S>, along: S) -> S {
+    (areas.e1 + areas.e2 + areas.e3) * along
 }
 
 /// The rotation of the coordinates by which the largest component of a direction becomes the third.
