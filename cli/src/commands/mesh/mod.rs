@@ -1,5 +1,6 @@
 //! `nullcone mesh`: polygon meshes in files.
 
+mod bake;
 mod convert;
 mod info;
 mod subdivide;
@@ -10,7 +11,7 @@ use anyhow::Result;
 use clap::Subcommand;
 use ga_mesh::format::{self, Loaded};
 
-/// Examine, convert and refine polygon meshes.
+/// Examine, convert and refine polygon meshes, and bake maps for them.
 ///
 /// Files may be Wavefront OBJ with MTL (.obj), PLY (.ply) or glTF 2.0 (.glb, .gltf); the ending of
 /// the name says which.
@@ -25,6 +26,7 @@ enum Command {
     Info(info::Arguments),
     Convert(convert::Arguments),
     Subdivide(subdivide::Arguments),
+    Bake(bake::Arguments),
 }
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
@@ -32,6 +34,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         Command::Info(arguments) => info::run(arguments, quiet),
         Command::Convert(arguments) => convert::run(arguments, quiet),
         Command::Subdivide(arguments) => subdivide::run(arguments, quiet),
+        Command::Bake(arguments) => bake::run(arguments, quiet),
     }
 }
 

@@ -1,0 +1,120 @@
+//! The colours of the fine mesh.
+
+use std::path::Path;
+
+use anyhow::{Context, Result};
+use ga_image::colour::LinearColour;
+use ga_mesh::bake::{FinePoint, corner_colours, corner_coordinates};
+use ga_mesh::{Image, Mesh, Texture as Placed};
+use ga_render::texture::{Filter, Sampler, Texture, Wrap};
+
+/// The colour of each point of a mesh, as linear light.
+pub(super) enum Colours {
+    /// Those of the vertices, at the corners of each triangle.
+    Vertices(Vec<[[f64; 4]; 3]>),
+    /// Those of the materials.
+    Materials {
+        /// For each triangle its colour, and its picture if it has one.
+        triangles: Vec<([f64; 3], Option<usize>)>,
+        pictures: Vec<(Texture, Vec<[[f64; 2]; 3]>)>,
+    },
+}
+
+impl Colours {
+    /// The colours of the vertices of a mesh, or else of its materials with their pictures; white
+    /// for faces without a material. `file` is where the mesh was read.
+    pub(super) fn new(mesh: &Mesh, file: &Path) -> Result<Self> {
+        if let Some(colours) = corner_colours(mesh) {
+            return Ok(Self::Vertices(colours));
+        }
+        let mut pictures = Vec::new();
+        let mut of_material = Vec::new();
+        for material in mesh.materials() {
+            let picture = match &material.base_colour_texture {
+                Some(placed) => picture(mesh, placed, file)?,
+                None => None,
+            };
+            let picture = picture.map(|picture| {
+                pictures.push(picture);
+                pictures.len() - 1
+            });
+            let [r, g, b, _] = material.base_colour;
+            of_material.push(([r, g, b], picture));
+        }
+        let mut triangles = Vec::new();
+        for (face, corners) in mesh.faces().iter().enumerate() {
+            let material = mesh.face_materials().get(face).copied().flatten();
+            let colour = material.map_or(([1.0; 3], None), |m| of_material[m as usize]);
+            triangles.extend(std::iter::repeat_n(colour, corners.len() - 2));
+        }
+        Ok(Self::Materials {
+            triangles,
+            pictures,
+        })
+    }
+
+    /// The colour of a point.
+    pub(super) fn at(&self, point: &FinePoint) -> [f32; 3] {
+        let triangle = point.triangle as usize;
+        let colour = match self {
+            Self::Vertices(corners) => {
+                let [r, g, b, _] = point.mean(&corners[triangle]);
+                [r, g, b]
+            }
+            Self::Materials {
+                triangles,
+                pictures,
+            } => {
+                let (colour, picture) = triangles[triangle];
+                let Some(picture) = picture else {
+                    return colour.map(|x| x as f32);
+                };
+                let (texture, coordinates) = &pictures[picture];
+                let texel = texture.at(point.mean(&coordinates[triangle]), 0.0);
+                [0, 1, 2].map(|channel| colour[channel] * texel[channel])
+            }
+        };
+        colour.map(|x| x as f32)
+    }
+}
+
+/// The picture of a material, with the coordinates at which it is taken; `None` where the mesh has
+/// no such coordinates.
+fn picture(
+    mesh: &Mesh,
+    placed: &Placed,
+    file: &Path,
+) -> Result<Option<(Texture, Vec<[[f64; 2]; 3]>)>> {
+    let Some(coordinates) = corner_coordinates(mesh, placed.set as usize) else {
+        return Ok(None);
+    };
+    let picture = match &placed.image {
+        Image::File(path) => {
+            let path = file.parent().unwrap_or(Path::new("")).join(path);
+            ga_image::file::read(path)?
+        }
+        Image::Embedded { bytes, .. } => ga_image::file::decode(bytes)
+            .with_context(|| format!("{}: a picture in it", file.display()))?,
+    };
+    let codes = picture.to_rgba::<u8>();
+    let linear = |&[r, g, b, a]: &[u8; 4]| {
+        let [r, g, b] = LinearColour::from_srgb([r, g, b]).channels();
+        [r, g, b, f64::from(a) / 255.0]
+    };
+    let pixels: Vec<[f64; 4]> = codes.values().iter().map(linear).collect();
+    let sampler = Sampler {
+        wrap: [Wrap::Repeat; 2],
+        filter: Filter::Bilinear,
+    };
+    let texture = Texture::numbers(codes.width(), codes.height(), &pixels, sampler)?;
+    let (sine, cosine) = placed.rotation.sin_cos();
+    let place = |[u, v]: [f64; 2]| {
+        let [x, y] = [placed.scale[0] * u, placed.scale[1] * v];
+        [
+            cosine * x - sine * y + placed.offset[0],
+            sine * x + cosine * y + placed.offset[1],
+        ]
+    };
+    let coordinates = coordinates.into_iter().map(|corners| corners.map(place));
+    Ok(Some((texture, coordinates.collect())))
+}

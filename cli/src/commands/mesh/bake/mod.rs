@@ -1,0 +1,244 @@
+//! `nullcone mesh bake`: maps of a fine mesh for a coarse one.
+
+mod coarse;
+mod colour;
+mod picture;
+mod report;
+
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+use std::time::Instant;
+
+use anyhow::{Context, Result};
+use clap::ValueEnum;
+use ga_mesh::Image;
+use ga_mesh::atlas;
+use ga_mesh::bake::{Bake, Coarse as BakedCoarse, Fine, OcclusionOptions, Options};
+
+use crate::output;
+use crate::progress::Progress;
+use coarse::{Coarse, Images};
+use report::{Report, Steps};
+
+/// Bake the details of a fine mesh into maps for a coarse one.
+///
+/// For instance
+///
+///   nullcone mesh bake --fine scan.obj --coarse game.obj --maps normal,colour --out baked
+///
+/// writes the maps as PNG files and coarse.obj, coarse.mtl and coarse.glb, which show them. The
+/// coarse mesh keeps its texture coordinates if every corner has one; otherwise an atlas is made.
+/// Colours are those of the vertices of the fine mesh, or else those of its materials and their
+/// pictures. With --json, the report has the time of each step, the figures of the atlas (charts,
+/// utilisation, stretch, flipped, overlapping) and the range of the displacement.
+#[derive(Clone, Debug, clap::Args)]
+#[command(verbatim_doc_comment)]
+pub(crate) struct Arguments {
+    /// The mesh with the details.
+    #[arg(long, value_name = "FILE")]
+    fine: PathBuf,
+    /// The mesh that the maps are for.
+    #[arg(long, value_name = "FILE")]
+    coarse: PathBuf,
+    /// The folder for the maps and the coarse mesh.
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+    /// The side of the maps, in texels.
+    #[arg(long, default_value_t = 1024, value_parser = clap::value_parser!(u32).range(1..=i64::from(atlas::MAX_SIZE)))]
+    size: u32,
+    /// The maps, separated by commas.
+    #[arg(
+        long,
+        value_enum,
+        value_delimiter = ',',
+        default_value = "normal,displacement,colour"
+    )]
+    maps: Vec<Map>,
+    /// Make new texture coordinates even if the coarse mesh has its own.
+    #[arg(long)]
+    unwrap: bool,
+    /// In a new atlas, texels around each chart that no other chart claims.
+    #[arg(long, default_value_t = 1, value_name = "TEXELS")]
+    margin: u32,
+    /// How far from the coarse mesh the fine one is looked for along normals, in the unit of the
+    /// meshes; 2 % of the diagonal of the coarse mesh by default.
+    #[arg(long)]
+    distance: Option<f64>,
+    /// Rays for each texel of the occlusion map.
+    #[arg(long, default_value_t = 32)]
+    rays: u32,
+    /// Chooses the directions of these rays.
+    #[arg(long, default_value_t = 0)]
+    seed: u64,
+    /// How far away a surface still hides the sky, in the unit of the meshes; any distance by
+    /// default.
+    #[arg(long, value_name = "DISTANCE")]
+    occlusion_distance: Option<f64>,
+    /// Print the report as one JSON object.
+    #[arg(long)]
+    json: bool,
+}
+
+/// A map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
+enum Map {
+    /// Normals in the tangent frames of the coarse mesh, y up.
+    Normal,
+    /// Heights above the coarse mesh, 16 bits.
+    Displacement,
+    /// Colours, sRGB.
+    #[value(alias = "color")]
+    Colour,
+    /// The part of the sky that is seen.
+    Occlusion,
+}
+
+impl Map {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Normal => "normal",
+            Self::Displacement => "displacement",
+            Self::Colour => "colour",
+            Self::Occlusion => "occlusion",
+        }
+    }
+
+    fn file(self) -> &'static str {
+        match self {
+            Self::Normal => "normal.png",
+            Self::Displacement => "displacement.png",
+            Self::Colour => "colour.png",
+            Self::Occlusion => "occlusion.png",
+        }
+    }
+}
+
+/// The files beside the maps.
+const MESH_FILES: [&str; 3] = ["coarse.obj", "coarse.mtl", "coarse.glb"];
+
+pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+    let maps: BTreeSet<Map> = arguments.maps.iter().copied().collect();
+    let names: Vec<&str> = maps
+        .iter()
+        .map(|map| map.file())
+        .chain(MESH_FILES)
+        .collect();
+    output::check_place(&arguments.out, &names)?;
+    let begin = Instant::now();
+    let progress = Progress::new(maps.len() as u64 + 6, quiet);
+    let mut steps = Steps::new(&progress);
+
+    steps.begin("read");
+    let fine_mesh = super::read(&arguments.fine, quiet)?.mesh;
+    let coarse_mesh = super::read(&arguments.coarse, quiet)?.mesh;
+    let colours = match maps.contains(&Map::Colour) {
+        true => Some(colour::Colours::new(&fine_mesh, &arguments.fine)?),
+        false => None,
+    };
+
+    steps.begin("atlas");
+    let options = atlas::Options {
+        size: arguments.size,
+        margin_texels: arguments.margin,
+        ..atlas::Options::default()
+    };
+    let coarse = Coarse::new(&coarse_mesh, &options, arguments.unwrap)
+        .with_context(|| format!("{}: no texture", arguments.coarse.display()))?;
+
+    steps.begin("hierarchy");
+    let fine = Fine::from_mesh(&fine_mesh)
+        .with_context(|| format!("{}: nothing to bake", arguments.fine.display()))?;
+
+    steps.begin("projection");
+    let mut options = Options::with_size(arguments.size);
+    options.cage_distance = arguments.distance;
+    let surface = BakedCoarse::from_mesh(&coarse.mesh, 0)
+        .with_context(|| format!("{}: nothing to bake", arguments.coarse.display()))?;
+    let bake = Bake::new(&surface, &fine, &options)?;
+
+    let mut pictures = Vec::new();
+    let mut range = None;
+    for &map in &maps {
+        steps.begin(map.name());
+        let picture = match map {
+            Map::Normal => picture::of_normals(&bake.normals()),
+            Map::Displacement => {
+                let (picture, found) = picture::of_heights(&bake.displacement());
+                range = Some(found);
+                picture
+            }
+            Map::Colour => {
+                let colours = colours.as_ref().context("no colours were read")?;
+                picture::of_colours(&bake.colour(|point| colours.at(point)))
+            }
+            Map::Occlusion => {
+                let mut options = OcclusionOptions::default();
+                options.rays = arguments.rays;
+                options.seed = arguments.seed;
+                options.distance = arguments.occlusion_distance.unwrap_or(f64::INFINITY);
+                picture::of_shares(&bake.occlusion(&options)?)
+            }
+        };
+        pictures.push((map, picture));
+    }
+
+    steps.begin("encode");
+    let mut files: Vec<(String, Vec<u8>)> = Vec::new();
+    for (map, picture) in &pictures {
+        files.push((map.file().into(), ga_image::png::encode(picture)?));
+    }
+    let named = |map: Map| maps.contains(&map).then(|| Image::File(map.file().into()));
+    let embedded = |map: Map| {
+        let place = pictures.iter().position(|(other, _)| *other == map)?;
+        Some(Image::Embedded {
+            media_type: "image/png".into(),
+            bytes: files[place].1.as_slice().into(),
+        })
+    };
+    let mut mesh_files = coarse.obj(images(named), "coarse")?;
+    mesh_files.push(("coarse.glb".into(), coarse.glb(images(embedded))?));
+    files.extend(mesh_files);
+
+    steps.begin("write");
+    ga_files::write_all(
+        &arguments.out,
+        files
+            .iter()
+            .map(|(name, contents)| (name.as_str(), &contents[..])),
+    )?;
+
+    let seconds = steps.finish(begin);
+    drop(progress);
+    let report = Report {
+        seconds,
+        size: arguments.size,
+        fine_triangles: fine_mesh.triangles().len(),
+        coarse_triangles: coarse.mesh.faces().len(),
+        unwrapped: coarse.unwrapped,
+        charts: coarse.report.charts,
+        utilisation: coarse.report.utilisation,
+        stretch: coarse.report.stretch_l2,
+        stretch_max: coarse.report.stretch_max,
+        flipped: coarse.report.flipped,
+        overlapping: coarse.report.overlapping_texels,
+        covered_texels: bake.covered_texels(),
+        nearest_texels: bake.nearest_texels(),
+        displacement: range,
+        files: files.into_iter().map(|(name, _)| name).collect(),
+    };
+    if arguments.json {
+        println!("{}", serde_json::to_string_pretty(&report)?);
+    } else if !quiet {
+        print!("{}", report.table(&arguments.out));
+    }
+    Ok(())
+}
+
+/// The maps that a material shows.
+fn images(image: impl Fn(Map) -> Option<Image>) -> Images {
+    Images {
+        colour: image(Map::Colour),
+        normal: image(Map::Normal),
+        occlusion: image(Map::Occlusion),
+    }
+}
