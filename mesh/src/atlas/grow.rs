@@ -124,16 +124,14 @@ impl<'a> Growth<'a> {
                 }
             }
             let chart = self.seeds.len() as u32;
-            let mut axis = self.normals[seed as usize];
-            let mut faces = self.grow_one(seed, axis, chart);
+            let faces = self.grow_one(seed, self.normals[seed as usize], chart);
             // Grown from the border of its neighbours, the chart is one-sided. Its middle is a
             // better place to begin.
             let middle = self.middle(&faces);
             for &face in &faces {
                 self.chart_of[face as usize] = NONE;
             }
-            axis = middle.axis;
-            faces = self.grow_one(middle.face, axis, chart);
+            let faces = self.grow_one(middle.face, middle.axis, chart);
             self.seeds.push(self.middle(&faces));
             frontier.extend(faces);
         }
@@ -197,41 +195,25 @@ impl<'a> Growth<'a> {
         let centre = centre * (1.0 / area);
         let first = self.normals[faces[0] as usize];
         let axis = axis.normalized().unwrap_or(first);
-        let mut nearest = (f64::INFINITY, faces[0]);
-        for &face in faces {
-            if self.normals[face as usize].dot(axis) >= CONE {
-                let offset = surface.centres[face as usize] - centre;
-                nearest = min(nearest, (offset.length_squared(), face));
-            }
-        }
-        if nearest.0 == f64::INFINITY {
-            let axis = first;
-            return Seed {
+        let distance = |face: u32| (surface.centres[face as usize] - centre).length_squared();
+        let within = faces
+            .iter()
+            .filter(|&&face| self.normals[face as usize].dot(axis) >= CONE);
+        match within.min_by(|&&a, &&b| distance(a).total_cmp(&distance(b))) {
+            Some(&face) => Seed { face, axis },
+            // The normals are all around: one face is as good as another.
+            None => Seed {
                 face: faces[0],
-                axis,
-            };
-        }
-        let axis = if self.normals[nearest.1 as usize].dot(axis) >= CONE {
-            axis
-        } else {
-            first
-        };
-        Seed {
-            face: nearest.1,
-            axis,
+                axis: first,
+            },
         }
     }
 
     /// All charts grow at the same time from their middles, and each face goes to the nearest.
     /// Faces outside all cones are left without a chart.
     fn grow_from_middles(&mut self) {
-        let partition = Partition {
-            chart_of: std::mem::take(&mut self.chart_of),
-            charts: self.seeds.len(),
-        };
-        // Faces that have no chart belong to none of the lists.
-        let mut lists: Vec<Vec<u32>> = vec![Vec::new(); partition.charts];
-        for (face, &chart) in partition.chart_of.iter().enumerate() {
+        let mut lists: Vec<Vec<u32>> = vec![Vec::new(); self.seeds.len()];
+        for (face, &chart) in self.chart_of.iter().enumerate() {
             if chart != NONE {
                 lists[chart as usize].push(face as u32);
             }
@@ -330,10 +312,6 @@ impl<'a> Growth<'a> {
             charts: self.seeds.len(),
         }
     }
-}
-
-fn min(a: (f64, u32), b: (f64, u32)) -> (f64, u32) {
-    if b.0 < a.0 { b } else { a }
 }
 
 /// Faces that charts may take, the nearest first; among equally near ones that of lower number.

@@ -99,6 +99,12 @@ pub(super) fn pack(items: &[Item], size: u32, margin: u32) -> Option<Vec<Vec<Fla
     let cell = (size as usize).div_ceil(CELLS);
     let grid = size as usize / cell;
     let margin = margin as usize;
+    let least = (2 * margin + 1)
+        .saturating_pow(2)
+        .saturating_mul(items.len());
+    if least > (size as usize).pow(2) {
+        return None;
+    }
     let mut scale = first_scale(items, size as usize, margin);
     let mut best: Option<(f64, Vec<Placed>)> = None;
     let mut too_large = f64::INFINITY;

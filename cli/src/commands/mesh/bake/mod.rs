@@ -11,6 +11,7 @@ use std::time::Instant;
 
 use anyhow::{Context, Result};
 use clap::ValueEnum;
+use clap::builder::RangedI64ValueParser;
 use ga_mesh::Image;
 use ga_mesh::atlas;
 use ga_mesh::bake::{Bake, Coarse as BakedCoarse, Fine, OcclusionOptions, Options};
@@ -44,7 +45,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
     /// The side of the maps, in texels.
-    #[arg(long, default_value_t = 1024, value_parser = clap::value_parser!(u32).range(1..=i64::from(atlas::MAX_SIZE)))]
+    #[arg(long, default_value_t = 1024, value_parser = size())]
     size: u32,
     /// The maps, separated by commas.
     #[arg(
@@ -111,6 +112,11 @@ impl Map {
             Self::Occlusion => "occlusion.png",
         }
     }
+}
+
+/// Sizes that maps may have.
+fn size() -> RangedI64ValueParser<u32> {
+    clap::value_parser!(u32).range(1..=i64::from(atlas::MAX_SIZE))
 }
 
 /// The files beside the maps.
