@@ -54,7 +54,7 @@ fn check(shape: &Shape, size: u32, margin: u32, least_utilisation: f64) {
     assert!(difference < 1e-6, "{name}: {difference}");
     let difference = (report.utilisation - truth.utilisation).abs();
     assert!(difference < 2e-3, "{name}: {difference}");
-    assert!(report.stretch_max >= report.stretch_l2, "{name}");
+    assert!(report.stretch_max > report.stretch_l2 - 1e-9, "{name}");
 }
 
 #[test]
@@ -199,16 +199,17 @@ fn coordinates_from_elsewhere_are_measured() {
         [0.0, 1.0, 0.0],
     ];
     let triangles = [[0, 1, 2], [0, 2, 3]];
-    let [a, b, c] = [[0.125, 0.125], [0.875, 0.125], [0.875, 0.875]];
+    let [left, right] = [8.25 / 64.0, 56.25 / 64.0];
+    let [a, b, c] = [[left, 0.125], [right, 0.125], [right, 0.875]];
     let options = options(64, 0);
     let report = measure(&page, &triangles, &[[a, b, c], [a, c, b]], &options).unwrap();
     assert_eq!((report.charts, report.flipped), (1, 1));
-    // Half of 48 × 48 texels, with the centres on the diagonal in one of the halves.
+    // Row j of 48 has the centres to the right of its own column.
     assert_eq!(report.overlapping_texels, 48 * 47 / 2);
     let report = measure(
         &page,
         &triangles,
-        &[[a, b, c], [a, c, [0.125, 0.875]]],
+        &[[a, b, c], [a, c, [left, 0.875]]],
         &options,
     );
     let report = report.unwrap();
