@@ -29,43 +29,47 @@ const SECTIONS: [Section; 17] = [
 ];
 
 /// A finger: where its knuckle is on the hand (along, towards the thumb), how far it spreads
-/// towards the thumb (radians), the lengths of its three bones and the radii at their ends.
+/// towards the thumb (radians), how far it bends towards the palm at the knuckle and at each joint
+/// after it (radians), the lengths of its three bones and the radii at their ends.
 struct Finger {
     knuckle: [f64; 2],
     spread: f64,
+    bends: [f64; 3],
     lengths: [f64; 3],
     radii: [f64; 4],
 }
 
+/// At rest the fingers curl, the little finger most.
 const FINGERS: [Finger; 4] = [
     Finger {
-        knuckle: [0.092, 0.0330],
-        spread: 0.15,
+        knuckle: [0.092, 0.0335],
+        spread: 0.13,
+        bends: [0.16, 0.26, 0.18],
         lengths: [0.040, 0.024, 0.017],
-        radii: [0.0094, 0.0092, 0.0084, 0.0070],
+        radii: [0.0094, 0.0090, 0.0082, 0.0066],
     },
     Finger {
         knuckle: [0.096, 0.0110],
-        spread: 0.04,
+        spread: 0.035,
+        bends: [0.20, 0.32, 0.22],
         lengths: [0.044, 0.028, 0.018],
-        radii: [0.0096, 0.0094, 0.0086, 0.0072],
+        radii: [0.0096, 0.0092, 0.0084, 0.0068],
     },
     Finger {
-        knuckle: [0.093, -0.0110],
-        spread: -0.07,
+        knuckle: [0.093, -0.0115],
+        spread: -0.065,
+        bends: [0.23, 0.37, 0.25],
         lengths: [0.041, 0.026, 0.018],
-        radii: [0.0092, 0.0090, 0.0082, 0.0069],
+        radii: [0.0092, 0.0088, 0.0080, 0.0065],
     },
     Finger {
-        knuckle: [0.084, -0.0315],
-        spread: -0.19,
+        knuckle: [0.084, -0.0320],
+        spread: -0.17,
+        bends: [0.27, 0.40, 0.27],
         lengths: [0.032, 0.019, 0.016],
-        radii: [0.0085, 0.0081, 0.0074, 0.0063],
+        radii: [0.0085, 0.0079, 0.0072, 0.0060],
     },
 ];
-
-/// The fingers bend towards the palm by this much at each joint (radians).
-const CURL: f64 = 0.16;
 
 pub(crate) fn solid(landmarks: &Landmarks) -> Solid {
     let mut solid = Solid::default();
@@ -77,9 +81,10 @@ pub(crate) fn solid(landmarks: &Landmarks) -> Solid {
     for finger in &FINGERS {
         let mut from = hand.point(finger.knuckle[0] - 0.006, -0.001, finger.knuckle[1]);
         let sideways = finger.spread;
-        let mut bend = 0.06;
+        let mut bend = 0.0;
         for (i, length) in finger.lengths.iter().enumerate() {
             let length = if i == 0 { length + 0.006 } else { *length };
+            bend += finger.bends[i];
             let to = from + direction(&hand, sideways, bend) * length;
             let radii = [finger.radii[i], finger.radii[i + 1]];
             solid.join(
@@ -87,14 +92,13 @@ pub(crate) fn solid(landmarks: &Landmarks) -> Solid {
                 Shape::Cone { from, to, radii },
             );
             from = to;
-            bend += CURL;
         }
     }
     let thumb = [
         hand.point(0.012, -0.006, 0.020),
-        hand.point(0.048, -0.018, 0.050),
-        hand.point(0.080, -0.024, 0.066),
-        hand.point(0.106, -0.026, 0.072),
+        hand.point(0.046, -0.021, 0.047),
+        hand.point(0.078, -0.032, 0.060),
+        hand.point(0.104, -0.040, 0.062),
     ];
     let radii = [0.0150, 0.0118, 0.0102, 0.0080];
     for i in 0..3 {

@@ -23,7 +23,10 @@ const ROUNDS: usize = 5;
 /// The length of edges in metres on the large surfaces, and on what has details.
 const COARSE: f64 = 0.0170;
 const HAND: f64 = 0.0068;
-const FACE: f64 = 0.0062;
+const FACE: f64 = 0.0044;
+/// What is farther from the middle of the face than the first of these has longer edges, up to the
+/// second.
+const FACE_REACH: [f64; 2] = [0.050, 0.120];
 const HEAD: f64 = 0.0090;
 const FOOT: f64 = 0.010;
 
@@ -53,8 +56,8 @@ fn edge_length(landmarks: &Landmarks, point: Vector) -> f64 {
     let hand = between(HAND, [-0.06, 0.03], -past_wrist);
     let face = between(
         FACE,
-        [0.05, 0.16],
-        point.distance(Vector::new(0.0, 1.60, 0.12)),
+        FACE_REACH,
+        point.distance(Vector::new(0.0, 1.61, 0.11)),
     );
     let head = between(
         HEAD,
