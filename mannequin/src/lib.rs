@@ -1,16 +1,17 @@
 //! A person made by formulas: a closed mesh, a skeleton, skin weights and a walk.
 //!
 //! Nothing is read from a file, so that there is always a figure to animate. The person is an adult
-//! without sex, age or clothes, like an artist's mannequin: 1.75 m tall, facing +z with y up and
+//! without sex or age, like an artist's mannequin, with clothes that are only painted: 1.75 m tall, facing +z with y up and
 //! the left side at +x, in metres. At rest it stands with its feet on the plane y = 0 and its arms
 //! half way down.
 //!
-//! The figure is made in four steps:
+//! The figure is made in five steps:
 //!
 //! - *Shape*: a signed distance. Trunk, limbs and head are lofts through cross-sections given by
 //!   breadth and depth, smoothly joined.
 //! - *Surface*: marching tetrahedra over the left half, remeshed to even triangles and completed by
 //!   its mirror image. It is closed, oriented, connected and without handles.
+//! - *Skin*: an atlas of charts, and a texture of formulas of the place: face, hair, clothes.
 //! - *Weights*: inverse distance to the bones (Cui, eq. 33, see
 //!   [`distance_weights`](ga_anim::distance_weights)) within the part of the body that a point
 //!   belongs to.
@@ -23,6 +24,7 @@ mod frame;
 mod landmarks;
 mod shape;
 mod skeleton;
+mod skin;
 mod surface;
 mod walk;
 mod weights;
@@ -65,7 +67,8 @@ pub const STATURE: f64 = landmarks::STATURE;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Human {
-    /// The skin, about 18,000 vertices in triangles. The left half comes first.
+    /// The skin, about 18,000 vertices in triangles with texture coordinates. The left half comes
+    /// first.
     pub mesh: Mesh,
     /// 21 joints: `Hips`, `Spine`, `Chest`, `Neck` and `Head`, and on either side, after `Left` or
     /// `Right`, `Shoulder`, `UpperArm`, `LowerArm` and `Hand`, `UpperLeg`, `LowerLeg`, `Foot` and
@@ -87,8 +90,10 @@ impl Human {
         let positions = surface.positions.into_iter().map(Position::from).collect();
         let mesh =
             Faces::from_polygons(surface.triangles).and_then(|faces| Mesh::new(positions, faces));
+        let mesh =
+            mesh.expect("the triangles of a surface refer to its vertices, which are finite");
         Human {
-            mesh: mesh.expect("the triangles of a surface refer to its vertices, which are finite"),
+            mesh: skin::with_texture_coordinates(mesh),
             skeleton,
             weights,
         }

@@ -1,0 +1,126 @@
+//! The painted skin: texture coordinates, and the texture that formulas paint.
+
+mod noise;
+mod paint;
+
+use ga_image::plane::Plane;
+use ga_mesh::Mesh;
+use ga_mesh::atlas::{Options, unwrap};
+
+use crate::landmarks::Landmarks;
+use crate::{Human, Vector};
+
+/// The side of the texture in texels for which the charts are placed.
+const SIZE: u32 = 1024;
+
+/// Texels that triangles colour around themselves, so that interpolation finds no others.
+const MARGIN: f64 = 1.5;
+
+impl Human {
+    /// The skin and the clothes as a texture of `size` × `size` texels, 8-bit sRGB, for the texture
+    /// coordinates of the mesh: row 0 is at v = 1. What no triangle covers is the mean colour.
+    ///
+    /// The colours are formulas of the place on the body at rest: a face with eyes, brows and lips,
+    /// freckles, hair, a checked shirt, trousers, a belt and shoes. No two places look quite the
+    /// same, so that pictures of the person can be matched.
+    ///
+    /// ```
+    /// use ga_mannequin::Human;
+    ///
+    /// let texture = Human::new().texture(64);
+    /// assert_eq!((texture.width(), texture.height()), (64, 64));
+    /// ```
+    #[must_use]
+    pub fn texture(&self, size: usize) -> Plane<[u8; 3]> {
+        let landmarks = Landmarks::new();
+        let mut texels = Plane::filled(size, size, None);
+        let Some(coordinates) = self.mesh.texture_coordinates() else {
+            return texels.map(|_: Option<(f64, [u8; 3])>| [0; 3]);
+        };
+        let positions: Vec<Vector> = self.mesh.coordinates().map(Vector::from).collect();
+        for (face, triangle) in self.mesh.triangles().iter().enumerate() {
+            let corners = [0, 1, 2].map(|corner| coordinates.get(3 * face + corner));
+            let [Some(a), Some(b), Some(c)] = corners else {
+                continue;
+            };
+            let places = [a, b, c].map(|[u, v]| [u * size as f64, (1.0 - v) * size as f64]);
+            let corners = triangle.map(|vertex| positions[vertex as usize]);
+            paint_triangle(&mut texels, places, |[p, q, r]| {
+                let point = corners[0] * p + corners[1] * q + corners[2] * r;
+                let colour = paint::colour(&landmarks, point);
+                colour.map(|c| (255.0 * c.clamp(0.0, 1.0)).round() as u8)
+            });
+        }
+        filled(&texels)
+    }
+}
+
+/// The mesh with texture coordinates.
+pub(crate) fn with_texture_coordinates(mesh: Mesh) -> Mesh {
+    let positions: Vec<[f64; 3]> = mesh.coordinates().collect();
+    let options = Options {
+        size: SIZE,
+        ..Options::default()
+    };
+    let atlas = unwrap(&positions, &mesh.triangles(), &options)
+        .expect("a closed surface of even triangles has an atlas");
+    mesh.with_texture_coordinates(vec![atlas.texture_coordinates()])
+        .expect("there are three finite coordinates for each triangle")
+}
+
+/// A texel: how far outside its triangle it lies, and its colour.
+type Texel = Option<(f64, [u8; 3])>;
+
+/// Colours the texels whose centres lie in a triangle or within the margin of it, unless they lie
+/// in another one or nearer to it. `colour` is given the barycentric coordinates of the place in
+/// the triangle that is nearest to the centre, nearly.
+fn paint_triangle(
+    texels: &mut Plane<Texel>,
+    [a, b, c]: [[f64; 2]; 3],
+    colour: impl Fn([f64; 3]) -> [u8; 3],
+) {
+    let size = texels.width();
+    let edge = |p: [f64; 2], q: [f64; 2], x: [f64; 2]| {
+        (q[0] - p[0]) * (x[1] - p[1]) - (q[1] - p[1]) * (x[0] - p[0])
+    };
+    let area = edge(a, b, c);
+    if area == 0.0 {
+        return;
+    }
+    let range = |axis: usize| {
+        let [p, q, r] = [a[axis], b[axis], c[axis]];
+        let low = (p.min(q).min(r) - MARGIN).floor().max(0.0) as usize;
+        let high = (p.max(q).max(r) + MARGIN).ceil().max(0.0) as usize;
+        low..high.min(size)
+    };
+    let length = |p: [f64; 2], q: [f64; 2]| (p[0] - q[0]).hypot(p[1] - q[1]);
+    let lengths = [length(b, c), length(c, a), length(a, b)];
+    for row in range(1) {
+        for column in range(0) {
+            let centre = [column as f64 + 0.5, row as f64 + 0.5];
+            let shares = [edge(b, c, centre), edge(c, a, centre), edge(a, b, centre)];
+            let shares = shares.map(|share| share / area);
+            // The distance from the farthest edge line that the centre lies beyond.
+            let beyond = (0..3).map(|i| -shares[i] * area.abs() / lengths[i]);
+            let outside = beyond.fold(0.0, f64::max);
+            let texel = &mut texels.row_mut(row)[column];
+            if outside > MARGIN || texel.is_some_and(|(nearer, _)| nearer <= outside) {
+                continue;
+            }
+            let inside = shares.map(|share| share.max(0.0));
+            let sum: f64 = inside.iter().sum();
+            *texel = Some((outside, colour(inside.map(|share| share / sum))));
+        }
+    }
+}
+
+/// The colours, with their mean where there is none.
+fn filled(texels: &Plane<Texel>) -> Plane<[u8; 3]> {
+    let colours = || texels.values().iter().flatten().map(|(_, colour)| colour);
+    let count = colours().count().max(1) as u64;
+    let mean = [0, 1, 2].map(|i| {
+        let sum: u64 = colours().map(|colour| u64::from(colour[i])).sum();
+        (sum / count) as u8
+    });
+    texels.map(|texel| texel.map_or(mean, |(_, colour)| colour))
+}
