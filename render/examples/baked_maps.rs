@@ -21,8 +21,7 @@ use ga_mesh::subdivision::{Cage, Rules};
 use ga_mesh::{CornerAttribute, Faces, Mesh, obj, tangents};
 use ga_render::texture::{Filter, Sampler, Texture, Wrap};
 use ga_render::{
-    Attribute, Camera, Material, MaterialChoice, Normals, Object, Scene, Style, ViewDirection,
-    render,
+    Attribute, Camera, Material, MaterialChoice, Object, Scene, Style, ViewDirection, render,
 };
 
 type Picture = Plane<[u8; 3]>;
@@ -98,7 +97,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         picture_of(&occlusion, |[share]| [(255.0 * share).round() as u8; 3]),
     ];
     let reduced = maps.map(|map| shrunk(map, 512));
-    png::write(folder.join("baked_maps.png"), &beside(&halves))?;
+    png::write(folder.join("baked_maps.png"), &beside(&reduced))?;
 
     let (positions, triangles) = match arguments.next() {
         Some(file) => {
