@@ -4,11 +4,11 @@
 #[derive(Debug)]
 pub(crate) enum WordError {
     /// It is not UTF-8, or holds a null byte.
-    NotText,
+    Encoding,
     /// It stands in the place of a number.
-    NotANumber(String),
+    Word(String),
     /// It is a number that is infinite, not a number, or too large.
-    NotFinite(String),
+    Infinite(String),
 }
 
 /// The words of a line up to a comment, which begins with a word that begins with `#`.
@@ -68,7 +68,7 @@ impl<'a> Iterator for Words<'a> {
 pub(crate) fn text(word: &[u8]) -> Result<&str, WordError> {
     match std::str::from_utf8(word) {
         Ok(text) if !text.contains('\0') => Ok(text),
-        _ => Err(WordError::NotText),
+        _ => Err(WordError::Encoding),
     }
 }
 
@@ -99,11 +99,9 @@ pub(crate) fn number(words: &mut Words<'_>) -> Result<Option<f64>, WordError> {
         return Ok(Some(value));
     }
     let word = words.next().map_or(Ok(""), text)?;
-    let value: f64 = word
-        .parse()
-        .map_err(|_| WordError::NotANumber(word.to_owned()))?;
+    let value: f64 = word.parse().map_err(|_| WordError::Word(word.to_owned()))?;
     if !value.is_finite() {
-        return Err(WordError::NotFinite(word.to_owned()));
+        return Err(WordError::Infinite(word.to_owned()));
     }
     Ok(Some(value))
 }

@@ -114,16 +114,16 @@ pub enum ObjProblem {
         /// The name of the library.
         library: String,
         /// The fault and its line in the library.
-        error: MtlError,
+        error: Box<MtlError>,
     },
 }
 
 impl From<WordError> for ObjProblem {
     fn from(error: WordError) -> Self {
         match error {
-            WordError::NotText => ObjProblem::NotText,
-            WordError::NotANumber(word) => ObjProblem::NotANumber { word },
-            WordError::NotFinite(word) => ObjProblem::NotFinite { word },
+            WordError::Encoding => ObjProblem::NotText,
+            WordError::Word(word) => ObjProblem::NotANumber { word },
+            WordError::Infinite(word) => ObjProblem::NotFinite { word },
         }
     }
 }

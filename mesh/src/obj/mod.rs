@@ -42,6 +42,7 @@
 //!
 //! Source: Wavefront, *Advanced Visualizer* manual, appendix B1, "Object Files".
 
+mod check;
 mod error;
 mod lines;
 pub mod mtl;

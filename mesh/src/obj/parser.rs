@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use ga_runtime::vga3::Vector;
 
+use super::check::check_indices;
 use super::lines::Lines;
 use super::{ObjError, ObjProblem};
 use crate::lists::Lists;
@@ -35,6 +36,35 @@ pub(super) struct Statements {
     pub(super) last_line: usize,
 }
 
+/// The lists that an index may refer to.
+#[derive(Clone, Copy)]
+pub(super) enum List {
+    Vertices,
+    Texture,
+    Normals,
+}
+
+impl List {
+    pub(super) fn keyword(self) -> &'static str {
+        match self {
+            List::Vertices => "v",
+            List::Texture => "vt",
+            List::Normals => "vn",
+        }
+    }
+}
+
+impl Statements {
+    /// How many elements a list has so far.
+    pub(super) fn count(&self, list: List) -> usize {
+        match list {
+            List::Vertices => self.positions.len(),
+            List::Texture => self.texture.len(),
+            List::Normals => self.normals.len(),
+        }
+    }
+}
+
 pub(super) fn statements(bytes: &[u8]) -> Result<Statements, ObjError> {
     let mut parser = Parser::default();
     let mut lines = Lines::new(bytes);
@@ -62,24 +92,6 @@ struct Parser {
     open_groups: Vec<usize>,
     open_object: Option<usize>,
     open_material: Option<u32>,
-}
-
-/// The lists that an index may refer to.
-#[derive(Clone, Copy)]
-enum List {
-    Vertices,
-    Texture,
-    Normals,
-}
-
-impl List {
-    fn keyword(self) -> &'static str {
-        match self {
-            List::Vertices => "v",
-            List::Texture => "vt",
-            List::Normals => "vn",
-        }
-    }
 }
 
 /// A corner of a face, indices from 0.
@@ -253,14 +265,14 @@ impl Parser {
     fn short_corner(&self, bytes: &[u8]) -> Option<(Corner, usize)> {
         let (vertex, mut length) = integer(bytes)?;
         let mut corner = Corner {
-            vertex: self.from_zero(vertex, List::Vertices)?,
+            vertex: self.resolve(vertex, List::Vertices)?,
             texture: None,
             normal: None,
         };
         if bytes.get(length) == Some(&b'/') {
             length += 1;
             if let Some((texture, digits)) = integer(&bytes[length..]) {
-                corner.texture = Some(self.from_zero(texture, List::Texture)?);
+                corner.texture = Some(self.resolve(texture, List::Texture)?);
                 length += digits;
                 if bytes.get(length) != Some(&b'/') {
                     return Some((corner, length));
@@ -269,7 +281,7 @@ impl Parser {
                 return None;
             }
             let (normal, digits) = integer(&bytes[length + 1..])?;
-            corner.normal = Some(self.from_zero(normal, List::Normals)?);
+            corner.normal = Some(self.resolve(normal, List::Normals)?);
             length += 1 + digits;
         }
         Some((corner, length))
@@ -328,29 +340,21 @@ impl Parser {
     fn index(&self, word: &str, part: &str, list: List) -> Option<Result<u32, ObjProblem>> {
         let index: i64 = part.parse().ok()?;
         Some(
-            self.from_zero(index, list)
+            self.resolve(index, list)
                 .ok_or_else(|| ObjProblem::IndexOutOfRange {
                     word: word.to_owned(),
                     what: list.keyword(),
                     index,
-                    count: self.count(list),
+                    count: self.read.count(list),
                 }),
         )
     }
 
-    fn count(&self, list: List) -> usize {
-        match list {
-            List::Vertices => self.read.positions.len(),
-            List::Texture => self.read.texture.len(),
-            List::Normals => self.read.normals.len(),
-        }
-    }
-
     /// An index of the file, from 1 or backwards from −1, counted from 0.
     #[inline]
-    fn from_zero(&self, index: i64, list: List) -> Option<u32> {
+    fn resolve(&self, index: i64, list: List) -> Option<u32> {
         let from_zero = if index < 0 {
-            index.checked_add(self.count(list) as i64)?
+            index.checked_add(self.read.count(list) as i64)?
         } else {
             index - 1
         };
@@ -380,71 +384,12 @@ impl Parser {
             read.face_materials.resize(self.face_ends.len(), None);
         }
         read.last_line = last_line;
-        self.check_indices(bytes)?;
         let mut offsets = Vec::with_capacity(self.face_ends.len() + 1);
         offsets.push(0);
         offsets.append(&mut self.face_ends);
         self.read.faces = Faces::from_lists(Lists::new(offsets, self.corners));
+        check_indices(&self.read, bytes)?;
         Ok(self.read)
-    }
-
-    /// Finds the first element that refers to something beyond the end of its list.
-    fn check_indices(&self, bytes: &[u8]) -> Result<(), ObjError> {
-        let beyond = |index: u32, list: List| index as usize >= self.count(list);
-        let problem = |index: u32, list: List| {
-            let index = i64::from(index) + 1;
-            ObjProblem::IndexOutOfRange {
-                word: index.to_string(),
-                what: list.keyword(),
-                index,
-                count: self.count(list),
-            }
-        };
-        let read = &self.read;
-        let optional = |indices: &[Option<u32>], list| {
-            let found = indices
-                .iter()
-                .position(|index| index.is_some_and(|i| beyond(i, list)));
-            found.map(|corner| (corner, list, indices[corner].unwrap_or_default()))
-        };
-        let vertices = &self.corners;
-        let vertex = vertices
-            .iter()
-            .position(|&index| beyond(index, List::Vertices))
-            .map(|corner| (corner, List::Vertices, vertices[corner]));
-        let first = vertex
-            .into_iter()
-            .chain(optional(&read.texture_corners, List::Texture))
-            .chain(optional(&read.normal_corners, List::Normals))
-            .min_by_key(|&(corner, ..)| corner);
-        if let Some((corner, list, index)) = first {
-            let face = self
-                .face_ends
-                .partition_point(|&end| end as usize <= corner);
-            return Err(ObjError {
-                line: line_of(bytes, b"f", face),
-                problem: problem(index, list),
-            });
-        }
-        for (number, line) in read.polylines.iter().enumerate() {
-            if let Some(&index) = line.iter().find(|&&index| beyond(index, List::Vertices)) {
-                return Err(ObjError {
-                    line: line_of(bytes, b"l", number),
-                    problem: problem(index, List::Vertices),
-                });
-            }
-        }
-        if let Some(point) = read
-            .points
-            .iter()
-            .position(|&index| beyond(index, List::Vertices))
-        {
-            return Err(ObjError {
-                line: line_of_point(bytes, point),
-                problem: problem(read.points[point], List::Vertices),
-            });
-        }
-        Ok(())
     }
 }
 
@@ -471,27 +416,6 @@ fn named(groups: &mut Vec<Group>, by_name: &mut HashMap<String, usize>, name: &s
     });
     by_name.insert(name.to_owned(), groups.len() - 1);
     groups.len() - 1
-}
-
-/// The line of the statement of this keyword that comes after `before` others.
-fn line_of(bytes: &[u8], keyword: &[u8], before: usize) -> usize {
-    let mut lines = Lines::new(bytes)
-        .filter(|(_, text)| Words::new(text).next() == Some(keyword))
-        .map(|(line, _)| line);
-    lines.nth(before).unwrap_or(1)
-}
-
-/// The line of the point that comes after `before` others in `p` lines.
-fn line_of_point(bytes: &[u8], before: usize) -> usize {
-    let mut points = Lines::new(bytes).flat_map(|(line, text)| {
-        let mut words = Words::new(&text);
-        let count = match words.next() {
-            Some(b"p") => words.count(),
-            _ => 0,
-        };
-        std::iter::repeat_n(line, count)
-    });
-    points.nth(before).unwrap_or(1)
 }
 
 fn expect_count(

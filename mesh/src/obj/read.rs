@@ -204,7 +204,7 @@ fn add_library(
             line,
             problem: ObjProblem::Library {
                 library: library.to_owned(),
-                error,
+                error: Box::new(error),
             },
         })?;
         materials.extend(read);

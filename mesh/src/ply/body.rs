@@ -36,9 +36,9 @@ impl<'a> Body<'a> {
     pub(super) fn check_count(&self, element: &Element) -> Result<usize, PlyError> {
         let size = element.least_size(self.encoding);
         let left = self.bytes.len() - self.position;
-        let needed = u128::from(element.count) * size as u128;
+        let needed = element.count.saturating_mul(size as u64);
         // The last line of text may lack its end.
-        let room = left as u128 + u128::from(self.encoding == Encoding::Ascii);
+        let room = left as u64 + u64::from(self.encoding == Encoding::Ascii);
         if element.count > 0 && needed > room {
             return Err(PlyError {
                 place: Place::Line(element.line),
@@ -78,7 +78,7 @@ impl<'a> Body<'a> {
         match self.encoding {
             Encoding::Ascii => Place::Line(self.lines),
             _ => Place::Element {
-                kind: element.name.clone(),
+                kind: element.name.as_str().into(),
                 index: self.index,
                 byte: self.begin,
             },
@@ -159,9 +159,9 @@ impl<'a> Body<'a> {
 impl From<WordError> for PlyProblem {
     fn from(error: WordError) -> Self {
         match error {
-            WordError::NotText => PlyProblem::NotText,
-            WordError::NotANumber(word) => PlyProblem::NotANumber { word },
-            WordError::NotFinite(word) => PlyProblem::NotFinite { word },
+            WordError::Encoding => PlyProblem::NotText,
+            WordError::Word(word) => PlyProblem::NotANumber { word },
+            WordError::Infinite(word) => PlyProblem::NotFinite { word },
         }
     }
 }

@@ -6,7 +6,7 @@ use crate::MeshError;
 
 /// What is wrong with a PLY file, and where.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{place}: {problem}")]
+#[error("{place}{problem}")]
 pub struct PlyError {
     /// Where.
     pub place: Place,
@@ -22,7 +22,7 @@ pub enum Place {
     /// An element of a binary file.
     Element {
         /// The kind of element, such as `vertex`.
-        kind: String,
+        kind: Box<str>,
         /// Which one, from 0.
         index: usize,
         /// Where in the file it begins, in bytes from 0.
@@ -32,12 +32,13 @@ pub enum Place {
     File,
 }
 
+/// The beginning of a message: the place and a colon, or nothing for the file as a whole.
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Place::Line(line) => write!(f, "line {line}"),
-            Place::Element { kind, index, byte } => write!(f, "{kind} {index} at byte {byte}"),
-            Place::File => write!(f, "PLY"),
+            Place::Line(line) => write!(f, "line {line}: "),
+            Place::Element { kind, index, byte } => write!(f, "{kind} {index} at byte {byte}: "),
+            Place::File => Ok(()),
         }
     }
 }
@@ -83,7 +84,7 @@ pub enum PlyProblem {
         /// How many the header claims.
         count: u64,
         /// How many bytes they need at least.
-        needed: u128,
+        needed: u64,
         /// How many bytes are left after the header and the elements before.
         left: usize,
     },

@@ -169,10 +169,7 @@ fn every_fault_is_named_with_its_place() {
             header("element tristrips 1\nproperty list int int vertex_indices\nend_header\n1 1\n"),
             "line 3: triangle strips are not supported",
         ),
-        (
-            header("end_header\n"),
-            "PLY: the header declares no vertices",
-        ),
+        (header("end_header\n"), "the header declares no vertices"),
         (
             file("0 0 0\n3 0 0 0 0\n"),
             "line 11: \"0\" follows the end of the element",
@@ -204,7 +201,7 @@ fn every_fault_is_named_with_its_place() {
         ),
         (
             file("0 0 0\n3 0 0 1\n"),
-            "PLY: face 0 refers to vertex 1, but there are 1 vertices",
+            "face 0 refers to vertex 1, but there are 1 vertices",
         ),
         (
             file("0 0 0\n\n\n\n\n"),

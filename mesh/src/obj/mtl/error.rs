@@ -84,9 +84,9 @@ pub enum MtlProblem {
 impl From<WordError> for MtlProblem {
     fn from(error: WordError) -> Self {
         match error {
-            WordError::NotText => MtlProblem::NotText,
-            WordError::NotANumber(word) => MtlProblem::NotANumber { word },
-            WordError::NotFinite(word) => MtlProblem::NotFinite { word },
+            WordError::Encoding => MtlProblem::NotText,
+            WordError::Word(word) => MtlProblem::NotANumber { word },
+            WordError::Infinite(word) => MtlProblem::NotFinite { word },
         }
     }
 }
