@@ -9,12 +9,10 @@ use crate::MeshError;
 /// it. Elements are counted from 0, as in the file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GltfError {
-    /// The elements that lead to the faulty one, from the outside in, as the attribute that refers
-    /// to an accessor.
+    /// The faulty element, last, and before it those that lead to it, from the outside in, as the
+    /// attribute that refers to an accessor.
     pub path: Vec<Element>,
-    /// The faulty element.
-    pub element: Element,
-    /// What is wrong with it.
+    /// What is wrong with the element.
     pub problem: Problem,
 }
 
@@ -212,7 +210,7 @@ pub enum Problem {
     /// A URI that does not name a file beside this one and holds no data.
     Uri(String),
     /// The document does not form a mesh.
-    Mesh(MeshError),
+    Mesh(Box<MeshError>),
     /// A file that this one refers to cannot be read.
     Io {
         /// The file.
@@ -223,11 +221,16 @@ pub enum Problem {
 }
 
 impl GltfError {
+    /// The faulty element.
+    #[must_use]
+    pub fn element(&self) -> &Element {
+        self.path.last().unwrap_or(&Element::File)
+    }
+
     /// A problem of an element.
     pub(super) fn new(element: Element, problem: Problem) -> Self {
         Self {
-            path: Vec::new(),
-            element,
+            path: vec![element],
             problem,
         }
     }
@@ -240,10 +243,10 @@ impl GltfError {
 
     /// The same error, found in what `user` refers to.
     pub(super) fn within(mut self, user: Element) -> Self {
-        if self.element == Element::File {
-            self.element = user;
-        } else if self.element != user {
-            self.path.insert(0, user);
+        match self.path.first_mut() {
+            Some(element) if *element == Element::File => *element = user,
+            Some(element) if *element == user => {}
+            _ => self.path.insert(0, user),
         }
         self
     }
@@ -253,10 +256,10 @@ impl std::error::Error for GltfError {}
 
 impl fmt::Display for GltfError {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        for user in &self.path {
-            write!(f, "{user}: ")?;
+        for element in &self.path {
+            write!(f, "{element}: ")?;
         }
-        write!(f, "{}: {}", self.element, self.problem)
+        self.problem.fmt(f)
     }
 }
 

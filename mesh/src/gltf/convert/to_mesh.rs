@@ -33,9 +33,9 @@ pub(super) fn mesh(document: &Document, vertices: Vertices) -> Result<Mesh, Gltf
         let first_face = parts.faces.len() as u32;
         for primitive in &mesh.primitives {
             let placed = world.place(index, node, primitive);
-            parts
-                .add(primitive, placed)
-                .map_err(|problem| GltfError::new(Element::Node(index), Problem::Mesh(problem)))?;
+            parts.add(primitive, placed).map_err(|problem| {
+                GltfError::new(Element::Node(index), Problem::Mesh(problem.into()))
+            })?;
         }
         let faces = (first_face..parts.faces.len() as u32).collect();
         let name = name(index, node, mesh);
@@ -46,7 +46,7 @@ pub(super) fn mesh(document: &Document, vertices: Vertices) -> Result<Mesh, Gltf
     }
     parts
         .into_mesh(document)
-        .map_err(|problem| GltfError::new(Element::File, Problem::Mesh(problem)))
+        .map_err(|problem| GltfError::new(Element::File, Problem::Mesh(problem.into())))
 }
 
 /// Many nodes may place one mesh. A few bytes for each must not become a mesh of any size, so nodes

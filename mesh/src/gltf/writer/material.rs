@@ -24,7 +24,8 @@ pub(super) fn extensions(document: &Document) -> Vec<String> {
         ("KHR_texture_transform", materials.iter().any(has_transform)),
     ];
     used.into_iter()
-        .filter_map(|(name, is_used)| is_used.then(|| name.to_owned()))
+        .filter(|(_, is_used)| *is_used)
+        .map(|(name, _)| name.to_owned())
         .collect()
 }
 

@@ -573,7 +573,7 @@ fn missing_files_are_named() {
     let ReadError::Contents { problem, .. } = read(&path).unwrap_err() else {
         panic!("the file itself can be read");
     };
-    assert_eq!(problem.element, Element::Buffer(0));
+    assert_eq!(problem.element(), &Element::Buffer(0));
     let (needed, found) = (contents.len() as u64, 100);
     assert_eq!(problem.problem, Problem::TooShort { needed, found });
 
@@ -598,8 +598,7 @@ fn a_bad_document_is_not_written() {
     for name in ["model.gltf", "model.glb"] {
         let error = write(folder.path().join(name), &document).unwrap_err();
         let expected = GltfError {
-            path: Vec::new(),
-            element: Element::Node(0),
+            path: vec![Element::Node(0)],
             problem: Problem::Cycle,
         };
         assert_eq!(error.to_string(), expected.to_string());

@@ -396,8 +396,8 @@ fn transforms_of_textures_change_with_the_direction_of_v() {
         assert_eq!(found.texcoord, 1);
         let found = found.transform.unwrap_or_default();
         assert_eq!((found.rotation, found.scale), (rotation, scale));
-        for axis in 0..2 {
-            assert!((found.offset[axis] - offset[axis]).abs() < 1e-6);
+        for (found, offset) in found.offset.into_iter().zip(offset) {
+            assert!((found - offset).abs() < 1e-6);
         }
     }
 }
