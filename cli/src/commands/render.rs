@@ -11,6 +11,7 @@ use ga_image::picture::PictureView;
 use ga_image::plane::Plane;
 use ga_image::{pfm, png, y4m};
 use ga_mesh::format::{self, Loaded};
+use ga_mesh::gltf;
 use ga_render::model::Model;
 use ga_render::{
     Buffers, Camera, Ground, Polyline, Scene, Shading, Style, SurfacePoint, Visibility, render,
@@ -190,7 +191,13 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
 
 /// The model in a file. What it refers to that is not there is said on standard error.
 fn read(path: &Path) -> Result<Model> {
-    let Loaded { mesh, mut warnings } = format::read(path)?;
+    let Loaded { mesh, mut warnings } = match path.extension().and_then(|e| e.to_str()) {
+        Some("glb" | "gltf") => Loaded {
+            mesh: gltf::read_mesh(path)?,
+            warnings: Vec::new(),
+        },
+        _ => format::read(path)?,
+    };
     let model = Model::from_mesh(&mesh, path.parent());
     let model = model.with_context(|| path.display().to_string())?;
     for warning in model.warnings() {

@@ -104,24 +104,12 @@ fn views_show_the_whole_model() {
         ("eye 0,0,4 target 0,0,0 fov 40", true),
         ("eye 0,4,0.01 target 0,0,0 up 0,0,-1 fov 40", false),
     ] {
-        let arguments = [
-            "render",
-            "square.obj",
-            "--camera",
-            camera,
-            "--size",
-            "80x60",
-        ];
-        let more = [
-            "--out",
-            "p.png",
-            "--background",
-            "#000000",
-            "-q",
-            "--ground",
-        ];
-        let more = if wide { &more[..5] } else { &more[..] };
-        let output = nullcone(folder.path(), arguments.iter().chain(more));
+        let arguments = ["render", "square.obj", "--camera", camera];
+        let more = "--size 80x60 --out p.png --background #000000 -q";
+        let output = nullcone(
+            folder.path(),
+            arguments.into_iter().chain(more.split_whitespace()),
+        );
         assert_success(&output);
         assert!(output.stdout.is_empty());
         let picture = image::open(folder.path().join("p.png")).unwrap().to_rgb8();
@@ -184,7 +172,9 @@ fn a_turntable_sees_both_sides() {
 fn bad_input_leaves_nothing() {
     let folder = tempdir().unwrap();
     prepare(folder.path());
-    std::fs::write(folder.path().join("empty.obj"), "v 0 0 0\n").unwrap();
+    let cloud = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n\
+                 property float z\nend_header\n0 0 0\n";
+    std::fs::write(folder.path().join("cloud.ply"), cloud).unwrap();
     let before = names(folder.path());
     let fails = |arguments: &[&str], parts: &[&str]| {
         let output = nullcone(folder.path(), [&["render"], arguments].concat());
@@ -196,8 +186,8 @@ fn bad_input_leaves_nothing() {
         &["--out p.jpg", ".png or .y4m"],
     );
     fails(
-        &["empty.obj", "--out", "p.png"],
-        &["empty.obj", "no triangle"],
+        &["cloud.ply", "--out", "p.png"],
+        &["cloud.ply", "no triangle"],
     );
     fails(&["none.obj", "--out", "p.png"], &["none.obj"]);
     let with = |more: &[&str], parts: &[&str]| {
