@@ -26,8 +26,9 @@
 //! use ga_mesh::bake::{Bake, Coarse, Fine, Options};
 //! use ga_mesh::obj;
 //!
-//! let square = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
-//! let coarse = Coarse::from_mesh(&obj::parse(square)?, 0)?;
+//! let corners = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+//! let square = b"vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
+//! let coarse = Coarse::from_mesh(&obj::parse(&[&corners[..], square].concat())?, 0)?;
 //! // A slope that rises by 0.01 along x.
 //! let fine = obj::parse(b"v 0 0 0\nv 1 0 0.01\nv 1 1 0.01\nv 0 1 0\nf 1 2 3 4\n")?;
 //! let bake = Bake::new(&coarse, &Fine::from_mesh(&fine)?, &Options::with_size(16))?;

@@ -4,6 +4,7 @@
 
 mod atlas;
 mod attributes;
+mod bake;
 mod damage;
 mod gltf;
 mod materials;
