@@ -8,10 +8,16 @@
 //! | query | method |
 //! | --- | --- |
 //! | the nearest point of the surface | [`Bvh::nearest`], [`Bvh::nearest_within`] |
-//! | what a ray hits first, and whether it hits anything | [`Bvh::first_hit`], [`Bvh::is_hit`] |
+//! | the triangles within a radius of a point | [`Bvh::within`] |
+//! | the triangles that meet a sphere, or a box | [`Bvh::on_sphere`], [`Bvh::in_box`] |
+//! | what a ray hits first, and everything that it hits | [`Bvh::first_hit`], [`Bvh::all_hits`] |
+//! | whether a ray hits anything | [`Bvh::is_hit`] |
+//! | where a line crosses the surface | [`Bvh::crossings`] |
+//! | the section by a plane | [`Bvh::section`], [`Bvh::contours`] |
+//! | signed distance from a closed surface | [`ClosedSurface::signed_distance`] |
 //!
-//! Elements of the algebra go in and come out: points, rays and hits are those of
-//! [`ga_runtime::cga3`] and [`ga_runtime::geometry::ray`].
+//! Elements of the algebra go in and come out: points, spheres, lines and planes are those of
+//! [`ga_runtime::cga3`], rays and their hits those of [`ga_runtime::geometry::ray`].
 //!
 //! # Exactness
 //!
@@ -52,18 +58,23 @@ mod frame;
 mod line;
 mod nearest;
 mod node;
+mod overlap;
 mod packet;
 mod ray;
+mod section;
+mod signed_distance;
 
 use ga_runtime::cga3::Point;
 use ga_runtime::vga3::Vector;
 
 use crate::MeshError;
 pub use error::QueryError;
-pub(crate) use line::LineHit;
 pub use nearest::Nearest;
 pub(crate) use nearest::closest_weights;
+pub use overlap::LineCrossing;
 pub use ray::MeshHit;
+pub use section::{Contour, Segment};
+pub use signed_distance::{ClosedSurface, NotClosed};
 
 use frame::Frame;
 use node::{LEAF, Node};

@@ -2,6 +2,7 @@
 
 mod degenerate;
 mod nearest;
+mod overlap;
 mod plain;
 mod ray;
 mod surface;
