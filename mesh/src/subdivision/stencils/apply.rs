@@ -140,8 +140,8 @@ fn fixed_sum<const LENGTH: usize, V: Value>(
     weights: &[V::Weight; LENGTH],
 ) -> V {
     let mut sum = coarse[indices[0] as usize].times(weights[0]);
-    for place in 1..LENGTH {
-        sum = coarse[indices[place] as usize].add_to(sum, weights[place]);
+    for (&index, &weight) in indices[1..].iter().zip(&weights[1..]) {
+        sum = coarse[index as usize].add_to(sum, weight);
     }
     V::of_sum(sum)
 }
