@@ -4,6 +4,7 @@ use std::io::{ErrorKind, Write};
 use std::path::Path;
 
 use anyhow::{Context, Result, ensure};
+use serde::Serialize;
 
 /// A file to be written.
 pub(crate) struct File {
@@ -19,6 +20,11 @@ pub(crate) fn print(text: &str) -> Result<()> {
         }
         _ => Ok(()),
     }
+}
+
+/// Prints one JSON object to standard output.
+pub(crate) fn print_json(object: &impl Serialize) -> Result<()> {
+    print(&(serde_json::to_string_pretty(object)? + "\n"))
 }
 
 /// Fails early where a folder cannot take these files.

@@ -35,7 +35,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let loaded = super::read(&arguments.file, quiet)?;
     let info = Info::new(&loaded.mesh, loaded.warnings);
     if arguments.json {
-        output::print(&(serde_json::to_string_pretty(&info)? + "\n"))
+        output::print_json(&info)
     } else {
         output::print(&info.table())
     }

@@ -10,6 +10,7 @@ use ga_mesh::subdivision::{
 };
 use ga_mesh::{Mesh, obj};
 
+use crate::output;
 use crate::progress::Progress;
 
 /// A result of more faces than this is taken for a mistake.
@@ -104,10 +105,10 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     drop(progress);
     if !quiet {
         let (vertices, faces) = (fine.vertex_count(), fine.faces().len());
-        println!(
-            "wrote {}: {vertices} vertices, {faces} faces",
+        output::print(&format!(
+            "wrote {}: {vertices} vertices, {faces} faces\n",
             out.display()
-        );
+        ))?;
     }
     Ok(())
 }

@@ -233,9 +233,9 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         files: files.into_iter().map(|(name, _)| name).collect(),
     };
     if arguments.json {
-        println!("{}", serde_json::to_string_pretty(&report)?);
+        output::print_json(&report)?;
     } else if !quiet {
-        print!("{}", report.table(&arguments.out));
+        output::print(&report.table(&arguments.out))?;
     }
     Ok(())
 }
