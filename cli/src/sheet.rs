@@ -3,7 +3,7 @@
 use anyhow::{Context, Result};
 use ga_anim::skin::Method;
 use ga_render::sheet::{Frame, Layout, Options, contact_sheet};
-use ga_render::{Style, ViewDirection};
+use ga_render::{Light, Lighting, Style, ViewDirection};
 
 use crate::figure::Figure;
 use crate::storyboard::Storyboard;
@@ -52,6 +52,7 @@ pub(crate) fn draw(figure: &Figure, storyboard: &Storyboard, title: &str) -> Res
             width: 240,
             height: 320,
             supersampling: 3,
+            lighting: lighting(),
             ..Style::default()
         },
         ..Options::default()
@@ -64,6 +65,18 @@ pub(crate) fn draw(figure: &Figure, storyboard: &Storyboard, title: &str) -> Res
         width: image.width(),
         height: image.height(),
     })
+}
+
+/// The usual light with the main one higher, so that the shadow is short and the figure large.
+fn lighting() -> Lighting {
+    let usual = Style::default().lighting;
+    Lighting {
+        key: Light {
+            direction: [-0.40, 1.0, 0.45],
+            ..usual.key
+        },
+        ..usual
+    }
 }
 
 /// The mean direction in which the figure looks, as an azimuth about the y axis from +z towards +x.

@@ -61,7 +61,7 @@ impl Default for ViewDirection {
 
 impl ViewDirection {
     /// The unit vector from the model towards the camera.
-    fn towards_camera(self) -> Vector {
+    pub(crate) fn towards_camera(self) -> Vector {
         let (sin_azimuth, cos_azimuth) = self.azimuth.sin_cos();
         let (sin_elevation, cos_elevation) = self.elevation.sin_cos();
         Vector::new(
@@ -69,6 +69,11 @@ impl ViewDirection {
             sin_elevation,
             cos_azimuth * cos_elevation,
         )
+    }
+
+    /// The unit vector to the right in the picture.
+    pub(crate) fn right(self) -> Vector {
+        Vector::new(self.azimuth.cos(), 0.0, -self.azimuth.sin())
     }
 }
 
@@ -221,7 +226,7 @@ impl Camera {
             return Err(RenderError::Camera("its elevation is beyond a right angle"));
         }
         let backward = view.towards_camera();
-        let right = Vector::new(view.azimuth.cos(), 0.0, -view.azimuth.sin());
+        let right = view.right();
         let up = backward.cross(right);
         let forward = -backward;
 

@@ -1,7 +1,8 @@
 //! The position of the camera for each frame.
 
 use super::{Frame, Options, SheetError};
-use crate::{Camera, Ground, RenderError};
+use crate::shade::WorldLighting;
+use crate::{Camera, Ground, RenderError, Vector};
 
 /// Whether the camera follows the figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,30 +40,53 @@ impl Stage {
         let seen = frames.iter().zip(&middles).flat_map(|(frame, middle)| {
             points(frame).map(move |p| std::array::from_fn(|axis| p[axis] - middle[axis]))
         });
+        let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);
+        for [_, y, _] in seen.clone() {
+            lowest = lowest.min(y);
+            highest = highest.max(y);
+        }
+        let extent = Some(highest - lowest).filter(|&extent| extent > 0.0);
+
+        let ground = options.ground.unwrap_or(lowest);
+        let towards_light = towards_key_light(options);
+        let shadows = seen
+            .clone()
+            .filter_map(|p| shadow_of(p, ground, towards_light?));
         let camera = Camera::fit(
-            seen.clone(),
+            seen.chain(shadows),
             options.view,
             FIELD_OF_VIEW,
             options.style.aspect(),
             MARGIN,
         )?;
-
-        let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);
-        for [_, y, _] in seen {
-            lowest = lowest.min(y);
-            highest = highest.max(y);
-        }
-        let extent = Some(highest - lowest).filter(|&extent| extent > 0.0);
         Ok(Self {
             cameras: middles.iter().map(|&m| camera.moved_by(m)).collect(),
             ground: Ground {
-                height: options.ground.unwrap_or(lowest),
+                height: ground,
                 grid: options
                     .grid
                     .unwrap_or_else(|| round_number(extent.unwrap_or(1.0) / 3.0)),
             },
         })
     }
+}
+
+/// The direction towards the light whose shadow is drawn, if one is.
+fn towards_key_light(options: &Options) -> Option<Vector> {
+    let backward = options.view.towards_camera();
+    let right = options.view.right();
+    let lighting = WorldLighting::new(&options.style.lighting, -backward, right)?;
+    (options.style.shadow > 0.0).then(|| lighting.towards_key())
+}
+
+/// The shadow of a point on the ground, unless the light stands too low for a picture to hold it:
+/// the shadow would be longer than twice the height of the point.
+fn shadow_of(point: [f64; 3], ground: f64, towards_light: Vector) -> Option<[f64; 3]> {
+    let point = Vector::from(point);
+    let level = towards_light.e1.hypot(towards_light.e3);
+    let height = point.e2 - ground;
+    (towards_light.e2 > 0.5 * level && height > 0.0)
+        .then(|| (point - towards_light * (height / towards_light.e2)).coordinates())
 }
 
 fn points<'a>(frame: &Frame<'a>) -> impl Iterator<Item = [f64; 3]> + Clone + use<'a> {

@@ -1,8 +1,8 @@
 //! Contact sheets: the frames of an animation side by side, with key frames marked.
 //!
 //! [`contact_sheet`] draws every frame with one camera direction and one scale, chosen so that the
-//! whole figure is in every picture, and puts the pictures under each other in rows with captions.
-//! A [`Frame`] is the mesh at one moment: plain positions, however they were found.
+//! whole figure with its shadow is in every picture, and puts the pictures under each other in rows
+//! with captions. A [`Frame`] is the mesh at one moment: plain positions, however they were found.
 //!
 //! ```
 //! use ga_render::sheet::{Frame, Kind, Options, contact_sheet};
