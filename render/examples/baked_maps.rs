@@ -281,9 +281,11 @@ fn picture(
     };
     // The same camera for the fine and the coarse surface.
     let points: Vec<[f64; 3]> = match view == torus_view() {
-        true => [-1.45, 1.45]
-            .iter()
-            .flat_map(|&x| [[x, -0.4, 0.0], [x, 0.4, 0.0], [0.0, -0.4, x], [0.0, 0.4, x]])
+        true => (0..128)
+            .map(|step| {
+                let (sine, cosine) = (TAU * f64::from(step / 2) / 64.0).sin_cos();
+                [1.44 * cosine, [-0.3, 0.3][step as usize % 2], 1.44 * sine]
+            })
             .collect(),
         false => object.positions.to_vec(),
     };
