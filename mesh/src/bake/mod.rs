@@ -31,7 +31,8 @@
 //! let coarse = Coarse::from_mesh(&obj::parse(&[&corners[..], square].concat())?, 0)?;
 //! // A slope that rises by 0.01 along x.
 //! let fine = obj::parse(b"v 0 0 0\nv 1 0 0.01\nv 1 1 0.01\nv 0 1 0\nf 1 2 3 4\n")?;
-//! let bake = Bake::new(&coarse, &Fine::from_mesh(&fine)?, &Options::with_size(16))?;
+//! let fine = Fine::from_mesh(&fine)?;
+//! let bake = Bake::new(&coarse, &fine, &Options::with_size(16))?;
 //!
 //! let height = bake.displacement().get(15, 0).unwrap()[0];
 //! assert!((height - 0.01 * 15.5 / 16.0).abs() < 1e-6);
