@@ -51,8 +51,8 @@ pub struct SurfacePoint {
     pub depth: f64,
     /// The distance from the eye.
     pub distance: f64,
-    /// The unit normal for shading, without normal maps, in the world: on the side of the triangle's
-    /// orientation, whichever side is seen.
+    /// The unit normal for shading, without normal maps, in the world: on the side of the
+    /// triangle's orientation, whichever side is seen.
     pub normal: [f64; 3],
     /// Texture coordinates, if the triangle has any: u to the right, v up.
     pub texture_coordinates: Option<[f64; 2]>,
@@ -130,8 +130,8 @@ impl<'a> Buffers<'a> {
         self.plane(|seen| seen.map_or(f32::INFINITY, |seen| seen.distance as f32))
     }
 
-    /// Texture coordinates u and v, and a mask that is 1 where there are any, else 0; where it is 0,
-    /// u and v are 0.
+    /// Texture coordinates u and v, and a mask that is 1 where there are any, else 0; where it is
+    /// 0, u and v are 0.
     pub fn texture_coordinates(&self) -> Plane<[f32; 3]> {
         self.plane(|seen| {
             let coordinates = seen.and_then(|seen| seen.texture_coordinates);

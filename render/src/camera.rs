@@ -125,10 +125,10 @@ impl Camera {
 
     /// A camera with given intrinsics in a given pose.
     ///
-    /// The motor takes the world into the camera's frame, which has the axes of computer vision: *x*
-    /// to the right, *y* down, *z* forwards. The picture is as large as [`Style`](crate::Style)
-    /// says; the intrinsics are those of that picture. Nothing nearer than the depth `near` is
-    /// drawn.
+    /// The motor takes the world into the camera's frame, which has the axes of computer vision:
+    /// *x* to the right, *y* down, *z* forwards. The picture is as large as
+    /// [`Style`](crate::Style) says; the intrinsics are those of that picture. Nothing nearer than
+    /// the depth `near` is drawn.
     ///
     /// # Errors
     ///
@@ -142,8 +142,8 @@ impl Camera {
     /// let intrinsics = Intrinsics::new([500.0, 500.0], [319.5, 239.5]);
     /// let pose = Motor::from(Translator::from_displacement([0.0, 0.0, 2.0]));
     /// let camera = Camera::pinhole(intrinsics, pose, 0.1)?;
-    /// // u = 500 · 0.1/2 + 319.5 = 344.5 and v = 500 · 0.2/2 + 239.5 = 289.5; columns and rows count
-    /// // from a corner, u and v from the middle of the first pixel.
+    /// // u = 500 · 0.1/2 + 319.5 = 344.5 and v = 500 · 0.2/2 + 239.5 = 289.5; columns and rows
+    /// // count from a corner, u and v from the middle of the first pixel.
     /// let [column, row, depth] = camera.project([0.1, 0.2, 0.0], 640, 480).unwrap();
     /// assert!((column - 345.0).abs() < 1e-12 && (row - 290.0).abs() < 1e-12 && depth == 2.0);
     /// # Ok::<(), ga_render::RenderError>(())

@@ -15,8 +15,8 @@ pub struct Ground {
 }
 
 impl Ground {
-    /// The depth at which a ray of depth 1 in the camera's frame meets the ground; infinite where it
-    /// does not.
+    /// The depth at which a ray of depth 1 in the camera's frame meets the ground; infinite where
+    /// it does not.
     pub(crate) fn depth(&self, camera: &Camera, ray: Vector) -> f64 {
         let fall = camera.world_direction(ray).e2;
         let depth = (self.height - camera.eye()[1]) / fall;

@@ -86,8 +86,8 @@ pub struct Rendering {
 
 /// Draws a scene.
 ///
-/// Surfaces are drawn two-sided; triangles without area are left out. Parts nearer than the camera's
-/// near depth or beyond its far depth are cut off exactly.
+/// Surfaces are drawn two-sided; triangles without area are left out. Parts nearer than the
+/// camera's near depth or beyond its far depth are cut off exactly.
 ///
 /// # Errors
 ///

@@ -161,8 +161,8 @@ fn seen(
 
 /// Points over the hemisphere around the third axis, rotated differently for each pixel of a tile.
 fn points(radius: f64) -> [[Vector; POINTS]; TILE * TILE] {
-    // Steps of these fractions of the unit interval, of the golden ratio and of the plane's analogue
-    // of it, spread any number of directions and distances evenly.
+    // Steps of these fractions of the unit interval, of the golden ratio and of the plane's
+    // analogue of it, spread any number of directions and distances evenly.
     const AROUND: f64 = 0.618_033_988_749_895;
     const ALONG: f64 = 0.569_840_290_998_053_2;
     let share = |index: usize| index as f64 / (TILE * TILE) as f64;

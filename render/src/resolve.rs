@@ -96,12 +96,12 @@ impl Resolver<'_> {
         let n = self.style.supersampling as usize;
         let mut seen = [NO_TRIANGLE; MOST * MOST];
         let mut nearest = 0f32;
-        for sample in 0..n * n {
+        for (sample, seen) in seen.iter_mut().enumerate().take(n * n) {
             let (x, y) = (column * n + sample % n, row * n + sample / n);
             let index = y * self.samples.width + x;
             let inverse = self.samples.inverse_depth[index];
             if inverse > 0.0 && !self.is_below_ground(x, y, inverse) {
-                seen[sample] = self.samples.triangle[index];
+                *seen = self.samples.triangle[index];
                 nearest = nearest.max(inverse);
             }
         }
@@ -114,9 +114,9 @@ impl Resolver<'_> {
                 continue;
             }
             let (mut count, mut across, mut down) = (0.0, 0.0, 0.0);
-            for sample in first..n * n {
-                if seen[sample] == triangle {
-                    seen[sample] = NO_TRIANGLE;
+            for (sample, seen) in seen.iter_mut().enumerate().take(n * n).skip(first) {
+                if *seen == triangle {
+                    *seen = NO_TRIANGLE;
                     count += 1.0;
                     across += (sample % n) as f64;
                     down += (sample / n) as f64;

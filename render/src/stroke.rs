@@ -137,8 +137,8 @@ impl Surfaces<'_> {
         if triangle == NO_TRIANGLE || f64::from(self.samples.inverse_depth[index]) <= least {
             return behind_ground;
         }
-        // The sample lies beside the place: on a steep surface, that changes the depth. The plane of
-        // the triangle p₁ p₂ p₃ has the inverse depth Σ det(ray, pⱼ, pₖ) / det(p₁, p₂, p₃).
+        // The sample lies beside the place: on a steep surface, that changes the depth. The plane
+        // of the triangle p₁ p₂ p₃ has the inverse depth Σ det(ray, pⱼ, pₖ) / det(p₁, p₂, p₃).
         let corners = self.world.face(triangle).view();
         let total: f64 = volumes(ray, corners).iter().sum();
         let exact = total / corners[0].dot(corners[1].cross(corners[2]));

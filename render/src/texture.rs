@@ -187,8 +187,8 @@ impl Texture {
         self.levels[0].height
     }
 
-    /// Red, green, blue and alpha at texture coordinates (u, v), for a pixel of the rendered picture
-    /// that is `footprint` pixels of the texture wide.
+    /// Red, green, blue and alpha at texture coordinates (u, v), for a pixel of the rendered
+    /// picture that is `footprint` pixels of the texture wide.
     pub fn at(&self, coordinates: [f64; 2], footprint: f64) -> [f64; 4] {
         match self.sampler.filter {
             Filter::Nearest => self.levels[0].nearest(coordinates, self.sampler.wrap),

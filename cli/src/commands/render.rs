@@ -22,9 +22,9 @@ use crate::view::{View, bounds};
 
 /// Draw a model.
 ///
-/// The model is Wavefront OBJ with its materials and textures, PLY or glTF. It is lit by a key light
-/// from the upper left of the camera, a weak light from the right and light from all around; objects
-/// cast shadows.
+/// The model is Wavefront OBJ with its materials and textures, PLY or glTF. It is lit by a key
+/// light from the upper left of the camera, a weak light from the right and light from all around;
+/// objects cast shadows.
 ///
 /// The camera (--camera) is one of
 ///
@@ -83,10 +83,10 @@ pub(crate) struct Arguments {
     ///
     /// depth.pfm holds the distance along the viewing direction and distance.pfm that from the eye,
     /// both infinite where nothing is seen; uv.pfm texture coordinates and a mask; normal.pfm the
-    /// normal in the world; identity.png, with 16 bits for each channel, the object, counted from 1,
-    /// in red and the triangle, counted from 1, in green (multiples of 65536) and blue (the rest);
-    /// material.png, grey with 16 bits, the material, counted from 1. Where nothing is seen, all
-    /// these are 0.
+    /// normal in the world; identity.png, with 16 bits for each channel, the object, counted from
+    /// 1, in red and the triangle, counted from 1, in green (multiples of 65536) and blue (the
+    /// rest); material.png, grey with 16 bits, the material, counted from 1. Where nothing is seen,
+    /// all these are 0.
     #[arg(long, value_name = "DIR")]
     buffers: Option<PathBuf>,
 }
@@ -328,13 +328,13 @@ fn floats(plane: &Plane<[f32; 3]>) -> Result<Vec<u8>> {
 }
 
 fn parse_size(text: &str) -> Result<[u32; 2]> {
+    let side = |text: &str| text.trim().parse::<u32>().ok().filter(|&side| side > 0);
     let sides = text
         .split_once(['x', 'X', '×'])
-        .and_then(|(width, height)| {
-            let [width, height] = [width, height].map(|side| side.trim().parse().ok());
-            Some([width?, height?])
-        });
-    sides.with_context(|| format!("--size {text}: not of the form WxH, such as 1280x720"))
+        .and_then(|(width, height)| Some([side(width)?, side(height)?]));
+    sides.with_context(|| {
+        format!("--size {text}: not two numbers above 0 of the form WxH, such as 1280x720")
+    })
 }
 
 fn parse_colour(text: &str) -> Result<LinearColour> {

@@ -110,7 +110,7 @@ impl Model {
         })
     }
 
-    /// The ends of all edges of triangles, each edge once for each triangle part.
+    /// The ends of the edges of all triangles; an edge that triangles of one object share, once.
     pub fn edges(&self) -> Vec<[[f64; 3]; 2]> {
         let mut edges = Vec::new();
         for part in &self.parts {
