@@ -194,7 +194,7 @@ fn bad_input_leaves_nothing() {
         fails(&[&["square.obj", "--out", "p.png"], more].concat(), parts);
     };
     with(&["--size", "80"], &["--size 80", "WxH"]);
-    with(&["--size", "0x5"], &["width or height is zero"]);
+    with(&["--size", "0x5"], &["--size 0x5", "above 0"]);
     with(&["--turntable", "0"], &["--turntable 0"]);
     with(&["--samples", "9"], &["supersampling"]);
     with(&["--background", "grey"], &["--background grey"]);
