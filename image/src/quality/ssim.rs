@@ -306,8 +306,8 @@ fn along_row(
     for (i, mean) in means.iter_mut().enumerate() {
         let middle = LANES * i + RADIUS;
         let mut sum = Columns::splat(weights[0]) * columns(middle);
-        for d in 1..=RADIUS {
-            sum += Columns::splat(weights[d]) * (columns(middle - d) + columns(middle + d));
+        for (d, &weight) in weights.iter().enumerate().skip(1) {
+            sum += Columns::splat(weight) * (columns(middle - d) + columns(middle + d));
         }
         *mean = sum;
     }

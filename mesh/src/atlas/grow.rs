@@ -267,10 +267,9 @@ impl<'a> Growth<'a> {
                 number[chart as usize] = 0;
             }
         }
-        let mut kept = 0;
-        for number in number.iter_mut().filter(|number| **number != NONE) {
-            *number = kept;
-            kept += 1;
+        let kept = number.iter_mut().filter(|number| **number != NONE);
+        for (place, number) in kept.enumerate() {
+            *number = place as u32;
         }
         for chart in self.chart_of.iter_mut().filter(|chart| **chart != NONE) {
             *chart = number[*chart as usize];

@@ -178,12 +178,12 @@ impl Mask {
             }
             let mut above = vec![0; self.stride];
             for row in 0..self.height {
-                for at in 0..self.stride {
+                for (at, above) in above.iter_mut().enumerate() {
                     let place = row * self.stride + at;
                     let word = self.words[place];
                     let below = self.words.get(place + self.stride).copied().unwrap_or(0);
-                    self.words[place] = word | above[at] | below;
-                    above[at] = word;
+                    self.words[place] = word | *above | below;
+                    *above = word;
                 }
             }
         }
@@ -233,7 +233,7 @@ impl Mask {
         // The cells up to `column`, at the high end of the word.
         let mut ones = (row[at] << (63 - column % 64)).leading_ones() as usize;
         let mut start = column + 1 - ones;
-        while start % 64 == 0 && start > 0 && ones > 0 {
+        while start.is_multiple_of(64) && start > 0 && ones > 0 {
             at -= 1;
             ones = row[at].leading_ones() as usize;
             start -= ones;

@@ -69,7 +69,7 @@ pub(super) fn measure(
         flat_area += flat;
         stretched += squared * on_surface;
         greatest = greatest.max(squared);
-        flipped += usize::from(!(flat > 0.0));
+        flipped += usize::from(flat <= 0.0 || flat.is_nan());
     }
     let report = Report {
         charts: charts.len(),

@@ -224,7 +224,7 @@ impl Shape {
             .map(|eighth| (mask.height - 1) * eighth / 7)
             .map(|row| (row, mask.longest_run(row, false)))
             .collect();
-        runs.sort_by(|a, b| b.1.cmp(&a.1));
+        runs.sort_by_key(|&(_, length)| std::cmp::Reverse(length));
         Self { mask, order, runs }
     }
 }

@@ -32,7 +32,7 @@ pub(super) fn relax(chart: &Chart, image: &mut [Flat]) {
         }
         let direction = solve(chart, &rest, &hessians, &gradient);
         let descent: f64 = dot(&gradient, &direction);
-        if !(descent < 0.0) {
+        if descent >= 0.0 || descent.is_nan() {
             return;
         }
         let mut step = (0.9 * first_fold(chart, image, &direction)).min(1.0);
@@ -213,12 +213,12 @@ fn solve(chart: &Chart, rest: &[Rest], hessians: &[[[f64; 4]; 4]], gradient: &[F
     let mut measure = dot(&residual, &conditioned);
     let enough = 1e-6 * measure;
     for _ in 0..INNER {
-        if !(measure > enough) {
+        if measure <= enough || measure.is_nan() {
             break;
         }
         apply(&direction, &mut product);
         let curvature = dot(&direction, &product);
-        if !(curvature > 0.0) {
+        if curvature <= 0.0 || curvature.is_nan() {
             break;
         }
         let step = measure / curvature;

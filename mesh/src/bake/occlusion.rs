@@ -49,7 +49,7 @@ impl Hemisphere {
             let what = "number of rays";
             return Err(BakeError::Number { what, value });
         }
-        if !(distance > 0.0) {
+        if distance <= 0.0 || distance.is_nan() {
             let what = "distance of occlusion";
             return Err(BakeError::Number {
                 what,

@@ -37,7 +37,7 @@ impl Frame {
     pub(super) fn rounded(position: Vector<f64>, far: f64) -> ([f32; 3], f32) {
         let position = position.coordinates();
         let size = position.into_iter().map(f64::abs).fold(1.0, f64::max);
-        if !(size < 1e15) {
+        if size >= 1e15 {
             return ([0.0; 3], f32::INFINITY);
         }
         let error = POSITION_ERROR * size as f32 + (far * (1.0 / (1_u64 << 48) as f64)) as f32;

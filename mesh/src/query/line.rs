@@ -41,7 +41,7 @@ impl Bvh {
         let mut limit = rounded(best);
         let mut stack = Stack::new();
         while let Some((distance, reference)) = stack.pop() {
-            if !(distance <= limit) {
+            if distance > limit {
                 continue;
             }
             if reference & LEAF == 0 {

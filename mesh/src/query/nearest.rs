@@ -6,7 +6,7 @@ use ga_runtime::vga3::Vector;
 
 use super::frame::Frame;
 use super::node::{BRANCHES, Children, LEAF, Node, Stack};
-use super::packet::{Four, Packet, WIDTH};
+use super::packet::{Four, Packet};
 use super::{Bvh, QueryError};
 
 /// A point of the surface, and its distance from the point of a query.
@@ -83,8 +83,8 @@ impl Bvh {
         let point = splat(position);
         self.approach(position, best, |packet| {
             let squares = closest(point, packet.vectors()).square.to_array();
-            for lane in 0..WIDTH {
-                let (square, triangle) = (squares[lane], packet.triangles[lane]);
+            for (lane, square) in squares.into_iter().enumerate() {
+                let triangle = packet.triangles[lane];
                 if square <= best
                     && (square < best || found.is_none_or(|(_, _, other)| triangle < other))
                 {
@@ -114,8 +114,8 @@ impl Bvh {
             below: [Children::splat(error); 3],
             above: [Children::splat(-error); 3],
         };
-        for axis in 0..3 {
-            let x = Children::splat(position[axis]);
+        for (axis, x) in position.into_iter().enumerate() {
+            let x = Children::splat(x);
             reach.below[axis] += x;
             reach.above[axis] += x;
         }
@@ -124,7 +124,7 @@ impl Bvh {
         let mut limit = rounded(limit);
         let mut stack = Stack::new();
         while let Some((square, reference)) = stack.pop() {
-            if !(square <= limit) {
+            if square > limit {
                 continue;
             }
             if reference & LEAF == 0 {

@@ -214,10 +214,12 @@ fn meets_box(corners: [Vector<f64>; 3], [low, high]: [Vector<f64>; 2]) -> bool {
         least > reach || greatest < -reach
     };
     let units = [Vector::X, Vector::Y, Vector::Z];
-    !(low.e1 > high.e1 || low.e2 > high.e2 || low.e3 > high.e3)
-        && !units.into_iter().any(is_separated)
-        && !is_separated(sides[0].cross(sides[1]))
-        && !units
+    let is_empty = low.e1 > high.e1 || low.e2 > high.e2 || low.e3 > high.e3;
+    let is_apart = is_empty
+        || units.into_iter().any(is_separated)
+        || is_separated(sides[0].cross(sides[1]))
+        || units
             .into_iter()
-            .any(|unit| sides.into_iter().any(|side| is_separated(unit.cross(side))))
+            .any(|unit| sides.into_iter().any(|side| is_separated(unit.cross(side))));
+    !is_apart
 }

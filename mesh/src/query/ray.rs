@@ -57,12 +57,12 @@ impl Bvh {
             if is_hit == [false; WIDTH] {
                 return Some(best);
             }
-            for lane in 0..WIDTH {
+            for (lane, is_hit) in is_hit.into_iter().enumerate() {
                 let distance = crossing.distance[lane];
                 let triangle = packet.triangles[lane];
                 let is_first = distance < best
                     || distance == best && found.is_some_and(|(_, _, t)| triangle < t);
-                if is_hit[lane] && is_first {
+                if is_hit && is_first {
                     best = distance;
                     found = Some((packet, lane, triangle));
                 }
@@ -134,7 +134,7 @@ impl Bvh {
         let mut limit = slabs.rounded(limit);
         let mut stack = Stack::new();
         while let Some((distance, reference)) = stack.pop() {
-            if !(distance <= limit) {
+            if distance > limit {
                 continue;
             }
             if reference & LEAF == 0 {

@@ -94,13 +94,13 @@ impl Bvh {
             let half = Children::splat(0.5);
             let mut height = Children::splat(-distance);
             let mut reach = Children::splat(4.0 * error);
-            for axis in 0..3 {
+            for (axis, normal) in normal.into_iter().enumerate() {
                 let (low, high) = (node.bounds[2 * axis], node.bounds[2 * axis + 1]);
-                height += (low + high) * half * Children::splat(normal[axis]);
-                reach += (high - low) * half * Children::splat(normal[axis].abs());
+                height += (low + high) * half * Children::splat(normal);
+                reach += (high - low) * half * Children::splat(normal.abs());
             }
             let (height, reach) = (height.to_array(), reach.to_array());
-            std::array::from_fn(|lane| !(height[lane].abs() > reach[lane] * 1.000_01))
+            std::array::from_fn(|lane| height[lane].abs() <= reach[lane] * 1.000_01)
         }
     }
 }

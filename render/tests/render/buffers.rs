@@ -160,8 +160,8 @@ proptest! {
                 let material = (index < split && index % 3 == 0).then_some(0);
                 prop_assert_eq!(seen.material, material);
                 prop_assert!((seen.depth - nearest).abs() < 1e-6 * nearest);
-                for i in 0..3 {
-                    prop_assert!((seen.barycentric[i] - weights[i]).abs() < 1e-6);
+                for (seen, expected) in seen.barycentric.into_iter().zip(weights) {
+                    prop_assert!((seen - expected).abs() < 1e-6);
                 }
             }
         }

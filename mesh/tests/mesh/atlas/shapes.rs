@@ -153,8 +153,8 @@ fn noise(seed: usize) -> f64 {
 /// Every position moved at random.
 fn rough(mut shape: Shape, name: &str, amount: f64) -> Shape {
     for (index, position) in shape.positions.iter_mut().enumerate() {
-        for axis in 0..3 {
-            position[axis] += amount * noise(3 * index + axis);
+        for (axis, x) in position.iter_mut().enumerate() {
+            *x += amount * noise(3 * index + axis);
         }
     }
     shape.name = name.into();
