@@ -103,7 +103,7 @@ pub enum AlphaMode {
 /// A picture laid on a surface.
 ///
 /// At the texture coordinate p the picture is taken at q = R S p + o, where S scales, R rotates
-/// counter-clockwise and o is the offset.
+/// counter-clockwise and o is the offset; [`Texture::place`] computes it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Texture {
     /// The picture.
@@ -337,5 +337,39 @@ impl Texture {
     #[must_use]
     pub fn file(path: impl Into<String>) -> Self {
         Self::new(Image::File(path.into()))
+    }
+
+    /// Where the picture is taken for a texture coordinate p of the mesh: q = R S p + o, that is
+    ///
+    /// ```text
+    /// q_u = s_u u cos α − s_v v sin α + o_u
+    /// q_v = s_u u sin α + s_v v cos α + o_v
+    /// ```
+    ///
+    /// with the scale s, the rotation α and the offset o. Both coordinates have v up. The order is
+    /// that of the extension `KHR_texture_transform` of glTF, whose coordinates have v down; the
+    /// readers and writers of glTF convert the offset.
+    ///
+    /// ```
+    /// use ga_mesh::Texture;
+    ///
+    /// let texture = Texture {
+    ///     scale: [3.0, 1.0],
+    ///     rotation: std::f64::consts::FRAC_PI_2,
+    ///     offset: [0.5, 0.0],
+    ///     ..Texture::file("wood.png")
+    /// };
+    /// let [u, v] = texture.place([1.0, 0.0]);
+    /// assert!((u - 0.5).abs() < 1e-12 && (v - 3.0).abs() < 1e-12);
+    /// ```
+    #[must_use]
+    pub fn place(&self, coordinates: [f64; 2]) -> [f64; 2] {
+        let (sine, cosine) = self.rotation.sin_cos();
+        let [u, v] = [0, 1].map(|axis| self.scale[axis] * coordinates[axis]);
+        let [offset_u, offset_v] = self.offset;
+        [
+            cosine * u - sine * v + offset_u,
+            sine * u + cosine * v + offset_v,
+        ]
     }
 }

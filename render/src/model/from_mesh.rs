@@ -182,7 +182,7 @@ fn texture_coordinates(mesh: &Mesh, triangles: &Triangles) -> Option<Values<[f64
         });
         expanded.corners.push(here.map(|coordinates| {
             let begin = expanded.values.len() as u32;
-            let moved = coordinates.map(|p| texture.map_or(p, |texture| place(texture, p)));
+            let moved = coordinates.map(|p| texture.map_or(p, |texture| texture.place(p)));
             expanded.values.extend(moved);
             [begin, begin + 1, begin + 2]
         }));
@@ -195,11 +195,4 @@ fn is_moved(texture: &Texture) -> bool {
         || texture.offset != [0.0; 2]
         || texture.rotation != 0.0
         || texture.scale != [1.0; 2]
-}
-
-/// S R p + o; see [`Texture`].
-fn place(texture: &Texture, [u, v]: [f64; 2]) -> [f64; 2] {
-    let (sine, cosine) = texture.rotation.sin_cos();
-    let rotated = [cosine * u - sine * v, sine * u + cosine * v];
-    [0, 1].map(|i| texture.scale[i] * rotated[i] + texture.offset[i])
 }

@@ -7,6 +7,7 @@ mod camera;
 mod errors;
 mod light;
 mod materials;
+mod models;
 mod pictures;
 mod pinhole;
 mod scenes;

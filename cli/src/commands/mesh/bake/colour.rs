@@ -107,14 +107,8 @@ fn picture(
         filter: Filter::Bilinear,
     };
     let texture = Texture::numbers(codes.width(), codes.height(), &pixels, sampler)?;
-    let (sine, cosine) = placed.rotation.sin_cos();
-    let place = |[u, v]: [f64; 2]| {
-        let [x, y] = [placed.scale[0] * u, placed.scale[1] * v];
-        [
-            cosine * x - sine * y + placed.offset[0],
-            sine * x + cosine * y + placed.offset[1],
-        ]
-    };
-    let coordinates = coordinates.into_iter().map(|corners| corners.map(place));
-    Ok(Some((texture, coordinates.collect())))
+    let placed = coordinates
+        .into_iter()
+        .map(|corners| corners.map(|coordinate| placed.place(coordinate)));
+    Ok(Some((texture, placed.collect())))
 }
