@@ -41,14 +41,7 @@ impl LinearColour {
     /// The linear light of an 8-bit sRGB colour.
     #[must_use]
     pub fn from_srgb(code: [u8; 3]) -> Self {
-        Self::from(code.map(|channel| {
-            let c = f64::from(channel) / 255.0;
-            if c <= 0.04045 {
-                c / 12.92
-            } else {
-                ((c + 0.055) / 1.055).powf(2.4)
-            }
-        }))
+        Self::from(code.map(|channel| linear_from_srgb(f64::from(channel) / 255.0)))
     }
 
     /// Red, green and blue.
@@ -111,6 +104,23 @@ impl Mul for LinearColour {
     }
 }
 
+/// The linear light of an sRGB value s between 0 and 1: s / 12.92 up to 0.04045, above it
+/// ((s + 0.055) / 1.055)^2.4.
+///
+/// ```
+/// // Mid grey, from the tables of IEC 61966-2-1.
+/// let light = ga_image::colour::linear_from_srgb(128.0 / 255.0);
+/// assert!((light - 0.215_860_5).abs() < 1e-7);
+/// ```
+#[must_use]
+pub fn linear_from_srgb(value: f64) -> f64 {
+    if value <= 0.04045 {
+        value / 12.92
+    } else {
+        ((value + 0.055) / 1.055).powf(2.4)
+    }
+}
+
 /// Encodes colours as 8-bit sRGB, from a table of the 255 levels between neighbouring codes.
 pub struct SrgbEncoder {
     /// The code of the lower end of each of `STEPS` equal steps of linear light.
@@ -134,11 +144,7 @@ impl SrgbEncoder {
         let mut thresholds = [0.0; 255];
         for (code, threshold) in thresholds.iter_mut().enumerate() {
             let halfway = (code as f64 + 0.5) / 255.0;
-            *threshold = if halfway <= 0.04045 {
-                halfway / 12.92
-            } else {
-                ((halfway + 0.055) / 1.055).powf(2.4)
-            };
+            *threshold = linear_from_srgb(halfway);
         }
         let mut coarse = Vec::with_capacity(STEPS + 1);
         let mut code = 0;

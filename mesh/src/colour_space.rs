@@ -1,4 +1,8 @@
 //! Conversion between sRGB and linear light, IEC 61966-2-1.
+//!
+//! `ga_image::colour` has the same curve for pictures. This one is extended to numbers below 0 and
+//! above 1, which files of meshes may have, and spares the crate a dependency on the readers and
+//! writers of pictures.
 
 /// The linear light of an sRGB value between 0 and 1; both are odd functions beyond.
 pub(crate) fn linear_from_srgb(value: f64) -> f64 {

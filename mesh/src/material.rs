@@ -140,7 +140,7 @@ pub enum Image {
 }
 
 /// What a texture shows beyond its edges.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Wrap {
     /// The picture again.
     #[default]

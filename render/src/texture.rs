@@ -1,6 +1,9 @@
 //! Pictures on surfaces.
 
+use ga_image::colour::linear_from_srgb;
 use ga_image::picture::PictureView;
+
+pub use ga_mesh::Wrap;
 
 /// A picture on a surface, with linear numbers, and smaller copies of it for surfaces far away.
 ///
@@ -33,18 +36,6 @@ pub struct Sampler {
     pub wrap: [Wrap; 2],
     /// How pixels are mixed.
     pub filter: Filter,
-}
-
-/// What a texture shows beyond its edges.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Wrap {
-    /// The picture again.
-    #[default]
-    Repeat,
-    /// The picture again, every other time mirrored.
-    MirroredRepeat,
-    /// The pixels at the edge.
-    ClampToEdge,
 }
 
 /// How the pixels of a texture are mixed.
@@ -314,14 +305,9 @@ fn quantised(number: f64) -> u16 {
     (number.clamp(0.0, 1.0) * 65535.0).round() as u16
 }
 
-/// The linear light of a 16-bit sRGB code; see [`ga_image::colour`].
+/// The linear light of a 16-bit sRGB code.
 fn linear(code: u16) -> u16 {
-    let encoded = f64::from(code) / 65535.0;
-    quantised(if encoded <= 0.04045 {
-        encoded / 12.92
-    } else {
-        ((encoded + 0.055) / 1.055).powf(2.4)
-    })
+    quantised(linear_from_srgb(f64::from(code) / 65535.0))
 }
 
 #[cfg(test)]

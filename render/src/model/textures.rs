@@ -7,13 +7,11 @@ use ga_files::ReadError;
 use ga_image::colour::LinearColour;
 use ga_image::file::DecodeError;
 use ga_image::picture::Picture;
-use ga_mesh::{
-    AlphaMode, Filter as MeshFilter, Image, Minification, Texture as Reference, Wrap as MeshWrap,
-};
+use ga_mesh::{AlphaMode, Filter as MeshFilter, Image, Minification, Texture as Reference, Wrap};
 
 use super::{Model, Surface};
 use crate::Material;
-use crate::texture::{Filter, Sampler, Texture, TextureError, Wrap};
+use crate::texture::{Filter, Sampler, Texture, TextureError};
 
 /// A picture of a material that cannot be used.
 #[derive(Debug, thiserror::Error)]
@@ -191,15 +189,10 @@ fn decode(material: &str, bytes: &[u8]) -> Result<Picture, TextureFileError> {
 }
 
 fn sampler(
-    wrap: [MeshWrap; 2],
+    wrap: [Wrap; 2],
     magnification: Option<MeshFilter>,
     minification: Option<Minification>,
 ) -> Sampler {
-    let wrap = wrap.map(|wrap| match wrap {
-        MeshWrap::Repeat => Wrap::Repeat,
-        MeshWrap::MirroredRepeat => Wrap::MirroredRepeat,
-        MeshWrap::ClampToEdge => Wrap::ClampToEdge,
-    });
     let filter = match (magnification, minification) {
         (Some(MeshFilter::Nearest), _) => Filter::Nearest,
         (_, Some(minification)) if minification.levels.is_none() => Filter::Bilinear,
