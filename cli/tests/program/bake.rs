@@ -172,3 +172,72 @@ fn nothing_is_written_where_the_bake_fails() {
         assert!(!folder.path().join("out").exists(), "{arguments:?}");
     }
 }
+
+/// A fine square with texture coordinates from 0 to 2 along u, whose material has a picture.
+fn with_picture(folder: &TempDir, material: &str) {
+    let fine = "mtllib fine.mtl\nusemtl paint\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n\
+                vt 0 0\nvt 2 0\nvt 2 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
+    std::fs::write(folder.path().join("fine.obj"), fine).unwrap();
+    let material = format!("newmtl paint\n{material}\n");
+    std::fs::write(folder.path().join("fine.mtl"), material).unwrap();
+}
+
+fn baked_colours(folder: &TempDir) -> (ga_image::plane::Plane<[u8; 3]>, String) {
+    let arguments = [
+        "--coarse",
+        "own.obj",
+        "--size",
+        "16",
+        "--maps",
+        "colour",
+        "--distance",
+        "0.1",
+    ];
+    let output = bake(folder, &arguments);
+    assert_success(&output);
+    let colours = picture(folder, "colour.png").to_rgb::<u8>();
+    (colours, text(&output.stderr).to_owned())
+}
+
+#[test]
+fn a_missing_picture_of_the_fine_mesh_leaves_its_base_colour() {
+    let folder = folder();
+    with_picture(&folder, "Kd 1 0 0\nmap_Kd paint.png");
+    let (colours, messages) = baked_colours(&folder);
+    assert!(colours.values().iter().all(|&colour| colour == [255, 0, 0]));
+    let warning = "paint.png; the surface is shown without it";
+    assert_eq!(messages.matches(warning).count(), 1, "{messages}");
+    std::fs::write(folder.path().join("paint.png"), "no picture").unwrap();
+    let output = bake(&folder, &["--coarse", "own.obj"]);
+    assert_failure(&output, &["fine.obj", "paint", "paint.png"]);
+}
+
+#[test]
+fn the_picture_of_the_fine_mesh_goes_on_beyond_its_edges_as_its_material_says() {
+    let folder = folder();
+    let columns = |column, _| [[255u8, 0, 0], [0, 0, 255]][column / 2];
+    let paint = ga_image::plane::Plane::from_fn(4, 1, columns);
+    let paint = ga_image::png::encode(&paint).unwrap();
+    std::fs::write(folder.path().join("paint.png"), paint).unwrap();
+    // The coordinate u of column c is (c + 0.5) / 8, so that the picture ends before column 8.
+    for (option, beyond) in [("-clamp on ", [0, 0, 255]), ("", [255, 0, 0])] {
+        with_picture(&folder, &format!("Kd 1 1 1\nmap_Kd {option}paint.png"));
+        let (colours, _) = baked_colours(&folder);
+        assert_eq!(colours.get(1, 8), Some([255, 0, 0]));
+        assert_eq!(colours.get(6, 8), Some([0, 0, 255]));
+        assert_eq!(colours.get(10, 8), Some(beyond), "{option}");
+    }
+}
+
+#[test]
+fn pictures_with_16_bits_are_baked_at_their_depth() {
+    let folder = folder();
+    let paint = ga_image::plane::Plane::filled(4, 4, [0x46cb_u16; 3]);
+    let paint = ga_image::png::encode(&paint).unwrap();
+    std::fs::write(folder.path().join("paint.png"), paint).unwrap();
+    with_picture(&folder, "Kd 0.5 0.5 0.5\nmap_Kd paint.png");
+    // Half the light of 0x46cb / 65535 is code 49.3 of 255; that of the nearest code with 8 bits,
+    // 71, is 49.7.
+    let (colours, _) = baked_colours(&folder);
+    assert!(colours.values().iter().all(|&colour| colour == [49; 3]));
+}

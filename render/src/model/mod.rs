@@ -23,7 +23,7 @@ mod textures;
 use crate::texture::Texture;
 use crate::{Attribute, Material, MaterialChoice, Normals, Object, Scene};
 
-pub use textures::TextureFileError;
+pub use textures::{Meaning, TextureFileError, load_texture};
 
 /// A model in memory, ready to be drawn.
 #[derive(Clone, Debug, Default)]

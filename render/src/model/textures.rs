@@ -1,4 +1,4 @@
-//! The pictures of a model's materials.
+//! The pictures of materials.
 
 use std::collections::HashMap;
 use std::path::Path;
@@ -6,8 +6,8 @@ use std::path::Path;
 use ga_files::ReadError;
 use ga_image::colour::LinearColour;
 use ga_image::file::DecodeError;
-use ga_image::picture::Picture;
-use ga_mesh::{AlphaMode, Filter as MeshFilter, Image, Minification, Texture as Reference, Wrap};
+use ga_mesh::obj::Warning;
+use ga_mesh::{AlphaMode, Filter as MeshFilter, Image, Texture as Reference};
 
 use super::{Model, Surface};
 use crate::Material;
@@ -43,12 +43,68 @@ pub enum TextureFileError {
 }
 
 /// What the numbers of a picture mean.
-#[derive(Clone, Copy, PartialEq, Eq, Hash)]
-enum Meaning {
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Meaning {
     /// Colours, encoded as sRGB.
     Colour,
     /// Plain numbers.
     Data,
+}
+
+/// The picture of a texture of a mesh, with the texture's wrap modes and filter, at the depth of its
+/// file. Its place on the surface is that of [`ga_mesh::Texture::place`], which is left to the
+/// caller.
+///
+/// The file is looked for in `folder`. `None` where it does not exist, or without a folder; errors
+/// name the `material`.
+///
+/// ```
+/// use ga_render::model::{Meaning, load_texture};
+///
+/// let wood = ga_mesh::Texture::file("wood.png");
+/// let folder = std::env::temp_dir().join("a folder without pictures");
+/// assert_eq!(load_texture("floor", &wood, Meaning::Colour, Some(&folder))?, None);
+/// # Ok::<(), ga_render::model::TextureFileError>(())
+/// ```
+///
+/// # Errors
+///
+/// [`TextureFileError`] for a picture that exists and cannot be read.
+pub fn load_texture(
+    material: &str,
+    reference: &Reference,
+    meaning: Meaning,
+    folder: Option<&Path>,
+) -> Result<Option<Texture>, TextureFileError> {
+    let material = || material.to_owned();
+    let picture = match &reference.image {
+        Image::File(path) => {
+            let file = folder.map(|folder| folder.join(path));
+            let Some(file) = file.filter(|file| file.exists()) else {
+                return Ok(None);
+            };
+            ga_image::file::read(file).map_err(|problem| TextureFileError::File {
+                material: material(),
+                problem,
+            })?
+        }
+        Image::Embedded { bytes, .. } => {
+            ga_image::file::decode(bytes).map_err(|problem| TextureFileError::Embedded {
+                material: material(),
+                problem,
+            })?
+        }
+    };
+    let pixels = picture.to_rgba::<u16>();
+    let texture = match meaning {
+        Meaning::Colour => Texture::colour(&pixels, sampler(reference)),
+        Meaning::Data => Texture::data(&pixels, sampler(reference)),
+    };
+    let texture = texture.map_err(|problem| TextureFileError::Texture {
+        material: material(),
+        problem,
+    })?;
+    Ok(Some(texture))
 }
 
 /// Loads each picture once for each way in which it is read.
@@ -118,85 +174,39 @@ impl<'a> Loader<'a> {
             // Textures of one image share its bytes.
             Image::Embedded { bytes, .. } => format!("{:p}", bytes.as_ptr()),
         };
-        let sampler = sampler(
-            reference.wrap,
-            reference.magnification,
-            reference.minification,
-        );
-        let key = (key, meaning, sampler);
+        let key = (key, meaning, sampler(reference));
         if let Some(&texture) = self.loaded.get(&key) {
             return Ok(texture);
         }
-        let index = match self.picture(material, &reference.image)? {
-            None => None,
-            Some(picture) => {
-                let pixels = picture.to_rgba::<u16>();
-                let texture = match meaning {
-                    Meaning::Colour => Texture::colour(&pixels, sampler),
-                    Meaning::Data => Texture::data(&pixels, sampler),
-                };
-                let texture = texture.map_err(|problem| TextureFileError::Texture {
-                    material: material.to_owned(),
-                    problem,
-                })?;
+        let index = match load_texture(material, reference, meaning, self.folder)? {
+            Some(texture) => {
                 self.model.textures.push(texture);
                 Some(self.model.textures.len() - 1)
+            }
+            None => {
+                if let Image::File(path) = &reference.image {
+                    let warning = Warning::MissingTexture {
+                        material: material.to_owned(),
+                        path: path.clone(),
+                    };
+                    self.model.warnings.push(warning.to_string());
+                }
+                None
             }
         };
         self.loaded.insert(key, index);
         Ok(index)
     }
-
-    fn picture(
-        &mut self,
-        material: &str,
-        image: &Image,
-    ) -> Result<Option<Picture>, TextureFileError> {
-        match image {
-            Image::File(path) => self.file(material, path),
-            Image::Embedded { bytes, .. } => decode(material, bytes).map(Some),
-        }
-    }
-
-    /// The picture in a file; `None`, with a warning, where it does not exist.
-    fn file(&mut self, material: &str, path: &str) -> Result<Option<Picture>, TextureFileError> {
-        let file = self.folder.map(|folder| folder.join(path));
-        match file.filter(|file| file.exists()) {
-            Some(file) => {
-                let picture = ga_image::file::read(file);
-                picture.map(Some).map_err(|problem| TextureFileError::File {
-                    material: material.to_owned(),
-                    problem,
-                })
-            }
-            None => {
-                self.model.warnings.push(format!(
-                    "material {material:?}: there is no picture {path}; the surface is shown \
-                     without it"
-                ));
-                Ok(None)
-            }
-        }
-    }
 }
 
-/// The picture in the bytes of a file.
-fn decode(material: &str, bytes: &[u8]) -> Result<Picture, TextureFileError> {
-    ga_image::file::decode(bytes).map_err(|problem| TextureFileError::Embedded {
-        material: material.to_owned(),
-        problem,
-    })
-}
-
-fn sampler(
-    wrap: [Wrap; 2],
-    magnification: Option<MeshFilter>,
-    minification: Option<Minification>,
-) -> Sampler {
-    let filter = match (magnification, minification) {
+fn sampler(reference: &Reference) -> Sampler {
+    let filter = match (reference.magnification, reference.minification) {
         (Some(MeshFilter::Nearest), _) => Filter::Nearest,
         (_, Some(minification)) if minification.levels.is_none() => Filter::Bilinear,
         _ => Filter::Trilinear,
     };
-    Sampler { wrap, filter }
+    Sampler {
+        wrap: reference.wrap,
+        filter,
+    }
 }

@@ -3,10 +3,11 @@
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use ga_image::colour::LinearColour;
 use ga_mesh::bake::{FinePoint, corner_colours, corner_coordinates};
-use ga_mesh::{Image, Mesh, Texture as Placed};
-use ga_render::texture::{Filter, Sampler, Texture, Wrap};
+use ga_mesh::obj::Warning;
+use ga_mesh::{Image, Material, Mesh, Texture as Placed};
+use ga_render::model::{Meaning, load_texture};
+use ga_render::texture::Texture;
 
 /// The colour of each point of a mesh, as linear light.
 pub(super) enum Colours {
@@ -22,8 +23,9 @@ pub(super) enum Colours {
 
 impl Colours {
     /// The colours of the vertices of a mesh, or else of its materials with their pictures; white
-    /// for faces without a material. `file` is where the mesh was read.
-    pub(super) fn new(mesh: &Mesh, file: &Path) -> Result<Self> {
+    /// for faces without a material. A material whose picture does not exist has its base colour
+    /// alone, with a warning. `file` is where the mesh was read.
+    pub(super) fn new(mesh: &Mesh, file: &Path, warnings: &mut Vec<String>) -> Result<Self> {
         if let Some(colours) = corner_colours(mesh) {
             return Ok(Self::Vertices(colours));
         }
@@ -31,7 +33,8 @@ impl Colours {
         let mut of_material = Vec::new();
         for material in mesh.materials() {
             let picture = match &material.base_colour_texture {
-                Some(placed) => picture(mesh, placed, file)?,
+                Some(placed) => picture(mesh, material, placed, file.parent(), warnings)
+                    .with_context(|| file.display().to_string())?,
                 None => None,
             };
             let picture = picture.map(|picture| {
@@ -79,36 +82,25 @@ impl Colours {
 }
 
 /// The picture of a material, with the coordinates at which it is taken; `None` where the mesh has
-/// no such coordinates.
+/// no such coordinates, or, with a warning, where the picture does not exist.
 fn picture(
     mesh: &Mesh,
+    material: &Material,
     placed: &Placed,
-    file: &Path,
+    folder: Option<&Path>,
+    warnings: &mut Vec<String>,
 ) -> Result<Option<(Texture, Vec<[[f64; 2]; 3]>)>> {
     let Some(coordinates) = corner_coordinates(mesh, placed.set as usize) else {
         return Ok(None);
     };
-    let picture = match &placed.image {
-        Image::File(path) => {
-            let path = file.parent().unwrap_or(Path::new("")).join(path);
-            ga_image::file::read(path)?
-        }
-        Image::Embedded { bytes, .. } => ga_image::file::decode(bytes)
-            .with_context(|| format!("{}: a picture in it", file.display()))?,
-    };
-    let codes = picture.to_rgba::<u8>();
-    let linear = |&[r, g, b, a]: &[u8; 4]| {
-        let [r, g, b] = LinearColour::from_srgb([r, g, b]).channels();
-        [r, g, b, f64::from(a) / 255.0]
-    };
-    let pixels: Vec<[f64; 4]> = codes.values().iter().map(linear).collect();
-    let sampler = Sampler {
-        wrap: [Wrap::Repeat; 2],
-        filter: Filter::Bilinear,
-    };
-    let texture = Texture::numbers(codes.width(), codes.height(), &pixels, sampler)?;
-    let placed = coordinates
-        .into_iter()
-        .map(|corners| corners.map(|coordinate| placed.place(coordinate)));
-    Ok(Some((texture, placed.collect())))
+    let texture = load_texture(&material.name, placed, Meaning::Colour, folder)?;
+    if let (None, Image::File(path)) = (&texture, &placed.image) {
+        let warning = Warning::MissingTexture {
+            material: material.name.clone(),
+            path: path.clone(),
+        };
+        warnings.push(warning.to_string());
+    }
+    let place = |corners: [[f64; 2]; 3]| corners.map(|coordinate| placed.place(coordinate));
+    Ok(texture.map(|texture| (texture, coordinates.into_iter().map(place).collect())))
 }

@@ -19,6 +19,7 @@ use ga_mesh::bake::{Bake, Coarse as BakedCoarse, Fine, OcclusionOptions, Options
 use crate::output;
 use crate::progress::Progress;
 use coarse::{Coarse, Images};
+use colour::Colours;
 use report::{Report, Steps};
 
 /// Bake the details of a fine mesh into maps for a coarse one.
@@ -135,12 +136,21 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let mut steps = Steps::new(&progress);
 
     steps.begin("read");
-    let fine_mesh = super::read(&arguments.fine, quiet)?.mesh;
+    let fine = super::read(&arguments.fine, quiet)?;
+    let (fine_mesh, known) = (fine.mesh, fine.warnings);
     let coarse_mesh = super::read(&arguments.coarse, quiet)?.mesh;
+    let mut warnings = Vec::new();
     let colours = match maps.contains(&Map::Colour) {
-        true => Some(colour::Colours::new(&fine_mesh, &arguments.fine)?),
+        true => Some(Colours::new(&fine_mesh, &arguments.fine, &mut warnings)?),
         false => None,
     };
+    // The reader of OBJ files has said already which pictures are missing.
+    warnings.retain(|warning| !known.contains(warning));
+    if !quiet {
+        for warning in warnings {
+            eprintln!("warning: {}: {warning}", arguments.fine.display());
+        }
+    }
 
     steps.begin("atlas");
     let options = atlas::Options {
