@@ -162,7 +162,7 @@ fn nothing_is_written_where_the_bake_fails() {
         assert_failure(&bake(&folder, arguments), &[message]);
         assert!(!folder.path().join("out").exists(), "{arguments:?}");
     }
-    for arguments in [["--maps", "gloss"], ["--size", "0"]] {
+    for arguments in [["--maps", "gloss"], ["--size", "0"], ["--size", "8193"]] {
         let output = bake(
             &folder,
             &[&["--coarse", "coarse.obj"], &arguments[..]].concat(),

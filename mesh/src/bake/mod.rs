@@ -56,7 +56,7 @@ use ga_runtime::vga3::Vector;
 
 use crate::atlas::MAX_SIZE;
 use occlusion::Hemisphere;
-use texel::Texel;
+use texel::{Texel, Texels};
 
 /// What is baked.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -133,13 +133,13 @@ impl<'a> Bake<'a> {
                 value: cage,
             });
         }
-        let texels = texel::texels(coarse, size)?;
-        if texels.is_empty() {
+        let texels = Texels::new(coarse, size)?;
+        if texels.len() == 0 {
             return Err(BakeError::NoTriangles { surface: "coarse" });
         }
         let mut samples = Vec::with_capacity(texels.len());
         let mut nearest = 0;
-        for texel in texels {
+        for texel in texels.iter() {
             let corners = &coarse.triangles[texel.triangle as usize];
             let point = mean(texel.weights, [0, 1, 2].map(|i| corners[i].position));
             let normal = mean(texel.weights, [0, 1, 2].map(|i| corners[i].normal));

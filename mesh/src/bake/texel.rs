@@ -14,78 +14,105 @@ pub(super) struct Texel {
     pub(super) weights: [f64; 3],
 }
 
-/// The texels that the triangles touch, in the order of their indices. A texel belongs to the
-/// triangle in which its centre lies, or else to the first that touches it; it then shows the point
-/// of that triangle that is nearest to its centre.
-pub(super) fn texels(coarse: &Coarse, size: u32) -> Result<Vec<Texel>, BakeError> {
-    let side = f64::from(size);
-    let mut places = Vec::with_capacity(coarse.triangles.len());
-    for (triangle, corners) in coarse.triangles.iter().enumerate() {
-        for corner in corners {
-            if !corner.coordinate.iter().all(|x| (0.0..=1.0).contains(x)) {
-                return Err(BakeError::OutsideSquare {
-                    triangle,
-                    coordinate: corner.coordinate,
-                });
+/// The texels that the triangles touch. A texel belongs to the triangle in which its centre lies,
+/// or else to the first that touches it; it then shows the point of that triangle that is nearest
+/// to its centre.
+pub(super) struct Texels {
+    size: u32,
+    /// The corners of each triangle, in texels from the upper left corner.
+    places: Vec<[[f64; 2]; 3]>,
+    /// The triangle of each texel of the texture, or [`NONE`].
+    owners: Vec<u32>,
+    count: usize,
+}
+
+/// A texel does not belong to a triangle.
+const NONE: u32 = u32::MAX;
+
+impl Texels {
+    pub(super) fn new(coarse: &Coarse, size: u32) -> Result<Self, BakeError> {
+        let side = f64::from(size);
+        let mut places = Vec::with_capacity(coarse.triangles.len());
+        for (triangle, corners) in coarse.triangles.iter().enumerate() {
+            for corner in corners {
+                if !corner.coordinate.iter().all(|x| (0.0..=1.0).contains(x)) {
+                    return Err(BakeError::OutsideSquare {
+                        triangle,
+                        coordinate: corner.coordinate,
+                    });
+                }
             }
+            places.push(corners.map(|corner| {
+                let [u, v] = corner.coordinate;
+                [u * side, (1.0 - v) * side]
+            }));
         }
-        places.push(corners.map(|corner| {
-            let [u, v] = corner.coordinate;
-            [u * side, (1.0 - v) * side]
-        }));
-    }
-    const NONE: u32 = u32::MAX;
-    let mut owners = vec![NONE; size as usize * size as usize];
-    let mut claim = |row: i64, [first, last]: [i64; 2], triangle: usize| {
-        let last_column = i64::from(size) - 1;
-        if row < 0 || row > last_column {
-            return;
-        }
-        let start = row as usize * size as usize;
-        let columns = first.max(0) as usize..=last.clamp(-1, last_column) as usize;
-        if first > last_column || last < 0 {
-            return;
-        }
-        for owner in &mut owners[start..start + size as usize][columns] {
-            if *owner == NONE {
-                *owner = triangle as u32;
+        let mut owners = vec![NONE; size as usize * size as usize];
+        let mut claim = |row: i64, [first, last]: [i64; 2], triangle: usize| {
+            let last_column = i64::from(size) - 1;
+            if row < 0 || row > last_column {
+                return;
             }
+            let start = row as usize * size as usize;
+            let columns = first.max(0) as usize..=last.clamp(-1, last_column) as usize;
+            if first > last_column || last < 0 {
+                return;
+            }
+            for owner in &mut owners[start..start + size as usize][columns] {
+                if *owner == NONE {
+                    *owner = triangle as u32;
+                }
+            }
+        };
+        for (triangle, place) in places.iter().enumerate() {
+            raster::centres(*place, |row, columns| claim(row, columns, triangle));
         }
-    };
-    for (triangle, place) in places.iter().enumerate() {
-        raster::centres(*place, |row, columns| claim(row, columns, triangle));
+        for (triangle, place) in places.iter().enumerate() {
+            raster::touched(*place, 0.0, |row, columns| claim(row, columns, triangle));
+        }
+        Ok(Self {
+            size,
+            places,
+            count: owners.iter().filter(|&&owner| owner != NONE).count(),
+            owners,
+        })
     }
-    for (triangle, place) in places.iter().enumerate() {
-        raster::touched(*place, 0.0, |row, columns| claim(row, columns, triangle));
+
+    /// How many there are.
+    pub(super) fn len(&self) -> usize {
+        self.count
     }
-    let mut texels = Vec::with_capacity(owners.len());
-    let flat = |[x, y]: [f64; 2]| Vector::new(x, y, 0.0);
-    let mut last = NONE;
-    let mut weigh = Weigh::default();
-    for (index, &triangle) in owners.iter().enumerate() {
-        if triangle == NONE {
-            continue;
-        }
-        let place = &places[triangle as usize];
-        if triangle != last {
-            weigh = Weigh::new(*place);
-            last = triangle;
-        }
-        let centre = [
-            (index % size as usize) as f64 + 0.5,
-            (index / size as usize) as f64 + 0.5,
-        ];
-        let mut weights = weigh.weights(centre);
-        if !weights.iter().all(|w| (0.0..=1.0).contains(w)) {
-            weights = closest_weights(flat(centre), place.map(flat));
-        }
-        texels.push(Texel {
-            index: index as u32,
-            triangle,
-            weights,
-        });
+
+    /// The texels in the order of their indices. They are computed one by one, since a list of them
+    /// would take many times the memory of a map.
+    pub(super) fn iter(&self) -> impl Iterator<Item = Texel> + '_ {
+        let flat = |[x, y]: [f64; 2]| Vector::new(x, y, 0.0);
+        let size = self.size as usize;
+        let mut last = NONE;
+        let mut weigh = Weigh::default();
+        let owned = self
+            .owners
+            .iter()
+            .enumerate()
+            .filter(|&(_, &triangle)| triangle != NONE);
+        owned.map(move |(index, &triangle)| {
+            let place = &self.places[triangle as usize];
+            if triangle != last {
+                weigh = Weigh::new(*place);
+                last = triangle;
+            }
+            let centre = [index % size, index / size].map(|place| place as f64 + 0.5);
+            let mut weights = weigh.weights(centre);
+            if !weights.iter().all(|w| (0.0..=1.0).contains(w)) {
+                weights = closest_weights(flat(centre), place.map(flat));
+            }
+            Texel {
+                index: index as u32,
+                triangle,
+                weights,
+            }
+        })
     }
-    Ok(texels)
 }
 
 /// Barycentric coordinates in a triangle of the texture.
@@ -110,5 +137,24 @@ impl Weigh {
         let (x, y) = (x - self.origin[0], y - self.origin[1]);
         let [v, w] = [0, 1].map(|row: usize| self.rows[row][0] * x + self.rows[row][1] * y);
         [1.0 - v - w, v, w]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Mesh, obj};
+
+    /// The triangle reaches 1.6 of 4 texels to the right and up: it touches two texels of the
+    /// lowest row and one of the row above.
+    #[test]
+    fn the_texels_are_counted_before_they_are_computed() {
+        let mesh: Mesh =
+            obj::parse(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 0.4 0\nvt 0 0.4\nf 1/1 2/2 3/3\n")
+                .unwrap();
+        let texels = Texels::new(&Coarse::from_mesh(&mesh, 0).unwrap(), 4).unwrap();
+        let indices: Vec<u32> = texels.iter().map(|texel| texel.index).collect();
+        assert_eq!(indices, [8, 12, 13]);
+        assert_eq!(texels.len(), 3);
     }
 }

@@ -45,7 +45,7 @@ pub(crate) struct Arguments {
     /// The folder for the maps and the coarse mesh.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
-    /// The side of the maps, in texels.
+    /// The side of the maps, in texels; at most 8192.
     #[arg(long, default_value_t = 1024, value_parser = size())]
     size: u32,
     /// The maps, separated by commas.
@@ -115,9 +115,13 @@ impl Map {
     }
 }
 
+/// The greatest side of maps, in texels. A bake takes up to about 100 bytes for each texel, 6 GiB
+/// with this side.
+const MOST_TEXELS: i64 = 8192;
+
 /// Sizes that maps may have.
 fn size() -> RangedI64ValueParser<u32> {
-    clap::value_parser!(u32).range(1..=i64::from(atlas::MAX_SIZE))
+    clap::value_parser!(u32).range(1..=MOST_TEXELS)
 }
 
 /// The files beside the maps.
