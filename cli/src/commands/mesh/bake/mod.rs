@@ -176,6 +176,9 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         .with_context(|| format!("{}: nothing to bake", arguments.coarse.display()))?;
     let bake = Bake::new(&surface, &fine, &options)?;
 
+    let [low, high] = coarse.mesh.bounds().unwrap_or_default();
+    let squares = [0, 1, 2].map(|axis: usize| (high[axis] - low[axis]).powi(2));
+    let diagonal = squares.iter().sum::<f64>().sqrt();
     let mut pictures = Vec::new();
     let mut range = None;
     for &map in &maps {
@@ -183,7 +186,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         let picture = match map {
             Map::Normal => picture::of_normals(&bake.normals()),
             Map::Displacement => {
-                let (picture, found) = picture::of_heights(&bake.displacement());
+                let (picture, found) = picture::of_heights(&bake.displacement(), diagonal);
                 range = Some(found);
                 picture
             }

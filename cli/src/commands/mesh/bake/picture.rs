@@ -24,13 +24,26 @@ pub(super) fn of_colours(map: &Map<3>) -> Picture {
     plane(map, encode).into()
 }
 
-/// Heights as codes from 0 to 65535, and which heights these are.
-pub(super) fn of_heights(map: &Map<1>) -> (Picture, Range) {
+/// Heights below this share of the mesh's diagonal are rounding errors.
+const ROUNDING: f64 = 1e-12;
+
+/// Heights as codes from 0 to 65535, and which heights these are. Heights that differ by rounding
+/// errors alone, on a mesh with this diagonal, are all the least one.
+pub(super) fn of_heights(map: &Map<1>, diagonal: f64) -> (Picture, Range) {
     let heights = map.texels.iter().map(|[height]| f64::from(*height));
     let minimum = heights.clone().fold(f64::INFINITY, f64::min);
     let maximum = heights.fold(f64::NEG_INFINITY, f64::max);
     let extent = maximum - minimum;
-    let step = if extent > 0.0 { 65_535.0 / extent } else { 0.0 };
+    // The numbers of a map have single precision.
+    let precision = f64::from(f32::EPSILON) * minimum.abs().max(maximum.abs());
+    if extent <= precision.max(ROUNDING * diagonal) {
+        let range = Range {
+            minimum,
+            maximum: minimum,
+        };
+        return (plane(map, |_| 0u16).into(), range);
+    }
+    let step = 65_535.0 / extent;
     let code = |[height]: [f32; 1]| ((f64::from(height) - minimum) * step).round() as u16;
     (plane(map, code).into(), Range { minimum, maximum })
 }
@@ -47,4 +60,42 @@ where
     Plane::from_fn(width, map.height as usize, |column, row| {
         pixel(map.texels[row * width + column])
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn heights(texels: [f32; 2], diagonal: f64) -> (Vec<u16>, Range) {
+        let map = Map {
+            width: 2,
+            height: 1,
+            texels: texels.map(|height| [height]).to_vec(),
+        };
+        let (picture, range) = of_heights(&map, diagonal);
+        let Picture::Grey16(codes) = picture else {
+            panic!("heights have 16 bits");
+        };
+        (codes.into_values(), range)
+    }
+
+    #[test]
+    fn rounding_errors_are_not_stretched() {
+        for (texels, diagonal) in [
+            ([0.0, 3e-18], 1.0),
+            ([-5e-10, 0.0], 1000.0),
+            ([0.5, 0.5 + f32::EPSILON / 2.0], 1.0),
+        ] {
+            let (codes, range) = heights(texels, diagonal);
+            assert_eq!(codes, [0, 0], "{texels:?}");
+            assert_eq!(range.minimum, range.maximum);
+        }
+    }
+
+    #[test]
+    fn small_heights_of_small_meshes_are_shown() {
+        let (codes, range) = heights([0.0, 3e-18], 1e-16);
+        assert_eq!(codes, [0, 65_535]);
+        assert_eq!(range.maximum, f64::from(3e-18f32));
+    }
 }
