@@ -1,7 +1,7 @@
 //! `nullcone render`: a picture of a model.
 
 use std::path::{Path, PathBuf};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result, bail, ensure};
 use clap::ValueEnum;
@@ -117,9 +117,9 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         model: path, out, ..
     } = arguments;
     let ending = out.extension().and_then(|ending| ending.to_str());
-    let encode = match ending {
-        Some("png") => encode_png,
-        Some("y4m") => encode_y4m,
+    let format = match ending {
+        Some("png") => Format::Png,
+        Some("y4m") => Format::Film,
         _ => bail!("--out {}: its name must end in .png or .y4m", out.display()),
     };
     ensure!(
@@ -127,9 +127,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         "--turntable {}: not 1 to {MOST_PICTURES}",
         arguments.turntable
     );
-    if let Some(folder) = &arguments.buffers {
-        output::check_place(folder, &BUFFERS)?;
-    }
+    let place = Place::new(out, arguments.buffers.as_deref())?;
     let view = View::parse(&arguments.camera)?;
     let size = match &arguments.size {
         Some(size) => Some(parse_size(size)?),
@@ -146,6 +144,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         ),
         (own, asked) => own.or(asked).unwrap_or(DEFAULT_SIZE),
     };
+    check_pixels(arguments.turntable, [width, height])?;
     let mut style = Style {
         width,
         height,
@@ -169,16 +168,13 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         "{}: there is no triangle to be drawn",
         path.display()
     );
-    let cameras = view.cameras(&model, style.aspect(), arguments.turntable)?;
-    let begin = Instant::now();
-    let drawing = draw(&model, &cameras, &style, arguments)?;
-    let milliseconds = begin.elapsed().as_millis();
-
-    let film = encode(&drawing.pictures)?;
-    if let Some(folder) = &arguments.buffers {
-        output::write_all(folder, &drawing.buffers)?;
-    }
-    ga_files::write(out, &film)?;
+    let named = || path.display().to_string();
+    let cameras = view
+        .cameras(&model, style.aspect(), arguments.turntable)
+        .with_context(named)?;
+    let drawing = draw(&model, &cameras, &style, arguments, format).with_context(named)?;
+    place.write(&drawing)?;
+    let milliseconds = drawing.time.as_millis();
     if !quiet {
         let triangles = model.triangle_count();
         output::print(&format!(
@@ -211,21 +207,33 @@ fn read(path: &Path) -> Result<Model> {
     Ok(model)
 }
 
-/// Pictures, and the files of buffers.
+/// The files of a picture or film and of buffers.
 struct Drawing {
-    pictures: Vec<Plane<[u8; 3]>>,
+    film: Vec<u8>,
     buffers: Vec<File>,
+    /// How long drawing the pictures took.
+    time: Duration,
 }
 
-fn encode_png(pictures: &[Plane<[u8; 3]>]) -> Result<Vec<u8>, EncodeError> {
-    match pictures {
-        [picture] => png::encode(picture),
-        _ => png::encode_animation(pictures, png::Animation::default()),
+/// What the picture becomes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Format {
+    Png,
+    Film,
+}
+
+impl Format {
+    /// The bytes of a file with these pictures, of which one at a time is in memory.
+    fn encode(
+        self,
+        mut pictures: impl ExactSizeIterator<Item = Plane<[u8; 3]>>,
+    ) -> Result<Vec<u8>, EncodeError> {
+        match self {
+            Self::Film => y4m::encode(pictures, y4m::Film::default()),
+            Self::Png if pictures.len() == 1 => png::encode(&pictures.next().unwrap_or_default()),
+            Self::Png => png::encode_animation(pictures, png::Animation::default()),
+        }
     }
-}
-
-fn encode_y4m(pictures: &[Plane<[u8; 3]>]) -> Result<Vec<u8>, EncodeError> {
-    y4m::encode(pictures, y4m::Film::default())
 }
 
 fn draw(
@@ -233,6 +241,7 @@ fn draw(
     cameras: &[Camera],
     style: &Style,
     arguments: &Arguments,
+    format: Format,
 ) -> Result<Drawing> {
     let materials = model.materials();
     let edges = if arguments.wireframe {
@@ -254,11 +263,26 @@ fn draw(
         ground: arguments.ground.then(|| ground(model)),
         ..model.scene(&materials)
     };
+    let mut time = Duration::ZERO;
+    let mut failure = None;
     let pictures = cameras.iter().map(|camera| {
-        let picture = render(&scene, camera, style)?.colour;
-        Ok(PictureView::from(&picture).to_rgb())
+        let begin = Instant::now();
+        // An encoder asks for pictures, not for errors: those after an error have no pixels.
+        let picture = match failure {
+            None => render(&scene, camera, style)
+                .map_err(|error| failure = Some(error))
+                .ok(),
+            Some(_) => None,
+        };
+        time += begin.elapsed();
+        picture.map_or_else(Plane::default, |picture| {
+            PictureView::from(&picture.colour).to_rgb()
+        })
     });
-    let pictures = pictures.collect::<Result<Vec<_>>>()?;
+    let film = format.encode(pictures);
+    if let Some(error) = failure {
+        return Err(error.into());
+    }
     let buffers = match (&arguments.buffers, cameras) {
         (Some(_), [camera, ..]) => {
             let buffers = Buffers::new(&scene, camera, style.width, style.height)?;
@@ -266,7 +290,106 @@ fn draw(
         }
         _ => Vec::new(),
     };
-    Ok(Drawing { pictures, buffers })
+    Ok(Drawing {
+        film: film?,
+        buffers,
+        time,
+    })
+}
+
+/// Where the files go.
+struct Place<'a> {
+    out: &'a Path,
+    /// The folder and the name of the picture.
+    picture: (&'a Path, &'a str),
+    buffers: Option<&'a Path>,
+}
+
+impl<'a> Place<'a> {
+    /// Fails where the files cannot be written.
+    fn new(out: &'a Path, buffers: Option<&'a Path>) -> Result<Self> {
+        let name = out.file_name().and_then(|name| name.to_str());
+        let name = name.with_context(|| format!("--out {}: not a name", out.display()))?;
+        let folder = out.parent().unwrap_or(Path::new(""));
+        output::check_place(folder, &[name])?;
+        let place = Self {
+            out,
+            picture: (folder, name),
+            buffers,
+        };
+        if let Some(folder) = buffers {
+            output::check_place(folder, &BUFFERS)?;
+            ensure!(
+                !(place.is_one_folder() && BUFFERS.contains(&name)),
+                "--out {}: --buffers writes a file of this name into the same folder",
+                out.display()
+            );
+        }
+        Ok(place)
+    }
+
+    /// Whether the picture and the buffers go into the same folder.
+    fn is_one_folder(&self) -> bool {
+        let full = |folder: &Path| {
+            let folder = if folder.as_os_str().is_empty() {
+                Path::new(".")
+            } else {
+                folder
+            };
+            folder
+                .canonicalize()
+                .or_else(|_| std::path::absolute(folder))
+                .ok()
+        };
+        self.buffers
+            .is_some_and(|buffers| full(buffers) == full(self.picture.0))
+    }
+
+    /// Writes all files or none where they go into one folder, else the picture first.
+    fn write(&self, drawing: &Drawing) -> Result<()> {
+        let (folder, name) = self.picture;
+        let buffers = drawing.buffers.iter();
+        let buffers = buffers.map(|file| (file.name, &file.contents[..]));
+        if self.is_one_folder() {
+            let files = buffers.chain([(name, &drawing.film[..])]);
+            ga_files::write_all(folder, files)?;
+            return Ok(());
+        }
+        ga_files::write(self.out, &drawing.film)?;
+        if let Some(folder) = self.buffers {
+            ga_files::write_all(folder, buffers)?;
+        }
+        Ok(())
+    }
+}
+
+/// The most pixels of all pictures together. A film of so many takes 1.5 GiB of memory while it is
+/// made.
+const MOST_PIXELS: u64 = 1 << 30;
+
+/// A film whose pictures have too many pixels together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "--turntable {pictures}: with {}x{} these are {} pixels, more than {MOST_PIXELS}",
+    size[0],
+    size[1],
+    pixels(*.pictures, *.size)
+)]
+struct TooManyPixels {
+    pictures: u32,
+    size: [u32; 2],
+}
+
+fn pixels(pictures: u32, [width, height]: [u32; 2]) -> u64 {
+    let one = u64::from(width) * u64::from(height);
+    one.saturating_mul(u64::from(pictures))
+}
+
+fn check_pixels(pictures: u32, size: [u32; 2]) -> Result<(), TooManyPixels> {
+    if pictures > 1 && pixels(pictures, size) > MOST_PIXELS {
+        return Err(TooManyPixels { pictures, size });
+    }
+    Ok(())
 }
 
 /// Level ground under the model, with a grid of about a fifth of its size.

@@ -216,11 +216,17 @@ fn bad_input_leaves_nothing() {
         &["--camera", "eye 1,2,3 target 0,0,0 fov 180"],
         &["field of view"],
     );
+    // The model is named where its camera or its picture cannot be made.
+    with(&["--samples", "9"], &["square.obj", "supersampling"]);
     with(
         &["--camera", "camera.json", "--size", "64x65"],
         &["--size 64x65", "65x65"],
     );
     with(&["--buffers", "square.obj"], &["square.obj is a file"]);
+    with(
+        &["--turntable", "1000", "--size", "1037x1037"],
+        &["--turntable 1000", "1037x1037", "1075369000", "1073741824"],
+    );
 }
 
 #[test]
@@ -242,4 +248,41 @@ fn faults_of_a_camera_file_are_named() {
         assert_failure(&output, &["camera.json", part]);
     }
     assert!(!folder.path().join("p.png").exists());
+}
+
+#[test]
+fn a_picture_that_cannot_be_written_leaves_no_buffers() {
+    let folder = tempdir().unwrap();
+    prepare(folder.path());
+    std::fs::create_dir(folder.path().join("p.png")).unwrap();
+    std::fs::write(folder.path().join("depth.pfm"), "earlier").unwrap();
+    let before = names(folder.path());
+    for buffers in ["numbers", "."] {
+        let arguments = "render square.obj --size 40x40 --out p.png --buffers";
+        let arguments = arguments.split_whitespace().chain([buffers]);
+        assert_failure(&nullcone(folder.path(), arguments), &["p.png"]);
+        assert_eq!(names(folder.path()), before);
+        let depth = std::fs::read(folder.path().join("depth.pfm")).unwrap();
+        assert_eq!(depth, b"earlier");
+    }
+}
+
+#[test]
+fn a_picture_and_its_buffers_may_share_a_folder_but_not_a_name() {
+    let folder = tempdir().unwrap();
+    prepare(folder.path());
+    let run = |out: &str| {
+        let arguments = "render square.obj --size 40x40 --buffers together --out";
+        nullcone(folder.path(), arguments.split_whitespace().chain([out]))
+    };
+    let before = names(folder.path());
+    assert_failure(
+        &run("./together/identity.png"),
+        &["identity.png", "--buffers"],
+    );
+    assert_eq!(names(folder.path()), before);
+    assert_success(&run("./together/p.png"));
+    let written = names(&folder.path().join("together"));
+    assert_eq!(written.len(), 7);
+    assert!(written.contains(&"p.png".into()) && written.contains(&"depth.pfm".into()));
 }
