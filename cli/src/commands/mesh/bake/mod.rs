@@ -174,7 +174,8 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     options.cage_distance = arguments.distance;
     let surface = BakedCoarse::from_mesh(&coarse.mesh, 0)
         .with_context(|| format!("{}: nothing to bake", arguments.coarse.display()))?;
-    let bake = Bake::new(&surface, &fine, &options)?;
+    let named = || arguments.coarse.display().to_string();
+    let bake = Bake::new(&surface, &fine, &options).with_context(named)?;
 
     let [low, high] = coarse.mesh.bounds().unwrap_or_default();
     let squares = [0, 1, 2].map(|axis: usize| (high[axis] - low[axis]).powi(2));
@@ -199,7 +200,10 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
                 options.rays = arguments.rays;
                 options.seed = arguments.seed;
                 options.distance = arguments.occlusion_distance.unwrap_or(f64::INFINITY);
-                picture::of_shares(&bake.occlusion(&options)?)
+                let occlusion = bake.occlusion(&options);
+                picture::of_shares(
+                    &occlusion.with_context(|| arguments.fine.display().to_string())?,
+                )
             }
         };
         pictures.push((map, picture));
