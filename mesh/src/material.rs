@@ -372,4 +372,22 @@ impl Texture {
             sine * u + cosine * v + offset_v,
         ]
     }
+
+    /// Whether another texture is read at the same place of the mesh as this one: from the same set
+    /// of texture coordinates, with the same offset, rotation and scale.
+    ///
+    /// ```
+    /// use ga_mesh::Texture;
+    ///
+    /// let wood = Texture::file("wood.png");
+    /// assert!(wood.has_same_place(&Texture::file("grain.png")));
+    /// assert!(!wood.has_same_place(&Texture { set: 1, ..wood.clone() }));
+    /// ```
+    #[must_use]
+    pub fn has_same_place(&self, other: &Self) -> bool {
+        self.set == other.set
+            && self.offset == other.offset
+            && self.rotation == other.rotation
+            && self.scale == other.scale
+    }
 }

@@ -38,6 +38,7 @@ mod buffers;
 mod camera;
 mod check;
 mod clip;
+mod cut;
 mod depth;
 mod depth_contrast;
 mod error;

@@ -209,7 +209,8 @@ fn ground_shading<'a>(
     style: &'a Style,
     lighting: &WorldLighting,
 ) -> GroundShading<'a> {
-    let casters: Vec<Caster> = world.objects.iter().map(Caster::from).collect();
+    let objects = world.objects.iter();
+    let casters: Vec<Caster> = objects.map(|placed| Caster::new(world, placed)).collect();
     let shadow =
         |direction, tangent| GroundShadow::new(&casters, ground.height, direction, tangent);
     let (key_shadow, sky_shadow) = rayon::join(

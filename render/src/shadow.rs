@@ -1,8 +1,9 @@
 //! Soft shadows that a model casts on a level ground.
 
 use crate::Vector;
+use crate::cut::Cut;
 use crate::raster;
-use crate::world::Placed;
+use crate::world::{Placed, World};
 use ga_image::plane::Plane;
 
 /// How much of a light reaches each place of the ground.
@@ -20,15 +21,18 @@ pub(crate) struct GroundShadow {
 
 /// A mesh in the world that casts a shadow.
 pub(crate) struct Caster<'a> {
-    pub(crate) positions: &'a [Vector],
-    pub(crate) triangles: &'a [[u32; 3]],
+    positions: &'a [Vector],
+    triangles: &'a [[u32; 3]],
+    /// The world, and the number of the first triangle in it, where there are parts cut out.
+    cut: Option<(&'a World<'a>, usize)>,
 }
 
-impl<'a> From<&'a Placed<'a>> for Caster<'a> {
-    fn from(placed: &'a Placed<'a>) -> Self {
+impl<'a> Caster<'a> {
+    pub(crate) fn new(world: &'a World<'a>, placed: &'a Placed<'a>) -> Self {
         Self {
             positions: &placed.positions,
             triangles: placed.object.triangles,
+            cut: (!world.is_solid(placed)).then_some((world, placed.first)),
         }
     }
 }
@@ -77,12 +81,19 @@ impl GroundShadow {
         let mut lowest = Plane::filled(SIZE, SIZE, f32::INFINITY);
         let texels = lowest.values_mut();
         for (caster, projected) in casters.iter().zip(&projected) {
-            for triangle in caster.triangles {
+            for (index, triangle) in caster.triangles.iter().enumerate() {
                 let corners = triangle.map(|v| {
                     let [x, z, height] = projected[v as usize];
                     [(x - origin[0]) * density, (z - origin[1]) * density, height]
                 });
+                let cut = caster.cut.and_then(|(world, first)| {
+                    Cut::new(world, &world.face((first + index) as u32))
+                });
                 raster::fill(SIZE, SIZE, corners, |texel, height| {
+                    let shows = |cut: &Cut| cut.shows_at(texel, SIZE, corners);
+                    if !cut.as_ref().is_none_or(shows) {
+                        return;
+                    }
                     texels[texel] = texels[texel].min(height);
                 });
             }
@@ -165,6 +176,7 @@ mod tests {
         let plate = Caster {
             positions,
             triangles: &[[0, 1, 2], [0, 2, 3]],
+            cut: None,
         };
         GroundShadow::new(&[plate], 0.0, towards_light, tangent).unwrap()
     }

@@ -4,6 +4,7 @@ use ga_image::plane::Plane;
 use rayon::prelude::*;
 
 use crate::Vector;
+use crate::cut::Cut;
 use crate::raster;
 use crate::world::World;
 
@@ -59,9 +60,19 @@ impl ShadowMap {
             let rows = band * BAND..(band + 1) * BAND;
             let first = rows.start * SIZE;
             for (placed, projected) in world.objects.iter().zip(&projected) {
-                for triangle in placed.object.triangles {
+                let is_solid = world.is_solid(placed);
+                for (index, triangle) in placed.object.triangles.iter().enumerate() {
                     let corners = triangle.map(|v| projected[v as usize].coordinates());
+                    let cut = if is_solid {
+                        None
+                    } else {
+                        Cut::new(world, &world.face((placed.first + index) as u32))
+                    };
                     raster::fill_rows(SIZE, rows.clone(), corners, |texel, height| {
+                        let shows = |cut: &Cut| cut.shows_at(texel, SIZE, corners);
+                        if !cut.as_ref().is_none_or(shows) {
+                            return;
+                        }
                         let texel = &mut texels[texel - first];
                         *texel = texel.max(height);
                     });

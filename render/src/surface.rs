@@ -4,12 +4,13 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
+use crate::Vector;
 use crate::camera::Camera;
 use crate::clip::Clipper;
+use crate::cut::Cut;
 use crate::lens::Lens;
 use crate::raster::{self, Corner};
 use crate::world::{Face, World};
-use crate::{Material, Vector};
 
 /// The visible surface at every sample of a picture.
 pub(crate) struct Samples {
@@ -118,7 +119,12 @@ impl Drawing<'_> {
         triangles: &mut [u32],
     ) {
         let face = self.world.face(number);
-        let cut = if solid { None } else { self.cut(&face) };
+        let cut = if solid {
+            None
+        } else {
+            Cut::new(self.world, &face)
+        };
+        let view = face.view();
         let polygon = self.polygon(&face);
         let first = rows.start * self.width;
         for fan in polygon.fans() {
@@ -130,7 +136,7 @@ impl Drawing<'_> {
                 if let Some(cut) = &cut {
                     let (row, column) = (sample / self.width, sample % self.width);
                     let ray = self.lens.ray(column as f64 + 0.5, row as f64 + 0.5);
-                    if !cut.shows(ray) {
+                    if !cut.shows(barycentric(ray, view)) {
                         return;
                     }
                 }
@@ -138,42 +144,6 @@ impl Drawing<'_> {
                 triangles[index] = number;
             });
         }
-    }
-
-    fn cut(&self, face: &Face) -> Option<Cut<'_>> {
-        let material = self.world.material(face)?;
-        Some(Cut {
-            material,
-            cutoff: material.cutoff?,
-            view: face.view(),
-            coordinates: face.texture_coordinates(),
-            opacities: face
-                .colours()
-                .map_or([1.0; 3], |colours| colours.map(|colour| colour[3])),
-        })
-    }
-}
-
-/// A triangle that is there only where it is opaque.
-struct Cut<'a> {
-    material: &'a Material<'a>,
-    cutoff: f64,
-    view: [Vector; 3],
-    coordinates: Option<[[f64; 2]; 3]>,
-    opacities: [f64; 3],
-}
-
-impl Cut<'_> {
-    /// Whether the surface is there along a ray.
-    fn shows(&self, ray: Vector) -> bool {
-        let weights = barycentric(ray, self.view);
-        let mut opacity = self.material.opacity;
-        opacity *= (0..3).map(|i| weights[i] * self.opacities[i]).sum::<f64>();
-        if let (Some(map), Some(corners)) = (self.material.base_colour_map, self.coordinates) {
-            let coordinates = [0, 1].map(|c| (0..3).map(|i| weights[i] * corners[i][c]).sum());
-            opacity *= map.at(coordinates, 0.0)[3];
-        }
-        opacity >= self.cutoff
     }
 }
 

@@ -16,9 +16,20 @@ impl Model {
     /// faces that are in none; a face in several belongs to the first. Polygons are split as
     /// [`Mesh::triangles`] does. A triangle with a corner without a normal is flat; a mesh without
     /// normals is smooth. A mesh with a normal map but without tangents gets those of MikkTSpace.
-    /// All textures of a material are placed by the texture coordinates and the change of them that
-    /// its base colour asks for, or the first other texture that it has. Surfaces that ought to be
-    /// transparent are drawn opaque, with one of the [`warnings`](Model::warnings).
+    ///
+    /// Some things are drawn otherwise than the materials ask for; those with a mark have one of the
+    /// [`warnings`](Model::warnings):
+    ///
+    /// - (marked) All textures of a material are placed by the set of texture coordinates and the
+    ///   offset, rotation and scale of its base colour, or of the first other texture that it has.
+    /// - (marked) Transparent surfaces, [`AlphaMode::Blend`](ga_mesh::AlphaMode::Blend), are drawn
+    ///   opaque.
+    /// - Both sides of each face are drawn, whether or not the material is
+    ///   [`double_sided`](ga_mesh::Material::double_sided).
+    /// - Textures of Phong's model are not used.
+    ///
+    /// Parts that a material cuts out, [`AlphaMode::Mask`](ga_mesh::AlphaMode::Mask), do not cast
+    /// shadows.
     ///
     /// # Errors
     ///

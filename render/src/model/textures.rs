@@ -134,6 +134,27 @@ impl<'a> Loader<'a> {
             let warning = format!("material {name:?} is transparent; it is drawn opaque");
             self.model.warnings.push(warning);
         }
+        let used = [
+            ("base colour", &material.base_colour_texture),
+            ("roughness", &material.metallic_roughness_texture),
+            ("normals", &material.normal_texture),
+            ("occlusion", &material.occlusion_texture),
+            ("emission", &material.emissive_texture),
+        ];
+        if let Some(first) = material.textures().next() {
+            for (what, texture) in used {
+                if texture
+                    .as_ref()
+                    .is_some_and(|texture| !texture.has_same_place(first))
+                {
+                    self.model.warnings.push(format!(
+                        "material {name:?}: the texture of its {what} has texture coordinates, an \
+                         offset, a rotation or a scale of its own; it is placed as the first \
+                         texture of the material"
+                    ));
+                }
+            }
+        }
         let [red, green, blue, opacity] = material.base_colour;
         let mut load = |reference: &Option<Reference>, meaning| match reference {
             Some(reference) => self.texture(name, reference, meaning),

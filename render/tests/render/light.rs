@@ -1,10 +1,14 @@
 //! Shadows and occlusion, against what geometry says.
 
 use ga_image::colour::LinearColour;
-use ga_render::{Camera, Object, Scene, Style, render};
+use ga_render::texture::{Filter, Sampler, Texture, Wrap};
+use ga_render::{
+    Attribute, Camera, Ground, Material, MaterialChoice, Object, Scene, Style, render,
+};
+use image::{Rgba, RgbaImage};
 
 use crate::pictures::sphere;
-use crate::scenes::{UNIT_SQUARE, code, one_light, square};
+use crate::scenes::{CORNERS, UNIT_SQUARE, code, one_light, square};
 
 fn above(height: f64, distance: f64) -> Camera {
     let eye = [0.0, height, distance];
@@ -60,6 +64,65 @@ fn a_plate_shadows_the_floor_below_it() {
     let [column, row, _] = camera.project([-1.0, 0.0, 0.0], 300, 300).unwrap();
     let lit = code(0.5 * 0.5f64.sqrt()).round() as u8;
     assert_eq!(picture.get_pixel(column as u32, row as u32).0[0], lit);
+}
+
+/// The plate covers x from −0.5 to 0.5; its left half is cut out. The light falls from the right at
+/// 45°, so that the shadow is that of the right half, moved left by the height 1.
+#[test]
+fn parts_that_are_cut_out_cast_no_shadow() {
+    let (floor, plate) = (plate(4.0, 0.0), plate(0.5, 1.0));
+    let halves = RgbaImage::from_fn(2, 1, |column, _| {
+        Rgba([255, 255, 255, [0, 255][column as usize]])
+    });
+    let sampler = Sampler {
+        wrap: [Wrap::ClampToEdge; 2],
+        filter: Filter::Nearest,
+    };
+    let halves = Texture::colour(&halves, sampler).unwrap();
+    let materials = [Material {
+        base_colour_map: Some(&halves),
+        cutoff: Some(0.5),
+        ..Material::default()
+    }];
+    let plate = Object {
+        texture_coordinates: Some(Attribute::of_vertices(&CORNERS)),
+        material: MaterialChoice::One(0),
+        ..Object::new(&plate, &UNIT_SQUARE)
+    };
+    let on_floor = Scene {
+        objects: vec![Object::new(&floor, &UNIT_SQUARE), plate.clone()],
+        materials: &materials,
+        ..Scene::default()
+    };
+    let on_ground = Scene {
+        objects: vec![plate],
+        materials: &materials,
+        ground: Some(Ground {
+            height: 0.0,
+            grid: 100.0,
+        }),
+        ..Scene::default()
+    };
+    let style = Style {
+        self_shadow: 1.0,
+        shadow: 1.0,
+        occlusion: 0.0,
+        surface: LinearColour::WHITE,
+        ground: LinearColour::WHITE,
+        ..one_light(300, [1.0, 1.0, 0.0], LinearColour::WHITE)
+    };
+    let camera = above(9.0, 9.0);
+    for scene in [on_floor, on_ground] {
+        let picture = render(&scene, &camera, &style).unwrap().colour;
+        let at = |x: f64| {
+            let [column, row, _] = camera.project([x, 0.0, 0.2], 300, 300).unwrap();
+            picture.get_pixel(column as u32, row as u32).0[0]
+        };
+        // As far to the right there is no shadow.
+        let (dark, cut, lit) = (at(-0.75), at(-1.25), at(1.25));
+        assert!(cut.abs_diff(lit) <= 2, "{dark} {cut} {lit}");
+        assert!(lit > 150 && dark < lit - 80, "{dark} {cut} {lit}");
+    }
 }
 
 #[test]

@@ -87,3 +87,32 @@ fn the_example_of_the_specification_shows_the_lower_left_quadrant() {
         assert!(error.fold(0.0, f64::max) < 1e-5, "{found:?} {expected:?}");
     }
 }
+
+#[test]
+fn a_texture_with_another_place_than_the_base_colour_has_a_warning() {
+    let at = |scale: f64| Texture {
+        scale: [scale; 2],
+        ..Texture::file("none.png")
+    };
+    let warnings = |normal: f64| {
+        let mesh = square(Material {
+            base_colour_texture: Some(at(2.0)),
+            normal_texture: Some(at(normal)),
+            ..Material::named("wood")
+        });
+        let model = Model::from_mesh(&mesh, None).unwrap();
+        let own = model
+            .warnings()
+            .iter()
+            .filter(|text| text.contains("of its own"));
+        own.cloned().collect::<Vec<_>>()
+    };
+    assert!(warnings(2.0).is_empty());
+    let own = warnings(3.0);
+    assert_eq!(own.len(), 1);
+    assert!(
+        own[0].contains("\"wood\"") && own[0].contains("normals"),
+        "{}",
+        own[0]
+    );
+}

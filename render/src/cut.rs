@@ -1,0 +1,49 @@
+//! Triangles with parts that are cut out.
+
+use crate::Vector;
+use crate::material::Material;
+use crate::raster::Corner;
+use crate::surface::barycentric;
+use crate::world::{Face, World};
+
+/// A triangle that is there only where it is opaque.
+pub(crate) struct Cut<'a> {
+    material: &'a Material<'a>,
+    cutoff: f64,
+    coordinates: Option<[[f64; 2]; 3]>,
+    opacities: [f64; 3],
+}
+
+impl<'a> Cut<'a> {
+    /// `None` for a triangle without parts that are cut out.
+    pub(crate) fn new(world: &World<'a>, face: &Face) -> Option<Self> {
+        let material = world.material(face)?;
+        Some(Self {
+            material,
+            cutoff: material.cutoff?,
+            coordinates: face.texture_coordinates(),
+            opacities: face
+                .colours()
+                .map_or([1.0; 3], |colours| colours.map(|colour| colour[3])),
+        })
+    }
+
+    /// Whether the surface is there at barycentric coordinates of the triangle.
+    pub(crate) fn shows(&self, weights: [f64; 3]) -> bool {
+        let mut opacity = self.material.opacity;
+        opacity *= (0..3).map(|i| weights[i] * self.opacities[i]).sum::<f64>();
+        if let (Some(map), Some(corners)) = (self.material.base_colour_map, self.coordinates) {
+            let coordinates = [0, 1].map(|c| (0..3).map(|i| weights[i] * corners[i][c]).sum());
+            opacity *= map.at(coordinates, 0.0)[3];
+        }
+        opacity >= self.cutoff
+    }
+
+    /// Whether the surface is there at the middle of a pixel, where the triangle is projected in
+    /// parallel onto a map that is `width` pixels wide.
+    pub(crate) fn shows_at(&self, pixel: usize, width: usize, corners: [Corner; 3]) -> bool {
+        let place = |x: f64, y: f64| Vector::new(x, y, 1.0);
+        let middle = place((pixel % width) as f64 + 0.5, (pixel / width) as f64 + 0.5);
+        self.shows(barycentric(middle, corners.map(|[x, y, _]| place(x, y))))
+    }
+}
