@@ -9,7 +9,7 @@ fuzz_target!(|data: &[u8]| {
         return;
     };
     // A transform may take vertices beyond double precision.
-    let _ = document.to_mesh(Vertices::Joined);
+    let _ = document.to_mesh(Vertices::Merged);
     // An animation that moves nothing cannot be written.
     document
         .animations

@@ -97,6 +97,11 @@ impl Format {
 
 /// Reads a mesh.
 ///
+/// Vertices of a glTF file with equal positions become one vertex, see
+/// [`Vertices::Merged`](gltf::Vertices::Merged), since such a file has to split vertices where
+/// corners differ in normals or texture coordinates. Those of other formats are numbered as in the
+/// file.
+///
 /// # Errors
 ///
 /// [`FormatError`].
@@ -113,10 +118,16 @@ pub fn read(path: impl AsRef<Path>) -> Result<Loaded, FormatError> {
             mesh: ply::read(path)?,
             warnings: Vec::new(),
         }),
-        Format::Gltf => Ok(Loaded {
-            mesh: gltf::read_mesh(path)?,
-            warnings: Vec::new(),
-        }),
+        Format::Gltf => {
+            let document = gltf::read(path)?;
+            let mesh = document.to_mesh(gltf::Vertices::Merged);
+            let mesh = mesh.map_err(|problem| ReadError::Contents {
+                path: path.to_path_buf(),
+                problem,
+            })?;
+            let warnings = Vec::new();
+            Ok(Loaded { mesh, warnings })
+        }
     }
 }
 

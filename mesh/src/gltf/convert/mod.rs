@@ -15,7 +15,8 @@ use crate::Mesh;
 pub use to_mesh::Vertices;
 
 impl Document {
-    /// The meshes of all nodes, in the rising order of the nodes, as one mesh in the world.
+    /// The meshes of the nodes in a scene, in the rising order of the nodes, as one mesh in the
+    /// world. The scene is the default one, or else the first; without scenes all nodes count.
     ///
     /// Each node's mesh is an object of its name. A mesh with morph targets has the shape that its
     /// weights give, one with a skin the place that the joints' nodes give (the frame of its own

@@ -10,23 +10,26 @@ use crate::{
     CornerAttribute, Faces, Group, Mesh, MeshError, Normals, Polylines, Rgba, Tangent, Tangents,
 };
 
-/// What becomes of vertices at the same place.
+/// What becomes of vertices with the same position.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Vertices {
     /// Each stays a vertex, so that they are numbered as in the file.
     #[default]
     Kept,
     /// Those with equal coordinates become one vertex, so that faces are connected across seams of
-    /// texture coordinates and normals. Of their colours the first is kept.
-    Joined,
+    /// texture coordinates and normals. Of their colours the first is kept. Corners of faces keep
+    /// their texture coordinates, normals and tangents.
+    Merged,
 }
 
 pub(super) fn mesh(document: &Document, vertices: Vertices) -> Result<Mesh, GltfError> {
     document.validate()?;
-    check_size(document)?;
+    let shown = shown_nodes(document);
+    check_size(document, &shown)?;
     let world = World::new(document)?;
     let mut parts = Parts::default();
-    for (index, node) in document.nodes.iter().enumerate() {
+    for &index in &shown {
+        let node = &document.nodes[index];
         let Some(mesh) = node.mesh.map(|mesh| &document.meshes[mesh]) else {
             continue;
         };
@@ -41,17 +44,35 @@ pub(super) fn mesh(document: &Document, vertices: Vertices) -> Result<Mesh, Gltf
         let name = name(index, node, mesh);
         parts.objects.push(Group { name, faces });
     }
-    if vertices == Vertices::Joined {
-        parts.join();
+    if vertices == Vertices::Merged {
+        parts.merge();
     }
     parts
         .into_mesh(document)
         .map_err(|problem| GltfError::new(Element::File, Problem::Mesh(problem.into())))
 }
 
+/// The nodes of the default scene, of the first scene without a default, and all nodes without
+/// scenes, in rising order.
+fn shown_nodes(document: &Document) -> Vec<usize> {
+    let scene = document.scene.unwrap_or(0);
+    let Some(scene) = document.scenes.get(scene) else {
+        return (0..document.nodes.len()).collect();
+    };
+    // The nodes form a forest, so that none is met twice.
+    let mut nodes = scene.nodes.clone();
+    let mut next = 0;
+    while let Some(&node) = nodes.get(next) {
+        nodes.extend(&document.nodes[node].children);
+        next += 1;
+    }
+    nodes.sort_unstable();
+    nodes
+}
+
 /// Many nodes may place one mesh. A few bytes for each must not become a mesh of any size, so nodes
 /// may place 16 million corners and vertices, or each mesh a thousand times.
-fn check_size(document: &Document) -> Result<(), GltfError> {
+fn check_size(document: &Document, shown: &[usize]) -> Result<(), GltfError> {
     const FREE: u64 = 1 << 24;
     const TIMES: u64 = 1000;
     let size = |primitive: &Primitive| {
@@ -62,7 +83,7 @@ fn check_size(document: &Document) -> Result<(), GltfError> {
     let sizes: Vec<u64> = meshes
         .map(|mesh| mesh.primitives.iter().map(size).sum())
         .collect();
-    let placed = document.nodes.iter().filter_map(|node| node.mesh);
+    let placed = shown.iter().filter_map(|&node| document.nodes[node].mesh);
     let needed = placed.fold(0, |sum: u64, mesh| sum.saturating_add(sizes[mesh]));
     let limit = FREE.max(TIMES.saturating_mul(sizes.iter().sum()));
     if needed > limit {
@@ -87,13 +108,13 @@ struct Parts {
     /// The vertices as they are numbered in `positions`, three for each face.
     faces: Vec<[u32; 3]>,
     face_materials: Vec<Option<u32>>,
-    /// For each vertex its attributes; the corners of faces refer to the vertices before any join.
+    /// For each vertex its attributes; the corners of faces refer to the vertices before any merge.
     colours: Vec<Option<Rgba>>,
     texcoords: Vec<Vec<Option<[f64; 2]>>>,
     normals: Vec<Option<ga_runtime::vga3::Vector<f64>>>,
     tangents: Vec<Option<Tangent>>,
-    /// For each vertex before any join the one that it is now.
-    joined: Option<Vec<u32>>,
+    /// For each vertex before any merge the one that it is now.
+    merged: Option<Vec<u32>>,
     objects: Vec<Group>,
     polylines: Vec<Vec<u32>>,
     points: Vec<u32>,
@@ -186,11 +207,11 @@ impl Parts {
     }
 
     /// Makes vertices with equal coordinates one.
-    fn join(&mut self) {
+    fn merge(&mut self) {
         let mut places: HashMap<[u64; 3], u32> = HashMap::new();
         let mut positions = Vec::new();
         let mut colours = Vec::new();
-        let mut joined = Vec::with_capacity(self.positions.len());
+        let mut merged = Vec::with_capacity(self.positions.len());
         for (&position, &colour) in self.positions.iter().zip(&self.colours) {
             // Adding zero makes −0 and 0 one place.
             let place = position.map(|coordinate| (coordinate + 0.0).to_bits());
@@ -199,23 +220,23 @@ impl Parts {
                 colours.push(colour);
                 positions.len() as u32 - 1
             });
-            joined.push(vertex);
+            merged.push(vertex);
         }
         (self.positions, self.colours) = (positions, colours);
         for line in &mut self.polylines {
             line.iter_mut()
-                .for_each(|vertex| *vertex = joined[*vertex as usize]);
+                .for_each(|vertex| *vertex = merged[*vertex as usize]);
         }
         self.points
             .iter_mut()
-            .for_each(|vertex| *vertex = joined[*vertex as usize]);
-        self.joined = Some(joined);
+            .for_each(|vertex| *vertex = merged[*vertex as usize]);
+        self.merged = Some(merged);
     }
 
     fn into_mesh(self, document: &Document) -> Result<Mesh, MeshError> {
         let corners: &[u32] = self.faces.as_flattened();
-        let vertex = |&corner: &u32| match &self.joined {
-            Some(joined) => joined[corner as usize],
+        let vertex = |&corner: &u32| match &self.merged {
+            Some(merged) => merged[corner as usize],
             None => corner,
         };
         let polygons = self

@@ -1,9 +1,11 @@
 //! Between documents and meshes.
 
+use ga_mesh::format;
 use ga_mesh::gltf::{
     self as ours, Document, Node, Primitive, TextureInfo, TextureTransform, Transform, Vertices,
     read_mesh, write_mesh,
 };
+use ga_mesh::topology::Report;
 use ga_mesh::{CornerAttribute, Faces, Group, Image, Material, Mesh, Normals, Polylines, Texture};
 use ga_runtime::vga3::Vector;
 
@@ -119,7 +121,7 @@ fn a_mesh_comes_back_from_either_file() {
 
         let joined = ours::read(&path)
             .unwrap()
-            .to_mesh(Vertices::Joined)
+            .to_mesh(Vertices::Merged)
             .unwrap();
         let sorted = |mesh: &Mesh| {
             let mut places: Vec<_> = mesh.coordinates().map(|p| p.map(|c| c as i32)).collect();
@@ -149,6 +151,31 @@ fn a_mesh_comes_back_from_either_file() {
                 assert_eq!(picture(&joined, corner), picture(&cube, old_corner));
             }
         }
+    }
+}
+
+/// By any ending of the name the faces are connected, also where their normals differ.
+#[test]
+fn a_cube_is_one_component() {
+    let cube = cube();
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["cube.glb", "cube.gltf", "cube.obj"] {
+        let path = folder.path().join(name);
+        format::write(&path, &cube, &format::Options::default()).unwrap();
+        let again = format::read(&path).unwrap().mesh;
+        let report = Report::of_mesh(&again);
+        assert_eq!((report.vertices, report.components), (8, 1), "{name}");
+        assert!(report.is_closed(), "{name}");
+        assert_eq!(report.genus, Some(0), "{name}");
+        // Three different normals meet at every vertex.
+        let mut at_vertices = vec![Vec::new(); 8];
+        for (corner, &vertex) in again.faces().corners().iter().enumerate() {
+            let normal = again.normals().unwrap().get(corner).unwrap().coordinates();
+            if !at_vertices[vertex as usize].contains(&normal) {
+                at_vertices[vertex as usize].push(normal);
+            }
+        }
+        assert!(at_vertices.iter().all(|normals| normals.len() == 3));
     }
 }
 
@@ -260,6 +287,47 @@ fn nodes_may_not_place_a_mesh_without_end() {
     assert_eq!(error.to_string(), expected);
 }
 
+/// Three nodes, each with a triangle at its own height; the second is a child of the first.
+#[test]
+fn only_the_nodes_of_the_default_scene_are_converted() {
+    let node = |height: f32, children| Node {
+        mesh: Some(0),
+        transform: Transform::Decomposed {
+            translation: [0.0, 0.0, height],
+            rotation: [0.0, 0.0, 0.0, 1.0],
+            scale: [1.0; 3],
+        },
+        children,
+        ..Node::default()
+    };
+    let scene = |node| ours::Scene {
+        nodes: vec![node],
+        ..ours::Scene::default()
+    };
+    let mut document = Document {
+        scene: Some(1),
+        scenes: vec![scene(2), scene(0)],
+        nodes: vec![node(1.0, vec![1]), node(2.0, vec![]), node(5.0, vec![])],
+        meshes: vec![ours::Mesh {
+            primitives: vec![Primitive {
+                positions: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+                ..Primitive::default()
+            }],
+            ..ours::Mesh::default()
+        }],
+        ..Document::default()
+    };
+    let heights = |document: &Document| -> Vec<f64> {
+        let mesh = document.to_mesh(Vertices::Kept).unwrap();
+        mesh.coordinates().step_by(3).map(|[_, _, z]| z).collect()
+    };
+    assert_eq!(heights(&document), [1.0, 3.0]);
+    document.scene = None;
+    assert_eq!(heights(&document), [5.0]);
+    document.scenes.clear();
+    assert_eq!(heights(&document), [1.0, 3.0, 5.0]);
+}
+
 /// Half of one target and twice the other.
 #[test]
 fn morph_targets_have_the_weights_of_the_node() {
@@ -322,7 +390,7 @@ fn strips_fans_lines_and_points_are_taken_apart() {
         }],
         ..Document::default()
     };
-    let mesh = document.to_mesh(Vertices::Joined).unwrap();
+    let mesh = document.to_mesh(Vertices::Merged).unwrap();
     assert_eq!(mesh.points(), [0, 1, 2, 3, 4]);
     let lines: Vec<&[u32]> = mesh.polylines().iter().collect();
     let expected: [&[u32]; 4] = [&[0, 1], &[2, 3], &[0, 1, 2, 3, 4, 0], &[0, 1, 2, 3, 4]];
@@ -330,7 +398,7 @@ fn strips_fans_lines_and_points_are_taken_apart() {
 
     let polylines = Polylines::from_lines(expected).unwrap();
     let again = Document::from_mesh(&mesh.clone().with_polylines(polylines).unwrap()).unwrap();
-    assert_eq!(again.to_mesh(Vertices::Joined).unwrap(), mesh);
+    assert_eq!(again.to_mesh(Vertices::Merged).unwrap(), mesh);
 }
 
 /// The place on the picture is the same by either convention: that of `KHR_texture_transform`,
