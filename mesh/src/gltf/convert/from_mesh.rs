@@ -34,7 +34,12 @@ pub(super) fn document(mesh: &Mesh) -> Document {
     // One list of primitives for each object, and one for faces without an object and for lines.
     let mut lists: Vec<Vec<Primitive>> = vec![Vec::new(); mesh.objects().len() + 1];
     for (kind, faces) in kinds(mesh) {
-        lists[kind.object].push(triangles(mesh, &kind, &faces));
+        let mut primitive = triangles(mesh, &kind, &faces);
+        let sets = primitive.texcoords.len();
+        primitive.material = primitive
+            .material
+            .map(|material| material::with_sets(material, sets, &mut document));
+        lists[kind.object].push(primitive);
     }
     lists[mesh.objects().len()].extend(lines(mesh));
     let named = lists.into_iter().enumerate().map(|(object, primitives)| {
@@ -191,13 +196,33 @@ fn vertices_of(mesh: &Mesh, vertices: impl Iterator<Item = u32> + Clone) -> Prim
     }
 }
 
-/// The polylines, one primitive each, and the points.
+/// How many polylines of more than two vertices are a primitive each. The accessors of a primitive
+/// take far more memory than a short polyline.
+const STRIPS: usize = 256;
+
+/// The edges, which are polylines of two vertices, as one primitive; the longer polylines, one
+/// primitive each, or as edges where there are many; and the points.
 fn lines(mesh: &Mesh) -> Vec<Primitive> {
-    let line = |line: &[u32]| Primitive {
+    let strip = |line: &[u32]| Primitive {
         mode: Mode::LineStrip,
         ..vertices_of(mesh, line.iter().copied())
     };
-    let mut primitives: Vec<Primitive> = mesh.polylines().iter().map(line).collect();
+    let long = || mesh.polylines().iter().filter(|line| line.len() > 2);
+    let has_strips = long().count() <= STRIPS;
+    let of_edges = mesh.polylines().iter();
+    let of_edges = of_edges.filter(|line| !has_strips || line.len() == 2);
+    let edges: Vec<u32> = of_edges
+        .flat_map(|line| line.windows(2))
+        .flatten()
+        .copied()
+        .collect();
+    let mut primitives = Vec::new();
+    if !edges.is_empty() {
+        primitives.push(segments(mesh, &edges));
+    }
+    if has_strips {
+        primitives.extend(long().map(strip));
+    }
     if !mesh.points().is_empty() {
         primitives.push(Primitive {
             mode: Mode::Points,
@@ -205,4 +230,17 @@ fn lines(mesh: &Mesh) -> Vec<Primitive> {
         });
     }
     primitives
+}
+
+/// Edges, two vertices each, as one primitive with indices.
+fn segments(mesh: &Mesh, edges: &[u32]) -> Primitive {
+    let mut used = edges.to_vec();
+    used.sort_unstable();
+    used.dedup();
+    let index = |vertex| used.partition_point(|&other| other < vertex) as u32;
+    Primitive {
+        mode: Mode::Lines,
+        indices: Some(edges.iter().map(|&vertex| index(vertex)).collect()),
+        ..vertices_of(mesh, used.iter().copied())
+    }
 }

@@ -126,6 +126,26 @@ pub(super) fn from_materials(materials: &[Material], document: &mut Document) {
     }
 }
 
+/// The index of the material without the textures that use texture coordinates which a primitive
+/// with only `sets` sets of them lacks; glTF forbids such textures. A copy of the material is added
+/// to the document where it has any.
+pub(super) fn with_sets(material: usize, sets: usize, document: &mut Document) -> usize {
+    let mut copy = document.materials[material].clone();
+    for texture in [
+        &mut copy.base_colour_texture,
+        &mut copy.metallic_roughness_texture,
+        &mut copy.normal_texture,
+        &mut copy.occlusion_texture,
+        &mut copy.emissive_texture,
+    ] {
+        *texture = texture.filter(|texture| (texture.texcoord as usize) < sets);
+    }
+    if copy == document.materials[material] {
+        return material;
+    }
+    index_of(copy, &mut document.materials)
+}
+
 fn from_texture(texture: &Texture, document: &mut Document) -> TextureInfo {
     let source = match &texture.image {
         Image::File(path) => ImageSource::Uri(uri::of_path(path)),

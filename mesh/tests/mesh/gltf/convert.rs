@@ -154,6 +154,65 @@ fn a_mesh_comes_back_from_either_file() {
     }
 }
 
+/// The second triangle has no texture coordinates, which glTF demands of a texture.
+#[test]
+fn faces_without_texture_coordinates_have_no_texture() {
+    let corners = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]];
+    let faces = Faces::from_polygons([[0, 1, 2], [1, 3, 2]]).unwrap();
+    let paint = Material {
+        base_colour: [0.5, 0.25, 0.125, 1.0],
+        base_colour_texture: Some(Texture::file("a.png")),
+        ..Material::named("paint")
+    };
+    let mesh = Mesh::new(corners, faces)
+        .and_then(|mesh| mesh.with_materials(vec![paint], vec![Some(0); 2]))
+        .and_then(|mesh| {
+            mesh.with_texture_coordinates(vec![CornerAttribute {
+                values: vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]],
+                corners: vec![Some(0), Some(1), Some(2), None, None, None],
+            }])
+        });
+    let document = Document::from_mesh(&mesh.unwrap()).unwrap();
+    let primitives = &document.meshes[0].primitives;
+    assert_eq!(primitives.len(), 2);
+    for primitive in primitives {
+        let material = &document.materials[primitive.material.unwrap()];
+        let has_texture = material.base_colour_texture.is_some();
+        assert_eq!(has_texture, !primitive.texcoords.is_empty());
+        assert_eq!(material.base_colour, [0.5, 0.25, 0.125, 1.0]);
+        assert_eq!(material.name.as_deref(), Some("paint"));
+    }
+}
+
+/// A path along the vertices, as edges and as polylines of three vertices.
+#[test]
+fn many_lines_are_one_primitive() {
+    let count = 20_000u32;
+    let places: Vec<_> = (0..=count).map(|i| [f64::from(i), 0.0, 0.0]).collect();
+    let mesh = Mesh::new(places, Faces::default()).unwrap();
+    let edges: Vec<[u32; 2]> = (0..count).map(|i| [i, i + 1]).collect();
+    let long: Vec<[u32; 3]> = (0..count / 2)
+        .map(|i| [2 * i, 2 * i + 1, 2 * i + 2])
+        .collect();
+    for lines in [Polylines::from_lines(&edges), Polylines::from_lines(&long)] {
+        let mesh = mesh.clone().with_polylines(lines.unwrap()).unwrap();
+        let document = Document::from_mesh(&mesh).unwrap();
+        let [primitive] = &document.meshes[0].primitives[..] else {
+            panic!("{} primitives", document.meshes[0].primitives.len())
+        };
+        assert_eq!(primitive.positions.len(), 20_001);
+        let indices = primitive.indices.as_ref().unwrap();
+        assert_eq!(indices.as_chunks::<2>().0, edges);
+        let again = document.to_mesh(Vertices::Kept).unwrap();
+        assert!(
+            again
+                .polylines()
+                .iter()
+                .eq(edges.iter().map(|edge| &edge[..]))
+        );
+    }
+}
+
 /// By any ending of the name the faces are connected, also where their normals differ.
 #[test]
 fn a_cube_is_one_component() {

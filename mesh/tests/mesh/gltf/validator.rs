@@ -5,6 +5,8 @@ use std::process::Command;
 
 use ga_mesh::gltf::{read, write};
 
+use ga_mesh::{CornerAttribute, Faces, Image, Material, Mesh, Polylines, Texture, format};
+
 use super::documents::example;
 use super::samples::samples;
 use super::source::strip;
@@ -49,6 +51,14 @@ fn the_khronos_validator_finds_nothing() {
             validate.arg(path);
         }
     }
+    let options = format::Options::default();
+    for (name, mesh) in meshes() {
+        for extension in ["glb", "gltf"] {
+            let path = folder.path().join(format!("mesh {name}.{extension}"));
+            format::write(&path, &mesh, &options).unwrap();
+            validate.arg(path);
+        }
+    }
     for path in samples() {
         let mut document = read(&path).unwrap();
         if document.load_images(path.parent().unwrap()).is_err() {
@@ -67,4 +77,40 @@ fn the_khronos_validator_finds_nothing() {
     let text = String::from_utf8_lossy(&output.stdout);
     println!("{text}");
     assert!(output.status.success(), "{text}");
+}
+
+/// Two triangles with one textured material, of which only the first has texture coordinates; edges
+/// with a longer polyline and points; and points alone.
+fn meshes() -> [(&'static str, Mesh); 3] {
+    let [picture] = <[_; 1]>::try_from(example(0).images[..1].to_vec()).unwrap();
+    let ga_mesh::gltf::ImageSource::Bytes { media_type, bytes } = picture.source else {
+        panic!("the example has its picture in it")
+    };
+    let image = Image::Embedded {
+        media_type,
+        bytes: bytes.into(),
+    };
+    let paint = Material {
+        base_colour_texture: Some(Texture::new(image)),
+        ..Material::named("paint")
+    };
+    let corners = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]];
+    let faces = Faces::from_polygons([[0, 1, 2], [1, 3, 2]]).unwrap();
+    let textured = Mesh::new(corners.clone(), faces)
+        .and_then(|mesh| mesh.with_materials(vec![paint], vec![Some(0); 2]))
+        .and_then(|mesh| {
+            mesh.with_texture_coordinates(vec![CornerAttribute {
+                values: vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]],
+                corners: vec![Some(0), Some(1), Some(2), None, None, None],
+            }])
+        });
+    let plain = Mesh::new(corners, Faces::default()).unwrap();
+    let lines = Polylines::from_lines([&[0, 1][..], &[2, 3], &[0, 3, 1]]).unwrap();
+    let lines = plain.clone().with_polylines(lines);
+    let lines = lines.and_then(|mesh| mesh.with_points(vec![3, 1]));
+    [
+        ("textured", textured.unwrap()),
+        ("lines", lines.unwrap()),
+        ("points", plain.with_points(vec![0, 1, 2, 3]).unwrap()),
+    ]
 }
