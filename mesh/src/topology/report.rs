@@ -64,7 +64,9 @@ pub struct Report {
     pub unreferenced_vertices: Vec<u32>,
     /// The vertices at the very place of an earlier one.
     pub duplicate_vertices: Vec<u32>,
-    /// The faces that name a vertex twice or have no area.
+    /// The faces that name a vertex twice or have the area vector 0, as faces whose corners lie on
+    /// one line. A quadrilateral that crosses itself in its middle, a bow tie, is among them: the
+    /// areas of its two halves have opposite signs.
     pub degenerate_faces: Vec<u32>,
     /// The faces with the vertices of an earlier one.
     pub duplicate_faces: Vec<u32>,
@@ -232,7 +234,22 @@ fn degenerate_faces(mesh: &Mesh) -> Vec<u32> {
         if has_repeated(face) {
             return true;
         }
-        let at = |vertex: u32| Vector::from(positions[vertex as usize]);
+        let position = |vertex: u32| positions[vertex as usize];
+        // Areas of tiny faces would be rounded to 0, so that the face is scaled to about size 1.
+        // A power of two changes no digit.
+        let origin = position(face[0]);
+        let offset = |vertex: u32| {
+            let place = position(vertex);
+            [0, 1, 2].map(|axis| place[axis] - origin[axis])
+        };
+        let coordinates = face.iter().flat_map(|&vertex| offset(vertex));
+        let size = coordinates.fold(0.0, |most: f64, x| most.max(x.abs()));
+        if size == 0.0 {
+            return true;
+        }
+        let exponent = size.to_bits() & f64::INFINITY.to_bits();
+        let size = f64::from_bits(exponent).max(f64::MIN_POSITIVE);
+        let at = |vertex: u32| Vector::from(offset(vertex).map(|x| x / size));
         let triangles = face[1..].windows(2).map(|edge| [face[0], edge[0], edge[1]]);
         let area = triangles.fold(Vector::default(), |sum, triangle| {
             sum + area_vector(triangle.map(at))

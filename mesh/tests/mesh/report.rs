@@ -102,6 +102,22 @@ fn irregular_elements_are_named() {
     assert_eq!(flat.duplicate_vertices, [3]);
     assert_eq!(flat.degenerate_faces, [0]);
 
+    // Half of a square is half of a square, however small; points of a line are on it.
+    for size in [1e-300, 1e-170, 1.0, 1e170, 1e300] {
+        let places = vec![
+            [0.0; 3],
+            [size, 0.0, 0.0],
+            [0.0, size, 0.0],
+            [size, size, 0.0],
+            [3.0 * size, 3.0 * size, 0.0],
+        ];
+        // The second face is a bow tie, the third has its corners on a diagonal.
+        let faces: [&[u32]; 3] = [&[0, 1, 2], &[0, 1, 2, 3], &[0, 3, 4]];
+        let faces = Faces::from_polygons(faces).unwrap();
+        let report = Report::of_mesh(&Mesh::new(places, faces).unwrap());
+        assert_eq!(report.degenerate_faces, [1, 2], "{size}");
+    }
+
     let nothing = report(0, &[]);
     assert_eq!((nothing.components, nothing.euler_characteristic), (0, 0));
     assert!(!nothing.is_closed());
