@@ -1,5 +1,7 @@
 //! The header of a PLY file.
 
+use std::collections::HashSet;
+
 use super::{Encoding, Place, PlyError, PlyProblem};
 
 /// What a file declares.
@@ -113,8 +115,7 @@ pub(super) fn header(bytes: &[u8]) -> Result<Header, PlyError> {
             problem,
         }
     };
-    let mut encoding = None;
-    let mut elements: Vec<Element> = Vec::new();
+    let mut declared = Declarations::default();
     let mut position = 0;
     for line in 1.. {
         if line > 1 && position == bytes.len() {
@@ -128,14 +129,15 @@ pub(super) fn header(bytes: &[u8]) -> Result<Header, PlyError> {
                 return Err(at_line(1)(PlyProblem::NotPly));
             }
         } else {
-            let is_end = statement(text, line, &mut encoding, &mut elements);
+            let is_end = declared.statement(text, line);
             if is_end.map_err(at_line(line))? {
-                let encoding = encoding
+                let encoding = declared
+                    .encoding
                     .ok_or(PlyProblem::NoFormat)
                     .map_err(at_line(line))?;
                 return Ok(Header {
                     encoding,
-                    elements,
+                    elements: declared.elements,
                     length: end.map_or(bytes.len(), |end| end + 1),
                     lines: line,
                 });
@@ -149,81 +151,89 @@ pub(super) fn header(bytes: &[u8]) -> Result<Header, PlyError> {
     Err(at_line(1)(PlyProblem::NoEndOfHeader))
 }
 
-/// Reads a line; whether it is the last one.
-fn statement(
-    text: &[u8],
-    line: usize,
-    encoding: &mut Option<Encoding>,
-    elements: &mut Vec<Element>,
-) -> Result<bool, PlyProblem> {
-    // A comment may have any encoding.
-    let first = text.split(u8::is_ascii_whitespace).next().unwrap_or(b"");
-    if matches!(first, b"comment" | b"obj_info") {
-        return Ok(false);
-    }
-    let text = std::str::from_utf8(text).map_err(|_| PlyProblem::NotText)?;
-    let unknown = || PlyProblem::UnknownLine {
-        line: text.chars().take(60).collect(),
-    };
-    let words: Vec<&str> = text.split_ascii_whitespace().collect();
-    match words[..] {
-        ["end_header"] => return Ok(true),
-        ["format", name, version] => {
-            *encoding = Some(match (name, version) {
-                ("ascii", "1.0") => Encoding::Ascii,
-                ("binary_little_endian", "1.0") => Encoding::LittleEndian,
-                ("binary_big_endian", "1.0") => Encoding::BigEndian,
-                _ => {
-                    return Err(PlyProblem::UnknownFormat {
-                        format: format!("{name} {version}"),
-                    });
-                }
-            });
-        }
-        ["element", name, count] => {
-            if encoding.is_none() {
-                return Err(PlyProblem::NoFormat);
-            }
-            if elements.iter().any(|element| element.name == name) {
-                let name = name.to_owned();
-                return Err(PlyProblem::Twice { name });
-            }
-            elements.push(Element {
-                name: name.to_owned(),
-                count: count.parse().map_err(|_| unknown())?,
-                properties: Vec::new(),
-                line,
-            });
-        }
-        ["property", scalar, name] => {
-            let scalar = Scalar::of_name(scalar).ok_or_else(unknown)?;
-            add_property(elements, name, None, scalar)?;
-        }
-        ["property", "list", length, scalar, name] => {
-            let length = Scalar::of_name(length).ok_or_else(unknown)?;
-            let scalar = Scalar::of_name(scalar).ok_or_else(unknown)?;
-            add_property(elements, name, Some(length), scalar)?;
-        }
-        _ => return Err(unknown()),
-    }
-    Ok(false)
+/// What the lines so far declare.
+#[derive(Default)]
+struct Declarations {
+    encoding: Option<Encoding>,
+    elements: Vec<Element>,
+    element_names: HashSet<String>,
+    /// The names of the properties of the latest element.
+    property_names: HashSet<String>,
 }
 
-fn add_property(
-    elements: &mut [Element],
-    name: &str,
-    length: Option<Scalar>,
-    scalar: Scalar,
-) -> Result<(), PlyProblem> {
-    let element = elements.last_mut().ok_or(PlyProblem::NoElement)?;
-    if element.properties.iter().any(|other| other.name == name) {
-        let name = format!("{} {name}", element.name);
-        return Err(PlyProblem::Twice { name });
+impl Declarations {
+    /// Reads a line; whether it is the last one.
+    fn statement(&mut self, text: &[u8], line: usize) -> Result<bool, PlyProblem> {
+        // A comment may have any encoding.
+        let first = text.split(u8::is_ascii_whitespace).next().unwrap_or(b"");
+        if matches!(first, b"comment" | b"obj_info") {
+            return Ok(false);
+        }
+        let text = std::str::from_utf8(text).map_err(|_| PlyProblem::NotText)?;
+        let unknown = || PlyProblem::UnknownLine {
+            line: text.chars().take(60).collect(),
+        };
+        let words: Vec<&str> = text.split_ascii_whitespace().collect();
+        match words[..] {
+            ["end_header"] => return Ok(true),
+            ["format", name, version] => {
+                self.encoding = Some(match (name, version) {
+                    ("ascii", "1.0") => Encoding::Ascii,
+                    ("binary_little_endian", "1.0") => Encoding::LittleEndian,
+                    ("binary_big_endian", "1.0") => Encoding::BigEndian,
+                    _ => {
+                        return Err(PlyProblem::UnknownFormat {
+                            format: format!("{name} {version}"),
+                        });
+                    }
+                });
+            }
+            ["element", name, count] => {
+                if self.encoding.is_none() {
+                    return Err(PlyProblem::NoFormat);
+                }
+                if !self.element_names.insert(name.to_owned()) {
+                    let name = name.to_owned();
+                    return Err(PlyProblem::Twice { name });
+                }
+                self.property_names.clear();
+                self.elements.push(Element {
+                    name: name.to_owned(),
+                    count: count.parse().map_err(|_| unknown())?,
+                    properties: Vec::new(),
+                    line,
+                });
+            }
+            ["property", scalar, name] => {
+                let scalar = Scalar::of_name(scalar).ok_or_else(unknown)?;
+                self.add_property(name, None, scalar)?;
+            }
+            ["property", "list", length, scalar, name] => {
+                let length = Scalar::of_name(length).ok_or_else(unknown)?;
+                let scalar = Scalar::of_name(scalar).ok_or_else(unknown)?;
+                self.add_property(name, Some(length), scalar)?;
+            }
+            _ => return Err(unknown()),
+        }
+        Ok(false)
     }
-    element.properties.push(Property {
-        name: name.to_owned(),
-        length,
-        scalar,
-    });
-    Ok(())
+
+    fn add_property(
+        &mut self,
+        name: &str,
+        length: Option<Scalar>,
+        scalar: Scalar,
+    ) -> Result<(), PlyProblem> {
+        let element = self.elements.last_mut().ok_or(PlyProblem::NoElement)?;
+        if !self.property_names.insert(name.to_owned()) {
+            let name = format!("{} {name}", element.name);
+            return Err(PlyProblem::Twice { name });
+        }
+        element.properties.push(Property {
+            name: name.to_owned(),
+            length,
+            scalar,
+        });
+        Ok(())
+    }
 }

@@ -20,6 +20,9 @@ pub(super) fn mesh(bytes: &[u8]) -> Result<Mesh, PlyError> {
             "tristrips" => {
                 return Err(at(element)(PlyProblem::TriangleStrips));
             }
+            // Elements without properties take no space in any encoding, so that a file of a few
+            // bytes may declare any number of them.
+            _ if element.properties.is_empty() => {}
             _ => body.each(element, |body| {
                 element
                     .properties
@@ -238,7 +241,16 @@ impl Elements {
     }
 
     fn into_mesh(self, vertices: Vertices) -> Result<Mesh, MeshError> {
-        let mut mesh = Mesh::new(vertices.positions, self.faces)?.with_polylines(self.edges)?;
+        // Vertices alone are a cloud of points.
+        let is_cloud = self.faces.is_empty() && self.edges.is_empty();
+        let points = if is_cloud {
+            vertices.positions.len()
+        } else {
+            0
+        };
+        let mut mesh = Mesh::new(vertices.positions, self.faces)?
+            .with_polylines(self.edges)?
+            .with_points((0..points as u32).collect())?;
         if !vertices.colours.is_empty() {
             mesh = mesh.with_colours(vertices.colours)?;
         }

@@ -262,6 +262,44 @@ fn a_false_count_is_an_error_at_once() {
 }
 
 #[test]
+fn vertices_alone_are_points() {
+    let header = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
+                  property float z\nelement face 0\nproperty list uchar int vertex_indices\n\
+                  end_header\n";
+    let cloud = ply::parse(format!("{header}0 0 0\n1 0 0\n0 2 0\n").as_bytes()).unwrap();
+    assert_eq!(cloud.points(), [0, 1, 2]);
+    let text = ga_mesh::obj::to_text(&cloud);
+    assert!(text.ends_with("p 1\np 2\np 3\n"), "{text}");
+    let again = ga_mesh::obj::parse(text.as_bytes()).unwrap();
+    assert_eq!(again, cloud);
+    let document = ga_mesh::gltf::Document::from_mesh(&cloud).unwrap();
+    let primitive = &document.meshes[0].primitives[0];
+    assert_eq!(primitive.mode, ga_mesh::gltf::Mode::Points);
+    assert_eq!(primitive.positions[2], [0.0, 2.0, 0.0]);
+}
+
+/// They take no bytes, so that the count may be any.
+#[test]
+fn elements_without_properties_are_skipped() {
+    for (format, end) in [
+        ("ascii", &b"0 0 5\n"[..]),
+        ("binary_little_endian", b"\0\0\0\0\0\0\0\0\0\0\xa0\x40"),
+    ] {
+        let mut text = format!("ply\nformat {format} 1.0\n");
+        for index in 0..100_000 {
+            text += &format!("element nothing{index} 18446744073709551615\n");
+        }
+        text += "element vertex 1\n";
+        for name in ["x", "y", "z"] {
+            text += &format!("property float {name}\n");
+        }
+        text += "end_header\n";
+        let mesh = ply::parse(&[text.as_bytes(), end].concat()).unwrap();
+        assert!(mesh.coordinates().eq([[0.0, 0.0, 5.0]]));
+    }
+}
+
+#[test]
 fn normals_that_differ_at_a_vertex_are_left_out_and_texture_coordinates_become_lists() {
     let faces = Faces::from_polygons([[0, 1, 2], [0, 2, 3]]).unwrap();
     let corners = vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
