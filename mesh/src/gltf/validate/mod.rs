@@ -3,6 +3,8 @@
 mod animation;
 mod primitive;
 
+use std::collections::HashSet;
+
 use super::error::{Element, Problem};
 use super::{Camera, Document, GltfError, Material, Node, Projection, Skin, Transform};
 
@@ -32,8 +34,10 @@ pub(super) fn document(document: &Document) -> Checked {
     for (index, skin) in document.skins.iter().enumerate() {
         self::skin(skin, document).map_err(|error| error.within(Element::Skin(index)))?;
     }
+    let mut skinned = HashSet::new();
     for (index, node) in document.nodes.iter().enumerate() {
-        self::node(index, node, document).map_err(|error| error.within(Element::Node(index)))?;
+        self::node(index, node, document, &mut skinned)
+            .map_err(|error| error.within(Element::Node(index)))?;
     }
     for (index, animation) in document.animations.iter().enumerate() {
         self::animation::animation(index, animation, document)?;
@@ -57,7 +61,13 @@ pub(super) fn document(document: &Document) -> Checked {
     Ok(())
 }
 
-fn node(index: usize, node: &Node, document: &Document) -> Checked {
+/// `skinned` are the pairs of meshes and skins whose influences have been checked.
+fn node(
+    index: usize,
+    node: &Node,
+    document: &Document,
+    skinned: &mut HashSet<(usize, usize)>,
+) -> Checked {
     if let Some(camera) = node.camera {
         exists("camera", camera, document.cameras.len())?;
     }
@@ -104,6 +114,9 @@ fn node(index: usize, node: &Node, document: &Document) -> Checked {
     }
     if let Some(skin) = node.skin {
         exists("skin", skin, document.skins.len())?;
+        if !skinned.insert((mesh, skin)) {
+            return Ok(());
+        }
         let joints = document.skins[skin].joints.len();
         let primitives = document.meshes[mesh].primitives.iter().enumerate();
         for (primitive, data) in primitives {
