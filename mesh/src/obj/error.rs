@@ -91,11 +91,14 @@ pub enum ObjProblem {
         /// How many there are, for a negative index before this line.
         count: usize,
     },
+    /// Many faces are in many groups each, which would take far more memory than the file.
+    #[error("the groups have too many faces in all for a file of this size")]
+    TooManyGroups,
     /// There is no `v` line.
     #[error("the file ends without a vertex")]
     NoVertices,
     /// There is no `f`, `l` or `p` line.
-    #[error("the file ends without a face")]
+    #[error("the file ends without a face, a line or a point")]
     NoFaces,
     /// The mesh is too large.
     #[error(transparent)]

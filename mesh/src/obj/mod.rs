@@ -6,7 +6,8 @@
 //!
 //! | line | read as |
 //! | --- | --- |
-//! | `v x y z`, `v x y z w`, `v x y z r g b` | a vertex, with its colour; w is checked and ignored |
+//! | `v x y z`, `v x y z w` | a vertex; w is checked and ignored |
+//! | `v x y z r g b`, `v x y z r g b a` | a vertex with its colour, and its opacity |
 //! | `vt u`, `vt u v`, `vt u v w` | a texture coordinate (u, v); v is 0 when left out |
 //! | `vn x y z` | a normal, made a unit vector; corners with a zero one have none |
 //! | `f a b c …` | a polygon; each corner is `v`, `v/vt`, `v//vn` or `v/vt/vn` |
@@ -52,6 +53,7 @@ mod write;
 
 pub use error::{ObjError, ObjProblem};
 pub use read::{Loaded, Warning, parse, parse_with_libraries, read, read_with_warnings};
+pub(crate) use write::files;
 pub use write::{to_files, to_text, write};
 
 /// A name in a `usemtl` line that stands for no material.

@@ -15,8 +15,8 @@ use crate::{Faces, Group, Polylines};
 #[derive(Default)]
 pub(super) struct Statements {
     pub(super) positions: Vec<[f64; 3]>,
-    /// Empty, or one for each position; in the file's colour space, without opacity.
-    pub(super) colours: Vec<[f64; 3]>,
+    /// Empty, or one for each position; the colour in the file's colour space.
+    pub(super) colours: Vec<[f64; 4]>,
     pub(super) texture: Vec<[f64; 2]>,
     pub(super) normals: Vec<Vector<f64>>,
     pub(super) faces: Faces,
@@ -66,7 +66,10 @@ impl Statements {
 }
 
 pub(super) fn statements(bytes: &[u8]) -> Result<Statements, ObjError> {
-    let mut parser = Parser::default();
+    let mut parser = Parser {
+        group_faces_left: group_faces(bytes.len()),
+        ..Parser::default()
+    };
     let mut lines = Lines::new(bytes);
     for (line, text) in lines.by_ref() {
         parser
@@ -74,6 +77,13 @@ pub(super) fn statements(bytes: &[u8]) -> Result<Statements, ObjError> {
             .map_err(|problem| ObjError { line, problem })?;
     }
     parser.finish(bytes, lines.taken().max(1))
+}
+
+/// How many faces the groups of a file of this size may have in all. A line may name many groups,
+/// and each of the following faces is then in all of them, so that a small file could ask for any
+/// amount of memory. The shortest face has 8 bytes, so that it may be in 64 groups.
+fn group_faces(file_size: usize) -> usize {
+    file_size.saturating_mul(8).max(1 << 16)
 }
 
 /// The part of a file that has been read. Positive indices are not checked until its end, since an
@@ -90,6 +100,10 @@ struct Parser {
     /// The groups of the latest `g` line, the object of the latest `o` line and the material of the
     /// latest `usemtl` line.
     open_groups: Vec<usize>,
+    /// For each group the latest line that names it.
+    group_lines: Vec<usize>,
+    /// How many more faces the groups may have in all.
+    group_faces_left: usize,
     open_object: Option<usize>,
     open_material: Option<u32>,
 }
@@ -160,7 +174,8 @@ impl Parser {
                 self.open_groups.clear();
                 for name in words {
                     let group = named(&mut self.read.groups, &mut self.group_by_name, text(name)?);
-                    if !self.open_groups.contains(&group) {
+                    self.group_lines.resize(self.read.groups.len(), 0);
+                    if std::mem::replace(&mut self.group_lines[group], line) != line {
                         self.open_groups.push(group);
                     }
                 }
@@ -202,15 +217,16 @@ impl Parser {
     }
 
     fn vertex(&mut self, words: &mut Words<'_>) -> Result<(), ObjProblem> {
-        let ([x, y, z, red, green, blue], count) = numbers::<6>(words)?;
-        expect_count("v", "3, 4 or 6", count, matches!(count, 3 | 4 | 6))?;
+        let ([x, y, z, red, green, blue, alpha], count) = numbers::<7>(words)?;
+        expect_count("v", "3, 4, 6 or 7", count, matches!(count, 3 | 4 | 6 | 7))?;
         let colours = &mut self.read.colours;
-        if count == 6 {
+        if count >= 6 {
             // Vertices before the first one with a colour are white, as are those without.
-            colours.resize(self.read.positions.len(), [1.0; 3]);
-            colours.push([red, green, blue]);
+            colours.resize(self.read.positions.len(), [1.0; 4]);
+            let alpha = if count == 7 { alpha } else { 1.0 };
+            colours.push([red, green, blue, alpha]);
         } else if !colours.is_empty() {
-            colours.push([1.0; 3]);
+            colours.push([1.0; 4]);
         }
         self.read.positions.push([x, y, z]);
         Ok(())
@@ -246,6 +262,8 @@ impl Parser {
         })?;
         let face = self.face_ends.len() as u32;
         self.face_ends.push(end);
+        let left = self.group_faces_left.checked_sub(self.open_groups.len());
+        self.group_faces_left = left.ok_or(ObjProblem::TooManyGroups)?;
         for &group in &self.open_groups {
             self.read.groups[group].faces.push(face);
         }

@@ -47,6 +47,13 @@ pub enum Warning {
         /// The path of the picture.
         path: String,
     },
+    /// A library has a line or an option that is ignored.
+    Library {
+        /// The name of the library.
+        library: String,
+        /// What is ignored, and its line in the library.
+        ignored: mtl::MtlError,
+    },
     /// Some `vn` lines are zero vectors. Corners with one of them have no normal.
     ZeroNormals {
         /// How many lines.
@@ -70,6 +77,9 @@ impl fmt::Display for Warning {
                 f,
                 "material {material:?}: there is no picture {path}; the surface is shown without it"
             ),
+            Warning::Library { library, ignored } => {
+                write!(f, "{library}: {ignored}; this is ignored")
+            }
             Warning::ZeroNormals { count } => write!(
                 f,
                 "{count} normals are zero vectors; corners that refer to them have no normal"
@@ -131,7 +141,7 @@ pub fn read_with_warnings(path: impl AsRef<Path>) -> Result<Loaded, ReadError<Ob
 /// assert_eq!(mesh.group("corner").map(|group| group.faces.len()), Some(1));
 ///
 /// let error = ga_mesh::obj::parse(b"v 0 0 0\nv 1 0\n").unwrap_err();
-/// assert_eq!(error.to_string(), "line 2: a v line has 3, 4 or 6 numbers, but this one has 2");
+/// assert_eq!(error.to_string(), "line 2: a v line has 3, 4, 6 or 7 numbers, but this one has 2");
 /// # Ok::<(), ga_mesh::obj::ObjError>(())
 /// ```
 pub fn parse(bytes: &[u8]) -> Result<Mesh, ObjError> {
@@ -199,22 +209,30 @@ fn add_library(
             },
         }),
     };
+    let mut library_warnings = Vec::new();
     let mut add = |library: &str, bytes: Vec<u8>| {
-        let read = mtl::parse(&bytes).map_err(|error| ObjError {
+        let read = mtl::parse_with_warnings(&bytes).map_err(|error| ObjError {
             line,
             problem: ObjProblem::Library {
                 library: library.to_owned(),
                 error: Box::new(error),
             },
         })?;
-        materials.extend(read);
+        materials.extend(read.materials);
+        let ignored = read.warnings.into_iter();
+        library_warnings.extend(ignored.map(|ignored| Warning::Library {
+            library: library.to_owned(),
+            ignored,
+        }));
         Ok(())
     };
     if name.is_empty() {
         return Ok(());
     }
     if let Some(bytes) = open(name)? {
-        return add(name, bytes);
+        add(name, bytes)?;
+        warnings.append(&mut library_warnings);
+        return Ok(());
     }
     let words: Vec<&str> = name.split(' ').collect();
     let mut found = Vec::new();
@@ -237,6 +255,7 @@ fn add_library(
             }),
         }
     }
+    warnings.append(&mut library_warnings);
     Ok(())
 }
 
@@ -322,12 +341,12 @@ fn mesh(
         })?;
     }
     if !read.colours.is_empty() {
-        let linear = |[red, green, blue]: [f64; 3]| {
+        let linear = |[red, green, blue, alpha]: [f64; 4]| {
             [
                 linear_from_srgb(red),
                 linear_from_srgb(green),
                 linear_from_srgb(blue),
-                1.0,
+                alpha,
             ]
         };
         mesh = mesh.with_colours(read.colours.into_iter().map(linear).collect())?;

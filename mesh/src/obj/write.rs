@@ -18,36 +18,38 @@ use crate::{CornerAttribute, Group, Image, Mesh};
 /// [`WriteError`]; earlier files of these names then stay as they were.
 pub fn write(path: impl AsRef<Path>, mesh: &Mesh) -> Result<(), WriteError> {
     let path = path.as_ref();
-    let text_alone = || ga_files::write(path, to_text(mesh).as_bytes());
-    let (Some(stem), Some(name)) = (path.file_stem(), path.file_name()) else {
-        return text_alone();
-    };
-    if mesh.materials().is_empty() {
-        return text_alone();
-    }
-    let name = name.to_string_lossy();
-    let mut files = to_files(mesh, &stem.to_string_lossy());
-    if let Some((first, _)) = files.first_mut() {
-        *first = name.into_owned();
+    let files = files(path, mesh);
+    if let [(_, contents)] = &files[..] {
+        return ga_files::write(path, contents);
     }
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     };
+    let files = files.iter();
     ga_files::write_all(
         folder,
-        files
-            .iter()
-            .map(|(name, contents)| (name.as_str(), &contents[..])),
+        files.map(|(name, contents)| (name.as_str(), &contents[..])),
     )
+}
+
+/// The names and contents of the files that [`write`] writes, that of the path first.
+pub(crate) fn files(path: &Path, mesh: &Mesh) -> Vec<(String, Vec<u8>)> {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let mut files = to_files(mesh, &stem);
+    if let (Some((first, _)), Some(name)) = (files.first_mut(), path.file_name()) {
+        *first = name.to_string_lossy().into_owned();
+    }
+    files
 }
 
 /// A mesh as the text of an OBJ file, which names materials but no library of them.
 ///
 /// Numbers are written so that reading them gives the same `f64` back; colours of vertices, which
-/// become sRGB without opacity, are rounded to 14 decimals. Names of groups and materials must be
-/// single words: characters that these cannot have (white space, `#`, `\`) become `_`, and a name
-/// that was used before gets a number at its end. OBJ has no place for tangents and for sets of
+/// become sRGB without opacity, are rounded to 14 decimals. Names of groups must be single words,
+/// those of objects and materials words with single spaces between them: characters that these
+/// cannot have (other white space, `#`, `\`) become `_`, and a name that was used before gets a
+/// number at its end. OBJ has no place for tangents and for sets of
 /// texture coordinates other than the first; these are left out.
 ///
 /// # Examples
@@ -69,7 +71,8 @@ pub fn to_text(mesh: &Mesh) -> String {
 }
 
 /// A mesh as files, each with its name and contents: `stem.obj`; `stem.mtl` if there are materials;
-/// and the embedded images, as `stem-1.png` and so on. Other images keep their paths.
+/// and the embedded images, as `stem-1.png` and so on. Other images keep their paths. In the names
+/// of all but the first file, characters that lines of OBJ and MTL cannot have become `_`.
 ///
 /// # Examples
 ///
@@ -86,13 +89,15 @@ pub fn to_text(mesh: &Mesh) -> String {
 #[must_use]
 pub fn to_files(mesh: &Mesh, stem: &str) -> Vec<(String, Vec<u8>)> {
     let names = material_names(mesh);
+    let first = format!("{stem}.obj");
+    let stem = &file_stem(stem);
     let mut text = String::new();
     if !mesh.materials().is_empty() {
         text = format!("mtllib {stem}.mtl\n");
     }
     // Writing to a String cannot fail.
     let _ = write_to(&mut text, mesh, &names);
-    let mut files = vec![(format!("{stem}.obj"), text.into_bytes())];
+    let mut files = vec![(first, text.into_bytes())];
     if mesh.materials().is_empty() {
         return files;
     }
@@ -139,11 +144,15 @@ fn embedded_images(mesh: &Mesh) -> Vec<(String, Arc<[u8]>)> {
 
 fn material_names(mesh: &Mesh) -> Vec<String> {
     let names = mesh.materials().iter().map(|material| &material.name[..]);
-    words(names, &[NO_MATERIAL])
+    different(names.map(phrase), &[NO_MATERIAL])
 }
 
 fn group_names(groups: &[Group]) -> Vec<String> {
-    words(groups.iter().map(|group| &group.name[..]), &[])
+    different(groups.iter().map(|group| word(&group.name)), &[])
+}
+
+fn object_names(objects: &[Group]) -> Vec<String> {
+    different(objects.iter().map(|object| phrase(&object.name)), &[])
 }
 
 fn write_to(text: &mut String, mesh: &Mesh, materials: &[String]) -> std::fmt::Result {
@@ -184,7 +193,7 @@ fn write_vertices(text: &mut String, mesh: &Mesh) -> std::fmt::Result {
 
 fn write_faces(text: &mut String, mesh: &Mesh, materials: &[String]) -> std::fmt::Result {
     let faces = mesh.faces();
-    let (group_names, object_names) = (group_names(mesh.groups()), group_names(mesh.objects()));
+    let (group_names, object_names) = (group_names(mesh.groups()), object_names(mesh.objects()));
     let mut groups_of_face = vec![Vec::new(); faces.len()];
     for (group, members) in mesh.groups().iter().enumerate() {
         for &face in &members.faces {
@@ -255,21 +264,36 @@ fn write_indices(text: &mut String, keyword: &str, vertices: &[u32]) -> std::fmt
     Ok(())
 }
 
-/// Names that read back as one word each, all different, and none of `taken`.
-fn words<'a>(names: impl Iterator<Item = &'a str>, taken: &[&str]) -> Vec<String> {
+/// The names, with numbers at the end where needed to be all different and none of `taken`.
+fn different(names: impl Iterator<Item = String>, taken: &[&str]) -> Vec<String> {
     let mut taken: HashSet<String> = taken.iter().map(|&name| name.to_owned()).collect();
     names
         .map(|name| {
-            let word = word(name);
-            let numbered = (2u64..).map(|number| format!("{word}_{number}"));
-            let free = std::iter::once(word.clone())
+            let numbered = (2u64..).map(|number| format!("{name}_{number}"));
+            let free = std::iter::once(name.clone())
                 .chain(numbered)
                 .find(|name| !taken.contains(name))
-                .unwrap_or(word);
+                .unwrap_or(name);
             taken.insert(free.clone());
             free
         })
         .collect()
+}
+
+/// A name that reads back as the rest of a line: words with single spaces between them.
+fn phrase(name: &str) -> String {
+    let words: Vec<String> = name.split(' ').map(word).collect();
+    words.join(" ")
+}
+
+/// The stem of the name of a file that lines of OBJ and MTL can name. A path of a picture that
+/// begins with `-` would be an option.
+fn file_stem(stem: &str) -> String {
+    let stem = phrase(stem);
+    match stem.strip_prefix('-') {
+        Some(rest) => format!("_{rest}"),
+        None => stem,
+    }
 }
 
 /// A name that reads back as one word.

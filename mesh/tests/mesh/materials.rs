@@ -119,14 +119,6 @@ fn every_fault_names_both_files_and_lines() {
             "line 2: Ks spectral is not supported; write red, green and blue",
         ),
         (
-            "newmtl a\nmap_Kd -clamp on\n",
-            "line 2: a map_Kd line ends with the path of a picture, but this one has none",
-        ),
-        (
-            "newmtl a\nmap_Kd -wrap on a.png\n",
-            "line 2: map_Kd has no option -wrap",
-        ),
-        (
             "newmtl a\nbump -bm\n",
             "line 2: the option -bm of bump has no value",
         ),
@@ -151,6 +143,40 @@ fn every_fault_names_both_files_and_lines() {
         error.to_string(),
         "line 5: cannot read a.mtl: permission denied"
     );
+}
+
+/// A line for a picture does not make the shape unreadable.
+#[test]
+fn faults_of_pictures_are_warnings() {
+    let nothing = "a map_Kd line ends with the path of a picture, but this one has none";
+    for (line, path, message) in [
+        ("map_Kd", None, nothing),
+        ("map_Kd -clamp on", None, nothing),
+        (
+            "map_Kd -wrap on a.png",
+            Some("a.png"),
+            "map_Kd has no option -wrap",
+        ),
+        (
+            "map_Kd -colorspace sRGB -s 2 2 my brick.png",
+            Some("my brick.png"),
+            "map_Kd has no option -colorspace",
+        ),
+        ("map_Kd -x a.png", Some("a.png"), "map_Kd has no option -x"),
+    ] {
+        let library = format!("newmtl red\n{line}\nKd 1 0 0\n");
+        let loaded = load("mtllib a.mtl\nusemtl red\nf 1 2 3\n", &library);
+        let [red] = loaded.mesh.materials() else {
+            panic!("{:?}", loaded.mesh.materials())
+        };
+        assert_eq!(red.base_colour, [1.0, 0.0, 0.0, 1.0]);
+        let image = path.map(|path| Image::File(path.to_owned()));
+        let texture = red.base_colour_texture.as_ref();
+        assert_eq!(texture.map(|texture| texture.image.clone()), image);
+        let warnings: Vec<String> = loaded.warnings.iter().map(ToString::to_string).collect();
+        let expected = format!("a.mtl: line 2: {message}; this is ignored");
+        assert_eq!(warnings, [expected]);
+    }
 }
 
 #[test]
@@ -341,13 +367,82 @@ fn a_mesh_with_everything_comes_back_the_same() {
 fn names_become_different_words() {
     let named = |names: [&str; 4]| names.map(Material::named).to_vec();
     let mesh = load("f 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n", "").mesh;
-    let of_faces = (0..4).map(Some).collect();
+    let of_faces = || (0..4).map(Some).collect();
     let mesh = mesh
-        .with_materials(named(["a b", "a_b", "(null)", ""]), of_faces)
+        .with_materials(named(["a b", "a_b", "(null)", ""]), of_faces())
         .unwrap();
     let back = obj::parse(obj::to_text(&mesh).as_bytes()).unwrap();
     let names: Vec<&str> = back.materials().iter().map(|m| &m.name[..]).collect();
-    assert_eq!(names, ["a_b", "a_b_2", "(null)_2", "_"]);
+    assert_eq!(names, ["a b", "a_b", "(null)_2", "_"]);
+    let mesh = mesh
+        .with_materials(named(["a  b", "a #b ", "a #b ", "a\tb"]), of_faces())
+        .unwrap();
+    let back = obj::parse(obj::to_text(&mesh).as_bytes()).unwrap();
+    let names: Vec<&str> = back.materials().iter().map(|m| &m.name[..]).collect();
+    assert_eq!(names, ["a _ b", "a _b _", "a _b __2", "a_b"]);
+    // `g` takes several names, `o` one.
+    let set = |name: &str| Group {
+        name: name.to_owned(),
+        faces: vec![0, 1, 2, 3],
+    };
+    let mesh = mesh
+        .with_objects(vec![set("left hand")])
+        .and_then(|mesh| mesh.with_groups(vec![set("left hand")]))
+        .unwrap();
+    let back = obj::parse(obj::to_text(&mesh).as_bytes()).unwrap();
+    assert_eq!(back.objects()[0].name, "left hand");
+    assert_eq!(back.groups()[0].name, "left_hand");
+}
+
+#[test]
+fn files_beside_the_mesh_have_names_that_lines_can_hold() {
+    let folder = tempfile::tempdir().unwrap();
+    let image = Image::Embedded {
+        media_type: "image/png".into(),
+        bytes: Arc::from(&b"png"[..]),
+    };
+    let paint = Material {
+        base_colour: [1.0, 0.0, 0.0, 1.0],
+        base_colour_texture: Some(Texture::new(image)),
+        ..Material::named("paint")
+    };
+    let mesh = load("f 1 2 3\n", "").mesh;
+    let mesh = mesh.with_materials(vec![paint], vec![Some(0)]).unwrap();
+    for name in ["a #1.obj", "-s 1.obj", "two  words.obj", " x.obj"] {
+        let path = folder.path().join(name);
+        obj::write(&path, &mesh).unwrap();
+        let loaded = obj::read_with_warnings(&path).unwrap();
+        assert_eq!(loaded.warnings, [], "{name}");
+        let paint = loaded.mesh.material(0).unwrap();
+        assert_eq!(paint.base_colour, [1.0, 0.0, 0.0, 1.0], "{name}");
+        assert!(paint.base_colour_texture.is_some(), "{name}");
+    }
+}
+
+/// MTL cannot rotate a texture and has one set of texture coordinates.
+#[test]
+fn textures_that_mtl_cannot_place_are_left_out() {
+    let material = Material {
+        base_colour_texture: Some(Texture {
+            rotation: 0.5,
+            offset: [0.25, 0.5],
+            ..Texture::file("rotated.png")
+        }),
+        emissive_texture: Some(Texture {
+            set: 1,
+            ..Texture::file("second.png")
+        }),
+        normal_texture: Some(Texture::file("plain.png")),
+        ..Material::default()
+    };
+    let text = mtl::to_text([("a", &material)], |image| match image {
+        Image::File(path) => path.clone(),
+        Image::Embedded { .. } => String::new(),
+    });
+    let back = mtl::parse(text.as_bytes()).unwrap();
+    let images: Vec<_> = back[0].textures().map(|texture| &texture.image).collect();
+    let plain = Image::File("plain.png".into());
+    assert_eq!(images, [&plain], "{text}");
 }
 
 #[test]

@@ -226,9 +226,10 @@ fn a_face_may_come_before_its_vertices() {
     assert_eq!(mesh.triangles(), [[0, 1, 2]]);
 }
 
+const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
 #[test]
 fn every_fault_is_named_with_its_line() {
-    const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     for (lines, message) in [
         ("v 1 2 nan", "line 4: \"nan\" is not a finite number"),
         ("v 1 2 1e999", "line 4: \"1e999\" is not a finite number"),
@@ -236,19 +237,19 @@ fn every_fault_is_named_with_its_line() {
         ("v 1 2,5 3", "line 4: \"2,5\" is not a number"),
         (
             "v 1 2",
-            "line 4: a v line has 3, 4 or 6 numbers, but this one has 2",
+            "line 4: a v line has 3, 4, 6 or 7 numbers, but this one has 2",
         ),
         (
             "v 1 2 3 4 5",
-            "line 4: a v line has 3, 4 or 6 numbers, but this one has 5",
+            "line 4: a v line has 3, 4, 6 or 7 numbers, but this one has 5",
         ),
         (
-            "v 1 2 3 4 5 6 7",
-            "line 4: a v line has 3, 4 or 6 numbers, but this one has 7",
+            "v 1 2 3 4 5 6 7 8",
+            "line 4: a v line has 3, 4, 6 or 7 numbers, but this one has 8",
         ),
         (
             "v",
-            "line 4: a v line has 3, 4 or 6 numbers, but this one has 0",
+            "line 4: a v line has 3, 4, 6 or 7 numbers, but this one has 0",
         ),
         (
             "vt",
@@ -260,7 +261,7 @@ fn every_fault_is_named_with_its_line() {
         ),
         (
             "v 1 \\\n2 \\\n\nf 1 2 3",
-            "line 4: a v line has 3, 4 or 6 numbers, but this one has 2",
+            "line 4: a v line has 3, 4, 6 or 7 numbers, but this one has 2",
         ),
         ("f 1 2 4", "line 4: \"4\" refers to v 4, but there are 3"),
         (
@@ -318,7 +319,10 @@ fn every_fault_is_named_with_its_line() {
             "line 4: a line of a polygon mesh cannot begin with \"curv\"",
         ),
         ("f 1 2 3\0", "line 4: the file is not UTF-8 text"),
-        ("# only vertices", "line 4: the file ends without a face"),
+        (
+            "# only vertices",
+            "line 4: the file ends without a face, a line or a point",
+        ),
     ] {
         let error = obj::parse(format!("{TRIANGLE}{lines}\n").as_bytes()).unwrap_err();
         assert_eq!(error.to_string(), message, "{lines:?}");
@@ -347,6 +351,41 @@ fn errors_name_the_file() {
         message,
         format!("{}: line 1: the file is not UTF-8 text", picture.display())
     );
+}
+
+#[test]
+fn a_seventh_number_is_the_opacity() {
+    let text = "v 0 0 0 1 0 1 0.25\nv 1 0 0 0 1 0\nv 0 1 0\nf 1 2 3\n";
+    let mesh = obj::parse(text.as_bytes()).unwrap();
+    let expected = [[1.0, 0.0, 1.0, 0.25], [0.0, 1.0, 0.0, 1.0], [1.0; 4]];
+    assert_eq!(mesh.colours().unwrap(), expected);
+}
+
+/// A few bytes for each name and each face must not take memory for each pair of them.
+#[test]
+fn groups_take_memory_in_proportion_to_the_file() {
+    let file = |groups: usize, faces: usize| {
+        let mut text = format!("{TRIANGLE}g");
+        for group in 0..groups {
+            text += &format!(" {group:x}");
+        }
+        text += "\n";
+        text += &"f 1 2 3\n".repeat(faces);
+        text
+    };
+    let mesh = obj::parse(file(60, 2000).as_bytes()).unwrap();
+    assert_eq!(mesh.groups().len(), 60);
+    assert!(mesh.groups().iter().all(|group| group.faces.len() == 2000));
+    let text = file(30_000, 15_000);
+    let error = obj::parse(text.as_bytes()).unwrap_err();
+    assert_eq!(error.problem, ObjProblem::TooManyGroups);
+    // 30,000 names for a face; the faces begin at line 5.
+    assert_eq!(error.line, 5 + 8 * text.len() / 30_000);
+    // A name may be given again and again.
+    let text = format!("{TRIANGLE}g{}\nf 1 2 3\n", " a".repeat(100_000));
+    let mesh = obj::parse(text.as_bytes()).unwrap();
+    assert_eq!(mesh.groups().len(), 1);
+    assert_eq!(mesh.groups()[0].faces, [0]);
 }
 
 mod properties {

@@ -3,7 +3,7 @@
 use crate::words::WordError;
 
 /// What is wrong with an MTL file, and where.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("line {line}: {problem}")]
 pub struct MtlError {
     /// The line, from 1; for a line continued with `\`, its first line.
@@ -13,7 +13,7 @@ pub struct MtlError {
 }
 
 /// What can be wrong with an MTL file.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum MtlProblem {
     /// The line is not UTF-8, or holds a null byte.
     #[error("the file is not UTF-8 text")]
@@ -57,13 +57,13 @@ pub enum MtlProblem {
     /// A `newmtl` line has no name.
     #[error("a newmtl line has a name, but this one has none")]
     NoName,
-    /// A line for a picture does not name one.
+    /// A line for a picture does not name one. This is a warning.
     #[error("a {statement} line ends with the path of a picture, but this one has none")]
     NoPicture {
         /// The line's first word.
         statement: String,
     },
-    /// A picture has an option that does not exist.
+    /// A picture has an option that does not exist. This is a warning.
     #[error("{statement} has no option {option}")]
     UnknownOption {
         /// The line's first word.

@@ -21,7 +21,8 @@
 //!
 //! A picture is a path, whose `\` become `/`, after options: `-o` and `-s` place it, `-clamp on`
 //! does not repeat it, `-bm` scales bumps and normals, `-imfchan` chooses a channel; others are
-//! checked for their number of words and ignored.
+//! checked for their number of words and ignored. An option that does not exist is ignored with the
+//! word after it, its value, and a picture without a path is left out, both with a warning.
 //!
 //! Source: Wavefront, *MTL material format (Lightwave, OBJ)*, version 4.2, 1995; `Pr`, `Pm`, `Ke`
 //! and `norm` from Exocortex, *Physically-Based Rendering in MTL*, 2013.
@@ -35,6 +36,16 @@ use crate::Material;
 
 pub use error::{MtlError, MtlProblem};
 pub use write::to_text;
+
+/// The materials of a library, and what was ignored.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Loaded {
+    /// The materials, in the order of the library.
+    pub materials: Vec<Material>,
+    /// Pictures without a path ([`MtlProblem::NoPicture`]), which are left out, and options that do
+    /// not exist ([`MtlProblem::UnknownOption`]), which are ignored with one word after them.
+    pub warnings: Vec<MtlError>,
+}
 
 /// Reads the materials of a library, in its order.
 ///
@@ -54,5 +65,24 @@ pub use write::to_text;
 /// # Ok::<(), ga_mesh::obj::mtl::MtlError>(())
 /// ```
 pub fn parse(bytes: &[u8]) -> Result<Vec<Material>, MtlError> {
+    parser::parse(bytes).map(|loaded| loaded.materials)
+}
+
+/// Reads the materials of a library as [`parse`] does, and says what was ignored.
+///
+/// # Errors
+///
+/// As [`parse`].
+///
+/// # Examples
+///
+/// ```
+/// let library = b"newmtl brick\nmap_Kd -colorspace sRGB brick.png\n";
+/// let loaded = ga_mesh::obj::mtl::parse_with_warnings(library)?;
+/// assert_eq!(loaded.materials[0].textures().count(), 1);
+/// assert_eq!(loaded.warnings[0].to_string(), "line 2: map_Kd has no option -colorspace");
+/// # Ok::<(), ga_mesh::obj::mtl::MtlError>(())
+/// ```
+pub fn parse_with_warnings(bytes: &[u8]) -> Result<Loaded, MtlError> {
     parser::parse(bytes)
 }

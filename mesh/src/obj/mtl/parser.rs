@@ -1,26 +1,35 @@
 //! The statements of an MTL file.
 
 use super::texture::{Picture, picture};
-use super::{MtlError, MtlProblem};
+use super::{Loaded, MtlError, MtlProblem};
 use crate::obj::lines::Lines;
 use crate::words::{Words, numbers, text};
 use crate::{AlphaMode, Material, Phong, Texture};
 
-pub(super) fn parse(bytes: &[u8]) -> Result<Vec<Material>, MtlError> {
+pub(super) fn parse(bytes: &[u8]) -> Result<Loaded, MtlError> {
     let mut parser = Parser::default();
+    let mut warnings = Vec::new();
     for (line, text) in Lines::new(bytes) {
         parser
             .statement(&text)
             .map_err(|problem| MtlError { line, problem })?;
+        let ignored = parser.ignored.drain(..);
+        warnings.extend(ignored.map(|problem| MtlError { line, problem }));
     }
     parser.close();
-    Ok(parser.materials)
+    let materials = parser.materials;
+    Ok(Loaded {
+        materials,
+        warnings,
+    })
 }
 
 #[derive(Default)]
 struct Parser {
     materials: Vec<Material>,
     open: Option<Open>,
+    /// What is ignored in the line being read.
+    ignored: Vec<MtlProblem>,
 }
 
 /// The material being read.
@@ -120,11 +129,17 @@ impl Parser {
             let statement = keyword.to_owned();
             return Err(MtlProblem::NoMaterial { statement });
         };
-        property(open, keyword, &mut words)
+        property(open, keyword, &mut words, &mut self.ignored)
     }
 }
 
-fn property(open: &mut Open, keyword: &str, words: &mut Words<'_>) -> Result<(), MtlProblem> {
+fn property(
+    open: &mut Open,
+    keyword: &str,
+    words: &mut Words<'_>,
+    ignored: &mut Vec<MtlProblem>,
+) -> Result<(), MtlProblem> {
+    let texture = |picture: Option<Picture>| picture.map(|picture| picture.texture);
     let fraction = |value: f64| value.clamp(0.0, 1.0);
     let not_negative = |value: f64| value.max(0.0);
     match keyword {
@@ -166,19 +181,22 @@ fn property(open: &mut Open, keyword: &str, words: &mut Words<'_>) -> Result<(),
         }
         "Pm" => open.material.metallic = fraction(one_number(keyword, words)?),
         "map_Kd" => {
-            open.material.base_colour_texture = Some(picture(keyword, words)?.texture);
+            open.material.base_colour_texture = texture(picture(keyword, words, ignored)?);
         }
-        "map_Ke" => open.material.emissive_texture = Some(picture(keyword, words)?.texture),
+        "map_Ke" => {
+            open.material.emissive_texture = texture(picture(keyword, words, ignored)?);
+        }
         "norm" | "map_Kn" => {
-            let picture = picture(keyword, words)?;
-            open.material.normal_scale = picture.bump;
-            open.material.normal_texture = Some(picture.texture);
+            if let Some(picture) = picture(keyword, words, ignored)? {
+                open.material.normal_scale = picture.bump;
+                open.material.normal_texture = Some(picture.texture);
+            }
         }
-        "map_Pr" => open.roughness_picture = Some(picture(keyword, words)?),
-        "map_Pm" => open.metallic_picture = Some(picture(keyword, words)?),
+        "map_Pr" => open.roughness_picture = picture(keyword, words, ignored)?,
+        "map_Pm" => open.metallic_picture = picture(keyword, words, ignored)?,
         _ => {
             if let Some(slot) = open.phong_picture(keyword) {
-                *slot = Some(picture(keyword, words)?.texture);
+                *slot = texture(picture(keyword, words, ignored)?);
             }
         }
     }

@@ -13,7 +13,12 @@ pub(super) struct Picture {
     pub(super) channel: Option<String>,
 }
 
-pub(super) fn picture(statement: &str, words: &mut Words<'_>) -> Result<Picture, MtlProblem> {
+/// The picture that a line names; `None` where it names none. What is ignored is added to `ignored`.
+pub(super) fn picture(
+    statement: &str,
+    words: &mut Words<'_>,
+    ignored: &mut Vec<MtlProblem>,
+) -> Result<Option<Picture>, MtlProblem> {
     let mut picture = Picture {
         texture: Texture::file(""),
         bump: 1.0,
@@ -23,7 +28,7 @@ pub(super) fn picture(statement: &str, words: &mut Words<'_>) -> Result<Picture,
         if rest[0] != b'-' {
             let path = words.clone().joined()?.replace('\\', "/");
             picture.texture.image = crate::Image::File(path);
-            return Ok(picture);
+            return Ok(Some(picture));
         }
         let option = words.next().map_or(Ok(""), text)?.to_owned();
         let no_value = || MtlProblem::OptionValue {
@@ -52,16 +57,22 @@ pub(super) fn picture(statement: &str, words: &mut Words<'_>) -> Result<Picture,
                 words.next().ok_or_else(no_value)?;
             }
             _ => {
-                return Err(MtlProblem::UnknownOption {
+                // The last word is the path.
+                let mut ahead = words.clone();
+                if ahead.next().is_some() && ahead.rest().is_some() {
+                    *words = ahead;
+                }
+                ignored.push(MtlProblem::UnknownOption {
                     statement: statement.to_owned(),
                     option,
                 });
             }
         }
     }
-    Err(MtlProblem::NoPicture {
+    ignored.push(MtlProblem::NoPicture {
         statement: statement.to_owned(),
-    })
+    });
+    Ok(None)
 }
 
 /// One to three numbers, of which the first two count; `None` where there is none.

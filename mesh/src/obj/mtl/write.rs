@@ -64,7 +64,8 @@ fn write_material(
 
     let mut picture = |keyword: &str, texture: &Option<Texture>| -> std::fmt::Result {
         match texture {
-            Some(texture) => {
+            // MTL has no rotation and one set of texture coordinates.
+            Some(texture) if texture.rotation == 0.0 && texture.set == 0 => {
                 writeln!(
                     text,
                     "{keyword}{} {}",
@@ -72,7 +73,7 @@ fn write_material(
                     path_of(&texture.image)
                 )
             }
-            None => Ok(()),
+            _ => Ok(()),
         }
     };
     picture("map_Ka", &phong.ambient_texture)?;
