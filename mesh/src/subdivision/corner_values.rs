@@ -14,6 +14,10 @@ use crate::topology::DisjointSets;
 /// same creases, and by a [`TextureRule`] at its boundary. So values stay on their side of every
 /// seam.
 ///
+/// A given value that faces on two separate spans around a vertex use, that is, with other values
+/// between them on both sides, becomes two values, each with its own boundary. With
+/// [`TextureRule::LinearCorners`] both are smooth, where OpenSubdiv keeps such a value sharp.
+///
 /// # Examples
 ///
 /// ```
