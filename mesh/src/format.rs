@@ -60,6 +60,13 @@ pub enum FormatError {
     /// A file could not be written.
     #[error(transparent)]
     Write(#[from] WriteError),
+    /// No relative path leads to a picture, which lies on another drive or in a folder whose name is
+    /// not Unicode.
+    #[error("no relative path leads from the output to the picture {}", path.display())]
+    Picture {
+        /// The picture.
+        path: PathBuf,
+    },
     /// The mesh does not fit the format.
     #[error(transparent)]
     Mesh(#[from] MeshError),
@@ -131,7 +138,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Loaded, FormatError> {
     }
 }
 
-/// Writes a mesh, whole or not at all.
+/// Writes a mesh and the files beside it, all of them or none.
 ///
 /// # Errors
 ///
@@ -145,12 +152,87 @@ pub fn write(path: impl AsRef<Path>, mesh: &Mesh, options: &Options) -> Result<(
     }
 }
 
-/// The mesh of a file as it is to be written to another file: where that lies in another folder,
-/// the paths of pictures are changed so that they lead to the same pictures.
+/// The paths and contents of the files that [`write`] writes: that at `path` first, then those
+/// beside it, as libraries of materials, buffers and pictures.
 ///
 /// # Errors
 ///
-/// None for a mesh that was read; [`FormatError::Mesh`] is passed on.
+/// [`FormatError`].
+///
+/// # Examples
+///
+/// ```
+/// use ga_mesh::{Faces, Material, Mesh, format};
+///
+/// let corners = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+/// let mesh = Mesh::new(corners, Faces::from_polygons([[0, 1, 2]])?)?
+///     .with_materials(vec![Material::named("red")], vec![Some(0)])?;
+/// let files = format::to_files("out/a.obj", &mesh, &format::Options::default())?;
+/// assert_eq!(files[0].0.to_str(), Some("out/a.obj"));
+/// assert!(files[1].0.ends_with("a.mtl"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn to_files(
+    path: impl AsRef<Path>,
+    mesh: &Mesh,
+    options: &Options,
+) -> Result<Vec<(PathBuf, Vec<u8>)>, FormatError> {
+    let path = path.as_ref();
+    let files = match Format::of_path(path)? {
+        Format::Obj => obj::files(path, mesh),
+        Format::Ply => vec![(String::new(), ply::to_bytes(mesh, options.ply))],
+        Format::Gltf => gltf::mesh_files(path, mesh)?,
+    };
+    let files = files.into_iter().enumerate();
+    let files = files.map(|(index, (name, contents))| match index {
+        0 => (path.to_path_buf(), contents),
+        _ => (path.with_file_name(name), contents),
+    });
+    Ok(files.collect())
+}
+
+/// What the format of a path cannot hold of the materials of a mesh, a sentence each: textures that
+/// MTL cannot place.
+///
+/// # Errors
+///
+/// [`FormatError::Unknown`].
+pub fn omissions(path: impl AsRef<Path>, mesh: &Mesh) -> Result<Vec<String>, FormatError> {
+    if Format::of_path(path)? != Format::Obj {
+        return Ok(Vec::new());
+    }
+    let mut sentences = Vec::new();
+    for material in mesh.materials() {
+        for (kind, count) in [
+            (
+                "are rotated",
+                material.textures().filter(|t| t.rotation != 0.0).count(),
+            ),
+            (
+                "use a second set of texture coordinates",
+                material.textures().filter(|t| t.set != 0).count(),
+            ),
+        ] {
+            if count > 0 {
+                let name = &material.name;
+                sentences.push(format!(
+                    "material {name:?}: textures that {kind} are left out, since MTL cannot describe \
+                     them ({count})"
+                ));
+            }
+        }
+    }
+    Ok(sentences)
+}
+
+/// The mesh of a file as it is to be written to another file: where that lies in another folder,
+/// the paths of pictures are changed so that they lead to the same pictures. Absolute paths become
+/// relative ones in any case.
+///
+/// # Errors
+///
+/// [`FormatError::Picture`] for a picture on another drive. [`FormatError::Mesh`] is passed on; a
+/// mesh that was read has no such fault.
 pub fn relocated(mesh: &Mesh, from: &Path, to: &Path) -> Result<Mesh, FormatError> {
     let folder = |file: &Path| {
         let folder = std::path::absolute(file).ok()?;
@@ -159,18 +241,17 @@ pub fn relocated(mesh: &Mesh, from: &Path, to: &Path) -> Result<Mesh, FormatErro
     let (Some(from), Some(to)) = (folder(from), folder(to)) else {
         return Ok(mesh.clone());
     };
-    if from == to || mesh.materials().is_empty() {
-        return Ok(mesh.clone());
-    }
     let mut materials = mesh.materials().to_vec();
     for texture in materials
         .iter_mut()
         .flat_map(|material| material.textures_mut())
     {
         if let Image::File(path) = &mut texture.image
-            && let Some(relative) = relative_path(&to, &from.join(&*path))
+            && (from != to || Path::new(path).has_root())
         {
-            *path = relative;
+            let picture = from.join(&*path);
+            let relative = relative_path(&to, &picture);
+            *path = relative.ok_or(FormatError::Picture { path: picture })?;
         }
     }
     let of_faces = mesh.face_materials().to_vec();

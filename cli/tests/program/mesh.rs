@@ -88,7 +88,10 @@ fn conversion_keeps_what_both_formats_have() {
     ] {
         let output = nullcone(folder.path(), ["mesh", "convert", from, to]);
         assert_success(&output);
-        assert_eq!(text(&output.stdout), format!("wrote {to}\n"));
+        let library = to.strip_suffix("new.obj");
+        let library = library.map(|folder| format!("wrote {folder}new.mtl\n"));
+        let expected = format!("wrote {to}\n{}", library.unwrap_or_default());
+        assert_eq!(text(&output.stdout), expected);
     }
     let back = std::fs::read_to_string(folder.path().join("back.obj")).unwrap();
     assert!(
@@ -105,6 +108,83 @@ fn conversion_keeps_what_both_formats_have() {
     assert_eq!(names(&folder.path().join("out")), ["new.mtl", "new.obj"]);
     let library = std::fs::read_to_string(folder.path().join("out/new.mtl")).unwrap();
     assert!(library.contains("map_Kd ../red.png\n"), "{library}");
+}
+
+/// Files beside the output are replaced only if that is asked for.
+#[test]
+fn unrelated_files_stay() {
+    let folder = folder();
+    let convert = |arguments: &[&str]| {
+        let arguments = [&["mesh", "convert"], arguments].concat();
+        nullcone(folder.path(), arguments)
+    };
+    let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    for (output, beside) in [("m.obj", "m.mtl"), ("m.gltf", "m.bin")] {
+        std::fs::write(folder.path().join(beside), "mine").unwrap();
+        assert_failure(
+            &convert(&["t.obj", output]),
+            &[&format!("{beside} exists with other contents"), "--force"],
+        );
+        assert_eq!(read(beside), "mine");
+        assert!(!folder.path().join(output).exists());
+        let replaced = convert(&["t.obj", output, "--force"]);
+        assert_success(&replaced);
+        let expected = format!("wrote {output}\nwrote {beside}\n");
+        assert_eq!(text(&replaced.stdout), expected);
+        // The same contents are no conflict.
+        assert_success(&convert(&["t.obj", output]));
+    }
+}
+
+#[test]
+fn absolute_paths_of_pictures_become_relative() {
+    let folder = folder();
+    let place = folder.path().join("red.png");
+    let library = format!("newmtl red\nmap_Kd {}\n", place.display());
+    std::fs::write(folder.path().join("t.mtl"), library).unwrap();
+    std::fs::write(&place, "picture").unwrap();
+    let arguments = ["mesh", "convert", "t.obj", "m.gltf"];
+    assert_success(&nullcone(folder.path(), arguments));
+    let json = std::fs::read_to_string(folder.path().join("m.gltf")).unwrap();
+    assert!(json.contains("\"uri\":\"red.png\""), "{json}");
+    let arguments = ["mesh", "convert", "m.gltf", "back.obj"];
+    assert_success(&nullcone(folder.path(), arguments));
+}
+
+/// The faces of a cube from a file that splits its vertices are connected.
+#[test]
+fn a_cube_with_normals_is_closed_in_every_format() {
+    let folder = tempdir().unwrap();
+    let mut cube = String::new();
+    for index in 0..8 {
+        cube += &format!("v {} {} {}\n", index & 1, index >> 1 & 1, index >> 2);
+    }
+    for normal in ["-1 0 0", "1 0 0", "0 -1 0", "0 1 0", "0 0 -1", "0 0 1"] {
+        cube += &format!("vn {normal}\n");
+    }
+    let faces = [
+        "1 5 7 3", "2 4 8 6", "1 2 6 5", "3 7 8 4", "1 3 4 2", "5 6 8 7",
+    ];
+    for (face, normal) in faces.into_iter().zip(1..) {
+        let corners = face.split(' ').map(|vertex| format!(" {vertex}//{normal}"));
+        cube += &format!("f{}\n", corners.collect::<String>());
+    }
+    std::fs::write(folder.path().join("cube.obj"), cube).unwrap();
+    for arguments in [
+        &["mesh", "convert", "cube.obj", "cube.glb"][..],
+        &["mesh", "subdivide", "cube.glb", "--out", "fine.obj"],
+    ] {
+        assert_success(&nullcone(folder.path(), arguments));
+    }
+    for name in ["cube.obj", "cube.glb", "fine.obj"] {
+        let output = nullcone(folder.path(), ["mesh", "info", name, "--json"]);
+        let info: Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!(
+            (&info["components"], &info["genus"]),
+            (&1.into(), &0.into())
+        );
+        assert_eq!(info["closed"], true, "{name}");
+    }
 }
 
 #[test]

@@ -45,6 +45,7 @@ mod validate;
 mod writer;
 
 pub use animation::{Animation, Channel, Interpolation, Keys, Skin};
+pub(crate) use convert::mesh_files;
 pub use convert::{Vertices, read_mesh, write_mesh};
 pub use document::{Asset, Camera, Document, Extras, Node, Projection, Scene, Transform};
 pub use error::{Element, GltfError, Problem};

@@ -1,8 +1,8 @@
 //! `nullcone mesh convert`: a mesh in another format.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use anyhow::Result;
+use anyhow::{Result, bail};
 use ga_mesh::format::{self, Options};
 use ga_mesh::ply::Encoding;
 
@@ -14,6 +14,9 @@ use crate::output::print;
 /// vertices, and, between formats that have them, groups, objects and materials. The documentation
 /// of ga-mesh says for each format what it cannot hold. Paths of pictures are written relative to
 /// the output.
+///
+/// Some formats need files beside the output, named after it: libraries of materials (.mtl), buffers
+/// (.bin) and pictures. A file of such a name with other contents is not replaced without --force.
 ///
 /// For instance
 ///
@@ -30,6 +33,9 @@ pub(crate) struct Arguments {
     /// Write PLY as text instead of binary.
     #[arg(long)]
     ascii: bool,
+    /// Replace files beside the output that have other contents.
+    #[arg(long)]
+    force: bool,
 }
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
@@ -37,6 +43,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         input,
         output,
         ascii,
+        force,
     } = arguments;
     // An unknown ending is reported before a large file is read.
     format::Format::of_path(output)?;
@@ -49,9 +56,34 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
             Encoding::default()
         },
     };
+    let files = format::to_files(output, &mesh, &options)?;
+    if !force {
+        for (path, contents) in files.iter().skip(1) {
+            refuse_other_contents(path, contents)?;
+        }
+    }
     format::write(output, &mesh, &options)?;
     if !quiet {
-        print(&format!("wrote {}\n", output.display()))?;
+        for omission in format::omissions(output, &mesh)? {
+            eprintln!("warning: {}: {omission}", output.display());
+        }
+        let lines = files
+            .iter()
+            .map(|(path, _)| format!("wrote {}\n", path.display()));
+        print(&lines.collect::<String>())?;
     }
     Ok(())
+}
+
+/// Fails where there is a file with other contents.
+fn refuse_other_contents(path: &Path, contents: &[u8]) -> Result<()> {
+    match std::fs::read(path) {
+        Ok(found) if found == contents => Ok(()),
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(()),
+        _ => bail!(
+            "{} exists with other contents; choose another name for the output, or replace it with \
+             --force",
+            path.display()
+        ),
+    }
 }

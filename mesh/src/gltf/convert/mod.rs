@@ -82,5 +82,21 @@ pub fn read_mesh(path: impl AsRef<Path>) -> Result<Mesh, ReadError<GltfError>> {
 ///
 /// As [`Document::from_mesh`] and [`write`](super::write()).
 pub fn write_mesh(path: impl AsRef<Path>, mesh: &Mesh) -> Result<(), WriteGltfError> {
-    super::write(path, &Document::from_mesh(mesh)?)
+    let path = path.as_ref();
+    super::write(path, &for_path(path, mesh)?)
+}
+
+/// The names and contents of the files that [`write_mesh`] writes, that of the path first.
+pub(crate) fn mesh_files(
+    path: &Path,
+    mesh: &Mesh,
+) -> Result<Vec<(String, Vec<u8>)>, WriteGltfError> {
+    super::writer::files(path, &for_path(path, mesh)?)
+}
+
+fn for_path(path: &Path, mesh: &Mesh) -> Result<Document, WriteGltfError> {
+    Document::from_mesh(mesh).map_err(|problem| WriteGltfError::Document {
+        path: path.to_path_buf(),
+        problem,
+    })
 }

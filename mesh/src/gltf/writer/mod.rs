@@ -6,7 +6,7 @@ mod material;
 mod node;
 mod primitive;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use ga_files::WriteError;
 
@@ -18,8 +18,13 @@ use buffer::{Buffer, Use};
 #[derive(Debug, thiserror::Error)]
 pub enum WriteGltfError {
     /// The document is not valid.
-    #[error(transparent)]
-    Document(#[from] GltfError),
+    #[error("cannot write {}: {problem}", path.display())]
+    Document {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with the document.
+        problem: GltfError,
+    },
     /// The operating system could not write a file.
     #[error(transparent)]
     Write(#[from] WriteError),
@@ -101,30 +106,44 @@ pub fn to_gltf(document: &Document, name: &str) -> Result<GltfFiles, GltfError> 
 /// [`WriteGltfError`].
 pub fn write(path: impl AsRef<Path>, document: &Document) -> Result<(), WriteGltfError> {
     let path = path.as_ref();
-    let is_json = path
-        .extension()
-        .is_some_and(|extension| extension.eq_ignore_ascii_case("gltf"));
-    let stem = path.file_stem().and_then(|stem| stem.to_str());
-    let name = path.file_name().and_then(|name| name.to_str());
-    let (true, Some(stem), Some(name)) = (is_json, stem, name) else {
-        ga_files::write(path, &to_glb(document)?)?;
-        return Ok(());
-    };
-    let files = to_gltf(document, stem)?;
-    let others = files
-        .others
-        .iter()
-        .map(|(name, bytes)| (name.as_str(), &bytes[..]));
-    let all = others.chain([(name, &files.json[..])]);
-    let folder = super::reader::folder_of(path);
+    let files = files(path, document)?;
+    if let [(_, contents)] = &files[..] {
+        return Ok(ga_files::write(path, contents)?);
+    }
     let here = Path::new(".");
+    let folder = super::reader::folder_of(path);
     let folder = if folder.as_os_str().is_empty() {
         here
     } else {
         &folder
     };
-    ga_files::write_all(folder, all)?;
-    Ok(())
+    let files = files.iter().rev();
+    let files = files.map(|(name, contents)| (name.as_str(), &contents[..]));
+    Ok(ga_files::write_all(folder, files)?)
+}
+
+/// The names and contents of the files that [`write`] writes, that of the path first.
+pub(crate) fn files(
+    path: &Path,
+    document: &Document,
+) -> Result<Vec<(String, Vec<u8>)>, WriteGltfError> {
+    let fault = |problem| WriteGltfError::Document {
+        path: path.to_path_buf(),
+        problem,
+    };
+    let is_json = path
+        .extension()
+        .is_some_and(|extension| extension.eq_ignore_ascii_case("gltf"));
+    let stem = path.file_stem().and_then(|stem| stem.to_str());
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let (true, Some(stem)) = (is_json, stem) else {
+        let contents = to_glb(document).map_err(fault)?;
+        return Ok(vec![(name.into_owned(), contents)]);
+    };
+    let GltfFiles { json, others } = to_gltf(document, stem).map_err(fault)?;
+    let mut files = vec![(name.into_owned(), json)];
+    files.extend(others);
+    Ok(files)
 }
 
 /// Where the JSON says that an image is.

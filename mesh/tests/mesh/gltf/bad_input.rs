@@ -596,12 +596,14 @@ fn a_bad_document_is_not_written() {
     document.nodes[0].children.push(0);
     let folder = tempfile::tempdir().unwrap();
     for name in ["model.gltf", "model.glb"] {
-        let error = write(folder.path().join(name), &document).unwrap_err();
+        let path = folder.path().join(name);
+        let error = write(&path, &document).unwrap_err();
         let expected = GltfError {
             path: vec![Element::Node(0)],
             problem: Problem::Cycle,
         };
-        assert_eq!(error.to_string(), expected.to_string());
+        let expected = format!("cannot write {}: {expected}", path.display());
+        assert_eq!(error.to_string(), expected);
     }
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
 }
