@@ -12,7 +12,8 @@ pub(crate) struct File {
     pub(crate) contents: Vec<u8>,
 }
 
-/// Prints text to standard output. A reader that has closed the pipe, as `head` does, is not an error.
+/// Prints text to standard output. A reader that has closed the pipe, as `head` does, is not an
+/// error.
 pub(crate) fn print(text: &str) -> Result<()> {
     match std::io::stdout().lock().write_all(text.as_bytes()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {

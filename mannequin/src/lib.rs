@@ -1,9 +1,9 @@
 //! A person made by formulas: a closed mesh, a skeleton, skin weights and a walk.
 //!
 //! Nothing is read from a file, so that there is always a figure to animate. The person is an adult
-//! without sex or age, like an artist's mannequin, with clothes that are only painted: 1.75 m tall, facing +z with y up and
-//! the left side at +x, in metres. At rest it stands with its feet on the plane y = 0 and its arms
-//! half way down.
+//! without sex or age, like an artist's mannequin, with clothes that are only painted: 1.75 m tall,
+//! facing +z with y up and the left side at +x, in metres. At rest it stands with its feet on the
+//! plane y = 0 and its arms half way down.
 //!
 //! The figure is made in five steps:
 //!

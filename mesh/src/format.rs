@@ -60,8 +60,8 @@ pub enum FormatError {
     /// A file could not be written.
     #[error(transparent)]
     Write(#[from] WriteError),
-    /// No relative path leads to a picture, which lies on another drive or in a folder whose name is
-    /// not Unicode.
+    /// No relative path leads to a picture, which lies on another drive or in a folder whose name
+    /// is not Unicode.
     #[error("no relative path leads from the output to the picture {}", path.display())]
     Picture {
         /// The picture.
@@ -152,7 +152,7 @@ pub fn write(path: impl AsRef<Path>, mesh: &Mesh, options: &Options) -> Result<(
     }
 }
 
-/// The paths and contents of the files that [`write`] writes: that at `path` first, then those
+/// The paths and contents of the files that [`write()`] writes: that at `path` first, then those
 /// beside it, as libraries of materials, buffers and pictures.
 ///
 /// # Errors

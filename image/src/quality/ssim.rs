@@ -220,8 +220,8 @@ type Row = [[f32; LANES]; TILE / LANES];
 
 /// The windows of two pictures.
 ///
-/// With s = a + b and d = a − b, 2 μ_a μ_b = μ_a² + μ_b² − μ_d² and μ_a² + μ_b² = (μ_s² + μ_d²) / 2,
-/// and the same holds for variances. So four means are enough, those of s, d, s² and d², and
+/// With s = a + b and d = a − b, 2 μ_a μ_b = μ_a² + μ_b² − μ_d² and μ_a² + μ_b² = (μ_s² + μ_d²) /
+/// 2, and the same holds for variances. So four means are enough, those of s, d, s² and d², and
 /// SSIM = (1 − μ_d² / (μ_a² + μ_b² + C₁)) (1 − σ_d² / (σ_a² + σ_b² + C₂)), which subtracts small
 /// numbers where the pictures are similar: single precision suffices.
 struct Windows<'a, 't, P, F> {

@@ -17,9 +17,9 @@ pub type Position = Point<f64>;
 ///
 /// Vertices have positions and may have colours. Corners of faces may have texture coordinates,
 /// normals and tangents, each with its own numbering, so that vertices need not be split where
-/// these differ between faces. Faces may be in groups and objects and may have a material. Polylines
-/// and single points may be drawn beside the faces. Positions carry the unit and the axes of their
-/// source; see [`Mesh::scaled`].
+/// these differ between faces. Faces may be in groups and objects and may have a material.
+/// Polylines and single points may be drawn beside the faces. Positions carry the unit and the axes
+/// of their source; see [`Mesh::scaled`].
 ///
 /// # Examples
 ///

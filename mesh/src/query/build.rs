@@ -1,7 +1,7 @@
 //! Building the hierarchy, from the root down: the set of triangles with the largest box is split
-//! in two, until there are eight sets. Splits are chosen by the surface area heuristic: the sum over
-//! both sides of the area of the box times the number of packets is least among planes between bins
-//! (I. Wald, On fast Construction of SAH-based Bounding Volume Hierarchies, 2007).
+//! in two, until there are eight sets. Splits are chosen by the surface area heuristic: the sum
+//! over both sides of the area of the box times the number of packets is least among planes between
+//! bins (I. Wald, On fast Construction of SAH-based Bounding Volume Hierarchies, 2007).
 
 use ga_runtime::cga3::Point;
 use ga_runtime::vga3::Vector;

@@ -15,9 +15,9 @@ pub(super) const LEAF: u32 = 1 << 31;
 /// The reference to a child that does not exist: a leaf without a packet.
 pub(super) const NOTHING: u32 = u32::MAX;
 
-/// Eight children with their boxes, in the coordinates of the frame. The boxes are rounded outwards.
-/// A child that does not exist has a box that is met by no query whose
-/// numbers are in the range of `f32`, and refers to [`NOTHING`].
+/// Eight children with their boxes, in the coordinates of the frame. The boxes are rounded
+/// outwards. A child that does not exist has a box that is met by no query whose numbers are in the
+/// range of `f32`, and refers to [`NOTHING`].
 #[derive(Clone, Debug)]
 #[repr(align(64))]
 pub(super) struct Node {

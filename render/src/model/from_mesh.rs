@@ -17,8 +17,8 @@ impl Model {
     /// [`Mesh::triangles`] does. A triangle with a corner without a normal is flat; a mesh without
     /// normals is smooth. A mesh with a normal map but without tangents gets those of MikkTSpace.
     ///
-    /// Some things are drawn otherwise than the materials ask for; those with a mark have one of the
-    /// [`warnings`](Model::warnings):
+    /// Some things are drawn otherwise than the materials ask for; those with a mark have one of
+    /// the [`warnings`](Model::warnings):
     ///
     /// - (marked) All textures of a material are placed by the set of texture coordinates and the
     ///   offset, rotation and scale of its base colour, or of the first other texture that it has.

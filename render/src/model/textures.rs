@@ -51,8 +51,8 @@ pub enum Meaning {
     Data,
 }
 
-/// The picture of a texture of a mesh, with the texture's wrap modes and filter, at the depth of its
-/// file. Its place on the surface is that of [`ga_mesh::Texture::place`], which is left to the
+/// The picture of a texture of a mesh, with the texture's wrap modes and filter, at the depth of
+/// its file. Its place on the surface is that of [`ga_mesh::Texture::place`], which is left to the
 /// caller.
 ///
 /// The file is looked for in `folder`. `None` where it does not exist, or without a folder; errors

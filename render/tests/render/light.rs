@@ -160,8 +160,8 @@ fn a_convex_body_has_no_shadow_on_its_lit_side() {
 
 /// Above a floor, directions that obey the cosine law lie over a uniform disc, so the share of them
 /// with more than `x` towards a wall is that of a segment of the disc,
-/// `(acos x − x √(1 − x²)) / π`. A point in such a direction at a distance from 0 to the radius, all alike, is behind the wall if
-/// it goes farther than the wall is away.
+/// `(acos x − x √(1 − x²)) / π`. A point in such a direction at a distance from 0 to the radius,
+/// all alike, is behind the wall if it goes farther than the wall is away.
 fn free(from_wall: f64, radius: f64) -> f64 {
     let steps = 4000;
     let blocked: f64 = (0..steps)

@@ -15,8 +15,9 @@ use crate::output::print;
 /// of ga-mesh says for each format what it cannot hold. Paths of pictures are written relative to
 /// the output.
 ///
-/// Some formats need files beside the output, named after it: libraries of materials (.mtl), buffers
-/// (.bin) and pictures. A file of such a name with other contents is not replaced without --force.
+/// Some formats need files beside the output, named after it: libraries of materials (.mtl),
+/// buffers (.bin) and pictures. A file of such a name with other contents is not replaced without
+/// --force.
 ///
 /// For instance
 ///

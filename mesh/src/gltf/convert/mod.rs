@@ -35,17 +35,16 @@ impl Document {
     }
 
     /// A mesh as a document: a node for each object, and one for faces without an object; in it a
-    /// primitive for each material and set of attributes; one for all polylines of two vertices, one
-    /// for each longer polyline, and one for points. Where more than 256 polylines are longer, all
-    /// become edges in one primitive.
+    /// primitive for each material and set of attributes; one for all polylines of two vertices,
+    /// one for each longer polyline, and one for points. Where more than 256 polylines are longer,
+    /// all become edges in one primitive.
     ///
     /// A mesh with normals and a texture of normals but no tangents gets them from
-    /// [`mikktspace`](crate::tangents::mikktspace).
-    /// Faces without the texture coordinates that a texture of their material uses get a copy of the
-    /// material without it.
-    /// A vertex is split where its corners have different attributes. Polygons become triangles as
-    /// by [`Faces::triangles`](crate::Faces::triangles). Vertices that nothing uses are left out,
-    /// as are tangents where there are no normals, groups, and terms of Phong's model.
+    /// [`mikktspace`](crate::tangents::mikktspace). Faces without the texture coordinates that a
+    /// texture of their material uses get a copy of the material without it. A vertex is split
+    /// where its corners have different attributes. Polygons become triangles as by
+    /// [`Faces::triangles`](crate::Faces::triangles). Vertices that nothing uses are left out, as
+    /// are tangents where there are no normals, groups, and terms of Phong's model.
     ///
     /// # Errors
     ///

@@ -13,7 +13,8 @@ pub(super) struct Picture {
     pub(super) channel: Option<String>,
 }
 
-/// The picture that a line names; `None` where it names none. What is ignored is added to `ignored`.
+/// The picture that a line names; `None` where it names none. What is ignored is added to
+/// `ignored`.
 pub(super) fn picture(
     statement: &str,
     words: &mut Words<'_>,
