@@ -59,7 +59,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "FILE.png or FILE.y4m")]
     out: PathBuf,
     /// As many pictures with the camera moving once around the model: an animated PNG or a film
-    /// with 25 pictures in a second.
+    /// with 25 pictures in a second. At most 1000, with at most 2^30 pixels together.
     #[arg(long, value_name = "N", default_value_t = 1)]
     turntable: u32,
     /// Whether surfaces are lit or show their base colour.

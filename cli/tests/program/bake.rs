@@ -156,7 +156,7 @@ fn nothing_is_written_where_the_bake_fails() {
         ),
         (
             &["--coarse", "coarse.obj", "--distance=-1"],
-            "distance is -1",
+            "coarse.obj: the cage distance is -1",
         ),
     ] {
         assert_failure(&bake(&folder, arguments), &[message]);
