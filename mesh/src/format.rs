@@ -241,6 +241,9 @@ pub fn relocated(mesh: &Mesh, from: &Path, to: &Path) -> Result<Mesh, FormatErro
     let (Some(from), Some(to)) = (folder(from), folder(to)) else {
         return Ok(mesh.clone());
     };
+    if mesh.materials().is_empty() {
+        return Ok(mesh.clone());
+    }
     let mut materials = mesh.materials().to_vec();
     for texture in materials
         .iter_mut()
