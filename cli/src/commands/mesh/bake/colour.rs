@@ -9,6 +9,9 @@ use ga_mesh::{Image, Material, Mesh, Texture as Placed};
 use ga_render::model::{Meaning, load_texture};
 use ga_render::texture::Texture;
 
+/// A picture, and where it is taken at the corners of each triangle.
+type Picture = (Texture, Vec<[[f64; 2]; 3]>);
+
 /// The colour of each point of a mesh, as linear light.
 pub(super) enum Colours {
     /// Those of the vertices, at the corners of each triangle.
@@ -17,7 +20,7 @@ pub(super) enum Colours {
     Materials {
         /// For each triangle its colour, and its picture if it has one.
         triangles: Vec<([f64; 3], Option<usize>)>,
-        pictures: Vec<(Texture, Vec<[[f64; 2]; 3]>)>,
+        pictures: Vec<Picture>,
     },
 }
 
@@ -89,7 +92,7 @@ fn picture(
     placed: &Placed,
     folder: Option<&Path>,
     warnings: &mut Vec<String>,
-) -> Result<Option<(Texture, Vec<[[f64; 2]; 3]>)>> {
+) -> Result<Option<Picture>> {
     let Some(coordinates) = corner_coordinates(mesh, placed.set as usize) else {
         return Ok(None);
     };
