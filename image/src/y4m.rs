@@ -144,7 +144,7 @@ impl<'a> Reader<'a> {
         let end = bytes.iter().position(|byte| *byte == b'\n');
         let line = end.and_then(|end| str::from_utf8(&bytes[..end]).ok());
         let (Some(end), Some(words)) = (end, line.and_then(|l| l.strip_prefix("YUV4MPEG2"))) else {
-            return Err(syntax(0, "there is no line YUV4MPEG2"));
+            return Err(syntax(0, "the first line does not begin with YUV4MPEG2"));
         };
         let (mut width, mut height, mut film) = (0, 0, Film::default());
         for word in words.split_ascii_whitespace() {

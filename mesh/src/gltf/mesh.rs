@@ -236,7 +236,7 @@ impl Components {
         }
     }
 
-    /// Whether there is no number.
+    /// Whether the list is empty.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0

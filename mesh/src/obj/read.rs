@@ -66,7 +66,7 @@ impl fmt::Display for Warning {
         match self {
             Warning::MissingLibrary { line, library } => write!(
                 f,
-                "line {line}: there is no file {library}; its materials have the default appearance"
+                "line {line}: the file {library} does not exist; its materials have the default appearance"
             ),
             Warning::UndefinedMaterial { line, material } => write!(
                 f,

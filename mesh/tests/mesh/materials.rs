@@ -216,7 +216,7 @@ fn what_is_missing_is_the_default_and_said() {
     assert_eq!(
         sentences,
         [
-            "line 5: there is no file no.mtl; its materials have the default appearance",
+            "line 5: the file no.mtl does not exist; its materials have the default appearance",
             "line 6: no library defines the material \"red\"; it has the default appearance",
         ]
     );
