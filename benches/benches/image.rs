@@ -13,6 +13,7 @@ use ga_image::pyramid::halved;
 use ga_image::quality::{Ssim, psnr};
 use image::GrayImage;
 use image_compare::Algorithm;
+use nullcone_benches::comparison;
 
 const WIDTH: usize = 1920;
 const HEIGHT: usize = 1080;
@@ -108,5 +109,5 @@ fn filters(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, quality, filters);
+criterion_group! { name = benches; config = comparison::criterion(); targets = quality, filters }
 criterion_main!(benches);

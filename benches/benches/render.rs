@@ -5,6 +5,7 @@ use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use ga_render::{Buffers, Camera, Scene, Style, ViewDirection, render};
+use nullcone_benches::comparison;
 
 const AROUND: u32 = 350;
 const ACROSS: u32 = 100;
@@ -70,5 +71,5 @@ fn pictures(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, pictures);
+criterion_group! { name = benches; config = comparison::criterion(); targets = pictures }
 criterion_main!(benches);
