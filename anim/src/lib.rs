@@ -10,6 +10,7 @@
 //! | --- | --- |
 //! | [`skeleton`], [`weights`] | the data: joints with parents first, influences without a limit |
 //! | [`rig`], [`bvh`] | read rigs with painted weights, and motion capture |
+//! | [`transform`], [`recording`] | motion as files have it: local transforms, frame by frame |
 //! | [`pose`], [`clip`] | motors of joints, and interpolation between frames along screws |
 //! | [`skin`] | moves a mesh, by the mean of matrices or of motors |
 //! | [`distance_weights`] | weights from the distance to the bones |
@@ -70,8 +71,10 @@ pub mod distance_weights;
 pub mod gltf;
 pub mod leg;
 pub mod pose;
+pub mod recording;
 pub mod retarget;
 pub mod rig;
 pub mod skeleton;
 pub mod skin;
+pub mod transform;
 pub mod weights;

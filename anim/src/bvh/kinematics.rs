@@ -1,7 +1,28 @@
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 
-use super::{Bvh, Channel};
+use super::{Bvh, BvhJoint, Channel};
 use crate::pose::moved;
+
+impl BvhJoint {
+    /// The motion of the joint's frame relative to its parent's in a frame of time with these
+    /// numbers, in the unit of the file.
+    pub(crate) fn local(&self, values: &[f64]) -> Motor<f64> {
+        let mut displacement = self.offset;
+        let mut rotor = Rotor::default();
+        for (channel, &value) in self.channels.iter().zip(&values[self.first_channel..]) {
+            match *channel {
+                Channel::Position(axis) => displacement[axis] += value,
+                Channel::Rotation(axis) => rotor *= about_axis(axis, value.to_radians()),
+            }
+        }
+        Translator::from_displacement(displacement) * rotor
+    }
+
+    /// The same at rest, when all channels are 0.
+    pub(crate) fn rest(&self) -> Motor<f64> {
+        Translator::from_displacement(self.offset).into()
+    }
+}
 
 impl Bvh {
     /// The motion of each joint's frame in one frame of time: it takes a place given relative to
@@ -16,15 +37,7 @@ impl Bvh {
         let values = self.frame(frame)?;
         let mut frames: Vec<Motor<f64>> = Vec::with_capacity(self.joints().len());
         for joint in self.joints() {
-            let mut displacement = joint.offset;
-            let mut rotor = Rotor::default();
-            for (channel, &value) in joint.channels.iter().zip(&values[joint.first_channel..]) {
-                match *channel {
-                    Channel::Position(axis) => displacement[axis] += value,
-                    Channel::Rotation(axis) => rotor *= about_axis(axis, value.to_radians()),
-                }
-            }
-            let own = Translator::from_displacement(displacement) * rotor;
+            let own = joint.local(values);
             frames.push(joint.parent.map_or(own, |parent| frames[parent] * own));
         }
         Some(frames)

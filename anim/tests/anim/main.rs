@@ -7,6 +7,7 @@ mod distance_weights;
 mod gltf;
 mod leg;
 mod poses;
+mod recording;
 mod retarget;
 mod retarget_real;
 mod rig;
