@@ -80,28 +80,48 @@ impl<P: Pixel> Work for Halving<'_, P> {
     fn run(self) {
         let length = self.picture.width() * P::CHANNELS;
         let mut continued = Continued::new(self.picture.width(), RADIUS, Border::Mirror);
+        let columns = self.result.width() * P::CHANNELS;
+        // The columns of even and of odd index, each in a row of its own, so that the loop over
+        // them is one over neighbours in memory.
+        let mut even = vec![0.0; columns + 2 * P::CHANNELS];
+        let mut odd = vec![0.0; columns + P::CHANNELS];
         for row in 0..self.result.height() {
-            let rows: [&[P::Sample]; 5] = std::array::from_fn(|place| {
+            let [a, b, c, d, e]: [&[P::Sample]; 5] = std::array::from_fn(|place| {
                 let index = (2 * row + place).cast_signed() - RADIUS.cast_signed();
                 let row = Border::Mirror.index(index, self.picture.height());
                 &P::samples(self.picture.row(row))[..length]
             });
             let source = continued.row(P::CHANNELS, |sums| {
-                for (i, sum) in sums[..length].iter_mut().enumerate() {
-                    *sum = weighted_sum(rows.map(|row| row[i].to_f32()));
+                let outer = a.iter().zip(e);
+                let rows = outer.zip(b.iter().zip(d)).zip(c);
+                for (sum, (((a, e), (b, d)), c)) in sums.iter_mut().zip(rows) {
+                    *sum = weighted_sum([*a, *b, *c, *d, *e].map(P::Sample::to_f32));
                 }
             });
+            separate(source, P::CHANNELS, &mut even, &mut odd);
             let target = P::samples_mut(self.result.row_mut(row));
-            let windows = source.windows(5 * P::CHANNELS).step_by(2 * P::CHANNELS);
-            for (target, window) in target.chunks_exact_mut(P::CHANNELS).zip(windows) {
-                for (channel, target) in target.iter_mut().enumerate() {
-                    let numbers = [0, 1, 2, 3, 4].map(|i| window[i * P::CHANNELS + channel]);
-                    // Sums of 16-bit numbers and weights stay below 2²⁴, so that integers are
-                    // exact.
-                    *target = P::Sample::from_f32(weighted_sum(numbers) * (1.0 / 256.0));
-                }
+            let outer = even.iter().zip(&even[2 * P::CHANNELS..]);
+            let inner = odd.iter().zip(&odd[P::CHANNELS..]);
+            let numbers = outer.zip(inner).zip(&even[P::CHANNELS..]);
+            for (target, (((a, e), (b, d)), c)) in target.iter_mut().zip(numbers) {
+                // Sums of 16-bit numbers and weights stay below 2²⁴, so that integers are exact.
+                *target = P::Sample::from_f32(weighted_sum([*a, *b, *c, *d, *e]) * (1.0 / 256.0));
             }
         }
+    }
+}
+
+/// Copies pixels of even index to `even`, and those of odd index, one fewer, to `odd`.
+#[inline(always)]
+fn separate(pixels: &[f32], channels: usize, even: &mut [f32], odd: &mut [f32]) {
+    let last = even.len() - channels;
+    even[last..].copy_from_slice(&pixels[2 * last..][..channels]);
+    let halves = even
+        .chunks_exact_mut(channels)
+        .zip(odd.chunks_exact_mut(channels));
+    for (pair, (even, odd)) in pixels.chunks_exact(2 * channels).zip(halves) {
+        even.copy_from_slice(&pair[..channels]);
+        odd.copy_from_slice(&pair[channels..]);
     }
 }
 
