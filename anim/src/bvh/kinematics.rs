@@ -1,24 +1,10 @@
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 
-use super::{Bvh, BvhJoint, Channel};
+use super::{Bvh, BvhJoint, Channel, PositionChannels};
 use crate::pose::moved;
 
 impl BvhJoint {
-    /// The motion of the joint's frame relative to its parent's in a frame of time with these
-    /// numbers, in the unit of the file.
-    pub(crate) fn local(&self, values: &[f64]) -> Motor<f64> {
-        let mut displacement = self.offset;
-        let mut rotor = Rotor::default();
-        for (channel, &value) in self.channels.iter().zip(&values[self.first_channel..]) {
-            match *channel {
-                Channel::Position(axis) => displacement[axis] += value,
-                Channel::Rotation(axis) => rotor *= about_axis(axis, value.to_radians()),
-            }
-        }
-        Translator::from_displacement(displacement) * rotor
-    }
-
-    /// The same at rest, when all channels are 0.
+    /// The motion of the joint's frame relative to its parent's at rest, when all channels are 0.
     pub(crate) fn rest(&self) -> Motor<f64> {
         Translator::from_displacement(self.offset).into()
     }
@@ -32,15 +18,36 @@ impl Bvh {
     /// ```text
     /// F = F_parent T(offset + position) R₁ R₂ R₃
     /// ```
+    ///
+    /// Where the position channels [take the place](super::PositionChannels::InPlace) of the
+    /// offset, it is T(position).
     #[must_use]
     pub fn frames_of_joints(&self, frame: usize) -> Option<Vec<Motor<f64>>> {
-        let values = self.frame(frame)?;
         let mut frames: Vec<Motor<f64>> = Vec::with_capacity(self.joints().len());
-        for joint in self.joints() {
-            let own = joint.local(values);
+        for (joint, own) in self.joints().iter().zip(self.own_motions(frame)?) {
             frames.push(joint.parent.map_or(own, |parent| frames[parent] * own));
         }
         Some(frames)
+    }
+
+    /// The motion of each joint's frame relative to its parent's in one frame of time, T(offset +
+    /// position) R₁ R₂ R₃. `None` when there is no such frame.
+    pub(crate) fn own_motions(&self, frame: usize) -> Option<impl Iterator<Item = Motor<f64>>> {
+        let values = self.frame(frame)?;
+        Some(self.joints().iter().map(move |joint| {
+            let mut displacement = joint.offset;
+            let mut rotor = Rotor::default();
+            for (channel, &value) in joint.channels.iter().zip(&values[joint.first_channel..]) {
+                match *channel {
+                    Channel::Position(axis) => match self.position_channels() {
+                        PositionChannels::Added => displacement[axis] += value,
+                        PositionChannels::InPlace => displacement[axis] = value,
+                    },
+                    Channel::Rotation(axis) => rotor *= about_axis(axis, value.to_radians()),
+                }
+            }
+            Translator::from_displacement(displacement) * rotor
+        }))
     }
 
     /// Where each joint is in a frame, or `None` when there is no such frame.

@@ -13,19 +13,31 @@
 //! degrees in the file. Lengths have the file's unit, which it does not state; by convention y
 //! points up.
 //!
-//! The reader is strict: an error names the line, a frame has exactly one number for each channel,
-//! and the number of frames is the one announced.
+//! The reader is strict where numbers would be guessed: an error names the line, and a frame has
+//! exactly one number for each channel. Two deviations are so common that such files are read, with
+//! a [warning](Bvh::warnings):
+//!
+//! - The file has one frame more or one fewer than it announces. The frames that are there count.
+//! - Position channels sit on joints below the root. Some programs write what is added to the
+//!   offset there, as the description says; others write the offset and what is added to it, so that
+//!   the numbers take the place of the offset. The second reading is chosen where the numbers are
+//!   near the offsets, within a quarter of their lengths, in most frames. It then holds for all
+//!   joints.
 //!
 //! Source: the description by the Motion Capture Web Group, University of Wisconsin, on which
 //! readers agree.
 
+mod conversion;
 mod kinematics;
 mod parser;
+mod warning;
 mod words;
 
 use std::path::Path;
 
 use ga_files::ReadError;
+
+pub use warning::{BvhWarning, PositionChannels};
 
 /// A skeleton and its motion in the form of a BVH file.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +47,8 @@ pub struct Bvh {
     frame_count: usize,
     /// Frame by frame, within a frame in the order of the joints and their channels.
     values: Vec<f64>,
+    positions: PositionChannels,
+    warnings: Vec<BvhWarning>,
 }
 
 /// A joint of a BVH skeleton.
@@ -140,6 +154,18 @@ impl Bvh {
         (frame < self.frame_count).then(|| &self.values[frame * channels..(frame + 1) * channels])
     }
 
+    /// What in the file deviates from the format and was read nevertheless; each kind once.
+    #[must_use]
+    pub fn warnings(&self) -> &[BvhWarning] {
+        &self.warnings
+    }
+
+    /// How the position channels are meant.
+    #[must_use]
+    pub fn position_channels(&self) -> PositionChannels {
+        self.positions
+    }
+
     /// How many numbers a frame has.
     #[must_use]
     pub fn channel_count(&self) -> usize {
@@ -233,12 +259,12 @@ pub enum BvhProblem {
         /// How many numbers the frame has.
         found: usize,
     },
-    /// The number of frames is not the one announced.
+    /// The number of frames differs from the one announced by more than one, or none is there.
     #[error("the file announces {expected} frames and has {found}")]
     FrameCount {
         /// How many frames are announced.
         expected: usize,
-        /// How many there are, or one more than announced.
+        /// How many there are, or two more than announced.
         found: usize,
     },
 }

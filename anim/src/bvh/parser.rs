@@ -1,5 +1,5 @@
 use super::words::{Words, number};
-use super::{Bvh, BvhError, BvhJoint, BvhProblem, Channel};
+use super::{Bvh, BvhError, BvhJoint, BvhProblem, BvhWarning, Channel, warning};
 
 pub(super) fn parse(bytes: &[u8]) -> Result<Bvh, BvhError> {
     let mut words = Words::new(text(bytes)?);
@@ -171,7 +171,8 @@ fn motion(words: &mut Words, mut joints: Vec<BvhJoint>) -> Result<Bvh, BvhError>
         return Err(words.error(BvhProblem::NoChannels));
     }
     words.expect("Frames:")?;
-    let frame_count = words.count()?;
+    let announced = words.count()?;
+    let announced_on_line = words.line();
     words.expect("Frame")?;
     words.expect("Time:")?;
     let frame_time = words.number()?;
@@ -197,23 +198,35 @@ fn motion(words: &mut Words, mut joints: Vec<BvhJoint>) -> Result<Bvh, BvhError>
             }
             _ => found += 1,
         }
-        if found > frame_count {
+        if found > announced.saturating_add(1) {
             return Err(words.error(BvhProblem::FrameCount {
-                expected: frame_count,
+                expected: announced,
                 found,
             }));
         }
     }
-    if found != frame_count {
+    if found.abs_diff(announced) > 1 || (found == 0 && announced > 0) {
         return Err(words.error(BvhProblem::FrameCount {
-            expected: frame_count,
+            expected: announced,
             found,
         }));
     }
+    let mut warnings = Vec::new();
+    if found != announced {
+        warnings.push(BvhWarning::FrameCount {
+            line: announced_on_line,
+            announced,
+            found,
+        });
+    }
+    let (positions, warning) = warning::position_channels(&joints, &values, channel_count);
+    warnings.extend(warning);
     Ok(Bvh {
         joints,
         frame_time,
-        frame_count,
+        frame_count: found,
         values,
+        positions,
+        warnings,
     })
 }

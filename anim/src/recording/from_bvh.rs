@@ -42,10 +42,8 @@ impl Recording {
             parent: joint.parent,
             rest: in_metres(joint.rest()),
         });
-        let frames = (0..motion.frame_count()).filter_map(|frame| motion.frame(frame));
-        let locals = frames
-            .flat_map(|values| motion.joints().iter().map(|joint| joint.local(values)))
-            .map(in_metres);
+        let frames = (0..motion.frame_count()).filter_map(|frame| motion.own_motions(frame));
+        let locals = frames.flatten().map(in_metres);
         Self::new(
             joints.collect(),
             motion.frame_time(),

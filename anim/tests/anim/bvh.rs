@@ -1,7 +1,7 @@
 //! Motion from BVH files: a real one with known joints and values, made ones with known faults.
 
 use crate::assert_relative;
-use ga_anim::bvh::{self, Bvh, Channel};
+use ga_anim::bvh::{self, Bvh, BvhWarning, Channel, PositionChannels};
 use nullcone_shared_data::shared;
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -249,13 +249,13 @@ fn every_fault_is_named_with_its_line() {
         ),
         (
             17,
-            "Frames: 1",
-            "line 20: the file announces 1 frames and has 2",
+            "Frames: 0",
+            "line 20: the file announces 0 frames and has 2",
         ),
         (
             17,
-            "Frames: 3",
-            "line 20: the file announces 3 frames and has 2",
+            "Frames: 4",
+            "line 20: the file announces 4 frames and has 2",
         ),
         (
             18,
@@ -307,16 +307,140 @@ fn every_fault_is_named_with_its_line() {
     assert_eq!(binary.to_string(), "line 2: the file is not UTF-8 text");
 }
 
+/// A file that ends with its last frame but one is like one that announces a frame too many.
 #[test]
-fn a_file_cut_short_anywhere_is_an_error() {
+fn a_file_cut_short_anywhere_is_an_error_or_one_frame_short() {
     let end = SMALL.trim_end().len();
+    let first_frame = SMALL.find("5 6 7 8").unwrap();
     for length in 0..end {
-        assert!(
-            bvh::parse(&SMALL.as_bytes()[..length]).is_err(),
-            "cut at byte {length}"
+        let cut = bvh::parse(&SMALL.as_bytes()[..length]);
+        if (first_frame - 1..=first_frame).contains(&length) {
+            let motion = cut.unwrap();
+            assert_eq!((motion.frame_count(), motion.warnings().len()), (1, 1));
+        } else {
+            assert!(cut.is_err(), "cut at byte {length}");
+        }
+    }
+    assert!(
+        bvh::parse(&SMALL.as_bytes()[..end])
+            .unwrap()
+            .warnings()
+            .is_empty()
+    );
+}
+
+#[test]
+fn a_frame_more_or_fewer_than_announced_is_a_warning() {
+    for announced in [1, 3] {
+        let motion =
+            bvh::parse(small_with(17, &format!("Frames: {announced}")).as_bytes()).unwrap();
+        assert_eq!(motion.frame_count(), 2);
+        assert_eq!(motion.frame(1).unwrap(), [5.0, 6.0, 7.0, 8.0]);
+        assert_eq!(
+            motion.warnings(),
+            [BvhWarning::FrameCount {
+                line: 17,
+                announced,
+                found: 2
+            }]
+        );
+        assert_eq!(
+            motion.warnings()[0].to_string(),
+            format!("line 17 announces {announced} frames, but the file has 2, which are used")
         );
     }
-    bvh::parse(&SMALL.as_bytes()[..end]).unwrap();
+    // A recording without frames is not one frame short.
+    let text = small_with(17, "Frames: 1");
+    let empty = &text[..text.find("1 2 3 4").unwrap()];
+    let message = bvh::parse(empty.as_bytes()).unwrap_err().to_string();
+    assert_eq!(message, "line 18: the file announces 1 frames and has 0");
+}
+
+/// Three joints whose channels are all six: with the offsets in the positions, or without.
+fn six_channels(positions: [[f64; 3]; 3], offset_of_root: f64) -> String {
+    let channels = "CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation";
+    let mut text = format!(
+        "HIERARCHY\nROOT a {{ OFFSET 0 {offset_of_root} 0 {channels}\nJOINT b {{ OFFSET 0 -4 1 {channels}\n\
+         JOINT c {{ OFFSET 3 0 0 {channels}\nEnd Site {{ OFFSET 1 0 0 }} }} }} }}\n\
+         MOTION\nFrames: 2\nFrame Time: 0.1\n"
+    );
+    for frame in 1..=2 {
+        for [x, y, z] in positions {
+            text += &format!("{x} {y} {z} {} {} {} ", 10 * frame, -20 * frame, 35 * frame);
+        }
+        text.push('\n');
+    }
+    text
+}
+
+#[test]
+fn positions_below_the_root_are_added_to_offsets_or_take_their_place() {
+    let added = [[0.5, 9.0, 1.0], [0.0; 3], [0.1, 0.0, 0.0]];
+    // In place of the offsets, the root's as well.
+    let in_place = [[0.5, 10.0, 1.0], [0.0, -4.0, 1.0], [3.1, 0.0, 0.0]];
+    let added = bvh::parse(six_channels(added, 1.0).as_bytes()).unwrap();
+    let in_place = bvh::parse(six_channels(in_place, 1.0).as_bytes()).unwrap();
+    assert_eq!(added.position_channels(), PositionChannels::Added);
+    assert_eq!(in_place.position_channels(), PositionChannels::InPlace);
+    for (motion, positions) in [
+        (&added, PositionChannels::Added),
+        (&in_place, PositionChannels::InPlace),
+    ] {
+        let warning = BvhWarning::PositionsBelowRoot {
+            joints: 2,
+            positions,
+        };
+        assert_eq!(motion.warnings(), [warning]);
+    }
+    assert_eq!(
+        in_place.warnings()[0].to_string(),
+        "2 joints below the root have position channels, which are used in place of the offsets"
+    );
+    for frame in 0..2 {
+        let pairs = added.joint_positions(frame).unwrap();
+        for (a, b) in pairs.iter().zip(in_place.joint_positions(frame).unwrap()) {
+            assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-14));
+        }
+        // A length that the rotations do not change.
+        let arm: f64 = (0..3).map(|k| (pairs[2][k] - pairs[1][k]).powi(2)).sum();
+        assert!((arm.sqrt() - 3.1).abs() < 1e-14);
+    }
+}
+
+#[test]
+fn poses_of_its_skeleton_are_those_of_the_recording() {
+    let mut texts = vec![six_channels(
+        [[0.5, 9.0, 1.0], [0.0; 3], [0.1, 0.2, 0.0]],
+        1.0,
+    )];
+    texts.push(six_channels(
+        [[0.5, 9.0, 1.0], [0.0, -4.0, 1.0], [3.1, 0.0, 0.0]],
+        2.0,
+    ));
+    if let Some(path) = shared("data/anim/bvh/01_01.bvh") {
+        texts.push(std::fs::read_to_string(path).unwrap());
+    }
+    for text in texts {
+        let motion = bvh::parse(text.as_bytes()).unwrap();
+        let skeleton = motion.skeleton().unwrap();
+        for frame in (0..motion.frame_count()).step_by(500) {
+            let bones = motion.pose(frame).unwrap().bones(&skeleton).unwrap();
+            let joints = motion.joint_positions(frame).unwrap();
+            let ends = motion.end_site_positions(frame).unwrap();
+            for (index, [head, tail]) in bones.into_iter().enumerate() {
+                let near = |a: [f64; 3], b: [f64; 3]| {
+                    for (a, b) in a.into_iter().zip(b) {
+                        assert_relative(a, b, 1e-12);
+                    }
+                };
+                near(head, joints[index]);
+                if let Some(end) = ends[index] {
+                    near(tail, end);
+                }
+            }
+        }
+        assert_eq!(motion.pose(motion.frame_count()), None);
+    }
 }
 
 #[test]
