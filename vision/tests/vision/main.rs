@@ -1,5 +1,7 @@
 //! Triangulation against independent vectors and against scenes that are known.
 
+mod pose_error;
+
 use ga_runtime::cga3::{Direction, Motor, Point, Rotor, Translator};
 use ga_runtime::geometry::ray::Ray;
 use ga_vision::camera::{Camera, CameraError, Intrinsics};
