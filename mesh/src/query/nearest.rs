@@ -1,7 +1,8 @@
 //! The nearest point of the surface.
 
+use ga_runtime::batch::{Batch, Work};
 use ga_runtime::cga3::Point;
-use ga_runtime::scalar::Real;
+use ga_runtime::scalar::{Mask, Real};
 use ga_runtime::vga3::Vector;
 
 use super::frame::Frame;
@@ -78,38 +79,87 @@ impl Bvh {
         if radius < 0.0 {
             return Ok(None);
         }
-        let mut best = radius * radius;
-        let mut found: Option<(&Packet, usize, u32)> = None;
-        let point = splat(position);
-        self.approach(position, best, |packet| {
-            let squares = closest(point, packet.vectors()).square.to_array();
-            for (lane, square) in squares.into_iter().enumerate() {
-                let triangle = packet.triangles[lane];
-                if square <= best
-                    && (square < best || found.is_none_or(|(_, _, other)| triangle < other))
-                {
-                    best = square;
-                    found = Some((packet, lane, triangle));
-                }
-            }
-            best
-        });
+        let mut closest = ClosestVisited {
+            point: splat(position),
+            best: radius * radius,
+            found: None,
+        };
+        self.approach(position, radius * radius, &mut closest);
+        let found = closest.found;
         Ok(found.map(|(packet, lane, _)| nearest_of(packet, lane, position)))
     }
 
     /// Visits the packets whose boxes are nearer to a point than the square root of `limit`, near
-    /// ones first. `visit` returns the limit from then on.
-    #[inline(always)]
+    /// ones first.
+    #[inline]
     pub(super) fn approach<'a>(
         &'a self,
         point: Vector<f64>,
         limit: f64,
-        mut visit: impl FnMut(&'a Packet) -> f64,
+        visitor: &mut impl Visitor<'a>,
     ) {
-        if self.nodes.is_empty() {
+        Batch::new().run(Approach {
+            bvh: self,
+            point,
+            limit,
+            visitor,
+        });
+    }
+}
+
+/// What is done at the packets whose boxes are near a point.
+pub(super) trait Visitor<'a> {
+    /// Visits a packet, and returns the limit of squared distances from then on.
+    fn visit(&mut self, packet: &'a Packet) -> f64;
+}
+
+/// Looks for the nearest point.
+struct ClosestVisited<'a> {
+    point: Vector<Four>,
+    /// The least squared distance.
+    best: f64,
+    /// The packet, the lane and the triangle.
+    found: Option<(&'a Packet, usize, u32)>,
+}
+
+impl<'a> Visitor<'a> for ClosestVisited<'a> {
+    #[inline(always)]
+    fn visit(&mut self, packet: &'a Packet) -> f64 {
+        let squares = closest(self.point, packet.vectors()).square;
+        let is_near = squares.less_or_equal(Four::splat(self.best));
+        if !is_near.any() {
+            return self.best;
+        }
+        for (lane, square) in squares.to_array().into_iter().enumerate() {
+            let triangle = packet.triangles[lane];
+            if square <= self.best
+                && (square < self.best || self.found.is_none_or(|(_, _, other)| triangle < other))
+            {
+                self.best = square;
+                self.found = Some((packet, lane, triangle));
+            }
+        }
+        self.best
+    }
+}
+
+/// A visit of the packets whose boxes are near a point.
+struct Approach<'a, 'v, V> {
+    bvh: &'a Bvh,
+    point: Vector<f64>,
+    /// The square of the greatest distance.
+    limit: f64,
+    visitor: &'v mut V,
+}
+
+impl<'a, V: Visitor<'a>> Work for Approach<'a, '_, V> {
+    #[inline(always)]
+    fn run(self) {
+        let bvh = self.bvh;
+        if bvh.nodes.is_empty() {
             return;
         }
-        let (position, error) = Frame::rounded(self.frame.position(point), 0.0);
+        let (position, error) = Frame::rounded(bvh.frame.position(self.point), 0.0);
         let mut reach = Reach {
             below: [Children::splat(error); 3],
             above: [Children::splat(-error); 3],
@@ -119,22 +169,22 @@ impl Bvh {
             reach.below[axis] += x;
             reach.above[axis] += x;
         }
-        let scale = self.frame.scale;
+        let scale = bvh.frame.scale;
         let rounded = |square: f64| (square * scale * scale) as f32 * LARGER;
-        let mut limit = rounded(limit);
+        let mut limit = rounded(self.limit);
         let mut stack = Stack::new();
         while let Some((square, reference)) = stack.pop() {
             if square > limit {
                 continue;
             }
             if reference & LEAF == 0 {
-                let node = &self.nodes[reference as usize];
+                let node = &bvh.nodes[reference as usize];
                 stack.push(reach.squares(node, limit), &node.children);
             } else {
-                let Some(packet) = self.packet(reference) else {
+                let Some(packet) = bvh.packet(reference) else {
                     continue;
                 };
-                limit = rounded(visit(packet));
+                limit = rounded(self.visitor.visit(packet));
             }
         }
     }

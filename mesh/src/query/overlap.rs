@@ -6,7 +6,7 @@ use ga_runtime::scalar::{LaneMask, Mask, Real};
 use ga_runtime::vga3::Vector;
 
 use super::frame::{rounded_down, rounded_up};
-use super::nearest::nearest_of;
+use super::nearest::{Visitor, nearest_of};
 use super::node::{BRANCHES, Children, LEAF, Node, Stack};
 use super::packet::Packet;
 use super::{Bvh, Nearest, QueryError};
@@ -52,17 +52,15 @@ impl Bvh {
         if radius.is_nan() {
             return Err(QueryError::NotFinite { what: "radius" });
         }
-        let mut found = Vec::new();
+        let mut ball = Ball {
+            centre: position,
+            radius,
+            found: Vec::new(),
+        };
         if radius >= 0.0 {
-            let limit = radius * radius;
-            self.approach(position, limit, |packet| {
-                let near = packet
-                    .lanes()
-                    .map(|lane| nearest_of(packet, lane, position));
-                found.extend(near.filter(|nearest| nearest.distance <= radius));
-                limit
-            });
+            self.approach(position, radius * radius, &mut ball);
         }
+        let mut found = ball.found;
         found.sort_unstable_by_key(|nearest| nearest.triangle);
         Ok(found)
     }
@@ -77,21 +75,14 @@ impl Bvh {
         let (Some(centre), Some(radius)) = (sphere.centre(), sphere.radius()) else {
             return Err(QueryError::Degenerate { what: "sphere" });
         };
-        let mut found = Vec::new();
         let position = Vector::from(centre);
-        self.approach(position, radius * radius, |packet| {
-            for lane in packet.lanes() {
-                let farthest = packet
-                    .triangle(lane)
-                    .map(|corner| corner.distance(position));
-                let farthest = farthest.into_iter().fold(0.0, f64::max);
-                let nearest = nearest_of(packet, lane, position);
-                if nearest.distance <= radius && radius <= farthest {
-                    found.push(nearest.triangle);
-                }
-            }
-            radius * radius
+        let mut shell = Shell(Ball {
+            centre: position,
+            radius,
+            found: Vec::new(),
         });
+        self.approach(position, radius * radius, &mut shell);
+        let mut found: Vec<u32> = shell.0.found.iter().map(|near| near.triangle).collect();
         found.sort_unstable();
         Ok(found)
     }
@@ -197,6 +188,48 @@ impl Bvh {
                 visit(packet);
             }
         }
+    }
+}
+
+/// Collects the triangles that a ball meets.
+struct Ball {
+    centre: Vector<f64>,
+    radius: f64,
+    found: Vec<Nearest>,
+}
+
+impl<'a> Visitor<'a> for Ball {
+    #[inline(always)]
+    fn visit(&mut self, packet: &'a Packet) -> f64 {
+        let near = packet
+            .lanes()
+            .map(|lane| nearest_of(packet, lane, self.centre));
+        self.found
+            .extend(near.filter(|nearest| nearest.distance <= self.radius));
+        self.radius * self.radius
+    }
+}
+
+/// Collects the triangles that the surface of a ball meets.
+struct Shell(Ball);
+
+impl<'a> Visitor<'a> for Shell {
+    #[inline(always)]
+    fn visit(&mut self, packet: &'a Packet) -> f64 {
+        let Self(Ball {
+            centre,
+            radius,
+            found,
+        }) = self;
+        for lane in packet.lanes() {
+            let farthest = packet.triangle(lane).map(|corner| corner.distance(*centre));
+            let farthest = farthest.into_iter().fold(0.0, f64::max);
+            let nearest = nearest_of(packet, lane, *centre);
+            if nearest.distance <= *radius && *radius <= farthest {
+                found.push(nearest);
+            }
+        }
+        *radius * *radius
     }
 }
 

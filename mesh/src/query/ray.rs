@@ -1,7 +1,8 @@
 //! What rays hit.
 
+use ga_runtime::batch::{Batch, Work};
 use ga_runtime::geometry::ray::{Hit, Ray, TriangleTest};
-use ga_runtime::scalar::{Lanes, Real};
+use ga_runtime::scalar::{Lanes, Mask, Real};
 use ga_runtime::vga3::Vector;
 
 use super::Bvh;
@@ -48,28 +49,12 @@ impl Bvh {
     /// The first hit of a ray at a distance of less than `limit`.
     #[must_use]
     pub fn first_hit_within(&self, ray: Ray<f64>, limit: f64) -> Option<MeshHit> {
-        let mut found = None;
-        let mut best = limit;
-        self.traverse(ray, limit, |packet, test| {
-            let crossing = test.crossing(&packet.corners);
-            let is_close = crossing.distance.less_or_equal(Lanes::splat(best));
-            let is_hit = (crossing.is_hit & is_close).to_array();
-            if is_hit == [false; WIDTH] {
-                return Some(best);
-            }
-            for (lane, is_hit) in is_hit.into_iter().enumerate() {
-                let distance = crossing.distance[lane];
-                let triangle = packet.triangles[lane];
-                let is_first = distance < best
-                    || distance == best && found.is_some_and(|(_, _, t)| triangle < t);
-                if is_hit && is_first {
-                    best = distance;
-                    found = Some((packet, lane, triangle));
-                }
-            }
-            Some(best)
-        });
-        let (packet, lane, _) = found?;
+        let mut first = First {
+            best: limit,
+            found: None,
+        };
+        self.traverse(ray, limit, &mut first);
+        let (packet, lane, _) = first.found?;
         hit_of(packet, lane, ray)
     }
 
@@ -89,30 +74,24 @@ impl Bvh {
     /// ```
     #[must_use]
     pub fn is_hit(&self, ray: Ray<f64>, limit: f64) -> bool {
-        let mut found = false;
-        self.traverse(ray, limit, |packet, test| {
-            let crossing = test.crossing(&packet.corners);
-            let is_close = crossing.distance.less_than(Lanes::splat(limit));
-            found = (crossing.is_hit & is_close).to_array() != [false; WIDTH];
-            (!found).then_some(limit)
-        });
-        found
+        let mut any = Any {
+            limit,
+            is_found: false,
+        };
+        self.traverse(ray, limit, &mut any);
+        any.is_found
     }
 
     /// All hits of a ray, at distances of more than zero, in the order of distances and, where they
     /// are equal, of triangles. A ray through an edge may hit both of its triangles.
     #[must_use]
     pub fn all_hits(&self, ray: Ray<f64>) -> Vec<MeshHit> {
-        let mut hits = Vec::new();
-        self.traverse(ray, f64::INFINITY, |packet, test| {
-            let crossing = test.crossing(&packet.corners);
-            for lane in packet.lanes() {
-                if crossing.is_hit[lane] {
-                    hits.extend(hit_of(packet, lane, ray));
-                }
-            }
-            Some(f64::INFINITY)
-        });
+        let mut all = All {
+            ray,
+            hits: Vec::new(),
+        };
+        self.traverse(ray, f64::INFINITY, &mut all);
+        let mut hits = all.hits;
         hits.sort_by(|a, b| {
             let order = a.hit.distance.total_cmp(&b.hit.distance);
             order.then(a.triangle.cmp(&b.triangle))
@@ -120,36 +99,15 @@ impl Bvh {
         hits
     }
 
-    /// Visits the packets whose boxes the ray meets before `limit`, near ones first. `visit`
-    /// returns the limit from then on, or `None` to stop.
-    #[inline(always)]
-    fn traverse<'a>(
-        &'a self,
-        ray: Ray<f64>,
-        limit: f64,
-        mut visit: impl FnMut(&'a Packet, &TriangleTest<f64>) -> Option<f64>,
-    ) {
-        let Some(slabs) = self.slabs(ray) else { return };
-        let test = ray.triangle_test();
-        let mut limit = slabs.rounded(limit);
-        let mut stack = Stack::new();
-        while let Some((distance, reference)) = stack.pop() {
-            if distance > limit {
-                continue;
-            }
-            if reference & LEAF == 0 {
-                let node = &self.nodes[reference as usize];
-                stack.push(slabs.distances(node, limit), &node.children);
-            } else {
-                let Some(packet) = self.packet(reference) else {
-                    continue;
-                };
-                match visit(packet, &test) {
-                    Some(rest) => limit = slabs.rounded(rest),
-                    None => return,
-                }
-            }
-        }
+    /// Visits the packets whose boxes the ray meets before `limit`, near ones first.
+    #[inline]
+    fn traverse<'a>(&'a self, ray: Ray<f64>, limit: f64, visitor: &mut impl Visitor<'a>) {
+        Batch::new().run(Traversal {
+            bvh: self,
+            ray,
+            limit,
+            visitor,
+        });
     }
 
     /// The ray made ready for tests with boxes; `None` where it misses them all.
@@ -192,6 +150,115 @@ impl Bvh {
             slabs.far[axis] = Children::splat(start[axis] - margin);
         }
         Some(slabs)
+    }
+}
+
+/// What is done at the packets whose boxes a ray meets. It is not a closure, since those are not
+/// always inlined, and would then be compiled without the instructions of [`Batch`].
+trait Visitor<'a> {
+    /// Visits a packet, and returns the limit of distances from then on, or `None` to stop.
+    fn visit(&mut self, packet: &'a Packet, test: &TriangleTest<f64>) -> Option<f64>;
+}
+
+/// Looks for the first hit.
+struct First<'a> {
+    best: f64,
+    /// The packet, the lane and the triangle.
+    found: Option<(&'a Packet, usize, u32)>,
+}
+
+impl<'a> Visitor<'a> for First<'a> {
+    #[inline(always)]
+    fn visit(&mut self, packet: &'a Packet, test: &TriangleTest<f64>) -> Option<f64> {
+        let crossing = test.crossing(&packet.corners);
+        let is_close = crossing.distance.less_or_equal(Lanes::splat(self.best));
+        let is_hit = (crossing.is_hit & is_close).to_array();
+        if is_hit == [false; WIDTH] {
+            return Some(self.best);
+        }
+        for (lane, is_hit) in is_hit.into_iter().enumerate() {
+            let distance = crossing.distance[lane];
+            let triangle = packet.triangles[lane];
+            let is_first = distance < self.best
+                || distance == self.best && self.found.is_some_and(|(_, _, t)| triangle < t);
+            if is_hit && is_first {
+                self.best = distance;
+                self.found = Some((packet, lane, triangle));
+            }
+        }
+        Some(self.best)
+    }
+}
+
+/// Looks for any hit before a limit.
+struct Any {
+    limit: f64,
+    is_found: bool,
+}
+
+impl<'a> Visitor<'a> for Any {
+    #[inline(always)]
+    fn visit(&mut self, packet: &'a Packet, test: &TriangleTest<f64>) -> Option<f64> {
+        let crossing = test.crossing(&packet.corners);
+        let is_close = crossing.distance.less_than(Lanes::splat(self.limit));
+        self.is_found = (crossing.is_hit & is_close).any();
+        (!self.is_found).then_some(self.limit)
+    }
+}
+
+/// Collects all hits.
+struct All {
+    ray: Ray<f64>,
+    hits: Vec<MeshHit>,
+}
+
+impl<'a> Visitor<'a> for All {
+    #[inline(always)]
+    fn visit(&mut self, packet: &'a Packet, test: &TriangleTest<f64>) -> Option<f64> {
+        let crossing = test.crossing(&packet.corners);
+        for lane in packet.lanes() {
+            if crossing.is_hit[lane] {
+                self.hits.extend(hit_of(packet, lane, self.ray));
+            }
+        }
+        Some(f64::INFINITY)
+    }
+}
+
+/// A visit of the packets whose boxes a ray meets before `limit`.
+struct Traversal<'a, 'v, V> {
+    bvh: &'a Bvh,
+    ray: Ray<f64>,
+    limit: f64,
+    visitor: &'v mut V,
+}
+
+impl<'a, V: Visitor<'a>> Work for Traversal<'a, '_, V> {
+    #[inline(always)]
+    fn run(self) {
+        let Some(slabs) = self.bvh.slabs(self.ray) else {
+            return;
+        };
+        let test = self.ray.triangle_test();
+        let mut limit = slabs.rounded(self.limit);
+        let mut stack = Stack::new();
+        while let Some((distance, reference)) = stack.pop() {
+            if distance > limit {
+                continue;
+            }
+            if reference & LEAF == 0 {
+                let node = &self.bvh.nodes[reference as usize];
+                stack.push(slabs.distances(node, limit), &node.children);
+            } else {
+                let Some(packet) = self.bvh.packet(reference) else {
+                    continue;
+                };
+                match self.visitor.visit(packet, &test) {
+                    Some(rest) => limit = slabs.rounded(rest),
+                    None => return,
+                }
+            }
+        }
     }
 }
 
