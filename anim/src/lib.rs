@@ -11,6 +11,7 @@
 //! | [`skeleton`], [`weights`] | the data: joints with parents first, influences without a limit |
 //! | [`rig`], [`bvh`] | read rigs with painted weights, and motion capture |
 //! | [`transform`], [`recording`] | motion as files have it: local transforms, frame by frame |
+//! | [`curve`] | curves through keys: splines, lengths, few vertices within a proven bound |
 //! | [`pose`], [`clip`] | motors of joints, and interpolation between frames along screws |
 //! | [`skin`] | moves a mesh, by the mean of matrices or of motors |
 //! | [`distance_weights`] | weights from the distance to the bones |
@@ -67,6 +68,7 @@
 
 pub mod bvh;
 pub mod clip;
+pub mod curve;
 pub mod distance_weights;
 pub mod gltf;
 pub mod leg;

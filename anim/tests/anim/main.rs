@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 mod bvh;
+mod curve;
 mod distance_weights;
 mod gltf;
 mod leg;

@@ -1,0 +1,34 @@
+//! Curves over time through keys: of numbers, of vectors, and of several channels together.
+//!
+//! | what | how |
+//! | --- | --- |
+//! | two continuous derivatives | [`Curve::spline`] with any [`Ends`], [`SplineSystem`] for many |
+//! | local control | [`Curve::catmull_rom`], [`Curve::hermite`], [`Curve::bezier`], [`BezierCurve`] |
+//! | none | [`Curve::linear`], [`Curve::step`] |
+//! | evaluation | [`Curve::value`] at random, [`Cursor`] in order, [`Curve::sample_into`] |
+//! | calculus | [`Curve::derivative`], [`Curve::integral`], [`ArcLength`] |
+//! | few vertices | [`Curve::resampled`], with a proven bound of the deviation |
+//!
+//! Curves of motors are [`MotorSpline`](ga_runtime::geometry::motion::MotorSpline) and its
+//! relatives, since motors do not add.
+
+mod arc_length;
+mod bezier;
+mod cursor;
+mod error;
+mod hermite;
+mod integral;
+mod linear;
+mod piecewise;
+mod resample;
+mod spline;
+mod value;
+
+pub use arc_length::ArcLength;
+pub use bezier::{BezierCurve, BezierKey};
+pub use cursor::Cursor;
+pub use error::CurveError;
+pub use piecewise::{Curve, Outside};
+pub use resample::{Distance, ResampleError, Resampled, resample_channels};
+pub use spline::{EndKind, Ends, SplineSystem};
+pub use value::Value;
