@@ -70,6 +70,15 @@ pub enum Keys {
     Weights(Vec<f32>),
 }
 
+impl Animation {
+    /// The time of the last key of any channel, in seconds; 0 without channels.
+    #[must_use]
+    pub fn duration(&self) -> f64 {
+        let last = self.channels.iter().filter_map(|c| c.times.last());
+        last.copied().map(f64::from).fold(0.0, f64::max)
+    }
+}
+
 impl Interpolation {
     /// How many values each key has.
     #[must_use]

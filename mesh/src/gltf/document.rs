@@ -165,6 +165,16 @@ impl Document {
         super::hierarchy::parents(&self.nodes)
     }
 
+    /// All nodes, each after its parent.
+    ///
+    /// # Errors
+    ///
+    /// As [`Document::parents`].
+    pub fn parents_before_children(&self) -> Result<Vec<usize>, GltfError> {
+        let parents = self.parents()?;
+        super::hierarchy::parents_before_children(&self.nodes, &parents)
+    }
+
     /// The frame of each node in the world, as the upper three rows of a 4 × 4 matrix: that of its
     /// parent times its own.
     ///

@@ -47,7 +47,7 @@ pub(super) fn world_matrices(nodes: &[Node]) -> Result<Vec<[[f64; 4]; 3]>, GltfE
 
 /// All nodes, each after its parent. A node that cannot be reached from a root is in a cycle or
 /// below one.
-fn parents_before_children(
+pub(super) fn parents_before_children(
     nodes: &[Node],
     parents: &[Option<usize>],
 ) -> Result<Vec<usize>, GltfError> {

@@ -180,6 +180,49 @@ impl Primitive {
     }
 }
 
+impl Primitive {
+    /// The chains of line segments as vertices, in the order of the primitive; none for points and
+    /// triangles. A closed chain ends with the vertex that it begins with. An index that is left
+    /// over is ignored.
+    #[must_use]
+    pub fn polylines(&self) -> Vec<Vec<u32>> {
+        match self.mode {
+            Mode::Lines => {
+                let vertices = self.vertices_in_order();
+                let pairs = vertices.as_chunks::<2>().0;
+                pairs.iter().map(|pair| pair.to_vec()).collect()
+            }
+            Mode::LineLoop | Mode::LineStrip => {
+                let mut vertices = self.vertices_in_order();
+                if self.mode == Mode::LineLoop {
+                    vertices.extend(vertices.first().copied());
+                }
+                if vertices.len() > 1 {
+                    vec![vertices]
+                } else {
+                    Vec::new()
+                }
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// The points as vertices, in the order of the primitive; none for lines and triangles.
+    #[must_use]
+    pub fn points(&self) -> Vec<u32> {
+        if self.mode == Mode::Points {
+            self.vertices_in_order()
+        } else {
+            Vec::new()
+        }
+    }
+
+    fn vertices_in_order(&self) -> Vec<u32> {
+        let all = || (0..self.vertex_count() as u32).collect();
+        self.indices.clone().unwrap_or_else(all)
+    }
+}
+
 impl CustomAttribute {
     /// How many items there are.
     #[must_use]

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::super::error::{Element, Problem};
-use super::super::{Document, GltfError, Mode, Node, Primitive};
+use super::super::{Document, GltfError, Node, Primitive};
 use super::material;
 use super::place::{Placed, World};
 use crate::{
@@ -143,7 +143,11 @@ impl Parts {
             self.face_materials
                 .push(primitive.material.map(|m| m as u32));
         }
-        self.add_lines(primitive, offset);
+        let placed_at = |vertices: Vec<u32>| vertices.into_iter().map(move |v| v + offset);
+        let lines = primitive.polylines().into_iter();
+        self.polylines
+            .extend(lines.map(|line| placed_at(line).collect()));
+        self.points.extend(placed_at(primitive.points()));
 
         let colours = primitive.colours.first().into_iter().flatten();
         self.colours.extend(colours.map(|c| Some(c.map(f64::from))));
@@ -178,32 +182,6 @@ impl Parts {
             }));
         self.tangents.resize(count, None);
         Ok(())
-    }
-
-    /// Adds the lines or points of a primitive.
-    fn add_lines(&mut self, primitive: &Primitive, offset: u32) {
-        let all = || (0..primitive.vertex_count() as u32).collect();
-        let indices: Vec<u32> = match primitive.mode {
-            Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan => return,
-            _ => primitive.indices.clone().unwrap_or_else(all),
-        };
-        let mut vertices: Vec<u32> = indices.into_iter().map(|vertex| vertex + offset).collect();
-        match primitive.mode {
-            Mode::Points => self.points.extend(vertices),
-            Mode::Lines => {
-                let pairs = vertices.as_chunks::<2>().0;
-                self.polylines
-                    .extend(pairs.iter().map(|pair| pair.to_vec()));
-            }
-            _ => {
-                if primitive.mode == Mode::LineLoop {
-                    vertices.extend(vertices.first().copied());
-                }
-                if vertices.len() > 1 {
-                    self.polylines.push(vertices);
-                }
-            }
-        }
     }
 
     /// Makes vertices with equal coordinates one.
