@@ -1,6 +1,7 @@
 //! Clips as glTF's nodes and keys, and through a written file and back, against the matrices of
 //! glam.
 
+mod oracle;
 mod player;
 
 use ga_anim::clip::Clip;

@@ -1,14 +1,4 @@
 //! Skeletons, weights and clips as the plain data that [`ga_mesh::gltf::model`] writes.
-//!
-//! A joint's node stands at the joint's position, with the axes of the mesh. With h the joint's
-//! position at rest, p its parent's, and L its own motion, its frame relative to its parent's node
-//! is the motor
-//!
-//! ```text
-//! N = T(−p) L T(h)
-//! ```
-//!
-//! so T(h − p) at rest. For a root, the motion of the whole skeleton takes the place of T(−p).
 
 use ga_mesh::gltf::model::{Animation, JointNode, Track};
 use ga_runtime::cga3::{Motor, Translator};

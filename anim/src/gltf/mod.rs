@@ -1,0 +1,46 @@
+//! glTF: evaluates the motion in a document, and turns skeletons and clips into what is written.
+//!
+//! # Evaluation
+//!
+//! A [`Player`] evaluates an animation of a [`Document`](ga_mesh::gltf::Document) at a time: the
+//! frame of every node and the weights of the morph targets. A [`Placement`] then places the
+//! vertices of all meshes in the world: first the morph targets, then the skin, or the frame of the
+//! node where there is no skin. Both keep to the text of glTF 2.0:
+//!
+//! | what | how |
+//! | --- | --- |
+//! | `STEP`, `LINEAR` | the earlier key; the straight line, for rotations slerp by the shorter arc |
+//! | `CUBICSPLINE` | Hermite's cubic with tangents times the interval; rotations are normalised |
+//! | before the first key, after the last | that key |
+//! | frames | T R S, or a matrix; that of the parent comes after that of the node |
+//! | skins | every ancestor of a joint counts, the frame of the skinned node does not |
+//! | inverse bind matrices | the identity where absent |
+//! | weights of joints | all sets `WEIGHTS_0`, `WEIGHTS_1`, …, divided by their sum |
+//!
+//! The numbers of the file are single precision, and everything is computed in double precision.
+//!
+//! # Written files
+//!
+//! [`joint_nodes`], [`vertex_weights`] and [`animation`] are the data that
+//! [`ga_mesh::gltf::model`] writes. A joint's node stands at the joint's position, with the axes of
+//! the mesh. With h the joint's position at rest, p its parent's, and L its own motion, its frame
+//! relative to its parent's node is the motor
+//!
+//! ```text
+//! N = T(−p) L T(h)
+//! ```
+//!
+//! so T(h − p) at rest. For a root, the motion of the whole skeleton takes the place of T(−p).
+
+mod blend;
+mod error;
+mod export;
+mod placement;
+mod player;
+mod sampler;
+
+pub use blend::Blend;
+pub use error::PlayError;
+pub use export::{animation, joint_nodes, vertex_weights};
+pub use placement::{Part, Placed, Placement};
+pub use player::{LocalFrame, NodePose, Player};

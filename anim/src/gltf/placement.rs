@@ -1,0 +1,325 @@
+use std::collections::HashMap;
+use std::ops::Range;
+
+use ga_mesh::gltf::{Document, Mesh as Shape, Node, Primitive};
+use ga_mesh::{Faces, Group, Mesh, MeshError, Polylines};
+use ga_runtime::cga3::Point;
+use ga_runtime::geometry::Affine;
+use ga_runtime::vga3::Vector;
+
+use super::blend::{self, Blend};
+use super::{NodePose, PlayError, Player};
+use crate::weights::{SkinWeights, WeightsError};
+
+/// Places the vertices of all meshes of a document in the world: for each node that has a mesh, in
+/// rising index, those of each of its primitives.
+///
+/// A vertex is first displaced by the morph targets, p + Σ wᵢ dᵢ, and then moved by its joints or,
+/// where the node has no skin, by the frame of the node. A joint moves it by the frame of the
+/// joint's node after the inverse bind matrix.
+///
+/// # Examples
+///
+/// ```
+/// use ga_anim::gltf::{Blend, Placement, Player};
+/// use ga_mesh::gltf::{Document, Mesh, Node, Primitive, Transform};
+///
+/// let vertex = Primitive { positions: vec![[1.0, 0.0, 0.0]], ..Primitive::default() };
+/// let twice = Transform::Decomposed {
+///     translation: [0.0, 5.0, 0.0],
+///     rotation: [0.0, 0.0, 0.0, 1.0],
+///     scale: [2.0; 3],
+/// };
+/// let document = Document {
+///     nodes: vec![Node { mesh: Some(0), transform: twice, ..Node::default() }],
+///     meshes: vec![Mesh { primitives: vec![vertex], ..Mesh::default() }],
+///     ..Document::default()
+/// };
+/// let player = Player::new(&document)?;
+/// let placement = Placement::new(&player)?;
+/// let placed = placement.place(&player.pose(None, 0.0)?, Blend::Linear)?;
+/// assert_eq!(placed.positions[0].coordinates(), [2.0, 5.0, 0.0]);
+/// # Ok::<(), ga_anim::gltf::PlayError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Placement<'a> {
+    document: &'a Document,
+    parts: Vec<Part>,
+    /// For each part that has a skin, which of `bindings` is its own.
+    bound: Vec<Option<usize>>,
+    bindings: Vec<SkinWeights>,
+}
+
+/// The vertices that a node and a primitive of its mesh have in the list of all vertices.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// The node.
+    pub node: usize,
+    /// The mesh.
+    pub mesh: usize,
+    /// The primitive of the mesh.
+    pub primitive: usize,
+    /// Its vertices: as many as its `POSITION` has items.
+    pub vertices: Range<usize>,
+}
+
+/// The vertices of all meshes in the world.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Placed {
+    /// Their places, in the order of [`Placement::parts`].
+    pub positions: Vec<Point<f64>>,
+    /// For each part, whether it is mirrored, so that its faces must be reversed.
+    pub is_mirrored: Vec<bool>,
+}
+
+impl<'a> Placement<'a> {
+    /// Lists the vertices and normalises the weights of their joints.
+    ///
+    /// # Errors
+    ///
+    /// [`PlayError::Weights`], and [`PlayError::TooLarge`] where nodes place more than 16 million
+    /// vertices and corners of faces, and their meshes more than a thousand times each on average.
+    pub fn new(player: &Player<'a>) -> Result<Self, PlayError> {
+        let document = player.document();
+        check_size(document)?;
+        let mut placement = Self {
+            document,
+            parts: Vec::new(),
+            bound: Vec::new(),
+            bindings: Vec::new(),
+        };
+        let mut bindings = HashMap::new();
+        let mut end = 0;
+        for (index, node) in document.nodes.iter().enumerate() {
+            let Some(mesh) = node.mesh else { continue };
+            for (number, primitive) in document.meshes[mesh].primitives.iter().enumerate() {
+                let start = end;
+                end += primitive.positions.len();
+                let skin = node.skin.filter(|_| start < end);
+                let bound = match skin.map(|skin| (mesh, number, skin)) {
+                    None => None,
+                    Some(key) => match bindings.get(&key) {
+                        Some(&binding) => Some(binding),
+                        None => {
+                            let joints = document.skins[key.2].joints.len();
+                            let weights = influences(primitive, joints);
+                            let weights = weights.map_err(|problem| PlayError::Weights {
+                                node: index,
+                                primitive: number,
+                                problem,
+                            })?;
+                            placement.bindings.push(weights);
+                            bindings.insert(key, placement.bindings.len() - 1);
+                            Some(placement.bindings.len() - 1)
+                        }
+                    },
+                };
+                placement.bound.push(bound);
+                placement.parts.push(Part {
+                    node: index,
+                    mesh,
+                    primitive: number,
+                    vertices: start..end,
+                });
+            }
+        }
+        Ok(placement)
+    }
+
+    /// The parts, in rising order of nodes and primitives.
+    #[must_use]
+    pub fn parts(&self) -> &[Part] {
+        &self.parts
+    }
+
+    /// How many vertices all parts have together.
+    #[must_use]
+    pub fn vertex_count(&self) -> usize {
+        self.parts.last().map_or(0, |part| part.vertices.end)
+    }
+
+    /// The places of the vertices in a pose of the same document.
+    ///
+    /// # Errors
+    ///
+    /// [`PlayError::Singular`], except with [`Blend::Linear`], and
+    /// [`PlayError::VertexNotFinite`].
+    pub fn place(&self, pose: &NodePose, method: Blend) -> Result<Placed, PlayError> {
+        let mut placed = Placed {
+            positions: Vec::with_capacity(self.vertex_count()),
+            is_mirrored: Vec::with_capacity(self.parts.len()),
+        };
+        for (part, bound) in self.parts.iter().zip(&self.bound) {
+            let node = &self.document.nodes[part.node];
+            let primitive = &self.document.meshes[part.mesh].primitives[part.primitive];
+            let mut positions = morphed(primitive, pose.weights(part.node));
+            let map = match (bound, node.skin) {
+                (Some(binding), Some(skin)) => {
+                    let palette = self.palette(skin, pose);
+                    let weights = &self.bindings[*binding];
+                    positions =
+                        blend::blend(&positions, weights, &palette, method).map_err(|joint| {
+                            let node = self.document.skins[skin].joints[joint];
+                            PlayError::Singular { skin, joint, node }
+                        })?;
+                    let first = weights.influences(0).first();
+                    palette[first.map_or(0, |influence| influence.joint as usize)]
+                }
+                _ => {
+                    let map = pose.world[part.node];
+                    for position in &mut positions {
+                        *position = map.transform(*position);
+                    }
+                    map
+                }
+            };
+            let is_finite = |point: &Point<f64>| point.coordinates().iter().all(|x| x.is_finite());
+            if let Some(vertex) = positions.iter().position(|point| !is_finite(point)) {
+                return Err(PlayError::VertexNotFinite {
+                    node: part.node,
+                    primitive: part.primitive,
+                    vertex,
+                });
+            }
+            placed.positions.append(&mut positions);
+            placed.is_mirrored.push(map.determinant() < 0.0);
+        }
+        Ok(placed)
+    }
+
+    /// The placed vertices with the faces, lines and points of their primitives. Each node is an
+    /// object of its name. Vertices keep their order and number.
+    ///
+    /// # Errors
+    ///
+    /// [`MeshError::TooLarge`] past 2³² − 1 vertices or corners, and
+    /// [`MeshError::IndexOutOfRange`] where `placed` is of another document.
+    pub fn mesh(&self, placed: &Placed) -> Result<Mesh, MeshError> {
+        let mut faces = Faces::default();
+        let (mut lines, mut points) = (Polylines::default(), Vec::new());
+        let mut objects: Vec<(usize, Group)> = Vec::new();
+        for (index, part) in self.parts.iter().enumerate() {
+            let primitive = &self.document.meshes[part.mesh].primitives[part.primitive];
+            let (what, count) = ("vertices", part.vertices.end);
+            let Ok(first) = u32::try_from(part.vertices.start) else {
+                return Err(MeshError::TooLarge { what, count });
+            };
+            if u32::try_from(count).is_err() {
+                return Err(MeshError::TooLarge { what, count });
+            }
+            if objects.last().is_none_or(|(node, _)| *node != part.node) {
+                let name = self.name(part);
+                let faces = Vec::new();
+                objects.push((part.node, Group { name, faces }));
+            }
+            // A primitive without positions cannot be seen.
+            if part.vertices.is_empty() {
+                continue;
+            }
+            let is_mirrored = placed.is_mirrored.get(index).copied().unwrap_or_default();
+            for mut triangle in primitive.triangles() {
+                if is_mirrored {
+                    triangle.swap(1, 2);
+                }
+                if let Some((_, object)) = objects.last_mut() {
+                    object.faces.push(faces.len() as u32);
+                }
+                faces.push(&triangle.map(|vertex| vertex + first))?;
+            }
+            for mut line in primitive.polylines() {
+                line.iter_mut().for_each(|vertex| *vertex += first);
+                lines.push(&line)?;
+            }
+            points.extend(primitive.points().into_iter().map(|vertex| vertex + first));
+        }
+        let objects = objects.into_iter().map(|(_, object)| object);
+        Mesh::new(placed.positions.clone(), faces)?
+            .with_objects(objects.collect())?
+            .with_polylines(lines)?
+            .with_points(points)
+    }
+
+    /// The name of a node, of its mesh, or else its number.
+    fn name(&self, part: &Part) -> String {
+        let node: &Node = &self.document.nodes[part.node];
+        let mesh: &Shape = &self.document.meshes[part.mesh];
+        let name = node.name.as_ref().or(mesh.name.as_ref());
+        name.map_or_else(|| format!("node {}", part.node), Clone::clone)
+    }
+
+    /// For each joint of a skin, the map that takes the mesh at rest to the world.
+    fn palette(&self, skin: usize, pose: &NodePose) -> Vec<Affine<f64>> {
+        let skin = &self.document.skins[skin];
+        let inverse = |joint: usize| match skin.inverse_bind_matrices.get(joint) {
+            Some(columns) => affine(columns),
+            None => Affine::default(),
+        };
+        let joints = skin.joints.iter().enumerate();
+        joints
+            .map(|(joint, &node)| pose.world[node] * inverse(joint))
+            .collect()
+    }
+}
+
+/// The map of a matrix given column by column.
+fn affine(columns: &[f32; 16]) -> Affine<f64> {
+    let entry = |row: usize, column: usize| f64::from(columns[4 * column + row]);
+    let rows = [0, 1, 2];
+    Affine::new(
+        rows.map(|row| rows.map(|column| entry(row, column))),
+        rows.map(|row| entry(row, 3)),
+    )
+}
+
+/// The vertices with the displacements of morph targets, p + Σ wᵢ dᵢ.
+fn morphed(primitive: &Primitive, weights: &[f64]) -> Vec<Point<f64>> {
+    let vector = |numbers: [f32; 3]| Vector::from(numbers.map(f64::from));
+    let mut sums: Vec<Vector<f64>> = primitive.positions.iter().map(|&p| vector(p)).collect();
+    for (target, &weight) in primitive.targets.iter().zip(weights) {
+        for (sum, &displacement) in sums.iter_mut().zip(&target.positions) {
+            *sum += vector(displacement) * weight;
+        }
+    }
+    sums.into_iter().map(Point::from).collect()
+}
+
+/// The influences of all sets together. Where a vertex has two weights for a joint, which glTF does
+/// not allow, their sum counts.
+fn influences(primitive: &Primitive, joints: usize) -> Result<SkinWeights, WeightsError> {
+    let row = |vertex: usize| {
+        let mut row: Vec<(u32, f64)> = Vec::with_capacity(4 * primitive.joints.len());
+        for (joints, weights) in primitive.joints.iter().zip(&primitive.weights) {
+            for (joint, weight) in joints[vertex].into_iter().zip(weights[vertex]) {
+                let (joint, weight) = (u32::from(joint), f64::from(weight));
+                match row.iter_mut().find(|influence| influence.0 == joint) {
+                    Some(influence) => influence.1 += weight,
+                    None => row.push((joint, weight)),
+                }
+            }
+        }
+        row
+    };
+    SkinWeights::new(joints, (0..primitive.positions.len()).map(row))
+}
+
+/// A few bytes for each of many nodes that place one mesh must not become vertices without limit.
+fn check_size(document: &Document) -> Result<(), PlayError> {
+    const FREE: u64 = 1 << 24;
+    const TIMES: u64 = 1000;
+    let size = |primitive: &Primitive| {
+        let indices = primitive.indices.as_ref().map_or(0, Vec::len);
+        (primitive.vertex_count() + indices) as u64
+    };
+    let sizes: Vec<u64> = document
+        .meshes
+        .iter()
+        .map(|mesh| mesh.primitives.iter().map(size).sum())
+        .collect();
+    let meshes = document.nodes.iter().filter_map(|node| node.mesh);
+    let needed = meshes.fold(0, |sum: u64, mesh| sum.saturating_add(sizes[mesh]));
+    let limit = FREE.max(TIMES.saturating_mul(sizes.iter().sum()));
+    if needed > limit {
+        return Err(PlayError::TooLarge { needed, limit });
+    }
+    Ok(())
+}

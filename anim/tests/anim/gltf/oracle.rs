@@ -1,0 +1,171 @@
+//! Evaluation against what an independent evaluator made of the Khronos samples.
+
+use std::path::PathBuf;
+
+use ga_anim::gltf::{Blend, LocalFrame, Placement, Player};
+use ga_mesh::gltf::{Channel, Document, Interpolation, Keys, read};
+use nullcone_shared_data::shared;
+use serde_json::Value;
+
+use crate::assert_relative;
+
+fn in_repository() -> (Value, PathBuf) {
+    let truth = serde_json::from_str(include_str!("../../data/gltf.json")).unwrap();
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data");
+    (truth, folder)
+}
+
+fn json(path: &str) -> Option<Value> {
+    let text = std::fs::read(shared(path)?).unwrap();
+    Some(serde_json::from_slice(&text).unwrap())
+}
+
+fn numbers(value: &Value) -> Vec<f64> {
+    let numbers = value.as_array().unwrap().iter();
+    numbers.map(|number| number.as_f64().unwrap()).collect()
+}
+
+fn index(value: &Value) -> usize {
+    value.as_u64().unwrap() as usize
+}
+
+/// Whether the time lies between two keys whose angle is below their rounding: |a · b| ≥ 1. There
+/// the formula arccos |a · b| gives no angle; the oracle then keeps the first key.
+fn keys_coincide(channel: &Channel, time: f64) -> bool {
+    let Keys::Rotation(keys) = &channel.keys else {
+        return false;
+    };
+    let passed = channel.times.partition_point(|&t| f64::from(t) <= time);
+    if channel.interpolation != Interpolation::Linear || passed == 0 || passed == keys.len() {
+        return false;
+    }
+    let [a, b] = [keys[passed - 1], keys[passed]].map(|key| key.map(f64::from));
+    a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>().abs() >= 1.0
+}
+
+/// Checks all channels of a file, and returns how many values there are.
+fn check_channels(document: &Document, cases: &Value) -> usize {
+    let player = Player::new(document).unwrap();
+    let mut count = 0;
+    for case in cases.as_array().unwrap() {
+        let animation = index(&case["animation"]);
+        let channel = &document.animations[animation].channels[index(&case["channel"])];
+        assert_eq!(case["path"], channel.keys.path());
+        let times = numbers(&case["t"]);
+        for (&time, known) in times.iter().zip(case["value"].as_array().unwrap()) {
+            let pose = player.pose(Some(animation), time).unwrap();
+            let LocalFrame::Parts(parts) = pose.locals[channel.node] else {
+                panic!("a node that moves has parts");
+            };
+            let found = match channel.keys {
+                Keys::Translation(_) => parts.translation().coordinates().to_vec(),
+                Keys::Scale(_) => parts.scale.coordinates().to_vec(),
+                _ => {
+                    let ([x, y, z], w) = parts.rotor().to_quaternion();
+                    vec![x, y, z, w]
+                }
+            };
+            let mut known = numbers(known);
+            // A quaternion and its negative are one rotation.
+            let product: f64 = found.iter().zip(&known).map(|(a, b)| a * b).sum();
+            if matches!(channel.keys, Keys::Rotation(_)) && product < 0.0 {
+                known.iter_mut().for_each(|x| *x = -*x);
+            }
+            let bound = if keys_coincide(channel, time) {
+                1e-5
+            } else {
+                1e-12
+            };
+            for (found, known) in found.into_iter().zip(known) {
+                assert_relative(found, known, bound);
+            }
+            count += 1;
+        }
+    }
+    count
+}
+
+/// Checks the vertices of all moments of a file.
+fn check_vertices(document: &Document, cases: &Value) {
+    let player = Player::new(document).unwrap();
+    let placement = Placement::new(&player).unwrap();
+    for case in cases.as_array().unwrap() {
+        let animation = index(&case["animation"]);
+        let time = case["t"].as_f64().unwrap();
+        let pose = player.pose(Some(animation), time).unwrap();
+        let channels = document.animations[animation].channels.iter();
+        let bound = if channels.clone().any(|c| keys_coincide(c, time)) {
+            1e-5
+        } else {
+            1e-12
+        };
+        let (node, primitive) = (index(&case["node"]), index(&case["primitive"]));
+        let mut parts = placement.parts().iter();
+        let part = parts
+            .find(|part| (part.node, part.primitive) == (node, primitive))
+            .unwrap();
+        assert_eq!(part.vertices.len(), index(&case["vertices"]));
+        for (name, method) in [("lbs", Blend::Linear), ("dqs", Blend::DualQuaternion)] {
+            let placed = placement.place(&pose, method).unwrap();
+            let positions = &placed.positions[part.vertices.clone()];
+            let of_all = positions.iter().map(|point| point.coordinates());
+            let sum = of_all.fold([0.0; 3], |sum, p| [0, 1, 2].map(|axis| sum[axis] + p[axis]));
+            for (found, known) in sum.into_iter().zip(numbers(&case[format!("{name}_sum")])) {
+                // Thousands of coordinates of either sign.
+                let bound = bound * positions.len() as f64;
+                assert_relative(found, known, bound);
+            }
+            let vertices = case["index"].as_array().unwrap().iter();
+            for (vertex, known) in vertices.zip(case[name].as_array().unwrap()) {
+                let found = positions[index(vertex)].coordinates();
+                for (found, known) in found.into_iter().zip(numbers(known)) {
+                    assert_relative(found, known, bound);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn channels_of_the_interpolation_test() {
+    let (truth, folder) = in_repository();
+    let document = read(folder.join("interpolation_test.gltf")).unwrap();
+    let cases = &truth["samplers"]["gltf/interpolation_test.gltf"];
+    assert_eq!(check_channels(&document, cases), 9 * 17);
+}
+
+#[test]
+fn vertices_of_the_simple_skin() {
+    let (truth, folder) = in_repository();
+    let document = read(folder.join("SimpleSkin.gltf")).unwrap();
+    check_vertices(&document, &truth["skin"]["files"]["gltf/SimpleSkin.gltf"]);
+}
+
+#[test]
+fn channels_of_all_samples() {
+    let Some(truth) = json("oracle/anim/samplers.json") else {
+        return;
+    };
+    let mut count = 0;
+    for (file, cases) in truth.as_object().unwrap() {
+        let Some(path) = file
+            .contains('/')
+            .then(|| shared(&format!("data/anim/{file}")))
+        else {
+            continue;
+        };
+        count += check_channels(&read(path.unwrap()).unwrap(), cases);
+    }
+    assert_eq!(count, 594);
+}
+
+#[test]
+fn vertices_of_all_samples() {
+    let Some(truth) = json("oracle/anim/skin.json") else {
+        return;
+    };
+    for (file, cases) in truth["files"].as_object().unwrap() {
+        let path = shared(&format!("data/anim/{file}")).unwrap();
+        check_vertices(&read(path).unwrap(), cases);
+    }
+}
