@@ -22,7 +22,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use commands::{animate, demo, draw, expand, mesh, render};
+use commands::{animate, demo, draw, expand, mesh, render, skin};
 
 /// Animation, stereo vision and pictures on conformal geometric algebra.
 #[derive(Parser)]
@@ -43,6 +43,7 @@ enum Command {
     Draw(draw::Arguments),
     Mesh(mesh::Arguments),
     Render(render::Arguments),
+    Skin(skin::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -54,6 +55,7 @@ fn main() -> ExitCode {
         Command::Draw(arguments) => draw::run(arguments, cli.quiet),
         Command::Mesh(arguments) => mesh::run(arguments, cli.quiet),
         Command::Render(arguments) => render::run(arguments, cli.quiet),
+        Command::Skin(arguments) => skin::run(arguments, cli.quiet),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

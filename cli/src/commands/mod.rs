@@ -6,3 +6,4 @@ pub(crate) mod draw;
 pub(crate) mod expand;
 pub(crate) mod mesh;
 pub(crate) mod render;
+pub(crate) mod skin;
