@@ -38,6 +38,7 @@ pub(crate) fn draw(figure: &Figure, storyboard: &Storyboard, title: &str) -> Res
             kind: moment.kind,
             positions,
             bones: &[],
+            lines: &[],
         })
         .collect();
     let options = Options {

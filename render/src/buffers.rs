@@ -6,14 +6,14 @@ use rayon::prelude::*;
 use crate::check::check;
 use crate::fragment::Fragment;
 use crate::style::check_size;
-use crate::surface::{NO_TRIANGLE, Samples};
+use crate::surface::{NO_TRIANGLE, Pass, Samples};
 use crate::world::World;
 use crate::{Camera, RenderError, Scene, Vector};
 
 /// What is seen at the centre of each pixel of a picture: which triangle, where, how far away.
 ///
-/// There is no anti-aliasing: every number is that of one place of one surface. The ground, lines,
-/// dots and bones are not included. Each buffer is made when it is asked for.
+/// There is no anti-aliasing: every number is that of one place of one surface, which may be a
+/// transparent one. The ground, lines, dots and bones are not included. Each buffer is made when it is asked for.
 ///
 /// ```
 /// use ga_render::{Buffers, Camera, Scene};
@@ -74,7 +74,7 @@ impl<'a> Buffers<'a> {
         check_size([width, height], 1)?;
         check(scene)?;
         let world = World::new(scene, camera)?;
-        let samples = Samples::draw(&world, camera, [width, height], 1);
+        let samples = Samples::draw(&world, camera, [width, height], 1, Pass::All);
         Ok(Self {
             world,
             camera: *camera,

@@ -81,6 +81,9 @@ fn check_object(index: usize, object: &Object, materials: usize) -> Result<(), R
     if let Some(coordinates) = &object.texture_coordinates {
         check_attribute(index, object, "texture coordinates", coordinates)?;
     }
+    if let Some(coordinates) = &object.second_texture_coordinates {
+        check_attribute(index, object, "second texture coordinates", coordinates)?;
+    }
     if let Some(tangents) = &object.tangents {
         check_attribute(index, object, "tangents", tangents)?;
     }

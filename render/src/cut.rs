@@ -18,14 +18,28 @@ impl<'a> Cut<'a> {
     /// `None` for a triangle without parts that are cut out.
     pub(crate) fn new(world: &World<'a>, face: &Face) -> Option<Self> {
         let material = world.material(face)?;
-        Some(Self {
+        Some(Self::with_cutoff(material, face, material.cutoff?))
+    }
+
+    /// The part of a triangle that casts a shadow; `None` where all of it does. A transparent
+    /// surface casts one where it lets less than half of the light pass.
+    pub(crate) fn caster(world: &World<'a>, face: &Face) -> Option<Self> {
+        let material = world.material(face)?;
+        let half = material.transparent.then_some(0.5);
+        Some(Self::with_cutoff(material, face, half.or(material.cutoff)?))
+    }
+
+    fn with_cutoff(material: &'a Material<'a>, face: &Face, cutoff: f64) -> Self {
+        let placement = material.placements.base_colour;
+        let coordinates = face.texture_coordinates(placement.set);
+        Self {
             material,
-            cutoff: material.cutoff?,
-            coordinates: face.texture_coordinates(),
+            cutoff,
+            coordinates: coordinates.map(|corners| corners.map(|p| placement.place(p))),
             opacities: face
                 .colours()
                 .map_or([1.0; 3], |colours| colours.map(|colour| colour[3])),
-        })
+        }
     }
 
     /// Whether the surface is there at barycentric coordinates of the triangle.

@@ -3,7 +3,7 @@
 use ga_image::colour::LinearColour;
 
 use crate::lens::Lens;
-use crate::material::Material;
+use crate::material::{CoordinateSet, Material, Placement};
 use crate::shade::Surface;
 use crate::surface::{volumes, weights};
 use crate::texture::Texture;
@@ -22,10 +22,11 @@ pub(crate) struct Fragment<'w> {
     pub(crate) flat: Vector,
     /// The unit normal between those of the corners, on the side of the triangle's orientation.
     pub(crate) smooth: Vector,
-    texture: Option<Place>,
+    /// The place by each set of texture coordinates.
+    places: [Option<Place>; 2],
 }
 
-/// A place on a texture.
+/// A place by a set of texture coordinates.
 #[derive(Clone, Copy)]
 struct Place {
     coordinates: [f64; 2],
@@ -37,6 +38,8 @@ struct Place {
 pub(crate) struct Look {
     pub(crate) surface: Surface,
     pub(crate) emission: LinearColour,
+    /// 0 to 1.
+    pub(crate) opacity: f64,
     /// The share of light from all around that arrives, by the material's map.
     pub(crate) occlusion: f64,
     pub(crate) unlit: bool,
@@ -60,7 +63,7 @@ impl<'w> Fragment<'w> {
             .normals()
             .and_then(|normals| weighted(normals, weights).normalized())
             .map_or(flat, |normal| face.placed.world_direction(normal));
-        let texture = face.texture_coordinates().map(|corners| {
+        let place = |corners: [[f64; 2]; 3]| {
             let coordinates = blend(corners, weights);
             let steps = lens.ray_steps().map(|step| {
                 let change = volumes(step * pixel, view);
@@ -71,13 +74,14 @@ impl<'w> Fragment<'w> {
                 })
             });
             Place { coordinates, steps }
-        });
+        };
+        let sets = [CoordinateSet::First, CoordinateSet::Second];
         Some(Self {
             point: weighted(face.corners(), weights),
             towards_viewer: camera.world_direction(-ray).normalized()?,
             flat,
             smooth,
-            texture,
+            places: sets.map(|set| face.texture_coordinates(set).map(place)),
             face,
             weights,
         })
@@ -88,9 +92,9 @@ impl<'w> Fragment<'w> {
         self.weights
     }
 
-    /// The texture coordinates.
+    /// The first texture coordinates.
     pub(crate) fn texture_coordinates(&self) -> Option<[f64; 2]> {
-        self.texture.map(|place| place.coordinates)
+        self.places[0].map(|place| place.coordinates)
     }
 
     /// Whether the viewer sees the back of the triangle.
@@ -100,19 +104,23 @@ impl<'w> Fragment<'w> {
 
     /// What attributes, material and textures say.
     pub(crate) fn look(&self, material: &Material) -> Look {
-        let read = |map: Option<&Texture>| map.map_or([1.0; 4], |map| self.read(map));
+        let places = &material.placements;
+        let read = |map: Option<&Texture>, place: &Placement| {
+            map.map_or([1.0; 4], |map| self.read(map, place))
+        };
         let tint = self
             .face
             .colours()
             .map_or([1.0; 4], |corners| blend(corners, self.weights));
         let colour = |[red, green, blue, _]: [f64; 4]| LinearColour::new(red, green, blue);
         let normal = match material.normal_map {
-            Some(map) => self.mapped_normal(map, material.normal_scale),
+            Some(map) => self.mapped_normal(map, &places.normal, material.normal_scale),
             None => self.smooth,
         };
-        let [_, roughness, metallic, _] = read(material.metallic_roughness_map);
-        let occlusion = read(material.occlusion_map)[0];
-        let base = read(material.base_colour_map);
+        let [_, roughness, metallic, _] =
+            read(material.metallic_roughness_map, &places.metallic_roughness);
+        let occlusion = read(material.occlusion_map, &places.occlusion)[0];
+        let base = read(material.base_colour_map, &places.base_colour);
         Look {
             surface: Surface {
                 base_colour: material.base_colour * colour(base) * colour(tint),
@@ -121,17 +129,20 @@ impl<'w> Fragment<'w> {
                 reflectance: material.reflectance,
                 normal: if self.is_back() { -normal } else { normal },
             },
-            emission: material.emission * colour(read(material.emission_map)),
+            emission: material.emission * colour(read(material.emission_map, &places.emission)),
+            opacity: (material.opacity * base[3] * tint[3]).clamp(0.0, 1.0),
             occlusion: 1.0 + material.occlusion_strength * (occlusion - 1.0),
             unlit: material.unlit,
         }
     }
 
     /// A texture at this place; white where the triangle has no texture coordinates.
-    fn read(&self, texture: &Texture) -> [f64; 4] {
-        let Some(Place { coordinates, steps }) = self.texture else {
+    fn read(&self, texture: &Texture, placement: &Placement) -> [f64; 4] {
+        let Some(Place { coordinates, steps }) = self.places[placement.set as usize] else {
             return [1.0; 4];
         };
+        let coordinates = placement.place(coordinates);
+        let steps = steps.map(|step| placement.change(step));
         let size = [texture.width() as f64, texture.height() as f64];
         let length = |[du, dv]: [f64; 2]| (du * size[0]).hypot(dv * size[1]);
         texture.at(coordinates, length(steps[0]).max(length(steps[1])))
@@ -139,11 +150,11 @@ impl<'w> Fragment<'w> {
 
     /// The unit normal of a normal map. As MikkTSpace asks, normal and tangent between the corners
     /// are not made unit vectors before they are combined.
-    fn mapped_normal(&self, map: &Texture, scale: f64) -> Vector {
-        let Some((normal, tangent, sign)) = self.frame() else {
+    fn mapped_normal(&self, map: &Texture, placement: &Placement, scale: f64) -> Vector {
+        let Some((normal, tangent, sign)) = self.frame(placement.set) else {
             return self.smooth;
         };
-        let [x, y, z, _] = self.read(map).map(|c| 2.0 * c - 1.0);
+        let [x, y, z, _] = self.read(map, placement).map(|c| 2.0 * c - 1.0);
         let bitangent = normal.cross(tangent) * sign;
         let mapped = tangent * (x * scale) + bitangent * (y * scale) + normal * z;
         mapped
@@ -152,7 +163,7 @@ impl<'w> Fragment<'w> {
     }
 
     /// Normal, tangent and the sign of the bitangent in the object's coordinates.
-    fn frame(&self) -> Option<(Vector, Vector, f64)> {
+    fn frame(&self, set: CoordinateSet) -> Option<(Vector, Vector, f64)> {
         let corners = self.face.object_corners();
         let normal = match self.face.normals() {
             Some(normals) => weighted(normals, self.weights),
@@ -166,7 +177,7 @@ impl<'w> Fragment<'w> {
             return Some((normal, weighted(directions, self.weights), sign));
         }
         // The edges e = Δu t + Δv b, solved for t.
-        let [a, b, c] = self.face.texture_coordinates()?;
+        let [a, b, c] = self.face.texture_coordinates(set)?;
         let [du1, dv1] = [b[0] - a[0], b[1] - a[1]];
         let [du2, dv2] = [c[0] - a[0], c[1] - a[1]];
         let area = du1 * dv2 - du2 * dv1;

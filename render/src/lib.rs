@@ -45,6 +45,7 @@ mod error;
 mod fragment;
 mod ground;
 mod intrinsics;
+mod layers;
 mod lens;
 mod material;
 pub mod model;
@@ -64,6 +65,7 @@ mod world;
 
 use ga_image::colour::SrgbEncoder;
 use image::RgbImage;
+use surface::Pass;
 
 pub use buffers::{Buffers, SurfacePoint};
 pub use camera::{Camera, ViewDirection};
@@ -71,7 +73,7 @@ pub use depth::DepthMap;
 pub use error::RenderError;
 pub use ground::Ground;
 pub use intrinsics::{Intrinsics, PixelOrigin};
-pub use material::Material;
+pub use material::{CoordinateSet, Material, Placement, Placements};
 pub use scene::{Attribute, Dot, MaterialChoice, Normals, Object, Polyline, Scene, Visibility};
 pub use shade::{Light, Lighting};
 pub use style::{Shading, Style};
@@ -87,8 +89,9 @@ pub struct Rendering {
 
 /// Draws a scene.
 ///
-/// Surfaces are drawn two-sided; triangles without area are left out. Parts nearer than the
-/// camera's near depth or beyond its far depth are cut off exactly.
+/// Triangles without area are left out. Parts nearer than the camera's near depth or beyond its far
+/// depth are cut off exactly. Transparent surfaces are blended from back to front in every sample,
+/// also where they cross each other; the depth is that of opaque surfaces.
 ///
 /// # Errors
 ///
@@ -98,8 +101,10 @@ pub fn render(scene: &Scene, camera: &Camera, style: &Style) -> Result<Rendering
     check::check(scene)?;
     let world = world::World::new(scene, camera)?;
     let size = [style.width, style.height];
-    let samples = surface::Samples::draw(&world, camera, size, style.supersampling);
-    let (mut light, depth) = resolve::resolve(&world, scene.ground, camera, style, &samples)?;
+    let samples = surface::Samples::draw(&world, camera, size, style.supersampling, Pass::Opaque);
+    let layers = layers::Layers::draw(&world, camera, style, &samples);
+    let (mut light, depth) =
+        resolve::resolve(&world, scene.ground, camera, style, &samples, &layers)?;
     depth_contrast::darken_behind_edges(&mut light, &depth, world.extent(), style.depth_contrast);
     stroke::draw(&mut light, scene, &world, camera, style, &samples);
 

@@ -28,7 +28,7 @@ use crate::texture::Texture;
 pub struct Material<'a> {
     /// The share of each channel that is reflected.
     pub base_colour: LinearColour,
-    /// Opacity, 0 to 1; see [`cutoff`](Self::cutoff).
+    /// Opacity, 0 to 1; see [`cutoff`](Self::cutoff) and [`transparent`](Self::transparent).
     pub opacity: f64,
     /// A factor of the base colour and the opacity.
     pub base_colour_map: Option<&'a Texture>,
@@ -53,15 +53,101 @@ pub struct Material<'a> {
     pub emission: LinearColour,
     /// A factor of the emission.
     pub emission_map: Option<&'a Texture>,
-    /// The surface is not there where its opacity is below this. `None` draws it opaque everywhere:
-    /// nothing shines through a surface here.
+    /// Where on the surface the textures lie.
+    pub placements: Placements,
+    /// The surface is not there where its opacity is below this. `None` draws it everywhere.
     pub cutoff: Option<f64>,
+    /// Whether what lies behind shows through: with the opacity α the surface adds α times its own
+    /// light, and lets 1 − α of the light behind it pass. Otherwise it is opaque.
+    pub transparent: bool,
+    /// Whether the back of each triangle is drawn too.
+    pub double_sided: bool,
     /// Whether the base colour is shown as it is, without light.
     pub unlit: bool,
 }
 
+/// Where on the surface each texture of a [`Material`] lies.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Placements {
+    /// That of the base colour's texture.
+    pub base_colour: Placement,
+    /// That of the roughness and the metallic part.
+    pub metallic_roughness: Placement,
+    /// That of the normals.
+    pub normal: Placement,
+    /// That of the occlusion.
+    pub occlusion: Placement,
+    /// That of the emission.
+    pub emission: Placement,
+}
+
+/// Where on a surface a texture lies: it is read at A (u, v) + o, where (u, v) are the texture
+/// coordinates of the surface, A is a matrix and o an offset.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Placement {
+    /// Which texture coordinates of the [`Object`](crate::Object) are taken.
+    pub set: CoordinateSet,
+    /// The rows of the matrix A.
+    pub matrix: [[f64; 2]; 2],
+    /// The offset o.
+    pub offset: [f64; 2],
+}
+
+/// One of the two sets of texture coordinates of an [`Object`](crate::Object).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum CoordinateSet {
+    /// [`texture_coordinates`](crate::Object::texture_coordinates).
+    #[default]
+    First,
+    /// [`second_texture_coordinates`](crate::Object::second_texture_coordinates).
+    Second,
+}
+
+impl Default for Placement {
+    /// The first set as it is.
+    fn default() -> Self {
+        Self {
+            set: CoordinateSet::First,
+            matrix: [[1.0, 0.0], [0.0, 1.0]],
+            offset: [0.0; 2],
+        }
+    }
+}
+
+impl Placement {
+    /// Where the texture is read.
+    #[must_use]
+    pub fn place(&self, coordinates: [f64; 2]) -> [f64; 2] {
+        let moved = self.change(coordinates);
+        [0, 1].map(|axis| moved[axis] + self.offset[axis])
+    }
+
+    /// How that place changes where the texture coordinates change by a step.
+    pub(crate) fn change(&self, [u, v]: [f64; 2]) -> [f64; 2] {
+        self.matrix.map(|[a, b]| a * u + b * v)
+    }
+}
+
+impl Placements {
+    fn are_finite(&self) -> bool {
+        let all = [
+            self.base_colour,
+            self.metallic_roughness,
+            self.normal,
+            self.occlusion,
+            self.emission,
+        ];
+        let numbers = all.iter().flat_map(|placement| {
+            let [[a, b], [c, d]] = placement.matrix;
+            let [u, v] = placement.offset;
+            [a, b, c, d, u, v]
+        });
+        numbers.into_iter().all(f64::is_finite)
+    }
+}
+
 impl Default for Material<'_> {
-    /// White, without metal, of roughness 0.5.
+    /// White, without metal, of roughness 0.5, opaque, with both sides.
     fn default() -> Self {
         Self {
             base_colour: LinearColour::WHITE,
@@ -77,7 +163,10 @@ impl Default for Material<'_> {
             occlusion_strength: 1.0,
             emission: LinearColour::BLACK,
             emission_map: None,
+            placements: Placements::default(),
             cutoff: None,
+            transparent: false,
+            double_sided: true,
             unlit: false,
         }
     }
@@ -101,6 +190,7 @@ impl Material<'_> {
             ("occlusion strength", fraction(self.occlusion_strength)),
             ("emission", light(self.emission)),
             ("cutoff", self.cutoff.is_none_or(f64::is_finite)),
+            ("placement of a texture", self.placements.are_finite()),
         ]
         .into_iter()
         .find_map(|(name, fits)| (!fits).then_some(name))

@@ -8,6 +8,7 @@ use crate::camera::Camera;
 use crate::depth::DepthMap;
 use crate::fragment::Fragment;
 use crate::ground::{GroundShading, background};
+use crate::layers::{Layer, Layers};
 use crate::occlusion;
 use crate::shade::{Reaching, WorldLighting};
 use crate::shadow::{Caster, GroundShadow};
@@ -18,7 +19,7 @@ use crate::{Ground, Material, RenderError, Shading, Style, Vector};
 
 /// Tangents of the half angles of the key light and of the part of the sky that counts for the
 /// contact shadow.
-const KEY_TANGENT: f64 = 0.06;
+pub(crate) const KEY_TANGENT: f64 = 0.06;
 const SKY_TANGENT: f64 = 0.9;
 
 /// The most samples along a side of a pixel.
@@ -31,6 +32,7 @@ pub(crate) fn resolve(
     camera: &Camera,
     style: &Style,
     samples: &Samples,
+    layers: &Layers,
 ) -> Result<(Vec<LinearColour>, DepthMap), RenderError> {
     let lighting = WorldLighting::new(
         &style.lighting,
@@ -45,6 +47,7 @@ pub(crate) fn resolve(
         camera,
         style,
         samples,
+        layers,
         plain: style.material(),
         ground: ground.map(|ground| ground_shading(world, ground, camera, style, &lighting)),
         shadows: (lit && style.self_shadow > 0.0)
@@ -75,6 +78,7 @@ struct Resolver<'a> {
     camera: &'a Camera,
     style: &'a Style,
     samples: &'a Samples,
+    layers: &'a Layers,
     lighting: WorldLighting,
     /// The material of objects without one.
     plain: Material<'static>,
@@ -94,6 +98,7 @@ impl Resolver<'_> {
     /// A pixel's light. Each triangle in it is shaded once, at the middle of its samples.
     fn pixel(&self, column: usize, row: usize) -> Pixel {
         let n = self.style.supersampling as usize;
+        let index = row * self.style.width as usize + column;
         let mut seen = [NO_TRIANGLE; MOST * MOST];
         let mut nearest = 0f32;
         for (sample, seen) in seen.iter_mut().enumerate().take(n * n) {
@@ -106,39 +111,94 @@ impl Resolver<'_> {
             }
         }
 
+        let per_sample = 1.0 / (n * n) as f64;
+        let coverage = seen.iter().filter(|&&t| t != NO_TRIANGLE).count() as f64 * per_sample;
+        let surroundings = if coverage < 1.0 {
+            self.surroundings(column, row)
+        } else {
+            LinearColour::BLACK
+        };
+        let layers = self.layers.of(index);
+        let mut lights = [surroundings; MOST * MOST];
         let mut light = LinearColour::BLACK;
-        let mut covered = 0;
         for first in 0..n * n {
             let triangle = seen[first];
             if triangle == NO_TRIANGLE {
                 continue;
             }
-            let (mut count, mut across, mut down) = (0.0, 0.0, 0.0);
-            for (sample, seen) in seen.iter_mut().enumerate().take(n * n).skip(first) {
-                if *seen == triangle {
-                    *seen = NO_TRIANGLE;
-                    count += 1.0;
-                    across += (sample % n) as f64;
-                    down += (sample / n) as f64;
-                    covered += 1;
+            let members = (first..n * n).filter(|&sample| seen[sample] == triangle);
+            let (colour, _) = self.surface(triangle, self.middle(members, column, row), index);
+            for sample in first..n * n {
+                if seen[sample] == triangle {
+                    seen[sample] = NO_TRIANGLE;
+                    lights[sample] = colour;
+                    light += colour;
                 }
             }
-            let x = (column * n) as f64 + across / count + 0.5;
-            let y = (row * n) as f64 + down / count + 0.5;
-            let ray = self.samples.lens.ray(x, y);
-            light += self.surface(triangle, ray, row * self.style.width as usize + column) * count;
         }
-        let per_sample = 1.0 / (n * n) as f64;
-        let coverage = f64::from(covered) * per_sample;
-        light = light * per_sample;
-        if coverage < 1.0 {
-            light += self.surroundings(column, row) * (1.0 - coverage);
+        light = light * per_sample + surroundings * (1.0 - coverage);
+        if !layers.is_empty() {
+            light = self.behind_layers(layers, &mut lights[..n * n], column, row);
         }
         Pixel {
             light,
             depth: 1.0 / nearest,
             coverage: coverage as f32,
         }
+    }
+
+    /// The ray of the camera's frame through the middle of some samples of a pixel.
+    fn middle(&self, samples: impl Iterator<Item = usize>, column: usize, row: usize) -> Vector {
+        let n = self.style.supersampling as usize;
+        let (mut count, mut across, mut down) = (0.0, 0.0, 0.0);
+        for sample in samples {
+            count += 1.0;
+            across += (sample % n) as f64;
+            down += (sample / n) as f64;
+        }
+        let x = (column * n) as f64 + across / count + 0.5;
+        let y = (row * n) as f64 + down / count + 0.5;
+        self.samples.lens.ray(x, y)
+    }
+
+    /// A pixel's light behind its transparent layers, of which each triangle is shaded once.
+    /// `lights` is the light that comes from behind all layers at each sample.
+    fn behind_layers(
+        &self,
+        layers: &[Layer],
+        lights: &mut [LinearColour],
+        column: usize,
+        row: usize,
+    ) -> LinearColour {
+        let n = self.style.supersampling as usize;
+        let index = row * self.style.width as usize + column;
+        let mut by_triangle: Vec<[u32; 2]> = layers
+            .iter()
+            .map(|layer| [layer.triangle, layer.sample])
+            .collect();
+        by_triangle.sort_unstable();
+        let shaded: Vec<(u32, LinearColour, f64)> = by_triangle
+            .chunk_by(|a, b| a[0] == b[0])
+            .map(|group| {
+                let samples = group.iter().map(|&[_, sample]| sample as usize);
+                let ray = self.middle(samples, column, row);
+                let (colour, opacity) = self.surface(group[0][0], ray, index);
+                (group[0][0], colour, opacity)
+            })
+            .collect();
+        for layer in layers {
+            let sample = layer.sample as usize;
+            let (x, y) = (column * n + sample % n, row * n + sample / n);
+            let place = shaded.partition_point(|&(triangle, ..)| triangle < layer.triangle);
+            let (_, colour, opacity) = shaded[place];
+            if !self.is_below_ground(x, y, layer.inverse_depth) {
+                lights[sample] = lights[sample].lerp(colour, opacity);
+            }
+        }
+        let sum = lights
+            .iter()
+            .fold(LinearColour::BLACK, |sum, &light| sum + light);
+        sum * (1.0 / lights.len() as f64)
     }
 
     fn is_below_ground(&self, x: usize, y: usize, inverse_depth: f32) -> bool {
@@ -148,17 +208,17 @@ impl Resolver<'_> {
         })
     }
 
-    /// A triangle's light towards the eye along a ray of the camera's frame.
-    fn surface(&self, triangle: u32, ray: Vector, pixel: usize) -> LinearColour {
+    /// A triangle's light towards the eye along a ray of the camera's frame, and its opacity.
+    fn surface(&self, triangle: u32, ray: Vector, pixel: usize) -> (LinearColour, f64) {
         let face = self.world.face(triangle);
         let material = self.world.material(&face).unwrap_or(&self.plain);
         let n = f64::from(self.style.supersampling);
         let Some(fragment) = Fragment::new(face, ray, self.camera, &self.samples.lens, n) else {
-            return material.base_colour;
+            return (material.base_colour, material.opacity);
         };
         let look = fragment.look(material);
         if look.unlit || self.style.shading == Shading::Unlit {
-            return look.surface.base_colour;
+            return (look.surface.base_colour, look.opacity);
         }
         let key = self.shadows.as_ref().map_or(1.0, |shadows| {
             let visibility = shadows.visibility(fragment.point, fragment.flat);
@@ -174,7 +234,7 @@ impl Resolver<'_> {
         let reflected = self
             .lighting
             .shade(&look.surface, fragment.towards_viewer, reaching);
-        reflected + look.emission
+        (reflected + look.emission, look.opacity)
     }
 
     /// What is seen beside the mesh, at the middle of a pixel.

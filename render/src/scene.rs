@@ -35,6 +35,8 @@ pub struct Object<'a> {
     /// Texture coordinates (u, v), u to the right and v up: the unit square is one picture, and
     /// (0, 0) its lower left corner. glTF counts v downwards, so that its v is 1 − v here.
     pub texture_coordinates: Option<Attribute<'a, [f64; 2]>>,
+    /// A second set of texture coordinates, for materials with textures that are placed by it.
+    pub second_texture_coordinates: Option<Attribute<'a, [f64; 2]>>,
     /// Tangents for normal maps: the direction in which u grows, and the sign σ of the bitangent
     /// `b = σ n × t` along which v grows, as MikkTSpace defines them. Where they are left out, each
     /// triangle's own direction of growing u is taken.
@@ -137,6 +139,7 @@ impl<'a> Object<'a> {
             triangles,
             normals: Normals::Smooth,
             texture_coordinates: None,
+            second_texture_coordinates: None,
             tangents: None,
             colours: None,
             material: MaterialChoice::Style,

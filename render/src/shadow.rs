@@ -87,7 +87,7 @@ impl GroundShadow {
                     [(x - origin[0]) * density, (z - origin[1]) * density, height]
                 });
                 let cut = caster.cut.and_then(|(world, first)| {
-                    Cut::new(world, &world.face((first + index) as u32))
+                    Cut::caster(world, &world.face((first + index) as u32))
                 });
                 raster::fill(SIZE, SIZE, corners, |texel, height| {
                     let shows = |cut: &Cut| cut.shows_at(texel, SIZE, corners);

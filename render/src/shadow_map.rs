@@ -66,7 +66,7 @@ impl ShadowMap {
                     let cut = if is_solid {
                         None
                     } else {
-                        Cut::new(world, &world.face((placed.first + index) as u32))
+                        Cut::caster(world, &world.face((placed.first + index) as u32))
                     };
                     raster::fill_rows(SIZE, rows.clone(), corners, |texel, height| {
                         let shows = |cut: &Cut| cut.shows_at(texel, SIZE, corners);

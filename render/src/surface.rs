@@ -26,6 +26,15 @@ pub(crate) struct Samples {
 /// No surface is seen at a sample.
 pub(crate) const NO_TRIANGLE: u32 = u32::MAX;
 
+/// Which surfaces are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Pass {
+    /// All surfaces.
+    All,
+    /// Those that nothing shines through.
+    Opaque,
+}
+
 /// Rows that are drawn together. What is drawn does not depend on it.
 const BAND: usize = 48;
 
@@ -36,15 +45,11 @@ impl Samples {
         camera: &Camera,
         [width, height]: [u32; 2],
         factor: u32,
+        pass: Pass,
     ) -> Self {
         let lens = Lens::new(camera, width, height).scaled(f64::from(factor));
         let (width, height) = ((width * factor) as usize, (height * factor) as usize);
-        let drawing = Drawing {
-            world,
-            lens,
-            clipper: lens.clipper([camera.near(), camera.far()], width, height),
-            width,
-        };
+        let drawing = Drawing::new(world, camera, lens, [width, height], pass);
         let rows: Vec<Vec<Range<u16>>> = world
             .objects
             .iter()
@@ -52,8 +57,7 @@ impl Samples {
                 let triangles = 0..placed.object.triangles.len();
                 let rows = triangles.into_par_iter().map(|triangle| {
                     let number = (placed.first + triangle) as u32;
-                    let corners = drawing.polygon(&world.face(number));
-                    let rows = raster::rows_of(corners.into_iter(), height);
+                    let rows = drawing.rows(&world.face(number), height);
                     rows.start as u16..rows.end as u16
                 });
                 rows.collect()
@@ -89,14 +93,54 @@ impl Samples {
 }
 
 /// What is the same for all triangles.
-struct Drawing<'a> {
+pub(crate) struct Drawing<'a> {
     world: &'a World<'a>,
     lens: Lens,
     clipper: Clipper,
     width: usize,
+    pass: Pass,
 }
 
-impl Drawing<'_> {
+impl<'a> Drawing<'a> {
+    /// `lens` and size are those of the samples.
+    pub(crate) fn new(
+        world: &'a World<'a>,
+        camera: &Camera,
+        lens: Lens,
+        [width, height]: [usize; 2],
+        pass: Pass,
+    ) -> Self {
+        Self {
+            world,
+            lens,
+            clipper: lens.clipper([camera.near(), camera.far()], width, height),
+            width,
+            pass,
+        }
+    }
+
+    /// Whether the side of a triangle that is seen is to be drawn.
+    pub(crate) fn draws(&self, face: &Face) -> bool {
+        let Some(material) = self.world.material(face) else {
+            return true;
+        };
+        let in_pass = self.pass == Pass::All || !material.transparent;
+        in_pass && (material.double_sided || face.faces_eye())
+    }
+
+    /// The rows of samples that a triangle may cover, in a picture of this height.
+    pub(crate) fn rows(&self, face: &Face, height: usize) -> Range<usize> {
+        raster::rows_of(self.polygon(face).into_iter(), height)
+    }
+
+    /// Calls `visit` with each sample in some rows that a triangle covers and the inverse depth of
+    /// the triangle there. The index of the sample is that in the picture.
+    pub(crate) fn cover(&self, face: &Face, rows: Range<usize>, mut visit: impl FnMut(usize, f32)) {
+        for fan in self.polygon(face).fans() {
+            raster::fill_rows(self.width, rows.clone(), fan, &mut visit);
+        }
+    }
+
     /// The visible part of a triangle on the picture, with the inverse depth of each corner.
     fn polygon(&self, face: &Face) -> Corners {
         let polygon = self.clipper.clip(face.view());
@@ -119,31 +163,31 @@ impl Drawing<'_> {
         triangles: &mut [u32],
     ) {
         let face = self.world.face(number);
+        if !solid && !self.draws(&face) {
+            return;
+        }
         let cut = if solid {
             None
         } else {
             Cut::new(self.world, &face)
         };
         let view = face.view();
-        let polygon = self.polygon(&face);
         let first = rows.start * self.width;
-        for fan in polygon.fans() {
-            raster::fill_rows(self.width, rows.clone(), fan, |sample, inverse| {
-                let index = sample - first;
-                if inverse <= depths[index] {
+        self.cover(&face, rows, |sample, inverse| {
+            let index = sample - first;
+            if inverse <= depths[index] {
+                return;
+            }
+            if let Some(cut) = &cut {
+                let (row, column) = (sample / self.width, sample % self.width);
+                let ray = self.lens.ray(column as f64 + 0.5, row as f64 + 0.5);
+                if !cut.shows(barycentric(ray, view)) {
                     return;
                 }
-                if let Some(cut) = &cut {
-                    let (row, column) = (sample / self.width, sample % self.width);
-                    let ray = self.lens.ray(column as f64 + 0.5, row as f64 + 0.5);
-                    if !cut.shows(barycentric(ray, view)) {
-                        return;
-                    }
-                }
-                depths[index] = inverse;
-                triangles[index] = number;
-            });
-        }
+            }
+            depths[index] = inverse;
+            triangles[index] = number;
+        });
     }
 }
 

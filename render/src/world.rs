@@ -5,7 +5,7 @@ use ga_runtime::batch;
 use ga_runtime::cga3::{Motor, Point, Rotor};
 use rayon::prelude::*;
 
-use crate::material::Material;
+use crate::material::{CoordinateSet, Material};
 use crate::scene::{MaterialChoice, Normals, Object, Scene};
 use crate::{Camera, LARGEST_COORDINATE, RenderError, Vector};
 
@@ -89,9 +89,12 @@ impl<'a> World<'a> {
         Some(&self.materials[material as usize])
     }
 
-    /// Whether no triangle of an object has parts that are cut out.
+    /// Whether every triangle of an object is opaque everywhere and has two sides.
     pub(crate) fn is_solid(&self, object: &Placed) -> bool {
-        let solid = |index: u32| self.materials[index as usize].cutoff.is_none();
+        let solid = |index: u32| {
+            let material = &self.materials[index as usize];
+            material.cutoff.is_none() && !material.transparent && material.double_sided
+        };
         match object.object.material {
             MaterialChoice::Style => true,
             MaterialChoice::One(material) => solid(material),
@@ -153,9 +156,20 @@ impl Face<'_> {
     }
 
     /// The texture coordinates at the corners.
-    pub(crate) fn texture_coordinates(&self) -> Option<[[f64; 2]; 3]> {
-        let coordinates = self.placed.object.texture_coordinates?;
+    pub(crate) fn texture_coordinates(&self, set: CoordinateSet) -> Option<[[f64; 2]; 3]> {
+        let object = self.placed.object;
+        let coordinates = match set {
+            CoordinateSet::First => object.texture_coordinates?,
+            CoordinateSet::Second => object.second_texture_coordinates?,
+        };
         coordinates.at(self.triangle, self.vertices)
+    }
+
+    /// Whether the eye lies on the side of the triangle's orientation.
+    pub(crate) fn faces_eye(&self) -> bool {
+        // Right, up and forward are a left-handed frame.
+        let [a, b, c] = self.view();
+        a.dot(b.cross(c)) > 0.0
     }
 
     /// The tangents at the corners, in the object's coordinates.

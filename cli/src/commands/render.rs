@@ -99,6 +99,10 @@ enum Light {
 
 const DEFAULT_SIZE: [u32; 2] = [1280, 720];
 
+/// The width of the model's polylines and the diameter of its points, in pixels.
+const LINE_WIDTH: f64 = 2.0;
+const POINT_DIAMETER: f64 = 5.0;
+
 /// The most pictures of a turntable.
 const MOST_PICTURES: u32 = 1000;
 
@@ -164,8 +168,8 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
 
     let model = read(path)?;
     ensure!(
-        model.triangle_count() > 0,
-        "{}: there is no triangle to be drawn",
+        !model.is_empty(),
+        "{}: there is no triangle, line or point to be drawn",
         path.display()
     );
     let named = || path.display().to_string();
@@ -187,15 +191,20 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
 
 /// The model in a file. What it refers to that is not there is said on standard error.
 fn read(path: &Path) -> Result<Model> {
-    let Loaded { mesh, mut warnings } = match path.extension().and_then(|e| e.to_str()) {
-        Some("glb" | "gltf") => Loaded {
+    let is_gltf = matches!(format::Format::of_path(path), Ok(format::Format::Gltf));
+    let Loaded { mesh, mut warnings } = if is_gltf {
+        Loaded {
             mesh: gltf::read_mesh(path)?,
             warnings: Vec::new(),
-        },
-        _ => format::read(path)?,
+        }
+    } else {
+        format::read(path)?
     };
     let model = Model::from_mesh(&mesh, path.parent());
-    let model = model.with_context(|| path.display().to_string())?;
+    let mut model = model.with_context(|| path.display().to_string())?;
+    if !is_gltf {
+        model = model.with_both_sides();
+    }
     for warning in model.warnings() {
         if !warnings.contains(warning) {
             warnings.push(warning.clone());
@@ -249,17 +258,17 @@ fn draw(
     } else {
         Vec::new()
     };
-    let lines: Vec<Polyline> = edges
-        .iter()
-        .map(|ends| Polyline {
-            points: ends,
-            colour: LinearColour::from_srgb([30, 40, 60]),
-            width: 1.0,
-            visibility: Visibility::Hidden,
-        })
-        .collect();
+    let mut lines = model.lines(LINE_WIDTH);
+    lines.extend(edges.iter().map(|ends| Polyline {
+        points: ends,
+        colour: LinearColour::from_srgb([30, 40, 60]),
+        width: 1.0,
+        visibility: Visibility::Hidden,
+    }));
+    let dots = model.dots(POINT_DIAMETER);
     let scene = Scene {
         lines: &lines,
+        dots: &dots,
         ground: arguments.ground.then(|| ground(model)),
         ..model.scene(&materials)
     };

@@ -3,10 +3,11 @@
 use std::collections::HashMap;
 use std::path::Path;
 
-use ga_mesh::{CornerAttribute, Mesh, Texture, tangents};
+use ga_image::colour::LinearColour;
+use ga_mesh::{CornerAttribute, Mesh, tangents};
 
 use super::textures::{Loader, TextureFileError};
-use super::{Corners, Model, Part};
+use super::{Corners, Line, Model, Part};
 
 impl Model {
     /// A mesh as it is drawn. The files of its pictures are looked for in `folder`, or left out
@@ -17,19 +18,14 @@ impl Model {
     /// [`Mesh::triangles`] does. A triangle with a corner without a normal is flat; a mesh without
     /// normals is smooth. A mesh with a normal map but without tangents gets those of MikkTSpace.
     ///
-    /// Some things are drawn otherwise than the materials ask for; those with a mark have one of
-    /// the [`warnings`](Model::warnings):
-    ///
-    /// - (marked) All textures of a material are placed by the set of texture coordinates and the
-    ///   offset, rotation and scale of its base colour, or of the first other texture that it has.
-    /// - (marked) Transparent surfaces, [`AlphaMode::Blend`](ga_mesh::AlphaMode::Blend), are drawn
-    ///   opaque.
-    /// - Both sides of each face are drawn, whether or not the material is
-    ///   [`double_sided`](ga_mesh::Material::double_sided).
-    /// - Textures of Phong's model are not used.
+    /// The back of a face is drawn where its material is
+    /// [`double_sided`](ga_mesh::Material::double_sided) and where it has no material; see
+    /// [`with_both_sides`](Model::with_both_sides). Textures that are placed by a third or later
+    /// set of texture coordinates are placed by the first one, with one of the
+    /// [`warnings`](Model::warnings). Textures of Phong's model are not used.
     ///
     /// Parts that a material cuts out, [`AlphaMode::Mask`](ga_mesh::AlphaMode::Mask), do not cast
-    /// shadows.
+    /// shadows; transparent parts cast one where their opacity is at least 1/2.
     ///
     /// # Errors
     ///
@@ -50,7 +46,9 @@ impl Model {
             .map(|normals| triangles.attribute(normals, |normal| normal.coordinates()));
         let mut computed = None;
         if mesh.tangents().is_none() && model.surfaces.iter().any(|s| s.normal.is_some()) {
-            computed = tangents::mikktspace(mesh, 0).ok();
+            let mut textures = mesh.materials().iter();
+            let set = textures.find_map(|material| Some(material.normal_texture.as_ref()?.set));
+            computed = tangents::mikktspace(mesh, set.unwrap_or(0) as usize).ok();
         }
         let tangents = mesh.tangents().or(computed.as_ref()).map(|tangents| {
             triangles.attribute(tangents, |tangent| {
@@ -58,20 +56,27 @@ impl Model {
                 [x, y, z, tangent.handedness]
             })
         });
-        let texture_coordinates = texture_coordinates(mesh, &triangles);
+        let mut sets = mesh.texture_coordinate_sets().iter();
+        let texture_coordinates = [sets.next(), sets.next()]
+            .map(|set| set.map(|set| triangles.attribute(set, |&coordinates| coordinates)));
         for members in members(mesh, &triangles) {
             model.parts.push(Part {
                 normals: select(&normals, &members),
-                texture_coordinates: select(&texture_coordinates, &members),
+                texture_coordinates: texture_coordinates
+                    .each_ref()
+                    .map(|set| select(set, &members)),
                 tangents: select(&tangents, &members),
                 ..part(mesh, &triangles, &members)
             });
         }
         model.normals = normals.map(|normals| normals.values).unwrap_or_default();
         model.tangents = tangents.map(|tangents| tangents.values).unwrap_or_default();
-        model.texture_coordinates = texture_coordinates
-            .map(|coordinates| coordinates.values)
-            .unwrap_or_default();
+        model.texture_coordinates = texture_coordinates.map(|set| {
+            let values = set.map(|coordinates| coordinates.values);
+            values.unwrap_or_default()
+        });
+        model.lines = lines(mesh);
+        model.dots = dots(mesh);
         Ok(model)
     }
 }
@@ -168,42 +173,33 @@ fn select<T>(values: &Option<Values<T>>, members: &[usize]) -> Option<Corners> {
     Some(members.iter().map(|&member| corners[member]).collect())
 }
 
-/// The texture coordinates of each corner as its material asks for them.
-fn texture_coordinates(mesh: &Mesh, triangles: &Triangles) -> Option<Values<[f64; 2]>> {
-    let sets = mesh.texture_coordinate_sets();
-    let first = sets.first()?;
-    let textures: Vec<Option<&Texture>> = mesh
-        .materials()
-        .iter()
-        .map(|material| material.textures().next())
-        .collect();
-    if !textures.iter().flatten().any(|texture| is_moved(texture)) {
-        return Some(triangles.attribute(first, |&coordinates| coordinates));
-    }
-    let mut expanded = Values {
-        values: Vec::with_capacity(3 * triangles.corners.len()),
-        corners: Vec::with_capacity(triangles.corners.len()),
-    };
-    for (&triangle, material) in triangles.corners.iter().zip(&triangles.materials) {
-        let texture = material.and_then(|material| textures[material as usize]);
-        let set = texture.map_or(Some(first), |texture| sets.get(texture.set as usize));
-        let here = set.and_then(|set| {
-            let [a, b, c] = triangle.map(|corner| set.get(corner as usize).copied());
-            Some([a?, b?, c?])
-        });
-        expanded.corners.push(here.map(|coordinates| {
-            let begin = expanded.values.len() as u32;
-            let moved = coordinates.map(|p| texture.map_or(p, |texture| texture.place(p)));
-            expanded.values.extend(moved);
-            [begin, begin + 1, begin + 2]
-        }));
-    }
-    Some(expanded)
+/// The colour of lines and points of a mesh without colours.
+const INK: [u8; 3] = [30, 40, 60];
+
+/// The edges of polylines. One between vertices of different colours has the mean of both.
+fn lines(mesh: &Mesh) -> Vec<Line> {
+    let place = |vertex: u32| mesh.positions()[vertex as usize].coordinates();
+    let edges = mesh.polylines().iter().flat_map(|line| line.windows(2));
+    let edges = edges.map(|edge| Line {
+        ends: [place(edge[0]), place(edge[1])],
+        colour: colour_of(mesh, edge[0]).lerp(colour_of(mesh, edge[1]), 0.5),
+    });
+    edges.collect()
 }
 
-fn is_moved(texture: &Texture) -> bool {
-    texture.set != 0
-        || texture.offset != [0.0; 2]
-        || texture.rotation != 0.0
-        || texture.scale != [1.0; 2]
+fn dots(mesh: &Mesh) -> Vec<([f64; 3], LinearColour)> {
+    let points = mesh.points().iter();
+    let points = points.map(|&vertex| {
+        let position = mesh.positions()[vertex as usize].coordinates();
+        (position, colour_of(mesh, vertex))
+    });
+    points.collect()
+}
+
+fn colour_of(mesh: &Mesh, vertex: u32) -> LinearColour {
+    mesh.colours()
+        .map_or(LinearColour::from_srgb(INK), |colours| {
+            let [red, green, blue, _] = colours[vertex as usize];
+            LinearColour::new(red, green, blue)
+        })
 }

@@ -21,7 +21,10 @@ mod from_mesh;
 mod textures;
 
 use crate::texture::Texture;
-use crate::{Attribute, Material, MaterialChoice, Normals, Object, Scene};
+use crate::{
+    Attribute, Dot, Material, MaterialChoice, Normals, Object, Polyline, Scene, Visibility,
+};
+use ga_image::colour::LinearColour;
 
 pub use textures::{Meaning, TextureFileError, load_texture};
 
@@ -31,10 +34,12 @@ pub struct Model {
     parts: Vec<Part>,
     /// The values that the corners of parts refer to.
     normals: Vec<[f64; 3]>,
-    texture_coordinates: Vec<[f64; 2]>,
+    texture_coordinates: [Vec<[f64; 2]>; 2],
     tangents: Vec<[f64; 4]>,
     surfaces: Vec<Surface>,
     textures: Vec<Texture>,
+    lines: Vec<Line>,
+    dots: Vec<([f64; 3], LinearColour)>,
     warnings: Vec<String>,
 }
 
@@ -47,12 +52,19 @@ struct Part {
     positions: Vec<[f64; 3]>,
     triangles: Vec<[u32; 3]>,
     normals: Option<Corners>,
-    texture_coordinates: Option<Corners>,
+    texture_coordinates: [Option<Corners>; 2],
     tangents: Option<Corners>,
     /// One for each vertex, or none.
     colours: Vec<[f64; 4]>,
     /// One for each triangle.
     materials: Vec<Option<u32>>,
+}
+
+/// An edge of a polyline of the model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Line {
+    ends: [[f64; 3]; 2],
+    colour: LinearColour,
 }
 
 /// A material whose textures are given by index.
@@ -91,10 +103,17 @@ impl Model {
     }
 
     fn object<'a>(&'a self, part: &'a Part) -> Object<'a> {
+        let coordinates = |set: usize| {
+            attribute(
+                &self.texture_coordinates[set],
+                &part.texture_coordinates[set],
+            )
+        };
         Object {
             normals: attribute(&self.normals, &part.normals)
                 .map_or(Normals::Smooth, Normals::Given),
-            texture_coordinates: attribute(&self.texture_coordinates, &part.texture_coordinates),
+            texture_coordinates: coordinates(0),
+            second_texture_coordinates: coordinates(1),
             tangents: attribute(&self.tangents, &part.tangents),
             colours: (!part.colours.is_empty()).then(|| Attribute::of_vertices(&part.colours)),
             material: MaterialChoice::PerTriangle(&part.materials),
@@ -102,12 +121,51 @@ impl Model {
         }
     }
 
-    /// The vertices of all triangles, in the world.
+    /// The vertices of all triangles, lines and points, in the world.
     pub fn points(&self) -> impl Iterator<Item = [f64; 3]> + '_ {
-        self.parts.iter().flat_map(|part| {
+        let corners = self.parts.iter().flat_map(|part| {
             let corners = part.triangles.iter().flatten();
             corners.map(|&vertex| part.positions[vertex as usize])
-        })
+        });
+        let ends = self.lines.iter().flat_map(|line| line.ends);
+        corners.chain(ends).chain(self.dots.iter().map(|dot| dot.0))
+    }
+
+    /// The polylines of the model, edge by edge, as lines of this width in pixels.
+    pub fn lines(&self, width: f64) -> Vec<Polyline<'_>> {
+        let lines = self.lines.iter().map(|line| Polyline {
+            points: &line.ends,
+            colour: line.colour,
+            width,
+            visibility: Visibility::Hidden,
+        });
+        lines.collect()
+    }
+
+    /// The points of the model as dots of this diameter in pixels.
+    pub fn dots(&self, diameter: f64) -> Vec<Dot> {
+        let dots = self.dots.iter().map(|&(position, colour)| Dot {
+            position,
+            colour,
+            diameter,
+            visibility: Visibility::Hidden,
+        });
+        dots.collect()
+    }
+
+    /// The same model with both sides of each face drawn, for formats that do not say which sides
+    /// are seen.
+    #[must_use]
+    pub fn with_both_sides(mut self) -> Self {
+        for surface in &mut self.surfaces {
+            surface.material.double_sided = true;
+        }
+        self
+    }
+
+    /// Whether there is nothing to be drawn.
+    pub fn is_empty(&self) -> bool {
+        self.points().next().is_none()
     }
 
     /// The ends of the edges of all triangles; an edge that triangles of one object share, once.

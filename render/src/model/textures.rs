@@ -10,8 +10,8 @@ use ga_mesh::obj::Warning;
 use ga_mesh::{AlphaMode, Filter as MeshFilter, Image, Texture as Reference};
 
 use super::{Model, Surface};
-use crate::Material;
 use crate::texture::{Filter, Sampler, Texture, TextureError};
+use crate::{CoordinateSet, Material, Placement, Placements};
 
 /// A picture of a material that cannot be used.
 #[derive(Debug, thiserror::Error)]
@@ -130,10 +130,6 @@ impl<'a> Loader<'a> {
         material: &ga_mesh::Material,
     ) -> Result<Surface, TextureFileError> {
         let name = &material.name;
-        if material.alpha_mode == AlphaMode::Blend {
-            let warning = format!("material {name:?} is transparent; it is drawn opaque");
-            self.model.warnings.push(warning);
-        }
         let used = [
             ("base colour", &material.base_colour_texture),
             ("roughness", &material.metallic_roughness_texture),
@@ -141,20 +137,23 @@ impl<'a> Loader<'a> {
             ("occlusion", &material.occlusion_texture),
             ("emission", &material.emissive_texture),
         ];
-        if let Some(first) = material.textures().next() {
-            for (what, texture) in used {
-                if texture
-                    .as_ref()
-                    .is_some_and(|texture| !texture.has_same_place(first))
-                {
-                    self.model.warnings.push(format!(
-                        "material {name:?}: the texture of its {what} has texture coordinates, an \
-                         offset, a rotation or a scale of its own; it is placed as the first \
-                         texture of the material"
-                    ));
-                }
+        for (what, texture) in used {
+            if texture.as_ref().is_some_and(|texture| texture.set > 1) {
+                self.model.warnings.push(format!(
+                    "material {name:?}: the texture of its {what} is placed by a third or later \
+                     set of texture coordinates; the first set is used"
+                ));
             }
         }
+        let placement =
+            |texture: &Option<Reference>| texture.as_ref().map(placement).unwrap_or_default();
+        let placements = Placements {
+            base_colour: placement(&material.base_colour_texture),
+            metallic_roughness: placement(&material.metallic_roughness_texture),
+            normal: placement(&material.normal_texture),
+            occlusion: placement(&material.occlusion_texture),
+            emission: placement(&material.emissive_texture),
+        };
         let [red, green, blue, opacity] = material.base_colour;
         let mut load = |reference: &Option<Reference>, meaning| match reference {
             Some(reference) => self.texture(name, reference, meaning),
@@ -178,7 +177,10 @@ impl<'a> Loader<'a> {
                     AlphaMode::Mask { cutoff } => Some(cutoff),
                     AlphaMode::Opaque | AlphaMode::Blend => None,
                 },
+                transparent: material.alpha_mode == AlphaMode::Blend,
+                double_sided: material.double_sided,
                 unlit: material.unlit,
+                placements,
                 ..Material::default()
             },
         })
@@ -217,6 +219,23 @@ impl<'a> Loader<'a> {
         };
         self.loaded.insert(key, index);
         Ok(index)
+    }
+}
+
+/// [`Reference::place`] as a matrix and an offset.
+fn placement(texture: &Reference) -> Placement {
+    let offset = texture.place([0.0; 2]);
+    let [u, v] = [[1.0, 0.0], [0.0, 1.0]].map(|unit| {
+        let moved = texture.place(unit);
+        [0, 1].map(|axis| moved[axis] - offset[axis])
+    });
+    Placement {
+        set: match texture.set {
+            1 => CoordinateSet::Second,
+            _ => CoordinateSet::First,
+        },
+        matrix: [[u[0], v[0]], [u[1], v[1]]],
+        offset,
     }
 }
 

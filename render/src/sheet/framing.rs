@@ -1,6 +1,7 @@
 //! The position of the camera for each frame.
 
 use super::{Frame, Options, SheetError};
+use crate::resolve::KEY_TANGENT;
 use crate::shade::WorldLighting;
 use crate::{Camera, Ground, RenderError, Vector};
 
@@ -25,21 +26,68 @@ const FIELD_OF_VIEW: f64 = 0.45;
 /// Free border, as a fraction of half the picture.
 const MARGIN: f64 = 0.1;
 
-impl Stage {
-    pub(super) fn new(frames: &[Frame], options: &Options) -> Result<Self, SheetError> {
-        for frame in frames {
-            check(frame)?;
+/// The part of a frame that decides on its camera: the place that the camera follows, and points
+/// relative to it.
+pub(super) struct Outline {
+    middle: [f64; 3],
+    points: Vec<[f64; 3]>,
+}
+
+impl Outline {
+    /// All points of a frame.
+    pub(super) fn new(frame: &Frame, options: &Options) -> Result<Self, SheetError> {
+        check(frame)?;
+        let middle = match options.framing {
+            Framing::Fixed => [0.0; 3],
+            Framing::Following => level_middle(frame),
+        };
+        let relative = |p: [f64; 3]| std::array::from_fn(|axis| p[axis] - middle[axis]);
+        Ok(Self {
+            middle,
+            points: points(frame).map(relative).collect(),
+        })
+    }
+
+    /// The few points that alone give the same camera: those that lie farthest out towards each
+    /// side of the picture, nearest and farthest, highest and lowest; and those whose shadows do.
+    pub(super) fn reduced(self, options: &Options) -> Self {
+        let (backward, right) = (options.view.towards_camera(), options.view.right());
+        let up = backward.cross(right);
+        let tangent = (0.5 * FIELD_OF_VIEW).tan() * (1.0 - MARGIN);
+        let (across, along) = (tangent * options.style.aspect(), tangent);
+        let sides = [
+            right + backward * across,
+            backward * across - right,
+            up + backward * along,
+            backward * along - up,
+            backward,
+            -backward,
+        ];
+        let mut directions = vec![Vector::Y, -Vector::Y];
+        directions.extend(sides);
+        if let Some(light) = towards_key_light(options) {
+            // The shadow p − (p·y − h) l / l·y, widened by s (p·y − h) along x and z, is as far
+            // along n as p is along n + (s |n·x| + s |n·z| − n·l / l·y) y, but for a constant.
+            directions.extend(sides.map(|side| {
+                let widening = SOFTNESS * (side.e1.abs() + side.e3.abs());
+                side + Vector::Y * (widening - side.dot(light) / light.e2)
+            }));
         }
-        let middles: Vec<[f64; 3]> = frames
-            .iter()
-            .map(|frame| match options.framing {
-                Framing::Fixed => [0.0; 3],
-                Framing::Following => level_middle(frame),
-            })
-            .collect();
-        let seen = frames.iter().zip(&middles).flat_map(|(frame, middle)| {
-            points(frame).map(move |p| std::array::from_fn(|axis| p[axis] - middle[axis]))
+        let farthest = directions.into_iter().filter_map(|direction| {
+            let along = |p: &[f64; 3]| direction.dot(Vector::from(*p));
+            let order = |p: &&[f64; 3], q: &&[f64; 3]| along(p).total_cmp(&along(q));
+            self.points.iter().max_by(order).copied()
         });
+        Self {
+            middle: self.middle,
+            points: farthest.collect(),
+        }
+    }
+}
+
+impl Stage {
+    pub(super) fn new(frames: &[Outline], options: &Options) -> Result<Self, SheetError> {
+        let seen = frames.iter().flat_map(|frame| frame.points.iter().copied());
         let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);
         for [_, y, _] in seen.clone() {
             lowest = lowest.min(y);
@@ -51,7 +99,8 @@ impl Stage {
         let towards_light = towards_key_light(options);
         let shadows = seen
             .clone()
-            .filter_map(|p| shadow_of(p, ground, towards_light?));
+            .filter_map(|p| shadow_of(p, ground, towards_light?))
+            .flatten();
         let camera = Camera::fit(
             seen.chain(shadows),
             options.view,
@@ -60,7 +109,10 @@ impl Stage {
             MARGIN,
         )?;
         Ok(Self {
-            cameras: middles.iter().map(|&m| camera.moved_by(m)).collect(),
+            cameras: frames
+                .iter()
+                .map(|frame| camera.moved_by(frame.middle))
+                .collect(),
             ground: Ground {
                 height: ground,
                 grid: options
@@ -79,15 +131,24 @@ fn towards_key_light(options: &Options) -> Option<Vector> {
     (options.style.shadow > 0.0).then(|| lighting.towards_key())
 }
 
-/// The shadow of a point on the ground, unless the light stands too low for a picture to hold it:
-/// the shadow would be longer than twice the height of the point.
-fn shadow_of(point: [f64; 3], ground: f64, towards_light: Vector) -> Option<[f64; 3]> {
+/// The shadow of a point on the ground with its soft edge, as the corners of a level square, unless
+/// the light stands too low for a picture to hold it: the shadow would be longer than twice the
+/// height of the point.
+fn shadow_of(point: [f64; 3], ground: f64, towards_light: Vector) -> Option<[[f64; 3]; 4]> {
     let point = Vector::from(point);
     let level = towards_light.e1.hypot(towards_light.e3);
     let height = point.e2 - ground;
-    (towards_light.e2 > 0.5 * level && height > 0.0)
-        .then(|| (point - towards_light * (height / towards_light.e2)).coordinates())
+    if !(towards_light.e2 > 0.5 * level && height > 0.0) {
+        return None;
+    }
+    let middle = point - towards_light * (height / towards_light.e2);
+    let reach = SOFTNESS * height;
+    let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    Some(corners.map(|[x, z]| (middle + Vector::new(x, 0.0, z) * reach).coordinates()))
 }
+
+/// How far the soft edge of a shadow reaches, as a share of the height of what casts it.
+const SOFTNESS: f64 = 2.0 * KEY_TANGENT;
 
 fn points<'a>(frame: &Frame<'a>) -> impl Iterator<Item = [f64; 3]> + Clone + use<'a> {
     let (positions, bones) = (frame.positions, frame.bones);

@@ -19,6 +19,7 @@
 //!         kind: if number == 1 { Kind::InBetween { step: 1, steps: 2 } } else { Kind::Key },
 //!         positions,
 //!         bones: &[],
+//!         lines: &[],
 //!     })
 //!     .collect();
 //! let sheet = contact_sheet(&frames, &triangles, &Options::default())?;
@@ -28,6 +29,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod film;
 mod framing;
 mod layout;
 mod paint;
@@ -36,7 +38,11 @@ mod text;
 use image::RgbImage;
 use rayon::prelude::*;
 
-use crate::{RenderError, Rendering, Scene, Style, ViewDirection, render};
+use crate::{
+    Camera, Ground, Material, Object, Polyline, RenderError, Rendering, Scene, Style,
+    ViewDirection, render,
+};
+pub use film::{Film, Shooting};
 pub use framing::Framing;
 pub use layout::Layout;
 
@@ -53,6 +59,68 @@ pub struct Frame<'a> {
     pub positions: &'a [[f64; 3]],
     /// Segments to draw over the picture, none or the bones of a skeleton.
     pub bones: &'a [[[f64; 3]; 2]],
+    /// Lines of the world to draw over the picture, such as the paths of joints. They have no
+    /// influence on the camera.
+    pub lines: &'a [Polyline<'a>],
+}
+
+impl<'a> Frame<'a> {
+    /// A key frame at the time 0, without bones and lines.
+    #[must_use]
+    pub fn new(number: usize, positions: &'a [[f64; 3]]) -> Self {
+        Self {
+            number,
+            time: 0.0,
+            kind: Kind::Key,
+            positions,
+            bones: &[],
+            lines: &[],
+        }
+    }
+}
+
+/// What moves: all about it but the places of its vertices.
+#[derive(Clone, Debug)]
+pub struct Subject<'a> {
+    /// The surface; a frame's positions are drawn in place of the object's own.
+    pub object: Object<'a>,
+    /// The materials that the object names by index.
+    pub materials: &'a [Material<'a>],
+}
+
+impl<'a> Subject<'a> {
+    /// A mesh in the style's colour.
+    pub fn new(triangles: &'a [[u32; 3]]) -> Self {
+        Self {
+            object: Object::new(&[], triangles),
+            materials: &[],
+        }
+    }
+
+    /// The picture of a frame.
+    fn picture(
+        &self,
+        frame: &Frame,
+        ground: Ground,
+        camera: &Camera,
+        style: &Style,
+    ) -> Result<Rendering, SheetError> {
+        let scene = Scene {
+            objects: vec![Object {
+                positions: frame.positions,
+                ..self.object.clone()
+            }],
+            materials: self.materials,
+            lines: frame.lines,
+            bones: frame.bones,
+            ground: Some(ground),
+            ..Scene::default()
+        };
+        render(&scene, camera, style).map_err(|source| SheetError::Frame {
+            number: frame.number,
+            source,
+        })
+    }
 }
 
 /// The role of a frame in an animation.
@@ -171,24 +239,32 @@ pub fn contact_sheet(
     triangles: &[[u32; 3]],
     options: &Options,
 ) -> Result<Sheet, SheetError> {
+    contact_sheet_of(frames, &Subject::new(triangles), options)
+}
+
+/// As [`contact_sheet`], of a surface with normals, materials and textures.
+///
+/// # Errors
+///
+/// As [`contact_sheet`].
+pub fn contact_sheet_of(
+    frames: &[Frame],
+    subject: &Subject,
+    options: &Options,
+) -> Result<Sheet, SheetError> {
     let rows = options.layout.rows(frames)?;
     let size = layout::Size::new(&rows, options)?;
-    let stage = framing::Stage::new(frames, options)?;
+    let outlines = frames
+        .iter()
+        .map(|frame| framing::Outline::new(frame, options));
+    let outlines = outlines.collect::<Result<Vec<_>, _>>()?;
+    let stage = framing::Stage::new(&outlines, options)?;
     let pictures = frames
         .par_iter()
         .enumerate()
         .map(|(index, frame)| {
-            let scene = Scene {
-                bones: frame.bones,
-                ground: Some(stage.ground),
-                ..Scene::new(frame.positions, triangles)
-            };
-            render(&scene, &stage.cameras[index], &options.style).map_err(|source| {
-                SheetError::Frame {
-                    number: frame.number,
-                    source,
-                }
-            })
+            let camera = &stage.cameras[index];
+            subject.picture(frame, stage.ground, camera, &options.style)
         })
         .collect::<Result<Vec<_>, _>>()?;
     let depth_range = pictures

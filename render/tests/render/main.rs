@@ -13,6 +13,7 @@ mod pinhole;
 mod scenes;
 mod sheet;
 mod strokes;
+mod transparent;
 
 use ga_render::{Camera, Style};
 

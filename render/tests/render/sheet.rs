@@ -1,6 +1,8 @@
 //! Contact sheets, taken apart again.
 
-use ga_render::sheet::{Frame, Framing, Kind, Layout, Options, Sheet, SheetError, contact_sheet};
+use ga_render::sheet::{
+    Film, Frame, Framing, Kind, Layout, Options, Sheet, SheetError, Subject, contact_sheet,
+};
 use ga_render::{RenderError, Style, ViewDirection};
 use image::{Rgb, RgbImage};
 use proptest::prelude::*;
@@ -48,6 +50,7 @@ fn frames<'a>(kinds: &[Kind], positions: &'a [Vec<[f64; 3]>]) -> Vec<Frame<'a>> 
             kind,
             positions,
             bones: &[],
+            lines: &[],
         })
         .collect()
 }
@@ -213,7 +216,19 @@ fn a_title_adds_its_line() {
 #[test]
 fn the_ground_lies_under_the_lowest_vertex_or_where_it_is_asked_for() {
     let (kinds, positions) = (kinds(2, 1), walk(3, [0.1, 0.2, 0.0]));
-    let with = |ground| sheet(&kinds, &positions, &Options { ground, ..small() });
+    // Without a shadow the camera does not depend on the height of the ground.
+    let style = Style {
+        shadow: 0.0,
+        ..small().style
+    };
+    let with = |ground| {
+        let options = Options {
+            ground,
+            style,
+            ..small()
+        };
+        sheet(&kinds, &positions, &options)
+    };
     assert_eq!(with(None).image, with(Some(-1.0)).image);
     let covered = |sheet: &Sheet| {
         let depth = &sheet.pictures[0].depth;
@@ -393,4 +408,102 @@ proptest! {
         let (near, far) = (a.range().unwrap(), b.range().unwrap());
         prop_assert!((near.0 - far.0).abs() < 0.02 && (near.1 - far.1).abs() < 0.02);
     }
+}
+
+/// The pixels of which the shadow takes light away.
+fn shadowed(positions: &[Vec<[f64; 3]>], options: &Options) -> Vec<Vec<bool>> {
+    let kinds = vec![Kind::Key; positions.len()];
+    let draw = |shadow: f64| {
+        let style = Style {
+            shadow,
+            occlusion: 0.0,
+            ..options.style
+        };
+        let options = Options {
+            style,
+            ..options.clone()
+        };
+        sheet(&kinds, positions, &options).pictures
+    };
+    let darker = |a: &Rgb<u8>, b: &Rgb<u8>| a.0.iter().zip(b.0).any(|(&a, b)| a < b);
+    draw(0.5)
+        .iter()
+        .zip(draw(1e-9))
+        .map(|(with, without)| {
+            let pixels = with.colour.pixels().zip(without.colour.pixels());
+            pixels.map(|(a, b)| darker(a, b)).collect()
+        })
+        .collect()
+}
+
+#[test]
+fn the_shadow_stays_inside_every_picture() {
+    for azimuth in 0..8 {
+        for step in [[0.0; 3], [0.2, 0.0, 0.1]] {
+            let options = Options {
+                layout: Layout::Columns(3),
+                view: ViewDirection {
+                    azimuth: f64::from(azimuth),
+                    elevation: 0.3,
+                },
+                ..small()
+            };
+            for shadow in shadowed(&walk(3, step), &options) {
+                assert!(shadow.iter().any(|&dark| dark));
+                for (pixel, dark) in shadow.into_iter().enumerate() {
+                    let (column, row) = (pixel % 48, pixel / 48);
+                    let at_border = column == 0 || row == 0 || column == 47 || row == 63;
+                    assert!(!(dark && at_border), "azimuth {azimuth}, ({column}, {row})");
+                }
+            }
+        }
+    }
+}
+
+/// The cameras of a film keep only the outermost points of each frame.
+#[test]
+fn a_film_shows_the_pictures_of_a_sheet() {
+    for (framing, azimuth) in [
+        (Framing::Fixed, 0.4),
+        (Framing::Following, 2.0),
+        (Framing::Following, 4.5),
+    ] {
+        let options = Options {
+            layout: Layout::Columns(5),
+            framing,
+            view: ViewDirection {
+                azimuth,
+                elevation: 0.2,
+            },
+            ..small()
+        };
+        let positions: Vec<Vec<[f64; 3]>> = (0..5)
+            .map(|i| {
+                let mut corners = octahedron([0.3 * f64::from(i), 0.02, 0.1]);
+                corners[i as usize][0] += 0.4;
+                corners
+            })
+            .collect();
+        let kinds = [Kind::Key; 5];
+        let frames = frames(&kinds, &positions);
+        let mut film = Film::new(options.clone());
+        for frame in &frames {
+            film.add(frame).unwrap();
+        }
+        let shooting = film.shoot(Subject::new(&TRIANGLES)).unwrap();
+        let sheet = sheet(&kinds, &positions, &options);
+        for (index, frame) in frames.iter().enumerate() {
+            let picture = shooting.picture(index, frame).unwrap();
+            assert_eq!(picture.colour, sheet.pictures[index].colour);
+        }
+        assert!(matches!(
+            shooting.picture(5, &frames[0]),
+            Err(SheetError::NoFrames)
+        ));
+    }
+    let film = Film::new(small());
+    assert!(matches!(
+        film.shoot(Subject::new(&TRIANGLES)).map(|_| ()),
+        Err(SheetError::NoFrames)
+    ));
 }
