@@ -256,11 +256,8 @@ impl Numbers<'_> {
                 self.file.push(b' ');
             }
             self.begins_line = false;
-            let text = match scalar {
-                Scalar::F32 => (number as f32).to_string(),
-                _ => number.to_string(),
-            };
-            self.file.extend_from_slice(text.as_bytes());
+            // In full, since text is read in double precision whatever type is declared.
+            self.file.extend_from_slice(number.to_string().as_bytes());
             return;
         }
         let start = self.file.len();

@@ -399,6 +399,21 @@ proptest! {
         }
     }
 
+    /// Where all coordinates fit single precision, the file declares that.
+    #[test]
+    fn coordinates_of_single_precision_come_back(
+        positions in vec(proptest::array::uniform3(any::<f32>()), 1..4),
+    ) {
+        let positions = positions.iter().map(|p| p.map(f64::from)).collect();
+        let mesh = Mesh::new(positions, Faces::default()).unwrap();
+        for encoding in ENCODINGS {
+            let file = ply::to_bytes(&mesh, encoding);
+            prop_assert!(file.windows(16).any(|line| line == b"property float x"));
+            let back = ply::parse(&file).unwrap();
+            prop_assert_eq!(back.positions(), mesh.positions());
+        }
+    }
+
     /// Colours of a byte come back as the same byte.
     #[test]
     fn bytes_of_colour_come_back(colour in proptest::array::uniform3(any::<u8>())) {
