@@ -22,7 +22,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use commands::{animate, demo, draw, expand, mesh, render, skin};
+use commands::{animate, curve, demo, draw, expand, mesh, render, skin};
 
 /// Animation, stereo vision and pictures on conformal geometric algebra.
 #[derive(Parser)]
@@ -40,6 +40,7 @@ enum Command {
     Demo(demo::Arguments),
     Animate(animate::Arguments),
     Expand(expand::Arguments),
+    Curve(curve::Arguments),
     Draw(draw::Arguments),
     Mesh(mesh::Arguments),
     Render(render::Arguments),
@@ -52,6 +53,7 @@ fn main() -> ExitCode {
         Command::Demo(arguments) => demo::run(arguments, cli.quiet),
         Command::Animate(arguments) => animate::run(arguments, cli.quiet),
         Command::Expand(arguments) => expand::run(arguments),
+        Command::Curve(arguments) => curve::run(arguments, cli.quiet),
         Command::Draw(arguments) => draw::run(arguments, cli.quiet),
         Command::Mesh(arguments) => mesh::run(arguments, cli.quiet),
         Command::Render(arguments) => render::run(arguments, cli.quiet),

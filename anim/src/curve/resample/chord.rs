@@ -24,16 +24,12 @@ pub(super) struct Chords<'a> {
 /// What is known of the curve at one time.
 #[derive(Clone, Copy)]
 struct Sample {
-    /// The distance to the chord, or to its point at the same time.
+    /// The distance to the chord's line, or to the point of the chord at the same time.
     distance: f64,
-    /// The place on the chord, from 0 to 1.
-    place: f64,
-    /// Whether the curve is beside the chord, not before or after it.
-    beside: bool,
-    /// The size of c″ across the chord, and along it.
-    bend: [f64; 2],
-    /// c′ · d for the chord d.
-    progress: f64,
+    /// The foot on the line, from 0 at the beginning of the chord to 1 at its end, and its velocity.
+    foot: [f64; 2],
+    /// The size of c″, or of its part across the chord.
+    bend: f64,
 }
 
 impl<'a> Chords<'a> {
@@ -89,8 +85,8 @@ impl<'a> Chords<'a> {
         let before = if s0 > 0.0 { 0.0 } else { start - a };
         let count = (PARTS * (width / (b - a))).ceil().clamp(1.0, PARTS);
         let step = width / count;
-        let progress_bend = self.dot(|c| 6.0 * c[3]).abs();
         let mut largest = 0.0_f64;
+        let rounding_of_foot = (16.0 + self.path.dimension as f64) * UNIT;
         let mut first = self.sample(0.0, before / (b - a));
         for part in 1..=count as usize {
             let s = if part as f64 == count {
@@ -103,11 +99,11 @@ impl<'a> Chords<'a> {
                 first,
                 second,
                 step,
-                progress_bend,
+                rounding: rounding_of_foot,
             };
             let bound = match self.distance {
-                Distance::Geometric => between.geometric(self.square.sqrt()),
-                Distance::EqualTime => between.at_equal_times(),
+                Distance::Geometric => between.to_segment(self.square.sqrt()),
+                Distance::EqualTime => between.to_line(),
             };
             // `max` would drop what is not a number.
             largest = if bound > largest || bound.is_nan() {
@@ -161,19 +157,14 @@ impl<'a> Chords<'a> {
     /// at the place `at_time` of the chord at the same time.
     fn sample(&self, s: f64, at_time: f64) -> Sample {
         let offset = |c: &[f64; 4]| ((c[3] * s + c[2]) * s + c[1]) * s + c[0];
+        let velocity = |c: &[f64; 4]| (3.0 * c[3] * s + 2.0 * c[2]) * s + c[1];
         let bend = |c: &[f64; 4]| 6.0 * c[3] * s + 2.0 * c[2];
-        let has_direction = self.square > 0.0;
-        let share = |dot: f64| {
-            if has_direction {
-                dot / self.square
-            } else {
-                0.0
-            }
-        };
+        let is_geometric = self.distance == Distance::Geometric && self.square > 0.0;
+        let share = |dot: f64| if is_geometric { dot / self.square } else { 0.0 };
         let foot = share(self.dot(offset));
         let place = match self.distance {
-            Distance::Geometric => foot.clamp(0.0, 1.0),
-            Distance::EqualTime => at_time.clamp(0.0, 1.0),
+            Distance::Geometric => foot,
+            Distance::EqualTime => at_time,
         };
         let bend_along = share(self.dot(bend));
         let (mut distance, mut across, mut whole) = (0.0, 0.0, 0.0);
@@ -182,24 +173,11 @@ impl<'a> Chords<'a> {
             across += (bend(c) - bend_along * d).powi(2);
             whole += bend(c).powi(2);
         }
-        let whole = whole.sqrt();
-        let bend = match self.distance {
-            // Rounding of the difference is a share of the whole.
-            Distance::Geometric => {
-                let along = bend_along.abs() * self.square.sqrt();
-                [
-                    across.sqrt() + 16.0 * UNIT * whole,
-                    along * (1.0 + 16.0 * UNIT),
-                ]
-            }
-            Distance::EqualTime => [whole, 0.0],
-        };
         Sample {
             distance: distance.sqrt(),
-            place,
-            beside: (-8.0 * UNIT..=1.0 + 8.0 * UNIT).contains(&foot),
-            bend,
-            progress: self.dot(|c| (3.0 * c[3] * s + 2.0 * c[2]) * s + c[1]),
+            foot: [foot, share(self.dot(velocity))],
+            // Rounding of the difference is a share of the whole.
+            bend: across.sqrt() + 16.0 * UNIT * whole.sqrt(),
         }
     }
 
@@ -218,42 +196,32 @@ struct Between {
     first: Sample,
     second: Sample,
     step: f64,
-    /// The size of the second derivative of c′ · d.
-    progress_bend: f64,
+    /// The relative error of the foot.
+    rounding: f64,
 }
 
 impl Between {
-    fn at_equal_times(&self) -> f64 {
-        self.larger(|sample| sample.distance) + self.bulge(|sample| sample.bend[0])
+    /// The distance to the chord's line, or at equal times: between the samples it is at most the
+    /// larger one and Δ²/8 · max |c″|.
+    fn to_line(&self) -> f64 {
+        let bulge = (self.step * self.larger(|sample| sample.bend)) * self.step / 8.0;
+        self.larger(|sample| sample.distance) + bulge
     }
 
-    /// The curve is compared with the place on the chord that moves from that of one sample to that
-    /// of the other as the curve does. Where it leaves the chord, the way beyond its end is added.
-    fn geometric(&self, length: f64) -> f64 {
-        let beyond = if self.is_monotone() {
-            8.0 * UNIT * length
-        } else {
-            let along = self.bulge(|sample| sample.bend[1]);
-            let (a, b) = (self.first.place, self.second.place);
-            (along - a.min(b).min(1.0 - a.max(b)) * length).max(0.0)
-        };
-        let across = self.bulge(|sample| sample.bend[0]);
-        self.larger(|sample| sample.distance) + across.hypot(beyond)
-    }
-
-    /// Whether the curve proceeds along the chord everywhere in this part.
-    fn is_monotone(&self) -> bool {
-        let [a, b] = [self.first.progress, self.second.progress];
-        let dip = (self.step * self.progress_bend) * self.step / 8.0;
-        let least = a.min(b) - dip;
-        self.first.beside
-            && self.second.beside
-            && least > 64.0 * UNIT * (a.abs().max(b.abs()) + dip)
-    }
-
-    /// The largest distance of a function from its chord over the step, Δ²/8 · max |f″|.
-    fn bulge(&self, size: impl Fn(&Sample) -> f64) -> f64 {
-        (self.step * self.larger(size)) * self.step / 8.0
+    /// The distance to a chord of this length. The foot on its line is a cubic polynomial of time,
+    /// and lies between the least and the largest of its four Bézier coefficients. How far these
+    /// are beyond the ends of the chord counts too.
+    fn to_segment(&self, length: f64) -> f64 {
+        let third = self.step / 3.0;
+        let ([from, leaving], [to, arriving]) = (self.first.foot, self.second.foot);
+        let inner = [from + third * leaving, to - third * arriving];
+        let [low, high] = [
+            from.min(to).min(inner[0]).min(inner[1]),
+            from.max(to).max(inner[0]).max(inner[1]),
+        ];
+        let beyond = (-low).max(high - 1.0).max(0.0);
+        let rounding = self.rounding * (1.0 + low.abs().max(high.abs()));
+        self.to_line().hypot((beyond + rounding) * length)
     }
 
     fn larger(&self, size: impl Fn(&Sample) -> f64) -> f64 {
