@@ -6,6 +6,7 @@ mod animate;
 mod bad_input;
 mod bake;
 mod common;
+mod curve;
 mod demo;
 mod draw;
 mod expand;

@@ -232,7 +232,7 @@ fn splines(table: &Table, ends: &Ends) -> Result<Vec<Curve<f64>>> {
         && slopes.len() != 2 * count
     {
         bail!(
-            "{} slopes for {count} channels: 2 or {} are needed",
+            "{} slopes, but there must be two, or two for each channel: {}",
             slopes.len(),
             2 * count
         );

@@ -7,7 +7,10 @@ use plotters::prelude::*;
 
 use super::table::Table;
 
+/// The size of the picture as it is shown.
 const SIZE: (u32, u32) = (1000, 560);
+/// It is drawn so many times larger, since the library rounds coordinates to whole numbers.
+const FINE: u32 = 8;
 /// The width of the strip with the names of the channels.
 const NAMES: u32 = 180;
 /// So many names fit into it.
@@ -51,14 +54,15 @@ pub(super) fn svg(
 
     let mut text = String::new();
     {
-        let root = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
+        let root = SVGBackend::with_string(&mut text, (SIZE.0 * FINE, SIZE.1 * FINE));
+        let root = root.into_drawing_area();
         root.fill(&WHITE)?;
-        let (left, right) = root.split_horizontally(SIZE.0 - NAMES);
+        let (left, right) = root.split_horizontally((SIZE.0 - NAMES) * FINE);
         let mut chart = ChartBuilder::on(&left)
-            .caption(title, ("sans-serif", 18))
-            .margin(14)
-            .x_label_area_size(46)
-            .y_label_area_size(76)
+            .caption(title, ("sans-serif", 18 * FINE))
+            .margin(14 * FINE)
+            .x_label_area_size(46 * FINE)
+            .y_label_area_size(76 * FINE)
             .build_cartesian_2d(start..end, low..high)?;
         let value = if curves.len() == 1 {
             &table.names[1]
@@ -69,21 +73,24 @@ pub(super) fn svg(
             .configure_mesh()
             .x_desc(&table.names[0])
             .y_desc(value)
-            .axis_desc_style(("sans-serif", 16))
-            .label_style(("sans-serif", 13))
+            .axis_desc_style(("sans-serif", 16 * FINE))
+            .label_style(("sans-serif", 13 * FINE))
             .light_line_style(WHITE)
-            .bold_line_style(RGBColor(225, 225, 225))
+            .bold_line_style(RGBColor(225, 225, 225).stroke_width(FINE))
+            .axis_style(BLACK.stroke_width(FINE))
+            .set_all_tick_mark_size(5 * FINE)
             .draw()?;
         for (channel, line) in lines.iter().enumerate() {
             let colour = colour(channel);
             chart.draw_series(LineSeries::new(
                 line.iter().copied(),
-                colour.stroke_width(2),
+                colour.stroke_width(2 * FINE),
             ))?;
             if let Some(marks) = marks.filter(|marks| marks.times.len() <= MOST_MARKS) {
                 let places = marks.times.iter().zip(&marks.values);
-                let ring =
-                    |(&t, values): (&f64, &Vec<f64>)| Circle::new((t, values[channel]), 3, colour);
+                let ring = |(&t, values): (&f64, &Vec<f64>)| {
+                    Circle::new((t, values[channel]), 3 * FINE, colour.stroke_width(FINE))
+                };
                 chart.draw_series(places.map(ring))?;
             }
             let keys = table
@@ -91,7 +98,7 @@ pub(super) fn svg(
                 .iter()
                 .copied()
                 .zip(table.channels[channel].iter().copied());
-            chart.draw_series(keys.map(|key| Circle::new(key, 5, colour.filled())))?;
+            chart.draw_series(keys.map(|key| Circle::new(key, 5 * FINE, colour.filled())))?;
         }
         name_channels(
             &right,
@@ -100,23 +107,43 @@ pub(super) fn svg(
         )?;
         root.present()?;
     }
-    Ok(text)
+    Ok(shown_small(&text))
+}
+
+/// The picture with its width and height as it is shown; the view box keeps the fine coordinates.
+fn shown_small(svg: &str) -> String {
+    let size = |factor: u32| {
+        format!(
+            "width=\"{}\" height=\"{}\"",
+            SIZE.0 * factor,
+            SIZE.1 * factor
+        )
+    };
+    svg.replacen(&size(FINE), &size(1), 1)
 }
 
 /// The names of the channels beside samples of their lines, and what the marks are.
 fn name_channels(area: &Area<'_>, names: &[String], with_rings: bool) -> Result<()> {
-    let style = ("sans-serif", 14).into_font();
-    let mut y = 60;
+    let style = ("sans-serif", 14 * FINE).into_font();
+    let unit = FINE as i32;
+    let mut y = 60 * unit;
     let mut say = |mark: &dyn Fn(i32) -> Result<()>, text: &str| -> Result<()> {
         mark(y)?;
-        area.draw(&Text::new(shortened(text), (40, y - 7), style.clone()))?;
-        y += 22;
+        area.draw(&Text::new(
+            shortened(text),
+            (40 * unit, y - 7 * unit),
+            style.clone(),
+        ))?;
+        y += 22 * unit;
         Ok(())
     };
     for (channel, name) in names.iter().take(MOST_NAMES).enumerate() {
         let line = |y: i32| -> Result<()> {
-            let ends = vec![(4, y), (32, y)];
-            Ok(area.draw(&PathElement::new(ends, colour(channel).stroke_width(3)))?)
+            let ends = vec![(4 * unit, y), (32 * unit, y)];
+            Ok(area.draw(&PathElement::new(
+                ends,
+                colour(channel).stroke_width(3 * FINE),
+            ))?)
         };
         say(&line, name)?;
     }
@@ -126,10 +153,18 @@ fn name_channels(area: &Area<'_>, names: &[String], with_rings: bool) -> Result<
             &format!("and {} more", names.len() - MOST_NAMES),
         )?;
     }
-    let dot = |y: i32| -> Result<()> { Ok(area.draw(&Circle::new((18, y), 5, BLACK.filled()))?) };
+    let dot = |y: i32| -> Result<()> {
+        Ok(area.draw(&Circle::new((18 * unit, y), 5 * FINE, BLACK.filled()))?)
+    };
     say(&dot, "key")?;
     if with_rings {
-        let ring = |y: i32| -> Result<()> { Ok(area.draw(&Circle::new((18, y), 3, BLACK))?) };
+        let ring = |y: i32| -> Result<()> {
+            Ok(area.draw(&Circle::new(
+                (18 * unit, y),
+                3 * FINE,
+                BLACK.stroke_width(FINE),
+            ))?)
+        };
         say(&ring, "vertex")?;
     }
     Ok(())
