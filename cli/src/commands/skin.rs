@@ -112,6 +112,11 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let placed = placement
         .place(&pose, arguments.method.into())
         .with_context(in_model)?;
+    ensure!(
+        !placement.parts().is_empty(),
+        "{}: no node has a mesh",
+        arguments.model.display()
+    );
     let mesh = placement.mesh(&placed).with_context(in_model)?;
     let text = obj::to_text(&mesh);
     ga_files::write(&arguments.out, text.as_bytes())?;

@@ -13,3 +13,4 @@ mod expand;
 mod mesh;
 mod mesh_subdivide;
 mod render;
+mod skin;

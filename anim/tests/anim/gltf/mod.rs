@@ -1,8 +1,12 @@
 //! Clips as glTF's nodes and keys, and through a written file and back, against the matrices of
 //! glam.
 
+mod encoded;
+mod made_up;
 mod oracle;
 mod player;
+mod reference;
+mod refused;
 
 use ga_anim::clip::Clip;
 use ga_anim::gltf::{animation, joint_nodes, vertex_weights};
