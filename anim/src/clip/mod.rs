@@ -1,5 +1,7 @@
 //! Clips: poses at equal time steps, and the interpolated ones between.
 
+pub mod compressed;
+
 use crate::pose::Pose;
 
 /// A motion of a skeleton: poses of equally many joints, one each `frame_time`.

@@ -1,0 +1,243 @@
+//! From a recording to segments.
+
+mod joint;
+mod search;
+mod source;
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use rayon::prelude::*;
+
+use super::basis::{Basis, SEGMENT};
+use super::file::Contents;
+use super::layout::JointLayout;
+use super::pack::{Segment, frames_of, segment_count};
+use super::piece::{Encoded, MOST_BITS, Precision, bits_for, encode};
+use super::settings::{JointBound, Settings};
+use super::{CompressError, CompressedClip, file, measure};
+use crate::recording::Recording;
+use search::Search;
+use source::Source;
+
+/// Deviations that are left out, in parts of the tolerance. The first is the best for ordinary
+/// clips; where small deviations add up along many joints, fewer are left out.
+const NEGLIGIBLE: [f64; 3] = [0.05, 0.002, 0.0];
+
+/// The greatest error that the search leaves, in tolerances: single precision takes the rest.
+const MARGIN: f64 = 0.998;
+
+/// How often a segment is encoded anew with a smaller bound because single precision took it beyond
+/// the first.
+const REPETITIONS: usize = 5;
+
+/// How many joints may be encoded in all segments together, and the fewest in one of them.
+const BUDGET: usize = 4_000_000;
+const LEAST_BUDGET: usize = 400;
+
+/// Compresses a recording so that the bounds of the settings hold on every frame.
+///
+/// `progress` is told how many of how many steps are done. The result is the same for any number of
+/// threads.
+///
+/// # Errors
+///
+/// [`CompressError::Setting`], [`CompressError::Joint`], and [`CompressError::Bound`] or
+/// [`CompressError::Track`] where a bound is too small for the lengths or values at hand.
+///
+/// # Examples
+///
+/// ```
+/// use ga_anim::clip::compressed::{self, Sampler, Settings};
+/// use ga_anim::recording::{RecordedJoint, Recording};
+/// use ga_anim::transform::Transform;
+/// use ga_runtime::cga3::Rotor;
+///
+/// let joint = RecordedJoint { name: "arm".into(), parent: None, rest: Transform::default() };
+/// let rotated = |frame| {
+///     let angle = (f64::from(frame) * 0.05).sin();
+///     Rotor::from_axis_angle([0.0, 0.0, 1.0], angle).map(|rotor| Transform::from(rotor.into()))
+/// };
+/// let frames = (0..100).filter_map(rotated).collect();
+/// let recording = Recording::new(vec![joint], 0.01, frames, vec![])?;
+///
+/// let clip = compressed::compress(&recording, &Settings::default(), |_, _| ())?;
+/// assert!(40 * 100 / clip.as_bytes().len() > 12);
+/// let mut sampler = Sampler::new(&clip);
+/// sampler.sample(0.5);
+/// let (_, angle) = sampler.rotors()[0].to_axis_angle();
+/// assert!((f64::from(angle) - 2.5f64.sin()).abs() < 1e-4 / 0.03);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn compress(
+    recording: &Recording,
+    settings: &Settings,
+    progress: impl Fn(usize, usize) + Sync,
+) -> Result<CompressedClip, CompressError> {
+    settings.check(recording.joints().len())?;
+    let mut result = Err(CompressError::Bound {
+        joint: recording.joints()[0].name.clone(),
+        tolerance: settings.tolerance,
+        error: f64::INFINITY,
+    });
+    for negligible in NEGLIGIBLE {
+        result = compress_with(recording, settings, negligible, &progress);
+        if !matches!(result, Err(CompressError::Bound { .. })) {
+            break;
+        }
+    }
+    result
+}
+
+fn compress_with(
+    recording: &Recording,
+    settings: &Settings,
+    negligible: f64,
+    progress: &(impl Fn(usize, usize) + Sync),
+) -> Result<CompressedClip, CompressError> {
+    let bounds = settings.bounds(recording.joints().len());
+    let source = Source::new(recording, bounds, negligible)?;
+    let frames = recording.frame_count();
+    let count = segment_count(frames);
+    let bases = [
+        Basis::new(SEGMENT),
+        Basis::new(frames_of(count - 1, frames)),
+    ];
+    let tracks = tracks(recording, settings, &bases)?;
+
+    let mut segments = vec![Segment::default(); count];
+    let mut todo: Vec<(usize, f64)> = (0..count).map(|segment| (segment, MARGIN)).collect();
+    let mut worst = None;
+    for _ in 0..REPETITIONS {
+        let done = AtomicUsize::new(0);
+        let encoded: Result<Vec<Segment>, CompressError> = todo
+            .par_iter()
+            .map(|&(segment, bound)| {
+                let basis = &bases[usize::from(segment + 1 == count)];
+                let budget = (BUDGET / count).max(LEAST_BUDGET);
+                let search = Search::new(&source, basis, segment * SEGMENT, bound, budget);
+                let joints = search.run().map_err(|(joint, error)| {
+                    let JointBound { tolerance, .. } = source.bounds[joint];
+                    CompressError::Bound {
+                        joint: recording.joints()[joint].name.clone(),
+                        tolerance,
+                        error: error * tolerance,
+                    }
+                })?;
+                let own = joints.into_iter().flatten();
+                let tracks = tracks
+                    .iter()
+                    .filter_map(|track| track.pieces.get(segment).cloned());
+                let channels: Vec<Encoded> = own.chain(tracks).collect();
+                progress(done.fetch_add(1, Ordering::Relaxed) + 1, todo.len());
+                Ok(Segment::of_channels(&channels, basis.frames))
+            })
+            .collect();
+        for (&(segment, _), encoded) in todo.iter().zip(encoded?) {
+            segments[segment] = encoded;
+        }
+        let contents = contents(recording, settings, &source.layouts, &tracks);
+        let clip = CompressedClip::from_bytes(file::to_bytes(&contents, &segments)?)?;
+        let errors = measure::by_segment(recording, &clip, &source.bounds);
+        let again: Vec<(usize, f64)> = errors
+            .iter()
+            .enumerate()
+            .filter(|(_, found)| found.ratio > 1.0)
+            .map(|(segment, found)| {
+                let before = todo.iter().find(|(other, _)| *other == segment);
+                let before = before.map_or(MARGIN, |&(_, bound)| bound);
+                (segment, before * (MARGIN / found.ratio).min(0.95))
+            })
+            .collect();
+        if again.is_empty() {
+            return Ok(clip);
+        }
+        worst = errors.into_iter().find(|found| found.ratio > 1.0);
+        todo = again;
+    }
+    let (joint, frame) = worst.map_or((0, 0), |found| (found.joint, found.frame));
+    Err(CompressError::Precision {
+        joint: recording.joints()[joint].name.clone(),
+        frame,
+        tolerance: source.bounds[joint].tolerance,
+    })
+}
+
+/// A scalar track, encoded.
+struct Track {
+    constant: f64,
+    /// One for each segment, or none where the track is constant.
+    pieces: Vec<Encoded>,
+}
+
+fn tracks(
+    recording: &Recording,
+    settings: &Settings,
+    bases: &[Basis; 2],
+) -> Result<Vec<Track>, CompressError> {
+    // A little is left for single precision.
+    let tolerance = 0.99 * settings.track_tolerance;
+    let mut tracks = Vec::with_capacity(recording.tracks().len());
+    for track in recording.tracks() {
+        let least = track.values.iter().copied().fold(f64::INFINITY, f64::min);
+        let most = track
+            .values
+            .iter()
+            .copied()
+            .fold(f64::NEG_INFINITY, f64::max);
+        let constant = least / 2.0 + most / 2.0;
+        let mut pieces = Vec::new();
+        if most - least > 0.0 {
+            let count = segment_count(track.values.len());
+            for (segment, values) in track.values.chunks(SEGMENT).enumerate() {
+                let basis = &bases[usize::from(segment + 1 == count)];
+                let mut deviations = [0.0; SEGMENT];
+                for (deviation, value) in deviations.iter_mut().zip(values) {
+                    *deviation = value - constant;
+                }
+                let piece =
+                    within(basis, &deviations, tolerance).ok_or_else(|| CompressError::Track {
+                        track: track.name.clone(),
+                        tolerance: settings.track_tolerance,
+                    })?;
+                pieces.push(piece);
+            }
+        }
+        tracks.push(Track { constant, pieces });
+    }
+    Ok(tracks)
+}
+
+/// The values encoded in few bits and decoded within a tolerance in single precision.
+fn within(basis: &Basis, values: &[f64; SEGMENT], tolerance: f64) -> Option<Encoded> {
+    let holds = |encoded: &Encoded| {
+        let mut pairs = encoded.decoded.iter().zip(values).take(basis.frames);
+        // Terms of a trend are rounded one by one.
+        let rounding = |value: f64| 8.0 * f64::from(f32::EPSILON) * value.abs();
+        pairs.all(|(found, value)| (found - value).abs() + rounding(*value) <= tolerance)
+    };
+    let trend = encode(basis, values, Precision::Trend(tolerance * 0.95));
+    if holds(&trend) {
+        return Some(trend);
+    }
+    let least = bits_for(basis, values, tolerance).max(1);
+    (least..=MOST_BITS)
+        .map(|bits| encode(basis, values, Precision::Bits(bits)))
+        .find(holds)
+}
+
+fn contents<'a>(
+    recording: &'a Recording,
+    settings: &'a Settings,
+    layouts: &'a [JointLayout],
+    tracks: &[Track],
+) -> Contents<'a> {
+    Contents {
+        recording,
+        settings,
+        layouts,
+        tracks: tracks
+            .iter()
+            .map(|track| (!track.pieces.is_empty(), track.constant))
+            .collect(),
+    }
+}

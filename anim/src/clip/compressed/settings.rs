@@ -1,0 +1,101 @@
+//! What a compressed clip must keep.
+
+use super::CompressError;
+
+/// The bounds that a compressed clip keeps on every frame.
+///
+/// The error of a joint is the greatest distance, in model space, between a point that its true
+/// frame carries and the same point in the decoded one, over all points within `shell` of the joint
+/// in its own coordinates. With the affine maps x' = L x + t of the frames,
+///
+/// ```text
+/// error = ‖Δt‖ + shell ‖ΔL‖,
+/// ```
+///
+/// where ‖ΔL‖ is the greatest singular value: this is an upper bound of that greatest distance.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// The greatest error of a joint in metres.
+    pub tolerance: f64,
+    /// The radius of the ball of points about a joint, in metres.
+    pub shell: f64,
+    /// Joints with bounds of their own.
+    pub joints: Vec<JointBound>,
+    /// The greatest deviation of a scalar track.
+    pub track_tolerance: f64,
+}
+
+/// The bound of one joint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JointBound {
+    /// The joint's index.
+    pub joint: usize,
+    /// Its greatest error in metres.
+    pub tolerance: f64,
+    /// The radius of its ball of points in metres.
+    pub shell: f64,
+}
+
+impl Default for Settings {
+    /// 0.1 mm for points within 3 cm, and 10⁻⁴ for scalar tracks.
+    fn default() -> Self {
+        Self {
+            tolerance: 1e-4,
+            shell: 0.03,
+            joints: Vec::new(),
+            track_tolerance: 1e-4,
+        }
+    }
+}
+
+impl Settings {
+    /// These bounds for all joints alike.
+    #[must_use]
+    pub fn new(tolerance: f64, shell: f64) -> Self {
+        Self {
+            tolerance,
+            shell,
+            ..Self::default()
+        }
+    }
+
+    pub(super) fn check(&self, joints: usize) -> Result<(), CompressError> {
+        let own = self.joints.iter();
+        let tolerances = own.clone().map(|bound| ("tolerance", bound.tolerance));
+        let shells = own.clone().map(|bound| ("shell", bound.shell));
+        let all = [
+            ("tolerance", self.tolerance),
+            ("tolerance of tracks", self.track_tolerance),
+        ];
+        for (name, value) in tolerances.chain(all) {
+            if !value.is_finite() || value <= 0.0 {
+                return Err(CompressError::Setting { name, value });
+            }
+        }
+        for (name, value) in shells.chain([("shell", self.shell)]) {
+            if !value.is_finite() || value < 0.0 {
+                return Err(CompressError::Setting { name, value });
+            }
+        }
+        match own.map(|bound| bound.joint).find(|&joint| joint >= joints) {
+            Some(joint) => Err(CompressError::Joint { joint, joints }),
+            None => Ok(()),
+        }
+    }
+
+    /// The bound of each of `joints` joints.
+    pub(super) fn bounds(&self, joints: usize) -> Vec<JointBound> {
+        let bound = |joint| JointBound {
+            joint,
+            tolerance: self.tolerance,
+            shell: self.shell,
+        };
+        let mut bounds: Vec<_> = (0..joints).map(bound).collect();
+        for own in &self.joints {
+            if let Some(bound) = bounds.get_mut(own.joint) {
+                *bound = *own;
+            }
+        }
+        bounds
+    }
+}
