@@ -6,7 +6,7 @@ use ga_runtime::vga3::Vector;
 /// size and place of the mesh. The scale is a power of two.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Frame {
-    centre: Vector<f64>,
+    pub(super) centre: Vector<f64>,
     pub(super) scale: f64,
 }
 

@@ -14,6 +14,7 @@
 //! | whether a ray hits anything | [`Bvh::is_hit`] |
 //! | where a line crosses the surface | [`Bvh::crossings`] |
 //! | the section by a plane | [`Bvh::section`], [`Bvh::contours`] |
+//! | the pairs of triangles of two surfaces that meet | [`Bvh::overlaps`] |
 //! | signed distance from a closed surface | [`ClosedSurface::signed_distance`] |
 //!
 //! Elements of the algebra go in and come out: points, spheres, lines and planes are those of
@@ -60,6 +61,7 @@ mod nearest;
 mod node;
 mod overlap;
 mod packet;
+mod pairs;
 mod ray;
 mod section;
 mod signed_distance;

@@ -3,8 +3,10 @@
 mod degenerate;
 mod nearest;
 mod overlap;
+mod pairs;
 mod plain;
 mod ray;
+mod same;
 mod surface;
 
 use ga_runtime::vga3::Vector;
