@@ -134,50 +134,43 @@ fn point(matrix: &Matrix, [x, y, z]: [f64; 3]) -> [f64; 3] {
 
 /// What a matrix does to directions.
 struct Linear {
-    rows: [[f64; 3]; 3],
+    rows: [Vector<f64>; 3],
     /// The rows of the cofactors: the inverse transpose times the determinant.
-    cofactors: [[f64; 3]; 3],
+    cofactors: [Vector<f64>; 3],
     determinant: f64,
 }
 
 impl Linear {
     fn new(matrix: &Matrix) -> Self {
-        let [a, b, c] = matrix.map(|[x, y, z, _]| [x, y, z]);
-        let cross = |a: [f64; 3], b: [f64; 3]| {
-            [
-                a[1] * b[2] - a[2] * b[1],
-                a[2] * b[0] - a[0] * b[2],
-                a[0] * b[1] - a[1] * b[0],
-            ]
-        };
-        let cofactors = [cross(b, c), cross(c, a), cross(a, b)];
+        let [a, b, c] = matrix.map(|[x, y, z, _]| Vector::new(x, y, z));
+        let cofactors = [b.cross(c), c.cross(a), a.cross(b)];
         Self {
-            determinant: (0..3).map(|i| a[i] * cofactors[0][i]).sum(),
+            determinant: a.dot(cofactors[0]),
             rows: [a, b, c],
             cofactors,
         }
     }
 
     fn normal(&self, normal: [f64; 3]) -> Vector<f64> {
-        let image = apply(&self.cofactors, normal);
+        let image = apply(self.cofactors, normal);
         unit(if self.determinant < 0.0 {
-            image.map(|c| -c)
+            -image
         } else {
             image
         })
     }
 
     fn tangent(&self, tangent: [f64; 3]) -> Vector<f64> {
-        unit(apply(&self.rows, tangent))
+        unit(apply(self.rows, tangent))
     }
 }
 
-fn apply(rows: &[[f64; 3]; 3], vector: [f64; 3]) -> [f64; 3] {
-    rows.map(|row| (0..3).map(|i| row[i] * vector[i]).sum())
+fn apply(rows: [Vector<f64>; 3], vector: [f64; 3]) -> Vector<f64> {
+    let vector = Vector::from(vector);
+    rows.map(|row| row.dot(vector)).into()
 }
 
 /// The vector with length 1, or zero.
-fn unit(vector: [f64; 3]) -> Vector<f64> {
-    let vector = Vector::from(vector);
+fn unit(vector: Vector<f64>) -> Vector<f64> {
     vector.normalized().unwrap_or_default()
 }
