@@ -109,7 +109,7 @@ impl<'a> Body<'a> {
             && let Some(word) = self.words.next()
         {
             let word = String::from_utf8_lossy(word).into_owned();
-            return Err(PlyProblem::TooLong { word });
+            return Err(PlyProblem::WordAfterElement { word });
         }
         Ok(())
     }

@@ -55,7 +55,7 @@ pub enum PlyProblem {
     /// The header has no `format` line before its first element.
     #[error("the header does not say the format before its first element")]
     NoFormat,
-    /// The format is none that there is.
+    /// The format is not ascii, binary_little_endian or binary_big_endian.
     #[error("there is no format {format:?}")]
     UnknownFormat {
         /// What the line says.
@@ -72,7 +72,7 @@ pub enum PlyProblem {
     NoElement,
     /// Two elements or two properties of an element have one name.
     #[error("{name} is declared twice")]
-    Twice {
+    DeclaredTwice {
         /// The name.
         name: String,
     },
@@ -110,7 +110,7 @@ pub enum PlyProblem {
     EndOfLine,
     /// A line has more words than its element.
     #[error("{word:?} follows the end of the element")]
-    TooLong {
+    WordAfterElement {
         /// The first word too much.
         word: String,
     },
@@ -137,7 +137,7 @@ pub enum PlyProblem {
     },
     /// An index is negative or not an integer.
     #[error("{index} is not the index of a vertex")]
-    Index {
+    NotAnIndex {
         /// The number.
         index: f64,
     },

@@ -194,7 +194,7 @@ impl Declarations {
                 }
                 if !self.element_names.insert(name.to_owned()) {
                     let name = name.to_owned();
-                    return Err(PlyProblem::Twice { name });
+                    return Err(PlyProblem::DeclaredTwice { name });
                 }
                 self.property_names.clear();
                 self.elements.push(Element {
@@ -227,7 +227,7 @@ impl Declarations {
         let element = self.elements.last_mut().ok_or(PlyProblem::NoElement)?;
         if !self.property_names.insert(name.to_owned()) {
             let name = format!("{} {name}", element.name);
-            return Err(PlyProblem::Twice { name });
+            return Err(PlyProblem::DeclaredTwice { name });
         }
         element.properties.push(Property {
             name: name.to_owned(),

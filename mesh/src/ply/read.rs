@@ -155,7 +155,7 @@ fn skip(property: &Property, body: &mut Body<'_>) -> Result<(), PlyProblem> {
 
 fn index(number: f64) -> Result<u32, PlyProblem> {
     if number.fract() != 0.0 || !(0.0..=f64::from(u32::MAX)).contains(&number) {
-        return Err(PlyProblem::Index { index: number });
+        return Err(PlyProblem::NotAnIndex { index: number });
     }
     Ok(number as u32)
 }
