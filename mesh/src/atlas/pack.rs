@@ -130,9 +130,9 @@ pub(super) fn pack(items: &[Item], size: u32, margin: u32) -> Option<Vec<Vec<Fla
     let (scale, placed) = best?;
     let write = |(item, placed): (&Item, Placed)| {
         let offset = [placed.column, placed.row].map(|cells| (cell * cells) as f64);
-        let turned = turned(&item.places, item, placed.rotation, scale, margin);
+        let rotated = rotated(&item.places, item, placed.rotation, scale, margin);
         let moved = |place: Flat| [0, 1].map(|axis| place[axis] + offset[axis]);
-        turned.into_iter().map(moved).collect()
+        rotated.into_iter().map(moved).collect()
     };
     Some(items.iter().zip(placed).map(write).collect())
 }
@@ -183,7 +183,7 @@ struct Shape {
 
 /// Places of an item rotated by quarters, scaled, and moved so that the least coordinates of the
 /// item are `margin` and a little.
-fn turned(places: &[Flat], item: &Item, rotation: usize, scale: f64, margin: usize) -> Vec<Flat> {
+fn rotated(places: &[Flat], item: &Item, rotation: usize, scale: f64, margin: usize) -> Vec<Flat> {
     let turn = |[x, y]: Flat| match rotation {
         0 => [x, y],
         1 => [-y, x],
@@ -206,7 +206,7 @@ fn turned(places: &[Flat], item: &Item, rotation: usize, scale: f64, margin: usi
 fn shapes(item: &Item, scale: f64, margin: usize, cell: usize) -> [Shape; 4] {
     std::array::from_fn(|rotation| {
         let ends = item.boundary.as_flattened();
-        let ends = turned(ends, item, rotation, scale, margin);
+        let ends = rotated(ends, item, rotation, scale, margin);
         let (segments, _) = ends.as_chunks();
         Shape::new(Mask::of_image(segments, margin).coarse(cell))
     })
