@@ -2,7 +2,7 @@
 
 use ga_mesh::Mesh;
 use ga_mesh::obj::{self, mtl};
-use ga_mesh::ply::{self, Encoding};
+use ga_mesh::ply::{self, Encoding, Place, PlyProblem};
 
 const OBJ: &[u8] = b"# sample
 mtllib a.mtl
@@ -68,29 +68,60 @@ fn assert_sound(mesh: &Mesh) {
     assert!(mesh.faces().iter().all(|face| face.len() >= 3));
 }
 
+/// The line of an error is one of the text, whose last line may be empty.
+fn assert_line(line: usize, text: &[u8]) {
+    let lines = text.split(|&byte| byte == b'\n').count();
+    assert!((1..=lines).contains(&line), "{line} of {lines}");
+}
+
 #[test]
 fn damaged_obj_files() {
-    let mut readable = 0;
+    let (mut readable, mut faults) = (0, 0);
     damaged(OBJ, |text| {
-        if let Ok(loaded) = obj::parse_with_libraries(text, |_| Ok(MTL.to_vec())) {
-            assert_sound(&loaded.mesh);
-            readable += 1;
+        match obj::parse_with_libraries(text, |_| Ok(MTL.to_vec())) {
+            Ok(loaded) => {
+                assert_sound(&loaded.mesh);
+                readable += 1;
+            }
+            Err(error) => {
+                assert_line(error.line, text);
+                assert!(
+                    error
+                        .to_string()
+                        .starts_with(&format!("line {}: ", error.line))
+                );
+                faults += 1;
+            }
         }
     });
-    assert!(readable > 0);
+    assert!(readable > 0 && faults > 0);
 }
 
 #[test]
 fn damaged_mtl_files() {
-    let mut readable = 0;
+    // The line of the sample that names the library.
+    const NAMED_AT: usize = 2;
+    let (mut readable, mut faults) = (0, 0);
     damaged(MTL, |text| {
-        let _ = mtl::parse(text);
-        if let Ok(loaded) = obj::parse_with_libraries(OBJ, |_| Ok(text.to_vec())) {
-            assert_sound(&loaded.mesh);
-            readable += 1;
+        let alone = mtl::parse(text);
+        if let Err(error) = &alone {
+            assert_line(error.line, text);
+        }
+        match obj::parse_with_libraries(OBJ, |_| Ok(text.to_vec())) {
+            Ok(loaded) => {
+                assert_sound(&loaded.mesh);
+                assert!(alone.is_ok());
+                readable += 1;
+            }
+            Err(error) => {
+                assert_eq!(error.line, NAMED_AT);
+                let fault = alone.expect_err("only the library is damaged").to_string();
+                assert!(error.to_string().ends_with(&fault), "{error}");
+                faults += 1;
+            }
         }
     });
-    assert!(readable > 0);
+    assert!(readable > 0 && faults > 0);
 }
 
 #[test]
@@ -99,10 +130,26 @@ fn damaged_ply_files() {
     for encoding in [Encoding::Ascii, Encoding::LittleEndian, Encoding::BigEndian] {
         let sample = ply::to_bytes(&mesh, encoding);
         assert!(ply::parse(&sample).is_ok());
-        damaged(&sample, |file| {
-            if let Ok(mesh) = ply::parse(file) {
-                assert_sound(&mesh);
-            }
+        damaged(&sample, |file| match ply::parse(file) {
+            Ok(mesh) => assert_sound(&mesh),
+            Err(error) => match error.place {
+                Place::Line(line) => assert_line(line, file),
+                Place::Element { kind, byte, .. } => {
+                    assert!(matches!(&*kind, "vertex" | "face" | "edge"), "{kind}");
+                    assert!(byte <= file.len());
+                }
+                Place::File => assert!(
+                    matches!(
+                        error.problem,
+                        PlyProblem::NotPly
+                            | PlyProblem::NoEndOfHeader
+                            | PlyProblem::NoFormat
+                            | PlyProblem::NoVertices
+                            | PlyProblem::Mesh(_)
+                    ),
+                    "{error:?}"
+                ),
+            },
         });
     }
 }
