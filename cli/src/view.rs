@@ -6,6 +6,7 @@ use anyhow::{Context, Result, bail};
 use ga_render::model::Model;
 use ga_render::{Camera, ViewDirection};
 use ga_runtime::cga3::{Motor, Point, Rotor};
+use ga_runtime::vga3::Vector;
 
 use crate::camera_file::CameraFile;
 
@@ -74,7 +75,7 @@ impl View {
     /// view has the model whole in all of them.
     pub(crate) fn cameras(&self, model: &Model, aspect: f64, count: u32) -> Result<Vec<Camera>> {
         let [low, high] = bounds(model);
-        let middle = Point::new((low[0] + high[0]) / 2.0, 0.0, (low[2] + high[2]) / 2.0);
+        let middle = Point::new((low.e1 + high.e1) / 2.0, 0.0, (low.e3 + high.e3) / 2.0);
         let steps = (0..count).map(|step| {
             let angle = std::f64::consts::TAU * f64::from(step) / f64::from(count);
             let rotor = Rotor::from_axis_angle([0.0, 1.0, 0.0], angle).unwrap_or_default();
@@ -109,15 +110,9 @@ impl View {
     }
 }
 
-/// The least and the greatest coordinates of the model's vertices.
-pub(crate) fn bounds(model: &Model) -> [[f64; 3]; 2] {
-    let start = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
-    model.points().fold(start, |[low, high], point| {
-        [
-            [0, 1, 2].map(|axis: usize| low[axis].min(point[axis])),
-            [0, 1, 2].map(|axis: usize| high[axis].max(point[axis])),
-        ]
-    })
+/// The least and the greatest coordinates of the model's vertices; zeros without vertices.
+pub(crate) fn bounds(model: &Model) -> [Vector<f64>; 2] {
+    ga_mesh::bounds(model.points().map(Vector::from)).unwrap_or_default()
 }
 
 /// `eye X,Y,Z target X,Y,Z [up X,Y,Z] fov DEGREES`, the pairs in any order.

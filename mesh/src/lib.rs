@@ -10,6 +10,7 @@
 //! | [`Mesh`], [`Faces`], [`Polylines`] | the data |
 //! | [`CornerAttribute`], [`Tangent`], [`Group`] | attributes of corners, named sets of faces |
 //! | [`Material`], [`Texture`] | the appearance of faces |
+//! | [`bounds`] | the box around points |
 //! | [`Part`] | the faces of one group as a mesh of their own |
 //! | [`atlas`] | cuts a surface into charts and places them in a texture |
 //! | [`bake`] | maps of a fine surface for a coarse one: normals, displacement, colour, occlusion |
@@ -48,6 +49,7 @@ mod material;
 mod mesh;
 pub mod normals;
 pub mod obj;
+mod places;
 pub mod ply;
 mod polylines;
 pub mod query;
@@ -61,4 +63,5 @@ pub use error::MeshError;
 pub use faces::{Faces, Polygons};
 pub use material::{AlphaMode, Filter, Image, Material, Minification, Phong, Texture, Wrap};
 pub use mesh::{Group, Mesh, Part, Position};
+pub use places::bounds;
 pub use polylines::Polylines;

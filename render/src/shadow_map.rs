@@ -41,8 +41,7 @@ impl ShadowMap {
             .iter()
             .map(|placed| placed.positions.iter().map(along).collect())
             .collect();
-        let bounds = projected.iter().flatten().map(|&p| [p; 2]);
-        let [low, high] = bounds.reduce(|[low, high], [a, b]| [low.min(a), high.max(b)])?;
+        let [low, high] = ga_mesh::bounds(projected.iter().flatten().copied())?;
         let extent = high - low;
         let density = (SIZE - 2 * BORDER) as f64 / extent.e1.max(extent.e2);
         if !(density.is_finite() && density > 0.0) {

@@ -104,9 +104,7 @@ impl<'a> World<'a> {
 
     /// The least and the greatest coordinates of all vertices.
     pub(crate) fn bounds(&self) -> Option<[Vector; 2]> {
-        let corners = self.objects.iter().flat_map(|o| &o.positions);
-        let corners = corners.map(|&p| [p; 2]);
-        corners.reduce(|[low, high], [a, b]| [low.min(a), high.max(b)])
+        ga_mesh::bounds(self.objects.iter().flat_map(|o| &o.positions).copied())
     }
 
     /// The length of the bounding box's diagonal; 0 without positions.

@@ -404,11 +404,10 @@ fn check_pixels(pictures: u32, size: [u32; 2]) -> Result<(), TooManyPixels> {
 /// Level ground under the model, with a grid of about a fifth of its size.
 fn ground(model: &Model) -> Ground {
     let [low, high] = bounds(model);
-    let size = (0..3)
-        .map(|axis| high[axis] - low[axis])
-        .fold(0.0, f64::max);
+    let sides = high - low;
+    let size = sides.e1.max(sides.e2).max(sides.e3);
     Ground {
-        height: low[1],
+        height: low.e2,
         grid: (size / 5.0).max(f64::MIN_POSITIVE),
     }
 }

@@ -1,10 +1,9 @@
 //! A triangle mesh prepared for cutting: only faces with area, and who lies across each side.
 
-use rustc_hash::FxHashMap;
-
 use super::{AtlasError, Vector};
-use crate::MeshError;
+use crate::places::first_of_equal;
 use crate::topology::Edges;
+use crate::{MeshError, bounds};
 
 /// No face, no side.
 pub(super) const NONE: u32 = u32::MAX;
@@ -33,7 +32,7 @@ impl Surface {
     pub(super) fn new(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<Self, AtlasError> {
         check(positions, triangles)?;
         let positions = normalized(positions);
-        let representative = first_of_equal(&positions);
+        let representative = first_of_equal(positions.iter().map(|p| p.coordinates()));
 
         let mut surface = Self {
             positions,
@@ -133,14 +132,8 @@ fn check(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<(), AtlasErro
 /// The positions moved and scaled into the cube from −1 to 1, so that squares of lengths neither
 /// overflow nor vanish.
 fn normalized(positions: &[[f64; 3]]) -> Vec<Vector> {
-    let mut low = [f64::INFINITY; 3];
-    let mut high = [f64::NEG_INFINITY; 3];
-    for position in positions {
-        for axis in 0..3 {
-            low[axis] = low[axis].min(position[axis]);
-            high[axis] = high[axis].max(position[axis]);
-        }
-    }
+    let points = positions.iter().copied().map(Vector::from);
+    let [low, high] = bounds(points).unwrap_or_default();
     // Halves first: the sum and the difference of two large numbers may overflow.
     let centre: [f64; 3] = std::array::from_fn(|axis| 0.5 * low[axis] + 0.5 * high[axis]);
     let reach = (0..3)
@@ -152,20 +145,6 @@ fn normalized(positions: &[[f64; 3]]) -> Vec<Vector> {
         Vector::new(x, y, z)
     };
     positions.iter().map(scaled).collect()
-}
-
-/// For each vertex, the first one at exactly the same position: files split vertices where normals
-/// or texture coordinates differ, and the surface is nevertheless connected there.
-fn first_of_equal(positions: &[Vector]) -> Vec<u32> {
-    let mut first = FxHashMap::with_capacity_and_hasher(positions.len(), rustc_hash::FxBuildHasher);
-    let numbered = positions.iter().enumerate();
-    numbered
-        .map(|(vertex, position)| {
-            // Adding zero makes the two zeros equal.
-            let key = position.coordinates().map(|x| (x + 0.0).to_bits());
-            *first.entry(key).or_insert(vertex as u32)
-        })
-        .collect()
 }
 
 fn across(triangles: &[[u32; 3]], vertices: usize) -> Result<Vec<u32>, AtlasError> {

@@ -290,14 +290,9 @@ impl<'a> Bake<'a> {
 
 /// 2 % of the diagonal of the bounding box.
 fn default_cage(coarse: &Coarse) -> f64 {
-    let mut positions = coarse
-        .triangles
-        .iter()
-        .flatten()
-        .map(|corner| corner.position);
-    let first = positions.next().unwrap_or_default();
-    let (low, high) = positions.fold((first, first), |(low, high), p| (low.min(p), high.max(p)));
-    0.02 * low.distance(high)
+    let corners = coarse.triangles.iter().flatten();
+    let bounds = crate::bounds(corners.map(|corner| corner.position));
+    bounds.map_or(0.0, |[low, high]| 0.02 * low.distance(high))
 }
 
 /// The mean of three vectors.

@@ -4,8 +4,11 @@ mod attributes;
 mod part;
 
 use ga_runtime::cga3::Point;
+use ga_runtime::vga3::Vector;
 
-use crate::{Faces, Material, MeshError, Normals, Polylines, Rgba, Tangents, TextureCoordinates};
+use crate::{
+    Faces, Material, MeshError, Normals, Polylines, Rgba, Tangents, TextureCoordinates, bounds,
+};
 
 pub use part::Part;
 
@@ -147,13 +150,8 @@ impl Mesh {
     /// The least and the greatest value of each coordinate, or `None` without vertices.
     #[must_use]
     pub fn bounds(&self) -> Option<[[f64; 3]; 2]> {
-        self.coordinates().fold(None, |bounds, x| {
-            let [low, high] = bounds.unwrap_or([x, x]);
-            Some([
-                std::array::from_fn(|axis| low[axis].min(x[axis])),
-                std::array::from_fn(|axis| high[axis].max(x[axis])),
-            ])
-        })
+        let corners = bounds(self.coordinates().map(Vector::from))?;
+        Some(corners.map(Vector::coordinates))
     }
 
     /// The same mesh with other positions of its vertices, as after skinning. Normals and tangents

@@ -10,7 +10,7 @@ use super::Bvh;
 use super::frame::{Frame, rounded_down, rounded_up};
 use super::node::{BRANCHES, Children, DEPTH, LEAF, NOTHING, Node};
 use super::packet::{Packet, WIDTH};
-use crate::MeshError;
+use crate::{MeshError, bounds};
 
 /// How many bins the centres of boxes are sorted into.
 const BINS: usize = 16;
@@ -32,7 +32,6 @@ pub(super) fn build<P: Copy + Into<Point<f64>>>(
         return Err(MeshError::TooLarge { what, count });
     }
     let position = |vertex: u32| Vector::from(positions[vertex as usize].into());
-    let mut bounds: Option<[Vector<f64>; 2]> = None;
     for (face, triangle) in triangles.iter().enumerate() {
         for &index in triangle {
             let vertices = positions.len();
@@ -50,10 +49,9 @@ pub(super) fn build<P: Copy + Into<Point<f64>>>(
                     coordinates: corner.coordinates(),
                 });
             }
-            let [low, high] = bounds.unwrap_or([corner; 2]);
-            bounds = Some([low.min(corner), high.max(corner)]);
         }
     }
+    let bounds = bounds(triangles.iter().flatten().map(|&vertex| position(vertex)));
     let frame = Frame::of_bounds(bounds.unwrap_or_default());
     let corners = |triangle: u32| triangles[triangle as usize].map(position);
     let mut boxes: Vec<Boxed> = (0..triangles.len() as u32)

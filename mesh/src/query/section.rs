@@ -8,6 +8,7 @@ use ga_runtime::vga3::Vector;
 use super::frame::Frame;
 use super::node::{BRANCHES, Children, Node};
 use super::{Bvh, QueryError};
+use crate::places::place_key;
 
 /// The segment in which a plane cuts a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -132,7 +133,7 @@ fn cut(corners: [Vector<f64>; 3], heights: [f64; 3]) -> Option<[Vector<f64>; 2]>
 
 /// Joins segments where they end at the same point.
 fn join(segments: &[Segment]) -> Vec<Contour> {
-    let key = |point: Point<f64>| point.coordinates().map(|x| (x + 0.0).to_bits());
+    let key = |point: Point<f64>| place_key(point.coordinates());
     let mut at: HashMap<[u64; 3], Vec<usize>> = HashMap::new();
     for (index, segment) in segments.iter().enumerate() {
         for end in segment.ends {

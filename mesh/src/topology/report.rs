@@ -7,6 +7,7 @@ use ga_runtime::vga3::Vector;
 use super::union::DisjointSets;
 use super::{Components, Edges, VertexRings};
 use crate::normals::area_vector;
+use crate::places::first_of_equal;
 use crate::{Faces, Mesh};
 
 /// The shape of a mesh as a surface without regard to lengths, and every element at which it is not
@@ -216,16 +217,11 @@ fn boundary_loops(edges: &Edges, rings: &VertexRings) -> Vec<Vec<u32>> {
 }
 
 fn duplicate_vertices(mesh: &Mesh) -> Vec<u32> {
-    let mut places = HashMap::with_capacity(mesh.vertex_count());
-    let mut duplicates = Vec::new();
-    for (vertex, position) in mesh.coordinates().enumerate() {
-        // Adding 0 makes −0 equal to 0.
-        let place = position.map(|x| (x + 0.0).to_bits());
-        if *places.entry(place).or_insert(vertex) != vertex {
-            duplicates.push(vertex as u32);
-        }
-    }
-    duplicates
+    let first = (0..).zip(first_of_equal(mesh.coordinates()));
+    first
+        .filter(|(vertex, first)| vertex != first)
+        .map(|(vertex, _)| vertex)
+        .collect()
 }
 
 fn degenerate_faces(mesh: &Mesh) -> Vec<u32> {

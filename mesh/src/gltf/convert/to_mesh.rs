@@ -1,11 +1,10 @@
 //! From a document to a mesh.
 
-use std::collections::HashMap;
-
 use super::super::error::{Element, Problem};
 use super::super::{Document, GltfError, Node, Primitive};
 use super::material;
 use super::place::{Placed, World};
+use crate::places::first_of_equal;
 use crate::{
     CornerAttribute, Faces, Group, Mesh, MeshError, Normals, Polylines, Rgba, Tangent, Tangents,
 };
@@ -186,19 +185,19 @@ impl Parts {
 
     /// Makes vertices with equal coordinates one.
     fn merge(&mut self) {
-        let mut places: HashMap<[u64; 3], u32> = HashMap::new();
         let mut positions = Vec::new();
         let mut colours = Vec::new();
-        let mut merged = Vec::with_capacity(self.positions.len());
-        for (&position, &colour) in self.positions.iter().zip(&self.colours) {
-            // Adding zero makes −0 and 0 one place.
-            let place = position.map(|coordinate| (coordinate + 0.0).to_bits());
-            let vertex = *places.entry(place).or_insert_with(|| {
-                positions.push(position);
-                colours.push(colour);
-                positions.len() as u32 - 1
-            });
-            merged.push(vertex);
+        let mut merged: Vec<u32> = Vec::with_capacity(self.positions.len());
+        let first = first_of_equal(self.positions.iter().copied());
+        for (vertex, first) in first.into_iter().enumerate() {
+            let first = first as usize;
+            if first == vertex {
+                positions.push(self.positions[vertex]);
+                colours.push(self.colours[vertex]);
+                merged.push(positions.len() as u32 - 1);
+            } else {
+                merged.push(merged[first]);
+            }
         }
         (self.positions, self.colours) = (positions, colours);
         for line in &mut self.polylines {
