@@ -134,6 +134,18 @@ impl<'a> Player<'a> {
         self.document
     }
 
+    /// The parent of each node.
+    #[must_use]
+    pub fn parents(&self) -> &[Option<usize>] {
+        &self.parents
+    }
+
+    /// All nodes, each after its parent.
+    #[must_use]
+    pub fn parents_before_children(&self) -> &[usize] {
+        &self.order
+    }
+
     /// The pose at a time in seconds of an animation, or that of the nodes without one.
     ///
     /// Before the first key of a channel its value is that of the first, after the last that of

@@ -20,11 +20,13 @@
 
 mod conversion;
 mod from_bvh;
+mod from_gltf;
 mod model_space;
 
 use crate::transform::Transform;
 
 pub use conversion::ConversionError;
+pub use from_gltf::{GltfMotion, GltfMotionError};
 pub use model_space::{ModelSpaceError, model_maps, model_motors};
 
 /// A joint of a recording.

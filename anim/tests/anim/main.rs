@@ -9,6 +9,7 @@ mod gltf;
 mod leg;
 mod poses;
 mod recording;
+mod recording_gltf;
 mod retarget;
 mod retarget_real;
 mod rig;

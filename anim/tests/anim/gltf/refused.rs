@@ -189,7 +189,9 @@ fn nodes() {
     assert_document(cycle, Element::Node(1), Problem::Cycle);
     let matrix = error(Blend::Linear, |d| {
         let mut identity = [0.0; 16];
-        [0, 5, 10, 15].map(|place| identity[place] = 1.0);
+        for place in [0, 5, 10, 15] {
+            identity[place] = 1.0;
+        }
         d.nodes[2].transform = Transform::Matrix(identity);
     });
     let (element, node) = (CHANNEL, 2);
