@@ -58,6 +58,12 @@ pub enum SizeError {
         /// The least number of columns and of rows.
         least: usize,
     },
+    /// A measure needs the range of the numbers, and it is not positive and finite.
+    #[error("the range {range} of the numbers is not positive and finite")]
+    Range {
+        /// The length of the range, as text.
+        range: String,
+    },
 }
 
 impl<T: Copy> Plane<T> {

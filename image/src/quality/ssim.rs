@@ -64,14 +64,14 @@ impl Ssim {
     /// # Errors
     ///
     /// [`SizeError::Differs`] when the sizes differ, [`SizeError::TooSmall`] when a side has less
-    /// than 11 pixels.
+    /// than 11 pixels, [`SizeError::Range`] for a range that is not positive and finite.
     pub fn compare<'a, P: Pixel>(
         &self,
         a: impl Into<PlaneView<'a, P>>,
         b: impl Into<PlaneView<'a, P>>,
     ) -> Result<Similarity, SizeError> {
         let (a, b) = (a.into(), b.into());
-        check(a, b, WINDOW)?;
+        self.check(a, b, WINDOW)?;
         let mut sums = [0.0; 2];
         for channel in 0..P::CHANNELS {
             self.run(a, b, channel, &mut |_, _, ssim, contrast_structure| {
@@ -95,14 +95,14 @@ impl Ssim {
     /// # Errors
     ///
     /// [`SizeError::Differs`] when the sizes differ, [`SizeError::TooSmall`] when there are no
-    /// pixels.
+    /// pixels, [`SizeError::Range`] for a range that is not positive and finite.
     pub fn map<'a, P: Pixel>(
         &self,
         a: impl Into<PlaneView<'a, P>>,
         b: impl Into<PlaneView<'a, P>>,
     ) -> Result<Plane, SizeError> {
         let (a, b) = (a.into(), b.into());
-        check(a, b, 1)?;
+        self.check(a, b, 1)?;
         let (continued_a, continued_b) = (continued(a), continued(b));
         let mut map = Plane::filled(a.width(), a.height(), 0.0);
         let share = 1.0 / P::CHANNELS as f32;
@@ -115,6 +115,27 @@ impl Ssim {
             });
         }
         Ok(map)
+    }
+
+    fn check<P: Pixel>(
+        &self,
+        a: PlaneView<'_, P>,
+        b: PlaneView<'_, P>,
+        least: usize,
+    ) -> Result<(), SizeError> {
+        if !(self.range > 0.0 && self.range.is_finite()) {
+            let range = self.range.to_string();
+            return Err(SizeError::Range { range });
+        }
+        same_size(a, b)?;
+        if a.width().min(a.height()) < least {
+            return Err(SizeError::TooSmall {
+                width: a.width(),
+                height: a.height(),
+                least,
+            });
+        }
+        Ok(())
     }
 
     /// Hands the values in the windows to `take`, piece by piece: the column and row of the first
@@ -134,22 +155,6 @@ impl Ssim {
             take,
         });
     }
-}
-
-fn check<P: Pixel>(
-    a: PlaneView<'_, P>,
-    b: PlaneView<'_, P>,
-    least: usize,
-) -> Result<(), SizeError> {
-    same_size(a, b)?;
-    if a.width().min(a.height()) < least {
-        return Err(SizeError::TooSmall {
-            width: a.width(),
-            height: a.height(),
-            least,
-        });
-    }
-    Ok(())
 }
 
 #[inline(always)]

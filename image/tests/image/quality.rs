@@ -157,6 +157,15 @@ fn pictures_that_cannot_be_compared_are_errors() {
     };
     assert_eq!(ssim.compare(&small, &small), Err(too_small));
     assert_eq!(ssim.map(&small, &small), Ok(Plane::filled(10, 11, 1.0)));
+    for range in [0.0, -1.0, f32::NAN, f32::INFINITY] {
+        let ssim = Ssim::new(range);
+        let expected = SizeError::Range {
+            range: range.to_string(),
+        };
+        let large = Plane::filled(20, 20, 0u8);
+        assert_eq!(ssim.compare(&large, &large), Err(expected.clone()));
+        assert_eq!(ssim.map(&large, &large), Err(expected));
+    }
     let empty = Plane::<f32>::default();
     assert!(mse(&empty, &empty).is_err());
     assert!(ssim.map(&empty, &empty).is_err());
