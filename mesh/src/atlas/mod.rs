@@ -39,6 +39,7 @@ pub use measure::Report;
 
 use chart::Flat;
 use flatten::Flattened;
+use pack::Effort;
 use surface::{NONE, Surface};
 
 use crate::TextureCoordinates;
@@ -156,7 +157,8 @@ pub fn unwrap(
     let mut best: Option<Placement> = None;
     let mut repairs = 0;
     let mut cuts = 0;
-    while let Some(placement) = Placement::new(&surface, &charts, options) {
+    let mut charts_of_best = Vec::new();
+    while let Some(placement) = Placement::new(&surface, &charts, options, Effort::QUICK) {
         if !placement.pairs.is_empty() && repairs < REPAIRS {
             repairs += 1;
             charts = cut_overlaps(&surface, charts, &placement.pairs);
@@ -166,6 +168,7 @@ pub fn unwrap(
         let utilisation = used(&placement);
         if best.as_ref().is_none_or(|best| utilisation > used(best)) {
             best = Some(placement);
+            charts_of_best.clone_from(&charts);
         }
         cuts += 1;
         if utilisation >= options.utilisation || cuts == CUTS {
@@ -175,6 +178,14 @@ pub fn unwrap(
             Some(more) => charts = more,
             None => break,
         }
+    }
+    if let Some(quick) = &best
+        && quick.report.utilisation < FAR_BELOW * options.utilisation
+        && let Some(closer) = Placement::new(&surface, &charts_of_best, options, Effort::THOROUGH)
+        && closer.pairs.is_empty()
+        && closer.report.utilisation > quick.report.utilisation
+    {
+        best = Some(closer);
     }
     let best = best.ok_or(AtlasError::DoesNotFit {
         charts: charts.len(),
@@ -280,6 +291,10 @@ const STRETCH: f64 = 1.2;
 /// How often large charts are cut and all are placed anew, at most.
 const CUTS: usize = 8;
 
+/// Charts are placed once more, with more effort, where less than this part of the utilisation that
+/// was asked for is reached.
+const FAR_BELOW: f64 = 0.95;
+
 /// How often charts that overlap themselves by texels are cut, at most. Charts whose boundaries
 /// cross are cut before, so one is usually enough.
 const REPAIRS: usize = 20;
@@ -295,10 +310,15 @@ struct Placement {
 }
 
 impl Placement {
-    fn new(surface: &Surface, charts: &[Flattened], options: &Options) -> Option<Self> {
+    fn new(
+        surface: &Surface,
+        charts: &[Flattened],
+        options: &Options,
+        effort: Effort,
+    ) -> Option<Self> {
         let items: Vec<pack::Item> = charts.iter().map(item).collect();
         let (size, margin) = (options.size, options.margin_texels);
-        let places = pack::pack(&items, size, margin)?;
+        let places = pack::pack(&items, size, margin, effort)?;
         let mut chart_of = vec![NONE; surface.len()];
         let mut texels = vec![[[0.0; 2]; 3]; surface.len()];
         for (index, (flattened, places)) in charts.iter().zip(&places).enumerate() {

@@ -3,15 +3,48 @@
 use super::chart::{Flat, cross, minus};
 use super::mask::{Mask, SLACK};
 
-/// Cells along a side of the grid in which charts are placed, at most.
-const CELLS: usize = 512;
+/// How much work is spent on placing charts.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Effort {
+    /// Cells along a side of the grid in which charts are placed, at most.
+    cells: usize,
+    /// Scales that are tried at most.
+    tries: usize,
+    /// The search for the scale ends when the largest that fits and the smallest that does not are
+    /// in this ratio.
+    close: f64,
+    /// The orders in which charts are placed; one of them must fit.
+    orders: &'static [Order],
+}
 
-/// Scales that are tried at most.
-const TRIES: usize = 12;
+/// Which charts are placed first.
+#[derive(Clone, Copy, Debug)]
+enum Order {
+    /// Those with the longest side.
+    Longest,
+    /// Those with the largest area.
+    Largest,
+    /// Those with the longest shorter side.
+    Widest,
+}
 
-/// The search for the scale ends when the largest that fits and the smallest that does not are in
-/// this ratio.
-const CLOSE: f64 = 1.008;
+impl Effort {
+    /// Enough for most surfaces.
+    pub(super) const QUICK: Self = Self {
+        cells: 512,
+        tries: 12,
+        close: 1.008,
+        orders: &[Order::Longest],
+    };
+
+    /// For charts that leave much room between them.
+    pub(super) const THOROUGH: Self = Self {
+        cells: 1024,
+        tries: 16,
+        close: 1.002,
+        orders: &[Order::Longest, Order::Largest, Order::Widest],
+    };
+}
 
 /// The part of the square that charts and their margins usually fill.
 const FILLED: f64 = 0.72;
@@ -95,8 +128,13 @@ fn hull(places: &[Flat]) -> Vec<Flat> {
 /// found; `None` if they do not fit at any scale.
 ///
 /// The texels that an item touches, and those within `margin` of them, are its own.
-pub(super) fn pack(items: &[Item], size: u32, margin: u32) -> Option<Vec<Vec<Flat>>> {
-    let cell = (size as usize).div_ceil(CELLS);
+pub(super) fn pack(
+    items: &[Item],
+    size: u32,
+    margin: u32,
+    effort: Effort,
+) -> Option<Vec<Vec<Flat>>> {
+    let cell = (size as usize).div_ceil(effort.cells);
     let grid = size as usize / cell;
     let margin = margin as usize;
     let least = (2 * margin + 1)
@@ -113,17 +151,18 @@ pub(super) fn pack(items: &[Item], size: u32, margin: u32) -> Option<Vec<Vec<Fla
             .iter()
             .map(|item| shapes(item, scale, margin, cell))
             .collect();
-        if let Some(placed) = place(&shapes, grid) {
+        let mut orders = effort.orders.iter();
+        if let Some(placed) = orders.find_map(|&order| place(&shapes, grid, order)) {
             best = Some((scale, placed));
         } else {
             too_large = scale;
         }
         scale = match &best {
-            Some((fits, _)) if attempt >= TRIES || too_large < CLOSE * fits => break,
+            Some((fits, _)) if attempt >= effort.tries || too_large < effort.close * fits => break,
             Some((fits, _)) if too_large == f64::INFINITY => fits * 1.04,
             Some((fits, _)) => (fits * too_large).sqrt(),
             // Margins may take all the place, however small the charts are.
-            None if attempt >= 4 * TRIES => return None,
+            None if attempt >= 4 * effort.tries => return None,
             None => scale * if attempt < 8 { 0.96 } else { 0.8 },
         };
     }
@@ -229,17 +268,22 @@ impl Shape {
     }
 }
 
-/// Places all shapes, the largest first, each as low as it fits and then as far to the left; `None`
+/// Places all shapes in an order, each as low as it fits and then as far to the left; `None`
 /// when one does not fit.
-fn place(shapes: &[[Shape; 4]], grid: usize) -> Option<Vec<Placed>> {
+fn place(shapes: &[[Shape; 4]], grid: usize, order: Order) -> Option<Vec<Placed>> {
     let cells: usize = shapes.iter().map(|shapes| shapes[0].mask.count()).sum();
     if cells > grid * grid {
         return None;
     }
-    let mut order: Vec<usize> = (0..shapes.len()).collect();
-    order.sort_by_key(|&item| {
+    let mut sorted: Vec<usize> = (0..shapes.len()).collect();
+    sorted.sort_by_key(|&item| {
         let mask = &shapes[item][0].mask;
-        (std::cmp::Reverse(mask.width.max(mask.height)), item)
+        let size = match order {
+            Order::Longest => mask.width.max(mask.height),
+            Order::Largest => mask.count(),
+            Order::Widest => mask.width.min(mask.height),
+        };
+        (std::cmp::Reverse(size), item)
     });
     let mut square = Square::new(grid);
     let nowhere = Placed {
@@ -248,7 +292,7 @@ fn place(shapes: &[[Shape; 4]], grid: usize) -> Option<Vec<Placed>> {
         row: 0,
     };
     let mut placed = vec![nowhere; shapes.len()];
-    for &item in &order {
+    for &item in &sorted {
         let mut best: Option<(usize, Placed)> = None;
         for (rotation, shape) in shapes[item].iter().enumerate() {
             let limit = best.as_ref().map_or(grid, |(top, _)| top - 1);
