@@ -13,12 +13,17 @@ use crate::{Human, Vector};
 /// The side of the texture in texels for which the charts are placed.
 const SIZE: u32 = 1024;
 
+/// Texels around a chart that belong to it alone, so that smaller copies of the texture keep charts
+/// apart.
+const GAP: u32 = 3;
+
 /// Texels that triangles colour around themselves, so that interpolation finds no others.
 const MARGIN: f64 = 1.5;
 
 impl Human {
     /// The skin and the clothes as a texture of `size` × `size` texels, 8-bit sRGB, for the texture
-    /// coordinates of the mesh: row 0 is at v = 1. What no triangle covers is the mean colour.
+    /// coordinates of the mesh: row 0 is at v = 1. What no triangle covers continues
+    /// the colours around it.
     ///
     /// The colours are formulas of the place on the body at rest: a face with eyes, brows and lips,
     /// freckles, hair, a checked shirt, trousers, a belt and shoes. No two places look quite the
@@ -60,6 +65,7 @@ pub(crate) fn with_texture_coordinates(mesh: Mesh) -> Mesh {
     let positions: Vec<[f64; 3]> = mesh.coordinates().collect();
     let options = Options {
         size: SIZE,
+        margin_texels: GAP,
         ..Options::default()
     };
     let atlas = unwrap(&positions, &mesh.triangles(), &options)
@@ -114,13 +120,38 @@ fn paint_triangle(
     }
 }
 
-/// The colours, with their mean where there is none.
+/// The colours, continued smoothly where there is none, so that smaller copies of the texture show
+/// no seams: each gap takes the mean of what is around it (by a pyramid, after Gortler et al. 1996,
+/// *The Lumigraph*, section 3.4.2).
 fn filled(texels: &Plane<Texel>) -> Plane<[u8; 3]> {
-    let colours = || texels.values().iter().flatten().map(|(_, colour)| colour);
-    let count = colours().count().max(1) as u64;
-    let mean = [0, 1, 2].map(|i| {
-        let sum: u64 = colours().map(|colour| u64::from(colour[i])).sum();
-        (sum / count) as u8
-    });
-    texels.map(|texel| texel.map_or(mean, |(_, colour)| colour))
+    let mut levels = vec![texels.map(|texel| {
+        let colour = texel.map(|(_, colour)| colour.map(f32::from));
+        colour.map_or([0.0; 4], |[r, g, b]| [r, g, b, 1.0])
+    })];
+    while let Some(fine) = levels.last().filter(|level| level.width() > 1) {
+        let coarse = Plane::from_fn(
+            fine.width().div_ceil(2),
+            fine.height().div_ceil(2),
+            |column, row| {
+                let below = [[0, 0], [1, 0], [0, 1], [1, 1]]
+                    .map(|[i, j]| fine.get(2 * column + i, 2 * row + j).unwrap_or([0.0; 4]));
+                let sum: [f32; 4] = std::array::from_fn(|c| below.iter().map(|p| p[c]).sum());
+                let known = sum[3].max(1.0);
+                sum.map(|s| s / known)
+            },
+        );
+        levels.push(coarse);
+    }
+    let mut coarser = levels.pop().unwrap_or_default();
+    while let Some(mut fine) = levels.pop() {
+        for row in 0..fine.height() {
+            for (column, texel) in fine.row_mut(row).iter_mut().enumerate() {
+                if texel[3] == 0.0 {
+                    *texel = coarser.get(column / 2, row / 2).unwrap_or([0.0; 4]);
+                }
+            }
+        }
+        coarser = fine;
+    }
+    coarser.map(|[r, g, b, _]| [r, g, b].map(|c| c.round() as u8))
 }

@@ -35,6 +35,11 @@ const SOLE: Colour = [0.86, 0.84, 0.80];
 const WAIST: f64 = 1.0;
 const BELT_HALF: f64 = 0.017;
 const TROUSERS_END: f64 = 0.100;
+/// Where the sleeves are sewn on: their distance from the middle, and the height of the armpits.
+const ARMHOLE: f64 = 0.176;
+const ARMPIT: f64 = 1.29;
+/// The period of the checks.
+const CHECK: f64 = 0.060;
 /// How far the sleeves reach along the arm.
 const SLEEVE: f64 = 0.215;
 /// The middle of the left eye, seen from the front.
@@ -43,23 +48,45 @@ const EYE: [f64; 2] = [0.032, 1.640];
 /// The colour at a point of the surface.
 pub(super) fn colour(landmarks: &Landmarks, point: Vector) -> Colour {
     let folded = Vector::new(point.e1.abs(), point.e2, point.e3);
-    let arm = (folded - landmarks.arm.origin).dot(landmarks.arm.along);
-    if folded.e1 > 0.20 && folded.e2 < 1.44 {
-        return if arm < SLEEVE {
-            shirt(point, arm, 0.06 * folded.e3.atan2(folded.e2 - 1.35))
+    let above_armpit = folded.e2 > ARMPIT;
+    let armhole = folded.e1 - ARMHOLE;
+    let stitched = |colour: Colour, distance: f64| {
+        let line = falling(0.0012, 0.0030, distance.abs());
+        mix(colour, scaled(SHIRT, 0.45), line)
+    };
+    if folded.e1 > 0.20 || above_armpit && armhole > 0.0 {
+        let arm = folded - landmarks.arm.origin;
+        let along = arm.dot(landmarks.arm.along);
+        if along > SLEEVE {
+            return skin(point, folded);
+        }
+        let angle = arm.e3.atan2(arm.dot(landmarks.arm.across));
+        let sleeve = stitched(
+            shirt(point, along, around(6, angle)),
+            SLEEVE - 0.012 - along,
+        );
+        return if above_armpit {
+            stitched(sleeve, armhole)
         } else {
-            skin(point, folded)
+            sleeve
         };
     }
-    let collar = 1.470 - 0.050 * smooth_step(-0.01, 0.06, folded.e3);
-    if folded.e2 > collar + 0.35 * folded.e1 * smooth_step(-0.01, 0.06, folded.e3)
-        && folded.e1 < 0.10
-    {
+    // The neckline is level around the neck, lower in front, and rises towards the shoulders.
+    let frontal = smooth_step(-0.01, 0.06, folded.e3);
+    let rising = 0.35 * folded.e1 * frontal + 0.9 * (folded.e1 - 0.055).max(0.0);
+    let above_collar = folded.e2 - (1.470 - 0.050 * frontal + rising);
+    if above_collar > 0.0 {
         return head(point, folded);
     }
     if folded.e2 > WAIST + BELT_HALF {
-        let around = 0.14 * point.e1.atan2(point.e3.abs().max(0.02));
-        return front(shirt(point, point.e2, around), point);
+        let angle = (point.e1 / 0.165).atan2((point.e3 + 0.01) / 0.110);
+        let cloth = front(shirt(point, point.e2, around(16, angle)), point);
+        let collar = stitched(cloth, above_collar + 0.012);
+        return if above_armpit {
+            stitched(collar, armhole)
+        } else {
+            collar
+        };
     }
     if folded.e2 > WAIST - BELT_HALF {
         return belt(point);
@@ -169,6 +196,11 @@ fn face(mut colour: Colour, point: Vector, folded: Vector) -> Colour {
     mix(colour, MOUTH, 0.8 * falling(0.0025, 0.0045, hole))
 }
 
+/// The length around a limb at an angle, where this many periods of the checks go around it.
+fn around(periods: u32, angle: f64) -> f64 {
+    f64::from(periods) * CHECK * angle / TAU
+}
+
 /// A checked cloth; `along` and `around` are lengths in metres on it.
 fn shirt(point: Vector, along: f64, around: f64) -> Colour {
     let band = |place: f64, period: f64, width: f64| {
@@ -176,11 +208,15 @@ fn shirt(point: Vector, along: f64, around: f64) -> Colour {
         falling(0.7 * width, width, distance)
     };
     let mut colour = scaled(SHIRT, 1.0 + 0.10 * rough(point * 60.0));
-    colour = mix(colour, scaled(SHIRT, 0.6), 0.7 * band(along, 0.060, 0.015));
-    colour = mix(colour, scaled(SHIRT, 0.6), 0.7 * band(around, 0.060, 0.015));
-    colour = mix(colour, STRIPE, 0.8 * band(along + 0.030, 0.060, 0.0030));
-    colour = mix(colour, STRIPE, 0.8 * band(around + 0.030, 0.060, 0.0030));
-    mix(colour, CROSSED, 0.8 * band(along + 0.018, 0.120, 0.0030))
+    colour = mix(colour, scaled(SHIRT, 0.6), 0.7 * band(along, CHECK, 0.015));
+    colour = mix(colour, scaled(SHIRT, 0.6), 0.7 * band(around, CHECK, 0.015));
+    colour = mix(colour, STRIPE, 0.8 * band(along + 0.030, CHECK, 0.0030));
+    colour = mix(colour, STRIPE, 0.8 * band(around + 0.030, CHECK, 0.0030));
+    mix(
+        colour,
+        CROSSED,
+        0.8 * band(along + 0.018, 2.0 * CHECK, 0.0030),
+    )
 }
 
 /// The front of the shirt with its buttons.

@@ -41,6 +41,83 @@ fn texture_coordinates_lie_in_the_unit_square_and_no_triangle_is_folded() {
     assert!((0.45..1.0).contains(&covered), "{covered}");
 }
 
+/// The figures that an atlas of any surface is made for; a test of ga-mesh compares them with those
+/// of code of its own.
+#[test]
+fn the_skin_has_an_atlas_that_uses_the_texture_well() {
+    let options = ga_mesh::atlas::Options::default();
+    let atlas = ga_mesh::atlas::unwrap(&positions(), &HUMAN.mesh.triangles(), &options).unwrap();
+    let report = atlas.report;
+    assert_eq!((report.flipped, report.overlapping_texels), (0, 0));
+    assert!(report.charts <= 200, "{} charts", report.charts);
+    assert!(report.stretch_l2 <= 1.1, "stretch {}", report.stretch_l2);
+    assert!(
+        report.utilisation >= 0.55,
+        "utilisation {}",
+        report.utilisation
+    );
+}
+
+/// The mean difference of colours on both sides of the seams of the atlas, where the texture is
+/// read between texels in a copy that is `reduction` times smaller.
+fn difference_at_seams(size: usize, reduction: usize) -> f64 {
+    let texture = HUMAN.texture(size);
+    let small = size / reduction;
+    let texture = resize(&texture, small, small, Method::Area).unwrap();
+    let read = |[u, v]: [f64; 2]| -> [f64; 3] {
+        let [x, y] = [u, 1.0 - v].map(|t| t * small as f64 - 0.5);
+        let (i, j) = (x.floor(), y.floor());
+        let texel = |di: f64, dj: f64| {
+            let index = |t: f64| t.clamp(0.0, small as f64 - 1.0) as usize;
+            texture
+                .get(index(i + di), index(j + dj))
+                .unwrap()
+                .map(f64::from)
+        };
+        std::array::from_fn(|c| {
+            let row = |dj: f64| texel(0.0, dj)[c] * (1.0 - x + i) + texel(1.0, dj)[c] * (x - i);
+            row(0.0) * (1.0 - y + j) + row(1.0) * (y - j)
+        })
+    };
+    let coordinates = HUMAN.mesh.texture_coordinates().unwrap();
+    let middle = |face: usize, side: usize| {
+        let [a, b] =
+            [side, (side + 1) % 3].map(|corner| *coordinates.get(3 * face + corner).unwrap());
+        [0, 1].map(|axis| 0.5 * (a[axis] + b[axis]))
+    };
+    let mut of_edge = std::collections::HashMap::new();
+    let (mut sum, mut count) = (0.0, 0.0);
+    for (face, triangle) in HUMAN.mesh.triangles().iter().enumerate() {
+        for side in 0..3 {
+            let [a, b] = [triangle[side], triangle[(side + 1) % 3]];
+            let here = middle(face, side);
+            let Some(there) = of_edge
+                .insert((a, b), here)
+                .or(of_edge.get(&(b, a)).copied())
+            else {
+                continue;
+            };
+            if here != there {
+                let (p, q) = (read(here), read(there));
+                sum += (0..3).map(|c| (p[c] - q[c]).abs()).sum::<f64>() / 3.0;
+                count += 1.0;
+            }
+        }
+    }
+    assert!(count > 100.0);
+    sum / count
+}
+
+/// The colours are formulas of the place, so that both sides of a seam show the same, in smaller
+/// copies of the texture too.
+#[test]
+fn seams_cannot_be_seen() {
+    for (reduction, most) in [(1, 4.0), (2, 5.0), (4, 9.0)] {
+        let difference = difference_at_seams(1024, reduction);
+        assert!(difference < most, "{reduction}: {difference}");
+    }
+}
+
 #[test]
 fn hair_is_dark_skin_is_light_and_clothes_have_their_colours() {
     let size = 512;
