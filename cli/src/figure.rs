@@ -4,6 +4,7 @@ use ga_anim::pose::Pose;
 use ga_anim::skeleton::Skeleton;
 use ga_anim::skin::{self, Method, SkinError};
 use ga_anim::weights::SkinWeights;
+use ga_image::plane::Plane;
 use ga_mesh::Mesh;
 
 /// A mesh, its skeleton and its skin weights, in metres with y up.
@@ -12,6 +13,8 @@ pub(crate) struct Figure {
     pub(crate) mesh: Mesh,
     pub(crate) skeleton: Skeleton,
     pub(crate) weights: SkinWeights,
+    /// The picture on its skin, for the texture coordinates of the mesh.
+    pub(crate) paint: Option<Plane<[u8; 3]>>,
 }
 
 impl Figure {

@@ -8,6 +8,7 @@ mod failure;
 mod figure;
 mod model;
 mod output;
+mod overlay;
 mod pipeline;
 mod progress;
 mod recording;

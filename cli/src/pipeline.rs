@@ -1,14 +1,15 @@
 //! From a figure and its motion to the files, the same for every command.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 use ga_anim::clip::Clip;
 
 use crate::checks::Checks;
 use crate::figure::Figure;
 use crate::output::{self, File};
+use crate::overlay::{Overlay, OverlayArguments};
 use crate::progress::Progress;
 use crate::report::{AnimationReport, FigureReport, FileReport, Input, Report, Tool};
 use crate::storyboard::Storyboard;
@@ -18,8 +19,6 @@ use crate::{model, sheet, summary};
 /// How many steps [`perform`] reports as progress.
 pub(crate) const STEPS: u64 = 5;
 
-const OBJ: &str = "model.obj";
-const GLB: &str = "model.glb";
 const SHEET: &str = "sheet.png";
 const REPORT: &str = "report.json";
 
@@ -32,12 +31,36 @@ pub(crate) struct OutputArguments {
     /// The seed of the noise in the pictures of the two cameras.
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub(crate) seed: u64,
+    #[command(flatten)]
+    pub(crate) overlay: OverlayArguments,
+    /// Also write the motion as an animated PNG, at most 1000 pictures.
+    #[arg(long, value_name = "FILE.png")]
+    pub(crate) film: Option<PathBuf>,
 }
 
 impl OutputArguments {
     /// Fails early where the files could not be written in the end.
     pub(crate) fn check(&self) -> Result<()> {
-        output::check_place(&self.out, &[OBJ, GLB, SHEET, REPORT])
+        let names = [&model::NAMES[..], &[SHEET, REPORT]].concat();
+        output::check_place(&self.out, &names)?;
+        let Some(film) = &self.film else {
+            return Ok(());
+        };
+        let shown = film.display();
+        ensure!(
+            film.extension().is_some_and(|ending| ending == "png"),
+            "--film {shown}: its name must end in .png"
+        );
+        let name = film.file_name().and_then(|name| name.to_str());
+        let name = name.with_context(|| format!("--film {shown}: not a name"))?;
+        let folder = film.parent().unwrap_or(Path::new(""));
+        output::check_place(folder, &[name])?;
+        let full = |path: &Path| std::path::absolute(path).ok();
+        ensure!(
+            !(names.contains(&name) && full(film) == full(&self.out.join(name))),
+            "--film {shown}: another file of this name is written there"
+        );
+        Ok(())
     }
 }
 
@@ -66,39 +89,44 @@ pub(crate) fn perform(
     quiet: bool,
 ) -> Result<()> {
     let Performance { figure, clip, .. } = performance;
+    let overlay = Overlay::new(figure, clip, &arguments.overlay)?;
     progress.step("measuring the motion");
     let checks = Checks::new(figure, clip).context("the motion cannot be measured")?;
     progress.step("looking from two sides");
     let two_views =
         TwoViews::new(figure, clip, arguments.seed).context("two cameras cannot see the motion")?;
     progress.step("drawing the contact sheet");
-    let sheet = sheet::draw(figure, &performance.storyboard, &performance.title)?;
+    let storyboard = &performance.storyboard;
+    let sheet = sheet::draw(figure, storyboard, &performance.title, &overlay)?;
+    let film = match &arguments.film {
+        Some(path) => {
+            progress.step("drawing the film");
+            Some((path, sheet::film(figure, storyboard, clip, &overlay)?))
+        }
+        None => None,
+    };
     progress.step("making the model");
-    let mut files = vec![
-        File {
-            name: OBJ,
-            contents: model::obj(figure),
-        },
-        File {
-            name: GLB,
-            contents: model::glb(figure, clip, &performance.clip_name)?,
-        },
-    ];
-    let vertices = figure.mesh.vertex_count();
-    let mut listed: Vec<FileReport> = files
-        .iter()
-        .map(|file| FileReport::new(file, Some(vertices), None))
-        .collect();
+    let mut files = model::files(figure, clip, &performance.clip_name)?;
     let pixels = [sheet.width, sheet.height];
-    files.push(File {
-        name: SHEET,
-        contents: sheet.png,
-    });
-    listed.extend(
-        files
-            .last()
-            .map(|file| FileReport::new(file, None, Some(pixels))),
+    files.insert(
+        2,
+        File {
+            name: SHEET,
+            contents: sheet.png,
+        },
     );
+    let vertices = figure.mesh.vertex_count();
+    let paint = figure.paint.as_ref();
+    let listed = files.iter().map(|file| match file.name {
+        SHEET => FileReport::new(file, None, Some(pixels)),
+        model::MTL => FileReport::new(file, None, None),
+        model::SKIN => {
+            let size = paint.map(|paint| [paint.width(), paint.height()].map(|side| side as u32));
+            FileReport::new(file, None, size)
+        }
+        _ => FileReport::new(file, Some(vertices), None),
+    });
+    let listed = listed.collect();
 
     let report = report(performance, checks, two_views, listed);
     let mut text =
@@ -109,10 +137,18 @@ pub(crate) fn perform(
         contents: text.into_bytes(),
     });
     progress.step("writing");
+    if let Some((path, contents)) = &film {
+        ga_files::write(path, contents)?;
+    }
     output::write_all(&arguments.out, &files)?;
     drop(progress);
     if !quiet {
-        summary::print(&report, &arguments.out, &files, begin.elapsed())?;
+        let mut written: Vec<(PathBuf, usize)> = files
+            .iter()
+            .map(|file| (arguments.out.join(file.name), file.contents.len()))
+            .collect();
+        written.extend(film.map(|(path, contents)| (path.clone(), contents.len())));
+        summary::print(&report, &written, begin.elapsed())?;
     }
     Ok(())
 }

@@ -4,7 +4,7 @@ use ga_anim::clip::Clip;
 use ga_anim::pose::Pose;
 use ga_render::sheet::Kind;
 
-/// Rows of the sheet, each from one key frame to the next.
+/// Rows of the sheet of a recording, each from one key frame to the next.
 const ROWS: usize = 4;
 
 /// Steps from a key frame to the next, one more than there are in-betweens.
@@ -72,12 +72,12 @@ impl Storyboard {
     }
 }
 
-/// The first rows of a clip whose frames are all key frames.
-pub(crate) fn spans_of_keys(clip: &Clip) -> Vec<[usize; 2]> {
+/// The first rows of a clip whose frames are all key frames, at most this many.
+pub(crate) fn spans_of_keys(clip: &Clip, rows: usize) -> Vec<[usize; 2]> {
     let last = clip.frames().len() - 1;
     match last {
         0 => vec![[0, 0]],
-        _ => (0..last.min(ROWS)).map(|key| [key, key + 1]).collect(),
+        _ => (0..last.min(rows)).map(|key| [key, key + 1]).collect(),
     }
 }
 
@@ -150,9 +150,10 @@ mod tests {
             first: 0,
             per_frame: 4,
         };
-        let board = Storyboard::new(&clip, &spans_of_keys(&clip), numbering);
+        let board = Storyboard::new(&clip, &spans_of_keys(&clip, 3), numbering);
         let numbers: Vec<usize> = board.moments.iter().map(|moment| moment.number).collect();
         assert_eq!(numbers[..10], [0, 1, 2, 3, 4, 4, 5, 6, 7, 8]);
+        assert_eq!(numbers.len(), 15);
         assert_eq!(board.moments[3].kind, Kind::InBetween { step: 3, steps: 4 });
         assert!((board.moments[3].time - 0.075).abs() < 1e-15);
     }

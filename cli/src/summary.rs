@@ -1,51 +1,39 @@
 //! The summary that is printed at the end.
 
 use std::fmt::Write as _;
-use std::path::Path;
+use std::path::PathBuf;
 use std::time::Duration;
 
 use anyhow::{Context, Result};
 
-use crate::output::{self, File};
+use crate::output;
 use crate::report::Report;
 
 /// Prints where everything was written and the main results. It is not an error when the reader of
 /// standard output closes it early.
-pub(crate) fn print(
-    report: &Report,
-    folder: &Path,
-    files: &[File],
-    elapsed: Duration,
-) -> Result<()> {
-    let text = text(report, folder, files, elapsed);
+pub(crate) fn print(report: &Report, files: &[(PathBuf, usize)], elapsed: Duration) -> Result<()> {
+    let text = text(report, files, elapsed);
     output::print(&text).context("the files are written, but the summary cannot be printed")
 }
 
-fn text(report: &Report, folder: &Path, files: &[File], elapsed: Duration) -> String {
+fn text(report: &Report, files: &[(PathBuf, usize)], elapsed: Duration) -> String {
     let mut text = String::new();
     // Writing to a String cannot fail.
-    let _ = write_to(&mut text, report, folder, files, elapsed);
+    let _ = write_to(&mut text, report, files, elapsed);
     text
 }
 
 fn write_to(
     text: &mut String,
     report: &Report,
-    folder: &Path,
-    files: &[File],
+    files: &[(PathBuf, usize)],
     elapsed: Duration,
 ) -> std::fmt::Result {
     write_input(text, report)?;
     write_checks(text, report)?;
-    for (index, file) in files.iter().enumerate() {
+    for (index, (path, bytes)) in files.iter().enumerate() {
         let label = if index == 0 { "wrote" } else { "" };
-        let path = folder.join(file.name);
-        writeln!(
-            text,
-            "{label:10} {}, {}",
-            path.display(),
-            size(file.contents.len())
-        )?;
+        writeln!(text, "{label:10} {}, {}", path.display(), size(*bytes))?;
     }
     writeln!(text, "took       {:.1} s", elapsed.as_secs_f64())
 }

@@ -181,6 +181,7 @@ fn figure(arguments: &Arguments) -> Result<(Figure, Option<String>)> {
         mesh,
         skeleton,
         weights,
+        paint: None,
     };
     Ok((figure, group))
 }

@@ -13,9 +13,12 @@ use crate::storyboard::{self, Numbering, STEPS, Storyboard};
 
 /// Generate a person that walks; needs no input.
 ///
-/// Writes model.obj (the mesh at rest), model.glb (mesh, skeleton, skin weights and the walk),
-/// sheet.png (key frames with three in-betweens after each, shaded and as depth) and report.json.
-/// Lengths are metres, y points up.
+/// Writes model.obj (the mesh at rest) with model.mtl and skin.png (its painted skin), model.glb
+/// (mesh, painted skin, skeleton, skin weights and the walk), sheet.png (the key frames of a stride
+/// with three in-betweens after each, shaded and as depth) and report.json. Lengths are metres, y
+/// points up.
+///
+/// Example: nullcone demo --bones --trails LeftFoot,RightHand --film walk.png
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct Arguments {
     #[command(flatten)]
@@ -25,16 +28,21 @@ pub(crate) struct Arguments {
 /// Two steps each.
 const STRIDES: u16 = 2;
 
+/// Rows and columns of the painted skin.
+const TEXTURE_SIZE: usize = 1024;
+
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let begin = Instant::now();
     arguments.output.check()?;
     let progress = Progress::new(pipeline::STEPS + 1, quiet);
     progress.step("making a person");
+    let human = Human::new();
+    let paint = human.texture(TEXTURE_SIZE);
     let Human {
         mesh,
         skeleton,
         weights,
-    } = Human::new();
+    } = human;
     let keys = walk(STRIDES);
     let clip = keys
         .resampled(STEPS as f64 / KEY_TIME)
@@ -64,12 +72,17 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let performance = Performance {
         command: "demo",
         input,
-        storyboard: Storyboard::new(&keys, &storyboard::spans_of_keys(&keys), numbering),
+        storyboard: Storyboard::new(
+            &keys,
+            &storyboard::spans_of_keys(&keys, KEYS_PER_STRIDE),
+            numbering,
+        ),
         figure: Figure {
             name: "mannequin".to_owned(),
             mesh,
             skeleton,
             weights,
+            paint: Some(paint),
         },
         group: None,
         metres_per_unit: 1.0,

@@ -8,9 +8,19 @@ use serde_json::Value;
 use tempfile::tempdir;
 
 use crate::common::{
-    FILES, assert_failure, assert_success, contents, extent, heights, names, nullcone, number,
-    program, report, text,
+    assert_failure, assert_success, contents, extent, heights, names, nullcone, number, program,
+    report, text,
 };
+
+/// What the demo writes, in the order of [`names`].
+const FILES: [&str; 6] = [
+    "model.glb",
+    "model.mtl",
+    "model.obj",
+    "report.json",
+    "sheet.png",
+    "skin.png",
+];
 
 /// The output of one run for all tests that only look at it, and the folder it wrote.
 fn demo() -> &'static (Output, PathBuf) {
@@ -26,7 +36,7 @@ fn demo() -> &'static (Output, PathBuf) {
 }
 
 #[test]
-fn it_writes_four_files_and_says_so() {
+fn it_writes_six_files_and_says_so() {
     let (output, out) = demo();
     assert!(output.stderr.is_empty(), "{}", text(&output.stderr));
     assert_eq!(names(out), FILES);
@@ -34,7 +44,16 @@ fn it_writes_four_files_and_says_so() {
         assert!(text(&output.stdout).contains(name));
     }
     let report = report(out);
-    for (index, name) in ["model.obj", "model.glb", "sheet.png"].iter().enumerate() {
+    for (index, name) in [
+        "model.obj",
+        "model.glb",
+        "sheet.png",
+        "model.mtl",
+        "skin.png",
+    ]
+    .iter()
+    .enumerate()
+    {
         let file = &report["files"][index];
         assert_eq!(file["name"], *name);
         let bytes = std::fs::metadata(out.join(name)).unwrap().len();
@@ -49,6 +68,144 @@ fn it_writes_four_files_and_says_so() {
         number(&report, "/files/2/pixels/1"),
         f64::from(sheet.height())
     );
+}
+
+/// The picture, the coordinates and the material in the files of the model.
+#[test]
+fn the_model_wears_its_painted_skin() {
+    let (_, out) = demo();
+    let skin = image::open(out.join("skin.png")).unwrap().to_rgb8();
+    let mesh = ga_mesh::obj::read(out.join("model.obj")).unwrap();
+    let texture = mesh.materials()[0].base_colour_texture.as_ref().unwrap();
+    assert_eq!(texture.image, ga_mesh::Image::File("skin.png".to_owned()));
+    assert!(
+        mesh.face_materials()
+            .iter()
+            .all(|material| *material == Some(0))
+    );
+    let coordinates = mesh.texture_coordinates().unwrap();
+    assert_eq!(coordinates.corners.len(), mesh.faces().corners().len());
+
+    let (document, buffers, images) = gltf::import(out.join("model.glb")).unwrap();
+    assert_eq!(images[0].pixels, skin.into_raw());
+    let primitive = document
+        .meshes()
+        .next()
+        .unwrap()
+        .primitives()
+        .next()
+        .unwrap();
+    let material = primitive.material().pbr_metallic_roughness();
+    let info = material.base_color_texture().unwrap();
+    assert_eq!((info.texture().source().index(), info.tex_coord()), (0, 0));
+    // Each corner has the place and the coordinates of that of the OBJ file; glTF has v down.
+    let reader = primitive.reader(|buffer| Some(&buffers[buffer.index()]));
+    let positions: Vec<[f32; 3]> = reader.read_positions().unwrap().collect();
+    let places: Vec<[f32; 2]> = reader.read_tex_coords(0).unwrap().into_f32().collect();
+    let indices: Vec<u32> = reader.read_indices().unwrap().into_u32().collect();
+    assert_eq!(positions.len(), places.len());
+    assert!(positions.len() < mesh.vertex_count() * 5 / 4);
+    assert_eq!(indices.len(), coordinates.corners.len());
+    for (corner, &index) in indices.iter().enumerate() {
+        let vertex = mesh.faces().corners()[corner] as usize;
+        let position = mesh.positions()[vertex].coordinates().map(|c| c as f32);
+        let [u, v] = *coordinates.get(corner).unwrap();
+        assert_eq!(positions[index as usize], position);
+        assert_eq!(places[index as usize], [u as f32, (1.0 - v) as f32]);
+    }
+}
+
+/// A stride has eight key poses: a row from each to the next, with three poses between.
+#[test]
+fn the_sheet_shows_a_whole_stride() {
+    let sheet = image::open(demo().1.join("sheet.png")).unwrap().to_rgb8();
+    // The frame around the picture of a key frame.
+    let is_key = |x: u32, y: u32| sheet.get_pixel(x, y).0 == [210, 84, 12];
+    let begins = |list: Vec<bool>| {
+        let mut before = false;
+        list.into_iter()
+            .filter(|&here| !std::mem::replace(&mut before, here) && here)
+            .count()
+    };
+    // Down the left frame of the first column: a picture and its depth in each row.
+    let any = |x: u32| (0..sheet.height()).any(|y| is_key(x, y));
+    let left = (0..sheet.width()).find(|&x| any(x)).unwrap();
+    let down = begins((0..sheet.height()).map(|y| is_key(left, y)).collect());
+    assert_eq!(down, 8 * 2);
+    // Across the first row: the left and the right frame of the first and of the last picture.
+    let middle = (0..sheet.height()).find(|&y| is_key(left, y)).unwrap() + 100;
+    let across = begins((0..sheet.width()).map(|x| is_key(x, middle)).collect());
+    assert_eq!(across, 4);
+}
+
+#[test]
+fn bones_trails_and_a_film_are_drawn_where_they_are_asked_for() {
+    let folder = tempdir().unwrap();
+    let marked = [
+        "--bones",
+        "--trails",
+        "LeftFoot,RightHand",
+        "--film",
+        "film.png",
+    ];
+    let output = nullcone(folder.path(), ["demo"].iter().chain(&marked));
+    assert_success(&output);
+    assert!(text(&output.stdout).contains("film.png"));
+    let film = std::fs::File::open(folder.path().join("film.png")).unwrap();
+    let decoder = image::codecs::png::PngDecoder::new(std::io::BufReader::new(film)).unwrap();
+    let frames = image::AnimationDecoder::into_frames(decoder.apng().unwrap());
+    let frames: Vec<image::Frame> = frames.map(Result::unwrap).collect();
+    let out = folder.path().join("out");
+    assert_eq!(
+        frames.len() as f64,
+        number(&report(&out), "/animation/frames")
+    );
+    let (numerator, denominator) = frames[0].delay().numer_denom_ms();
+    let seconds = f64::from(numerator) / f64::from(denominator) / 1000.0;
+    let rate = number(&report(&out), "/animation/frames_per_second");
+    assert!((seconds * rate - 1.0).abs() < 0.02, "{seconds} {rate}");
+
+    let count = |colour: [u8; 3], picture: &image::RgbImage| {
+        picture.pixels().filter(|pixel| pixel.0 == colour).count()
+    };
+    let (bone, path) = ([28, 88, 160], [214, 51, 39]);
+    let [plain, drawn] = [&demo().1, &out].map(|out| {
+        let sheet = image::open(out.join("sheet.png")).unwrap();
+        sheet.to_rgb8()
+    });
+    assert_eq!((count(bone, &plain), count(path, &plain)), (0, 0));
+    assert!(count(bone, &drawn) > 1000);
+    // A trail grows with time: it is there in the last picture, but not in the first one.
+    let [first, last] = [&frames[0], &frames[frames.len() - 1]].map(|frame| {
+        let picture = image::DynamicImage::from(frame.buffer().clone()).to_rgb8();
+        picture
+            .pixels()
+            .filter(|p| p.0[0] > 180 && p.0[1] < 110 && p.0[2] < 110)
+            .count()
+    });
+    assert!(last > first + 100, "{first} {last}");
+    // The model is the same.
+    for name in ["model.glb", "model.obj", "skin.png"] {
+        let [a, b] = [&demo().1, &out].map(|out| std::fs::read(out.join(name)).unwrap());
+        assert!(a == b, "{name}");
+    }
+}
+
+#[test]
+fn wrong_films_and_trails_are_named() {
+    let folder = tempdir().unwrap();
+    for (arguments, parts) in [
+        (["--trails", "Tail"], ["Tail", "LeftFoot"]),
+        (["--film", "film.gif"], ["film.gif", ".png"]),
+        (
+            ["--film", "out/sheet.png"],
+            ["out/sheet.png", "another file"],
+        ),
+    ] {
+        let output = nullcone(folder.path(), ["demo"].iter().chain(&arguments));
+        assert_failure(&output, &parts);
+    }
+    assert!(names(folder.path()).is_empty());
 }
 
 #[test]
