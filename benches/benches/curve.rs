@@ -126,6 +126,14 @@ fn evaluation(criterion: &mut Criterion) {
     group.bench_function("nullcone, forward", |bench| {
         bench.iter(|| curve.sample_into(black_box(&queries), black_box(&mut results)));
     });
+    group.bench_function("nullcone, forward by a cursor", |bench| {
+        bench.iter(|| {
+            let mut cursor = curve.cursor();
+            for (result, &time) in black_box(&mut results).iter_mut().zip(black_box(&queries)) {
+                *result = cursor.value(time);
+            }
+        });
+    });
     group.bench_function("nullcone, at random", |bench| {
         bench.iter(|| {
             for (result, &time) in black_box(&mut results).iter_mut().zip(black_box(&shuffled)) {

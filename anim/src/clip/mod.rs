@@ -1,8 +1,33 @@
-//! Clips: poses at equal time steps, and the interpolated ones between.
+//! Clips: poses at equal time steps, and the interpolated ones between; what is made of them.
+//!
+//! | what | how |
+//! | --- | --- |
+//! | poses over each other, with weights of joints | [`overlay`], [`Layer`] |
+//! | differences that are added to other clips | [`Clip::difference`], [`Clip::added`] |
+//! | from one clip to another | [`CrossFade`] |
+//! | the way over the ground, and the motion in place | [`Clip::root_motion`], [`RootMotion`] |
+//! | left and right exchanged | [`Mirror`] |
+//! | another timing | [`TimeWarp`], [`Clip::at_speed`], [`Clip::reversed`] |
+//! | what happens at a time; numbers beside the joints | [`EventTrack`], [`ScalarTracks`] |
+
+mod additive;
+mod cross_fade;
+mod event;
+mod layering;
+mod mirror;
+mod root_motion;
+mod time_warp;
 
 pub mod compressed;
 
 use crate::pose::Pose;
+
+pub use cross_fade::CrossFade;
+pub use event::{EventError, EventTrack, ScalarTracks};
+pub use layering::{Layer, LayerError, overlay};
+pub use mirror::{Mirror, MirrorError};
+pub use root_motion::{GroundMotion, RootMotion, RootMotionError};
+pub use time_warp::TimeWarp;
 
 /// A motion of a skeleton: poses of equally many joints, one each `frame_time`.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +58,9 @@ pub enum ClipError {
     /// A rate is 0, negative, infinite or not a number, or gives more frames than fit in memory.
     #[error("{0} is not a number of frames per second for this clip")]
     Rate(f64),
+    /// A time is negative, infinite or not a number.
+    #[error("{0} seconds is not a time of a clip")]
+    Time(f64),
 }
 
 impl Clip {
@@ -72,6 +100,12 @@ impl Clip {
     #[must_use]
     pub fn frames(&self) -> &[Pose] {
         &self.frames
+    }
+
+    /// How many joints each pose has.
+    #[must_use]
+    pub fn joint_count(&self) -> usize {
+        self.frames[0].joints.len()
     }
 
     /// The time of the last frame, in seconds.
@@ -124,5 +158,17 @@ impl Clip {
         let frame_time = 1.0 / rate;
         let frames = (0..=steps as u64).map(|step| self.sample(step as f64 * frame_time));
         Self::new(frame_time, frames.collect())
+    }
+
+    /// Fails unless something to be combined with this clip has as many joints.
+    fn check_joints(&self, found: usize) -> Result<(), ClipError> {
+        match self.joint_count() {
+            expected if expected == found => Ok(()),
+            expected => Err(ClipError::JointCount {
+                frame: 0,
+                expected,
+                found,
+            }),
+        }
     }
 }

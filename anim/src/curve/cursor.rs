@@ -80,6 +80,20 @@ impl<'a, V: Value> Cursor<'a, V> {
         }
     }
 
+    /// The values at the first of some times, as many as are in the piece of the cursor. Returns
+    /// their number.
+    pub(super) fn run(&self, times: &[f64], values: &mut [V]) -> usize {
+        let (start, end, piece) = (self.start, self.end, self.piece);
+        let inside = times
+            .iter()
+            .take_while(|&&time| start <= time && time < end)
+            .count();
+        for (place, &time) in values.iter_mut().zip(&times[..inside]) {
+            *place = value(&piece, time - start);
+        }
+        inside
+    }
+
     /// Goes to the piece at a time and returns the time since its key; `None` outside the curve.
     #[inline(never)]
     fn seek(&mut self, time: f64) -> Option<f64> {

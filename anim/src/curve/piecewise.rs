@@ -146,8 +146,14 @@ impl<V: Value> Curve<V> {
             });
         }
         let mut cursor = self.cursor();
-        for (value, &time) in values.iter_mut().zip(times) {
-            *value = cursor.value(time);
+        let mut done = 0;
+        while done < times.len() {
+            // All that follow in the same piece, in a loop without branches.
+            done += cursor.run(&times[done..], &mut values[done..]);
+            if let Some(&time) = times.get(done) {
+                values[done] = cursor.value(time);
+                done += 1;
+            }
         }
         Ok(())
     }
