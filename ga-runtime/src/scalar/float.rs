@@ -1,6 +1,6 @@
 //! `f32` and `f64`.
 
-use super::{ConstRing, Field, Real, Ring, half_angle};
+use super::{ArcFactors, ConstRing, Field, Real, Ring, arc, half_angle};
 
 /// Elementary functions, from the library that the features select.
 #[cfg(feature = "std")]
@@ -76,7 +76,10 @@ macro_rules! implement_field {
 }
 
 macro_rules! implement_real {
-    ($type:ident, $sqrt:ident, $fabs:ident, $sin:ident, $cos:ident, $atan2:ident, $exp:ident, $log:ident) => {
+    (
+        $type:ident, by $sine_by_angle:ident, $angle_by_sine:ident, $arc_factors:ident,
+        $sqrt:ident, $fabs:ident, $sin:ident, $cos:ident, $atan2:ident, $exp:ident, $log:ident
+    ) => {
         impl Real for $type {
             type Mask = bool;
 
@@ -109,13 +112,23 @@ macro_rules! implement_real {
             }
             #[inline(always)]
             fn sine_by_angle(self) -> (Self, Self, Self) {
-                let (cosine, ratio, slope) = half_angle::sine_by_angle(f64::from(self));
+                let (cosine, ratio, slope) = half_angle::$sine_by_angle(f64::from(self));
                 (cosine as Self, ratio as Self, slope as Self)
             }
             #[inline(always)]
             fn angle_by_sine(self) -> (Self, Self) {
-                let (ratio, slope) = half_angle::angle_by_sine(f64::from(self));
+                let (ratio, slope) = half_angle::$angle_by_sine(f64::from(self));
                 (ratio as Self, slope as Self)
+            }
+            #[inline(always)]
+            fn arc_factors(self, t: Self) -> ArcFactors<Self> {
+                let factors = arc::$arc_factors(f64::from(self), f64::from(t));
+                ArcFactors {
+                    first: factors.first as Self,
+                    second: factors.second as Self,
+                    first_slope: factors.first_slope as Self,
+                    second_slope: factors.second_slope as Self,
+                }
             }
             #[inline]
             fn exp(self) -> Self {
@@ -156,5 +169,11 @@ macro_rules! implement_real {
 
 implement_field!(f32);
 implement_field!(f64);
-implement_real!(f32, sqrtf, fabsf, sinf, cosf, atan2f, expf, logf);
-implement_real!(f64, sqrt, fabs, sin, cos, atan2, exp, log);
+implement_real!(
+    f32, by sine_by_angle_single, angle_by_sine_single, arc_factors_single,
+    sqrtf, fabsf, sinf, cosf, atan2f, expf, logf
+);
+implement_real!(
+    f64, by sine_by_angle, angle_by_sine, arc_factors,
+    sqrt, fabs, sin, cos, atan2, exp, log
+);

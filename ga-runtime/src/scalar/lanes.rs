@@ -5,7 +5,7 @@ use core::ops::{
     Add, AddAssign, Div, DivAssign, Index, IndexMut, Mul, MulAssign, Neg, Sub, SubAssign,
 };
 
-use super::{ConstRing, Field, LaneMask, Real, Ring};
+use super::{ArcFactors, ConstRing, Field, LaneMask, Real, Ring};
 
 /// N numbers side by side; every operation is applied to each of them.
 ///
@@ -206,6 +206,23 @@ impl<T: Real<Mask = bool>, const N: usize> Real for Lanes<T, N> {
             (*ratio, *slope) = ratio.angle_by_sine();
         }
         (ratio, slope)
+    }
+    #[inline(always)]
+    fn arc_factors(self, t: Self) -> ArcFactors<Self> {
+        let [mut first, mut second, mut first_slope, mut second_slope] = [self; 4];
+        for lane in 0..N {
+            let factors = self.0[lane].arc_factors(t.0[lane]);
+            first.0[lane] = factors.first;
+            second.0[lane] = factors.second;
+            first_slope.0[lane] = factors.first_slope;
+            second_slope.0[lane] = factors.second_slope;
+        }
+        ArcFactors {
+            first,
+            second,
+            first_slope,
+            second_slope,
+        }
     }
     #[inline(always)]
     fn exp(self) -> Self {

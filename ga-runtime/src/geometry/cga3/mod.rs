@@ -26,6 +26,7 @@ mod conformal_logarithm;
 mod dual_quaternion;
 mod euler;
 pub mod homogeneous;
+mod interpolation;
 mod kind;
 pub mod kinematics;
 mod logarithm;

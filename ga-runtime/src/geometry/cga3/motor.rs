@@ -86,6 +86,20 @@ impl<S: Real<Mask = bool>> DualQuaternion<S> {
     #[inline]
     #[must_use]
     pub fn normalize(self) -> Option<Motor<S>> {
+        let (motor, size) = self.divided_by_norm();
+        if is_moderate(size) {
+            Some(motor)
+        } else {
+            Motor::normalize(self)
+        }
+    }
+}
+
+impl<S: Real> DualQuaternion<S> {
+    /// The motor nearest to a sum of motors, without a check, and a number that is moderate only
+    /// where every intermediate result is in the range of the scalar.
+    #[inline(always)]
+    pub(super) fn divided_by_norm(self) -> (Motor<S>, S) {
         // The real part q and the other part d as quaternions: q is scaled to length 1, and what d
         // has along q is removed.
         let Self {
@@ -109,14 +123,11 @@ impl<S: Real<Mask = bool>> DualQuaternion<S> {
         ];
         let sum = d[0] + d[1] + (d[2] + d[3]);
         // The sum is moderate only if each of its terms is finite.
-        if !is_moderate(square + inverse + sum.abs()) {
-            return Motor::normalize(self);
-        }
+        let size = square + inverse + sum.abs();
         let scale = inverse.sqrt();
         let [scalar, e12, e13, e23] = [scalar, e12, e13, e23].map(|x| x * scale);
         let [e1i, e2i, e3i, e123i] = d.map(|x| x * scale);
-        Some(Motor::new_unchecked(
-            scalar, e12, e13, e23, e1i, e2i, e3i, e123i,
-        ))
+        let motor = Motor::new_unchecked(scalar, e12, e13, e23, e1i, e2i, e3i, e123i);
+        (motor, size)
     }
 }

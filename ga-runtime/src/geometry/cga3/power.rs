@@ -1,6 +1,5 @@
-//! Powers and square roots of rotations and rigid motions, and interpolation at constant speed.
+//! Powers and square roots of rotations and rigid motions.
 
-use super::RotationPath;
 use super::logarithm::{Halves, assemble, length_and_direction, select_motor, turn_exponential};
 use crate::cga3::{Motor, Rotor};
 use crate::scalar::{Mask, Real};
@@ -58,51 +57,6 @@ impl<S: Real> Rotor<S> {
                 S::select(is_past, past.1[k], near.1[k])
             })),
         ))
-    }
-
-    /// The interpolation from `self` at t = 0 to `other` at t = 1 at constant angular velocity, by
-    /// the shorter rotation: `R (~R R′)ᵗ`, with `−R′` instead of R′ where that is nearer.
-    ///
-    /// This is the slerp of Cui, eqs. 18 to 22, `(sin (1 − t)φ R + sin tφ R′)/sin φ` with φ half
-    /// the angle between them, in a form without special cases for φ near 0 or π. t may be outside
-    /// [0, 1].
-    ///
-    /// ```
-    /// use ga_runtime::cga3::Rotor;
-    /// let (start, end) = (
-    ///     Rotor::<f64>::default(),
-    ///     Rotor::from_axis_angle([0.0, 0.0, 1.0], 1.0).unwrap(),
-    /// );
-    /// let (_, angle) = start.interpolate(end, 0.25).to_axis_angle();
-    /// assert!((angle - 0.25).abs() < 1e-15);
-    /// ```
-    #[inline(always)]
-    #[must_use]
-    pub fn interpolate(self, other: Self, t: S) -> Self {
-        self.interpolate_along(other, t, RotationPath::Short)
-    }
-
-    /// As [`interpolate`](Self::interpolate), by the shorter or the longer rotation. The longer
-    /// rotation between equal rotors is a full turn in the plane e12 of `self`.
-    ///
-    /// ```
-    /// use ga_runtime::cga3::Rotor;
-    /// use ga_runtime::geometry::RotationPath;
-    /// let (start, end) = (
-    ///     Rotor::<f64>::default(),
-    ///     Rotor::from_axis_angle([0.0, 0.0, 1.0], 1.0).unwrap(),
-    /// );
-    /// let (axis, angle) = start
-    ///     .interpolate_along(end, 0.25, RotationPath::Long)
-    ///     .to_axis_angle();
-    /// assert!(
-    ///     axis[2] < -0.9 && (angle - 0.25 * (2.0 * std::f64::consts::PI - 1.0)).abs() < 1e-15
-    /// );
-    /// ```
-    #[inline(always)]
-    #[must_use]
-    pub fn interpolate_along(self, other: Self, t: S, path: RotationPath) -> Self {
-        self * (self.reverse() * other).along(path).powf(t)
     }
 
     fn from_halves((scalar, vector): (S, Vector<S>)) -> Self {
@@ -165,40 +119,5 @@ impl<S: Real> Motor<S> {
             return root;
         }
         select_motor(!is_past, root, self.powf(half))
-    }
-
-    /// The interpolation from `self` at t = 0 to `other` at t = 1 along a screw at constant speed,
-    /// by the shorter rotation: `M (~M N)ᵗ`, with `−N` instead of N where that is nearer. t may be
-    /// outside [0, 1].
-    ///
-    /// ```
-    /// use ga_runtime::cga3::{Motor, Point, Rotor};
-    /// let quarter = Rotor::from_axis_angle([0.0, 0.0, 1.0], std::f64::consts::FRAC_PI_2).unwrap();
-    /// let middle = Motor::default().interpolate(quarter.into(), 0.5);
-    /// let [x, y, _]: [f64; 3] = middle.transform(Point::new(1.0, 0.0, 0.0)).coordinates();
-    /// assert!((x - 0.5_f64.sqrt()).abs() < 1e-15 && (y - 0.5_f64.sqrt()).abs() < 1e-15);
-    /// ```
-    #[inline(always)]
-    #[must_use]
-    pub fn interpolate(self, other: Self, t: S) -> Self {
-        self.interpolate_along(other, t, RotationPath::Short)
-    }
-
-    /// As [`interpolate`](Self::interpolate), by the shorter or the longer rotation. The longer
-    /// rotation between two motors that differ by a translation is a full turn about the axis of
-    /// the translation; where they are equal, it is in the plane e12 of `self`.
-    ///
-    /// ```
-    /// use ga_runtime::cga3::{Motor, Point, Rotor};
-    /// use ga_runtime::geometry::RotationPath;
-    /// let quarter = Rotor::from_axis_angle([0.0, 0.0, 1.0], std::f64::consts::FRAC_PI_2).unwrap();
-    /// let middle = Motor::default().interpolate_along(quarter.into(), 0.5, RotationPath::Long);
-    /// let [x, y, _]: [f64; 3] = middle.transform(Point::new(1.0, 0.0, 0.0)).coordinates();
-    /// assert!((x + 0.5_f64.sqrt()).abs() < 1e-15 && (y + 0.5_f64.sqrt()).abs() < 1e-15);
-    /// ```
-    #[inline(always)]
-    #[must_use]
-    pub fn interpolate_along(self, other: Self, t: S, path: RotationPath) -> Self {
-        self * (self.reverse() * other).along(path).powf(t)
     }
 }
