@@ -17,6 +17,7 @@
 //! | [`compose`] | products of motors, pair by pair |
 //! | [`blend`] | weighted means of motors from a palette, as in skinning |
 //! | [`log`], [`exp`] | generators of motors, and back |
+//! | [`interpolate`], [`nlerp`] | motors between motors, pair by pair |
 //!
 //! Elements are stored as in any slice, one after the other. The loops over them are compiled
 //! twice, for the target of the build and for AVX2, and [`Batch`] chooses when the program runs. In
@@ -33,6 +34,7 @@
 //! that is an error and nothing is written.
 
 mod blend;
+mod interpolation;
 mod moved;
 mod screw;
 mod transform;
@@ -259,4 +261,42 @@ pub fn exp<S: Real>(
     motors: &mut [Motor<S>],
 ) -> Result<(), LengthMismatch> {
     Batch::new().exp(generators, motors)
+}
+
+/// The interpolation of motors along screws, pair by pair, as [`Motor::interpolate`]: slerp.
+///
+/// # Errors
+/// The slices have different lengths.
+///
+/// ```
+/// use ga_runtime::batch;
+/// use ga_runtime::cga3::{Motor, Rotor};
+/// let about = |angle: f64| Motor::from(Rotor::from_axis_angle([0.0, 0.0, 1.0], angle).unwrap());
+/// let mut between = [Motor::default(); 2];
+/// batch::interpolate(&[about(0.0); 2], &[about(1.0); 2], &[0.25, 0.5], &mut between)?;
+/// let angles = between.map(|m| m.rotor().to_axis_angle().1);
+/// assert!((angles[0] - 0.25).abs() < 1e-15 && (angles[1] - 0.5).abs() < 1e-15);
+/// # Ok::<(), batch::LengthMismatch>(())
+/// ```
+pub fn interpolate<S: Real<Mask = bool>>(
+    from: &[Motor<S>],
+    to: &[Motor<S>],
+    t: &[S],
+    between: &mut [Motor<S>],
+) -> Result<(), LengthMismatch> {
+    Batch::new().interpolate(from, to, t, between)
+}
+
+/// The normalised linear interpolation of motors, pair by pair, as [`Motor::nlerp`]: the blend of
+/// two poses, with a weight for each joint.
+///
+/// # Errors
+/// The slices have different lengths.
+pub fn nlerp<S: Real>(
+    from: &[Motor<S>],
+    to: &[Motor<S>],
+    t: &[S],
+    between: &mut [Motor<S>],
+) -> Result<(), LengthMismatch> {
+    Batch::new().nlerp(from, to, t, between)
 }

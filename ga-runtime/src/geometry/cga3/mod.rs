@@ -31,6 +31,7 @@ mod kind;
 pub mod kinematics;
 mod logarithm;
 pub mod motion;
+mod motor_lanes;
 mod number_pair;
 mod power;
 pub mod ray;
