@@ -13,6 +13,7 @@
 //! | [`transform`], [`recording`] | motion as files have it: local transforms, frame by frame |
 //! | [`curve`] | curves through keys: splines, lengths, few vertices within a proven bound |
 //! | [`pose`], [`clip`] | motors of joints, and interpolation between frames along screws |
+//! | [`kinematics`] | forward kinematics and layers of poses, over slices and in lanes |
 //! | [`skin`] | moves a mesh, by the mean of matrices or of motors |
 //! | [`distance_weights`] | weights from the distance to the bones |
 //! | [`retarget`] | transfers a recording to another body |
@@ -71,6 +72,7 @@ pub mod clip;
 pub mod curve;
 pub mod distance_weights;
 pub mod gltf;
+pub mod kinematics;
 pub mod leg;
 pub mod pose;
 pub mod recording;

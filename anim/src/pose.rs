@@ -14,6 +14,7 @@
 
 use ga_runtime::cga3::{Line, Motor, Point, Rotor};
 
+use crate::kinematics::forward_pose;
 use crate::skeleton::Skeleton;
 
 /// A pose of a skeleton.
@@ -103,11 +104,8 @@ impl Pose {
     /// [`PoseError`] when the pose is for a skeleton with another number of joints.
     pub fn motions(&self, skeleton: &Skeleton) -> Result<Vec<Motor<f64>>, PoseError> {
         check(skeleton, self.joints.len())?;
-        let mut motions = Vec::with_capacity(self.joints.len());
-        for (joint, &own) in skeleton.joints().iter().zip(&self.joints) {
-            let above = joint.parent.map_or(self.root, |parent| motions[parent]);
-            motions.push(above * own);
-        }
+        let mut motions = vec![Motor::default(); self.joints.len()];
+        forward_pose(skeleton, self.root, &self.joints, &mut motions);
         Ok(motions)
     }
 

@@ -1,0 +1,93 @@
+//! One layer of poses over another.
+
+use ga_runtime::batch::{Batch, Work};
+use ga_runtime::cga3::Motor;
+use ga_runtime::scalar::{Mask, Real};
+
+use super::LengthError;
+use super::forward::{same_length, whole_poses};
+
+/// Layers that cannot be blended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum LayerError {
+    /// The slices do not fit each other.
+    #[error(transparent)]
+    Length(#[from] LengthError),
+    /// The weight of a joint is not a number from 0 to 1.
+    #[error("the weight of joint {joint} is not from 0 to 1")]
+    Weight {
+        /// The joint.
+        joint: usize,
+    },
+}
+
+/// Blends a layer of poses over others, joint by joint: `(1 − w) M ± w N`, normalised, with the
+/// motor M of the joint below, N above and the weight w of the joint ([`Motor::nlerp`]).
+///
+/// `below`, `above` and `blended` hold as many poses, one after the other, and `weights` a weight
+/// for each joint. Weight 0 leaves M as it is to rounding, and 1 gives N up to its sign. The result
+/// has the sign of M, and the shorter rotation is taken. More layers are blended one after the
+/// other, each over what is below it. What is below may be any motors of the joints: their own
+/// motions, or total ones.
+///
+/// # Errors
+///
+/// [`LayerError`]; nothing is written then.
+///
+/// ```
+/// use ga_anim::kinematics::blend_layers;
+/// use ga_runtime::cga3::{Motor, Translator};
+///
+/// let standing = [Motor::<f64>::default(); 2];
+/// let reaching = [1.0, 2.0].map(|x| Motor::from(Translator::from_displacement([x, 0.0, 0.0])));
+/// let mut blended = standing;
+/// blend_layers(&standing, &reaching, &[0.5, 0.25], &mut blended)?;
+/// assert_eq!(blended.map(|m| m.translator().displacement()[0]), [0.5, 0.5]);
+/// # Ok::<(), ga_anim::kinematics::LayerError>(())
+/// ```
+pub fn blend_layers<S: Real>(
+    below: &[Motor<S>],
+    above: &[Motor<S>],
+    weights: &[S],
+    blended: &mut [Motor<S>],
+) -> Result<(), LayerError> {
+    whole_poses(weights.len(), below.len())?;
+    same_length(below.len(), above.len())?;
+    same_length(below.len(), blended.len())?;
+    for (joint, weight) in weights.iter().enumerate() {
+        let is_share = S::zero().less_or_equal(*weight) & weight.less_or_equal(S::one());
+        if !is_share.all() {
+            return Err(LayerError::Weight { joint });
+        }
+    }
+    Batch::new().run(Layer {
+        below,
+        above,
+        weights,
+        blended,
+    });
+    Ok(())
+}
+
+struct Layer<'a, S> {
+    below: &'a [Motor<S>],
+    above: &'a [Motor<S>],
+    weights: &'a [S],
+    blended: &'a mut [Motor<S>],
+}
+
+impl<S: Real> Work for Layer<'_, S> {
+    #[inline(always)]
+    fn run(self) {
+        let joints = self.weights.len().max(1);
+        let below = self.below.chunks_exact(joints);
+        let above = self.above.chunks_exact(joints);
+        let poses = below.zip(above).zip(self.blended.chunks_exact_mut(joints));
+        for ((below, above), blended) in poses {
+            let motors = below.iter().zip(above).zip(self.weights);
+            for (((below, above), weight), blended) in motors.zip(blended) {
+                *blended = below.nlerp(*above, *weight);
+            }
+        }
+    }
+}
