@@ -29,6 +29,15 @@ pub fn complete() -> Option<&'static Value> {
     Some(COMPLETE.get_or_init(|| read(&path)))
 }
 
+/// The complete file of an [`extract`], by its path in the shared data, where that lies beside the
+/// repository.
+///
+/// # Panics
+/// As [`complete`].
+pub fn whole(path: &str) -> Option<Value> {
+    shared(&format!("oracle/{path}")).map(|path| read(&path))
+}
+
 fn read(path: &Path) -> Value {
     let text =
         std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));

@@ -3,6 +3,8 @@
 mod conformal;
 mod dual_quaternion;
 mod edges;
+mod interpolation;
 mod logarithm;
 mod rigid;
+mod rotations;
 mod similarity;
