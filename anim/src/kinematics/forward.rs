@@ -138,13 +138,18 @@ impl<S: Real, P: ExactSizeIterator<Item = Option<usize>> + Clone> Work for Forwa
         let joints = self.parents.len().max(1);
         let poses = self.own.chunks_exact(joints);
         for (own, total) in poses.zip(self.total.chunks_exact_mut(joints)) {
+            // Most joints follow their parent, whose motion is then at hand: reading what has just
+            // been written would take longer than the product.
+            let mut previous = self.root;
             for (joint, (parent, own)) in self.parents.clone().zip(own).enumerate() {
                 // Parents come first, so they have been computed.
                 let above = match parent {
+                    Some(parent) if parent + 1 == joint => previous,
                     Some(parent) => total[parent],
                     None => self.root,
                 };
-                total[joint] = above * *own;
+                previous = above * *own;
+                total[joint] = previous;
             }
         }
     }

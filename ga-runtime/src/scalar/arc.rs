@@ -86,6 +86,7 @@ fn factors<S: Real>(
 ) -> ArcFactors<S> {
     let one = S::one();
     let (below, above) = (one - cosine, one + cosine);
+    let inverse_above = above.recip();
     let inverse = denominator.recip();
     let inverse_square = inverse * inverse;
     // t P and t² P², times D and D².
@@ -97,7 +98,7 @@ fn factors<S: Real>(
     let second = (scaled * inverse) * part_ratio;
     let first = cosine.neg_mul_add(second, y.mul_add(cosine_rate, one));
     // dP/dc, and twice the derivative of sin √y/√y with respect to y, times (t P)².
-    let growth = cosine.neg_mul_add((numerator + denominator) * inverse / above, one);
+    let growth = cosine.neg_mul_add((numerator + denominator) * (inverse * inverse_above), one);
     let bend = (scaled_square * inverse_square) * (cosine_rate - ratio_rate);
     let second_slope = -(t * part_ratio.mul_add(growth, bend));
     ArcFactors {

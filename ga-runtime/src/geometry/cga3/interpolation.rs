@@ -226,7 +226,8 @@ fn motor_by_power<S: Real>(from: Motor<S>, to: Motor<S>, t: S, path: RotationPat
 /// the shorter rotation.
 #[inline(always)]
 fn shorter<S: Real>(product: S) -> (S, S) {
-    (product.abs(), RotationPath::Short.sign(product))
+    let is_opposite = product.less_than(S::zero());
+    (product.abs(), S::select(is_opposite, -S::one(), S::one()))
 }
 
 /// Whether [`Real::arc_factors`] applies, and `overflow` is zero, not NaN.
