@@ -6,6 +6,7 @@ mod bvh;
 mod curve;
 mod distance_weights;
 mod gltf;
+mod kinematics;
 mod leg;
 mod poses;
 mod recording;
