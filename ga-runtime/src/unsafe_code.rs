@@ -1,14 +1,19 @@
 //! All unsafe code of the workspace, in one file, so that it can be reviewed as a whole. There are
-//! two kinds:
+//! three kinds:
 //!
-//! - A loop compiled for AVX2 is called after a check that the processor has AVX2. A call on
-//!   another processor would be undefined behaviour; [`run`] is the only caller.
+//! - A loop compiled for AVX2 or AVX-512 is called after a check that the processor has these
+//!   instructions. A call on another processor would be undefined behaviour; the functions of this
+//!   file are the only callers.
+//! - The contents of a vector register are read as an array of as many numbers.
 //! - bytemuck's traits `Zeroable` and `Pod` are implemented for the declared types. They state that
 //!   a type has no padding and that any bits are a valid value; the layout is checked by assertions
 //!   when the crate is compiled.
 
 #![allow(unsafe_code)]
 
+use crate::batch::skin::{AffinePalette, Bucket, MotorPalette, Motors, Posed};
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+use crate::batch::skin::{avx2, avx512};
 use crate::instruction_set::InstructionSet;
 
 /// A loop that can be compiled for several sets of instructions, for
@@ -25,7 +30,7 @@ pub trait Work {
 pub(crate) fn run(set: InstructionSet, work: impl Work) {
     match set {
         #[cfg(all(feature = "std", target_arch = "x86_64"))]
-        InstructionSet::Avx2 if set.is_available() => {
+        InstructionSet::Avx2 | InstructionSet::Avx512 if set.is_available() => {
             // SAFETY: the only requirement of the function is that the processor has AVX2 and FMA,
             // which `is_available`, in `instruction_set.rs`, has just checked.
             unsafe { run_with_avx2(work) }
@@ -38,6 +43,86 @@ pub(crate) fn run(set: InstructionSet, work: impl Work) {
 #[target_feature(enable = "avx2,fma")]
 fn run_with_avx2(work: impl Work) {
     work.run();
+}
+
+/// Moves the points and normals of a bucket by the means of affine maps, if there is a form of the
+/// loop for these instructions.
+#[inline]
+pub(crate) fn skin_by_affine_maps(
+    set: InstructionSet,
+    bucket: &Bucket<f32>,
+    palette: &AffinePalette<f32>,
+    posed: &mut Posed<'_, f32>,
+) -> bool {
+    match set {
+        #[cfg(all(feature = "std", target_arch = "x86_64"))]
+        InstructionSet::Avx512 if set.is_available() => {
+            // SAFETY: the only requirement is that the processor has AVX-512 F, VL and DQ, AVX2 and
+            // FMA, which `is_available` has just checked.
+            unsafe { avx512::by_affine_maps(bucket, palette, posed) }
+            true
+        }
+        #[cfg(all(feature = "std", target_arch = "x86_64"))]
+        InstructionSet::Avx2 if set.is_available() => {
+            // SAFETY: the only requirement is that the processor has AVX2 and FMA, which
+            // `is_available` has just checked.
+            unsafe { avx2::by_affine_maps(bucket, palette, posed) }
+            true
+        }
+        _ => {
+            let _ = (bucket, palette, posed);
+            false
+        }
+    }
+}
+
+/// The weighted sums of motors for the points of a tile, if there is a form of the loop for these
+/// instructions.
+#[inline]
+pub(crate) fn sum_motors(
+    set: InstructionSet,
+    bucket: &Bucket<f32>,
+    start: usize,
+    palette: &MotorPalette<f32>,
+    sums: &mut Motors<f32>,
+) -> bool {
+    match set {
+        #[cfg(all(feature = "std", target_arch = "x86_64"))]
+        InstructionSet::Avx2 | InstructionSet::Avx512 if set.is_available() => {
+            // SAFETY: the only requirement is that the processor has AVX2 and FMA, which
+            // `is_available` has just checked.
+            unsafe { avx2::sum_motors(bucket, start, palette, sums) }
+            true
+        }
+        _ => {
+            let _ = (bucket, start, palette, sums);
+            false
+        }
+    }
+}
+
+/// The numbers in a register, from the lowest.
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+#[inline(always)]
+pub(crate) fn numbers4(register: core::arch::x86_64::__m128) -> [f32; 4] {
+    // SAFETY: both have 16 bytes, and all bits are valid numbers.
+    unsafe { core::mem::transmute(register) }
+}
+
+/// The numbers in a register, from the lowest.
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+#[inline(always)]
+pub(crate) fn numbers8(register: core::arch::x86_64::__m256) -> [f32; 8] {
+    // SAFETY: both have 32 bytes, and all bits are valid numbers.
+    unsafe { core::mem::transmute(register) }
+}
+
+/// The numbers in a register, from the lowest.
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+#[inline(always)]
+pub(crate) fn numbers16(register: core::arch::x86_64::__m512) -> [f32; 16] {
+    // SAFETY: both have 64 bytes, and all bits are valid numbers.
+    unsafe { core::mem::transmute(register) }
 }
 
 /// Marks the declared types as plain memory by the traits of bytemuck. `interop::bytemuck`

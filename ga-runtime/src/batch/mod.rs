@@ -18,6 +18,7 @@
 //! | [`blend`] | weighted means of motors from a palette, as in skinning |
 //! | [`log`], [`exp`] | generators of motors, and back |
 //! | [`interpolate`], [`nlerp`] | motors between motors, pair by pair |
+//! | [`skin`] | points that each follow several motions, in many frames |
 //!
 //! Elements are stored as in any slice, one after the other. The loops over them are compiled
 //! twice, for the target of the build and for AVX2, and [`Batch`] chooses when the program runs. In
@@ -26,6 +27,8 @@
 //! Multiplications and additions are fused only if the whole program is built for a processor with
 //! that instruction, and then in both versions: their results are equal bit for bit. The results of
 //! [`transform_each`] and [`compose`] are also equal to those of the methods on single elements.
+//! The loops of [`skin`] are an exception: in `f32` they have forms with fused instructions of
+//! their own for AVX2 and AVX-512, whose results differ by a few ε.
 //! [`transform`] and [`transform_into`] convert the motor to a matrix once, which rounds in another
 //! order: results differ by at most a few dozen ε of the largest coefficient of the element and of
 //! the translation.
@@ -37,6 +40,7 @@ mod blend;
 mod interpolation;
 mod moved;
 mod screw;
+pub mod skin;
 mod transform;
 
 use core::fmt;

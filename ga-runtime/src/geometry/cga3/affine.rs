@@ -473,8 +473,11 @@ fn determinant<S: Ring>(rows: [[S; 3]; 3]) -> S {
     a.dot(b.cross(c))
 }
 
-fn apply<S: Ring>(rows: [[S; 3]; 3], vector: Vector<S>) -> Vector<S> {
-    rows.map(|row| Vector::from(row).dot(vector)).into()
+/// Not by `map`, which the compiler does not always inline.
+#[inline]
+fn apply<S: Ring>([a, b, c]: [[S; 3]; 3], vector: Vector<S>) -> Vector<S> {
+    let row = |[x, y, z]: [S; 3]| Vector::new(x, y, z).dot(vector);
+    Vector::new(row(a), row(b), row(c))
 }
 
 /// `det L` times the inverse transpose: it maps the cross product of two vectors to that of their

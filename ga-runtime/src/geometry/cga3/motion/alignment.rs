@@ -19,9 +19,7 @@ where
         },
     )?;
     let guide = rotor_coordinates(guide);
-    let doubtful = S::epsilon() * S::from_integer(64);
     let cosine = move |motor| rotor_product(guide, rotor_coordinates(motor));
-    let is_doubtful = move |cosine: S| !doubtful.less_than(cosine.abs());
     let others = weighted
         .clone()
         .any(|(_, motor)| is_doubtful(cosine(motor)))
@@ -44,6 +42,20 @@ where
         let is_opposite = cosine.less_than(S::zero());
         (weight, if is_opposite { -motor } else { motor })
     }))
+}
+
+/// A number with the sign that brings a motor nearer to a guide; `None` where they are half a turn
+/// apart, within rounding.
+#[inline]
+pub(crate) fn relative_sign<S: Real<Mask = bool>>(guide: Motor<S>, motor: Motor<S>) -> Option<S> {
+    let cosine = rotor_product(rotor_coordinates(guide), rotor_coordinates(motor));
+    (!is_doubtful(cosine)).then_some(cosine)
+}
+
+/// Whether the sign of the cosine of half an angle is due to rounding.
+#[inline]
+fn is_doubtful<S: Real<Mask = bool>>(cosine: S) -> bool {
+    !(S::epsilon() * S::from_integer(64)).less_than(cosine.abs())
 }
 
 /// The coefficients of the rotation: a unit quaternion, up to the signs of its basis.

@@ -38,6 +38,7 @@ mod registration;
 mod spline;
 mod weight;
 
+pub(crate) use alignment::relative_sign;
 pub use blend::BlendError;
 pub use fit::Fit;
 pub use fit_error::FitError;
