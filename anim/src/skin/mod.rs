@@ -5,29 +5,44 @@
 //! | method | formula | keeps |
 //! | --- | --- | --- |
 //! | [`Method::Linear`] | x' = (Σ w A) x | straight lines; volume is lost where joints twist |
-//! | [`Method::Motor`] | x' = B x ~B | lengths about each joint: B is a rigid motion |
+//! | [`Method::Motor`] | x' = B S x ~B | lengths about each joint: B is a rigid motion |
+//! | [`Method::DualQuaternion`] | x' = B x ~B | the same, and drops scale |
 //!
-//! Here A = \[R\|t\] is the 3×4 matrix of a joint's motor G, and B = Σ ± w G, normalised.
+//! Here A = \[R\|t\] is the 3×4 matrix of a joint's motor G, B = Σ ± w G, normalised, and S = Σ w S
+//! the mean of what the joints scale at rest, the identity for joints that only move.
 //!
 //! In the motor blend each G takes the sign that brings it nearer to the strongest one's, since G
 //! and −G are one motion. The sum lies in the 8 coefficients of a dual quaternion and is made a
 //! motor again by its norm; for rotors and translators this is the dual quaternion blend.
+//!
+//! [`skin`] moves vertices once. For many frames a [`Binding`] is prepared once and takes a
+//! [`Palette`] of motions for each frame; it also moves normals and tangents, in `f32` or `f64`, and
+//! mixes the methods ([`Binding::pose_mixed`]).
 //!
 //! Sources: N. Magnenat-Thalmann, R. Laperrière, D. Thalmann, "Joint-dependent local deformations
 //! for hand animation and object grasping", 1988; L. Kavan, S. Collins, J. Žára, C. O'Sullivan,
 //! "Geometric skinning with approximate dual quaternion blending", ACM Transactions on Graphics
 //! 27(4), 2008.
 
-mod linear;
-mod motor;
+mod binding;
+mod bounds;
+mod palette;
 mod report;
+mod stretch;
 
+use ga_runtime::batch::LengthMismatch;
+use ga_runtime::batch::skin::SkinError as BatchError;
 use ga_runtime::cga3::{Motor, Point};
 
 use crate::pose::PoseError;
 use crate::weights::SkinWeights;
 
+pub use binding::Binding;
+pub use bounds::bounds;
+pub use ga_runtime::batch::skin::{Mix, Posed, SkinScalar};
+pub use palette::Palette;
 pub use report::BodyReport;
+pub use stretch::Stretched;
 
 /// How the motions of several joints are combined into that of a vertex.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -35,8 +50,10 @@ pub enum Method {
     /// The weighted mean of the positions to which the joints would take the vertex.
     #[default]
     Linear,
-    /// The weighted mean of the joints' motors.
+    /// The weighted mean of the joints' motors, after that of their stretches.
     Motor,
+    /// The weighted mean of the joints' motors alone: where joints scale, the scale is dropped.
+    DualQuaternion,
 }
 
 /// Why positions, weights and motions do not fit together.
@@ -64,12 +81,35 @@ pub enum SkinError {
     /// A pose does not fit the skeleton.
     #[error(transparent)]
     Pose(#[from] PoseError),
-    /// The motors of a vertex have no mean: they are not unit motors, or not finite.
-    #[error("the motions of vertex {vertex} have no mean")]
-    NoMean {
-        /// The vertex.
-        vertex: usize,
+    /// The motion of a joint is not finite, or not a unit motor.
+    #[error("the motion of joint {joint} is not finite or not a unit motor")]
+    BadMotion {
+        /// The joint.
+        joint: usize,
     },
+    /// Normals or tangents are asked for, but the binding has none.
+    #[error("normals or tangents are asked for, but the vertices were bound without them")]
+    NoDirections,
+    /// The palettes of a mixture are not one of the linear blend and one of a blend of motors.
+    #[error("a mixture needs a palette of the linear blend, and then one of a blend of motors")]
+    NotBoth,
+    /// More joints or pairs of joints than the indices can count.
+    #[error("there are more than 65,536 joints, or too many pairs of them")]
+    TooLarge,
+}
+
+/// What the binding checks itself cannot occur again; weights are checked by [`SkinWeights`].
+impl From<BatchError> for SkinError {
+    fn from(error: BatchError) -> Self {
+        match error {
+            BatchError::Length(LengthMismatch { expected, found }) => {
+                Self::VertexCount { expected, found }
+            }
+            BatchError::BadMotion { joint } => Self::BadMotion { joint },
+            BatchError::NoDirections => Self::NoDirections,
+            _ => Self::TooLarge,
+        }
+    }
 }
 
 /// Moves the vertices at rest by the motions of the joints (see
@@ -77,7 +117,8 @@ pub enum SkinError {
 ///
 /// # Errors
 ///
-/// Any [`SkinError`]; [`SkinError::NoMean`] only from [`Method::Motor`] and never for unit motors.
+/// [`SkinError::VertexCount`], [`SkinError::JointCount`], [`SkinError::TooLarge`], and
+/// [`SkinError::BadMotion`], which does not occur for unit motors.
 ///
 /// # Examples
 ///
@@ -107,16 +148,10 @@ pub fn skin(
     motions: &[Motor<f64>],
     method: Method,
 ) -> Result<Vec<Point<f64>>, SkinError> {
-    let (expected, found) = (positions.len(), weights.vertex_count());
-    if expected != found {
-        return Err(SkinError::VertexCount { expected, found });
-    }
-    let (expected, found) = (weights.joint_count(), motions.len());
-    if expected != found {
-        return Err(SkinError::JointCount { expected, found });
-    }
-    match method {
-        Method::Linear => Ok(linear::blend(positions, weights, motions)),
-        Method::Motor => motor::blend(positions, weights, motions),
-    }
+    let binding = Binding::new(positions, weights)?;
+    let mut palette = binding.palette(method);
+    palette.set_motions(motions)?;
+    let mut moved = positions.to_vec();
+    binding.pose(&palette, Posed::of_points(&mut moved))?;
+    Ok(moved)
 }

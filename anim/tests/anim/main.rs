@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
+mod binding;
 mod bvh;
 mod curve;
 mod distance_weights;
@@ -15,6 +16,7 @@ mod retarget;
 mod retarget_real;
 mod rig;
 mod skin;
+mod skin_oracle;
 
 /// Fails unless `found` is within `bound` of `expected`, relative to the greater of |`expected`|
 /// and 1.

@@ -24,7 +24,7 @@ fn rotor(rotation_vector: [f64; 3]) -> Rotor<f64> {
 }
 
 /// The pose of a known answer: rotation vectors of the bones in the order of `bones`.
-fn pose(skeleton: &Skeleton, bones: &Value, rotation_vectors: &Value) -> Pose {
+pub(crate) fn pose(skeleton: &Skeleton, bones: &Value, rotation_vectors: &Value) -> Pose {
     let mut rotors = vec![Rotor::default(); skeleton.len()];
     for (bone, vector_) in bones
         .as_array()
