@@ -15,7 +15,7 @@
 //! | [`pose`], [`clip`] | motors of joints, and interpolation between frames along screws |
 //! | [`kinematics`] | forward kinematics and layers of poses, over slices and in lanes |
 //! | [`skin`] | moves a mesh, by the mean of matrices or of motors |
-//! | [`distance_weights`] | weights from the distance to the bones |
+//! | [`weights::distance`], [`weights::geodesic`] | weights by distance, in space and in the body |
 //! | [`retarget`] | transfers a recording to another body |
 //! | [`leg`] | the leg of hip, knee and ankle (Cui, §2.3.3): from angles to positions and back |
 //! | [`gltf`] | skeletons and clips as the data that [`ga_mesh::gltf::model`] writes |
@@ -70,7 +70,6 @@
 pub mod bvh;
 pub mod clip;
 pub mod curve;
-pub mod distance_weights;
 pub mod gltf;
 pub mod kinematics;
 pub mod leg;
@@ -82,3 +81,7 @@ pub mod skeleton;
 pub mod skin;
 pub mod transform;
 pub mod weights;
+
+/// An alias of [`weights::distance`].
+#[doc(no_inline)]
+pub use weights::distance as distance_weights;

@@ -6,6 +6,7 @@ mod binding;
 mod bvh;
 mod curve;
 mod distance_weights;
+mod geodesic_weights;
 mod gltf;
 mod kinematics;
 mod leg;

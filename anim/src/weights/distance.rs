@@ -8,13 +8,16 @@
 //! ```
 //!
 //! which is inverse distance weighting (D. Shepard, "A two-dimensional interpolation function for
-//! irregularly-spaced data", ACM National Conference 1968; Cui, eq. 33). Distance ignores the shape
-//! of the body: the left leg also follows the right thigh where the two are close. The crate
-//! ga-mannequin shows how to avoid that.
+//! irregularly-spaced data", ACM National Conference 1968; Cui, eq. 33). Distance in space ignores
+//! the shape of the body: the left leg also follows the right thigh where the two are close. The
+//! weights of [`geodesic`](super::geodesic) avoid that.
 
 use ga_runtime::vga3::Vector;
 
-use crate::weights::{SkinWeights, WeightsError};
+use super::{SkinWeights, WeightsError};
+
+/// The head and the tail of a bone.
+pub type Bone = [[f64; 3]; 2];
 
 /// Numbers from which weights cannot be computed. Bones and points are counted from 0.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -83,6 +86,45 @@ pub fn distance_weights(
     influences: usize,
     exponent: f64,
 ) -> Result<SkinWeights, DistanceWeightsError> {
+    check(bones, influences, exponent)?;
+    let mut rows = Vec::new();
+    for (point, coordinates) in points.into_iter().enumerate() {
+        let nearest = nearest(coordinates, bones, influences);
+        if !nearest.iter().all(|(_, distance)| distance.is_finite()) {
+            return Err(DistanceWeightsError::BadPoint { point, coordinates });
+        }
+        rows.push(shares(&nearest, exponent));
+    }
+    Ok(SkinWeights::new(bones.len(), rows)?)
+}
+
+/// The distance from a point to a bone, the segment from head to tail. A bone without length is a
+/// point.
+#[must_use]
+pub fn distance_to_bone(point: [f64; 3], [head, tail]: [[f64; 3]; 2]) -> f64 {
+    let point = Vector::from(point);
+    point.distance(nearest_on_bone(point, [head, tail]))
+}
+
+/// The point of a bone that is nearest to a point.
+pub(super) fn nearest_on_bone(point: Vector<f64>, ends: Bone) -> Vector<f64> {
+    let [head, tail] = ends.map(Vector::from);
+    let (axis, from_head) = (tail - head, point - head);
+    let square = axis.length_squared();
+    let t = if square > 0.0 {
+        (from_head.dot(axis) / square).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
+    head + axis * t
+}
+
+/// Checks bones, number of influences and exponent.
+pub(super) fn check(
+    bones: &[Bone],
+    influences: usize,
+    exponent: f64,
+) -> Result<(), DistanceWeightsError> {
     if bones.is_empty() {
         return Err(DistanceWeightsError::NoBones);
     }
@@ -97,47 +139,36 @@ pub fn distance_weights(
             return Err(DistanceWeightsError::BadBone { bone, ends });
         }
     }
-    let mut rows = Vec::new();
-    for (point, coordinates) in points.into_iter().enumerate() {
-        let mut distances: Vec<(u32, f64)> = (0..)
-            .zip(bones)
-            .map(|(joint, &bone)| (joint, distance_to_bone(coordinates, bone)))
-            .collect();
-        if !distances.iter().all(|(_, distance)| distance.is_finite()) {
-            return Err(DistanceWeightsError::BadPoint { point, coordinates });
-        }
-        distances.sort_by(|a, b| a.1.total_cmp(&b.1));
-        distances.truncate(influences);
-        let nearest = distances[0].1;
-        // Relative to the nearest bone, no power overflows.
-        let weight = |distance: f64| {
-            if distance == nearest {
-                1.0
-            } else {
-                (nearest / distance).powf(exponent)
-            }
-        };
-        rows.push(
-            distances
-                .into_iter()
-                .map(|(joint, l)| (joint, weight(l)))
-                .collect::<Vec<_>>(),
-        );
-    }
-    Ok(SkinWeights::new(bones.len(), rows)?)
+    Ok(())
 }
 
-/// The distance from a point to a bone, the segment from head to tail. A bone without length is a
-/// point.
-#[must_use]
-pub fn distance_to_bone(point: [f64; 3], [head, tail]: [[f64; 3]; 2]) -> f64 {
-    let [point, head, tail] = [point, head, tail].map(Vector::from);
-    let (axis, from_head) = (tail - head, point - head);
-    let square = axis.length_squared();
-    let t = if square > 0.0 {
-        (from_head.dot(axis) / square).clamp(0.0, 1.0)
-    } else {
-        0.0
+/// The nearest bones with their distances, nearest first and between equals the one listed first.
+pub(super) fn nearest(point: [f64; 3], bones: &[Bone], influences: usize) -> Vec<(u32, f64)> {
+    let mut distances: Vec<(u32, f64)> = (0..)
+        .zip(bones)
+        .map(|(joint, &bone)| (joint, distance_to_bone(point, bone)))
+        .collect();
+    // NaN comes last only with a positive sign; it must not be cut off.
+    if distances.iter().all(|(_, distance)| distance.is_finite()) {
+        distances.sort_by(|a, b| a.1.total_cmp(&b.1));
+        distances.truncate(influences);
+    }
+    distances
+}
+
+/// The weights of the formula, up to a common factor, for bones with the nearest first.
+pub(super) fn shares(distances: &[(u32, f64)], exponent: f64) -> Vec<(u32, f64)> {
+    let nearest = distances.first().map_or(0.0, |(_, distance)| *distance);
+    // Relative to the nearest bone, no power overflows.
+    let weight = |distance: f64| {
+        if distance == nearest {
+            1.0
+        } else {
+            (nearest / distance).powf(exponent)
+        }
     };
-    (from_head - axis * t).length()
+    distances
+        .iter()
+        .map(|&(joint, distance)| (joint, weight(distance)))
+        .collect()
 }

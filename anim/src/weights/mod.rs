@@ -1,4 +1,14 @@
 //! Skin weights: how much each joint moves each vertex.
+//!
+//! [`SkinWeights`] holds them, painted or computed; [`distance`] and [`geodesic`] compute them from
+//! the bones; [`SkinWeights::smoothed`] spreads steep changes, [`SkinWeights::strongest`] keeps the
+//! greatest.
+
+pub mod distance;
+pub mod geodesic;
+mod smooth;
+
+pub use smooth::SmoothError;
 
 /// One joint's share in the motion of one vertex.
 #[derive(Clone, Copy, Debug, PartialEq)]
