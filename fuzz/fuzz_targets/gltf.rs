@@ -1,7 +1,9 @@
-//! glTF: what is read must come back when it is written, and can be placed in the world.
+//! glTF: what is read must come back when it is written, and can be placed in the world and played.
 #![no_main]
 
-use ga_mesh::gltf::{self, Vertices};
+use ga_anim::gltf::{Blend, Placement, Player, character};
+use ga_anim::recording::Recording;
+use ga_mesh::gltf::{self, Document, Vertices};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|data: &[u8]| {
@@ -10,6 +12,7 @@ fuzz_target!(|data: &[u8]| {
     };
     // A transform may take vertices beyond double precision.
     let _ = document.to_mesh(Vertices::Merged);
+    play(&document);
     // An animation that moves nothing cannot be written.
     document
         .animations
@@ -18,3 +21,30 @@ fuzz_target!(|data: &[u8]| {
     let back = gltf::parse(&file).expect("what is written is readable");
     assert_eq!(back, document);
 });
+
+/// Evaluates the animations at a few times. Errors are in order, numbers that are not finite are
+/// not.
+fn play(document: &Document) {
+    let _ = character(document);
+    let Ok(player) = Player::new(document) else {
+        return;
+    };
+    let Ok(placement) = Placement::new(&player) else {
+        return;
+    };
+    for animation in [None, Some(0), Some(1)] {
+        for time in [-1.0, 0.0, 0.3, 1e9] {
+            let Ok(pose) = player.pose(animation, time) else {
+                continue;
+            };
+            for method in [Blend::Linear, Blend::Motor, Blend::DualQuaternion] {
+                let Ok(placed) = placement.place(&pose, method) else {
+                    continue;
+                };
+                let mesh = placement.mesh(&placed).expect("places are finite");
+                assert_eq!(mesh.vertex_count(), placement.vertex_count());
+            }
+        }
+    }
+    let _ = Recording::from_gltf(document, 0, 1.0, None);
+}

@@ -19,6 +19,8 @@
 //!
 //! The numbers of the file are single precision, and everything is computed in double precision.
 //!
+//! A [`character`] is what the skins of a document move: a mesh, a skeleton and weights.
+//!
 //! # Written files
 //!
 //! [`joint_nodes`], [`vertex_weights`] and [`animation`] are the data that
@@ -33,6 +35,7 @@
 //! so T(h − p) at rest. For a root, the motion of the whole skeleton takes the place of T(−p).
 
 mod blend;
+mod character;
 mod error;
 mod export;
 mod placement;
@@ -40,6 +43,7 @@ mod player;
 mod sampler;
 
 pub use blend::Blend;
+pub use character::{Character, CharacterError, character};
 pub use error::PlayError;
 pub use export::{animation, joint_nodes, vertex_weights};
 pub use placement::{Part, Placed, Placement};

@@ -138,6 +138,13 @@ impl<'a> Placement<'a> {
         self.parts.last().map_or(0, |part| part.vertices.end)
     }
 
+    /// The joints of its skin that move the vertices of a part; `None` where it has no skin.
+    #[must_use]
+    pub fn weights(&self, part: usize) -> Option<&SkinWeights> {
+        let binding = self.bound.get(part).copied().flatten()?;
+        self.bindings.get(binding)
+    }
+
     /// The places of the vertices in a pose of the same document.
     ///
     /// # Errors

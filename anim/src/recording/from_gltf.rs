@@ -203,6 +203,19 @@ impl<'a> GltfMotion<'a> {
         Ok(self.nodes().map(in_metres).collect())
     }
 
+    /// The weights of the morph targets that the animation moves, with their names, at a time in
+    /// seconds.
+    ///
+    /// # Errors
+    ///
+    /// As [`Player::pose`].
+    pub fn track_values(&self, time: f64) -> Result<Vec<(String, f64)>, PlayError> {
+        let pose = self.player.pose(Some(self.animation), time)?;
+        let weights = self.morphed.iter().flat_map(|&node| pose.weights(node));
+        let names = self.tracks(0).into_iter().map(|track| track.name);
+        Ok(names.zip(weights.copied()).collect())
+    }
+
     /// The motion as frames at equal time steps, from 0 to the last key.
     ///
     /// Where no rate is given and all keys are at multiples of the shortest interval between two

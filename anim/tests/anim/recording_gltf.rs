@@ -287,6 +287,13 @@ fn weights_of_morph_targets_are_tracks() {
     assert_eq!(tracks[1].name, "face, morph target 1");
     assert_eq!(tracks[0].values, [0.0, 0.25, 0.5]);
     assert_eq!(tracks[1].values, [1.0, 0.625, 0.25]);
+    let player = Player::new(&document).unwrap();
+    let motion = GltfMotion::new(&player, 0, 1.0).unwrap();
+    let expected = [
+        ("face, morph target 0".to_owned(), 0.125),
+        ("face, morph target 1".to_owned(), 0.8125),
+    ];
+    assert_eq!(motion.track_values(0.25).unwrap(), expected);
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Clips as glTF's nodes and keys, and through a written file and back, against the matrices of
 //! glam.
 
+mod character;
 mod encoded;
 mod made_up;
 mod oracle;

@@ -1,0 +1,210 @@
+use std::collections::HashSet;
+
+use ga_mesh::gltf::{Document, Node};
+use ga_mesh::{Mesh, MeshError};
+use ga_runtime::vga3::Vector;
+
+use super::blend::Blend;
+use super::{Placement, PlayError, Player};
+use crate::skeleton::{Joint, Skeleton, SkeletonError};
+use crate::weights::{SkinWeights, WeightsError};
+
+/// A body that moves: a mesh at rest, its joints, and how they move its vertices.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Character {
+    /// The mesh at rest, in the world.
+    pub mesh: Mesh,
+    /// The joints at rest, in the world.
+    pub skeleton: Skeleton,
+    /// The joints that move each vertex.
+    pub weights: SkinWeights,
+}
+
+/// Why a document has no character.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum CharacterError {
+    /// The document is not valid, or its pose at rest is not finite.
+    #[error(transparent)]
+    Play(#[from] PlayError),
+    /// No node has a skin.
+    #[error("no node has a skin")]
+    NoSkin,
+    /// The vertices and faces do not form a mesh.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// The joints do not form a skeleton.
+    #[error(transparent)]
+    Skeleton(#[from] SkeletonError),
+    /// The influences are not weights.
+    #[error(transparent)]
+    Weights(#[from] WeightsError),
+}
+
+/// The character of a document: all meshes that its skins move, as its nodes stand without an
+/// animation, with the joints of all skins in one skeleton.
+///
+/// A mesh without a skin follows the joint above it, such as a hat below the head; one that has no
+/// joint above it is left out. The joints have the names of their nodes; a node without a name, or
+/// with that of an earlier joint, adds its number. A bone ends at the mean place of the joints
+/// below it. One without such joints is half as long as the bone above it and continues it.
+///
+/// # Errors
+///
+/// Any [`CharacterError`].
+///
+/// # Examples
+///
+/// ```
+/// use ga_anim::gltf::character;
+/// use ga_mesh::gltf::{Document, Mesh, Node, Primitive, Skin};
+///
+/// let vertex = Primitive {
+///     positions: vec![[1.0, 0.0, 0.0]],
+///     joints: vec![vec![[0; 4]]],
+///     weights: vec![vec![[1.0, 0.0, 0.0, 0.0]]],
+///     ..Primitive::default()
+/// };
+/// let document = Document {
+///     nodes: vec![
+///         Node { mesh: Some(0), skin: Some(0), ..Node::default() },
+///         Node { name: Some("hip".into()), ..Node::default() },
+///     ],
+///     meshes: vec![Mesh { primitives: vec![vertex], ..Mesh::default() }],
+///     skins: vec![Skin { joints: vec![1], ..Skin::default() }],
+///     ..Document::default()
+/// };
+/// let body = character(&document)?;
+/// assert_eq!(body.skeleton.index("hip"), Some(0));
+/// assert_eq!(body.weights.influences(0)[0].weight, 1.0);
+/// # Ok::<(), ga_anim::gltf::CharacterError>(())
+/// ```
+pub fn character(document: &Document) -> Result<Character, CharacterError> {
+    document.validate().map_err(PlayError::Document)?;
+    let whole = Player::new(document)?;
+    let joint_nodes = joint_nodes(document, &whole);
+    if joint_nodes.is_empty() {
+        return Err(CharacterError::NoSkin);
+    }
+    let mut joint_of = vec![None; document.nodes.len()];
+    for (joint, &node) in joint_nodes.iter().enumerate() {
+        joint_of[node] = Some(joint as u32);
+    }
+    // The joint of a node, or that of the nearest node above it.
+    let mut nearest = joint_of.clone();
+    for &node in whole.parents_before_children() {
+        let above = whole.parents()[node].and_then(|parent| nearest[parent]);
+        nearest[node] = nearest[node].or(above);
+    }
+    let mut followed = document.clone();
+    for (node, nearest) in followed.nodes.iter_mut().zip(&nearest) {
+        if node.skin.is_none() && nearest.is_none() {
+            (node.mesh, node.weights) = (None, None);
+        }
+    }
+    // Their animations may move the weights of meshes that are left out.
+    followed.animations.clear();
+
+    let player = Player::new(&followed)?;
+    let placement = Placement::new(&player)?;
+    let pose = player.pose(None, 0.0)?;
+    let placed = placement.place(&pose, Blend::Linear)?;
+    let mut rows: Vec<Vec<(u32, f64)>> = Vec::with_capacity(placement.vertex_count());
+    for (index, part) in placement.parts().iter().enumerate() {
+        let joints = followed.nodes[part.node]
+            .skin
+            .map(|skin| &followed.skins[skin].joints);
+        match (placement.weights(index), joints) {
+            (Some(weights), Some(joints)) => rows.extend(weights.iter().map(|influences| {
+                let joint = |joint: u32| joint_of[joints[joint as usize]].unwrap_or_default();
+                let row = influences.iter();
+                row.map(|influence| (joint(influence.joint), influence.weight))
+                    .collect()
+            })),
+            _ => {
+                let joint = nearest[part.node].unwrap_or_default();
+                rows.extend(part.vertices.clone().map(|_| vec![(joint, 1.0)]));
+            }
+        }
+    }
+    let heads = joint_nodes
+        .iter()
+        .map(|&node| pose.world[node].translation.into());
+    Ok(Character {
+        mesh: placement.mesh(&placed)?,
+        skeleton: skeleton(document, &whole, &joint_nodes, &joint_of, heads.collect())?,
+        weights: SkinWeights::new(joint_nodes.len(), rows)?,
+    })
+}
+
+/// The joints of all skins that nodes use, and the nodes between them, parents first.
+fn joint_nodes(document: &Document, player: &Player) -> Vec<usize> {
+    let mut is_joint = vec![false; document.nodes.len()];
+    let skins = document.nodes.iter().filter_map(|node| node.skin);
+    for skin in skins {
+        let joints = &document.skins[skin].joints;
+        joints.iter().for_each(|&node| is_joint[node] = true);
+    }
+    let (parents, order) = (player.parents(), player.parents_before_children());
+    let mut is_below = vec![false; document.nodes.len()];
+    for &node in order {
+        is_below[node] = parents[node].is_some_and(|p| is_joint[p] || is_below[p]);
+    }
+    // From the leaves up, what lies between two joints.
+    for &node in order.iter().rev() {
+        if let (true, true, Some(parent)) = (is_joint[node], is_below[node], parents[node]) {
+            is_joint[parent] = true;
+        }
+    }
+    order
+        .iter()
+        .copied()
+        .filter(|&node| is_joint[node])
+        .collect()
+}
+
+fn skeleton(
+    document: &Document,
+    player: &Player,
+    joint_nodes: &[usize],
+    joint_of: &[Option<u32>],
+    heads: Vec<Vector<f64>>,
+) -> Result<Skeleton, SkeletonError> {
+    let parent = |node: usize| player.parents()[node].and_then(|parent| joint_of[parent]);
+    let mut below = vec![(Vector::default(), 0u32); heads.len()];
+    for (&node, &head) in joint_nodes.iter().zip(&heads) {
+        if let Some(parent) = parent(node) {
+            let (sum, count) = &mut below[parent as usize];
+            *sum += head;
+            *count += 1;
+        }
+    }
+    let mut joints: Vec<Joint> = Vec::with_capacity(heads.len());
+    let mut names = HashSet::new();
+    for (index, &node) in joint_nodes.iter().enumerate() {
+        let (head, (sum, count)) = (heads[index], below[index]);
+        let parent = parent(node).map(|parent| parent as usize);
+        let tail = match (count, parent) {
+            (0, Some(parent)) => head + (head - heads[parent]) * 0.5,
+            (0, None) => head,
+            _ => sum * f64::from(count).recip(),
+        };
+        joints.push(Joint {
+            name: name(node, &document.nodes[node], &mut names),
+            parent,
+            head: head.coordinates(),
+            tail: tail.coordinates(),
+        });
+    }
+    Skeleton::new(joints)
+}
+
+/// The name of a node, with its number where an earlier one has the same or it has none.
+fn name(index: usize, node: &Node, taken: &mut HashSet<String>) -> String {
+    let own = node.name.clone().filter(|name| !taken.contains(name));
+    let name = own.unwrap_or_else(|| match &node.name {
+        Some(name) => format!("{name} (node {index})"),
+        None => format!("node {index}"),
+    });
+    taken.insert(name.clone());
+    name
+}
