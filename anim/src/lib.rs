@@ -14,6 +14,7 @@
 //! | [`curve`] | curves through keys: splines, lengths, few vertices within a proven bound |
 //! | [`pose`], [`clip`] | motors of joints, and interpolation between frames along screws |
 //! | [`kinematics`] | forward kinematics and layers of poses, over slices and in lanes |
+//! | [`clip::compressed`] | recordings in few bytes, with a bound that holds on every frame |
 //! | [`skin`] | moves a mesh, by the mean of matrices or of motors |
 //! | [`weights::distance`], [`weights::geodesic`] | weights by distance, in space and in the body |
 //! | [`retarget`] | transfers a recording to another body |

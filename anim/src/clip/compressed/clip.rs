@@ -122,7 +122,7 @@ impl CompressedClip {
     /// How many numbers change from frame to frame.
     #[must_use]
     pub fn channel_count(&self) -> usize {
-        self.tables.lanes.len()
+        self.tables.channels
     }
 
     pub(super) fn layouts(&self) -> &[JointLayout] {

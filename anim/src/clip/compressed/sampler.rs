@@ -5,10 +5,14 @@ use ga_runtime::cga3::Rotor;
 use ga_runtime::vga3::Vector;
 
 use super::CompressedClip;
-use super::basis::{SEGMENT, TERMS};
-use super::tables::{Block, LANES, Tables, VectorChannels};
+use super::basis::SEGMENT;
+use super::tables::{Block, LANES, RotorBlock, Tables, VectorChannels};
 use crate::recording::ModelSpaceError;
 use crate::transform::Transform;
+
+/// A time this near to a frame, in frames, is that of the frame: the product of a number of frames
+/// and the time between them is rounded.
+const SAME_FRAME: f64 = 1e-7;
 
 /// Samples a [`CompressedClip`] forward, backward or at random, into slices of its own.
 ///
@@ -22,9 +26,9 @@ use crate::transform::Transform;
 pub struct Sampler<'a> {
     clip: &'a CompressedClip,
     batch: Batch,
-    residuals: Vec<Block>,
-    values: Vec<Block>,
     frames: [Frame; 2],
+    /// Rotors between the two frames, as in [`Frame::rotors`].
+    between: Vec<[Block; 4]>,
     rotors: Vec<Rotor<f32>>,
     translations: Vec<Vector<f32>>,
     scales: Vec<Vector<f32>>,
@@ -36,10 +40,10 @@ pub struct Sampler<'a> {
 struct Frame {
     /// Which one; `None` before the first.
     index: Option<usize>,
+    /// The values of all channels.
+    values: Vec<Block>,
     /// By block of rotating joints, then by coefficient.
     rotors: Vec<[Block; 4]>,
-    /// The values of all other channels.
-    extra: Vec<Block>,
 }
 
 impl<'a> Sampler<'a> {
@@ -49,15 +53,14 @@ impl<'a> Sampler<'a> {
         let tables = clip.tables();
         let frame = Frame {
             index: None,
+            values: vec![[0.0; LANES]; tables.blocks],
             rotors: vec![[[0.0; LANES]; 4]; tables.rotors.len()],
-            extra: vec![[0.0; LANES]; tables.blocks - tables.extra()],
         };
         let layouts = clip.layouts();
         let mut sampler = Self {
             clip,
             batch: Batch::new(),
-            residuals: vec![[0.0; LANES]; tables.blocks],
-            values: vec![[0.0; LANES]; tables.blocks],
+            between: frame.rotors.clone(),
             frames: [frame.clone(), frame],
             rotors: layouts.iter().map(|layout| layout.middle).collect(),
             translations: layouts
@@ -81,13 +84,13 @@ impl<'a> Sampler<'a> {
     pub fn sample(&mut self, time: f64) {
         let last = self.clip.frame_count() - 1;
         let position = (time / self.clip.frame_time()).max(0.0).min(last as f64);
-        let before = position as usize;
-        let part = if before < last {
-            (position - before as f64) as f32
+        let nearest = position.round();
+        if (position - nearest).abs() < SAME_FRAME {
+            self.go_to(nearest as usize, 0.0);
         } else {
-            0.0
-        };
-        self.go_to(before, part);
+            let before = position as usize;
+            self.go_to(before, (position - before as f64) as f32);
+        }
     }
 
     /// Goes to a frame, counted from 0, or to the last one where there are fewer.
@@ -170,38 +173,40 @@ impl Work for Step<'_, '_> {
             part,
         } = self;
         let tables = sampler.clip.tables();
-        if tables.lanes.is_empty() {
+        if tables.channels == 0 {
             return;
         }
-        let Sampler {
-            residuals,
-            values,
-            frames,
-            ..
-        } = sampler;
         // The frame after becomes the one before on the way forward, and the other way round.
-        let [a, b] = frames;
-        if a.index != Some(frame) && (b.index == Some(frame) || a.index == Some(frame + 1)) {
+        let [a, b] = &mut sampler.frames;
+        let (here, next) = (Some(frame), Some(frame + 1));
+        if a.index != here && (b.index == here || a.index == next) {
             std::mem::swap(a, b);
         }
-        if a.index != Some(frame) {
-            decode(tables, frame, residuals, values, a);
-        }
-        if part > 0.0 && b.index != Some(frame + 1) {
-            decode(tables, frame + 1, residuals, values, b);
+        let (lacks_a, lacks_b) = (a.index != here, part > 0.0 && b.index != next);
+        if lacks_a && lacks_b && (frame + 1) % SEGMENT != 0 {
+            decode(tables, frame, [a, b]);
+        } else {
+            if lacks_a {
+                decode(tables, frame, [a]);
+            }
+            if lacks_b {
+                decode(tables, frame + 1, [b]);
+            }
         }
         let [a, b] = &sampler.frames;
-        if part > 0.0 {
-            for (block, (a, b)) in a.rotors.iter().zip(&b.rotors).enumerate() {
-                let joints = &tables.rotating[block * LANES..];
-                put(&between(a, b, part), joints, &mut sampler.rotors);
+        let blocks = if part > 0.0 {
+            let pairs = a.rotors.iter().zip(&b.rotors);
+            for (between, (a, b)) in sampler.between.iter_mut().zip(pairs) {
+                interpolate(a, b, part, between);
             }
+            &sampler.between
         } else {
-            for (block, a) in a.rotors.iter().enumerate() {
-                put(a, &tables.rotating[block * LANES..], &mut sampler.rotors);
-            }
+            &a.rotors
+        };
+        for (block, joints) in blocks.iter().zip(tables.rotating.chunks(LANES)) {
+            put(block, joints, &mut sampler.rotors);
         }
-        let (from, to) = (a.extra.as_flattened(), b.extra.as_flattened());
+        let (from, to) = (a.values.as_flattened(), b.values.as_flattened());
         let value = |place: usize| match part > 0.0 {
             true => from[place] + (to[place] - from[place]) * part,
             false => from[place],
@@ -216,76 +221,86 @@ impl Work for Step<'_, '_> {
     }
 }
 
+/// Decodes consecutive frames of one segment.
 #[inline(always)]
-fn decode(
-    tables: &Tables,
-    index: usize,
-    residuals: &mut [Block],
-    values: &mut [Block],
-    frame: &mut Frame,
-) {
+fn decode<const N: usize>(tables: &Tables, index: usize, mut frames: [&mut Frame; N]) {
     let (segment, within) = (index / SEGMENT, index % SEGMENT);
-    unpack(tables, segment, within, residuals);
+    let table = tables.segments[segment];
+    let bytes = &tables.residuals[table.begin..];
     let last = segment + 1 == tables.segments.len();
-    let basis = &tables.bases[usize::from(last)][within];
-    let trends = &tables.trends[segment * tables.blocks..][..tables.blocks];
-    for ((value, trend), residual) in values.iter_mut().zip(trends).zip(residuals.iter()) {
-        let mut sum: Block =
-            std::array::from_fn(|i| trend.terms[0][i] + residual[i] * trend.step[i]);
-        for term in 1..TERMS {
-            for i in 0..LANES {
-                sum[i] += trend.terms[term][i] * basis[term];
+    let bases = &tables.bases[usize::from(last)][within..within + N];
+    let blocks = &tables.segment_blocks[segment * tables.blocks..][..tables.blocks];
+    for (place, block) in blocks.iter().enumerate() {
+        for (n, (frame, basis)) in frames.iter_mut().zip(bases).enumerate() {
+            let first = ((within + n) * table.frame_bits) as u32;
+            let mut words = [0u32; LANES];
+            for (word, offset) in words.iter_mut().zip(block.offsets) {
+                let at = ((first + offset) / 8) as usize;
+                if let Some(&[a, b, c, d]) = bytes.get(at..at + 4) {
+                    *word = u32::from_le_bytes([a, b, c, d]);
+                }
             }
-        }
-        *value = sum;
-    }
-    let (bivectors, extra) = values.split_at(tables.extra());
-    let (bivectors, _) = bivectors.as_chunks::<3>();
-    for ((rotor, constants), b) in frame.rotors.iter_mut().zip(&tables.rotors).zip(bivectors) {
-        let mut scale = [0.0; LANES];
-        let mut scalar = [0.0; LANES];
-        for i in 0..LANES {
-            let square = b[0][i] * b[0][i] + b[1][i] * b[1][i] + b[2][i] * b[2][i];
-            scale[i] = 1.0 / (1.0 + square);
-            scalar[i] = 1.0 - square;
-        }
-        for (k, row) in rotor.iter_mut().enumerate() {
+            let mut sum = block.terms[0];
             for i in 0..LANES {
-                let sum = constants.middle[k][i] * scalar[i]
-                    + constants.along[0][k][i] * b[0][i]
-                    + constants.along[1][k][i] * b[1][i]
-                    + constants.along[2][k][i] * b[2][i];
-                row[i] = sum * scale[i];
+                // A residual and the bits of its first byte before it are at most 31 bits.
+                let residual = (words[i] >> ((first + block.offsets[i]) % 8)) & block.masks[i];
+                // At most 24 bits, which single precision holds.
+                sum[i] += residual as i32 as f32 * block.step[i];
+            }
+            for (terms, &basis) in block.terms.iter().zip(basis).skip(1) {
+                for i in 0..LANES {
+                    sum[i] += terms[i] * basis;
+                }
+            }
+            if let Some(value) = frame.values.get_mut(place) {
+                *value = sum;
             }
         }
     }
-    frame.extra.copy_from_slice(extra);
-    frame.index = Some(index);
+    for (n, frame) in frames.into_iter().enumerate() {
+        let values = &frame.values;
+        for (rotors, constants) in frame.rotors.iter_mut().zip(&tables.rotors) {
+            let bivectors = &values[constants.first..];
+            match constants.channels {
+                1 => rotate::<1>(constants, bivectors, rotors),
+                2 => rotate::<2>(constants, bivectors, rotors),
+                _ => rotate::<3>(constants, bivectors, rotors),
+            }
+        }
+        frame.index = Some(index + n);
+    }
 }
 
-/// The residuals of a frame, each in the lane of its channel.
+/// The rotors of eight joints with up to K channels.
 #[inline(always)]
-fn unpack(tables: &Tables, segment: usize, within: usize, residuals: &mut [Block]) {
-    let table = &tables.segments[segment];
-    let channels = tables.lanes.len();
-    let bits = &tables.bits[segment * channels..][..channels];
-    let first = within * table.frame_bits;
-    let bytes = &tables.residuals[table.begin..];
-    let residuals = residuals.as_flattened_mut();
-    let mut position = first;
-    for (&lane, &bits) in tables.lanes.iter().zip(bits) {
-        let at = position / 8;
-        // A residual and the bits of its first byte before it are at most 31 bits.
-        let word = match bytes.get(at..at + 4) {
-            Some(&[a, b, c, d]) => u32::from_le_bytes([a, b, c, d]),
-            _ => 0,
-        };
-        let value = (word >> (position % 8)) & ((1 << bits) - 1);
-        if let Some(residual) = residuals.get_mut(lane as usize) {
-            // At most 24 bits, which single precision holds.
-            *residual = value as i32 as f32;
+fn rotate<const K: usize>(constants: &RotorBlock, bivectors: &[Block], rotors: &mut [Block; 4]) {
+    let Some(b) = bivectors.first_chunk::<K>() else {
+        return;
+    };
+    let mut square = [0.0; LANES];
+    for b in b {
+        for i in 0..LANES {
+            square[i] += b[i] * b[i];
         }
-        position += usize::from(bits);
+    }
+    let (mut scale, mut scalar) = ([0.0; LANES], [0.0; LANES]);
+    for i in 0..LANES {
+        scale[i] = 1.0 / (1.0 + square[i]);
+        scalar[i] = 1.0 - square[i];
+    }
+    for (k, row) in rotors.iter_mut().enumerate() {
+        let mut sum = [0.0; LANES];
+        for i in 0..LANES {
+            sum[i] = constants.middle[k][i] * scalar[i];
+        }
+        for (b, along) in b.iter().zip(&constants.along) {
+            for i in 0..LANES {
+                sum[i] += along[k][i] * b[i];
+            }
+        }
+        for i in 0..LANES {
+            row[i] = sum[i] * scale[i];
+        }
     }
 }
 
@@ -294,25 +309,39 @@ fn unpack(tables: &Tables, segment: usize, within: usize, residuals: &mut [Block
 /// The mean of unit quaternions moves faster in the middle; the part is corrected by a polynomial
 /// (A. Kapoulkine, "Approximating slerp", 2018) that leaves 0, ½ and 1 as they are.
 #[inline(always)]
-fn between(a: &[Block; 4], b: &[Block; 4], t: f32) -> [Block; 4] {
-    let mut result = [[0.0; LANES]; 4];
-    for i in 0..LANES {
-        let cosine = a[0][i] * b[0][i] + a[1][i] * b[1][i] + a[2][i] * b[2][i] + a[3][i] * b[3][i];
-        let d = cosine.abs();
-        let quadratic = 1.0904 + d * (-3.2452 + d * (3.55645 - d * 1.43519));
-        let constant = 0.848_013 + d * (-1.06021 + d * 0.215_638);
-        let from_half = t - 0.5;
-        let k = quadratic * from_half * from_half + constant;
-        let t = t + t * from_half * (t - 1.0) * k;
-        let (from, to) = (1.0 - t, t.copysign(cosine));
-        let sum = [0, 1, 2, 3].map(|k| a[k][i] * from + b[k][i] * to);
-        let square = sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2] + sum[3] * sum[3];
-        let scale = 1.0 / square.sqrt();
-        for k in 0..4 {
-            result[k][i] = sum[k] * scale;
+fn interpolate(a: &[Block; 4], b: &[Block; 4], t: f32, result: &mut [Block; 4]) {
+    let mut cosine = [0.0; LANES];
+    for (a, b) in a.iter().zip(b) {
+        for i in 0..LANES {
+            cosine[i] += a[i] * b[i];
         }
     }
-    result
+    let from_half = t - 0.5;
+    let (square, cubic) = (from_half * from_half, t * from_half * (t - 1.0));
+    let (mut from, mut to) = ([0.0; LANES], [0.0; LANES]);
+    for i in 0..LANES {
+        let d = cosine[i].abs();
+        let quadratic = 1.0904 + d * (-3.2452 + d * (3.55645 - d * 1.43519));
+        let constant = 0.848_013 + d * (-1.06021 + d * 0.215_638);
+        let part = t + cubic * (quadratic * square + constant);
+        from[i] = 1.0 - part;
+        to[i] = part.copysign(cosine[i]);
+    }
+    let mut squares = [0.0; LANES];
+    for (result, (a, b)) in result.iter_mut().zip(a.iter().zip(b)) {
+        for i in 0..LANES {
+            result[i] = a[i] * from[i] + b[i] * to[i];
+            squares[i] += result[i] * result[i];
+        }
+    }
+    for square in &mut squares {
+        *square = 1.0 / square.sqrt();
+    }
+    for row in result {
+        for i in 0..LANES {
+            row[i] *= squares[i];
+        }
+    }
 }
 
 #[inline(always)]

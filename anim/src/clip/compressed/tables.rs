@@ -1,7 +1,9 @@
 //! What a decoder needs in its loops: numbers in blocks of lanes.
 
+use std::collections::HashMap;
+
 use super::basis::{Basis, SEGMENT, TERMS};
-use super::layout::{JointLayout, coefficients, double_rotor};
+use super::layout::{JointLayout, Part, coefficients, double_rotor};
 use super::pack::{Segment, frames_of};
 use ga_runtime::cga3::Rotor;
 use ga_runtime::vga3::Vector;
@@ -12,11 +14,15 @@ pub(super) const LANES: usize = 8;
 /// A number in each lane.
 pub(super) type Block = [f32; LANES];
 
-/// The trends of the channels of a block in a segment, and the steps of their residuals.
+/// Eight channels in a segment: their trends, and where their residuals are.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct TrendBlock {
+pub(super) struct ChannelBlock {
     pub(super) terms: [Block; TERMS],
     pub(super) step: Block,
+    /// Where each residual begins, in bits from the begin of its frame.
+    pub(super) offsets: [u32; LANES],
+    /// The bits of each residual, as many ones.
+    pub(super) masks: [u32; LANES],
 }
 
 /// Eight joints that rotate: the rotor at B = 0, and what each channel of B adds to it. By
@@ -25,22 +31,26 @@ pub(super) struct TrendBlock {
 pub(super) struct RotorBlock {
     pub(super) middle: [Block; 4],
     pub(super) along: [[Block; 4]; 3],
+    /// How many channels the joints have; those with fewer have zeros beyond.
+    pub(super) channels: usize,
+    /// The block of values of the first channel; the others follow.
+    pub(super) first: usize,
 }
 
 /// Where the channels of a part other than a rotation are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct VectorChannels {
     pub(super) joint: usize,
-    /// The place of the first channel among the [extra](Tables::extra) ones.
+    /// The lane of the first channel.
     pub(super) first: usize,
     pub(super) constant: Vector<f32>,
-    /// The axes of the channels; 0 beyond them.
+    /// The axes of the channels.
     pub(super) axes: [Vector<f32>; 3],
     pub(super) live: usize,
 }
 
 /// A segment in memory.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct SegmentTable {
     /// Where its residuals begin, in bytes.
     pub(super) begin: usize,
@@ -48,8 +58,8 @@ pub(super) struct SegmentTable {
     pub(super) frame_bits: usize,
 }
 
-/// The tables of a clip. The values of a frame are in blocks: for each block of rotating joints
-/// three, one for each channel of B, and then the extra ones of all other channels.
+/// The tables of a clip. The values of a frame are in blocks: for each block of rotating joints one
+/// for each channel of B, and then those of all other channels.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Tables {
     /// The joints that rotate, in the order of the lanes.
@@ -57,22 +67,73 @@ pub(super) struct Tables {
     pub(super) rotors: Vec<RotorBlock>,
     pub(super) translations: Vec<VectorChannels>,
     pub(super) scales: Vec<VectorChannels>,
-    /// The places of the channels of the tracks among the extra ones, and their constants.
+    /// The lanes of the tracks, and their constants.
     pub(super) tracks: Vec<(Option<usize>, f64)>,
-    /// The lane of each channel, in the order of the file.
-    pub(super) lanes: Vec<u32>,
+    /// How many channels there are.
+    pub(super) channels: usize,
     /// How many blocks of values a frame has.
     pub(super) blocks: usize,
     /// By segment, then by block.
-    pub(super) trends: Vec<TrendBlock>,
-    /// By segment, then by channel: the bits of a residual.
-    pub(super) bits: Vec<u8>,
+    pub(super) segment_blocks: Vec<ChannelBlock>,
     pub(super) segments: Vec<SegmentTable>,
     /// The residuals of all segments and a few bytes behind them, so that a word can be read at any
     /// place.
     pub(super) residuals: Vec<u8>,
     /// The values of the orthogonal polynomials by frame, for whole segments and for the last one.
     pub(super) bases: [Vec<[f32; TERMS]>; 2],
+}
+
+/// Which number of a pose a channel is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Channel {
+    /// A channel of a joint, counted through translation, scale and rotation.
+    OfJoint { joint: usize, channel: usize },
+    /// A scalar track that changes.
+    Track(usize),
+}
+
+/// The joints that rotate, those with the most channels first, so that in a block of eight joints
+/// few lanes are empty.
+fn rotating(layouts: &[JointLayout]) -> Vec<usize> {
+    let rotates = |&joint: &usize| layouts[joint].rotation.live > 0;
+    let mut rotating: Vec<usize> = (0..layouts.len()).filter(rotates).collect();
+    rotating.sort_by_key(|&joint| std::cmp::Reverse(layouts[joint].rotation.live));
+    rotating
+}
+
+/// The channels in the order of the file, which is that of the lanes: for each block of eight
+/// rotating joints their first channels, their second and their third, then all others.
+pub(super) fn channels(
+    layouts: &[JointLayout],
+    tracks: impl IntoIterator<Item = bool>,
+) -> Vec<(Channel, usize)> {
+    let mut channels = Vec::new();
+    let mut lane = 0;
+    for joints in rotating(layouts).chunks(LANES) {
+        for k in 0..layouts[joints[0]].rotation.live {
+            for (i, &joint) in joints.iter().enumerate() {
+                let layout = &layouts[joint];
+                if k < layout.rotation.live {
+                    let channel = layout.translation.live + layout.scale.live + k;
+                    channels.push((Channel::OfJoint { joint, channel }, lane + i));
+                }
+            }
+            lane += LANES;
+        }
+    }
+    for (joint, layout) in layouts.iter().enumerate() {
+        for channel in 0..layout.translation.live + layout.scale.live {
+            channels.push((Channel::OfJoint { joint, channel }, lane));
+            lane += 1;
+        }
+    }
+    for (track, changes) in tracks.into_iter().enumerate() {
+        if changes {
+            channels.push((Channel::Track(track), lane));
+            lane += 1;
+        }
+    }
+    channels
 }
 
 impl Tables {
@@ -83,79 +144,64 @@ impl Tables {
         frames: usize,
         segments: &[Segment],
     ) -> Self {
-        let rotating: Vec<usize> = (0..layouts.len())
-            .filter(|&joint| layouts[joint].rotation.live > 0)
-            .collect();
+        let rotating = rotating(layouts);
         let rotors = rotor_blocks(layouts, &rotating);
-        let extra_begin = rotors.len() * 3 * LANES;
-        let mut lanes = Vec::new();
-        let mut extra = 0;
-        let (mut translations, mut scales) = (Vec::new(), Vec::new());
-        let mut rotor_lane = 0;
-        for (joint, layout) in layouts.iter().enumerate() {
-            for (part, list) in [
-                (&layout.translation, &mut translations),
-                (&layout.scale, &mut scales),
-            ] {
-                if part.live > 0 {
-                    let axes = part.directions().map(super::layout::single);
-                    let (first, live, constant) = (extra, part.live, part.constant);
-                    list.push(VectorChannels {
-                        joint,
-                        first,
-                        constant,
-                        axes,
-                        live,
-                    });
-                    lanes.extend((0..part.live).map(|k| extra_begin + extra + k));
-                    extra += part.live;
-                }
-            }
-            if layout.rotation.live > 0 {
-                let (block, lane) = (rotor_lane / LANES, rotor_lane % LANES);
-                lanes.extend((0..layout.rotation.live).map(|k| (3 * block + k) * LANES + lane));
-                rotor_lane += 1;
-            }
-        }
-        let mut track_places = Vec::new();
-        for &(changes, constant) in tracks {
-            track_places.push((changes.then_some(extra), constant));
-            if changes {
-                lanes.push(extra_begin + extra);
-                extra += 1;
-            }
-        }
+        let channels = channels(layouts, tracks.iter().map(|track| track.0));
+        let lanes_of: HashMap<Channel, usize> = channels.iter().copied().collect();
+        let lane_of = |channel: Channel| lanes_of.get(&channel).copied();
+        let parts = |part: fn(&JointLayout) -> &Part, before: fn(&JointLayout) -> usize| {
+            let of_joint = |(joint, layout): (usize, &JointLayout)| {
+                let channel = before(layout);
+                let part = *part(layout);
+                (part.live > 0).then_some(())?;
+                Some(VectorChannels {
+                    joint,
+                    first: lane_of(Channel::OfJoint { joint, channel })?,
+                    constant: part.constant,
+                    axes: part.directions().map(super::layout::single),
+                    live: part.live,
+                })
+            };
+            layouts.iter().enumerate().filter_map(of_joint).collect()
+        };
+        let lanes: Vec<usize> = channels.iter().map(|&(_, lane)| lane).collect();
         let mut tables = Self {
-            blocks: rotors.len() * 3 + extra.div_ceil(LANES),
+            translations: parts(|layout| &layout.translation, |_| 0),
+            scales: parts(|layout| &layout.scale, |layout| layout.translation.live),
+            tracks: tracks
+                .iter()
+                .enumerate()
+                .map(|(track, &(_, constant))| (lane_of(Channel::Track(track)), constant))
+                .collect(),
+            channels: lanes.len(),
+            blocks: lanes.iter().max().map_or(0, |most| most / LANES + 1),
             rotating,
             rotors,
-            translations,
-            scales,
-            tracks: track_places,
-            lanes: lanes.into_iter().map(|lane: usize| lane as u32).collect(),
-            trends: Vec::new(),
-            bits: Vec::new(),
+            segment_blocks: Vec::new(),
             segments: Vec::new(),
             residuals: Vec::new(),
             bases: [SEGMENT, frames_of(segments.len().saturating_sub(1), frames)].map(by_frame),
         };
         for segment in segments {
-            tables.push(segment);
+            tables.push(segment, &lanes);
         }
         tables.residuals.extend([0; 8]);
         tables
     }
 
-    fn push(&mut self, segment: &Segment) {
-        let empty = TrendBlock {
+    fn push(&mut self, segment: &Segment, lanes: &[usize]) {
+        let empty = ChannelBlock {
             terms: [[0.0; LANES]; TERMS],
             step: [0.0; LANES],
+            offsets: [0; LANES],
+            masks: [0; LANES],
         };
-        let begin = self.trends.len();
-        self.trends.resize(begin + self.blocks, empty);
-        for (piece, &lane) in segment.pieces.iter().zip(&self.lanes) {
-            let block = &mut self.trends[begin + lane as usize / LANES];
-            let lane = lane as usize % LANES;
+        let begin = self.segment_blocks.len();
+        self.segment_blocks.resize(begin + self.blocks, empty);
+        let mut offset = 0;
+        for (piece, &lane) in segment.pieces.iter().zip(lanes) {
+            let block = &mut self.segment_blocks[begin + lane / LANES];
+            let lane = lane % LANES;
             let (quantum, step) = (piece.quantum(), piece.step());
             for (term, block) in block.terms.iter_mut().enumerate() {
                 // B₀ is 1, so the constant term takes what is subtracted from the residual.
@@ -167,18 +213,15 @@ impl Tables {
                 block[lane] = (f64::from(piece.coefficients[term]) * quantum - shift) as f32;
             }
             block.step[lane] = step as f32;
-            self.bits.push(piece.bits);
+            block.offsets[lane] = offset;
+            block.masks[lane] = (1 << piece.bits) - 1;
+            offset += u32::from(piece.bits);
         }
         self.segments.push(SegmentTable {
             begin: self.residuals.len(),
             frame_bits: segment.frame_bits(),
         });
         self.residuals.extend_from_slice(&segment.residuals);
-    }
-
-    /// The first block of the extra channels.
-    pub(super) fn extra(&self) -> usize {
-        self.rotors.len() * 3
     }
 }
 
@@ -189,11 +232,15 @@ fn by_frame(frames: usize) -> Vec<[f32; TERMS]> {
 }
 
 fn rotor_blocks(layouts: &[JointLayout], rotating: &[usize]) -> Vec<RotorBlock> {
+    let mut first = 0;
     let block = |joints: &[usize]| {
         let mut block = RotorBlock {
             middle: [[0.0; LANES]; 4],
             along: [[[0.0; LANES]; 4]; 3],
+            channels: layouts[joints[0]].rotation.live,
+            first,
         };
+        first += block.channels;
         // Lanes without a joint hold the identity, so that they stay finite.
         block.middle[0] = [1.0; LANES];
         for (lane, &joint) in joints.iter().enumerate() {

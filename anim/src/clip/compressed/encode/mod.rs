@@ -14,6 +14,7 @@ use super::layout::JointLayout;
 use super::pack::{Segment, frames_of, segment_count};
 use super::piece::{Encoded, MOST_BITS, Precision, bits_for, encode};
 use super::settings::{JointBound, Settings};
+use super::tables::{Channel, channels};
 use super::{CompressError, CompressedClip, file, measure};
 use crate::recording::Recording;
 use search::Search;
@@ -30,9 +31,9 @@ const MARGIN: f64 = 0.998;
 /// the first.
 const REPETITIONS: usize = 5;
 
-/// How many joints may be encoded in all segments together, and the fewest in one of them.
-const BUDGET: usize = 4_000_000;
-const LEAST_BUDGET: usize = 400;
+/// How often each joint of a segment may be encoded on average in the search for fewer bits. In
+/// hierarchies of some dozen joints the search ends by itself after about half of it.
+const BUDGET: usize = 200;
 
 /// Compresses a recording so that the bounds of the settings hold on every frame.
 ///
@@ -104,6 +105,8 @@ fn compress_with(
     ];
     let tracks = tracks(recording, settings, &bases)?;
 
+    let changes = tracks.iter().map(|track| !track.pieces.is_empty());
+    let order = channels(&source.layouts, changes);
     let mut segments = vec![Segment::default(); count];
     let mut todo: Vec<(usize, f64)> = (0..count).map(|segment| (segment, MARGIN)).collect();
     let mut worst = None;
@@ -113,7 +116,7 @@ fn compress_with(
             .par_iter()
             .map(|&(segment, bound)| {
                 let basis = &bases[usize::from(segment + 1 == count)];
-                let budget = (BUDGET / count).max(LEAST_BUDGET);
+                let budget = BUDGET * source.joints();
                 let search = Search::new(&source, basis, segment * SEGMENT, bound, budget);
                 let joints = search.run().map_err(|(joint, error)| {
                     let JointBound { tolerance, .. } = source.bounds[joint];
@@ -123,13 +126,13 @@ fn compress_with(
                         error: error * tolerance,
                     }
                 })?;
-                let own = joints.into_iter().flatten();
-                let tracks = tracks
-                    .iter()
-                    .filter_map(|track| track.pieces.get(segment).cloned());
-                let channels: Vec<Encoded> = own.chain(tracks).collect();
+                let encoded = order.iter().filter_map(|(channel, _)| match *channel {
+                    Channel::OfJoint { joint, channel } => joints[joint].get(channel).cloned(),
+                    Channel::Track(track) => tracks[track].pieces.get(segment).cloned(),
+                });
+                let encoded: Vec<Encoded> = encoded.collect();
                 progress(done.fetch_add(1, Ordering::Relaxed) + 1, todo.len());
-                Ok(Segment::of_channels(&channels, basis.frames))
+                Ok(Segment::of_channels(&encoded, basis.frames))
             })
             .collect();
         for (&(segment, _), encoded) in todo.iter().zip(encoded?) {

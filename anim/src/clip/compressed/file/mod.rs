@@ -22,6 +22,9 @@ const HEADER: usize = 76;
 const MOST_LENGTH: f64 = 1e15;
 const MOST_BIVECTOR: f64 = 1e6;
 
+/// The most channels of a clip, so that the bits of a segment can be counted in 32 bits.
+const MOST_CHANNELS: usize = 1 << 22;
+
 /// What is wrong with the file of a compressed clip, and where.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum FileError {

@@ -3,8 +3,9 @@ use super::super::bits::BitReader;
 use super::super::layout::JointLayout;
 use super::super::pack::{Codes, Segment, frames_of, segment_count};
 use super::super::settings::{JointBound, Settings};
+use super::super::tables::{Channel, channels};
 use super::cursor::Cursor;
-use super::{FileError, HEADER, MAGIC, MOST_BIVECTOR, MOST_LENGTH, VERSION, joints};
+use super::{FileError, HEADER, MAGIC, MOST_BIVECTOR, MOST_CHANNELS, MOST_LENGTH, VERSION, joints};
 use crate::transform::Transform;
 
 /// What a file says beside its segments.
@@ -224,15 +225,20 @@ fn bound(cursor: &mut Cursor) -> Option<JointBound> {
 
 /// The greatest value that each channel may have.
 fn limits(parsed: &Parsed) -> Vec<f64> {
-    let mut limits = Vec::new();
-    for layout in &parsed.layouts {
-        let vectors = layout.translation.live + layout.scale.live;
-        limits.extend(std::iter::repeat_n(MOST_LENGTH, vectors));
-        limits.extend(std::iter::repeat_n(MOST_BIVECTOR, layout.rotation.live));
-    }
-    let tracks = parsed.tracks.iter().filter(|track| track.changes);
-    limits.extend(tracks.map(|_| MOST_LENGTH));
-    limits
+    let changes = parsed.tracks.iter().map(|track| track.changes);
+    let limit = |channel| match channel {
+        Channel::OfJoint { joint, channel } => {
+            let layout = &parsed.layouts[joint];
+            let rotates = channel >= layout.translation.live + layout.scale.live;
+            if rotates { MOST_BIVECTOR } else { MOST_LENGTH }
+        }
+        Channel::Track(_) => MOST_LENGTH,
+    };
+    let channels = channels(&parsed.layouts, changes);
+    channels
+        .into_iter()
+        .map(|(channel, _)| limit(channel))
+        .collect()
 }
 
 fn segments(packed: &[u8], parsed: &Parsed) -> Result<Vec<Segment>, FileError> {
@@ -241,6 +247,9 @@ fn segments(packed: &[u8], parsed: &Parsed) -> Result<Vec<Segment>, FileError> {
         what,
         index: index as u64,
     };
+    if limits.len() > MOST_CHANNELS {
+        return Err(invalid("too many channels:", limits.len()));
+    }
     if limits.is_empty() {
         return match packed {
             [] => Ok(Vec::new()),
