@@ -45,7 +45,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         y > 0.45 * low[1] + 0.55 * high[1] && z < 0.6 * low[2] + 0.4 * high[2]
     };
     let head: Vec<_> = mesh.coordinates().filter(is_head).collect();
-    let camera = Camera::fit(head, view(205.0, 8.0), 0.5, 1.0, 0.12)?;
+    let camera = Camera::fit(head, view(205.0, 8.0), 0.5, 1.0, 0.3)?;
     row(&mut sheet, 1, &mesh, Rules::LOOP, &Tags::default(), &camera)?;
 
     sheet.save(out)?;
