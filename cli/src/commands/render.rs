@@ -24,7 +24,9 @@ use crate::view::{View, bounds};
 ///
 /// The model is Wavefront OBJ with its materials and textures, PLY or glTF. It is lit by a key
 /// light from the upper left of the camera, a weak light from the right and light from all around;
-/// objects cast shadows.
+/// objects cast shadows. Transparent surfaces show what lies behind them, and lines and points of
+/// the model are drawn. Of glTF models, faces are seen from the back where their material is
+/// double-sided; of others, all are.
 ///
 /// The camera (--camera) is one of
 ///

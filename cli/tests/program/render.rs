@@ -168,6 +168,61 @@ fn a_turntable_sees_both_sides() {
     assert!([1, 3].iter().all(|&side| !red(side, 10) && !red(side, 30)));
 }
 
+/// The number of pixels of a picture that are not black.
+fn drawn(folder: &Path, arguments: &str) -> usize {
+    let arguments = format!("render {arguments} --background 000000 --size 40x40 --out drawn.png");
+    assert_success(&nullcone(folder, arguments.split_whitespace()));
+    let picture = image::open(folder.join("drawn.png")).unwrap().to_rgb8();
+    picture.pixels().filter(|pixel| pixel.0 != [0; 3]).count()
+}
+
+#[test]
+fn lines_and_points_alone_are_drawn() {
+    let folder = tempdir().unwrap();
+    let line = "v 0 0 0 1 1 1\nv 1 0 0 1 1 1\nv 0 1 0 1 1 1\n";
+    let write = |name: &str, text: String| std::fs::write(folder.path().join(name), text).unwrap();
+    write("line.obj", format!("{line}l 1 2\n"));
+    write("points.obj", format!("{line}p 1 2 3\n"));
+    // Two pixels wide and about 37 long; discs of five pixels.
+    let line = drawn(folder.path(), "line.obj --camera front");
+    assert!((70..140).contains(&line), "{line}");
+    let points = drawn(folder.path(), "points.obj --camera front");
+    assert!((45..110).contains(&points), "{points}");
+}
+
+#[test]
+fn the_backs_of_gltf_faces_are_seen_if_they_have_two_sides() {
+    let folder = tempdir().unwrap();
+    let square = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+    let square = ga_mesh::obj::parse(square).unwrap();
+    for (double_sided, back) in [(false, 0), (true, 1)] {
+        let material = ga_mesh::Material {
+            double_sided,
+            ..ga_mesh::Material::named("paper")
+        };
+        let mesh = square.clone().with_materials(vec![material], vec![Some(0)]);
+        let mesh = mesh.unwrap();
+        ga_mesh::format::write(folder.path().join("a.glb"), &mesh, &Default::default()).unwrap();
+        ga_mesh::format::write(folder.path().join("a.obj"), &mesh, &Default::default()).unwrap();
+        // The second of two pictures of a turntable is that from behind.
+        for (model, seen) in [("a.glb", [1, back]), ("a.obj", [1, 1])] {
+            let arguments = format!(
+                "render {model} --camera front --turntable 2 --size 40x40 --shading unlit \
+                 --background 000000 --out turn.y4m"
+            );
+            assert_success(&nullcone(folder.path(), arguments.split_whitespace()));
+            let bytes = std::fs::read(folder.path().join("turn.y4m")).unwrap();
+            let film = ga_image::y4m::Reader::new(&bytes).unwrap();
+            let colours = film.film().colours;
+            for (frame, seen) in film.zip(seen) {
+                let picture = frame.unwrap().to_rgb(colours);
+                let bright = picture.get(20, 20).unwrap()[0] > 200;
+                assert_eq!(bright, seen == 1, "{model} {double_sided}");
+            }
+        }
+    }
+}
+
 #[test]
 fn bad_input_leaves_nothing() {
     let folder = tempdir().unwrap();
@@ -175,6 +230,7 @@ fn bad_input_leaves_nothing() {
     let cloud = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n\
                  property float z\nend_header\n0 0 0\n";
     std::fs::write(folder.path().join("cloud.ply"), cloud).unwrap();
+    std::fs::write(folder.path().join("nothing.obj"), "v 0 0 0\nv 1 0 0\n").unwrap();
     let before = names(folder.path());
     let fails = |arguments: &[&str], parts: &[&str]| {
         let output = nullcone(folder.path(), [&["render"], arguments].concat());
@@ -186,8 +242,12 @@ fn bad_input_leaves_nothing() {
         &["--out p.jpg", ".png or .y4m"],
     );
     fails(
+        &["nothing.obj", "--out", "p.png"],
+        &["nothing.obj", "no triangle, line or point"],
+    );
+    fails(
         &["cloud.ply", "--out", "p.png"],
-        &["cloud.ply", "no triangle"],
+        &["cloud.ply", "nothing to look at"],
     );
     fails(&["none.obj", "--out", "p.png"], &["none.obj"]);
     let with = |more: &[&str], parts: &[&str]| {

@@ -6,6 +6,7 @@ mod paint;
 use ga_image::plane::Plane;
 use ga_mesh::Mesh;
 use ga_mesh::atlas::{Options, unwrap};
+use rayon::prelude::*;
 
 use crate::landmarks::Landmarks;
 use crate::{Human, Vector};
@@ -40,7 +41,7 @@ impl Human {
         let landmarks = Landmarks::new();
         let mut texels = Plane::filled(size, size, None);
         let Some(coordinates) = self.mesh.texture_coordinates() else {
-            return texels.map(|_: Option<(f64, [u8; 3])>| [0; 3]);
+            return texels.map(|_: Texel| [0; 3]);
         };
         let positions: Vec<Vector> = self.mesh.coordinates().map(Vector::from).collect();
         for (face, triangle) in self.mesh.triangles().iter().enumerate() {
@@ -51,12 +52,14 @@ impl Human {
             let places = [a, b, c].map(|[u, v]| [u * size as f64, (1.0 - v) * size as f64]);
             let corners = triangle.map(|vertex| positions[vertex as usize]);
             paint_triangle(&mut texels, places, |[p, q, r]| {
-                let point = corners[0] * p + corners[1] * q + corners[2] * r;
-                let colour = paint::colour(&landmarks, point);
-                colour.map(|c| (255.0 * c.clamp(0.0, 1.0)).round() as u8)
+                corners[0] * p + corners[1] * q + corners[2] * r
             });
         }
-        filled(&texels)
+        let colour = |texel: &Texel| {
+            let (_, point) = (*texel)?;
+            Some(paint::colour(&landmarks, point).map(|c| 255.0 * c.clamp(0.0, 1.0)))
+        };
+        filled(size, texels.values().par_iter().map(colour).collect())
     }
 }
 
@@ -74,16 +77,16 @@ pub(crate) fn with_texture_coordinates(mesh: Mesh) -> Mesh {
         .expect("there are three finite coordinates for each triangle")
 }
 
-/// A texel: how far outside its triangle it lies, and its colour.
-type Texel = Option<(f64, [u8; 3])>;
+/// A texel: how far outside its triangle it lies, and the point on the body that it shows.
+type Texel = Option<(f64, Vector)>;
 
-/// Colours the texels whose centres lie in a triangle or within the margin of it, unless they lie
-/// in another one or nearer to it. `colour` is given the barycentric coordinates of the place in
-/// the triangle that is nearest to the centre, nearly.
+/// Finds the points of the texels whose centres lie in a triangle or within the margin of it,
+/// unless they lie in another one or nearer to it. `point` is given the barycentric coordinates of
+/// the place in the triangle that is nearest to the centre, nearly.
 fn paint_triangle(
     texels: &mut Plane<Texel>,
     [a, b, c]: [[f64; 2]; 3],
-    colour: impl Fn([f64; 3]) -> [u8; 3],
+    point: impl Fn([f64; 3]) -> Vector,
 ) {
     let size = texels.width();
     let edge = |p: [f64; 2], q: [f64; 2], x: [f64; 2]| {
@@ -115,7 +118,7 @@ fn paint_triangle(
             }
             let inside = shares.map(|share| share.max(0.0));
             let sum: f64 = inside.iter().sum();
-            *texel = Some((outside, colour(inside.map(|share| share / sum))));
+            *texel = Some((outside, point(inside.map(|share| share / sum))));
         }
     }
 }
@@ -123,9 +126,9 @@ fn paint_triangle(
 /// The colours, continued smoothly where there is none, so that smaller copies of the texture show
 /// no seams: each gap takes the mean of what is around it (by a pyramid, after Gortler et al. 1996,
 /// *The Lumigraph*, section 3.4.2).
-fn filled(texels: &Plane<Texel>) -> Plane<[u8; 3]> {
-    let mut levels = vec![texels.map(|texel| {
-        let colour = texel.map(|(_, colour)| colour.map(f32::from));
+fn filled(size: usize, colours: Vec<Option<[f64; 3]>>) -> Plane<[u8; 3]> {
+    let mut levels = vec![Plane::from_fn(size, size, |column, row| {
+        let colour = colours[row * size + column].map(|colour| colour.map(|c| c as f32));
         colour.map_or([0.0; 4], |[r, g, b]| [r, g, b, 1.0])
     })];
     while let Some(fine) = levels.last().filter(|level| level.width() > 1) {
