@@ -65,22 +65,29 @@ impl<T> EventTrack<T> {
 
     /// The same for a clip that repeats after `period` seconds, by times that go on. Only events
     /// from 0 up to the period, but not at it, belong to the loop. There are none for a period that
-    /// is not above 0, or times that are not finite.
+    /// is not above 0, times that are not finite, or more turns than can be counted.
     pub fn in_loop(&self, period: f64, from: f64, to: f64) -> impl Iterator<Item = (f64, &T)> {
         let first = self.events.partition_point(|(time, _)| *time < 0.0);
         let last = self
             .events
             .partition_point(|(time, _)| *time < period)
             .max(first);
-        let is_usable = period > 0.0 && [period, from, to].iter().all(|x| x.is_finite());
+        let (start, end) = ((from / period).floor(), (to / period).floor());
+        // Beyond this range a turn and the next are the same number.
+        let is_counted = [start, end].iter().all(|turn| turn.abs() < 2_f64.powi(52));
+        let is_usable = period > 0.0 && is_counted;
         let events = if is_usable {
             &self.events[first..last]
         } else {
             &[]
         };
-        let (start, end) = ((from / period).floor(), (to / period).floor());
         // No iteration where there is nothing to be found.
-        let mut turn = if events.is_empty() { end + 1.0 } else { start };
+        let mut turn = if events.is_empty() {
+            f64::INFINITY
+        } else {
+            start
+        };
+        let end = if is_usable { end } else { f64::NEG_INFINITY };
         std::iter::from_fn(move || {
             let current = turn;
             turn += 1.0;

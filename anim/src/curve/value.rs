@@ -47,8 +47,13 @@ impl<const N: usize> Value for [f64; N] {
     }
 
     #[inline(always)]
-    fn from_components(component: impl FnMut(usize) -> f64) -> Self {
-        std::array::from_fn(component)
+    fn from_components(mut component: impl FnMut(usize) -> f64) -> Self {
+        // This becomes straight-line code more reliably than `std::array::from_fn`.
+        let mut values = [0.0; N];
+        for (index, value) in values.iter_mut().enumerate() {
+            *value = component(index);
+        }
+        values
     }
 }
 
@@ -62,6 +67,6 @@ impl Value for Vector<f64> {
 
     #[inline(always)]
     fn from_components(component: impl FnMut(usize) -> f64) -> Self {
-        std::array::from_fn(component).into()
+        <[f64; 3]>::from_components(component).into()
     }
 }

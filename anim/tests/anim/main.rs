@@ -4,6 +4,7 @@
 
 mod binding;
 mod bvh;
+mod clip;
 mod curve;
 mod distance_weights;
 mod geodesic_weights;
