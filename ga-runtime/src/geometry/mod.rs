@@ -37,12 +37,12 @@
 //! - `Rotor`: `exp(−½θB)`; built by `from_axis_angle`, `from_rotation_vector`, `between`,
 //!   `from_matrix`, `from_quaternion`, `from_euler`, `look_along`; read by `to_axis_angle`,
 //!   `to_rotation_vector`, `to_matrix`, `to_quaternion`, `to_euler`, `path`; functions `log`,
-//!   `powf`, `sqrt`, `interpolate`, `along`.
+//!   `powf`, `sqrt`, `interpolate`, `nlerp`, `along`.
 //! - `Translator`: `1 − ½ t ei`; built by `from_displacement`; read by `displacement`; functions
 //!   `log`, `powf`, `sqrt`, `interpolate`.
 //! - `Motor`: `T R`; built by `translator * rotor`, `about`, `look_at`, `from_matrix`,
 //!   [`Screw::to_motor`]; read by `rotor`, `translator`, `to_matrix`, `screw`, `path`; functions
-//!   `log`, `powf`, `sqrt`, `interpolate`, `along`.
+//!   `log`, `powf`, `sqrt`, `interpolate`, `nlerp`, `along`.
 //! - `MotorGenerator`: `−½θB − ½ t ei`; built by `Motor::log`, [`Screw::generator`],
 //!   `from_velocities`; read by `screw`, `velocity_at`, `angular_velocity`; functions `exp`.
 //! - `Dilator`: `exp(½ ln s eo∧ei)`; built by `from_factor`, `exp`; read by `factor`; functions

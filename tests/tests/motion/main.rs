@@ -3,3 +3,4 @@
 mod curves;
 mod fit;
 mod mean;
+mod smooth;

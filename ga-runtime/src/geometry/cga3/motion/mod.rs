@@ -4,7 +4,8 @@
 //! - A cheap weighted average, as in skinning: [`Motor::blend`], [`Rotor::blend`].
 //! - The weighted average that does not depend on the choice of frames: [`Motor::mean`],
 //!   [`Rotor::mean`].
-//! - A smooth motion through keys: [`MotorSpline`], [`RotorSpline`].
+//! - A smooth motion through keys: [`MotorSpline`], [`RotorSpline`], with a continuous velocity or,
+//!   by [`MotorSpline::smooth`], a continuous acceleration too.
 //! - A single curve, given by control motions: [`Motor::bezier`], [`Motor::squad`] and their
 //!   namesakes for rotors.
 //! - The motion that moves points to points: [`Motor::from_point_pairs`],
@@ -35,6 +36,7 @@ mod matrix;
 mod mean;
 mod moments;
 mod registration;
+mod smooth_spline;
 mod spline;
 mod weight;
 
@@ -43,5 +45,6 @@ pub use blend::BlendError;
 pub use fit::Fit;
 pub use fit_error::FitError;
 pub use mean::{Mean, MeanError, Residual};
+pub use smooth_spline::SplineEnd;
 pub use spline::{MotorSpline, RotorSpline, SplineError};
 pub use weight::WeightError;

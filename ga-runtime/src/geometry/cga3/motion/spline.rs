@@ -4,6 +4,7 @@ use alloc::vec::Vec;
 use core::fmt::{Debug, Display, Formatter, Result as FmtResult};
 
 use super::blend::is_finite;
+use super::smooth_spline::SplineEnd;
 use crate::cga3::{Motor, MotorGenerator, Rotor};
 use crate::scalar::Real;
 
@@ -19,6 +20,8 @@ use crate::scalar::Real;
 /// of points. Velocities are in the frame of the moved body, `M' = M v`, a generator per unit of
 /// time; a body that rotates at the angular velocity ω about its own origin, which moves at the
 /// velocity u, both in its own frame, has `v = −½(ω₁ e23 − ω₂ e13 + ω₃ e12) − ½ u ei`.
+///
+/// [`MotorSpline::smooth`] gives a curve whose acceleration is continuous too.
 ///
 /// The curve is equivariant under changes of frames on either side. Keys on one screw, at times in
 /// proportion, give that screw at constant speed. From key to key the curve takes the shorter
@@ -48,13 +51,16 @@ pub struct MotorSpline<S> {
     last: Motor<S>,
 }
 
-/// The piece from one key to the next.
+/// The piece from one key to the next: `from` and the exponentials of the parts, each times its
+/// share.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Piece<S> {
-    start: S,
-    duration: S,
-    from: Motor<S>,
-    parts: [MotorGenerator<S>; 3],
+pub(super) struct Piece<S> {
+    pub(super) start: S,
+    pub(super) duration: S,
+    pub(super) from: Motor<S>,
+    pub(super) parts: [MotorGenerator<S>; 3],
+    /// Cubic polynomials in the position along the piece, from 0 to 1, the lowest power first.
+    pub(super) shares: [[S; 4]; 3],
 }
 
 /// Keys for which there is no spline.
@@ -90,6 +96,12 @@ pub enum SplineError<S> {
         /// The index of the key, from 0.
         index: usize,
     },
+    /// The search for a smooth spline does not come closer to this key: the rotations from key to
+    /// key are too large.
+    NotReached {
+        /// The index of the key, from 0.
+        index: usize,
+    },
 }
 
 impl<S: Debug> Display for SplineError<S> {
@@ -106,6 +118,9 @@ impl<S: Debug> Display for SplineError<S> {
                     f,
                     "the motion from key {index} to the next is beyond the range of the scalar"
                 )
+            }
+            Self::NotReached { index } => {
+                write!(f, "no smooth spline through key {index} was found")
             }
         }
     }
@@ -214,6 +229,27 @@ impl<S: Real<Mask = bool>> MotorSpline<S> {
         Some(piece.velocity(s))
     }
 
+    /// The acceleration at a time in the frame of the moved body, the derivative of the
+    /// [velocity](Self::velocity). It is zero before the first key and after the last; at a key it
+    /// is that of the piece that begins there, at the last that of the piece before. `None` for a
+    /// time that is not a number.
+    #[must_use]
+    pub fn acceleration(&self, time: S) -> Option<MotorGenerator<S>> {
+        if is_nan(time) {
+            return None;
+        }
+        if time.less_than(self.start()) || self.end.less_than(time) {
+            return Some(zero());
+        }
+        let (piece, s) = self.piece_at(time)?;
+        Some(piece.acceleration(s))
+    }
+
+    /// The spline of these pieces, up to the last key.
+    pub(super) fn of_pieces(pieces: Vec<Piece<S>>, end: S, last: Motor<S>) -> Self {
+        Self { pieces, end, last }
+    }
+
     /// The piece at a time up to the end, and the position along it, in [0, 1].
     fn piece_at(&self, time: S) -> Option<(&Piece<S>, S)> {
         let after = self
@@ -252,6 +288,8 @@ impl<S: Real<Mask = bool>> MotorSpline<S> {
                 duration,
                 from,
                 parts,
+                shares: [[0, 3, -3, 1], [0, 0, 3, -2], [0, 0, 0, 1]]
+                    .map(|shares| shares.map(S::from_integer)),
             });
             from = arrival;
         }
@@ -265,39 +303,56 @@ impl<S: Real<Mask = bool>> MotorSpline<S> {
 }
 
 impl<S: Real<Mask = bool>> Piece<S> {
-    fn motor(&self, s: S) -> Motor<S> {
-        let [first, middle, last] = self.parts;
-        let [b1, b2, b3] = shares(s);
-        self.from * (first * b1).exp() * (middle * b2).exp() * (last * b3).exp()
+    pub(super) fn motor(&self, s: S) -> Motor<S> {
+        self.parts
+            .into_iter()
+            .zip(self.shares)
+            .fold(self.from, |motor, (part, share)| {
+                motor * (part * value(share, s)).exp()
+            })
     }
 
     fn velocity(&self, s: S) -> MotorGenerator<S> {
-        let [first, middle, last] = self.parts;
-        let [_, b2, b3] = shares(s);
-        let (one, six) = (S::one(), S::from_integer(6));
-        let rest = one - s;
-        let rates = [
-            S::from_integer(3) * rest * rest,
-            six * s * rest,
-            S::from_integer(3) * s * s,
-        ];
-        // Each part, transformed by those that follow it.
-        let back = |part: MotorGenerator<S>, share: S| (part * -share).exp();
-        let sum = back(middle, b2).transform(first * rates[0]) + middle * rates[1];
-        let sum = back(last, b3).transform(sum) + last * rates[2];
-        sum * self.duration.recip()
+        self.rates(s).0 * self.duration.recip()
+    }
+
+    fn acceleration(&self, s: S) -> MotorGenerator<S> {
+        let scale = self.duration.recip();
+        self.rates(s).1 * scale * scale
+    }
+
+    /// The velocity and the acceleration by s, in the frame of the moved body.
+    fn rates(&self, s: S) -> (MotorGenerator<S>, MotorGenerator<S>) {
+        let two = S::from_integer(2);
+        let start = (zero(), zero());
+        let parts = self.parts.into_iter().zip(self.shares);
+        // Those of the parts so far, transformed by the next one, and its own. The frame in which
+        // they are given turns with its velocity, which adds a commutator.
+        parts.fold(start, |(velocity, acceleration), (part, share)| {
+            let back = (part * -value(share, s)).exp();
+            let own = part * slope(share, s);
+            let velocity = back.transform(velocity);
+            let change = velocity.commutator(own) * two + part * bend(share, s);
+            (velocity + own, back.transform(acceleration) + change)
+        })
     }
 }
 
-/// The cumulative Bernstein polynomials of degree 3.
-fn shares<S: Real>(s: S) -> [S; 3] {
-    let rest = S::one() - s;
-    let square = s * s;
-    [
-        S::one() - rest * rest * rest,
-        square * (S::from_integer(3) - s - s),
-        square * s,
-    ]
+/// A cubic polynomial.
+fn value<S: Real>([c0, c1, c2, c3]: [S; 4], s: S) -> S {
+    c3.mul_add(s, c2).mul_add(s, c1).mul_add(s, c0)
+}
+
+/// Its derivative.
+fn slope<S: Real>([_, c1, c2, c3]: [S; 4], s: S) -> S {
+    let (two, three) = (S::from_integer(2), S::from_integer(3));
+    (three * c3).mul_add(s, two * c2).mul_add(s, c1)
+}
+
+/// Its second derivative.
+pub(super) fn bend<S: Real>([_, _, c2, c3]: [S; 4], s: S) -> S {
+    let (two, six) = (S::from_integer(2), S::from_integer(6));
+    (six * c3).mul_add(s, two * c2)
 }
 
 /// The screw from one key to the next.
@@ -367,6 +422,20 @@ impl<S: Real<Mask = bool>> RotorSpline<S> {
         MotorSpline::through(&keys).map(Self)
     }
 
+    /// The spline through two or more keys whose angular acceleration is continuous too; see
+    /// [`MotorSpline::smooth`]. A velocity given
+    /// at an end should be that of a rotation.
+    ///
+    /// # Errors
+    /// Those of [`MotorSpline::smooth`].
+    pub fn smooth(keys: &[(S, Rotor<S>)], ends: [SplineEnd<S>; 2]) -> Result<Self, SplineError<S>> {
+        let keys: Vec<_> = keys
+            .iter()
+            .map(|&(time, rotor)| (time, Motor::from(rotor)))
+            .collect();
+        MotorSpline::smooth(&keys, ends).map(Self)
+    }
+
     /// The time of the first key.
     #[must_use]
     pub fn start(&self) -> S {
@@ -389,13 +458,18 @@ impl<S: Real<Mask = bool>> RotorSpline<S> {
     /// time; see [`MotorSpline::velocity`].
     #[must_use]
     pub fn angular_velocity(&self, time: S) -> Option<[S; 3]> {
-        let velocity = self.0.velocity(time)?;
-        let half = [-velocity.e23, velocity.e13, -velocity.e12];
-        Some(half.map(|x| x + x))
+        Some(self.0.velocity(time)?.angular_velocity().vector())
+    }
+
+    /// The angular acceleration ω' at a time in the frame of the moved body, in radians per squared
+    /// unit of time; see [`MotorSpline::acceleration`].
+    #[must_use]
+    pub fn angular_acceleration(&self, time: S) -> Option<[S; 3]> {
+        Some(self.0.acceleration(time)?.angular_velocity().vector())
     }
 }
 
-fn check<S: Real<Mask = bool>>(keys: &[(S, Motor<S>)]) -> Result<(), SplineError<S>> {
+pub(super) fn check<S: Real<Mask = bool>>(keys: &[(S, Motor<S>)]) -> Result<(), SplineError<S>> {
     if keys.len() < 2 {
         return Err(SplineError::TooFewKeys { found: keys.len() });
     }
@@ -413,7 +487,7 @@ fn check<S: Real<Mask = bool>>(keys: &[(S, Motor<S>)]) -> Result<(), SplineError
     Ok(())
 }
 
-fn is_number<S: Real<Mask = bool>>(generator: MotorGenerator<S>) -> bool {
+pub(super) fn is_number<S: Real<Mask = bool>>(generator: MotorGenerator<S>) -> bool {
     [
         generator.e12,
         generator.e13,
@@ -430,7 +504,7 @@ fn is_nan<S: Real<Mask = bool>>(x: S) -> bool {
     !(x.less_than(S::zero()) || S::zero().less_than(x) || x.is_finite())
 }
 
-fn zero<S: Real>() -> MotorGenerator<S> {
+pub(super) fn zero<S: Real>() -> MotorGenerator<S> {
     let zero = S::zero();
     MotorGenerator::new(zero, zero, zero, zero, zero, zero)
 }
