@@ -88,13 +88,18 @@ impl Hierarchy {
     ) -> Result<(), LengthError> {
         whole_poses(self.parents.len(), own.len())?;
         same_length(own.len(), total.len())?;
-        let parents = self.parents.iter().copied();
-        Batch::new().run(Forward {
-            parents,
+        let work = Forward {
+            parents: self.parents.iter().copied(),
             root,
             own,
             total,
-        });
+        };
+        // Wider instructions than those of a single motor only shuffle its coefficients.
+        if size_of::<S>() <= size_of::<f64>() {
+            work.run();
+        } else {
+            Batch::new().run(work);
+        }
         Ok(())
     }
 }
@@ -138,31 +143,21 @@ impl<S: Real, P: ExactSizeIterator<Item = Option<usize>> + Clone> Work for Forwa
         let joints = self.parents.len().max(1);
         let poses = self.own.chunks_exact(joints);
         for (own, total) in poses.zip(self.total.chunks_exact_mut(joints)) {
-            // Most joints follow their parent, whose motion is then at hand: reading what has just
-            // been written would take longer than the product.
-            let mut previous = self.root;
             for (joint, (parent, own)) in self.parents.clone().zip(own).enumerate() {
                 // Parents come first, so they have been computed.
                 let above = match parent {
-                    Some(parent) if parent + 1 == joint => previous,
                     Some(parent) => total[parent],
                     None => self.root,
                 };
-                previous = above * *own;
-                total[joint] = previous;
+                total[joint] = above * *own;
             }
         }
     }
 }
 
 pub(super) fn whole_poses(joints: usize, found: usize) -> Result<(), LengthError> {
-    // No joints have no motors.
-    let is_whole = if joints == 0 {
-        found == 0
-    } else {
-        found % joints == 0
-    };
-    if is_whole {
+    // No joints have no motors: only 0 is a multiple of 0.
+    if found.is_multiple_of(joints) {
         Ok(())
     } else {
         Err(LengthError::Poses { joints, found })

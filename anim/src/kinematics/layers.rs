@@ -54,11 +54,15 @@ pub fn blend_layers<S: Real>(
     whole_poses(weights.len(), below.len())?;
     same_length(below.len(), above.len())?;
     same_length(below.len(), blended.len())?;
-    for (joint, weight) in weights.iter().enumerate() {
-        let is_share = S::zero().less_or_equal(*weight) & weight.less_or_equal(S::one());
-        if !is_share.all() {
-            return Err(LayerError::Weight { joint });
-        }
+    let mut are_shares = false;
+    Batch::new().run(Check {
+        weights,
+        are_shares: &mut are_shares,
+    });
+    if !are_shares {
+        let wrong = |weight: &S| !is_share(*weight).all();
+        let joint = weights.iter().position(wrong).unwrap_or_default();
+        return Err(LayerError::Weight { joint });
     }
     Batch::new().run(Layer {
         below,
@@ -67,6 +71,26 @@ pub fn blend_layers<S: Real>(
         blended,
     });
     Ok(())
+}
+
+/// Whether all weights are from 0 to 1.
+struct Check<'a, S> {
+    weights: &'a [S],
+    are_shares: &'a mut bool,
+}
+
+impl<S: Real> Work for Check<'_, S> {
+    #[inline(always)]
+    fn run(self) {
+        let all = self.weights.iter();
+        let all = all.fold(S::Mask::splat(true), |all, weight| all & is_share(*weight));
+        *self.are_shares = all.all();
+    }
+}
+
+#[inline(always)]
+fn is_share<S: Real>(weight: S) -> S::Mask {
+    S::zero().less_or_equal(weight) & weight.less_or_equal(S::one())
 }
 
 struct Layer<'a, S> {

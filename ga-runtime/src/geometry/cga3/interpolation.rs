@@ -52,7 +52,8 @@ impl<S: Real> Rotor<S> {
         if is_regular.all() {
             return Self::new_unchecked(s, e12, e13, e23);
         }
-        let careful = coefficients(rotor_by_power(self, other, t, RotationPath::Short));
+        let careful = rotor_by_power(rotor(from), rotor(to), t, RotationPath::Short);
+        let careful = coefficients(careful);
         let select = |k: usize, x: S| S::select(is_regular, x, careful[k]);
         Self::new_unchecked(select(0, s), select(1, e12), select(2, e13), select(3, e23))
     }
@@ -139,7 +140,7 @@ impl<S: Real> Motor<S> {
         // A M + B N without, and with, ω and the dual parts of the factors.
         let sum = |k: usize| a[k] * factors.first + b[k] * second;
         let change = |k: usize| a[k] * first_part + b[k] * second_part;
-        let motor = Self::new_unchecked(
+        let between = Self::new_unchecked(
             sum(0),
             sum(1),
             sum(2),
@@ -153,10 +154,12 @@ impl<S: Real> Motor<S> {
         let overflow = part * S::from_integer(8) * S::zero();
         let is_regular = is_regular(cosine, t, overflow);
         if is_regular.all() {
-            return motor;
+            return between;
         }
-        let careful = motor_by_power(self, other, t, RotationPath::Short);
-        select_motor(is_regular, motor, careful)
+        // From the coefficients: if the operands themselves were passed, they would be kept in
+        // memory from the start.
+        let careful = motor_by_power(motor(a), motor(b), t, RotationPath::Short);
+        select_motor(is_regular, between, careful)
     }
 
     /// As [`interpolate`](Self::interpolate), by the shorter or the longer rotation. The longer
@@ -240,6 +243,16 @@ fn is_regular<S: Real>(cosine: S, t: S, overflow: S) -> S::Mask {
 #[inline(always)]
 fn coefficients<S: Real>(rotor: Rotor<S>) -> [S; 4] {
     [rotor.scalar(), rotor.e12(), rotor.e13(), rotor.e23()]
+}
+
+#[inline(always)]
+fn rotor<S: Real>([s, e12, e13, e23]: [S; 4]) -> Rotor<S> {
+    Rotor::new_unchecked(s, e12, e13, e23)
+}
+
+#[inline(always)]
+fn motor<S: Real>([s, e12, e13, e23, e1i, e2i, e3i, e123i]: [S; 8]) -> Motor<S> {
+    Motor::new_unchecked(s, e12, e13, e23, e1i, e2i, e3i, e123i)
 }
 
 #[inline(always)]
