@@ -126,7 +126,7 @@ pub fn overlay(pose: &mut Pose, layers: &[Layer<'_>]) -> Result<(), LayerError> 
     Ok(())
 }
 
-/// The normalised sum of two motors.
+/// The normalised sum of two motors, exactly one of them where the other has no weight.
 #[inline]
 pub(super) fn mean(from: Motor<f64>, to: Motor<f64>, weight: f64) -> Motor<f64> {
     if weight <= 0.0 {
@@ -135,13 +135,7 @@ pub(super) fn mean(from: Motor<f64>, to: Motor<f64>, weight: f64) -> Motor<f64> 
     if weight >= 1.0 {
         return to;
     }
-    let cosine = from.scalar() * to.scalar()
-        + from.e12() * to.e12()
-        + from.e13() * to.e13()
-        + from.e23() * to.e23();
-    let sum = from * (1.0 - weight) + to * weight.copysign(cosine);
-    // The sum of two motors at an acute angle does not vanish.
-    sum.normalize().unwrap_or(from)
+    from.nlerp(to, weight)
 }
 
 fn check(index: usize, layer: &Layer<'_>, expected: usize) -> Result<(), LayerError> {
