@@ -34,6 +34,20 @@ pub(crate) fn by_affine_maps(
     }
 }
 
+/// The weighted sum of the matrices of a point. A macro, since the compiler does not inline a
+/// function here, and a register that crosses a call goes through memory.
+macro_rules! sum {
+    ($maps:expr, $joints:expr, $weights:expr, $count:expr) => {{
+        let first = register(&$maps[usize::from($joints[0])]);
+        let mut total = _mm512_mul_ps(first, _mm512_set1_ps($weights[0]));
+        for k in 1..$count {
+            let map = register(&$maps[usize::from($joints[k])]);
+            total = _mm512_fmadd_ps(map, _mm512_set1_ps($weights[k]), total);
+        }
+        total
+    }};
+}
+
 #[inline]
 #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx2,fma")]
 fn move_all<const K: usize, const NORMALS: bool>(
@@ -52,10 +66,10 @@ fn move_all<const K: usize, const NORMALS: bool>(
         .zip(weights)
     {
         let columns = [
-            sum(maps, &joints[0], &weights[0]),
-            sum(maps, &joints[1], &weights[1]),
-            sum(maps, &joints[2], &weights[2]),
-            sum(maps, &joints[3], &weights[3]),
+            sum!(maps, joints[0], weights[0], K),
+            sum!(maps, joints[1], weights[1], K),
+            sum!(maps, joints[2], weights[2], K),
+            sum!(maps, joints[3], weights[3], K),
         ];
         write(points(columns, x), order, bucket.is_run, images, Point::new);
         if NORMALS {
@@ -156,19 +170,6 @@ fn register(columns: &Columns<f32>) -> __m512 {
         m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8], m[9], m[10], m[11], m[12], m[13],
         m[14], m[15],
     )
-}
-
-/// The weighted sum of matrices.
-#[inline]
-#[target_feature(enable = "avx512f,avx512vl,avx512dq,avx2,fma")]
-fn sum<const K: usize>(maps: &[Columns<f32>], joints: &[u16; K], weights: &[f32; K]) -> __m512 {
-    let first = register(&maps[usize::from(joints[0])]);
-    let mut total = _mm512_mul_ps(first, _mm512_set1_ps(weights[0]));
-    for k in 1..K {
-        let map = register(&maps[usize::from(joints[k])]);
-        total = _mm512_fmadd_ps(map, _mm512_set1_ps(weights[k]), total);
-    }
-    total
 }
 
 /// The coordinates, each in all places of a quarter.
