@@ -19,7 +19,7 @@
 //! | [`weights::distance`], [`weights::geodesic`] | weights by distance, in space and in the body |
 //! | [`retarget`] | transfers a recording to another body |
 //! | [`leg`] | the leg of hip, knee and ankle (Cui, §2.3.3): from angles to positions and back |
-//! | [`gltf`] | skeletons and clips as the data that [`ga_mesh::gltf::model`] writes |
+//! | [`gltf`] | plays glTF documents, and makes of clips what [`ga_mesh::gltf::model`] writes |
 //!
 //! # Conventions
 //!

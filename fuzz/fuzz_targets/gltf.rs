@@ -1,7 +1,8 @@
 //! glTF: what is read must come back when it is written, and can be placed in the world and played.
 #![no_main]
 
-use ga_anim::gltf::{Blend, Placement, Player, character};
+use ga_anim::gltf::{Placement, Player, character};
+use ga_anim::skin::Method;
 use ga_anim::recording::Recording;
 use ga_mesh::gltf::{self, Document, Vertices};
 use libfuzzer_sys::fuzz_target;
@@ -37,7 +38,7 @@ fn play(document: &Document) {
             let Ok(pose) = player.pose(animation, time) else {
                 continue;
             };
-            for method in [Blend::Linear, Blend::Motor, Blend::DualQuaternion] {
+            for method in [Method::Linear, Method::Motor, Method::DualQuaternion] {
                 let Ok(placed) = placement.place(&pose, method) else {
                     continue;
                 };

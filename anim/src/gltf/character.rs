@@ -4,9 +4,9 @@ use ga_mesh::gltf::{Document, Node};
 use ga_mesh::{Mesh, MeshError};
 use ga_runtime::vga3::Vector;
 
-use super::blend::Blend;
 use super::{Placement, PlayError, Player};
 use crate::skeleton::{Joint, Skeleton, SkeletonError};
+use crate::skin::Method;
 use crate::weights::{SkinWeights, WeightsError};
 
 /// A body that moves: a mesh at rest, its joints, and how they move its vertices.
@@ -107,7 +107,7 @@ pub fn character(document: &Document) -> Result<Character, CharacterError> {
     let player = Player::new(&followed)?;
     let placement = Placement::new(&player)?;
     let pose = player.pose(None, 0.0)?;
-    let placed = placement.place(&pose, Blend::Linear)?;
+    let placed = placement.place(&pose, Method::Linear)?;
     let mut rows: Vec<Vec<(u32, f64)>> = Vec::with_capacity(placement.vertex_count());
     for (index, part) in placement.parts().iter().enumerate() {
         let joints = followed.nodes[part.node]

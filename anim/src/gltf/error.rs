@@ -1,5 +1,6 @@
 use ga_mesh::gltf::{Element, GltfError};
 
+use crate::skin::SkinError;
 use crate::weights::WeightsError;
 
 /// Why a document cannot be played, or not at this time. Elements are counted from 0.
@@ -63,6 +64,19 @@ pub enum PlayError {
         /// What is wrong.
         problem: WeightsError,
     },
+    /// The transform of a joint is beyond double precision.
+    #[error("skin {skin}: the transform of joint {joint} (node {node}) is not finite")]
+    JointNotFinite {
+        /// The skin.
+        skin: usize,
+        /// The joint of the skin.
+        joint: usize,
+        /// Its node.
+        node: usize,
+    },
+    /// The joints cannot be blended.
+    #[error(transparent)]
+    Skin(#[from] SkinError),
     /// The transform of a joint has no rotation, since it maps space to a line or a point. Only
     /// blends of motors need one.
     #[error(

@@ -34,7 +34,6 @@
 //!
 //! so T(h − p) at rest. For a root, the motion of the whole skeleton takes the place of T(−p).
 
-mod blend;
 mod character;
 mod error;
 mod export;
@@ -42,7 +41,6 @@ mod placement;
 mod player;
 mod sampler;
 
-pub use blend::Blend;
 pub use character::{Character, CharacterError, character};
 pub use error::PlayError;
 pub use export::{animation, joint_nodes, vertex_weights};

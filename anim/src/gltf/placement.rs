@@ -7,8 +7,9 @@ use ga_runtime::cga3::Point;
 use ga_runtime::geometry::Affine;
 use ga_runtime::vga3::Vector;
 
-use super::blend::{self, Blend};
+use super::player::is_finite;
 use super::{NodePose, PlayError, Player};
+use crate::skin::{Binding, Method, Posed, SkinError};
 use crate::weights::{SkinWeights, WeightsError};
 
 /// Places the vertices of all meshes of a document in the world: for each node that has a mesh, in
@@ -21,7 +22,8 @@ use crate::weights::{SkinWeights, WeightsError};
 /// # Examples
 ///
 /// ```
-/// use ga_anim::gltf::{Blend, Placement, Player};
+/// use ga_anim::gltf::{Placement, Player};
+/// use ga_anim::skin::Method;
 /// use ga_mesh::gltf::{Document, Mesh, Node, Primitive, Transform};
 ///
 /// let vertex = Primitive { positions: vec![[1.0, 0.0, 0.0]], ..Primitive::default() };
@@ -37,7 +39,7 @@ use crate::weights::{SkinWeights, WeightsError};
 /// };
 /// let player = Player::new(&document)?;
 /// let placement = Placement::new(&player)?;
-/// let placed = placement.place(&player.pose(None, 0.0)?, Blend::Linear)?;
+/// let placed = placement.place(&player.pose(None, 0.0)?, Method::Linear)?;
 /// assert_eq!(placed.positions[0].coordinates(), [2.0, 5.0, 0.0]);
 /// # Ok::<(), ga_anim::gltf::PlayError>(())
 /// ```
@@ -45,9 +47,17 @@ use crate::weights::{SkinWeights, WeightsError};
 pub struct Placement<'a> {
     document: &'a Document,
     parts: Vec<Part>,
-    /// For each part that has a skin, which of `bindings` is its own.
+    /// For each part that has a skin, which of `skinned` is its own.
     bound: Vec<Option<usize>>,
-    bindings: Vec<SkinWeights>,
+    skinned: Vec<Skinned>,
+}
+
+/// The vertices of a primitive with the joints of a skin.
+#[derive(Clone, Debug)]
+struct Skinned {
+    weights: SkinWeights,
+    /// `None` where morph targets change the vertices from frame to frame.
+    binding: Option<Binding<f64>>,
 }
 
 /// The vertices that a node and a primitive of its mesh have in the list of all vertices.
@@ -86,9 +96,9 @@ impl<'a> Placement<'a> {
             document,
             parts: Vec::new(),
             bound: Vec::new(),
-            bindings: Vec::new(),
+            skinned: Vec::new(),
         };
-        let mut bindings = HashMap::new();
+        let mut known = HashMap::new();
         let mut end = 0;
         for (index, node) in document.nodes.iter().enumerate() {
             let Some(mesh) = node.mesh else { continue };
@@ -98,21 +108,17 @@ impl<'a> Placement<'a> {
                 let skin = node.skin.filter(|_| start < end);
                 let bound = match skin.map(|skin| (mesh, number, skin)) {
                     None => None,
-                    Some(key) => match bindings.get(&key) {
-                        Some(&binding) => Some(binding),
+                    Some(key) => Some(match known.get(&key) {
+                        Some(&skinned) => skinned,
                         None => {
                             let joints = document.skins[key.2].joints.len();
-                            let weights = influences(primitive, joints);
-                            let weights = weights.map_err(|problem| PlayError::Weights {
-                                node: index,
-                                primitive: number,
-                                problem,
-                            })?;
-                            placement.bindings.push(weights);
-                            bindings.insert(key, placement.bindings.len() - 1);
-                            Some(placement.bindings.len() - 1)
+                            placement
+                                .skinned
+                                .push(Skinned::new(primitive, joints, index, number)?);
+                            known.insert(key, placement.skinned.len() - 1);
+                            placement.skinned.len() - 1
                         }
-                    },
+                    }),
                 };
                 placement.bound.push(bound);
                 placement.parts.push(Part {
@@ -141,17 +147,18 @@ impl<'a> Placement<'a> {
     /// The joints of its skin that move the vertices of a part; `None` where it has no skin.
     #[must_use]
     pub fn weights(&self, part: usize) -> Option<&SkinWeights> {
-        let binding = self.bound.get(part).copied().flatten()?;
-        self.bindings.get(binding)
+        let skinned = self.bound.get(part).copied().flatten()?;
+        self.skinned.get(skinned).map(|skinned| &skinned.weights)
     }
 
     /// The places of the vertices in a pose of the same document.
     ///
     /// # Errors
     ///
-    /// [`PlayError::Singular`], except with [`Blend::Linear`], and
-    /// [`PlayError::VertexNotFinite`].
-    pub fn place(&self, pose: &NodePose, method: Blend) -> Result<Placed, PlayError> {
+    /// [`PlayError::Singular`], except with [`Method::Linear`]; [`PlayError::JointNotFinite`] and
+    /// [`PlayError::VertexNotFinite`]; [`PlayError::Skin`] for more pairs of joints than can be
+    /// counted.
+    pub fn place(&self, pose: &NodePose, method: Method) -> Result<Placed, PlayError> {
         let mut placed = Placed {
             positions: Vec::with_capacity(self.vertex_count()),
             is_mirrored: Vec::with_capacity(self.parts.len()),
@@ -161,16 +168,12 @@ impl<'a> Placement<'a> {
             let primitive = &self.document.meshes[part.mesh].primitives[part.primitive];
             let mut positions = morphed(primitive, pose.weights(part.node));
             let map = match (bound, node.skin) {
-                (Some(binding), Some(skin)) => {
-                    let palette = self.palette(skin, pose);
-                    let weights = &self.bindings[*binding];
-                    positions =
-                        blend::blend(&positions, weights, &palette, method).map_err(|joint| {
-                            let node = self.document.skins[skin].joints[joint];
-                            PlayError::Singular { skin, joint, node }
-                        })?;
-                    let first = weights.influences(0).first();
-                    palette[first.map_or(0, |influence| influence.joint as usize)]
+                (Some(skinned), Some(skin)) => {
+                    let maps = self.maps(skin, pose, method)?;
+                    let skinned = &self.skinned[*skinned];
+                    skinned.pose(&maps, method, &mut positions)?;
+                    let first = skinned.weights.influences(0).first();
+                    maps[first.map_or(0, |influence| influence.joint as usize)]
                 }
                 _ => {
                     let map = pose.world[part.node];
@@ -180,8 +183,8 @@ impl<'a> Placement<'a> {
                     map
                 }
             };
-            let is_finite = |point: &Point<f64>| point.coordinates().iter().all(|x| x.is_finite());
-            if let Some(vertex) = positions.iter().position(|point| !is_finite(point)) {
+            let is_placed = |point: &Point<f64>| point.coordinates().iter().all(|x| x.is_finite());
+            if let Some(vertex) = positions.iter().position(|point| !is_placed(point)) {
                 return Err(PlayError::VertexNotFinite {
                     node: part.node,
                     primitive: part.primitive,
@@ -255,17 +258,92 @@ impl<'a> Placement<'a> {
     }
 
     /// For each joint of a skin, the map that takes the mesh at rest to the world.
-    fn palette(&self, skin: usize, pose: &NodePose) -> Vec<Affine<f64>> {
-        let skin = &self.document.skins[skin];
-        let inverse = |joint: usize| match skin.inverse_bind_matrices.get(joint) {
-            Some(columns) => affine(columns),
-            None => Affine::default(),
-        };
-        let joints = skin.joints.iter().enumerate();
-        joints
-            .map(|(joint, &node)| pose.world[node] * inverse(joint))
-            .collect()
+    fn maps(
+        &self,
+        skin: usize,
+        pose: &NodePose,
+        method: Method,
+    ) -> Result<Vec<Affine<f64>>, PlayError> {
+        let of_skin = &self.document.skins[skin];
+        let mut maps = Vec::with_capacity(of_skin.joints.len());
+        for (joint, &node) in of_skin.joints.iter().enumerate() {
+            let inverse = of_skin.inverse_bind_matrices.get(joint);
+            let map = pose.world[node] * inverse.map_or_else(Affine::default, affine);
+            if !is_finite(map) {
+                return Err(PlayError::JointNotFinite { skin, joint, node });
+            }
+            if method != Method::Linear && !has_rotation(map) {
+                return Err(PlayError::Singular { skin, joint, node });
+            }
+            maps.push(map);
+        }
+        Ok(maps)
     }
+}
+
+impl Skinned {
+    /// Binds a primitive, which errors name by its number and the node of its mesh.
+    fn new(
+        primitive: &Primitive,
+        joints: usize,
+        node: usize,
+        number: usize,
+    ) -> Result<Self, PlayError> {
+        let weights = influences(primitive, joints);
+        let weights = weights.map_err(|problem| PlayError::Weights {
+            node,
+            primitive: number,
+            problem,
+        })?;
+        let binding = match primitive.targets[..] {
+            [] => Some(Binding::new(&morphed(primitive, &[]), &weights)?),
+            _ => None,
+        };
+        Ok(Self { weights, binding })
+    }
+
+    /// Moves the vertices of a frame.
+    fn pose(
+        &self,
+        maps: &[Affine<f64>],
+        method: Method,
+        positions: &mut [Point<f64>],
+    ) -> Result<(), SkinError> {
+        let bound;
+        let binding = match &self.binding {
+            Some(binding) => binding,
+            None => {
+                bound = Binding::new(positions, &self.weights)?;
+                &bound
+            }
+        };
+        let rows = |map: &Affine<f64>| {
+            let ([a, b, c], [x, y, z]) = (map.linear, map.translation);
+            [(a, x), (b, y), (c, z)].map(|([i, j, k], t)| [i, j, k, t])
+        };
+        let matrices: Vec<[[f64; 4]; 3]> = maps.iter().map(rows).collect();
+        let mut palette = binding.palette(method);
+        palette.set_matrices(&matrices)?;
+        binding.pose(&palette, Posed::of_points(positions))
+    }
+}
+
+/// Whether a map has a rotation nearest to it: it maps space to space or a plane, not to a line or
+/// a point.
+fn has_rotation(map: Affine<f64>) -> bool {
+    const TOLERANCE: f64 = 1e-12;
+    let [a, b, c] = map.linear.map(Vector::from);
+    let largest = [a, b, c]
+        .map(Vector::length)
+        .into_iter()
+        .fold(0.0, f64::max);
+    if largest == 0.0 {
+        return false;
+    }
+    // Dividing first keeps the products in range.
+    let [a, b, c] = [a, b, c].map(|row| row * largest.recip());
+    let areas = [a.cross(b), b.cross(c), c.cross(a)].map(Vector::length);
+    areas.into_iter().any(|area| area > TOLERANCE)
 }
 
 /// The map of a matrix given column by column.

@@ -280,7 +280,7 @@ fn element(animation: usize, channel: usize) -> Element {
     Element::Channel { animation, channel }
 }
 
-fn is_finite(map: Affine<f64>) -> bool {
+pub(super) fn is_finite(map: Affine<f64>) -> bool {
     let numbers = map.linear.as_flattened().iter().chain(&map.translation);
     numbers.copied().all(f64::is_finite)
 }

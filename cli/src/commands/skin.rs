@@ -5,7 +5,8 @@ use std::str::FromStr;
 
 use anyhow::{Context, Result, ensure};
 use clap::ValueEnum;
-use ga_anim::gltf::{Blend, Part, Placement, Player};
+use ga_anim::gltf::{Part, Placement, Player};
+use ga_anim::skin;
 use ga_mesh::gltf::{self, Animation, Document};
 use ga_mesh::{Mesh, obj};
 use serde::Serialize;
@@ -81,7 +82,7 @@ enum Method {
     DualQuaternion,
 }
 
-impl From<Method> for Blend {
+impl From<Method> for skin::Method {
     fn from(method: Method) -> Self {
         match method {
             Method::Linear => Self::Linear,

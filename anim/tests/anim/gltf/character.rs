@@ -1,6 +1,6 @@
 //! Characters: the mesh, skeleton and weights of a document's skins.
 
-use ga_anim::gltf::{Blend, CharacterError, Placement, Player, character};
+use ga_anim::gltf::{CharacterError, Placement, Player, character};
 use ga_anim::skin::{self, Method};
 use ga_mesh::gltf::{
     Animation, Channel, Document, Interpolation, Keys, Mesh, Node, Primitive, Skin, Transform,
@@ -132,7 +132,7 @@ fn it_moves_as_its_document_does() {
     let player = Player::new(&document).unwrap();
     let placement = Placement::new(&player).unwrap();
     let pose = player.pose(Some(0), 1.0).unwrap();
-    let played = placement.place(&pose, Blend::Linear).unwrap().positions;
+    let played = placement.place(&pose, Method::Linear).unwrap().positions;
     // Those of the floor come first.
     for (found, expected) in moved.iter().zip(&played[3..]) {
         assert!(

@@ -1,7 +1,8 @@
 //! Files whose numbers are integers, sparse or shared between accessors: what is read from them
 //! must be what the same file says in plain single precision.
 
-use ga_anim::gltf::{Blend, Placement, Player};
+use ga_anim::gltf::{Placement, Player};
+use ga_anim::skin::Method;
 use ga_mesh::gltf::parse;
 use serde_json::{Value, json};
 
@@ -196,7 +197,7 @@ fn integers_and_sparse_numbers_mean_what_floats_mean() {
         let player = Player::new(&parsed).unwrap();
         let placement = Placement::new(&player).unwrap();
         let pose = player.pose(Some(0), time).unwrap();
-        let placed = placement.place(&pose, Blend::Linear).unwrap();
+        let placed = placement.place(&pose, Method::Linear).unwrap();
         // The `gltf` crate multiplies by a rounded reciprocal of the greatest integer.
         for (file, bound) in [(&floats, 1e-12), (&integers, 1e-6)] {
             let expected = reference::vertices(file, Some(0), time);

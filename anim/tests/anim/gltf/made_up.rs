@@ -1,6 +1,7 @@
 //! Made-up documents with all that glTF has for motion, against an independent evaluator.
 
-use ga_anim::gltf::{Blend, Placed, Placement, Player};
+use ga_anim::gltf::{Placed, Placement, Player};
+use ga_anim::skin::Method;
 use ga_mesh::gltf::{
     Animation, Channel, Document, Interpolation, Keys, Mesh, Mode, MorphTarget, Node, Primitive,
     Skin, Transform, parse, to_glb,
@@ -205,7 +206,7 @@ fn document(numbers: Vec<f32>) -> Document {
     }
 }
 
-fn place(document: &Document, animation: Option<usize>, time: f64, method: Blend) -> Placed {
+fn place(document: &Document, animation: Option<usize>, time: f64, method: Method) -> Placed {
     let player = Player::new(document).unwrap();
     let placement = Placement::new(&player).unwrap();
     let pose = player.pose(animation, time).unwrap();
@@ -239,7 +240,7 @@ proptest! {
     ) {
         let file = to_glb(&document(numbers)).unwrap();
         let expected = reference::vertices(&file, animation, time);
-        let placed = place(&parse(&file).unwrap(), animation, time, Blend::Linear);
+        let placed = place(&parse(&file).unwrap(), animation, time, Method::Linear);
         prop_assert_eq!(placed.positions.len(), expected.len());
         for (found, expected) in placed.positions.iter().zip(expected) {
             for (found, expected) in found.coordinates().into_iter().zip(expected.to_array()) {
@@ -259,8 +260,8 @@ proptest! {
                 weights.iter_mut().for_each(|row| *row = [first, 0.0, 0.0, 0.0]);
             }
         }
-        let linear = place(&document, Some(0), time, Blend::Linear);
-        let motor = place(&document, Some(0), time, Blend::Motor);
+        let linear = place(&document, Some(0), time, Method::Linear);
+        let motor = place(&document, Some(0), time, Method::Motor);
         for (linear, motor) in linear.positions.iter().zip(&motor.positions) {
             for (linear, motor) in linear.coordinates().into_iter().zip(motor.coordinates()) {
                 assert_relative(motor, linear, 1e-12);
@@ -305,9 +306,9 @@ fn dual_quaternions_drop_scale() {
         ..Document::default()
     };
     for (method, factor) in [
-        (Blend::DualQuaternion, 1.0),
-        (Blend::Motor, 2.5),
-        (Blend::Linear, 2.5),
+        (Method::DualQuaternion, 1.0),
+        (Method::Motor, 2.5),
+        (Method::Linear, 2.5),
     ] {
         let placed = place(&document, None, 0.0, method).positions;
         for (a, b) in [(0, 1), (1, 2), (2, 3)] {
@@ -358,9 +359,9 @@ fn motors_do_not_collapse() {
         ..Document::default()
     };
     for (method, height) in [
-        (Blend::Linear, 0.0),
-        (Blend::Motor, 1.0),
-        (Blend::DualQuaternion, 1.0),
+        (Method::Linear, 0.0),
+        (Method::Motor, 1.0),
+        (Method::DualQuaternion, 1.0),
     ] {
         let [x, y, z] = place(&document, None, 0.0, method).positions[0].coordinates();
         assert_eq!(x, 0.0);
@@ -428,7 +429,7 @@ fn the_mesh_has_what_the_primitives_form() {
     let player = Player::new(&document).unwrap();
     let placement = Placement::new(&player).unwrap();
     let placed = placement
-        .place(&player.pose(None, 0.0).unwrap(), Blend::Linear)
+        .place(&player.pose(None, 0.0).unwrap(), Method::Linear)
         .unwrap();
     assert_eq!(placed.is_mirrored, [false, true, false, false, false]);
     let ranges: Vec<_> = placement

@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use ga_anim::gltf::{Blend, LocalFrame, Placement, Player};
+use ga_anim::gltf::{LocalFrame, Placement, Player};
+use ga_anim::skin::Method;
 use ga_mesh::gltf::{Channel, Document, Interpolation, Keys, read};
 use nullcone_shared_data::shared;
 use serde_json::Value;
@@ -105,7 +106,7 @@ fn check_vertices(document: &Document, cases: &Value) {
             .find(|part| (part.node, part.primitive) == (node, primitive))
             .unwrap();
         assert_eq!(part.vertices.len(), index(&case["vertices"]));
-        for (name, method) in [("lbs", Blend::Linear), ("dqs", Blend::DualQuaternion)] {
+        for (name, method) in [("lbs", Method::Linear), ("dqs", Method::DualQuaternion)] {
             let placed = placement.place(&pose, method).unwrap();
             let positions = &placed.positions[part.vertices.clone()];
             let of_all = positions.iter().map(|point| point.coordinates());

@@ -1,6 +1,7 @@
 //! Documents that cannot be played: the error names the element.
 
-use ga_anim::gltf::{Blend, Placement, PlayError, Player};
+use ga_anim::gltf::{Placement, PlayError, Player};
+use ga_anim::skin::Method;
 use ga_mesh::gltf::{
     Animation, Channel, Document, Element, Interpolation, Keys, Mesh, Node, Primitive, Problem,
     Skin, Transform,
@@ -59,7 +60,7 @@ fn scaled(scale: [f32; 3]) -> Transform {
 }
 
 /// The error of a changed document, read or played at 0.5 s.
-fn error(method: Blend, change: impl FnOnce(&mut Document)) -> PlayError {
+fn error(method: Method, change: impl FnOnce(&mut Document)) -> PlayError {
     let mut document = document();
     change(&mut document);
     let play = || {
@@ -89,7 +90,7 @@ fn as_it_is_it_plays() {
     let player = Player::new(&document).unwrap();
     let placement = Placement::new(&player).unwrap();
     let pose = player.pose(Some(0), 0.5).unwrap();
-    for method in [Blend::Linear, Blend::Motor, Blend::DualQuaternion] {
+    for method in [Method::Linear, Method::Motor, Method::DualQuaternion] {
         assert_eq!(placement.place(&pose, method).unwrap().positions.len(), 3);
     }
 }
@@ -103,7 +104,7 @@ fn joints_and_weights() {
         name: name.to_owned(),
     };
     assert_document(
-        error(Blend::Linear, |d| {
+        error(Method::Linear, |d| {
             d.meshes[0].primitives[0].joints[0][1][3] = 2
         }),
         attribute("JOINTS_0"),
@@ -114,7 +115,7 @@ fn joints_and_weights() {
         },
     );
     assert_document(
-        error(Blend::Linear, |d| {
+        error(Method::Linear, |d| {
             d.meshes[0].primitives[0].weights[0][2] = [0.0; 4]
         }),
         attribute("WEIGHTS_0"),
@@ -128,7 +129,7 @@ fn joints_and_weights() {
 #[test]
 fn keys_and_times() {
     let with_times = |times: [f32; 2]| {
-        error(Blend::Linear, |d| {
+        error(Method::Linear, |d| {
             d.animations[0].channels[0].times = times.to_vec()
         })
     };
@@ -153,7 +154,7 @@ fn keys_and_times() {
     };
     assert!(nan.to_string().contains("key 1, NaN s"), "{nan}");
     let with_keys = |keys: [[f32; 4]; 2]| {
-        error(Blend::Linear, |d| {
+        error(Method::Linear, |d| {
             d.animations[0].channels[0].keys = Keys::Rotation(keys.to_vec())
         })
     };
@@ -174,7 +175,7 @@ fn keys_and_times() {
 #[test]
 fn a_spline_through_zero() {
     let (zero, one) = ([0.0; 4], [0.0, 0.0, 0.0, 1.0]);
-    let found = error(Blend::Linear, |d| {
+    let found = error(Method::Linear, |d| {
         let channel = &mut d.animations[0].channels[0];
         channel.interpolation = Interpolation::CubicSpline;
         channel.keys = Keys::Rotation(vec![zero, one, zero, zero, one.map(|x: f32| -x), zero]);
@@ -185,9 +186,9 @@ fn a_spline_through_zero() {
 
 #[test]
 fn nodes() {
-    let cycle = error(Blend::Linear, |d| d.nodes[2].children = vec![1]);
+    let cycle = error(Method::Linear, |d| d.nodes[2].children = vec![1]);
     assert_document(cycle, Element::Node(1), Problem::Cycle);
-    let matrix = error(Blend::Linear, |d| {
+    let matrix = error(Method::Linear, |d| {
         let mut identity = [0.0; 16];
         for place in [0, 5, 10, 15] {
             identity[place] = 1.0;
@@ -196,7 +197,7 @@ fn nodes() {
     });
     let (element, node) = (CHANNEL, 2);
     assert_eq!(matrix, PlayError::AnimatedMatrix { element, node });
-    let far = error(Blend::Linear, |d| {
+    let far = error(Method::Linear, |d| {
         d.nodes[1].transform = scaled([f32::MAX; 3]);
         for _ in 0..9 {
             let child = d.nodes.len();
@@ -218,7 +219,7 @@ fn nodes() {
 #[test]
 fn singular_joints() {
     let flattened = |scale| move |d: &mut Document| d.nodes[2].transform = scaled(scale);
-    for method in [Blend::Motor, Blend::DualQuaternion] {
+    for method in [Method::Motor, Method::DualQuaternion] {
         for scale in [[0.0; 3], [1.0, 0.0, 0.0]] {
             let (skin, joint, node) = (0, 1, 2);
             let found = error(method, flattened(scale));
@@ -229,7 +230,7 @@ fn singular_joints() {
     flattened([1.0, 1.0, 0.0])(&mut flat);
     let mut point = document();
     flattened([0.0; 3])(&mut point);
-    for (document, method) in [(flat, Blend::Motor), (point, Blend::Linear)] {
+    for (document, method) in [(flat, Method::Motor), (point, Method::Linear)] {
         let player = Player::new(&document).unwrap();
         let placement = Placement::new(&player).unwrap();
         let pose = player.pose(Some(0), 0.5).unwrap();
