@@ -23,7 +23,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use commands::{animate, curve, demo, draw, expand, mesh, render, skin};
+use commands::{animate, clip, curve, demo, draw, expand, mesh, render, skin};
 
 /// Animation, stereo vision and pictures on conformal geometric algebra.
 #[derive(Parser)]
@@ -41,6 +41,7 @@ enum Command {
     Demo(demo::Arguments),
     Animate(animate::Arguments),
     Expand(expand::Arguments),
+    Clip(clip::Arguments),
     Curve(curve::Arguments),
     Draw(draw::Arguments),
     Mesh(mesh::Arguments),
@@ -54,6 +55,7 @@ fn main() -> ExitCode {
         Command::Demo(arguments) => demo::run(arguments, cli.quiet),
         Command::Animate(arguments) => animate::run(arguments, cli.quiet),
         Command::Expand(arguments) => expand::run(arguments),
+        Command::Clip(arguments) => clip::run(arguments, cli.quiet),
         Command::Curve(arguments) => curve::run(arguments, cli.quiet),
         Command::Draw(arguments) => draw::run(arguments, cli.quiet),
         Command::Mesh(arguments) => mesh::run(arguments, cli.quiet),

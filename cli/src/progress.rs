@@ -22,6 +22,12 @@ impl Progress {
         Self { bar }
     }
 
+    /// Says how much of the current step is done: `done` of `steps`, over the whole bar.
+    pub(crate) fn at(&self, done: u64, steps: u64) {
+        self.bar.set_length(steps);
+        self.bar.set_position(done);
+    }
+
     /// Begins the next step.
     pub(crate) fn step(&self, name: &'static str) {
         if !self.bar.message().is_empty() {

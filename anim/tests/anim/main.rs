@@ -5,6 +5,7 @@
 mod binding;
 mod bvh;
 mod clip;
+mod compressed;
 mod curve;
 mod distance_weights;
 mod geodesic_weights;

@@ -5,6 +5,7 @@
 mod animate;
 mod bad_input;
 mod bake;
+mod clip;
 mod common;
 mod curve;
 mod demo;

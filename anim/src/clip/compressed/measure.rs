@@ -14,7 +14,7 @@ use crate::recording::{Recording, model_maps};
 use crate::transform::Transform;
 
 /// How far a compressed clip is from its recording, measured on what the decoder makes of it in
-/// single precision.
+/// single precision, composed to model space in double precision.
 ///
 /// Errors are ‖Δt‖ + shell ‖ΔL‖ in model space, as [`Settings`](super::Settings) describes: an
 /// upper bound of the greatest distance of any point within the shell of a joint from its true
@@ -92,8 +92,8 @@ struct Comparison<'a> {
     recording: &'a Recording,
     bounds: &'a [JointBound],
     sampler: Sampler<'a>,
-    found: Vec<Transform<f32>>,
-    found_maps: Vec<Affine<f32>>,
+    found: Vec<Transform<f64>>,
+    found_maps: Vec<Affine<f64>>,
     truth: Vec<Transform<f64>>,
     truth_maps: Vec<Affine<f64>>,
 }
@@ -159,10 +159,9 @@ impl<'a> Comparison<'a> {
             .zip(self.bounds);
         pairs
             .map(|((found, truth), bound)| {
-                let place = Vector::from(found.translation.map(f64::from));
-                let linear = found.linear.map(|row| row.map(f64::from));
+                let place = Vector::from(found.translation);
                 let error = place.distance(truth.translation.into())
-                    + bound.shell * spectral_norm(linear, truth.linear);
+                    + bound.shell * spectral_norm(found.linear, truth.linear);
                 if maps.is_ok() && error.is_finite() {
                     error
                 } else {

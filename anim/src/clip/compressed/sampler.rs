@@ -6,6 +6,7 @@ use ga_runtime::vga3::Vector;
 
 use super::CompressedClip;
 use super::basis::SEGMENT;
+use super::layout::{double, double_rotor};
 use super::tables::{Block, LANES, RotorBlock, Tables, VectorChannels};
 use crate::recording::ModelSpaceError;
 use crate::transform::Transform;
@@ -136,21 +137,23 @@ impl<'a> Sampler<'a> {
     }
 
     /// The transform of each joint relative to its parent, for
-    /// [`model_maps`](crate::recording::model_maps).
+    /// [`model_maps`](crate::recording::model_maps). The numbers are those of the slices above, in
+    /// double precision, since products of motors in single precision would add an error of their
+    /// own far from the origin.
     ///
     /// # Errors
     ///
     /// [`ModelSpaceError::Length`] unless `locals` has one place for each joint.
-    pub fn locals(&self, locals: &mut [Transform<f32>]) -> Result<(), ModelSpaceError> {
+    pub fn locals(&self, locals: &mut [Transform<f64>]) -> Result<(), ModelSpaceError> {
         let (expected, found) = (self.rotors.len(), locals.len());
         if expected != found {
             return Err(ModelSpaceError::Length { expected, found });
         }
         for (joint, local) in locals.iter_mut().enumerate() {
             *local = Transform::from_parts(
-                self.translations[joint],
-                self.rotors[joint],
-                self.scales[joint],
+                double(self.translations[joint]),
+                double_rotor(self.rotors[joint]),
+                double(self.scales[joint]),
             );
         }
         Ok(())

@@ -101,9 +101,8 @@ pub fn error_at_skin(
 }
 
 /// The map that takes a point to the difference of its images.
-fn difference(found: &Affine<f32>, truth: Affine<f64>) -> Affine<f64> {
-    let minus =
-        |found: [f32; 3], truth: [f64; 3]| [0, 1, 2].map(|k| f64::from(found[k]) - truth[k]);
+fn difference(found: &Affine<f64>, truth: Affine<f64>) -> Affine<f64> {
+    let minus = |found: [f64; 3], truth: [f64; 3]| [0, 1, 2].map(|k| found[k] - truth[k]);
     Affine::new(
         [0, 1, 2].map(|row| minus(found.linear[row], truth.linear[row])),
         minus(found.translation, truth.translation),

@@ -1,0 +1,116 @@
+//! Motions from files of every kind.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, bail, ensure};
+use ga_anim::bvh;
+use ga_anim::gltf::Player;
+use ga_anim::recording::{GltfMotion, Recording};
+use ga_mesh::gltf::{self, Document};
+
+/// A motion in a file, and how to read it.
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct MotionArguments {
+    /// The motion.
+    #[arg(value_name = "MOTION")]
+    motion: PathBuf,
+    /// The length of one unit of the motion in metres.
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 1.0,
+        allow_negative_numbers = true
+    )]
+    metres_per_unit: f64,
+    /// The number of the animation in a glTF file, from 0.
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    animation: usize,
+    /// Frames per second at which a glTF animation is recorded; by default those of its keys.
+    #[arg(long, value_name = "HZ", allow_negative_numbers = true)]
+    rate: Option<f64>,
+}
+
+/// The kind of a file by the ending of its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Bvh,
+    Gltf,
+    Clip,
+}
+
+impl MotionArguments {
+    pub(super) fn path(&self) -> &Path {
+        &self.motion
+    }
+
+    /// The file as messages name it.
+    pub(super) fn file(&self) -> String {
+        self.motion.display().to_string()
+    }
+
+    pub(super) fn kind(&self) -> Result<Kind> {
+        let ending = self
+            .motion
+            .extension()
+            .unwrap_or_default()
+            .to_ascii_lowercase();
+        match ending.to_str() {
+            Some("bvh") => Ok(Kind::Bvh),
+            Some("clip") => Ok(Kind::Clip),
+            _ => bail!(
+                "{}: a motion is a file of the kind .bvh or .clip",
+                self.file()
+            ),
+        }
+    }
+
+    /// The recording in a file that is not compressed.
+    pub(super) fn recording(&self, quiet: bool) -> Result<Recording> {
+        let unit = self.unit()?;
+        match self.kind()? {
+            Kind::Bvh => {
+                let motion = bvh::read(&self.motion)?;
+                if !quiet {
+                    for warning in motion.warnings() {
+                        eprintln!("warning: {}: {warning}", self.file());
+                    }
+                }
+                Recording::from_bvh(&motion, unit).with_context(|| self.file())
+            }
+            Kind::Gltf => {
+                let document = gltf::read(&self.motion)?;
+                Recording::from_gltf(&document, self.animation, unit, self.rate)
+                    .with_context(|| self.file())
+            }
+            Kind::Clip => bail!("{}: the motion is already compressed", self.file()),
+        }
+    }
+
+    /// The glTF document, for what a recording does not have.
+    pub(super) fn document(&self) -> Result<Document> {
+        Ok(gltf::read(&self.motion)?)
+    }
+
+    /// The animation of a document.
+    pub(super) fn gltf_motion<'a>(&self, player: &'a Player<'a>) -> Result<GltfMotion<'a>> {
+        let unit = self.unit()?;
+        GltfMotion::new(player, self.animation, unit).with_context(|| self.file())
+    }
+
+    fn unit(&self) -> Result<f64> {
+        let unit = self.metres_per_unit;
+        ensure!(
+            unit > 0.0 && unit.is_finite(),
+            "--metres-per-unit {unit}: the length of a unit must be greater than 0 and finite"
+        );
+        Ok(unit)
+    }
+}
+
+/// How many vertices the primitives of a document have together.
+pub(super) fn vertices(document: &Document) -> u64 {
+    let primitives = document.meshes.iter().flat_map(|mesh| &mesh.primitives);
+    primitives
+        .map(|primitive| primitive.positions.len() as u64)
+        .sum()
+}

@@ -1,0 +1,34 @@
+//! `nullcone clip`: recordings of motion in files.
+
+mod compress;
+mod info;
+mod input;
+mod sample;
+
+use anyhow::Result;
+use clap::Subcommand;
+
+/// Compress recordings of motion within a bound, and sample them.
+///
+/// A motion may be BVH (.bvh), glTF 2.0 (.glb, .gltf) or a compressed clip (.clip); the ending of
+/// the name says which.
+#[derive(Clone, Debug, clap::Args)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Clone, Debug, Subcommand)]
+enum Command {
+    Compress(compress::Arguments),
+    Info(info::Arguments),
+    Sample(sample::Arguments),
+}
+
+pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+    match &arguments.command {
+        Command::Compress(arguments) => compress::run(arguments, quiet),
+        Command::Info(arguments) => info::run(arguments),
+        Command::Sample(arguments) => sample::run(arguments, quiet),
+    }
+}
