@@ -20,6 +20,8 @@
 //! | [`retarget`] | transfers a recording to another body |
 //! | [`leg`] | the leg of hip, knee and ankle (Cui, §2.3.3): from angles to positions and back |
 //! | [`gltf`] | plays glTF documents, and makes of clips what [`ga_mesh::gltf::model`] writes |
+//! | [`inverse_kinematics`] | from where joints should be to how they rotate |
+//! | [`gltf`] | skeletons and clips as the data that [`ga_mesh::gltf::model`] writes |
 //!
 //! # Conventions
 //!
@@ -72,6 +74,7 @@ pub mod bvh;
 pub mod clip;
 pub mod curve;
 pub mod gltf;
+pub mod inverse_kinematics;
 pub mod kinematics;
 pub mod leg;
 pub mod pose;

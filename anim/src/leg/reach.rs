@@ -1,10 +1,11 @@
 //! Angles that bring the ankle to a given place.
 
-use ga_runtime::cga3::{Plane, Point, Sphere};
+use ga_runtime::cga3::Point;
 use ga_runtime::vga3::Vector;
 
 use super::inverse::angles_about_zyx;
 use super::{Leg, LegAngles, LegError, finite, rotation};
+use crate::inverse_kinematics::middle_joint;
 
 impl Leg {
     /// The angles that bring the ankle to a target, with the knee on the side of a pole; the foot
@@ -73,7 +74,7 @@ impl Leg {
         let aside = across(aside).normalized().ok_or(LegError::Pole)?;
         let hinge = aside.cross(down);
 
-        let knee = knee(thigh / most, calf / most, target, aside);
+        let knee = middle_joint(thigh / most, calf / most, target, aside);
         let upper = knee.normalized().ok_or(LegError::Pole)?;
         let lower = (target - knee).normalized().ok_or(LegError::Pole)?;
         let [hip_z, hip_y, hip_x] = angles_about_zyx(rotation(hinge, -upper));
@@ -85,24 +86,5 @@ impl Leg {
             knee: bend,
             ..LegAngles::default()
         })
-    }
-}
-
-/// The knee on the pole's side, for a hip at the origin: where the spheres of the two bones meet
-/// the plane in which the leg bends. Where the spheres only touch, it is on the line from hip to
-/// target.
-fn knee(thigh: f64, calf: f64, target: Vector<f64>, aside: Vector<f64>) -> Vector<f64> {
-    let (hip, ankle) = (Point::default(), Point::from(target));
-    let circle = Sphere::from_centre_radius(hip, thigh) & Sphere::from_centre_radius(ankle, calf);
-    let plane = Plane::through(hip, ankle, Point::from(aside));
-    let Some(ends) = (circle & plane).endpoints() else {
-        let square = target.length_squared();
-        return target * ((square + thigh * thigh - calf * calf) / (2.0 * square));
-    };
-    let [first, second] = ends.map(Vector::from);
-    if first.dot(aside) > second.dot(aside) {
-        first
-    } else {
-        second
     }
 }

@@ -1,6 +1,12 @@
-//! Skeletons: joints in a tree at rest, each with the bone that it rotates.
+//! Skeletons: joints in a tree at rest, each with the bone that it rotates, and the limits of their
+//! rotations.
+
+mod limits;
+mod order;
 
 use std::collections::HashMap;
+
+pub use limits::{JointLimits, Limit, LimitError};
 
 /// A joint and its bone, at rest, in the coordinates of the mesh.
 ///
@@ -64,6 +70,20 @@ pub enum SkeletonError {
         name: String,
         /// The index that it has as its parent.
         parent: usize,
+    },
+    /// A joint's parent does not exist.
+    #[error("joint {name:?} has joint {parent} as its parent, which does not exist")]
+    ParentMissing {
+        /// The joint.
+        name: String,
+        /// The index that it has as its parent.
+        parent: usize,
+    },
+    /// A joint is its own ancestor.
+    #[error("joint {name:?} is its own ancestor")]
+    Cycle {
+        /// The joint.
+        name: String,
     },
     /// Two joints have the same name.
     #[error("two joints are called {name:?}")]

@@ -1,0 +1,148 @@
+//! Two bones of a skeleton.
+
+use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
+
+use super::aim::fits;
+use super::error::{KinematicsError, exists, finite};
+use super::two_bone::{Reach, TwoBone};
+use crate::pose::{Pose, moved};
+use crate::skeleton::{JointLimits, Skeleton};
+
+/// Bends a limb of a pose so that its end is at a target: `[thigh, shin, foot]`, for instance, by
+/// their joints. Only the own motions of these three change. The limb stays in its plane or, with
+/// a pole, bends to that side; the end keeps its rotation in the model, so that a foot stays flat.
+/// Joints in between, such as those that spread a twist, move with the bone above them.
+///
+/// # Errors
+///
+/// [`KinematicsError::NoJoint`], [`KinematicsError::NotBelow`], [`KinematicsError::Pose`],
+/// [`KinematicsError::NotFinite`], [`KinematicsError::ZeroLengthBone`] with the joint's name, and
+/// those of [`TwoBone::solve`]; without a pole, a straight limb whose target is on its line gives
+/// [`KinematicsError::Pole`].
+///
+/// ```
+/// use ga_anim::inverse_kinematics::bend_limb;
+/// use ga_anim::pose::Pose;
+/// use ga_anim::skeleton::{Joint, Skeleton};
+/// use ga_runtime::cga3::Point;
+///
+/// let joint = |name: &str, parent, y: f64, below: f64| Joint {
+///     name: name.into(),
+///     parent,
+///     head: [0.0, y, 0.0],
+///     tail: [0.0, below, 0.0],
+/// };
+/// let leg = Skeleton::new(vec![
+///     joint("thigh", None, 0.9, 0.5),
+///     joint("shin", Some(0), 0.5, 0.1),
+///     joint("foot", Some(1), 0.1, 0.0),
+/// ])?;
+/// let mut pose = Pose::rest(3);
+/// let target = Point::new(0.0, 0.3, 0.2);
+/// bend_limb(&leg, &mut pose, [0, 1, 2], target, Some(Point::new(0.0, 0.5, 9.0)))?;
+/// let [ankle, sole] = pose.bones(&leg)?[2];
+/// assert!(target.distance(ankle.into()) < 1e-15 && (ankle[1] - sole[1] - 0.1).abs() < 1e-15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn bend_limb(
+    skeleton: &Skeleton,
+    pose: &mut Pose,
+    limb: [usize; 3],
+    target: Point<f64>,
+    pole: Option<Point<f64>>,
+) -> Result<Reach, KinematicsError> {
+    let [upper, lower, end] = limb;
+    for joint in limb {
+        exists(skeleton, joint)?;
+    }
+    fits(skeleton, None, pose)?;
+    finite("the target", target)?;
+    below(skeleton, upper, lower)?;
+    below(skeleton, lower, end)?;
+
+    let before = limb.map(|joint| total_motion(skeleton, pose, joint));
+    let head = |k: usize| Point::from(moved(before[k], skeleton.joints()[limb[k]].head));
+    let places = [head(0), head(1), head(2)];
+    let lengths = [0, 1].map(|k| places[k].distance(places[k + 1]));
+    if let Some(bone) = lengths.iter().position(|&length| length == 0.0) {
+        let joint = skeleton.joints()[limb[bone]].name.clone();
+        return Err(KinematicsError::ZeroLengthBone { joint });
+    }
+    let bones = TwoBone::new(lengths[0], lengths[1])?;
+    let bent = bones.solve(places[0], target, pole.unwrap_or(places[1]))?;
+    let rotors = bent.rotors_from(places).ok_or(KinematicsError::Folded)?;
+
+    // Each joint's new total motion, and from it its own.
+    let totals = [
+        carried(before[0], rotors[0], places[0], bent.root),
+        carried(before[1], rotors[1], places[1], bent.middle),
+        carried(before[2], Rotor::default(), places[2], bent.end),
+    ];
+    for (joint, total) in limb.into_iter().zip(totals) {
+        let parent = skeleton.joints()[joint].parent;
+        let above = parent.map_or(pose.root, |parent| total_motion(skeleton, pose, parent));
+        pose.joints[joint] = above.reverse() * total;
+    }
+    Ok(bent.reach)
+}
+
+/// A motion followed by a rotation about a place that it has, and by the translation from there to
+/// another place.
+fn carried(motion: Motor<f64>, rotor: Rotor<f64>, from: Point<f64>, to: Point<f64>) -> Motor<f64> {
+    let away = Translator::from_displacement(to.coordinates());
+    let back = Translator::from_displacement(from.coordinates().map(|x| -x));
+    away * rotor * (back * motion)
+}
+
+/// The total motion of one joint: that of its parent after its own.
+pub(super) fn total_motion(skeleton: &Skeleton, pose: &Pose, joint: usize) -> Motor<f64> {
+    let mut motion = pose.joints[joint];
+    let mut above = skeleton.joints()[joint].parent;
+    while let Some(parent) = above {
+        motion = pose.joints[parent] * motion;
+        above = skeleton.joints()[parent].parent;
+    }
+    pose.root * motion
+}
+
+/// The own motion of a joint that rotates by a rotor and takes its head at rest to a place, in the
+/// coordinates that its parent has at rest. The rotor is normalised: many small steps must not
+/// lengthen it.
+pub(super) fn own_motion(head: [f64; 3], rotor: Rotor<f64>, place: [f64; 3]) -> Motor<f64> {
+    let rotor = Rotor::normalize(rotor.into()).unwrap_or(rotor);
+    let [away, back] = [place, head.map(|x| -x)].map(Translator::from_displacement);
+    away * rotor * back
+}
+
+/// The own motion of a joint after a further rotation about its head, within the joint's limits.
+pub(super) fn with_rotation(
+    limits: Option<&JointLimits>,
+    joint: usize,
+    head: [f64; 3],
+    own: Motor<f64>,
+    rotor: Rotor<f64>,
+) -> Motor<f64> {
+    let wanted = rotor * own.rotor();
+    let wanted = limits.map_or(wanted, |limits| limits.clamp(joint, wanted));
+    own_motion(head, wanted, moved(own, head))
+}
+
+/// An error unless a joint is below another one.
+pub(super) fn below(
+    skeleton: &Skeleton,
+    above: usize,
+    below: usize,
+) -> Result<(), KinematicsError> {
+    let joints = skeleton.joints();
+    let mut joint = joints[below].parent;
+    while let Some(parent) = joint {
+        if parent == above {
+            return Ok(());
+        }
+        joint = joints[parent].parent;
+    }
+    Err(KinematicsError::NotBelow {
+        below: joints[below].name.clone(),
+        above: joints[above].name.clone(),
+    })
+}

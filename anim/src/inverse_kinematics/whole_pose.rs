@@ -1,0 +1,653 @@
+//! A whole pose from the places of markers: least squares over the motors of all joints.
+
+use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
+use ga_runtime::geometry::RotationPath;
+use ga_runtime::vga3::Vector;
+
+use super::aim::fits;
+use super::error::{KinematicsError, exists, finite};
+use super::limb::with_rotation;
+use super::normal_equations::{Blocked, NormalEquations};
+use super::two_bone::rotated;
+use crate::pose::{Pose, moved};
+use crate::skeleton::{JointLimits, Skeleton};
+
+/// A point that is fixed to a joint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Marker {
+    /// The joint that carries it.
+    pub joint: usize,
+    /// Where it is at rest, in the coordinates of the skeleton.
+    pub at_rest: [f64; 3],
+}
+
+/// Where a marker should be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Target {
+    /// The place.
+    pub position: Point<f64>,
+    /// How much its squared distance counts; 0 for a marker that was not seen.
+    pub weight: f64,
+}
+
+/// How a fit searches.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PoseFitSettings {
+    /// Whether the body may be translated as a whole. Its rotation is that of its root joints.
+    pub root_motion: bool,
+    /// Whether the search begins with each joint rotated, from the root on, so that its bones point
+    /// to their targets. That finds poses far from the start. Without it, the search stays near a
+    /// start that is near, such as the frame before.
+    pub align_first: bool,
+    /// The greatest number of steps.
+    pub iterations: usize,
+    /// The search ends with a step whose parts, in radians and in lengths of the skeleton, have no
+    /// greater sum of squares than the square of this.
+    pub tolerance: f64,
+}
+
+impl Default for PoseFitSettings {
+    /// With root motion and alignment, 100 steps, and 1e-10.
+    fn default() -> Self {
+        Self {
+            root_motion: true,
+            align_first: true,
+            iterations: 100,
+            tolerance: 1e-10,
+        }
+    }
+}
+
+/// How well a pose fits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PoseFitReport {
+    /// How many steps were tried.
+    pub iterations: usize,
+    /// Whether the last step was within the tolerance, so that more would not help.
+    pub converged: bool,
+    /// The root of the weighted mean of the squared distances between markers and targets.
+    pub root_mean_square_error: f64,
+    /// The greatest distance of a marker whose weight is not 0.
+    pub greatest_error: f64,
+}
+
+/// A fit of a skeleton's poses to the places of markers, prepared for many frames.
+///
+/// The sum `Σ w |G m ~G − t|²` over all markers m with their targets t is made least over the
+/// translation of the body and the rotation of every joint that carries a marker, by damped
+/// Gauss–Newton steps (Levenberg, 1944; Marquardt, 1963). The unknowns of a step are the generators
+/// of the joints' rotations: with the joint in the place h, a rotation about the line through h
+/// along a moves a marker in the place p at the velocity `a × (p − h)`, and
+///
+/// ```text
+/// R ← exp(−½ δ·B) R
+/// ```
+///
+/// A joint whose step would leave its limits is clamped, and the step is computed anew without what
+/// took it there.
+///
+/// What the places do not determine, such as the twist of a bone with nothing beside it, stays as
+/// in the pose that the search starts from: no step has a part in such a direction.
+///
+/// ```
+/// use ga_anim::inverse_kinematics::{Marker, PoseFit, PoseFitSettings, Target};
+/// use ga_anim::pose::Pose;
+/// use ga_anim::skeleton::{Joint, Skeleton};
+/// use ga_runtime::cga3::{Motor, Point, Rotor};
+///
+/// let joint = |name: &str, parent, y: f64| Joint {
+///     name: name.into(),
+///     parent,
+///     head: [0.0, y, 0.0],
+///     tail: [0.0, y + 1.0, 0.0],
+/// };
+/// let arm = Skeleton::new(vec![joint("upper", None, 0.0), joint("lower", Some(0), 1.0)])?;
+/// let bend = Rotor::from_axis_angle([1.0, 0.0, 0.0], 1.2).ok_or("no axis")?;
+/// let truth = Pose::from_rotors(&arm, Motor::default(), &[bend, bend])?;
+///
+/// let markers = [(0, [0.0; 3]), (1, [0.0, 1.0, 0.0]), (1, [0.0, 2.0, 0.0])];
+/// let markers = markers.map(|(joint, at_rest)| Marker { joint, at_rest });
+/// let mut fit = PoseFit::new(&arm, None, markers.to_vec())?;
+/// let motions = truth.motions(&arm)?;
+/// let targets = markers.map(|marker| Target {
+///     position: motions[marker.joint].transform(Point::from(marker.at_rest)),
+///     weight: 1.0,
+/// });
+/// let mut pose = Pose::rest(2);
+/// let report = fit.solve(&targets, &mut pose, &PoseFitSettings::default())?;
+/// assert!(report.greatest_error < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct PoseFit<'a> {
+    skeleton: &'a Skeleton,
+    limits: Option<&'a JointLimits>,
+    markers: Vec<Marker>,
+    /// For each joint, its first column and how many it has: 3 for a free joint, 1 for a hinge, 0
+    /// for one that is fixed or carries no marker.
+    columns: Vec<(usize, usize)>,
+    /// For each marker, the joints that move it, from the root on.
+    movers: Vec<Vec<usize>>,
+    /// For each joint, the markers at a fixed distance from it, and the marker at its head.
+    levers: Vec<Levers>,
+    /// The extent of the skeleton, the unit of the translation.
+    extent: f64,
+    motions: Vec<Motor<f64>>,
+    trial: Pose,
+    candidate: Pose,
+    blocked: Vec<Blocked>,
+    rows: Vec<(usize, Vector<f64>)>,
+    pairs: Vec<(f64, [f64; 3], [f64; 3])>,
+    equations: NormalEquations,
+}
+
+/// The markers by which a joint's rotation is seen directly.
+#[derive(Clone, Debug, Default)]
+struct Levers {
+    markers: Vec<usize>,
+    at_head: Option<usize>,
+}
+
+/// The columns of the translation.
+const TRANSLATION: usize = 3;
+const FIRST_DAMPING: f64 = 1e-3;
+const LEAST_DAMPING: f64 = 1e-11;
+const GREATEST_DAMPING: f64 = 1e12;
+/// The angle in radians from which on a rotation is beyond a joint's limits.
+const BEYOND: f64 = 1e-12;
+
+impl<'a> PoseFit<'a> {
+    /// Prepares fits of a skeleton, whose joints keep to limits, to markers.
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::NoMarkers`], [`KinematicsError::NoJoint`],
+    /// [`KinematicsError::NotFinite`], [`KinematicsError::Limits`].
+    pub fn new(
+        skeleton: &'a Skeleton,
+        limits: Option<&'a JointLimits>,
+        markers: Vec<Marker>,
+    ) -> Result<Self, KinematicsError> {
+        if markers.is_empty() {
+            return Err(KinematicsError::NoMarkers);
+        }
+        for marker in &markers {
+            exists(skeleton, marker.joint)?;
+            finite("a marker", marker.at_rest)?;
+        }
+        let trial = Pose::rest(skeleton.len());
+        fits(skeleton, limits, &trial)?;
+        let movers: Vec<Vec<usize>> = markers
+            .iter()
+            .map(|marker| movers(skeleton, marker))
+            .collect();
+        let mut moves = vec![false; skeleton.len()];
+        for &joint in movers.iter().flatten() {
+            moves[joint] = true;
+        }
+        let mut count = TRANSLATION;
+        let columns = moves.into_iter().enumerate().map(|(joint, moves)| {
+            let is_hinge = limits.is_some_and(|limits| limits.hinge_axis(joint).is_some());
+            let is_fixed = limits.is_some_and(|limits| limits.is_fixed(joint));
+            let own = match (moves && !is_fixed, is_hinge) {
+                (false, _) => 0,
+                (true, true) => 1,
+                (true, false) => 3,
+            };
+            count += own;
+            (count - own, own)
+        });
+        let columns: Vec<(usize, usize)> = columns.collect();
+        Ok(Self {
+            levers: levers(skeleton, &markers),
+            movers,
+            columns,
+            extent: extent(&markers),
+            motions: vec![Motor::default(); skeleton.len()],
+            candidate: trial.clone(),
+            blocked: Vec::new(),
+            rows: Vec::new(),
+            pairs: Vec::new(),
+            equations: NormalEquations::new(count),
+            trial,
+            skeleton,
+            limits,
+            markers,
+        })
+    }
+
+    /// The markers.
+    #[must_use]
+    pub fn markers(&self) -> &[Marker] {
+        &self.markers
+    }
+
+    /// Moves a pose so that the markers come as near to their targets as they can, from the pose
+    /// given.
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::Targets`], [`KinematicsError::NotFinite`], [`KinematicsError::Weight`],
+    /// [`KinematicsError::Pose`]. The pose is then as it was.
+    pub fn solve(
+        &mut self,
+        targets: &[Target],
+        pose: &mut Pose,
+        settings: &PoseFitSettings,
+    ) -> Result<PoseFitReport, KinematicsError> {
+        self.check(targets, pose)?;
+        let mut best = pose.clone();
+        self.clamp(&mut best);
+        let mut cost = self.cost(&best, targets);
+        if settings.align_first {
+            let mut aligned = best.clone();
+            self.align(&mut aligned, targets, settings.root_motion);
+            let found = self.cost(&aligned, targets);
+            if found < cost {
+                (best, cost) = (aligned, found);
+            }
+        }
+        let (mut damping, mut iterations, mut converged) = (FIRST_DAMPING, 0, false);
+        let mut is_linear = false;
+        while iterations < settings.iterations && !converged {
+            if !is_linear {
+                self.linearise(&best, targets, settings.root_motion);
+                is_linear = true;
+            }
+            iterations += 1;
+            let (size, found) = self.search(&best, targets, damping);
+            let is_small = size <= settings.tolerance;
+            if found < cost {
+                cost = found;
+                best.root = self.candidate.root;
+                best.joints.copy_from_slice(&self.candidate.joints);
+                damping = (damping * 0.1).max(LEAST_DAMPING);
+                is_linear = false;
+                converged = is_small;
+            } else {
+                damping *= 10.0;
+                converged = is_small || damping > GREATEST_DAMPING;
+            }
+        }
+        let report = self.report(&best, targets, iterations, converged);
+        *pose = best;
+        Ok(report)
+    }
+
+    fn check(&self, targets: &[Target], pose: &Pose) -> Result<(), KinematicsError> {
+        let (expected, found) = (self.markers.len(), targets.len());
+        if expected != found {
+            return Err(KinematicsError::Targets { expected, found });
+        }
+        fits(self.skeleton, self.limits, pose)?;
+        let mut greatest = 0.0_f64;
+        for (index, &Target { position, weight }) in targets.iter().enumerate() {
+            if !weight.is_finite() || weight < 0.0 {
+                return Err(KinematicsError::Weight { index, weight });
+            }
+            if weight > 0.0 {
+                finite("a target", position)?;
+            }
+            greatest = greatest.max(weight);
+        }
+        if greatest > 0.0 {
+            return Ok(());
+        }
+        let (index, weight) = (0, 0.0);
+        Err(KinematicsError::Weight { index, weight })
+    }
+
+    /// The total motions of all joints in a pose.
+    fn update_motions(&mut self, pose: &Pose) {
+        for (index, joint) in self.skeleton.joints().iter().enumerate() {
+            let above = joint
+                .parent
+                .map_or(pose.root, |parent| self.motions[parent]);
+            self.motions[index] = above * pose.joints[index];
+        }
+    }
+
+    fn place(&self, marker: usize) -> Vector<f64> {
+        let Marker { joint, at_rest } = self.markers[marker];
+        moved(self.motions[joint], at_rest).into()
+    }
+
+    fn head(&self, joint: usize) -> Vector<f64> {
+        moved(self.motions[joint], self.skeleton.joints()[joint].head).into()
+    }
+
+    /// The weighted sum of squared distances; infinite where it is not a number.
+    fn cost(&mut self, pose: &Pose, targets: &[Target]) -> f64 {
+        self.update_motions(pose);
+        let mut sum = 0.0;
+        for (marker, target) in targets.iter().enumerate() {
+            if target.weight > 0.0 {
+                let residual = self.place(marker) - Vector::from(target.position);
+                sum += target.weight * residual.length_squared();
+            }
+        }
+        if sum.is_finite() { sum } else { f64::INFINITY }
+    }
+
+    /// The normal equations at a pose.
+    fn linearise(&mut self, pose: &Pose, targets: &[Target], root_motion: bool) {
+        self.update_motions(pose);
+        self.equations.clear();
+        let axes =
+            [0, 1, 2].map(|k| Vector::from(std::array::from_fn(|i| f64::from(u8::from(i == k)))));
+        for (marker, target) in targets.iter().enumerate() {
+            if target.weight == 0.0 {
+                continue;
+            }
+            let place = self.place(marker);
+            self.rows.clear();
+            if root_motion {
+                let unit = self.extent;
+                self.rows.extend(
+                    axes.into_iter()
+                        .enumerate()
+                        .map(|(k, axis)| (k, axis * unit)),
+                );
+            }
+            for &joint in &self.movers[marker] {
+                let (first, count) = self.columns[joint];
+                let lever = place - self.head(joint);
+                match count {
+                    0 => {}
+                    1 => self
+                        .rows
+                        .push((first, self.hinge(pose, joint).cross(lever))),
+                    _ => {
+                        let derivatives = axes.map(|axis| axis.cross(lever));
+                        let rows = derivatives.into_iter().enumerate();
+                        self.rows
+                            .extend(rows.map(|(k, derivative)| (first + k, derivative)));
+                    }
+                }
+            }
+            let residual = place - Vector::from(target.position);
+            self.equations.add(&self.rows, residual, target.weight);
+        }
+    }
+
+    /// The axis of a hinge in the coordinates of the world.
+    fn hinge(&self, pose: &Pose, joint: usize) -> Vector<f64> {
+        let axis = self.limits.and_then(|limits| limits.hinge_axis(joint));
+        rotated(self.above(pose, joint).rotor(), axis.unwrap_or_default())
+    }
+
+    /// The total motion above a joint.
+    fn above(&self, pose: &Pose, joint: usize) -> Motor<f64> {
+        let parent = self.skeleton.joints()[joint].parent;
+        parent.map_or(pose.root, |parent| self.motions[parent])
+    }
+
+    /// The candidate: the best of a few trial poses, each after a step that leaves out what took
+    /// joints beyond their limits in the steps before. The size of the first step, and the cost of
+    /// the candidate.
+    fn search(&mut self, pose: &Pose, targets: &[Target], damping: f64) -> (f64, f64) {
+        const ROUNDS: usize = 4;
+        self.blocked.clear();
+        let (mut size, mut least) = (f64::INFINITY, f64::INFINITY);
+        for round in 0..ROUNDS {
+            let known = self.blocked.len();
+            let Some(found) = self.step(pose, damping) else {
+                break;
+            };
+            if round == 0 {
+                size = found;
+            }
+            let trial = std::mem::replace(&mut self.trial, Pose::rest(0));
+            let cost = self.cost(&trial, targets);
+            self.trial = trial;
+            if cost < least {
+                least = cost;
+                std::mem::swap(&mut self.trial, &mut self.candidate);
+            }
+            if self.blocked.len() == known {
+                break;
+            }
+        }
+        (size, least)
+    }
+
+    /// The trial pose: a pose after a step with this damping, without blocked directions. The size
+    /// of the step.
+    fn step(&mut self, pose: &Pose, damping: f64) -> Option<f64> {
+        // The motions may be those of a trial that was refused.
+        self.update_motions(pose);
+        self.equations.solve(damping, &self.blocked)?;
+        let step = self.equations.step();
+        let size = step.norm();
+        let displacement = [0, 1, 2].map(|k| step[k] * self.extent);
+        self.trial.root = Translator::from_displacement(displacement) * pose.root;
+        self.trial.joints.clear();
+        self.trial.joints.extend_from_slice(&pose.joints);
+        for (joint, &(first, count)) in self.columns.iter().enumerate() {
+            let limits = self.limits;
+            if count == 0 {
+                continue;
+            }
+            let parent = self.skeleton.joints()[joint].parent;
+            let above = parent
+                .map_or(pose.root, |parent| self.motions[parent])
+                .rotor();
+            let hinge = limits.and_then(|limits| limits.hinge_axis(joint));
+            let axis = match hinge {
+                Some(axis) => axis * step[first],
+                None => {
+                    let world = Vector::from([0, 1, 2].map(|k| step[first + k]));
+                    rotated(above.reverse(), world)
+                }
+            };
+            let rotor = Rotor::from_rotation_vector(axis.into())?;
+            let (own, head) = (pose.joints[joint], self.skeleton.joints()[joint].head);
+            let clamped = with_rotation(limits, joint, head, own, rotor);
+            self.trial.joints[joint] = clamped;
+            if limits.is_none() {
+                continue;
+            }
+            let beyond = rotor * own.rotor() * clamped.rotor().reverse();
+            let beyond = Vector::from(beyond.along(RotationPath::Short).to_rotation_vector());
+            let direction = match hinge {
+                Some(axis) => Vector::new(beyond.dot(axis).signum(), 0.0, 0.0),
+                None => rotated(above, beyond.normalized().unwrap_or_default()),
+            };
+            let blocked = Blocked {
+                first,
+                count,
+                direction,
+            };
+            // A joint that would come back from its limit by itself is not held there.
+            if beyond.length() > BEYOND && self.equations.falls(&blocked) {
+                self.blocked.push(blocked);
+            }
+        }
+        Some(size)
+    }
+
+    /// Every joint of a pose within its limits.
+    fn clamp(&self, pose: &mut Pose) {
+        if self.limits.is_some() {
+            for (joint, own) in pose.joints.iter_mut().enumerate() {
+                let head = self.skeleton.joints()[joint].head;
+                *own = with_rotation(self.limits, joint, head, *own, Rotor::default());
+            }
+        }
+    }
+
+    /// Moves the body as a whole so that the markers come as near as possible, and then rotates
+    /// each joint, from the root on, so that the markers at a fixed distance from it are in the
+    /// directions of their targets.
+    fn align(&mut self, pose: &mut Pose, targets: &[Target], root_motion: bool) {
+        self.update_motions(pose);
+        if root_motion {
+            self.align_root(pose, targets);
+        }
+        for joint in 0..self.skeleton.len() {
+            self.motions[joint] = self.above(pose, joint) * pose.joints[joint];
+            if self.columns[joint].1 == 0 {
+                continue;
+            }
+            let head = self.head(joint);
+            let seen = |marker: &usize| targets[*marker].weight > 0.0;
+            let levers = &self.levers[joint];
+            let goal = match levers.at_head.filter(seen) {
+                Some(marker) => Vector::from(targets[marker].position),
+                None => head,
+            };
+            self.pairs.clear();
+            for &marker in levers.markers.iter().filter(|marker| seen(marker)) {
+                let Target { position, weight } = targets[marker];
+                let [now, then] = [self.place(marker) - head, Vector::from(position) - goal];
+                if now.normalized().is_some() && then.normalized().is_some() {
+                    // A longer lever shows the rotation more sharply.
+                    let weight = weight * now.length_squared();
+                    self.pairs.push((weight, now.into(), then.into()));
+                }
+            }
+            let rotor = match self.pairs.as_slice() {
+                [] => None,
+                [(_, now, then)] => Rotor::between(*now, *then),
+                pairs @ [(_, now, then), ..] => Rotor::from_weighted_direction_pairs(pairs)
+                    .map_or_else(|_| Rotor::between(*now, *then), |fit| Some(fit.motion)),
+            };
+            let Some(rotor) = rotor else { continue };
+            let above = self.above(pose, joint);
+            let local = above.rotor().reverse() * rotor * above.rotor();
+            let head = self.skeleton.joints()[joint].head;
+            pose.joints[joint] = with_rotation(self.limits, joint, head, pose.joints[joint], local);
+            self.motions[joint] = above * pose.joints[joint];
+        }
+    }
+
+    /// The rigid motion of the whole body that brings the markers as near as possible, as a
+    /// rotation of its root joints and a translation.
+    fn align_root(&mut self, pose: &mut Pose, targets: &[Target]) {
+        let pairs: Vec<(f64, Point<f64>, Point<f64>)> = targets
+            .iter()
+            .enumerate()
+            .filter(|(_, target)| target.weight > 0.0)
+            .map(|(marker, target)| (target.weight, self.place(marker).into(), target.position))
+            .collect();
+        let roots = self.skeleton.joints().iter().enumerate();
+        let mut roots = roots.filter(|(_, joint)| joint.parent.is_none());
+        if let (Some((root, joint)), None) = (roots.next(), roots.next())
+            && self.columns[root].1 == 3
+            && let Ok(fit) = Motor::from_weighted_point_pairs(&pairs)
+        {
+            let above = pose.root.rotor();
+            let local = above.reverse() * fit.motion.rotor() * above;
+            pose.joints[root] =
+                with_rotation(self.limits, root, joint.head, pose.joints[root], local);
+            self.update_motions(pose);
+        }
+        let mut mean = (0.0, Vector::default());
+        for (marker, target) in targets.iter().enumerate() {
+            if target.weight > 0.0 {
+                let away = Vector::from(target.position) - self.place(marker);
+                mean = (mean.0 + target.weight, mean.1 + away * target.weight);
+            }
+        }
+        let mut displacement = mean.1 / mean.0;
+        // A marker at the root says exactly where the body is.
+        let at_root = self
+            .skeleton
+            .joints()
+            .iter()
+            .position(|joint| joint.parent.is_none());
+        if let Some(marker) = at_root
+            .and_then(|root| self.levers[root].at_head)
+            .filter(|&marker| targets[marker].weight > 0.0)
+        {
+            displacement = Vector::from(targets[marker].position) - self.place(marker);
+        }
+        pose.root = Translator::from_displacement(displacement.into()) * pose.root;
+        self.update_motions(pose);
+    }
+
+    fn report(
+        &mut self,
+        pose: &Pose,
+        targets: &[Target],
+        iterations: usize,
+        converged: bool,
+    ) -> PoseFitReport {
+        self.update_motions(pose);
+        let (mut sum, mut total, mut greatest_error) = (0.0, 0.0, 0.0_f64);
+        for (marker, target) in targets.iter().enumerate() {
+            if target.weight > 0.0 {
+                let distance = self.place(marker).distance(target.position.into());
+                sum += target.weight * distance * distance;
+                total += target.weight;
+                greatest_error = greatest_error.max(distance);
+            }
+        }
+        PoseFitReport {
+            iterations,
+            converged,
+            root_mean_square_error: (sum / total).sqrt(),
+            greatest_error,
+        }
+    }
+}
+
+/// The joints that move a marker, from the root on.
+fn movers(skeleton: &Skeleton, marker: &Marker) -> Vec<usize> {
+    let joints = skeleton.joints();
+    let mut movers = Vec::new();
+    let mut above = Some(marker.joint);
+    while let Some(joint) = above {
+        // A joint does not move a marker at its own head.
+        if joint != marker.joint || joints[joint].head != marker.at_rest {
+            movers.push(joint);
+        }
+        above = joints[joint].parent;
+    }
+    movers.reverse();
+    movers
+}
+
+/// For each joint, the markers that keep their distances from its head however other joints rotate:
+/// those that it carries itself, those of joints that are in the same place, and those at the heads
+/// of the joints below these.
+fn levers(skeleton: &Skeleton, markers: &[Marker]) -> Vec<Levers> {
+    let joints = skeleton.joints();
+    let mut levers: Vec<Levers> = vec![Levers::default(); joints.len()];
+    for (index, marker) in markers.iter().enumerate() {
+        let own = marker.joint;
+        if marker.at_rest == joints[own].head {
+            levers[own].at_head.get_or_insert(index);
+        }
+        // Up through joints in the place of the marker's pivot: the joint that carries it, or, for
+        // a marker at a joint's head, the joint above.
+        let mut above = match marker.at_rest == joints[own].head {
+            true => joints[own].parent,
+            false => Some(own),
+        };
+        let mut pivot = None;
+        while let Some(joint) = above {
+            let head = joints[joint].head;
+            if head == marker.at_rest {
+                levers[joint].at_head.get_or_insert(index);
+            } else if pivot.is_none_or(|pivot| pivot == head) {
+                pivot = Some(head);
+                levers[joint].markers.push(index);
+            } else {
+                break;
+            }
+            above = joints[joint].parent;
+        }
+    }
+    levers
+}
+
+/// The greatest distance of a marker from the first one at rest; 1 where there is none.
+fn extent(markers: &[Marker]) -> f64 {
+    let first = Vector::from(markers[0].at_rest);
+    let distances = markers
+        .iter()
+        .map(|marker| first.distance(marker.at_rest.into()));
+    let extent = distances.fold(0.0, f64::max);
+    if extent > 0.0 { extent } else { 1.0 }
+}
