@@ -1,7 +1,7 @@
 use ga_runtime::cga3::{Direction, Rotor};
 use ga_runtime::vga3::Vector;
 
-use super::{RetargetError, Soles};
+use super::{JointMap, RetargetError, Soles};
 use crate::bvh::Bvh;
 use crate::skeleton::Skeleton;
 
@@ -14,7 +14,7 @@ const BESIDE: f64 = 1.0 / 64.0;
 /// rest.
 #[derive(Clone, Debug)]
 pub(super) struct Correspondence {
-    /// For each joint of the target, the one of the source that has its name.
+    /// For each joint of the target, the one of the source that moves it.
     pub(super) source_of: Vec<Option<usize>>,
     /// For each joint of the target, the rotor A.
     pub(super) alignment: Vec<Rotor<f64>>,
@@ -41,12 +41,10 @@ impl Correspondence {
         source: &Bvh,
         target: &Skeleton,
         soles: &Soles,
+        map: &JointMap,
     ) -> Result<Self, RetargetError> {
         let joints = target.joints();
-        let source_of: Vec<Option<usize>> = joints
-            .iter()
-            .map(|joint| source.index(&joint.name))
-            .collect();
+        let source_of = map.source_of().to_vec();
         if source_of.iter().all(Option::is_none) {
             return Err(RetargetError::NoMatch);
         }
@@ -90,12 +88,13 @@ fn long_bones(
     let mut bones: Vec<Option<LongBone>> = Vec::with_capacity(joints.len());
     for (index, joint) in joints.iter().enumerate() {
         let is_beside = (joint.head[0] - middle).abs() >= BESIDE * height;
-        let goes_on = joint.parent.is_some_and(|parent| bones[parent].is_some());
+        let goes_on =
+            matched_above(target, source_of, index).is_some_and(|above| bones[above].is_some());
         let head = Vector::from(joint.head);
         let from_tail = |below: usize| Vector::from(joint.tail).distance(joints[below].head.into());
-        let below = target
-            .children(index)
+        let below = (index + 1..joints.len())
             .filter(|&below| source_of[below].is_some() && (is_beside || goes_on))
+            .filter(|&below| matched_above(target, source_of, below) == Some(index))
             .min_by(|&a, &b| from_tail(a).total_cmp(&from_tail(b)))
             .filter(|&below| head.distance(joints[below].head.into()) >= LONG * height);
         bones.push(below.and_then(|below| {
@@ -118,16 +117,17 @@ fn legs(
 ) -> Result<(Vec<Leg>, f64), RetargetError> {
     let mut legs: Vec<Leg> = Vec::new();
     let (mut target_length, mut source_length) = (0.0, 0.0);
-    for (index, joint) in target.joints().iter().enumerate() {
+    for index in 0..target.len() {
         let mut top = None;
-        let mut above = joint.parent.filter(|_| soles.has(index));
+        let up = |joint| matched_above(target, source_of, joint);
+        let mut above = up(index).filter(|_| soles.has(index));
         while let Some((joint, bone)) =
             above.and_then(|joint| Some((joint, long_bones[joint].as_ref()?)))
         {
             target_length += bone.target.length();
             source_length += bone.source.length();
             top = Some(joint);
-            above = target.joints()[joint].parent;
+            above = up(joint);
         }
         if let Some((target, source)) = top.and_then(|top| Some((top, source_of[top]?))) {
             legs.push(Leg { target, source });
@@ -139,4 +139,15 @@ fn legs(
     } else {
         Ok((legs, scale))
     }
+}
+
+/// The nearest joint above that is matched: bones in between, such as those that spread a twist,
+/// belong to it.
+fn matched_above(target: &Skeleton, source_of: &[Option<usize>], joint: usize) -> Option<usize> {
+    let parent = |joint: usize| target.joints()[joint].parent;
+    let mut above = parent(joint);
+    while let Some(joint) = above.filter(|&joint| source_of[joint].is_none()) {
+        above = parent(joint);
+    }
+    above
 }

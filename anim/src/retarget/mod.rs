@@ -1,7 +1,8 @@
 //! Retargeting: the transfer of a recorded motion to another skeleton.
 //!
 //! Source (a [`Bvh`]) and target (a [`Skeleton`]) differ in unit, in proportions and in their pose
-//! at rest. Joints are matched by name. Let A be the rotor that aligns a target bone at rest with
+//! at rest. Joints are matched by name ([`JointMap::by_names`]) or by a
+//! map of your own. Let A be the rotor that aligns a target bone at rest with
 //! the source's bone at rest, and S the total rotor of the source joint in a frame, including all
 //! parents. Then the total rotor of the target joint is
 //!
@@ -36,7 +37,9 @@
 //! frames. In most recordings the person stands in more frames than that, and the lowest values are
 //! noise.
 
+mod convention;
 mod correspondence;
+mod joint_map;
 mod soles;
 
 use std::ops::RangeInclusive;
@@ -50,6 +53,7 @@ use crate::pose::{Pose, PoseError};
 use crate::skeleton::Skeleton;
 use correspondence::Correspondence;
 
+pub use joint_map::{JointMap, JointMapError};
 pub use soles::Soles;
 
 /// A recording prepared to move a skeleton.
@@ -65,7 +69,7 @@ pub struct Retarget<'a> {
 /// Why a recording cannot move a skeleton.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum RetargetError {
-    /// No joint of the recording has the name of one of the skeleton.
+    /// No joint of the recording belongs to one of the skeleton, by name or by the map.
     #[error("no joint of the motion has the name of a bone of the rig")]
     NoMatch,
     /// No leg was found: matched long bones above a foot on the ground.
@@ -101,7 +105,8 @@ pub enum RetargetError {
 }
 
 impl<'a> Retarget<'a> {
-    /// Matches a recording with a skeleton that stands on `soles` at rest.
+    /// Matches a recording by the names of its joints with a skeleton that stands on `soles` at
+    /// rest; see [`JointMap::by_names`].
     ///
     /// # Errors
     ///
@@ -112,11 +117,29 @@ impl<'a> Retarget<'a> {
         target: &'a Skeleton,
         soles: &Soles,
     ) -> Result<Self, RetargetError> {
+        Self::with_map(source, target, soles, &JointMap::by_names(source, target))
+    }
+
+    /// Matches a recording by a map with a skeleton that stands on `soles` at rest.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Retarget::new`], and [`RetargetError::Pose`] for a map for another skeleton.
+    pub fn with_map(
+        source: &'a Bvh,
+        target: &'a Skeleton,
+        soles: &Soles,
+        map: &JointMap,
+    ) -> Result<Self, RetargetError> {
+        let (expected, found) = (target.len(), map.source_of().len());
+        if expected != found {
+            return Err(PoseError { expected, found }.into());
+        }
         let (expected, found) = (target.len(), soles.joint_count);
         if expected != found {
             return Err(PoseError { expected, found }.into());
         }
-        let correspondence = Correspondence::new(source, target, soles)?;
+        let correspondence = Correspondence::new(source, target, soles, map)?;
         let mut retarget = Self {
             source,
             target,
@@ -146,8 +169,8 @@ impl<'a> Retarget<'a> {
         self.correspondence.scale
     }
 
-    /// The joints of the skeleton that move with their parents, since the recording has none of
-    /// their names.
+    /// The joints of the skeleton that move with their parents, since no joint of the recording
+    /// moves them.
     pub fn unmatched(&self) -> impl Iterator<Item = &'a str> + '_ {
         let joints = self
             .target

@@ -11,6 +11,7 @@ mod distance_weights;
 mod geodesic_weights;
 mod gltf;
 mod inverse_kinematics;
+mod joint_map;
 mod kinematics;
 mod leg;
 mod limits;

@@ -1,0 +1,167 @@
+//! Which joint of a recording moves which joint of a skeleton.
+
+use std::collections::HashMap;
+
+use super::convention::{Part, Side, meaning};
+use crate::bvh::Bvh;
+use crate::skeleton::Skeleton;
+
+/// For each joint of a skeleton, the joint of a recording that moves it, if any.
+///
+/// ```
+/// use ga_anim::retarget::JointMap;
+/// use ga_anim::skeleton::{Joint, Skeleton};
+///
+/// let recording = ga_anim::bvh::parse(b"HIERARCHY ROOT Hips { OFFSET 0 0 0 CHANNELS 0
+///     JOINT LeftUpLeg { OFFSET 1 0 0 CHANNELS 1 Xrotation } }
+///     MOTION Frames: 0 Frame Time: 0.01\n")?;
+/// let joint = |name: &str, parent| Joint {
+///     name: name.into(),
+///     parent,
+///     head: [0.0; 3],
+///     tail: [0.0; 3],
+/// };
+/// let skeleton = Skeleton::new(vec![
+///     joint("Bip01 Pelvis", None),
+///     joint("Bip01 L Thigh", Some(0)),
+///     joint("Bip01 Tail", Some(0)),
+/// ])?;
+/// let map = JointMap::by_names(&recording, &skeleton);
+/// assert_eq!(map.source_of(), [Some(0), Some(1), None]);
+///
+/// let map = JointMap::from_json(br#"{"LeftUpLeg": "Bip01 Tail"}"#, &recording, &skeleton)?;
+/// assert_eq!(map.source_of(), [None, None, Some(1)]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct JointMap {
+    source_of: Vec<Option<usize>>,
+}
+
+/// A map of joints that does not fit.
+#[derive(Debug, thiserror::Error)]
+pub enum JointMapError {
+    /// The text is not JSON, or not an object of texts.
+    #[error("a map is an object {{\"joint of the motion\": \"joint of the skeleton\"}}: {0}")]
+    Json(#[from] serde_json::Error),
+    /// The recording has no such joint.
+    #[error("the motion has no joint {name:?}")]
+    Source {
+        /// The name.
+        name: String,
+    },
+    /// The skeleton has no such joint.
+    #[error("the skeleton has no joint {name:?}")]
+    Target {
+        /// The name.
+        name: String,
+    },
+    /// Two joints of the recording are to move one joint.
+    #[error("joint {name:?} of the skeleton stands twice in the map")]
+    Twice {
+        /// The joint of the skeleton.
+        name: String,
+    },
+}
+
+impl JointMap {
+    /// A map by names. Equal names belong together; the other joints are matched by what their
+    /// names mean in the usual conventions: Mixamo's, MakeHuman's, CMU's, 3ds Max Biped's, and
+    /// names such as `UpperLeg_L`. Of several joints of a limb with one meaning, such as the halves
+    /// of an upper arm, the first one is matched, and the others move with it. Where spines or
+    /// necks differ in their numbers of joints, they are matched evenly from first to last.
+    #[must_use]
+    pub fn by_names(source: &Bvh, target: &Skeleton) -> Self {
+        let joints = target.joints();
+        let mut source_of: Vec<Option<usize>> = joints
+            .iter()
+            .map(|joint| source.index(&joint.name))
+            .collect();
+        let there = parts(source.joints().iter().map(|joint| joint.name.as_str()));
+        let here = parts(joints.iter().map(|joint| joint.name.as_str()));
+        for (meaning, targets) in &here {
+            let Some(sources) = there.get(meaning) else {
+                continue;
+            };
+            if targets.iter().any(|&joint| source_of[joint].is_some()) {
+                continue;
+            }
+            if matches!(meaning.0, Part::Spine | Part::Neck) {
+                let [last, last_there] = [targets, sources].map(|joints| joints.len() - 1);
+                for (place, &joint) in targets.iter().enumerate() {
+                    let there = (place * last_there + last / 2) / last.max(1);
+                    source_of[joint] = Some(sources[there]);
+                }
+            } else {
+                source_of[targets[0]] = Some(sources[0]);
+            }
+        }
+        Self { source_of }
+    }
+
+    /// A map given as JSON, `{"joint of the recording": "joint of the skeleton"}`. Joints that are
+    /// not in it are not matched.
+    ///
+    /// # Errors
+    ///
+    /// Any [`JointMapError`].
+    pub fn from_json(bytes: &[u8], source: &Bvh, target: &Skeleton) -> Result<Self, JointMapError> {
+        let names: std::collections::BTreeMap<String, String> = serde_json::from_slice(bytes)?;
+        let mut source_of = vec![None; target.len()];
+        for (there, here) in names {
+            let Some(joint) = target.index(&here) else {
+                return Err(JointMapError::Target { name: here });
+            };
+            let Some(found) = source.index(&there) else {
+                return Err(JointMapError::Source { name: there });
+            };
+            if source_of[joint].replace(found).is_some() {
+                return Err(JointMapError::Twice { name: here });
+            }
+        }
+        Ok(Self { source_of })
+    }
+
+    /// For each joint of the skeleton, the index of the joint of the recording that moves it.
+    #[must_use]
+    pub fn source_of(&self) -> &[Option<usize>] {
+        &self.source_of
+    }
+}
+
+/// The joints of each part of a body, from the root on.
+fn parts<'a>(names: impl Iterator<Item = &'a str>) -> HashMap<(Part, Option<Side>), Vec<usize>> {
+    let mut parts: HashMap<_, Vec<usize>> = HashMap::new();
+    for (index, name) in names.enumerate() {
+        if let Some(meaning) = meaning(name) {
+            parts.entry(meaning).or_default().push(index);
+        }
+    }
+    let root = parts.remove(&(Part::Root, None));
+    if let Some(root) = root {
+        parts.entry((Part::Hips, None)).or_insert(root);
+    }
+    for side in [Some(Side::Left), Some(Side::Right)] {
+        for (vague, clear) in [
+            (Part::Shoulder, Part::UpperArm),
+            (Part::SideOfHips, Part::UpperLeg),
+        ] {
+            if !parts.contains_key(&(clear, side))
+                && let Some(joints) = parts.remove(&(vague, side))
+            {
+                // The last of several: a collar comes before the shoulder.
+                let (last, before) = match joints.split_last() {
+                    Some((&last, before)) => (last, before.to_vec()),
+                    None => continue,
+                };
+                parts.insert((clear, side), vec![last]);
+                if vague == Part::Shoulder && !before.is_empty() {
+                    parts.insert((vague, side), before);
+                }
+            }
+        }
+        // A joint beside the hips is no part where the thigh has a name of its own.
+        parts.remove(&(Part::SideOfHips, side));
+    }
+    parts
+}
