@@ -6,7 +6,7 @@ use std::time::Instant;
 use anyhow::{Context, Result, bail, ensure};
 use ga_anim::bvh::{self, Bvh};
 use ga_anim::clip::Clip;
-use ga_anim::retarget::{Retarget, Soles};
+use ga_anim::retarget::{JointMap, Retarget, Soles};
 use ga_anim::rig;
 use ga_mesh::Mesh;
 use ga_mesh::obj;
@@ -25,8 +25,9 @@ use crate::storyboard::{self, Numbering, Storyboard};
 /// weights and the motion), sheet.png (key frames at four places of the range with three
 /// in-betweens after each, shaded and as depth) and report.json. Lengths are metres, y points up.
 ///
-/// Motion and rig are matched by the names of their joints. They may differ in unit, in proportions
-/// and in how the arms and legs stand at rest.
+/// Motion and rig are matched by the names of their joints: equal names, and the usual names of
+/// Mixamo, MakeHuman, CMU, 3ds Max Biped, and such as `UpperLeg_L`. With --map, they are matched by
+/// a file. They may differ in unit, in proportions and in how the arms and legs stand at rest.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct Arguments {
     /// The mesh: Wavefront OBJ, y up, looking along +z, standing upright.
@@ -41,6 +42,11 @@ pub(crate) struct Arguments {
     /// The motion: BVH, y up, in any unit.
     #[arg(long, value_name = "FILE.bvh")]
     motion: PathBuf,
+    /// Which joints belong together, where their names do not say so: JSON, as in {"LeftUpLeg":
+    /// "thigh_l", "LeftLeg": "calf_l"}, the joint of the motion first. Other joints of the rig
+    /// move with the ones above them.
+    #[arg(long, value_name = "FILE.json")]
+    map: Option<PathBuf>,
     /// The first frame of the motion, counted from 0.
     ///
     /// The default is 0, or 1 where frame 0 is a calibration pose (such as a T): a joint then moves
@@ -91,6 +97,11 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let (figure, group) = figure(arguments)?;
     progress.step("reading the motion");
     let motion = bvh::read(&arguments.motion)?;
+    if !quiet {
+        for warning in motion.warnings() {
+            eprintln!("warning: {}: {warning}", arguments.motion.display());
+        }
+    }
     progress.step("transferring the motion");
     let range = frames(arguments, &motion)?;
     let retargeted = retarget(arguments, &figure, &motion, range)?;
@@ -259,7 +270,12 @@ fn retarget(
         )
     };
     let soles = Soles::of_mesh(figure.mesh.positions(), &figure.weights).with_context(onto)?;
-    let retarget = Retarget::new(motion, &figure.skeleton, &soles).with_context(onto)?;
+    let skeleton = &figure.skeleton;
+    let map = match &arguments.map {
+        Some(path) => ga_files::read(path, |bytes| JointMap::from_json(bytes, motion, skeleton))?,
+        None => JointMap::by_names(motion, skeleton),
+    };
+    let retarget = Retarget::with_map(motion, skeleton, &soles, &map).with_context(onto)?;
     Ok(Retargeted {
         clip: retarget.clip(range.from..=range.to).with_context(onto)?,
         unmatched: retarget.unmatched().map(ToOwned::to_owned).collect(),

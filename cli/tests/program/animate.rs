@@ -103,6 +103,63 @@ fn a_figure_of_boxes_goes_as_its_motion_says() {
 }
 
 #[test]
+fn a_map_names_the_joints_that_belong_together() {
+    let folder = boxes();
+    let path = folder.path().join("motion.bvh");
+    let motion = std::fs::read_to_string(&path).unwrap();
+    // Names that say nothing, and one frame more than there are.
+    let names: Vec<String> = motion
+        .lines()
+        .filter_map(|line| {
+            line.trim()
+                .strip_prefix("JOINT ")
+                .or(line.strip_prefix("ROOT "))
+        })
+        .map(ToOwned::to_owned)
+        .collect();
+    let mut strange = motion.replace(
+        &format!("Frames: {FRAMES}"),
+        &format!("Frames: {}", FRAMES + 1),
+    );
+    assert_ne!(strange, motion);
+    let mut map = serde_json::Map::new();
+    for (index, name) in names.iter().enumerate() {
+        for keyword in ["JOINT", "ROOT"] {
+            strange = strange.replace(
+                &format!("{keyword} {name}\n"),
+                &format!("{keyword} q{index}\n"),
+            );
+        }
+        map.insert(format!("q{index}"), name.clone().into());
+    }
+    assert_success(&animate(folder.path(), &[]));
+    let expected = std::fs::read(folder.path().join("out/model.glb")).unwrap();
+    std::fs::write(&path, strange).unwrap();
+    assert!(!animate(folder.path(), &[]).status.success());
+    let map = serde_json::Value::Object(map).to_string();
+    std::fs::write(folder.path().join("map.json"), map).unwrap();
+    let output = animate(folder.path(), &["--map", "map.json"]);
+    assert_success(&output);
+    let stderr = text(&output.stderr);
+    assert_eq!(
+        stderr.matches("warning: motion.bvh: line").count(),
+        1,
+        "{stderr}"
+    );
+    let found = std::fs::read(folder.path().join("out/model.glb")).unwrap();
+    assert!(found == expected);
+
+    std::fs::write(folder.path().join("map.json"), r#"{"q0": "tail"}"#).unwrap();
+    let output = animate(folder.path(), &["--map", "map.json"]);
+    assert!(!output.status.success());
+    let stderr = text(&output.stderr);
+    assert!(
+        stderr.contains("map.json: the skeleton has no joint \"tail\""),
+        "{stderr}"
+    );
+}
+
+#[test]
 fn frames_rate_group_and_unit_are_chosen() {
     let folder = boxes();
     let options = [
