@@ -230,7 +230,8 @@ fn bad_input_leaves_nothing() {
     let cloud = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n\
                  property float z\nend_header\n0 0 0\n";
     std::fs::write(folder.path().join("cloud.ply"), cloud).unwrap();
-    std::fs::write(folder.path().join("nothing.obj"), "v 0 0 0\nv 1 0 0\n").unwrap();
+    let nothing = r#"{"asset": {"version": "2.0"}}"#;
+    std::fs::write(folder.path().join("nothing.gltf"), nothing).unwrap();
     let before = names(folder.path());
     let fails = |arguments: &[&str], parts: &[&str]| {
         let output = nullcone(folder.path(), [&["render"], arguments].concat());
@@ -242,8 +243,8 @@ fn bad_input_leaves_nothing() {
         &["--out p.jpg", ".png or .y4m"],
     );
     fails(
-        &["nothing.obj", "--out", "p.png"],
-        &["nothing.obj", "no triangle, line or point"],
+        &["nothing.gltf", "--out", "p.png"],
+        &["nothing.gltf", "no triangle, line or point"],
     );
     fails(
         &["cloud.ply", "--out", "p.png"],
