@@ -21,7 +21,7 @@ use super::value::Value;
 /// let times = [0.0, 0.25, 0.5, 0.75, 1.0].map(|part: f64| part * std::f64::consts::TAU);
 /// let sine = Curve::spline(&times, &[0.0, 1.0, 0.0, -1.0, 0.0], Ends::Periodic)?;
 /// assert!((sine.value(1.0) - 1_f64.sin()).abs() < 0.02);
-/// assert!((sine.derivative(1.0) - 1_f64.cos()).abs() < 0.02);
+/// assert!((sine.derivative(1.0) - 1_f64.cos()).abs() < 0.05);
 /// // A periodic curve goes on.
 /// assert!((sine.value(1.0 + std::f64::consts::TAU) - sine.value(1.0)).abs() < 1e-14);
 /// # Ok::<(), ga_anim::curve::CurveError>(())
