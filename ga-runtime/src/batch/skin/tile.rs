@@ -261,14 +261,25 @@ macro_rules! motor {
     }};
 }
 
+/// The first three coordinates of the points of a tile, each in a list of its own: together with
+/// the arithmetic on motors the compiler would not vectorise the reading of fours.
+#[inline(always)]
+fn by_coordinate<S: SkinScalar>(rest: &[[S; 4]]) -> [[S; TILE]; 3] {
+    let mut lists = [[S::zero(); TILE]; 3];
+    for (place, four) in rest.iter().take(TILE).enumerate() {
+        lists[0][place] = four[0];
+        lists[1][place] = four[1];
+        lists[2][place] = four[2];
+    }
+    lists
+}
+
 #[inline(always)]
 fn move_points<S: SkinScalar>(sums: &Motors<S>, rest: &[[S; 4]], moved: &mut [[S; TILE]; 3]) {
-    let Some(rest) = rest.first_chunk::<TILE>() else {
-        return;
-    };
+    let rest = by_coordinate(rest);
     let [xs, ys, zs] = moved;
     for place in 0..TILE {
-        let [x, y, z, _] = rest[place];
+        let (x, y, z) = (rest[0][place], rest[1][place], rest[2][place]);
         let motor: Motor<S> = motor!(sums, place);
         let image = motor.transform(Point::new(x, y, z));
         xs[place] = image.e1();
@@ -279,12 +290,10 @@ fn move_points<S: SkinScalar>(sums: &Motors<S>, rest: &[[S; 4]], moved: &mut [[S
 
 #[inline(always)]
 fn rotate<S: SkinScalar>(sums: &Motors<S>, rest: &[[S; 4]], moved: &mut [[S; TILE]; 3]) {
-    let Some(rest) = rest.first_chunk::<TILE>() else {
-        return;
-    };
+    let rest = by_coordinate(rest);
     let [xs, ys, zs] = moved;
     for place in 0..TILE {
-        let [x, y, z, _] = rest[place];
+        let (x, y, z) = (rest[0][place], rest[1][place], rest[2][place]);
         let motor: Motor<S> = motor!(sums, place);
         let image = motor.transform(Direction::new(x, y, z));
         let image = Vector::from(image);
