@@ -2,8 +2,8 @@
 #![no_main]
 
 use ga_anim::gltf::{Placement, Player, character};
-use ga_anim::skin::Method;
 use ga_anim::recording::Recording;
+use ga_anim::skin::Method;
 use ga_mesh::gltf::{self, Document, Vertices};
 use libfuzzer_sys::fuzz_target;
 

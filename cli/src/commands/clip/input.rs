@@ -56,9 +56,10 @@ impl MotionArguments {
             .to_ascii_lowercase();
         match ending.to_str() {
             Some("bvh") => Ok(Kind::Bvh),
+            Some("glb" | "gltf") => Ok(Kind::Gltf),
             Some("clip") => Ok(Kind::Clip),
             _ => bail!(
-                "{}: a motion is a file of the kind .bvh or .clip",
+                "{}: a motion is a file of the kind .bvh, .glb, .gltf or .clip",
                 self.file()
             ),
         }
