@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 mod closed;
+mod compressed;
 mod skin;
 mod surface;
 mod walking;
