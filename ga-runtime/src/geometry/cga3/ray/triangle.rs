@@ -82,14 +82,13 @@ impl<S: Real<Mask = bool>> Ray<S> {
     #[must_use]
     pub fn triangle_test(self) -> TriangleTest<S> {
         let direction = Vector::from(self.direction);
-        let axes: [usize; 3] = rotation_of_axes(direction)(Vector::from([0, 1, 2])).into();
-        let [x, y, z] = axes.map(|axis| direction[axis]);
-        let origin = Vector::from(self.origin);
+        let rotate = rotation_of_axes(direction);
+        let along = rotate(direction);
         TriangleTest {
-            origin: axes.map(|axis| origin[axis]),
-            slopes: [x / z, y / z],
-            along: z,
-            axes,
+            origin: rotate(self.origin.into()).into(),
+            slopes: [along.e1 / along.e3, along.e2 / along.e3],
+            along: along.e3,
+            axes: rotation_of_axes(direction)(Vector::from([0, 1, 2])).into(),
         }
     }
 }
