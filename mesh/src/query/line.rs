@@ -52,9 +52,7 @@ impl Bvh {
                 let distance = zero.max(enters - centre).max(centre - leaves);
                 let is_met =
                     enters.less_or_equal(leaves) & distance.less_or_equal(Children::splat(limit));
-                let missed = Children::splat(f32::INFINITY);
-                let distances = Real::select(is_met, distance, missed).to_array();
-                stack.push(distances, &node.children);
+                stack.push(is_met, distance, &node.children);
                 continue;
             }
             let Some(packet) = self.packet(reference) else {

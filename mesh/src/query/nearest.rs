@@ -6,7 +6,7 @@ use ga_runtime::scalar::{Mask, Real};
 use ga_runtime::vga3::Vector;
 
 use super::frame::Frame;
-use super::node::{BRANCHES, Children, LEAF, Node, Stack};
+use super::node::{Children, LEAF, Node, Stack};
 use super::packet::{Four, Packet};
 use super::{Bvh, QueryError};
 
@@ -179,7 +179,10 @@ impl<'a, V: Visitor<'a>> Work for Approach<'a, '_, V> {
             }
             if reference & LEAF == 0 {
                 let node = &bvh.nodes[reference as usize];
-                stack.push(reach.squares(node, limit), &node.children);
+                let squares = reach.squares(node);
+                // A box that is empty has an infinite distance.
+                let is_near = squares.less_or_equal(Children::splat(limit.min(f32::MAX)));
+                stack.push(is_near, squares, &node.children);
             } else {
                 let Some(packet) = bvh.packet(reference) else {
                     continue;
@@ -198,9 +201,9 @@ struct Reach {
 }
 
 impl Reach {
-    /// The squared distance to the box of each child, or a little less; infinity beyond the limit.
+    /// The squared distance to the box of each child, or a little less.
     #[inline(always)]
-    fn squares(&self, node: &Node, limit: f32) -> [f32; BRANCHES] {
+    fn squares(&self, node: &Node) -> Children {
         let zero = Children::splat(0.0);
         let mut sum = zero;
         for axis in 0..3 {
@@ -209,8 +212,7 @@ impl Reach {
             let outside = zero.max(above).max(below);
             sum += outside * outside;
         }
-        let is_near = sum.less_or_equal(Children::splat(limit));
-        Real::select(is_near, sum, Children::splat(f32::INFINITY)).to_array()
+        sum
     }
 }
 

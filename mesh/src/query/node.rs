@@ -1,6 +1,6 @@
 //! Nodes of the hierarchy.
 
-use ga_runtime::scalar::Lanes;
+use ga_runtime::scalar::{LaneMask, Lanes};
 
 /// How many children a node has.
 pub(super) const BRANCHES: usize = 8;
@@ -30,9 +30,9 @@ pub(super) struct Node {
 /// The longest path from the root to a leaf. The builder keeps to it.
 pub(super) const DEPTH: usize = 20;
 
-/// As many references as a traversal can have put aside: seven at each node of a path, the node
-/// itself, and a place for one that is not kept.
-pub(super) const STACK: usize = (BRANCHES - 1) * DEPTH + 2;
+/// As many references as a traversal can have put aside: seven at each node of a path, and the node
+/// itself.
+pub(super) const STACK: usize = (BRANCHES - 1) * DEPTH + 1;
 
 /// What a traversal has put aside: references to nodes and leaves, each with a lower bound of its
 /// distance.
@@ -59,26 +59,43 @@ impl Stack {
         Some((f32::from_bits((entry >> 32) as u32), entry as u32))
     }
 
-    /// Puts aside the children of a node at which `distances` is below infinity, the nearest one
-    /// last. Distances are not negative.
+    /// Puts aside the children of a node that are met, the nearest one last. Distances are not
+    /// negative.
     #[inline(always)]
-    pub(super) fn push(&mut self, distances: [f32; BRANCHES], children: &[u32; BRANCHES]) {
-        // Without branches, since it cannot be predicted which children are met.
-        let first = self.length;
-        let mut length = first;
-        for (distance, child) in distances.into_iter().zip(children) {
-            if let Some(place) = self.entries.get_mut(length) {
-                *place = u64::from(distance.to_bits()) << 32 | u64::from(*child);
-            }
-            length += usize::from(distance < f32::INFINITY);
+    pub(super) fn push(
+        &mut self,
+        is_met: LaneMask<BRANCHES>,
+        distances: Children,
+        children: &[u32; BRANCHES],
+    ) {
+        // Distances are read from memory by the bits of a mask. Branches on the lanes of a vector
+        // would divide the computation of the vector.
+        let mut rest = 0_u32;
+        for (lane, is_met) in is_met.to_array().into_iter().enumerate() {
+            rest |= u32::from(is_met) << lane;
         }
-        self.length = length.min(STACK);
-        // Numbers that are not negative are in the order of their bits.
-        if let Some((last, others)) = self.entries[first..self.length].split_last_mut() {
-            for other in others {
-                let (near, far) = ((*last).min(*other), (*last).max(*other));
-                (*last, *other) = (near, far);
+        let distances = distances.to_array();
+        let mut nearest = None;
+        while rest != 0 {
+            let lane = rest.trailing_zeros() as usize % BRANCHES;
+            rest &= rest - 1;
+            // Numbers that are not negative are in the order of their bits.
+            let entry = u64::from(distances[lane].to_bits()) << 32 | u64::from(children[lane]);
+            if let Some(other) = nearest.replace(entry) {
+                self.put(entry.max(other));
+                nearest = Some(entry.min(other));
             }
+        }
+        if let Some(entry) = nearest {
+            self.put(entry);
+        }
+    }
+
+    #[inline(always)]
+    fn put(&mut self, entry: u64) {
+        if let Some(place) = self.entries.get_mut(self.length) {
+            *place = entry;
+            self.length += 1;
         }
     }
 }

@@ -112,7 +112,7 @@ impl Bvh {
                     & node.bounds[2 * axis].less_or_equal(high)
                     & low.less_or_equal(node.bounds[2 * axis + 1]);
             }
-            meets.to_array()
+            meets
         };
         let mut found = Vec::new();
         self.visit(meets, |packet| {
@@ -172,7 +172,7 @@ impl Bvh {
     /// Visits the packets of the children that a test of nodes chooses.
     pub(super) fn visit<'a>(
         &'a self,
-        meets: impl Fn(&Node) -> [bool; BRANCHES],
+        meets: impl Fn(&Node) -> LaneMask<BRANCHES>,
         mut visit: impl FnMut(&'a Packet),
     ) {
         if self.nodes.is_empty() {
@@ -182,8 +182,7 @@ impl Bvh {
         while let Some((_, reference)) = stack.pop() {
             if reference & LEAF == 0 {
                 let node = &self.nodes[reference as usize];
-                let distances = meets(node).map(|met| if met { 0.0 } else { f32::INFINITY });
-                stack.push(distances, &node.children);
+                stack.push(meets(node), Children::splat(0.0), &node.children);
             } else if let Some(packet) = self.packet(reference) {
                 visit(packet);
             }

@@ -7,7 +7,7 @@ use ga_runtime::vga3::Vector;
 
 use super::Bvh;
 use super::frame::Frame;
-use super::node::{BRANCHES, Children, LEAF, Node, Stack};
+use super::node::{Children, LEAF, Node, Stack};
 use super::packet::{Packet, WIDTH};
 
 /// Where a ray hits the surface of a mesh.
@@ -248,7 +248,8 @@ impl<'a, V: Visitor<'a>> Work for Traversal<'a, '_, V> {
             }
             if reference & LEAF == 0 {
                 let node = &self.bvh.nodes[reference as usize];
-                stack.push(slabs.distances(node, limit), &node.children);
+                let [enters, leaves] = slabs.interval(node, limit);
+                stack.push(enters.less_or_equal(leaves), enters, &node.children);
             } else {
                 let Some(packet) = self.bvh.packet(reference) else {
                     continue;
@@ -279,15 +280,6 @@ pub(super) struct Slabs {
 }
 
 impl Slabs {
-    /// At which distance from the start the ray enters the box of each child; infinity where it
-    /// misses the box, or enters it beyond the limit.
-    #[inline(always)]
-    fn distances(&self, node: &Node, limit: f32) -> [f32; BRANCHES] {
-        let [enters, leaves] = self.interval(node, limit);
-        let missed = Children::splat(f32::INFINITY);
-        Real::select(enters.less_or_equal(leaves), enters, missed).to_array()
-    }
-
     /// At which distances from the start the ray enters and leaves the box of each child, from zero
     /// to the limit; it misses boxes that it leaves before it enters them.
     #[inline(always)]
@@ -299,9 +291,9 @@ impl Slabs {
             let near = (node.bounds[row] - self.near[axis]) * self.inverse[axis];
             let far = (node.bounds[row ^ 1] - self.far[axis]) * self.inverse[axis];
             enters = enters.max(near);
-            leaves = leaves.min(far * Children::splat(LARGER));
+            leaves = leaves.min(far);
         }
-        [enters, leaves]
+        [enters, leaves * Children::splat(LARGER)]
     }
 
     /// A distance along the ray, from the start, in the coordinates of the frame, rounded up.
@@ -319,6 +311,9 @@ fn entry(
     origin: Vector<f64>,
     direction: Vector<f64>,
 ) -> Option<f64> {
+    // As arrays, since the indices of those are known when the loop is unrolled.
+    let [low, high] = [low.coordinates(), high.coordinates()];
+    let (origin, direction) = (origin.coordinates(), direction.coordinates());
     let (mut enters, mut leaves) = (0.0_f64, f64::INFINITY);
     for axis in 0..3 {
         // More than the rounding errors of the differences below.

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use ga_runtime::cga3::{Plane, Point};
+use ga_runtime::scalar::{LaneMask, Real};
 use ga_runtime::vga3::Vector;
 
 use super::frame::Frame;
@@ -84,7 +85,7 @@ impl Bvh {
         &self,
         support: Vector<f64>,
         normal: Vector<f64>,
-    ) -> impl Fn(&Node) -> [bool; BRANCHES] {
+    ) -> impl Fn(&Node) -> LaneMask<BRANCHES> {
         let support = self.frame.position(support);
         // The point of the plane nearest to the middle of the frame.
         let distance = support.dot(normal);
@@ -100,8 +101,8 @@ impl Bvh {
                 height += (low + high) * half * Children::splat(normal);
                 reach += (high - low) * half * Children::splat(normal.abs());
             }
-            let (height, reach) = (height.to_array(), reach.to_array());
-            std::array::from_fn(|lane| height[lane].abs() <= reach[lane] * 1.000_01)
+            let reach = reach * Children::splat(1.000_01);
+            height.abs().less_or_equal(reach)
         }
     }
 }
