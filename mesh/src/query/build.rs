@@ -70,6 +70,11 @@ pub(super) fn build<P: Copy + Into<Point<f64>>>(
         frame,
         bounds,
         nodes: tree.nodes,
+        screens: tree
+            .packets
+            .iter()
+            .map(|packet| packet.screen(&frame))
+            .collect(),
         packets: tree.packets,
         triangle_count: triangles.len(),
     })

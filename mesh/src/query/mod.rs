@@ -80,7 +80,7 @@ pub use signed_distance::{ClosedSurface, NotClosed};
 
 use frame::Frame;
 use node::{LEAF, Node};
-use packet::Packet;
+use packet::{Packet, Screen};
 
 /// A bounding volume hierarchy over triangles; see the [module](self).
 #[derive(Clone, Debug)]
@@ -90,6 +90,8 @@ pub struct Bvh {
     /// The first one is the root.
     nodes: Vec<Node>,
     packets: Vec<Packet>,
+    /// One for each packet.
+    screens: Vec<Screen>,
     triangle_count: usize,
 }
 

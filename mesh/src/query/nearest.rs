@@ -2,12 +2,12 @@
 
 use ga_runtime::batch::{Batch, Work};
 use ga_runtime::cga3::Point;
-use ga_runtime::scalar::{Mask, Real};
+use ga_runtime::scalar::{Lanes, Mask, Real};
 use ga_runtime::vga3::Vector;
 
 use super::frame::Frame;
 use super::node::{Children, LEAF, Node, Stack};
-use super::packet::{Four, Packet};
+use super::packet::{Packet, Screen, WIDTH};
 use super::{Bvh, QueryError};
 
 /// A point of the surface, and its distance from the point of a query.
@@ -79,11 +79,7 @@ impl Bvh {
         if radius < 0.0 {
             return Ok(None);
         }
-        let mut closest = ClosestVisited {
-            point: splat(position),
-            best: radius * radius,
-            found: None,
-        };
+        let mut closest = ClosestVisited::new(&self.frame, position, radius * radius);
         self.approach(position, radius * radius, &mut closest);
         let found = closest.found;
         Ok(found.map(|(packet, lane, _)| nearest_of(packet, lane, position)))
@@ -110,37 +106,111 @@ impl Bvh {
 /// What is done at the packets whose boxes are near a point.
 pub(super) trait Visitor<'a> {
     /// Visits a packet, and returns the limit of squared distances from then on.
-    fn visit(&mut self, packet: &'a Packet) -> f64;
+    fn visit(&mut self, screen: &Screen, packet: &'a Packet) -> f64;
 }
 
 /// Looks for the nearest point.
 struct ClosestVisited<'a> {
-    point: Vector<Four>,
+    point: Vector<f64>,
+    /// The point in the frame, and a bound of its errors.
+    position: Vector<Single>,
+    error: f32,
+    scale: f64,
+    /// The limit of squared distances for screens.
+    limit: f32,
     /// The least squared distance.
     best: f64,
     /// The packet, the lane and the triangle.
     found: Option<(&'a Packet, usize, u32)>,
 }
 
+impl ClosestVisited<'_> {
+    #[inline(always)]
+    fn new(frame: &Frame, point: Vector<f64>, best: f64) -> Self {
+        let ([x, y, z], error) = Frame::rounded(frame.position(point), 0.0);
+        let mut closest = Self {
+            point,
+            position: Vector::new(Single::splat(x), Single::splat(y), Single::splat(z)),
+            error,
+            scale: frame.scale,
+            limit: f32::INFINITY,
+            best,
+            found: None,
+        };
+        closest.set_best(best);
+        closest
+    }
+
+    #[inline(always)]
+    fn set_best(&mut self, square: f64) {
+        self.best = square;
+        // Several times the rounding errors of offsets, which are sums and differences of a few
+        // positions.
+        let reach = ((square.sqrt() * self.scale) as f32 + 8.0 * self.error) * LARGER;
+        self.limit = reach * reach * LARGER;
+    }
+}
+
 impl<'a> Visitor<'a> for ClosestVisited<'a> {
     #[inline(always)]
-    fn visit(&mut self, packet: &'a Packet) -> f64 {
-        let squares = closest(self.point, packet.vectors()).square;
-        let is_near = squares.less_or_equal(Four::splat(self.best));
-        if !is_near.any() {
+    fn visit(&mut self, screen: &Screen, packet: &'a Packet) -> f64 {
+        let is_far = Single::splat(self.limit).less_than(screen.squares(self.position));
+        if is_far.all() {
             return self.best;
         }
-        for (lane, square) in squares.to_array().into_iter().enumerate() {
+        for (lane, is_far) in is_far.to_array().into_iter().enumerate() {
+            if is_far {
+                continue;
+            }
+            let square = closest(self.point, packet.triangle(lane)).square;
             let triangle = packet.triangles[lane];
             if square <= self.best
                 && (square < self.best || self.found.is_none_or(|(_, _, other)| triangle < other))
             {
-                self.best = square;
+                self.set_best(square);
                 self.found = Some((packet, lane, triangle));
             }
         }
         self.best
     }
+}
+
+/// One number in single precision for each triangle of a packet.
+type Single = Lanes<f32, WIDTH>;
+
+impl Screen {
+    /// The squared distances of the triangles from a point, or a little less.
+    #[inline(always)]
+    fn squares(&self, point: Vector<Single>) -> Single {
+        let [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] = self.corners;
+        let a = Vector::new(ax, ay, az);
+        let (ab, ac) = (Vector::new(bx, by, bz) - a, Vector::new(cx, cy, cz) - a);
+        let (ap, bc) = (point - a, ac - ab);
+        let (ab_square, ac_square) = (ab.dot(ab), ac.dot(ac));
+        let edges = square_to_segment(ap, ab, ab_square)
+            .min(square_to_segment(ap, ac, ac_square))
+            .min(square_to_segment(ap - ab, bc, bc.dot(bc)));
+
+        let normal = ab.cross(ac);
+        let [v, w] = [ap.cross(ac).dot(normal), ab.cross(ap).dot(normal)];
+        let whole = normal.dot(normal);
+        let height = ap.dot(normal);
+        // The foot of the perpendicular lies inside where the least area is positive.
+        let is_inside = Single::splat(0.0).less_than(v.min(w).min(whole - v - w));
+        let square = Real::select(is_inside, height * height / whole, edges);
+        // The height has an error of 2⁻¹⁶ of the distance from the corner, as the normal has; twice
+        // as much is allowed for.
+        let margin = Single::splat(1.0 / (1 << 14) as f32);
+        square - margin * (ap.dot(ap) + ab_square + ac_square)
+    }
+}
+
+/// The squared distance from a segment, which runs from the origin and has this squared length.
+#[inline(always)]
+fn square_to_segment(point: Vector<Single>, segment: Vector<Single>, square: Single) -> Single {
+    let part = Single::splat(0.0).max(point.dot(segment) / square);
+    let offset = point - segment * part.min(Single::splat(1.0));
+    offset.dot(offset)
 }
 
 /// A visit of the packets whose boxes are near a point.
@@ -184,10 +254,12 @@ impl<'a, V: Visitor<'a>> Work for Approach<'a, '_, V> {
                 let is_near = squares.less_or_equal(Children::splat(limit.min(f32::MAX)));
                 stack.push(is_near, squares, &node.children);
             } else {
-                let Some(packet) = bvh.packet(reference) else {
+                let index = (reference ^ LEAF) as usize;
+                let (Some(screen), Some(packet)) = (bvh.screens.get(index), bvh.packets.get(index))
+                else {
                     continue;
                 };
-                limit = rounded(self.visitor.visit(packet));
+                limit = rounded(self.visitor.visit(screen, packet));
             }
         }
     }
@@ -214,12 +286,6 @@ impl Reach {
         }
         sum
     }
-}
-
-/// The same vector for each triangle of a packet.
-#[inline(always)]
-fn splat(v: Vector<f64>) -> Vector<Four> {
-    Vector::new(Four::splat(v.e1), Four::splat(v.e2), Four::splat(v.e3))
 }
 
 /// The point of a triangle that is nearest to a point.

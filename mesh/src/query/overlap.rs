@@ -8,7 +8,7 @@ use ga_runtime::vga3::Vector;
 use super::frame::{rounded_down, rounded_up};
 use super::nearest::{Visitor, nearest_of};
 use super::node::{BRANCHES, Children, LEAF, Node, Stack};
-use super::packet::Packet;
+use super::packet::{Packet, Screen};
 use super::{Bvh, Nearest, QueryError};
 
 /// Where a line crosses the surface.
@@ -199,7 +199,7 @@ struct Ball {
 
 impl<'a> Visitor<'a> for Ball {
     #[inline(always)]
-    fn visit(&mut self, packet: &'a Packet) -> f64 {
+    fn visit(&mut self, _: &Screen, packet: &'a Packet) -> f64 {
         let near = packet
             .lanes()
             .map(|lane| nearest_of(packet, lane, self.centre));
@@ -214,7 +214,7 @@ struct Shell(Ball);
 
 impl<'a> Visitor<'a> for Shell {
     #[inline(always)]
-    fn visit(&mut self, packet: &'a Packet) -> f64 {
+    fn visit(&mut self, _: &Screen, packet: &'a Packet) -> f64 {
         let Self(Ball {
             centre,
             radius,
