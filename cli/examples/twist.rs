@@ -1,5 +1,6 @@
-//! The candy-wrapper test of skinning: a cylinder with two joints, of which the upper one is rotated
-//! about the axis. Linear blend of matrices above, blend of motors below, at 0°, 60°, 120° and 180°.
+//! The candy-wrapper test of skinning: a cylinder with two joints, of which the upper one is
+//! rotated about the axis. Linear blend of matrices above, blend of motors below, at 0°, 60°, 120°
+//! and 180°.
 //!
 //! `cargo run --release -p nullcone --example twist -- docs/pictures/twist.png`
 

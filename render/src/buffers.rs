@@ -13,7 +13,8 @@ use crate::{Camera, RenderError, Scene, Vector};
 /// What is seen at the centre of each pixel of a picture: which triangle, where, how far away.
 ///
 /// There is no anti-aliasing: every number is that of one place of one surface, which may be a
-/// transparent one. The ground, lines, dots and bones are not included. Each buffer is made when it is asked for.
+/// transparent one. The ground, lines, dots and bones are not included. Each buffer is made when it
+/// is asked for.
 ///
 /// ```
 /// use ga_render::{Buffers, Camera, Scene};

@@ -26,8 +26,8 @@ fn square(material: Material) -> Mesh {
         .unwrap()
 }
 
-/// For the middle of each of 8 × 8 pixels the texture coordinates of the mesh, and where the texture
-/// of the base colour is read.
+/// For the middle of each of 8 × 8 pixels the texture coordinates of the mesh, and where the
+/// texture of the base colour is read.
 fn seen(mesh: &Mesh) -> Vec<([f64; 2], [f64; 2])> {
     let model = Model::from_mesh(mesh, None).unwrap();
     let angle = 2.0 * (1f64 / 20.0).atan();
