@@ -1,5 +1,6 @@
 //! The crossing of a line that is nearest to a point of it.
 
+use ga_runtime::batch::{Batch, Work};
 use ga_runtime::cga3::Point;
 use ga_runtime::geometry::ray::Ray;
 use ga_runtime::scalar::{Lanes, Real};
@@ -29,9 +30,36 @@ impl Bvh {
         direction: Vector<f64>,
         reach: f64,
     ) -> Option<LineHit> {
-        let start = Point::from(point - direction * reach);
-        let ray = Ray::new_unchecked(start, direction.into());
-        let slabs = self.slabs(ray)?;
+        let mut found = None;
+        Batch::new().run(NearestCrossing {
+            bvh: self,
+            point,
+            direction,
+            reach,
+            found: &mut found,
+        });
+        found
+    }
+}
+
+/// A search for the nearest crossing.
+struct NearestCrossing<'a> {
+    bvh: &'a Bvh,
+    point: Vector<f64>,
+    direction: Vector<f64>,
+    reach: f64,
+    found: &'a mut Option<LineHit>,
+}
+
+impl Work for NearestCrossing<'_> {
+    #[inline(always)]
+    fn run(self) {
+        let Self { bvh, reach, .. } = self;
+        let start = Point::from(self.point - self.direction * reach);
+        let ray = Ray::new_unchecked(start, self.direction.into());
+        let Some(slabs) = bvh.slabs(ray) else {
+            return;
+        };
         let test = ray.triangle_test();
         let middle = ((reach - slabs.skipped) * slabs.scale) as f32;
         // Distances from the middle, rounded up.
@@ -45,7 +73,7 @@ impl Bvh {
                 continue;
             }
             if reference & LEAF == 0 {
-                let node = &self.nodes[reference as usize];
+                let node = &bvh.nodes[reference as usize];
                 let [enters, leaves] = slabs.interval(node, middle + limit);
                 let centre = Children::splat(middle);
                 let zero = Children::splat(0.0);
@@ -55,7 +83,7 @@ impl Bvh {
                 stack.push(is_met, distance, &node.children);
                 continue;
             }
-            let Some(packet) = self.packet(reference) else {
+            let Some(packet) = bvh.packet(reference) else {
                 continue;
             };
             let crossing = test.crossing(&packet.corners);
@@ -85,6 +113,6 @@ impl Bvh {
             }
             limit = rounded(best);
         }
-        found
+        *self.found = found;
     }
 }
