@@ -84,7 +84,8 @@ pub struct PoseFitReport {
 /// ```
 ///
 /// A joint whose step would leave its limits is clamped, and the step is computed anew without what
-/// took it there.
+/// took it there. The result keeps to the limits and is never worse than the start. Where joints
+/// end at their limits, it may stop short of the least sum.
 ///
 /// What the places do not determine, such as the twist of a bone with nothing beside it, stays as
 /// in the pose that the search starts from: no step has a part in such a direction.

@@ -73,12 +73,18 @@ impl JointMap {
     #[must_use]
     pub fn by_names(source: &Bvh, target: &Skeleton) -> Self {
         let joints = target.joints();
-        let mut source_of: Vec<Option<usize>> = joints
-            .iter()
-            .map(|joint| source.index(&joint.name))
-            .collect();
         let there = parts(source.joints().iter().map(|joint| joint.name.as_str()));
         let here = parts(joints.iter().map(|joint| joint.name.as_str()));
+        // A shoulder may be a clavicle in one and an upper arm in the other.
+        let means_the_same = |joint: usize, found: usize| {
+            part_of(&here, joint)
+                .is_none_or(|part| part_of(&there, found).is_none_or(|other| part == other))
+        };
+        let by_name = joints.iter().enumerate().map(|(joint, rest)| {
+            let found = source.index(&rest.name)?;
+            means_the_same(joint, found).then_some(found)
+        });
+        let mut source_of: Vec<Option<usize>> = by_name.collect();
         for (meaning, targets) in &here {
             let Some(sources) = there.get(meaning) else {
                 continue;
@@ -128,6 +134,16 @@ impl JointMap {
         &self.source_of
     }
 }
+
+/// The part that a joint belongs to.
+fn part_of(parts: &HashMap<Meaning, Vec<usize>>, joint: usize) -> Option<Meaning> {
+    let mut parts = parts.iter();
+    let found = parts.find(|(_, joints)| joints.contains(&joint));
+    found.map(|(&meaning, _)| meaning)
+}
+
+/// A part of the body and its side.
+type Meaning = (Part, Option<Side>);
 
 /// The joints of each part of a body, from the root on.
 fn parts<'a>(names: impl Iterator<Item = &'a str>) -> HashMap<(Part, Option<Side>), Vec<usize>> {
