@@ -2,7 +2,7 @@
 
 use ga_runtime::batch::{Batch, Work};
 use ga_runtime::cga3::Point;
-use ga_runtime::scalar::{Lanes, Mask, Real};
+use ga_runtime::scalar::Real;
 use ga_runtime::vga3::Vector;
 
 use super::frame::Frame;
@@ -113,7 +113,7 @@ pub(super) trait Visitor<'a> {
 struct ClosestVisited<'a> {
     point: Vector<f64>,
     /// The point in the frame, and a bound of its errors.
-    position: Vector<Single>,
+    position: Vector<f32>,
     error: f32,
     scale: f64,
     /// The limit of squared distances for screens.
@@ -130,7 +130,7 @@ impl ClosestVisited<'_> {
         let ([x, y, z], error) = Frame::rounded(frame.position(point), 0.0);
         let mut closest = Self {
             point,
-            position: Vector::new(Single::splat(x), Single::splat(y), Single::splat(z)),
+            position: Vector::new(x, y, z),
             error,
             scale: frame.scale,
             limit: f32::INFINITY,
@@ -154,12 +154,16 @@ impl ClosestVisited<'_> {
 impl<'a> Visitor<'a> for ClosestVisited<'a> {
     #[inline(always)]
     fn visit(&mut self, screen: &Screen, packet: &'a Packet) -> f64 {
-        let is_far = Single::splat(self.limit).less_than(screen.squares(self.position));
-        if is_far.all() {
-            return self.best;
+        let squares = screen.squares(self.position);
+        let mut rest = 0_u32;
+        for (lane, square) in squares.into_iter().enumerate() {
+            // Not "below the limit", since a square that is NaN decides nothing.
+            rest |= u32::from(!self.limit.less_than(square)) << lane;
         }
-        for (lane, is_far) in is_far.to_array().into_iter().enumerate() {
-            if is_far {
+        while rest != 0 {
+            let lane = rest.trailing_zeros() as usize % WIDTH;
+            rest &= rest - 1;
+            if self.limit.less_than(squares[lane]) {
                 continue;
             }
             let square = closest(self.point, packet.triangle(lane)).square;
@@ -175,41 +179,54 @@ impl<'a> Visitor<'a> for ClosestVisited<'a> {
     }
 }
 
-/// One number in single precision for each triangle of a packet.
-type Single = Lanes<f32, WIDTH>;
-
 impl Screen {
     /// The squared distances of the triangles from a point, or a little less.
     #[inline(always)]
-    fn squares(&self, point: Vector<Single>) -> Single {
-        let [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] = self.corners;
-        let a = Vector::new(ax, ay, az);
-        let (ab, ac) = (Vector::new(bx, by, bz) - a, Vector::new(cx, cy, cz) - a);
-        let (ap, bc) = (point - a, ac - ab);
-        let (ab_square, ac_square) = (ab.dot(ab), ac.dot(ac));
-        let edges = square_to_segment(ap, ab, ab_square)
-            .min(square_to_segment(ap, ac, ac_square))
-            .min(square_to_segment(ap - ab, bc, bc.dot(bc)));
-
-        let normal = ab.cross(ac);
-        let [v, w] = [ap.cross(ac).dot(normal), ab.cross(ap).dot(normal)];
-        let whole = normal.dot(normal);
-        let height = ap.dot(normal);
-        // The foot of the perpendicular lies inside where the least area is positive.
-        let is_inside = Single::splat(0.0).less_than(v.min(w).min(whole - v - w));
-        let square = Real::select(is_inside, height * height / whole, edges);
-        // The height has an error of 2⁻¹⁶ of the distance from the corner, as the normal has; twice
-        // as much is allowed for.
-        let margin = Single::splat(1.0 / (1 << 14) as f32);
-        square - margin * (ap.dot(ap) + ab_square + ac_square)
+    fn squares(&self, point: Vector<f32>) -> [f32; WIDTH] {
+        let mut squares = [0.0; WIDTH];
+        // A loop over single numbers is compiled to vector instructions as a whole; operations on
+        // lanes, one after the other, are too many here for the compiler to keep them together.
+        for (lane, square) in squares.iter_mut().enumerate() {
+            let [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] = &self.corners;
+            *square = screened(
+                point,
+                Vector::new(ax[lane], ay[lane], az[lane]),
+                Vector::new(bx[lane], by[lane], bz[lane]),
+                Vector::new(cx[lane], cy[lane], cz[lane]),
+            );
+        }
+        squares
     }
+}
+
+/// The squared distance of a triangle from a point, or a little less.
+#[inline(always)]
+fn screened(point: Vector<f32>, a: Vector<f32>, b: Vector<f32>, c: Vector<f32>) -> f32 {
+    let (ab, ac, ap) = (b - a, c - a, point - a);
+    let bc = ac - ab;
+    let (ab_square, ac_square) = (ab.dot(ab), ac.dot(ac));
+    let to_ab = square_to_segment(ap, ab, ab_square);
+    let to_ac = square_to_segment(ap, ac, ac_square);
+    let to_bc = square_to_segment(ap - ab, bc, bc.dot(bc));
+    let to_edges = Real::min(Real::min(to_ab, to_ac), to_bc);
+
+    let normal = ab.cross(ac);
+    let (v, w) = (ap.cross(ac).dot(normal), ab.cross(ap).dot(normal));
+    let whole = normal.dot(normal);
+    let height = ap.dot(normal);
+    // The foot of the perpendicular lies inside where the least area is positive.
+    let is_inside = 0.0 < Real::min(Real::min(v, w), whole - v - w);
+    let square = Real::select(is_inside, height * height / whole, to_edges);
+    // The height has an error of 2⁻¹⁶ of the distance from the corner, as the normal has; twice as
+    // much is allowed for.
+    square - (ap.dot(ap) + ab_square + ac_square) * (1.0 / (1 << 14) as f32)
 }
 
 /// The squared distance from a segment, which runs from the origin and has this squared length.
 #[inline(always)]
-fn square_to_segment(point: Vector<Single>, segment: Vector<Single>, square: Single) -> Single {
-    let part = Single::splat(0.0).max(point.dot(segment) / square);
-    let offset = point - segment * part.min(Single::splat(1.0));
+fn square_to_segment(point: Vector<f32>, segment: Vector<f32>, square: f32) -> f32 {
+    let part = Real::min(Real::max(0.0, point.dot(segment) / square), 1.0);
+    let offset = point - segment * part;
     offset.dot(offset)
 }
 
