@@ -6,6 +6,7 @@ mod checks;
 mod commands;
 mod failure;
 mod figure;
+mod figure_file;
 mod model;
 mod output;
 mod overlay;

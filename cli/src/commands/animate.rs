@@ -7,12 +7,10 @@ use anyhow::{Context, Result, bail, ensure};
 use ga_anim::bvh::{self, Bvh};
 use ga_anim::clip::Clip;
 use ga_anim::retarget::{JointMap, Retarget, Soles};
-use ga_anim::rig;
-use ga_mesh::Mesh;
-use ga_mesh::obj;
 
 use crate::checks::distance;
 use crate::figure::Figure;
+use crate::figure_file;
 use crate::pipeline::{self, OutputArguments, Performance, perform};
 use crate::progress::Progress;
 use crate::recording::begins_with_calibration;
@@ -31,14 +29,23 @@ use crate::storyboard::{self, Numbering, Storyboard};
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct Arguments {
     /// The mesh: Wavefront OBJ, y up, looking along +z, standing upright.
-    #[arg(long, value_name = "FILE.obj")]
-    mesh: PathBuf,
+    #[arg(long, value_name = "FILE.obj", required_unless_present = "character")]
+    mesh: Option<PathBuf>,
     /// The skeleton: JSON as MakeHuman's rigs for Blender.
-    #[arg(long, value_name = "FILE.json")]
-    rig: PathBuf,
+    #[arg(long, value_name = "FILE.json", required_unless_present = "character")]
+    rig: Option<PathBuf>,
     /// The skin weights: JSON as MakeHuman's, for all vertices of the mesh.
-    #[arg(long, value_name = "FILE.json")]
-    weights: PathBuf,
+    #[arg(long, value_name = "FILE.json", required_unless_present = "character")]
+    weights: Option<PathBuf>,
+    /// The figure in one file, in place of mesh, rig and weights: glTF 2.0 (.glb or .gltf), y up.
+    ///
+    /// The figure is all meshes with a skin, as they stand without an animation.
+    #[arg(
+        long,
+        value_name = "FILE.glb",
+        conflicts_with_all = ["mesh", "rig", "weights", "group"]
+    )]
+    character: Option<PathBuf>,
     /// The motion: BVH, y up, in any unit.
     #[arg(long, value_name = "FILE.bvh")]
     motion: PathBuf,
@@ -73,20 +80,25 @@ pub(crate) struct Arguments {
     /// joints.
     #[arg(long, value_name = "NAME")]
     group: Option<String>,
-    /// The length of one unit of the mesh in metres. MakeHuman's unit is the decimetre.
-    #[arg(
-        long,
-        value_name = "N",
-        default_value_t = 0.1,
-        allow_negative_numbers = true
-    )]
-    metres_per_unit: f64,
+    /// The length of one unit of the mesh in metres; by default 1 for --character, otherwise 0.1,
+    /// since MakeHuman's unit is the decimetre.
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    metres_per_unit: Option<f64>,
     #[command(flatten)]
     output: OutputArguments,
 }
 
-/// The group of the person in MakeHuman's meshes.
-const BODY: &str = "body";
+impl Arguments {
+    fn metres_per_unit(&self) -> f64 {
+        let default = if self.character.is_some() { 1.0 } else { 0.1 };
+        self.metres_per_unit.unwrap_or(default)
+    }
+
+    /// The file of the skeleton.
+    fn rig(&self) -> Option<&Path> {
+        self.character.as_deref().or(self.rig.as_deref())
+    }
+}
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let begin = Instant::now();
@@ -117,10 +129,14 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let spans = storyboard::spans_of_recording(&retargeted.clip);
     let storyboard = Storyboard::new(&retargeted.clip, &spans, numbering);
     let motion_name = file_name(&arguments.motion);
+    let figure_file = |part: &Option<PathBuf>| {
+        let path = arguments.character.as_ref().or(part.as_ref());
+        path.map(|path| file_name(path)).unwrap_or_default()
+    };
     let input = Input {
-        mesh: file_name(&arguments.mesh),
-        rig: file_name(&arguments.rig),
-        weights: file_name(&arguments.weights),
+        mesh: figure_file(&arguments.mesh),
+        rig: figure_file(&arguments.rig),
+        weights: figure_file(&arguments.weights),
         motion: MotionInput {
             name: motion_name.clone(),
             joints: motion.joints().len(),
@@ -144,9 +160,9 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         ),
         figure,
         group,
-        metres_per_unit: arguments.metres_per_unit,
+        metres_per_unit: arguments.metres_per_unit(),
         clip,
-        clip_name: stem(&arguments.motion),
+        clip_name: figure_file::stem(&arguments.motion),
     };
     perform(&performance, &arguments.output, progress, begin, quiet)
 }
@@ -157,7 +173,7 @@ fn check_numbers(arguments: &Arguments) -> Result<()> {
         fps > 0.0 && fps <= 1000.0,
         "--fps {fps}: the number of frames per second must be greater than 0 and at most 1000"
     );
-    let unit = arguments.metres_per_unit;
+    let unit = arguments.metres_per_unit();
     ensure!(
         unit > 0.0 && unit.is_finite(),
         "--metres-per-unit {unit}: the length of a unit must be greater than 0 and finite"
@@ -170,55 +186,21 @@ fn check_numbers(arguments: &Arguments) -> Result<()> {
 
 /// The figure in metres, and the group of the mesh that it is.
 fn figure(arguments: &Arguments) -> Result<(Figure, Option<String>)> {
-    let unit = arguments.metres_per_unit;
-    let mesh = obj::read(&arguments.mesh)?;
-    let skeleton = rig::read(&arguments.rig)?;
-    let weights = rig::read_weights(&arguments.weights, &skeleton, mesh.vertex_count())?;
-    let in_metres = || format!("{} with {unit} metres a unit", arguments.mesh.display());
-    let scaled = mesh.scaled(unit).with_context(in_metres)?;
-    let skeleton = skeleton.scaled(unit).with_context(in_metres)?;
-    let name = stem(&arguments.mesh);
-    let group = group(arguments, &mesh)?;
-    let (mesh, weights) = match group.as_deref().and_then(|group| scaled.part(group)) {
-        Some(part) => {
-            let selected = weights.select(&part.vertices);
-            let weights = selected.context("the group has vertices that the mesh does not have")?;
-            (part.mesh, weights)
-        }
-        None => (scaled, weights),
-    };
-    let figure = Figure {
-        name,
-        mesh,
-        skeleton,
-        weights,
-        paint: None,
-    };
-    Ok((figure, group))
-}
-
-fn group(arguments: &Arguments, mesh: &Mesh) -> Result<Option<String>> {
-    let Some(group) = &arguments.group else {
-        return Ok(mesh.group(BODY).map(|group| group.name.clone()));
-    };
-    if mesh.group(group).is_none() {
-        const SHOWN: usize = 8;
-        let groups = mesh.groups();
-        let mut names: Vec<&str> = groups.iter().map(|group| group.name.as_str()).collect();
-        names.truncate(SHOWN);
-        let more = groups.len().saturating_sub(SHOWN);
-        bail!(
-            "{} has no group {group:?}; its groups are: {}{}",
-            arguments.mesh.display(),
-            names.join(", "),
-            if more > 0 {
-                format!(" and {more} more")
-            } else {
-                String::new()
-            }
-        );
+    let unit = arguments.metres_per_unit();
+    match arguments {
+        Arguments {
+            character: Some(path),
+            ..
+        } => Ok((figure_file::from_gltf(path, unit)?, None)),
+        Arguments {
+            mesh: Some(mesh),
+            rig: Some(rig),
+            weights: Some(weights),
+            group,
+            ..
+        } => figure_file::from_obj(mesh, rig, weights, group.as_deref(), unit),
+        _ => bail!("--mesh, --rig and --weights, or --character, are needed"),
     }
-    Ok(Some(group.clone()))
 }
 
 /// A range of frames of the motion, both ends included.
@@ -266,7 +248,7 @@ fn retarget(
         format!(
             "{} cannot move {}",
             arguments.motion.display(),
-            arguments.rig.display()
+            arguments.rig().unwrap_or(Path::new("the figure")).display()
         )
     };
     let soles = Soles::of_mesh(figure.mesh.positions(), &figure.weights).with_context(onto)?;
@@ -299,11 +281,5 @@ fn deviation(figure: &Figure, recorded: &Clip, storyboard: &Storyboard) -> Resul
 /// The name of a file without its folders, which differ from machine to machine.
 fn file_name(path: &Path) -> String {
     let name = path.file_name().unwrap_or(path.as_os_str());
-    name.to_string_lossy().into_owned()
-}
-
-/// The name of a file without folders and extension.
-fn stem(path: &Path) -> String {
-    let name = path.file_stem().unwrap_or(path.as_os_str());
     name.to_string_lossy().into_owned()
 }

@@ -307,3 +307,53 @@ fn a_real_recording_moves_a_real_figure() {
     assert_eq!(number(&start, "/input/motion/first_frame"), 1.0);
     assert_eq!(start["input"]["motion"]["calibration_frame_left_out"], true);
 }
+
+/// A file that the program wrote is a character again, and moves in the same way.
+#[test]
+fn a_character_from_gltf_moves_as_its_parts_do() {
+    let folder = boxes();
+    let range = ["--from", "2", "--to", "20", "--fps", "20"];
+    assert_success(&animate(folder.path(), &range));
+    let first = track(&folder.path().join("out/model.glb"), "hips");
+    let arguments = [
+        "animate",
+        "--character",
+        "out/model.glb",
+        "--motion",
+        "motion.bvh",
+    ];
+    let again = ["--out", "again"];
+    let output = nullcone(folder.path(), arguments.iter().chain(&range).chain(&again));
+    assert_success(&output);
+    let second = track(&folder.path().join("again/model.glb"), "hips");
+    assert_eq!(first.0, second.0);
+    for (a, b) in first.1.iter().zip(&second.1) {
+        for axis in 0..3 {
+            assert!((a[axis] - b[axis]).abs() < 1e-4, "{a:?} {b:?}");
+        }
+    }
+}
+
+#[test]
+fn a_character_excludes_a_mesh_and_needs_a_skin() {
+    let folder = boxes();
+    let both = animate(folder.path(), &["--character", "model.glb"]);
+    assert!(!both.status.success());
+    let glb = ["mesh", "convert", "mesh.obj", "plain.glb"];
+    assert_success(&nullcone(folder.path(), glb.iter()));
+    let arguments = [
+        "animate",
+        "--character",
+        "plain.glb",
+        "--motion",
+        "motion.bvh",
+    ];
+    let output = nullcone(folder.path(), arguments.iter());
+    assert!(!output.status.success());
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(
+        message.contains("plain.glb: no node has a skin"),
+        "{message}"
+    );
+    assert!(!folder.path().join("out").exists());
+}
