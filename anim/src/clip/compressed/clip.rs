@@ -12,8 +12,8 @@ use crate::transform::Transform;
 
 /// A clip whose errors stay within a bound on every frame, in few bytes.
 ///
-/// Reading one unpacks the trends of its channels, which takes about as much memory as the file
-/// again; residuals stay packed. [`Sampler`](super::Sampler) decodes its frames.
+/// Reading one unpacks the trends of its channels to floats and the residuals to whole bytes, which
+/// takes a few times as much memory as the file. [`Sampler`](super::Sampler) decodes its frames.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CompressedClip {
     bytes: Vec<u8>,

@@ -3,8 +3,10 @@
 use std::collections::HashMap;
 
 use super::basis::{Basis, SEGMENT, TERMS};
+use super::bits::BitReader;
 use super::layout::{JointLayout, Part, coefficients, double_rotor};
 use super::pack::{Segment, frames_of};
+use super::piece::Piece;
 use ga_runtime::cga3::Rotor;
 use ga_runtime::vga3::Vector;
 
@@ -17,12 +19,15 @@ pub(super) type Block = [f32; LANES];
 /// Eight channels in a segment: their trends, and where their residuals are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct ChannelBlock {
-    pub(super) terms: [Block; TERMS],
-    pub(super) step: Block,
-    /// Where each residual begins, in bits from the begin of its frame.
-    pub(super) offsets: [u32; LANES],
-    /// The bits of each residual, as many ones.
-    pub(super) masks: [u32; LANES],
+    /// Its first row in [`Tables::rows`]: what residuals are multiplied by, the constant terms,
+    /// then the higher terms of the trends.
+    pub(super) row: u32,
+    /// How many higher terms there are.
+    pub(super) terms: u8,
+    /// The bytes of a residual: 0, 1, 2 or 4.
+    pub(super) width: u8,
+    /// Where the residuals begin, in bytes from the begin of a frame.
+    pub(super) offset: u32,
 }
 
 /// Eight joints that rotate: the rotor at B = 0, and what each channel of B adds to it. By
@@ -54,8 +59,8 @@ pub(super) struct VectorChannels {
 pub(super) struct SegmentTable {
     /// Where its residuals begin, in bytes.
     pub(super) begin: usize,
-    /// How many bits those of a frame take.
-    pub(super) frame_bits: usize,
+    /// How many bytes those of a frame take.
+    pub(super) frame_bytes: usize,
 }
 
 /// The tables of a clip. The values of a frame are in blocks: for each block of rotating joints one
@@ -75,9 +80,10 @@ pub(super) struct Tables {
     pub(super) blocks: usize,
     /// By segment, then by block.
     pub(super) segment_blocks: Vec<ChannelBlock>,
+    pub(super) rows: Vec<Block>,
     pub(super) segments: Vec<SegmentTable>,
-    /// The residuals of all segments and a few bytes behind them, so that a word can be read at any
-    /// place.
+    /// The residuals by segment, frame and lane, in whole bytes: to read eight at once is faster
+    /// than to shift each out of its bits.
     pub(super) residuals: Vec<u8>,
     /// The values of the orthogonal polynomials by frame, for whole segments and for the last one.
     pub(super) bases: [Vec<[f32; TERMS]>; 2],
@@ -178,50 +184,78 @@ impl Tables {
             rotating,
             rotors,
             segment_blocks: Vec::new(),
+            rows: Vec::new(),
             segments: Vec::new(),
             residuals: Vec::new(),
             bases: [SEGMENT, frames_of(segments.len().saturating_sub(1), frames)].map(by_frame),
         };
-        for segment in segments {
-            tables.push(segment, &lanes);
+        for (index, segment) in segments.iter().enumerate() {
+            tables.push(segment, &lanes, frames_of(index, frames));
         }
-        tables.residuals.extend([0; 8]);
         tables
     }
 
-    fn push(&mut self, segment: &Segment, lanes: &[usize]) {
-        let empty = ChannelBlock {
-            terms: [[0.0; LANES]; TERMS],
-            step: [0.0; LANES],
-            offsets: [0; LANES],
-            masks: [0; LANES],
-        };
-        let begin = self.segment_blocks.len();
-        self.segment_blocks.resize(begin + self.blocks, empty);
-        let mut offset = 0;
+    fn push(&mut self, segment: &Segment, lanes: &[usize], frames: usize) {
+        let mut by_lane: Vec<[Option<&Piece>; LANES]> = vec![[None; LANES]; self.blocks];
         for (piece, &lane) in segment.pieces.iter().zip(lanes) {
-            let block = &mut self.segment_blocks[begin + lane / LANES];
-            let lane = lane % LANES;
+            by_lane[lane / LANES][lane % LANES] = Some(piece);
+        }
+        let first = self.segment_blocks.len();
+        let mut offset = 0;
+        for pieces in by_lane {
+            let block = self.push_block(pieces, offset);
+            offset += u32::from(block.width) * LANES as u32;
+            self.segment_blocks.push(block);
+        }
+        let (begin, frame_bytes) = (self.residuals.len(), offset as usize);
+        self.segments.push(SegmentTable { begin, frame_bytes });
+
+        self.residuals.resize(begin + frames * frame_bytes, 0);
+        let blocks = &self.segment_blocks[first..];
+        let mut reader = BitReader::new(&segment.residuals);
+        for frame in 0..frames {
+            let bytes = &mut self.residuals[begin + frame * frame_bytes..][..frame_bytes];
+            for (piece, &lane) in segment.pieces.iter().zip(lanes) {
+                let residual = reader.bits(piece.bits.into()).unwrap_or(0).to_le_bytes();
+                let (block, width) = (blocks[lane / LANES], blocks[lane / LANES].width as usize);
+                let at = block.offset as usize + lane % LANES * width;
+                bytes[at..at + width].copy_from_slice(&residual[..width]);
+            }
+        }
+    }
+
+    /// Appends the rows of a block.
+    fn push_block(&mut self, pieces: [Option<&Piece>; LANES], offset: u32) -> ChannelBlock {
+        let row = self.rows.len();
+        let present = || pieces.iter().flatten();
+        let terms = present().map(|piece| piece.terms).max().unwrap_or(0).max(1);
+        self.rows.resize(row + 1 + usize::from(terms), [0.0; LANES]);
+        for (lane, piece) in pieces.iter().enumerate() {
+            let Some(piece) = piece else { continue };
             let (quantum, step) = (piece.quantum(), piece.step());
-            for (term, block) in block.terms.iter_mut().enumerate() {
+            self.rows[row][lane] = step as f32;
+            for (term, values) in self.rows[row + 1..].iter_mut().enumerate() {
                 // B₀ is 1, so the constant term takes what is subtracted from the residual.
                 let shift = if term == 0 {
                     piece.middle() * step
                 } else {
                     0.0
                 };
-                block[lane] = (f64::from(piece.coefficients[term]) * quantum - shift) as f32;
+                values[lane] = (f64::from(piece.coefficients[term]) * quantum - shift) as f32;
             }
-            block.step[lane] = step as f32;
-            block.offsets[lane] = offset;
-            block.masks[lane] = (1 << piece.bits) - 1;
-            offset += u32::from(piece.bits);
         }
-        self.segments.push(SegmentTable {
-            begin: self.residuals.len(),
-            frame_bits: segment.frame_bits(),
-        });
-        self.residuals.extend_from_slice(&segment.residuals);
+        let width = match present().map(|piece| piece.bits).max().unwrap_or(0) {
+            0 => 0,
+            1..=8 => 1,
+            9..=16 => 2,
+            _ => 4,
+        };
+        ChannelBlock {
+            row: row as u32,
+            terms: terms - 1,
+            width,
+            offset,
+        }
     }
 }
 

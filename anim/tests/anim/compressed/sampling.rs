@@ -51,7 +51,7 @@ proptest! {
         };
         let (from, to, between) = (at(0.0), at(1.0), at(t));
         let truth = from.slerp(to, t);
-        prop_assert!(between.angle_between(truth) < 1e-3);
+        prop_assert!(between.angle_between(truth) < 2e-6);
         let half = at(0.5);
         prop_assert!(half.angle_between(from.slerp(to, 0.5)) < 2e-6);
     }
