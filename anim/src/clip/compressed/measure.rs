@@ -32,6 +32,8 @@ pub struct Measured {
     /// The greatest error half-way between two frames, in metres, against rotations by slerp and
     /// linear translations and factors between the frames of the recording.
     pub half_frame_error: f64,
+    /// The greatest error half-way between two frames, divided by the joint's tolerance.
+    pub half_frame_ratio: f64,
     /// The greatest deviation of a scalar track in a frame.
     pub track_error: f64,
 }
@@ -42,6 +44,7 @@ const NOTHING: Measured = Measured {
     frame: 0,
     ratio: 0.0,
     half_frame_error: 0.0,
+    half_frame_ratio: 0.0,
     track_error: 0.0,
 };
 
@@ -84,6 +87,7 @@ fn greater(a: Measured, b: Measured) -> Measured {
     let mut greatest = if b.error > a.error { b } else { a };
     greatest.ratio = a.ratio.max(b.ratio);
     greatest.half_frame_error = a.half_frame_error.max(b.half_frame_error);
+    greatest.half_frame_ratio = a.half_frame_ratio.max(b.half_frame_ratio);
     greatest.track_error = a.track_error.max(b.track_error);
     greatest
 }
@@ -140,8 +144,10 @@ impl<'a> Comparison<'a> {
             *truth = truth.interpolate(after, 0.5);
         }
         self.sampler.go_to(frame, 0.5);
-        let half = self.errors().into_iter().fold(0.0, f64::max);
-        greatest.half_frame_error = greatest.half_frame_error.max(half);
+        for (error, bound) in self.errors().into_iter().zip(self.bounds) {
+            greatest.half_frame_error = greatest.half_frame_error.max(error);
+            greatest.half_frame_ratio = greatest.half_frame_ratio.max(error / bound.tolerance);
+        }
     }
 
     /// The error of each joint where the sampler is; infinite instead of a NaN.

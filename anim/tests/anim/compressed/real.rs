@@ -32,6 +32,9 @@ fn a_real_recording_keeps_its_bound_in_a_twenty_first_of_its_bytes() {
         for (found, truth) in pairs {
             greatest = greatest.max(shell_error(&found, &truth, 0.03));
         }
+        if frame + 1 == recording.frame_count() {
+            break;
+        }
         let time = time + 0.5 * recording.frame_time();
         sampler.sample(time);
         recording.sample(time, &mut locals).unwrap();
@@ -44,7 +47,8 @@ fn a_real_recording_keeps_its_bound_in_a_twenty_first_of_its_bytes() {
     assert!(half <= 1.1e-4, "{half}");
     let measured = measure(&recording, &clip).unwrap();
     assert!(measured.error <= 1e-4 && measured.error >= greatest - 1e-8);
-    assert!(measured.half_frame_error <= 1.1e-4 && measured.half_frame_error >= half - 1e-8);
+    let measured = measured.half_frame_error;
+    assert!(measured <= 1.1e-4 && measured >= half - 1e-8, "{measured}");
 }
 
 fn matrix(local: &ga_anim::transform::Transform<f64>) -> DAffine3 {

@@ -31,11 +31,26 @@ const MARGIN: f64 = 0.998;
 /// the first.
 const REPETITIONS: usize = 5;
 
+/// The greatest error half-way between frames that is aimed at, in tolerances.
+const HALF_FRAME: f64 = 1.1;
+
+/// From this error half-way between frames on, in tolerances, a smaller bound at the frames does
+/// not help, as where the rotations of neighbouring frames are nearly opposite.
+const HALF_FRAME_OUT_OF_REACH: f64 = 1.5;
+
+/// How often a segment is encoded anew because of its error half-way between frames.
+const HALF_FRAME_REPETITIONS: usize = 2;
+
 /// How often each joint of a segment may be encoded on average in the search for fewer bits. In
 /// hierarchies of some dozen joints the search ends by itself after about half of it.
 const BUDGET: usize = 200;
 
 /// Compresses a recording so that the bounds of the settings hold on every frame.
+///
+/// They hold for what [`Sampler`](super::Sampler) decodes, transforms relative to the parents in
+/// single precision, composed to model space in double precision; [`measure`](super::measure())
+/// compares the same. Half-way between frames the error is not bounded, but where it is a little
+/// above 1.1 tolerances, frames are encoded more finely.
 ///
 /// `progress` is told how many of how many steps are done. The result is the same for any number of
 /// threads.
@@ -51,12 +66,13 @@ const BUDGET: usize = 200;
 /// use ga_anim::clip::compressed::{self, Sampler, Settings};
 /// use ga_anim::recording::{RecordedJoint, Recording};
 /// use ga_anim::transform::Transform;
-/// use ga_runtime::cga3::Rotor;
+/// use ga_runtime::cga3::{Motor, Rotor};
 ///
 /// let joint = RecordedJoint { name: "arm".into(), parent: None, rest: Transform::default() };
-/// let rotated = |frame| {
+/// let rotated = |frame: u32| {
 ///     let angle = (f64::from(frame) * 0.05).sin();
-///     Rotor::from_axis_angle([0.0, 0.0, 1.0], angle).map(|rotor| Transform::from(rotor.into()))
+///     let rotor = Rotor::from_axis_angle([0.0, 0.0, 1.0], angle)?;
+///     Some(Transform::from(Motor::from(rotor)))
 /// };
 /// let frames = (0..100).filter_map(rotated).collect();
 /// let recording = Recording::new(vec![joint], 0.01, frames, vec![])?;
@@ -95,8 +111,8 @@ fn compress_with(
     negligible: f64,
     progress: &(impl Fn(usize, usize) + Sync),
 ) -> Result<CompressedClip, CompressError> {
-    let bounds = settings.bounds(recording.joints().len());
-    let source = Source::new(recording, bounds, negligible)?;
+    let joint_bounds = settings.bounds(recording.joints().len());
+    let source = Source::new(recording, joint_bounds, negligible)?;
     let frames = recording.frame_count();
     let count = segment_count(frames);
     let bases = [
@@ -108,49 +124,60 @@ fn compress_with(
     let changes = tracks.iter().map(|track| !track.pieces.is_empty());
     let order = channels(&source.layouts, changes);
     let mut segments = vec![Segment::default(); count];
-    let mut todo: Vec<(usize, f64)> = (0..count).map(|segment| (segment, MARGIN)).collect();
+    let mut bounds = vec![MARGIN; count];
+    // Segments, and whether what they are is of no use.
+    let mut todo: Vec<(usize, bool)> = (0..count).map(|segment| (segment, true)).collect();
     let mut worst = None;
-    for _ in 0..REPETITIONS {
+    for repetition in 0..REPETITIONS {
         let done = AtomicUsize::new(0);
-        let encoded: Result<Vec<Segment>, CompressError> = todo
+        let encoded: Result<Vec<Option<Segment>>, CompressError> = todo
             .par_iter()
-            .map(|&(segment, bound)| {
+            .map(|&(segment, needed)| {
+                let bound = bounds[segment];
                 let basis = &bases[usize::from(segment + 1 == count)];
                 let budget = BUDGET * source.joints();
                 let search = Search::new(&source, basis, segment * SEGMENT, bound, budget);
-                let joints = search.run().map_err(|(joint, error)| {
-                    let JointBound { tolerance, .. } = source.bounds[joint];
-                    CompressError::Bound {
-                        joint: recording.joints()[joint].name.clone(),
-                        tolerance,
-                        error: error * tolerance,
+                let joints = match search.run() {
+                    Ok(joints) => joints,
+                    Err(_) if !needed => return Ok(None),
+                    Err((joint, error)) => {
+                        let JointBound { tolerance, .. } = source.bounds[joint];
+                        return Err(CompressError::Bound {
+                            joint: recording.joints()[joint].name.clone(),
+                            tolerance,
+                            error: error * tolerance,
+                        });
                     }
-                })?;
+                };
                 let encoded = order.iter().filter_map(|(channel, _)| match *channel {
                     Channel::OfJoint { joint, channel } => joints[joint].get(channel).cloned(),
                     Channel::Track(track) => tracks[track].pieces.get(segment).cloned(),
                 });
                 let encoded: Vec<Encoded> = encoded.collect();
                 progress(done.fetch_add(1, Ordering::Relaxed) + 1, todo.len());
-                Ok(Segment::of_channels(&encoded, basis.frames))
+                Ok(Some(Segment::of_channels(&encoded, basis.frames)))
             })
             .collect();
         for (&(segment, _), encoded) in todo.iter().zip(encoded?) {
-            segments[segment] = encoded;
+            if let Some(encoded) = encoded {
+                segments[segment] = encoded;
+            }
         }
         let contents = contents(recording, settings, &source.layouts, &tracks);
         let clip = CompressedClip::from_bytes(file::to_bytes(&contents, &segments)?)?;
         let errors = measure::by_segment(recording, &clip, &source.bounds);
-        let again: Vec<(usize, f64)> = errors
-            .iter()
-            .enumerate()
-            .filter(|(_, found)| found.ratio > 1.0)
-            .map(|(segment, found)| {
-                let before = todo.iter().find(|(other, _)| *other == segment);
-                let before = before.map_or(MARGIN, |&(_, bound)| bound);
-                (segment, before * (MARGIN / found.ratio).min(0.95))
-            })
-            .collect();
+        let aims_at_halves = repetition < HALF_FRAME_REPETITIONS;
+        let mut again = Vec::new();
+        for (segment, found) in errors.iter().enumerate() {
+            let half = HALF_FRAME..HALF_FRAME_OUT_OF_REACH;
+            if found.ratio > 1.0 {
+                bounds[segment] = smaller(bounds[segment], found.ratio - MARGIN);
+                again.push((segment, true));
+            } else if aims_at_halves && half.contains(&found.half_frame_ratio) {
+                bounds[segment] = smaller(bounds[segment], found.half_frame_ratio - HALF_FRAME);
+                again.push((segment, false));
+            }
+        }
         if again.is_empty() {
             return Ok(clip);
         }
@@ -163,6 +190,12 @@ fn compress_with(
         frame,
         tolerance: source.bounds[joint].tolerance,
     })
+}
+
+/// A bound for the next try, where the error was too great by `excess`, which hardly depends on the
+/// bound: the rounding of single precision, or the curvature between frames.
+fn smaller(bound: f64, excess: f64) -> f64 {
+    (bound - 1.2 * excess).clamp(0.4 * bound, 0.97 * bound)
 }
 
 /// A scalar track, encoded.
