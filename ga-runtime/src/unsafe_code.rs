@@ -76,6 +76,30 @@ pub(crate) fn skin_by_affine_maps(
     }
 }
 
+/// Moves the points and normals of a bucket by the blends of motors, where nothing stretches and no
+/// sign is doubtful, if there is a form of the loop for these instructions.
+#[inline]
+pub(crate) fn skin_by_motors(
+    set: InstructionSet,
+    bucket: &Bucket<f32>,
+    palette: &MotorPalette<f32>,
+    posed: &mut Posed<'_, f32>,
+) -> bool {
+    match set {
+        #[cfg(all(feature = "std", target_arch = "x86_64"))]
+        InstructionSet::Avx2 | InstructionSet::Avx512 if set.is_available() => {
+            // SAFETY: the only requirement is that the processor has AVX2 and FMA, which
+            // `is_available` has just checked.
+            unsafe { avx2::by_motors(bucket, palette, posed) }
+            true
+        }
+        _ => {
+            let _ = (bucket, palette, posed);
+            false
+        }
+    }
+}
+
 /// The weighted sums of motors for the points of a tile, if there is a form of the loop for these
 /// instructions.
 #[inline]

@@ -71,15 +71,9 @@ fn move_all<const K: usize, const NORMALS: bool>(
             sum!(maps, joints[2], weights[2], K),
             sum!(maps, joints[3], weights[3], K),
         ];
-        write(points(columns, x), order, bucket.is_run, images, Point::new);
+        write(points(columns, x), order, images, Point::new);
         if NORMALS {
-            write(
-                normals(columns, n),
-                order,
-                bucket.is_run,
-                turned,
-                Vector::new,
-            );
+            write(normals(columns, n), order, turned, Vector::new);
         }
     }
 }
@@ -110,15 +104,9 @@ fn any_number<const NORMALS: bool>(
                 *total = _mm512_fmadd_ps(map, _mm512_set1_ps(*weight), *total);
             }
         }
-        write(points(columns, x), order, bucket.is_run, images, Point::new);
+        write(points(columns, x), order, images, Point::new);
         if NORMALS {
-            write(
-                normals(columns, n),
-                order,
-                bucket.is_run,
-                turned,
-                Vector::new,
-            );
+            write(normals(columns, n), order, turned, Vector::new);
         }
     }
 }
@@ -221,17 +209,14 @@ fn unit(x: __m512) -> __m512 {
     _mm512_mul_ps(x, _mm512_mul_ps(estimate, step))
 }
 
-/// Writes the first three numbers of each quarter.
+/// Writes the first three numbers of each quarter to their places, which are given in rising order.
+/// There may be fewer places.
 #[inline]
 #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx2,fma")]
-fn write<X>(
-    quarters: __m512,
-    order: &[u16],
-    is_run: bool,
-    places: &mut [X],
-    new: impl Fn(f32, f32, f32) -> X,
-) {
-    if let (&[first, _, _, _], true) = (order, is_run) {
+fn write<X>(quarters: __m512, order: &[u16], places: &mut [X], new: impl Fn(f32, f32, f32) -> X) {
+    if let &[first, _, _, last] = order
+        && last - first == 3
+    {
         let packed = _mm512_setr_epi32(0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 3, 7, 11, 15);
         let numbers = numbers16(_mm512_permutexvar_ps(packed, quarters));
         let first = usize::from(first);

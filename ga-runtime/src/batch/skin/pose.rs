@@ -90,17 +90,21 @@ impl Batch {
         palette.fits(chunk)?;
         let asked = posed.check(chunk)?;
         let set = self.instruction_set;
+        let is_plain = !asked.tangents && !palette.has_doubtful && palette.stretches.is_empty();
         for bucket in &chunk.buckets {
-            run(
-                set,
-                ByMotors {
+            let is_done = is_plain && S::by_motors(set, bucket, palette, &mut posed);
+            if !is_done {
+                run(
                     set,
-                    bucket,
-                    palette,
-                    asked,
-                    posed: &mut posed,
-                },
-            );
+                    ByMotors {
+                        set,
+                        bucket,
+                        palette,
+                        asked,
+                        posed: &mut posed,
+                    },
+                );
+            }
         }
         Ok(())
     }

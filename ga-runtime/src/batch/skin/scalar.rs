@@ -31,6 +31,15 @@ pub(super) mod sealed {
             posed: &mut Posed<'_, Self>,
         ) -> bool;
 
+        /// Moves the points and normals of a bucket by the blends of motors, where nothing
+        /// stretches and no sign is doubtful, if there is a form for these instructions.
+        fn by_motors(
+            set: InstructionSet,
+            bucket: &Bucket<Self>,
+            palette: &MotorPalette<Self>,
+            posed: &mut Posed<'_, Self>,
+        ) -> bool;
+
         /// The weighted sums of motors for the points of a tile that begins at `start`, if there is
         /// a form for these instructions.
         fn sum_motors(
@@ -55,6 +64,16 @@ impl sealed::Loops for f32 {
     }
 
     #[inline]
+    fn by_motors(
+        set: InstructionSet,
+        bucket: &Bucket<f32>,
+        palette: &MotorPalette<f32>,
+        posed: &mut Posed<'_, f32>,
+    ) -> bool {
+        unsafe_code::skin_by_motors(set, bucket, palette, posed)
+    }
+
+    #[inline]
     fn sum_motors(
         set: InstructionSet,
         bucket: &Bucket<f32>,
@@ -72,6 +91,16 @@ impl sealed::Loops for f64 {
         _: InstructionSet,
         _: &Bucket<f64>,
         _: &AffinePalette<f64>,
+        _: &mut Posed<'_, f64>,
+    ) -> bool {
+        false
+    }
+
+    #[inline(always)]
+    fn by_motors(
+        _: InstructionSet,
+        _: &Bucket<f64>,
+        _: &MotorPalette<f64>,
         _: &mut Posed<'_, f64>,
     ) -> bool {
         false
