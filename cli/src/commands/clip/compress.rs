@@ -29,10 +29,10 @@ use crate::progress::Progress;
 /// prints
 ///
 ///   01_01.bvh: 2752 frames of 31 joints, 64 numbers a frame change
-///   walk.clip: 128712 bytes instead of 3412480, 26.5 : 1; 46.8 bytes a frame
+///   walk.clip: 128699 bytes instead of 3412480, 26.5 : 1; 46.8 bytes a frame
 ///
 /// and then the speed of decoding and the errors. With --json it prints {"file": …, "out": …,
-/// "bytes": 128712, "raw_bytes": 3412480, "ratio": …, "frames": 2752, "joints": 31, …,
+/// "bytes": 128699, "raw_bytes": 3412480, "ratio": …, "frames": 2752, "joints": 31, …,
 /// "max_error_metres": …, "half_frame_error_metres": …, …}. raw_bytes are 40 for each joint and
 /// frame, and bytes are all of the file but the joints' names.
 #[derive(Clone, Debug, clap::Args)]
