@@ -26,7 +26,7 @@ pub(super) fn coordinates(x: &[[f32; 4]; 8]) -> [__m256; 3] {
 /// fewer places.
 #[inline]
 #[target_feature(enable = "avx2,fma")]
-pub(super) fn write<X>(
+pub(in crate::batch::skin) fn write<X>(
     [x, y, z]: [__m256; 3],
     order: &[u16],
     places: &mut [X],
@@ -56,10 +56,20 @@ pub(super) fn write<X>(
         }
         return;
     }
-    for (&place, &[x, y, z]) in order.iter().zip(numbers) {
+    let mut put = |place: u16, [x, y, z]: [f32; 3]| {
         if let Some(place) = places.get_mut(usize::from(place)) {
             *place = new(x, y, z);
         }
+    };
+    // A loop of known length is unrolled.
+    if let Some(order) = order.first_chunk::<8>() {
+        for (&place, &numbers) in order.iter().zip(numbers) {
+            put(place, numbers);
+        }
+        return;
+    }
+    for (&place, &numbers) in order.iter().zip(numbers) {
+        put(place, numbers);
     }
 }
 

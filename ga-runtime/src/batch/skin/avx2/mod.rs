@@ -2,7 +2,7 @@
 //! takes two registers. Normals and blends of motors are computed for eight points at a time,
 //! coordinate by coordinate.
 
-mod eight;
+pub(super) mod eight;
 mod motors;
 mod normals;
 
