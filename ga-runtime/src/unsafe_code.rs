@@ -3,7 +3,8 @@
 //!
 //! - A loop compiled for AVX2 or AVX-512 is called after a check that the processor has these
 //!   instructions. A call on another processor would be undefined behaviour; the functions of this
-//!   file are the only callers.
+//!   file are the only callers. The product of two motors is compiled for SSE, on targets that have
+//!   it.
 //! - The contents of a vector register are read as an array of as many numbers.
 //! - bytemuck's traits `Zeroable` and `Pod` are implemented for the declared types. They state that
 //!   a type has no padding and that any bits are a valid value; the layout is checked by assertions
@@ -14,6 +15,10 @@
 use crate::batch::skin::{AffinePalette, Bucket, MotorPalette, Motors, Posed};
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 use crate::batch::skin::{avx2, avx512};
+#[cfg(all(target_arch = "x86_64", target_feature = "sse"))]
+use crate::cga3::Motor;
+#[cfg(all(target_arch = "x86_64", target_feature = "sse"))]
+use crate::geometry::composition::registers;
 use crate::instruction_set::InstructionSet;
 
 /// A loop that can be compiled for several sets of instructions, for
@@ -125,8 +130,16 @@ pub(crate) fn sum_motors(
     }
 }
 
+/// The product of two motors in registers of four coefficients.
+#[cfg(all(target_arch = "x86_64", target_feature = "sse"))]
+#[inline(always)]
+pub(crate) fn compose_in_registers(left: Motor<f32>, right: Motor<f32>) -> Motor<f32> {
+    // SAFETY: the only requirement is SSE, which the target has: the condition on this function.
+    unsafe { registers::compose(left, right) }
+}
+
 /// The numbers in a register, from the lowest.
-#[cfg(all(feature = "std", target_arch = "x86_64"))]
+#[cfg(all(target_arch = "x86_64", target_feature = "sse"))]
 #[inline(always)]
 pub(crate) fn numbers4(register: core::arch::x86_64::__m128) -> [f32; 4] {
     // SAFETY: both have 16 bytes, and all bits are valid numbers.

@@ -98,6 +98,7 @@ mod vga3;
 
 #[cfg(feature = "nalgebra-035")]
 pub(crate) use cga3::affine;
+pub(crate) use cga3::composition;
 pub use cga3::{
     Affine, DualQuaternionParts, EulerOrder, Kind, LookAtError, NotConformal, NotUnit,
     RotationPath, Screw, homogeneous, kinematics, motion, ray, relation,

@@ -1,6 +1,10 @@
 //! `f32` and `f64`.
 
+use core::ops::Mul;
+
 use super::{ArcFactors, ConstRing, Field, Real, Ring, arc, half_angle};
+use crate::cga3::Motor;
+use crate::geometry::composition::compose_single;
 
 /// Elementary functions, from the library that the features select.
 #[cfg(feature = "std")]
@@ -78,6 +82,7 @@ macro_rules! implement_field {
 macro_rules! implement_real {
     (
         $type:ident, by $sine_by_angle:ident, $angle_by_sine:ident, $arc_factors:ident,
+        $compose:path,
         $sqrt:ident, $fabs:ident, $sin:ident, $cos:ident, $atan2:ident, $exp:ident, $log:ident
     ) => {
         impl Real for $type {
@@ -130,6 +135,10 @@ macro_rules! implement_real {
                     second_slope: factors.second_slope as Self,
                 }
             }
+            #[inline(always)]
+            fn compose_motors(left: Motor<Self>, right: Motor<Self>) -> Motor<Self> {
+                $compose(left, right)
+            }
             #[inline]
             fn exp(self) -> Self {
                 elementary!($type, exp, $exp, self)
@@ -171,9 +180,11 @@ implement_field!(f32);
 implement_field!(f64);
 implement_real!(
     f32, by sine_by_angle_single, angle_by_sine_single, arc_factors_single,
+    compose_single,
     sqrtf, fabsf, sinf, cosf, atan2f, expf, logf
 );
 implement_real!(
     f64, by sine_by_angle, angle_by_sine, arc_factors,
+    Mul::mul,
     sqrt, fabs, sin, cos, atan2, exp, log
 );

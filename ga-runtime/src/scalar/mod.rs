@@ -37,6 +37,8 @@ mod wide;
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
+use crate::cga3::Motor;
+
 #[cfg(feature = "wide")]
 pub use self::wide::WideMask;
 pub use arc::ArcFactors;
@@ -281,6 +283,12 @@ pub trait Real: Field {
     #[inline]
     fn arc_factors(self, t: Self) -> ArcFactors<Self> {
         arc::arc_factors(self, t)
+    }
+    /// See [`Motor::compose`].
+    #[doc(hidden)]
+    #[inline(always)]
+    fn compose_motors(left: Motor<Self>, right: Motor<Self>) -> Motor<Self> {
+        left * right
     }
     /// The larger of two numbers; `self` where they are equal or one is NaN.
     #[inline]

@@ -21,6 +21,7 @@ mod translator;
 mod transversor;
 
 pub(crate) mod affine;
+pub(crate) mod composition;
 mod conformal_exponential;
 mod conformal_logarithm;
 mod dual_quaternion;
