@@ -94,8 +94,9 @@ impl Hierarchy {
             own,
             total,
         };
-        // Wider instructions than those of a single motor only shuffle its coefficients.
-        if size_of::<S>() <= size_of::<f64>() {
+        // A single motor of f64 is multiplied coefficient by coefficient: wider instructions only
+        // shuffle them.
+        if size_of::<S>() == size_of::<f64>() {
             work.run();
         } else {
             Batch::new().run(work);
@@ -149,7 +150,7 @@ impl<S: Real, P: ExactSizeIterator<Item = Option<usize>> + Clone> Work for Forwa
                     Some(parent) => total[parent],
                     None => self.root,
                 };
-                total[joint] = above * *own;
+                total[joint] = above.compose(*own);
             }
         }
     }

@@ -5,7 +5,7 @@ use ga_anim::kinematics::{Hierarchy, HierarchyError, LayerError, LengthError, bl
 use ga_anim::pose::Pose;
 use ga_anim::skeleton::{Joint, Skeleton};
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
-use ga_runtime::scalar::Lanes;
+use ga_runtime::scalar::{Lanes, Real};
 use glam::{DAffine3, DMat4};
 use nullcone_shared_data::shared;
 use proptest::prelude::*;
@@ -46,6 +46,22 @@ fn poses() -> impl Strategy<Value = (Vec<Option<usize>>, Vec<Motor<f64>>)> {
         });
         (parents, prop::collection::vec(motor(), joints * count))
     })
+}
+
+fn coefficients<S: Real>(m: Motor<S>) -> [S; 8] {
+    let rotation = [m.scalar(), m.e12(), m.e13(), m.e23()];
+    let moment = [m.e1i(), m.e2i(), m.e3i(), m.e123i()];
+    std::array::from_fn(|k| if k < 4 { rotation[k] } else { moment[k - 4] })
+}
+
+fn single(motor: Motor<f64>) -> Motor<f32> {
+    let [s, e12, e13, e23, e1i, e2i, e3i, e123i] = coefficients(motor).map(|x| x as f32);
+    Motor::new_unchecked(s, e12, e13, e23, e1i, e2i, e3i, e123i)
+}
+
+fn double(motor: Motor<f32>) -> Motor<f64> {
+    let [s, e12, e13, e23, e1i, e2i, e3i, e123i] = coefficients(motor).map(f64::from);
+    Motor::new_unchecked(s, e12, e13, e23, e1i, e2i, e3i, e123i)
 }
 
 proptest! {
@@ -96,6 +112,20 @@ proptest! {
             for (found, expected) in found.iter().zip(expected) {
                 prop_assert_eq!(found.lane(frame), expected);
             }
+        }
+    }
+
+    #[test]
+    fn single_precision_follows_double_precision((parents, own) in poses(), root in motor()) {
+        let hierarchy = Hierarchy::new(&parents).unwrap();
+        let own: Vec<_> = own.into_iter().map(single).collect();
+        let mut total = own.clone();
+        hierarchy.forward(single(root), &own, &mut total).unwrap();
+        let own: Vec<_> = own.into_iter().map(double).collect();
+        let mut expected = own.clone();
+        hierarchy.forward(double(single(root)), &own, &mut expected).unwrap();
+        for (found, expected) in total.into_iter().zip(expected) {
+            prop_assert!(apart(double(found), affine(expected)) < 1e-4);
         }
     }
 
