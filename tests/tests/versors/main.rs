@@ -1,5 +1,6 @@
 //! Versors: rigid motions, similarities and general conformal versors.
 
+mod composition;
 mod conformal;
 mod dual_quaternion;
 mod edges;
