@@ -337,6 +337,7 @@ fn rotate<const K: usize>(constants: &RotorBlock, bivectors: &[Block], rotors: &
 ///
 /// With the last one weighted so, the angle is within 10⁻⁸ of slerp up to θ = π/4, where rotations
 /// are a right angle apart, and within 2·10⁻⁵ up to θ = π/2, where they are opposite.
+#[inline(always)]
 fn slerp_coefficients(t: f32) -> [f32; 9] {
     const LAST: f32 = 1.901_107_5;
     let mut coefficients = [1.0; 9];
@@ -349,7 +350,21 @@ fn slerp_coefficients(t: f32) -> [f32; 9] {
     coefficients.map(|coefficient| coefficient * t)
 }
 
+/// The polynomial with these coefficients, from the constant one on, in each lane.
+#[inline(always)]
+fn polynomial(coefficients: &[f32; 9], x: &Block) -> Block {
+    let mut sum = [coefficients[8]; LANES];
+    for &coefficient in coefficients[..8].iter().rev() {
+        for i in 0..LANES {
+            sum[i] = sum[i] * x[i] + coefficient;
+        }
+    }
+    sum
+}
+
 /// Eight rotors between others along the shorter arcs, by the coefficients of slerp for both.
+///
+/// A loop over the lanes for each array: with two in one, the compiler leaves lanes apart.
 #[inline(always)]
 fn interpolate([a, b]: [&[Block; 4]; 2], [of_a, of_b]: &[[f32; 9]; 2], result: &mut [Block; 4]) {
     let mut cosine = [0.0; LANES];
@@ -358,28 +373,32 @@ fn interpolate([a, b]: [&[Block; 4]; 2], [of_a, of_b]: &[[f32; 9]; 2], result: &
             cosine[i] += a[i] * b[i];
         }
     }
-    let (mut from, mut to) = ([of_a[8]; LANES], [of_b[8]; LANES]);
-    for k in (0..8).rev() {
-        for i in 0..LANES {
-            let x = cosine[i].abs() - 1.0;
-            from[i] = from[i] * x + of_a[k];
-            to[i] = to[i] * x + of_b[k];
-        }
+    let mut x = [0.0; LANES];
+    for i in 0..LANES {
+        x[i] = cosine[i].abs() - 1.0;
     }
+    let (from, mut to) = (polynomial(of_a, &x), polynomial(of_b, &x));
     for i in 0..LANES {
         to[i] = to[i].copysign(cosine[i]);
     }
+    let mut mean = [[0.0; LANES]; 4];
     let mut squares = [0.0; LANES];
-    for (result, (a, b)) in result.iter_mut().zip(a.iter().zip(b)) {
+    for (mean, (a, b)) in mean.iter_mut().zip(a.iter().zip(b)) {
         for i in 0..LANES {
-            result[i] = a[i] * from[i] + b[i] * to[i];
-            squares[i] += result[i] * result[i];
+            mean[i] = a[i] * from[i] + b[i] * to[i];
+        }
+        for i in 0..LANES {
+            squares[i] += mean[i] * mean[i];
         }
     }
     // A step of Newton's method for the inverse square root: the squares are within 10⁻⁴ of 1.
-    for row in result {
+    let mut factor = [0.0; LANES];
+    for i in 0..LANES {
+        factor[i] = 1.5 - 0.5 * squares[i];
+    }
+    for (row, mean) in result.iter_mut().zip(&mean) {
         for i in 0..LANES {
-            row[i] *= 1.5 - 0.5 * squares[i];
+            row[i] = mean[i] * factor[i];
         }
     }
 }
