@@ -81,8 +81,9 @@ pub(crate) fn skin_by_affine_maps(
     }
 }
 
-/// Moves the points and normals of a bucket by the blends of motors, where nothing stretches and no
-/// sign is doubtful, if there is a form of the loop for these instructions.
+/// Moves the points and normals of a bucket by the blends of motors, where nothing stretches, if
+/// there is a form of the loop for these instructions. Points with influences that are half a turn
+/// apart are not right yet.
 #[inline]
 pub(crate) fn skin_by_motors(
     set: InstructionSet,

@@ -2,7 +2,7 @@
 
 use super::bucket::Bucket;
 use super::palette::{AffinePalette, MotorPalette};
-use super::tile::{Asked, TILE, Tile};
+use super::tile::{Asked, TILE, Tile, is_doubtful};
 use super::{Chunk, SkinError, SkinScalar, maps};
 use crate::batch::{Batch, same_length};
 use crate::cga3::Point;
@@ -90,10 +90,10 @@ impl Batch {
         palette.fits(chunk)?;
         let asked = posed.check(chunk)?;
         let set = self.instruction_set;
-        let is_plain = !asked.tangents && !palette.has_doubtful && palette.stretches.is_empty();
+        let is_plain = !asked.tangents && palette.stretches.is_empty();
         for bucket in &chunk.buckets {
             let is_done = is_plain && S::by_motors(set, bucket, palette, &mut posed);
-            if !is_done {
+            if !is_done || palette.has_doubtful {
                 run(
                     set,
                     ByMotors {
@@ -101,6 +101,7 @@ impl Batch {
                         bucket,
                         palette,
                         asked,
+                        only_doubtful: is_done,
                         posed: &mut posed,
                     },
                 );
@@ -235,6 +236,8 @@ struct ByMotors<'a, 'b, S> {
     bucket: &'a Bucket<S>,
     palette: &'a MotorPalette<S>,
     asked: Asked,
+    /// Whether the other tiles are moved already.
+    only_doubtful: bool,
     posed: &'a mut Posed<'b, S>,
 }
 
@@ -243,13 +246,11 @@ impl<S: SkinScalar> Work for ByMotors<'_, '_, S> {
     fn run(self) {
         let mut tile = Tile::new();
         for (number, order) in self.bucket.order.chunks(TILE).enumerate() {
-            tile.by_motors(
-                self.set,
-                self.bucket,
-                number * TILE,
-                self.palette,
-                self.asked,
-            );
+            let start = number * TILE;
+            if self.only_doubtful && !is_doubtful(self.bucket, start, self.palette) {
+                continue;
+            }
+            tile.by_motors(self.set, self.bucket, start, self.palette, self.asked);
             self.posed
                 .write(&tile, order, self.bucket.is_run, self.asked);
         }

@@ -32,7 +32,8 @@ pub(super) mod sealed {
         ) -> bool;
 
         /// Moves the points and normals of a bucket by the blends of motors, where nothing
-        /// stretches and no sign is doubtful, if there is a form for these instructions.
+        /// stretches, if there is a form for these instructions. Points with influences that are
+        /// half a turn apart are not right yet.
         fn by_motors(
             set: InstructionSet,
             bucket: &Bucket<Self>,

@@ -212,6 +212,20 @@ fn sum_motors<S: SkinScalar>(
     }
 }
 
+/// Whether a point of the tile that begins at `start` has influences that are half a turn apart.
+#[inline(always)]
+pub(super) fn is_doubtful<S: SkinScalar>(
+    bucket: &Bucket<S>,
+    start: usize,
+    palette: &MotorPalette<S>,
+) -> bool {
+    let count = bucket.influences;
+    let signed = &bucket.signed[start * count..(start + TILE) * count];
+    signed
+        .iter()
+        .any(|signed| palette.doubtful[*signed as usize])
+}
+
 /// Replaces the sums for points with influences that are half a turn apart, whose signs depend on
 /// all influences.
 #[cold]

@@ -39,37 +39,51 @@ pub(in crate::batch::skin) fn write<X>(
     let first = _mm256_shuffle_ps::<0b10_00_10_00>(xy, zx);
     let second = _mm256_shuffle_ps::<0b11_01_10_00>(yz, xy);
     let third = _mm256_shuffle_ps::<0b11_01_11_01>(zx, yz);
-    let numbers = [
-        numbers8(_mm256_permute2f128_ps::<0x20>(first, second)),
-        numbers8(_mm256_permute2f128_ps::<0x30>(third, first)),
-        numbers8(_mm256_permute2f128_ps::<0x31>(second, third)),
+    let packed = [
+        _mm256_permute2f128_ps::<0x20>(first, second),
+        _mm256_permute2f128_ps::<0x30>(third, first),
+        _mm256_permute2f128_ps::<0x31>(second, third),
     ];
-    let numbers = numbers.as_flattened().as_chunks::<3>().0;
     if let &[first, _, _, _, _, _, _, last] = order
         && last - first == 7
     {
+        let numbers = [
+            numbers8(packed[0]),
+            numbers8(packed[1]),
+            numbers8(packed[2]),
+        ];
         let first = usize::from(first);
         if let Some(places) = places.get_mut(first..first + 8) {
+            let numbers = numbers.as_flattened().as_chunks::<3>().0;
             for (place, &[x, y, z]) in places.iter_mut().zip(numbers) {
                 *place = new(x, y, z);
             }
         }
         return;
     }
-    let mut put = |place: u16, [x, y, z]: [f32; 3]| {
+    scatter(packed, order, places, new);
+}
+
+/// Writes points to places that are not consecutive. Not inlined: the numbers that are read one by
+/// one here would otherwise lie in memory above too.
+#[inline(never)]
+#[target_feature(enable = "avx2,fma")]
+fn scatter<X>(
+    packed: [__m256; 3],
+    order: &[u16],
+    places: &mut [X],
+    new: impl Fn(f32, f32, f32) -> X,
+) {
+    let numbers = [
+        numbers8(packed[0]),
+        numbers8(packed[1]),
+        numbers8(packed[2]),
+    ];
+    let numbers = numbers.as_flattened().as_chunks::<3>().0;
+    for (&place, &[x, y, z]) in order.iter().zip(numbers) {
         if let Some(place) = places.get_mut(usize::from(place)) {
             *place = new(x, y, z);
         }
-    };
-    // A loop of known length is unrolled.
-    if let Some(order) = order.first_chunk::<8>() {
-        for (&place, &numbers) in order.iter().zip(numbers) {
-            put(place, numbers);
-        }
-        return;
-    }
-    for (&place, &numbers) in order.iter().zip(numbers) {
-        put(place, numbers);
     }
 }
 
