@@ -64,12 +64,13 @@ pub fn blend_layers<S: Real>(
         let joint = weights.iter().position(wrong).unwrap_or_default();
         return Err(LayerError::Weight { joint });
     }
-    Batch::new().run(Layer {
-        below,
-        above,
-        weights,
-        blended,
-    });
+    let joints = weights.len().max(1);
+    let batch = Batch::new();
+    let poses = below.chunks_exact(joints).zip(above.chunks_exact(joints));
+    for ((below, above), blended) in poses.zip(blended.chunks_exact_mut(joints)) {
+        // The lengths are equal.
+        let _ = batch.nlerp(below, above, weights, blended);
+    }
     Ok(())
 }
 
@@ -82,36 +83,18 @@ struct Check<'a, S> {
 impl<S: Real> Work for Check<'_, S> {
     #[inline(always)]
     fn run(self) {
-        let all = self.weights.iter();
-        let all = all.fold(S::Mask::splat(true), |all, weight| all & is_share(*weight));
-        *self.are_shares = all.all();
+        // A count of what is wrong stays in vector registers, which a mask across the loop does not.
+        let faults = self.weights.iter().fold(S::zero(), |faults, weight| {
+            let count = |is_right| S::select(is_right, S::zero(), S::one());
+            let below = count(S::zero().less_or_equal(*weight));
+            let above = count(weight.less_or_equal(S::one()));
+            faults + (below + above)
+        });
+        *self.are_shares = faults.is_zero().all();
     }
 }
 
 #[inline(always)]
 fn is_share<S: Real>(weight: S) -> S::Mask {
     S::zero().less_or_equal(weight) & weight.less_or_equal(S::one())
-}
-
-struct Layer<'a, S> {
-    below: &'a [Motor<S>],
-    above: &'a [Motor<S>],
-    weights: &'a [S],
-    blended: &'a mut [Motor<S>],
-}
-
-impl<S: Real> Work for Layer<'_, S> {
-    #[inline(always)]
-    fn run(self) {
-        let joints = self.weights.len().max(1);
-        let below = self.below.chunks_exact(joints);
-        let above = self.above.chunks_exact(joints);
-        let poses = below.zip(above).zip(self.blended.chunks_exact_mut(joints));
-        for ((below, above), blended) in poses {
-            let motors = below.iter().zip(above).zip(self.weights);
-            for (((below, above), weight), blended) in motors.zip(blended) {
-                *blended = below.nlerp(*above, *weight);
-            }
-        }
-    }
 }
