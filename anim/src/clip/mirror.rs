@@ -4,11 +4,12 @@ use ga_runtime::cga3::{DualPlane, Point, Translator};
 
 use super::{Clip, ClipError};
 use crate::pose::Pose;
+use crate::recording::RecordingError;
 use crate::skeleton::Skeleton;
 
 ga_runtime::ga! { ga_runtime::cga3;
     /// The motion as it is seen in a plane: π M π⁻¹.
-    fn reflected(plane: DualPlane, motor: Motor) -> Motor {
+    pub(crate) fn reflected(plane: DualPlane, motor: Motor) -> Motor {
         plane * motor * plane / (plane | plane)
     }
 }
@@ -76,6 +77,21 @@ pub enum MirrorError {
         /// The name that the counterpart would have.
         expected: String,
     },
+    /// A joint is scaled so that its image is not a rotation, a translation and factors along its
+    /// axes.
+    #[error(
+        "joint {name:?} is scaled unevenly or by a negative factor in {}, and has no mirror image",
+        frame.map_or("rest".to_owned(), |frame| format!("frame {frame}"))
+    )]
+    Scaled {
+        /// Its name.
+        name: String,
+        /// The frame, from 0; `None` at rest.
+        frame: Option<usize>,
+    },
+    /// The mirror image overflows.
+    #[error(transparent)]
+    Recording(#[from] RecordingError),
     /// The parents of two counterparts are not counterparts.
     #[error("joints {name:?} and {other:?} are a pair, but their parents are not")]
     Parents {
@@ -207,7 +223,7 @@ impl Mirror {
 }
 
 /// The name of the counterpart of a joint, where a name tells a side.
-fn other_side(name: &str) -> Option<String> {
+pub(crate) fn other_side(name: &str) -> Option<String> {
     const WORDS: [[&str; 2]; 3] = [["Left", "Right"], ["left", "right"], ["LEFT", "RIGHT"]];
     for [left, right] in WORDS {
         for (from, to) in [(left, right), (right, left)] {
@@ -232,8 +248,10 @@ fn other_side(name: &str) -> Option<String> {
         };
         let before = place.checked_sub(1).map(|before| &bytes[before]);
         let after = bytes.get(place + 1);
-        // As in lHand.
-        let is_prefix = letter.is_ascii_lowercase() && after.is_some_and(u8::is_ascii_uppercase);
+        // As in lHand and LHand.
+        let is_prefix = after.is_some_and(u8::is_ascii_uppercase)
+            && (letter.is_ascii_lowercase()
+                || bytes.get(place + 2).is_some_and(u8::is_ascii_lowercase));
         let is_word = is_apart(before) && (is_apart(after) || is_prefix);
         is_word.then(|| format!("{}{other}{}", &name[..place], &name[place + 1..]))
     })
@@ -254,6 +272,7 @@ mod tests {
             ("Bip01 L Thigh", "Bip01 R Thigh"),
             ("L_Foot", "R_Foot"),
             ("lHand", "rHand"),
+            ("LHipJoint", "RHipJoint"),
             ("hand.left", "hand.right"),
             ("toe1-1.L", "toe1-1.R"),
             ("l", "r"),
@@ -271,6 +290,7 @@ mod tests {
             "Lung",
             "leg",
             "Reel",
+            "LOD",
         ] {
             assert_eq!(other_side(middle), None, "{middle}");
         }

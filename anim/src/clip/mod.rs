@@ -26,6 +26,7 @@ pub use cross_fade::CrossFade;
 pub use event::{EventError, EventTrack, ScalarTracks};
 pub use layering::{Layer, LayerError, overlay};
 pub use mirror::{Mirror, MirrorError};
+pub(crate) use mirror::{other_side, reflected};
 pub use root_motion::{GroundMotion, RootMotion, RootMotionError};
 pub use time_warp::TimeWarp;
 

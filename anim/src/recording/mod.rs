@@ -18,13 +18,18 @@
 //! [`Recording::to_skeleton`] and [`Recording::to_clip`] convert one way, [`Recording::from_clip`]
 //! the other way.
 
+mod blend;
 mod conversion;
 mod from_bvh;
+mod from_compressed;
 mod from_gltf;
+mod mirror;
 mod model_space;
+mod resample;
 
 use crate::transform::Transform;
 
+pub use blend::{BlendError, blend};
 pub use conversion::ConversionError;
 pub use from_gltf::{GltfMotion, GltfMotionError};
 pub use model_space::{ModelSpaceError, model_maps, model_motors};
@@ -142,6 +147,19 @@ pub enum RecordingError {
     /// A length of one unit in metres is 0, negative, infinite or not a number.
     #[error("{0} metres is not the length of a unit")]
     Unit(f64),
+    /// A rate is 0, negative, infinite or not a number.
+    #[error("{0} is not a number of frames per second")]
+    Rate(f64),
+    /// A recording would be out of proportion to what it is made of.
+    #[error("{frames} frames of {joints} joints are more than {limit} transforms")]
+    TooLarge {
+        /// How many frames there would be.
+        frames: f64,
+        /// How many joints there are.
+        joints: usize,
+        /// The greatest number of transforms.
+        limit: usize,
+    },
 }
 
 fn place(frame: Option<usize>) -> String {
@@ -155,7 +173,8 @@ impl Recording {
     ///
     /// # Errors
     ///
-    /// Any [`RecordingError`] but [`RecordingError::Unit`].
+    /// Any [`RecordingError`] but [`RecordingError::Unit`], [`RecordingError::Rate`] and
+    /// [`RecordingError::TooLarge`].
     pub fn new(
         joints: Vec<RecordedJoint>,
         frame_time: f64,
@@ -245,7 +264,14 @@ impl Recording {
             let (expected, found) = (count, locals.len());
             return Err(ModelSpaceError::Length { expected, found });
         }
-        let (before, part) = self.position(time);
+        self.fill(self.position(time), locals);
+        Ok(())
+    }
+
+    /// The local transforms at a time in frames, into one place for each joint.
+    fn fill(&self, position: f64, locals: &mut [Transform<f64>]) {
+        let (before, part) = self.split(position);
+        let count = self.joints.len();
         let frames = &self.locals[before * count..];
         locals.copy_from_slice(&frames[..count]);
         if part > 0.0 {
@@ -253,25 +279,36 @@ impl Recording {
                 *local = local.interpolate(after, part);
             }
         }
-        Ok(())
     }
 
     /// The value of a scalar track at a time in seconds, linearly between frames; `None` when there
     /// is no such track.
     #[must_use]
     pub fn sample_track(&self, track: usize, time: f64) -> Option<f64> {
-        let values = &self.tracks.get(track)?.values;
-        let (before, part) = self.position(time);
-        let value = values[before];
-        let after = values.get(before + 1).copied().unwrap_or(value);
-        Some(value + (after - value) * part)
+        let track = self.tracks.get(track)?;
+        Some(self.track_at(track, self.position(time)))
     }
 
-    /// The frame at or before a time and the part of the way to the next; the part is 0 at the last
-    /// frame. A time that is not a number is that of the first frame.
-    fn position(&self, time: f64) -> (usize, f64) {
+    /// The value of a track at a time in frames.
+    fn track_at(&self, track: &ScalarTrack, position: f64) -> f64 {
+        let (before, part) = self.split(position);
+        let value = track.values[before];
+        match track.values.get(before + 1) {
+            Some(after) => value + (after - value) * part,
+            None => value,
+        }
+    }
+
+    /// A time in seconds as a time in frames.
+    fn position(&self, time: f64) -> f64 {
+        time / self.frame_time
+    }
+
+    /// The frame at or before a time in frames and the part of the way to the next; the part is 0
+    /// at the last frame. A time that is not a number is that of the first frame.
+    fn split(&self, position: f64) -> (usize, f64) {
         let last = self.frame_count() - 1;
-        let position = (time / self.frame_time).max(0.0).min(last as f64);
+        let position = position.max(0.0).min(last as f64);
         let before = position.floor() as usize;
         (before, position - before as f64)
     }

@@ -17,6 +17,7 @@ mod leg;
 mod limits;
 mod poses;
 mod recording;
+mod recording_edit;
 mod recording_gltf;
 mod retarget;
 mod retarget_real;

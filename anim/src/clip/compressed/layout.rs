@@ -4,6 +4,8 @@ use ga_runtime::cga3::Rotor;
 use ga_runtime::vga3::Vector;
 use nalgebra_035::{Matrix3, SymmetricEigen, Vector3};
 
+use crate::transform::Transform;
+
 /// A vector that changes along some of its principal axes,
 ///
 /// ```text
@@ -173,4 +175,12 @@ pub(super) fn double_rotor(rotor: Rotor<f32>) -> Rotor<f64> {
     let parts = [rotor.scalar(), rotor.e12(), rotor.e13(), rotor.e23()];
     let [s, e12, e13, e23] = parts.map(f64::from);
     Rotor::new_unchecked(s, e12, e13, e23)
+}
+
+pub(crate) fn double_transform(transform: &Transform<f32>) -> Transform<f64> {
+    Transform::from_parts(
+        double(transform.translation()),
+        double_rotor(transform.rotor()),
+        double(transform.scale),
+    )
 }

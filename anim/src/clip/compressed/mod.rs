@@ -45,6 +45,7 @@ pub use clip::CompressedClip;
 pub use encode::compress;
 pub use error::CompressError;
 pub use file::FileError;
+pub(crate) use layout::double_transform;
 pub use measure::{Measured, measure};
 pub use sampler::Sampler;
 pub use settings::{JointBound, Settings};

@@ -1,0 +1,265 @@
+//! Several recordings of the same joints at once, each with a weight.
+
+use ga_runtime::cga3::{Motor, Rotor};
+use ga_runtime::vga3::Vector;
+
+use super::resample::{checked_frames, frames_within};
+use super::{RecordedJoint, Recording, RecordingError, ScalarTrack};
+use crate::transform::Transform;
+
+/// Recordings that cannot be blended. They and their joints count from 0.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum BlendError {
+    /// A weight is negative, infinite or not a number.
+    #[error("the weight of recording {recording} is {weight}, not 0 or more")]
+    Weight {
+        /// The recording.
+        recording: usize,
+        /// Its weight.
+        weight: f64,
+    },
+    /// All weights are 0, or their sum overflows.
+    #[error("the weights have the sum {0}, by which they cannot be divided")]
+    Sum(f64),
+    /// A recording has another number of joints than the first.
+    #[error("recording {recording} has {found} joints, but the first has {expected}")]
+    JointCount {
+        /// The recording.
+        recording: usize,
+        /// How many joints the first has.
+        expected: usize,
+        /// How many this one has.
+        found: usize,
+    },
+    /// A joint has another name than in the first recording.
+    #[error(
+        "joint {joint} of recording {recording} is {found:?}, but that of the first is {expected:?}"
+    )]
+    JointName {
+        /// The recording.
+        recording: usize,
+        /// The joint.
+        joint: usize,
+        /// Its name in the first recording.
+        expected: String,
+        /// Its name in this one.
+        found: String,
+    },
+    /// A joint has another parent than in the first recording.
+    #[error("joint {name:?} of recording {recording} has another parent than in the first")]
+    JointParent {
+        /// The recording.
+        recording: usize,
+        /// The name of the joint.
+        name: String,
+    },
+    /// The frames do not form a recording: there are too many, or a sum overflows.
+    #[error(transparent)]
+    Recording(#[from] RecordingError),
+}
+
+/// The mean of recordings of the same joints, each with its weight. Weights are divided by their
+/// sum.
+///
+/// With the local transforms T_k R_k s_k of a joint and the weights w_k, the mean has
+///
+/// ```text
+/// R = Σ ±w_k R_k / |Σ ±w_k R_k|,   t = Σ w_k t_k,   s = Σ w_k s_k,
+/// ```
+///
+/// with the signs of the shorter rotations to the recording of the greatest weight, so that the sum
+/// cannot vanish. For two recordings R is [`Rotor::nlerp`]. The transforms at rest are means in
+/// the same way.
+///
+/// *Time*. All recordings begin together. The mean is as long as the longest one, and a shorter one
+/// stays at its last frame. The time between frames is the shortest one. Recordings with a weight of
+/// 0 count for nothing, so where only one has a weight, the result is that recording, to the last
+/// bit.
+///
+/// *Scalar tracks* are matched by name; several of the same name in their order. A recording without
+/// a track counts as 0 there, which is the weight of a morph target at rest.
+///
+/// # Errors
+///
+/// [`BlendError`].
+///
+/// # Examples
+///
+/// ```
+/// use ga_anim::recording::{Recording, blend};
+///
+/// let parse = |angle: &str| -> Result<Recording, Box<dyn std::error::Error>> {
+///     let motion = format!(
+///         "HIERARCHY ROOT arm {{ OFFSET 0 0 0 CHANNELS 1 Zrotation }}
+///          MOTION Frames: 1 Frame Time: 0.01
+///          {angle}"
+///     );
+///     Ok(Recording::from_bvh(&ga_anim::bvh::parse(motion.as_bytes())?, 1.0)?)
+/// };
+/// let (low, high) = (parse("10")?, parse("50")?);
+/// let mean = blend(&[(&low, 2.0), (&high, 2.0)])?;
+/// let (_, angle) = mean.locals()[0].rotor().to_axis_angle();
+/// assert!((angle.to_degrees() - 30.0).abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn blend(recordings: &[(&Recording, f64)]) -> Result<Recording, BlendError> {
+    let sum = check(recordings)?;
+    let weighted: Vec<(&Recording, f64)> = recordings
+        .iter()
+        .filter(|&&(_, weight)| weight > 0.0)
+        .map(|&(recording, weight)| (recording, weight / sum))
+        .collect();
+    // There is at least one, since the sum is positive.
+    let Some(&(first, _)) = weighted.first() else {
+        return Err(BlendError::Sum(sum));
+    };
+    if weighted.len() == 1 {
+        return Ok(first.clone());
+    }
+    let all = || weighted.iter().map(|&(recording, _)| recording);
+    let frame_time = all().map(|r| r.frame_time).fold(f64::INFINITY, f64::min);
+    let duration = all().map(Recording::duration).fold(0.0, f64::max);
+    let count = first.joints.len();
+    let source = all().map(|recording| recording.locals.len()).sum();
+    let frames = checked_frames(frames_within(duration, frame_time), count, source)?;
+
+    let weights: Vec<f64> = weighted.iter().map(|&(_, weight)| weight).collect();
+    let mean = Mean::new(&weights);
+    let mut sampled = vec![vec![Transform::default(); count]; weighted.len()];
+    let mut locals = Vec::with_capacity(frames * count);
+    for frame in 0..frames {
+        for (recording, sampled) in all().zip(&mut sampled) {
+            recording.fill(frame as f64 * (frame_time / recording.frame_time), sampled);
+        }
+        locals.extend((0..count).map(|joint| mean.of(|k| sampled[k][joint])));
+    }
+    let joints = first.joints.iter().enumerate();
+    let joints = joints.map(|(joint, described)| RecordedJoint {
+        rest: mean.of(|k| weighted[k].0.joints[joint].rest),
+        ..described.clone()
+    });
+    let tracks = blended_tracks(&weighted, frame_time, frames);
+    Ok(Recording::new(
+        joints.collect(),
+        frame_time,
+        locals,
+        tracks,
+    )?)
+}
+
+/// The sum of the weights, where the recordings can be blended.
+fn check(recordings: &[(&Recording, f64)]) -> Result<f64, BlendError> {
+    for (recording, &(_, weight)) in recordings.iter().enumerate() {
+        if !weight.is_finite() || weight < 0.0 {
+            return Err(BlendError::Weight { recording, weight });
+        }
+    }
+    if let Some(((first, _), others)) = recordings.split_first() {
+        for (index, (other, _)) in others.iter().enumerate() {
+            check_joints(first, other, index + 1)?;
+        }
+    }
+    let sum: f64 = recordings.iter().map(|&(_, weight)| weight).sum();
+    match sum > 0.0 && sum.is_finite() {
+        true => Ok(sum),
+        false => Err(BlendError::Sum(sum)),
+    }
+}
+
+fn check_joints(first: &Recording, other: &Recording, recording: usize) -> Result<(), BlendError> {
+    let (expected, found) = (first.joints.len(), other.joints.len());
+    if expected != found {
+        return Err(BlendError::JointCount {
+            recording,
+            expected,
+            found,
+        });
+    }
+    for (joint, (a, b)) in first.joints.iter().zip(&other.joints).enumerate() {
+        if a.name != b.name {
+            return Err(BlendError::JointName {
+                recording,
+                joint,
+                expected: a.name.clone(),
+                found: b.name.clone(),
+            });
+        }
+        if a.parent != b.parent {
+            let name = a.name.clone();
+            return Err(BlendError::JointParent { recording, name });
+        }
+    }
+    Ok(())
+}
+
+/// Means of transforms with given weights.
+struct Mean<'a> {
+    weights: &'a [f64],
+    /// Which weight is the greatest.
+    heaviest: usize,
+}
+
+impl<'a> Mean<'a> {
+    fn new(weights: &'a [f64]) -> Self {
+        let heaviest = (0..weights.len())
+            .rev()
+            .max_by(|&a, &b| weights[a].total_cmp(&weights[b]));
+        Self {
+            weights,
+            heaviest: heaviest.unwrap_or(0),
+        }
+    }
+
+    /// The mean of the transforms with the weights, by index.
+    fn of(&self, transform: impl Fn(usize) -> Transform<f64>) -> Transform<f64> {
+        let reference = transform(self.heaviest).rotor();
+        let mut rotation = Motor::from(reference) * 0.0;
+        let (mut translation, mut scale) = (Vector::default(), Vector::default());
+        for (k, &weight) in self.weights.iter().enumerate() {
+            let transform = transform(k);
+            let rotor = transform.rotor();
+            let sign = 1f64.copysign(cosine(reference, rotor));
+            rotation += Motor::from(rotor) * (sign * weight);
+            translation += transform.translation() * weight;
+            scale += transform.scale * weight;
+        }
+        let rotor = rotation
+            .normalize()
+            .map_or(reference, |motor| motor.rotor());
+        Transform::from_parts(translation, rotor, scale)
+    }
+}
+
+/// The cosine of half the angle from one rotor to another.
+fn cosine(a: Rotor<f64>, b: Rotor<f64>) -> f64 {
+    (a.reverse() * b).scalar()
+}
+
+fn blended_tracks(
+    weighted: &[(&Recording, f64)],
+    frame_time: f64,
+    frames: usize,
+) -> Vec<ScalarTrack> {
+    let mut tracks: Vec<ScalarTrack> = Vec::new();
+    for &(recording, weight) in weighted {
+        let step = frame_time / recording.frame_time;
+        let mut is_taken = vec![false; tracks.len()];
+        for track in &recording.tracks {
+            let found = (0..is_taken.len()).find(|&k| !is_taken[k] && tracks[k].name == track.name);
+            let place = found.unwrap_or_else(|| {
+                tracks.push(ScalarTrack {
+                    name: track.name.clone(),
+                    values: vec![0.0; frames],
+                });
+                is_taken.push(false);
+                tracks.len() - 1
+            });
+            is_taken[place] = true;
+            for (frame, value) in tracks[place].values.iter_mut().enumerate() {
+                *value += weight * recording.track_at(track, frame as f64 * step);
+            }
+        }
+    }
+    tracks
+}

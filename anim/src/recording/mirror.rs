@@ -1,0 +1,221 @@
+//! The mirror image of a recording: left and right change places.
+
+use std::collections::HashMap;
+
+use ga_runtime::cga3::{DualPlane, Motor, Translator};
+use ga_runtime::vga3::Vector;
+
+use super::{RecordedJoint, Recording, ScalarTrack};
+use crate::clip::{MirrorError, other_side, reflected};
+use crate::transform::Transform;
+
+impl Recording {
+    /// The mirror image in the plane through the origin with this normal.
+    ///
+    /// Each joint moves as its counterpart on the other side does, seen in the mirror; joints whose
+    /// names say neither left nor right are their own counterparts. Names tell the sides as in
+    /// [`Mirror::by_names`](crate::clip::Mirror::by_names). The joints at rest stay as they are,
+    /// with axes of any direction. With A the rotor of a joint's axes in model space at rest, A_p
+    /// that of its parent, B and B_p those of the counterpart, t and R the counterpart's translation
+    /// from its place at rest and its rotation, and the plane π,
+    ///
+    /// ```text
+    /// T' R' = ~A_p π B_p (T R) ~B π A.
+    /// ```
+    ///
+    /// To this the joint's own place at rest is added, so that bones keep their lengths where the
+    /// skeleton is not its own mirror image. Joints without a parent are reflected as a whole. Even
+    /// scaling is kept. Scalar tracks change places by their names in the same way, where both of a
+    /// pair are there.
+    ///
+    /// The mirror image of a mirror image is the recording itself, up to rounding.
+    ///
+    /// # Errors
+    ///
+    /// [`MirrorError::Plane`] for a normal of zero, [`MirrorError::NoCounterpart`] where only one
+    /// side is there, [`MirrorError::Twice`] where the names do not form pairs,
+    /// [`MirrorError::Parents`], [`MirrorError::Scaled`] and [`MirrorError::Recording`].
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use ga_anim::recording::Recording;
+    /// use ga_runtime::vga3::Vector;
+    ///
+    /// let motion = ga_anim::bvh::parse(
+    ///     b"HIERARCHY ROOT hip { OFFSET 0 0 0 CHANNELS 3 Xposition Yposition Zposition
+    ///         JOINT LeftLeg { OFFSET 1 0 0 CHANNELS 1 Xrotation }
+    ///         JOINT RightLeg { OFFSET -1 0 0 CHANNELS 1 Xrotation } }
+    ///       MOTION Frames: 1 Frame Time: 0.01
+    ///       5 1 0 30 0",
+    /// )?;
+    /// let recording = Recording::from_bvh(&motion, 1.0)?.mirrored(Vector::new(1.0, 0.0, 0.0))?;
+    /// let [hip, left, right] = recording.locals() else { return Err("three joints".into()) };
+    /// assert_eq!(hip.translation(), Vector::new(-5.0, 1.0, 0.0));
+    /// assert_eq!(left.rotor().to_axis_angle().1, 0.0);
+    /// let (axis, angle) = right.rotor().to_axis_angle();
+    /// assert!((axis[0] - 1.0).abs() < 1e-15 && (angle.to_degrees() - 30.0).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn mirrored(&self, normal: Vector<f64>) -> Result<Self, MirrorError> {
+        let normal = normal.normalized().ok_or(MirrorError::Plane)?;
+        let plane = DualPlane::new(normal.e1, normal.e2, normal.e3, 0.0);
+        let images = images(&self.joints)?;
+        let count = self.joints.len();
+        let mut locals = Vec::with_capacity(self.locals.len());
+        for (frame, before) in self.locals.chunks_exact(count).enumerate() {
+            for image in &images {
+                let local = image.of(plane, &before[image.other]);
+                locals.push(local.ok_or_else(|| MirrorError::Scaled {
+                    name: self.joints[image.other].name.clone(),
+                    frame: Some(frame),
+                })?);
+            }
+        }
+        Ok(Self::new(
+            self.joints.clone(),
+            self.frame_time,
+            locals,
+            mirrored_tracks(&self.tracks),
+        )?)
+    }
+}
+
+/// How a joint follows its counterpart.
+struct Image {
+    /// The counterpart.
+    other: usize,
+    /// B_p and ~B.
+    to_model: [Motor<f64>; 2],
+    /// ~A_p and A.
+    from_model: [Motor<f64>; 2],
+    /// The places at rest of the counterpart and of the joint, relative to their parents.
+    places: [Vector<f64>; 2],
+    /// The length of the parent's unit beside that of the counterpart's parent.
+    factor: f64,
+    /// The factors of the joint at rest beside those of the counterpart.
+    scale: Vector<f64>,
+    /// The factors of the counterpart at rest.
+    rest_scale: Vector<f64>,
+}
+
+impl Image {
+    /// The image of the counterpart's transform; `None` where it is scaled unevenly.
+    fn of(&self, plane: DualPlane<f64>, other: &Transform<f64>) -> Option<Transform<f64>> {
+        even_factor(quotient(other.scale, self.rest_scale))?;
+        let moved = (other.translation() - self.places[0]) * self.factor;
+        let there = translation(moved) * other.rotor();
+        let [before, after] = self.to_model;
+        let [back, axes] = self.from_model;
+        let image = back * reflected(plane, before * there * after) * axes;
+        let place = image.translator().displacement();
+        Some(Transform::from_parts(
+            Vector::from(place) + self.places[1],
+            image.rotor(),
+            other.scale.component_product(self.scale),
+        ))
+    }
+}
+
+fn images(joints: &[RecordedJoint]) -> Result<Vec<Image>, MirrorError> {
+    let counterparts = counterparts(joints)?;
+    // The axes of each joint in model space at rest, and the length of its unit there.
+    let mut axes: Vec<(Motor<f64>, f64)> = Vec::with_capacity(joints.len());
+    let above = |axes: &[(Motor<f64>, f64)], parent: Option<usize>| {
+        parent.map_or((Motor::default(), 1.0), |parent| axes[parent])
+    };
+    for joint in joints {
+        let factor = even_factor(joint.rest.scale).ok_or_else(|| MirrorError::Scaled {
+            name: joint.name.clone(),
+            frame: None,
+        })?;
+        let (rotation, unit) = above(&axes, joint.parent);
+        axes.push((rotation * joint.rest.rotor(), unit * factor));
+    }
+    let image = |(joint, &other): (usize, &usize)| {
+        let (own, counterpart) = (&joints[joint], &joints[other]);
+        let (own_above, own_unit) = above(&axes, own.parent);
+        let (other_above, other_unit) = above(&axes, counterpart.parent);
+        let place = |joint: &RecordedJoint| match joint.parent {
+            Some(_) => joint.rest.translation(),
+            None => Vector::default(),
+        };
+        Image {
+            other,
+            to_model: [other_above, axes[other].0.reverse()],
+            from_model: [own_above.reverse(), axes[joint].0],
+            places: [place(counterpart), place(own)],
+            factor: other_unit / own_unit,
+            scale: quotient(own.rest.scale, counterpart.rest.scale),
+            rest_scale: counterpart.rest.scale,
+        }
+    };
+    Ok(counterparts.iter().enumerate().map(image).collect())
+}
+
+/// The counterpart of each joint by its name.
+fn counterparts(joints: &[RecordedJoint]) -> Result<Vec<usize>, MirrorError> {
+    let names = joints.iter().enumerate();
+    let places: HashMap<&str, usize> = names.map(|(k, joint)| (joint.name.as_str(), k)).collect();
+    let mut counterparts: Vec<usize> = (0..joints.len()).collect();
+    for (counterpart, joint) in counterparts.iter_mut().zip(joints) {
+        if let Some(expected) = other_side(&joint.name) {
+            let name = || joint.name.clone();
+            *counterpart =
+                *places
+                    .get(expected.as_str())
+                    .ok_or_else(|| MirrorError::NoCounterpart {
+                        name: name(),
+                        expected,
+                    })?;
+        }
+    }
+    for (joint, &other) in counterparts.iter().enumerate() {
+        let name = joints[joint].name.clone();
+        if counterparts[other] != joint {
+            return Err(MirrorError::Twice { name });
+        }
+        if joints[joint].parent.map(|parent| counterparts[parent]) != joints[other].parent {
+            let other = joints[other].name.clone();
+            return Err(MirrorError::Parents { name, other });
+        }
+    }
+    Ok(counterparts)
+}
+
+/// The tracks with the numbers of their counterparts, where there is one by its name.
+fn mirrored_tracks(tracks: &[ScalarTrack]) -> Vec<ScalarTrack> {
+    let place = |name: &str| tracks.iter().position(|track| track.name == name);
+    let counterpart = |name: &str| other_side(name).and_then(|other| place(&other));
+    let numbers = |track: &ScalarTrack| {
+        // Only pairs change places, so that doing it twice changes nothing.
+        let other = counterpart(&track.name).map(|other| &tracks[other]);
+        let other = other.filter(|other| other_side(&other.name).as_ref() == Some(&track.name));
+        other.unwrap_or(track).values.clone()
+    };
+    tracks
+        .iter()
+        .map(|track| ScalarTrack {
+            name: track.name.clone(),
+            values: numbers(track),
+        })
+        .collect()
+}
+
+/// The factor of a scaling that is positive and the same along all axes, up to the rounding of
+/// files in single precision.
+fn even_factor(scale: Vector<f64>) -> Option<f64> {
+    const TOLERANCE: f64 = 1e-4;
+    let [x, y, z] = scale.coordinates();
+    let is_even = |other: f64| (other - x).abs() <= TOLERANCE * x;
+    (x > 0.0 && is_even(y) && is_even(z)).then_some(x)
+}
+
+fn quotient(a: Vector<f64>, b: Vector<f64>) -> Vector<f64> {
+    let (a, b) = (a.coordinates(), b.coordinates());
+    [0, 1, 2].map(|axis| a[axis] / b[axis]).into()
+}
+
+fn translation(displacement: Vector<f64>) -> Motor<f64> {
+    Motor::from(Translator::from_displacement(displacement.coordinates()))
+}
