@@ -1,5 +1,6 @@
 //! The length of a curve, and the time at which a length is reached.
 
+use super::error::CurveError;
 use super::piecewise::{Curve, derivative};
 use super::value::Value;
 
@@ -16,7 +17,7 @@ const MOST_HALVINGS: u32 = 50;
 /// ```
 /// use ga_anim::curve::{ArcLength, Curve};
 /// let path = Curve::linear(&[0.0, 1.0, 4.0], &[[0.0, 0.0], [3.0, 4.0], [3.0, 10.0]])?;
-/// let length = ArcLength::new(&path);
+/// let length = ArcLength::new(&path)?;
 /// assert!((length.total() - 11.0).abs() < 1e-13);
 /// // Half of the way is reached at 1.25 seconds.
 /// assert!((length.time_at(5.5) - 1.25).abs() < 1e-13);
@@ -31,16 +32,27 @@ pub struct ArcLength<'a, V> {
 
 impl<'a, V: Value> ArcLength<'a, V> {
     /// Measures a curve.
-    #[must_use]
-    pub fn new(curve: &'a Curve<V>) -> Self {
+    ///
+    /// # Errors
+    ///
+    /// [`CurveError::OutOfRange`] where speeds or lengths are beyond the range of `f64`, although
+    /// the values of the curve are not.
+    pub fn new(curve: &'a Curve<V>) -> Result<Self, CurveError> {
         let mut lengths = Vec::with_capacity(curve.times.len());
         lengths.push(0.0);
         let mut sum = 0.0;
         for (index, piece) in curve.pieces.iter().enumerate() {
-            sum += length(piece, 0.0, curve.span(index));
+            let span = curve.span(index);
+            if !most_length(piece, span).is_finite() {
+                return Err(CurveError::OutOfRange { key: index });
+            }
+            sum += length(piece, 0.0, span);
+            if !sum.is_finite() {
+                return Err(CurveError::OutOfRange { key: index });
+            }
             lengths.push(sum);
         }
-        Self { curve, lengths }
+        Ok(Self { curve, lengths })
     }
 
     /// The length from the first key to the last.
@@ -116,6 +128,17 @@ fn speed<V: Value>(piece: &[V; 4], s: f64) -> f64 {
     }
     let squares = (0..V::DIMENSION).map(|k| (rate.component(k) / largest).powi(2));
     largest * squares.sum::<f64>().sqrt()
+}
+
+/// A bound of the length of a piece over a duration, and of all sums on the way to it.
+fn most_length<V: Value>(piece: &[V; 4], span: f64) -> f64 {
+    let of_component = |k: usize| {
+        let [b, c, d] = [1, 2, 3].map(|power: usize| piece[power].component(k).abs());
+        (3.0 * d * span + 2.0 * c) * span + b
+    };
+    let most_speed: f64 = (0..V::DIMENSION).map(of_component).sum();
+    // The weights of a rule add up to 2.
+    2.0 * most_speed * span.max(1.0)
 }
 
 /// The length of a part of a piece.

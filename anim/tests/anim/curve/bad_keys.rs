@@ -1,6 +1,8 @@
 //! Keys that are wrong are named.
 
-use ga_anim::curve::{BezierCurve, BezierKey, Curve, CurveError, EndKind, Ends, SplineSystem};
+use ga_anim::curve::{
+    ArcLength, BezierCurve, BezierKey, Curve, CurveError, EndKind, Ends, SplineSystem,
+};
 
 #[test]
 fn times() {
@@ -108,4 +110,26 @@ fn handles() {
         BezierCurve::new(&[key(2.0, 0.0, 0.0)]).unwrap().value(5.0),
         0.0
     );
+}
+
+#[test]
+fn speeds_beyond_the_range() {
+    // The coefficients are finite, but three times the cubic one is not.
+    let slopes = [-8e307, 1.6e308];
+    let steep = Curve::hermite(
+        &[0.0, 1.0, 2.0],
+        &[0.0; 3],
+        &[0.0, 0.0, slopes[1]],
+        &[0.0, slopes[0], 0.0],
+    );
+    let error = ArcLength::new(&steep.unwrap()).unwrap_err();
+    assert_eq!(error, CurveError::OutOfRange { key: 1 });
+    // Each piece has a length, but their sum is beyond the range.
+    let far = Curve::linear(&[0.0, 1.0, 2.0, 3.0], &[0.0, 8e307, 0.0, 8e307]).unwrap();
+    let error = ArcLength::new(&far).unwrap_err();
+    assert_eq!(error, CurveError::OutOfRange { key: 2 });
+    // Near the range a length is still found.
+    let long = Curve::linear(&[0.0, 2.0], &[[0.0, 0.0], [3e306, 4e306]]).unwrap();
+    let total = ArcLength::new(&long).unwrap().total();
+    assert!((total / 5e306 - 1.0).abs() < 1e-12);
 }

@@ -134,7 +134,7 @@ fn chords_near_the_fewest_and_arc_lengths_of_scipy() {
         assert_all_near(&dense, &table(&case["dense"]), "dense");
 
         // The oracle's lengths are sums of the trapezoidal rule and less exact.
-        let length = ArcLength::new(&curve);
+        let length = ArcLength::new(&curve).unwrap();
         let total = case["total_length"].as_f64().unwrap();
         assert!(
             (length.total() - total).abs() < 1e-6 * total,
