@@ -89,16 +89,13 @@ impl JointMap {
             let Some(sources) = there.get(meaning) else {
                 continue;
             };
-            if targets.iter().any(|&joint| source_of[joint].is_some()) {
-                continue;
-            }
             if matches!(meaning.0, Part::Spine | Part::Neck) {
                 let [last, last_there] = [targets, sources].map(|joints| joints.len() - 1);
                 for (place, &joint) in targets.iter().enumerate() {
                     let there = (place * last_there + last / 2) / last.max(1);
-                    source_of[joint] = Some(sources[there]);
+                    source_of[joint].get_or_insert(sources[there]);
                 }
-            } else {
+            } else if targets.iter().all(|&joint| source_of[joint].is_none()) {
                 source_of[targets[0]] = Some(sources[0]);
             }
         }

@@ -185,8 +185,8 @@ const NAMES: [(&str, [&str; 20]); 7] = [
         "by joints",
         [
             "Hips",
+            "Torso",
             "Chest",
-            "Chest2",
             "Neck",
             "Head",
             "LeftCollar",
