@@ -224,6 +224,22 @@ fn bad_input_is_one_line_and_writes_nothing() {
 }
 
 #[test]
+fn options_that_do_not_apply_are_refused() {
+    let folder = folder();
+    assert_success(&nullcone(folder.path(), COMPRESS));
+    let sample = |motion: &str, option: &str| {
+        let arguments = ["clip", "sample", motion, "--times", "0", option, "1"];
+        nullcone(folder.path(), arguments)
+    };
+    for option in ["--metres-per-unit", "--animation", "--rate"] {
+        assert_failure(&sample("wave.clip", option), &["wave.clip", option]);
+    }
+    for option in ["--animation", "--rate"] {
+        assert_failure(&sample("wave.bvh", option), &["wave.bvh", option]);
+    }
+}
+
+#[test]
 fn a_gltf_animation_is_compressed_and_sampled() {
     let Some(path) = shared("data/anim/gltf/Fox.glb") else {
         return;

@@ -1,9 +1,10 @@
 //! Motions from files of every kind.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail, ensure};
 use ga_anim::bvh;
+use ga_anim::clip::compressed::CompressedClip;
 use ga_anim::gltf::Player;
 use ga_anim::recording::{GltfMotion, Recording};
 use ga_mesh::gltf::{self, Document};
@@ -14,17 +15,12 @@ pub(super) struct MotionArguments {
     /// The motion.
     #[arg(value_name = "MOTION")]
     motion: PathBuf,
-    /// The length of one unit of the motion in metres.
-    #[arg(
-        long,
-        value_name = "N",
-        default_value_t = 1.0,
-        allow_negative_numbers = true
-    )]
-    metres_per_unit: f64,
-    /// The number of the animation in a glTF file, from 0.
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    animation: usize,
+    /// The length of one unit of the motion in metres [default: 1]. A compressed clip is in metres.
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    metres_per_unit: Option<f64>,
+    /// The number of the animation in a glTF file, from 0 [default: 0].
+    #[arg(long, value_name = "N")]
+    animation: Option<usize>,
     /// Frames per second at which a glTF animation is recorded; by default those of its keys.
     #[arg(long, value_name = "HZ", allow_negative_numbers = true)]
     rate: Option<f64>,
@@ -39,10 +35,6 @@ pub(super) enum Kind {
 }
 
 impl MotionArguments {
-    pub(super) fn path(&self) -> &Path {
-        &self.motion
-    }
-
     /// The file as messages name it.
     pub(super) fn file(&self) -> String {
         self.motion.display().to_string()
@@ -65,8 +57,39 @@ impl MotionArguments {
         }
     }
 
+    /// Fails where an option is given that this kind of file does not have.
+    fn check_options(&self) -> Result<()> {
+        let kind = self.kind()?;
+        let options = [
+            (
+                "--metres-per-unit",
+                self.metres_per_unit.is_some(),
+                kind != Kind::Clip,
+            ),
+            ("--animation", self.animation.is_some(), kind == Kind::Gltf),
+            ("--rate", self.rate.is_some(), kind == Kind::Gltf),
+        ];
+        for (option, is_given, applies) in options {
+            ensure!(
+                applies || !is_given,
+                "{option} does not apply to {}",
+                self.file()
+            );
+        }
+        Ok(())
+    }
+
+    /// The clip in a compressed file.
+    pub(super) fn clip(&self) -> Result<CompressedClip> {
+        self.check_options()?;
+        Ok(CompressedClip::read(&self.motion)?)
+    }
+
     /// The recording in a file that is not compressed.
     pub(super) fn recording(&self, quiet: bool) -> Result<Recording> {
+        if self.kind()? != Kind::Clip {
+            self.check_options()?;
+        }
         let unit = self.unit()?;
         match self.kind()? {
             Kind::Bvh => {
@@ -80,7 +103,7 @@ impl MotionArguments {
             }
             Kind::Gltf => {
                 let document = gltf::read(&self.motion)?;
-                Recording::from_gltf(&document, self.animation, unit, self.rate)
+                Recording::from_gltf(&document, self.animation.unwrap_or(0), unit, self.rate)
                     .with_context(|| self.file())
             }
             Kind::Clip => bail!("{}: the motion is already compressed", self.file()),
@@ -92,14 +115,19 @@ impl MotionArguments {
         Ok(gltf::read(&self.motion)?)
     }
 
-    /// The animation of a document.
+    /// The animation of a document, by its own curves and not at a rate.
     pub(super) fn gltf_motion<'a>(&self, player: &'a Player<'a>) -> Result<GltfMotion<'a>> {
+        ensure!(
+            self.rate.is_none(),
+            "--rate does not apply to the curves of {}, which have no frames",
+            self.file()
+        );
         let unit = self.unit()?;
-        GltfMotion::new(player, self.animation, unit).with_context(|| self.file())
+        GltfMotion::new(player, self.animation.unwrap_or(0), unit).with_context(|| self.file())
     }
 
     fn unit(&self) -> Result<f64> {
-        let unit = self.metres_per_unit;
+        let unit = self.metres_per_unit.unwrap_or(1.0);
         ensure!(
             unit > 0.0 && unit.is_finite(),
             "--metres-per-unit {unit}: the length of a unit must be greater than 0 and finite"

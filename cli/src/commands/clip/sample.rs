@@ -49,10 +49,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         ensure!(time.is_finite(), "--times {time}: a time must be finite");
     }
     let samples = match arguments.motion.kind()? {
-        Kind::Clip => of_clip(
-            &CompressedClip::read(arguments.motion.path())?,
-            &arguments.times,
-        ),
+        Kind::Clip => of_clip(&arguments.motion.clip()?, &arguments.times),
         Kind::Gltf => of_gltf(&arguments.motion, &arguments.times),
         Kind::Bvh => of_recording(&arguments.motion.recording(quiet)?, &arguments.times),
     };
@@ -181,7 +178,11 @@ fn of_gltf(motion: &MotionArguments, times: &[f64]) -> Result<Vec<Sample>> {
                     matrix: matrix(map.linear, map.translation),
                 })
                 .collect(),
-            tracks: Vec::new(),
+            tracks: motion
+                .track_values(time)?
+                .into_iter()
+                .map(|(track, value)| Track { track, value })
+                .collect(),
         })
     };
     times.iter().map(sample).collect()
