@@ -102,8 +102,9 @@ fn slerp(a: Quaternion<f64>, b: Quaternion<f64>, part: f64) -> Quaternion<f64> {
     let cosine = a.scalar * b.scalar + a.e12 * b.e12 + a.e13 * b.e13 + a.e23 * b.e23;
     let b = if cosine < 0.0 { b * -1.0 } else { b };
     let angle = cosine.abs().min(1.0).acos();
+    // Keys this close differ by less than the rounding of their numbers.
     if angle == 0.0 {
-        return a * (1.0 - part) + b * part;
+        return a;
     }
     a * ((1.0 - part) * angle).sin() + b * (part * angle).sin()
 }
