@@ -1,9 +1,13 @@
 //! Which joint of a recording moves which joint of a skeleton.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
+
+use serde::de::{Deserialize, Deserializer, Error};
+use serde_json::Value;
 
 use super::convention::{Part, Side, meaning};
 use crate::bvh::Bvh;
+use crate::rig::bones::Members;
 use crate::skeleton::Skeleton;
 
 /// For each joint of a skeleton, the joint of a recording that moves it, if any.
@@ -41,8 +45,11 @@ pub struct JointMap {
 /// A map of joints that does not fit.
 #[derive(Debug, thiserror::Error)]
 pub enum JointMapError {
-    /// The text is not JSON, or not an object of texts.
-    #[error("a map is an object {{\"joint of the motion\": \"joint of the skeleton\"}}: {0}")]
+    /// The text is not JSON, or not an object of names and lists of names.
+    #[error(
+        "a map is an object {{\"joint of the motion\": \"joint of the skeleton\"}}, or with a list \
+         of joints of the skeleton: {0}"
+    )]
     Json(#[from] serde_json::Error),
     /// The recording has no such joint.
     #[error("the motion has no joint {name:?}")]
@@ -60,6 +67,12 @@ pub enum JointMapError {
     #[error("joint {name:?} of the skeleton stands twice in the map")]
     Twice {
         /// The joint of the skeleton.
+        name: String,
+    },
+    /// A joint of the recording has two entries.
+    #[error("joint {name:?} of the motion stands twice in the map")]
+    Repeated {
+        /// The joint of the recording.
         name: String,
     },
 }
@@ -102,24 +115,31 @@ impl JointMap {
         Self { source_of }
     }
 
-    /// A map given as JSON, `{"joint of the recording": "joint of the skeleton"}`. Joints that are
-    /// not in it are not matched.
+    /// A map given as JSON, `{"joint of the recording": "joint of the skeleton"}`. A joint that
+    /// moves several has a list of them, `{"Spine": ["spine01", "spine02"]}`. Joints that are not in
+    /// the map are not matched.
     ///
     /// # Errors
     ///
     /// Any [`JointMapError`].
     pub fn from_json(bytes: &[u8], source: &Bvh, target: &Skeleton) -> Result<Self, JointMapError> {
-        let names: std::collections::BTreeMap<String, String> = serde_json::from_slice(bytes)?;
+        let Members(entries) = serde_json::from_slice::<Members<Targets>>(bytes)?;
         let mut source_of = vec![None; target.len()];
-        for (there, here) in names {
-            let Some(joint) = target.index(&here) else {
-                return Err(JointMapError::Target { name: here });
-            };
+        let mut seen = HashSet::new();
+        for (there, targets) in entries {
             let Some(found) = source.index(&there) else {
                 return Err(JointMapError::Source { name: there });
             };
-            if source_of[joint].replace(found).is_some() {
-                return Err(JointMapError::Twice { name: here });
+            if !seen.insert(found) {
+                return Err(JointMapError::Repeated { name: there });
+            }
+            for here in targets.names() {
+                let Some(joint) = target.index(&here) else {
+                    return Err(JointMapError::Target { name: here });
+                };
+                if source_of[joint].replace(found).is_some() {
+                    return Err(JointMapError::Twice { name: here });
+                }
             }
         }
         Ok(Self { source_of })
@@ -129,6 +149,36 @@ impl JointMap {
     #[must_use]
     pub fn source_of(&self) -> &[Option<usize>] {
         &self.source_of
+    }
+}
+
+/// What one joint of a recording moves.
+enum Targets {
+    One(String),
+    Several(Vec<String>),
+}
+
+impl Targets {
+    fn names(self) -> Vec<String> {
+        match self {
+            Self::One(name) => vec![name],
+            Self::Several(names) => names,
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Targets {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        match Value::deserialize(deserializer)? {
+            Value::String(name) => Ok(Self::One(name)),
+            list @ Value::Array(_) => {
+                let names = serde_json::from_value(list).map_err(D::Error::custom)?;
+                Ok(Self::Several(names))
+            }
+            other => Err(D::Error::custom(format!(
+                "{other} is neither a name nor a list of names"
+            ))),
+        }
     }
 }
 

@@ -70,7 +70,7 @@ pub struct Retarget<'a> {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum RetargetError {
     /// No joint of the recording belongs to one of the skeleton, by name or by the map.
-    #[error("no joint of the motion has the name of a bone of the rig")]
+    #[error("no joint of the motion belongs to a joint of the skeleton, by name or by the map")]
     NoMatch,
     /// No leg was found: matched long bones above a foot on the ground.
     #[error(

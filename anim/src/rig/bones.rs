@@ -9,7 +9,7 @@ use crate::skeleton::{Joint, Skeleton};
 
 /// The members of a JSON object in their order, including those with the same name, which a map
 /// would drop silently.
-pub(super) struct Members<V>(Vec<(String, V)>);
+pub(crate) struct Members<V>(pub(crate) Vec<(String, V)>);
 
 impl<V> Members<V> {
     /// The members by name.

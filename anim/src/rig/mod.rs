@@ -9,7 +9,7 @@
 //!
 //! Source: the files of MPFB, the MakeHuman plug-in for Blender.
 
-mod bones;
+pub(crate) mod bones;
 mod painted;
 
 use std::path::Path;

@@ -361,6 +361,10 @@ fn maps_from_json_and_their_faults() {
     let arm = motion.index("mixamorig:LeftArm");
     assert_eq!(found.source_of()[17], arm);
     assert_eq!(found.source_of().iter().flatten().count(), 2);
+    let several = map(r#"{"mixamorig:Hips": ["Bip01 Pelvis", "Bip01 R Thigh"]}"#).unwrap();
+    let sources = several.source_of();
+    assert_eq!((sources[0], sources[17]), (Some(0), Some(0)));
+    assert_eq!(sources.iter().flatten().count(), 2);
     for (text, message) in [
         (
             r#"{"Hips": "Bip01 Pelvis"}"#,
@@ -374,10 +378,18 @@ fn maps_from_json_and_their_faults() {
             r#"{"mixamorig:Hips": "Bip01 Head", "mixamorig:Neck": "Bip01 Head"}"#,
             "joint \"Bip01 Head\" of the skeleton stands twice in the map",
         ),
+        (
+            r#"{"mixamorig:Hips": ["Bip01 Head", "Bip01 Pelvis", "Bip01 Head"]}"#,
+            "joint \"Bip01 Head\" of the skeleton stands twice in the map",
+        ),
+        (
+            r#"{"mixamorig:Hips": "Bip01 Head", "mixamorig:Hips": "Bip01 Pelvis"}"#,
+            "joint \"mixamorig:Hips\" of the motion stands twice in the map",
+        ),
     ] {
         assert_eq!(map(text).unwrap_err().to_string(), message);
     }
-    for text in ["", "[]", r#"{"a": 1}"#, r#"{"a": "#] {
+    for text in ["", "[]", r#"{"a": 1}"#, r#"{"a": [1]}"#, r#"{"a": "#] {
         assert!(
             map(text)
                 .unwrap_err()
