@@ -201,10 +201,14 @@ fn skeleton(
 /// The name of a node, with its number where an earlier one has the same or it has none.
 fn name(index: usize, node: &Node, taken: &mut HashSet<String>) -> String {
     let own = node.name.clone().filter(|name| !taken.contains(name));
-    let name = own.unwrap_or_else(|| match &node.name {
+    let mut name = own.unwrap_or_else(|| match &node.name {
         Some(name) => format!("{name} (node {index})"),
         None => format!("node {index}"),
     });
+    // An earlier node may have just this name.
+    while taken.contains(&name) {
+        name.push('_');
+    }
     taken.insert(name.clone());
     name
 }

@@ -170,3 +170,13 @@ fn the_cesium_man() {
         }
     }
 }
+
+#[test]
+fn joints_whose_numbered_names_are_taken() {
+    let mut document = document();
+    document.nodes[2].name = Some("node 3".to_owned());
+    let body = character(&document).unwrap();
+    let joints = body.skeleton.joints().iter();
+    let names: Vec<&str> = joints.map(|joint| joint.name.as_str()).collect();
+    assert_eq!(names, ["node 3", "node 3_", "arm"]);
+}
