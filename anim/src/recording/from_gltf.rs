@@ -219,7 +219,9 @@ impl<'a> GltfMotion<'a> {
     /// The motion as frames at equal time steps, from 0 to the last key.
     ///
     /// Where no rate is given and all keys are at multiples of the shortest interval between two
-    /// of them, up to a thousandth of it, that interval is the step, and each key is kept as it is.
+    /// of them, up to a thousandth of it, that interval is the step. A key whose time is that of a
+    /// frame up to the rounding of single precision is kept as it is; every other frame shows the
+    /// document at its own time.
     /// Otherwise the step is the shortest interval, but not below 1/240 s. Between frames a
     /// recording is linear: a rate well above that of the keys shows steps and splines as they are.
     ///
@@ -348,7 +350,7 @@ impl Grid {
     /// Whether a frame is at a key, up to the rounding of a sum of times in single precision.
     fn meets(&self, key: f64) -> bool {
         let nearest = (key / self.step).round() * self.step;
-        (key - nearest).abs() <= (4.0 * f64::from(f32::EPSILON) * key).max(1e-3 * self.step)
+        (key - nearest).abs() <= rounding(key).max(1e-3 * self.step)
     }
 
     /// The time of a frame; that of the key there is, where it differs by rounding alone.
@@ -356,13 +358,18 @@ impl Grid {
         let time = frame as f64 * self.step;
         let after = keys.partition_point(|&key| key < time);
         let near = [after.wrapping_sub(1), after].map(|key| keys.get(key));
-        let is_here = |key: &&f64| (*key / self.step).round() == frame as f64 && self.meets(**key);
+        let is_here = |key: &&f64| (*key - time).abs() <= rounding(**key);
         near.into_iter()
             .flatten()
             .find(is_here)
             .copied()
             .unwrap_or(time)
     }
+}
+
+/// The rounding of a sum of times in single precision.
+fn rounding(time: f64) -> f64 {
+    4.0 * f64::from(f32::EPSILON) * time
 }
 
 /// The times of all keys in rising order.
@@ -408,14 +415,19 @@ fn joint_nodes(player: &Player, is_moving: &[bool], pose: &NodePose) -> Vec<bool
 
 /// The transform of a map that translates, rotates and scales evenly.
 fn even(map: Affine<f64>) -> Option<Transform<f64>> {
+    // A deviation here would be in every frame of every joint below.
+    const TOLERANCE: f64 = 1e-6;
     let factor = map.determinant().cbrt();
     let factors = Vector::new(factor, factor, factor);
+    let transform = || with_factors(map, factors, TOLERANCE);
     // A mirrored map has no rotation.
-    (factor > 0.0).then(|| with_factors(map, factors)).flatten()
+    (factor > 0.0).then(transform).flatten()
 }
 
 /// A local frame as translation, rotation and factors; `None` for a matrix that has none.
 fn parts(frame: &LocalFrame) -> Option<Transform<f64>> {
+    // Files write matrices in single precision, some with few digits.
+    const TOLERANCE: f64 = 1e-5;
     let map = match frame {
         LocalFrame::Parts(parts) => return Some(*parts),
         LocalFrame::Matrix(map) => *map,
@@ -425,13 +437,11 @@ fn parts(frame: &LocalFrame) -> Option<Transform<f64>> {
     if map.determinant() < 0.0 {
         factors[0] = -factors[0];
     }
-    with_factors(map, factors.into())
+    with_factors(map, factors.into(), TOLERANCE)
 }
 
-/// The transform that a map is, with these factors: L = R diag(s), up to the rounding of matrices
-/// in single precision.
-fn with_factors(map: Affine<f64>, factors: Vector<f64>) -> Option<Transform<f64>> {
-    const TOLERANCE: f64 = 1e-5;
+/// The transform that a map is, with these factors: L = R diag(s), up to a part of the largest.
+fn with_factors(map: Affine<f64>, factors: Vector<f64>, tolerance: f64) -> Option<Transform<f64>> {
     let pairs = [0, 1, 2].map(|axis| {
         let mut from = [0.0; 3];
         from[axis] = factors[axis].signum();
@@ -443,7 +453,7 @@ fn with_factors(map: Affine<f64>, factors: Vector<f64>) -> Option<Transform<f64>
     let numbers = found.as_flattened().iter().zip(map.linear.as_flattened());
     let error = numbers.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     let size = factors.abs().coordinates().into_iter().fold(0.0, f64::max);
-    (error <= TOLERANCE * size).then_some(transform)
+    (error <= tolerance * size).then_some(transform)
 }
 
 /// The name of a node, or its number.
