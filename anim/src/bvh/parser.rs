@@ -1,3 +1,5 @@
+use std::collections::HashSet;
+
 use super::words::{Words, number};
 use super::{Bvh, BvhError, BvhJoint, BvhProblem, BvhWarning, Channel, warning};
 
@@ -36,6 +38,7 @@ struct Open {
 fn hierarchy(words: &mut Words) -> Result<Vec<BvhJoint>, BvhError> {
     const IN_JOINT: &str = "OFFSET, CHANNELS, JOINT, End Site or }";
     let mut joints: Vec<BvhJoint> = Vec::new();
+    let mut names = HashSet::new();
     let mut open: Vec<Open> = Vec::new();
     loop {
         let Some(top) = open.last_mut() else {
@@ -46,7 +49,7 @@ fn hierarchy(words: &mut Words) -> Result<Vec<BvhJoint>, BvhError> {
             };
             match words.next(expected)? {
                 word if word.eq_ignore_ascii_case("ROOT") => {
-                    open.push(begin(words, &mut joints, None)?)
+                    open.push(begin(words, &mut joints, &mut names, None)?)
                 }
                 word if word.eq_ignore_ascii_case("MOTION") && !joints.is_empty() => {
                     return Ok(joints);
@@ -70,7 +73,7 @@ fn hierarchy(words: &mut Words) -> Result<Vec<BvhJoint>, BvhError> {
             }
             "JOINT" => {
                 let parent = Some(top.joint);
-                open.push(begin(words, &mut joints, parent)?);
+                open.push(begin(words, &mut joints, &mut names, parent)?);
             }
             "END" => {
                 words.expect("Site")?;
@@ -109,10 +112,11 @@ fn once(words: &Words, joint: &BvhJoint, what: &'static str, found: usize) -> Re
 fn begin(
     words: &mut Words,
     joints: &mut Vec<BvhJoint>,
+    names: &mut HashSet<String>,
     parent: Option<usize>,
 ) -> Result<Open, BvhError> {
     let name = words.name()?;
-    if joints.iter().any(|joint| joint.name == name) {
+    if !names.insert(name.clone()) {
         return Err(words.error(BvhProblem::DuplicateName { name }));
     }
     words.expect("{")?;
