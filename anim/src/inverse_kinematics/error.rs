@@ -86,6 +86,9 @@ pub enum KinematicsError {
         /// For how many the limits are.
         found: usize,
     },
+    /// A tolerance is negative or not a number.
+    #[error("{0} is not a tolerance")]
+    Tolerance(f64),
     /// There is no marker.
     #[error("a fit needs at least one marker")]
     NoMarkers,
@@ -118,6 +121,14 @@ pub(super) fn finite(
     }
     let coordinates = place.coordinates();
     Err(KinematicsError::NotFinite { what, coordinates })
+}
+
+/// An error where a tolerance is negative or not a number.
+pub(super) fn check_tolerance(tolerance: f64) -> Result<(), KinematicsError> {
+    if tolerance >= 0.0 {
+        return Ok(());
+    }
+    Err(KinematicsError::Tolerance(tolerance))
 }
 
 /// An error where a skeleton has no such joint.

@@ -6,7 +6,7 @@ use ga_runtime::ga;
 use ga_runtime::vga3::Vector;
 
 use super::aim::fits;
-use super::error::{KinematicsError, exists, finite};
+use super::error::{KinematicsError, check_tolerance, exists, finite};
 use super::limb::{below, own_motion, total_motion, with_rotation};
 use super::two_bone::displaced;
 use crate::pose::{Pose, moved};
@@ -105,19 +105,21 @@ impl Fabrik {
     /// are farther apart or nearer together.
     ///
     /// A target beyond the length of the chain gives the straight chain that points to it, which is
-    /// the nearest. A straight chain whose target is on its line is bent a little first, to an
+    /// the nearest. Where one bone is longer than all others together and the target is too near the
+    /// root, the iterations go on to their limit. A straight chain whose target is on its line is bent a little first, to an
     /// arbitrary side, since the spheres would not leave the line.
     ///
     /// # Errors
     ///
     /// [`KinematicsError::Chain`] for another number of joints, [`KinematicsError::NotFinite`], and
-    /// [`KinematicsError::Folded`] for a target at the root that is beyond reach.
+    /// [`KinematicsError::Tolerance`].
     pub fn solve(
         &self,
         joints: &mut [Point<f64>],
         target: Point<f64>,
         settings: &FabrikSettings,
     ) -> Result<FabrikReport, KinematicsError> {
+        check_tolerance(settings.tolerance)?;
         self.check(joints, target)?;
         let last = self.lengths.len();
         if joints[0].distance(target) >= self.total {
@@ -255,7 +257,8 @@ fn towards(centre: Point<f64>, point: Point<f64>, length: f64) -> Point<f64> {
 ///
 /// [`KinematicsError::NoJoint`], [`KinematicsError::NotBelow`], [`KinematicsError::Pose`],
 /// [`KinematicsError::Limits`], [`KinematicsError::NotFinite`], [`KinematicsError::Chain`] for
-/// fewer than two joints, [`KinematicsError::ZeroLengthBone`] with the joint's name.
+/// fewer than two joints, [`KinematicsError::ZeroLengthBone`] with the joint's name,
+/// [`KinematicsError::Tolerance`].
 ///
 /// ```
 /// use ga_anim::inverse_kinematics::{FabrikSettings, reach_with_chain};
@@ -290,6 +293,7 @@ pub fn reach_with_chain(
     target: Point<f64>,
     settings: &FabrikSettings,
 ) -> Result<FabrikReport, KinematicsError> {
+    check_tolerance(settings.tolerance)?;
     for &joint in chain {
         exists(skeleton, joint)?;
     }

@@ -5,7 +5,7 @@ use ga_runtime::geometry::RotationPath;
 use ga_runtime::vga3::Vector;
 
 use super::aim::fits;
-use super::error::{KinematicsError, exists, finite};
+use super::error::{KinematicsError, check_tolerance, exists, finite};
 use super::limb::with_rotation;
 use super::normal_equations::{Blocked, NormalEquations};
 use super::two_bone::rotated;
@@ -229,13 +229,14 @@ impl<'a> PoseFit<'a> {
     /// # Errors
     ///
     /// [`KinematicsError::Targets`], [`KinematicsError::NotFinite`], [`KinematicsError::Weight`],
-    /// [`KinematicsError::Pose`]. The pose is then as it was.
+    /// [`KinematicsError::Pose`], [`KinematicsError::Tolerance`]. The pose is then as it was.
     pub fn solve(
         &mut self,
         targets: &[Target],
         pose: &mut Pose,
         settings: &PoseFitSettings,
     ) -> Result<PoseFitReport, KinematicsError> {
+        check_tolerance(settings.tolerance)?;
         self.check(targets, pose)?;
         let mut best = pose.clone();
         self.clamp(&mut best);

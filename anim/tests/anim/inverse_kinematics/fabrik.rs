@@ -188,7 +188,15 @@ fn faults_of_chains() {
             ..
         })
     ));
-    // Coincident joints and a target at the root are no trouble.
+    for tolerance in [f64::NAN, -1.0] {
+        let wrong = FabrikSettings {
+            tolerance,
+            ..settings()
+        };
+        let found = fabrik.solve(&mut joints, at(1.0), &wrong);
+        assert!(matches!(found, Err(KinematicsError::Tolerance(_))));
+    }
+    // Coincident joints and a target at the root are solved as well.
     let mut joints = [at(0.0); 3];
     let report = fabrik.solve(&mut joints, at(0.0), &settings()).unwrap();
     assert!(report.distance <= 1e-9);
