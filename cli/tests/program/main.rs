@@ -6,6 +6,7 @@ mod animate;
 mod bad_input;
 mod bake;
 mod clip;
+mod clip_edit;
 mod common;
 mod curve;
 mod demo;

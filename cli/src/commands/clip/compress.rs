@@ -1,15 +1,12 @@
 //! `nullcone clip compress`: a recording in few bytes, with an error that stays within a bound.
 
 use std::path::PathBuf;
-use std::str::FromStr;
 
-use anyhow::{Context, Result, ensure};
-use ga_anim::clip::compressed::{self, JointBound, Settings};
-use serde::Serialize;
+use anyhow::Result;
+use ga_anim::clip::compressed::Settings;
 
-use super::info::Size;
 use super::input::{Kind, MotionArguments, vertices};
-use crate::output;
+use super::target::{self, OwnBound};
 use crate::progress::Progress;
 
 /// Compress a recording so that a bound on its error holds on every frame.
@@ -75,33 +72,6 @@ pub(crate) struct Arguments {
     json: bool,
 }
 
-/// The bound of one joint, as it is written on the command line.
-#[derive(Clone, Debug)]
-struct OwnBound {
-    name: String,
-    tolerance: f64,
-    shell: Option<f64>,
-}
-
-impl FromStr for OwnBound {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let wrong = || "must be a name, `=`, a tolerance and perhaps `,` and a shell".to_owned();
-        let (name, numbers) = text.rsplit_once('=').ok_or_else(wrong)?;
-        let (tolerance, shell) = match numbers.split_once(',') {
-            Some((tolerance, shell)) => (tolerance, Some(shell)),
-            None => (numbers, None),
-        };
-        let number = |text: &str| text.trim().parse().map_err(|_| wrong());
-        Ok(Self {
-            name: name.to_owned(),
-            tolerance: number(tolerance)?,
-            shell: shell.map(number).transpose()?,
-        })
-    }
-}
-
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let file = arguments.motion.file();
     let progress = Progress::new(100, quiet);
@@ -113,102 +83,15 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         track_tolerance: arguments.track_tolerance,
         joints: Vec::new(),
     };
-    for own in &arguments.joints {
-        let named =
-            |(_, joint): &(usize, &ga_anim::recording::RecordedJoint)| joint.name == own.name;
-        let found: Vec<usize> = recording
-            .joints()
-            .iter()
-            .enumerate()
-            .filter(named)
-            .map(|(j, _)| j)
-            .collect();
-        ensure!(
-            !found.is_empty(),
-            "--joint {}: {file} has no such joint",
-            own.name
-        );
-        settings
-            .joints
-            .extend(found.into_iter().map(|joint| JointBound {
-                joint,
-                tolerance: own.tolerance,
-                shell: own.shell.unwrap_or(arguments.shell),
-            }));
-    }
-    progress.step("compressing");
-    let clip = compressed::compress(&recording, &settings, |done, steps| {
-        progress.at(done as u64, steps as u64);
-    })
-    .with_context(|| file.clone())?;
-    let measured = compressed::measure(&recording, &clip)
-        .context("the clip does not have the joints and frames of its recording")?;
-    drop(progress);
-    let mesh_vertices = match (arguments.mesh_vertices, arguments.motion.kind()?) {
-        (None, Kind::Gltf) => Some(vertices(&arguments.motion.document()?)),
-        (vertices, _) => vertices,
-    };
-    clip.write(&arguments.out)?;
-    let report = Report {
-        file,
-        out: arguments.out.display().to_string(),
-        size: Size::new(&clip, mesh_vertices),
-        max_error_metres: measured.error,
-        max_error_joint: recording.joints()[measured.joint].name.clone(),
-        max_error_frame: measured.frame,
-        half_frame_error_metres: measured.half_frame_error,
-        tracks: recording.tracks().len(),
-        max_track_error: measured.track_error,
-    };
-    if arguments.json {
-        return output::print_json(&report);
-    }
-    if quiet {
-        return Ok(());
-    }
-    output::print(&report.lines())
-}
-
-/// What was written, and how exact it is.
-#[derive(Debug, Serialize)]
-struct Report {
-    file: String,
-    out: String,
-    #[serde(flatten)]
-    size: Size,
-    max_error_metres: f64,
-    max_error_joint: String,
-    max_error_frame: usize,
-    half_frame_error_metres: f64,
-    tracks: usize,
-    max_track_error: f64,
-}
-
-impl Report {
-    fn lines(&self) -> String {
-        let Self {
-            file, out, size, ..
-        } = self;
-        let mut lines = format!(
-            "{file}: {} frames of {} joints, {} numbers a frame change\n{out}: {}",
-            size.frames,
-            size.joints,
-            size.channels,
-            size.lines(),
-        );
-        lines += &format!(
-            "error      {:.4} mm at most, of joint {} in frame {}; {:.4} mm half-way between frames\n",
-            1e3 * self.max_error_metres,
-            self.max_error_joint,
-            self.max_error_frame,
-            1e3 * self.half_frame_error_metres,
-        );
-        if self.tracks > 0 {
-            lines += &format!(
-                "tracks     {}, within {:.1e}\n",
-                self.tracks, self.max_track_error
-            );
+    target::add_bounds(&mut settings, &arguments.joints, &recording, &file)?;
+    let mesh_vertices = || -> Result<Option<u64>> {
+        match (arguments.mesh_vertices, arguments.motion.kind()?) {
+            (None, Kind::Gltf) => Ok(Some(vertices(&arguments.motion.document()?))),
+            (vertices, _) => Ok(vertices),
         }
-        lines
-    }
+    };
+    let out = &arguments.out;
+    let report = target::write(&recording, &settings, file, out, &progress, mesh_vertices)?;
+    drop(progress);
+    report.print(arguments.json, quiet)
 }

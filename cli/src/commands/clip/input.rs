@@ -1,10 +1,10 @@
 //! Motions from files of every kind.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail, ensure};
 use ga_anim::bvh;
-use ga_anim::clip::compressed::CompressedClip;
+use ga_anim::clip::compressed::{CompressedClip, Settings};
 use ga_anim::gltf::Player;
 use ga_anim::recording::{GltfMotion, Recording};
 use ga_mesh::gltf::{self, Document};
@@ -34,27 +34,48 @@ pub(super) enum Kind {
     Clip,
 }
 
+impl Kind {
+    pub(super) fn of(motion: &Path) -> Result<Self> {
+        let ending = motion.extension().unwrap_or_default().to_ascii_lowercase();
+        match ending.to_str() {
+            Some("bvh") => Ok(Self::Bvh),
+            Some("glb" | "gltf") => Ok(Self::Gltf),
+            Some("clip") => Ok(Self::Clip),
+            _ => bail!(
+                "{}: a motion is a file of the kind .bvh, .glb, .gltf or .clip",
+                motion.display()
+            ),
+        }
+    }
+}
+
 impl MotionArguments {
+    pub(super) fn new(
+        motion: &Path,
+        metres_per_unit: Option<f64>,
+        animation: Option<usize>,
+    ) -> Self {
+        Self {
+            motion: motion.to_owned(),
+            metres_per_unit,
+            animation,
+            rate: None,
+        }
+    }
+
+    /// With a rate at which an animation of glTF is recorded. Other motions have their own.
+    pub(super) fn recorded_at(self, rate: f64) -> Result<Self> {
+        let rate = (self.kind()? == Kind::Gltf).then_some(rate);
+        Ok(Self { rate, ..self })
+    }
+
     /// The file as messages name it.
     pub(super) fn file(&self) -> String {
         self.motion.display().to_string()
     }
 
     pub(super) fn kind(&self) -> Result<Kind> {
-        let ending = self
-            .motion
-            .extension()
-            .unwrap_or_default()
-            .to_ascii_lowercase();
-        match ending.to_str() {
-            Some("bvh") => Ok(Kind::Bvh),
-            Some("glb" | "gltf") => Ok(Kind::Gltf),
-            Some("clip") => Ok(Kind::Clip),
-            _ => bail!(
-                "{}: a motion is a file of the kind .bvh, .glb, .gltf or .clip",
-                self.file()
-            ),
-        }
+        Kind::of(&self.motion)
     }
 
     /// Fails where an option is given that this kind of file does not have.
@@ -108,6 +129,16 @@ impl MotionArguments {
             }
             Kind::Clip => bail!("{}: the motion is already compressed", self.file()),
         }
+    }
+
+    /// The recording in a file of any kind, and the bounds of a compressed clip.
+    pub(super) fn any_recording(&self, quiet: bool) -> Result<(Recording, Settings)> {
+        if self.kind()? != Kind::Clip {
+            return Ok((self.recording(quiet)?, Settings::default()));
+        }
+        let clip = self.clip()?;
+        let recording = Recording::from_compressed(&clip).with_context(|| self.file())?;
+        Ok((recording, clip.settings().clone()))
     }
 
     /// The glTF document, for what a recording does not have.

@@ -1,14 +1,18 @@
 //! `nullcone clip`: recordings of motion in files.
 
+mod blend;
 mod compress;
 mod info;
 mod input;
+mod mirror;
+mod resample;
 mod sample;
+mod target;
 
 use anyhow::Result;
 use clap::Subcommand;
 
-/// Compress recordings of motion within a bound, and sample them.
+/// Compress recordings of motion within a bound, sample, resample, mirror and blend them.
 ///
 /// A motion may be BVH (.bvh), glTF 2.0 (.glb, .gltf) or a compressed clip (.clip); the ending of
 /// the name says which.
@@ -23,6 +27,9 @@ enum Command {
     Compress(compress::Arguments),
     Info(info::Arguments),
     Sample(sample::Arguments),
+    Resample(resample::Arguments),
+    Mirror(mirror::Arguments),
+    Blend(blend::Arguments),
 }
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
@@ -30,5 +37,8 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         Command::Compress(arguments) => compress::run(arguments, quiet),
         Command::Info(arguments) => info::run(arguments),
         Command::Sample(arguments) => sample::run(arguments, quiet),
+        Command::Resample(arguments) => resample::run(arguments, quiet),
+        Command::Mirror(arguments) => mirror::run(arguments, quiet),
+        Command::Blend(arguments) => blend::run(arguments, quiet),
     }
 }

@@ -1,0 +1,122 @@
+//! `nullcone clip blend`: several motions of the same joints at once.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, ensure};
+use ga_anim::recording::{Recording, blend};
+
+use super::input::{Kind, MotionArguments};
+use super::target::TargetArguments;
+use crate::progress::Progress;
+
+/// Write the mean of motions of the same joints, each with a weight.
+///
+/// Weights are divided by their sum. The rotation of a joint is the normalised sum of the rotors of
+/// the motions, by the shorter ways to that of the greatest weight; translations and factors are
+/// mixed linearly. Joints must have the same names and parents in the same order.
+///
+/// All motions begin together. The result is as long as the longest one and has the shortest time
+/// between frames; a shorter motion stays at its last frame. A motion with a weight of 0 counts for
+/// nothing, so weights of 1 and 0 give the first one as it is. A scalar track that a motion does
+/// not have counts as 0.
+///
+/// For instance
+///
+///   nullcone clip blend walk.clip run.clip --weights 0.7,0.3 --out jog.clip
+///
+/// writes a motion that is more a walk than a run. With --json it prints the same keys as
+/// `nullcone clip compress`; max_error_metres is the error of compression, against the mean.
+#[derive(Clone, Debug, clap::Args)]
+#[command(verbatim_doc_comment)]
+pub(crate) struct Arguments {
+    /// The motions.
+    #[arg(value_name = "MOTION", num_args = 2.., required = true)]
+    motions: Vec<PathBuf>,
+    /// One number of 0 or more for each motion, separated by commas.
+    #[arg(
+        long,
+        value_name = "W,W,…",
+        value_delimiter = ',',
+        required = true,
+        allow_negative_numbers = true
+    )]
+    weights: Vec<f64>,
+    /// The length of one unit of the motions in metres: one for all, or one for each, separated by
+    /// commas. A .clip is in metres.
+    #[arg(
+        long,
+        value_name = "N[,N,…]",
+        value_delimiter = ',',
+        default_value = "1",
+        allow_negative_numbers = true
+    )]
+    metres_per_unit: Vec<f64>,
+    /// The number of the animation in a glTF file, from 0: one for all, or one for each motion,
+    /// separated by commas.
+    #[arg(
+        long,
+        value_name = "N[,N,…]",
+        value_delimiter = ',',
+        default_value = "0"
+    )]
+    animation: Vec<usize>,
+    #[command(flatten)]
+    target: TargetArguments,
+}
+
+pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+    let Arguments {
+        motions,
+        weights,
+        target,
+        ..
+    } = arguments;
+    target.check()?;
+    ensure!(
+        weights.len() == motions.len(),
+        "--weights: {} weights for {} motions",
+        weights.len(),
+        motions.len()
+    );
+    let units = of_each("--metres-per-unit", &arguments.metres_per_unit, motions)?;
+    let animations = of_each("--animation", &arguments.animation, motions)?;
+    let progress = Progress::new(100, quiet);
+    progress.step("reading the motions");
+    let mut recordings = Vec::with_capacity(motions.len());
+    let mut settings = None;
+    for ((path, unit), animation) in motions.iter().zip(units).zip(animations) {
+        // One value for all motions is for those to which it applies.
+        let (unit, animation) = match Kind::of(path)? {
+            Kind::Bvh => (Some(unit), None),
+            Kind::Gltf => (Some(unit), Some(animation)),
+            Kind::Clip => (None, None),
+        };
+        let motion = MotionArguments::new(path, unit, animation);
+        let (recording, of_motion) = motion.any_recording(quiet)?;
+        recordings.push(recording);
+        settings.get_or_insert(of_motion);
+    }
+    let weighted: Vec<(&Recording, f64)> = recordings.iter().zip(weights.iter().copied()).collect();
+    let file = names(motions);
+    let mean = blend(&weighted).with_context(|| file.clone())?;
+    target.write(&mean, file, settings.unwrap_or_default(), progress, quiet)
+}
+
+/// One value for each motion, where there is one for all or one for each.
+fn of_each<T: Copy>(name: &str, values: &[T], motions: &[PathBuf]) -> Result<Vec<T>> {
+    match values {
+        [value] => Ok(vec![*value; motions.len()]),
+        values if values.len() == motions.len() => Ok(values.to_vec()),
+        values => anyhow::bail!(
+            "{name}: {} values for {} motions",
+            values.len(),
+            motions.len()
+        ),
+    }
+}
+
+/// The files as messages name them.
+fn names(motions: &[PathBuf]) -> String {
+    let names = motions.iter().map(|path| Path::display(path).to_string());
+    names.collect::<Vec<_>>().join(", ")
+}

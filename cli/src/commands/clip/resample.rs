@@ -1,0 +1,58 @@
+//! `nullcone clip resample`: the same motion at another number of frames per second.
+
+use std::path::PathBuf;
+
+use anyhow::{Context, Result};
+
+use super::input::{Kind, MotionArguments};
+use super::target::TargetArguments;
+use crate::progress::Progress;
+
+/// Write the same motion at another number of frames per second.
+///
+/// Between the frames of the motion rotations move along the shorter arc at constant speed,
+/// translations and factors linearly. The last frame is the last whole step within the duration of
+/// the motion. A glTF animation is sampled from its own curves, up to the step at or after its last
+/// key.
+///
+/// For instance
+///
+///   nullcone clip resample walk.clip --rate 30 --out walk-30.clip
+///
+/// writes a frame every 1/30 s. With --json it prints the same keys as `nullcone clip compress`;
+/// max_error_metres is the error of compression, against the resampled motion.
+#[derive(Clone, Debug, clap::Args)]
+#[command(verbatim_doc_comment)]
+pub(crate) struct Arguments {
+    /// The motion.
+    #[arg(value_name = "MOTION")]
+    motion: PathBuf,
+    /// Frames per second.
+    #[arg(long, value_name = "HZ", allow_negative_numbers = true)]
+    rate: f64,
+    /// The length of one unit of the motion in metres [default: 1]. A compressed clip is in metres.
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    metres_per_unit: Option<f64>,
+    /// The number of the animation in a glTF file, from 0 [default: 0].
+    #[arg(long, value_name = "N")]
+    animation: Option<usize>,
+    #[command(flatten)]
+    target: TargetArguments,
+}
+
+pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+    arguments.target.check()?;
+    let rate = arguments.rate;
+    let (unit, animation) = (arguments.metres_per_unit, arguments.animation);
+    let motion = MotionArguments::new(&arguments.motion, unit, animation).recorded_at(rate)?;
+    let progress = Progress::new(100, quiet);
+    progress.step("reading the motion");
+    let (mut recording, settings) = motion.any_recording(quiet)?;
+    if motion.kind()? != Kind::Gltf {
+        recording = recording
+            .resampled(rate)
+            .with_context(|| format!("{}: --rate {rate}", motion.file()))?;
+    }
+    let target = &arguments.target;
+    target.write(&recording, motion.file(), settings, progress, quiet)
+}
