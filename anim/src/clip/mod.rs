@@ -56,7 +56,8 @@ pub enum ClipError {
         /// How many this one has.
         found: usize,
     },
-    /// A rate is 0, negative, infinite or not a number, or gives more frames than fit in memory.
+    /// A rate is 0, negative, infinite or not a number, or gives a clip out of proportion to this
+    /// one.
     #[error("{0} is not a number of frames per second for this clip")]
     Rate(f64),
     /// A time is negative, infinite or not a number.
@@ -153,12 +154,22 @@ impl Clip {
     pub fn resampled(&self, rate: f64) -> Result<Self, ClipError> {
         // A last step that falls short of the end by rounding alone is still taken.
         let steps = (self.duration() * rate * (1.0 + 1e-12)).floor();
-        if !rate.is_finite() || rate <= 0.0 || steps >= f64::from(u32::MAX) {
+        if !rate.is_finite() || rate <= 0.0 || !self.admits(steps) {
             return Err(ClipError::Rate(rate));
         }
         let frame_time = 1.0 / rate;
         let frames = (0..=steps as u64).map(|step| self.sample(step as f64 * frame_time));
         Self::new(frame_time, frames.collect())
+    }
+
+    /// Whether a clip made from this one may have so many steps from frame to frame: up to four
+    /// million motors of joints, or sixteen times as many as this clip has.
+    fn admits(&self, steps: f64) -> bool {
+        const LIMIT: f64 = (1 << 22) as f64;
+        const TIMES: f64 = 16.0;
+        let joints = self.joint_count() as f64;
+        let own = self.frames.len() as f64 * joints;
+        (steps + 1.0) * joints.max(1.0) <= LIMIT.max(TIMES * own)
     }
 
     /// Fails unless something to be combined with this clip has as many joints.

@@ -97,7 +97,7 @@ impl Clip {
     /// [`ClipError::Rate`] where the clock runs so long that there would be too many frames.
     pub fn warped(&self, warp: &TimeWarp) -> Result<Self, ClipError> {
         let steps = (warp.duration() / self.frame_time * (1.0 + 1e-12)).floor();
-        if !steps.is_finite() || steps >= f64::from(u32::MAX) {
+        if !self.admits(steps) {
             return Err(ClipError::Rate(self.frame_time.recip()));
         }
         let start = warp.curve.start();
