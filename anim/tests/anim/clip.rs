@@ -124,9 +124,9 @@ proptest! {
         overlay(&mut pose, &[Layer::new(&list[1], 0.5)]).unwrap();
         let near = |a: Motor<f64>, b: Motor<f64>| quaternion(a).dot(quaternion(b)).abs() > 0.1;
         let pairs = || list[0].joints.iter().zip(&list[1].joints);
-        if pairs().all(|(&a, &b)| near(a, b)) && near(list[0].root, list[1].root) {
-            assert_same(&pose, &list[0].interpolate(&list[1], 0.5), 1e-12);
-        }
+        // Rotated by 180° against each other, poses have two means.
+        prop_assume!(pairs().all(|(&a, &b)| near(a, b)) && near(list[0].root, list[1].root));
+        assert_same(&pose, &list[0].interpolate(&list[1], 0.5), 1e-12);
     }
 
     #[test]
@@ -467,62 +467,6 @@ fn what_does_not_fit_is_said() {
         RootMotion::new(0.0, vec![Motor::default()]),
         Err(ClipError::FrameTime(0.0))
     );
-}
-
-#[test]
-fn a_mirror_knows_the_names_of_cmu() {
-    let joints = [
-        ("Hips", None),
-        ("LHipJoint", Some(0)),
-        ("LeftUpLeg", Some(1)),
-        ("RHipJoint", Some(0)),
-        ("RightUpLeg", Some(3)),
-        ("LFingers", Some(0)),
-        ("RFingers", Some(0)),
-    ];
-    let mirror = Mirror::by_names(&named(&joints), mirror_plane()).unwrap();
-    assert!(mirror.counterparts().eq([0, 3, 4, 1, 2, 6, 5]));
-
-    let Some(path) = shared("data/anim/bvh/01_01.bvh") else {
-        return;
-    };
-    let recording = Recording::from_bvh(&bvh::read(path).unwrap(), 1.0).unwrap();
-    let skeleton = recording.to_skeleton().unwrap();
-    let mirror = Mirror::by_names(&skeleton, DualPlane::new(1.0, 0.0, 0.0, 0.0)).unwrap();
-    let joints = skeleton.joints();
-    let opposite = |name: &str| match name.strip_prefix("Left") {
-        Some(rest) => format!("Right{rest}"),
-        None => format!("R{}", &name[1..]),
-    };
-    let mut sides = 0;
-    for (joint, counterpart) in mirror.counterparts().enumerate() {
-        let name = &joints[joint].name;
-        if name.starts_with('L') && name != "LowerBack" {
-            assert_eq!(joints[counterpart].name, opposite(name));
-            sides += 2;
-        } else if !name.starts_with('R') {
-            assert_eq!(counterpart, joint, "{name}");
-        }
-    }
-    let middle = mirror.counterparts().enumerate().filter(|(a, b)| a == b);
-    assert_eq!(sides + middle.count(), joints.len());
-    let clip = recording.to_clip().unwrap();
-    let twice = mirror.pose(&mirror.pose(&clip.frames()[100]).unwrap());
-    assert_same(&twice.unwrap(), &clip.frames()[100], 1e-9);
-}
-
-#[test]
-fn a_mirror_leaves_names_that_only_contain_a_side() {
-    let joints = [
-        ("cleft", None),
-        ("bright", None),
-        ("L5", None),
-        ("leftover", None),
-        ("leftarm", None),
-        ("rightarm", None),
-    ];
-    let mirror = Mirror::by_names(&named(&joints), mirror_plane()).unwrap();
-    assert!(mirror.counterparts().eq([0, 1, 2, 3, 5, 4]));
 }
 
 #[test]
