@@ -166,11 +166,11 @@ fn aligned<V>(
     }
 }
 
+/// A reconstructed joint and the true one.
+type Pair = (Point<f64>, Point<f64>);
+
 /// The reconstructed joints with the true ones.
-fn pairs(
-    truth: &[Point<f64>],
-    found: &[Point<f64>],
-) -> Result<Vec<(Point<f64>, Point<f64>)>, ComparisonError> {
+fn pairs(truth: &[Point<f64>], found: &[Point<f64>]) -> Result<Vec<Pair>, ComparisonError> {
     check(truth, found)?;
     Ok(found.iter().copied().zip(truth.iter().copied()).collect())
 }

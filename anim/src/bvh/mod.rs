@@ -20,8 +20,8 @@
 //! - The file has one frame more or one fewer than it announces. The frames that are there count.
 //! - Position channels sit on joints below the root. Some programs write what is added to the
 //!   offset there, as the description says; others write the offset and what is added to it, so
-//!   that the numbers take the place of the offset. The second reading is chosen where the numbers are
-//!   near the offsets, within a quarter of their lengths, in most frames. It then holds for all
+//!   that the numbers take the place of the offset. The second reading is chosen where the numbers
+//!   are near the offsets, within a quarter of their lengths, in most frames. It then holds for all
 //!   joints.
 //!
 //! Source: the description by the Motion Capture Web Group, University of Wisconsin, on which

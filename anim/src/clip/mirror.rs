@@ -37,7 +37,8 @@ ga_runtime::ga! { ga_runtime::cga3;
 /// let raise = Rotor::from_axis_angle([0.0, 0.0, 1.0], 0.5).ok_or("no axis")?;
 /// let left = Pose::from_rotors(&arms, Motor::default(), &[raise, Rotor::default()])?;
 /// let [_, hand] = mirror.pose(&left)?.bones(&arms)?[1];
-/// assert!((hand[0] + 1.0 + 0.5_f64.cos()).abs() < 1e-15 && (hand[1] - 0.5_f64.sin()).abs() < 1e-15);
+/// assert!((hand[0] + 1.0 + 0.5_f64.cos()).abs() < 1e-15);
+/// assert!((hand[1] - 0.5_f64.sin()).abs() < 1e-15);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]

@@ -19,8 +19,8 @@ pub struct BezierKey<V> {
 /// A curve through Bézier keys: from each key to the next the cubic Bézier curve in time and value
 /// with the control points key, handle after it, handle before the next key, next key.
 ///
-/// Its time is (1 − u)³ t₀ + 3 (1 − u)² u t₁ + 3 (1 − u) u² t₂ + u³ t₃ with a parameter u from 0 to
-/// 1. The handles are between both keys in time, so it rises with u, and there is one value for
+/// Its time is (1 − u)³ t₀ + 3 (1 − u)² u t₁ + 3 (1 − u) u² t₂ + u³ t₃ with a parameter u between 0
+/// and 1. The handles are between both keys in time, so it rises with u, and there is one value for
 /// each time. Where all handles are at thirds of the time, u is proportional to it, and
 /// [`Curve::bezier`](super::Curve::bezier) is the same curve and faster.
 ///

@@ -3,7 +3,7 @@
 //! | what | how |
 //! | --- | --- |
 //! | two continuous derivatives | [`Curve::spline`] with any [`Ends`], [`SplineSystem`] for many |
-//! | local control | [`Curve::catmull_rom`], [`Curve::hermite`], [`Curve::bezier`], [`BezierCurve`] |
+//! | local | [`Curve::catmull_rom`], [`Curve::hermite`], [`Curve::bezier`], [`BezierCurve`] |
 //! | none | [`Curve::linear`], [`Curve::step`] |
 //! | evaluation | [`Curve::value`] at random, [`Cursor`] in order, [`Curve::sample_into`] |
 //! | calculus | [`Curve::derivative`], [`Curve::integral`], [`ArcLength`] |

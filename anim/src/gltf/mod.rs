@@ -9,7 +9,7 @@
 //!
 //! | what | how |
 //! | --- | --- |
-//! | `STEP`, `LINEAR` | the earlier key; the straight line, for rotations slerp by the shorter arc |
+//! | `STEP`, `LINEAR` | the earlier key; a straight line, for rotations slerp by the shorter arc |
 //! | `CUBICSPLINE` | Hermite's cubic with tangents times the interval; rotations are normalised |
 //! | before the first key, after the last | that key |
 //! | frames | T R S, or a matrix; that of the parent comes after that of the node |

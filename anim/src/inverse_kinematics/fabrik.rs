@@ -105,9 +105,9 @@ impl Fabrik {
     /// are farther apart or nearer together.
     ///
     /// A target beyond the length of the chain gives the straight chain that points to it, which is
-    /// the nearest. Where one bone is longer than all others together and the target is too near the
-    /// root, the iterations go on to their limit. A straight chain whose target is on its line is bent a little first, to an
-    /// arbitrary side, since the spheres would not leave the line.
+    /// the nearest. Where one bone is longer than all others together and the target is too near
+    /// the root, the iterations go on to their limit. A straight chain whose target is on its line
+    /// is bent a little first, to an arbitrary side, since the spheres would not leave the line.
     ///
     /// # Errors
     ///

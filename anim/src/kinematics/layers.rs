@@ -83,7 +83,8 @@ struct Check<'a, S> {
 impl<S: Real> Work for Check<'_, S> {
     #[inline(always)]
     fn run(self) {
-        // A count of what is wrong stays in vector registers, which a mask across the loop does not.
+        // A count of what is wrong stays in vector registers, which a mask across the loop does
+        // not.
         let faults = self.weights.iter().fold(S::zero(), |faults, weight| {
             let count = |is_right| S::select(is_right, S::zero(), S::one());
             let below = count(S::zero().less_or_equal(*weight));

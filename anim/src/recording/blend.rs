@@ -73,12 +73,12 @@ pub enum BlendError {
 /// the same way.
 ///
 /// *Time*. All recordings begin together. The mean is as long as the longest one, and a shorter one
-/// stays at its last frame. The time between frames is the shortest one. Recordings with a weight of
-/// 0 count for nothing, so where only one has a weight, the result is that recording, to the last
-/// bit.
+/// stays at its last frame. The time between frames is the shortest one. Recordings with a weight
+/// of 0 count for nothing, so where only one has a weight, the result is that recording, to the
+/// last bit.
 ///
-/// *Scalar tracks* are matched by name; several of the same name in their order. A recording without
-/// a track counts as 0 there, which is the weight of a morph target at rest.
+/// *Scalar tracks* are matched by name; several of the same name in their order. A recording
+/// without a track counts as 0 there, which is the weight of a morph target at rest.
 ///
 /// # Errors
 ///

@@ -10,8 +10,8 @@ impl Recording {
     ///
     /// # Errors
     ///
-    /// [`ConversionError::Recording`] where a small file announces very many frames, as one in which
-    /// nothing moves can, or where a number is not finite.
+    /// [`ConversionError::Recording`] where a small file announces very many frames, as one in
+    /// which nothing moves can, or where a number is not finite.
     ///
     /// # Examples
     ///

@@ -16,8 +16,8 @@ impl Recording {
     /// names say neither left nor right are their own counterparts. Names tell the sides as in
     /// [`Mirror::by_names`](crate::clip::Mirror::by_names). The joints at rest stay as they are,
     /// with axes of any direction. With A the rotor of a joint's axes in model space at rest, A_p
-    /// that of its parent, B and B_p those of the counterpart, t and R the counterpart's translation
-    /// from its place at rest and its rotation, and the plane π,
+    /// that of its parent, B and B_p those of the counterpart, t and R the counterpart's
+    /// translation from its place at rest and its rotation, and the plane π,
     ///
     /// ```text
     /// T' R' = ~A_p π B_p (T R) ~B π A.

@@ -116,8 +116,8 @@ impl JointMap {
     }
 
     /// A map given as JSON, `{"joint of the recording": "joint of the skeleton"}`. A joint that
-    /// moves several has a list of them, `{"Spine": ["spine01", "spine02"]}`. Joints that are not in
-    /// the map are not matched.
+    /// moves several has a list of them, `{"Spine": ["spine01", "spine02"]}`. Joints that are not
+    /// in the map are not matched.
     ///
     /// # Errors
     ///

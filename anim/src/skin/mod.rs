@@ -16,8 +16,8 @@
 //! motor again by its norm; for rotors and translators this is the dual quaternion blend.
 //!
 //! [`skin`] moves vertices once. For many frames a [`Binding`] is prepared once and takes a
-//! [`Palette`] of motions for each frame; it also moves normals and tangents, in `f32` or `f64`, and
-//! mixes the methods ([`Binding::pose_mixed`]).
+//! [`Palette`] of motions for each frame; it also moves normals and tangents, in `f32` or `f64`,
+//! and mixes the methods ([`Binding::pose_mixed`]).
 //!
 //! Sources: N. Magnenat-Thalmann, R. Laperrière, D. Thalmann, "Joint-dependent local deformations
 //! for hand animation and object grasping", 1988; L. Kavan, S. Collins, J. Žára, C. O'Sullivan,

@@ -27,8 +27,8 @@ pub enum SmoothError {
 }
 
 impl SkinWeights {
-    /// The weights after some passes, in each of which the weights of a vertex move towards the mean
-    /// of those of its neighbours along the edges of triangles by a share of the way (explicit
+    /// The weights after some passes, in each of which the weights of a vertex move towards the
+    /// mean of those of its neighbours along the edges of triangles by a share of the way (explicit
     /// diffusion; a share of ½ is usual). Vertices without triangles keep theirs.
     ///
     /// Every pass adds the influences of the neighbours: prune them by

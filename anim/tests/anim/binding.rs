@@ -136,8 +136,8 @@ impl Case {
             } else {
                 influence.weight
             };
-            real = real + q * weight;
-            dual = dual + DQuat::from_xyzw(t.x, t.y, t.z, 0.0) * q * (0.5 * weight);
+            real += q * weight;
+            dual += DQuat::from_xyzw(t.x, t.y, t.z, 0.0) * q * (0.5 * weight);
         }
         let length = real.length();
         let (real, dual) = (real * length.recip(), dual * length.recip());

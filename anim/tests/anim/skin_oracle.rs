@@ -1,5 +1,5 @@
-//! Skins bound once, against known answers: the palettes of glTF models, with and without scale, and
-//! the whole human.
+//! Skins bound once, against known answers: the palettes of glTF models, with and without scale,
+//! and the whole human.
 
 use crate::skin::pose;
 use ga_anim::rig;

@@ -268,9 +268,10 @@ pub trait Real: Field {
         half_angle::angle_by_sine(self)
     }
     /// The factors `A = sin (1 − t)φ/sin φ` and `B = sin tφ/sin φ` of spherical linear
-    /// interpolation with their derivatives, for `cos φ = self` from 0 to 1, that is φ up to π/2, and t from −1
-    /// to 1; outside of that range the results have no meaning. There is no special case at φ = 0,
-    /// where A is 1 − t and B is t. Errors of A and B are below 4 ε for t from 0 to 1.
+    /// interpolation with their derivatives, for `cos φ = self` from 0 to 1, that is φ up to π/2,
+    /// and t from −1 to 1; outside of that range the results have no meaning. There is no special
+    /// case at φ = 0, where A is 1 − t and B is t. Errors of A and B are below 4 ε for t from 0 to
+    /// 1.
     ///
     /// ```
     /// use ga_runtime::scalar::Real;

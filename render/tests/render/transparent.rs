@@ -125,8 +125,10 @@ fn a_transparent_surface_is_in_the_buffers_and_hidden_below_the_ground() {
         let camera = Camera::look_at([0.0, 3.0, 8.0], [0.0; 3], [0.0, 1.0, 0.0], 0.3, 0.1).unwrap();
         render(scene, &camera, &style(2)).unwrap().colour
     };
-    let ground = |height: f64| Some(Ground { height, grid: 1.0 });
-    scene.ground = ground(2.0);
+    scene.ground = Some(Ground {
+        height: 2.0,
+        grid: 1.0,
+    });
     let above = shown(&scene);
     scene.objects[0].material = MaterialChoice::One(1);
     let without = shown(&scene);

@@ -26,7 +26,8 @@ pub(super) struct Chords<'a> {
 struct Sample {
     /// The distance to the chord's line, or to the point of the chord at the same time.
     distance: f64,
-    /// The foot on the line, from 0 at the beginning of the chord to 1 at its end, and its velocity.
+    /// The foot on the line, from 0 at the beginning of the chord to 1 at its end, and its
+    /// velocity.
     foot: [f64; 2],
     /// The size of c″, or of its part across the chord.
     bend: f64,

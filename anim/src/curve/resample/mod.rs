@@ -85,8 +85,8 @@ impl<V: Value> Curve<V> {
     /// the distance is computed; in between it exceeds the larger of the two by at most Δ²/8 · max
     /// |P⊥c″|, where Δ is the length of the part and P⊥c″ the part of the second derivative across
     /// the chord. As c″ is linear, its maximum is at the ends. Where the Bézier coefficients of the
-    /// foot on the chord's line are beyond the ends of the chord, that distance counts too. At equal
-    /// times the whole of c″ counts.
+    /// foot on the chord's line are beyond the ends of the chord, that distance counts too. At
+    /// equal times the whole of c″ counts.
     ///
     /// Each vertex is the farthest that can be proven, to 1 %. For small tolerances the number of
     /// chords is that of the best polyline with vertices on the curve, ∫ √(κ/8ε) ds with the

@@ -77,8 +77,8 @@ fn farthest(
         if bad - reached <= 0.005 * reached {
             break;
         }
-        // The deviation grows with the square of the length, where the curve is smooth. Near a corner
-        // it does not, and only halving is sure to end.
+        // The deviation grows with the square of the length, where the curve is smooth. Near a
+        // corner it does not, and only halving is sure to end.
         let factor = (0.5 * (1.0 + GOOD) * bound / deviation)
             .sqrt()
             .clamp(0.25, 4.0);

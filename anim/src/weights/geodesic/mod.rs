@@ -6,11 +6,11 @@
 //! the arm, so the thigh does not move the hand.
 //!
 //! The body is the inside of the mesh. It is divided into cubic cells; two neighbours are connected
-//! only if the surface does not pass between their centres, however thin the gap is. Distances spread
-//! from the cells that see a bone by the fast marching method, which solves |∇L| = 1, and on to the
-//! vertices: through the body to those that a cell sees, and along the edges of the mesh to those of
-//! parts that are thinner than a cell. A vertex near to a bone that sees it takes its distance
-//! exactly. All bones spread together, and only the n nearest go on from each place.
+//! only if the surface does not pass between their centres, however thin the gap is. Distances
+//! spread from the cells that see a bone by the fast marching method, which solves |∇L| = 1, and on
+//! to the vertices: through the body to those that a cell sees, and along the edges of the mesh to
+//! those of parts that are thinner than a cell. A vertex near to a bone that sees it takes its
+//! distance exactly. All bones spread together, and only the n nearest go on from each place.
 //!
 //! Where there is no inside, since the surface is open or has no thickness, all distances go along
 //! the edges, from the vertex that is nearest to the bone; [`GeodesicWeights::has_interior`] tells.
@@ -113,7 +113,8 @@ impl From<WeightsError> for GeodesicWeightsError {
 /// let corner = |x: f64, k: usize| [x + (k & 1) as f64, (k >> 1 & 1) as f64, (k >> 2) as f64];
 /// let positions: Vec<[f64; 3]> =
 ///     [0.0, 1.1].iter().flat_map(|&x| (0..8).map(move |k| corner(x, k))).collect();
-/// let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+/// let faces =
+///     [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
 /// let triangles: Vec<[u32; 3]> = [0, 8]
 ///     .iter()
 ///     .flat_map(|first| faces.map(|quad| quad.map(|k: u32| k + first)))

@@ -75,7 +75,7 @@ fn still_motion_costs_nothing() {
 fn jumps_and_rotations_by_full_turns() {
     let jumping = |frame: usize, joint| {
         let mut transform = smooth(frame, joint);
-        if (frame / 13 + joint) % 3 == 0 {
+        if (frame / 13 + joint).is_multiple_of(3) {
             let far = rotation([3.0, -1.0, 2.0 * joint as f64]);
             transform = rigid(transform.translation().coordinates(), far);
         }
@@ -326,7 +326,7 @@ proptest! {
         let local = |frame: usize, joint: usize| {
             let value = |k| noise(frame / calm, joint + seed, k) * amplitude;
             let place = [0, 1, 2].map(|k| 0.3 * noise(joint, seed, k));
-            let place = if joint % 5 == 0 { place.map(|x| x + value(4)) } else { place };
+            let place = if joint.is_multiple_of(5) { place.map(|x| x + value(4)) } else { place };
             rigid(place, rotation([value(0), value(1), value(2)]))
         };
         let parents: Vec<_> = (0..joints)

@@ -20,7 +20,7 @@ fn hermite_pieces_have_the_values_and_slopes_of_their_keys() {
     let expected = (2.0 * s3 - 3.0 * s2 + 1.0) * -2.0
         + h * (s3 - 2.0 * s2 + s) * -6.0
         + (3.0 * s2 - 2.0 * s3) * 4.0
-        + h * (s3 - s2) * -1.0;
+        + -(h * (s3 - s2));
     assert!((curve.value(1.0) - expected).abs() < 1e-14);
 }
 

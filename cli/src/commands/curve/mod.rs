@@ -35,9 +35,9 @@ pub(crate) struct Arguments {
     #[arg(value_name = "KEYS.csv")]
     keys: PathBuf,
     /// The conditions at the ends: natural (no curvature), clamped (slope 0), slopes:A,B (the
-    /// slopes at the start and at the end, for all channels, or all slopes at the start and then all
-    /// at the end), not-a-knot (the first two pieces are one polynomial, and the last two),
-    /// or periodic.
+    /// slopes at the start and at the end, for all channels, or all slopes at the start and then
+    /// all at the end), not-a-knot (the first two pieces are one polynomial, and the last two), or
+    /// periodic.
     #[arg(long, default_value = "natural", allow_hyphen_values = true)]
     ends: Ends,
     /// Write this many rows at equal steps of time, from the first key to the last [default: 1000
@@ -98,7 +98,7 @@ impl FromStr for Ends {
             _ => Err(format!("{word:?} is not a slope")),
         };
         let slopes: Vec<f64> = list.split(',').map(slope).collect::<Result<_, _>>()?;
-        if slopes.len() % 2 == 0 {
+        if slopes.len().is_multiple_of(2) {
             Ok(Self::Slopes(slopes))
         } else {
             Err(format!("{} slopes, but each channel has two", slopes.len()))

@@ -51,8 +51,8 @@ pub(crate) struct Arguments {
     /// Whether sharpness falls by 1 a level, or is also averaged along chains of creases.
     #[arg(long, default_value = "normal")]
     crease_method: CreaseMethodName,
-    /// The file to be written. Materials go into a file of the same name ending in .mtl beside it; a
-    /// file of that name that is there already is replaced.
+    /// The file to be written. Materials go into a file of the same name ending in .mtl beside it;
+    /// a file of that name that is there already is replaced.
     #[arg(long, value_name = "OUT.obj")]
     out: PathBuf,
 }

@@ -4,10 +4,10 @@
 //! number of frames; moving it allocates nothing. A frame is given as a palette, which has one
 //! motion for each joint:
 //!
-//! | palette | the image of a point x with weights wᵢ | |
-//! | --- | --- | --- |
-//! | [`AffinePalette`] | `(Σ wᵢ Aᵢ) x` | the mean of affine maps |
-//! | [`MotorPalette`] | `B S x ~B`, `B = Σ ± wᵢ Mᵢ / \|Σ ± wᵢ Mᵢ\|`, `S = Σ wᵢ Sᵢ` | the blend of motors, after the mean of stretches at rest |
+//! - [`AffinePalette`]: a point x with weights wᵢ moves to `(Σ wᵢ Aᵢ) x`, by the mean of affine
+//!   maps.
+//! - [`MotorPalette`]: it moves to `B S x ~B` with `B = Σ ± wᵢ Mᵢ / |Σ ± wᵢ Mᵢ|` and
+//!   `S = Σ wᵢ Sᵢ`, by the blend of motors after the mean of stretches at rest.
 //!
 //! The blend of motors is that of [`Motor::blend`](crate::cga3::Motor::blend). The signs of the
 //! motors depend only on the pairs of joints that influence some point, so they are determined once

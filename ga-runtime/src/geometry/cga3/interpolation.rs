@@ -89,7 +89,8 @@ impl<S: Real> Rotor<S> {
     ///
     /// It rotates in the same plane as [`interpolate`](Self::interpolate), is the same at t = 0, ½
     /// and 1, and in between differs by up to 8.2° for rotors half a turn apart, 0.92° for a
-    /// quarter turn and 0.12° for an eighth. The sum cannot vanish, for any t. NaN and infinity give NaN.
+    /// quarter turn and 0.12° for an eighth. The sum cannot vanish, for any t. NaN and infinity
+    /// give NaN.
     ///
     /// ```
     /// use ga_runtime::cga3::Rotor;

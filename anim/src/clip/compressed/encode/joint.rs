@@ -317,8 +317,8 @@ fn along(part: &Part, frames: usize, value: impl Fn(usize) -> Vector<f64>) -> [[
     let mut values = [[0.0; SEGMENT]; 3];
     for frame in 0..frames {
         let deviation = value(frame) - constant;
-        for k in 0..part.live {
-            values[k][frame] = deviation.dot(directions[k]);
+        for (row, direction) in values[..part.live].iter_mut().zip(directions) {
+            row[frame] = deviation.dot(direction);
         }
     }
     values

@@ -33,8 +33,8 @@ pub(super) struct Source<'a> {
 }
 
 impl<'a> Source<'a> {
-    /// A channel whose deviation from its constant moves no point by more than the part `negligible`
-    /// of the tolerance is left out.
+    /// A channel whose deviation from its constant moves no point by more than the part
+    /// `negligible` of the tolerance is left out.
     pub(super) fn new(
         recording: &'a Recording,
         bounds: Vec<JointBound>,

@@ -11,8 +11,9 @@ use crate::cga3::Point;
 use crate::unsafe_code::numbers8;
 use crate::vga3::Vector;
 
-/// Moves the points and normals of a bucket by the blends of motors, where nothing stretches. Points
-/// with influences that are half a turn apart are not right yet: their signs depend on all of them.
+/// Moves the points and normals of a bucket by the blends of motors, where nothing stretches.
+/// Points with influences that are half a turn apart are not right yet: their signs depend on all
+/// of them.
 #[target_feature(enable = "avx2,fma")]
 pub(crate) fn by_motors(
     bucket: &Bucket<f32>,

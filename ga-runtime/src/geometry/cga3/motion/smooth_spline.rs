@@ -252,8 +252,8 @@ impl<'a, S: Real<Mask = bool>> Search<'a, S> {
         }
     }
 
-    /// The motions by which the controls of the inner keys should move, to first order, if they were
-    /// alone; and the key that is farthest from the curve, relative to the size of the keys.
+    /// The motions by which the controls of the inner keys should move, to first order, if they
+    /// were alone; and the key that is farthest from the curve, relative to the size of the keys.
     fn errors(&self) -> (Vec<MotorGenerator<S>>, usize, S) {
         let size = |motor: Motor<S>| {
             let [x, y, z] = motor.translator().displacement().map(S::abs);
@@ -313,13 +313,13 @@ impl<'a, S: Real<Mask = bool>> Search<'a, S> {
                 errors[row] = errors[row] - errors[row - 1] * before;
             }
             above.push(after / diagonal);
-            errors[row] = errors[row] * diagonal.recip();
+            errors[row] *= diagonal.recip();
         }
         let mut next = zero();
         for row in (0..count).rev() {
             next = errors[row] - next * above[row];
             let control = &mut self.controls[row + 2];
-            *control = *control * (next * relaxation).exp();
+            *control *= (next * relaxation).exp();
         }
     }
 }
