@@ -1,6 +1,6 @@
 //! Skin weights from the distance to the bones through the body.
 //!
-//! The formula is that of [`distance`](super::distance) (Cui, eq. 33) with the n nearest bones and
+//! The formula is that of [`super::distance`] (Cui, eq. 33) with the n nearest bones and
 //! the exponent m, but L is the length of the shortest path from the point to the bone that stays
 //! inside the body: a hand that hangs beside a thigh is near to it in space and far from it along
 //! the arm, so the thigh does not move the hand.
