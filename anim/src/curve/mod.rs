@@ -29,6 +29,6 @@ pub use bezier::{BezierCurve, BezierKey};
 pub use cursor::Cursor;
 pub use error::CurveError;
 pub use piecewise::{Curve, Outside};
-pub use resample::{Distance, ResampleError, Resampled, resample_channels};
+pub use resample::{Distance, ResampleError, Resampled, resample_channels, sample_channels};
 pub use spline::{EndKind, Ends, SplineSystem};
 pub use value::Value;

@@ -176,6 +176,28 @@ pub fn resample_channels(
         channel.pieces.get(piece).copied().unwrap_or(end)
     });
     let (times, max_deviation) = search::vertices(&path, tolerance, distance, most)?;
+    Ok(Resampled {
+        values: sample_channels(channels, &times),
+        times,
+        max_deviation,
+    })
+}
+
+/// The values of channels at rising times: a row for each time, with a number for each channel.
+/// Beyond the first and the last key each channel keeps its value there, periodic ones too.
+///
+/// # Examples
+///
+/// ```
+/// use ga_anim::curve::{Curve, sample_channels};
+///
+/// let x = Curve::linear(&[0.0, 2.0], &[0.0, 4.0])?;
+/// let y = Curve::linear(&[0.0, 1.0], &[1.0, 0.0])?;
+/// assert_eq!(sample_channels(&[x, y], &[0.5, 2.0]), [[1.0, 0.5], [4.0, 0.0]]);
+/// # Ok::<(), ga_anim::curve::CurveError>(())
+/// ```
+#[must_use]
+pub fn sample_channels(channels: &[Curve<f64>], times: &[f64]) -> Vec<Vec<f64>> {
     let held: Vec<_> = channels
         .iter()
         .map(|channel| channel.clone().with_outside(super::Outside::Hold))
@@ -187,10 +209,5 @@ pub fn resample_channels(
             .map(|cursor| cursor.value(time))
             .collect()
     };
-    let values = times.iter().map(row).collect();
-    Ok(Resampled {
-        times,
-        values,
-        max_deviation,
-    })
+    times.iter().map(row).collect()
 }

@@ -297,22 +297,9 @@ fn even_rows(curves: &[Curve<f64>], count: usize) -> Resampled<Vec<f64>> {
             }
         })
         .collect();
-    // A periodic curve would begin again at its end.
-    let held: Vec<_> = curves
-        .iter()
-        .map(|c| c.clone().with_outside(curve::Outside::Hold))
-        .collect();
-    let mut cursors: Vec<_> = held.iter().map(Curve::cursor).collect();
-    let row = |&time: &f64| {
-        cursors
-            .iter_mut()
-            .map(|cursor| cursor.value(time))
-            .collect()
-    };
-    let values = times.iter().map(row).collect();
     Resampled {
+        values: curve::sample_channels(curves, &times),
         times,
-        values,
         max_deviation: 0.0,
     }
 }

@@ -66,6 +66,9 @@ pub enum FileError {
         /// Which joint, track or segment has it, or which number.
         index: u64,
     },
+    /// The numbers at the beginning say something impossible.
+    #[error("the clip is invalid: {0}")]
+    Header(&'static str),
     /// The clip has more of something than the format can say.
     #[error("the clip has {count} {what}, more than a file can hold")]
     TooMany {

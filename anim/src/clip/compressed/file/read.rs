@@ -42,7 +42,7 @@ pub(in super::super) fn parse(bytes: &[u8]) -> Result<(Parsed, Vec<Segment>), Fi
     let mut cursor = Cursor::new(names);
     let mut texts = Vec::new();
     for index in 0..joint_count.saturating_add(track_count) {
-        let text = name(&mut cursor).ok_or(invalid("there is no text in name", index))?;
+        let text = name(&mut cursor).ok_or(invalid("unreadable name", index))?;
         texts.push(text);
     }
     if !cursor.is_empty() {
@@ -73,14 +73,17 @@ pub(in super::super) fn parse(bytes: &[u8]) -> Result<(Parsed, Vec<Segment>), Fi
     }
     let mut settings = header.settings.clone();
     for index in 0..header.bounds as usize {
-        let bound = bound(&mut cursor).ok_or(invalid("no bound at", index))?;
+        let bound = bound(&mut cursor).ok_or(invalid("unreadable bound", index))?;
         settings.joints.push(bound);
     }
     if !cursor.is_empty() {
-        return Err(invalid("bytes left behind joint", joint_count));
+        return Err(invalid("unexpected bytes after joint", joint_count));
     }
     if settings.check(joint_count).is_err() {
-        return Err(invalid("no bounds for joints of a number of", joint_count));
+        return Err(invalid(
+            "the bounds do not fit the joints, whose number is",
+            joint_count,
+        ));
     }
     let parsed = Parsed {
         names: texts,
@@ -137,11 +140,9 @@ impl Header {
         let [joints, frames, tracks, bounds] = [whole()?, whole()?, whole()?, whole()?];
         let lengths = [whole()?, whole()?, whole()?];
         let mut number = || {
-            let what = "a number of the header is not finite; the number of joints is";
-            cursor.f64().ok_or(FileError::Invalid {
-                what,
-                index: joints.into(),
-            })
+            cursor
+                .f64()
+                .ok_or(FileError::Header("a number at the beginning is not finite"))
         };
         let frame_time = number()?;
         let settings = Settings {
@@ -159,11 +160,7 @@ impl Header {
             }
         }
         if frame_time <= 0.0 {
-            let what = "the frame time is not positive; the number of frames is";
-            return Err(FileError::Invalid {
-                what,
-                index: frames.into(),
-            });
+            return Err(FileError::Header("the frame time is not positive"));
         }
         Ok(Self {
             joints,
@@ -254,7 +251,7 @@ fn segments(packed: &[u8], parsed: &Parsed) -> Result<Vec<Segment>, FileError> {
         return match packed {
             [] => Ok(Vec::new()),
             _ => Err(invalid(
-                "bytes of segments without channels, as many as",
+                "no channel changes, but the size of the segments in bytes is",
                 packed.len(),
             )),
         };
@@ -262,7 +259,8 @@ fn segments(packed: &[u8], parsed: &Parsed) -> Result<Vec<Segment>, FileError> {
     let mut reader = BitReader::new(packed);
     let mut codes = Vec::new();
     for channel in 0..limits.len() {
-        let read = Codes::read(&mut reader).ok_or(invalid("no code of channel", channel))?;
+        let read =
+            Codes::read(&mut reader).ok_or(invalid("unreadable code of channel", channel))?;
         codes.push(read);
     }
     let mut cursor = Cursor::new(reader.rest());
@@ -271,7 +269,7 @@ fn segments(packed: &[u8], parsed: &Parsed) -> Result<Vec<Segment>, FileError> {
     for segment in 0..count {
         let length = cursor
             .variable()
-            .ok_or(invalid("no length of segment", segment))?;
+            .ok_or(invalid("unreadable length of segment", segment))?;
         lengths.push(length as usize);
     }
     let bases = [SEGMENT, frames_of(count - 1, parsed.frames)].map(Basis::new);
@@ -285,7 +283,7 @@ fn segments(packed: &[u8], parsed: &Parsed) -> Result<Vec<Segment>, FileError> {
         segments.push(segment);
     }
     if !cursor.rest().is_empty() {
-        return Err(invalid("bytes left behind segment", count));
+        return Err(invalid("unexpected bytes after segment", count));
     }
     Ok(segments)
 }
