@@ -149,3 +149,51 @@ fn rays_along_the_surface_of_a_plane_and_along_its_edges_miss_it() {
     let through_diagonal = bvh.all_hits(ray([1.0, 1.0, -3.0], [0.0, 0.0, 1.0]));
     assert_eq!(through_diagonal.len(), 2);
 }
+
+/// Beside a triangle that is seen edge-on, on the line of its image, rounded areas have one sign.
+#[test]
+fn triangles_seen_edge_on_are_not_hit_beside_their_edges() {
+    let triangles = [
+        // The ray is in the plane of each, and its nearest point is at a distance of 3 or more.
+        (
+            [[2.0, 2.0, -1.0], [1.0, 0.0, 0.0], [-1.0, -1.0, -1.0]],
+            [-1.0, -2.0, 0.0],
+            [3.0, 1.0, 2.0],
+        ),
+        (
+            [[-4.0, 4.0, 2.0], [0.0, 4.0, 4.0], [4.0, 0.0, 4.0]],
+            [-4.0, -2.0, -1.0],
+            [3.0, -1.0, 1.0],
+        ),
+    ];
+    for (corners, origin, direction) in triangles {
+        let ray = Ray::new(Point::from(origin), direction).unwrap();
+        let scaled = Vector::from(direction);
+        let from_origin = corners.map(|corner| Vector::from(corner) - Vector::from(origin));
+        let [a, b, c] = from_origin;
+        assert_eq!((b - a).cross(c - a).dot(scaled), 0.0);
+        assert_eq!(ray.first_hit(corners.map(Point::from)), None);
+        let bvh = ga_mesh::query::Bvh::new(&corners, &[[0, 1, 2]]).unwrap();
+        assert!(bvh.all_hits(ray).is_empty());
+        assert!(!bvh.is_hit(ray, f64::INFINITY));
+    }
+}
+
+/// Rounded areas of a triangle without area may have one sign.
+#[test]
+fn triangles_without_area_are_not_hit() {
+    let corners = [[-2.0, 2.0, 1.0], [2.0, 2.0, -1.0], [0.0, 2.0, 0.0]];
+    let bvh = ga_mesh::query::Bvh::new(&corners, &[[0, 1, 2]]).unwrap();
+    for step in 0..1000 {
+        // Towards points of the line on which the corners lie, from many places.
+        let part = f64::from(step) / 1000.0;
+        let target = Vector::new(2.0 - 4.0 * part, 2.0, 2.0 * part - 1.0);
+        let origin = Vector::new(7.0 * part, -1.0 - part, 3.0 - part * part);
+        let Some(ray) = Ray::through(origin.into(), target.into()) else {
+            continue;
+        };
+        assert_eq!(ray.first_hit(corners.map(Point::from)), None);
+        assert_eq!(bvh.first_hit(ray), None);
+        assert!(!bvh.is_hit(ray, f64::INFINITY) && bvh.all_hits(ray).is_empty());
+    }
+}

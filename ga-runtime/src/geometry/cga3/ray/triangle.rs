@@ -2,7 +2,7 @@
 
 use super::{Hit, Ray, Surface};
 use crate::cga3::Point;
-use crate::scalar::{Lanes, Real};
+use crate::scalar::{Lanes, Mask, Real};
 use crate::vga3::Vector;
 
 /// The triangle with these corners.
@@ -18,16 +18,17 @@ impl<S: Real<Mask = bool>> Surface<S> for [Point<S>; 3] {
         let along = rotate(direction);
         let slopes = [along.e1 / along.e3, along.e2 / along.e3];
         let from_origin = self.map(|corner| ray.origin.vector_to(corner));
-        let (areas, heights) = sheared(from_origin.map(rotate), slopes);
-        if !is_inside(areas) {
+        let corners = sheared(from_origin.map(rotate), slopes);
+        let areas = areas(corners);
+        if !is_inside(areas) || !is_around_ray(corners) {
             return None;
         }
-        let distance = distance(areas, heights, along.e3);
+        let distance = distance(areas, corners, along.e3);
         if !S::zero().less_than(distance) {
             return None;
         }
-        let [p, q, r] = from_origin;
-        let normal = (q - p).cross(r - p);
+        // Not from the origin: a triangle without area has no normal as seen from anywhere.
+        let normal = normal(self.map(Vector::from));
         Hit::of(ray, distance, normal, normal.dot(direction))
     }
 }
@@ -113,12 +114,20 @@ impl<S: Real<Mask = bool>> TriangleTest<S> {
             Vector::from([c[x], c[y], c[z]]) - origin,
         ];
         let slopes = [Lanes::splat(self.slopes[0]), Lanes::splat(self.slopes[1])];
-        let (areas, heights) = sheared(from_origin, slopes);
+        let corners = sheared(from_origin, slopes);
+        let areas = areas(corners);
         let along = Lanes::splat(self.along);
-        let distance = distance(areas, heights, along);
+        let distance = distance(areas, corners, along);
         let is_ahead = Lanes::splat(S::zero()).less_than(distance);
+        let mut is_hit = is_inside(areas) & is_ahead & (distance * distance).is_finite();
+        // Few triangles come this far.
+        if is_hit.any() {
+            is_hit = is_hit
+                & is_around_ray(corners)
+                & has_normal([Vector::from(*a), Vector::from(*b), Vector::from(*c)]);
+        }
         Crossing {
-            is_hit: is_inside(areas) & is_ahead & (distance * distance).is_finite(),
+            is_hit,
             distance,
             areas: areas.coordinates(),
             slope: slope(areas, along),
@@ -126,20 +135,53 @@ impl<S: Real<Mask = bool>> TriangleTest<S> {
     }
 }
 
-/// Twice the areas of the triangles that the ray forms with two corners, seen along it, opposite to
-/// each corner, and the coordinates of the corners along the axis of the ray. The corners are given
-/// from the origin of the ray, with the largest component of its direction as the third coordinate.
+/// The corners after the shear along the axis of the ray that maps the ray to that axis. They are
+/// given from the origin of the ray, with the largest component of its direction as the third
+/// coordinate.
 #[inline(always)]
-fn sheared<S: Real>(corners: [Vector<S>; 3], slopes: [S; 2]) -> (Vector<S>, Vector<S>) {
+fn sheared<S: Real>(corners: [Vector<S>; 3], slopes: [S; 2]) -> [Vector<S>; 3] {
     let shear = |corner: Vector<S>| {
         let x = corner.e1 - slopes[0] * corner.e3;
         let y = corner.e2 - slopes[1] * corner.e3;
         Vector::new(x, y, corner.e3)
     };
     let [a, b, c] = corners;
-    let [a, b, c] = [shear(a), shear(b), shear(c)];
-    let areas = Vector::new(area(b, c), area(c, a), area(a, b));
-    (areas, Vector::new(a.e3, b.e3, c.e3))
+    [shear(a), shear(b), shear(c)]
+}
+
+/// Twice the areas of the triangles that the ray forms with two of the sheared corners, seen along
+/// it, opposite to each corner.
+#[inline(always)]
+fn areas<S: Real>([a, b, c]: [Vector<S>; 3]) -> Vector<S> {
+    Vector::new(area(b, c), area(c, a), area(a, b))
+}
+
+/// Whether the ray passes through the box around the sheared corners, as seen along it. Where a
+/// triangle is seen edge-on, rounded areas also have one sign beside it, on the line of the edge.
+#[inline(always)]
+fn is_around_ray<S: Real>([a, b, c]: [Vector<S>; 3]) -> S::Mask {
+    let zero = S::zero();
+    let are_negative = |a: S, b: S, c: S| a.less_than(zero) & b.less_than(zero) & c.less_than(zero);
+    let are_positive = |a: S, b: S, c: S| zero.less_than(a) & zero.less_than(b) & zero.less_than(c);
+    !(are_negative(a.e1, b.e1, c.e1)
+        | are_positive(a.e1, b.e1, c.e1)
+        | are_negative(a.e2, b.e2, c.e2)
+        | are_positive(a.e2, b.e2, c.e2))
+}
+
+/// A normal of a triangle, with twice its area as length.
+#[inline(always)]
+fn normal<S: Real>([p, q, r]: [Vector<S>; 3]) -> Vector<S> {
+    (q - p).cross(r - p)
+}
+
+/// Whether a triangle has a normal that is finite and not zero, without which it is not a surface.
+#[inline(always)]
+fn has_normal<S: Real>(corners: [Vector<S>; 3]) -> S::Mask {
+    let zero = S::zero();
+    let [x, y, z] = normal(corners).abs().coordinates();
+    let is_finite = x.is_finite() & y.is_finite() & z.is_finite();
+    is_finite & (zero.less_than(x) | zero.less_than(y) | zero.less_than(z))
 }
 
 /// Whether the areas have one sign, as far as they have one, and are not all zero, as those of a
@@ -153,10 +195,10 @@ fn is_inside<S: Real>(areas: Vector<S>) -> S::Mask {
     (is_negative | is_positive) & !(is_negative & is_positive)
 }
 
-/// The distance along the ray: the mean of the heights, weighted by the areas.
+/// The distance along the ray: the mean of the corners' heights, weighted by the areas.
 #[inline(always)]
-fn distance<S: Real>(areas: Vector<S>, heights: Vector<S>, along: S) -> S {
-    areas.dot(heights) / slope(areas, along)
+fn distance<S: Real>(areas: Vector<S>, [a, b, c]: [Vector<S>; 3], along: S) -> S {
+    areas.dot(Vector::new(a.e3, b.e3, c.e3)) / slope(areas, along)
 }
 
 /// The inner product of the direction with the normal of the triangle, whose component along the
