@@ -24,7 +24,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use commands::{animate, clip, curve, demo, draw, expand, mesh, render, skin};
+use commands::{animate, clip, curve, demo, draw, expand, mesh, render, skin, stereo};
 
 /// Animation, stereo vision and pictures on conformal geometric algebra.
 #[derive(Parser)]
@@ -48,6 +48,7 @@ enum Command {
     Mesh(mesh::Arguments),
     Render(render::Arguments),
     Skin(skin::Arguments),
+    Stereo(stereo::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -62,6 +63,7 @@ fn main() -> ExitCode {
         Command::Mesh(arguments) => mesh::run(arguments, cli.quiet),
         Command::Render(arguments) => render::run(arguments, cli.quiet),
         Command::Skin(arguments) => skin::run(arguments, cli.quiet),
+        Command::Stereo(arguments) => stereo::run(arguments, cli.quiet),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -5,6 +5,7 @@
 //! - [`camera`]: pinhole cameras; the pixel of a point, and the [ray] of a pixel.
 //! - [`rig`]: two cameras and the motor between them.
 //! - [`triangulation`]: the point where two rays come closest.
+//! - [`disparity`]: disparity maps of rectified views, their files and their errors.
 //! - [`observation`]: simulated observations with noise, for tests and demonstrations.
 //! - [`pose_error`]: how far reconstructed joints are from the true ones.
 //!
@@ -36,6 +37,7 @@
 //! ```
 
 pub mod camera;
+pub mod disparity;
 pub mod observation;
 pub mod pose_error;
 pub mod rig;

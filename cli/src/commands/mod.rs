@@ -9,3 +9,4 @@ pub(crate) mod expand;
 pub(crate) mod mesh;
 pub(crate) mod render;
 pub(crate) mod skin;
+pub(crate) mod stereo;

@@ -1,0 +1,94 @@
+//! `nullcone stereo evaluate`: how far a disparity map is from the truth.
+
+use std::path::PathBuf;
+
+use anyhow::{Context, Result};
+use ga_vision::disparity::evaluation::ErrorMap;
+use ga_vision::disparity::file;
+use serde::Serialize;
+
+use crate::output;
+
+/// Compare a disparity map with the truth.
+///
+/// bad_0_5 is the percentage of pixels whose error is strictly more than 0.5 px, and so on; density
+/// is the percentage of pixels whose disparity is known. Pixels whose truth is 0 or not finite are
+/// left out. A pixel whose disparity is unknown counts as an error in every bad_…, and is left out
+/// of the average. For instance
+///
+///   nullcone stereo evaluate d.pfm truth.png --scale 4 --json
+///
+/// prints {"bad_0_5": …, "bad_1": …, "bad_2": …, "bad_3": …, "average_px": …, "density": …,
+/// "truth_pixels": …}.
+#[derive(Clone, Debug, clap::Args)]
+#[command(verbatim_doc_comment)]
+pub(crate) struct Arguments {
+    /// The disparity map; numbers that are not finite are unknown.
+    #[arg(value_name = "MAP.pfm")]
+    map: PathBuf,
+    /// The true disparities: PFM, or PNG in grey with 8 or 16 bits.
+    #[arg(value_name = "TRUTH")]
+    truth: PathBuf,
+    /// What the truth stores is this number × the disparity in pixels.
+    #[arg(
+        long,
+        value_name = "S",
+        default_value_t = 1.0,
+        allow_negative_numbers = true
+    )]
+    scale: f64,
+    /// Print one JSON object instead of lines.
+    #[arg(long)]
+    json: bool,
+}
+
+/// What is printed. Percentages, unless the name has a unit.
+#[derive(Serialize)]
+struct Report {
+    bad_0_5: f64,
+    bad_1: f64,
+    bad_2: f64,
+    bad_3: f64,
+    average_px: Option<f64>,
+    density: f64,
+    truth_pixels: usize,
+}
+
+pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+    let map = file::read(&arguments.map)?;
+    let truth = file::read_truth(&arguments.truth, arguments.scale)?;
+    let errors = ErrorMap::new(&map, &truth).with_context(|| {
+        let [map, truth] = [&arguments.map, &arguments.truth].map(|path| path.display());
+        format!("{map} and {truth}")
+    })?;
+    let report = Report {
+        bad_0_5: errors.bad(0.5),
+        bad_1: errors.bad(1.0),
+        bad_2: errors.bad(2.0),
+        bad_3: errors.bad(3.0),
+        average_px: errors.average_px(),
+        density: errors.density(),
+        truth_pixels: errors.pixels(),
+    };
+    if arguments.json {
+        output::print_json(&report)
+    } else if quiet {
+        Ok(())
+    } else {
+        output::print(&report.table())
+    }
+}
+
+impl Report {
+    fn table(&self) -> String {
+        let average = match self.average_px {
+            Some(average) => format!("{average:.3} px"),
+            None => "none is known".into(),
+        };
+        format!(
+            "bad 0.5   {:7.3} %\nbad 1     {:7.3} %\nbad 2     {:7.3} %\nbad 3     {:7.3} %\n\
+             average   {average}\ndensity   {:7.3} % of {} pixels with truth\n",
+            self.bad_0_5, self.bad_1, self.bad_2, self.bad_3, self.density, self.truth_pixels
+        )
+    }
+}

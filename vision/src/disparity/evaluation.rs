@@ -1,0 +1,122 @@
+//! How far a disparity map is from a known truth, by the measures of the Middlebury stereo
+//! evaluation (D. Scharstein and R. Szeliski, "A taxonomy and evaluation of dense two-frame stereo
+//! correspondence algorithms", International Journal of Computer Vision 47, 2002).
+
+use ga_image::plane::{Plane, PlaneView, SizeError, same_size};
+
+use super::DisparityMap;
+
+/// Two maps that cannot be compared.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum EvaluationError {
+    /// The map and the truth have different sizes.
+    #[error("the map and the truth cannot be compared: {0}")]
+    Size(#[from] SizeError),
+    /// No pixel of the truth has a disparity that is finite and not 0.
+    #[error("the truth has no pixel whose disparity is finite and not 0")]
+    NoTruth,
+}
+
+/// The distance |*d* − *t*| of each disparity *d* from the true one *t*, in pixels.
+///
+/// Pixels whose truth is 0 or unknown are left out of every measure. Pixels whose truth is known
+/// and whose disparity is unknown count as errors beyond every threshold, and are left out of the
+/// average.
+///
+/// ```
+/// use ga_image::plane::Plane;
+/// use ga_vision::disparity::DisparityMap;
+/// use ga_vision::disparity::evaluation::ErrorMap;
+///
+/// let map = |values: [f32; 5]| Plane::from_values(5, 1, values.to_vec()).map(DisparityMap::new);
+/// let found = map([4.0, 4.0, 4.0, f32::NAN, 4.0])?;
+/// let truth = map([6.0, 3.5, 6.5, 4.0, 0.0])?;
+/// let errors = ErrorMap::new(&found, &truth)?;
+/// assert_eq!(errors.pixels(), 4);
+/// // Those of 2.5 px and of the unknown disparity; one of 2 px is not more than 2 px.
+/// assert_eq!(errors.bad(2.0), 50.0);
+/// assert_eq!(errors.average_px(), Some((2.0 + 0.5 + 2.5) / 3.0));
+/// assert_eq!(errors.density(), 75.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct ErrorMap {
+    errors: Plane<f64>,
+    pixels: usize,
+    known: usize,
+}
+
+impl ErrorMap {
+    /// Compares a map with the truth.
+    ///
+    /// # Errors
+    ///
+    /// [`EvaluationError::Size`] when their sizes differ, and [`EvaluationError::NoTruth`] when
+    /// every pixel would be left out.
+    pub fn new(found: &DisparityMap, truth: &DisparityMap) -> Result<Self, EvaluationError> {
+        same_size(found.view(), truth.view())?;
+        let (mut pixels, mut known) = (0, 0);
+        let errors = Plane::from_fn(truth.width(), truth.height(), |column, row| {
+            let truth = truth.get(column, row).filter(|truth| *truth != 0.0);
+            let Some(truth) = truth else {
+                return f64::NAN;
+            };
+            pixels += 1;
+            let Some(found) = found.get(column, row) else {
+                return f64::INFINITY;
+            };
+            known += 1;
+            (f64::from(found) - f64::from(truth)).abs()
+        });
+        if pixels == 0 {
+            return Err(EvaluationError::NoTruth);
+        }
+        Ok(Self {
+            errors,
+            pixels,
+            known,
+        })
+    }
+
+    /// The error of each pixel: NaN where it is left out, infinity where the disparity is unknown.
+    #[must_use]
+    pub fn view(&self) -> PlaneView<'_, f64> {
+        self.errors.view()
+    }
+
+    /// How many pixels are evaluated, that is, have a known truth.
+    #[must_use]
+    pub fn pixels(&self) -> usize {
+        self.pixels
+    }
+
+    /// The percentage of evaluated pixels whose error is strictly more than `threshold_px`, those of
+    /// unknown disparity included.
+    #[must_use]
+    pub fn bad(&self, threshold_px: f64) -> f64 {
+        let errors = self.errors.values().iter();
+        self.percentage(errors.filter(|error| **error > threshold_px).count())
+    }
+
+    /// The mean error of evaluated pixels whose disparity is known, in pixels, or `None` where there
+    /// are none.
+    #[must_use]
+    pub fn average_px(&self) -> Option<f64> {
+        let errors = self
+            .errors
+            .values()
+            .iter()
+            .filter(|error| error.is_finite());
+        (self.known > 0).then(|| errors.sum::<f64>() / self.known as f64)
+    }
+
+    /// The percentage of evaluated pixels whose disparity is known.
+    #[must_use]
+    pub fn density(&self) -> f64 {
+        self.percentage(self.known)
+    }
+
+    fn percentage(&self, count: usize) -> f64 {
+        100.0 * count as f64 / self.pixels as f64
+    }
+}
