@@ -4,6 +4,7 @@
 //!
 //! - [`camera`]: pinhole cameras; the pixel of a point, and the [ray] of a pixel.
 //! - [`rig`]: two cameras and the motor between them.
+//! - [`matcher`]: the disparity of every pixel of a rectified pair.
 //! - [`triangulation`]: the point where two rays come closest.
 //! - [`disparity`]: disparity maps of rectified views, their files and their errors.
 //! - [`observation`]: simulated observations with noise, for tests and demonstrations.
@@ -38,6 +39,7 @@
 
 pub mod camera;
 pub mod disparity;
+pub mod matcher;
 pub mod observation;
 pub mod pose_error;
 pub mod rig;

@@ -1,0 +1,319 @@
+//! Dense stereo: the disparity of every pixel of a rectified pair, by semi-global matching.
+//!
+//! Cui's §2.1.2 and §2.1.4 need depth at every pixel. The matcher compares the census transform, the
+//! level and the slope of each pixel with those of its candidates in the same row of the other view,
+//! adds the costs of smooth paths from several directions (Hirschmüller 2008), and takes the
+//! candidate of least cost, to a fraction of a pixel. What the other view does not confirm is
+//! removed and filled from what lies behind.
+//!
+//! The loops are compiled for several sets of instructions, of which the best is taken at run time.
+//! Rows are computed in strips whose height does not depend on the number of threads, so neither
+//! does the result.
+//!
+//! ```
+//! use ga_image::plane::Plane;
+//! use ga_vision::matcher::{Matcher, MatcherOptions, Mode};
+//!
+//! // A texture, seen 5 px further left by the right camera.
+//! let level = |column: usize, row: usize| (column * column * 7 + row * row * 13 + column * row) as u8;
+//! let left = Plane::from_fn(120, 60, |column, row| level(column + 5, row));
+//! let right = Plane::from_fn(120, 60, |column, row| level(column + 10, row));
+//! let options = MatcherOptions { max_disparity: 16, mode: Mode::Fast, threads: 1 };
+//! let mut matcher = Matcher::new(options, 120, 60)?;
+//! let found = matcher.run(&left, &right)?;
+//! assert_eq!(found.disparity.get(60, 30), Some(5.0));
+//! # Ok::<(), ga_vision::matcher::MatchError>(())
+//! ```
+
+mod cost;
+mod features;
+mod lanes;
+mod path;
+mod refine;
+mod strips;
+mod sweep;
+mod view;
+mod winner;
+
+use ga_image::plane::{Plane, PlaneView};
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+use crate::disparity::DisparityMap;
+use path::Penalties;
+use refine::speckle::Islands;
+use refine::weighted::WeightedMedian;
+use refine::{check, fill, median, smooth};
+use strips::Strips;
+use sweep::Task;
+use view::View;
+
+/// How much work a matcher does.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Mode {
+    /// Costs of single pixels.
+    Fast,
+    /// Costs are averaged over neighbourhoods of similar levels, which flat surfaces need.
+    #[default]
+    Balanced,
+    /// As [`Balanced`](Self::Balanced); holes are filled by matching the right view as well.
+    Best,
+}
+
+/// What a matcher looks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MatcherOptions {
+    /// Disparities are looked for from 0 up to, and without, this number of pixels.
+    pub max_disparity: usize,
+    /// How much work is done.
+    pub mode: Mode,
+    /// The number of threads; 0 for as many as the machine can run at the same time. Results do not
+    /// depend on it.
+    pub threads: usize,
+}
+
+/// What a matcher finds.
+#[derive(Clone, Debug)]
+pub struct Match {
+    /// The disparity of each pixel of the left view, in pixels. All are known.
+    pub disparity: DisparityMap,
+    /// How clearly the best candidate of each pixel stands out, from 0 to 1: 1 − S / S′, where S is
+    /// its cost and S′ the least cost of candidates that are not beside it. It is 0 where the
+    /// disparity was filled in.
+    pub confidence: Plane<f32>,
+}
+
+/// Why views cannot be matched.
+#[derive(Debug, thiserror::Error)]
+pub enum MatchError {
+    /// The disparities to be looked for are none, too many, or more than the columns.
+    #[error(
+        "the disparity range of {range} px must be from 1 to {greatest} px for views {width} \
+         pixels wide"
+    )]
+    Range {
+        /// The number of disparities.
+        range: usize,
+        /// The greatest possible number.
+        greatest: usize,
+        /// Columns.
+        width: usize,
+    },
+    /// The views have too few pixels.
+    #[error(
+        "views of {width} × {height} pixels are too small; at least {least} × {least} are needed"
+    )]
+    TooSmall {
+        /// Columns.
+        width: usize,
+        /// Rows.
+        height: usize,
+        /// The least number of columns and rows.
+        least: usize,
+    },
+    /// The views have too many pixels.
+    #[error("views of {width} × {height} pixels are too large; at most {most} pixels are possible")]
+    TooLarge {
+        /// Columns.
+        width: usize,
+        /// Rows.
+        height: usize,
+        /// The greatest number of pixels.
+        most: usize,
+    },
+    /// The views have different sizes.
+    #[error(
+        "the left view has {} × {} pixels and the right view {} × {}",
+        left[0], left[1], right[0], right[1]
+    )]
+    Views {
+        /// Columns and rows of the left view.
+        left: [usize; 2],
+        /// Columns and rows of the right view.
+        right: [usize; 2],
+    },
+    /// The views do not have the size that the matcher was built for.
+    #[error(
+        "the views have {} × {} pixels, and the matcher is for {} × {}",
+        found[0], found[1], expected[0], expected[1]
+    )]
+    Size {
+        /// Columns and rows of the views.
+        found: [usize; 2],
+        /// Columns and rows that the matcher was built for.
+        expected: [usize; 2],
+    },
+    /// The threads could not be started.
+    #[error("the threads of the matcher cannot be started: {0}")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
+}
+
+/// The least number of columns and rows of a view: the census reaches over 9 × 7 pixels.
+const LEAST_SIDE: usize = 9;
+/// The greatest number of pixels, for which places fit in 31 bits.
+const MOST_PIXELS: usize = 1 << 30;
+/// The greatest disparity that fits in 16 bits, in 1/32 px.
+const GREATEST_RANGE: usize = 2047;
+/// Islands of fewer pixels are removed.
+const SPECKLE: u32 = 80;
+
+/// Finds the disparities of rectified pairs of views of one size. What it needs in memory is kept
+/// from one pair to the next.
+#[derive(Debug)]
+pub struct Matcher {
+    options: MatcherOptions,
+    width: usize,
+    height: usize,
+    threads: ThreadPool,
+    strips: Strips,
+    left: View,
+    right: View,
+    maps: [Vec<u16>; 2],
+    opposite: Vec<u16>,
+    confidence: Vec<u8>,
+    islands: Islands,
+    weighted: WeightedMedian,
+}
+
+impl Matcher {
+    /// A matcher for views of this size.
+    ///
+    /// # Errors
+    ///
+    /// [`MatchError::Range`], [`MatchError::TooSmall`], [`MatchError::TooLarge`] or
+    /// [`MatchError::Threads`].
+    pub fn new(options: MatcherOptions, width: usize, height: usize) -> Result<Self, MatchError> {
+        if width.min(height) < LEAST_SIDE {
+            let least = LEAST_SIDE;
+            return Err(MatchError::TooSmall {
+                width,
+                height,
+                least,
+            });
+        }
+        let most = MOST_PIXELS;
+        let Some(pixels) = width.checked_mul(height).filter(|pixels| *pixels <= most) else {
+            return Err(MatchError::TooLarge {
+                width,
+                height,
+                most,
+            });
+        };
+        let range = options.max_disparity;
+        let greatest = width.min(GREATEST_RANGE);
+        if !(1..=greatest).contains(&range) {
+            return Err(MatchError::Range {
+                range,
+                greatest,
+                width,
+            });
+        }
+        let threads = ThreadPoolBuilder::new()
+            .num_threads(options.threads)
+            .build()?;
+        Ok(Self {
+            options,
+            width,
+            height,
+            threads,
+            strips: Strips::new(width, height, range),
+            left: View::new(width, height, false),
+            right: View::new(width, height, true),
+            maps: [vec![0; pixels], vec![0; pixels]],
+            opposite: vec![0; pixels],
+            confidence: vec![0; pixels],
+            islands: Islands::default(),
+            weighted: WeightedMedian::new(),
+        })
+    }
+
+    /// What the matcher looks for.
+    #[must_use]
+    pub fn options(&self) -> MatcherOptions {
+        self.options
+    }
+
+    /// The disparities of a rectified pair in grey.
+    ///
+    /// # Errors
+    ///
+    /// [`MatchError::Views`] or [`MatchError::Size`].
+    pub fn run<'a>(
+        &mut self,
+        left: impl Into<PlaneView<'a, u8>>,
+        right: impl Into<PlaneView<'a, u8>>,
+    ) -> Result<Match, MatchError> {
+        let (left, right) = (left.into(), right.into());
+        let size = |view: PlaneView<'_, u8>| [view.width(), view.height()];
+        if size(left) != size(right) {
+            return Err(MatchError::Views {
+                left: size(left),
+                right: size(right),
+            });
+        }
+        let expected = [self.width, self.height];
+        if size(left) != expected {
+            return Err(MatchError::Size {
+                found: size(left),
+                expected,
+            });
+        }
+        let identity = std::array::from_fn(|level| level as u8);
+        self.left.fill(left, &identity);
+        self.right.fill(right, &view::exposure(left, right));
+        Ok(self.matched())
+    }
+
+    fn matched(&mut self) -> Match {
+        let Self {
+            options,
+            width,
+            height,
+            threads,
+            strips,
+            left,
+            right,
+            maps: [map, other],
+            opposite,
+            confidence,
+            islands,
+            weighted,
+        } = self;
+        let (width, height) = (*width, *height);
+        let mut disparity = Plane::filled(width, height, 0.0);
+        let mut clear = Plane::filled(width, height, 0.0);
+        threads.install(|| {
+            let range = options.max_disparity;
+            let noise = [&*left, &*right].map(view::noise);
+            let noise = (noise[0].max(noise[1]) - 1.5).max(0.0);
+            let median_cost = strips.median_cost(left, right, range);
+            let penalties = Penalties::new(median_cost, noise);
+            let task = Task {
+                reference: left,
+                other: right,
+                range,
+                penalties: &penalties,
+                outside: median_cost.saturating_add(20).min(cost::HIGHEST),
+            };
+            strips.run(task, map, confidence, opposite);
+            median::median(map, width, other);
+            check::check(other, width, opposite);
+            islands.remove(other, width, SPECKLE);
+            for ((value, level), disparity) in
+                clear.values_mut().iter_mut().zip(&*confidence).zip(&*other)
+            {
+                if *disparity != winner::UNKNOWN {
+                    *value = f32::from(*level) / 255.0;
+                }
+            }
+            fill::fill_rows(other, width);
+            weighted.at_edges(other, left, map);
+            median::median(map, width, other);
+            median::median(other, width, map);
+            smooth::smooth(map, width, disparity.values_mut());
+        });
+        Match {
+            disparity: DisparityMap::new(disparity),
+            confidence: clear,
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! The mean of what lies near in place and in disparity.
+
+use ga_runtime::batch::{Batch, Work};
+
+use super::super::winner::STEPS;
+use super::{clamped_row, over_rows};
+
+/// The mean of those disparities of the 3 × 3 around a pixel that differ from its own by at most
+/// 1 px, in pixels. All disparities are known.
+pub(in super::super) fn smooth(map: &[u16], width: usize, means: &mut [f32]) {
+    let batch = Batch::new();
+    over_rows(means, width, |first, rows| {
+        batch.run(Smooth {
+            map,
+            width,
+            first,
+            rows,
+        });
+    });
+}
+
+struct Smooth<'a> {
+    map: &'a [u16],
+    width: usize,
+    first: usize,
+    rows: &'a mut [f32],
+}
+
+impl Work for Smooth<'_> {
+    #[inline(always)]
+    fn run(self) {
+        let width = self.width;
+        let mut padded = [vec![0; width + 2], vec![0; width + 2], vec![0; width + 2]];
+        for (index, row) in self.rows.chunks_exact_mut(width).enumerate() {
+            let middle = (self.first + index).cast_signed();
+            for (dy, line) in padded.iter_mut().enumerate() {
+                let source = clamped_row(self.map, width, middle + dy.cast_signed() - 1);
+                line[1..=width].copy_from_slice(source);
+                line[0] = source[0];
+                line[width + 1] = source[width - 1];
+            }
+            let around: [&[u16]; 9] = std::array::from_fn(|k| &padded[k / 3][k % 3..][..width]);
+            for (column, mean) in row.iter_mut().enumerate() {
+                let own = around[4][column];
+                let mut sum = 0;
+                let mut count = 0;
+                for line in around {
+                    let near = line[column].abs_diff(own) <= STEPS;
+                    // Differences are small, and sums of them fit.
+                    sum += if near {
+                        line[column].wrapping_sub(own).cast_signed()
+                    } else {
+                        0
+                    };
+                    count += i16::from(near);
+                }
+                let value = f32::from(own) + f32::from(sum) / f32::from(count);
+                *mean = value / f32::from(STEPS);
+            }
+        }
+    }
+}

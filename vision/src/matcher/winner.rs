@@ -1,0 +1,137 @@
+//! The disparity of least cost at a pixel.
+
+use super::lanes::{LANES, least_of_words};
+
+/// Disparities are kept as multiples of 1/32 px.
+pub(super) const STEPS: u16 = 32;
+/// Stands for a disparity that is not known.
+pub(super) const UNKNOWN: u16 = u16::MAX;
+
+/// The best candidate of a pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Winner {
+    /// In 1/32 px.
+    pub(super) disparity: u16,
+    /// How much worse the best candidate is that is not beside this one: 255 · (1 − S / S′).
+    pub(super) confidence: u8,
+}
+
+/// The winner among the costs of `range` disparities. `sums` is a whole number of blocks, and is
+/// changed.
+///
+/// Between whole disparities the costs are taken as two lines of equal and opposite slope through
+/// the three costs around the least (M. Shimizu and M. Okutomi, "Sub-pixel estimation error
+/// cancellation on area-based matching", International Journal of Computer Vision 63, 2005).
+#[inline(always)]
+pub(super) fn winner(sums: &mut [u16], range: usize) -> Winner {
+    let best = least_cost(sums);
+    let place = first_with(sums, best);
+    let mut disparity = place as u16 * STEPS;
+    let low = place.saturating_sub(1);
+    let high = (place + 2).min(range);
+    if place > 0 && place + 1 < range {
+        let [below, above] = [sums[place - 1], sums[place + 1]].map(i32::from);
+        let steeper = below.max(above) - i32::from(best);
+        if steeper > 0 {
+            let offset = f32::from(STEPS / 2) * (below - above) as f32 / steeper as f32;
+            disparity = disparity.wrapping_add_signed(offset.round_ties_even() as i16);
+        }
+    }
+    sums[low..high].fill(u16::MAX);
+    let second = least_cost(sums);
+    let confidence = if second == u16::MAX || second == 0 {
+        0
+    } else {
+        255 - (255.0 * f32::from(best) / f32::from(second)) as u8
+    };
+    Winner {
+        disparity,
+        confidence,
+    }
+}
+
+#[inline(always)]
+fn least_cost(sums: &[u16]) -> u16 {
+    let mut smallest = [u16::MAX; LANES];
+    for block in sums.as_chunks::<LANES>().0 {
+        for lane in 0..LANES {
+            smallest[lane] = smallest[lane].min(block[lane]);
+        }
+    }
+    least_of_words(smallest)
+}
+
+/// The first place with a number.
+#[inline(always)]
+fn first_with(sums: &[u16], number: u16) -> usize {
+    let mut places = [u16::MAX; LANES];
+    for (index, block) in sums.as_chunks::<LANES>().0.iter().enumerate() {
+        let start = (index * LANES) as u16;
+        for lane in 0..LANES {
+            let place = if block[lane] == number {
+                start + lane as u16
+            } else {
+                u16::MAX
+            };
+            places[lane] = places[lane].min(place);
+        }
+    }
+    usize::from(least_of_words(places))
+}
+
+/// The best candidate of each pixel of the other view, from the costs of this view's pixels: those
+/// of a pixel of the other view lie along a diagonal.
+#[derive(Clone, Debug)]
+pub(super) struct Opposite {
+    least: Vec<u16>,
+    disparities: Vec<u16>,
+}
+
+impl Opposite {
+    /// For rows of `width` pixels with `range` candidates, a whole number of blocks.
+    pub(super) fn new(width: usize, range: usize) -> Self {
+        Self {
+            least: vec![0; width + range],
+            disparities: vec![0; width + range],
+        }
+    }
+
+    /// Begins a row. Candidates of the cost `never` or above are not taken.
+    #[inline(always)]
+    pub(super) fn clear(&mut self, never: u16) {
+        self.least.fill(never);
+        self.disparities.fill(0);
+    }
+
+    /// Takes the costs of the candidates of the pixel `column` of this view.
+    #[inline(always)]
+    pub(super) fn take(&mut self, column: usize, width: usize, sums: &[u16]) {
+        let start = width - 1 - column;
+        let least = &mut self.least[start..][..sums.len()];
+        let disparities = &mut self.disparities[start..][..sums.len()];
+        let least = least.as_chunks_mut::<LANES>().0.iter_mut();
+        let disparities = disparities.as_chunks_mut::<LANES>().0;
+        let sums = sums.as_chunks::<LANES>().0;
+        for (index, ((least, found), sums)) in least.zip(disparities).zip(sums).enumerate() {
+            let first = (index * LANES) as u16;
+            let mut better = [0u16; LANES];
+            for lane in 0..LANES {
+                better[lane] = if sums[lane] < least[lane] {
+                    first + lane as u16
+                } else {
+                    found[lane]
+                };
+            }
+            for lane in 0..LANES {
+                least[lane] = least[lane].min(sums[lane]);
+            }
+            *found = better;
+        }
+    }
+
+    /// The disparities in whole pixels of the other view's row, mirrored.
+    #[inline(always)]
+    pub(super) fn disparities(&self, width: usize) -> &[u16] {
+        &self.disparities[..width]
+    }
+}
