@@ -3,6 +3,7 @@
 //! - [`read`] reads a file and hands its bytes to a parser; a [`ReadError`] names the file and says
 //!   what the parser found wrong.
 //! - [`write`](write()) replaces a file in one step: a reader never sees a half-written file.
+//! - [`write_together`] writes several files, whatever their folders, all of them or none.
 //! - [`write_all`] writes several files into a folder, all of them or none.
 
 mod read;
@@ -10,5 +11,5 @@ mod write;
 mod write_all;
 
 pub use read::{ReadError, read};
-pub use write::{WriteError, write};
+pub use write::{WriteError, write, write_together};
 pub use write_all::write_all;

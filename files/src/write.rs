@@ -5,7 +5,7 @@ use std::fs::Permissions;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use tempfile::Builder;
+use tempfile::{Builder, NamedTempFile};
 
 /// A file that could not be written. An earlier file of its name is unchanged.
 #[derive(Debug, thiserror::Error)]
@@ -37,13 +37,60 @@ pub struct WriteError {
 /// ```
 pub fn write(path: impl AsRef<Path>, contents: &[u8]) -> Result<(), WriteError> {
     let path = path.as_ref();
-    replace(path, contents).map_err(|source| WriteError {
+    let place = |source| WriteError {
         path: path.to_path_buf(),
         source,
-    })
+    };
+    let file = staged(path, contents).map_err(place)?;
+    file.persist(path).map_err(|error| place(error.error))?;
+    Ok(())
 }
 
-fn replace(path: &Path, contents: &[u8]) -> io::Result<()> {
+/// Writes files of any folders, each a path and its contents, in place of any there, and creates
+/// missing parent folders. All of them are complete beside their places before the first takes its
+/// name, so that where one cannot be completed, all earlier files stay as they were.
+///
+/// # Errors
+///
+/// [`WriteError`] with the file that cannot be written. A folder in the place of a file is found
+/// before any file is written. Folders that were created remain.
+///
+/// # Examples
+///
+/// ```
+/// let folder = tempfile::tempdir()?;
+/// let [table, plot] = ["table.csv", "plots/plot.svg"].map(|name| folder.path().join(name));
+/// ga_files::write_together([(&table, &b"t,x\n"[..]), (&plot, b"<svg/>")])?;
+/// assert_eq!(std::fs::read(&plot)?, b"<svg/>");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn write_together<'a, P: AsRef<Path> + 'a>(
+    files: impl IntoIterator<Item = (P, &'a [u8])>,
+) -> Result<(), WriteError> {
+    let mut ready = Vec::new();
+    for (path, contents) in files {
+        let path = path.as_ref().to_path_buf();
+        let file = if path.is_dir() {
+            Err(io::ErrorKind::IsADirectory.into())
+        } else {
+            staged(&path, contents)
+        };
+        match file {
+            Ok(file) => ready.push((path, file)),
+            Err(source) => return Err(WriteError { path, source }),
+        }
+    }
+    for (path, file) in ready {
+        if let Err(error) = file.persist(&path) {
+            let source = error.error;
+            return Err(WriteError { path, source });
+        }
+    }
+    Ok(())
+}
+
+/// A complete temporary file in the folder of `path`.
+fn staged(path: &Path, contents: &[u8]) -> io::Result<NamedTempFile> {
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
@@ -57,8 +104,7 @@ fn replace(path: &Path, contents: &[u8]) -> io::Result<()> {
     file.write_all(contents)?;
     // Without this a power cut after the rename can leave the new name on an empty file.
     file.as_file().sync_all()?;
-    file.persist(path)?;
-    Ok(())
+    Ok(file)
 }
 
 /// Temporary files are private to their owner by default; an output file follows the umask like any
@@ -112,6 +158,18 @@ mod tests {
         );
         assert_eq!(names(folder.path()), ["taken"]);
         assert_eq!(names(&taken), ["inside"]);
+    }
+
+    #[test]
+    fn when_one_of_several_fails_the_others_stay_as_they_were() {
+        let folder = tempfile::tempdir().unwrap();
+        let [first, second] = ["a", "b"].map(|name| folder.path().join(name));
+        std::fs::write(&first, b"kept").unwrap();
+        std::fs::create_dir(&second).unwrap();
+        let error = write_together([(&first, &b"new"[..]), (&second, b"new")]).unwrap_err();
+        assert_eq!(error.path, second);
+        assert_eq!(std::fs::read(&first).unwrap(), b"kept");
+        assert_eq!(names(folder.path()), ["a", "b"]);
     }
 
     #[test]
