@@ -27,7 +27,11 @@ pub enum ByteOrder {
 /// shorter than its header states.
 pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
     let mut header = Header::new(Format::Pfm, bytes);
-    let colour = header.magic()? == b'F';
+    let colour = match header.magic()? {
+        b'F' => true,
+        b'f' => false,
+        _ => return Err(header.error("a PFM file begins with PF or Pf")),
+    };
     let width = header.number()?;
     let height = header.number()?;
     let order = match header.float()? {

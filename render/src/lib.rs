@@ -4,7 +4,7 @@
 //! ground that shows their shadow, and lines and dots over them. It returns the picture and its
 //! [`DepthMap`]. [`Buffers`] are what is seen at the centre of each pixel as numbers: which
 //! triangle, how far away, with which texture coordinates. [`sheet`] puts the pictures of an
-//! animation side by side.
+//! animation side by side; [`text`] writes on pictures.
 //!
 //! | type | what it is |
 //! | --- | --- |
@@ -60,6 +60,7 @@ pub mod sheet;
 mod stroke;
 mod style;
 mod surface;
+pub mod text;
 pub mod texture;
 mod world;
 

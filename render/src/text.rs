@@ -1,19 +1,42 @@
-//! Lettering, in Noto Sans Mono.
+//! Lettering on pictures, in Noto Sans Mono.
 
 use image::{Rgb, RgbImage};
 use noto_sans_mono_bitmap::{FontWeight, RasterHeight, get_raster, get_raster_width};
 
 const HEIGHT: RasterHeight = RasterHeight::Size16;
 
+/// The height of a line in pixels.
+pub const LINE_HEIGHT: u32 = HEIGHT.val() as u32;
+
 /// How bold letters are.
-#[derive(Clone, Copy)]
-pub(super) enum Weight {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Weight {
+    /// For running text.
     Regular,
+    /// For titles.
     Bold,
 }
 
-/// Writes a line with its top left corner at `x`, `y`, cut off after `width` pixels.
-pub(super) fn write(
+/// Columns that a line of text takes.
+#[must_use]
+pub fn width(text: &str, weight: Weight) -> u32 {
+    let letters = u32::try_from(text.chars().count()).unwrap_or(u32::MAX);
+    letters.saturating_mul(advance(weight))
+}
+
+/// Writes a line with its top left corner at `x`, `y`, cut off after `width` pixels and where the
+/// picture ends. Letters that the font does not have become question marks.
+///
+/// ```
+/// use ga_render::text::{self, Weight};
+/// use image::{Rgb, RgbImage};
+///
+/// let mut picture = RgbImage::new(100, text::LINE_HEIGHT);
+/// let width = text::width("depth", Weight::Bold);
+/// text::write(&mut picture, [0, 0], width, "depth", Weight::Bold, Rgb([255; 3]));
+/// assert!(picture.pixels().any(|pixel| pixel.0 == [255; 3]));
+/// ```
+pub fn write(
     image: &mut RgbImage,
     [x, y]: [u32; 2],
     width: u32,
@@ -21,11 +44,8 @@ pub(super) fn write(
     weight: Weight,
     colour: Rgb<u8>,
 ) {
-    let weight = match weight {
-        Weight::Regular => FontWeight::Regular,
-        Weight::Bold => FontWeight::Bold,
-    };
-    let advance = get_raster_width(weight, HEIGHT) as u32;
+    let advance = advance(weight);
+    let weight = weight.of_font();
     let letters = text.chars().take((width / advance) as usize);
     for (index, letter) in letters.enumerate() {
         let raster = get_raster(letter, weight, HEIGHT).or_else(|| get_raster('?', weight, HEIGHT));
@@ -38,6 +58,20 @@ pub(super) fn write(
                     *pixel = Rgb(std::array::from_fn(|i| blend(pixel.0[i], colour.0[i], ink)));
                 }
             }
+        }
+    }
+}
+
+/// Columns from one letter to the next.
+fn advance(weight: Weight) -> u32 {
+    get_raster_width(weight.of_font(), HEIGHT) as u32
+}
+
+impl Weight {
+    fn of_font(self) -> FontWeight {
+        match self {
+            Self::Regular => FontWeight::Regular,
+            Self::Bold => FontWeight::Bold,
         }
     }
 }

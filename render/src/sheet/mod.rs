@@ -33,7 +33,6 @@ mod film;
 mod framing;
 mod layout;
 mod paint;
-mod text;
 
 use image::RgbImage;
 use rayon::prelude::*;

@@ -3,9 +3,9 @@
 use image::{Rgb, RgbImage, imageops};
 
 use super::layout::{BORDER, CAPTION, Size};
-use super::text::{self, Weight};
 use super::{Frame, Kind, Options};
 use crate::Rendering;
+use crate::text::{self, Weight};
 
 const PAPER: Rgb<u8> = Rgb([250, 250, 252]);
 const INK: Rgb<u8> = Rgb([44, 52, 64]);
