@@ -16,3 +16,4 @@ mod mesh;
 mod mesh_subdivide;
 mod render;
 mod skin;
+mod stereo;

@@ -8,9 +8,11 @@
 //! - [`DisparityMap`]: the map itself; [`file`](mod@file): maps in PFM files, and truths in files
 //!   of other kinds.
 //! - [`evaluation`]: how far a map is from a known truth.
+//! - [`picture`]: maps and their errors in colours.
 
 pub mod evaluation;
 pub mod file;
+pub mod picture;
 
 use ga_image::plane::{Plane, PlaneView};
 

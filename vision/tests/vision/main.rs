@@ -1,5 +1,6 @@
 //! Triangulation against independent vectors and against scenes that are known.
 
+mod disparity;
 mod pose_error;
 
 use ga_runtime::cga3::{Direction, Motor, Point, Rotor, Translator};

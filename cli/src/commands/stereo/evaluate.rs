@@ -2,12 +2,20 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
+use ga_image::png;
+use ga_vision::disparity::DisparityMap;
 use ga_vision::disparity::evaluation::ErrorMap;
 use ga_vision::disparity::file;
+use ga_vision::disparity::picture::ColourScale;
+use image::RgbImage;
 use serde::Serialize;
 
+use super::picture::{self, Panel};
 use crate::output;
+
+/// Errors of so many pixels and more have the last colour of the picture.
+const MOST_ERROR_PX: f64 = 4.0;
 
 /// Compare a disparity map with the truth.
 ///
@@ -37,6 +45,9 @@ pub(crate) struct Arguments {
         allow_negative_numbers = true
     )]
     scale: f64,
+    /// Write a picture of the map, the truth and the errors beside each other.
+    #[arg(long, value_name = "FILE.png")]
+    picture: Option<PathBuf>,
     /// Print one JSON object instead of lines.
     #[arg(long)]
     json: bool,
@@ -55,8 +66,16 @@ struct Report {
 }
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+    let scale = arguments.scale;
+    ensure!(
+        scale > 0.0 && scale.is_finite(),
+        "--scale {scale}: what the truth stores must be divided by a positive, finite number"
+    );
+    if let Some(path) = &arguments.picture {
+        picture::check_ending(path)?;
+    }
     let map = file::read(&arguments.map)?;
-    let truth = file::read_truth(&arguments.truth, arguments.scale)?;
+    let truth = file::read_truth(&arguments.truth, scale)?;
     let errors = ErrorMap::new(&map, &truth).with_context(|| {
         let [map, truth] = [&arguments.map, &arguments.truth].map(|path| path.display());
         format!("{map} and {truth}")
@@ -70,6 +89,10 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         density: errors.density(),
         truth_pixels: errors.pixels(),
     };
+    if let Some(path) = &arguments.picture {
+        let sheet = picture_of(&map, &truth, &errors);
+        png::write(path, &sheet)?;
+    }
     if arguments.json {
         output::print_json(&report)
     } else if quiet {
@@ -77,6 +100,37 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     } else {
         output::print(&report.table())
     }
+}
+
+/// The map and the truth in the colours of one scale, and the errors.
+fn picture_of(map: &DisparityMap, truth: &DisparityMap, errors: &ErrorMap) -> RgbImage {
+    // A truth of 0 is as unknown as one that is not finite.
+    let known = |value: f32| if value == 0.0 { f32::NAN } else { value };
+    let truth = DisparityMap::new(truth.plane().map(known));
+    let range = truth.range().unwrap_or_default().map(f64::from);
+    let disparities = ColourScale::viridis(range);
+    let errors_scale = ColourScale::inferno([0.0, MOST_ERROR_PX]);
+    let panel = |caption: String, map: &DisparityMap| Panel {
+        caption,
+        picture: disparities.disparities(map),
+        scale: disparities,
+        most: format!("{:.1} px", range[1]),
+        marks: vec![(ColourScale::unknown, "unknown")],
+    };
+    picture::beside(&[
+        panel("disparity".into(), map),
+        panel("truth".into(), &truth),
+        Panel {
+            caption: format!("error, bad 2 = {:.2} %", errors.bad(2.0)),
+            picture: errors_scale.errors(errors),
+            scale: errors_scale,
+            most: format!("{MOST_ERROR_PX:.1} px or more"),
+            marks: vec![
+                (ColourScale::unknown, "disparity unknown"),
+                (|_| ColourScale::left_out(), "no truth"),
+            ],
+        },
+    ])
 }
 
 impl Report {

@@ -1,6 +1,7 @@
 //! `nullcone stereo`: two views of a scene.
 
 mod evaluate;
+mod picture;
 
 use anyhow::Result;
 use clap::Subcommand;

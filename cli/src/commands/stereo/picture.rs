@@ -1,0 +1,133 @@
+//! Disparity maps as pictures with captions and scales.
+
+use std::path::Path;
+
+use anyhow::{Result, ensure};
+use ga_image::plane::{Plane, PlaneView};
+use ga_render::text::{self, LINE_HEIGHT, Weight};
+use ga_vision::disparity::picture::ColourScale;
+use image::{Rgb, RgbImage};
+
+const PAPER: Rgb<u8> = Rgb([250, 250, 252]);
+const INK: Rgb<u8> = Rgb([44, 52, 64]);
+
+/// Around everything, in pixels.
+const MARGIN: u32 = 10;
+
+/// The height of the bar of colours, and the side of the squares that show the marks.
+const BAR: u32 = 14;
+
+/// The columns that a scale needs at least, for its bar, its numbers and the marks.
+const SCALE_WIDTH: u32 = 300;
+
+/// A mark that stands for pixels without a number, and what it means.
+pub(super) type Mark = (fn([usize; 2]) -> [u8; 3], &'static str);
+
+/// One picture of several beside each other.
+pub(super) struct Panel {
+    pub(super) caption: String,
+    pub(super) picture: Plane<[u8; 3]>,
+    pub(super) scale: ColourScale,
+    /// What the upper end of the scale is called, such as "4 px or more".
+    pub(super) most: String,
+    pub(super) marks: Vec<Mark>,
+}
+
+impl Panel {
+    fn size(&self) -> [u32; 2] {
+        [self.picture.width(), self.picture.height()].map(|side| side as u32)
+    }
+
+    /// Columns that the panel takes, without margins.
+    fn width(&self) -> u32 {
+        self.size()[0].max(SCALE_WIDTH)
+    }
+}
+
+/// Fails where a file of this name would not be PNG by its ending.
+pub(super) fn check_ending(path: &Path) -> Result<()> {
+    let ending = path.extension().unwrap_or_default();
+    ensure!(
+        ending.eq_ignore_ascii_case("png"),
+        "{}: a picture is written as .png",
+        path.display()
+    );
+    Ok(())
+}
+
+/// The panels beside each other, each with its caption above and its scale below.
+pub(super) fn beside(panels: &[Panel]) -> RgbImage {
+    let width = panels.iter().map(|panel| panel.width() + MARGIN);
+    let rows = panels.iter().map(|panel| panel.size()[1]).max();
+    let scale_lines = panels
+        .iter()
+        .map(|panel| 1 + panel.marks.len() as u32)
+        .max();
+    let below = scale_lines.unwrap_or(0) * (LINE_HEIGHT + 4) + BAR;
+    let height = 3 * MARGIN + LINE_HEIGHT + rows.unwrap_or(0) + below;
+    let mut sheet = RgbImage::from_pixel(width.sum::<u32>() + MARGIN, height, PAPER);
+    let mut left = MARGIN;
+    for panel in panels {
+        draw(&mut sheet, left, panel);
+        left += panel.width() + MARGIN;
+    }
+    sheet
+}
+
+fn draw(sheet: &mut RgbImage, left: u32, panel: &Panel) {
+    let width = panel.width();
+    let line = |sheet: &mut RgbImage, [x, y]: [u32; 2], room: u32, words: &str, weight| {
+        text::write(sheet, [x, y], room, words, weight, INK);
+    };
+    line(sheet, [left, MARGIN], width, &panel.caption, Weight::Bold);
+    let mut top = MARGIN + LINE_HEIGHT + 4;
+    put(sheet, [left, top], panel.picture.view());
+    top += panel.size()[1] + MARGIN;
+
+    let [first, last] = panel.scale.range();
+    let bar = Plane::from_fn(width as usize, BAR as usize, |column, _| {
+        let share = column as f64 / f64::from(width - 1);
+        panel.scale.colour(first + share * (last - first))
+    });
+    put(sheet, [left, top], bar.view());
+    top += BAR + 4;
+    line(
+        sheet,
+        [left, top],
+        width,
+        &format!("{first:.1} px"),
+        Weight::Regular,
+    );
+    let room = text::width(&panel.most, Weight::Regular).min(width);
+    line(
+        sheet,
+        [left + width - room, top],
+        room,
+        &panel.most,
+        Weight::Regular,
+    );
+    for (mark, meaning) in &panel.marks {
+        top += LINE_HEIGHT + 4;
+        let square = Plane::from_fn(BAR as usize, BAR as usize, |column, row| {
+            mark([column, row])
+        });
+        put(sheet, [left, top], square.view());
+        let indent = BAR + 6;
+        line(
+            sheet,
+            [left + indent, top],
+            width - indent,
+            meaning,
+            Weight::Regular,
+        );
+    }
+}
+
+/// Copies a picture to a place.
+fn put(sheet: &mut RgbImage, [left, top]: [u32; 2], picture: PlaneView<'_, [u8; 3]>) {
+    for (row, pixels) in (top..).zip(picture.rows()) {
+        for (column, pixel) in (left..).zip(pixels) {
+            sheet.put_pixel(column, row, Rgb(*pixel));
+        }
+    }
+}
