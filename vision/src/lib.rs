@@ -2,7 +2,8 @@
 //! techniques for 3D animation and their application to visual communication", which the modules
 //! cite as "Cui".
 //!
-//! - [`camera`]: pinhole cameras; the pixel of a point, and the [ray] of a pixel.
+//! - [`camera`]: cameras with lenses; the pixel of a point, and the [ray] of a pixel.
+//! - [`frame`]: frames of reference in types.
 //! - [`rig`]: two cameras and the motor between them.
 //! - [`matcher`]: the disparity of every pixel of a rectified pair.
 //! - [`triangulation`]: the point where two rays come closest.
@@ -40,6 +41,7 @@
 pub mod camera;
 pub mod disparity;
 pub mod matcher;
+pub mod frame;
 pub mod observation;
 pub mod pose_error;
 pub mod rig;

@@ -1,6 +1,10 @@
 //! Triangulation against independent vectors and against scenes that are known.
 
+<<<<<<< HEAD
 mod disparity;
+=======
+mod camera;
+>>>>>>> 74f1a4f (Give cameras lenses with distortion, and derivatives in closed form)
 mod pose_error;
 
 use ga_runtime::cga3::{Direction, Motor, Point, Rotor, Translator};
