@@ -8,6 +8,7 @@
 //! - [`matcher`]: the disparity of every pixel of a rectified pair.
 //! - [`triangulation`]: the point where two rays come closest.
 //! - [`disparity`]: disparity maps of rectified views, their files and their errors.
+//! - [`least_squares`]: nonlinear least squares over any unknowns, with covariances.
 //! - [`observation`]: simulated observations with noise, for tests and demonstrations.
 //! - [`pose_error`]: how far reconstructed joints are from the true ones.
 //!
@@ -42,6 +43,7 @@ pub mod camera;
 pub mod disparity;
 pub mod matcher;
 pub mod frame;
+pub mod least_squares;
 pub mod observation;
 pub mod pose_error;
 pub mod rig;

@@ -2,9 +2,10 @@
 
 <<<<<<< HEAD
 mod disparity;
-=======
 mod camera;
->>>>>>> 74f1a4f (Give cameras lenses with distortion, and derivatives in closed form)
+=======
+mod least_squares;
+>>>>>>> 3a9029c (Add least squares over any unknowns to ga-vision)
 mod pose_error;
 
 use ga_runtime::cga3::{Direction, Motor, Point, Rotor, Translator};

@@ -1,0 +1,273 @@
+//! The normal equations, and their solution by elimination of groups.
+
+use nalgebra_035::{Cholesky, DMatrix, DVector};
+
+use super::covariance::Covariance;
+use super::loss::Loss;
+
+/// The unknowns of a step: first the shared ones, then those of each group.
+///
+/// A residual may depend on all shared unknowns and on those of one group: in a calibration the
+/// shared unknowns are those of the cameras, and each board has a group for its motor. The groups
+/// are eliminated one by one, so that the work grows with their number and not with its cube (the
+/// Schur complement; D. C. Brown, "A solution to the general problem of multiple station analytical
+/// stereotriangulation", 1958).
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Columns {
+    shared: usize,
+    group_size: usize,
+    groups: usize,
+}
+
+impl Columns {
+    /// Unknowns that are all shared.
+    #[must_use]
+    pub fn dense(count: usize) -> Self {
+        Self::grouped(count, 0, 0)
+    }
+
+    /// Shared unknowns, and groups of equal size. The column of the unknown k of the group g is
+    /// `shared + g · group_size + k`.
+    #[must_use]
+    pub fn grouped(shared: usize, groups: usize, group_size: usize) -> Self {
+        Self {
+            shared,
+            group_size,
+            groups,
+        }
+    }
+
+    /// The number of unknowns.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.shared + self.groups * self.group_size
+    }
+}
+
+/// The sum of the residuals' losses at a state, and the normal equations of a step from there.
+#[derive(Clone, Debug)]
+pub struct Equations {
+    columns: Columns,
+    loss: Loss,
+    cost: f64,
+    residuals: usize,
+    /// `JᵀWJ` between shared columns, the lower triangle.
+    shared: DMatrix<f64>,
+    /// For each group, `JᵀWJ` between its columns, the lower triangle.
+    own: Vec<DMatrix<f64>>,
+    /// For each group, `JᵀWJ` between its columns (rows here) and the shared ones.
+    mixed: Vec<DMatrix<f64>>,
+    /// `JᵀWr` for all columns.
+    gradient: DVector<f64>,
+}
+
+/// A step, and what it does to the linear model of the residuals.
+#[derive(Clone, Debug)]
+pub(super) struct Step {
+    pub(super) values: Vec<f64>,
+    /// The sum of the squares of the changes of the residuals, `δᵀJᵀWJδ`.
+    pub(super) size: f64,
+    /// By how much the sum of squares falls.
+    pub(super) predicted: f64,
+}
+
+impl Equations {
+    pub(super) fn new(columns: Columns, loss: Loss) -> Self {
+        let (shared, size) = (columns.shared, columns.group_size);
+        Self {
+            loss,
+            cost: 0.0,
+            residuals: 0,
+            shared: DMatrix::zeros(shared, shared),
+            own: vec![DMatrix::zeros(size, size); columns.groups],
+            mixed: vec![DMatrix::zeros(size, shared); columns.groups],
+            gradient: DVector::zeros(columns.count()),
+            columns,
+        }
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.cost = 0.0;
+        self.residuals = 0;
+        self.shared.fill(0.0);
+        self.own.iter_mut().for_each(|block| block.fill(0.0));
+        self.mixed.iter_mut().for_each(|block| block.fill(0.0));
+        self.gradient.fill(0.0);
+    }
+
+    /// Adds a residual of N components with its derivatives by the columns on which it depends, in
+    /// any order. A column that occurs twice counts with the sum.
+    ///
+    /// # Panics
+    /// Where a column does not exist, or where two columns belong to different groups.
+    pub fn add<const N: usize>(&mut self, residual: [f64; N], derivatives: &[(usize, [f64; N])]) {
+        let dot = |a: &[f64; N], b: &[f64; N]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
+        let (loss, weight) = self.loss.of(dot(&residual, &residual));
+        self.cost += loss;
+        self.residuals += N;
+        let shared = self.columns.shared;
+        for (place, (column, derivative)) in derivatives.iter().enumerate() {
+            let weighted = derivative.map(|value| weight * value);
+            self.gradient[*column] += dot(&weighted, &residual);
+            for (second, (other, other_derivative)) in derivatives[..=place].iter().enumerate() {
+                let mut product = dot(&weighted, other_derivative);
+                if second != place && column == other {
+                    product *= 2.0;
+                }
+                let (low, high) = (*column.min(other), *column.max(other));
+                if high < shared {
+                    self.shared[(high, low)] += product;
+                    continue;
+                }
+                let (group, row) = self.place(high);
+                if low < shared {
+                    self.mixed[group][(row, low)] += product;
+                } else {
+                    let (other_group, other_row) = self.place(low);
+                    assert_eq!(group, other_group, "a residual depends on two groups");
+                    self.own[group][(row, other_row)] += product;
+                }
+            }
+        }
+    }
+
+    /// The group of a column that is not shared, and its place there.
+    fn place(&self, column: usize) -> (usize, usize) {
+        let beyond = column - self.columns.shared;
+        (
+            beyond / self.columns.group_size,
+            beyond % self.columns.group_size,
+        )
+    }
+
+    pub(super) fn cost(&self) -> f64 {
+        self.cost
+    }
+
+    pub(super) fn residuals(&self) -> usize {
+        self.residuals
+    }
+
+    pub(super) fn unknowns(&self) -> usize {
+        self.columns.count()
+    }
+
+    /// Whether residuals and derivatives are finite. A derivative that is not makes its diagonal
+    /// entry so.
+    pub(super) fn is_finite(&self) -> bool {
+        let is_finite =
+            |block: &DMatrix<f64>| (0..block.nrows()).all(|k| block[(k, k)].is_finite());
+        self.cost.is_finite()
+            && self.gradient.iter().all(|value| value.is_finite())
+            && is_finite(&self.shared)
+            && self.own.iter().all(is_finite)
+    }
+
+    /// The step for a damping. `None` where the equations have no solution in floating point.
+    pub(super) fn solve(&self, damping: f64) -> Option<Step> {
+        let Columns {
+            shared: count,
+            group_size: size,
+            ..
+        } = self.columns;
+        let mut reduced = damped(&self.shared, damping);
+        let mut right = -self.gradient.rows(0, count).into_owned();
+        let mut factors = Vec::with_capacity(self.own.len());
+        for (group, (own, mixed)) in self.own.iter().zip(&self.mixed).enumerate() {
+            let factor = Cholesky::new(damped(own, damping))?;
+            let gradient = self.gradient.rows(count + group * size, size);
+            let eliminated = factor.solve(mixed);
+            reduced -= mixed.tr_mul(&eliminated);
+            right += eliminated.tr_mul(&gradient);
+            factors.push(factor);
+        }
+        let mut values = DVector::zeros(self.columns.count());
+        if count > 0 {
+            let solution = Cholesky::new(reduced)?.solve(&right);
+            values.rows_mut(0, count).copy_from(&solution);
+        }
+        for (group, (factor, mixed)) in factors.iter().zip(&self.mixed).enumerate() {
+            let first = count + group * size;
+            let gradient = self.gradient.rows(first, size);
+            let right = -(gradient + mixed * values.rows(0, count));
+            values
+                .rows_mut(first, size)
+                .copy_from(&factor.solve(&right));
+        }
+        let size = self.quadratic_form(&values);
+        let predicted = -2.0 * self.gradient.dot(&values) - size;
+        values.iter().all(|value| value.is_finite()).then(|| Step {
+            values: values.data.into(),
+            size,
+            predicted,
+        })
+    }
+
+    /// `δᵀJᵀWJδ`.
+    fn quadratic_form(&self, step: &DVector<f64>) -> f64 {
+        let Columns {
+            shared: count,
+            group_size: size,
+            ..
+        } = self.columns;
+        let shared = step.rows(0, count);
+        let mut sum = shared.dot(&(symmetric(&self.shared) * shared));
+        for (group, (own, mixed)) in self.own.iter().zip(&self.mixed).enumerate() {
+            let part = step.rows(count + group * size, size);
+            sum += part.dot(&(symmetric(own) * part)) + 2.0 * part.dot(&(mixed * shared));
+        }
+        sum
+    }
+
+    /// The inverse of `JᵀWJ` times a variance, for the shared columns and within each group.
+    pub(super) fn covariance(&self, variance: f64) -> Option<Covariance> {
+        let mut reduced = symmetric(&self.shared);
+        let mut parts = Vec::with_capacity(self.own.len());
+        for (own, mixed) in self.own.iter().zip(&self.mixed) {
+            let factor = Cholesky::new(symmetric(own))?;
+            let eliminated = factor.solve(mixed);
+            reduced -= mixed.tr_mul(&eliminated);
+            parts.push((factor.inverse(), eliminated));
+        }
+        let shared = match reduced.nrows() {
+            0 => reduced,
+            _ => well_conditioned(&reduced)?.inverse(),
+        };
+        let groups = parts.into_iter().map(|(inverse, eliminated)| {
+            (inverse + &eliminated * &shared * eliminated.transpose()) * variance
+        });
+        let groups: Vec<DMatrix<f64>> = groups.collect();
+        Some(Covariance::new(shared * variance, groups))
+    }
+}
+
+/// The Cholesky factor of a matrix that rounding errors have not made regular: scaled to a diagonal
+/// of ones, its pivots stay above them.
+fn well_conditioned(matrix: &DMatrix<f64>) -> Option<Cholesky<f64, nalgebra_035::Dyn>> {
+    const LEAST_PIVOT: f64 = 1e-14;
+    let factor = Cholesky::new(matrix.clone())?;
+    let lower = factor.l_dirty();
+    let is_regular = |k: usize| lower[(k, k)] * lower[(k, k)] > LEAST_PIVOT * matrix[(k, k)].abs();
+    (0..matrix.nrows()).all(is_regular).then_some(factor)
+}
+
+/// The full matrix of a lower triangle.
+fn symmetric(lower: &DMatrix<f64>) -> DMatrix<f64> {
+    let mut full = lower.clone();
+    full.fill_upper_triangle_with_lower_triangle();
+    full
+}
+
+/// The full matrix with its diagonal enlarged by a part of it. A column without derivatives gets 1,
+/// so that its step is 0.
+fn damped(lower: &DMatrix<f64>, damping: f64) -> DMatrix<f64> {
+    let mut full = symmetric(lower);
+    for k in 0..full.nrows() {
+        let diagonal = full[(k, k)];
+        full[(k, k)] = match diagonal > 0.0 {
+            true => diagonal * (1.0 + damping),
+            false => 1.0,
+        };
+    }
+    full
+}
