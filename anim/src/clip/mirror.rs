@@ -1,10 +1,13 @@
 //! The mirror image of a motion: left and right change places.
 
+use std::ops::Range;
+
 use ga_runtime::cga3::{DualPlane, Point, Translator};
 
 use super::{Clip, ClipError};
 use crate::pose::Pose;
 use crate::recording::RecordingError;
+use crate::retarget::convention::{Side, word_ranges};
 use crate::skeleton::Skeleton;
 
 ga_runtime::ga! { ga_runtime::cga3;
@@ -153,10 +156,14 @@ impl Mirror {
         })
     }
 
-    /// The mirror for a skeleton whose names tell left from right: `Left` and `Right` in any case
-    /// anywhere in the name, or `L` and `R`, in either case, apart from the rest by a point, a
-    /// space, a hyphen or an underscore, or in front of a capital letter. Joints whose names say
-    /// neither stay in their places.
+    /// The mirror for a skeleton whose names tell left from right: one of their words is `left`,
+    /// `right`, `l` or `r`, in any case. Words are divided by signs and spaces, by digits, and by
+    /// capital letters, as in `thigh_l`, `toe1-1.L`, `LeftUpLeg` and `LHipJoint`. Joints whose names
+    /// say neither stay in their places.
+    ///
+    /// Two kinds of names tell a side only where the counterpart exists: those that begin with
+    /// `left` or `right` without a division (`leftarm`, but also `leftover`), and a letter directly
+    /// before a number (`L1`, which may be a vertebra).
     ///
     /// # Errors
     ///
@@ -164,16 +171,17 @@ impl Mirror {
     pub fn by_names(skeleton: &Skeleton, plane: DualPlane<f64>) -> Result<Self, MirrorError> {
         let mut pairs = Vec::new();
         for (joint, described) in skeleton.joints().iter().enumerate() {
-            let Some(expected) = other_side(&described.name) else {
+            let Some(counterpart) = other_side(&described.name) else {
                 continue;
             };
+            let expected = counterpart.name;
             match skeleton.index(&expected) {
                 Some(other) if joint < other => pairs.push((joint, other)),
-                Some(_) => {}
-                None => {
+                None if counterpart.is_certain => {
                     let name = described.name.clone();
                     return Err(MirrorError::NoCounterpart { name, expected });
                 }
+                _ => {}
             }
         }
         Self::by_pairs(skeleton, plane, &pairs)
@@ -223,64 +231,105 @@ impl Mirror {
     }
 }
 
-/// The name of the counterpart of a joint, where a name tells a side.
-pub(crate) fn other_side(name: &str) -> Option<String> {
-    const WORDS: [[&str; 2]; 3] = [["Left", "Right"], ["left", "right"], ["LEFT", "RIGHT"]];
-    for [left, right] in WORDS {
-        for (from, to) in [(left, right), (right, left)] {
-            if let Some(place) = name.find(from) {
-                return Some(format!(
-                    "{}{to}{}",
-                    &name[..place],
-                    &name[place + from.len()..]
-                ));
-            }
-        }
+/// The name that the counterpart of a joint would have.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Counterpart {
+    pub(crate) name: String,
+    /// Whether the joint is on one side, even if there is no joint of this name.
+    pub(crate) is_certain: bool,
+}
+
+/// The counterpart of a joint, where its name tells a side.
+pub(crate) fn other_side(name: &str) -> Option<Counterpart> {
+    let after_colon = name.rfind(':').map_or(0, |colon| colon + 1);
+    let ranges = word_ranges(name);
+    // What stands before a colon is the name of a scene or a rig, which seldom tells a side.
+    let (before, own): (Vec<_>, Vec<_>) = ranges
+        .into_iter()
+        .partition(|range| range.start < after_colon);
+    let with = |range: Range<usize>, is_certain| Counterpart {
+        name: format!(
+            "{}{}{}",
+            &name[..range.start],
+            opposite(&name[range.clone()]),
+            &name[range.end..]
+        ),
+        is_certain,
+    };
+    let words = || own.iter().chain(&before);
+    if let Some(range) = words().find(|&range| Side::of_word(&name[range.clone()]).is_some()) {
+        let after = name.as_bytes().get(range.end);
+        let is_numbered = range.len() == 1 && after.is_some_and(u8::is_ascii_digit);
+        return Some(with(range.clone(), !is_numbered));
     }
-    let bytes = name.as_bytes();
-    let is_apart = |byte: Option<&u8>| byte.is_none_or(|byte| b". -_:".contains(byte));
-    bytes.iter().enumerate().find_map(|(place, letter)| {
-        let other = match letter {
-            b'L' => "R",
-            b'R' => "L",
-            b'l' => "r",
-            b'r' => "l",
-            _ => return None,
-        };
-        let before = place.checked_sub(1).map(|before| &bytes[before]);
-        let after = bytes.get(place + 1);
-        // As in lHand and LHand.
-        let is_prefix = after.is_some_and(u8::is_ascii_uppercase)
-            && (letter.is_ascii_lowercase()
-                || bytes.get(place + 2).is_some_and(u8::is_ascii_lowercase));
-        let is_word = is_apart(before) && (is_apart(after) || is_prefix);
-        is_word.then(|| format!("{}{other}{}", &name[..place], &name[place + 1..]))
-    })
+    let first = own.first()?;
+    let prefix = ["left", "right"].into_iter().find_map(|side| {
+        let prefix = name[first.clone()].get(..side.len())?;
+        prefix
+            .eq_ignore_ascii_case(side)
+            .then_some(first.start..first.start + side.len())
+    })?;
+    Some(with(prefix, false))
+}
+
+/// The word for the other side, in the same case.
+fn opposite(word: &str) -> String {
+    let other = match (Side::of_word(word), word.len()) {
+        (Some(Side::Left), 1) => "r",
+        (Some(Side::Left), _) => "right",
+        (_, 1) => "l",
+        _ => "left",
+    };
+    let is_capital = |byte: Option<&u8>| byte.is_some_and(u8::is_ascii_uppercase);
+    match (word.as_bytes().first(), word.as_bytes().last()) {
+        (_, last) if is_capital(last) => other.to_ascii_uppercase(),
+        (first, _) if is_capital(first) => {
+            format!("{}{}", other[..1].to_ascii_uppercase(), &other[1..])
+        }
+        _ => other.to_owned(),
+    }
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test may panic")]
 mod tests {
     use super::other_side;
 
     #[test]
     fn names_of_the_usual_conventions() {
         let pairs = [
-            ("LeftUpLeg", "RightUpLeg"),
-            ("mixamorig:LeftHand", "mixamorig:RightHand"),
-            ("upperarm01.L", "upperarm01.R"),
-            ("UpperLeg_L", "UpperLeg_R"),
-            ("thigh_l", "thigh_r"),
-            ("Bip01 L Thigh", "Bip01 R Thigh"),
-            ("L_Foot", "R_Foot"),
-            ("lHand", "rHand"),
-            ("LHipJoint", "RHipJoint"),
-            ("hand.left", "hand.right"),
-            ("toe1-1.L", "toe1-1.R"),
-            ("l", "r"),
+            ("LeftUpLeg", "RightUpLeg", true),
+            ("mixamorig:LeftHand", "mixamorig:RightHand", true),
+            ("upperarm01.L", "upperarm01.R", true),
+            ("UpperLeg_L", "UpperLeg_R", true),
+            ("thigh_l", "thigh_r", true),
+            ("Bip01 L Thigh", "Bip01 R Thigh", true),
+            ("L_Foot", "R_Foot", true),
+            ("lHand", "rHand", true),
+            ("hand.left", "hand.right", true),
+            ("toe1-1.L", "toe1-1.R", true),
+            ("l", "r", true),
+            ("LHipJoint", "RHipJoint", true),
+            ("LFingers", "RFingers", true),
+            ("LThumb", "RThumb", true),
+            ("LEFT_ARM", "RIGHT_ARM", true),
+            ("L:Hand", "R:Hand", true),
+            ("leftarm", "rightarm", false),
+            ("Leftarm", "Rightarm", false),
+            ("toe_L1", "toe_R1", false),
         ];
-        for (left, right) in pairs {
-            assert_eq!(other_side(left).as_deref(), Some(right));
-            assert_eq!(other_side(right).as_deref(), Some(left));
+        for (left, right, is_certain) in pairs {
+            for (name, expected) in [(left, right), (right, left)] {
+                let found = other_side(name).unwrap();
+                assert_eq!(
+                    (found.name.as_str(), found.is_certain),
+                    (expected, is_certain)
+                );
+            }
+        }
+        // A vertebra, and a word that begins like a side.
+        for uncertain in ["L5", "leftover"] {
+            assert!(!other_side(uncertain).unwrap().is_certain);
         }
         for middle in [
             "Hips",
@@ -292,6 +341,11 @@ mod tests {
             "leg",
             "Reel",
             "LOD",
+            "bright",
+            "cleft",
+            "Bip01",
+            "läßt",
+            "",
         ] {
             assert_eq!(other_side(middle), None, "{middle}");
         }

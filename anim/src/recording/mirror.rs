@@ -159,15 +159,18 @@ fn counterparts(joints: &[RecordedJoint]) -> Result<Vec<usize>, MirrorError> {
     let places: HashMap<&str, usize> = names.map(|(k, joint)| (joint.name.as_str(), k)).collect();
     let mut counterparts: Vec<usize> = (0..joints.len()).collect();
     for (counterpart, joint) in counterparts.iter_mut().zip(joints) {
-        if let Some(expected) = other_side(&joint.name) {
-            let name = || joint.name.clone();
-            *counterpart =
-                *places
-                    .get(expected.as_str())
-                    .ok_or_else(|| MirrorError::NoCounterpart {
-                        name: name(),
-                        expected,
-                    })?;
+        let Some(expected) = other_side(&joint.name) else {
+            continue;
+        };
+        match places.get(expected.name.as_str()) {
+            Some(&other) => *counterpart = other,
+            None if expected.is_certain => {
+                return Err(MirrorError::NoCounterpart {
+                    name: joint.name.clone(),
+                    expected: expected.name,
+                });
+            }
+            None => {}
         }
     }
     for (joint, &other) in counterparts.iter().enumerate() {
@@ -186,11 +189,12 @@ fn counterparts(joints: &[RecordedJoint]) -> Result<Vec<usize>, MirrorError> {
 /// The tracks with the numbers of their counterparts, where there is one by its name.
 fn mirrored_tracks(tracks: &[ScalarTrack]) -> Vec<ScalarTrack> {
     let place = |name: &str| tracks.iter().position(|track| track.name == name);
-    let counterpart = |name: &str| other_side(name).and_then(|other| place(&other));
+    let counterpart = |name: &str| other_side(name).and_then(|other| place(&other.name));
     let numbers = |track: &ScalarTrack| {
         // Only pairs change places, so that doing it twice changes nothing.
         let other = counterpart(&track.name).map(|other| &tracks[other]);
-        let other = other.filter(|other| other_side(&other.name).as_ref() == Some(&track.name));
+        let other = other
+            .filter(|other| other_side(&other.name).is_some_and(|back| back.name == track.name));
         other.unwrap_or(track).values.clone()
     };
     tracks

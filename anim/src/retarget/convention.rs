@@ -2,11 +2,25 @@
 //! `thigh_l`), CMU's (`LeftUpLeg`, `LHipJoint`), 3ds Max Biped's (`Bip01 L Thigh`) and names such
 //! as `UpperLeg_L`.
 
+use std::ops::Range;
+
 /// Left or right.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Side {
+pub(crate) enum Side {
     Left,
     Right,
+}
+
+impl Side {
+    /// The side that a word names, in any case.
+    pub(crate) fn of_word(word: &str) -> Option<Self> {
+        let names = |known: [&str; 2]| known.iter().any(|known| word.eq_ignore_ascii_case(known));
+        if names(["l", "left"]) {
+            Some(Self::Left)
+        } else {
+            names(["r", "right"]).then_some(Self::Right)
+        }
+    }
 }
 
 /// A part of the body that a name stands for.
@@ -39,9 +53,11 @@ pub(super) fn meaning(name: &str) -> Option<(Part, Option<Side>)> {
     let name = name.rsplit(':').next()?;
     let (mut words, mut numbers, mut side) = (String::new(), String::new(), None);
     for word in words_of(name) {
+        if let Some(found) = Side::of_word(&word) {
+            side = Some(found);
+            continue;
+        }
         match word.as_str() {
-            "l" | "left" => side = Some(Side::Left),
-            "r" | "right" => side = Some(Side::Right),
             "mixamorig" | "bip" | "bone" | "def" | "jnt" | "joint" => {
                 // The number of a Biped is not that of a joint.
                 numbers.clear();
@@ -114,32 +130,38 @@ fn digit(words: &str, numbers: &str) -> Option<Part> {
     }
 }
 
-/// The words and the numbers of a name in small letters: at spaces and signs, between small and
-/// capital letters, and between letters and digits.
-fn words_of(name: &str) -> Vec<String> {
-    let characters: Vec<char> = name.chars().collect();
-    let mut words: Vec<String> = vec![String::new()];
-    for (place, &character) in characters.iter().enumerate() {
-        let before = place.checked_sub(1).map(|before| characters[before]);
-        let after = characters.get(place + 1);
-        let begins = match before {
-            None => false,
-            Some(before) => {
-                before.is_ascii_digit() != character.is_ascii_digit()
-                    || (before.is_lowercase() && character.is_uppercase())
-                    // The last capital of several begins a word: `LThumb`.
-                    || (before.is_uppercase()
-                        && character.is_uppercase()
-                        && after.is_some_and(|after| after.is_lowercase()))
-            }
-        };
-        if begins || !character.is_alphanumeric() {
-            words.push(String::new());
+/// The words and the numbers of a name in small letters, as [`word_ranges`] finds them.
+fn words_of(name: &str) -> impl Iterator<Item = String> {
+    let ranges = word_ranges(name).into_iter();
+    ranges.map(move |range| name[range].to_lowercase())
+}
+
+/// Where the words and the numbers of a name are: they are divided at spaces and signs, between
+/// small and capital letters, and between letters and digits.
+pub(crate) fn word_ranges(name: &str) -> Vec<Range<usize>> {
+    let characters: Vec<(usize, char)> = name.char_indices().collect();
+    let mut ranges: Vec<Range<usize>> = Vec::new();
+    let mut before: Option<char> = None;
+    for (index, &(start, character)) in characters.iter().enumerate() {
+        if !character.is_alphanumeric() {
+            before = None;
+            continue;
         }
-        if let Some(word) = words.last_mut().filter(|_| character.is_alphanumeric()) {
-            word.extend(character.to_lowercase());
+        let after = characters.get(index + 1).map(|&(_, after)| after);
+        let begins = before.is_none_or(|before| {
+            before.is_ascii_digit() != character.is_ascii_digit()
+                || (before.is_lowercase() && character.is_uppercase())
+                // The last capital of several begins a word: `LThumb`.
+                || (before.is_uppercase()
+                    && character.is_uppercase()
+                    && after.is_some_and(char::is_lowercase))
+        });
+        let end = start + character.len_utf8();
+        match ranges.last_mut() {
+            Some(range) if !begins => range.end = end,
+            _ => ranges.push(start..end),
         }
+        before = Some(character);
     }
-    words.retain(|word| !word.is_empty());
-    words
+    ranges
 }

@@ -37,7 +37,7 @@
 //! frames. In most recordings the person stands in more frames than that, and the lowest values are
 //! noise.
 
-mod convention;
+pub(crate) mod convention;
 mod correspondence;
 mod joint_map;
 mod soles;

@@ -1,15 +1,18 @@
 //! Layers, additive clips, cross-fades, root motion, mirror images, uneven clocks and events.
 
+use ga_anim::bvh;
 use ga_anim::clip::{
     Clip, ClipError, CrossFade, EventError, EventTrack, GroundMotion, Layer, LayerError, Mirror,
     MirrorError, RootMotion, RootMotionError, ScalarTracks, TimeWarp, overlay,
 };
 use ga_anim::curve::{Curve, CurveError};
 use ga_anim::pose::Pose;
+use ga_anim::recording::Recording;
 use ga_anim::skeleton::{Joint, Skeleton};
 use ga_runtime::cga3::{DualPlane, Motor, Point, Rotor, Translator};
 use ga_runtime::vga3::Vector;
 use glam::{DMat3, DQuat, DVec3};
+use nullcone_shared_data::shared;
 use proptest::array::uniform3;
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -84,6 +87,17 @@ fn assert_same(a: &Pose, b: &Pose, bound: f64) {
     for (joint, (&a, &b)) in a.joints.iter().zip(&b.joints).enumerate() {
         assert!(apart(a, b) <= bound, "joint {joint}: {:e}", apart(a, b));
     }
+}
+
+/// A skeleton of which only the names and the parents count.
+fn named(joints: &[(&str, Option<usize>)]) -> Skeleton {
+    let joint = |&(name, parent): &(&str, _)| Joint {
+        name: name.to_owned(),
+        parent,
+        head: [0.0; 3],
+        tail: [0.0; 3],
+    };
+    Skeleton::new(joints.iter().map(joint).collect()).unwrap()
 }
 
 /// A quaternion of glam.
@@ -476,4 +490,60 @@ fn a_clip_does_not_become_a_large_one() {
     assert_eq!(clip.resampled(1e3).unwrap().frames().len(), 1001);
     let slow = TimeWarp::through(&[0.0, 1e6], &[0.0, 1.0]).unwrap();
     assert_eq!(clip.warped(&slow).unwrap_err(), ClipError::Rate(1.0));
+}
+
+#[test]
+fn a_mirror_knows_the_names_of_cmu() {
+    let joints = [
+        ("Hips", None),
+        ("LHipJoint", Some(0)),
+        ("LeftUpLeg", Some(1)),
+        ("RHipJoint", Some(0)),
+        ("RightUpLeg", Some(3)),
+        ("LFingers", Some(0)),
+        ("RFingers", Some(0)),
+    ];
+    let mirror = Mirror::by_names(&named(&joints), mirror_plane()).unwrap();
+    assert!(mirror.counterparts().eq([0, 3, 4, 1, 2, 6, 5]));
+
+    let Some(path) = shared("data/anim/bvh/01_01.bvh") else {
+        return;
+    };
+    let recording = Recording::from_bvh(&bvh::read(path).unwrap(), 1.0).unwrap();
+    let skeleton = recording.to_skeleton().unwrap();
+    let mirror = Mirror::by_names(&skeleton, DualPlane::new(1.0, 0.0, 0.0, 0.0)).unwrap();
+    let joints = skeleton.joints();
+    let opposite = |name: &str| match name.strip_prefix("Left") {
+        Some(rest) => format!("Right{rest}"),
+        None => format!("R{}", &name[1..]),
+    };
+    let mut sides = 0;
+    for (joint, counterpart) in mirror.counterparts().enumerate() {
+        let name = &joints[joint].name;
+        if name.starts_with('L') && name != "LowerBack" {
+            assert_eq!(joints[counterpart].name, opposite(name));
+            sides += 2;
+        } else if !name.starts_with('R') {
+            assert_eq!(counterpart, joint, "{name}");
+        }
+    }
+    let middle = mirror.counterparts().enumerate().filter(|(a, b)| a == b);
+    assert_eq!(sides + middle.count(), joints.len());
+    let clip = recording.to_clip().unwrap();
+    let twice = mirror.pose(&mirror.pose(&clip.frames()[100]).unwrap());
+    assert_same(&twice.unwrap(), &clip.frames()[100], 1e-9);
+}
+
+#[test]
+fn a_mirror_leaves_names_that_only_contain_a_side() {
+    let joints = [
+        ("cleft", None),
+        ("bright", None),
+        ("L5", None),
+        ("leftover", None),
+        ("leftarm", None),
+        ("rightarm", None),
+    ];
+    let mirror = Mirror::by_names(&named(&joints), mirror_plane()).unwrap();
+    assert!(mirror.counterparts().eq([0, 1, 2, 3, 5, 4]));
 }
