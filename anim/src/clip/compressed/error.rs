@@ -20,6 +20,14 @@ pub enum CompressError {
         /// How many joints there are.
         joints: usize,
     },
+    /// There are more joints than a compressed clip may have.
+    #[error("{joints} joints, but at most {most} can be compressed")]
+    TooManyJoints {
+        /// How many joints there are.
+        joints: usize,
+        /// How many there may be.
+        most: usize,
+    },
     /// With the most bits a joint stays beyond its tolerance.
     #[error("joint {joint:?} cannot be kept within {tolerance} m; {error} m is the least reached")]
     Bound {

@@ -108,6 +108,25 @@ fn many_joints_and_deep_chains() {
     check(&recording(&tree(200), 0.01, 34, smooth), 1e-4, 0.03);
 }
 
+/// Neither memory nor time grows with the square of the number of joints.
+#[test]
+fn a_still_chain_of_thousands_of_joints() {
+    let still = |_, joint: usize| rigid([0.01, 0.0, 0.0], rotation([0.0, 0.0, joint as f64]));
+    check(&recording(&chain(4096), 0.01, 1, still), 1e-4, 0.03);
+    let error = compress(
+        &recording(&chain(20_000), 0.01, 1, still),
+        &Settings::default(),
+        |_, _| (),
+    );
+    assert_eq!(
+        error.unwrap_err(),
+        CompressError::TooManyJoints {
+            joints: 20_000,
+            most: 4096
+        }
+    );
+}
+
 /// Deviations below what may be left out, which add up along a chain.
 #[test]
 fn small_deviations_that_add_up() {

@@ -1,5 +1,6 @@
 //! From a recording to segments.
 
+mod hierarchy;
 mod joint;
 mod search;
 mod source;
@@ -45,6 +46,9 @@ const HALF_FRAME_REPETITIONS: usize = 2;
 /// hierarchies of some dozen joints the search ends by itself after about half of it.
 const BUDGET: usize = 200;
 
+/// The most joints that a clip may have. The search keeps about 16 kB for each of them.
+const MOST_JOINTS: usize = 4096;
+
 /// Compresses a recording so that the bounds of the settings hold on every frame.
 ///
 /// They hold for what [`Sampler`](super::Sampler) decodes, transforms relative to the parents in
@@ -57,7 +61,8 @@ const BUDGET: usize = 200;
 ///
 /// # Errors
 ///
-/// [`CompressError::Setting`], [`CompressError::Joint`], and [`CompressError::Bound`] or
+/// [`CompressError::Setting`], [`CompressError::Joint`], [`CompressError::TooManyJoints`] past 4096
+/// joints, and [`CompressError::Bound`] or
 /// [`CompressError::Track`] where a bound is too small for the lengths or values at hand.
 ///
 /// # Examples
@@ -90,7 +95,12 @@ pub fn compress(
     settings: &Settings,
     progress: impl Fn(usize, usize) + Sync,
 ) -> Result<CompressedClip, CompressError> {
-    settings.check(recording.joints().len())?;
+    let joints = recording.joints().len();
+    settings.check(joints)?;
+    if joints > MOST_JOINTS {
+        let most = MOST_JOINTS;
+        return Err(CompressError::TooManyJoints { joints, most });
+    }
     let mut result = Err(CompressError::Bound {
         joint: recording.joints()[0].name.clone(),
         tolerance: settings.tolerance,

@@ -11,6 +11,9 @@ const COARSEST: Level = -40;
 /// The most joints below a joint whose channels are lowered in exchange for one of its own.
 const RELATIVES: usize = 12;
 
+/// How many states are copied in about the time in which one joint is encoded.
+const STATES_FOR_ONE: usize = 64;
+
 /// Parts of the tolerance that a channel may use up at first, from which the search begins.
 const BEGINNINGS: [f64; 3] = [0.25, 0.12, 0.06];
 
@@ -84,29 +87,46 @@ impl<'a> Search<'a> {
                 return Ok(());
             }
         }
-        // Bits for the first joint beyond the bound and all above it.
-        while let Some(joint) = self.worst() {
-            let mut raised = false;
-            let mut next = Some(joint);
-            let mut top = joint;
-            while let Some(joint) = next {
-                let layout = &self.segment.source.layouts[joint];
-                for level in &mut self.levels[joint][..layout.channels()] {
-                    if *level < MOST_BITS as Level {
-                        *level += 1;
-                        raised = true;
-                    }
+        while let Some(first) = self.worst() {
+            // Bits for the first joint beyond the bound and all above it. Once that has used up the
+            // budget, bits for every joint beyond the bound and all above it: then the number of
+            // rounds does not grow with that of the joints.
+            let together = self.budget == 0;
+            let states = self.states.iter().enumerate();
+            let mut raised: Vec<bool> = states
+                .map(|(joint, state)| joint == first || (together && state.error > self.bound))
+                .collect();
+            let layouts = &self.segment.source.layouts;
+            for (joint, layout) in layouts.iter().enumerate().rev() {
+                if let (true, Some(parent)) = (raised[joint], layout.parent) {
+                    raised[parent] = true;
                 }
-                top = joint;
-                next = layout.parent;
             }
-            if !raised {
-                return Err((joint, self.states[joint].error));
+            if !self.raise(&raised) {
+                return Err((first, self.states[first].error));
             }
-            self.try_subtree(top, f64::INFINITY);
-            self.accept(top);
+            for (top, layout) in layouts.iter().enumerate() {
+                if raised[top] && layout.parent.is_none() {
+                    self.try_subtree(top, f64::INFINITY);
+                    self.accept(top);
+                }
+            }
         }
         Ok(())
+    }
+
+    /// Raises the channels of joints by one level; whether any could be raised.
+    fn raise(&mut self, joints: &[bool]) -> bool {
+        let mut raised = false;
+        for (joint, layout) in self.segment.source.layouts.iter().enumerate() {
+            for level in &mut self.levels[joint][..layout.channels()] {
+                if joints[joint] && *level < MOST_BITS as Level {
+                    *level += 1;
+                    raised = true;
+                }
+            }
+        }
+        raised
     }
 
     /// The first joint whose error is beyond the bound.
@@ -119,7 +139,7 @@ impl<'a> Search<'a> {
     /// Encodes a joint and all below it with the levels as they are; whether the bound holds.
     fn try_subtree(&mut self, joint: usize, bound: f64) -> bool {
         let source = self.segment.source;
-        for &below in &source.subtrees[joint] {
+        for &below in source.hierarchy.subtree(joint) {
             let parent = source.layouts[below].parent;
             let (above, rest) = self.trial.split_at_mut(below);
             let parent = parent.map(|parent| {
@@ -134,17 +154,23 @@ impl<'a> Search<'a> {
                 .encode(below, &self.levels[below], parent, &mut rest[0]);
             self.in_trial[below] = true;
             if rest[0].error > bound {
-                self.in_trial.fill(false);
+                self.end_trial(joint);
                 return false;
             }
         }
-        self.in_trial.fill(false);
+        self.end_trial(joint);
         true
+    }
+
+    fn end_trial(&mut self, joint: usize) {
+        for &below in self.segment.source.hierarchy.subtree(joint) {
+            self.in_trial[below] = false;
+        }
     }
 
     /// Takes the states of the last trial.
     fn accept(&mut self, joint: usize) {
-        for &below in &self.segment.source.subtrees[joint] {
+        for &below in self.segment.source.hierarchy.subtree(joint) {
             std::mem::swap(&mut self.states[below], &mut self.trial[below]);
         }
     }
@@ -160,10 +186,8 @@ impl<'a> Search<'a> {
                 .sum();
             states[below].trend_bits + frames * residuals
         };
-        self.segment.source.subtrees[joint]
-            .iter()
-            .map(of_joint)
-            .sum()
+        let subtree = self.segment.source.hierarchy.subtree(joint);
+        subtree.iter().map(of_joint).sum()
     }
 
     /// Lowers one channel after the other as long as the bound holds.
@@ -210,12 +234,10 @@ impl<'a> Search<'a> {
     /// The joints whose channels may be lowered when one of `joint` is raised, the lowest first.
     fn relatives(&self, joint: usize) -> Vec<usize> {
         let source = self.segment.source;
-        let mut relatives: Vec<usize> = source.subtrees[joint]
-            .iter()
-            .copied()
-            .take(RELATIVES)
-            .rev()
-            .collect();
+        let mut relatives = source.hierarchy.subtree(joint).to_vec();
+        relatives.sort_unstable();
+        relatives.truncate(RELATIVES);
+        relatives.reverse();
         relatives.extend(source.layouts[joint].parent);
         relatives
     }
@@ -229,7 +251,9 @@ impl<'a> Search<'a> {
         // The part of the tree whose states may change: from the joint above.
         let top = source.layouts[joint].parent.unwrap_or(joint);
         let saved_levels = self.levels.clone();
-        let subtree = source.subtrees[top].clone();
+        let subtree = source.hierarchy.subtree(top);
+        // To keep the states of many joints takes time as encoding does.
+        self.budget = self.budget.saturating_sub(subtree.len() / STATES_FOR_ONE);
         let saved: Vec<JointState> = subtree.iter().map(|&j| self.states[j].clone()).collect();
         let before = self.cost(top, &self.states);
 

@@ -1,12 +1,16 @@
 //! What the encoder knows about a recording before it begins.
 
+use std::collections::VecDeque;
+
 use ga_runtime::cga3::Rotor;
 use ga_runtime::geometry::Affine;
 use ga_runtime::vga3::Vector;
 use rayon::prelude::*;
 
 use super::super::layout::{self, JointLayout, Part};
+use super::super::measure::spectral_norm;
 use super::super::settings::JointBound;
+use super::hierarchy::Hierarchy;
 use crate::recording::{ModelSpaceError, Recording, model_maps};
 
 /// A recording in model space, and the layout of its channels.
@@ -23,14 +27,17 @@ pub(super) struct Source<'a> {
     /// Whether all scaling of a joint and those above it is by the same positive factor along every
     /// axis, so that its map in model space is a rotation, a factor and a translation.
     pub(super) conformal: Vec<bool>,
-    /// The places, in a joint's own coordinates, of the joints that it carries: those whose places
-    /// its rotation alone decides.
+    /// The places, in a joint's own coordinates, of joints that it carries: those whose places its
+    /// rotation alone decides. They are the nearest in the hierarchy, at most [`MOST_CARRIED`].
     pub(super) carried: Vec<Vec<Vector<f64>>>,
     /// How far a joint's rotation by one radian moves what it carries.
     pub(super) levers: Vec<f64>,
-    /// A joint and all below it, in order.
-    pub(super) subtrees: Vec<Vec<usize>>,
+    pub(super) hierarchy: Hierarchy,
 }
+
+/// The most joints below a joint that its rotation is chosen for: their number must not grow with
+/// the square of that of the joints.
+const MOST_CARRIED: usize = 64;
 
 impl<'a> Source<'a> {
     /// A channel whose deviation from its constant moves no point by more than the part
@@ -58,14 +65,18 @@ impl<'a> Source<'a> {
                 tolerances[parent] = tolerances[parent].min(tolerances[joint]);
             }
         }
+        let hierarchy = Hierarchy::new(recording.parents());
         let layouts: Vec<JointLayout> = (0..count)
             .into_par_iter()
             .map(|joint| {
                 let negligible = negligible * tolerances[joint];
-                layout(recording, joint, bounds[joint].shell, negligible, &sizes)
+                let reach = reach(recording, hierarchy.children(joint), bounds[joint].shell);
+                layout(recording, joint, reach, negligible, &sizes)
             })
             .collect();
-        let carried: Vec<_> = (0..count).map(|joint| carried(&layouts, joint)).collect();
+        let carried: Vec<_> = (0..count)
+            .map(|joint| carried(&layouts, &hierarchy, joint))
+            .collect();
         let levers = carried.iter().zip(&bounds).map(|(carried, bound)| {
             carried
                 .iter()
@@ -76,9 +87,7 @@ impl<'a> Source<'a> {
             levers: levers.collect(),
             layouts,
             tolerances,
-            subtrees: (0..count)
-                .map(|joint| subtree(recording.parents(), joint))
-                .collect(),
+            hierarchy,
             bounds,
             models,
             rotors,
@@ -129,18 +138,26 @@ fn sizes(recording: &Recording, models: &[Affine<f64>]) -> Vec<f64> {
     let mut sizes = vec![0.0f64; count];
     for models in models.chunks_exact(count) {
         for (size, model) in sizes.iter_mut().zip(models) {
-            let rows = model.linear.map(|row| Vector::from(row).length_squared());
-            // The root of the sum of squares is at least the greatest singular value.
-            *size = size.max((rows.iter().sum::<f64>() / 3.0).sqrt());
+            *size = size.max(spectral_norm(model.linear, [[0.0; 3]; 3]));
         }
     }
     sizes
 }
 
+/// The farthest place from a joint that its rotation moves: that of a child, or the shell.
+fn reach(recording: &Recording, children: &[usize], shell: f64) -> f64 {
+    let count = recording.joints().len();
+    children
+        .iter()
+        .flat_map(|&child| recording.locals().iter().skip(child).step_by(count))
+        .map(|local| local.translation().length())
+        .fold(shell, f64::max)
+}
+
 fn layout(
     recording: &Recording,
     joint: usize,
-    shell: f64,
+    reach: f64,
     negligible: f64,
     sizes: &[f64],
 ) -> JointLayout {
@@ -148,13 +165,7 @@ fn layout(
     let parent = recording.parents()[joint];
     let locals = || recording.locals().iter().skip(joint).step_by(count);
     let above = parent.map_or(1.0, |parent| sizes[parent].max(1e-9));
-    // The farthest place that this joint's rotation moves, its children.
-    let children = (0..count).filter(|&other| recording.parents()[other] == Some(joint));
-    let reach = children
-        .flat_map(|child| recording.locals().iter().skip(child).step_by(count))
-        .map(|local| local.translation().length())
-        .fold(shell, f64::max)
-        * sizes[joint].max(1e-9);
+    let reach = reach * sizes[joint].max(1e-9);
 
     let vector = |values: &dyn Fn(usize) -> Vector<f64>, negligible: f64| {
         let frames = recording.frame_count();
@@ -190,15 +201,19 @@ pub(super) fn canonical(rotor: Rotor<f64>) -> Rotor<f64> {
     if rotor.scalar() < 0.0 { -rotor } else { rotor }
 }
 
-fn carried(layouts: &[JointLayout], joint: usize) -> Vec<Vector<f64>> {
+fn carried(layouts: &[JointLayout], hierarchy: &Hierarchy, joint: usize) -> Vec<Vector<f64>> {
     let mut places = Vec::new();
-    // Frames that are rigidly attached to the joint's, with their maps to it.
-    let mut attached: Vec<Option<Affine<f64>>> = vec![None; layouts.len()];
-    attached[joint] = Some(Affine::default());
-    for (other, layout) in layouts.iter().enumerate().skip(joint + 1) {
-        let Some(map) = layout.parent.and_then(|parent| attached[parent]) else {
-            continue;
+    // Joints below whose parents are rigidly attached, with the maps of those to the joint.
+    let below = |joint: usize, map: Affine<f64>| {
+        let children = hierarchy.children(joint).iter().take(MOST_CARRIED);
+        children.map(move |&child| (child, map))
+    };
+    let mut queue: VecDeque<(usize, Affine<f64>)> = below(joint, Affine::default()).collect();
+    for _ in 0..MOST_CARRIED {
+        let Some((other, map)) = queue.pop_front() else {
+            break;
         };
+        let layout = &layouts[other];
         if layout.translation.live > 0 {
             continue;
         }
@@ -206,22 +221,12 @@ fn carried(layouts: &[JointLayout], joint: usize) -> Vec<Vector<f64>> {
         let rotation = Affine::from(layout::double_rotor(layout.middle));
         let scaling = Affine::scaling(layout::double(layout.scale.constant).coordinates());
         let own = map * Affine::from_translation(place.coordinates());
-        places.push(Vector::from(own.translation));
-        if layout.is_still() {
-            attached[other] = Some(own * rotation * scaling);
+        places.push((other, Vector::from(own.translation)));
+        if layout.is_still() && queue.len() < MOST_CARRIED {
+            queue.extend(below(other, own * rotation * scaling));
         }
     }
-    places.retain(|place| place.length() > 1e-6);
-    places
-}
-
-fn subtree(parents: &[Option<usize>], joint: usize) -> Vec<usize> {
-    let mut below = vec![false; parents.len()];
-    below[joint] = true;
-    for other in joint + 1..parents.len() {
-        below[other] = parents[other].is_some_and(|parent| below[parent]);
-    }
-    (joint..parents.len())
-        .filter(|&other| below[other])
-        .collect()
+    places.sort_unstable_by_key(|&(other, _)| other);
+    let places = places.into_iter().map(|(_, place)| place);
+    places.filter(|place| place.length() > 1e-6).collect()
 }
