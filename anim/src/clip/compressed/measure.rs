@@ -2,7 +2,6 @@
 
 use ga_runtime::geometry::Affine;
 use ga_runtime::vga3::Vector;
-use nalgebra_035::Matrix3;
 use rayon::prelude::*;
 
 use super::CompressedClip;
@@ -10,13 +9,14 @@ use super::basis::SEGMENT;
 use super::pack::{frames_of, segment_count};
 use super::sampler::Sampler;
 use super::settings::JointBound;
+use super::shell::{Sizes, relative_difference};
 use crate::recording::{Recording, model_maps};
 use crate::transform::Transform;
 
 /// How far a compressed clip is from its recording, measured on what the decoder makes of it in
 /// single precision, composed to model space in double precision.
 ///
-/// Errors are ‖Δt‖ + shell ‖ΔL‖ in model space, as [`Settings`](super::Settings) describes: an
+/// Errors are ‖Δt‖ + shell ‖ΔL L⁻¹‖ in model space, as [`Settings`](super::Settings) describes: an
 /// upper bound of the greatest distance of any point within the shell of a joint from its true
 /// place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,11 +55,13 @@ pub fn measure(recording: &Recording, clip: &CompressedClip) -> Option<Measured>
     let fits = recording.parents() == clip.parents()
         && recording.frame_count() == clip.frame_count()
         && recording.tracks().len() == clip.track_names().len();
+    if !fits {
+        return None;
+    }
     let bounds = clip.settings().bounds(recording.joints().len());
-    fits.then(|| {
-        let segments = by_segment(recording, clip, &bounds);
-        segments.into_iter().fold(NOTHING, greater)
-    })
+    let sizes = Sizes::new(recording).ok()?;
+    let segments = by_segment(recording, clip, &bounds, &sizes);
+    Some(segments.into_iter().fold(NOTHING, greater))
 }
 
 /// The errors of each segment, up to half-way to the next.
@@ -67,12 +69,13 @@ pub(super) fn by_segment(
     recording: &Recording,
     clip: &CompressedClip,
     bounds: &[JointBound],
+    sizes: &Sizes,
 ) -> Vec<Measured> {
     let frames = recording.frame_count();
     (0..segment_count(frames))
         .into_par_iter()
         .map(|segment| {
-            let mut comparison = Comparison::new(recording, clip, bounds);
+            let mut comparison = Comparison::new(recording, clip, bounds, sizes);
             let first = segment * SEGMENT;
             let mut greatest = NOTHING;
             for frame in first..first + frames_of(segment, frames) {
@@ -95,6 +98,7 @@ fn greater(a: Measured, b: Measured) -> Measured {
 struct Comparison<'a> {
     recording: &'a Recording,
     bounds: &'a [JointBound],
+    sizes: &'a Sizes,
     sampler: Sampler<'a>,
     found: Vec<Transform<f64>>,
     found_maps: Vec<Affine<f64>>,
@@ -103,11 +107,17 @@ struct Comparison<'a> {
 }
 
 impl<'a> Comparison<'a> {
-    fn new(recording: &'a Recording, clip: &'a CompressedClip, bounds: &'a [JointBound]) -> Self {
+    fn new(
+        recording: &'a Recording,
+        clip: &'a CompressedClip,
+        bounds: &'a [JointBound],
+        sizes: &'a Sizes,
+    ) -> Self {
         let count = recording.joints().len();
         Self {
             recording,
             bounds,
+            sizes,
             sampler: Sampler::new(clip),
             found: vec![Transform::default(); count],
             found_maps: vec![Affine::default(); count],
@@ -164,10 +174,12 @@ impl<'a> Comparison<'a> {
             .zip(&self.truth_maps)
             .zip(self.bounds);
         pairs
-            .map(|((found, truth), bound)| {
+            .enumerate()
+            .map(|(joint, ((found, truth), bound))| {
                 let place = Vector::from(found.translation);
+                let least = self.sizes.least(joint);
                 let error = place.distance(truth.translation.into())
-                    + bound.shell * spectral_norm(found.linear, truth.linear);
+                    + bound.shell * relative_difference(found.linear, truth.linear, least);
                 if maps.is_ok() && error.is_finite() {
                     error
                 } else {
@@ -176,17 +188,4 @@ impl<'a> Comparison<'a> {
             })
             .collect()
     }
-}
-
-/// The greatest singular value of the difference of two matrices, by rows.
-pub(super) fn spectral_norm(a: [[f64; 3]; 3], b: [[f64; 3]; 3]) -> f64 {
-    let difference = Matrix3::from_fn(|row, column| a[row][column] - b[row][column]);
-    // The Gram matrix of values near the rounding error would underflow.
-    let size = difference.amax();
-    if size == 0.0 || !size.is_finite() {
-        return size;
-    }
-    let unit = difference / size;
-    let eigenvalues = (unit.transpose() * unit).symmetric_eigenvalues();
-    size * eigenvalues.max().max(0.0).sqrt()
 }

@@ -38,6 +38,7 @@ mod pack;
 mod piece;
 mod sampler;
 mod settings;
+mod shell;
 mod skin;
 mod tables;
 

@@ -5,19 +5,22 @@ use super::CompressError;
 /// The bounds that a compressed clip keeps on every frame.
 ///
 /// The error of a joint is the greatest distance, in model space, between a point that its true
-/// frame carries and the same point in the decoded one, over all points within `shell` of the joint
-/// in its own coordinates. With the affine maps x' = L x + t of the frames,
+/// frame carries and the same point in the decoded one, over all points that the true frame carries
+/// within `shell` of the joint in model space. With the affine maps x' = L x + t of the frames,
 ///
 /// ```text
-/// error = ‖Δt‖ + shell ‖ΔL‖,
+/// error = ‖Δt‖ + shell ‖ΔL L⁻¹‖,
 /// ```
 ///
-/// where ‖ΔL‖ is the greatest singular value: this is an upper bound of that greatest distance.
+/// where the norm is the greatest singular value: this is an upper bound of that greatest distance.
+/// Without scale ‖ΔL L⁻¹‖ is ‖ΔL‖. A frame that is scaled below 1 % of its greatest scale in the
+/// recording counts as scaled by 1 % of it, since the points near a joint that shrinks to nothing
+/// have no end.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
     /// The greatest error of a joint in metres.
     pub tolerance: f64,
-    /// The radius of the ball of points about a joint, in metres.
+    /// The radius of the ball of points about a joint, in metres of model space.
     pub shell: f64,
     /// Joints with bounds of their own.
     pub joints: Vec<JointBound>,

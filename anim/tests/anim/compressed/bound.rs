@@ -192,8 +192,75 @@ fn scaled_joints() {
         );
         transform
     };
-    let ratio = check(&recording(&tree(15), 0.01, 200, centimetres), 1e-4, 3.0);
+    let ratio = check(&recording(&tree(15), 0.01, 200, centimetres), 1e-4, 0.03);
     assert!(ratio > 20.0, "{ratio}");
+}
+
+/// The points near a joint that shrinks are far from it in its own coordinates, those near a joint
+/// that grows are near to it there.
+#[test]
+fn joints_under_very_small_and_large_factors() {
+    let under = |factors: [f64; 3]| {
+        move |frame: usize, joint: usize| {
+            let transform = noisy(frame, joint);
+            let (place, factors) = match joint {
+                0 => (transform.translation(), Vector::from(factors)),
+                // The distances between joints stay about as they are.
+                _ => (
+                    transform.translation() * factors[0].recip(),
+                    Vector::new(1.0, 1.0, 1.0),
+                ),
+            };
+            Transform::from_parts(place, transform.rotor(), factors)
+        }
+    };
+    let unscaled = check(&recording(&tree(7), 0.01, 100, noisy), 1e-4, 0.03);
+    for factor in [1e-3, 100.0] {
+        let ratio = check(
+            &recording(&tree(7), 0.01, 100, under([factor; 3])),
+            1e-4,
+            0.03,
+        );
+        assert!(ratio > 0.95 * unscaled, "{ratio} instead of {unscaled}");
+    }
+    check(
+        &recording(&tree(7), 0.01, 100, under([0.01, 0.05, -0.02])),
+        1e-4,
+        0.03,
+    );
+}
+
+#[test]
+fn joints_that_shrink_to_nothing() {
+    let factor = |frame: usize| (1.0 - frame as f64 / 40.0).max(0.0).powi(2);
+    let shrinking = |frame: usize, joint: usize| {
+        let transform = noisy(frame, joint);
+        let factor = if joint == 1 { factor(frame) } else { 1.0 };
+        let factors = Vector::new(factor, factor, factor);
+        Transform::from_parts(transform.translation(), transform.rotor(), factors)
+    };
+    let recording = recording(&chain(3), 0.01, 60, shrinking);
+    let clip = compressed(&recording, &Settings::default());
+    let mut sampler = Sampler::new(&clip);
+    for frame in 0..recording.frame_count() {
+        sampler.sample_frame(frame);
+        let found = super::found(&sampler, clip.parents());
+        let truth = super::truth(&recording, frame);
+        for joint in 0..3 {
+            // Points within the shell of the joint as it is, or at 1 % of its greatest size.
+            let size = if joint == 0 {
+                1.0
+            } else {
+                factor(frame).max(0.01)
+            };
+            for axis in [glam::DVec3::X, glam::DVec3::Y, glam::DVec3::Z] {
+                let point = axis * (0.03 / size);
+                let places = [&found[joint], &truth[joint]].map(|map| map.transform_point3(point));
+                let error = places[0].distance(places[1]);
+                assert!(error <= 1e-4, "frame {frame}, joint {joint}: {error}");
+            }
+        }
+    }
 }
 
 #[test]

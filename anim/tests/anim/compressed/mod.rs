@@ -114,7 +114,8 @@ fn found(sampler: &Sampler, parents: &[Option<usize>]) -> Vec<DAffine3> {
     in_model_space(parents, locals.collect())
 }
 
-/// The greatest distance of many points on the ball about a joint from their true places.
+/// The greatest distance from their true places of many points on the ball about a joint in model
+/// space.
 fn shell_error(found: &DAffine3, truth: &DAffine3, shell: f64) -> f64 {
     let mut greatest = 0.0f64;
     for a in 0..12 {
@@ -125,7 +126,8 @@ fn shell_error(found: &DAffine3, truth: &DAffine3, shell: f64) -> f64 {
                 polar.sin() * around.sin(),
                 polar.cos(),
             );
-            let point = direction * shell;
+            // Of the joint's own coordinates, where its frame is scaled.
+            let point = truth.matrix3.inverse() * (direction * shell);
             let error = found
                 .transform_point3(point)
                 .distance(truth.transform_point3(point));

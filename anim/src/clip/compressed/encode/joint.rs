@@ -7,8 +7,8 @@ use nalgebra_035::{Matrix3, Vector3};
 
 use super::super::basis::{Basis, SEGMENT};
 use super::super::layout::{self, Part};
-use super::super::measure::spectral_norm;
 use super::super::piece::{self, Encoded, Precision};
+use super::super::shell::relative_difference;
 use super::source::{Source, canonical};
 use crate::transform::Transform;
 
@@ -93,7 +93,7 @@ impl Segment<'_> {
         state.channels.clear();
         state.trend_bits = 0;
         let tolerance = source.tolerances[joint];
-        let lever = source.levers[joint];
+        let levers = source.levers[joint];
         let mut at = 0;
         let mut channels = |part_layout: &Part, values: &[[f64; SEGMENT]; 3], lever: f64| {
             let mut decoded = [[0.0; SEGMENT]; 3];
@@ -126,7 +126,7 @@ impl Segment<'_> {
             });
             add(
                 part_layout,
-                &channels(part_layout, &values, 1.0),
+                &channels(part_layout, &values, levers.translation),
                 &mut translations,
             );
         }
@@ -136,7 +136,7 @@ impl Segment<'_> {
             let values = along(part_layout, frames, |frame| self.local(joint, frame).scale);
             add(
                 part_layout,
-                &channels(part_layout, &values, lever),
+                &channels(part_layout, &values, levers.scale),
                 &mut scales,
             );
         }
@@ -148,7 +148,7 @@ impl Segment<'_> {
         if part_layout.live > 0 {
             let targets = self.rotation_targets(joint, parent, &translations, middle);
             let values = along(part_layout, frames, |frame| targets[frame].into());
-            let decoded = channels(part_layout, &values, 4.0 * lever);
+            let decoded = channels(part_layout, &values, 4.0 * levers.rotation);
             let mut bivectors = [Vector::default(); SEGMENT];
             add(part_layout, &decoded, &mut bivectors);
             for (rotation, b) in rotations.iter_mut().zip(bivectors) {
@@ -273,25 +273,23 @@ impl Segment<'_> {
     /// The greatest error of the joint in the segment, in tolerances.
     fn error(&self, joint: usize, state: &JointState) -> f64 {
         let bound = &self.source.bounds[joint];
+        let least = self.source.sizes.least(joint);
         let mut greatest = 0.0f64;
         for frame in 0..self.basis.frames {
             let (truth, rotor) = self.truth(joint, frame);
             let found = &state.models[frame];
             let moved = Vector::from(found.translation) - Vector::from(truth.translation);
-            let difference =
-                if self.source.conformal[joint] && self.source.layouts[joint].scale.live == 0 {
-                    let chord = chord(rotor, state.rotors[frame]);
-                    let size = Vector::from(truth.linear[0]).length();
-                    // Where a factor changes above this joint, the general norm is needed.
-                    let other = Vector::from(found.linear[0]).length();
-                    if (size - other).abs() <= 1e-12 * size {
-                        size * chord
-                    } else {
-                        spectral_norm(truth.linear, found.linear)
-                    }
-                } else {
-                    spectral_norm(truth.linear, found.linear)
-                };
+            let size = Vector::from(truth.linear[0]).length();
+            let other = Vector::from(found.linear[0]).length();
+            // Where a factor changes here or above this joint, the general norm is needed.
+            let is_rotation = self.source.conformal[joint]
+                && self.source.layouts[joint].scale.live == 0
+                && (size - other).abs() <= 1e-12 * size;
+            let difference = if is_rotation {
+                chord(rotor, state.rotors[frame]) * size / size.max(least)
+            } else {
+                relative_difference(found.linear, truth.linear, least)
+            };
             greatest = greatest.max(moved.length() + bound.shell * difference);
         }
         // A NaN is not within the bound.

@@ -175,7 +175,7 @@ fn compress_with(
         }
         let contents = contents(recording, settings, &source.layouts, &tracks);
         let clip = CompressedClip::from_bytes(file::to_bytes(&contents, &segments)?)?;
-        let errors = measure::by_segment(recording, &clip, &source.bounds);
+        let errors = measure::by_segment(recording, &clip, &source.bounds, &source.sizes);
         let aims_at_halves = repetition < HALF_FRAME_REPETITIONS;
         let mut again = Vec::new();
         for (segment, found) in errors.iter().enumerate() {

@@ -8,8 +8,8 @@ use ga_runtime::vga3::Vector;
 use rayon::prelude::*;
 
 use super::super::layout::{self, JointLayout, Part};
-use super::super::measure::spectral_norm;
 use super::super::settings::JointBound;
+use super::super::shell::{Sizes, least_of};
 use super::hierarchy::Hierarchy;
 use crate::recording::{ModelSpaceError, Recording, model_maps};
 
@@ -30,9 +30,40 @@ pub(super) struct Source<'a> {
     /// The places, in a joint's own coordinates, of joints that it carries: those whose places its
     /// rotation alone decides. They are the nearest in the hierarchy, at most [`MOST_CARRIED`].
     pub(super) carried: Vec<Vec<Vector<f64>>>,
-    /// How far a joint's rotation by one radian moves what it carries.
-    pub(super) levers: Vec<f64>,
+    pub(super) levers: Vec<Levers>,
+    pub(super) sizes: Sizes,
     pub(super) hierarchy: Hierarchy,
+}
+
+/// How far, in model space and at most, a change by 1 moves the points about a joint and those that
+/// it carries.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Levers {
+    /// Of its translation.
+    pub(super) translation: f64,
+    /// Of a factor of its scale.
+    pub(super) scale: f64,
+    /// Of the angle of its rotation, in radians.
+    pub(super) rotation: f64,
+}
+
+impl Levers {
+    /// The levers of a joint that carries places up to a distance in its own coordinates.
+    fn new(recording: &Recording, sizes: &Sizes, joint: usize, distance: f64, shell: f64) -> Self {
+        let above = recording.parents()[joint].map_or(1.0, |parent| sizes.greatest[parent]);
+        let factors = recording.locals().iter().skip(joint);
+        let factors = factors
+            .step_by(recording.joints().len())
+            .flat_map(|local| local.scale.abs().coordinates());
+        let (least, greatest) = factors.fold((f64::INFINITY, 0.0f64), |(least, most), factor| {
+            (least.min(factor), most.max(factor))
+        });
+        Self {
+            translation: above,
+            scale: (shell / least.max(least_of(greatest))).max(above * distance),
+            rotation: shell.max(sizes.greatest[joint] * distance),
+        }
+    }
 }
 
 /// The most joints below a joint that its rotation is chosen for: their number must not grow with
@@ -58,7 +89,7 @@ impl<'a> Source<'a> {
         }
         let conformal = conformal(recording);
         let rotors = rotors(recording);
-        let sizes = sizes(recording, &models);
+        let sizes = Sizes::new(recording)?;
         let mut tolerances: Vec<f64> = bounds.iter().map(|bound| bound.tolerance).collect();
         for joint in (0..count).rev() {
             if let Some(parent) = recording.parents()[joint] {
@@ -70,21 +101,23 @@ impl<'a> Source<'a> {
             .into_par_iter()
             .map(|joint| {
                 let negligible = negligible * tolerances[joint];
-                let reach = reach(recording, hierarchy.children(joint), bounds[joint].shell);
-                layout(recording, joint, reach, negligible, &sizes)
+                let distance = reach(recording, hierarchy.children(joint));
+                let shell = bounds[joint].shell;
+                let levers = Levers::new(recording, &sizes, joint, distance, shell);
+                layout(recording, joint, &levers, negligible)
             })
             .collect();
         let carried: Vec<_> = (0..count)
             .map(|joint| carried(&layouts, &hierarchy, joint))
             .collect();
-        let levers = carried.iter().zip(&bounds).map(|(carried, bound)| {
-            carried
-                .iter()
-                .map(|place| place.length())
-                .fold(bound.shell, f64::max)
+        let levers = carried.iter().enumerate().map(|(joint, carried)| {
+            let lengths = carried.iter().map(|place| place.length());
+            let distance = lengths.fold(0.0, f64::max);
+            Levers::new(recording, &sizes, joint, distance, bounds[joint].shell)
         });
         Ok(Self {
             levers: levers.collect(),
+            sizes,
             layouts,
             tolerances,
             hierarchy,
@@ -132,40 +165,22 @@ fn rotors(recording: &Recording) -> Vec<Rotor<f64>> {
     rotors
 }
 
-/// The greatest factor by which each joint's frame is scaled in model space.
-fn sizes(recording: &Recording, models: &[Affine<f64>]) -> Vec<f64> {
-    let count = recording.joints().len();
-    let mut sizes = vec![0.0f64; count];
-    for models in models.chunks_exact(count) {
-        for (size, model) in sizes.iter_mut().zip(models) {
-            *size = size.max(spectral_norm(model.linear, [[0.0; 3]; 3]));
-        }
-    }
-    sizes
-}
-
-/// The farthest place from a joint that its rotation moves: that of a child, or the shell.
-fn reach(recording: &Recording, children: &[usize], shell: f64) -> f64 {
+/// The farthest place of a child from a joint, in the joint's own coordinates.
+fn reach(recording: &Recording, children: &[usize]) -> f64 {
     let count = recording.joints().len();
     children
         .iter()
         .flat_map(|&child| recording.locals().iter().skip(child).step_by(count))
         .map(|local| local.translation().length())
-        .fold(shell, f64::max)
+        .fold(0.0, f64::max)
 }
 
-fn layout(
-    recording: &Recording,
-    joint: usize,
-    reach: f64,
-    negligible: f64,
-    sizes: &[f64],
-) -> JointLayout {
+fn layout(recording: &Recording, joint: usize, levers: &Levers, negligible: f64) -> JointLayout {
     let count = recording.joints().len();
     let parent = recording.parents()[joint];
     let locals = || recording.locals().iter().skip(joint).step_by(count);
-    let above = parent.map_or(1.0, |parent| sizes[parent].max(1e-9));
-    let reach = reach * sizes[joint].max(1e-9);
+    // Where a lever is 0, nothing is seen of what it moves.
+    let within = |lever: f64| negligible / lever.max(1e-12);
 
     let vector = |values: &dyn Fn(usize) -> Vector<f64>, negligible: f64| {
         let frames = recording.frame_count();
@@ -177,11 +192,8 @@ fn layout(
         Part::of_deviations(mean, &deviations, negligible)
     };
     let at = |frame: usize| recording.locals()[frame * count + joint];
-    let translation = vector(&|frame| at(frame).translation(), negligible / above);
-    let scale = vector(
-        &|frame| at(frame).scale,
-        negligible / (reach * above).max(1e-12),
-    );
+    let translation = vector(&|frame| at(frame).translation(), within(levers.translation));
+    let scale = vector(&|frame| at(frame).scale, within(levers.scale));
     let middle = layout::single_rotor(layout::middle(locals().map(|local| local.rotor())));
     let back = layout::double_rotor(middle).reverse();
     let deviations: Vec<[f64; 3]> = locals()
@@ -191,7 +203,11 @@ fn layout(
         parent,
         translation,
         scale,
-        rotation: Part::of_deviations(Vector::default(), &deviations, negligible / (4.0 * reach)),
+        rotation: Part::of_deviations(
+            Vector::default(),
+            &deviations,
+            within(4.0 * levers.rotation),
+        ),
         middle,
     }
 }
