@@ -65,16 +65,18 @@ impl<T> EventTrack<T> {
 
     /// The same for a clip that repeats after `period` seconds, by times that go on. Only events
     /// from 0 up to the period, but not at it, belong to the loop. There are none for a period that
-    /// is not above 0, times that are not finite, or more turns than can be counted.
+    /// is not above 0, times that are not finite, or more repetitions than can be counted.
     pub fn in_loop(&self, period: f64, from: f64, to: f64) -> impl Iterator<Item = (f64, &T)> {
         let first = self.events.partition_point(|(time, _)| *time < 0.0);
         let last = self
             .events
             .partition_point(|(time, _)| *time < period)
             .max(first);
-        let (start, end) = ((from / period).floor(), (to / period).floor());
-        // Beyond this range a turn and the next are the same number.
-        let is_counted = [start, end].iter().all(|turn| turn.abs() < 2_f64.powi(52));
+        // Quotients are rounded, and so are the times below: the repetition before the first and the
+        // one after the last may have events in the interval, too. The filter decides.
+        let (start, end) = ((from / period).floor() - 1.0, (to / period).floor() + 1.0);
+        // Beyond this range a repetition and the next are the same number.
+        let is_counted = [start, end].iter().all(|n| n.abs() < 2_f64.powi(52));
         let is_usable = period > 0.0 && is_counted;
         let events = if is_usable {
             &self.events[first..last]
@@ -82,21 +84,21 @@ impl<T> EventTrack<T> {
             &[]
         };
         // No iteration where there is nothing to be found.
-        let mut turn = if events.is_empty() {
+        let mut next = if events.is_empty() {
             f64::INFINITY
         } else {
             start
         };
         let end = if is_usable { end } else { f64::NEG_INFINITY };
         std::iter::from_fn(move || {
-            let current = turn;
-            turn += 1.0;
+            let current = next;
+            next += 1.0;
             (current <= end).then_some(current)
         })
-        .flat_map(move |turn| {
+        .flat_map(move |repetition| {
             events
                 .iter()
-                .map(move |(time, event)| (turn * period + time, event))
+                .map(move |(time, event)| (repetition * period + time, event))
         })
         .filter(move |(time, _)| from < *time && *time <= to)
     }

@@ -253,7 +253,7 @@ proptest! {
     }
 
     #[test]
-    fn a_loop_has_each_event_once_a_turn(
+    fn a_loop_has_each_event_once_in_each_repetition(
         times in vec(0.0..2.0_f64, 0..6),
         cuts in vec(0.0..1.5_f64, 1..6),
     ) {
@@ -270,6 +270,22 @@ proptest! {
             .collect();
         expected.sort_by(f64::total_cmp);
         prop_assert_eq!(found, expected);
+    }
+
+    /// Multiples of the period, which are rounded, are the ends of intervals here.
+    #[test]
+    fn a_loop_has_events_at_its_begin_once_in_each_repetition(
+        period in 0.01..10.0_f64,
+        first in 0..2000_i32,
+        count in 1..20_i32,
+    ) {
+        let events = EventTrack::new(vec![(0.0, ())]).unwrap();
+        let ends = |n: i32| [n, n + 1].map(|n| f64::from(n) * period);
+        for n in first..first + count {
+            let [from, to] = ends(n);
+            let found: Vec<f64> = events.in_loop(period, from, to).map(|(time, _)| time).collect();
+            prop_assert_eq!(found, [to]);
+        }
     }
 }
 
