@@ -32,7 +32,8 @@ use super::distance::{self, Bone, DistanceWeightsError};
 use super::{SkinWeights, WeightsError};
 use network::Network;
 
-/// The most cells along the longest side of the box about the mesh.
+/// The most cells along the longest side of the box about the mesh. A cell takes less than a byte,
+/// and one inside the body some dozens.
 const MOST_CELLS: usize = 256;
 
 /// How weights are computed.

@@ -15,13 +15,33 @@ pub(super) struct Volume {
     size: [usize; 3],
     /// The cells inside, in rising order.
     pub(super) inside: Vec<u32>,
-    /// For each cell, its place in `inside`, or [`OUTSIDE`].
-    number: Vec<u32>,
+    /// Whether each cell is inside.
+    is_inside: Bits,
+    /// For each word of `is_inside`, how many cells before it are inside.
+    before: Vec<u32>,
     /// For each cell, whether the surface passes between its centre and the next along each axis.
-    blocked: [Vec<bool>; 3],
+    blocked: [Bits; 3],
 }
 
-const OUTSIDE: u32 = u32::MAX;
+/// A bit for each cell: there are up to 17 million, for a mesh of any number of triangles.
+#[derive(Clone, Debug)]
+struct Bits(Vec<u64>);
+
+impl Bits {
+    fn new(cells: usize) -> Self {
+        Self(vec![0; cells.div_ceil(64)])
+    }
+
+    fn insert(&mut self, cell: usize) {
+        self.0[cell / 64] |= 1 << (cell % 64);
+    }
+
+    /// Whether a cell has its bit; those beyond the last have none.
+    fn contains(&self, cell: usize) -> bool {
+        let word = self.0.get(cell / 64);
+        word.is_some_and(|word| word >> (cell % 64) & 1 == 1)
+    }
+}
 
 impl Volume {
     /// The cells of a mesh with this many along its longest side; `None` for a mesh without extent.
@@ -41,25 +61,37 @@ impl Volume {
             side,
             size,
             inside: Vec::new(),
-            number: vec![OUTSIDE; cells],
-            blocked: [(); 3].map(|()| vec![false; cells]),
+            is_inside: Bits::new(cells),
+            before: Vec::with_capacity(cells.div_ceil(64)),
+            blocked: [(); 3].map(|()| Bits::new(cells)),
         };
-        let mut votes = vec![0u8; cells];
+        let mut once = Bits::new(cells);
         for axis in 0..3 {
-            volume.scan(bvh, axis, &mut votes);
+            volume.scan(bvh, axis, &mut once);
         }
-        // Two of three, so that a ray through an edge or a small hole decides nothing.
-        for (cell, votes) in votes.into_iter().enumerate() {
-            if votes >= 2 {
-                volume.number[cell] = volume.inside.len() as u32;
-                volume.inside.push(cell as u32);
+        for word in 0..volume.is_inside.0.len() {
+            volume.before.push(volume.inside.len() as u32);
+            for cell in 64 * word..64 * (word + 1) {
+                if volume.is_inside.contains(cell) {
+                    volume.inside.push(cell as u32);
+                }
             }
         }
         Some(volume)
     }
 
-    /// Follows all lines of centres along an axis through the mesh.
-    fn scan(&mut self, bvh: &Bvh, axis: usize, votes: &mut [u8]) {
+    /// The place of a cell in `inside`.
+    fn number(&self, cell: usize) -> Option<usize> {
+        let in_word = self.is_inside.0.get(cell / 64)? << (63 - cell % 64);
+        // The bit of the cell itself is the highest now.
+        (in_word >> 63 == 1)
+            .then(|| self.before[cell / 64] as usize + in_word.count_ones() as usize - 1)
+    }
+
+    /// Follows all lines of centres along an axis through the mesh. A cell is inside by two votes of
+    /// three axes, so that a ray through an edge or a small hole decides nothing; `once` has those
+    /// with a vote.
+    fn scan(&mut self, bvh: &Bvh, axis: usize, once: &mut Bits) {
         let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
         let mut direction = [0.0; 3];
         direction[axis] = 1.0;
@@ -77,11 +109,16 @@ impl Volume {
                 let mut hits = bvh.all_hits(ray).into_iter().peekable();
                 for step in 0..self.size[axis] {
                     let cell = first + step * stride;
-                    votes[cell] += u8::from(winding != 0);
+                    if winding != 0 {
+                        if once.contains(cell) {
+                            self.is_inside.insert(cell);
+                        }
+                        once.insert(cell);
+                    }
                     let next = (step + 1) as f64 * self.side;
                     while let Some(found) = hits.next_if(|found| found.hit.distance < next) {
                         let (distance, side) = (found.hit.distance, found.hit.side);
-                        self.blocked[axis][cell] = true;
+                        self.blocked[axis].insert(cell);
                         // The two triangles of an edge are crossed once.
                         let is_same = distance - last.0 < 1e-9 * self.side && last.1 == Some(side);
                         if !is_same {
@@ -122,18 +159,14 @@ impl Volume {
     /// separate from it.
     pub(super) fn neighbours(&self, number: usize, axis: usize) -> [Option<usize>; 2] {
         let (cell, stride) = (self.inside[number] as usize, self.stride(axis));
-        let inside = |cell: usize| match self.number.get(cell) {
-            Some(&number) if number != OUTSIDE => Some(number as usize),
-            _ => None,
-        };
         // Cells at the border of the grid are outside, so that no neighbour is in another row.
         [
             cell.checked_sub(stride)
-                .filter(|&before| !self.blocked[axis][before])
-                .and_then(inside),
-            (!self.blocked[axis][cell])
+                .filter(|&before| !self.blocked[axis].contains(before))
+                .and_then(|before| self.number(before)),
+            (!self.blocked[axis].contains(cell))
                 .then_some(cell + stride)
-                .and_then(inside),
+                .and_then(|after| self.number(after)),
         ]
     }
 
@@ -151,10 +184,7 @@ impl Volume {
         for k in range(2) {
             for j in range(1) {
                 for i in range(0) {
-                    let number = self.number[self.cell([i, j, k])];
-                    if number != OUTSIDE {
-                        found.push(number as usize);
-                    }
+                    found.extend(self.number(self.cell([i, j, k])));
                 }
             }
         }
