@@ -41,9 +41,9 @@
 
 pub mod camera;
 pub mod disparity;
-pub mod matcher;
 pub mod frame;
 pub mod least_squares;
+pub mod matcher;
 pub mod observation;
 pub mod pose_error;
 pub mod rig;

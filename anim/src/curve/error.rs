@@ -78,7 +78,8 @@ pub enum CurveError {
         time: f64,
     },
     /// The numbers are so large, or the keys so close in time, that the curve from this key to the
-    /// next is beyond the range of `f64`.
+    /// next is beyond the range of `f64`. Where the first and the last time differ by more than
+    /// that range, this is the last key within it of the first one.
     #[error("the curve from key {key} to the next is beyond the range of 64-bit numbers")]
     OutOfRange {
         /// The key.
@@ -86,7 +87,7 @@ pub enum CurveError {
     },
 }
 
-/// Fails unless there are enough times, all finite and rising.
+/// Fails unless there are enough times, all finite and rising, whose differences are in range.
 pub(super) fn check_times(times: &[f64], needed: usize) -> Result<(), CurveError> {
     if times.len() < needed {
         let found = times.len();
@@ -100,7 +101,7 @@ pub(super) fn check_times(times: &[f64], needed: usize) -> Result<(), CurveError
         .windows(2)
         .fold(true, |good, pair| good & (pair[0] < pair[1]));
     if finite && rising {
-        return Ok(());
+        return check_span(times);
     }
     for (key, &time) in times.iter().enumerate() {
         if !time.is_finite() {
@@ -112,6 +113,17 @@ pub(super) fn check_times(times: &[f64], needed: usize) -> Result<(), CurveError
         }
     }
     Ok(())
+}
+
+/// Fails where the time from the first key to the last is beyond the range of `f64`.
+fn check_span(times: &[f64]) -> Result<(), CurveError> {
+    match times {
+        [first, .., last] if !(last - first).is_finite() => {
+            let within = times.partition_point(|time| (time - first).is_finite());
+            Err(CurveError::OutOfRange { key: within - 1 })
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Fails unless there is one finite value for each time.

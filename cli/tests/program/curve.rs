@@ -214,6 +214,15 @@ fn bad_input_leaves_nothing() {
     assert_failure(&output, &["cannot read nowhere.csv: "]);
     let output = run(folder.path(), &["keys.csv", "--plot", "curve.png"]);
     assert_failure(&output, &["--plot curve.png: its name must end in .svg"]);
+    // Of two results that one call writes, none stays where the other cannot be written.
+    for results in [
+        ["--plot", "curve.svg", "--out", "keys.csv/curve.csv"],
+        ["--plot", "keys.csv/curve.svg", "--out", "curve.csv"],
+    ] {
+        let output = run(folder.path(), &[&["keys.csv"], &results[..]].concat());
+        assert_failure(&output, &["cannot write keys.csv/curve."]);
+        assert_eq!(names(folder.path()), ["keys.csv"]);
+    }
     let output = run(folder.path(), &["keys.csv", "--ends", "square", "--json"]);
     assert_eq!(output.status.code(), Some(2));
     assert!(text(&output.stderr).contains("expected natural, clamped, slopes:A,B"));

@@ -1,11 +1,8 @@
 //! Triangulation against independent vectors and against scenes that are known.
 
-<<<<<<< HEAD
-mod disparity;
 mod camera;
-=======
+mod disparity;
 mod least_squares;
->>>>>>> 3a9029c (Add least squares over any unknowns to ga-vision)
 mod pose_error;
 
 use ga_runtime::cga3::{Direction, Motor, Point, Rotor, Translator};

@@ -35,6 +35,15 @@ fn times() {
     let far = [-1e308, 1e308, 1.5e308];
     let error = Curve::spline(&far, &[0.0; 3], Ends::NotAKnot).unwrap_err();
     assert_eq!(error, CurveError::OutOfRange { key: 0 });
+    // Each interval is in range here, but not the whole.
+    let far = [-1e308, 0.0, 1e308];
+    for error in [
+        Curve::spline(&far, &[0.0; 3], Ends::Natural).unwrap_err(),
+        Curve::linear(&far, &[0.0; 3]).unwrap_err(),
+        Curve::step(&far, &[0.0; 3]).unwrap_err(),
+    ] {
+        assert_eq!(error, CurveError::OutOfRange { key: 1 });
+    }
     let error = Curve::linear(&[], &[0.0; 0]).unwrap_err();
     assert_eq!(
         error,

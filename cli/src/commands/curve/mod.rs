@@ -137,7 +137,7 @@ struct Report<'a> {
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     check_arguments(arguments)?;
-    let progress = Progress::new(3, quiet || arguments.json);
+    let progress = Progress::new(3, quiet);
     progress.step("reading");
     let table = ga_files::read(&arguments.keys, Table::parse)?;
     progress.step("fitting");
@@ -153,16 +153,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     };
 
     progress.step("writing");
-    if let Some(path) = &arguments.plot {
-        let title = title(arguments, &table);
-        let marks = arguments.tolerance.map(|_| &rows);
-        let svg = plot::svg(&title, &table, &curves, marks)
-            .with_context(|| format!("cannot draw {}", path.display()))?;
-        ga_files::write(path, svg.as_bytes())?;
-    }
-    if let Some(path) = &arguments.out {
-        ga_files::write(path, &table.with_rows(&rows)?)?;
-    }
+    write(arguments, &table, &curves, &rows)?;
     drop(progress);
     if arguments.json {
         return output::print_json(&Report {
@@ -187,6 +178,31 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         }
     }
     Ok(())
+}
+
+/// Writes the table and the picture that are asked for. Both are complete before either is written,
+/// so that an error in one leaves no other behind.
+fn write(
+    arguments: &Arguments,
+    table: &Table,
+    curves: &[Curve<f64>],
+    rows: &Resampled<Vec<f64>>,
+) -> Result<()> {
+    let mut files: Vec<(&PathBuf, Vec<u8>)> = Vec::new();
+    if let Some(path) = &arguments.plot {
+        let title = title(arguments, table);
+        let marks = arguments.tolerance.map(|_| rows);
+        let svg = plot::svg(&title, table, curves, marks)
+            .with_context(|| format!("cannot draw {}", path.display()))?;
+        files.push((path, svg.into_bytes()));
+    }
+    if let Some(path) = &arguments.out {
+        files.push((path, table.with_rows(rows)?));
+    }
+    let files = files
+        .iter()
+        .map(|(path, contents)| (path, contents.as_slice()));
+    Ok(ga_files::write_together(files)?)
 }
 
 fn check_arguments(arguments: &Arguments) -> Result<()> {
