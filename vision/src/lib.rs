@@ -9,6 +9,10 @@
 //! - [`triangulation`]: the point where two rays come closest.
 //! - [`disparity`]: disparity maps of rectified views, their files and their errors.
 //! - [`least_squares`]: nonlinear least squares over any unknowns, with covariances.
+//! - [`feature`]: corners, descriptors and matches of two views.
+//! - [`relative_pose`]: the motion between two cameras from pairs of pixels.
+//! - [`perspective_n_point`]: where a camera is that sees known points.
+//! - [`ransac`]: models that most observations agree with.
 //! - [`observation`]: simulated observations with noise, for tests and demonstrations.
 //! - [`pose_error`]: how far reconstructed joints are from the true ones.
 //!
@@ -42,9 +46,14 @@
 pub mod camera;
 pub mod disparity;
 pub mod frame;
+pub mod feature;
 pub mod least_squares;
 pub mod matcher;
 pub mod observation;
+pub mod perspective_n_point;
+mod polynomial;
 pub mod pose_error;
+pub mod ransac;
+pub mod relative_pose;
 pub mod rig;
 pub mod triangulation;

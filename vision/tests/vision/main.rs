@@ -4,6 +4,7 @@ mod camera;
 mod disparity;
 mod least_squares;
 mod pose_error;
+mod relative_pose;
 
 use ga_runtime::cga3::{Direction, Motor, Point, Rotor, Translator};
 use ga_runtime::geometry::ray::Ray;

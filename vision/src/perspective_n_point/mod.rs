@@ -1,0 +1,1 @@
+//! Where a camera is that sees known points.

@@ -1,0 +1,84 @@
+//! Views that differ by a rotation alone, which have no epipolar geometry.
+
+use ga_runtime::cga3::{Direction, Rotor};
+use ga_runtime::vga3::Vector;
+
+use super::sampson::BearingPair;
+use crate::ransac::{Consensus, Search};
+
+/// The rotation that explains most pairs.
+pub(super) struct RotationFit {
+    /// How many pairs agree with it.
+    pub(super) inliers: usize,
+    /// The variance of a pixel coordinate that they show.
+    pub(super) variance: f64,
+}
+
+/// The rotation that explains most pairs. `None` where no two pairs determine one.
+pub(super) fn fit_rotation(pairs: &[BearingPair], search: &Search) -> Option<RotationFit> {
+    let problem = Rotations(pairs);
+    // An error has two components here and one in the epipolar geometry.
+    let search = Search {
+        threshold: search.threshold * std::f64::consts::SQRT_2,
+        ..*search
+    };
+    let mut best = search.run(&problem, 1).into_iter().next()?;
+    let agreeing = search.inliers(&problem, &best.model);
+    let directions = agreeing.iter().map(|&k| directions(&pairs[k]));
+    if let Ok(fit) = Rotor::from_direction_pairs(&directions.collect::<Vec<_>>())
+        && let Some(better) = search.rate(&problem, fit.motion, best.cost)
+    {
+        best = better;
+    }
+    let inliers = search.inliers(&problem, &best.model);
+    let squares = inliers
+        .iter()
+        .map(|&k| problem.squared_error(&best.model, k));
+    let redundancy = (2 * inliers.len()).saturating_sub(3).max(1);
+    Some(RotationFit {
+        variance: squares.sum::<f64>() / redundancy as f64,
+        inliers: inliers.len(),
+    })
+}
+
+fn directions(pair: &BearingPair) -> ([f64; 3], [f64; 3]) {
+    (
+        pair.left.direction.coordinates(),
+        pair.right.direction.coordinates(),
+    )
+}
+
+struct Rotations<'a>(&'a [BearingPair]);
+
+impl Consensus for Rotations<'_> {
+    type Model = Rotor<f64>;
+
+    const SAMPLE: usize = 2;
+
+    fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    fn fit(&self, sample: &[usize], models: &mut Vec<Rotor<f64>>) {
+        let pairs = [0, 1].map(|k| directions(&self.0[sample[k]]));
+        models.extend(Rotor::from_direction_pairs(&pairs).map(|fit| fit.motion));
+    }
+
+    /// Half the squared distance of the right pixel from the rotated left one: pixels of both views
+    /// share the error.
+    fn squared_error(&self, rotor: &Rotor<f64>, observation: usize) -> f64 {
+        let BearingPair { left, right } = &self.0[observation];
+        let moved = rotor.transform(Direction::from_vector(left.direction.coordinates()));
+        let moved = Vector::from(moved);
+        if moved.dot(right.direction) <= 0.0 {
+            return f64::INFINITY;
+        }
+        // The rotated direction as a combination of the right one and its derivatives.
+        let [along_u, along_v] = right.derivatives;
+        let volume = |a: Vector<f64>, b: Vector<f64>, c: Vector<f64>| a.dot(b.cross(c));
+        let whole = volume(moved, along_u, along_v);
+        let u = volume(right.direction, moved, along_v) / whole;
+        let v = volume(right.direction, along_u, moved) / whole;
+        0.5 * (u * u + v * v)
+    }
+}
