@@ -5,6 +5,9 @@ mod disparity;
 mod least_squares;
 mod pose_error;
 mod relative_pose;
+mod many_views;
+mod pose_error;
+mod two_views;
 
 use ga_runtime::cga3::{Direction, Motor, Point, Rotor, Translator};
 use ga_runtime::geometry::ray::Ray;

@@ -1,18 +1,11 @@
-//! The point where two rays come closest.
-//!
-//! Two lines that are not parallel have one [common perpendicular][perpendicular], of
-//! length zero where they meet. The point halfway between its feet is the triangulated position. It
-//! minimises the sum of squared distances from the rays, not that of squared pixel errors (R.
-//! Hartley and P. Sturm, Triangulation, Computer Vision and Image Understanding 68, 1997): this is
-//! accurate where the pixel errors are small against the angle between the rays, and biased for
-//! almost parallel rays.
-//!
-//! [perpendicular]: ga_runtime::cga3::Line::common_perpendicular
+//! The point halfway between two rays.
 
 use ga_runtime::cga3::Point;
 use ga_runtime::geometry::ray::Ray;
 use ga_runtime::geometry::relation::Tolerance;
 use ga_runtime::vga3::Vector;
+
+use super::TriangulationError;
 
 /// The point that two rays determine, and how well they agree on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,20 +23,6 @@ pub struct Triangulation {
     pub angle: f64,
 }
 
-/// Why two rays do not determine a point.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum TriangulationError {
-    /// The rays are parallel up to rounding.
-    #[error("the rays are parallel: the sine of the angle between them is {sine:e}")]
-    Parallel {
-        /// The sine of the angle.
-        sine: f64,
-    },
-    /// A ray has a coefficient that is infinite or not a number.
-    #[error("a ray is not finite")]
-    NotFinite,
-}
-
 impl Triangulation {
     /// Whether the point is in front of both cameras.
     #[must_use]
@@ -52,7 +31,7 @@ impl Triangulation {
     }
 }
 
-/// The point where two rays come closest.
+/// The point where two rays come closest: the middle of their common perpendicular.
 ///
 /// # Errors
 /// [`TriangulationError`] for rays that are parallel or not finite.
