@@ -56,8 +56,9 @@ pub struct Placement<'a> {
 #[derive(Clone, Debug)]
 struct Skinned {
     weights: SkinWeights,
-    /// `None` where morph targets change the vertices from frame to frame.
-    binding: Option<Binding<f64>>,
+    binding: Binding<f64>,
+    /// Whether morph targets change the vertices from frame to frame.
+    is_morphed: bool,
 }
 
 /// The vertices that a node and a primitive of its mesh have in the list of all vertices.
@@ -295,11 +296,11 @@ impl Skinned {
             primitive: number,
             problem,
         })?;
-        let binding = match primitive.targets[..] {
-            [] => Some(Binding::new(&morphed(primitive, &[]), &weights)?),
-            _ => None,
-        };
-        Ok(Self { weights, binding })
+        Ok(Self {
+            binding: Binding::new(&morphed(primitive, &[]), &weights)?,
+            is_morphed: !primitive.targets.is_empty(),
+            weights,
+        })
     }
 
     /// Moves the vertices of a frame.
@@ -309,22 +310,16 @@ impl Skinned {
         method: Method,
         positions: &mut [Point<f64>],
     ) -> Result<(), SkinError> {
-        let bound;
-        let binding = match &self.binding {
-            Some(binding) => binding,
-            None => {
-                bound = Binding::new(positions, &self.weights)?;
-                &bound
-            }
-        };
-        let rows = |map: &Affine<f64>| {
-            let ([a, b, c], [x, y, z]) = (map.linear, map.translation);
-            [(a, x), (b, y), (c, z)].map(|([i, j, k], t)| [i, j, k, t])
-        };
-        let matrices: Vec<[[f64; 4]; 3]> = maps.iter().map(rows).collect();
-        let mut palette = binding.palette(method);
-        palette.set_matrices(&matrices)?;
-        binding.pose(&palette, Posed::of_points(positions))
+        let mut palette = self.binding.palette(method);
+        palette.set_maps(maps)?;
+        let posed = Posed::of_points(positions);
+        if self.is_morphed {
+            let mut binding = self.binding.clone();
+            binding.set_points(posed.points)?;
+            binding.pose(&palette, posed)
+        } else {
+            self.binding.pose(&palette, posed)
+        }
     }
 }
 

@@ -92,6 +92,16 @@ impl<S: SkinScalar> Binding<S> {
         Ok(Self { skin })
     }
 
+    /// Takes other places of the vertices at rest, as morph targets give them. Weights, normals and
+    /// tangents stay.
+    ///
+    /// # Errors
+    ///
+    /// [`SkinError::VertexCount`] when there is not one for each vertex. Then nothing changes.
+    pub fn set_points(&mut self, positions: &[Point<S>]) -> Result<(), SkinError> {
+        Ok(self.skin.set_points(positions)?)
+    }
+
     /// The number of vertices.
     #[must_use]
     pub fn vertex_count(&self) -> usize {

@@ -169,6 +169,24 @@ impl<S: SkinScalar> Skin<S> {
         Ok(skin)
     }
 
+    /// Takes other places of the points at rest, with the influences as they are.
+    ///
+    /// # Errors
+    /// There is another number of them.
+    pub fn set_points(&mut self, points: &[Point<S>]) -> Result<(), SkinError> {
+        same_length(self.points, points.len())?;
+        for chunk in &mut self.chunks {
+            let points = &points[chunk.first..chunk.first + chunk.len];
+            for bucket in &mut chunk.buckets {
+                for (place, &index) in bucket.points.iter_mut().zip(&bucket.order) {
+                    let [x, y, z] = points[usize::from(index)].coordinates();
+                    *place = [x, y, z, S::one()];
+                }
+            }
+        }
+        Ok(())
+    }
+
     /// Adds the normals of the points at rest, of any length.
     ///
     /// # Errors

@@ -98,16 +98,17 @@ fn normal([a, b, c]: [[__m256; 3]; 3], [x, y, z]: [__m256; 3]) -> [__m256; 3] {
     ]
 }
 
-/// 1 / |n|, and a finite number for the zero vector.
+/// 1 / |n|, and 0 where the square of the length is beyond the range of normal numbers.
 #[inline]
 #[target_feature(enable = "avx2,fma")]
 fn inverse_length([x, y, z]: [__m256; 3]) -> __m256 {
     let square = _mm256_fmadd_ps(x, x, _mm256_fmadd_ps(y, y, _mm256_mul_ps(z, z)));
-    let square = _mm256_max_ps(square, _mm256_set1_ps(f32::MIN_POSITIVE));
-    let square = _mm256_min_ps(square, _mm256_set1_ps(1e37));
+    let bounded = _mm256_max_ps(square, _mm256_set1_ps(f32::MIN_POSITIVE));
+    let bounded = _mm256_min_ps(bounded, _mm256_set1_ps(f32::MAX));
+    let is_regular = _mm256_cmp_ps::<_CMP_EQ_OQ>(bounded, square);
     // One step of Newton's method doubles the twelve bits of the estimate.
-    let estimate = _mm256_rsqrt_ps(square);
-    let half = _mm256_mul_ps(_mm256_mul_ps(square, estimate), _mm256_set1_ps(0.5));
+    let estimate = _mm256_rsqrt_ps(bounded);
+    let half = _mm256_mul_ps(_mm256_mul_ps(bounded, estimate), _mm256_set1_ps(0.5));
     let step = _mm256_fnmadd_ps(half, estimate, _mm256_set1_ps(1.5));
-    _mm256_mul_ps(estimate, step)
+    _mm256_and_ps(_mm256_mul_ps(estimate, step), is_regular)
 }

@@ -115,7 +115,8 @@ fn image([a, b, c, t]: [[__m512; 3]; 4], [x, y, z]: [__m512; 3]) -> [__m512; 3] 
     [row(0), row(1), row(2)]
 }
 
-/// The sum of the cross products of the columns, each times its coordinate, with length 1.
+/// The sum of the cross products of the columns, each times its coordinate, with length 1; zero where
+/// the square of its length is beyond the range of normal numbers.
 #[inline]
 #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx2,fma")]
 fn normal([a, b, c, _]: [[__m512; 3]; 4], [x, y, z]: [__m512; 3]) -> [__m512; 3] {
@@ -129,13 +130,14 @@ fn normal([a, b, c, _]: [[__m512; 3]; 4], [x, y, z]: [__m512; 3]) -> [__m512; 3]
     };
     let [x, y, z] = [row(1, 2), row(2, 0), row(0, 1)];
     let square = _mm512_fmadd_ps(x, x, _mm512_fmadd_ps(y, y, _mm512_mul_ps(z, z)));
-    let square = _mm512_max_ps(square, _mm512_set1_ps(f32::MIN_POSITIVE));
-    let square = _mm512_min_ps(square, _mm512_set1_ps(1e37));
+    let bounded = _mm512_max_ps(square, _mm512_set1_ps(f32::MIN_POSITIVE));
+    let bounded = _mm512_min_ps(bounded, _mm512_set1_ps(f32::MAX));
+    let is_regular = _mm512_cmp_ps_mask::<_CMP_EQ_OQ>(bounded, square);
     // One step of Newton's method doubles the fourteen bits of the estimate.
-    let estimate = _mm512_rsqrt14_ps(square);
-    let half = _mm512_mul_ps(_mm512_mul_ps(square, estimate), _mm512_set1_ps(0.5));
+    let estimate = _mm512_rsqrt14_ps(bounded);
+    let half = _mm512_mul_ps(_mm512_mul_ps(bounded, estimate), _mm512_set1_ps(0.5));
     let step = _mm512_fnmadd_ps(half, estimate, _mm512_set1_ps(1.5));
-    let scale = _mm512_mul_ps(estimate, step);
+    let scale = _mm512_maskz_mul_ps(is_regular, estimate, step);
     [
         _mm512_mul_ps(x, scale),
         _mm512_mul_ps(y, scale),
