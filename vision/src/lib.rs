@@ -45,8 +45,8 @@
 
 pub mod camera;
 pub mod disparity;
-pub mod frame;
 pub mod feature;
+pub mod frame;
 pub mod least_squares;
 pub mod matcher;
 pub mod observation;

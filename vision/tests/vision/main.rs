@@ -3,8 +3,6 @@
 mod camera;
 mod disparity;
 mod least_squares;
-mod pose_error;
-mod relative_pose;
 mod many_views;
 mod pose_error;
 mod two_views;
