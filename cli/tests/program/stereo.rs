@@ -1,5 +1,7 @@
 //! `nullcone stereo`: disparities of two views, and how far they are from the truth.
 
+use std::path::Path;
+
 use serde_json::Value;
 use tempfile::{TempDir, tempdir};
 
@@ -72,6 +74,243 @@ fn evaluate_draws_map_truth_and_errors() {
         .unwrap()
         .to_rgb8();
     assert!(picture.width() > 900 && picture.height() > 60);
+}
+
+/// Two views of random texture, the right one with everything 5 px further left, and 9 px in the
+/// square from 30 to 60 of both axes.
+fn views(folder: &Path) {
+    let noise = |u: usize, v: usize| {
+        let mixed = (u * 7919 + v * 104_729).wrapping_mul(0x9e37_79b9_7f4a_7c15_u64 as usize);
+        (mixed >> 40) as u8
+    };
+    let square = |u: usize, v: usize| (30..60).contains(&u) && (30..60).contains(&v);
+    let write = |name: &str, level: &dyn Fn(usize, usize) -> u8| {
+        let picture =
+            image::GrayImage::from_fn(120, 90, |u, v| image::Luma([level(u as usize, v as usize)]));
+        picture.save(folder.join(name)).unwrap();
+    };
+    write("left.png", &|u, v| {
+        noise(u + if square(u, v) { 1000 } else { 0 }, v)
+    });
+    write("right.png", &|u, v| match square(u + 9, v) {
+        true => noise(u + 1009, v),
+        false => noise(u + 5, v),
+    });
+}
+
+#[test]
+fn match_writes_the_disparities_it_finds() {
+    let folder = tempdir().unwrap();
+    views(folder.path());
+    let mut maps = Vec::new();
+    for (mode, threads) in [
+        ("fast", "1"),
+        ("balanced", "1"),
+        ("balanced", "3"),
+        ("best", "2"),
+    ] {
+        let output = nullcone(
+            folder.path(),
+            [
+                "stereo",
+                "match",
+                "left.png",
+                "right.png",
+                "--max-disparity",
+                "16",
+                "--mode",
+                mode,
+                "--threads",
+                threads,
+                "--out",
+                "new/d.pfm",
+                "--confidence",
+                "c.png",
+                "--picture",
+                "d.png",
+                "--json",
+            ],
+        );
+        assert_success(&output);
+        assert!(output.stderr.is_empty());
+        let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!(report["mode"], mode);
+        assert_eq!(number(&report, "/width_px"), 120.0);
+        assert_eq!(number(&report, "/height_px"), 90.0);
+        assert_eq!(number(&report, "/max_disparity_px"), 16.0);
+        assert_eq!(number(&report, "/density"), 100.0);
+        assert!(number(&report, "/least_px") >= 0.0 && number(&report, "/greatest_px") < 16.0);
+        assert!((0.1..=1.0).contains(&number(&report, "/mean_confidence")));
+
+        let bytes = std::fs::read(folder.path().join("new/d.pfm")).unwrap();
+        let header = b"Pf\n120 90\n-1.0\n";
+        assert_eq!(bytes[..header.len()], header[..]);
+        let at = |u: usize, v: usize| {
+            let place = header.len() + 4 * ((89 - v) * 120 + u);
+            f32::from_le_bytes(bytes[place..place + 4].try_into().unwrap())
+        };
+        for (u, v, expected) in [(100, 20, 5.0), (45, 45, 9.0), (35, 55, 9.0), (45, 75, 5.0)] {
+            assert!(
+                (at(u, v) - expected).abs() < 0.2,
+                "{mode}: {} at {u}, {v}",
+                at(u, v)
+            );
+        }
+        let confidence = image::open(folder.path().join("c.png")).unwrap();
+        assert_eq!((confidence.width(), confidence.height()), (120, 90));
+        assert_eq!(confidence.color(), image::ColorType::L8);
+        assert_eq!(
+            names(folder.path()),
+            ["c.png", "d.png", "left.png", "new", "right.png"]
+        );
+        maps.push(bytes);
+    }
+    assert_eq!(maps[1], maps[2]);
+}
+
+/// A picture in colour is the grey of its luma.
+#[test]
+fn match_takes_colour_as_grey() {
+    let folder = tempdir().unwrap();
+    views(folder.path());
+    for name in ["left", "right"] {
+        let grey = image::open(folder.path().join(format!("{name}.png"))).unwrap();
+        let colour = folder.path().join(format!("{name}.ppm"));
+        let rgb = grey.to_rgb8();
+        let header = format!("P6 {} {} 255\n", rgb.width(), rgb.height());
+        std::fs::write(colour, [header.as_bytes(), rgb.as_raw()].concat()).unwrap();
+    }
+    for (ending, out) in [("png", "grey.pfm"), ("ppm", "colour.pfm")] {
+        let [left, right] = ["left", "right"].map(|name| format!("{name}.{ending}"));
+        let arguments = [
+            "stereo",
+            "match",
+            &left,
+            &right,
+            "--max-disparity",
+            "16",
+            "--out",
+            out,
+            "-q",
+        ];
+        let output = nullcone(folder.path(), arguments);
+        assert_success(&output);
+        assert!(output.stdout.is_empty());
+    }
+    let [grey, colour] = ["grey.pfm", "colour.pfm"].map(|name| folder.path().join(name));
+    assert_eq!(std::fs::read(grey).unwrap(), std::fs::read(colour).unwrap());
+}
+
+#[test]
+fn match_says_what_is_wrong_and_writes_nothing() {
+    let folder = tempdir().unwrap();
+    views(folder.path());
+    let write = |name: &str, bytes: &[u8]| std::fs::write(folder.path().join(name), bytes).unwrap();
+    let png = std::fs::read(folder.path().join("left.png")).unwrap();
+    write("cut.png", &png[..png.len() / 2]);
+    let mut flipped = png;
+    let middle = flipped.len() / 2;
+    flipped[middle] ^= 0x55;
+    write("flipped.png", &flipped);
+    write("text.png", b"none");
+    write("small.pgm", b"P5 3 2 255\nabcdef");
+    std::fs::create_dir(folder.path().join("taken.pfm")).unwrap();
+    let before = names(folder.path());
+    let usual = ["--max-disparity", "16", "--out", "new/d.pfm"];
+    for (views, options, parts) in [
+        (
+            ["nowhere.png", "right.png"],
+            &usual[..],
+            &["cannot read nowhere.png: "][..],
+        ),
+        (
+            ["left.png", "nowhere.png"],
+            &usual,
+            &["cannot read nowhere.png: "],
+        ),
+        (["cut.png", "right.png"], &usual, &["cut.png: PNG: "]),
+        (["left.png", "flipped.png"], &usual, &["flipped.png: PNG: "]),
+        (
+            ["left.png", "text.png"],
+            &usual,
+            &["text.png: not a picture"],
+        ),
+        (
+            ["left.png", "small.pgm"],
+            &usual,
+            &["left.png has 120 × 90", "small.pgm has 3 × 2"],
+        ),
+        (["small.pgm", "small.pgm"], &usual, &["small.pgm", "3 × 2"]),
+        (
+            ["left.png", "right.png"],
+            &["--max-disparity", "0", "--out", "d.pfm"],
+            &["left.png and right.png: ", "range of 0 px"],
+        ),
+        (
+            ["left.png", "right.png"],
+            &["--max-disparity", "121", "--out", "d.pfm"],
+            &["range of 121 px", "1 to 120 px"],
+        ),
+        (
+            ["left.png", "right.png"],
+            &["--max-disparity", "16", "--out", "d.tiff"],
+            &["d.tiff: disparities are written as .pfm"],
+        ),
+        (
+            ["left.png", "right.png"],
+            &[
+                "--max-disparity",
+                "16",
+                "--out",
+                "taken.pfm",
+                "--picture",
+                "d.png",
+            ],
+            &["cannot write taken.pfm"],
+        ),
+        (
+            ["left.png", "right.png"],
+            &[
+                "--max-disparity",
+                "16",
+                "--out",
+                "d.pfm",
+                "--picture",
+                "left.png/d.png",
+            ],
+            &["cannot write left.png/d.png"],
+        ),
+        (
+            ["left.png", "right.png"],
+            &[
+                "--max-disparity",
+                "16",
+                "--out",
+                "d.pfm",
+                "--picture",
+                "d.jpg",
+            ],
+            &["d.jpg: a picture is written as .png"],
+        ),
+        (
+            ["left.png", "right.png"],
+            &[
+                "--max-disparity",
+                "16",
+                "--out",
+                "d.pfm",
+                "--picture",
+                "x.png",
+                "--confidence",
+                "x.png",
+            ],
+            &["--confidence and --picture"],
+        ),
+    ] {
+        let arguments = [&["stereo", "match"][..], &views, options].concat();
+        assert_failure(&nullcone(folder.path(), arguments), parts);
+        assert_eq!(names(folder.path()), before);
+    }
 }
 
 #[test]

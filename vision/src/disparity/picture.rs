@@ -49,8 +49,8 @@ impl ColourScale {
         self.range
     }
 
-    /// The colour of a number, as 8-bit sRGB. Numbers outside the range have the colours of its ends.
-    /// Where the range has no length, its number has the first colour.
+    /// The colour of a number, as 8-bit sRGB. Numbers outside the range have the colours of its
+    /// ends. Where the range has no length, its number has the first colour.
     #[must_use]
     pub fn colour(&self, value: f64) -> [u8; 3] {
         let [first, last] = self.range;

@@ -1,7 +1,9 @@
 //! `nullcone stereo`: two views of a scene.
 
 mod evaluate;
+mod match_views;
 mod picture;
+mod views;
 
 use anyhow::Result;
 use clap::Subcommand;
@@ -15,11 +17,13 @@ pub(crate) struct Arguments {
 
 #[derive(Clone, Debug, Subcommand)]
 enum Command {
+    Match(match_views::Arguments),
     Evaluate(evaluate::Arguments),
 }
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     match &arguments.command {
+        Command::Match(arguments) => match_views::run(arguments, quiet),
         Command::Evaluate(arguments) => evaluate::run(arguments, quiet),
     }
 }
