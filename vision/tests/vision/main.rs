@@ -1,10 +1,12 @@
 //! Triangulation against independent vectors and against scenes that are known.
 
 mod camera;
+mod dense;
 mod disparity;
 mod least_squares;
 mod many_views;
 mod pose_error;
+mod synthetic_scene;
 mod two_views;
 
 use ga_runtime::cga3::{Direction, Motor, Point, Rotor, Translator};
