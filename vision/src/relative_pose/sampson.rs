@@ -80,7 +80,7 @@ impl Meet {
     fn new(moved: Line<f64>, right: Line<f64>) -> Self {
         let screw: MotorGenerator<f64> = moved.commutator(right);
         let [by_rotation, by_translation] = [
-            Vector::new(screw.e1i, screw.e2i, screw.e3i),
+            -Vector::new(screw.e1i, screw.e2i, screw.e3i),
             Vector::new(-screw.e23, screw.e13, -screw.e12),
         ];
         Self {
