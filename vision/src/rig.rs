@@ -3,7 +3,10 @@
 use ga_runtime::cga3::Motor;
 
 use crate::camera::{Camera, CameraError, Intrinsics};
-use crate::triangulation::{Triangulation, TriangulationError, triangulate};
+use crate::triangulation::{
+    ColumnsError, Method, PixelColumns, PointColumns, Triangulation, TriangulationError, TwoViews,
+    triangulate,
+};
 
 /// Two cameras in one world.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,6 +36,12 @@ pub enum RigError {
         /// What is wrong with it.
         error: TriangulationError,
     },
+    /// The cameras determine no points.
+    #[error("{0}")]
+    Cameras(#[from] TriangulationError),
+    /// Pairs of pixels do not determine points.
+    #[error("{0}")]
+    Columns(#[from] ColumnsError),
     /// The pictures have different numbers of points.
     #[error("{left} points in the left picture, {right} in the right one")]
     Counts {
@@ -89,7 +98,8 @@ impl StereoRig {
         self.left.centre().distance(self.right.centre())
     }
 
-    /// The point that is seen at one pixel in each picture.
+    /// The point that is seen at one pixel in each picture: the middle of the common perpendicular
+    /// of both rays.
     ///
     /// # Errors
     /// [`RigError`] where a pixel is not finite or the rays are parallel.
@@ -97,7 +107,7 @@ impl StereoRig {
         self.triangulate_point(0, left, right)
     }
 
-    /// The points that are seen at pairs of pixels.
+    /// The points that are seen at pairs of pixels: the middles of the common perpendiculars.
     ///
     /// # Errors
     /// [`RigError`] for pictures of different numbers of points, and for the first pair that does
@@ -117,6 +127,50 @@ impl StereoRig {
         pairs
             .map(|(point, (&a, &b))| self.triangulate_point(point, a, b))
             .collect()
+    }
+
+    /// The points that are seen at pairs of pixels by a method of your choice, of which
+    /// [`Method::Optimal`] has the least error in both pictures. For many calls with one rig,
+    /// [`TwoViews`] is prepared once.
+    ///
+    /// # Errors
+    /// [`RigError`] for pictures of different numbers of points, for cameras without a baseline,
+    /// and for the first pair that does not determine a point.
+    ///
+    /// ```
+    /// use ga_vision::camera::Intrinsics;
+    /// use ga_vision::rig::StereoRig;
+    /// use ga_vision::triangulation::Method;
+    /// let intrinsics = Intrinsics::new([800.0, 800.0], [320.0, 240.0])?;
+    /// let identity = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    /// let rig = StereoRig::from_matrices(intrinsics, intrinsics, identity, [-0.2, 0.0, 0.0])?;
+    /// // Errors of one pixel along v in opposite directions.
+    /// let points = rig.triangulate_by(Method::Optimal, &[[336.0, 241.0]], &[[320.0, 239.0]])?;
+    /// assert!((points.z[0] - 10.0).abs() < 1e-12 && points.y[0].abs() < 1e-12);
+    /// assert!((points.gap[0] - 0.025).abs() < 1e-5);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn triangulate_by(
+        &self,
+        method: Method,
+        left: &[[f64; 2]],
+        right: &[[f64; 2]],
+    ) -> Result<PointColumns, RigError> {
+        if left.len() != right.len() {
+            return Err(RigError::Counts {
+                left: left.len(),
+                right: right.len(),
+            });
+        }
+        let views = TwoViews::new(&self.left, &self.right)?;
+        let column = |pixels: &[[f64; 2]], axis: usize| -> Vec<f64> {
+            pixels.iter().map(|pixel| pixel[axis]).collect()
+        };
+        let columns = [left, right].map(|pixels| [column(pixels, 0), column(pixels, 1)]);
+        let [a, b] = columns.each_ref().map(|[u, v]| PixelColumns { u, v });
+        let mut points = PointColumns::default();
+        views.triangulate(method, a, b, &mut points)?;
+        Ok(points)
     }
 
     fn triangulate_point(

