@@ -11,38 +11,44 @@ pub(super) type Block = Lanes<f64, WIDTH>;
 /// Whether each number of a block passed.
 pub(super) type Passed = <Block as Real>::Mask;
 
+/// What is computed for each block. It is a trait, since closures cannot be `#[inline(always)]`,
+/// which loops for several sets of instructions need ([`ga_runtime::batch::Work`]).
+pub(super) trait Kernel<const N: usize, const M: usize> {
+    /// The results of a block, and which of them passed.
+    fn compute(&self, inputs: [Block; N]) -> ([Block; M], Passed);
+}
+
 /// Computes M columns from N columns of the same length. The last block is filled up with copies of
 /// the last element. Whether all results passed.
 #[inline(always)]
 pub(super) fn by_blocks<const N: usize, const M: usize>(
     inputs: [&[f64]; N],
     outputs: [&mut [f64]; M],
-    compute: impl Fn([Block; N]) -> ([Block; M], Passed),
+    kernel: &impl Kernel<N, M>,
 ) -> bool {
     let count = inputs.iter().map(|column| column.len()).min().unwrap_or(0);
     let blocks = count / WIDTH;
     let whole = inputs.map(|column| &column.as_chunks::<WIDTH>().0[..blocks]);
     let rest = inputs.map(|column| &column[blocks * WIDTH..count]);
+    let filled = rest.map(|column| {
+        let last = column.last().copied().unwrap_or(0.0);
+        std::array::from_fn(|lane| column.get(lane).copied().unwrap_or(last))
+    });
     let mut outputs = outputs.map(|column| column[..count].as_chunks_mut::<WIDTH>());
 
     let mut passed = Passed::splat(true);
-    for index in 0..blocks {
-        let (results, pass) = compute(whole.map(|column| Lanes::from_array(column[index])));
+    for index in 0..count.div_ceil(WIDTH) {
+        let block =
+            |column: usize| Lanes::from_array(*whole[column].get(index).unwrap_or(&filled[column]));
+        let (results, pass) = kernel.compute(std::array::from_fn(block));
         passed = passed & pass;
         for (column, result) in outputs.iter_mut().zip(results) {
-            column.0[index] = result.to_array();
-        }
-    }
-    if rest.first().is_some_and(|column| !column.is_empty()) {
-        let filled = rest.map(|column| {
-            let last = column.len() - 1;
-            Lanes::from_array(std::array::from_fn(|lane| column[lane.min(last)]))
-        });
-        let (results, pass) = compute(filled);
-        passed = passed & pass;
-        for (column, result) in outputs.iter_mut().zip(results) {
-            let length = column.1.len();
-            column.1.copy_from_slice(&result.as_array()[..length]);
+            if let Some(block) = column.0.get_mut(index) {
+                *block = result.to_array();
+            } else {
+                let length = column.1.len();
+                column.1.copy_from_slice(&result.as_array()[..length]);
+            }
         }
     }
     passed.all()

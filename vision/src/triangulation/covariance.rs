@@ -65,19 +65,18 @@ impl<S: Real> Sight<S> {
 #[inline(always)]
 pub(super) fn covariance<S: Real>(sights: &[Sight<S>; 2], point: Vector<S>, variance: S) -> [S; 6] {
     let [[a, b], [c, d]] = [sights[0].gradients(point), sights[1].gradients(point)];
-    let gradients = [a, b, c, d];
-    let sum = |entry: fn(Vector<S>) -> S| {
-        let [a, b, c, d] = gradients.map(entry);
-        (a + b) + (c + d)
-    };
-    let information = [
-        sum(|g| g.e1 * g.e1),
-        sum(|g| g.e1 * g.e2),
-        sum(|g| g.e1 * g.e3),
-        sum(|g| g.e2 * g.e2),
-        sum(|g| g.e2 * g.e3),
-        sum(|g| g.e3 * g.e3),
-    ];
+    let products = [a, b, c, d].map(|g| {
+        [
+            g.e1 * g.e1,
+            g.e1 * g.e2,
+            g.e1 * g.e3,
+            g.e2 * g.e2,
+            g.e2 * g.e3,
+            g.e3 * g.e3,
+        ]
+    });
+    let [a, b, c, d] = products;
+    let information = [0, 1, 2, 3, 4, 5].map(|k| (a[k] + b[k]) + (c[k] + d[k]));
     inverse(information, variance)
 }
 

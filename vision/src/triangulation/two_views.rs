@@ -6,7 +6,7 @@ use ga_runtime::scalar::{Lanes, Real};
 use ga_runtime::vga3::Vector;
 
 use super::TriangulationError;
-use super::blocks::{Block, Passed, by_blocks};
+use super::blocks::{Block, Kernel, Passed, by_blocks};
 use super::columns::{ColumnsError, CovarianceColumns, PixelColumns, PointColumns};
 use super::covariance::{Sight, covariance};
 use super::kernel::{Pair, Rays, mutual_moment};
@@ -239,9 +239,15 @@ impl TwoViews {
         left: PixelColumns<'_>,
         right: PixelColumns<'_>,
     ) -> ColumnsError {
+        let kernel = PointKernel {
+            method,
+            rays: self.rays,
+            epipolar: self.epipolar,
+            ratio: self.ratio,
+        };
         for point in 0..left.u.len() {
             let pixels = [left.get(point), right.get(point)];
-            let row = self.row(method, &self.rays, &self.epipolar, self.ratio, pixels);
+            let row = kernel.row(pixels);
             if !row.passed {
                 let error = if pixels.iter().flatten().all(|u| u.is_finite())
                     && row.sine.is_finite()
@@ -260,29 +266,42 @@ impl TwoViews {
             error: TriangulationError::NotFinite,
         }
     }
+}
 
+/// The part of the way from the left foot to the right one at which the errors in both pictures are
+/// least: `t⁻²/(s⁻² + t⁻²)` for depths s and t and equal focal lengths.
+#[inline(always)]
+fn share<S: Real>(pair: &Pair<S>, ratio: S) -> S {
+    let [s, t] = pair.depths;
+    let far = ratio * (s * s);
+    far / (far + t * t)
+}
+
+/// Two views over a scalar.
+struct PointKernel<S> {
+    method: Method,
+    rays: Rays<S>,
+    epipolar: Epipolar<S>,
+    /// The squared ratio of the focal lengths, right by left.
+    ratio: S,
+}
+
+impl<S: Real> PointKernel<S> {
     /// The point of one pair of pixels, or of several in lanes.
     #[inline(always)]
-    fn row<S: Real>(
-        &self,
-        method: Method,
-        rays: &Rays<S>,
-        epipolar: &Epipolar<S>,
-        ratio: S,
-        [left, right]: [[S; 2]; 2],
-    ) -> Row<S> {
-        let measured = rays.pair(left, right);
+    fn row(&self, [left, right]: [[S; 2]; 2]) -> Row<S> {
+        let measured = self.rays.pair(left, right);
         let [sine, cosine] = measured.sine_and_cosine();
         let gap = measured.gap();
-        let (pair, part) = match method {
+        let (pair, part) = match self.method {
             Method::Midpoint => (measured, S::from_ratio(1, 2)),
-            Method::DepthWeighted => (measured, share(&measured, ratio)),
+            Method::DepthWeighted => (measured, share(&measured, self.ratio)),
             Method::Optimal => {
-                let [left, right] = epipolar.nearest(left, right);
-                (rays.pair(left, right), S::from_ratio(1, 2))
+                let [left, right] = self.epipolar.nearest(left, right);
+                (self.rays.pair(left, right), S::from_ratio(1, 2))
             }
         };
-        let position = Vector::from(rays.point(&pair, part));
+        let position = Vector::from(self.rays.point(&pair, part));
         let [x, y, z] = position.coordinates();
         let largest = x.abs() + y.abs() + z.abs() + gap + pair.depths[0] + pair.depths[1];
         Row {
@@ -296,13 +315,14 @@ impl TwoViews {
     }
 }
 
-/// The part of the way from the left foot to the right one at which the errors in both pictures are
-/// least: `t⁻²/(s⁻² + t⁻²)` for depths s and t and equal focal lengths.
-#[inline(always)]
-fn share<S: Real>(pair: &Pair<S>, ratio: S) -> S {
-    let [s, t] = pair.depths;
-    let far = ratio * (s * s);
-    far / (far + t * t)
+impl Kernel<4, 7> for PointKernel<Block> {
+    #[inline(always)]
+    fn compute(&self, [u, v, x, y]: [Block; 4]) -> ([Block; 7], Passed) {
+        let row = self.row([[u, v], [x, y]]);
+        let [x, y, z] = row.position.coordinates();
+        let [s, t] = row.depths;
+        ([x, y, z, row.gap, row.angle, s, t], row.passed)
+    }
 }
 
 /// A point with what belongs to it.
@@ -349,18 +369,13 @@ struct Points<'a> {
 impl Points<'_> {
     #[inline(always)]
     fn by(self, method: Method) {
-        let rays = self.views.rays.map(Lanes::splat);
-        let epipolar = self.views.epipolar.map(Lanes::splat);
-        let ratio: Block = Lanes::splat(self.views.ratio);
-        let outputs = self.points.slices();
-        *self.passed = by_blocks(self.inputs, outputs, |[u, v, x, y]| {
-            let row = self
-                .views
-                .row(method, &rays, &epipolar, ratio, [[u, v], [x, y]]);
-            let [x, y, z] = row.position.coordinates();
-            let [s, t] = row.depths;
-            ([x, y, z, row.gap, row.angle, s, t], row.passed)
-        });
+        let kernel = PointKernel {
+            method,
+            rays: self.views.rays.map(Lanes::splat),
+            epipolar: self.views.epipolar.map(Lanes::splat),
+            ratio: Lanes::splat(self.views.ratio),
+        };
+        *self.passed = by_blocks(self.inputs, self.points.slices(), &kernel);
     }
 }
 
@@ -385,17 +400,30 @@ struct Covariances<'a> {
     passed: &'a mut bool,
 }
 
+/// Both cameras over lanes.
+struct CovarianceKernel {
+    sights: [Sight<Block>; 2],
+    variance: Block,
+}
+
+impl Kernel<3, 6> for CovarianceKernel {
+    #[inline(always)]
+    fn compute(&self, [x, y, z]: [Block; 3]) -> ([Block; 6], Passed) {
+        let entries = covariance(&self.sights, Vector::new(x, y, z), self.variance);
+        let passed = (entries[0] + entries[3] + entries[5]).is_finite();
+        (entries, passed)
+    }
+}
+
 impl Work for Covariances<'_> {
     #[inline(always)]
     fn run(self) {
         let [left, right] = &self.views.sights;
-        let sights: [Sight<Block>; 2] = [left.map(Lanes::splat), right.map(Lanes::splat)];
-        let variance = Lanes::splat(self.variance);
+        let kernel = CovarianceKernel {
+            sights: [left.map(Lanes::splat), right.map(Lanes::splat)],
+            variance: Lanes::splat(self.variance),
+        };
         let inputs = [&*self.points.x, &self.points.y, &self.points.z];
-        *self.passed = by_blocks(inputs, self.covariances.slices(), |[x, y, z]| {
-            let entries = covariance(&sights, Vector::new(x, y, z), variance);
-            let passed: Passed = (entries[0] + entries[3] + entries[5]).is_finite();
-            (entries, passed)
-        });
+        *self.passed = by_blocks(inputs, self.covariances.slices(), &kernel);
     }
 }
