@@ -2,7 +2,7 @@
 
 use ga_runtime::cga3::Motor;
 
-use crate::camera::{Camera, CameraError, Intrinsics};
+use crate::camera::{Camera, CameraError, Intrinsics, Lens};
 use crate::triangulation::{
     ColumnsError, Method, PixelColumns, PointColumns, Triangulation, TriangulationError, TwoViews,
     triangulate,
@@ -130,8 +130,8 @@ impl StereoRig {
     }
 
     /// The points that are seen at pairs of pixels by a method of your choice, of which
-    /// [`Method::Optimal`] has the least error in both pictures. For many calls with one rig,
-    /// [`TwoViews`] is prepared once.
+    /// [`Method::Optimal`] has the least error in both pictures, taken without the distortion of the
+    /// lenses. For many calls with one rig, [`TwoViews`] is prepared once.
     ///
     /// # Errors
     /// [`RigError`] for pictures of different numbers of points, for cameras without a baseline,
@@ -162,11 +162,15 @@ impl StereoRig {
                 right: right.len(),
             });
         }
-        let views = TwoViews::new(&self.left, &self.right)?;
-        let column = |pixels: &[[f64; 2]], axis: usize| -> Vec<f64> {
-            pixels.iter().map(|pixel| pixel[axis]).collect()
-        };
-        let columns = [left, right].map(|pixels| [column(pixels, 0), column(pixels, 1)]);
+        let [first, second] = [self.left, self.right].map(|camera| Camera {
+            intrinsics: camera.intrinsics.with_lens(Lens::Pinhole),
+            ..camera
+        });
+        let views = TwoViews::new(&first, &second)?;
+        let columns = [
+            undistorted(&self.left, left)?,
+            undistorted(&self.right, right)?,
+        ];
         let [a, b] = columns.each_ref().map(|[u, v]| PixelColumns { u, v });
         let mut points = PointColumns::default();
         views.triangulate(method, a, b, &mut points)?;
@@ -184,4 +188,16 @@ impl StereoRig {
         let second = self.right.ray(right).map_err(no_ray)?;
         triangulate(first, second).map_err(|error| RigError::Triangulation { point, error })
     }
+}
+
+/// The pixels at which a pinhole would see what a camera sees, in columns.
+fn undistorted(camera: &Camera, pixels: &[[f64; 2]]) -> Result<[Vec<f64>; 2], RigError> {
+    let (mut u, mut v) = (Vec::new(), Vec::new());
+    for (point, pixel) in pixels.iter().enumerate() {
+        let pixel = camera.intrinsics.undistort(*pixel);
+        let [column, row] = pixel.map_err(|error| RigError::Camera { point, error })?;
+        u.push(column);
+        v.push(row);
+    }
+    Ok([u, v])
 }

@@ -41,7 +41,7 @@ const PARALLEL: f64 = 32.0 * f64::EPSILON;
 ///
 /// # Errors
 /// [`TriangulationError`] for fewer than two views, another number of pixels than of cameras, a
-/// pixel that is not finite, rays that are all parallel, a point behind a camera, and where no
+/// pixel that is not finite or outside the field of a lens, rays that are all parallel, a point behind a camera, and where no
 /// least sum was found.
 ///
 /// ```
@@ -74,8 +74,8 @@ pub fn triangulate_views(
 
     let mut gap: f64 = 0.0;
     let mut depth = f64::INFINITY;
-    for (camera, pixel) in views() {
-        let ray = ray_of(camera, *pixel)?;
+    for (view, (camera, pixel)) in views().enumerate() {
+        let ray = ray_of(view, camera, *pixel)?;
         let origin = Vector::from(ray.origin());
         let direction = Vector::from(ray.direction());
         gap = gap.max((point - origin).cross(direction).length());
@@ -112,14 +112,17 @@ fn check(cameras: &[Camera], pixels: &[[f64; 2]]) -> Result<(), TriangulationErr
     Ok(())
 }
 
-fn ray_of(camera: &Camera, pixel: [f64; 2]) -> Result<Ray<f64>, TriangulationError> {
-    camera.ray(pixel).map_err(|_| TriangulationError::NotFinite)
+fn ray_of(view: usize, camera: &Camera, pixel: [f64; 2]) -> Result<Ray<f64>, TriangulationError> {
+    let ray = camera.ray(pixel);
+    ray.map_err(|error| TriangulationError::of_view(view, error))
 }
 
 /// The largest angle between two rays.
 fn largest_angle(cameras: &[Camera], pixels: &[[f64; 2]]) -> Result<f64, TriangulationError> {
     let direction = |index: usize| -> Result<Vector<f64>, TriangulationError> {
-        Ok(ray_of(&cameras[index], pixels[index])?.direction().into())
+        Ok(ray_of(index, &cameras[index], pixels[index])?
+            .direction()
+            .into())
     };
     let (mut largest, mut largest_sine): (f64, f64) = (0.0, 0.0);
     for first in 0..cameras.len() {
@@ -144,8 +147,8 @@ fn nearest<'a>(
     near: Option<Vector<f64>>,
 ) -> Result<Vector<f64>, TriangulationError> {
     let (mut matrix, mut right) = (Matrix3::zeros(), Vector3::zeros());
-    for (camera, pixel) in views {
-        let ray = ray_of(camera, *pixel)?;
+    for (view, (camera, pixel)) in views.enumerate() {
+        let ray = ray_of(view, camera, *pixel)?;
         let direction = column(ray.direction().into());
         let weight = near.map_or(1.0, |near| {
             let [fx, fy] = camera.intrinsics.focal();
@@ -186,23 +189,11 @@ impl Normal {
     ) -> Result<Self, TriangulationError> {
         let (mut cost, mut matrix, mut gradient) = (0.0, Matrix3::zeros(), Vector3::zeros());
         for (view, (camera, pixel)) in views.enumerate() {
-            let [x, y, depth] = camera
-                .world_to_camera
-                .transform(Point::from(point))
-                .coordinates();
-            if depth.is_nan() || depth <= 0.0 {
-                return Err(TriangulationError::Behind { view, depth });
-            }
-            let (focal, principal) = (camera.intrinsics.focal(), camera.intrinsics.principal());
-            let to_world = camera.world_to_camera.reverse().rotor();
-            let slopes = [[depth, 0.0, -x], [0.0, depth, -y]];
-            for (axis, ((slope, tangent), pixel)) in
-                slopes.into_iter().zip([x, y]).zip(pixel).enumerate()
-            {
-                let scale = focal[axis] / (depth * depth);
-                let in_world = Vector::from(to_world.transform(Point::from(slope)));
-                let row = column(in_world) * scale;
-                let error = focal[axis] * (tangent / depth) + principal[axis] - pixel;
+            let seen = camera.project_with_derivatives(point.into());
+            let seen = seen.map_err(|error| TriangulationError::of_view(view, error))?;
+            for ((slope, found), pixel) in seen.by_point.into_iter().zip(seen.pixel).zip(pixel) {
+                let row = Vector3::from(slope);
+                let error = found - pixel;
                 cost += error * error;
                 matrix += row * row.transpose();
                 gradient += row * error;

@@ -37,6 +37,8 @@ pub use many_views::{ManyViewsPoint, triangulate_views};
 pub use two_rays::{Triangulation, triangulate};
 pub use two_views::{Method, TwoViews};
 
+use crate::camera::CameraError;
+
 /// Why rays do not determine a point.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum TriangulationError {
@@ -72,6 +74,20 @@ pub enum TriangulationError {
         /// How many pixels there are.
         pixels: usize,
     },
+    /// A camera does not see the point, or has no ray of the pixel.
+    #[error("view {view}: {error}")]
+    Camera {
+        /// Which view, from 0.
+        view: usize,
+        /// What is wrong.
+        error: CameraError,
+    },
+    /// A lens is not a pinhole where one is needed.
+    #[error("the lens of view {view} is distorted: its pixels are undistorted first")]
+    Distorted {
+        /// Which view, from 0.
+        view: usize,
+    },
     /// The centres of two cameras coincide.
     #[error("the centres of the cameras coincide: without a baseline there is no parallax")]
     NoBaseline,
@@ -81,4 +97,14 @@ pub enum TriangulationError {
         /// How many steps were taken.
         steps: usize,
     },
+}
+
+impl TriangulationError {
+    /// The error of a camera among several.
+    fn of_view(view: usize, error: CameraError) -> Self {
+        match error {
+            CameraError::Behind { depth, .. } => Self::Behind { view, depth },
+            error => Self::Camera { view, error },
+        }
+    }
 }

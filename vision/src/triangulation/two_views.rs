@@ -11,7 +11,9 @@ use super::columns::{ColumnsError, CovarianceColumns, PixelColumns, PointColumns
 use super::covariance::{Sight, covariance};
 use super::kernel::{Pair, Rays, mutual_moment};
 use super::optimal::Epipolar;
-use crate::camera::Camera;
+#[cfg(doc)]
+use crate::camera::Intrinsics;
+use crate::camera::{Camera, Lens};
 
 /// Which point two rays determine that do not meet.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -79,8 +81,15 @@ impl TwoViews {
     ///
     /// # Errors
     /// [`TriangulationError::NoBaseline`] where the centres of the cameras coincide up to rounding,
-    /// [`TriangulationError::NotFinite`] where a pose is not finite.
+    /// [`TriangulationError::NotFinite`] where a pose is not finite, and
+    /// [`TriangulationError::Distorted`] for a lens with distortion: its pixels are
+    /// [undistorted](Intrinsics::undistort) first, and then those of a pinhole.
     pub fn new(left: &Camera, right: &Camera) -> Result<Self, TriangulationError> {
+        for (view, camera) in [left, right].into_iter().enumerate() {
+            if camera.intrinsics.lens() != Lens::Pinhole {
+                return Err(TriangulationError::Distorted { view });
+            }
+        }
         let centres = [left.centre(), right.centre()];
         let baseline = centres[0].distance(centres[1]);
         let size: f64 = centres

@@ -481,3 +481,27 @@ fn faulty_pairs_are_named_by_index() {
         }
     );
 }
+
+/// Pixels behind distorted lenses are undistorted first, and no camera of columns takes them raw.
+#[test]
+fn distorted_lenses_are_seen_through() {
+    use ga_vision::camera::RadialTangential;
+    let lens = RadialTangential::new(&[-0.2, 0.05, 1e-3, -5e-4]).unwrap();
+    let mut rig = side_by_side();
+    rig.right.intrinsics = rig.right.intrinsics.with_lens(lens);
+    let point = Point::new(0.7, -0.4, 3.0);
+    let (left, right) = (
+        rig.left.project(point).unwrap(),
+        rig.right.project(point).unwrap(),
+    );
+    let points = rig
+        .triangulate_by(Method::Optimal, &[left], &[right])
+        .unwrap();
+    assert!(points.get(0).unwrap().position.distance(point) < 1e-12);
+    assert_eq!(
+        TwoViews::new(&rig.left, &rig.right).unwrap_err(),
+        TriangulationError::Distorted { view: 1 }
+    );
+    let many = triangulate_views(&[rig.left, rig.right], &[left, right]).unwrap();
+    assert!(many.position.distance(point) < 1e-12);
+}
