@@ -4,6 +4,8 @@
 //!
 //! - [`camera`]: cameras with lenses; the pixel of a point, and the [ray] of a pixel.
 //! - [`frame`]: frames of reference in types.
+//! - [`chessboard`]: the inner corners of chessboards in pictures.
+//! - [`homography`](mod@homography): maps between a plane and its picture.
 //! - [`rig`]: two cameras and the motor between them.
 //! - [`matcher`]: the disparity of every pixel of a rectified pair.
 //! - [`triangulation`]: the point where two rays come closest.
@@ -44,9 +46,11 @@
 //! ```
 
 pub mod camera;
+pub mod chessboard;
 pub mod disparity;
 pub mod feature;
 pub mod frame;
+pub mod homography;
 pub mod least_squares;
 pub mod matcher;
 pub mod observation;

@@ -1,6 +1,7 @@
 //! Triangulation against independent vectors and against scenes that are known.
 
 mod camera;
+mod chessboard;
 mod dense;
 mod disparity;
 mod least_squares;

@@ -1,0 +1,281 @@
+//! Chessboards in pictures: the inner corners of the squares, to a small part of a pixel.
+//!
+//! [`find`] takes the saddle points of the brightness, in several sizes of the picture, and lets
+//! grids grow from one to the next along the edges that cross there. A neighbour must lie on the
+//! edge, and its bright and dark quadrants must be exchanged. A grid that is complete is a board,
+//! and its corners are refined in the picture itself, to where the gradients around them meet at
+//! right angles.
+
+mod grid;
+mod margin;
+mod refinement;
+mod saddle;
+
+use std::borrow::Cow;
+use std::fmt;
+use std::str::FromStr;
+
+use ga_image::filter::SigmaError;
+use ga_image::plane::{Plane, PlaneView};
+use ga_image::pyramid::halved;
+use ga_image::sample::Sample;
+use ga_runtime::cga3::Point;
+use ga_runtime::vga2::Vector;
+
+use refinement::Gradient;
+
+/// How many inner corners a chessboard has: 9 × 6 for one of 10 × 7 squares.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct BoardSize {
+    columns: usize,
+    rows: usize,
+}
+
+/// The inner corners of a chessboard in a picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chessboard {
+    size: BoardSize,
+    corners: Vec<[f64; 2]>,
+}
+
+/// Why no chessboard was found.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ChessboardError {
+    /// The board is too small to be told from other textures, or larger than any.
+    #[error("a board of {columns} × {rows} inner corners: each count must be from 3 to 100")]
+    Size {
+        /// Corners in a row.
+        columns: usize,
+        /// Rows.
+        rows: usize,
+    },
+    /// A text is not a size such as `9x6`.
+    #[error("{0:?} is not a number of inner corners such as 9x6")]
+    Text(String),
+    /// The picture shows no complete board of the size.
+    #[error(
+        "board not found: no complete grid of {size} inner corners; \
+         the largest grid has {corners} corners within {} columns and {} rows",
+        extent[0], extent[1]
+    )]
+    NotFound {
+        /// The wanted size.
+        size: BoardSize,
+        /// How many corners the largest grid has, 0 where there is none.
+        corners: usize,
+        /// Columns and rows of the smallest rectangle that contains this grid.
+        extent: [usize; 2],
+    },
+    /// The blur of a picture failed.
+    #[error(transparent)]
+    Blur(#[from] SigmaError),
+}
+
+impl BoardSize {
+    const LEAST: usize = 3;
+    const GREATEST: usize = 100;
+
+    /// A size from the number of inner corners in a row and of rows.
+    ///
+    /// # Errors
+    /// [`ChessboardError::Size`] where one of them is below 3 or above 100.
+    pub fn new(columns: usize, rows: usize) -> Result<Self, ChessboardError> {
+        let is_possible = |count: usize| (Self::LEAST..=Self::GREATEST).contains(&count);
+        match is_possible(columns) && is_possible(rows) {
+            true => Ok(Self { columns, rows }),
+            false => Err(ChessboardError::Size { columns, rows }),
+        }
+    }
+
+    /// Inner corners in a row.
+    #[must_use]
+    pub fn columns(self) -> usize {
+        self.columns
+    }
+
+    /// Rows of inner corners.
+    #[must_use]
+    pub fn rows(self) -> usize {
+        self.rows
+    }
+
+    /// All inner corners.
+    #[must_use]
+    pub fn count(self) -> usize {
+        self.columns * self.rows
+    }
+
+    /// The places of the corners on a board with squares of the given side: in the plane z = 0,
+    /// from the origin along x, then along y.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::Point;
+    /// use ga_vision::chessboard::BoardSize;
+    ///
+    /// let places = "9x6".parse::<BoardSize>()?.places(0.025);
+    /// assert_eq!(places.len(), 54);
+    /// assert_eq!(places[9 + 2], Point::new(0.05, 0.025, 0.0));
+    /// # Ok::<(), ga_vision::chessboard::ChessboardError>(())
+    /// ```
+    #[must_use]
+    pub fn places(self, square: f64) -> Vec<Point<f64>> {
+        let place = |index: usize| {
+            let (column, row) = (index % self.columns, index / self.columns);
+            Point::new(column as f64 * square, row as f64 * square, 0.0)
+        };
+        (0..self.count()).map(place).collect()
+    }
+}
+
+impl fmt::Display for BoardSize {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "{} × {}", self.columns, self.rows)
+    }
+}
+
+impl FromStr for BoardSize {
+    type Err = ChessboardError;
+
+    fn from_str(text: &str) -> Result<Self, ChessboardError> {
+        let wrong = || ChessboardError::Text(text.to_owned());
+        let (columns, rows) = text.split_once('x').ok_or_else(wrong)?;
+        let number = |text: &str| text.trim().parse().map_err(|_| wrong());
+        Self::new(number(columns)?, number(rows)?)
+    }
+}
+
+impl Chessboard {
+    /// The number of inner corners.
+    #[must_use]
+    pub fn size(&self) -> BoardSize {
+        self.size
+    }
+
+    /// The pixels of the inner corners, row by row.
+    ///
+    /// Rows follow columns clockwise in the picture, and the square between the first corner and
+    /// its diagonal neighbour is dark, as OpenCV orders them. Where several corners of the board
+    /// may be the first in this sense, it is the one nearest to the top left.
+    #[must_use]
+    pub fn corners(&self) -> &[[f64; 2]] {
+        &self.corners
+    }
+
+    /// The same board in the one of its possible orders that is most like that of another view from
+    /// about the same direction.
+    ///
+    /// A board with an odd number of columns + rows begins at one corner only. Others look the same
+    /// after half a turn, or a quarter of one, and two views of them may begin at different corners.
+    #[must_use]
+    pub fn ordered_like(&self, other: &Self) -> Self {
+        let BoardSize { columns, rows } = self.size;
+        let index = |column: usize, row: usize| row * columns + column;
+        let (right, bottom) = (columns - 1, rows - 1);
+        let rotated = |from: &dyn Fn(usize, usize) -> usize| -> Vec<[f64; 2]> {
+            let places = (0..self.corners.len()).map(|k| from(k % columns, k / columns));
+            places.map(|k| self.corners[k]).collect()
+        };
+        let mut orders = vec![self.corners.clone()];
+        if (columns + rows).is_multiple_of(2) {
+            orders.push(rotated(&|column, row| index(right - column, bottom - row)));
+        }
+        if columns == rows && columns.is_multiple_of(2) {
+            orders.push(rotated(&|column, row| index(right - row, column)));
+            orders.push(rotated(&|column, row| index(row, bottom - column)));
+        }
+        let difference = |order: &Vec<[f64; 2]>| -> f64 {
+            let pairs = || order.iter().zip(&other.corners);
+            let count = order.len() as f64;
+            let between = |k: usize| pairs().map(move |(a, b)| a[k] - b[k]);
+            let mean = [0, 1].map(|k| between(k).sum::<f64>() / count);
+            let squares = |k: usize| between(k).map(|d| (d - mean[k]).powi(2)).sum::<f64>();
+            squares(0) + squares(1)
+        };
+        let best = orders
+            .into_iter()
+            .min_by(|a, b| difference(a).total_cmp(&difference(b)));
+        Self {
+            size: self.size,
+            corners: best.unwrap_or_default(),
+        }
+    }
+}
+
+/// The inner corners of a chessboard in a grey picture. Other things in the picture do not matter,
+/// nor does its brightness. Squares should be 8 pixels wide or wider.
+///
+/// ```
+/// use ga_image::plane::Plane;
+/// use ga_vision::chessboard::{BoardSize, find};
+///
+/// // Squares of 20 pixels, from (40, 30) on: the edges are half a pixel before pixel centres.
+/// let picture = Plane::from_fn(240, 200, |column: usize, row: usize| {
+///     let inside = (40..180).contains(&column) && (30..130).contains(&row);
+///     let dark = inside && ((column - 40) / 20 + (row - 30) / 20) % 2 == 0;
+///     if dark { 20u8 } else { 230 }
+/// });
+/// let board = find(&picture, BoardSize::new(6, 4)?)?;
+/// let [u, v] = board.corners()[0];
+/// assert!((u - 59.5).abs() < 1e-3 && (v - 49.5).abs() < 1e-3);
+/// assert!(find(&picture, BoardSize::new(7, 4)?).is_err());
+/// # Ok::<(), ga_vision::chessboard::ChessboardError>(())
+/// ```
+///
+/// # Errors
+///
+/// [`ChessboardError::NotFound`] where no complete board of this size is seen, or a larger one in
+/// which it could lie in several places.
+pub fn find<'a, T: Sample>(
+    picture: impl Into<PlaneView<'a, T>>,
+    size: BoardSize,
+) -> Result<Chessboard, ChessboardError> {
+    /// Where the longer side of a picture is within this, it is not made smaller at first.
+    const FIRST_SIDE: usize = 1000;
+    /// The least of the shorter side of a picture that is made smaller.
+    const LEAST_SIDE: usize = 80;
+    let picture = picture.into().map(Sample::to_unit);
+    let mut levels = vec![Cow::Borrowed(&picture)];
+    let side = |level: &Plane<f32>| level.width().max(level.height());
+    while let Some(last) = levels.last()
+        && last.width().min(last.height()) >= 2 * LEAST_SIDE
+    {
+        let next = halved(last.as_ref());
+        levels.push(Cow::Owned(next));
+    }
+    let first = levels.iter().position(|level| side(level) <= FIRST_SIDE);
+    let first = first.unwrap_or(levels.len() - 1);
+    let order = (0..=first).rev().chain(first + 1..levels.len());
+    let mut gradient = None;
+    let mut largest = (0, [0, 0]);
+    for level in order {
+        let saddles = saddle::saddles(&levels[level])?;
+        for grid in grid::grids(&saddles) {
+            if grid.corner_count() > largest.0 {
+                largest = (grid.corner_count(), grid.extent());
+            }
+            // The centre of a pixel of a halved picture is that of a pixel of the picture.
+            let scale = f64::from(1_u32 << level);
+            for corners in grid.boards(size) {
+                let corners: Vec<Vector<f64>> =
+                    corners.iter().map(|&place| place * scale).collect();
+                let gradient = match &mut gradient {
+                    Some(gradient) => gradient,
+                    none => none.insert(Gradient::new(&picture)?),
+                };
+                let Some(corners) = gradient.refine(&corners, size) else {
+                    continue;
+                };
+                let corners: Vec<[f64; 2]> = corners.into_iter().map(Vector::coordinates).collect();
+                if margin::is_whole_board(&picture, &corners, size) {
+                    return Ok(Chessboard { size, corners });
+                }
+            }
+        }
+    }
+    let (corners, extent) = largest;
+    Err(ChessboardError::NotFound {
+        size,
+        corners,
+        extent,
+    })
+}

@@ -1,0 +1,137 @@
+//! Homographies: maps between a plane and its picture.
+
+use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
+use ga_runtime::vga3::Vector;
+use nalgebra_035::{DMatrix, Matrix3};
+
+/// A map from a plane to a picture, `λ (u, v, 1) = H (x, y, 1)`, scaled to a sum of squares of 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Homography {
+    matrix: Matrix3<f64>,
+}
+
+impl Homography {
+    /// The homography that takes places of the plane to places of a picture, by the direct linear
+    /// transformation with normalised coordinates (R. Hartley and A. Zisserman, "Multiple View
+    /// Geometry in Computer Vision", algorithm 4.2).
+    ///
+    /// `None` for fewer than four pairs, for places or pixels on one line, and where numbers are not finite.
+    ///
+    /// ```
+    /// use ga_vision::homography::Homography;
+    ///
+    /// let places = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
+    /// let pixels = places.map(|[x, y]| [(100.0 * x + 7.0) / (1.0 + 0.2 * y), 50.0 * y]);
+    /// let homography = Homography::from_pairs(&places, &pixels).ok_or("on one line")?;
+    /// let [u, v] = homography.apply([1.0, 0.0]).ok_or("at infinity")?;
+    /// assert!((u - 107.0).abs() < 1e-12 && v.abs() < 1e-12);
+    /// # Ok::<(), &str>(())
+    /// ```
+    #[must_use]
+    pub fn from_pairs(places: &[[f64; 2]], pixels: &[[f64; 2]]) -> Option<Self> {
+        /// The least ratio of the smallest singular value that must not vanish to the greatest.
+        const LEAST_RATIO: f64 = 1e-9;
+        let count = places.len();
+        if count < 4 || pixels.len() != count {
+            return None;
+        }
+        let [from, to] = [normalisation(places)?, normalisation(pixels)?];
+        // Nine rows at least, so that the decomposition has nine singular vectors.
+        let mut equations = DMatrix::zeros((2 * count).max(9), 9);
+        for (index, (place, pixel)) in places.iter().zip(pixels).enumerate() {
+            let [x, y] = normalised(&from, *place);
+            let [u, v] = normalised(&to, *pixel);
+            let rows = [
+                [x, y, 1.0, 0.0, 0.0, 0.0, -u * x, -u * y, -u],
+                [0.0, 0.0, 0.0, x, y, 1.0, -v * x, -v * y, -v],
+            ];
+            for (k, row) in rows.iter().enumerate() {
+                for (column, value) in row.iter().enumerate() {
+                    equations[(2 * index + k, column)] = *value;
+                }
+            }
+        }
+        let decomposition = equations.try_svd(false, true, f64::EPSILON, 200)?;
+        let values = &decomposition.singular_values;
+        let mut order: Vec<usize> = (0..9).collect();
+        order.sort_by(|a, b| values[*a].total_cmp(&values[*b]));
+        if !(values[order[1]] > LEAST_RATIO * values[order[8]]) {
+            return None;
+        }
+        let solution = decomposition.v_t?;
+        let solution = solution.row(order[0]);
+        let matrix = Matrix3::from_fn(|row, column| solution[3 * row + column]);
+        // Pixels on one line are the image of a plane through the camera's centre.
+        let values = matrix.singular_values();
+        if !(values.min() > LEAST_RATIO * values.max()) {
+            return None;
+        }
+        let matrix = to.try_inverse()? * matrix * from;
+        let matrix = matrix / matrix.norm();
+        matrix
+            .iter()
+            .all(|x| x.is_finite())
+            .then_some(Self { matrix })
+    }
+
+    /// The place in the picture of a place of the plane; `None` at infinity.
+    #[must_use]
+    pub fn apply(&self, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
+        let image = self.matrix * nalgebra_035::Vector3::new(x, y, 1.0);
+        let pixel = [image.x / image.z, image.y / image.z];
+        pixel.iter().all(|u| u.is_finite()).then_some(pixel)
+    }
+
+    /// The column of the matrix with an index below 3.
+    pub(crate) fn column(&self, column: usize) -> Vector<f64> {
+        Vector::from([0, 1, 2].map(|row| self.matrix[(row, column)]))
+    }
+
+    /// The motor that takes the plane z = 0 into the frame of a camera that sees it by this
+    /// homography at focal length 1: the columns are the images of e1, e2 and the origin, up to a
+    /// factor that makes the first two as long as they are. The rotation is the one that fits them
+    /// best. `None` where the plane contains the camera's centre.
+    pub(crate) fn motion(&self) -> Option<Motor<f64>> {
+        let [first, second, origin] = [0, 1, 2].map(|column| self.column(column));
+        let length = (first.length() * second.length()).sqrt();
+        // The board is in front of the camera.
+        let scale = (1.0 / length).copysign(origin.e3);
+        let [first, second, origin] = [first * scale, second * scale, origin * scale];
+        let normal = first.cross(second);
+        let pairs = [
+            ([1.0, 0.0, 0.0], first.coordinates()),
+            ([0.0, 1.0, 0.0], second.coordinates()),
+            ([0.0, 0.0, 1.0], normal.coordinates()),
+        ];
+        let rotor = Rotor::from_direction_pairs(&pairs).ok()?.motion;
+        Some(Translator::from_displacement(origin.coordinates()) * rotor)
+    }
+}
+
+/// The similarity that takes the centroid of places to the origin and makes their root mean square
+/// distance √2.
+fn normalisation(places: &[[f64; 2]]) -> Option<Matrix3<f64>> {
+    let count = places.len() as f64;
+    let mean = [0, 1].map(|k| places.iter().map(|place| place[k]).sum::<f64>() / count);
+    let squares = places.iter().map(|place| {
+        let [x, y] = [place[0] - mean[0], place[1] - mean[1]];
+        x * x + y * y
+    });
+    let scale = (2.0 * count / squares.sum::<f64>()).sqrt();
+    let [x, y] = mean.map(|x| -scale * x);
+    let is_finite = scale.is_finite() && x.is_finite() && y.is_finite();
+    is_finite.then(|| Matrix3::new(scale, 0.0, x, 0.0, scale, y, 0.0, 0.0, 1.0))
+}
+
+fn normalised(similarity: &Matrix3<f64>, place: [f64; 2]) -> [f64; 2] {
+    [0, 1].map(|k| similarity[(k, k)] * place[k] + similarity[(k, 2)])
+}
+
+/// The places of a plane z = 0.
+pub(crate) fn in_plane(places: &[Point<f64>]) -> Vec<[f64; 2]> {
+    let flat = places.iter().map(|place| {
+        let [x, y, _] = place.coordinates();
+        [x, y]
+    });
+    flat.collect()
+}

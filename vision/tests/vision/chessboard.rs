@@ -1,0 +1,363 @@
+//! Chessboards in photographs against OpenCV, and in rendered pictures against the truth.
+
+use ga_image::filter::{Border, Gaussian};
+use ga_image::grey::Luma;
+use ga_image::plane::Plane;
+use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
+use ga_vision::chessboard::{BoardSize, ChessboardError, find};
+use nullcone_shared_data::shared;
+use proptest::prelude::*;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+use rand_distr::{Distribution, Normal};
+use serde_json::Value;
+
+/// A chessboard before a camera with radial distortion.
+#[derive(Clone, Debug)]
+pub(crate) struct Scene {
+    pub(crate) size: BoardSize,
+    pub(crate) board_to_camera: Motor<f64>,
+    pub(crate) focal: f64,
+    pub(crate) radial: [f64; 2],
+    /// The brightness of dark and bright squares, of 1.
+    pub(crate) brightness: [f64; 2],
+    /// The standard deviations of the blur in pixels and of the noise in brightness.
+    pub(crate) blur: f64,
+    pub(crate) noise: f64,
+}
+
+pub(crate) const WIDTH: usize = 480;
+pub(crate) const HEIGHT: usize = 360;
+
+impl Scene {
+    fn distorted(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let squared = x * x + y * y;
+        let factor = 1.0 + squared * (self.radial[0] + squared * self.radial[1]);
+        [x * factor, y * factor]
+    }
+
+    /// The pixels of the corners.
+    pub(crate) fn truth(&self) -> Vec<[f64; 2]> {
+        let centre = [0.5 * (WIDTH as f64 - 1.0), 0.5 * (HEIGHT as f64 - 1.0)];
+        let pixel = |place: &Point<f64>| {
+            let [x, y, z] = self.board_to_camera.transform(*place).coordinates();
+            let image = self.distorted([x / z, y / z]);
+            [0, 1].map(|k| self.focal * image[k] + centre[k])
+        };
+        self.size.places(1.0).iter().map(pixel).collect()
+    }
+
+    /// The place on the board that a place of the picture shows, in squares. The board's plane is
+    /// in front of the camera everywhere in the picture.
+    fn on_board(&self, place: [f64; 2]) -> [f64; 2] {
+        let centre = [0.5 * (WIDTH as f64 - 1.0), 0.5 * (HEIGHT as f64 - 1.0)];
+        let goal = [0, 1].map(|k| (place[k] - centre[k]) / self.focal);
+        let mut image = goal;
+        for _ in 0..12 {
+            let found = self.distorted(image);
+            image = [0, 1].map(|k| image[k] + goal[k] - found[k]);
+        }
+        let camera_to_board = self.board_to_camera.reverse();
+        let origin = camera_to_board.transform(Point::default()).coordinates();
+        let through = camera_to_board.transform(Point::new(image[0], image[1], 1.0));
+        let through = through.coordinates();
+        let depth = origin[2] / (origin[2] - through[2]);
+        [0, 1].map(|k| origin[k] + depth * (through[k] - origin[k]))
+    }
+
+    /// The brightness of a place on the board, with one square beyond the corners on each side, a
+    /// bright margin around them, and grey beyond.
+    fn brightness_of(&self, [x, y]: [f64; 2]) -> f64 {
+        let (columns, rows) = (self.size.columns() as f64, self.size.rows() as f64);
+        let is_on = |x: f64, count: f64| (-1.0..count).contains(&x);
+        let is_paper = |x: f64, count: f64| (-1.7..count + 0.7).contains(&x);
+        if !(is_paper(x, columns) && is_paper(y, rows)) {
+            return 0.5 * (self.brightness[0] + self.brightness[1]);
+        }
+        let is_first_colour = (x.floor() + y.floor()).rem_euclid(2.0) == 0.0;
+        let is_dark = is_on(x, columns) && is_on(y, rows) && is_first_colour;
+        self.brightness[usize::from(!is_dark)]
+    }
+
+    pub(crate) fn picture(&self, seed: u64) -> Plane<u8> {
+        // The sequence of M. Roberts, in which no two samples have the same column or row.
+        const SAMPLES: u32 = 64;
+        let offset = |sample: u32, step: f64| (0.5 + f64::from(sample) * step).fract() - 0.5;
+        let steps = [0.754_877_666_246_692_8, 0.569_840_290_998_053_2];
+        let offsets = (0..SAMPLES).map(|sample| steps.map(|step| offset(sample, step)));
+        let offsets: Vec<[f64; 2]> = offsets.collect();
+        let sharp = Plane::from_fn(WIDTH, HEIGHT, |column, row| {
+            // Within a pixel the map to the board is linear.
+            let at = |dx: f64, dy: f64| self.on_board([column as f64 + dx, row as f64 + dy]);
+            let [left, right, above, below] =
+                [at(-0.5, 0.0), at(0.5, 0.0), at(0.0, -0.5), at(0.0, 0.5)];
+            let sample = |[dx, dy]: &[f64; 2]| {
+                self.brightness_of([0, 1].map(|k| {
+                    0.25 * (left[k] + right[k] + above[k] + below[k])
+                        + dx * (right[k] - left[k])
+                        + dy * (below[k] - above[k])
+                }))
+            };
+            (offsets.iter().map(sample).sum::<f64>() / f64::from(SAMPLES)) as f32
+        });
+        let blurred = match Gaussian::new(self.blur) {
+            Ok(gaussian) => gaussian.blur(&sharp, Border::Mirror),
+            Err(_) => sharp,
+        };
+        let normal = Normal::new(0.0, self.noise).expect("a standard deviation");
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        blurred.map(|value| {
+            let noisy = f64::from(value) + normal.sample(&mut random);
+            (255.0 * noisy).round().clamp(0.0, 255.0) as u8
+        })
+    }
+}
+
+/// Scenes with the whole board in the picture.
+pub(crate) fn scenes() -> impl Strategy<Value = Scene> {
+    let size = prop::sample::select(vec![(9, 6), (6, 9), (5, 4), (7, 8), (4, 11)]);
+    let pose = (-3.1..3.1, -0.7..0.7, -0.7..0.7, -0.3..0.3, -0.3..0.3);
+    let look = (0.0..0.5, 0.3..0.5, 0.0..1.8, 0.0..0.02);
+    (size, pose, (-0.25..0.15, -0.05..0.05), look, 1.0..1.6).prop_map(
+        |((columns, rows), (roll, pitch, yaw, right, down), (k1, k2), look, distance)| {
+            let size = BoardSize::new(columns, rows).expect("a size");
+            let about = |axis, angle| Rotor::from_axis_angle(axis, angle).expect("an axis");
+            let extent = (columns + 1).max(rows + 1) as f64;
+            let centre = [0.5 * (columns as f64 - 1.0), 0.5 * (rows as f64 - 1.0), 0.0];
+            let rotor = about([0.0, 1.0, 0.0], yaw)
+                * about([1.0, 0.0, 0.0], pitch)
+                * about([0.0, 0.0, 1.0], roll);
+            let place = [right, down, 1.6 * distance].map(|x| x * extent);
+            let board_to_camera = Translator::from_displacement(place)
+                * (rotor * Translator::from_displacement(centre.map(|x| -x)));
+            let (dark, contrast, blur, noise) = look;
+            Scene {
+                size,
+                board_to_camera,
+                focal: 420.0,
+                radial: [k1, k2],
+                brightness: [dark, dark + contrast],
+                blur,
+                noise,
+            }
+        },
+    )
+}
+
+fn is_inside(pixels: &[[f64; 2]], margin: f64) -> bool {
+    pixels.iter().all(|[u, v]| {
+        (margin..WIDTH as f64 - margin).contains(u) && (margin..HEIGHT as f64 - margin).contains(v)
+    })
+}
+
+/// The least distance of corners that are neighbours.
+fn least_step(pixels: &[[f64; 2]], size: BoardSize) -> f64 {
+    let distance =
+        |a: usize, b: usize| (pixels[a][0] - pixels[b][0]).hypot(pixels[a][1] - pixels[b][1]);
+    let columns = size.columns();
+    let along = (1..pixels.len())
+        .filter(|k| k % columns > 0)
+        .map(|k| distance(k, k - 1));
+    let down = (columns..pixels.len()).map(|k| distance(k, k - columns));
+    along.chain(down).fold(f64::INFINITY, f64::min)
+}
+
+/// The distances between corresponding pixels.
+fn distances(a: &[[f64; 2]], b: &[[f64; 2]]) -> Vec<f64> {
+    assert_eq!(a.len(), b.len());
+    let pairs = a.iter().zip(b);
+    pairs
+        .map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]))
+        .collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn rendered_boards_are_found_where_they_are(scene in scenes(), seed in 0_u64..100) {
+        let truth = scene.truth();
+        prop_assume!(is_inside(&truth, 25.0) && least_step(&truth, scene.size) > 11.0);
+        let board = find(&scene.picture(seed), scene.size);
+        let board = board.map_err(|error| TestCaseError::fail(format!("{error}: {scene:?}")))?;
+        let errors = distances(board.corners(), &truth);
+        let greatest = errors.iter().fold(0.0_f64, |a, b| a.max(*b));
+        let contrast = scene.brightness[1] - scene.brightness[0];
+        // Noise moves an edge the further, the less steep it is.
+        let limit = 0.08 + 6.0 * scene.noise / contrast * scene.blur.max(1.0);
+        prop_assert!(greatest < limit, "{greatest} px: {scene:?}");
+    }
+
+    #[test]
+    fn a_board_that_is_partly_outside_is_not_found(
+        scene in scenes(),
+        seed in 0_u64..100,
+        corner in any::<prop::sample::Index>(),
+    ) {
+        let truth = scene.truth();
+        prop_assume!(is_inside(&truth, 5.0) && least_step(&truth, scene.size) > 11.0);
+        // The picture ends at one of the corners.
+        let picture = scene.picture(seed);
+        let width = corner.get(&truth)[0] as usize;
+        let part = picture.view().part(0, 0, width, HEIGHT).expect("a part");
+        let found = find(part, scene.size);
+        prop_assert!(
+            matches!(found, Err(ChessboardError::NotFound { .. })),
+            "{found:?} {scene:?}"
+        );
+    }
+
+    #[test]
+    fn a_board_of_another_size_is_not_found(scene in scenes(), seed in 0_u64..100) {
+        let truth = scene.truth();
+        prop_assume!(is_inside(&truth, 25.0) && least_step(&truth, scene.size) > 11.0);
+        let picture = scene.picture(seed);
+        for (columns, rows) in [(1, 0), (0, 1), (1, 1)] {
+            for sign in [true, false] {
+                let other = |count: usize, change: usize| match sign {
+                    true => count + change,
+                    false => count - change,
+                };
+                let size = BoardSize::new(
+                    other(scene.size.columns(), columns),
+                    other(scene.size.rows(), rows),
+                ).expect("a size");
+                if (size.columns(), size.rows()) == (scene.size.rows(), scene.size.columns()) {
+                    continue;
+                }
+                let found = find(&picture, size);
+                prop_assert!(found.is_err(), "{size}: {found:?} {scene:?}");
+            }
+        }
+    }
+}
+
+/// The corners that OpenCV finds in its own pictures, with the calibration from them.
+pub(crate) fn opencv() -> Value {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/chessboard.json");
+    let text = std::fs::read_to_string(path).expect("the extract is committed");
+    serde_json::from_str(&text).expect("JSON")
+}
+
+pub(crate) fn pixels(value: &Value) -> Vec<[f64; 2]> {
+    super::rows::<2>(value)
+}
+
+/// The corners that are found in the left and in the right views of OpenCV's pairs. `None` where
+/// the pictures are absent.
+pub(crate) fn opencv_boards() -> Option<[Vec<Vec<[f64; 2]>>; 2]> {
+    let folder = shared("data/vision/opencv")?;
+    let oracle = opencv();
+    let size: BoardSize = "9x6".parse().unwrap();
+    let board = |side: &str, name: &Value| {
+        let path = folder.join(format!("{side}{}", name.as_str().unwrap()));
+        let picture = ga_image::file::read(&path)
+            .unwrap()
+            .to_grey::<u8>(Luma::Bt601);
+        let board = find(&picture, size).unwrap_or_else(|error| panic!("{path:?}: {error}"));
+        board.corners().to_vec()
+    };
+    let names = oracle["names"].as_array().unwrap();
+    Some(["left", "right"].map(|side| names.iter().map(|name| board(side, name)).collect()))
+}
+
+#[test]
+fn the_boards_of_opencv_are_found_in_all_pictures() {
+    let Some(boards) = opencv_boards() else {
+        return;
+    };
+    let oracle = opencv();
+    let mut all = Vec::new();
+    for (boards, side) in boards.iter().zip(["left", "right"]) {
+        for (index, board) in boards.iter().enumerate() {
+            let mut errors = distances(board, &pixels(&oracle[side][index]));
+            errors.sort_by(f64::total_cmp);
+            assert!(errors[27] < 0.15, "{side} {index}: {}", errors[27]);
+            all.extend(errors);
+        }
+    }
+    all.sort_by(f64::total_cmp);
+    let part = |part: f64| all[(part * all.len() as f64) as usize];
+    // OpenCV's window, 23 pixels wide, is drawn to other edges where squares are smaller.
+    assert!(
+        part(0.5) < 0.06 && part(0.9) < 0.25,
+        "{} {}",
+        part(0.5),
+        part(0.9)
+    );
+}
+
+/// A board that looks the same after half a turn, or after a quarter, keeps its order.
+#[test]
+fn boards_of_two_views_get_one_order() {
+    for (columns, rows) in [(5, 5), (6, 6), (6, 4), (5, 4)] {
+        let board = |roll: f64| {
+            let size = BoardSize::new(columns, rows).unwrap();
+            let centre = [columns, rows].map(|count| -0.5 * (count as f64 - 1.0));
+            let scene = Scene {
+                size,
+                board_to_camera: Translator::from_displacement([0.0, 0.0, 12.0])
+                    * (Rotor::from_axis_angle([0.0, 0.0, 1.0], roll).unwrap()
+                        * Translator::from_displacement([centre[0], centre[1], 0.0])),
+                focal: 420.0,
+                radial: [0.0; 2],
+                brightness: [0.1, 0.9],
+                blur: 0.8,
+                noise: 0.0,
+            };
+            find(&scene.picture(1), size).unwrap()
+        };
+        for quarter in 0..4 {
+            // On both sides of where the first corner changes.
+            let roll = f64::from(quarter) * std::f64::consts::FRAC_PI_2 - 0.8;
+            let [left, right] = [roll - 0.08, roll + 0.08].map(board);
+            let right = right.ordered_like(&left);
+            let moved = distances(left.corners(), right.corners());
+            assert!(
+                moved.iter().all(|d| *d < 40.0),
+                "{columns} × {rows}, {quarter}: {moved:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn sizes_are_read_and_refused() {
+    let size: BoardSize = "9x6".parse().unwrap();
+    assert_eq!((size.columns(), size.rows(), size.count()), (9, 6, 54));
+    for text in ["9", "9x", "x", "9x6x3", "-9x6", "9.5x6", ""] {
+        let found = text.parse::<BoardSize>();
+        assert_eq!(found, Err(ChessboardError::Text(text.to_owned())));
+    }
+    for text in ["2x6", "9x0", "9x101", "1000000x1000000"] {
+        let found = text.parse::<BoardSize>();
+        assert!(
+            matches!(found, Err(ChessboardError::Size { .. })),
+            "{found:?}"
+        );
+    }
+}
+
+#[test]
+fn pictures_without_a_board_are_refused() {
+    let size: BoardSize = "9x6".parse().unwrap();
+    let not_found = |picture: &Plane<u8>| {
+        let found = find(picture, size);
+        assert!(
+            matches!(found, Err(ChessboardError::NotFound { .. })),
+            "{found:?}"
+        );
+    };
+    not_found(&Plane::filled(0, 0, 0));
+    not_found(&Plane::filled(1, 1, 7));
+    not_found(&Plane::filled(300, 200, 128));
+    let mut state = 1_u32;
+    not_found(&Plane::from_fn(640, 480, |_, _| {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (state >> 24) as u8
+    }));
+    // Squares of one brightness in an endless grid: the board could lie anywhere.
+    not_found(&Plane::from_fn(640, 480, |x: usize, y: usize| {
+        if (x / 20 + y / 20) % 2 == 0 { 30 } else { 220 }
+    }));
+}
