@@ -5,6 +5,7 @@
 //! - [`camera`]: cameras with lenses; the pixel of a point, and the [ray] of a pixel.
 //! - [`frame`]: frames of reference in types.
 //! - [`chessboard`]: the inner corners of chessboards in pictures.
+//! - [`calibration`]: cameras and rigs from pictures of chessboards.
 //! - [`homography`](mod@homography): maps between a plane and its picture.
 //! - [`rig`]: two cameras and the motor between them.
 //! - [`matcher`]: the disparity of every pixel of a rectified pair.
@@ -45,6 +46,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod calibration;
 pub mod camera;
 pub mod chessboard;
 pub mod disparity;

@@ -1,5 +1,6 @@
 //! Triangulation against independent vectors and against scenes that are known.
 
+mod calibration;
 mod camera;
 mod chessboard;
 mod dense;

@@ -1,0 +1,177 @@
+//! The bundle adjustment of one camera or of two cameras of a rig, with all boards.
+
+use ga_runtime::cga3::{Direction, Motor, MotorGenerator, Point};
+use ga_runtime::vga3::Vector;
+
+use crate::camera::{FrameProjection, Intrinsics};
+use crate::least_squares::{Columns, Equations, Problem};
+
+/// The unknowns of a twist: the angular velocity and the velocity of the origin.
+pub(super) const TWIST: usize = 6;
+
+/// The corners of boards as one camera or two see them.
+///
+/// What is made least is the sum of the squared distances, in pixels, between corners and the
+/// projections of their places on the boards. The motor of each board takes it into the first
+/// camera's frame; that of the rig takes the first camera's frame into the second one's. Motors
+/// vary by twists on the left: `M' = exp(G) M` moves a point x of the frame with `ω × x + u`.
+pub(super) struct Bundle<'a> {
+    /// The places of the corners on a board.
+    pub(super) places: &'a [Point<f64>],
+    /// For each camera and each board the pixels of the corners.
+    pub(super) pixels: Vec<Vec<&'a [[f64; 2]]>>,
+    /// For each camera, which intrinsic parameters vary.
+    pub(super) free: Vec<Vec<usize>>,
+}
+
+/// The unknowns of a bundle.
+#[derive(Clone, Debug)]
+pub(super) struct BundleState {
+    pub(super) cameras: Vec<Intrinsics>,
+    pub(super) rig: Motor<f64>,
+    pub(super) boards: Vec<Motor<f64>>,
+}
+
+impl Bundle<'_> {
+    /// The first column of a camera's parameters.
+    pub(super) fn first_column(&self, camera: usize) -> usize {
+        self.free[..camera].iter().map(Vec::len).sum()
+    }
+
+    /// The first column of the rig's twist.
+    pub(super) fn rig_column(&self) -> usize {
+        self.first_column(self.free.len())
+    }
+
+    fn shared(&self) -> usize {
+        self.rig_column() + if self.free.len() > 1 { TWIST } else { 0 }
+    }
+
+    /// The squared distances between corners and projections, summed for each camera and board.
+    pub(super) fn squared_errors(&self, state: &BundleState) -> Option<Vec<Vec<f64>>> {
+        let cameras = self.pixels.iter().enumerate();
+        cameras
+            .map(|(camera, boards)| {
+                let to_camera = self.to_camera(state, camera);
+                let boards = boards.iter().zip(&state.boards);
+                boards
+                    .map(|(pixels, board)| {
+                        let motor = to_camera * *board;
+                        let mut sum = 0.0;
+                        for (place, pixel) in self.places.iter().zip(*pixels) {
+                            let seen = state.cameras[camera].project(motor.transform(*place));
+                            let seen = seen.ok()?;
+                            sum += (seen[0] - pixel[0]).powi(2) + (seen[1] - pixel[1]).powi(2);
+                        }
+                        Some(sum)
+                    })
+                    .collect()
+            })
+            .collect()
+    }
+
+    /// The motor from the first camera's frame into that of a camera.
+    fn to_camera(&self, state: &BundleState, camera: usize) -> Motor<f64> {
+        match camera {
+            0 => Motor::default(),
+            _ => state.rig,
+        }
+    }
+}
+
+impl Problem for Bundle<'_> {
+    type State = BundleState;
+
+    fn columns(&self) -> Columns {
+        Columns::grouped(self.shared(), self.pixels[0].len(), TWIST)
+    }
+
+    fn evaluate(&self, state: &BundleState, equations: &mut Equations) -> Option<()> {
+        let (rig_column, shared) = (self.rig_column(), self.shared());
+        let mut derivatives: Vec<(usize, [f64; 2])> = Vec::new();
+        for (camera, boards) in self.pixels.iter().enumerate() {
+            let to_camera = self.to_camera(state, camera);
+            let to_first = to_camera.reverse();
+            let first_column = self.first_column(camera);
+            for (board, pixels) in boards.iter().enumerate() {
+                let board_column = shared + TWIST * board;
+                for (place, pixel) in self.places.iter().zip(*pixels) {
+                    let in_first = state.boards[board].transform(*place);
+                    let in_frame = to_camera.transform(in_first);
+                    let FrameProjection {
+                        pixel: seen,
+                        by_point,
+                        by_parameters,
+                    } = state.cameras[camera]
+                        .project_with_derivatives(in_frame)
+                        .ok()?;
+                    derivatives.clear();
+                    for (k, &parameter) in self.free[camera].iter().enumerate() {
+                        let by_parameter = by_parameters.map(|row| row[parameter]);
+                        derivatives.push((first_column + k, by_parameter));
+                    }
+                    let by_point = by_point.map(Vector::from);
+                    if camera > 0 {
+                        push_twist(&mut derivatives, rig_column, in_frame, by_point);
+                    }
+                    let by_point = by_point.map(|row| rotated(to_first, row));
+                    push_twist(&mut derivatives, board_column, in_first, by_point);
+                    equations.add([seen[0] - pixel[0], seen[1] - pixel[1]], &derivatives);
+                }
+            }
+        }
+        Some(())
+    }
+
+    fn stepped(&self, state: &BundleState, step: &[f64]) -> Option<BundleState> {
+        let mut next = state.clone();
+        for (camera, free) in self.free.iter().enumerate() {
+            if free.is_empty() {
+                continue;
+            }
+            let own = &state.cameras[camera];
+            let mut parameters = own.parameters();
+            for (k, &parameter) in free.iter().enumerate() {
+                parameters[parameter] += step[self.first_column(camera) + k];
+            }
+            let count = own.parameter_count();
+            next.cameras[camera] = own.with_parameters(&parameters[..count]).ok()?;
+        }
+        if self.free.len() > 1 {
+            next.rig = exponential(&step[self.rig_column()..]) * state.rig;
+        }
+        let twists = step[self.shared()..].chunks_exact(TWIST);
+        for (board, twist) in next.boards.iter_mut().zip(twists) {
+            *board = exponential(twist) * *board;
+        }
+        Some(next)
+    }
+}
+
+/// A vector after the rotation of a motor.
+fn rotated(motor: Motor<f64>, vector: Vector<f64>) -> Vector<f64> {
+    let direction = Direction::from_vector(vector.coordinates());
+    Vector::from(motor.transform(direction).vector())
+}
+
+/// Adds the derivatives of a pixel by the twist of a frame, from those by the place in the frame:
+/// `row · (ω × x + u) = ω · (x × row) + u · row`.
+fn push_twist(
+    derivatives: &mut Vec<(usize, [f64; 2])>,
+    column: usize,
+    place: Point<f64>,
+    by_point: [Vector<f64>; 2],
+) {
+    let turned = by_point.map(|row| Vector::from(place).cross(row).coordinates());
+    let straight = by_point.map(Vector::coordinates);
+    for k in 0..3 {
+        derivatives.push((column + k, turned.map(|row| row[k])));
+        derivatives.push((column + 3 + k, straight.map(|row| row[k])));
+    }
+}
+
+/// The motor of the first six numbers as a twist.
+fn exponential(twist: &[f64]) -> Motor<f64> {
+    let part = |first: usize| Direction::new(twist[first], twist[first + 1], twist[first + 2]);
+    MotorGenerator::from_velocities(part(0), part(3)).exp()
+}

@@ -1,0 +1,148 @@
+//! Which coefficients of a lens a calibration determines.
+
+use std::fmt;
+use std::str::FromStr;
+
+use crate::camera::{CameraError, Fisheye, Intrinsics, Lens, RadialTangential};
+
+/// The kind of a lens, and the coefficients of its distortion that a calibration determines. The
+/// others stay as they are at the start, which is 0 where no camera is given.
+///
+/// As text: `none`, or names that are separated by commas, such as `k1,k2,p1,p2,k3`, or
+/// `fisheye`.
+///
+/// ```
+/// use ga_vision::calibration::LensTerms;
+///
+/// let terms: LensTerms = "k1,k2,p1,p2".parse()?;
+/// assert_eq!(terms.to_string(), "k1,k2,p1,p2");
+/// assert!("k1,k1".parse::<LensTerms>().is_err() && "k9".parse::<LensTerms>().is_err());
+/// # Ok::<(), ga_vision::calibration::LensTermsError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LensTerms {
+    kind: Kind,
+    is_free: [bool; TERMS.len()],
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Pinhole,
+    RadialTangential,
+    Fisheye,
+}
+
+/// The coefficients of [`RadialTangential`] that a calibration may determine. The tilt of the sensor
+/// is not among them: beside the principal point it is not determined.
+const TERMS: [&str; 12] = [
+    "k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6", "s1", "s2", "s3", "s4",
+];
+
+/// A text does not name coefficients of a lens.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "{0:?} does not name the terms of a lens: give none, fisheye, or different names of \
+     k1, k2, p1, p2, k3, k4, k5, k6, s1, s2, s3, s4, separated by commas"
+)]
+pub struct LensTermsError(pub String);
+
+impl LensTerms {
+    /// A pinhole.
+    #[must_use]
+    pub fn none() -> Self {
+        Self::of(Kind::Pinhole, 0)
+    }
+
+    /// Radial and tangential distortion: k1, k2, p1, p2 and k3, OpenCV's default.
+    #[must_use]
+    pub fn radial_tangential() -> Self {
+        Self::of(Kind::RadialTangential, 5)
+    }
+
+    /// A fisheye lens with k1 to k4.
+    #[must_use]
+    pub fn fisheye() -> Self {
+        Self::of(Kind::Fisheye, 4)
+    }
+
+    fn of(kind: Kind, free: usize) -> Self {
+        let is_free = std::array::from_fn(|k| k < free);
+        Self { kind, is_free }
+    }
+
+    /// The lens without distortion at which a search begins.
+    pub(super) fn lens(&self) -> Result<Lens, CameraError> {
+        Ok(match self.kind {
+            Kind::Pinhole => Lens::Pinhole,
+            Kind::RadialTangential => RadialTangential::new(&[0.0; 12])?.into(),
+            Kind::Fisheye => Fisheye::new(&[0.0; 4])?.into(),
+        })
+    }
+
+    /// The intrinsic parameters that vary, as indices of [`Intrinsics::parameters`]: focal lengths,
+    /// principal point, and the coefficients.
+    #[must_use]
+    pub fn free(&self) -> Vec<usize> {
+        let coefficients = (0..TERMS.len()).filter(|&k| self.is_free[k]).map(|k| 4 + k);
+        (0..4).chain(coefficients).collect()
+    }
+}
+
+impl Default for LensTerms {
+    /// [`radial_tangential`](Self::radial_tangential).
+    fn default() -> Self {
+        Self::radial_tangential()
+    }
+}
+
+impl fmt::Display for LensTerms {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.kind {
+            Kind::Pinhole => formatter.write_str("none"),
+            Kind::Fisheye => formatter.write_str("fisheye"),
+            Kind::RadialTangential => {
+                let free = (0..TERMS.len()).filter(|&k| self.is_free[k]);
+                let free: Vec<&str> = free.map(|k| TERMS[k]).collect();
+                formatter.write_str(&free.join(","))
+            }
+        }
+    }
+}
+
+impl FromStr for LensTerms {
+    type Err = LensTermsError;
+
+    fn from_str(text: &str) -> Result<Self, LensTermsError> {
+        match text {
+            "none" => return Ok(Self::none()),
+            "fisheye" => return Ok(Self::fisheye()),
+            _ => {}
+        }
+        let wrong = || LensTermsError(text.to_owned());
+        let mut terms = Self::of(Kind::RadialTangential, 0);
+        for name in text.split(',') {
+            let place = TERMS.iter().position(|known| *known == name.trim());
+            let place = &mut terms.is_free[place.ok_or_else(wrong)?];
+            if std::mem::replace(place, true) {
+                return Err(wrong());
+            }
+        }
+        Ok(terms)
+    }
+}
+
+/// The name of an intrinsic parameter by its index in [`Intrinsics::parameters`].
+pub(super) fn parameter_name(camera: &Intrinsics, parameter: usize) -> &'static str {
+    match parameter {
+        0 => "fx",
+        1 => "fy",
+        2 => "cx",
+        3 => "cy",
+        _ => camera
+            .lens()
+            .names()
+            .get(parameter - 4)
+            .copied()
+            .unwrap_or("a coefficient"),
+    }
+}

@@ -1,0 +1,304 @@
+//! The calibration of two cameras of a rig.
+
+use ga_runtime::cga3::{Motor, Point};
+
+use super::bundle::{Bundle, BundleState, TWIST};
+use super::one_camera::{
+    CameraCalibration, CameraSettings, calibrate_camera, covariance, deviations,
+};
+use super::{CalibrationError, LEAST_VIEWS};
+use crate::camera::{Camera, Intrinsics};
+use crate::least_squares::{Covariance, Loss, Settings, minimise};
+use crate::rig::StereoRig;
+
+/// What becomes of the intrinsic parameters when both cameras are calibrated together.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum JointIntrinsics {
+    /// They vary with the motors. The views of one camera then help to determine the other.
+    #[default]
+    Free,
+    /// They stay as the calibration of each camera by itself has found them, as with OpenCV's flag
+    /// `CALIB_FIX_INTRINSIC`.
+    Fixed,
+}
+
+/// How a rig is calibrated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StereoSettings {
+    /// The calibrations of the left and the right camera.
+    pub cameras: [CameraSettings; 2],
+    /// What the joint calibration varies.
+    pub joint: JointIntrinsics,
+    /// A pair is left out where its root mean square distance is more than this times the median of
+    /// all pairs; `None` keeps all pairs.
+    pub outlier_ratio: Option<f64>,
+}
+
+impl Default for StereoSettings {
+    /// Free intrinsic parameters, and pairs up to 4 times the median.
+    fn default() -> Self {
+        Self {
+            cameras: [CameraSettings::default(); 2],
+            joint: JointIntrinsics::default(),
+            outlier_ratio: Some(4.0),
+        }
+    }
+}
+
+/// A pair that does not agree with the others.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error(
+    "its corners are {rms:.2} px from where the rig sees them, those of all pairs {median:.2} px"
+)]
+pub struct Outlier {
+    /// The pair, from 0.
+    pub pair: usize,
+    /// Its root mean square distance in pixels.
+    pub rms: f64,
+    /// The median of all pairs.
+    pub median: f64,
+}
+
+/// A rig and the boards that it sees.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StereoCalibration {
+    /// The cameras. The world is the left camera's frame.
+    pub rig: StereoRig,
+    /// For the left and the right camera the standard deviations of the intrinsic parameters, in
+    /// the order of [`Intrinsics::parameters`], 0 for those that did not vary.
+    pub deviations: [[f64; Intrinsics::MAX_PARAMETERS]; 2],
+    /// The standard deviations of the twist of the motor from the left frame to the right one:
+    /// three of the rotation in radians, three of the translation in metres.
+    pub rig_deviations: [f64; 6],
+    /// The standard deviation of the baseline in metres.
+    pub baseline_deviation: f64,
+    /// The pairs that were used.
+    pub used: Vec<usize>,
+    /// The pairs that were left out.
+    pub outliers: Vec<Outlier>,
+    /// For each pair that was used the motor that takes the board into the left camera's frame.
+    pub boards: Vec<Motor<f64>>,
+    /// The root mean square distance of all corners in both views from the projections of their
+    /// places, in pixels, as OpenCV's `stereoCalibrate` returns it.
+    pub rms: f64,
+    /// The same for the corners of the left views, and of the right ones.
+    pub camera_rms: [f64; 2],
+    /// The same for each pair that was used.
+    pub pair_rms: Vec<f64>,
+}
+
+/// Calibrates a rig from the corners of boards that both cameras see.
+///
+/// `views` has the corners in the left views and in the right ones, pair by pair; otherwise as
+/// [`calibrate_camera`].
+///
+/// # Errors
+///
+/// [`CalibrationError`]. A view is counted in the pairs as they were given.
+pub fn calibrate_stereo(
+    views: [&[Vec<[f64; 2]>]; 2],
+    places: &[Point<f64>],
+    size: [usize; 2],
+    settings: &StereoSettings,
+) -> Result<StereoCalibration, CalibrationError> {
+    let [left, right] = views.map(<[_]>::len);
+    if left != right {
+        return Err(CalibrationError::Counts { left, right });
+    }
+    let mut used: Vec<usize> = (0..left).collect();
+    let mut outliers = Vec::new();
+    loop {
+        let chosen = views.map(|views| used.iter().map(|&k| views[k].clone()).collect());
+        let rig = Rig::new(&chosen, places, size, settings);
+        let rig = rig.map_err(|error| error.in_pairs(&used))?;
+        // A pair with a board in another place than the rest would keep the rest from converging.
+        let before = rig.pair_rms(&rig.state)?;
+        let rough = settings.outlier_ratio.map(|ratio| 5.0 * ratio);
+        if let Some(outlier) = worst(&before, &used, rough) {
+            used.retain(|pair| *pair != outlier.pair);
+            outliers.push(outlier);
+            continue;
+        }
+        let after = rig.pair_rms(&rig.robust_state())?;
+        let Some(outlier) = worst(&after, &used, settings.outlier_ratio) else {
+            let found = rig.adjusted(&used)?;
+            return Ok(StereoCalibration { outliers, ..found });
+        };
+        used.retain(|pair| *pair != outlier.pair);
+        outliers.push(outlier);
+    }
+}
+
+impl CalibrationError {
+    /// The error of chosen views with the index that a view has among all.
+    fn in_pairs(self, used: &[usize]) -> Self {
+        match self {
+            Self::View { view } => Self::View { view: used[view] },
+            Self::Corners {
+                view,
+                found,
+                expected,
+            } => Self::Corners {
+                view: used[view],
+                found,
+                expected,
+            },
+            Self::NotFinite { view, corner } => Self::NotFinite {
+                view: used[view],
+                corner,
+            },
+            other => other,
+        }
+    }
+}
+
+/// The pair with the greatest distance, where that is too great. As many pairs as a calibration
+/// needs are kept, and more than half of them.
+fn worst(pair_rms: &[f64], used: &[usize], ratio: Option<f64>) -> Option<Outlier> {
+    /// Distances up to this are not those of outliers, however small the others are.
+    const NEGLIGIBLE: f64 = 0.1;
+    let mut sorted = pair_rms.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let median = *sorted.get(sorted.len() / 2)?;
+    let (place, rms) = (pair_rms.iter().enumerate()).max_by(|a, b| a.1.total_cmp(b.1))?;
+    let is_outlier = *rms > ratio? * median.max(NEGLIGIBLE) && used.len() > LEAST_VIEWS;
+    is_outlier.then(|| Outlier {
+        pair: used[place],
+        rms: *rms,
+        median,
+    })
+}
+
+/// The joint calibration of pairs, and where it begins.
+struct Rig<'a> {
+    bundle: Bundle<'a>,
+    state: BundleState,
+}
+
+impl<'a> Rig<'a> {
+    /// Both cameras calibrated by themselves, and the motor between them that fits most boards.
+    fn new(
+        views: &'a [Vec<Vec<[f64; 2]>>; 2],
+        places: &'a [Point<f64>],
+        size: [usize; 2],
+        settings: &StereoSettings,
+    ) -> Result<Self, CalibrationError> {
+        let calibrate = |k: usize| calibrate_camera(&views[k], places, size, &settings.cameras[k]);
+        let [left, right] = [calibrate(0)?, calibrate(1)?];
+        let free = settings.cameras.map(|camera| match settings.joint {
+            JointIntrinsics::Free => camera.free(),
+            JointIntrinsics::Fixed => Vec::new(),
+        });
+        let bundle = Bundle {
+            places,
+            pixels: views
+                .iter()
+                .map(|views| views.iter().map(Vec::as_slice).collect())
+                .collect(),
+            free: free.into(),
+        };
+        let rig = median_motion(&left, &right, places);
+        let state = BundleState {
+            cameras: vec![left.intrinsics, right.intrinsics],
+            rig,
+            boards: left.boards,
+        };
+        Ok(Self { bundle, state })
+    }
+
+    /// For each pair the root mean square distance of the corners of both views.
+    fn pair_rms(&self, state: &BundleState) -> Result<Vec<f64>, CalibrationError> {
+        let unseen = || {
+            // A board that the right camera cannot see at all.
+            vec![vec![f64::INFINITY; state.boards.len()]; 2]
+        };
+        let errors = self.bundle.squared_errors(state).unwrap_or_else(unseen);
+        let count = 2.0 * self.bundle.places.len() as f64;
+        let pairs = errors[0].iter().zip(&errors[1]);
+        Ok(pairs
+            .map(|(left, right)| ((left + right) / count).sqrt())
+            .collect())
+    }
+
+    /// The state where the losses of Huber are least, to which outliers matter less.
+    fn robust_state(&self) -> BundleState {
+        let settings = Settings {
+            loss: Loss::Huber(0.5),
+            relative_tolerance: 1e-3,
+            ..Settings::default()
+        };
+        let found = minimise(&self.bundle, self.state.clone(), &settings);
+        found.map_or_else(|_| self.state.clone(), |minimum| minimum.state)
+    }
+
+    fn adjusted(self, used: &[usize]) -> Result<StereoCalibration, CalibrationError> {
+        let minimum = minimise(&self.bundle, self.state.clone(), &Settings::default())?;
+        let covariance = covariance(&minimum)?;
+        let state = &minimum.state;
+        let errors = self.bundle.squared_errors(state).unwrap_or_default();
+        let count = (self.bundle.places.len() * used.len()) as f64;
+        let camera_rms = |k: usize| (errors[k].iter().sum::<f64>() / count).sqrt();
+        let camera = |k: usize, world_to_camera| Camera {
+            intrinsics: state.cameras[k],
+            world_to_camera,
+        };
+        let column = self.bundle.rig_column();
+        let own = |k: usize| deviations(&self.bundle, state, k, &covariance);
+        Ok(StereoCalibration {
+            rig: StereoRig {
+                left: camera(0, Motor::default()),
+                right: camera(1, state.rig),
+            },
+            deviations: [own(0)?, own(1)?],
+            rig_deviations: std::array::from_fn(|k| covariance.standard_deviation(column + k)),
+            baseline_deviation: baseline_deviation(state.rig, &covariance, column),
+            used: used.to_vec(),
+            outliers: Vec::new(),
+            boards: state.boards.clone(),
+            rms: (minimum.cost / (2.0 * count)).sqrt(),
+            camera_rms: [camera_rms(0), camera_rms(1)],
+            pair_rms: self.pair_rms(state)?,
+        })
+    }
+}
+
+/// The standard deviation of the length of the rig's translation t: it varies by `u · t / |t|`.
+fn baseline_deviation(rig: Motor<f64>, covariance: &Covariance, column: usize) -> f64 {
+    let translation = rig.translator().displacement();
+    let squared: f64 = translation.iter().map(|x| x * x).sum();
+    let first = column + TWIST / 2;
+    let mut sum = 0.0;
+    for (i, x) in translation.iter().enumerate() {
+        for (j, y) in translation.iter().enumerate() {
+            sum += x * y * covariance.shared(first + i, first + j);
+        }
+    }
+    (sum / squared).max(0.0).sqrt()
+}
+
+/// Of the motors from the left frame to the right one that single boards give, the one that is
+/// nearest to the others: the sum of the distances between corners in space is least.
+fn median_motion(
+    left: &CameraCalibration,
+    right: &CameraCalibration,
+    places: &[Point<f64>],
+) -> Motor<f64> {
+    let boards = || left.boards.iter().zip(&right.boards);
+    let motions: Vec<Motor<f64>> = boards().map(|(l, r)| *r * l.reverse()).collect();
+    // The first and the last corner, and one beside the line between them.
+    let middle = places.len() / 2;
+    let probes = [0, middle, places.len() - 1].map(|index| places[index]);
+    let distance = |motion: &Motor<f64>| -> f64 {
+        let distances = boards().map(|(left, right)| {
+            let apart = |probe: &Point<f64>| {
+                let through = motion.transform(left.transform(*probe));
+                through.distance(right.transform(*probe))
+            };
+            probes.iter().map(apart).sum::<f64>()
+        });
+        distances.sum()
+    };
+    let distances: Vec<f64> = motions.iter().map(distance).collect();
+    let best = (0..motions.len()).min_by(|a, b| distances[*a].total_cmp(&distances[*b]));
+    best.map_or_else(Motor::default, |best| motions[best])
+}
