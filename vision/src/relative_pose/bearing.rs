@@ -5,10 +5,14 @@ use ga_runtime::vga3::Vector;
 
 use crate::camera::{CameraError, Intrinsics};
 
+/// Directions whose cosine to the optical axis is below this are scaled to length 1.
+const LEAST_DEPTH: f64 = 0.05;
+
 /// The direction in which a camera sees a pixel, and how it changes with the pixel.
 ///
-/// The direction d is in the camera's frame, with the coordinate 1 along the optical axis. The ray
-/// is the line `eo ∧ d ∧ ei` through the camera's centre.
+/// The direction d is in the camera's frame, with the coordinate 1 along the optical axis, or of
+/// length 1 where a fisheye lens looks almost beside the camera. The ray is the line `eo ∧ d ∧ ei`
+/// through the camera's centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bearing {
     /// The direction d.
@@ -18,10 +22,10 @@ pub struct Bearing {
 }
 
 impl Bearing {
-    /// The direction in which a pinhole camera sees a pixel.
+    /// The direction in which a camera sees a pixel.
     ///
     /// # Errors
-    /// [`CameraError::NotFinite`] for a pixel that is not finite, or whose direction is not.
+    /// As [`Intrinsics::direction`].
     ///
     /// ```
     /// use ga_vision::camera::Intrinsics;
@@ -29,24 +33,36 @@ impl Bearing {
     ///
     /// let camera = Intrinsics::new([500.0, 400.0], [320.0, 240.0])?;
     /// let bearing = Bearing::of_pixel(&camera, [420.0, 240.0])?;
-    /// assert_eq!(bearing.direction.coordinates(), [0.2, 0.0, 1.0]);
-    /// assert_eq!(bearing.derivatives[0].coordinates(), [0.002, 0.0, 0.0]);
+    /// assert!((bearing.direction.e1 - 0.2).abs() < 1e-15 && bearing.direction.e3 == 1.0);
+    /// assert!((bearing.derivatives[0].e1 - 0.002).abs() < 1e-15);
     /// # Ok::<(), ga_vision::camera::CameraError>(())
     /// ```
     pub fn of_pixel(intrinsics: &Intrinsics, pixel: [f64; 2]) -> Result<Self, CameraError> {
-        let ([fx, fy], [cx, cy]) = (intrinsics.focal(), intrinsics.principal());
-        let [x, y] = [(pixel[0] - cx) / fx, (pixel[1] - cy) / fy];
-        let direction = Vector::new(x, y, 1.0);
-        if !direction.is_finite() {
-            return Err(CameraError::NotFinite(direction.coordinates()));
-        }
-        Ok(Self {
+        let direction = Vector::from(intrinsics.direction(pixel)?);
+        let is_in_front = direction.e3 > LEAST_DEPTH;
+        let direction = match is_in_front {
+            true => direction / direction.e3,
+            false => direction,
+        };
+        let seen = intrinsics.project_with_derivatives(direction.into())?;
+        // The reciprocal vectors of the gradients of u and v: a pixel to the right changes u by 1
+        // and v by 0.
+        let [by_u, by_v] = seen.by_point.map(Vector::from);
+        let normal = by_u.cross(by_v);
+        let across = [by_v.cross(normal), normal.cross(by_u)].map(|x| x / normal.length_squared());
+        let derivatives = match is_in_front {
+            // The coordinate along the axis stays 1.
+            true => across.map(|x| x - direction * x.e3),
+            false => across,
+        };
+        let bearing = Self {
             direction,
-            derivatives: [
-                Vector::new(fx.recip(), 0.0, 0.0),
-                Vector::new(0.0, fy.recip(), 0.0),
-            ],
-        })
+            derivatives,
+        };
+        let is_finite = direction.is_finite() && derivatives.iter().all(|x| x.is_finite());
+        is_finite
+            .then_some(bearing)
+            .ok_or(CameraError::NotFinite(direction.coordinates()))
     }
 
     /// The ray as a line through the origin, which is the camera's centre: `eo ∧ d ∧ ei`.

@@ -93,25 +93,27 @@ fn add_product<const N: usize, const M: usize, const P: usize>(
 
 /// The essential matrices E with `rᵀ E l = 0` for five pairs of directions l and r: up to ten.
 ///
-/// The five equations leave a space of four dimensions, `E = x X + y Y + z Z + W`. In it `det E = 0`
-/// and `2 E Eᵀ E − tr(E Eᵀ) E = 0` are ten cubic equations, which are eliminated to one polynomial
-/// of degree ten in z (D. Nistér, "An efficient solution to the five-point relative pose problem",
-/// IEEE Transactions on Pattern Analysis and Machine Intelligence 26, 2004).
+/// The five equations leave a space of four dimensions, `E = x X + y Y + z Z + W`. In it `det E =
+/// 0` and `2 E Eᵀ E − tr(E Eᵀ) E = 0` are ten cubic equations, which are eliminated to one
+/// polynomial of degree ten in z (D. Nistér, "An efficient solution to the five-point relative pose
+/// problem", IEEE Transactions on Pattern Analysis and Machine Intelligence 26, 2004).
 ///
 /// Fewer are returned, or none, where the pairs are degenerate: directions that coincide, or three
 /// or more in one plane with the same in the other view.
 ///
 /// ```
-/// use ga_runtime::cga3::{Rotor, Translator};
+/// use ga_runtime::cga3::{Point, Rotor, Translator};
 /// use ga_runtime::vga3::Vector;
 /// use ga_vision::relative_pose::five_point;
 ///
 /// let rotor = Rotor::from_axis_angle([0.1, 1.0, 0.2], 0.3).unwrap();
 /// let motor = Translator::from_displacement([0.8, 0.1, 0.6]) * rotor;
-/// let points = [[0.0, 0.0, 4.0], [1.0, 0.0, 5.0], [-1.0, 1.0, 6.0], [0.5, -1.0, 3.0], [1.0, 1.2, 7.0]];
-/// let pairs = points.map(|x| [x.into(), motor.transform(ga_runtime::cga3::Point::from(x)).into()]);
-/// let sixth = Vector::new(0.3, -0.2, 5.0);
-/// let image = Vector::from(motor.transform(ga_runtime::cga3::Point::from(sixth)));
+/// let see = |point: [f64; 3]| -> [Vector<f64>; 2] {
+///     [point.into(), motor.transform(Point::from(point)).into()]
+/// };
+/// let pairs = [[0.0, 0.0, 4.0], [1.0, 0.0, 5.0], [-1.0, 1.0, 6.0], [0.5, -1.0, 3.0]].map(see);
+/// let pairs = [pairs[0], pairs[1], pairs[2], pairs[3], see([1.0, 1.2, 7.0])];
+/// let [sixth, image] = see([0.3, -0.2, 5.0]);
 /// let found = five_point(&pairs);
 /// assert!(found.iter().any(|essential| essential.residual(sixth, image).abs() < 1e-9));
 /// ```

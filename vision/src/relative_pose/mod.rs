@@ -1,9 +1,9 @@
 //! How two views are related: the epipolar geometry of pairs of pixels.
 //!
 //! Rays are lines of conformal geometric algebra. For calibrated cameras, [`estimate`] finds the
-//! motor M from the left camera's frame to the right one's for which the rays of paired pixels meet,
-//! `M l ~M ∨ r = 0`: the translation up to its length, which two views do not show. For cameras that
-//! are not calibrated, [`estimate_fundamental`] finds the fundamental matrix.
+//! motor M from the left camera's frame to the right one's for which the rays of paired pixels
+//! meet, `M l ~M ∨ r = 0`: the translation up to its length, which two views do not show. For
+//! cameras that are not calibrated, [`estimate_fundamental`] finds the fundamental matrix.
 //!
 //! - [`Bearing`]: the direction in which a camera sees a pixel, its ray and its derivatives.
 //! - [`BearingPair`]: the epipolar condition, and its first-order distance in pixels.
@@ -106,14 +106,14 @@ impl RelativePose {
 /// The motion between two calibrated cameras from pairs of pixels, of which some may be wrong.
 ///
 /// Random samples of five pairs give essential matrices ([`five_point`]). From the best of them
-/// Levenberg and Marquardt's method makes the sum of the squared Sampson distances of the pairs that
-/// agree least, over motors; several starts are refined, since that sum has local minima. Of the
-/// four motions with the resulting essential matrix, that one is taken which has the points in front
-/// of both cameras.
+/// Levenberg and Marquardt's method makes the sum of the squared Sampson distances of the pairs
+/// that agree least, over motors; several starts are refined, since that sum has local minima. Of
+/// the four motions with the resulting essential matrix, that one is taken which has the points in
+/// front of both cameras.
 ///
 /// # Errors
-/// [`RelativePoseError`]: fewer than six pairs, pixels that are not finite or on one line, a rotation
-/// alone explains the pairs, or too few of them agree.
+/// [`RelativePoseError`]: fewer than six pairs, pixels that are not finite or on one line, a
+/// rotation alone explains the pairs, or too few of them agree.
 ///
 /// ```
 /// use ga_runtime::cga3::{Motor, Point, Rotor, Translator};

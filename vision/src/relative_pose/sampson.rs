@@ -20,13 +20,13 @@ impl BearingPair {
     /// How far the rays of the two pixels are from meeting, for a motion M from the left camera's
     /// frame to the right one's.
     ///
-    /// Rays that meet satisfy the epipolar condition `M l ~M ∨ r = 0` with the lines
-    /// `l = eo ∧ d ∧ ei` and `r` of the directions. The meet of two lines is a multiple e of ei, the
-    /// distance of the lines times the sine of their angle times their weights. Divided by the
-    /// length of its gradient by the four pixel coordinates, e becomes to first order the distance,
-    /// in pixels, by which the pixels must be moved for the rays to meet (P. D. Sampson, "Fitting
-    /// conic sections to very scattered data", 1982). It does not depend on the length of the
-    /// translation. NaN where the motion has no translation.
+    /// Rays that meet satisfy the epipolar condition `M l ~M ∨ r = 0` with the lines `l = eo ∧ d ∧
+    /// ei` and `r` of the directions. The meet of two lines is a multiple e of ei, the distance of
+    /// the lines times the sine of their angle times their weights. Divided by the length of its
+    /// gradient by the four pixel coordinates, e becomes to first order the distance, in pixels, by
+    /// which the pixels must be moved for the rays to meet (P. D. Sampson, "Fitting conic sections
+    /// to very scattered data", 1982). It does not depend on the length of the translation. NaN
+    /// where the motion has no translation.
     #[must_use]
     pub fn sampson_distance(&self, left_to_right: Motor<f64>) -> f64 {
         let Meets { value, slopes } = Meets::new(self, left_to_right);

@@ -5,10 +5,13 @@ mod camera;
 mod chessboard;
 mod dense;
 mod disparity;
+mod feature;
 mod least_squares;
 mod many_views;
+mod perspective_n_point;
 mod pose_error;
 mod synthetic_scene;
+mod relative_pose;
 mod two_views;
 
 use ga_runtime::cga3::{Direction, Motor, Point, Rotor, Translator};

@@ -1,0 +1,211 @@
+//! `nullcone stereo pose`: the motion between two views.
+
+use std::f64::consts::{PI, TAU};
+use std::path::PathBuf;
+use std::time::Instant;
+
+use anyhow::{Context, Result, ensure};
+use ga_image::plane::Plane;
+use ga_runtime::cga3::Motor;
+use ga_vision::camera::Intrinsics;
+use ga_vision::feature::{DetectOptions, ViewOptions, match_views};
+use ga_vision::format::camera::CameraFile;
+use ga_vision::relative_pose::{Options, RelativePose, estimate};
+use serde::Serialize;
+
+use super::views;
+use crate::output;
+use crate::progress::Progress;
+
+/// Find how a camera moved between two views: the rotation, and the direction of the translation.
+///
+/// Corners of both views are matched, and the motion with which most of them agree is refined. A
+/// point x in the frame of the first camera is at R x + t in the frame of the second one, with x to
+/// the right, y down and z forward. Two views do not show how long t is.
+///
+/// For instance
+///
+///   nullcone stereo pose left.png right.png --camera K.yml --json
+///
+/// prints {"rotation_matrix": [[…], […], […]], "rotation_axis": […], "rotation_degrees": …,
+/// "translation_direction": […], "rotation_deviation_degrees": …, "direction_deviation_degrees": …,
+/// "pairs": …, "inliers": …, "in_front": …, "rms_px": …, "seconds": …}. The matrix is given by
+/// rows, and axis and direction have length 1. The deviations are standard deviations of the
+/// result, estimated from what remains. pairs counts the matched corners, inliers those that agree
+/// with the motion, and rms_px is the root mean square of their distances from the epipolar
+/// condition. Equal seeds give equal results.
+#[derive(Clone, Debug, clap::Args)]
+#[command(verbatim_doc_comment)]
+pub(crate) struct Arguments {
+    /// The first view.
+    #[arg(value_name = "A")]
+    first: PathBuf,
+    /// The second view.
+    #[arg(value_name = "B")]
+    second: PathBuf,
+    /// The camera of the first view, and of the second one unless --camera-b is given: calibration
+    /// matrix and distortion in OpenCV's YAML.
+    #[arg(long, value_name = "K.yml")]
+    camera: PathBuf,
+    /// The camera of the second view.
+    #[arg(long, value_name = "K2.yml")]
+    camera_b: Option<PathBuf>,
+    /// Corners that are farther from the epipolar condition are left out, in pixels.
+    #[arg(long, value_name = "PX", default_value_t = Options::default().threshold)]
+    threshold: f64,
+    /// The greatest number of corners in each view.
+    #[arg(long, value_name = "N", default_value_t = DetectOptions::default().features)]
+    features: usize,
+    /// The seed of the random samples.
+    #[arg(long, value_name = "N", default_value_t = Options::default().seed)]
+    seed: u64,
+    /// Print one JSON object instead of lines.
+    #[arg(long)]
+    json: bool,
+}
+
+/// What is printed.
+#[derive(Serialize)]
+struct Report {
+    rotation_matrix: [[f64; 3]; 3],
+    rotation_axis: [f64; 3],
+    rotation_degrees: f64,
+    translation_direction: [f64; 3],
+    rotation_deviation_degrees: Option<f64>,
+    direction_deviation_degrees: Option<f64>,
+    pairs: usize,
+    inliers: usize,
+    in_front: usize,
+    rms_px: f64,
+    seconds: f64,
+}
+
+pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+    ensure!(
+        arguments.threshold.is_finite() && arguments.threshold > 0.0,
+        "--threshold {}: it must be positive and finite",
+        arguments.threshold
+    );
+    let progress = Progress::new(3, quiet);
+    progress.step("reading the views");
+    let first = CameraFile::read(&arguments.camera)?;
+    let second = match &arguments.camera_b {
+        Some(path) => CameraFile::read(path)?,
+        None => first,
+    };
+    let views = [
+        views::read(&arguments.first)?,
+        views::read(&arguments.second)?,
+    ];
+    let second_path = arguments.camera_b.as_ref().unwrap_or(&arguments.camera);
+    for (path, camera, view_path, view) in [
+        (&arguments.camera, &first, &arguments.first, &views[0]),
+        (second_path, &second, &arguments.second, &views[1]),
+    ] {
+        let size = [view.width(), view.height()];
+        ensure!(
+            camera.size.is_none_or(|expected| expected == size),
+            "{} has {} × {} pixels, which is not the size that {} states",
+            view_path.display(),
+            size[0],
+            size[1],
+            path.display()
+        );
+    }
+
+    let begin = Instant::now();
+    progress.step("matching corners");
+    let [a, b] = &views;
+    let (found, pairs) = pose(
+        a,
+        b,
+        [&first.intrinsics, &second.intrinsics],
+        arguments,
+        &progress,
+    )
+    .with_context(|| {
+        let [a, b] = [&arguments.first, &arguments.second].map(|path| path.display());
+        format!("{a} and {b}")
+    })?;
+    let seconds = begin.elapsed().as_secs_f64();
+    drop(progress);
+
+    let report = Report::new(&found, pairs, seconds);
+    if arguments.json {
+        output::print_json(&report)
+    } else if quiet {
+        Ok(())
+    } else {
+        output::print(&report.lines())
+    }
+}
+
+/// The motion, and how many corners were matched.
+fn pose(
+    first: &Plane<u8>,
+    second: &Plane<u8>,
+    cameras: [&Intrinsics; 2],
+    arguments: &Arguments,
+    progress: &Progress,
+) -> Result<(RelativePose, usize)> {
+    let options = ViewOptions {
+        detect: DetectOptions {
+            features: arguments.features,
+            ..DetectOptions::default()
+        },
+        ..ViewOptions::default()
+    };
+    let pairs = match_views(first, second, &options);
+    progress.step("searching the motion");
+    let options = Options {
+        threshold: arguments.threshold,
+        seed: arguments.seed,
+        ..Options::default()
+    };
+    let found = estimate(&pairs, cameras[0], cameras[1], &options)?;
+    Ok((found, pairs.len()))
+}
+
+impl Report {
+    fn new(found: &RelativePose, pairs: usize, seconds: f64) -> Self {
+        let motion: Motor<f64> = found.left_to_right;
+        let rotor = motion.rotor();
+        let (axis, angle) = rotor.to_axis_angle();
+        // The shorter way round.
+        let is_long = angle > PI;
+        Self {
+            rotation_matrix: rotor.to_matrix(),
+            rotation_axis: axis.map(|x| if is_long { -x } else { x }),
+            rotation_degrees: if is_long { TAU - angle } else { angle }.to_degrees(),
+            translation_direction: motion.translator().displacement(),
+            rotation_deviation_degrees: found.rotation_deviation().map(f64::to_degrees),
+            direction_deviation_degrees: found.direction_deviation().map(f64::to_degrees),
+            pairs,
+            inliers: found.inliers.len(),
+            in_front: found.in_front,
+            rms_px: found.root_mean_square,
+            seconds,
+        }
+    }
+
+    fn lines(&self) -> String {
+        let vector = |[x, y, z]: [f64; 3]| format!("({x:.6}, {y:.6}, {z:.6})");
+        let deviation = |value: Option<f64>| match value {
+            Some(value) => format!(" ± {value:.3}°"),
+            None => String::new(),
+        };
+        format!(
+            "rotation {:.4}°{} about {}\ntranslation along {}{}\n\
+             {} of {} pairs of corners agree to {:.3} px, {} in front of both cameras\n",
+            self.rotation_degrees,
+            deviation(self.rotation_deviation_degrees),
+            vector(self.rotation_axis),
+            vector(self.translation_direction),
+            deviation(self.direction_deviation_degrees),
+            self.inliers,
+            self.pairs,
+            self.rms_px,
+            self.in_front
+        )
+    }
+}
