@@ -32,12 +32,14 @@ mod kinematics;
 mod parser;
 mod warning;
 mod words;
+mod writer;
 
 use std::path::Path;
 
 use ga_files::ReadError;
 
 pub use warning::{BvhWarning, PositionChannels};
+pub use writer::BvhConversionError;
 
 /// A skeleton and its motion in the form of a BVH file.
 #[derive(Clone, Debug, PartialEq)]

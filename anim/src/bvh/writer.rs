@@ -1,0 +1,303 @@
+//! Recordings as BVH files.
+
+use std::fmt::Write as _;
+
+use ga_runtime::cga3::{Motor, Translator};
+use ga_runtime::geometry::EulerOrder;
+use ga_runtime::vga3::Vector;
+
+use super::{Bvh, BvhJoint, Channel, PositionChannels};
+use crate::clip::Clip;
+use crate::pose::{Pose, PoseError};
+use crate::skeleton::Skeleton;
+
+/// The order of the angles where there is no other: the usual one of these files.
+const ORDER: [usize; 3] = [2, 0, 1];
+
+/// A clip that a BVH file cannot hold.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum BvhConversionError {
+    /// The clip is for another skeleton.
+    #[error(transparent)]
+    Pose(#[from] PoseError),
+    /// A joint below a root moves away from its place relative to its parent.
+    #[error(
+        "joint {name:?} is {distance} units from its place in frame {frame}; in a BVH file, joints \
+         below the root only rotate"
+    )]
+    Moves {
+        /// The joint.
+        name: String,
+        /// The frame, from 0.
+        frame: usize,
+        /// How far it is from there.
+        distance: f64,
+    },
+    /// Two names become equal where line breaks and braces are replaced.
+    #[error("two joints are called {name:?} in a BVH file")]
+    DuplicateName {
+        /// The name.
+        name: String,
+    },
+}
+
+impl Bvh {
+    /// A clip as a recording: roots have positions and angles, all other joints angles. Joints
+    /// without others below have an End Site at their tail. A line break or a brace in a name
+    /// becomes `_`.
+    ///
+    /// # Errors
+    ///
+    /// [`BvhConversionError`].
+    ///
+    /// ```
+    /// use ga_anim::bvh::{self, Bvh};
+    /// use ga_anim::{clip::Clip, pose::Pose, skeleton::{Joint, Skeleton}};
+    /// use ga_runtime::cga3::{Motor, Rotor};
+    ///
+    /// let hip = Joint { name: "hip".into(), parent: None, head: [0.0, 1.0, 0.0], tail: [0.0; 3] };
+    /// let leg = Skeleton::new(vec![hip])?;
+    /// let quarter = Rotor::from_axis_angle([0.0, 0.0, 1.0], 1.5).ok_or("no axis")?;
+    /// let pose = Pose::from_rotors(&leg, Motor::default(), &[quarter])?;
+    /// let motion = Bvh::from_clip(&leg, &Clip::new(0.01, vec![pose])?)?;
+    /// let again = bvh::parse(motion.to_text().as_bytes())?;
+    /// assert_eq!(again, motion);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn from_clip(skeleton: &Skeleton, clip: &Clip) -> Result<Self, BvhConversionError> {
+        let order = depth_first(skeleton);
+        let joints = skeleton.joints();
+        let mut place = vec![0; joints.len()];
+        for (new, &old) in order.iter().enumerate() {
+            place[old] = new;
+        }
+        let mut written: Vec<BvhJoint> = Vec::with_capacity(joints.len());
+        let mut names = std::collections::HashSet::new();
+        let mut first_channel = 0;
+        for &old in &order {
+            let joint = &joints[old];
+            let is_leaf = skeleton.children(old).next().is_none();
+            let above = joint.parent.map_or([0.0; 3], |parent| joints[parent].head);
+            let between = |from: [f64; 3], to: [f64; 3]| [0, 1, 2].map(|k| to[k] - from[k]);
+            let positions = (0..3).map(Channel::Position);
+            let positions = positions.take(if joint.parent.is_none() { 3 } else { 0 });
+            let channels: Vec<Channel> = positions.chain(ORDER.map(Channel::Rotation)).collect();
+            let count = channels.len();
+            let name = plain(&joint.name);
+            if !names.insert(name.clone()) {
+                return Err(BvhConversionError::DuplicateName { name });
+            }
+            written.push(BvhJoint {
+                name,
+                parent: joint.parent.map(|parent| place[parent]),
+                offset: between(above, joint.head),
+                channels,
+                first_channel,
+                end_site: is_leaf.then(|| between(joint.head, joint.tail)),
+            });
+            first_channel += count;
+        }
+        let mut motion = Self {
+            joints: written,
+            frame_time: clip.frame_time(),
+            frame_count: 0,
+            values: Vec::new(),
+            positions: PositionChannels::Added,
+            warnings: Vec::new(),
+        };
+        motion.fill(skeleton, &order, clip)?;
+        Ok(motion)
+    }
+
+    /// The joints of this recording with the motion of a clip of [`Bvh::skeleton`]. Angles keep
+    /// their order where a joint has all three; joints below the root have angles only.
+    ///
+    /// # Errors
+    ///
+    /// [`BvhConversionError`].
+    pub fn with_clip(&self, skeleton: &Skeleton, clip: &Clip) -> Result<Self, BvhConversionError> {
+        let mut motion = Self {
+            joints: self.joints.clone(),
+            frame_time: clip.frame_time(),
+            frame_count: 0,
+            values: Vec::new(),
+            positions: PositionChannels::Added,
+            warnings: Vec::new(),
+        };
+        let mut first_channel = 0;
+        for joint in &mut motion.joints {
+            let positions = (0..3).map(Channel::Position);
+            let positions = positions.take(if joint.parent.is_none() { 3 } else { 0 });
+            let angles = order_of(joint).map_or(ORDER, EulerOrder::axes);
+            joint.channels = positions.chain(angles.map(Channel::Rotation)).collect();
+            joint.first_channel = first_channel;
+            first_channel += joint.channels.len();
+        }
+        let order: Vec<usize> = (0..motion.joints.len()).collect();
+        motion.fill(skeleton, &order, clip)?;
+        Ok(motion)
+    }
+
+    /// The numbers of all frames; `order` has the joint of the skeleton for each of this recording.
+    fn fill(
+        &mut self,
+        skeleton: &Skeleton,
+        order: &[usize],
+        clip: &Clip,
+    ) -> Result<(), BvhConversionError> {
+        let (expected, found) = (skeleton.len(), clip.joint_count());
+        if expected != found || self.joints.len() != expected {
+            return Err(PoseError { expected, found }.into());
+        }
+        let heads = skeleton
+            .joints()
+            .iter()
+            .map(|joint| Vector::from(joint.head));
+        let size = heads.map(Vector::length).fold(0.0, f64::max);
+        for (frame, pose) in clip.frames().iter().enumerate() {
+            for (joint, &old) in self.joints.iter().zip(order) {
+                let local = local(skeleton, pose, old);
+                let there = Vector::from(local.translator().displacement());
+                let away = there - Vector::from(joint.offset);
+                if joint.parent.is_none() {
+                    self.values.extend(away.coordinates());
+                } else if !(away.length() <= 1e-9 * size) {
+                    return Err(BvhConversionError::Moves {
+                        name: joint.name.clone(),
+                        frame,
+                        distance: away.length(),
+                    });
+                }
+                let angles = local
+                    .rotor()
+                    .to_euler(order_of(joint).unwrap_or(EulerOrder::Zxy));
+                self.values.extend(angles.map(f64::to_degrees));
+            }
+        }
+        self.frame_count = clip.frames().len();
+        Ok(())
+    }
+
+    /// The text of the file. Numbers are written so that they read back exactly.
+    #[must_use]
+    pub fn to_text(&self) -> String {
+        let mut text = "HIERARCHY\n".to_owned();
+        let mut open: Vec<usize> = Vec::new();
+        let close = |text: &mut String, open: &mut Vec<usize>| {
+            open.pop();
+            *text += &format!("{}}}\n", "\t".repeat(open.len()));
+        };
+        for (index, joint) in self.joints.iter().enumerate() {
+            while open.last().copied() != joint.parent && !open.is_empty() {
+                close(&mut text, &mut open);
+            }
+            let indent = "\t".repeat(open.len());
+            let keyword = if joint.parent.is_none() {
+                "ROOT"
+            } else {
+                "JOINT"
+            };
+            let [x, y, z] = joint.offset;
+            let channels: Vec<&str> = joint.channels.iter().map(word).collect();
+            // Writing to a String cannot fail.
+            let _ = writeln!(
+                text,
+                "{indent}{keyword} {}\n{indent}{{\n{indent}\tOFFSET {x} {y} {z}\n\
+                 {indent}\tCHANNELS {} {}",
+                joint.name,
+                channels.len(),
+                channels.join(" ")
+            );
+            if let Some([x, y, z]) = joint.end_site {
+                let _ = writeln!(
+                    text,
+                    "{indent}\tEnd Site\n{indent}\t{{\n{indent}\t\tOFFSET {x} {y} {z}\n\
+                     {indent}\t}}"
+                );
+            }
+            open.push(index);
+        }
+        while !open.is_empty() {
+            close(&mut text, &mut open);
+        }
+        let _ = writeln!(
+            text,
+            "MOTION\nFrames: {}\nFrame Time: {}",
+            self.frame_count, self.frame_time
+        );
+        for frame in 0..self.frame_count {
+            let values = self.frame(frame).unwrap_or_default().iter();
+            let words: Vec<String> = values.map(f64::to_string).collect();
+            text += &words.join(" ");
+            text.push('\n');
+        }
+        text
+    }
+}
+
+/// The motion of a joint's frame relative to its parent's: T(−p) L T(h).
+fn local(skeleton: &Skeleton, pose: &Pose, joint: usize) -> Motor<f64> {
+    let described = &skeleton.joints()[joint];
+    let to_parent = |parent: usize| {
+        let back = skeleton.joints()[parent].head.map(|x| -x);
+        Motor::from(Translator::from_displacement(back))
+    };
+    let above = described.parent.map_or(pose.root, to_parent);
+    above * pose.joints[joint] * Translator::from_displacement(described.head)
+}
+
+/// The order of a joint's angles, where it has all three.
+fn order_of(joint: &BvhJoint) -> Option<EulerOrder> {
+    let axes: Vec<usize> = joint
+        .channels
+        .iter()
+        .filter_map(|channel| match *channel {
+            Channel::Rotation(axis) => Some(axis),
+            Channel::Position(_) => None,
+        })
+        .collect();
+    let is_it = |order: &&EulerOrder| order.axes().as_slice() == axes;
+    EulerOrder::ALL.iter().find(is_it).copied()
+}
+
+/// The joints so that what is below a joint follows it.
+fn depth_first(skeleton: &Skeleton) -> Vec<usize> {
+    let joints = skeleton.joints();
+    let mut children: Vec<Vec<usize>> = vec![Vec::new(); joints.len()];
+    let mut to_visit = Vec::new();
+    for (joint, described) in joints.iter().enumerate().rev() {
+        match described.parent {
+            Some(parent) => children[parent].push(joint),
+            None => to_visit.push(joint),
+        }
+    }
+    let mut order = Vec::with_capacity(joints.len());
+    while let Some(joint) = to_visit.pop() {
+        order.push(joint);
+        to_visit.append(&mut children[joint]);
+    }
+    order
+}
+
+fn word(channel: &Channel) -> &'static str {
+    match *channel {
+        Channel::Position(0) => "Xposition",
+        Channel::Position(1) => "Yposition",
+        Channel::Position(_) => "Zposition",
+        Channel::Rotation(0) => "Xrotation",
+        Channel::Rotation(1) => "Yrotation",
+        Channel::Rotation(_) => "Zrotation",
+    }
+}
+
+/// A name that stands on one line, up to a brace.
+fn plain(name: &str) -> String {
+    let is_strange = |c: char| c.is_control() || matches!(c, '{' | '}');
+    let words = name.split_whitespace();
+    let name = words.collect::<Vec<_>>().join(" ").replace(is_strange, "_");
+    if name.is_empty() {
+        "_".to_owned()
+    } else {
+        name
+    }
+}
