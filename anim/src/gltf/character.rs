@@ -162,6 +162,32 @@ fn joint_nodes(document: &Document, player: &Player) -> Vec<usize> {
         .collect()
 }
 
+/// The joints of a document: those of its skins, or all nodes where there is no skin.
+pub(super) fn all_joints(document: &Document, player: &Player) -> Vec<usize> {
+    match joint_nodes(document, player) {
+        none if none.is_empty() => player.parents_before_children().to_vec(),
+        joints => joints,
+    }
+}
+
+/// These nodes, parents first, as joints where they stand without an animation.
+pub(super) fn skeleton_of(
+    document: &Document,
+    player: &Player,
+    joint_nodes: &[usize],
+) -> Result<Result<Skeleton, SkeletonError>, PlayError> {
+    let mut joint_of = vec![None; document.nodes.len()];
+    for (joint, &node) in joint_nodes.iter().enumerate() {
+        joint_of[node] = Some(joint as u32);
+    }
+    let pose = player.pose(None, 0.0)?;
+    let heads = joint_nodes
+        .iter()
+        .map(|&node| pose.world[node].translation.into());
+    let heads = heads.collect();
+    Ok(skeleton(document, player, joint_nodes, &joint_of, heads))
+}
+
 fn skeleton(
     document: &Document,
     player: &Player,

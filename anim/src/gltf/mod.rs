@@ -33,12 +33,15 @@
 //! ```
 //!
 //! so T(h − p) at rest. For a root, the motion of the whole skeleton takes the place of T(−p).
+//!
+//! A [`Rigged`] document takes a clip as its animation and keeps its own nodes, meshes and skins.
 
 mod character;
 mod error;
 mod export;
 mod placement;
 mod player;
+mod rigged;
 mod sampler;
 
 pub use character::{Character, CharacterError, character};
@@ -46,3 +49,4 @@ pub use error::PlayError;
 pub use export::{animation, joint_nodes, vertex_weights};
 pub use placement::{Part, Placed, Placement};
 pub use player::{LocalFrame, NodePose, Player};
+pub use rigged::{Rigged, RiggedError};
