@@ -4,7 +4,7 @@ use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 
 use super::aim::fits;
 use super::error::{KinematicsError, exists, finite};
-use super::two_bone::{Reach, TwoBone};
+use super::two_bone::{Bent, Reach, TwoBone};
 use crate::pose::{Pose, moved};
 use crate::skeleton::{JointLimits, Skeleton};
 
@@ -71,11 +71,25 @@ pub fn bend_limb(
     let bones = TwoBone::new(lengths[0], lengths[1])?;
     let bent = bones.solve(places[0], target, pole.unwrap_or(places[1]))?;
     let rotors = bent.rotors_from(places).ok_or(KinematicsError::Folded)?;
+    place_limb(skeleton, pose, limb, places, &bent, rotors);
+    Ok(bent.reach)
+}
 
+/// Moves a limb of a pose from places of root, middle and end to others, with these rotations of
+/// its bones in the coordinates of the model. The end keeps its rotation.
+pub(crate) fn place_limb(
+    skeleton: &Skeleton,
+    pose: &mut Pose,
+    limb: [usize; 3],
+    places: [Point<f64>; 3],
+    bent: &Bent,
+    [upper, lower]: [Rotor<f64>; 2],
+) {
+    let before = limb.map(|joint| total_motion(skeleton, pose, joint));
     // Each joint's new total motion, and from it its own.
     let totals = [
-        carried(before[0], rotors[0], places[0], bent.root),
-        carried(before[1], rotors[1], places[1], bent.middle),
+        carried(before[0], upper, places[0], bent.root),
+        carried(before[1], lower, places[1], bent.middle),
         carried(before[2], Rotor::default(), places[2], bent.end),
     ];
     for (joint, total) in limb.into_iter().zip(totals) {
@@ -83,7 +97,6 @@ pub fn bend_limb(
         let above = parent.map_or(pose.root, |parent| total_motion(skeleton, pose, parent));
         pose.joints[joint] = above.reverse() * total;
     }
-    Ok(bent.reach)
 }
 
 /// A motion followed by a rotation about a place that it has, and by the translation from there to

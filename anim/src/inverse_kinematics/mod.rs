@@ -31,4 +31,5 @@ pub use limb::bend_limb;
 pub use two_bone::{Bent, Reach, TwoBone};
 pub use whole_pose::{Marker, PoseFit, PoseFitReport, PoseFitSettings, Target};
 
+pub(crate) use limb::place_limb;
 pub(crate) use two_bone::middle_joint;

@@ -25,7 +25,7 @@ impl Side {
 
 /// A part of the body that a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Part {
+pub(crate) enum Part {
     Hips,
     /// The hips where the skeleton has no other name for them.
     Root,

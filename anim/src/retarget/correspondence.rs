@@ -1,14 +1,18 @@
+use std::f64::consts::FRAC_PI_2;
+
 use ga_runtime::cga3::{Direction, Rotor};
 use ga_runtime::vga3::Vector;
 
-use super::{JointMap, RetargetError, Soles};
-use crate::bvh::Bvh;
+use super::{Alignment, JointMap, RetargetError, Soles, Source};
 use crate::skeleton::Skeleton;
 
-/// As fractions of the body's height: the least length of a long bone, and the least distance of a
-/// limb from the middle.
+/// As fractions of the body's height: the least length of a long bone, the least distance of a limb
+/// from the middle, and the least length of a bone that has a direction.
 const LONG: f64 = 1.0 / 8.0;
 const BESIDE: f64 = 1.0 / 64.0;
+const TINY: f64 = 1e-6;
+/// A bone lies rather than stands where it rises by less than this part of its length.
+const LYING: f64 = 0.5;
 
 /// The joints of the source that move those of the target, and the rotations between their poses at
 /// rest.
@@ -18,136 +22,331 @@ pub(super) struct Correspondence {
     pub(super) source_of: Vec<Option<usize>>,
     /// For each joint of the target, the rotor A.
     pub(super) alignment: Vec<Rotor<f64>>,
+    /// For each joint of the target, the bone that is parallel to the source's in every frame.
+    pub(super) parallel: Vec<Option<Bone>>,
     pub(super) legs: Vec<Leg>,
     /// One unit of the source in units of the target.
     pub(super) scale: f64,
+    /// The mean of the legs.
+    pub(super) source_leg_length: f64,
 }
 
-/// The joint at the top of a leg.
+/// A bone from one matched joint to the next.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bone {
+    /// The vector from the joint to the next one at rest, in the target.
+    pub(super) target: Vector<f64>,
+    /// The same in the source.
+    source: Vector<f64>,
+    /// The joints of the source at both ends.
+    pub(super) ends: [usize; 2],
+}
+
+/// A chain of long bones down to an ankle.
 #[derive(Clone, Debug)]
 pub(super) struct Leg {
-    pub(super) target: usize,
-    pub(super) source: usize,
+    /// The joint at the top, the one above the ankle, and the ankle.
+    pub(super) joints: [usize; 3],
+    /// The joints of the source that move the joint at the top and the ankle.
+    pub(super) source_top: usize,
+    pub(super) source_ankle: usize,
 }
 
-/// A long bone of a limb: the vector from its joint to the next at rest, in target and source.
-struct LongBone {
-    target: Vector<f64>,
-    source: Vector<f64>,
+/// What is known of both bodies at rest.
+struct Bodies<'a> {
+    target: &'a Skeleton,
+    source_of: &'a [Option<usize>],
+    source_rest: Vec<[f64; 3]>,
+    /// For each joint of the target, the nearest one above that is matched: bones in between, such
+    /// as those that spread a twist, belong to it.
+    above: Vec<Option<usize>>,
+    height: f64,
+    /// The horizontal axis from one side of the target to the other.
+    lateral: Vector<f64>,
+    /// The rotation about the vertical by which the source looks in another direction.
+    facing: Rotor<f64>,
 }
 
 impl Correspondence {
     pub(super) fn new(
-        source: &Bvh,
+        source: &dyn Source,
         target: &Skeleton,
         soles: &Soles,
         map: &JointMap,
+        alignment: Alignment,
     ) -> Result<Self, RetargetError> {
-        let joints = target.joints();
         let source_of = map.source_of().to_vec();
         if source_of.iter().all(Option::is_none) {
             return Err(RetargetError::NoMatch);
         }
-        let long_bones = long_bones(source, target, &source_of);
-        let mut alignment: Vec<Rotor<f64>> = Vec::with_capacity(joints.len());
-        for (joint, bone) in joints.iter().zip(&long_bones) {
-            let above = joint
-                .parent
-                .map_or(Rotor::default(), |parent| alignment[parent]);
-            let correction = bone.as_ref().and_then(|bone| {
+        let bodies = Bodies::new(source, target, soles, &source_of);
+        let long_bones = bodies.long_bones();
+        let mut rotors: Vec<Rotor<f64>> = Vec::with_capacity(target.len());
+        for (joint, bone) in target.joints().iter().zip(&long_bones) {
+            let above = joint.parent.map_or(bodies.facing, |parent| rotors[parent]);
+            let correction = bone.as_ref().and_then(|(bone, _)| {
                 let inherited: Vector<f64> = above.transform(Direction::from(bone.target)).into();
                 Rotor::between(inherited.coordinates(), bone.source.coordinates())
             });
-            alignment.push(correction.map_or(above, |correction| correction * above));
+            rotors.push(correction.map_or(above, |correction| correction * above));
         }
-        let (legs, scale) = legs(target, &source_of, &long_bones, soles)?;
+        let (legs, [scale, source_leg_length]) = bodies.legs(&long_bones, soles)?;
+        let parallel = match alignment {
+            Alignment::Limbs => long_bones
+                .iter()
+                .map(|bone| bone.map(|(bone, _)| bone))
+                .collect(),
+            Alignment::EveryBone => bodies.all_bones(),
+        };
         Ok(Self {
             source_of,
-            alignment,
+            alignment: rotors,
+            parallel,
             legs,
             scale,
+            source_leg_length,
         })
     }
 }
 
-fn long_bones(
-    source: &Bvh,
-    target: &Skeleton,
-    source_of: &[Option<usize>],
-) -> Vec<Option<LongBone>> {
-    let joints = target.joints();
-    let source_rest = source.rest_positions();
-    let heights = || {
-        joints
-            .iter()
-            .flat_map(|joint| [joint.head[1], joint.tail[1]])
-    };
-    let height =
-        heights().fold(f64::NEG_INFINITY, f64::max) - heights().fold(f64::INFINITY, f64::min);
-    let middle = joints[0].head[0];
-    let mut bones: Vec<Option<LongBone>> = Vec::with_capacity(joints.len());
-    for (index, joint) in joints.iter().enumerate() {
-        let is_beside = (joint.head[0] - middle).abs() >= BESIDE * height;
-        let goes_on =
-            matched_above(target, source_of, index).is_some_and(|above| bones[above].is_some());
-        let head = Vector::from(joint.head);
-        let from_tail = |below: usize| Vector::from(joint.tail).distance(joints[below].head.into());
-        let below = (index + 1..joints.len())
-            .filter(|&below| source_of[below].is_some() && (is_beside || goes_on))
-            .filter(|&below| matched_above(target, source_of, below) == Some(index))
-            .min_by(|&a, &b| from_tail(a).total_cmp(&from_tail(b)))
-            .filter(|&below| head.distance(joints[below].head.into()) >= LONG * height);
-        bones.push(below.and_then(|below| {
-            Some(LongBone {
-                target: Vector::from(joints[below].head) - head,
-                source: Vector::from(source_rest[source_of[below]?])
-                    - Vector::from(source_rest[source_of[index]?]),
-            })
-        }));
-    }
-    bones
-}
-
-/// The legs and the ratio of their lengths.
-fn legs(
-    target: &Skeleton,
-    source_of: &[Option<usize>],
-    long_bones: &[Option<LongBone>],
-    soles: &Soles,
-) -> Result<(Vec<Leg>, f64), RetargetError> {
-    let mut legs: Vec<Leg> = Vec::new();
-    let (mut target_length, mut source_length) = (0.0, 0.0);
-    for index in 0..target.len() {
-        let mut top = None;
-        let up = |joint| matched_above(target, source_of, joint);
-        let mut above = up(index).filter(|_| soles.has(index));
-        while let Some((joint, bone)) =
-            above.and_then(|joint| Some((joint, long_bones[joint].as_ref()?)))
-        {
-            target_length += bone.target.length();
-            source_length += bone.source.length();
-            top = Some(joint);
-            above = up(joint);
+impl<'a> Bodies<'a> {
+    fn new(
+        source: &dyn Source,
+        target: &'a Skeleton,
+        soles: &Soles,
+        source_of: &'a [Option<usize>],
+    ) -> Self {
+        let joints = target.joints();
+        let mut above: Vec<Option<usize>> = Vec::with_capacity(joints.len());
+        for joint in joints {
+            let of_parent = |parent: usize| match source_of[parent] {
+                Some(_) => Some(parent),
+                None => above[parent],
+            };
+            above.push(joint.parent.and_then(of_parent));
         }
-        if let Some((target, source)) = top.and_then(|top| Some((top, source_of[top]?))) {
-            legs.push(Leg { target, source });
+        let heights = || {
+            joints
+                .iter()
+                .flat_map(|joint| [joint.head[1], joint.tail[1]])
+        };
+        let height =
+            heights().fold(f64::NEG_INFINITY, f64::max) - heights().fold(f64::INFINITY, f64::min);
+        let mut bodies = Self {
+            target,
+            source_of,
+            source_rest: source.rest_positions(),
+            above,
+            height,
+            lateral: Vector::new(1.0, 0.0, 0.0),
+            facing: Rotor::default(),
+        };
+        if let Some([ours, there]) = bodies.across(soles) {
+            let quarter = |v: Vector<f64>| (-v.e3).atan2(v.e1) / FRAC_PI_2;
+            let (sin, cos) = (quarter(ours).round() * FRAC_PI_2).sin_cos();
+            bodies.lateral = Vector::new(cos, 0.0, -sin);
+            // Bodies look along an axis. What remains is a difference of pose.
+            let quarters = (quarter(there) - quarter(ours)).round();
+            let rotor = Rotor::from_axis_angle([0.0, 1.0, 0.0], quarters * FRAC_PI_2);
+            if quarters.rem_euclid(4.0) != 0.0 {
+                bodies.facing = rotor.unwrap_or_default();
+            }
+        }
+        bodies
+    }
+
+    fn head(&self, joint: usize) -> Vector<f64> {
+        self.target.joints()[joint].head.into()
+    }
+
+    /// How far a joint is to one side of the root.
+    fn offset(&self, joint: usize) -> f64 {
+        (self.head(joint) - self.head(0)).dot(self.lateral).abs()
+    }
+
+    /// The horizontal vectors from one hip to the other at rest, in the target and in the source:
+    /// where the ways from the root to two soles part.
+    fn across(&self, soles: &Soles) -> Option<[Vector<f64>; 2]> {
+        let horizontal = |v: Vector<f64>| Vector::new(v.e1, 0.0, v.e3);
+        let ways: Vec<Vec<usize>> = soles.joints().map(|joint| self.way_to(joint)).collect();
+        let mut found: Option<(usize, [Vector<f64>; 2])> = None;
+        for (number, one) in ways.iter().enumerate() {
+            for other in &ways[number + 1..] {
+                let common = one.iter().zip(other).take_while(|(a, b)| a == b).count();
+                if common == 0 || found.as_ref().is_some_and(|&(least, _)| least <= common) {
+                    continue;
+                }
+                let pairs = one[common..].iter().zip(&other[common..]);
+                let apart = pairs.clone().find_map(|(&a, &b)| {
+                    let apart = horizontal(self.head(a) - self.head(b));
+                    (apart.length() > TINY * self.height).then_some(apart)
+                });
+                let there = pairs.filter_map(|(&a, &b)| {
+                    let [a, b] = [self.source_of[a]?, self.source_of[b]?];
+                    let [a, b] = [a, b].map(|joint| Vector::from(self.source_rest[joint]));
+                    Some(horizontal(a - b)).filter(|apart| apart.length() > 0.0)
+                });
+                if let Some(pair) = apart.zip(there.into_iter().next()) {
+                    found = Some((common, pair.into()));
+                }
+            }
+        }
+        found.map(|(_, pair)| pair)
+    }
+
+    /// The joints from a root to a joint.
+    fn way_to(&self, joint: usize) -> Vec<usize> {
+        let parent = |&joint: &usize| self.target.joints()[joint].parent;
+        let mut way: Vec<usize> = std::iter::successors(Some(joint), parent).collect();
+        way.reverse();
+        way
+    }
+
+    /// The matched joints right below a matched joint.
+    fn below(&self, joint: usize) -> impl Iterator<Item = usize> + '_ {
+        let below = joint + 1..self.target.len();
+        below.filter(move |&below| {
+            self.source_of[below].is_some() && self.above[below] == Some(joint)
+        })
+    }
+
+    fn from_tail(&self, joint: usize, below: usize) -> f64 {
+        Vector::from(self.target.joints()[joint].tail).distance(self.head(below))
+    }
+
+    fn bone(&self, joint: usize, below: usize, ends: [usize; 2]) -> Bone {
+        let [from, to] = ends.map(|joint| Vector::from(self.source_rest[joint]));
+        Bone {
+            target: self.head(below) - self.head(joint),
+            source: to - from,
+            ends,
         }
     }
-    let scale = target_length / source_length;
-    if legs.is_empty() || !scale.is_finite() {
-        Err(RetargetError::NoLegs)
-    } else {
-        Ok((legs, scale))
-    }
-}
 
-/// The nearest joint above that is matched: bones in between, such as those that spread a twist,
-/// belong to it.
-fn matched_above(target: &Skeleton, source_of: &[Option<usize>], joint: usize) -> Option<usize> {
-    let parent = |joint: usize| target.joints()[joint].parent;
-    let mut above = parent(joint);
-    while let Some(joint) = above.filter(|&joint| source_of[joint].is_none()) {
-        above = parent(joint);
+    /// The long bones of limbs, each with the joint at its end.
+    fn long_bones(&self) -> Vec<Option<(Bone, usize)>> {
+        let mut bones: Vec<Option<(Bone, usize)>> = Vec::with_capacity(self.target.len());
+        for joint in 0..self.target.len() {
+            let is_beside = self.offset(joint) >= BESIDE * self.height;
+            let goes_on = self.above[joint].is_some_and(|above| bones[above].is_some());
+            let bone = self.source_of[joint].and_then(|from| {
+                let below = self
+                    .below(joint)
+                    .filter(|_| is_beside || goes_on)
+                    .min_by(|&a, &b| {
+                        let [a, b] = [a, b].map(|below| self.from_tail(joint, below));
+                        a.total_cmp(&b)
+                    })
+                    .filter(|&below| {
+                        self.head(joint).distance(self.head(below)) >= LONG * self.height
+                    })?;
+                let ends = [from, self.source_of[below]?];
+                Some((self.bone(joint, below, ends), below))
+            });
+            bones.push(bone);
+        }
+        bones
     }
-    above
+
+    /// One bone of every matched joint that has one: where several begin, that of the trunk, and
+    /// beside the trunk the one that the joint's own bone points to.
+    fn all_bones(&self) -> Vec<Option<Bone>> {
+        let mut bones: Vec<Option<Bone>> = vec![None; self.target.len()];
+        for joint in (0..self.target.len()).rev() {
+            let Some(from) = self.source_of[joint] else {
+                continue;
+            };
+            let mut candidates: Vec<(usize, Bone)> = self
+                .below(joint)
+                .filter_map(|below| {
+                    let to = self.source_of[below]?;
+                    // Joints that one joint of the source moves form a straight line.
+                    let ends = match from == to {
+                        true => bones[below]?.ends,
+                        false => [from, to],
+                    };
+                    let bone = self.bone(joint, below, ends);
+                    let has_length = bone.target.length() > TINY * self.height
+                        && bone.source.length() > TINY * self.source_height();
+                    has_length.then_some((below, bone))
+                })
+                .collect();
+            if candidates.len() > 1 {
+                let in_the_middle = |joint: usize| self.offset(joint) < BESIDE * self.height;
+                if in_the_middle(joint) {
+                    candidates.retain(|&(below, _)| in_the_middle(below));
+                    candidates.sort_by(|a, b| self.head(b.0).e2.total_cmp(&self.head(a.0).e2));
+                } else {
+                    let from_tail = |&(below, _): &(usize, Bone)| self.from_tail(joint, below);
+                    candidates.sort_by(|a, b| from_tail(a).total_cmp(&from_tail(b)));
+                }
+            }
+            bones[joint] = candidates.first().map(|&(_, bone)| bone);
+        }
+        bones
+    }
+
+    fn source_height(&self) -> f64 {
+        let heights = || self.source_rest.iter().map(|place| place[1]);
+        heights().fold(f64::NEG_INFINITY, f64::max) - heights().fold(f64::INFINITY, f64::min)
+    }
+
+    /// The legs, the ratio of their lengths, and their mean length in the source.
+    fn legs(
+        &self,
+        long_bones: &[Option<(Bone, usize)>],
+        soles: &Soles,
+    ) -> Result<(Vec<Leg>, [f64; 2]), RetargetError> {
+        let mut legs: Vec<Leg> = Vec::new();
+        let (mut target_length, mut source_length) = (0.0, 0.0);
+        for sole in soles.joints() {
+            let is_matched = self.source_of[sole].is_some();
+            let lowest = if is_matched {
+                Some(sole)
+            } else {
+                self.above[sole]
+            };
+            let up = std::iter::successors(lowest, |&joint| self.above[joint]);
+            let long = up.filter_map(|joint| Some((joint, long_bones[joint]?)));
+            let mut chain: Vec<(usize, (Bone, usize))> = Vec::new();
+            for (joint, bone) in long {
+                if chain.last().is_some_and(|&(below, _)| bone.1 != below) {
+                    break;
+                }
+                chain.push((joint, bone));
+            }
+            // The ankle is the end of the lowest long bone above the sole, but for a long foot.
+            let lies = |bone: &Bone| bone.target.e2.abs() < LYING * bone.target.length();
+            if chain.len() > 2 && chain.first().is_some_and(|(_, (foot, _))| lies(foot)) {
+                chain.remove(0);
+            }
+            let (Some(&(lower, (_, ankle))), Some(&(top, _))) = (chain.first(), chain.last())
+            else {
+                continue;
+            };
+            if legs.iter().any(|leg| leg.joints[2] == ankle) {
+                continue;
+            }
+            for (_, (bone, _)) in &chain {
+                target_length += bone.target.length();
+                source_length += bone.source.length();
+            }
+            if let (Some(source_top), Some(source_ankle)) =
+                (self.source_of[top], self.source_of[ankle])
+            {
+                legs.push(Leg {
+                    joints: [top, lower, ankle],
+                    source_top,
+                    source_ankle,
+                });
+            }
+        }
+        let scale = target_length / source_length;
+        if legs.is_empty() || !scale.is_finite() {
+            Err(RetargetError::NoLegs)
+        } else {
+            let mean = source_length / legs.len() as f64;
+            Ok((legs, [scale, mean]))
+        }
+    }
 }

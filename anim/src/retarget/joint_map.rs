@@ -5,8 +5,9 @@ use std::collections::{HashMap, HashSet};
 use serde::de::{Deserialize, Deserializer, Error};
 use serde_json::Value;
 
+use super::Source;
 use super::convention::{Part, Side, meaning};
-use crate::bvh::Bvh;
+use super::structure::parts_by_structure;
 use crate::rig::bones::Members;
 use crate::skeleton::Skeleton;
 
@@ -84,21 +85,117 @@ impl JointMap {
     /// of an upper arm, the first one is matched, and the others move with it. Where spines or
     /// necks differ in their numbers of joints, they are matched evenly from first to last.
     #[must_use]
-    pub fn by_names(source: &Bvh, target: &Skeleton) -> Self {
+    pub fn by_names(source: &dyn Source, target: &Skeleton) -> Self {
+        let there = parts(source.names().into_iter());
+        let here = parts(names(target));
+        Self::of_parts(source, target, &there, &here)
+    }
+
+    /// A map by the shapes of both hierarchies at rest: two chains that go down to the ground are
+    /// legs, where they meet are the hips, and two chains to the sides above them are arms. In a
+    /// limb the two long bones are found by their lengths, so that bones in between do not matter.
+    /// Left and right are told by the feet, which point forwards; feet without direction look along
+    /// z. Digits are not matched. Names do not count.
+    ///
+    /// Bodies stand upright, y up. No joint is matched where one of them does not have two legs.
+    ///
+    /// ```
+    /// use ga_anim::retarget::JointMap;
+    ///
+    /// let body = |names: [&str; 7]| {
+    ///     let [hips, thigh_l, shin_l, foot_l, thigh_r, shin_r, foot_r] = names;
+    ///     format!(
+    ///         "HIERARCHY ROOT {hips} {{ OFFSET 0 9 0 CHANNELS 1 Xrotation
+    ///            JOINT {thigh_l} {{ OFFSET 1 0 0 CHANNELS 1 Xrotation
+    ///              JOINT {shin_l} {{ OFFSET 0 -4 0 CHANNELS 1 Xrotation
+    ///                JOINT {foot_l} {{ OFFSET 0 -4 0 CHANNELS 1 Xrotation }} }} }}
+    ///            JOINT {thigh_r} {{ OFFSET -1 0 0 CHANNELS 1 Xrotation
+    ///              JOINT {shin_r} {{ OFFSET 0 -4 0 CHANNELS 1 Xrotation
+    ///                JOINT {foot_r} {{ OFFSET 0 -4 0 CHANNELS 1 Xrotation }} }} }} }}
+    ///          MOTION Frames: 0 Frame Time: 0.01\n"
+    ///     )
+    /// };
+    /// let a = ga_anim::bvh::parse(body(["a", "b", "c", "d", "e", "f", "g"]).as_bytes())?;
+    /// let b = ga_anim::bvh::parse(body(["1", "2", "3", "4", "5", "6", "7"]).as_bytes())?;
+    /// let map = JointMap::by_structure(&a, &b.skeleton()?);
+    /// assert_eq!(map.source_of(), [0, 1, 2, 3, 4, 5, 6].map(Some));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn by_structure(source: &dyn Source, target: &Skeleton) -> Self {
+        let there = parts_by_structure(&source.parents(), &source.rest_positions());
+        let here = parts_of_skeleton(target);
+        let mut map = Self {
+            source_of: vec![None; target.len()],
+        };
+        map.add(&there, &here);
+        map
+    }
+
+    /// A map by names where both have names that mean something, and by structure otherwise: a body
+    /// whose names do not tell both legs is described by its structure, the other one by its names.
+    #[must_use]
+    pub fn by_names_or_structure(source: &dyn Source, target: &Skeleton) -> Self {
+        let by_names = Self::by_names(source, target);
+        let there = parts(source.names().into_iter());
+        let here = parts(names(target));
+        let matched: HashSet<usize> = by_names.source_of.iter().copied().flatten().collect();
+        let legs = |parts: &Parts| {
+            [Part::UpperLeg, Part::LowerLeg, Part::Foot]
+                .iter()
+                .all(|&part| {
+                    let sides = [Some(Side::Left), Some(Side::Right)];
+                    sides.iter().all(|&side| parts.contains_key(&(part, side)))
+                })
+        };
+        // Equal names need no meaning.
+        let is_known = 2 * matched.len() >= target.len().min(source.names().len());
+        if is_known || (legs(&there) && legs(&here)) {
+            return by_names;
+        }
+        let there = match legs(&there) {
+            true => there,
+            false => parts_by_structure(&source.parents(), &source.rest_positions()),
+        };
+        let here = match legs(&here) {
+            true => here,
+            false => parts_of_skeleton(target),
+        };
+        let mut map = Self {
+            source_of: vec![None; target.len()],
+        };
+        map.add(&there, &here);
+        let count = |map: &Self| map.source_of.iter().flatten().count();
+        if count(&map) > count(&by_names) {
+            map
+        } else {
+            by_names
+        }
+    }
+
+    fn of_parts(source: &dyn Source, target: &Skeleton, there: &Parts, here: &Parts) -> Self {
         let joints = target.joints();
-        let there = parts(source.joints().iter().map(|joint| joint.name.as_str()));
-        let here = parts(joints.iter().map(|joint| joint.name.as_str()));
         // A shoulder may be a clavicle in one and an upper arm in the other.
         let means_the_same = |joint: usize, found: usize| {
-            part_of(&here, joint)
-                .is_none_or(|part| part_of(&there, found).is_none_or(|other| part == other))
+            part_of(here, joint)
+                .is_none_or(|part| part_of(there, found).is_none_or(|other| part == other))
         };
+        let source_names = source.names();
         let by_name = joints.iter().enumerate().map(|(joint, rest)| {
-            let found = source.index(&rest.name)?;
+            let found = source_names.iter().position(|name| *name == rest.name)?;
             means_the_same(joint, found).then_some(found)
         });
-        let mut source_of: Vec<Option<usize>> = by_name.collect();
-        for (meaning, targets) in &here {
+        let mut map = Self {
+            source_of: by_name.collect(),
+        };
+        map.add(there, here);
+        map
+    }
+
+    /// Matches the joints of equal parts that are not matched yet.
+    fn add(&mut self, there: &Parts, here: &Parts) {
+        let source_of = &mut self.source_of;
+        for (meaning, targets) in here {
             let Some(sources) = there.get(meaning) else {
                 continue;
             };
@@ -112,7 +209,25 @@ impl JointMap {
                 source_of[targets[0]] = Some(sources[0]);
             }
         }
-        Self { source_of }
+    }
+
+    /// The map as JSON, in the form that [`JointMap::from_json`] reads.
+    #[must_use]
+    pub fn to_json(&self, source: &dyn Source, target: &Skeleton) -> Value {
+        let mut entries = serde_json::Map::new();
+        let joints = target.joints();
+        for (there, name) in source.names().into_iter().enumerate() {
+            let moved = self.source_of.iter().zip(joints);
+            let moved = moved.filter(|(source, _)| **source == Some(there));
+            let mut names: Vec<Value> = moved.map(|(_, joint)| joint.name.clone().into()).collect();
+            let value = match names.len() {
+                0 => continue,
+                1 => names.remove(0),
+                _ => Value::Array(names),
+            };
+            entries.insert(name.to_owned(), value);
+        }
+        Value::Object(entries)
     }
 
     /// A map given as JSON, `{"joint of the recording": "joint of the skeleton"}`. A joint that
@@ -122,12 +237,17 @@ impl JointMap {
     /// # Errors
     ///
     /// Any [`JointMapError`].
-    pub fn from_json(bytes: &[u8], source: &Bvh, target: &Skeleton) -> Result<Self, JointMapError> {
+    pub fn from_json(
+        bytes: &[u8],
+        source: &dyn Source,
+        target: &Skeleton,
+    ) -> Result<Self, JointMapError> {
         let Members(entries) = serde_json::from_slice::<Members<Targets>>(bytes)?;
+        let source_names = source.names();
         let mut source_of = vec![None; target.len()];
         let mut seen = HashSet::new();
         for (there, targets) in entries {
-            let Some(found) = source.index(&there) else {
+            let Some(found) = source_names.iter().position(|name| *name == there) else {
                 return Err(JointMapError::Source { name: there });
             };
             if !seen.insert(found) {
@@ -183,18 +303,32 @@ impl<'de> Deserialize<'de> for Targets {
 }
 
 /// The part that a joint belongs to.
-fn part_of(parts: &HashMap<Meaning, Vec<usize>>, joint: usize) -> Option<Meaning> {
+fn part_of(parts: &Parts, joint: usize) -> Option<Meaning> {
     let mut parts = parts.iter();
     let found = parts.find(|(_, joints)| joints.contains(&joint));
     found.map(|(&meaning, _)| meaning)
 }
 
 /// A part of the body and its side.
-type Meaning = (Part, Option<Side>);
+pub(super) type Meaning = (Part, Option<Side>);
 
 /// The joints of each part of a body, from the root on.
-fn parts<'a>(names: impl Iterator<Item = &'a str>) -> HashMap<(Part, Option<Side>), Vec<usize>> {
-    let mut parts: HashMap<_, Vec<usize>> = HashMap::new();
+pub(super) type Parts = HashMap<Meaning, Vec<usize>>;
+
+fn names(skeleton: &Skeleton) -> impl Iterator<Item = &str> {
+    skeleton.joints().iter().map(|joint| joint.name.as_str())
+}
+
+fn parts_of_skeleton(skeleton: &Skeleton) -> Parts {
+    let joints = skeleton.joints().iter();
+    let (parents, places): (Vec<_>, Vec<_>) =
+        joints.map(|joint| (joint.parent, joint.head)).unzip();
+    parts_by_structure(&parents, &places)
+}
+
+/// The joints of each part by their names.
+fn parts<'a>(names: impl Iterator<Item = &'a str>) -> Parts {
+    let mut parts: Parts = HashMap::new();
     for (index, name) in names.enumerate() {
         if let Some(meaning) = meaning(name) {
             parts.entry(meaning).or_default().push(index);

@@ -1,22 +1,24 @@
 //! Retargeting: the transfer of a recorded motion to another skeleton.
 //!
-//! Source (a [`Bvh`]) and target (a [`Skeleton`]) differ in unit, in proportions and in their pose
-//! at rest. Joints are matched by name ([`JointMap::by_names`]) or by a
-//! map of your own. Let A be the rotor that aligns a target bone at rest with
-//! the source's bone at rest, and S the total rotor of the source joint in a frame, including all
-//! parents. Then the total rotor of the target joint is
+//! Source (a [`Source`], such as a recording) and target (a [`Skeleton`]) differ in unit, in
+//! proportions and in their pose at rest. Joints are matched by name ([`JointMap::by_names`]) or by
+//! a map of your own. Let A be the rotor that aligns a target bone at rest with the source's bone
+//! at rest, and S the total rotor of the source joint in a frame, including all parents. Then the
+//! total rotor of the target joint is
 //!
 //! ```text
-//! R = S A
+//! R = C S A
 //! ```
 //!
-//! so that its bone is parallel to the source's. A joint without a match moves with its parent.
-//! Bones keep their lengths.
+//! so that its bone is parallel to the source's. C is the shortest rotor that is left to do: the
+//! identity, but where joints of the source lie between two matched ones and bend. A joint without
+//! a match moves with its parent. Bones keep their lengths.
 //!
 //! # Alignment of the poses at rest
 //!
-//! Both skeletons stand upright at rest, y up, and look in the same direction. A difference between
-//! their limbs is then a difference of pose, which A removes. A difference between their trunks is
+//! Both skeletons stand upright at rest, y up. Where they look along different axes, the rotation
+//! about the vertical is taken from the hips, in quarters of a full one. A difference between their
+//! limbs is then a difference of pose, which A removes. A difference between their trunks is
 //! one of construction, such as a clavicle that begins lower or a spine that is bent where the
 //! other is straight, and is kept. So, from the root downwards,
 //!
@@ -27,6 +29,11 @@
 //! - every other bone gets its parent's A, so that a hand follows its forearm and a foot its shin,
 //!   and a root gets A = 1.
 //!
+//! This is [`Alignment::Limbs`], which suits skins: a neck that is bent at rest stays bent. With
+//! [`Alignment::EveryBone`] the bones of trunk, shoulders, hands and feet become parallel to the
+//! source's too, by a further shortest rotor each. Where several matched bones begin at a joint, one
+//! of them can be: in the middle of the body it is the one that goes on upwards.
+//!
 //! # Position of the body
 //!
 //! The scale is the ratio of the lengths of the legs, a leg being the chain of long bones above a
@@ -36,31 +43,51 @@
 //! is used for all frames: it puts the lowest point of the soles below y = 0 in a quarter of the
 //! frames. In most recordings the person stands in more frames than that, and the lowest values are
 //! noise.
+//!
+//! # Feet
+//!
+//! Legs of other proportions do not keep a standing foot in its place: see
+//! [`Retarget::with_foot_locking`].
 
 pub(crate) mod convention;
 mod correspondence;
+mod foot_locking;
 mod joint_map;
 mod soles;
+mod source;
+mod structure;
 
 use std::ops::RangeInclusive;
 
-use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
+use ga_runtime::cga3::{Direction, Motor, Point, Rotor, Translator};
 use ga_runtime::vga3::Vector;
 
-use crate::bvh::Bvh;
 use crate::clip::{Clip, ClipError};
 use crate::pose::{Pose, PoseError};
 use crate::skeleton::Skeleton;
 use correspondence::Correspondence;
 
+pub use foot_locking::{Contact, FootLocking, LockedFeet};
 pub use joint_map::{JointMap, JointMapError};
 pub use soles::Soles;
+pub use source::Source;
+
+/// Which bones of the target become parallel to those of the source.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Alignment {
+    /// The long bones of limbs. The trunk keeps its own form and rotates as the source's does.
+    #[default]
+    Limbs,
+    /// One bone of every matched joint.
+    EveryBone,
+}
 
 /// A recording prepared to move a skeleton.
 #[derive(Clone, Debug)]
 pub struct Retarget<'a> {
-    source: &'a Bvh,
+    source: &'a dyn Source,
     target: &'a Skeleton,
+    soles: Soles,
     correspondence: Correspondence,
     /// What is added to the height of the scaled source.
     lift: f64,
@@ -96,6 +123,14 @@ pub enum RetargetError {
         /// The frame, from 0.
         frame: usize,
     },
+    /// A setting of foot locking is not positive and finite.
+    #[error("{name} cannot be {value}")]
+    FootLocking {
+        /// What it is.
+        name: &'static str,
+        /// The number.
+        value: f64,
+    },
     /// The poses do not form a clip.
     #[error(transparent)]
     Clip(#[from] ClipError),
@@ -113,7 +148,7 @@ impl<'a> Retarget<'a> {
     /// [`RetargetError::NoMatch`], [`RetargetError::NoLegs`], [`RetargetError::NoFrames`],
     /// [`RetargetError::Overflow`], and [`RetargetError::Pose`] for the soles of another skeleton.
     pub fn new(
-        source: &'a Bvh,
+        source: &'a dyn Source,
         target: &'a Skeleton,
         soles: &Soles,
     ) -> Result<Self, RetargetError> {
@@ -126,10 +161,25 @@ impl<'a> Retarget<'a> {
     ///
     /// Those of [`Retarget::new`], and [`RetargetError::Pose`] for a map for another skeleton.
     pub fn with_map(
-        source: &'a Bvh,
+        source: &'a dyn Source,
         target: &'a Skeleton,
         soles: &Soles,
         map: &JointMap,
+    ) -> Result<Self, RetargetError> {
+        Self::with_alignment(source, target, soles, map, Alignment::default())
+    }
+
+    /// The same with a choice of the bones that become parallel.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Retarget::with_map`].
+    pub fn with_alignment(
+        source: &'a dyn Source,
+        target: &'a Skeleton,
+        soles: &Soles,
+        map: &JointMap,
+        alignment: Alignment,
     ) -> Result<Self, RetargetError> {
         let (expected, found) = (target.len(), map.source_of().len());
         if expected != found {
@@ -139,10 +189,11 @@ impl<'a> Retarget<'a> {
         if expected != found {
             return Err(PoseError { expected, found }.into());
         }
-        let correspondence = Correspondence::new(source, target, soles, map)?;
+        let correspondence = Correspondence::new(source, target, soles, map, alignment)?;
         let mut retarget = Self {
             source,
             target,
+            soles: soles.clone(),
             correspondence,
             lift: 0.0,
         };
@@ -167,6 +218,12 @@ impl<'a> Retarget<'a> {
     #[must_use]
     pub fn scale(&self) -> f64 {
         self.correspondence.scale
+    }
+
+    /// The mean length of the legs of the recording, in its unit, by which the unit can be guessed.
+    #[must_use]
+    pub fn source_leg_length(&self) -> f64 {
+        self.correspondence.source_leg_length
     }
 
     /// The joints of the skeleton that move with their parents, since no joint of the recording
@@ -195,6 +252,7 @@ impl<'a> Retarget<'a> {
             frames,
         };
         let source = self.source.frames_of_joints(frame).ok_or(out_of_range)?;
+        let place = |joint: usize| Vector::from(source[joint].transform(Point::default()));
 
         let mut rotors: Vec<Rotor<f64>> = Vec::with_capacity(self.target.len());
         let mut own = Vec::with_capacity(self.target.len());
@@ -206,6 +264,12 @@ impl<'a> Retarget<'a> {
                 Some(there) => source[there].rotor() * self.correspondence.alignment[index],
                 None => above,
             };
+            let left = self.correspondence.parallel[index].and_then(|bone| {
+                let [from, to] = bone.ends.map(place);
+                let own: Vector<f64> = rotor.transform(Direction::from(bone.target)).into();
+                Rotor::between(own.coordinates(), (to - from).coordinates())
+            });
+            let rotor = left.map_or(rotor, |left| left * rotor);
             own.push(above.reverse() * rotor);
             rotors.push(rotor);
         }
@@ -214,11 +278,10 @@ impl<'a> Retarget<'a> {
         let motions = pose.motions(self.target)?;
         let legs = self.correspondence.legs.iter();
         let between_hips = legs.map(|leg| {
-            let joint = &self.target.joints()[leg.target];
-            let recorded = Vector::from(source[leg.source].transform(Point::default()));
-            let head = Point::from(joint.head);
-            let own = Vector::from(motions[leg.target].transform(head));
-            recorded * self.correspondence.scale - own
+            let [top, ..] = leg.joints;
+            let head = Point::from(self.target.joints()[top].head);
+            let own = Vector::from(motions[top].transform(head));
+            place(leg.source_top) * self.correspondence.scale - own
         });
         let mean = between_hips.sum::<Vector<f64>>() / self.correspondence.legs.len() as f64;
         let displacement = mean + Vector::new(0.0, self.lift, 0.0);
@@ -232,6 +295,12 @@ impl<'a> Retarget<'a> {
     ///
     /// [`RetargetError::FrameRange`].
     pub fn clip(&self, frames: RangeInclusive<usize>) -> Result<Clip, RetargetError> {
+        self.check_range(&frames)?;
+        let poses: Result<Vec<Pose>, _> = frames.map(|frame| self.pose(frame)).collect();
+        Ok(Clip::new(self.source.frame_time(), poses?)?)
+    }
+
+    fn check_range(&self, frames: &RangeInclusive<usize>) -> Result<(), RetargetError> {
         let (from, to) = (*frames.start(), *frames.end());
         let count = self.source.frame_count();
         if from > to || to >= count {
@@ -241,7 +310,6 @@ impl<'a> Retarget<'a> {
                 frames: count,
             });
         }
-        let poses: Result<Vec<Pose>, _> = frames.map(|frame| self.pose(frame)).collect();
-        Ok(Clip::new(self.source.frame_time(), poses?)?)
+        Ok(())
     }
 }

@@ -2,6 +2,7 @@ use std::collections::BTreeMap;
 
 use ga_runtime::batch;
 use ga_runtime::cga3::{Motor, Point};
+use ga_runtime::vga3::Vector;
 
 use crate::skeleton::Skeleton;
 use crate::skin::SkinError;
@@ -75,17 +76,36 @@ impl Soles {
         }
     }
 
-    /// Whether a joint has a part of the sole.
-    pub(super) fn has(&self, joint: usize) -> bool {
-        self.points.iter().any(|&(other, _)| other == joint)
+    /// The joints that have a part of the sole.
+    pub(super) fn joints(&self) -> impl Iterator<Item = usize> + '_ {
+        self.points.iter().map(|&(joint, _)| joint)
+    }
+
+    /// The mean of the points of some joints at rest; `None` where they have none.
+    pub(super) fn middle(&self, is_counted: impl Fn(usize) -> bool) -> Option<Vector<f64>> {
+        let counted = self.points.iter().filter(|(joint, _)| is_counted(*joint));
+        let places = counted.flat_map(|(_, points)| points);
+        let (sum, count) = places.fold((Vector::default(), 0u32), |(sum, count), &point| {
+            (sum + Vector::from(point), count + 1)
+        });
+        (count > 0).then(|| sum / f64::from(count))
     }
 
     /// The height of the lowest point after these motions of the joints; not a number when one of
     /// the heights is not.
     pub(super) fn lowest(&self, motions: &[Motor<f64>]) -> f64 {
+        self.lowest_of(motions, |_| true)
+    }
+
+    /// The same of the points of some joints; not a number where they have none.
+    pub(super) fn lowest_of(
+        &self,
+        motions: &[Motor<f64>],
+        is_counted: impl Fn(usize) -> bool,
+    ) -> f64 {
         let mut moved = Vec::new();
         let mut lowest: Option<f64> = None;
-        for (joint, points) in &self.points {
+        for (joint, points) in self.points.iter().filter(|(joint, _)| is_counted(*joint)) {
             moved.clone_from(points);
             batch::transform(&motions[*joint], &mut moved);
             for point in &moved {

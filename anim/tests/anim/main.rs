@@ -8,6 +8,7 @@ mod clip;
 mod compressed;
 mod curve;
 mod distance_weights;
+mod foot_locking;
 mod geodesic_weights;
 mod gltf;
 mod inverse_kinematics;

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 use ga_anim::bvh::{self, Bvh};
 use ga_anim::pose::PoseError;
-use ga_anim::retarget::{Retarget, RetargetError, Soles};
+use ga_anim::retarget::{Alignment, JointMap, Retarget, RetargetError, Soles};
 use ga_anim::skeleton::{Joint, Skeleton};
 use ga_anim::skin::SkinError;
 use ga_anim::weights::SkinWeights;
@@ -203,6 +203,68 @@ proptest! {
                 }
             }
         }
+    }
+}
+
+proptest! {
+    /// With every bone aligned, those of the trunk, the hands and the feet point alike too.
+    #[test]
+    fn every_matched_bone_points_alike(
+        frames in frames(),
+        nudges in vec(-0.4..0.4f64, 3 * BODY.len()),
+    ) {
+        let target = skeleton(1.0, |name, place| {
+            let index = BODY.iter().position(|joint| joint.0 == name).unwrap();
+            let nudged = std::array::from_fn(|axis| place[axis] + nudges[3 * index + axis]);
+            match name {
+                "hips" | "chest" | "head" => [place[0], nudged[1], nudged[2]],
+                "toes l" | "toes r" => [nudged[0], place[1], nudged[2]],
+                _ => nudged,
+            }
+        });
+        let source = recording(&frames);
+        let map = JointMap::by_names(&source, &target);
+        let soles = Soles::of_skeleton(&target);
+        let retarget =
+            Retarget::with_alignment(&source, &target, &soles, &map, Alignment::EveryBone).unwrap();
+        // One bone of each joint; at the hips and the chest the one upwards.
+        let bones = [
+            (0, 1), (1, 2), (3, 4), (4, 5), (5, 6), (7, 8), (8, 9), (9, 10), (11, 12), (12, 13),
+            (13, 14), (15, 16),
+        ];
+        for frame in 0..frames.len() {
+            let pairs = both(&retarget, &source, &target, frame);
+            for (from, to) in bones {
+                let [ours, there] = [0, 1].map(|k| between(pairs[from][k], pairs[to][k]));
+                let angle = ours.angle(there).unwrap();
+                prop_assert!(angle < 1e-9, "{}: {angle}", BODY[from].0);
+            }
+            // The head ends the trunk and keeps its form.
+            let motions = retarget.pose(frame).unwrap().motions(&target).unwrap();
+            let ours = motions[target.index("head").unwrap()].to_matrix();
+            let there = source.frames_of_joints(frame).unwrap()[2].to_matrix();
+            for row in 0..3 {
+                for column in 0..3 {
+                    prop_assert!((ours[row][column] - there[row][column]).abs() < 1e-12);
+                }
+            }
+        }
+    }
+}
+
+/// A body that looks along another axis at rest moves as one that looks along z.
+#[test]
+fn a_body_may_look_along_another_axis() {
+    let angles = |frame: usize| (0..3 * BODY.len()).map(move |i| ((i * 7 + frame * 5) % 40) as f64);
+    let frames: Vec<Vec<f64>> = (0..3)
+        .map(|f| vec![1.0, 2.0, 3.0].into_iter().chain(angles(f)).collect())
+        .collect();
+    let source = recording(&frames);
+    // Turned about y by a quarter: z becomes x, and x becomes −z.
+    let target = skeleton(1.0, |_, [x, y, z]| [z, y, -x]);
+    let retarget = Retarget::new(&source, &target, &Soles::of_skeleton(&target)).unwrap();
+    for frame in 0..frames.len() {
+        same_places(&both(&retarget, &source, &target, frame)).unwrap();
     }
 }
 
