@@ -73,6 +73,7 @@
 pub mod bvh;
 pub mod clip;
 pub mod curve;
+mod frame_position;
 pub mod gltf;
 pub mod inverse_kinematics;
 pub mod kinematics;

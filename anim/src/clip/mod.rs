@@ -20,6 +20,7 @@ mod time_warp;
 
 pub mod compressed;
 
+use crate::frame_position::frame_at;
 use crate::pose::Pose;
 
 pub use cross_fade::CrossFade;
@@ -134,11 +135,7 @@ impl Clip {
     /// ```
     #[must_use]
     pub fn sample(&self, time: f64) -> Pose {
-        let last = self.frames.len() - 1;
-        // NaN becomes the first frame.
-        let position = (time / self.frame_time).max(0.0).min(last as f64);
-        let before = position.floor() as usize;
-        let part = position - before as f64;
+        let (before, part) = frame_at(time / self.frame_time, self.frames.len() - 1);
         match self.frames.get(before + 1) {
             Some(after) if part > 0.0 => self.frames[before].interpolate(after, part),
             _ => self.frames[before].clone(),

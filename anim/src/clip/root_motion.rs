@@ -1,24 +1,26 @@
-//! The way of a body over the ground, apart from how it moves there.
+//! The trajectory of a body on the ground, apart from how it moves in place.
 
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 use ga_runtime::vga3::Vector;
 
 use super::{Clip, ClipError};
+use crate::frame_position::frame_at;
 use crate::skeleton::Skeleton;
 
-/// What of a body's motion is its way over the ground.
+/// What of a body's motion is its trajectory on the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GroundMotion {
     /// The joint whose motion is that of the body, often the hips.
     pub joint: usize,
-    /// Away from the ground.
+    /// The direction away from the ground, of any length.
     pub up: Vector<f64>,
-    /// Whether rotation about the vertical belongs to the way.
+    /// Whether rotation about the vertical belongs to the trajectory. It is right-handed about `up`:
+    /// seen from above, counter-clockwise.
     pub rotation: bool,
 }
 
 impl Default for GroundMotion {
-    /// The way of joint 0 with its rotation about y.
+    /// The trajectory of joint 0 with its rotation about y.
     fn default() -> Self {
         Self {
             joint: 0,
@@ -28,7 +30,7 @@ impl Default for GroundMotion {
     }
 }
 
-/// The way of a body over the ground: a motor for each frame, which moves the body from where it is
+/// The trajectory of a body on the ground: a motor for each frame, which moves the body from where it is
 /// at rest to where it stands in the frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RootMotion {
@@ -36,7 +38,7 @@ pub struct RootMotion {
     motions: Vec<Motor<f64>>,
 }
 
-/// A way over the ground that cannot be found.
+/// A trajectory that cannot be found.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RootMotionError {
@@ -70,8 +72,8 @@ pub enum RootMotionError {
 }
 
 impl Clip {
-    /// Splits the clip into the way over the ground and the motion in place: in each frame the
-    /// root's motor is M = W N, with the way W and the root N of the clip in place.
+    /// Splits the clip into the trajectory on the ground and the motion in place: in each frame the
+    /// root's motor is M = W N, with the trajectory W and the root N of the clip in place.
     ///
     /// W is the displacement of the joint along the ground and the rotation about the vertical
     /// through its position at rest. That rotation is the part of the joint's rotor R about the
@@ -137,7 +139,7 @@ impl Clip {
         ))
     }
 
-    /// The clip with a way over the ground applied to each frame: the root's motor N becomes W N.
+    /// The clip with a trajectory applied to each frame: the root's motor N becomes W N.
     ///
     /// # Errors
     ///
@@ -156,7 +158,7 @@ impl Clip {
 }
 
 impl RootMotion {
-    /// A way of motors, `frame_time` seconds apart.
+    /// A trajectory of motors, `frame_time` seconds apart.
     ///
     /// # Errors
     ///
@@ -184,12 +186,10 @@ impl RootMotion {
     /// the last it is that frame's.
     #[must_use]
     pub fn at(&self, time: f64) -> Motor<f64> {
-        let last = self.motions.len() - 1;
-        let position = (time / self.frame_time).max(0.0).min(last as f64);
-        let before = position.floor() as usize;
+        let (before, part) = frame_at(time / self.frame_time, self.motions.len() - 1);
         match self.motions.get(before + 1) {
-            Some(&after) => self.motions[before].interpolate(after, position - before as f64),
-            None => self.motions[last],
+            Some(&after) if part > 0.0 => self.motions[before].interpolate(after, part),
+            _ => self.motions[before],
         }
     }
 

@@ -15,6 +15,7 @@
 mod arc_length;
 mod bezier;
 mod cursor;
+mod ends;
 mod error;
 mod hermite;
 mod integral;
@@ -27,8 +28,9 @@ mod value;
 pub use arc_length::ArcLength;
 pub use bezier::{BezierCurve, BezierKey};
 pub use cursor::Cursor;
+pub use ends::{EndKind, Ends};
 pub use error::CurveError;
 pub use piecewise::{Curve, Outside};
 pub use resample::{Distance, ResampleError, Resampled, resample_channels, sample_channels};
-pub use spline::{EndKind, Ends, SplineSystem};
+pub use spline::SplineSystem;
 pub use value::Value;

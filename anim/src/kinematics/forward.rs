@@ -157,7 +157,7 @@ impl<S: Real, P: ExactSizeIterator<Item = Option<usize>> + Clone> Work for Forwa
 }
 
 pub(super) fn whole_poses(joints: usize, found: usize) -> Result<(), LengthError> {
-    // No joints have no motors: only 0 is a multiple of 0.
+    // Without joints there are no motors: only 0 is a multiple of 0.
     if found.is_multiple_of(joints) {
         Ok(())
     } else {

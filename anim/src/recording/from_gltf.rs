@@ -10,7 +10,7 @@ use crate::transform::Transform;
 /// An animation of a glTF document as the motion of joints.
 ///
 /// The joints are the joints of all skins, the nodes that the animation moves, and the nodes above
-/// them. A node that stays where it is, with all nodes above it, is no joint where it only moves,
+/// them. A node that stays where it is, with all nodes above it, is not a joint where it only moves,
 /// rotates and scales evenly: its frame then belongs to the joints below it.
 ///
 /// # Examples
@@ -56,7 +56,7 @@ struct Source {
     node: usize,
     /// The transform at rest, without what lies above.
     rest: Transform<f64>,
-    /// The frame in the world of the nodes above that are no joints.
+    /// The frame in the world of the nodes above that are not joints.
     above: Transform<f64>,
 }
 

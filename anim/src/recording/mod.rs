@@ -27,6 +27,7 @@ mod mirror;
 mod model_space;
 mod resample;
 
+use crate::frame_position::frame_at;
 use crate::transform::Transform;
 
 pub use blend::{BlendError, blend};
@@ -270,7 +271,7 @@ impl Recording {
 
     /// The local transforms at a time in frames, into one place for each joint.
     fn fill(&self, position: f64, locals: &mut [Transform<f64>]) {
-        let (before, part) = self.split(position);
+        let (before, part) = frame_at(position, self.frame_count() - 1);
         let count = self.joints.len();
         let frames = &self.locals[before * count..];
         locals.copy_from_slice(&frames[..count]);
@@ -291,7 +292,7 @@ impl Recording {
 
     /// The value of a track at a time in frames.
     fn track_at(&self, track: &ScalarTrack, position: f64) -> f64 {
-        let (before, part) = self.split(position);
+        let (before, part) = frame_at(position, self.frame_count() - 1);
         let value = track.values[before];
         match track.values.get(before + 1) {
             Some(after) => value + (after - value) * part,
@@ -302,15 +303,6 @@ impl Recording {
     /// A time in seconds as a time in frames.
     fn position(&self, time: f64) -> f64 {
         time / self.frame_time
-    }
-
-    /// The frame at or before a time in frames and the part of the way to the next; the part is 0
-    /// at the last frame. A time that is not a number is that of the first frame.
-    fn split(&self, position: f64) -> (usize, f64) {
-        let last = self.frame_count() - 1;
-        let position = position.max(0.0).min(last as f64);
-        let before = position.floor() as usize;
-        (before, position - before as f64)
     }
 }
 

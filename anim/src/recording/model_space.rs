@@ -26,7 +26,7 @@ pub enum ModelSpaceError {
         parent: usize,
     },
     /// A factor of a joint is not 1, so that its map is not a motor.
-    #[error("joint {joint} is scaled, which no motor does")]
+    #[error("joint {joint} is scaled, and a motor does not scale")]
     Scaled {
         /// The joint.
         joint: usize,

@@ -357,7 +357,7 @@ fn parts<'a>(names: impl Iterator<Item = &'a str>) -> Parts {
                 }
             }
         }
-        // A joint beside the hips is no part where the thigh has a name of its own.
+        // A joint beside the hips does not count where the thigh has a name of its own.
         parts.remove(&(Part::SideOfHips, side));
     }
     parts

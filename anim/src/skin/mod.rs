@@ -91,7 +91,9 @@ pub enum SkinError {
     #[error("normals or tangents are asked for, but the vertices were bound without them")]
     NoDirections,
     /// The palettes of a mixture are not one of the linear blend and one of a blend of motors.
-    #[error("a mixture needs a palette of the linear blend, and then one of a blend of motors")]
+    #[error(
+        "the first palette of a mixture must be of the linear blend, the second of a blend of motors"
+    )]
     NotBoth,
     /// More joints or pairs of joints than the indices can count.
     #[error("there are more than 65,536 joints, or too many pairs of them")]

@@ -16,7 +16,7 @@ pub enum SmoothError {
     #[error(transparent)]
     Mesh(#[from] MeshError),
     /// The share is not between 0 and 1.
-    #[error("{share} is not a share of the neighbours: from 0 to 1 is possible")]
+    #[error("the share of the neighbours is {share}; it must be from 0 to 1")]
     BadShare {
         /// The share.
         share: f64,

@@ -36,6 +36,8 @@ pub struct Measured {
     pub half_frame_ratio: f64,
     /// The greatest deviation of a scalar track in a frame.
     pub track_error: f64,
+    /// The track that has it.
+    pub track: usize,
 }
 
 const NOTHING: Measured = Measured {
@@ -46,6 +48,7 @@ const NOTHING: Measured = Measured {
     half_frame_error: 0.0,
     half_frame_ratio: 0.0,
     track_error: 0.0,
+    track: 0,
 };
 
 /// Decodes every frame and every half-way time and compares them with a recording. `None` unless
@@ -91,7 +94,8 @@ fn greater(a: Measured, b: Measured) -> Measured {
     greatest.ratio = a.ratio.max(b.ratio);
     greatest.half_frame_error = a.half_frame_error.max(b.half_frame_error);
     greatest.half_frame_ratio = a.half_frame_ratio.max(b.half_frame_ratio);
-    greatest.track_error = a.track_error.max(b.track_error);
+    let of_track = if b.track_error > a.track_error { b } else { a };
+    (greatest.track_error, greatest.track) = (of_track.track_error, of_track.track);
     greatest
 }
 
@@ -132,9 +136,12 @@ impl<'a> Comparison<'a> {
         let locals = &recording.locals()[frame * count..];
         self.truth.copy_from_slice(&locals[..count]);
         self.sampler.sample_frame(frame);
-        for (track, &found) in recording.tracks().iter().zip(self.sampler.tracks()) {
+        let tracks = recording.tracks().iter().zip(self.sampler.tracks());
+        for (index, (track, &found)) in tracks.enumerate() {
             let error = (track.values[frame] - found).abs();
-            greatest.track_error = greatest.track_error.max(error);
+            if error > greatest.track_error {
+                (greatest.track_error, greatest.track) = (error, index);
+            }
         }
         for (joint, error) in self.errors().into_iter().enumerate() {
             if error > greatest.error {

@@ -8,12 +8,13 @@ use super::CompressedClip;
 use super::basis::SEGMENT;
 use super::layout::{double, double_rotor};
 use super::tables::{Block, LANES, RotorBlock, Tables, VectorChannels};
+use crate::frame_position::frame_at;
 use crate::recording::ModelSpaceError;
 use crate::transform::Transform;
 
-/// A time this near to a frame, in frames, is that of the frame: the product of a number of frames
-/// and the time between them is rounded.
-const SAME_FRAME: f64 = 1e-7;
+/// Where the cosine of half the angle from one frame to the next is above this in all joints, a
+/// polynomial with few terms is enough: up to 23° from frame to frame.
+const NEAR: f32 = 0.98;
 
 /// Samples a [`CompressedClip`] forward, backward or at random, into slices of its own.
 ///
@@ -35,7 +36,11 @@ pub struct Sampler<'a> {
     batch: Batch,
     frames: [Frame; 2],
     /// Rotors between the two frames, as in [`Frame::rotors`].
-    between: Vec<[Block; 4]>,
+    between: RotorRows,
+    /// The frame that `is_near` is about, with the next.
+    compared: Option<usize>,
+    /// Whether all rotations to the next frame are by small angles.
+    is_near: bool,
     rotors: Vec<Rotor<f32>>,
     translations: Vec<Vector<f32>>,
     scales: Vec<Vector<f32>>,
@@ -49,9 +54,13 @@ struct Frame {
     index: Option<usize>,
     /// The values of all channels.
     values: Vec<Block>,
-    /// By block of rotating joints, then by coefficient.
-    rotors: Vec<[Block; 4]>,
+    /// Those of the rotating joints.
+    rotors: RotorRows,
 }
+
+/// The coefficients of rotors, by coefficient and then by lane: loops over long rows become vector
+/// instructions.
+type RotorRows = [Vec<Block>; 4];
 
 impl<'a> Sampler<'a> {
     /// A sampler at the first frame.
@@ -61,13 +70,15 @@ impl<'a> Sampler<'a> {
         let frame = Frame {
             index: None,
             values: vec![[0.0; LANES]; tables.blocks],
-            rotors: vec![[[0.0; LANES]; 4]; tables.rotors.len()],
+            rotors: [(); 4].map(|()| vec![[0.0; LANES]; tables.rotors.len()]),
         };
         let layouts = clip.layouts();
         let mut sampler = Self {
             clip,
             batch: Batch::new(),
             between: frame.rotors.clone(),
+            compared: None,
+            is_near: false,
             frames: [frame.clone(), frame],
             rotors: layouts.iter().map(|layout| layout.middle).collect(),
             translations: layouts
@@ -90,14 +101,8 @@ impl<'a> Sampler<'a> {
     #[inline]
     pub fn sample(&mut self, time: f64) {
         let last = self.clip.frame_count() - 1;
-        let position = (time / self.clip.frame_time()).max(0.0).min(last as f64);
-        let nearest = position.round();
-        if (position - nearest).abs() < SAME_FRAME {
-            self.go_to(nearest as usize, 0.0);
-        } else {
-            let before = position as usize;
-            self.go_to(before, (position - before as f64) as f32);
-        }
+        let (frame, part) = frame_at(time / self.clip.frame_time(), last);
+        self.go_to(frame, part as f32);
     }
 
     /// Goes to a frame, counted from 0, or to the last one where there are fewer.
@@ -203,19 +208,22 @@ impl Work for Step<'_, '_> {
             }
         }
         let [a, b] = &sampler.frames;
-        let blocks = if part > 0.0 {
-            let coefficients = [1.0 - part, part].map(slerp_coefficients);
-            let pairs = a.rotors.iter().zip(&b.rotors);
-            for (between, (a, b)) in sampler.between.iter_mut().zip(pairs) {
-                interpolate([a, b], &coefficients, between);
+        let rows = if part > 0.0 {
+            if sampler.compared != here {
+                (sampler.compared, sampler.is_near) = (here, are_near(&a.rotors, &b.rotors));
+            }
+            let (rotors, between) = ([&a.rotors, &b.rotors], &mut sampler.between);
+            if sampler.is_near {
+                interpolate::<4>(rotors, part, between);
+            } else {
+                interpolate::<9>(rotors, part, between);
+                normalise(between);
             }
             &sampler.between
         } else {
             &a.rotors
         };
-        for (block, joints) in blocks.iter().zip(tables.rotating.chunks(LANES)) {
-            put(block, joints, &mut sampler.rotors);
-        }
+        put(rows, &tables.rotating, &mut sampler.rotors);
         let (from, to) = (a.values.as_flattened(), b.values.as_flattened());
         let value = |place: usize| match part > 0.0 {
             true => from[place] + (to[place] - from[place]) * part,
@@ -266,8 +274,10 @@ fn decode<const N: usize>(tables: &Tables, index: usize, mut frames: [&mut Frame
     }
     for (n, frame) in frames.into_iter().enumerate() {
         let values = &frame.values;
-        for (rotors, constants) in frame.rotors.iter_mut().zip(&tables.rotors) {
+        for (block, constants) in tables.rotors.iter().enumerate() {
             let bivectors = &values[constants.first..];
+            let [a, b, c, d] = frame.rotors.each_mut();
+            let rotors = [&mut a[block], &mut b[block], &mut c[block], &mut d[block]];
             match constants.channels {
                 1 => rotate::<1>(constants, bivectors, rotors),
                 2 => rotate::<2>(constants, bivectors, rotors),
@@ -299,9 +309,12 @@ fn residuals(bytes: &[u8], at: usize, width: u8) -> Option<Block> {
     }
 }
 
-/// The rotors of eight joints with up to K channels.
+/// The rotors of eight joints with up to K channels, by coefficient.
+///
+/// A loop over the lanes for each array: with two in one, or with results by value, the compiler
+/// leaves the lanes apart.
 #[inline(always)]
-fn rotate<const K: usize>(constants: &RotorBlock, bivectors: &[Block], rotors: &mut [Block; 4]) {
+fn rotate<const K: usize>(constants: &RotorBlock, bivectors: &[Block], rotors: [&mut Block; 4]) {
     let Some(b) = bivectors.first_chunk::<K>() else {
         return;
     };
@@ -316,7 +329,7 @@ fn rotate<const K: usize>(constants: &RotorBlock, bivectors: &[Block], rotors: &
         scale[i] = 1.0 / (1.0 + square[i]);
         scalar[i] = 1.0 - square[i];
     }
-    for (k, row) in rotors.iter_mut().enumerate() {
+    for (k, row) in rotors.into_iter().enumerate() {
         let mut sum = [0.0; LANES];
         for i in 0..LANES {
             sum[i] = constants.middle[k][i] * scalar[i];
@@ -333,82 +346,126 @@ fn rotate<const K: usize>(constants: &RotorBlock, bivectors: &[Block], rotors: &
 }
 
 /// Of slerp, the factor sin(tθ) / (t sin θ) as a polynomial in cos θ − 1 (D. Eberly, "A fast and
-/// accurate algorithm for computing slerp", 2011): its coefficients at t, from the constant one on.
+/// accurate algorithm for computing slerp", 2011): the first N coefficients at t, times t, from the
+/// constant one on. The coefficient n is that before times t² / (n (2n + 1)) − n / (2n + 1).
 ///
-/// With the last one weighted so, the angle is within 10⁻⁸ of slerp up to θ = π/4, where rotations
-/// are a right angle apart, and within 2·10⁻⁵ up to θ = π/2, where they are opposite.
+/// With four, the factor is within 10⁻⁸ for cosines from [`NEAR`] on. With nine, of which the last
+/// is weighted, the angle is within 10⁻⁸ of slerp up to θ = π/4, where rotations are a right angle
+/// apart, and within 2·10⁻⁵ up to θ = π/2, where they are opposite.
 #[inline(always)]
-fn slerp_coefficients(t: f32) -> [f32; 9] {
+fn slerp_coefficients<const N: usize>(t: f32) -> [f32; N] {
     const LAST: f32 = 1.901_107_5;
-    let mut coefficients = [1.0; 9];
-    for i in 1..coefficients.len() {
-        let n = i as f32;
-        let weight = if i == 8 { LAST } else { 1.0 };
-        let factor = (t * t / (n * (2.0 * n + 1.0)) - n / (2.0 * n + 1.0)) * weight;
-        coefficients[i] = coefficients[i - 1] * factor;
+    let square = t * t;
+    let mut coefficients = [t; N];
+    for n in 1..N {
+        let (number, weight) = (n as f32, if n == 8 { LAST } else { 1.0 });
+        // Quotients of constants, once the loop is unrolled.
+        let of_square = weight / (number * (2.0 * number + 1.0));
+        let constant = weight * number / (2.0 * number + 1.0);
+        coefficients[n] = coefficients[n - 1] * (square * of_square - constant);
     }
-    coefficients.map(|coefficient| coefficient * t)
+    coefficients
 }
 
-/// The polynomial with these coefficients, from the constant one on, in each lane.
+/// The polynomial with these coefficients, from the constant one on.
 #[inline(always)]
-fn polynomial(coefficients: &[f32; 9], x: &Block) -> Block {
-    let mut sum = [coefficients[8]; LANES];
-    for &coefficient in coefficients[..8].iter().rev() {
-        for i in 0..LANES {
-            sum[i] = sum[i] * x[i] + coefficient;
-        }
-    }
-    sum
+fn polynomial<const N: usize>(coefficients: &[f32; N], x: f32) -> f32 {
+    let Some((&last, others)) = coefficients.split_last() else {
+        return 0.0;
+    };
+    let others = others.iter().rev();
+    others.fold(last, |sum, &coefficient| sum * x + coefficient)
 }
 
-/// Eight rotors between others along the shorter arcs, by the coefficients of slerp for both.
-///
-/// A loop over the lanes for each array: with two in one, the compiler leaves lanes apart.
+/// Whether all rotors are so near to others that their cosines are above [`NEAR`].
 #[inline(always)]
-fn interpolate([a, b]: [&[Block; 4]; 2], [of_a, of_b]: &[[f32; 9]; 2], result: &mut [Block; 4]) {
-    let mut cosine = [0.0; LANES];
-    for (a, b) in a.iter().zip(b) {
-        for i in 0..LANES {
-            cosine[i] += a[i] * b[i];
-        }
+fn are_near(a: &RotorRows, b: &RotorRows) -> bool {
+    let ([a0, a1, a2, a3], [b0, b1, b2, b3]) = (numbers(a), numbers(b));
+    let lanes = a0.len();
+    let (a1, a2, a3) = (&a1[..lanes], &a2[..lanes], &a3[..lanes]);
+    let (b0, b1, b2, b3) = (&b0[..lanes], &b1[..lanes], &b2[..lanes], &b3[..lanes]);
+    // A count becomes vector instructions, a conjunction does not.
+    let mut far = 0u32;
+    for i in 0..lanes {
+        let cosine = a0[i] * b0[i] + a1[i] * b1[i] + a2[i] * b2[i] + a3[i] * b3[i];
+        far += u32::from(cosine.abs() < NEAR);
     }
-    let mut x = [0.0; LANES];
-    for i in 0..LANES {
-        x[i] = cosine[i].abs() - 1.0;
-    }
-    let (from, mut to) = (polynomial(of_a, &x), polynomial(of_b, &x));
-    for i in 0..LANES {
-        to[i] = to[i].copysign(cosine[i]);
-    }
-    let mut mean = [[0.0; LANES]; 4];
-    let mut squares = [0.0; LANES];
-    for (mean, (a, b)) in mean.iter_mut().zip(a.iter().zip(b)) {
-        for i in 0..LANES {
-            mean[i] = a[i] * from[i] + b[i] * to[i];
-        }
-        for i in 0..LANES {
-            squares[i] += mean[i] * mean[i];
-        }
-    }
-    // A step of Newton's method for the inverse square root: the squares are within 10⁻⁴ of 1.
-    let mut factor = [0.0; LANES];
-    for i in 0..LANES {
-        factor[i] = 1.5 - 0.5 * squares[i];
-    }
-    for (row, mean) in result.iter_mut().zip(&mean) {
-        for i in 0..LANES {
-            row[i] = mean[i] * factor[i];
-        }
-    }
+    far == 0
+}
+
+/// The rows as numbers, all of the same length. Methods of arrays such as `map` would not be compiled
+/// as part of the loop.
+#[inline(always)]
+fn numbers<'a>(rows: &'a RotorRows) -> [&'a [f32]; 4] {
+    let lanes = LANES * rows[0].len();
+    let [a, b, c, d] = rows.each_ref();
+    let row = |row: &'a Vec<Block>| &row.as_flattened()[..lanes];
+    [row(a), row(b), row(c), row(d)]
 }
 
 #[inline(always)]
-fn put(block: &[Block; 4], joints: &[usize], rotors: &mut [Rotor<f32>]) {
-    let [s, e12, e13, e23] = block;
-    for (i, &joint) in joints.iter().enumerate().take(LANES) {
+fn numbers_mut(rows: &mut RotorRows) -> [&mut [f32]; 4] {
+    let lanes = LANES * rows[0].len();
+    let [a, b, c, d] = rows.each_mut();
+    [
+        &mut a.as_flattened_mut()[..lanes],
+        &mut b.as_flattened_mut()[..lanes],
+        &mut c.as_flattened_mut()[..lanes],
+        &mut d.as_flattened_mut()[..lanes],
+    ]
+}
+
+/// Rotors at a part of the shorter arcs between others, by N terms of slerp.
+#[inline(always)]
+fn interpolate<const N: usize>(rotors: [&RotorRows; 2], part: f32, between: &mut RotorRows) {
+    let (of_a, of_b) = (
+        slerp_coefficients::<N>(1.0 - part),
+        slerp_coefficients::<N>(part),
+    );
+    let ([a0, a1, a2, a3], [b0, b1, b2, b3]) = (numbers(rotors[0]), numbers(rotors[1]));
+    let [r0, r1, r2, r3] = numbers_mut(between);
+    let lanes = r0.len();
+    // Equal lengths, seen by the compiler, leave the loop without checks.
+    let (a0, a1, a2, a3) = (&a0[..lanes], &a1[..lanes], &a2[..lanes], &a3[..lanes]);
+    let (b0, b1, b2, b3) = (&b0[..lanes], &b1[..lanes], &b2[..lanes], &b3[..lanes]);
+    let (r1, r2, r3) = (&mut r1[..lanes], &mut r2[..lanes], &mut r3[..lanes]);
+    for i in 0..lanes {
+        let cosine = a0[i] * b0[i] + a1[i] * b1[i] + a2[i] * b2[i] + a3[i] * b3[i];
+        let x = cosine.abs() - 1.0;
+        let from = polynomial(&of_a, x);
+        let to = polynomial(&of_b, x).copysign(cosine);
+        r0[i] = a0[i] * from + b0[i] * to;
+        r1[i] = a1[i] * from + b1[i] * to;
+        r2[i] = a2[i] * from + b2[i] * to;
+        r3[i] = a3[i] * from + b3[i] * to;
+    }
+}
+
+/// Makes rotors whose squares are within 10⁻⁴ of 1 unit rotors, by a step of Newton's method for
+/// the inverse square root.
+#[inline(always)]
+fn normalise(rotors: &mut RotorRows) {
+    let [r0, r1, r2, r3] = numbers_mut(rotors);
+    let lanes = r0.len();
+    let (r1, r2, r3) = (&mut r1[..lanes], &mut r2[..lanes], &mut r3[..lanes]);
+    for i in 0..lanes {
+        let square = r0[i] * r0[i] + r1[i] * r1[i] + r2[i] * r2[i] + r3[i] * r3[i];
+        let factor = 1.5 - 0.5 * square;
+        r0[i] *= factor;
+        r1[i] *= factor;
+        r2[i] *= factor;
+        r3[i] *= factor;
+    }
+}
+
+/// Puts rotors from the lanes to their joints.
+#[inline(always)]
+fn put(rows: &RotorRows, joints: &[usize], rotors: &mut [Rotor<f32>]) {
+    let [s, e12, e13, e23] = numbers(rows);
+    let lanes = s.iter().zip(e12).zip(e13.iter().zip(e23));
+    for (&joint, ((&s, &e12), (&e13, &e23))) in joints.iter().zip(lanes) {
         if let Some(rotor) = rotors.get_mut(joint) {
-            *rotor = Rotor::new_unchecked(s[i], e12[i], e13[i], e23[i]);
+            *rotor = Rotor::new_unchecked(s, e12, e13, e23);
         }
     }
 }

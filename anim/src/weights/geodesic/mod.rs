@@ -83,7 +83,7 @@ pub enum GeodesicWeightsError {
     #[error("a mesh without triangles has neither an inside nor a surface")]
     NoTriangles,
     /// The number of cells is 0 or too large.
-    #[error("{resolution} is not a number of cells along the mesh: from 1 to 256 are possible")]
+    #[error("{resolution} cells along the mesh; there must be from 1 to 256")]
     BadResolution {
         /// The number of cells.
         resolution: usize,

@@ -88,69 +88,47 @@ impl Segment<'_> {
         parent: Option<&JointState>,
         state: &mut JointState,
     ) {
-        let source = self.source;
-        let layout = &source.layouts[joint];
+        let layout = &self.source.layouts[joint];
+        let levers = self.source.levers[joint];
         state.channels.clear();
         state.trend_bits = 0;
-        let tolerance = source.tolerances[joint];
-        let levers = source.levers[joint];
-        let mut at = 0;
-        let mut channels = |part_layout: &Part, values: &[[f64; SEGMENT]; 3], lever: f64| {
-            let mut decoded = [[0.0; SEGMENT]; 3];
-            for k in 0..part_layout.live {
-                let finest = 0.1 * tolerance / lever.max(1e-12);
-                if let Some(part) = part {
-                    let deviation = part * tolerance / lever.max(1e-12);
-                    levels[at] = piece::bits_for(self.basis, &values[k], deviation) as Level;
-                }
-                let precision = match levels[at] {
-                    bits @ 1.. => Precision::Bits(bits as u8),
-                    coarse => Precision::Trend(finest * 2f64.powf(-f64::from(coarse) / 2.0)),
-                };
-                let encoded = piece::encode(self.basis, &values[k], precision);
-                state.trend_bits += encoded.piece.trend_bits();
-                decoded[k] = encoded.decoded;
-                state.channels.push(encoded);
-                at += 1;
-            }
-            decoded
+        let mut channels = Channels {
+            basis: self.basis,
+            tolerance: self.source.tolerances[joint],
+            share: part,
+            levels: levels.iter_mut(),
+            state,
         };
 
         // Place and scale.
         let frames = self.basis.frames;
-        let part_layout = &layout.translation;
-        let mut translations = [layout::double(part_layout.constant); SEGMENT];
-        if part_layout.live > 0 {
-            let values = along(part_layout, frames, |frame| {
-                self.translation(joint, frame, parent)
-            });
-            add(
-                part_layout,
-                &channels(part_layout, &values, levers.translation),
-                &mut translations,
-            );
-        }
-        let part_layout = &layout.scale;
-        let mut scales = [layout::double(part_layout.constant); SEGMENT];
-        if part_layout.live > 0 {
-            let values = along(part_layout, frames, |frame| self.local(joint, frame).scale);
-            add(
-                part_layout,
-                &channels(part_layout, &values, levers.scale),
-                &mut scales,
-            );
-        }
+        let mut translations = [layout::double(layout.translation.constant); SEGMENT];
+        channels.add(
+            (&layout.translation, levers.translation),
+            frames,
+            |frame| self.translation(joint, frame, parent),
+            &mut translations,
+        );
+        let mut scales = [layout::double(layout.scale.constant); SEGMENT];
+        channels.add(
+            (&layout.scale, levers.scale),
+            frames,
+            |frame| self.local(joint, frame).scale,
+            &mut scales,
+        );
 
         // Rotation, so that what the joint carries comes where it should.
         let middle = layout::double_rotor(layout.middle);
         let mut rotations = [middle; SEGMENT];
-        let part_layout = &layout.rotation;
-        if part_layout.live > 0 {
+        if layout.rotation.live > 0 {
             let targets = self.rotation_targets(joint, parent, &translations, middle);
-            let values = along(part_layout, frames, |frame| targets[frame].into());
-            let decoded = channels(part_layout, &values, 4.0 * levers.rotation);
             let mut bivectors = [Vector::default(); SEGMENT];
-            add(part_layout, &decoded, &mut bivectors);
+            channels.add(
+                (&layout.rotation, 4.0 * levers.rotation),
+                frames,
+                |frame| targets[frame].into(),
+                &mut bivectors,
+            );
             for (rotation, b) in rotations.iter_mut().zip(bivectors) {
                 *rotation = middle * layout::from_stereographic(b);
             }
@@ -309,24 +287,67 @@ fn chord(a: Rotor<f64>, b: Rotor<f64>) -> f64 {
     2.0 * (square * (1.0 - square / 4.0)).max(0.0).sqrt()
 }
 
-fn along(part: &Part, frames: usize, value: impl Fn(usize) -> Vector<f64>) -> [[f64; SEGMENT]; 3] {
-    let directions = part.directions();
+/// The channels of a joint, encoded one after the other.
+struct Channels<'a> {
+    basis: &'a Basis,
+    tolerance: f64,
+    /// Where levels are to be chosen, the part of the tolerance by which a channel may move a point.
+    share: Option<f64>,
+    /// Those of the channels to come.
+    levels: std::slice::IterMut<'a, Level>,
+    state: &'a mut JointState,
+}
+
+impl Channels<'_> {
+    /// Encodes the deviations of vectors from the constant of a part of the transform, and adds
+    /// what a decoder makes of them. A change by 1 moves points by up to `lever`.
+    fn add(
+        &mut self,
+        (part, lever): (&Part, f64),
+        frames: usize,
+        value: impl Fn(usize) -> Vector<f64>,
+        vectors: &mut [Vector<f64>; SEGMENT],
+    ) {
+        if part.live == 0 {
+            return;
+        }
+        let directions = part.directions();
+        let values = along(part, &directions, frames, value);
+        let levels = self.levels.by_ref().take(part.live);
+        for ((level, values), &direction) in levels.zip(&values).zip(&directions) {
+            let finest = 0.1 * self.tolerance / lever.max(1e-12);
+            if let Some(share) = self.share {
+                let deviation = share * self.tolerance / lever.max(1e-12);
+                *level = piece::bits_for(self.basis, values, deviation) as Level;
+            }
+            let precision = match *level {
+                bits @ 1.. => Precision::Bits(bits as u8),
+                coarse => Precision::Trend(finest * 2f64.powf(-f64::from(coarse) / 2.0)),
+            };
+            let encoded = piece::encode(self.basis, values, precision);
+            self.state.trend_bits += encoded.piece.trend_bits();
+            for (vector, &decoded) in vectors.iter_mut().zip(&encoded.decoded) {
+                *vector += direction * decoded;
+            }
+            self.state.channels.push(encoded);
+        }
+    }
+}
+
+/// The coordinates of deviations along the axes of their channels.
+fn along(
+    part: &Part,
+    directions: &[Vector<f64>; 3],
+    frames: usize,
+    value: impl Fn(usize) -> Vector<f64>,
+) -> [[f64; SEGMENT]; 3] {
     let constant = layout::double(part.constant);
     let mut values = [[0.0; SEGMENT]; 3];
     for frame in 0..frames {
         let deviation = value(frame) - constant;
-        for (row, direction) in values[..part.live].iter_mut().zip(directions) {
+        for (row, &direction) in values[..part.live].iter_mut().zip(directions) {
             row[frame] = deviation.dot(direction);
         }
     }
     values
-}
-
-fn add(part: &Part, decoded: &[[f64; SEGMENT]; 3], vectors: &mut [Vector<f64>; SEGMENT]) {
-    let directions = part.directions();
-    for (frame, vector) in vectors.iter_mut().enumerate() {
-        for k in 0..part.live {
-            *vector += directions[k] * decoded[k][frame];
-        }
-    }
 }

@@ -14,9 +14,9 @@ use super::file::Contents;
 use super::layout::JointLayout;
 use super::pack::{Segment, frames_of, segment_count};
 use super::piece::{Encoded, MOST_BITS, Precision, bits_for, encode};
-use super::settings::{JointBound, Settings};
+use super::settings::Settings;
 use super::tables::{Channel, channels};
-use super::{CompressError, CompressedClip, file, measure};
+use super::{CompressError, CompressedClip, Measured, file, measure};
 use crate::recording::Recording;
 use search::Search;
 use source::Source;
@@ -56,8 +56,8 @@ const MOST_JOINTS: usize = 4096;
 /// compares the same. Half-way between frames the error is not bounded, but where it is a little
 /// above 1.1 tolerances, frames are encoded more finely.
 ///
-/// `progress` is told how many of how many steps are done. The result is the same for any number of
-/// threads.
+/// `progress` is told how many of how many segments are encoded; there are more where some are
+/// encoded again. The result is the same for any number of threads.
 ///
 /// # Errors
 ///
@@ -106,8 +106,13 @@ pub fn compress(
         tolerance: settings.tolerance,
         error: f64::INFINITY,
     });
+    let steps = Steps {
+        progress: &progress,
+        done: AtomicUsize::new(0),
+        all: AtomicUsize::new(0),
+    };
     for negligible in NEGLIGIBLE {
-        result = compress_with(recording, settings, negligible, &progress);
+        result = compress_with(recording, settings, negligible, &steps);
         if !matches!(result, Err(CompressError::Bound { .. })) {
             break;
         }
@@ -119,7 +124,7 @@ fn compress_with(
     recording: &Recording,
     settings: &Settings,
     negligible: f64,
-    progress: &(impl Fn(usize, usize) + Sync),
+    steps: &Steps<impl Fn(usize, usize) + Sync>,
 ) -> Result<CompressedClip, CompressError> {
     let joint_bounds = settings.bounds(recording.joints().len());
     let source = Source::new(recording, joint_bounds, negligible)?;
@@ -132,40 +137,29 @@ fn compress_with(
     let tracks = tracks(recording, settings, &bases)?;
 
     let changes = tracks.iter().map(|track| !track.pieces.is_empty());
-    let order = channels(&source.layouts, changes);
+    let encoder = SegmentEncoder {
+        source: &source,
+        bases: &bases,
+        tracks: &tracks,
+        order: channels(&source.layouts, changes),
+        segments: count,
+    };
     let mut segments = vec![Segment::default(); count];
     let mut bounds = vec![MARGIN; count];
     // Segments, and whether what they are is of no use.
     let mut todo: Vec<(usize, bool)> = (0..count).map(|segment| (segment, true)).collect();
     let mut worst = None;
     for repetition in 0..REPETITIONS {
-        let done = AtomicUsize::new(0);
+        steps.add(todo.len());
         let encoded: Result<Vec<Option<Segment>>, CompressError> = todo
             .par_iter()
             .map(|&(segment, needed)| {
-                let bound = bounds[segment];
-                let basis = &bases[usize::from(segment + 1 == count)];
-                let budget = BUDGET * source.joints();
-                let search = Search::new(&source, basis, segment * SEGMENT, bound, budget);
-                let joints = match search.run() {
-                    Ok(joints) => joints,
-                    Err(_) if !needed => return Ok(None),
-                    Err((joint, error)) => {
-                        let JointBound { tolerance, .. } = source.bounds[joint];
-                        return Err(CompressError::Bound {
-                            joint: recording.joints()[joint].name.clone(),
-                            tolerance,
-                            error: error * tolerance,
-                        });
-                    }
-                };
-                let encoded = order.iter().filter_map(|(channel, _)| match *channel {
-                    Channel::OfJoint { joint, channel } => joints[joint].get(channel).cloned(),
-                    Channel::Track(track) => tracks[track].pieces.get(segment).cloned(),
-                });
-                let encoded: Vec<Encoded> = encoded.collect();
-                progress(done.fetch_add(1, Ordering::Relaxed) + 1, todo.len());
-                Ok(Some(Segment::of_channels(&encoded, basis.frames)))
+                let encoded = encoder.encode(segment, bounds[segment]);
+                steps.done();
+                match encoded {
+                    Err(_) if !needed => Ok(None),
+                    encoded => encoded.map(Some),
+                }
             })
             .collect();
         for (&(segment, _), encoded) in todo.iter().zip(encoded?) {
@@ -176,6 +170,7 @@ fn compress_with(
         let contents = contents(recording, settings, &source.layouts, &tracks);
         let clip = CompressedClip::from_bytes(file::to_bytes(&contents, &segments)?)?;
         let errors = measure::by_segment(recording, &clip, &source.bounds, &source.sizes);
+        check_tracks(recording, settings, &errors)?;
         let aims_at_halves = repetition < HALF_FRAME_REPETITIONS;
         let mut again = Vec::new();
         for (segment, found) in errors.iter().enumerate() {
@@ -200,6 +195,75 @@ fn compress_with(
         frame,
         tolerance: source.bounds[joint].tolerance,
     })
+}
+
+/// How many of how many segments are encoded, over all repetitions.
+struct Steps<'a, P> {
+    progress: &'a P,
+    done: AtomicUsize,
+    all: AtomicUsize,
+}
+
+impl<P: Fn(usize, usize)> Steps<'_, P> {
+    fn add(&self, count: usize) {
+        self.all.fetch_add(count, Ordering::Relaxed);
+    }
+
+    fn done(&self) {
+        let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
+        (self.progress)(done, self.all.load(Ordering::Relaxed));
+    }
+}
+
+/// Everything that the segments of a clip have in common.
+struct SegmentEncoder<'a> {
+    source: &'a Source<'a>,
+    /// Of all segments but the last, and of the last.
+    bases: &'a [Basis; 2],
+    tracks: &'a [Track],
+    /// The channels in the order of the file.
+    order: Vec<(Channel, usize)>,
+    segments: usize,
+}
+
+impl SegmentEncoder<'_> {
+    /// A segment whose errors are within a bound, in tolerances.
+    fn encode(&self, segment: usize, bound: f64) -> Result<Segment, CompressError> {
+        let source = self.source;
+        let basis = &self.bases[usize::from(segment + 1 == self.segments)];
+        let budget = BUDGET * source.joints();
+        let search = Search::new(source, basis, segment * SEGMENT, bound, budget);
+        let joints = search.run().map_err(|(joint, error)| {
+            let tolerance = source.bounds[joint].tolerance;
+            CompressError::Bound {
+                joint: source.recording.joints()[joint].name.clone(),
+                tolerance,
+                error: error * tolerance,
+            }
+        })?;
+        let encoded = self.order.iter().filter_map(|(channel, _)| match *channel {
+            Channel::OfJoint { joint, channel } => joints[joint].get(channel).cloned(),
+            Channel::Track(track) => self.tracks[track].pieces.get(segment).cloned(),
+        });
+        let encoded: Vec<Encoded> = encoded.collect();
+        Ok(Segment::of_channels(&encoded, basis.frames))
+    }
+}
+
+/// Fails where a decoded track is beyond the tolerance.
+fn check_tracks(
+    recording: &Recording,
+    settings: &Settings,
+    errors: &[Measured],
+) -> Result<(), CompressError> {
+    let tolerance = settings.track_tolerance;
+    match errors.iter().find(|found| found.track_error > tolerance) {
+        Some(found) => Err(CompressError::Track {
+            track: recording.tracks()[found.track].name.clone(),
+            tolerance,
+        }),
+        None => Ok(()),
+    }
 }
 
 /// A bound for the next try, where the error was too great by `excess`, which hardly depends on the

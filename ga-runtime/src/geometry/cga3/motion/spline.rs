@@ -4,8 +4,7 @@ use alloc::vec::Vec;
 use core::fmt::{Debug, Display, Formatter, Result as FmtResult};
 
 use super::blend::is_finite;
-use super::smooth_spline::SplineEnd;
-use crate::cga3::{Motor, MotorGenerator, Rotor};
+use crate::cga3::{Motor, MotorGenerator};
 use crate::scalar::Real;
 
 /// A motion through key motors at given times, with a continuous velocity.
@@ -387,85 +386,6 @@ impl<S: Real<Mask = bool>> Leg<S> {
         let both = self.duration * half + next.duration * half;
         let share = |duration: S| duration * half / both;
         self.slope() * share(next.duration) + next.slope() * share(self.duration)
-    }
-}
-
-/// A motion of rotations through key rotors at given times, with a continuous angular velocity: a
-/// [`MotorSpline`] without displacement.
-///
-/// ```
-/// use ga_runtime::cga3::Rotor;
-/// use ga_runtime::geometry::motion::RotorSpline;
-/// let rotation = |angle: f64| Rotor::from_axis_angle([1.0, 0.0, 0.0], angle).unwrap();
-/// let spline = RotorSpline::through(&[
-///     (0.0, rotation(0.0)),
-///     (2.0, rotation(1.0)),
-///     (3.0, -rotation(1.5)),
-/// ])
-/// .unwrap();
-/// let (_, angle) = spline.evaluate(1.0).unwrap().to_axis_angle();
-/// assert!((angle - 0.5).abs() < 1e-15);
-/// ```
-#[derive(Clone, Debug, PartialEq)]
-pub struct RotorSpline<S>(MotorSpline<S>);
-
-impl<S: Real<Mask = bool>> RotorSpline<S> {
-    /// The spline through two or more keys, each a time and a rotor; see [`MotorSpline::through`].
-    ///
-    /// # Errors
-    /// Those of [`MotorSpline::through`].
-    pub fn through(keys: &[(S, Rotor<S>)]) -> Result<Self, SplineError<S>> {
-        let keys: Vec<_> = keys
-            .iter()
-            .map(|&(time, rotor)| (time, Motor::from(rotor)))
-            .collect();
-        MotorSpline::through(&keys).map(Self)
-    }
-
-    /// The spline through two or more keys whose angular acceleration is continuous too; see
-    /// [`MotorSpline::smooth`]. A velocity given
-    /// at an end should be that of a rotation.
-    ///
-    /// # Errors
-    /// Those of [`MotorSpline::smooth`].
-    pub fn smooth(keys: &[(S, Rotor<S>)], ends: [SplineEnd<S>; 2]) -> Result<Self, SplineError<S>> {
-        let keys: Vec<_> = keys
-            .iter()
-            .map(|&(time, rotor)| (time, Motor::from(rotor)))
-            .collect();
-        MotorSpline::smooth(&keys, ends).map(Self)
-    }
-
-    /// The time of the first key.
-    #[must_use]
-    pub fn start(&self) -> S {
-        self.0.start()
-    }
-
-    /// The time of the last key.
-    #[must_use]
-    pub fn end(&self) -> S {
-        self.0.end()
-    }
-
-    /// The rotor at a time; see [`MotorSpline::evaluate`].
-    #[must_use]
-    pub fn evaluate(&self, time: S) -> Option<Rotor<S>> {
-        self.0.evaluate(time).map(Motor::rotor)
-    }
-
-    /// The angular velocity ω at a time in the frame of the moved body, in radians per unit of
-    /// time; see [`MotorSpline::velocity`].
-    #[must_use]
-    pub fn angular_velocity(&self, time: S) -> Option<[S; 3]> {
-        Some(self.0.velocity(time)?.angular_velocity().vector())
-    }
-
-    /// The angular acceleration ω' at a time in the frame of the moved body, in radians per squared
-    /// unit of time; see [`MotorSpline::acceleration`].
-    #[must_use]
-    pub fn angular_acceleration(&self, time: S) -> Option<[S; 3]> {
-        Some(self.0.acceleration(time)?.angular_velocity().vector())
     }
 }
 
