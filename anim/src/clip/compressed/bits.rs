@@ -45,17 +45,20 @@ impl BitWriter {
     }
 }
 
+/// How many bits [`BitWriter::rice`] takes.
+pub(super) fn rice_bits(value: i32, parameter: u32) -> u64 {
+    let quotient = zigzag(value).checked_shr(parameter).unwrap_or(0);
+    u64::from(if quotient >= ESCAPE {
+        ESCAPE + 32
+    } else {
+        quotient + 1 + parameter
+    })
+}
+
 /// The parameter with which [`BitWriter::rice`] writes numbers in the fewest bits.
 pub(super) fn best_parameter(values: impl Iterator<Item = i32> + Clone) -> u32 {
     let cost = |parameter: u32| -> u64 {
-        let bits = values.clone().map(|value| {
-            let quotient = zigzag(value) >> parameter;
-            u64::from(if quotient >= ESCAPE {
-                ESCAPE + 32
-            } else {
-                quotient + 1 + parameter
-            })
-        });
+        let bits = values.clone().map(|value| rice_bits(value, parameter));
         bits.sum()
     };
     (0..=MOST_PARAMETER)

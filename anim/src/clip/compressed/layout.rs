@@ -150,6 +150,21 @@ pub(super) fn middle(rotors: impl Iterator<Item = Rotor<f64>> + Clone) -> Rotor<
     middle
 }
 
+/// B of the rotation in steps of 2⁻¹⁵ or so: a rotor of six bytes instead of sixteen.
+pub(super) fn to_steps(rotor: Rotor<f32>) -> [i16; 3] {
+    let rotor = double_rotor(rotor);
+    let rotor = if rotor.scalar() < 0.0 { -rotor } else { rotor };
+    stereographic(rotor).map(|b| (b * STEPS).round() as i16)
+}
+
+/// The rotor of [`to_steps`].
+pub(super) fn from_steps(steps: [i16; 3]) -> Rotor<f32> {
+    let b = steps.map(|step| f64::from(step) / STEPS);
+    single_rotor(from_stereographic(b.into()))
+}
+
+const STEPS: f64 = 32_767.0;
+
 pub(super) fn coefficients(rotor: Rotor<f64>) -> [f64; 4] {
     [rotor.scalar(), rotor.e12(), rotor.e13(), rotor.e23()]
 }

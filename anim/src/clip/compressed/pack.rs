@@ -1,11 +1,16 @@
 //! Segments as bytes: the trends in Rice codes, then the residuals, frame after frame.
 
+use std::ops::Range;
+
 use super::basis::{Basis, SEGMENT, TERMS};
-use super::bits::{BitReader, BitWriter, MOST_PARAMETER, best_parameter};
+use super::bits::{BitReader, BitWriter, MOST_PARAMETER, best_parameter, rice_bits};
 use super::piece::{Encoded, LEAST_RANGE, MOST_BITS, MOST_COEFFICIENT, MOST_RANGE, Piece, range};
 
-/// How the pieces of one channel are written: about which values their numbers lie, and how widely
-/// they spread.
+/// How many bits [`Codes::write`] takes.
+const OWN_CODES: u64 = 25 + 5 * TERMS as u64;
+
+/// How the pieces of a channel are written: about which values their numbers lie, and how widely
+/// they spread. In a file a channel may have those of the channel before it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Codes {
     bits: i32,
@@ -40,7 +45,68 @@ impl Codes {
         }
     }
 
-    pub(super) fn write(&self, writer: &mut BitWriter) {
+    /// The codes of all channels in the order of the file, of which neighbours share theirs where
+    /// this takes fewer bits: in short clips own codes take more than they save.
+    pub(super) fn of_segments(segments: &[Segment]) -> Vec<Self> {
+        let channels = segments.first().map_or(0, |segment| segment.pieces.len());
+        let of_channels = |range: Range<usize>| {
+            let pieces = segments
+                .iter()
+                .flat_map(move |segment| &segment.pieces[range.clone()]);
+            let codes = Self::of_pieces(pieces.clone());
+            let bits: u64 = pieces.map(|piece| codes.piece_bits(piece)).sum();
+            (codes, bits)
+        };
+        let mut all: Vec<Self> = Vec::with_capacity(channels);
+        // The first channel of those that share their codes, and how many bits these take.
+        let mut shared = (0, 0);
+        for channel in 0..channels {
+            let (own, own_bits) = of_channels(channel..channel + 1);
+            let (together, bits) = of_channels(shared.0..channel + 1);
+            if channel > 0 && bits <= shared.1 + own_bits + OWN_CODES {
+                all[shared.0..].fill(together.clone());
+                all.push(together);
+                shared.1 = bits;
+            } else {
+                all.push(own);
+                shared = (channel, own_bits);
+            }
+        }
+        all
+    }
+
+    /// Writes the codes of all channels.
+    pub(super) fn write_all(codes: &[Self], writer: &mut BitWriter) {
+        let mut before = None;
+        for codes in codes {
+            let is_new = before != Some(codes);
+            writer.bits(is_new.into(), 1);
+            if is_new {
+                codes.write(writer);
+            }
+            before = Some(codes);
+        }
+    }
+
+    /// The codes of a channel after those of the channel before it; `None` at the end of the bytes,
+    /// or for codes that are not written.
+    pub(super) fn read_after(before: Option<&Self>, reader: &mut BitReader) -> Option<Self> {
+        match reader.bits(1)? {
+            0 => before.cloned(),
+            _ => Self::read(reader),
+        }
+    }
+
+    /// How many bits a piece takes.
+    fn piece_bits(&self, piece: &Piece) -> u64 {
+        let coefficients = piece.coefficients[..piece.terms.into()].iter();
+        let trend = coefficients.zip(&self.coefficient_spreads);
+        3 + rice_bits(i32::from(piece.bits) - self.bits, self.bits_spread)
+            + rice_bits(i32::from(piece.range) - self.range, self.range_spread)
+            + trend.map(|(&n, &spread)| rice_bits(n, spread)).sum::<u64>()
+    }
+
+    fn write(&self, writer: &mut BitWriter) {
         writer.bits(self.bits as u32, 5);
         writer.bits(self.bits_spread, 5);
         writer.bits((self.range - i32::from(LEAST_RANGE)) as u32, 10);
@@ -50,8 +116,7 @@ impl Codes {
         }
     }
 
-    /// `None` at the end of the bytes, or for a code that is not written.
-    pub(super) fn read(reader: &mut BitReader) -> Option<Self> {
+    fn read(reader: &mut BitReader) -> Option<Self> {
         let mut codes = Self {
             bits: reader.bits(5)? as i32,
             bits_spread: reader.bits(5)?,

@@ -182,34 +182,70 @@ fn layout(recording: &Recording, joint: usize, levers: &Levers, negligible: f64)
     // Where a lever is 0, nothing is seen of what it moves.
     let within = |lever: f64| negligible / lever.max(1e-12);
 
-    let vector = |values: &dyn Fn(usize) -> Vector<f64>, negligible: f64| {
+    let vector = |values: &dyn Fn(usize) -> Vector<f64>, usual: Vector<f64>, negligible: f64| {
         let frames = recording.frame_count();
+        let usual = layout::double(layout::single(usual));
+        let stays = |frame| (values(frame) - usual).length() <= USUAL * negligible;
+        if (0..frames).all(stays) {
+            return Part::constant(usual);
+        }
         let sum = (0..frames).fold(Vector::default(), |sum, frame| sum + values(frame));
         let mean = layout::double(layout::single(sum * (frames as f64).recip()));
         let deviations: Vec<[f64; 3]> = (0..frames)
             .map(|frame| (values(frame) - mean).coordinates())
             .collect();
-        Part::of_deviations(mean, &deviations, negligible)
+        in_few_bytes(Part::of_deviations(mean, &deviations, negligible))
     };
     let at = |frame: usize| recording.locals()[frame * count + joint];
-    let translation = vector(&|frame| at(frame).translation(), within(levers.translation));
-    let scale = vector(&|frame| at(frame).scale, within(levers.scale));
+    let rest = recording.joints()[joint].rest;
+    let translation = vector(
+        &|frame| at(frame).translation(),
+        rest.translation(),
+        within(levers.translation),
+    );
+    let scale = vector(
+        &|frame| at(frame).scale,
+        Vector::new(1.0, 1.0, 1.0),
+        within(levers.scale),
+    );
+    let rotation = |middle: Rotor<f32>| {
+        let back = layout::double_rotor(middle).reverse();
+        let deviations: Vec<[f64; 3]> = locals()
+            .map(|local| layout::stereographic(canonical(back * local.rotor())))
+            .collect();
+        Part::of_deviations(
+            Vector::default(),
+            &deviations,
+            within(4.0 * levers.rotation),
+        )
+    };
     let middle = layout::single_rotor(layout::middle(locals().map(|local| local.rotor())));
-    let back = layout::double_rotor(middle).reverse();
-    let deviations: Vec<[f64; 3]> = locals()
-        .map(|local| layout::stereographic(canonical(back * local.rotor())))
-        .collect();
+    let near = layout::from_steps(layout::to_steps(middle));
+    let (middle, rotation) = match (rotation(middle), rotation(near)) {
+        (exact, rounded) if exact.live == 3 && rounded.live == 3 => (near, in_few_bytes(rounded)),
+        (exact, _) => (middle, exact),
+    };
     JointLayout {
         parent,
         translation,
         scale,
-        rotation: Part::of_deviations(
-            Vector::default(),
-            &deviations,
-            within(4.0 * levers.rotation),
-        ),
+        rotation,
         middle,
     }
+}
+
+/// A vector that stays this near to what is usual for it, in parts of what is negligible, is taken
+/// to be that: the translation at rest, or factors of 1, which take no bytes in the file.
+const USUAL: f64 = 0.2;
+
+/// Three axes span everything wherever they are, so those near the principal axes with which the
+/// rotor takes few bytes do as well.
+fn in_few_bytes(part: Part) -> Part {
+    let axes = match part.live {
+        3 => layout::from_steps(layout::to_steps(part.axes)),
+        _ => part.axes,
+    };
+    Part { axes, ..part }
 }
 
 /// The rotor of the same rotation with a scalar that is not negative.

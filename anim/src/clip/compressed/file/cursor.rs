@@ -3,6 +3,8 @@
 use ga_runtime::cga3::Rotor;
 use ga_runtime::vga3::Vector;
 
+use super::super::layout::{from_steps, to_steps};
+
 /// Reads numbers from bytes; beyond the end, every number is `None`.
 pub(super) struct Cursor<'a> {
     bytes: &'a [u8],
@@ -58,6 +60,12 @@ impl<'a> Cursor<'a> {
         ((square - 1.0).abs() < 1e-3).then(|| Rotor::new_unchecked(s, e12, e13, e23))
     }
 
+    /// A rotor in steps.
+    pub(super) fn short_rotor(&mut self) -> Option<Rotor<f32>> {
+        let mut step = || self.array().map(i16::from_le_bytes);
+        Some(from_steps([step()?, step()?, step()?]))
+    }
+
     /// A whole number in groups of seven bits, the lowest first.
     pub(super) fn variable(&mut self) -> Option<u32> {
         let mut value = 0u32;
@@ -102,4 +110,15 @@ pub(super) fn put_rotor(bytes: &mut Vec<u8>, rotor: Rotor<f32>) {
     for x in [rotor.scalar(), rotor.e12(), rotor.e13(), rotor.e23()] {
         bytes.extend(x.to_le_bytes());
     }
+}
+
+pub(super) fn put_short_rotor(bytes: &mut Vec<u8>, rotor: Rotor<f32>) {
+    for step in to_steps(rotor) {
+        bytes.extend(step.to_le_bytes());
+    }
+}
+
+/// Whether a rotor comes back from its steps as it was.
+pub(super) fn is_short(rotor: Rotor<f32>) -> bool {
+    from_steps(to_steps(rotor)) == rotor
 }

@@ -4,7 +4,7 @@ use ga_runtime::cga3::Rotor;
 use ga_runtime::vga3::Vector;
 
 use super::super::layout::{JointLayout, Part};
-use super::cursor::{Cursor, put_rotor, put_variable, put_vector};
+use super::cursor::{Cursor, is_short, put_rotor, put_short_rotor, put_variable, put_vector};
 use crate::transform::Transform;
 
 /// Constants that differ from those that most joints have, and are therefore written.
@@ -13,6 +13,9 @@ const ROTATED: u8 = 2;
 const REST_ELSEWHERE: u8 = 4;
 const REST_ROTATED: u8 = 8;
 const REST_SCALED: u8 = 16;
+/// Rotors in steps: those of the rotation, and the axes of the translation.
+const SHORT_ROTATION: u8 = 32;
+const SHORT_TRANSLATION: u8 = 64;
 
 /// The factors of a joint that is not scaled.
 fn unscaled() -> Vector<f32> {
@@ -27,6 +30,11 @@ pub(super) fn write(bytes: &mut Vec<u8>, layout: &JointLayout, rest: &Transform<
         (REST_ELSEWHERE, place != layout.translation.constant),
         (REST_ROTATED, rotor != Rotor::default()),
         (REST_SCALED, scale != unscaled()),
+        (
+            SHORT_ROTATION,
+            is_short(layout.middle) && is_short(layout.rotation.axes),
+        ),
+        (SHORT_TRANSLATION, is_short(layout.translation.axes)),
     ];
     let flags = flags
         .iter()
@@ -44,12 +52,20 @@ pub(super) fn write(bytes: &mut Vec<u8>, layout: &JointLayout, rest: &Transform<
     if flags & SCALED != 0 {
         put_vector(bytes, layout.scale.constant);
     }
+    let put = |bytes: &mut Vec<u8>, short: u8, rotor| match flags & short {
+        0 => put_rotor(bytes, rotor),
+        _ => put_short_rotor(bytes, rotor),
+    };
     if flags & ROTATED != 0 {
-        put_rotor(bytes, layout.middle);
+        put(bytes, SHORT_ROTATION, layout.middle);
     }
-    for part in [&layout.translation, &layout.scale, &layout.rotation] {
+    for (short, part) in [
+        (SHORT_TRANSLATION, &layout.translation),
+        (0, &layout.scale),
+        (SHORT_ROTATION, &layout.rotation),
+    ] {
         if part.live > 0 {
-            put_rotor(bytes, part.axes);
+            put(bytes, short, part.axes);
         }
     }
     if flags & REST_ELSEWHERE != 0 {
@@ -71,7 +87,7 @@ pub(super) fn read(cursor: &mut Cursor, index: usize) -> Option<(JointLayout, Tr
     }
     let (live, flags) = (cursor.u8()?, cursor.u8()?);
     let live = [live & 3, live >> 2 & 3, live >> 4].map(usize::from);
-    if live[2] > 3 || flags >= 2 * REST_SCALED {
+    if live[2] > 3 || flags >= 2 * SHORT_TRANSLATION {
         return None;
     }
     let has = |flag| flags & flag != 0;
@@ -81,16 +97,16 @@ pub(super) fn read(cursor: &mut Cursor, index: usize) -> Option<(JointLayout, Tr
     } else {
         unscaled()
     };
-    let middle = if has(ROTATED) {
-        cursor.rotor()?
-    } else {
-        Rotor::default()
+    let middle = match (has(ROTATED), has(SHORT_ROTATION)) {
+        (false, _) => Rotor::default(),
+        (true, false) => cursor.rotor()?,
+        (true, true) => cursor.short_rotor()?,
     };
-    let mut part = |constant, live| {
-        let axes = if live > 0 {
-            cursor.rotor()?
-        } else {
-            Rotor::default()
+    let mut part = |constant, live, is_short| {
+        let axes = match (live > 0, is_short) {
+            (false, _) => Rotor::default(),
+            (true, false) => cursor.rotor()?,
+            (true, true) => cursor.short_rotor()?,
         };
         Some(Part {
             constant,
@@ -100,9 +116,9 @@ pub(super) fn read(cursor: &mut Cursor, index: usize) -> Option<(JointLayout, Tr
     };
     let layout = JointLayout {
         parent,
-        translation: part(translation, live[0])?,
-        scale: part(scale, live[1])?,
-        rotation: part(Vector::default(), live[2])?,
+        translation: part(translation, live[0], has(SHORT_TRANSLATION))?,
+        scale: part(scale, live[1], false)?,
+        rotation: part(Vector::default(), live[2], has(SHORT_ROTATION))?,
         middle,
     };
     let place = if has(REST_ELSEWHERE) {

@@ -259,8 +259,8 @@ fn segments(packed: &[u8], parsed: &Parsed) -> Result<Vec<Segment>, FileError> {
     let mut reader = BitReader::new(packed);
     let mut codes = Vec::new();
     for channel in 0..limits.len() {
-        let read =
-            Codes::read(&mut reader).ok_or(invalid("unreadable code of channel", channel))?;
+        let read = Codes::read_after(codes.last(), &mut reader)
+            .ok_or(invalid("unreadable code of channel", channel))?;
         codes.push(read);
     }
     let mut cursor = Cursor::new(reader.rest());

@@ -89,13 +89,9 @@ fn packed(segments: &[Segment]) -> Vec<u8> {
     if channels == 0 {
         return Vec::new();
     }
-    let codes: Vec<Codes> = (0..channels)
-        .map(|channel| Codes::of_pieces(segments.iter().map(|segment| &segment.pieces[channel])))
-        .collect();
+    let codes = Codes::of_segments(segments);
     let mut writer = BitWriter::default();
-    for codes in &codes {
-        codes.write(&mut writer);
-    }
+    Codes::write_all(&codes, &mut writer);
     let mut bytes = writer.into_bytes();
     let packed: Vec<Vec<u8>> = segments
         .iter()
