@@ -10,8 +10,8 @@ mod least_squares;
 mod many_views;
 mod perspective_n_point;
 mod pose_error;
-mod synthetic_scene;
 mod relative_pose;
+mod synthetic_scene;
 mod two_views;
 
 use ga_runtime::cga3::{Direction, Motor, Point, Rotor, Translator};
