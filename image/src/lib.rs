@@ -7,7 +7,7 @@
 //! - [`colour`]: linear light and its encoding as 8-bit sRGB; [`grey`](mod@grey): from colour to
 //!   grey; [`ycbcr`]: the encoding of video.
 //! - [`filter`]: Gaussian blur and other convolutions; [`pyramid`]: halved sizes;
-//!   [`resample`]: other sizes.
+//!   [`resample`]: other sizes; [`warp`]: pictures seen through a map of places.
 //! - [`quality`]: PSNR and SSIM of two pictures.
 //!
 //! Columns are counted from the left and rows from the top, both from 0. The pixel in column *c*
@@ -46,5 +46,6 @@ pub mod pyramid;
 pub mod quality;
 pub mod resample;
 pub mod sample;
+pub mod warp;
 pub mod y4m;
 pub mod ycbcr;

@@ -2,7 +2,8 @@
 
 mod convert;
 
-use crate::plane::{Plane, PlaneView};
+use crate::plane::{Plane, PlaneView, SizeError};
+use crate::warp::Warp;
 
 macro_rules! kinds {
     ($($(#[$doc:meta])* $kind:ident($pixel:ty), $name:literal;)*) => {
@@ -66,6 +67,20 @@ macro_rules! kinds {
                 match self {
                     $(Self::$kind(_) => $name,)*
                 }
+            }
+
+            /// The picture seen through a map of places. Outside of it all samples are zero: black,
+            /// and transparent where there is an alpha channel.
+            ///
+            /// # Errors
+            ///
+            /// [`SizeError::Differs`] where the map is for pictures of another size.
+            pub fn warped(&self, warp: &Warp) -> Result<Picture, SizeError> {
+                Ok(match self {
+                    $(Self::$kind(plane) => {
+                        Picture::$kind(warp.warped(*plane, Default::default())?)
+                    })*
+                })
             }
 
             /// A copy of the picture.

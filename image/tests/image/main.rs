@@ -7,6 +7,7 @@ mod films;
 mod hostile;
 mod quality;
 mod scaling;
+mod warp;
 
 use std::path::PathBuf;
 

@@ -1,0 +1,122 @@
+//! Pictures seen through maps, compared with OpenCV and with interpolation written out.
+
+use ga_image::picture::Picture;
+use ga_image::plane::{Plane, SizeError};
+use ga_image::warp::Warp;
+use nullcone_shared_data::shared;
+use proptest::prelude::*;
+use serde_json::Value;
+
+/// The bilinear interpolation at a place, by its definition, of a picture that continues beyond its
+/// border.
+fn expected(picture: &Plane<f32>, [x, y]: [f64; 2]) -> Option<f64> {
+    let [width, height] = [picture.width() as f64, picture.height() as f64];
+    if !(0.0..=width).contains(&x) || !(0.0..=height).contains(&y) {
+        return None;
+    }
+    let mut sum = 0.0;
+    for row in 0..=picture.height() + 1 {
+        for column in 0..=picture.width() + 1 {
+            // The hat functions of the centres of pixels, one of them beyond each border.
+            let (u, v) = (column as f64 - 0.5, row as f64 - 0.5);
+            let weight = (1.0 - (x - u).abs()).max(0.0) * (1.0 - (y - v).abs()).max(0.0);
+            let column = column.clamp(1, picture.width()) - 1;
+            let row = row.clamp(1, picture.height()) - 1;
+            sum += weight * f64::from(picture.get(column, row).unwrap());
+        }
+    }
+    Some(sum)
+}
+
+proptest! {
+    #[test]
+    fn pixels_are_interpolated(
+        size in (1usize..5, 1usize..5),
+        values in prop::collection::vec(-9.0f32..9.0, 16),
+        places in prop::collection::vec([-1.0..6.0, -1.0..6.0], 12),
+    ) {
+        let picture = Plane::from_fn(size.0, size.1, |column, row| values[4 * row + column]);
+        let mut list = places.iter();
+        let warp = Warp::new([4, 3], [size.0, size.1], |_| list.next().copied());
+        let found = warp.warped(&picture, 77.0).unwrap();
+        for ((value, place), inside) in
+            found.values().iter().zip(places).zip(warp.inside().values())
+        {
+            match expected(&picture, place) {
+                Some(truth) => prop_assert!(*inside && (f64::from(*value) - truth).abs() < 1e-4),
+                None => prop_assert!(!*inside && *value == 77.0),
+            }
+        }
+    }
+
+    #[test]
+    fn the_map_of_every_place_to_itself_changes_nothing(
+        values in prop::collection::vec([any::<u8>(), any::<u8>(), any::<u8>()], 12),
+    ) {
+        let picture = Plane::from_values(4, 3, values).unwrap();
+        let warp = Warp::new([4, 3], [4, 3], Some);
+        prop_assert_eq!(&warp.warped(&picture, [0; 3]).unwrap(), &picture);
+        let any_kind = Picture::from(picture);
+        prop_assert_eq!(any_kind.view().warped(&warp).unwrap(), any_kind);
+    }
+}
+
+#[test]
+fn opencv_warps_alike() {
+    let Some(folder) = shared("oracle/vision/seed1") else {
+        return;
+    };
+    let text = std::fs::read_to_string(folder.join("truth.json")).unwrap();
+    let truth: Value = serde_json::from_str(&text).unwrap();
+    let record = &truth["warpAffine"];
+    let number = |row: usize, column: usize| record["M"][row][column].as_f64().unwrap();
+    let picture = ga_image::file::read(folder.join("gray.png")).unwrap();
+    let grey = picture.to_grey::<u8>(ga_image::grey::Luma::Bt601);
+    let size = [grey.width(), grey.height()];
+    let [[a, b, c], [d, e, f]] = [0, 1].map(|row| [0, 1, 2].map(|column| number(row, column)));
+    let determinant = a * e - b * d;
+    let warp = Warp::new(size, size, |[x, y]| {
+        let (x, y) = (x - 0.5 - c, y - 0.5 - f);
+        let (u, v) = ((e * x - b * y) / determinant, (a * y - d * x) / determinant);
+        Some([u + 0.5, v + 0.5])
+    });
+    let found = warp.warped(&grey, 0).unwrap();
+    let file = record["file"].as_str().unwrap();
+    let expected = ga_image::file::read(folder.join(file)).unwrap();
+    let expected = expected.to_grey::<u8>(ga_image::grey::Luma::Bt601);
+    let mut total = 0.0;
+    let mut border = 0;
+    for (own, other) in found.values().iter().zip(expected.values()) {
+        let difference = f64::from(own.abs_diff(*other));
+        // OpenCV fades to the outer value within a pixel of the border.
+        if difference > 2.0 {
+            border += 1;
+        } else {
+            total += difference;
+        }
+    }
+    let count = found.values().len();
+    assert!(border < 4 * (size[0] + size[1]), "{border} of {count}");
+    assert!(total < 0.1 * count as f64, "{total} of {count}");
+}
+
+#[test]
+fn sizes_are_checked() {
+    let warp = Warp::new([4, 3], [5, 5], Some);
+    assert_eq!((warp.size(), warp.source_size()), ([4, 3], [5, 5]));
+    let small = Plane::filled(4, 5, 0u8);
+    let differs = SizeError::Differs {
+        first: [4, 5],
+        second: [5, 5],
+    };
+    assert_eq!(warp.warped(&small, 0), Err(differs));
+    let picture = Plane::filled(5, 5, 0u8);
+    let mut result = Plane::filled(3, 3, 0u8);
+    assert!(warp.apply(&picture, 0, result.view_mut()).is_err());
+    // Places that are not numbers, and pictures without pixels.
+    let nowhere = Warp::new([2, 1], [0, 3], Some);
+    let empty = Plane::filled(0, 3, 0u8);
+    assert_eq!(nowhere.warped(&empty, 9).unwrap().values(), [9, 9]);
+    let nan = Warp::new([2, 1], [5, 5], |_| Some([f64::NAN, 1.0]));
+    assert_eq!(nan.warped(&picture, 9).unwrap().values(), [9, 9]);
+}
