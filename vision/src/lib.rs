@@ -8,6 +8,8 @@
 //! - [`calibration`]: cameras and rigs from pictures of chessboards.
 //! - [`homography`](mod@homography): maps between a plane and its picture.
 //! - [`rig`]: two cameras and the motor between them.
+//! - [`rectification`]: views in which the images of a point are in the same row.
+//! - [`format`](mod@format): files of cameras and rigs.
 //! - [`matcher`]: the disparity of every pixel of a rectified pair.
 //! - [`triangulation`]: the point where two rays come closest.
 //! - [`disparity`]: disparity maps of rectified views, their files and their errors.
@@ -51,6 +53,7 @@ pub mod camera;
 pub mod chessboard;
 pub mod disparity;
 pub mod feature;
+pub mod format;
 pub mod frame;
 pub mod homography;
 pub mod least_squares;
@@ -60,6 +63,7 @@ pub mod perspective_n_point;
 mod polynomial;
 pub mod pose_error;
 pub mod ransac;
+pub mod rectification;
 pub mod relative_pose;
 pub mod rig;
 pub mod triangulation;

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::error::CameraError;
-use super::monotone::{inverse, least_sign_change};
+use super::monotone::{inverse, least_positive_root};
 
 /// The names of the coefficients, in OpenCV's order.
 pub(super) const NAMES: [&str; 4] = ["k1", "k2", "k3", "k4"];
@@ -62,7 +62,7 @@ impl Fisheye {
         let slope = [1.0, 3.0 * k1, 5.0 * k2, 7.0 * k3, 9.0 * k4];
         Ok(Self {
             coefficients,
-            field: least_sign_change(&slope).sqrt().min(PI),
+            field: least_positive_root(&slope).sqrt().min(PI),
         })
     }
 

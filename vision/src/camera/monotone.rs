@@ -1,59 +1,16 @@
 //! Where an odd radial function is monotone, and its inverse there.
 
+use crate::polynomial::real_roots;
+
 /// How often the inverse is refined. Bisection alone needs fewer steps for the bits of a double.
 const STEPS: usize = 200;
 
-/// The least positive place at which a polynomial changes its sign, given its coefficients in
-/// rising order; infinity where there is none.
-pub(super) fn least_sign_change(coefficients: &[f64]) -> f64 {
-    let near = sign_changes_in_unit_interval(coefficients);
-    if let Some(&root) = near.first() {
-        return root;
-    }
-    // Places beyond 1 are the reciprocals of places below it, for the reversed polynomial.
-    let reversed: Vec<f64> = coefficients.iter().rev().copied().collect();
-    let far = sign_changes_in_unit_interval(&reversed);
-    far.last().map_or(f64::INFINITY, |root| 1.0 / root)
-}
-
-/// The places in (0, 1] at which a polynomial changes its sign, rising. Between two neighbouring
-/// ones of its derivative it is monotone, which brackets them.
-fn sign_changes_in_unit_interval(coefficients: &[f64]) -> Vec<f64> {
-    if coefficients.len() < 2 {
-        return Vec::new();
-    }
-    let slope: Vec<f64> = (1..coefficients.len())
-        .map(|degree| degree as f64 * coefficients[degree])
-        .collect();
-    let mut borders = sign_changes_in_unit_interval(&slope);
-    borders.push(1.0);
-    let value = |x: f64| coefficients.iter().rev().fold(0.0, |sum, c| sum * x + c);
-    let mut found = Vec::new();
-    let mut low = 0.0;
-    for high in borders {
-        let is_negative = value(low) < 0.0;
-        if is_negative != (value(high) < 0.0) {
-            found.push(bisect(low, high, |x| (value(x) < 0.0) == is_negative));
-        }
-        low = high;
-    }
-    found
-}
-
-/// The border between the lower part of an interval, where a condition holds, and the upper part.
-fn bisect(mut low: f64, mut high: f64, is_low: impl Fn(f64) -> bool) -> f64 {
-    for _ in 0..STEPS {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
-            break;
-        }
-        if is_low(middle) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    high
+/// The least positive root of a polynomial, given its coefficients in rising order; infinity where
+/// there is none.
+pub(super) fn least_positive_root(coefficients: &[f64]) -> f64 {
+    let roots = real_roots(coefficients);
+    let positive = roots.into_iter().find(|root| *root > 0.0);
+    positive.unwrap_or(f64::INFINITY)
 }
 
 /// The place x in [0, `limit`) at which a function with value 0 at 0 takes a value, where the
@@ -114,13 +71,11 @@ mod tests {
     #[test]
     fn the_least_root_is_found() {
         // (x − 0.25)(x − 3)(x + 2), and 4 (x − 8)(x − 5).
-        let product = [1.5, -5.75, -1.25, 1.0];
-        assert!((least_sign_change(&product) - 0.25).abs() < 1e-15);
-        assert!((least_sign_change(&[160.0, -52.0, 4.0]) - 5.0).abs() < 1e-14);
-        // No roots.
-        assert_eq!(least_sign_change(&[1.0, 0.0, 1.0]), f64::INFINITY);
-        assert_eq!(least_sign_change(&[1.0]), f64::INFINITY);
-        assert_eq!(least_sign_change(&[1.0, 0.0, 0.0]), f64::INFINITY);
+        assert!((least_positive_root(&[1.5, -5.75, -1.25, 1.0]) - 0.25).abs() < 1e-15);
+        assert!((least_positive_root(&[160.0, -52.0, 4.0]) - 5.0).abs() < 1e-14);
+        assert_eq!(least_positive_root(&[1.0, 0.0, 1.0]), f64::INFINITY);
+        assert_eq!(least_positive_root(&[1.0]), f64::INFINITY);
+        assert_eq!(least_positive_root(&[1.0, 0.0, 0.0]), f64::INFINITY);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Radial–tangential distortion with rational terms, thin prism and tilted sensor.
 
 use super::error::CameraError;
-use super::monotone::{inverse, least_sign_change};
+use super::monotone::{inverse, least_positive_root};
 use super::tilt::Tilt;
 
 /// The names of the coefficients, in OpenCV's order.
@@ -312,7 +312,7 @@ fn field_radius(coefficients: &[f64; 14]) -> f64 {
             slope[i + j] += n * d * (1.0 + 2.0 * (i as f64 - j as f64));
         }
     }
-    least_sign_change(&slope)
-        .min(least_sign_change(&lower))
+    least_positive_root(&slope)
+        .min(least_positive_root(&lower))
         .sqrt()
 }

@@ -5,8 +5,9 @@ use ga_runtime::scalar::{Dual, Real};
 use ga_vision::camera::{Camera, CameraError, Fisheye, Intrinsics, Lens, RadialTangential};
 use ga_vision::frame::{CameraFrame, In, World};
 use proptest::prelude::*;
+use serde_json::Value;
 
-use super::{motor, vector};
+use super::{matrix, motor, rows, vector};
 
 /// OpenCV's projectPoints, from its documentation, for a point of the camera's frame and the
 /// parameters f_x, f_y, c_x, c_y, k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 τx τy.
@@ -264,6 +265,37 @@ proptest! {
         let back = camera.pose().reverse().transform(seen);
         prop_assert!(back.value.distance(point.value) < 1e-13);
     }
+}
+
+#[test]
+fn opencv_sees_the_same_pixels() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/cameras.json");
+    let text = std::fs::read_to_string(path).expect("the data is committed");
+    let truth: Value = serde_json::from_str(&text).expect("JSON");
+    let plain = Intrinsics::from_matrix(matrix(&truth["K"])).unwrap();
+    let check = |record: &Value, lens: Lens| {
+        let camera = plain.with_lens(lens);
+        let (points, pixels) = (rows::<3>(&record["X"]), rows::<2>(&record["pixels"]));
+        assert_eq!(points.len(), 20);
+        for (point, pixel) in points.into_iter().zip(pixels) {
+            let found = camera.project(point.into()).unwrap();
+            assert!((found[0] - pixel[0]).abs() < 1e-10 * 1e3);
+            assert!((found[1] - pixel[1]).abs() < 1e-10 * 1e3);
+            let direction = camera.direction(pixel).unwrap();
+            let angle = direction.angle(Direction::from_vector(point)).unwrap();
+            assert!(angle < 1e-9, "{angle:e}");
+        }
+    };
+    let coefficients = |record: &Value| -> Vec<f64> {
+        let list = record["D"].as_array().expect("a list");
+        list.iter().map(|x| x.as_f64().expect("a number")).collect()
+    };
+    for record in truth["distorted"].as_array().unwrap() {
+        let lens = RadialTangential::new(&coefficients(record)).unwrap();
+        check(record, lens.into());
+    }
+    let record = &truth["fisheye"];
+    check(record, Fisheye::new(&coefficients(record)).unwrap().into());
 }
 
 #[test]

@@ -6,11 +6,13 @@ mod chessboard;
 mod dense;
 mod disparity;
 mod feature;
+mod format;
 mod least_squares;
 mod many_views;
 mod perspective_n_point;
 mod pose_error;
 mod relative_pose;
+mod rectification;
 mod synthetic_scene;
 mod two_views;
 

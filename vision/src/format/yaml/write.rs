@@ -1,0 +1,125 @@
+//! The text of a file.
+
+use std::fmt::Write;
+
+use super::tree::{Content, Node};
+use super::{Entry, Matrix};
+
+/// The column after which no number begins.
+const WIDTH: usize = 70;
+
+pub(super) fn encode(entries: &[(String, Entry)]) -> String {
+    let mut text = String::from("%YAML:1.0\n---\n");
+    for (name, entry) in entries {
+        match entry {
+            Entry::Number(value) => _ = writeln!(text, "{name}: {}", plain_number(*value)),
+            Entry::Text(value) => _ = writeln!(text, "{name}: {}", quoted(value)),
+            Entry::Matrix(matrix) => push_matrix(&mut text, name, matrix),
+            Entry::Read(node) => {
+                text.push_str(name);
+                text.push_str(": ");
+                push_node(&mut text, node);
+                text.push('\n');
+            }
+        }
+    }
+    text
+}
+
+fn push_matrix(text: &mut String, name: &str, matrix: &Matrix) {
+    let (rows, columns) = (matrix.rows(), matrix.columns());
+    _ = write!(
+        text,
+        "{name}: !!opencv-matrix\n   rows: {rows}\n   cols: {columns}\n   dt: d\n   data: ["
+    );
+    let mut column = "   data: [".len();
+    for (index, value) in matrix.values().iter().enumerate() {
+        if index > 0 {
+            text.push(',');
+            column += 1;
+        }
+        if column > WIDTH {
+            text.push_str("\n      ");
+            column = 6;
+        }
+        let number = number(*value);
+        column += 1 + number.len();
+        text.push(' ');
+        text.push_str(&number);
+    }
+    text.push_str(" ]\n");
+}
+
+/// A value as it was read, in flow style.
+fn push_node(text: &mut String, node: &Node) {
+    match &node.content {
+        Content::Scalar(value) => text.push_str(&quoted(value)),
+        Content::List(items) => {
+            text.push('[');
+            for (index, item) in items.iter().enumerate() {
+                text.push_str(if index == 0 { " " } else { ", " });
+                push_node(text, item);
+            }
+            text.push_str(" ]");
+        }
+        Content::Map(entries) => {
+            text.push('{');
+            for (index, (name, value)) in entries.iter().enumerate() {
+                text.push_str(if index == 0 { " " } else { ", " });
+                text.push_str(&quoted(name));
+                text.push_str(": ");
+                push_node(text, value);
+            }
+            text.push_str(" }");
+        }
+    }
+}
+
+/// A number with a point, as OpenCV writes elements of matrices: `0.` or 17 digits with an exponent
+/// of two digits or more.
+fn number(value: f64) -> String {
+    if value.fract() == 0.0 && value.abs() < 1e15 {
+        return format!("{value}.");
+    }
+    let text = format!("{value:.16e}");
+    let Some((mantissa, exponent)) = text.split_once('e') else {
+        return text;
+    };
+    let (sign, digits) = match exponent.strip_prefix('-') {
+        Some(digits) => ('-', digits),
+        None => ('+', exponent),
+    };
+    format!("{mantissa}e{sign}{digits:0>2}")
+}
+
+/// A number of its own: integers without a point.
+fn plain_number(value: f64) -> String {
+    if value.fract() == 0.0 && value.abs() < f64::from(i32::MAX) {
+        format!("{value}")
+    } else {
+        number(value)
+    }
+}
+
+/// A text in double quotes, where it would otherwise be read as something else.
+fn quoted(value: &str) -> String {
+    let is_plain = !value.is_empty()
+        && value.starts_with(|c: char| c.is_ascii_alphanumeric() || "+-.".contains(c))
+        && value
+            .chars()
+            .all(|c| c.is_ascii_alphanumeric() || "+-._".contains(c));
+    if is_plain && value != "-" {
+        return value.to_owned();
+    }
+    let mut text = String::from("\"");
+    for c in value.chars() {
+        match c {
+            '"' | '\\' => text.extend(['\\', c]),
+            '\n' => text.push_str("\\n"),
+            c if c.is_control() => _ = write!(text, "\\u{:04X}", c as u32),
+            c => text.push(c),
+        }
+    }
+    text.push('"');
+    text
+}

@@ -1,0 +1,364 @@
+//! Rectification: views in which the two images of a point are in the same row.
+//!
+//! A [`Rectification`] is computed once for a rig, after J.-Y. Bouguet's method, by rotors: both
+//! cameras rotate by half of the rotation between them, so that they look the same way with the
+//! least change, and then together, so that the baseline lies along the rows. Its maps take the
+//! pictures to the rectified ones, lens distortion included. An [`Undistortion`] does the latter for
+//! one camera. A [`RectifiedRig`] is what remains of the rig: disparity is depth.
+//!
+//! Focal length and principal points are chosen as by OpenCV's `stereoRectify`; see
+//! [`RectificationOptions`].
+
+mod rectified_rig;
+mod undistortion;
+mod view;
+
+pub use rectified_rig::{RectifiedRig, RectifiedRigError};
+pub use undistortion::{Undistortion, UndistortionError};
+
+use ga_image::warp::Warp;
+use ga_runtime::cga3::{Direction, Motor, Point, Rotor};
+
+use crate::camera::{CameraError, Intrinsics};
+use crate::frame::{LeftCamera, Pose, RectifiedLeft, RectifiedRight, RightCamera};
+use crate::rig::StereoRig;
+use view::View;
+
+/// What the rectified pictures show.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RectificationOptions {
+    /// Whether what is infinitely far away has the disparity zero: the principal points are then at
+    /// the same place in both views. Otherwise each view is centred for itself.
+    pub zero_disparity: bool,
+    /// From 0, where the pictures are magnified until all of their pixels were seen, to 1, where
+    /// they hold every pixel of the views. Without it, the focal length is the mean of the two.
+    pub alpha: Option<f64>,
+    /// Columns and rows of the rectified pictures; without it, those of the views.
+    pub size: Option<[usize; 2]>,
+}
+
+impl Default for RectificationOptions {
+    /// Zero disparity at infinity, without `alpha`, in the size of the views.
+    fn default() -> Self {
+        Self {
+            zero_disparity: true,
+            alpha: None,
+            size: None,
+        }
+    }
+}
+
+/// Why a rig cannot be rectified.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum RectificationError {
+    /// The cameras are at the same place, or a number is not finite.
+    #[error("the distance between the cameras is {0} m, so there is no disparity")]
+    Baseline(f64),
+    /// The second camera is above or below the first, rather than beside it.
+    #[error("the second camera is at {0:?} m from the first: more above or below than beside it")]
+    Vertical([f64; 3]),
+    /// The second camera is to the left of the first.
+    #[error("the second camera is at {0:?} m, left of the first: the views are exchanged")]
+    Exchanged([f64; 3]),
+    /// There is no picture.
+    #[error("pictures of {0:?} pixels cannot be rectified")]
+    Size([usize; 2]),
+    /// `alpha` is not in [0, 1].
+    #[error("alpha is {0}, not from 0 to 1")]
+    Alpha(f64),
+    /// A camera does not see what is in front of it after the rotation.
+    #[error("the new axis is outside the field of a camera: the cameras look too far apart")]
+    Axis,
+    /// There is no rectangle that both cameras see.
+    #[error("the rectified pictures would show nothing: the views do not overlap")]
+    Empty,
+    /// A pixel has no place in the other picture.
+    #[error(transparent)]
+    Camera(#[from] CameraError),
+}
+
+/// A part of a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Rectangle {
+    /// The first column.
+    pub left: usize,
+    /// The first row.
+    pub top: usize,
+    /// Columns.
+    pub width: usize,
+    /// Rows.
+    pub height: usize,
+}
+
+/// The rotations and cameras that rectify the views of a rig.
+///
+/// ```
+/// use ga_vision::camera::Intrinsics;
+/// use ga_vision::rectification::{Rectification, RectificationOptions};
+/// use ga_vision::rig::StereoRig;
+///
+/// // The right camera looks a little to the left, and stands a little higher.
+/// let camera = Intrinsics::new([500.0, 500.0], [320.0, 240.0])?;
+/// let (sine, cosine) = 0.05_f64.sin_cos();
+/// let rotation = [[cosine, 0.0, sine], [0.0, 1.0, 0.0], [-sine, 0.0, cosine]];
+/// let rig = StereoRig::from_matrices(camera, camera, rotation, [-0.1, 0.01, 0.0])?;
+/// let found = Rectification::new(&rig, [640, 480], RectificationOptions::default())?;
+///
+/// let point = ga_runtime::cga3::Point::new(0.2, -0.1, 2.0);
+/// let [u, v] = found.left_pixel(rig.left.project(point)?)?;
+/// let [u_right, v_right] = found.right_pixel(rig.right.project(point)?)?;
+/// assert!((v - v_right).abs() < 1e-10);
+/// let again = found.rig.point([u, v], u - u_right).unwrap();
+/// assert!(found.left.motor.reverse().transform(again).distance(point) < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rectification {
+    /// The rotation of the left camera.
+    pub left: Pose<LeftCamera, RectifiedLeft>,
+    /// The rotation of the right camera.
+    pub right: Pose<RightCamera, RectifiedRight>,
+    /// The cameras after rectification.
+    pub rig: RectifiedRig,
+    /// Columns and rows of the rectified pictures.
+    pub size: [usize; 2],
+    /// The largest rectangles, left and right, that are known to hold only pixels that were seen;
+    /// empty where there is none.
+    pub valid: [Rectangle; 2],
+    cameras: [Intrinsics; 2],
+    source: [usize; 2],
+}
+
+impl Rectification {
+    /// Rectifies a rig whose pictures have a size in columns and rows.
+    ///
+    /// # Errors
+    /// [`RectificationError`] for cameras at one place, cameras that are not side by side, and
+    /// views that do not overlap.
+    pub fn new(
+        rig: &StereoRig,
+        source: [usize; 2],
+        options: RectificationOptions,
+    ) -> Result<Self, RectificationError> {
+        let size = options.size.unwrap_or(source);
+        for size in [source, size] {
+            if size.iter().any(|count| *count < 2) {
+                return Err(RectificationError::Size(size));
+            }
+        }
+        if let Some(alpha) = options.alpha.filter(|alpha| !(0.0..=1.0).contains(alpha)) {
+            return Err(RectificationError::Alpha(alpha));
+        }
+        let between = rig.left_to_right();
+        let rotations = rotations(between)?;
+        let cameras = [rig.left.intrinsics, rig.right.intrinsics];
+        let views = [0, 1].map(|k| View {
+            intrinsics: &cameras[k],
+            size: source,
+            rotation: rotations[k],
+        });
+        let frame = Frame::new(&views, source, size, options)?;
+        let pinhole = |k: usize| Intrinsics::new([frame.focal; 2], frame.centres[k]);
+        let baseline = rig.baseline();
+        let rectified = RectifiedRig::new(pinhole(0)?, pinhole(1)?, baseline)
+            .map_err(|_| RectificationError::Baseline(baseline))?;
+        Ok(Self {
+            left: Pose::new(rotations[0].into()),
+            right: Pose::new(rotations[1].into()),
+            rig: rectified,
+            size,
+            valid: frame.valid,
+            cameras,
+            source,
+        })
+    }
+
+    /// The pixel of the rectified left view that shows what a pixel of the left view shows.
+    ///
+    /// # Errors
+    /// [`CameraError`] as [`Intrinsics::direction`] and [`Intrinsics::project`].
+    pub fn left_pixel(&self, pixel: [f64; 2]) -> Result<[f64; 2], CameraError> {
+        rectified_pixel(&self.cameras[0], self.left.motor, &self.rig.left(), pixel)
+    }
+
+    /// The pixel of the rectified right view that shows what a pixel of the right view shows.
+    ///
+    /// # Errors
+    /// As [`left_pixel`](Self::left_pixel).
+    pub fn right_pixel(&self, pixel: [f64; 2]) -> Result<[f64; 2], CameraError> {
+        rectified_pixel(&self.cameras[1], self.right.motor, &self.rig.right(), pixel)
+    }
+
+    /// The map from the left view to its rectified picture.
+    #[must_use]
+    pub fn left_map(&self) -> Warp {
+        let new = self.rig.left();
+        map(
+            &self.cameras[0],
+            self.source,
+            self.left.motor,
+            &new,
+            self.size,
+        )
+    }
+
+    /// The map from the right view to its rectified picture.
+    #[must_use]
+    pub fn right_map(&self) -> Warp {
+        let new = self.rig.right();
+        map(
+            &self.cameras[1],
+            self.source,
+            self.right.motor,
+            &new,
+            self.size,
+        )
+    }
+}
+
+fn rectified_pixel(
+    old: &Intrinsics,
+    rotation: Motor<f64>,
+    new: &Intrinsics,
+    pixel: [f64; 2],
+) -> Result<[f64; 2], CameraError> {
+    let direction = rotation.transform(old.direction(pixel)?);
+    new.project(Point::from(direction.vector()))
+}
+
+/// The map of pictures to a rotated camera with other intrinsics.
+fn map(
+    old: &Intrinsics,
+    source: [usize; 2],
+    rotation: Motor<f64>,
+    new: &Intrinsics,
+    size: [usize; 2],
+) -> Warp {
+    let back = rotation.reverse();
+    // The planes of ga-image count from the corner of the first pixel, cameras from its centre.
+    Warp::new(size, source, |[x, y]| {
+        let direction: Direction<f64> = new.direction([x - 0.5, y - 0.5]).ok()?;
+        let point = Point::from(back.transform(direction).vector());
+        let [u, v] = old.project(point).ok()?;
+        Some([u + 0.5, v + 0.5])
+    })
+}
+
+/// The rotations of the two cameras: `W R^½` and `W R^−½`, where R is the rotation from left to
+/// right and W puts the baseline, seen from the half way, along x.
+fn rotations(between: Motor<f64>) -> Result<[Rotor<f64>; 2], RectificationError> {
+    let displacement = between.translator().displacement();
+    let [x, y, z] = displacement;
+    let baseline = x.hypot(y).hypot(z);
+    if !(baseline > 0.0 && baseline.is_finite()) {
+        return Err(RectificationError::Baseline(baseline));
+    }
+    let rotor = between.rotor();
+    // The root of the short way.
+    let half = if rotor.scalar() < 0.0 { -rotor } else { rotor }.sqrt();
+    let seen_half_way = half
+        .reverse()
+        .transform(Direction::from_vector(displacement));
+    let [x, y, z] = seen_half_way.vector();
+    // The centre of the right camera is at −t.
+    let centre = [-x, -y, -z];
+    if y.abs() >= x.abs() {
+        return Err(RectificationError::Vertical(centre));
+    }
+    if x > 0.0 {
+        return Err(RectificationError::Exchanged(centre));
+    }
+    let to_rows = Rotor::between([x, y, z], [-1.0, 0.0, 0.0]);
+    let to_rows = to_rows.ok_or(RectificationError::Baseline(baseline))?;
+    Ok([to_rows * half, to_rows * half.reverse()])
+}
+
+/// Focal length and principal points of the rectified pictures.
+struct Frame {
+    focal: f64,
+    centres: [[f64; 2]; 2],
+    valid: [Rectangle; 2],
+}
+
+impl Frame {
+    fn new(
+        views: &[View<'_>; 2],
+        source: [usize; 2],
+        size: [usize; 2],
+        options: RectificationOptions,
+    ) -> Result<Self, RectificationError> {
+        // The mean focal length, for pictures of the new height.
+        let sum: f64 = views.iter().map(|view| view.intrinsics.focal()[1]).sum();
+        let focal = 0.5 * sum * size[1] as f64 / source[1] as f64;
+        // Principal points that put the mean of the corners into the middle.
+        let mut centres = [[0.0; 2]; 2];
+        for (centre, view) in centres.iter_mut().zip(views) {
+            let mean = view.mean_of_corners()?;
+            *centre = [0, 1].map(|k| 0.5 * (source[k] - 1) as f64 - focal * mean[k]);
+        }
+        let [[left_x, left_y], [right_x, right_y]] = centres;
+        let row = 0.5 * (left_y + right_y);
+        let [left, right] = if options.zero_disparity {
+            [0.5 * (left_x + right_x); 2]
+        } else {
+            [left_x, right_x]
+        };
+        let old_centres = [[left, row], [right, row]];
+        let centres =
+            old_centres.map(|centre| [0, 1].map(|k| centre[k] * size[k] as f64 / source[k] as f64));
+        let mut bounds = [views[0].bounds()?, views[1].bounds()?];
+        for bounds in &mut bounds {
+            for side in bounds.inner.iter_mut().chain(&mut bounds.outer) {
+                *side *= focal;
+            }
+        }
+        let scale = options.alpha.map_or(1.0, |alpha| {
+            let scales = [0, 1].map(|k| {
+                let limits = limits(centres[k], size);
+                [bounds[k].inner, bounds[k].outer].map(|sides| ratios(limits, sides))
+            });
+            let largest = scales.iter().flat_map(|scale| scale[0]).fold(0.0, f64::max);
+            let least = scales.iter().flat_map(|scale| scale[1]);
+            let least = least.fold(f64::INFINITY, f64::min);
+            largest * (1.0 - alpha) + least * alpha
+        });
+        if !(scale > 0.0 && scale.is_finite()) {
+            return Err(RectificationError::Empty);
+        }
+        let valid = [0, 1].map(|k| rectangle(centres[k], bounds[k].inner.map(|x| x * scale), size));
+        Ok(Self {
+            focal: focal * scale,
+            centres,
+            valid,
+        })
+    }
+}
+
+/// The sides `[left, right, top, bottom]` of a picture as seen from a principal point.
+fn limits([x, y]: [f64; 2], [width, height]: [usize; 2]) -> [f64; 4] {
+    [-x, (width - 1) as f64 - x, -y, (height - 1) as f64 - y]
+}
+
+/// By how much each side must be scaled to reach the limit.
+fn ratios(limits: [f64; 4], sides: [f64; 4]) -> [f64; 4] {
+    std::array::from_fn(|k| limits[k] / sides[k])
+}
+
+/// The part of a picture between sides that are given from a principal point.
+fn rectangle([x, y]: [f64; 2], sides: [f64; 4], size: [usize; 2]) -> Rectangle {
+    let interval = |low: f64, high: f64, centre: f64, count: usize| {
+        let first = (centre + low).ceil();
+        let length = (high - low).floor();
+        let end = (first + length).clamp(0.0, count as f64);
+        let first = first.clamp(0.0, count as f64);
+        (first as usize, (end - first).max(0.0) as usize)
+    };
+    let (left, width) = interval(sides[0], sides[1], x, size[0]);
+    let (top, height) = interval(sides[2], sides[3], y, size[1]);
+    Rectangle {
+        left,
+        top,
+        width,
+        height,
+    }
+}
