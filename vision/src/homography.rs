@@ -15,7 +15,8 @@ impl Homography {
     /// transformation with normalised coordinates (R. Hartley and A. Zisserman, "Multiple View
     /// Geometry in Computer Vision", algorithm 4.2).
     ///
-    /// `None` for fewer than four pairs, for places or pixels on one line, and where numbers are not finite.
+    /// `None` for fewer than four pairs, for places or pixels on one line, and where numbers are not
+    /// finite.
     ///
     /// ```
     /// use ga_vision::homography::Homography;

@@ -68,10 +68,11 @@ impl Gradient {
             .collect()
     }
 
-    /// The place to which the gradients in a window point at right angles: with weights w, gradients
-    /// g and places p, the q at which `Σ w (g·(p − q))²` is least (W. Förstner and E. Gülch, "A fast
-    /// operator for detection and precise location of distinct points, corners and centres of
-    /// circular features", 1987). The window is a parallelogram along the board, and moves with q.
+    /// The place to which the gradients in a window point at right angles: with weights w,
+    /// gradients g and places p, the q at which `Σ w (g·(p − q))²` is least (W. Förstner and E.
+    /// Gülch, "A fast operator for detection and precise location of distinct points, corners and
+    /// centres of circular features", 1987). The window is a parallelogram along the board, and
+    /// moves with q.
     fn corner(&self, start: Vector<f64>, sides: [Vector<f64>; 2]) -> Option<Vector<f64>> {
         let area = (sides[0] ^ sides[1]).e12;
         let extent = |k: usize| {

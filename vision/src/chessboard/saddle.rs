@@ -7,7 +7,7 @@ use ga_runtime::vga2::Vector;
 /// The standard deviation in pixels of the blur before derivatives are taken.
 const SIGMA: f64 = 1.5;
 /// The least strength of a saddle point, as a part of the greatest in the picture.
-const LEAST_STRENGTH: f32 = 0.04;
+const LEAST_STRENGTH: f32 = 0.02;
 /// No more saddle points than this are considered.
 const MOST: usize = 3000;
 /// The radius in pixels of the circle around a saddle point on which the brightness is examined.
