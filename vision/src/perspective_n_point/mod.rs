@@ -7,7 +7,7 @@
 mod error;
 mod three_points;
 
-use ga_runtime::cga3::{Motor, MotorGenerator, Point};
+use ga_runtime::cga3::{DualQuaternion, Motor, MotorGenerator, Point};
 use ga_runtime::vga3::Vector;
 use nalgebra_035::{Matrix3, SymmetricEigen};
 
@@ -15,7 +15,7 @@ pub use error::PerspectiveError;
 pub use three_points::three_points;
 
 use crate::camera::Intrinsics;
-use crate::least_squares::{Columns, Equations, Minimum, Problem, Settings, minimise};
+use crate::least_squares::{Columns, Covariance, Equations, Minimum, Problem, Settings, minimise};
 use crate::ransac::{Consensus, Search};
 
 /// Three points have up to four poses; a fourth selects one of them.
@@ -123,7 +123,7 @@ pub fn estimate(
     let covariance = minimum
         .variance()
         .and_then(|variance| minimum.covariance(variance));
-    let entry = |covariance: crate::least_squares::Covariance| {
+    let entry = |covariance: Covariance| {
         std::array::from_fn(|row| std::array::from_fn(|column| covariance.shared(row, column)))
     };
     Ok(PerspectivePose {
@@ -314,6 +314,6 @@ impl Problem for Observed<'_> {
         let rotation = Vector::new(step[0], step[1], step[2]);
         let velocity = Vector::new(step[3], step[4], step[5]);
         let change = MotorGenerator::from_velocities(rotation.into(), velocity.into());
-        ga_runtime::cga3::DualQuaternion::from(change.exp() * *motor).normalize()
+        DualQuaternion::from(change.exp() * *motor).normalize()
     }
 }

@@ -1,6 +1,6 @@
 //! The epipolar condition of rays as lines, and its first-order distance in pixels.
 
-use ga_runtime::cga3::{Line, Motor, MotorGenerator};
+use ga_runtime::cga3::{Line, Motor, MotorGenerator, Quaternion, Rotor, Translator};
 use ga_runtime::vga3::Vector;
 
 use super::bearing::Bearing;
@@ -161,18 +161,17 @@ pub(super) fn across_translation(motor: Motor<f64>) -> [Vector<f64>; 2] {
 }
 
 /// The motion with its translation scaled to length 1; `None` where it has none.
-pub(super) fn with_unit_translation(motor: Motor<f64>) -> Option<Motor<f64>> {
+fn with_unit_translation(motor: Motor<f64>) -> Option<Motor<f64>> {
     let unit = Vector::from(motor.translator().displacement()).normalized()?;
-    let rotor = ga_runtime::cga3::Quaternion::from(motor.rotor());
-    let rotor = ga_runtime::cga3::Rotor::normalize(rotor)?;
-    Some(ga_runtime::cga3::Translator::from_displacement(unit.coordinates()) * rotor)
+    let rotor = Quaternion::from(motor.rotor());
+    let rotor = Rotor::normalize(rotor)?;
+    Some(Translator::from_displacement(unit.coordinates()) * rotor)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::camera::Intrinsics;
-    use ga_runtime::cga3::{Rotor, Translator};
 
     #[test]
     fn derivatives_by_the_motion_agree_with_central_differences() {

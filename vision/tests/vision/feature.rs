@@ -83,43 +83,66 @@ fn the_number_of_features_is_bounded_and_the_result_is_repeatable() {
     assert_eq!(found, detect(&picture, &options));
 }
 
-#[test]
-fn the_motorcycle_pair_is_a_translation_to_the_side() {
+/// The rotation between two rectified views, and the angle of the translation to the u axis, in
+/// degrees, for a focal length and principal points.
+fn errors_of_rectified(views: [&str; 2], focal: f64, centres: [[f64; 2]; 2]) -> Vec<[f64; 2]> {
     let read = |name: &str| {
-        let path = nullcone_shared_data::shared(&format!("data/vision/middlebury/{name}"))?;
+        let path = nullcone_shared_data::shared(&format!("data/vision/{name}"))?;
         Some(
             file::read(path)
                 .expect("a picture")
                 .to_grey::<u8>(Luma::Bt601),
         )
     };
-    let Some((left, right)) = read("motorcycle_left.png").zip(read("motorcycle_right.png")) else {
-        return;
+    let Some((left, right)) = read(views[0]).zip(read(views[1])) else {
+        return Vec::new();
     };
-    let camera = |cx| Intrinsics::new([994.978, 994.978], [cx, 254.877]).expect("a camera");
     let pairs = match_views(&left, &right, &ViewOptions::default());
-    for seed in 1..=5 {
+    let [first, second] =
+        centres.map(|centre| Intrinsics::new([focal; 2], centre).expect("a camera"));
+    let found = (1..=5).map(|seed| {
         let options = Options {
             seed,
             ..Options::default()
         };
-        let found = estimate(
-            &pairs,
-            &camera(311.193),
-            &camera(311.193 + 31.086),
-            &options,
-        );
-        let found = found.unwrap();
+        let found = estimate(&pairs, &first, &second, &options).expect("a motion");
         let (_, angle) = found.left_to_right.rotor().to_axis_angle();
-        let angle = angle.min(std::f64::consts::TAU - angle).to_degrees();
+        let angle = angle.min(std::f64::consts::TAU - angle);
         let t = Vector::from(found.left_to_right.translator().displacement());
-        let direction = t.angle(-Vector::X).expect("a translation").to_degrees();
+        let direction = t.angle(-Vector::X).expect("a translation");
+        let (pairs, inliers) = (pairs.len(), found.inliers.len());
+        let errors = [angle, direction].map(f64::to_degrees);
         println!(
-            "{} pairs, {} agree to {} px: {angle}° and {direction}°",
-            pairs.len(),
-            found.inliers.len(),
+            "{pairs} pairs, {inliers} to {} px, {errors:?}°",
             found.root_mean_square
         );
-        assert!(angle <= 0.2 && direction <= 1.0, "{angle} {direction}");
+        errors
+    });
+    found.collect()
+}
+
+#[test]
+fn rectified_pairs_are_translations_to_the_side() {
+    let motorcycle = errors_of_rectified(
+        [
+            "middlebury/motorcycle_left.png",
+            "middlebury/motorcycle_right.png",
+        ],
+        994.978,
+        [[311.193, 254.877], [311.193 + 31.086, 254.877]],
+    );
+    let terrace = errors_of_rectified(
+        [
+            "stereo/eth3d_terrace/im0.png",
+            "stereo/eth3d_terrace/im1.png",
+        ],
+        711.499,
+        [[376.135, 227.447]; 2],
+    );
+    for [rotation, direction] in motorcycle.into_iter().chain(terrace) {
+        assert!(
+            rotation <= 0.2 && direction <= 1.0,
+            "{rotation} {direction}"
+        );
     }
 }
