@@ -17,3 +17,4 @@ mod mesh_subdivide;
 mod render;
 mod skin;
 mod stereo;
+mod stereo_pose;

@@ -3,6 +3,7 @@
 mod evaluate;
 mod match_views;
 mod picture;
+mod pose;
 mod views;
 
 use anyhow::Result;
@@ -19,11 +20,13 @@ pub(crate) struct Arguments {
 enum Command {
     Match(match_views::Arguments),
     Evaluate(evaluate::Arguments),
+    Pose(pose::Arguments),
 }
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     match &arguments.command {
         Command::Match(arguments) => match_views::run(arguments, quiet),
         Command::Evaluate(arguments) => evaluate::run(arguments, quiet),
+        Command::Pose(arguments) => pose::run(arguments, quiet),
     }
 }
