@@ -11,8 +11,9 @@
 //! - [`rectification`]: views in which the images of a point are in the same row.
 //! - [`format`](mod@format): files of cameras and rigs.
 //! - [`matcher`]: the disparity of every pixel of a rectified pair.
-//! - [`triangulation`]: the point where two rays come closest.
+//! - [`triangulation`]: the point that two or more rays determine.
 //! - [`disparity`]: disparity maps of rectified views, their files and their errors.
+//! - [`surface`]: points, triangles and meshes from disparity maps.
 //! - [`least_squares`]: nonlinear least squares over any unknowns, with covariances.
 //! - [`feature`]: corners, descriptors and matches of two views.
 //! - [`relative_pose`]: the motion between two cameras from pairs of pixels.
@@ -66,4 +67,5 @@ pub mod ransac;
 pub mod rectification;
 pub mod relative_pose;
 pub mod rig;
+pub mod surface;
 pub mod triangulation;

@@ -13,6 +13,7 @@ mod perspective_n_point;
 mod pose_error;
 mod relative_pose;
 mod rectification;
+mod surface;
 mod synthetic_scene;
 mod two_views;
 
