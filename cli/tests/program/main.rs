@@ -7,6 +7,7 @@ mod bad_input;
 mod bake;
 mod clip;
 mod clip_edit;
+mod clip_retarget;
 mod common;
 mod curve;
 mod demo;

@@ -78,6 +78,11 @@ impl MotionArguments {
         Kind::of(&self.motion)
     }
 
+    /// The length of one unit in metres, where it is given.
+    pub(super) fn given_unit(&self) -> Option<f64> {
+        self.metres_per_unit
+    }
+
     /// Fails where an option is given that this kind of file does not have.
     fn check_options(&self) -> Result<()> {
         let kind = self.kind()?;

@@ -6,13 +6,14 @@ mod info;
 mod input;
 mod mirror;
 mod resample;
+mod retarget;
 mod sample;
 mod target;
 
 use anyhow::Result;
 use clap::Subcommand;
 
-/// Compress recordings of motion within a bound, sample, resample, mirror and blend them.
+/// Compress recordings of motion within a bound; sample, resample, retarget, mirror and blend them.
 ///
 /// A motion may be BVH (.bvh), glTF 2.0 (.glb, .gltf) or a compressed clip (.clip); the ending of
 /// the name says which.
@@ -28,6 +29,7 @@ enum Command {
     Info(info::Arguments),
     Sample(sample::Arguments),
     Resample(resample::Arguments),
+    Retarget(retarget::Arguments),
     Mirror(mirror::Arguments),
     Blend(blend::Arguments),
 }
@@ -38,6 +40,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         Command::Info(arguments) => info::run(arguments),
         Command::Sample(arguments) => sample::run(arguments, quiet),
         Command::Resample(arguments) => resample::run(arguments, quiet),
+        Command::Retarget(arguments) => retarget::run(arguments, quiet),
         Command::Mirror(arguments) => mirror::run(arguments, quiet),
         Command::Blend(arguments) => blend::run(arguments, quiet),
     }
