@@ -4,6 +4,7 @@ use ga_runtime::geometry::Affine;
 use ga_runtime::vga3::Vector;
 
 use super::{RecordedJoint, Recording, RecordingError, ScalarTrack};
+use crate::clip::compressed::ShellError;
 use crate::gltf::{LocalFrame, NodePose, PlayError, Player};
 use crate::transform::Transform;
 
@@ -233,11 +234,7 @@ impl<'a> GltfMotion<'a> {
         const LIMIT: usize = 1 << 22;
         let keys = key_times(&self.player.document().animations[self.animation]);
         let last = keys.last().copied().unwrap_or(0.0);
-        let grid = match rate {
-            Some(rate) if rate > 0.0 && rate.is_finite() => Grid::of_step(rate.recip(), last),
-            Some(rate) => return Err(GltfMotionError::Rate(rate)),
-            None => Grid::of_keys(&keys),
-        };
+        let grid = Grid::new(rate, &keys)?;
         if (grid.steps + 1.0) * self.joints.len() as f64 > LIMIT as f64 {
             return Err(GltfMotionError::TooLarge {
                 rate: grid.step.recip(),
@@ -272,6 +269,29 @@ impl<'a> GltfMotion<'a> {
             locals,
             tracks,
         )?)
+    }
+
+    /// How far a recording at this rate is from the document: the greatest error of a joint in a
+    /// frame, in metres, as [`Settings`](crate::clip::compressed::Settings) describes it, for points
+    /// within `shell` metres. A matrix of a node may have a little shear by its rounding, which the
+    /// factors of a recording do not have.
+    ///
+    /// # Errors
+    ///
+    /// [`GltfMotionError::Rate`], and as [`Player::pose`].
+    pub fn deviation(
+        &self,
+        recording: &Recording,
+        rate: Option<f64>,
+        shell: f64,
+    ) -> Result<f64, GltfMotionError> {
+        let keys = key_times(&self.player.document().animations[self.animation]);
+        let grid = Grid::new(rate, &keys)?;
+        let mut error = ShellError::new(recording, shell);
+        for frame in 0..recording.frame_count() {
+            error.compare(frame, &self.model_maps(grid.time(frame, &keys))?);
+        }
+        Ok(error.greatest())
     }
 
     /// A track without numbers for each morph target that moves.
@@ -317,6 +337,16 @@ impl Grid {
     /// The step where there is nothing to choose it by.
     const DEFAULT_STEP: f64 = 1.0 / 30.0;
     const SHORTEST_STEP: f64 = 1.0 / 240.0;
+
+    /// Frames at a rate, or those that the times of keys suggest.
+    fn new(rate: Option<f64>, keys: &[f64]) -> Result<Self, GltfMotionError> {
+        let last = keys.last().copied().unwrap_or(0.0);
+        match rate {
+            Some(rate) if rate > 0.0 && rate.is_finite() => Ok(Self::of_step(rate.recip(), last)),
+            Some(rate) => Err(GltfMotionError::Rate(rate)),
+            None => Ok(Self::of_keys(keys)),
+        }
+    }
 
     /// Frames at a given step, of which the last is at or after the last key.
     fn of_step(step: f64, last: f64) -> Self {

@@ -216,6 +216,7 @@ fn matrices_are_split_unless_they_shear() {
     let motion = GltfMotion::new(&player, 0, 1.0).unwrap();
     let recording = motion.recording(None).unwrap();
     assert_maps(&maps(&recording, 1), &motion.model_maps(1.0).unwrap(), 1e-6);
+    assert!(motion.deviation(&recording, None, 0.03).unwrap() < 1e-5);
     let mut shears = mirrored;
     shears[1] = 0.1;
     let mut singular = mirrored;
@@ -224,6 +225,46 @@ fn matrices_are_split_unless_they_shear() {
         let found = Recording::from_gltf(&with(matrix), 0, 1.0, None);
         assert_eq!(found, Err(GltfMotionError::Shears { node: 1 }));
     }
+}
+
+/// A matrix as a file with few digits has it, with a shear that no factors have.
+#[test]
+fn what_little_shear_moves_is_the_deviation() {
+    let mut nodes = vec![
+        node("arm", &[1], [0.0; 3], [1.0; 3]),
+        node("hand", &[2], [0.0; 3], [1.0; 3]),
+    ];
+    let mut matrix = [0.0; 16];
+    (0..4).for_each(|k| matrix[5 * k] = 1.0);
+    matrix[1] = 9e-6;
+    nodes[1].transform = Transform::Matrix(matrix);
+    nodes.push(node("finger", &[], [0.0; 3], [1.0; 3]));
+    let times = [0.0, 0.5, 1.0];
+    let document = document(nodes, vec![places(0, &times), places(2, &times)]);
+    let player = Player::new(&document).unwrap();
+    let motion = GltfMotion::new(&player, 0, 1.0).unwrap();
+    let recording = motion.recording(None).unwrap();
+    let places_alone = motion.deviation(&recording, None, 0.0).unwrap();
+    let mut greatest = 0.0f64;
+    for frame in 0..recording.frame_count() {
+        let truth = motion.model_maps(frame as f64 * recording.frame_time());
+        for (found, truth) in maps(&recording, frame).iter().zip(truth.unwrap()) {
+            let [a, b] = [found.translation, truth.translation].map(glam::DVec3::from);
+            greatest = greatest.max(a.distance(b));
+        }
+    }
+    assert!(
+        (places_alone - greatest).abs() < 1e-12,
+        "{places_alone} instead of {greatest}"
+    );
+    // The finger is 10 m out along x in the last frame, and the rotation takes half of the shear.
+    assert!((4e-5..1e-4).contains(&greatest), "{greatest}");
+    // A shell adds what the linear parts differ by.
+    let with_shell = motion.deviation(&recording, None, 2.0).unwrap();
+    let added = with_shell - places_alone;
+    assert!((8e-6..2e-5).contains(&added), "{added}");
+    let error = motion.deviation(&recording, Some(-1.0), 0.0).unwrap_err();
+    assert_eq!(error, GltfMotionError::Rate(-1.0));
 }
 
 /// Keys on a grid are kept, wherever they begin; others are resampled at the finest interval.

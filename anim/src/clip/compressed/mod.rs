@@ -50,4 +50,5 @@ pub(crate) use layout::double_transform;
 pub use measure::{Measured, measure};
 pub use sampler::Sampler;
 pub use settings::{JointBound, Settings};
+pub(crate) use shell::ShellError;
 pub use skin::{SkinMismatch, error_at_skin};

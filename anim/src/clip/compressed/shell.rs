@@ -1,6 +1,7 @@
 //! How far an error of a joint's frame moves the points about the joint.
 
 use ga_runtime::geometry::Affine;
+use ga_runtime::vga3::Vector;
 use nalgebra_035::Matrix3;
 
 use crate::recording::{ModelSpaceError, Recording, model_maps};
@@ -46,6 +47,53 @@ pub(super) fn least_of(greatest: f64) -> f64 {
         LEAST_PART * greatest
     } else {
         1.0
+    }
+}
+
+/// The greatest error of other maps to model space than those of a recording.
+pub(crate) struct ShellError<'a> {
+    recording: &'a Recording,
+    shell: f64,
+    sizes: Option<Sizes>,
+    models: Vec<Affine<f64>>,
+    greatest: f64,
+}
+
+impl<'a> ShellError<'a> {
+    pub(crate) fn new(recording: &'a Recording, shell: f64) -> Self {
+        Self {
+            recording,
+            shell,
+            sizes: Sizes::new(recording).ok(),
+            models: vec![Affine::default(); recording.joints().len()],
+            greatest: 0.0,
+        }
+    }
+
+    /// Takes the maps of a frame into account; others than one for each joint are infinitely wrong.
+    pub(crate) fn compare(&mut self, frame: usize, truth: &[Affine<f64>]) {
+        let (Some(sizes), Some(locals)) = (&self.sizes, self.recording.frame(frame)) else {
+            self.greatest = f64::INFINITY;
+            return;
+        };
+        let composed = model_maps(self.recording.parents(), locals, &mut self.models);
+        if composed.is_err() || truth.len() != self.models.len() {
+            self.greatest = f64::INFINITY;
+            return;
+        }
+        for (joint, (found, truth)) in self.models.iter().zip(truth).enumerate() {
+            let moved = Vector::from(found.translation).distance(truth.translation.into());
+            let least = sizes.least(joint);
+            let error = moved + self.shell * relative_difference(found.linear, truth.linear, least);
+            // Not a number is infinitely wrong, too.
+            let error = if error.is_nan() { f64::INFINITY } else { error };
+            self.greatest = self.greatest.max(error);
+        }
+    }
+
+    /// The greatest error so far, in metres.
+    pub(crate) fn greatest(&self) -> f64 {
+        self.greatest
     }
 }
 

@@ -2,8 +2,9 @@
 
 use std::path::PathBuf;
 
-use anyhow::Result;
+use anyhow::{Result, ensure};
 use ga_anim::clip::compressed::Settings;
+use ga_anim::recording::Recording;
 
 use super::input::{Kind, MotionArguments, vertices};
 use super::target::{self, OwnBound};
@@ -84,6 +85,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         joints: Vec::new(),
     };
     target::add_bounds(&mut settings, &arguments.joints, &recording, &file)?;
+    let deviation = leave_for_deviation(&mut settings, &arguments.motion, &recording)?;
     let mesh_vertices = || -> Result<Option<u64>> {
         match (arguments.mesh_vertices, arguments.motion.kind()?) {
             (None, Kind::Gltf) => Ok(Some(vertices(&arguments.motion.document()?))),
@@ -93,5 +95,33 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let out = &arguments.out;
     let report = target::write(&recording, &settings, file, out, &progress, mesh_vertices)?;
     drop(progress);
+    let report = report.with_deviation(deviation);
     report.print(arguments.json, quiet)
+}
+
+/// How far the recording is from a glTF document, by which the tolerances become smaller, so that
+/// they hold against the document.
+fn leave_for_deviation(
+    settings: &mut Settings,
+    motion: &MotionArguments,
+    recording: &Recording,
+) -> Result<f64> {
+    // Far below single precision.
+    const ROUNDING: f64 = 1e-5;
+    let shells = settings.joints.iter().map(|bound| bound.shell);
+    let shell = shells.fold(settings.shell, f64::max);
+    let deviation = motion.deviation(recording, shell)?;
+    let own = settings.joints.iter_mut().map(|bound| &mut bound.tolerance);
+    for tolerance in own.chain([&mut settings.tolerance]) {
+        ensure!(
+            !(deviation >= *tolerance),
+            "{}: shear in matrices of nodes moves points by {deviation} m, which is not within \
+             {tolerance} m",
+            motion.file()
+        );
+        if deviation > ROUNDING * *tolerance {
+            *tolerance -= deviation;
+        }
+    }
+    Ok(deviation)
 }

@@ -136,6 +136,20 @@ impl MotionArguments {
         }
     }
 
+    /// How far the recording is from what [`gltf_motion`](Self::gltf_motion) shows at its frames, in
+    /// metres, for points within a shell about the joints: 0 where the file is not a glTF document.
+    pub(super) fn deviation(&self, recording: &Recording, shell: f64) -> Result<f64> {
+        if self.kind()? != Kind::Gltf {
+            return Ok(0.0);
+        }
+        let document = self.document()?;
+        let player = Player::new(&document).with_context(|| self.file())?;
+        let animation = self.animation.unwrap_or(0);
+        let motion = GltfMotion::new(&player, animation, self.unit()?);
+        let deviation = motion.and_then(|motion| motion.deviation(recording, self.rate, shell));
+        deviation.with_context(|| self.file())
+    }
+
     /// The recording in a file of any kind, and the bounds of a compressed clip.
     pub(super) fn any_recording(&self, quiet: bool) -> Result<(Recording, Settings)> {
         if self.kind()? != Kind::Clip {

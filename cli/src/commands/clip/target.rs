@@ -177,6 +177,15 @@ pub(super) struct Report {
 }
 
 impl Report {
+    /// With errors against what the recording was made from, which is so far from it.
+    pub(super) fn with_deviation(self, metres: f64) -> Self {
+        Self {
+            max_error_metres: self.max_error_metres + metres,
+            half_frame_error_metres: self.half_frame_error_metres + metres,
+            ..self
+        }
+    }
+
     pub(super) fn print(&self, json: bool, quiet: bool) -> Result<()> {
         match (json, quiet) {
             (true, _) => output::print_json(self),
