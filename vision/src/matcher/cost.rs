@@ -24,41 +24,55 @@ pub(super) fn pixel_costs(
     column: usize,
     costs: &mut [u8],
 ) {
-    let census: [u8; PLANES] = std::array::from_fn(|plane| left.census[plane][column]);
-    let (level, slope) = (left.levels[column], left.slopes[column]);
     let start = width - 1 - column;
     let length = costs.len();
-    let planes: [&[u8]; PLANES] = std::array::from_fn(|p| &right.census[p][start..][..length]);
-    let levels = &right.levels[start..][..length];
-    let slopes = &right.slopes[start..][..length];
-    let (blocks, _) = costs.as_chunks_mut::<LANES>();
+    let mut census = [0; PLANES];
+    let mut planes: [&[Block]; PLANES] = [&[]; PLANES];
+    for plane in 0..PLANES {
+        census[plane] = left.census[plane][column];
+        planes[plane] = right.census[plane][start..][..length].as_chunks().0;
+    }
+    let (level, slope) = (left.levels[column], left.slopes[column]);
+    let levels: &[Block] = right.levels[start..][..length].as_chunks().0;
+    let slopes: &[Block] = right.slopes[start..][..length].as_chunks().0;
+    let blocks = costs.as_chunks_mut::<LANES>().0;
+    let [p0, p1, p2, p3, p4, p5, p6, p7] = planes;
     for (index, block) in blocks.iter_mut().enumerate() {
-        let at = index * LANES;
-        let mut distance: Block = [0; LANES];
-        for (plane, byte) in planes.iter().zip(census) {
-            let bytes = &plane[at..][..LANES];
-            for lane in 0..LANES {
-                distance[lane] += (bytes[lane] ^ byte).count_ones() as u8;
-            }
-        }
-        let levels = &levels[at..][..LANES];
-        let slopes = &slopes[at..][..LANES];
+        let bytes: [&Block; PLANES] = [
+            &p0[index], &p1[index], &p2[index], &p3[index], &p4[index], &p5[index], &p6[index],
+            &p7[index],
+        ];
+        let (levels, slopes) = (&levels[index], &slopes[index]);
+        let mut sums: Block = [0; LANES];
         for lane in 0..LANES {
-            let hamming = distance[lane] + (distance[lane] >> 1);
-            let brightness = levels[lane].abs_diff(level).min(12) >> 2;
-            block[lane] = hamming + brightness + slopes[lane].abs_diff(slope).min(8);
+            let mut distance = 0;
+            for plane in 0..PLANES {
+                distance += (bytes[plane][lane] ^ census[plane]).count_ones() as u8;
+            }
+            let brightness = difference(levels[lane], level).min(12) >> 2;
+            let steepness = difference(slopes[lane], slope).min(8);
+            sums[lane] = distance + (distance >> 1) + brightness + steepness;
         }
+        *block = sums;
     }
 }
 
+/// |a − b|, which `abs_diff` computes in 32 bits.
+#[inline(always)]
+pub(super) fn difference(a: u8, b: u8) -> u8 {
+    a.max(b) - a.min(b)
+}
+
 /// The costs of a row of pixels, `stride` numbers for each, of which the first `range` are those of
-/// disparities 0 to `range` − 1. Candidates outside the other view cost `outside`.
+/// disparities 0 to `range` − 1. Candidates outside the other view cost `outside`, and numbers that
+/// are those of no candidate are set to `beyond`.
 #[inline(always)]
 pub(super) fn row_costs(
     left: &Features,
     right: &Features,
     range: usize,
     outside: u8,
+    beyond: u8,
     costs: &mut [u8],
     stride: usize,
 ) {
@@ -68,6 +82,6 @@ pub(super) fn row_costs(
         if column + 1 < range {
             costs[column + 1..range].fill(outside);
         }
-        costs[range..].fill(NEVER);
+        costs[range..].fill(beyond);
     }
 }

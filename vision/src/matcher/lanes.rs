@@ -11,7 +11,10 @@ pub(super) type Block = [u8; LANES];
 /// The smallest byte of a block.
 #[inline(always)]
 pub(super) fn least(block: Block) -> u8 {
-    let mut half: [u8; 16] = std::array::from_fn(|lane| block[lane].min(block[lane + 16]));
+    let mut half = [0; LANES / 2];
+    for lane in 0..LANES / 2 {
+        half[lane] = block[lane].min(block[lane + LANES / 2]);
+    }
     let mut width = 8;
     while width > 0 {
         for lane in 0..width {
@@ -25,7 +28,10 @@ pub(super) fn least(block: Block) -> u8 {
 /// The smallest number of a block.
 #[inline(always)]
 pub(super) fn least_of_words(block: [u16; LANES]) -> u16 {
-    let mut half: [u16; 16] = std::array::from_fn(|lane| block[lane].min(block[lane + 16]));
+    let mut half = [0; LANES / 2];
+    for lane in 0..LANES / 2 {
+        half[lane] = block[lane].min(block[lane + LANES / 2]);
+    }
     let mut width = 8;
     while width > 0 {
         for lane in 0..width {

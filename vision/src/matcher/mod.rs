@@ -1,10 +1,23 @@
 //! Dense stereo: the disparity of every pixel of a rectified pair, by semi-global matching.
 //!
-//! Cui's §2.1.2 and §2.1.4 need depth at every pixel. The matcher compares the census transform, the
-//! level and the slope of each pixel with those of its candidates in the same row of the other view,
-//! adds the costs of smooth paths from several directions (Hirschmüller 2008), and takes the
-//! candidate of least cost, to a fraction of a pixel. What the other view does not confirm is
-//! removed and filled from what lies behind.
+//! Cui's §2.1.2 and §2.1.4 need depth at every pixel. The steps are:
+//!
+//! 1. The right view is brought to the exposure of the left, where they differ much.
+//! 2. The census transform, the level and the slope of each pixel are compared with those of its
+//!    candidates in the same row of the other view (Zabih and Woodfill 1994).
+//! 3. The costs are averaged over the region that the arms of a pixel span, on which levels are
+//!    near its own (Zhang, Lu and Lafruit 2009).
+//! 4. The costs of smooth paths from five directions are added (Hirschmüller 2008), and the
+//!    candidate of the least sum is taken, to a fraction of a pixel.
+//! 5. What the right view does not confirm is removed, and so are small islands.
+//! 6. Holes are filled by smooth paths from the disparities around them, among the candidates that
+//!    the right view cannot see.
+//! 7. Edges are sharpened by a weighted median, and the rest is smoothed.
+//!
+//! [`Mode::Fast`] leaves out step 3. [`Mode::Best`] matches the right view as well for steps 5 and
+//! 6; the other modes take its disparities from the costs of the left view.
+//!
+//! Costs of one row are in memory at a time, those of step 3 for 42 rows.
 //!
 //! The loops are compiled for several sets of instructions, of which the best is taken at run time.
 //! Rows are computed in strips whose height does not depend on the number of threads, so neither
@@ -25,12 +38,18 @@
 //! # Ok::<(), ga_vision::matcher::MatchError>(())
 //! ```
 
+// Loops over lanes and pixels by number become vector instructions; chains of iterators over many
+// slices often do not.
+#![allow(clippy::needless_range_loop)]
+
+mod arms;
 mod cost;
 mod features;
 mod lanes;
 mod path;
 mod refine;
 mod strips;
+mod support;
 mod sweep;
 mod view;
 mod winner;
@@ -41,11 +60,13 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use crate::disparity::DisparityMap;
 use path::Penalties;
 use refine::speckle::Islands;
+use refine::visibility::VisibilityFill;
 use refine::weighted::WeightedMedian;
 use refine::{check, fill, median, smooth};
 use strips::Strips;
 use sweep::Task;
 use view::View;
+use winner::{STEPS, UNKNOWN};
 
 /// How much work a matcher does.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -55,7 +76,8 @@ pub enum Mode {
     /// Costs are averaged over neighbourhoods of similar levels, which flat surfaces need.
     #[default]
     Balanced,
-    /// As [`Balanced`](Self::Balanced); holes are filled by matching the right view as well.
+    /// As [`Balanced`](Self::Balanced), and the right view is matched as well: it confirms more, and
+    /// tells better what may fill the holes.
     Best,
 }
 
@@ -155,6 +177,8 @@ const MOST_PIXELS: usize = 1 << 30;
 const GREATEST_RANGE: usize = 2047;
 /// Islands of fewer pixels are removed.
 const SPECKLE: u32 = 80;
+/// How much more than the median of the least costs a candidate outside the right view costs.
+const OUTSIDE: u8 = 20;
 
 /// Finds the disparities of rectified pairs of views of one size. What it needs in memory is kept
 /// from one pair to the next.
@@ -172,6 +196,7 @@ pub struct Matcher {
     confidence: Vec<u8>,
     islands: Islands,
     weighted: WeightedMedian,
+    visibility: VisibilityFill,
 }
 
 impl Matcher {
@@ -215,7 +240,7 @@ impl Matcher {
             width,
             height,
             threads,
-            strips: Strips::new(width, height, range),
+            strips: Strips::new(width, height, range, options.mode != Mode::Fast),
             left: View::new(width, height, false),
             right: View::new(width, height, true),
             maps: [vec![0; pixels], vec![0; pixels]],
@@ -223,6 +248,7 @@ impl Matcher {
             confidence: vec![0; pixels],
             islands: Islands::default(),
             weighted: WeightedMedian::new(),
+            visibility: VisibilityFill::new(width, range),
         })
     }
 
@@ -272,48 +298,95 @@ impl Matcher {
             strips,
             left,
             right,
-            maps: [map, other],
+            maps: [map, spare],
             opposite,
             confidence,
             islands,
             weighted,
+            visibility,
         } = self;
-        let (width, height) = (*width, *height);
-        let mut disparity = Plane::filled(width, height, 0.0);
-        let mut clear = Plane::filled(width, height, 0.0);
+        let width = *width;
+        let mut disparity = Plane::filled(width, *height, 0.0);
+        let mut clear = Plane::filled(width, *height, 0.0);
         threads.install(|| {
-            let range = options.max_disparity;
             let noise = [&*left, &*right].map(view::noise);
             let noise = (noise[0].max(noise[1]) - 1.5).max(0.0);
-            let median_cost = strips.median_cost(left, right, range);
+            let median_cost = strips.median_cost(left, right, options.max_disparity);
             let penalties = Penalties::new(median_cost, noise);
             let task = Task {
                 reference: left,
                 other: right,
-                range,
+                range: options.max_disparity,
                 penalties: &penalties,
-                outside: median_cost.saturating_add(20).min(cost::HIGHEST),
+                outside: median_cost.saturating_add(OUTSIDE).min(cost::HIGHEST),
+                threshold: (3.0 + 1.7 * noise) as u8,
             };
-            strips.run(task, map, confidence, opposite);
-            median::median(map, width, other);
-            check::check(other, width, opposite);
-            islands.remove(other, width, SPECKLE);
-            for ((value, level), disparity) in
-                clear.values_mut().iter_mut().zip(&*confidence).zip(&*other)
-            {
-                if *disparity != winner::UNKNOWN {
-                    *value = f32::from(*level) / 255.0;
-                }
+            strips.run(task, spare, confidence, opposite);
+            median::median(spare, width, map);
+            fill_in_confidence(confidence, &mut clear);
+            if options.mode == Mode::Best {
+                let task = Task {
+                    reference: right,
+                    other: left,
+                    ..task
+                };
+                // The confidence of the right view is not wanted, nor what it makes of the left.
+                let mut of_left = vec![0; opposite.len()];
+                strips.run(task, spare, confidence, &mut of_left);
+                median::median(spare, width, opposite);
+                check::to_pixels(opposite);
+            } else {
+                median::median(opposite, width, spare);
+                std::mem::swap(opposite, spare);
             }
-            fill::fill_rows(other, width);
-            weighted.at_edges(other, left, map);
-            median::median(map, width, other);
-            median::median(other, width, map);
+            confirm(map, opposite, spare, width, islands, options.mode);
+            keep_confirmed(&mut clear, map);
+            visibility.fill(map, left, opposite, spare);
+            fill::fill_rows(spare, width);
+            weighted.at_edges(spare, left, map);
+            median::median(map, width, spare);
+            median::median(spare, width, map);
             smooth::smooth(map, width, disparity.values_mut());
         });
         Match {
             disparity: DisparityMap::new(disparity),
             confidence: clear,
+        }
+    }
+}
+
+/// Marks as unknown, in the maps of both views, what the other one does not confirm, and small
+/// islands in that of the left. `opposite` has whole pixels.
+fn confirm(
+    map: &mut [u16],
+    opposite: &mut [u16],
+    pixels: &mut [u16],
+    width: usize,
+    islands: &mut Islands,
+    mode: Mode,
+) {
+    pixels.copy_from_slice(map);
+    check::check::<STEPS>(map, width, opposite);
+    islands.remove(map, width, SPECKLE);
+    // A map of the right view that comes from the costs of the left agrees with it even where both
+    // are wrong, so that it is compared with what is left of that map.
+    if mode != Mode::Best {
+        pixels.copy_from_slice(map);
+    }
+    check::to_pixels(pixels);
+    check::check::<1>(opposite, width, pixels);
+}
+
+fn fill_in_confidence(levels: &[u8], confidence: &mut Plane<f32>) {
+    for (value, level) in confidence.values_mut().iter_mut().zip(levels) {
+        *value = f32::from(*level) / 255.0;
+    }
+}
+
+fn keep_confirmed(confidence: &mut Plane<f32>, map: &[u16]) {
+    for (value, disparity) in confidence.values_mut().iter_mut().zip(map) {
+        if *disparity == UNKNOWN {
+            *value = 0.0;
         }
     }
 }

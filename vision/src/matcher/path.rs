@@ -137,7 +137,14 @@ impl PathRow {
 
 /// One step, from path costs with a margin on both sides; returns the least of the new ones.
 #[inline(always)]
-fn step(costs: &[u8], before: &[u8], least_before: u8, p1: u8, p2: u8, after: &mut [u8]) -> u8 {
+pub(super) fn step(
+    costs: &[u8],
+    before: &[u8],
+    least_before: u8,
+    p1: u8,
+    p2: u8,
+    after: &mut [u8],
+) -> u8 {
     let range = after.len();
     let limit = least_before.saturating_add(p2);
     let below = before[..range].as_chunks::<LANES>().0;

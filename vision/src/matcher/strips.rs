@@ -12,8 +12,9 @@ use super::lanes::LANES;
 use super::sweep::{Found, Scratch, Sweep, Task};
 use super::view::View;
 
-/// The height of a strip, about.
-const STRIP: usize = 128;
+/// The height of a strip, about: where costs are averaged over regions, the rows above and below it
+/// that have to be computed as well are more.
+const STRIP: [usize; 2] = [128, 240];
 /// Of this many rows, one is looked at for the median cost.
 const SAMPLED: usize = 12;
 
@@ -23,22 +24,25 @@ pub(super) struct Strips {
     width: usize,
     height: usize,
     range: usize,
+    has_support: bool,
     spare: Mutex<Vec<Box<Scratch>>>,
 }
 
 impl Strips {
-    pub(super) fn new(width: usize, height: usize, range: usize) -> Self {
+    pub(super) fn new(width: usize, height: usize, range: usize, has_support: bool) -> Self {
         Self {
             width,
             height,
             range,
+            has_support,
             spare: Mutex::default(),
         }
     }
 
     /// The rows of each strip; they do not depend on the number of threads.
     fn rows(&self) -> impl Iterator<Item = Range<usize>> {
-        let count = (self.height / STRIP).max(1);
+        let strip = STRIP[usize::from(self.has_support)];
+        let count = ((self.height + strip / 2) / strip).max(1);
         let height = self.height;
         (0..count).map(move |strip| strip * height / count..(strip + 1) * height / count)
     }
@@ -76,7 +80,7 @@ impl Strips {
 
     fn scratch(&self) -> Box<Scratch> {
         let spare = self.spare().pop();
-        spare.unwrap_or_else(|| Box::new(Scratch::new(self.width, self.range)))
+        spare.unwrap_or_else(|| Box::new(Scratch::new(self.width, self.range, self.has_support)))
     }
 
     fn spare(&self) -> std::sync::MutexGuard<'_, Vec<Box<Scratch>>> {

@@ -67,13 +67,16 @@ fn first_with(sums: &[u16], number: u16) -> usize {
     let mut places = [u16::MAX; LANES];
     for (index, block) in sums.as_chunks::<LANES>().0.iter().enumerate() {
         let start = (index * LANES) as u16;
+        let mut here = [u16::MAX; LANES];
         for lane in 0..LANES {
-            let place = if block[lane] == number {
+            here[lane] = if block[lane] == number {
                 start + lane as u16
             } else {
                 u16::MAX
             };
-            places[lane] = places[lane].min(place);
+        }
+        for lane in 0..LANES {
+            places[lane] = places[lane].min(here[lane]);
         }
     }
     usize::from(least_of_words(places))
@@ -114,17 +117,18 @@ impl Opposite {
         let sums = sums.as_chunks::<LANES>().0;
         for (index, ((least, found), sums)) in least.zip(disparities).zip(sums).enumerate() {
             let first = (index * LANES) as u16;
-            let mut better = [0u16; LANES];
+            let (old, cost, mut better) = (*least, *sums, *found);
+            let mut lower = [0u16; LANES];
             for lane in 0..LANES {
-                better[lane] = if sums[lane] < least[lane] {
-                    first + lane as u16
+                let place = first + lane as u16;
+                better[lane] = if cost[lane] < old[lane] {
+                    place
                 } else {
-                    found[lane]
+                    better[lane]
                 };
+                lower[lane] = old[lane].min(cost[lane]);
             }
-            for lane in 0..LANES {
-                least[lane] = least[lane].min(sums[lane]);
-            }
+            *least = lower;
             *found = better;
         }
     }

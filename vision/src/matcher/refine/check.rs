@@ -4,21 +4,30 @@ use super::super::winner::{STEPS, UNKNOWN};
 use super::over_rows;
 
 /// Marks as unknown what differs by more than a pixel from the disparity that the other view has at
-/// the pixel it points to, or points out of it. `opposite` are the disparities of the other view in
-/// whole pixels, with its columns mirrored.
-pub(in super::super) fn check(map: &mut [u16], width: usize, opposite: &[u16]) {
+/// the pixel it points to, or points out of it. The disparities of `map` are multiples of
+/// 1 / `STEPS` px, those of `other` whole pixels; its columns are mirrored.
+pub(in super::super) fn check<const STEPS: u16>(map: &mut [u16], width: usize, other: &[u16]) {
     over_rows(map, width, |first, rows| {
-        let opposite = opposite[first * width..].chunks_exact(width);
-        for (row, opposite) in rows.chunks_exact_mut(width).zip(opposite) {
+        let other = other[first * width..].chunks_exact(width);
+        for (row, other) in rows.chunks_exact_mut(width).zip(other) {
             for (column, disparity) in row.iter_mut().enumerate() {
                 let nearest = disparity.saturating_add(STEPS / 2) / STEPS;
                 let agrees = column
                     .checked_sub(usize::from(nearest))
-                    .is_some_and(|target| opposite[width - 1 - target].abs_diff(nearest) <= 1);
+                    .is_some_and(|target| other[width - 1 - target].abs_diff(nearest) <= 1);
                 if !agrees {
                     *disparity = UNKNOWN;
                 }
             }
         }
     });
+}
+
+/// Rounds disparities to whole pixels, in which they are then given.
+pub(in super::super) fn to_pixels(map: &mut [u16]) {
+    for disparity in map {
+        if *disparity != UNKNOWN {
+            *disparity = (*disparity + STEPS / 2) / STEPS;
+        }
+    }
 }

@@ -32,18 +32,23 @@ impl Work for Median<'_> {
         let mut sorted = [vec![0; width + 2], vec![0; width + 2], vec![0; width + 2]];
         for (index, row) in self.rows.chunks_exact_mut(width).enumerate() {
             let middle = (self.first + index).cast_signed();
-            let lines = [-1, 0, 1].map(|dy| clamped_row(self.map, width, middle + dy));
+            let lines = [
+                clamped_row(self.map, width, middle - 1),
+                clamped_row(self.map, width, middle),
+                clamped_row(self.map, width, middle + 1),
+            ];
             sort_columns(lines, &mut sorted);
-            let [low, mid, high] = &sorted;
+            let [low, mid, high] =
+                [&sorted[0], &sorted[1], &sorted[2]].map(|row| &row[..width + 2]);
             for (column, value) in row.iter_mut().enumerate() {
                 // The median of nine, of which each three of a column are sorted, is the median of
                 // the greatest of the least, the median of the medians and the least of the
                 // greatest.
-                let [a, b, c] = [0, 1, 2].map(|dx| low[column + dx]);
+                let (a, b, c) = (low[column], low[column + 1], low[column + 2]);
                 let greatest = a.max(b).max(c);
-                let [a, b, c] = [0, 1, 2].map(|dx| mid[column + dx]);
+                let (a, b, c) = (mid[column], mid[column + 1], mid[column + 2]);
                 let middle = a.min(b).max(a.max(b).min(c));
-                let [a, b, c] = [0, 1, 2].map(|dx| high[column + dx]);
+                let (a, b, c) = (high[column], high[column + 1], high[column + 2]);
                 let least = a.min(b).min(c);
                 *value = greatest.min(middle).max(greatest.max(middle).min(least));
             }

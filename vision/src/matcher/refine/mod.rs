@@ -6,6 +6,7 @@ pub(super) mod fill;
 pub(super) mod median;
 pub(super) mod smooth;
 pub(super) mod speckle;
+pub(super) mod visibility;
 pub(super) mod weighted;
 
 use rayon::prelude::*;

@@ -39,7 +39,18 @@ impl Work for Smooth<'_> {
                 line[0] = source[0];
                 line[width + 1] = source[width - 1];
             }
-            let around: [&[u16]; 9] = std::array::from_fn(|k| &padded[k / 3][k % 3..][..width]);
+            let [a, b, c] = &padded;
+            let around = [
+                &a[..width],
+                &a[1..][..width],
+                &a[2..][..width],
+                &b[..width],
+                &b[1..][..width],
+                &b[2..][..width],
+                &c[..width],
+                &c[1..][..width],
+                &c[2..][..width],
+            ];
             for (column, mean) in row.iter_mut().enumerate() {
                 let own = around[4][column];
                 let mut sum = 0;

@@ -2,6 +2,7 @@
 
 use ga_runtime::batch::{Batch, Work};
 
+use super::super::cost::difference;
 use super::super::view::View;
 use super::super::winner::STEPS;
 use super::{clamped_row, over_rows};
@@ -62,11 +63,16 @@ impl Work for AtEdges<'_> {
     #[inline(always)]
     fn run(self) {
         let width = self.view.width();
-        let mut spread = vec![0u16; width];
+        let mut spread = vec![0; width];
+        let mut extremes = [vec![0; width + 2], vec![0; width + 2]];
         for (index, medians) in self.rows.chunks_exact_mut(width).enumerate() {
             let row = (self.first + index).cast_signed();
-            let lines = [-1, 0, 1].map(|dy| clamped_row(self.map, width, row + dy));
-            spreads(lines, &mut spread);
+            let lines = [
+                clamped_row(self.map, width, row - 1),
+                clamped_row(self.map, width, row),
+                clamped_row(self.map, width, row + 1),
+            ];
+            spreads(lines, &mut extremes, &mut spread);
             for (column, median) in medians.iter_mut().enumerate() {
                 *median = if spread[column] > STEPS + STEPS / 2 {
                     weighted_median(self.weights, self.map, self.view, column, row)
@@ -80,27 +86,27 @@ impl Work for AtEdges<'_> {
 
 /// The range of the disparities in 3 × 3.
 #[inline(always)]
-fn spreads(lines: [&[u16]; 3], spread: &mut [u16]) {
+fn spreads(lines: [&[u16]; 3], extremes: &mut [Vec<u16>; 2], spread: &mut [u16]) {
     let width = spread.len();
     let [above, middle, below] = lines;
-    let range = |column: usize| {
-        let [a, b, c] = [above[column], middle[column], below[column]];
-        (a.min(b).min(c), a.max(b).max(c))
-    };
-    for column in 1..width.saturating_sub(1) {
-        let [a, b, c] = [range(column - 1), range(column), range(column + 1)];
-        spread[column] = a.1.max(b.1).max(c.1) - a.0.min(b.0).min(c.0);
+    let [low, high] = extremes;
+    {
+        let (low, high) = (&mut low[1..=width], &mut high[1..=width]);
+        for column in 0..width {
+            let (a, b, c) = (above[column], middle[column], below[column]);
+            low[column] = a.min(b).min(c);
+            high[column] = a.max(b).max(c);
+        }
     }
-    for column in [0, width - 1] {
-        let parts = [
-            column.saturating_sub(1),
-            column,
-            (column + 1).min(width - 1),
-        ]
-        .map(range);
-        let low = parts.iter().map(|part| part.0).min().unwrap_or(0);
-        let high = parts.iter().map(|part| part.1).max().unwrap_or(0);
-        spread[column] = high - low;
+    for row in [&mut *low, &mut *high] {
+        row[0] = row[1];
+        row[width + 1] = row[width];
+    }
+    let (low, high) = (&low[..width + 2], &high[..width + 2]);
+    for column in 0..width {
+        let least = low[column].min(low[column + 1]).min(low[column + 2]);
+        let greatest = high[column].max(high[column + 1]).max(high[column + 2]);
+        spread[column] = greatest - least;
     }
 }
 
@@ -118,22 +124,37 @@ fn weighted_median(
     let mut values = [u16::MAX; PADDED];
     let mut weights = [0u16; PADDED];
     let level = view.row(row.cast_unsigned())[column];
+    let is_inside = (REACH..=last - REACH).contains(&column.cast_signed());
     for dy in 0..SIDE {
         let y = (row + dy.cast_signed() - REACH).clamp(0, height - 1);
         let disparities = clamped_row(map, width, y);
         let levels = view.row(y.cast_unsigned());
-        for dx in 0..SIDE {
-            let x = (column.cast_signed() + dx.cast_signed() - REACH).clamp(0, last);
-            let (x, place) = (x.cast_unsigned(), dy * SIDE + dx);
-            values[place] = disparities[x];
-            weights[place] = table[usize::from(levels[x].abs_diff(level))][place];
+        if is_inside {
+            let start = column - REACH as usize;
+            let (disparities, levels) = (&disparities[start..][..SIDE], &levels[start..][..SIDE]);
+            for dx in 0..SIDE {
+                let place = dy * SIDE + dx;
+                values[place] = disparities[dx];
+                let gap = difference(levels[dx], level);
+                weights[place] = table[usize::from(gap)][place];
+            }
+        } else {
+            for dx in 0..SIDE {
+                let x = (column.cast_signed() + dx.cast_signed() - REACH).clamp(0, last);
+                let (x, place) = (x.cast_unsigned(), dy * SIDE + dx);
+                values[place] = disparities[x];
+                weights[place] = table[usize::from(difference(levels[x], level))][place];
+            }
         }
     }
     let total: u32 = weights.iter().map(|w| u32::from(*w)).sum();
     let half = total.div_ceil(2) as u16;
     // The smallest number at or below which half of the weight lies, by bisection.
-    let mut low = values.iter().copied().min().unwrap_or(0);
-    let mut high = values[..WINDOW].iter().copied().max().unwrap_or(0);
+    let (mut low, mut high) = (u16::MAX, 0);
+    for value in &values[..WINDOW] {
+        low = low.min(*value);
+        high = high.max(*value);
+    }
     while low < high {
         let middle = low + (high - low) / 2;
         let mut below = 0u16;
