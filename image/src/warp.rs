@@ -5,10 +5,11 @@ use crate::sample::{Pixel, Sample};
 
 /// Where each pixel of a new picture lies in an old one, computed once for many pictures.
 ///
-/// Places are in pixels of the old picture from its top left corner, so that the centre of the pixel
-/// in column *c* and row *r* is at (*c* + ½, *r* + ½). Pixels are interpolated linearly between the
-/// centres of the four nearest. Within half a pixel of the border, where some of the four are
-/// missing, the outermost pixels continue; what lies outside the old picture gets a given value.
+/// Places are in pixels of the old picture from its top left corner, so that the centre of the
+/// pixel in column *c* and row *r* is at (*c* + ½, *r* + ½). Pixels are interpolated linearly
+/// between the centres of the four nearest. Within half a pixel of the border, where some of the
+/// four are missing, the outermost pixels continue; what lies outside the old picture gets a given
+/// value.
 ///
 /// ```
 /// use ga_image::plane::Plane;
@@ -28,8 +29,8 @@ pub struct Warp {
     places: Plane<Place>,
 }
 
-/// The pixel up and left of a place, and the parts of the way to the next column and row. A negative
-/// part marks a place outside the picture.
+/// The pixel up and left of a place, and the parts of the way to the next column and row. A
+/// negative part marks a place outside the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Place {
     column: u32,

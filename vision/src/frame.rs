@@ -9,9 +9,10 @@
 //! use ga_runtime::cga3::{Point, Translator};
 //! use ga_vision::frame::{In, LeftCamera, Pose, RightCamera, World};
 //!
-//! let world_to_left = Pose::<World, LeftCamera>::new(Translator::from_displacement([0.0, 0.0, 2.0]).into());
-//! let left_to_right =
-//!     Pose::<LeftCamera, RightCamera>::new(Translator::from_displacement([-0.1, 0.0, 0.0]).into());
+//! let forwards = Translator::from_displacement([0.0, 0.0, 2.0]);
+//! let aside = Translator::from_displacement([-0.1, 0.0, 0.0]);
+//! let world_to_left = Pose::<World, LeftCamera>::new(forwards.into());
+//! let left_to_right = Pose::<LeftCamera, RightCamera>::new(aside.into());
 //! let point = In::<World, _>::new(Point::new(0.1, 0.0, 1.0));
 //!
 //! let seen: In<RightCamera, Point<f64>> = world_to_left.then(left_to_right).transform(point);

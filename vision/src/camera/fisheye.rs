@@ -17,8 +17,8 @@ pub(super) const NAMES: [&str; 4] = ["k1", "k2", "k3", "k4"];
 /// θ' = θ (1 + k₁ θ² + k₂ θ⁴ + k₃ θ⁶ + k₄ θ⁸)
 /// ```
 ///
-/// With all coefficients zero, radii are proportional to angles (the equidistant projection). Angles
-/// of π/2 and more are allowed, so points beside and behind the camera may be seen.
+/// With all coefficients zero, radii are proportional to angles (the equidistant projection).
+/// Angles of π/2 and more are allowed, so points beside and behind the camera may be seen.
 ///
 /// The radius rises up to an angle; what lies beyond is outside the [field](Self::field_angle), and
 /// not seen.

@@ -12,8 +12,8 @@ use super::radial_tangential::NoInverse;
 ///
 /// # Parameters
 ///
-/// In [`parameters`](Self::parameters) and in derivatives, the order is f_x, f_y, c_x, c_y, and then
-/// the coefficients of the lens as OpenCV orders them.
+/// In [`parameters`](Self::parameters) and in derivatives, the order is f_x, f_y, c_x, c_y, and
+/// then the coefficients of the lens as OpenCV orders them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Intrinsics {
     focal: [f64; 2],
@@ -236,8 +236,8 @@ impl Intrinsics {
     /// # Errors
     /// [`CameraError::PixelOutsideField`] for a pixel at which nothing inside the field of the lens
     /// is seen, [`CameraError::NotConverged`] where the distortion could not be inverted,
-    /// [`CameraError::NotFinite`] for a pixel that is not finite, or so far from the principal point
-    /// that its direction is not.
+    /// [`CameraError::NotFinite`] for a pixel that is not finite, or so far from the principal
+    /// point that its direction is not.
     pub fn direction(&self, pixel: [f64; 2]) -> Result<Direction<f64>, CameraError> {
         let not_finite = CameraError::NotFinite([pixel[0], pixel[1], 1.0]);
         let image = [0, 1].map(|k| (pixel[k] - self.principal[k]) / self.focal[k]);

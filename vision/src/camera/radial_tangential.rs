@@ -16,8 +16,9 @@ pub(super) const NAMES: [&str; 14] = [
 /// With `x = X/Z`, `y = Y/Z` and `s = x² + y²`, a point is seen at
 ///
 /// ```text
-/// x' = x (1 + k₁ s + k₂ s² + k₃ s³)/(1 + k₄ s + k₅ s² + k₆ s³) + 2 p₁ x y + p₂ (s + 2x²) + s₁ s + s₂ s²
-/// y' = y (1 + k₁ s + k₂ s² + k₃ s³)/(1 + k₄ s + k₅ s² + k₆ s³) + p₁ (s + 2y²) + 2 p₂ x y + s₃ s + s₄ s²
+/// x' = q x + 2 p₁ x y + p₂ (s + 2x²) + s₁ s + s₂ s²
+/// y' = q y + p₁ (s + 2y²) + 2 p₂ x y + s₃ s + s₄ s²
+/// q = (1 + k₁ s + k₂ s² + k₃ s³)/(1 + k₄ s + k₅ s² + k₆ s³)
 /// ```
 ///
 /// and, where τx or τy is not zero, this image is projected onto a sensor that is rotated by τx

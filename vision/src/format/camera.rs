@@ -3,10 +3,13 @@
 //! | value | names that are read, the first is written |
 //! | --- | --- |
 //! | K, 3×3 | `camera_matrix`, `cameraMatrix`, `Camera_Matrix`, `K`, `M` |
-//! | distortion, 4, 5, 8, 12 or 14 numbers | `distortion_coefficients`, `distCoeffs`, `dist_coeffs`, `Distortion_Coefficients`, `D` |
-//! | width and height of the picture | `image_width` and `image_height`, `image_Width` and `image_Height`; a list `image_size` or `imageSize` |
-//! | whether it is a fisheye | `fisheye_model: 1`; `distortion_model: equidistant` or `fisheye` |
+//! | distortion | `distortion_coefficients`, `distCoeffs`, `dist_coeffs`, `D` |
+//! | width | `image_width`, `image_Width`, the first of a list `image_size` or `imageSize` |
+//! | height | `image_height`, `image_Height`, the second of that list |
+//! | fisheye | `fisheye_model: 1`, `distortion_model: equidistant` or `fisheye` |
 //!
+//! The distortion has 4, 5, 8, 12 or 14 numbers in OpenCV's order, that of a fisheye 4. The names
+//! `Camera_Matrix` and `Distortion_Coefficients` are those of an old example of OpenCV.
 //! Without distortion the camera is a pinhole. Everything else in the file is ignored.
 
 use std::path::Path;

@@ -5,7 +5,7 @@
 //! | value | names that are read, the first is written |
 //! | --- | --- |
 //! | K of the left camera, 3×3 | `M1`, `K1`, `cameraMatrix1`, `camera_matrix_1` |
-//! | distortion of the left camera | `D1`, `distCoeffs1`, `dist_coeffs_1`, `distortion_coefficients_1` |
+//! | its distortion | `D1`, `distCoeffs1`, `dist_coeffs_1`, `distortion_coefficients_1` |
 //! | the right camera | the same with 2 |
 //! | rotation from left to right, 3×3 or a rotation vector | `R` |
 //! | translation from left to right in metres | `T`, `t` |

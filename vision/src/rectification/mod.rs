@@ -3,8 +3,8 @@
 //! A [`Rectification`] is computed once for a rig, after J.-Y. Bouguet's method, by rotors: both
 //! cameras rotate by half of the rotation between them, so that they look the same way with the
 //! least change, and then together, so that the baseline lies along the rows. Its maps take the
-//! pictures to the rectified ones, lens distortion included. An [`Undistortion`] does the latter for
-//! one camera. A [`RectifiedRig`] is what remains of the rig: disparity is depth.
+//! pictures to the rectified ones, lens distortion included. An [`Undistortion`] does the latter
+//! for one camera. A [`RectifiedRig`] is what remains of the rig: disparity is depth.
 //!
 //! Focal length and principal points are chosen as by OpenCV's `stereoRectify`; see
 //! [`RectificationOptions`].

@@ -91,9 +91,9 @@ impl View<'_> {
         self.size.map(|count| (count - 1) as f64)
     }
 
-    /// What is seen at a pixel, in the plane z = 1 of the new frame. Where that is outside the field
-    /// of the lens or too far from the new axis, the last place on the way there from the principal
-    /// point that is not.
+    /// What is seen at a pixel, in the plane z = 1 of the new frame. Where that is outside the
+    /// field of the lens or too far from the new axis, the last place on the way there from the
+    /// principal point that is not.
     fn place(&self, pixel: [f64; 2]) -> Result<[f64; 2], RectificationError> {
         if let Some(place) = self.seen(pixel) {
             return Ok(place);

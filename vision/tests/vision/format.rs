@@ -244,9 +244,15 @@ fn what_is_wrong_with_a_rig_is_named_with_its_line() {
         "1., 0., 0., 0., 1., 0., 0., 0., 1. ]\nT",
         "1., 0., 0., 0., 1.1, 0., 0., 0., 1. ]\nT",
     );
-    assert!(
-        matches!(scaled, YamlError::Rotation { line: 13, deviation, .. } if (deviation - 0.1).abs() < 1e-12)
-    );
+    let YamlError::Rotation {
+        line: 13,
+        deviation,
+        ..
+    } = scaled
+    else {
+        panic!("{scaled}");
+    };
+    assert!((deviation - 0.1).abs() < 1e-12);
     let mirrored = refused(
         RIG,
         "1., 0., 0., 0., 1., 0., 0., 0., 1. ]\nT",

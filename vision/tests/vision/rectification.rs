@@ -225,7 +225,8 @@ proptest! {
         let camera = Intrinsics::new([300.0, 300.0], [160.0, 118.0]).unwrap().with_lens(lens);
         let pose = motor(axis, angle, [-0.2, 0.01, 0.0]);
         let side = |world_to_camera| Camera { intrinsics: camera, world_to_camera };
-        let rig = StereoRig { left: side(motor([1.0, 0.0, 0.0], 0.0, [0.0; 3])), right: side(pose) };
+        let at_left = motor([1.0, 0.0, 0.0], 0.0, [0.0; 3]);
+        let rig = StereoRig { left: side(at_left), right: side(pose) };
         let with = |alpha| RectificationOptions { alpha: Some(alpha), ..Default::default() };
         let tight = Rectification::new(&rig, [320, 240], with(0.0)).unwrap();
         for map in [tight.left_map(), tight.right_map()] {

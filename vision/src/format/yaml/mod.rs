@@ -7,7 +7,13 @@
 //! ```
 //! use ga_vision::format::yaml::{Matrix, Storage};
 //!
-//! let text = "%YAML:1.0\nM1: !!opencv-matrix\n   rows: 1\n   cols: 2\n   dt: d\n   data: [ 1., 2.5 ]\n";
+//! let text = "%YAML:1.0
+//! M1: !!opencv-matrix
+//!    rows: 1
+//!    cols: 2
+//!    dt: d
+//!    data: [ 1., 2.5 ]
+//! ";
 //! let storage = Storage::decode(text.as_bytes())?;
 //! let found = storage.matrix("M1")?.unwrap();
 //! assert_eq!((found.rows(), found.values()), (1, &[1.0, 2.5][..]));
