@@ -9,6 +9,7 @@
 //! - [`homography`](mod@homography): maps between a plane and its picture.
 //! - [`rig`]: two cameras and the motor between them.
 //! - [`rectification`]: views in which the images of a point are in the same row.
+//! - [`diagnosis`]: what is wrong with a pair of views that should be rectified.
 //! - [`format`](mod@format): files of cameras and rigs.
 //! - [`matcher`]: the disparity of every pixel of a rectified pair.
 //! - [`triangulation`]: the point that two or more rays determine.
@@ -52,6 +53,7 @@
 pub mod calibration;
 pub mod camera;
 pub mod chessboard;
+pub mod diagnosis;
 pub mod disparity;
 pub mod feature;
 pub mod format;

@@ -4,6 +4,7 @@ mod calibration;
 mod camera;
 mod chessboard;
 mod dense;
+mod diagnosis;
 mod disparity;
 mod feature;
 mod format;

@@ -1,0 +1,237 @@
+//! What is wrong with a pair of views that should be rectified.
+//!
+//! In rectified views the two images of a point are in one row, whatever its depth. If the right
+//! camera is rotated by ρ about its axis, zooms by s and is displaced vertically, then the row in
+//! the left view is a linear function of the pixel in the right one,
+//!
+//! ```text
+//! v_left = (−sin ρ · u_right + cos ρ · v_right)/s + c
+//! ```
+//!
+//! with pixels counted from the middle of the picture. Depth moves a point along u alone, so it
+//! plays no part, and the three numbers follow from matched points without a calibration. They are
+//! found by random sampling and then by least squares over the pairs that agree.
+//!
+//! What this does not explain, such as a perspective distortion by axes that are not parallel,
+//! stays in [`Diagnosis::residual_rms`].
+//!
+//! ```
+//! use ga_vision::diagnosis::{Diagnosis, DiagnosisOptions};
+//! use ga_vision::feature::PixelPair;
+//!
+//! // The right view is 3 pixels too low, at disparities from 5 to 24.
+//! let pairs: Vec<PixelPair> = (0..20)
+//!     .map(|k| {
+//!         let (u, v) = (f64::from(k * 37 % 200), f64::from(k * 53 % 150));
+//!         PixelPair { left: [u, v], right: [u - 5.0 - f64::from(k), v + 3.0] }
+//!     })
+//!     .collect();
+//! let found = Diagnosis::new(&pairs, [200, 150], DiagnosisOptions::default())?;
+//! assert!((found.vertical_offset - 3.0).abs() < 1e-9);
+//! assert!(found.rotation.abs() < 1e-12 && (found.zoom - 1.0).abs() < 1e-12);
+//! assert!(!found.is_rectified());
+//! # Ok::<(), ga_vision::diagnosis::DiagnosisError>(())
+//! ```
+
+mod row_model;
+
+use crate::feature::PixelPair;
+use crate::ransac::Search;
+use row_model::{RowModel, Rows};
+
+/// The vertical disparity, in pixels, that nearly all points of rectified views stay below.
+pub const RECTIFIED_LIMIT: f64 = 1.0;
+
+/// The part of the pairs that must agree on a model.
+const LEAST_AGREEMENT: f64 = 0.3;
+
+/// How a pair of views is diagnosed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DiagnosisOptions {
+    /// A pair of points agrees with a model that explains its rows within this number of pixels.
+    pub threshold: f64,
+    /// Equal seeds give equal results.
+    pub seed: u64,
+}
+
+impl Default for DiagnosisOptions {
+    /// A threshold of 1.5 pixels, seed 1.
+    fn default() -> Self {
+        Self {
+            threshold: 1.5,
+            seed: 1,
+        }
+    }
+}
+
+/// How the right view deviates from a rectified one, in pixels and radians.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Diagnosis {
+    /// How many pairs were given.
+    pub pairs: usize,
+    /// How many agree with the model; the others are taken for mismatches.
+    pub agreeing: usize,
+    /// By how much the middle row of the left view is lower in the middle of the right view.
+    pub vertical_offset: f64,
+    /// The angle ρ by which the right view is rotated, from u towards v: clockwise.
+    pub rotation: f64,
+    /// The magnification s of the right view against the left.
+    pub zoom: f64,
+    /// The vertical disparities `v_right − v_left` of the agreeing pairs.
+    pub vertical: VerticalDisparity,
+    /// The root of the mean squared difference of rows that the model does not explain.
+    pub residual_rms: f64,
+    /// The disparities `u_left − u_right` of the agreeing pairs: least, median and greatest.
+    pub disparity: [f64; 3],
+}
+
+/// Vertical disparities of a pair of views, in pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct VerticalDisparity {
+    /// The median.
+    pub median: f64,
+    /// The root of the mean square.
+    pub rms: f64,
+    /// What 95 % of the absolute values stay below.
+    pub most: f64,
+}
+
+/// Why a pair of views cannot be diagnosed.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum DiagnosisError {
+    /// There are too few pairs of points.
+    #[error("{found} pairs of points are given, and at least {needed} are needed")]
+    TooFew {
+        /// How many there are.
+        found: usize,
+        /// How many are needed.
+        needed: usize,
+    },
+    /// A coordinate is infinite or not a number.
+    #[error("pair {0}: a coordinate is not finite")]
+    NotFinite(usize),
+    /// The threshold is not positive and finite.
+    #[error("the threshold is {0} px, which is not positive and finite")]
+    Threshold(f64),
+    /// The points of the right view lie on one line, so that rotation and zoom are not determined.
+    #[error("the points in the right view lie on one line")]
+    OnOneLine,
+    /// Too few pairs agree on a model: the views do not show one scene, or are far from rectified.
+    #[error(
+        "only {agreeing} of {pairs} pairs of points agree: these are not two views of one scene, \
+         or they are far from rectified"
+    )]
+    NoConsensus {
+        /// How many agree with the best model.
+        agreeing: usize,
+        /// How many there are.
+        pairs: usize,
+    },
+}
+
+impl Diagnosis {
+    /// The diagnosis of views with a size in columns and rows from pairs of points, of which some
+    /// may be wrong.
+    ///
+    /// # Errors
+    /// [`DiagnosisError`] for fewer than three pairs, points on one line, numbers that are not
+    /// finite, and pairs that do not agree.
+    pub fn new(
+        pairs: &[PixelPair],
+        size: [usize; 2],
+        options: DiagnosisOptions,
+    ) -> Result<Self, DiagnosisError> {
+        let threshold = options.threshold;
+        if !(threshold > 0.0 && threshold.is_finite()) {
+            return Err(DiagnosisError::Threshold(threshold));
+        }
+        let rows = Rows::new(pairs, size)?;
+        let search = Search {
+            threshold,
+            confidence: 0.9999,
+            least_samples: 50,
+            samples: 5000,
+            seed: options.seed,
+        };
+        let best = search.run(&rows, 1);
+        let mut model = best.first().ok_or(DiagnosisError::OnOneLine)?.model;
+        // Least squares over the agreeing pairs, which may change which ones agree.
+        for _ in 0..5 {
+            let agreeing = rows.agreeing(&model, threshold);
+            let Some(next) = rows.fitted(&agreeing) else {
+                break;
+            };
+            let is_settled = next == model;
+            model = next;
+            if is_settled {
+                break;
+            }
+        }
+        let agreeing = rows.agreeing(&model, threshold);
+        let least = (LEAST_AGREEMENT * pairs.len() as f64).max(RowModel::NEEDED as f64);
+        if (agreeing.len() as f64) < least {
+            return Err(DiagnosisError::NoConsensus {
+                agreeing: agreeing.len(),
+                pairs: pairs.len(),
+            });
+        }
+        Ok(Self::of(pairs, &rows, &model, &agreeing))
+    }
+
+    fn of(pairs: &[PixelPair], rows: &Rows, model: &RowModel, agreeing: &[usize]) -> Self {
+        let chosen = || agreeing.iter().map(|&index| &pairs[index]);
+        let vertical = chosen().map(|pair| pair.right[1] - pair.left[1]);
+        let vertical = sorted(vertical.collect());
+        let sizes = sorted(vertical.iter().map(|v| v.abs()).collect());
+        let disparity = sorted(chosen().map(|pair| pair.left[0] - pair.right[0]).collect());
+        let residuals = agreeing.iter().map(|&index| rows.residual(model, index));
+        Self {
+            pairs: pairs.len(),
+            agreeing: agreeing.len(),
+            vertical_offset: model.vertical_offset(),
+            rotation: model.rotation(),
+            zoom: model.zoom(),
+            vertical: VerticalDisparity {
+                median: at_part(&vertical, 0.5),
+                rms: root_mean_square(vertical.iter().copied()),
+                most: at_part(&sizes, 0.95),
+            },
+            residual_rms: root_mean_square(residuals),
+            disparity: [0.0, 0.5, 1.0].map(|part| at_part(&disparity, part)),
+        }
+    }
+
+    /// Whether the views are rectified for a dense matcher: 95 % of the vertical disparities are
+    /// below [`RECTIFIED_LIMIT`].
+    #[must_use]
+    pub fn is_rectified(&self) -> bool {
+        self.vertical.most < RECTIFIED_LIMIT
+    }
+
+    /// Whether most points are further right in the right view, as if the views were exchanged.
+    #[must_use]
+    pub fn is_exchanged(&self) -> bool {
+        self.disparity[1] < 0.0
+    }
+}
+
+fn sorted(mut values: Vec<f64>) -> Vec<f64> {
+    values.sort_by(f64::total_cmp);
+    values
+}
+
+/// The value at a part of the way through sorted values, interpolated; 0 where there are none.
+fn at_part(sorted: &[f64], part: f64) -> f64 {
+    let Some(last) = sorted.len().checked_sub(1) else {
+        return 0.0;
+    };
+    let place = part * last as f64;
+    let low = sorted[place.floor() as usize];
+    let high = sorted[(place.ceil() as usize).min(last)];
+    low + (high - low) * place.fract()
+}
+
+fn root_mean_square(values: impl Iterator<Item = f64>) -> f64 {
+    let (sum, count) = values.fold((0.0, 0usize), |(sum, count), x| (sum + x * x, count + 1));
+    (sum / count.max(1) as f64).sqrt()
+}

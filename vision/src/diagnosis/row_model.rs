@@ -1,0 +1,132 @@
+//! The row in the left view as a linear function of the pixel in the right view.
+
+use nalgebra_035::{Matrix3, Vector3};
+
+use super::DiagnosisError;
+use crate::feature::PixelPair;
+use crate::ransac::Consensus;
+
+/// Points count as lying on one line where the smallest eigenvalue of their moments is below this
+/// part of the largest.
+const ON_ONE_LINE: f64 = 1e-10;
+
+/// `v_left = a u_right + b v_right + c`, in pixels from the middle of the picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct RowModel {
+    a: f64,
+    b: f64,
+    c: f64,
+}
+
+impl RowModel {
+    /// The number of pairs that determine it.
+    pub(super) const NEEDED: usize = 3;
+
+    pub(super) fn rotation(&self) -> f64 {
+        (-self.a).atan2(self.b)
+    }
+
+    pub(super) fn zoom(&self) -> f64 {
+        1.0 / self.a.hypot(self.b)
+    }
+
+    /// The row in the right view, in its middle column, of the middle row of the left view.
+    pub(super) fn vertical_offset(&self) -> f64 {
+        -self.c / self.b
+    }
+}
+
+/// Pairs of points from the middle of the picture.
+pub(super) struct Rows {
+    /// `[u_right, v_right, v_left]`.
+    pairs: Vec<[f64; 3]>,
+    /// Half of the longer side, by which coordinates are divided in systems of equations.
+    scale: f64,
+}
+
+impl Rows {
+    pub(super) fn new(pairs: &[PixelPair], size: [usize; 2]) -> Result<Self, DiagnosisError> {
+        if pairs.len() < RowModel::NEEDED {
+            return Err(DiagnosisError::TooFew {
+                found: pairs.len(),
+                needed: RowModel::NEEDED,
+            });
+        }
+        let [middle_u, middle_v] = size.map(|count| 0.5 * (count as f64 - 1.0));
+        let mut rows = Vec::with_capacity(pairs.len());
+        for (index, pair) in pairs.iter().enumerate() {
+            let numbers = pair.left.iter().chain(&pair.right);
+            if !numbers.copied().all(f64::is_finite) {
+                return Err(DiagnosisError::NotFinite(index));
+            }
+            let [u, v] = pair.right;
+            rows.push([u - middle_u, v - middle_v, pair.left[1] - middle_v]);
+        }
+        let rows = Self {
+            pairs: rows,
+            scale: middle_u.max(middle_v).max(1.0),
+        };
+        let all: Vec<usize> = (0..pairs.len()).collect();
+        match rows.fitted(&all) {
+            Some(_) => Ok(rows),
+            None => Err(DiagnosisError::OnOneLine),
+        }
+    }
+
+    /// The model that fits some pairs best; `None` where they do not determine one, or the rows
+    /// would run backwards.
+    pub(super) fn fitted(&self, chosen: &[usize]) -> Option<RowModel> {
+        let (mut moments, mut target) = (Matrix3::zeros(), Vector3::zeros());
+        for &index in chosen {
+            let [u, v, row] = self.pairs[index].map(|x| x / self.scale);
+            let place = Vector3::new(u, v, 1.0);
+            moments += place * place.transpose();
+            target += place * row;
+        }
+        let eigenvalues = moments.symmetric_eigenvalues();
+        let (least, most) = (eigenvalues.min(), eigenvalues.max());
+        if least.is_nan() || least <= ON_ONE_LINE * most {
+            return None;
+        }
+        let solution = moments.cholesky()?.solve(&target);
+        let model = RowModel {
+            a: solution.x,
+            b: solution.y,
+            c: solution.z * self.scale,
+        };
+        Some(model)
+    }
+
+    /// How far the model is from the row of a pair, in pixels.
+    pub(super) fn residual(&self, model: &RowModel, index: usize) -> f64 {
+        let [u, v, row] = self.pairs[index];
+        model.a * u + model.b * v + model.c - row
+    }
+
+    pub(super) fn agreeing(&self, model: &RowModel, threshold: f64) -> Vec<usize> {
+        (0..self.pairs.len())
+            .filter(|&index| self.residual(model, index).abs() < threshold)
+            .collect()
+    }
+}
+
+impl Consensus for Rows {
+    type Model = RowModel;
+
+    const SAMPLE: usize = RowModel::NEEDED;
+
+    fn count(&self) -> usize {
+        self.pairs.len()
+    }
+
+    fn fit(&self, sample: &[usize], models: &mut Vec<RowModel>) {
+        // Rows that run backwards, or are squeezed to a small part of the picture, are no views of
+        // one scene.
+        let is_plausible = |model: &RowModel| model.b > 0.1 && (0.2..5.0).contains(&model.zoom());
+        models.extend(self.fitted(sample).filter(is_plausible));
+    }
+
+    fn squared_error(&self, model: &RowModel, observation: usize) -> f64 {
+        self.residual(model, observation).powi(2)
+    }
+}

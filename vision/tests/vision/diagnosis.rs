@@ -1,0 +1,145 @@
+//! Diagnoses of pairs of points with known deviations.
+
+use ga_vision::diagnosis::{Diagnosis, DiagnosisError, DiagnosisOptions};
+use ga_vision::feature::PixelPair;
+use proptest::prelude::*;
+
+const SIZE: [usize; 2] = [640, 480];
+
+/// Numbers in [0, 1) without a pattern.
+fn random(seed: u32) -> impl FnMut() -> f64 {
+    let mut state = u64::from(seed) << 1 | 1;
+    move || {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as f64 / f64::from(1u32 << 31)
+    }
+}
+
+/// Points at random disparities, in a right view that is rotated, magnified and displaced.
+fn pairs(seed: u32, count: usize, rotation: f64, zoom: f64, offset: f64) -> Vec<PixelPair> {
+    let mut next = random(seed);
+    let [middle_u, middle_v] = [319.5, 239.5];
+    (0..count)
+        .map(|_| {
+            let (u, v) = (639.0 * next(), 479.0 * next());
+            let disparity = 60.0 * next();
+            let (x, y) = (u - disparity - middle_u, v - middle_v);
+            let (sine, cosine) = rotation.sin_cos();
+            let right = [
+                zoom * (cosine * x - sine * y) + middle_u,
+                zoom * (sine * x + cosine * y) + middle_v + offset,
+            ];
+            PixelPair {
+                left: [u, v],
+                right,
+            }
+        })
+        .collect()
+}
+
+proptest! {
+    #[test]
+    fn deviations_are_found_exactly(
+        seed in any::<u32>(),
+        rotation in -0.1..0.1,
+        zoom in 0.8..1.25,
+        offset in -30.0..30.0,
+    ) {
+        let pairs = pairs(seed, 60, rotation, zoom, offset);
+        let found = Diagnosis::new(&pairs, SIZE, DiagnosisOptions::default()).unwrap();
+        prop_assert!((found.rotation - rotation).abs() < 1e-10, "{found:?}");
+        prop_assert!((found.zoom - zoom).abs() < 1e-10, "{found:?}");
+        prop_assert!((found.vertical_offset - offset).abs() < 1e-8, "{found:?}");
+        prop_assert!(found.residual_rms < 1e-9);
+        prop_assert_eq!((found.pairs, found.agreeing), (60, 60));
+    }
+
+    #[test]
+    fn mismatches_and_noise_do_little(seed in any::<u32>(), rotation in -0.03..0.03) {
+        let mut pairs = pairs(seed, 300, rotation, 1.02, 4.0);
+        let mut next = random(seed ^ 99);
+        for (index, pair) in pairs.iter_mut().enumerate() {
+            if index % 3 == 0 {
+                pair.right = [640.0 * next(), 480.0 * next()];
+            } else {
+                pair.right[1] += 0.6 * (next() - 0.5);
+            }
+        }
+        let found = Diagnosis::new(&pairs, SIZE, DiagnosisOptions::default()).unwrap();
+        prop_assert!((found.rotation - rotation).abs() < 1e-3, "{found:?}");
+        prop_assert!((found.zoom - 1.02).abs() < 2e-3, "{found:?}");
+        prop_assert!((found.vertical_offset - 4.0).abs() < 0.2, "{found:?}");
+        prop_assert!((200..=215).contains(&found.agreeing), "{found:?}");
+        prop_assert!(!found.is_rectified());
+        let again = Diagnosis::new(&pairs, SIZE, DiagnosisOptions::default()).unwrap();
+        prop_assert_eq!(found, again);
+    }
+}
+
+#[test]
+fn rectified_views_are_recognised() {
+    let pairs = pairs(5, 100, 0.0, 1.0, 0.0);
+    let found = Diagnosis::new(&pairs, SIZE, DiagnosisOptions::default()).unwrap();
+    assert!(found.is_rectified() && !found.is_exchanged());
+    assert!(found.vertical.rms < 1e-12 && found.vertical.most < 1e-12);
+    let [least, median, greatest] = found.disparity;
+    assert!((0.0..5.0).contains(&least) && (50.0..60.0).contains(&greatest));
+    assert!((20.0..40.0).contains(&median));
+    let exchanged: Vec<PixelPair> = pairs
+        .iter()
+        .map(|pair| PixelPair {
+            left: pair.right,
+            right: pair.left,
+        })
+        .collect();
+    let found = Diagnosis::new(&exchanged, SIZE, DiagnosisOptions::default()).unwrap();
+    assert!(found.is_rectified() && found.is_exchanged());
+}
+
+#[test]
+fn pairs_that_cannot_be_diagnosed() {
+    let with = |pairs: &[PixelPair]| Diagnosis::new(pairs, SIZE, DiagnosisOptions::default());
+    let good = pairs(1, 20, 0.0, 1.0, 0.0);
+    assert_eq!(
+        with(&good[..2]),
+        Err(DiagnosisError::TooFew {
+            found: 2,
+            needed: 3
+        })
+    );
+    let mut faulty = good.clone();
+    faulty[7].left[1] = f64::NAN;
+    assert_eq!(with(&faulty), Err(DiagnosisError::NotFinite(7)));
+    let on_a_line: Vec<PixelPair> = (0..20)
+        .map(|k| {
+            let x = 10.0 * f64::from(k);
+            PixelPair {
+                left: [x + 5.0, 0.5 * x],
+                right: [x, 0.5 * x],
+            }
+        })
+        .collect();
+    assert_eq!(with(&on_a_line), Err(DiagnosisError::OnOneLine));
+    let mut next = random(3);
+    let mut anything = || [640.0 * next(), 480.0 * next()];
+    let unrelated: Vec<PixelPair> = (0..200)
+        .map(|_| PixelPair {
+            left: anything(),
+            right: anything(),
+        })
+        .collect();
+    assert!(matches!(
+        with(&unrelated),
+        Err(DiagnosisError::NoConsensus { pairs: 200, .. })
+    ));
+    let options = DiagnosisOptions {
+        threshold: f64::NAN,
+        seed: 1,
+    };
+    assert!(matches!(
+        Diagnosis::new(&good, SIZE, options),
+        Err(DiagnosisError::Threshold(_))
+    ));
+}
