@@ -19,3 +19,4 @@ mod render;
 mod skin;
 mod stereo;
 mod stereo_pose;
+mod stereo_cameras;

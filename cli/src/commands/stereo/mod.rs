@@ -1,9 +1,13 @@
 //! `nullcone stereo`: two views of a scene.
 
+mod diagnose;
 mod evaluate;
 mod match_views;
 mod picture;
 mod pose;
+mod pixels;
+mod rectify;
+mod undistort;
 mod views;
 
 use anyhow::Result;
@@ -21,6 +25,9 @@ enum Command {
     Match(match_views::Arguments),
     Evaluate(evaluate::Arguments),
     Pose(pose::Arguments),
+    Rectify(rectify::Arguments),
+    Undistort(undistort::Arguments),
+    Diagnose(diagnose::Arguments),
 }
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
@@ -28,5 +35,8 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         Command::Match(arguments) => match_views::run(arguments, quiet),
         Command::Evaluate(arguments) => evaluate::run(arguments, quiet),
         Command::Pose(arguments) => pose::run(arguments, quiet),
+        Command::Rectify(arguments) => rectify::run(arguments, quiet),
+        Command::Undistort(arguments) => undistort::run(arguments, quiet),
+        Command::Diagnose(arguments) => diagnose::run(arguments, quiet),
     }
 }

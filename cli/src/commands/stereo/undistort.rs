@@ -1,0 +1,120 @@
+//! `nullcone stereo undistort`: a picture without the distortion of its lens.
+
+use std::path::PathBuf;
+
+use anyhow::{Context, Result};
+use ga_image::png;
+use ga_vision::format::camera::CameraFile;
+use ga_vision::rectification::Undistortion;
+use serde::Serialize;
+
+use super::{picture, pixels};
+use crate::output;
+use crate::progress::Progress;
+
+/// Remove the distortion of a lens from a picture.
+///
+/// The camera is a YAML file with OpenCV's names camera_matrix and distortion_coefficients, and
+/// fisheye_model: 1 for a fisheye lens. What the camera did not see is black.
+///
+/// For instance
+///
+///   nullcone stereo undistort left01.jpg --camera left.yml --out straight.png --json
+///
+/// prints {"width_px": …, "height_px": …, "focal_px": […], "principal_px": […],
+/// "unseen_percent": …}, the pinhole camera that would have taken the result and how much of the
+/// result is black.
+#[derive(Clone, Debug, clap::Args)]
+#[command(verbatim_doc_comment)]
+pub(crate) struct Arguments {
+    /// The picture.
+    #[arg(value_name = "PICTURE")]
+    picture: PathBuf,
+    /// The camera.
+    #[arg(long, value_name = "K.yml")]
+    camera: PathBuf,
+    /// The result.
+    #[arg(long, value_name = "FILE.png")]
+    out: PathBuf,
+    /// Write the pinhole camera of the result.
+    #[arg(long, value_name = "NEW.yml")]
+    new_camera: Option<PathBuf>,
+    /// From 0, where all pixels of the result were seen, to 1, where it holds all pixels of the
+    /// picture; by default focal lengths and principal point are kept.
+    #[arg(long, value_name = "A", allow_negative_numbers = true)]
+    alpha: Option<f64>,
+    /// Print one JSON object instead of lines.
+    #[arg(long)]
+    json: bool,
+}
+
+/// What is printed.
+#[derive(Serialize)]
+struct Report {
+    width_px: usize,
+    height_px: usize,
+    focal_px: [f64; 2],
+    principal_px: [f64; 2],
+    unseen_percent: f64,
+}
+
+pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+    picture::check_ending(&arguments.out)?;
+    let progress = Progress::new(3, quiet);
+    progress.step("reading the picture");
+    let file = CameraFile::read(&arguments.camera)?;
+    let old = ga_image::file::read(&arguments.picture)?;
+    let size = [old.width(), old.height()];
+    pixels::check(file.size, size, &arguments.picture, &arguments.camera)?;
+
+    progress.step("removing the distortion");
+    let found = Undistortion::new(file.intrinsics, size, arguments.alpha)
+        .with_context(|| arguments.picture.display().to_string())?;
+    let map = found.map();
+    let new = old.view().warped(&map)?;
+    let inside = map.inside();
+    let unseen = inside.values().iter().filter(|inside| !**inside).count();
+
+    progress.step("writing");
+    let camera = CameraFile {
+        intrinsics: found.target,
+        size: Some(size),
+    };
+    let mut files = vec![(&arguments.out, png::encode(&new)?)];
+    if let Some(path) = &arguments.new_camera {
+        files.push((path, camera.encode().into_bytes()));
+    }
+    ga_files::write_together(files.iter().map(|(path, bytes)| (path, &bytes[..])))?;
+    drop(progress);
+
+    let report = Report {
+        width_px: size[0],
+        height_px: size[1],
+        focal_px: found.target.focal(),
+        principal_px: found.target.principal(),
+        unseen_percent: 100.0 * unseen as f64 / inside.values().len() as f64,
+    };
+    if arguments.json {
+        output::print_json(&report)
+    } else if quiet {
+        Ok(())
+    } else {
+        output::print(&report.lines())
+    }
+}
+
+impl Report {
+    fn lines(&self) -> String {
+        format!(
+            "{} × {} pixels, {:.2} % unseen\nfocal lengths {:.3}, {:.3} px\n\
+             principal point {:.3}, {:.3} px\n",
+            self.width_px,
+            self.height_px,
+            self.unseen_percent,
+            self.focal_px[0],
+            self.focal_px[1],
+            self.principal_px[0],
+            self.principal_px[1]
+        )
+    }
+}
