@@ -65,7 +65,9 @@ pub struct StereoCalibration {
     /// The cameras. The world is the left camera's frame.
     pub rig: StereoRig,
     /// For the left and the right camera the standard deviations of the intrinsic parameters, in
-    /// the order of [`Intrinsics::parameters`], 0 for those that did not vary.
+    /// the order of [`Intrinsics::parameters`], 0 for those that did not vary. With
+    /// [`JointIntrinsics::Fixed`] they are those of each camera by itself, and the deviations of the
+    /// rig do not contain them.
     pub deviations: [[f64; Intrinsics::MAX_PARAMETERS]; 2],
     /// The standard deviations of the twist of the motor from the left frame to the right one:
     /// three of the rotation in radians, three of the translation in metres.
@@ -173,6 +175,8 @@ fn worst(pair_rms: &[f64], used: &[usize], ratio: Option<f64>) -> Option<Outlier
 struct Rig<'a> {
     bundle: Bundle<'a>,
     state: BundleState,
+    /// The deviations of the cameras by themselves.
+    deviations: [[f64; Intrinsics::MAX_PARAMETERS]; 2],
 }
 
 impl<'a> Rig<'a> {
@@ -203,7 +207,11 @@ impl<'a> Rig<'a> {
             rig,
             boards: left.boards,
         };
-        Ok(Self { bundle, state })
+        Ok(Self {
+            bundle,
+            state,
+            deviations: [left.deviations, right.deviations],
+        })
     }
 
     /// For each pair the root mean square distance of the corners of both views.
@@ -243,7 +251,10 @@ impl<'a> Rig<'a> {
             world_to_camera,
         };
         let column = self.bundle.rig_column();
-        let own = |k: usize| deviations(&self.bundle, state, k, &covariance);
+        let own = |k: usize| match self.bundle.free[k].is_empty() {
+            true => Ok(self.deviations[k]),
+            false => deviations(&self.bundle, state, k, &covariance),
+        };
         Ok(StereoCalibration {
             rig: StereoRig {
                 left: camera(0, Motor::default()),

@@ -299,6 +299,8 @@ fn the_rig_is_that_of_opencv() {
     for (found, expected) in translation.iter().zip(super::rows::<1>(&oracle["t"])) {
         assert!((found - expected[0]).abs() < 1e-3, "{found} {expected:?}");
     }
+    let alone = calibrate_camera(&left, &places, SIZE, &CameraSettings::default()).unwrap();
+    assert_eq!(fixed.deviations[0], alone.deviations);
     let [l, r] = fixed.camera_rms;
     assert!((0.5 * (l * l + r * r) - fixed.rms * fixed.rms).abs() < 1e-12);
     // With free intrinsic parameters OpenCV comes to 0.44468.
