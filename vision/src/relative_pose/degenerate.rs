@@ -18,11 +18,11 @@ pub(super) fn check_finite(pairs: &[PixelPair]) -> Result<(), RelativePoseError>
 /// Refuses pixels whose root mean square distance from one line is not above a limit in pixels, or
 /// above rounding.
 pub(super) fn check_lines(pairs: &[PixelPair], limit: f64) -> Result<(), RelativePoseError> {
-    let views: [(View, fn(&PixelPair) -> [f64; 2]); 2] = [
-        (View::Left, |pair| pair.left),
-        (View::Right, |pair| pair.right),
-    ];
-    for (view, pixel) in views {
+    for view in [View::Left, View::Right] {
+        let pixel = |pair: &PixelPair| match view {
+            View::Left => pair.left,
+            View::Right => pair.right,
+        };
         let [along, across] = extents(pairs.iter().map(pixel));
         if across <= limit.max(1e-9 * along) {
             return Err(RelativePoseError::Collinear {
