@@ -103,6 +103,12 @@ impl Rigged {
         &self.skeleton
     }
 
+    /// The node of each joint.
+    #[must_use]
+    pub fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
     /// The document with a clip as its only animation. With F₀ the frame of a node in the world at
     /// rest, G the total motion of its joint, and the same of its parent, its rotation is that of
     ///
