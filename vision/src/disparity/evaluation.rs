@@ -90,16 +90,16 @@ impl ErrorMap {
         self.pixels
     }
 
-    /// The percentage of evaluated pixels whose error is strictly more than `threshold_px`, those of
-    /// unknown disparity included.
+    /// The percentage of evaluated pixels whose error is strictly more than `threshold_px`, those
+    /// of unknown disparity included.
     #[must_use]
     pub fn bad(&self, threshold_px: f64) -> f64 {
         let errors = self.errors.values().iter();
         self.percentage(errors.filter(|error| **error > threshold_px).count())
     }
 
-    /// The mean error of evaluated pixels whose disparity is known, in pixels, or `None` where there
-    /// are none.
+    /// The mean error of evaluated pixels whose disparity is known, in pixels, or `None` where
+    /// there are none.
     #[must_use]
     pub fn average_px(&self) -> Option<f64> {
         let errors = self

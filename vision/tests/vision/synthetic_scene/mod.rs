@@ -25,8 +25,8 @@ pub(crate) struct Panel {
 }
 
 impl Panel {
-    /// The panel with this corner and these sides, which are perpendicular; `grain` is the length in
-    /// metres of the shortest waves of the texture.
+    /// The panel with this corner and these sides, which are perpendicular; `grain` is the length
+    /// in metres of the shortest waves of the texture.
     pub(crate) fn new(corner: [f64; 3], sides: [[f64; 3]; 2], grain: f64, seed: u64) -> Self {
         Self {
             corner: corner.into(),
