@@ -20,6 +20,7 @@
 //! - [`relative_pose`]: the motion between two cameras from pairs of pixels.
 //! - [`perspective_n_point`]: where a camera is that sees known points.
 //! - [`ransac`]: models that most observations agree with.
+//! - [`modelling_points`]: points at several levels, with a depth and its deviation.
 //! - [`observation`]: simulated observations with noise, for tests and demonstrations.
 //! - [`pose_error`]: how far reconstructed joints are from the true ones.
 //!
@@ -61,6 +62,7 @@ pub mod frame;
 pub mod homography;
 pub mod least_squares;
 pub mod matcher;
+pub mod modelling_points;
 pub mod observation;
 pub mod perspective_n_point;
 mod polynomial;
