@@ -196,7 +196,7 @@ fn what_is_wrong_with_a_rig_is_named_with_its_line() {
     );
     assert_eq!(
         error("rows: 3", "rows: 2"),
-        "line 4: `M1` has 9 values, not 2 × 3"
+        "line 3: `M1` has 9 values, not 2 × 3"
     );
     assert_eq!(
         error("rows: 3", "rows: 2.5"),
