@@ -18,5 +18,5 @@ mod mesh_subdivide;
 mod render;
 mod skin;
 mod stereo;
-mod stereo_pose;
 mod stereo_cameras;
+mod stereo_pose;
