@@ -2,7 +2,7 @@
 
 use core::ops::Mul;
 
-use super::{ArcFactors, ConstRing, Field, Real, Ring, arc, half_angle};
+use super::{ArcFactors, ConstRing, Field, Lanes, Real, Ring, arc, half_angle};
 use crate::cga3::Motor;
 use crate::geometry::composition::compose_single;
 
@@ -82,7 +82,7 @@ macro_rules! implement_field {
 macro_rules! implement_real {
     (
         $type:ident, by $sine_by_angle:ident, $angle_by_sine:ident, $arc_factors:ident,
-        $compose:path,
+        $angle_in_lanes:path, $compose:path,
         $sqrt:ident, $fabs:ident, $sin:ident, $cos:ident, $atan2:ident, $exp:ident, $log:ident
     ) => {
         impl Real for $type {
@@ -124,6 +124,12 @@ macro_rules! implement_real {
             fn angle_by_sine(self) -> (Self, Self) {
                 let (ratio, slope) = half_angle::$angle_by_sine(f64::from(self));
                 (ratio as Self, slope as Self)
+            }
+            #[inline(always)]
+            fn angle_by_sine_in_lanes<const N: usize>(
+                lanes: Lanes<Self, N>,
+            ) -> (Lanes<Self, N>, Lanes<Self, N>) {
+                $angle_in_lanes(lanes)
             }
             #[inline(always)]
             fn arc_factors(self, t: Self) -> ArcFactors<Self> {
@@ -180,11 +186,11 @@ implement_field!(f32);
 implement_field!(f64);
 implement_real!(
     f32, by sine_by_angle_single, angle_by_sine_single, arc_factors_single,
-    compose_single,
+    half_angle::angle_by_sine_one_by_one, compose_single,
     sqrtf, fabsf, sinf, cosf, atan2f, expf, logf
 );
 implement_real!(
     f64, by sine_by_angle, angle_by_sine, arc_factors,
-    Mul::mul,
+    half_angle::angle_by_sine, Mul::mul,
     sqrt, fabs, sin, cos, atan2, exp, log
 );

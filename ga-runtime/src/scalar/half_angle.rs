@@ -10,7 +10,7 @@
 //! error for a half turn would be 3 ε; its polynomials are shorter, with an error below 5·10⁻¹⁰,
 //! which is a hundredth of the rounding to `f32`.
 
-use super::Real;
+use super::{Lanes, Real};
 
 /// The coefficients of `c₂ − ¼` and `c₃ − ⅛` as polynomials in x − 5 for x from 0 to 9.95, the
 /// highest power first. The constants ¼ and ⅛ are exact, and what remains is small and so has a
@@ -104,7 +104,12 @@ fn polynomial<S: Real, const N: usize>(high: [S; N], c: [[f64; N]; 8], x: S) -> 
 /// `a x + b`.
 #[inline(always)]
 pub(super) fn pair<S: Real, const N: usize>(a: [f64; N], b: [f64; N], x: S) -> [S; N] {
-    step(a.map(S::from_f64), x, b.map(S::from_f64))
+    // Functions given to `array::map` are not always inlined.
+    let mut sum = [x; N];
+    for k in 0..N {
+        sum[k] = S::from_f64(a[k]).mul_add(x, S::from_f64(b[k]));
+    }
+    sum
 }
 
 /// `high x + low`.
@@ -129,12 +134,27 @@ pub(super) fn angle_by_sine_single(cosine: f64) -> (f64, f64) {
     from_quotient(cosine, angle_quotient_single(cosine))
 }
 
+/// [`Real::angle_by_sine`] of one lane after the other.
+#[inline(always)]
+pub(super) fn angle_by_sine_one_by_one<S: Real, const N: usize>(
+    lanes: Lanes<S, N>,
+) -> (Lanes<S, N>, Lanes<S, N>) {
+    let numbers = lanes.to_array();
+    let (mut ratio, mut slope) = (numbers, numbers);
+    for lane in 0..N {
+        (ratio[lane], slope[lane]) = numbers[lane].angle_by_sine();
+    }
+    (Lanes::from_array(ratio), Lanes::from_array(slope))
+}
+
 /// The numerator and the denominator of `r = (φ/sin φ − 1)/(1 − c)` for c = cos φ.
 #[inline(always)]
 pub(super) fn angle_quotient<S: Real>(cosine: S) -> [S; 2] {
     let square = cosine * cosine;
     let [c6, c5, c4, c3, c2, c1, c0] = ANGLE;
-    let high = step(c6.map(S::from_f64), square, pair(c5, c4, cosine));
+    let [numerator, denominator] = c6;
+    let highest = [S::from_f64(numerator), S::from_f64(denominator)];
+    let high = step(highest, square, pair(c5, c4, cosine));
     let low = step(pair(c3, c2, cosine), square, pair(c1, c0, cosine));
     step(high, square * square, low)
 }

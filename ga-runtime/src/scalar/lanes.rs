@@ -201,11 +201,7 @@ impl<T: Real<Mask = bool>, const N: usize> Real for Lanes<T, N> {
     }
     #[inline(always)]
     fn angle_by_sine(self) -> (Self, Self) {
-        let (mut ratio, mut slope) = (self, self);
-        for (ratio, slope) in ratio.0.iter_mut().zip(&mut slope.0) {
-            (*ratio, *slope) = ratio.angle_by_sine();
-        }
-        (ratio, slope)
+        T::angle_by_sine_in_lanes(self)
     }
     #[inline(always)]
     fn arc_factors(self, t: Self) -> ArcFactors<Self> {

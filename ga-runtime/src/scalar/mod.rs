@@ -267,6 +267,14 @@ pub trait Real: Field {
     fn angle_by_sine(self) -> (Self, Self) {
         half_angle::angle_by_sine(self)
     }
+    /// [`angle_by_sine`](Self::angle_by_sine) of each lane, with the same result as of one number.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn angle_by_sine_in_lanes<const N: usize>(
+        lanes: Lanes<Self, N>,
+    ) -> (Lanes<Self, N>, Lanes<Self, N>) {
+        half_angle::angle_by_sine_one_by_one(lanes)
+    }
     /// The factors `A = sin (1 − t)φ/sin φ` and `B = sin tφ/sin φ` of spherical linear
     /// interpolation with their derivatives, for `cos φ = self` from 0 to 1, that is φ up to π/2,
     /// and t from −1 to 1; outside of that range the results have no meaning. There is no special

@@ -38,9 +38,13 @@ pub(super) fn by_blocks<const N: usize, const M: usize>(
 
     let mut passed = Passed::splat(true);
     for index in 0..count.div_ceil(WIDTH) {
-        let block =
-            |column: usize| Lanes::from_array(*whole[column].get(index).unwrap_or(&filled[column]));
-        let (results, pass) = kernel.compute(std::array::from_fn(block));
+        // Closures given to `array::map` and `array::from_fn` are not always inlined.
+        let mut block = [Block::splat(0.0); N];
+        for column in 0..N {
+            let numbers = whole[column].get(index).unwrap_or(&filled[column]);
+            block[column] = Lanes::from_array(*numbers);
+        }
+        let (results, pass) = kernel.compute(block);
         passed = passed & pass;
         for (column, result) in outputs.iter_mut().zip(results) {
             if let Some(block) = column.0.get_mut(index) {

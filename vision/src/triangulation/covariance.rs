@@ -52,7 +52,8 @@ impl<S: Real> Sight<S> {
         let [x_axis, y_axis, z_axis] = self.axes;
         let between = point - self.centre;
         let by_depth = between.dot(z_axis).recip();
-        let [x, y] = [x_axis, y_axis].map(|axis| between.dot(axis) * by_depth);
+        let x = between.dot(x_axis) * by_depth;
+        let y = between.dot(y_axis) * by_depth;
         [
             (x_axis - z_axis * x) * (self.focal[0] * by_depth),
             (y_axis - z_axis * y) * (self.focal[1] * by_depth),
@@ -64,19 +65,22 @@ impl<S: Real> Sight<S> {
 /// the gradients g of all four pixel coordinates.
 #[inline(always)]
 pub(super) fn covariance<S: Real>(sights: &[Sight<S>; 2], point: Vector<S>, variance: S) -> [S; 6] {
-    let [[a, b], [c, d]] = [sights[0].gradients(point), sights[1].gradients(point)];
-    let products = [a, b, c, d].map(|g| {
-        [
+    let [a, b] = sights[0].gradients(point);
+    let [c, d] = sights[1].gradients(point);
+    let mut information = [S::zero(); 6];
+    for g in [a, b, c, d] {
+        let products = [
             g.e1 * g.e1,
             g.e1 * g.e2,
             g.e1 * g.e3,
             g.e2 * g.e2,
             g.e2 * g.e3,
             g.e3 * g.e3,
-        ]
-    });
-    let [a, b, c, d] = products;
-    let information = [0, 1, 2, 3, 4, 5].map(|k| (a[k] + b[k]) + (c[k] + d[k]));
+        ];
+        for (sum, product) in information.iter_mut().zip(products) {
+            *sum = *sum + product;
+        }
+    }
     inverse(information, variance)
 }
 

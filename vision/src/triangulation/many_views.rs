@@ -70,7 +70,13 @@ pub fn triangulate_views(
     let angle = largest_angle(cameras, pixels)?;
     let start = nearest(views(), None)?;
     let start = nearest(views(), Some(start))?;
-    let (point, normal) = descend(start, |point| Normal::new(views(), point))?;
+    // Steps are small against the distances that coordinates are rounded at.
+    let reach = cameras.iter().map(|camera| {
+        let centre = Vector::from(camera.centre());
+        centre.length() + centre.distance(start)
+    });
+    let size = reach.fold(0.0, f64::max);
+    let (point, normal) = descend(start, size, |point| Normal::new(views(), point))?;
 
     let mut gap: f64 = 0.0;
     let mut depth = f64::INFINITY;
@@ -207,9 +213,11 @@ impl Normal {
     }
 }
 
-/// Descends to a least sum of squares, and the normal equations there.
+/// Descends to a least sum of squares, and the normal equations there. `size` is a distance at whose
+/// rounding steps end.
 fn descend(
     start: Vector<f64>,
+    size: f64,
     normal_at: impl Fn(Vector<f64>) -> Result<Normal, TriangulationError>,
 ) -> Result<(Vector<f64>, Normal), TriangulationError> {
     let mut point = start;
@@ -222,7 +230,6 @@ fn descend(
         };
         let step = factors.solve(&normal.gradient);
         let next = point - Vector::new(step.x, step.y, step.z);
-        let size = point.length();
         // What the linear equations still promise to gain, against the rounding of the sum.
         let promise = normal.gradient.dot(&step);
         let is_small = step.norm() <= 4.0 * f64::EPSILON * size;

@@ -4,9 +4,9 @@
 use ga_runtime::scalar::Real;
 use ga_runtime::vga3::Vector;
 
-/// The steps along the gradients. Lindstrom takes two; the third makes the sum of the squares right
-/// to more digits for points near an epipole.
-const STEPS: usize = 3;
+/// The steps along the gradients before the last one. Lindstrom takes one; the second makes the sum
+/// of the squares right to more digits for points near an epipole.
+const STEPS: usize = 2;
 
 /// The epipolar geometry of two cameras in coordinates of equal noise: pixels from the principal
 /// point, divided by one focal length for both axes of both views.
@@ -62,67 +62,71 @@ impl<S: Real> Epipolar<S> {
     /// which the condition holds up to rounding.
     #[inline(always)]
     pub(super) fn nearest(&self, left: [S; 2], right: [S; 2]) -> [[S; 2]; 2] {
-        let [focal, by_focal] = self.focal;
-        let homogeneous = |pixel: [S; 2], principal: [S; 2]| {
-            let [u, v] = pixel;
-            Vector::new(
-                (u - principal[0]) * by_focal,
-                (v - principal[1]) * by_focal,
-                S::one(),
-            )
-        };
-        let (q, p) = (
-            homogeneous(left, self.principal[0]),
-            homogeneous(right, self.principal[1]),
-        );
+        let [focal, _] = self.focal;
+        let q = self.homogeneous(left, self.principal[0]);
+        let p = self.homogeneous(right, self.principal[1]);
         let first = [self.rows[0].dot(p), self.rows[1].dot(p)];
         let second = [self.columns[0].dot(q), self.columns[1].dot(q)];
-        let value = q.e3 * self.rows[2].dot(p) + (q.e1 * first[0] + q.e2 * first[1]);
+        let value = self.rows[2].dot(p) + dot([q.e1, q.e2], first);
 
         let (mut n, mut m) = (first, second);
-        let mut steps = [[S::zero(); 2]; 2];
+        let (mut by_first, mut by_second) = ([S::zero(); 2], [S::zero(); 2]);
         for _ in 0..STEPS {
             let factor = self.along([first, second], [n, m], value);
-            steps = [n, m].map(|gradient| gradient.map(|g| g * factor));
-            let [by_first, by_second] = steps;
-            n = [0, 1].map(|k| {
-                first[k] - (self.rows[k].e1 * by_second[0] + self.rows[k].e2 * by_second[1])
-            });
-            m = [0, 1].map(|k| {
-                second[k] - (self.columns[k].e1 * by_first[0] + self.columns[k].e2 * by_first[1])
-            });
+            by_first = scaled(n, factor);
+            by_second = scaled(m, factor);
+            n = difference(first, flat(&self.rows, by_second));
+            m = difference(second, flat(&self.columns, by_first));
         }
-        let projected = |step: [S; 2], gradient: [S; 2]| {
-            let square = dot(gradient, gradient);
-            let part = S::select(
-                square.is_zero(),
-                S::zero(),
-                dot(step, gradient) / S::select(square.is_zero(), S::one(), square),
-            );
-            gradient.map(|g| g * part * focal)
-        };
-        let ([du, dv], [dx, dy]) = (projected(steps[0], n), projected(steps[1], m));
-        [[left[0] - du, left[1] - dv], [right[0] - dx, right[1] - dy]]
+        let first = scaled(n, quotient(dot(by_first, n), dot(n, n)) * focal);
+        let second = scaled(m, quotient(dot(by_second, m), dot(m, m)) * focal);
+        [difference(left, first), difference(right, second)]
+    }
+
+    /// A pixel in coordinates of equal noise.
+    #[inline(always)]
+    fn homogeneous(&self, [u, v]: [S; 2], [column, row]: [S; 2]) -> Vector<S> {
+        let [_, by_focal] = self.focal;
+        Vector::new((u - column) * by_focal, (v - row) * by_focal, S::one())
     }
 
     /// How far along n and m the condition is satisfied that has the value `value` and the gradients
     /// `first` and `second` at the measured pair: the smaller root of `a λ² − 2 b λ + c = 0`.
     #[inline(always)]
     fn along(&self, [first, second]: [[S; 2]; 2], [n, m]: [[S; 2]; 2], value: S) -> S {
-        let bent = [0, 1].map(|k| self.rows[k].e1 * m[0] + self.rows[k].e2 * m[1]);
-        let a = dot(n, bent);
+        let a = dot(n, flat(&self.rows, m));
         let b = (dot(first, n) + dot(second, m)) * S::from_ratio(1, 2);
         let root = (b * b - a * value).max(S::zero()).sqrt();
-        let sum = b + root;
-        S::select(
-            sum.is_zero(),
-            S::zero(),
-            value / S::select(sum.is_zero(), S::one(), sum),
-        )
+        quotient(value, b + root)
     }
+}
+
+/// What the first two rows or columns of E make of a displacement in the other picture.
+#[inline(always)]
+fn flat<S: Real>(rows: &[Vector<S>; 3], [x, y]: [S; 2]) -> [S; 2] {
+    [
+        rows[0].e1 * x + rows[0].e2 * y,
+        rows[1].e1 * x + rows[1].e2 * y,
+    ]
 }
 
 #[inline(always)]
 fn dot<S: Real>([a, b]: [S; 2], [c, d]: [S; 2]) -> S {
     a * c + b * d
+}
+
+#[inline(always)]
+fn scaled<S: Real>([x, y]: [S; 2], factor: S) -> [S; 2] {
+    [x * factor, y * factor]
+}
+
+#[inline(always)]
+fn difference<S: Real>([a, b]: [S; 2], [c, d]: [S; 2]) -> [S; 2] {
+    [a - c, b - d]
+}
+
+/// The quotient, and zero for a divisor of zero: at an epipole the condition has no gradient.
+#[inline(always)]
+fn quotient<S: Real>(dividend: S, divisor: S) -> S {
+    S::select(divisor.is_zero(), S::zero(), dividend / divisor)
 }
