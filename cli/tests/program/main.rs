@@ -15,6 +15,7 @@ mod draw;
 mod expand;
 mod mesh;
 mod mesh_subdivide;
+mod reconstruct;
 mod render;
 mod skin;
 mod stereo;

@@ -67,14 +67,14 @@ pub(crate) struct Arguments {
     json: bool,
 }
 
-fn threads() -> clap::builder::RangedI64ValueParser<u16> {
+pub(super) fn threads() -> clap::builder::RangedI64ValueParser<u16> {
     clap::value_parser!(u16).range(1..=MOST_THREADS)
 }
 
 /// How much work is done.
 #[derive(Clone, Copy, Debug, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
-enum Mode {
+pub(super) enum Mode {
     /// The least time.
     Fast,
     /// More accurate on flat surfaces.

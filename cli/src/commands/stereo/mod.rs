@@ -6,6 +6,7 @@ mod match_views;
 mod picture;
 mod pixels;
 mod pose;
+mod reconstruct;
 mod rectify;
 mod undistort;
 mod views;
@@ -28,6 +29,7 @@ enum Command {
     Rectify(rectify::Arguments),
     Undistort(undistort::Arguments),
     Diagnose(diagnose::Arguments),
+    Reconstruct(reconstruct::Arguments),
 }
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
@@ -38,5 +40,6 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         Command::Rectify(arguments) => rectify::run(arguments, quiet),
         Command::Undistort(arguments) => undistort::run(arguments, quiet),
         Command::Diagnose(arguments) => diagnose::run(arguments, quiet),
+        Command::Reconstruct(arguments) => reconstruct::run(arguments, quiet),
     }
 }

@@ -1,0 +1,384 @@
+//! `nullcone stereo reconstruct`: points and surfaces of scenes that are known.
+
+use std::path::Path;
+
+use ga_image::plane::Plane;
+use ga_image::png;
+use ga_mesh::format;
+use ga_runtime::cga3::{Motor, Plane as Flat, Point, Rotor, Translator};
+use ga_runtime::geometry::ray::Ray;
+use ga_vision::camera::{Camera, Intrinsics, RadialTangential};
+use ga_vision::format::rig::RigFile;
+use ga_vision::rig::StereoRig;
+use serde_json::Value;
+use tempfile::{TempDir, tempdir};
+
+use crate::common::{assert_failure, assert_success, names, nullcone, number};
+
+const SIZE: [usize; 2] = [256, 192];
+
+/// A tilted wall, and a board in front of it that both cameras see whole.
+const WALL: [[f64; 3]; 2] = [[0.0, 0.0, 2.5], [0.25, -0.1, -1.0]];
+const BOARD: [[f64; 3]; 2] = [[0.0, 0.0, 1.5], [0.0, 0.2, -1.0]];
+
+fn is_on_board(point: Point<f64>) -> bool {
+    let [x, y, _] = point.coordinates();
+    (-0.25..0.3).contains(&x) && (-0.3..0.2).contains(&y)
+}
+
+fn plane([point, normal]: [[f64; 3]; 2]) -> Flat<f64> {
+    Flat::from_point_normal(Point::from(point), normal)
+}
+
+/// Two cameras with distorted lenses, the right one rotated a little.
+fn rig() -> StereoRig {
+    let lens = RadialTangential::new(&[-0.12, 0.03, 4e-4, -6e-4, 0.0]).unwrap();
+    let camera = |focal: f64, column: f64, world_to_camera| Camera {
+        intrinsics: Intrinsics::new([focal, 1.01 * focal], [column, 94.3])
+            .unwrap()
+            .with_lens(lens),
+        world_to_camera,
+    };
+    let rotor = Rotor::from_axis_angle([0.3, 1.0, 0.2], 0.03).unwrap();
+    let motor = Translator::from_displacement([-0.12, 0.004, 0.003]) * rotor;
+    StereoRig {
+        left: camera(221.0, 128.4, Motor::default()),
+        right: camera(223.0, 126.1, motor),
+    }
+}
+
+/// Random levels that are smooth between the points of a grid, from 0 to 1.
+fn noise(x: f64, y: f64) -> f64 {
+    let level = |column: f64, row: f64| {
+        let (column, row) = (column as i64 as u32, row as i64 as u32);
+        let mixed = column.wrapping_mul(2_654_435_761) ^ row.wrapping_mul(2_246_822_519);
+        f64::from((mixed ^ (mixed >> 13)).wrapping_mul(3_266_489_917) >> 8) / f64::from(1 << 24)
+    };
+    let (column, row) = (x.floor(), y.floor());
+    let (right, down) = (x - column, y - row);
+    let along = |row: f64| level(column, row) * (1.0 - right) + level(column + 1.0, row) * right;
+    along(row) * (1.0 - down) + along(row + 1.0) * down
+}
+
+/// What a ray sees: a grey level.
+fn seen(ray: Ray<f64>) -> f64 {
+    let board = ray
+        .first_hit(plane(BOARD))
+        .filter(|hit| is_on_board(hit.point));
+    let (hit, offset) = match board {
+        Some(hit) => (Some(hit), 400.0),
+        None => (ray.first_hit(plane(WALL)), 0.0),
+    };
+    let Some(hit) = hit else { return 0.0 };
+    let [x, y, _] = hit.point.coordinates();
+    let octaves = [15.0, 40.0].map(|rate| noise(rate * x + offset + 500.0, rate * y + 500.0));
+    0.6 * octaves[0] + 0.4 * octaves[1]
+}
+
+fn view(camera: &Camera) -> Plane<[u8; 3]> {
+    Plane::from_fn(SIZE[0], SIZE[1], |column, row| {
+        let ray = camera.ray([column as f64, row as f64]).unwrap();
+        let level = (20.0 + 215.0 * seen(ray)) as u8;
+        [level, level, 255 - level]
+    })
+}
+
+/// Both views and the file of the rig.
+fn scene() -> TempDir {
+    let folder = tempdir().unwrap();
+    let rig = rig();
+    for (name, camera) in [("left.png", rig.left), ("right.png", rig.right)] {
+        std::fs::write(
+            folder.path().join(name),
+            png::encode(&view(&camera)).unwrap(),
+        )
+        .unwrap();
+    }
+    let file = RigFile {
+        rig,
+        size: Some(SIZE),
+    };
+    file.write(folder.path().join("rig.yml")).unwrap();
+    folder
+}
+
+fn reconstruct(folder: &Path, arguments: &[&str]) -> Value {
+    let begin = [
+        "stereo",
+        "reconstruct",
+        "left.png",
+        "right.png",
+        "--rig",
+        "rig.yml",
+        "--json",
+    ];
+    let output = nullcone(folder, [&begin[..], arguments].concat());
+    assert_success(&output);
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+/// The points lie on the wall and on the board, in the frame of the left camera; few are beside.
+#[test]
+fn points_lie_on_the_planes_of_the_scene() {
+    let folder = scene();
+    let report = reconstruct(
+        folder.path(),
+        &["--out", "new/cloud.ply", "--axes", "camera"],
+    );
+    let cloud = format::read(folder.path().join("new/cloud.ply"))
+        .unwrap()
+        .mesh;
+    assert_eq!(number(&report, "/points"), cloud.vertex_count() as f64);
+    assert_eq!(number(&report, "/triangles"), 0.0);
+    assert!((number(&report, "/baseline_metres") - rig().baseline()).abs() < 1e-9);
+    assert!(number(&report, "/density") > 70.0, "{report}");
+    let (wall, board) = (plane(WALL), plane(BOARD));
+    let mut errors = Vec::new();
+    let mut on_board = 0;
+    for point in cloud.positions() {
+        let errors_of_both = [wall, board].map(|plane| plane.distance_to(*point).unwrap());
+        if is_on_board(*point) && errors_of_both[1] < errors_of_both[0] {
+            on_board += 1;
+            errors.push(errors_of_both[1]);
+        } else {
+            errors.push(errors_of_both[0]);
+        }
+    }
+    errors.sort_unstable_by(f64::total_cmp);
+    let part = |part: f64| errors[(part * errors.len() as f64) as usize];
+    println!("{} points, {} on the board", errors.len(), on_board);
+    println!(
+        "errors {:.4} {:.4} {:.4} m",
+        part(0.5),
+        part(0.9),
+        part(0.97)
+    );
+    // A tenth of a pixel is a depth of 2 cm at the wall.
+    assert!(
+        part(0.5) < 0.02 && part(0.9) < 0.05,
+        "{} {}",
+        part(0.5),
+        part(0.9)
+    );
+    assert!(on_board > errors.len() / 10);
+}
+
+/// The surface has the colours of the view and is cut between board and wall; glTF has y up.
+#[test]
+fn surfaces_are_cut_around_the_board() {
+    let folder = scene();
+    let arguments = [
+        "--out",
+        "model.glb",
+        "--mode",
+        "fast",
+        "--max-disparity",
+        "48",
+    ];
+    let report = reconstruct(folder.path(), &arguments);
+    let mesh = format::read(folder.path().join("model.glb")).unwrap().mesh;
+    assert_eq!(number(&report, "/triangles"), mesh.faces().len() as f64);
+    assert!(mesh.faces().len() > 30_000, "{}", mesh.faces().len());
+    for [red, green, blue, _] in mesh.colours().unwrap() {
+        assert!(red == green && (red - blue).abs() <= 1.0);
+    }
+    let mut across = 0;
+    for triangle in mesh.triangles() {
+        let depths = triangle.map(|corner| -mesh.positions()[corner as usize].e3());
+        let range = depths
+            .iter()
+            .fold(0.0_f64, |range, depth| range.max((depth - depths[0]).abs()));
+        assert!(depths.iter().all(|depth| *depth > 0.0));
+        across += usize::from(range > 0.3);
+    }
+    assert_eq!(across, 0);
+    let report = reconstruct(
+        folder.path(),
+        &["--out", "t.glb", "--texture", "--step", "2"],
+    );
+    let textured = format::read(folder.path().join("t.glb")).unwrap().mesh;
+    assert!(textured.texture_coordinates().is_some() && textured.colours().is_none());
+    assert!(
+        number(&report, "/points")
+            < number(&report, "/width_px") * number(&report, "/height_px") / 4.0
+    );
+    let report = reconstruct(
+        folder.path(),
+        &["--out", "c.obj", "--cloud", "--far", "1.9"],
+    );
+    assert!(number(&report, "/farthest_metres") <= 1.9);
+    assert_eq!(number(&report, "/triangles"), 0.0);
+}
+
+#[test]
+fn bad_input_writes_nothing() {
+    let folder = scene();
+    let at = |name: &str| folder.path().join(name);
+    let small = Plane::filled(40, 30, [90u8; 3]);
+    std::fs::write(at("small.png"), png::encode(&small).unwrap()).unwrap();
+    std::fs::write(
+        at("broken.png"),
+        &std::fs::read(at("left.png")).unwrap()[..200],
+    )
+    .unwrap();
+    std::fs::write(at("broken.yml"), "%YAML:1.0\n---\nM1: [1, 2\n").unwrap();
+    std::fs::write(at("half.yml"), "%YAML:1.0\n---\nwidth: 3\n").unwrap();
+    let mut same = rig();
+    same.right.world_to_camera = same.left.world_to_camera;
+    RigFile {
+        rig: same,
+        size: Some(SIZE),
+    }
+    .write(at("same.yml"))
+    .unwrap();
+    RigFile {
+        rig: rig(),
+        size: Some([640, 480]),
+    }
+    .write(at("large.yml"))
+    .unwrap();
+    let before = names(folder.path());
+    let cases: [(&[&str], &str); 12] = [
+        (
+            &[
+                "left.png",
+                "small.png",
+                "--rig",
+                "rig.yml",
+                "--out",
+                "m.glb",
+            ],
+            "differ in size",
+        ),
+        (
+            &[
+                "small.png",
+                "small.png",
+                "--rig",
+                "rig.yml",
+                "--out",
+                "m.glb",
+            ],
+            "256 × 192",
+        ),
+        (
+            &[
+                "broken.png",
+                "right.png",
+                "--rig",
+                "rig.yml",
+                "--out",
+                "m.glb",
+            ],
+            "broken.png",
+        ),
+        (
+            &[
+                "none.png",
+                "right.png",
+                "--rig",
+                "rig.yml",
+                "--out",
+                "m.glb",
+            ],
+            "none.png",
+        ),
+        (
+            &[
+                "left.png",
+                "right.png",
+                "--rig",
+                "none.yml",
+                "--out",
+                "m.glb",
+            ],
+            "none.yml",
+        ),
+        (
+            &[
+                "left.png",
+                "right.png",
+                "--rig",
+                "broken.yml",
+                "--out",
+                "m.glb",
+            ],
+            "line",
+        ),
+        (
+            &[
+                "left.png",
+                "right.png",
+                "--rig",
+                "half.yml",
+                "--out",
+                "m.glb",
+            ],
+            "M1",
+        ),
+        (
+            &[
+                "left.png",
+                "right.png",
+                "--rig",
+                "same.yml",
+                "--out",
+                "m.glb",
+            ],
+            "at the same place",
+        ),
+        (
+            &[
+                "left.png",
+                "right.png",
+                "--rig",
+                "large.yml",
+                "--out",
+                "m.glb",
+            ],
+            "640 × 480",
+        ),
+        (
+            &[
+                "left.png",
+                "right.png",
+                "--rig",
+                "rig.yml",
+                "--out",
+                "m.stl",
+            ],
+            "m.stl",
+        ),
+        (
+            &[
+                "left.png",
+                "right.png",
+                "--rig",
+                "rig.yml",
+                "--out",
+                "m.glb",
+                "--near",
+                "90",
+            ],
+            "none of the",
+        ),
+        (
+            &[
+                "left.png",
+                "right.png",
+                "--rig",
+                "rig.yml",
+                "--out",
+                "m.ply",
+                "--texture",
+            ],
+            "PLY holds no pictures",
+        ),
+    ];
+    for (arguments, message) in cases {
+        let arguments = [&["stereo", "reconstruct"], arguments].concat();
+        let output = nullcone(folder.path(), &arguments);
+        assert_failure(&output, &[message]);
+        assert_eq!(names(folder.path()), before, "{arguments:?}");
+    }
+}
