@@ -30,8 +30,8 @@ impl Default for GroundMotion {
     }
 }
 
-/// The trajectory of a body on the ground: a motor for each frame, which moves the body from where it is
-/// at rest to where it stands in the frame.
+/// The trajectory of a body on the ground: a motor for each frame, which moves the body from where
+/// it is at rest to where it stands in the frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RootMotion {
     frame_time: f64,

@@ -393,8 +393,8 @@ fn are_near(a: &RotorRows, b: &RotorRows) -> bool {
     far == 0
 }
 
-/// The rows as numbers, all of the same length. Methods of arrays such as `map` would not be compiled
-/// as part of the loop.
+/// The rows as numbers, all of the same length. Methods of arrays such as `map` would not be
+/// compiled as part of the loop.
 #[inline(always)]
 fn numbers<'a>(rows: &'a RotorRows) -> [&'a [f32]; 4] {
     let lanes = LANES * rows[0].len();

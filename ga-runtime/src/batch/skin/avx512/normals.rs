@@ -115,8 +115,8 @@ fn image([a, b, c, t]: [[__m512; 3]; 4], [x, y, z]: [__m512; 3]) -> [__m512; 3] 
     [row(0), row(1), row(2)]
 }
 
-/// The sum of the cross products of the columns, each times its coordinate, with length 1; zero where
-/// the square of its length is beyond the range of normal numbers.
+/// The sum of the cross products of the columns, each times its coordinate, with length 1; zero
+/// where the square of its length is beyond the range of normal numbers.
 #[inline]
 #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx2,fma")]
 fn normal([a, b, c, _]: [[__m512; 3]; 4], [x, y, z]: [__m512; 3]) -> [__m512; 3] {
