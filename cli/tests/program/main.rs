@@ -19,5 +19,6 @@ mod reconstruct;
 mod render;
 mod skin;
 mod stereo;
+mod stereo_calibrate;
 mod stereo_cameras;
 mod stereo_pose;

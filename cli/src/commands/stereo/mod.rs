@@ -1,5 +1,7 @@
 //! `nullcone stereo`: two views of a scene.
 
+mod calibrate;
+mod corners;
 mod diagnose;
 mod evaluate;
 mod match_views;
@@ -23,6 +25,7 @@ pub(crate) struct Arguments {
 
 #[derive(Clone, Debug, Subcommand)]
 enum Command {
+    Calibrate(calibrate::Arguments),
     Match(match_views::Arguments),
     Evaluate(evaluate::Arguments),
     Pose(pose::Arguments),
@@ -34,6 +37,7 @@ enum Command {
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     match &arguments.command {
+        Command::Calibrate(arguments) => calibrate::run(arguments, quiet),
         Command::Match(arguments) => match_views::run(arguments, quiet),
         Command::Evaluate(arguments) => evaluate::run(arguments, quiet),
         Command::Pose(arguments) => pose::run(arguments, quiet),

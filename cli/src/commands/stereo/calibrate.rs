@@ -1,0 +1,415 @@
+//! `nullcone stereo calibrate`: a rig from pictures of a chessboard.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, bail, ensure};
+use clap::ValueEnum;
+use ga_image::plane::Plane;
+use ga_image::png;
+use ga_vision::calibration::{
+    CameraSettings, JointIntrinsics, LEAST_VIEWS, LensTerms, SquareEdges, Start, StereoCalibration,
+    StereoSettings, calibrate_stereo, square_edges,
+};
+use ga_vision::camera::Intrinsics;
+use ga_vision::chessboard::{BoardSize, Chessboard, ChessboardError, find};
+use ga_vision::format::camera::CameraFile;
+use ga_vision::format::rig::RigFile;
+use serde::Serialize;
+
+use super::{corners, views};
+use crate::output;
+use crate::progress::Progress;
+
+/// Calibrate a stereo rig from pairs of pictures of a chessboard.
+///
+/// The program itself matches the patterns, sorts the files by name, and pairs them in that order.
+/// Pairs in which the board is not found, or that do not agree with the others, are left out. For
+/// instance
+///
+///   nullcone stereo calibrate --board 9x6 --square 0.025 --left 'left*.jpg' --right 'right*.jpg'
+///     --out rig.yml --json
+///
+/// prints {"rms_px": …, "rms_left_px": …, "rms_right_px": …, "pairs_used": …,
+/// "pairs_rejected": […], "baseline_metres": …, …}. rms_px is the root mean square distance of all corners from the
+/// projections of their places on the boards, as OpenCV's stereoCalibrate returns it.
+#[derive(Clone, Debug, clap::Args)]
+#[command(verbatim_doc_comment)]
+pub(crate) struct Arguments {
+    /// The number of inner corners: columns x rows.
+    #[arg(long, value_name = "9x6")]
+    board: BoardSize,
+    /// The side of a square in metres.
+    #[arg(long, value_name = "METRES")]
+    square: f64,
+    /// The left views: a pattern with *, ? or [abc]; ** stands for any folders.
+    #[arg(long, value_name = "GLOB")]
+    left: String,
+    /// The right views.
+    #[arg(long, value_name = "GLOB")]
+    right: String,
+    /// Write the rig in OpenCV's YAML: M1, D1, M2, D2, R and T.
+    #[arg(long, value_name = "RIG.yml")]
+    out: PathBuf,
+    /// What to do with focal lengths, principal points and distortion.
+    #[arg(long, value_enum, default_value_t = IntrinsicsChoice::Joint)]
+    intrinsics: IntrinsicsChoice,
+    /// The distortion that is determined: none, fisheye, or terms such as k1,k2,p1,p2,k3.
+    #[arg(long, value_name = "TERMS", default_value_t = LensTerms::default())]
+    distortion: LensTerms,
+    /// The left camera in OpenCV's YAML: a guess, or, with --intrinsics known, the truth.
+    #[arg(long, value_name = "K.yml")]
+    left_camera: Option<PathBuf>,
+    /// The right camera in OpenCV's YAML.
+    #[arg(long, value_name = "K.yml")]
+    right_camera: Option<PathBuf>,
+    /// Use all pairs with a board, also those that do not agree with the others.
+    #[arg(long)]
+    keep_outliers: bool,
+    /// Write pictures of the corners that were found into a folder.
+    #[arg(long, value_name = "FOLDER")]
+    pictures: Option<PathBuf>,
+    /// Print one JSON object instead of lines.
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum IntrinsicsChoice {
+    /// Determine them together with the motion between the cameras.
+    Joint,
+    /// Determine them for each camera by itself, and then the motion between the cameras.
+    Separate,
+    /// Keep those of --left-camera and --right-camera.
+    Known,
+}
+
+/// What is printed. Lengths in metres, unless the name has another unit.
+#[derive(Serialize)]
+struct Report {
+    rms_px: f64,
+    rms_left_px: f64,
+    rms_right_px: f64,
+    pairs_used: usize,
+    pairs_rejected: Vec<Rejected>,
+    baseline_metres: f64,
+    baseline_deviation_metres: f64,
+    square_edge_mean_metres: f64,
+    square_edge_rms_error_metres: f64,
+    rotation_degrees: f64,
+    left: CameraReport,
+    right: CameraReport,
+    pair_rms_px: Vec<f64>,
+}
+
+#[derive(Serialize)]
+struct Rejected {
+    left: String,
+    right: String,
+    reason: String,
+}
+
+/// Intrinsic parameters with their standard deviations.
+#[derive(Serialize)]
+struct CameraReport {
+    focal_px: [f64; 2],
+    focal_deviation_px: [f64; 2],
+    principal_px: [f64; 2],
+    principal_deviation_px: [f64; 2],
+    distortion: Vec<f64>,
+    distortion_deviation: Vec<f64>,
+}
+
+/// A pair of views in which the board was found.
+struct Pair {
+    index: usize,
+    /// The views, where pictures of the corners are to be drawn.
+    views: Option<[Plane<u8>; 2]>,
+    boards: [Chessboard; 2],
+}
+
+pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+    let square = arguments.square;
+    ensure!(
+        square > 0.0 && square.is_finite(),
+        "--square {square}: the side of a square must be positive and finite"
+    );
+    let settings = settings(arguments)?;
+    let files = pairs_of_files(&arguments.left, &arguments.right)?;
+    let progress = Progress::new(files.len() as u64 + 1, quiet);
+    let (size, pairs, mut rejected) = find_boards(arguments, &files, &progress)?;
+    progress.step("calibrating");
+    if pairs.len() < LEAST_VIEWS {
+        let first = rejected.first().map(|rejected| rejected.reason.clone());
+        bail!(
+            "the board was found in {} of {} pairs, and {LEAST_VIEWS} are needed{}",
+            pairs.len(),
+            files.len(),
+            first
+                .map(|reason| format!("; first: {reason}"))
+                .unwrap_or_default()
+        );
+    }
+    let corners = |side: usize| -> Vec<Vec<[f64; 2]>> {
+        let boards = pairs
+            .iter()
+            .map(|pair| pair.boards[side].corners().to_vec());
+        boards.collect()
+    };
+    let [left, right] = [corners(0), corners(1)];
+    let places = arguments.board.places(square);
+    let found = calibrate_stereo([&left, &right], &places, size, &settings)?;
+    for outlier in &found.outliers {
+        rejected.push(Rejected::new(
+            &files[pairs[outlier.pair].index],
+            outlier.to_string(),
+        ));
+    }
+    let used = |views: &[Vec<[f64; 2]>]| -> Vec<Vec<[f64; 2]>> {
+        found.used.iter().map(|&pair| views[pair].clone()).collect()
+    };
+    let edges = square_edges(
+        &found.rig,
+        [&used(&left), &used(&right)],
+        arguments.board,
+        square,
+    )
+    .context("the edges of the squares cannot be measured")?;
+    let rig = RigFile {
+        rig: found.rig,
+        size: Some(size),
+    };
+    if let Some(folder) = &arguments.pictures {
+        write_pictures(folder, &pairs)?;
+    }
+    rig.write(&arguments.out)?;
+    drop(progress);
+    let report = Report::new(&found, edges, rejected);
+    if arguments.json {
+        output::print_json(&report)
+    } else if quiet {
+        Ok(())
+    } else {
+        output::print(&report.table())
+    }
+}
+
+fn settings(arguments: &Arguments) -> Result<StereoSettings> {
+    let read = |path: &Option<PathBuf>| -> Result<Option<Intrinsics>> {
+        let file = path.as_ref().map(CameraFile::read).transpose()?;
+        Ok(file.map(|file| file.intrinsics))
+    };
+    let cameras = [
+        read(&arguments.left_camera)?,
+        read(&arguments.right_camera)?,
+    ];
+    let is_known = arguments.intrinsics == IntrinsicsChoice::Known;
+    ensure!(
+        !is_known || cameras.iter().all(Option::is_some),
+        "--intrinsics known needs --left-camera and --right-camera"
+    );
+    let start = |camera: Option<Intrinsics>| match camera {
+        Some(intrinsics) if is_known => Start::Fixed(intrinsics),
+        Some(intrinsics) => Start::Guess(intrinsics),
+        None => Start::Boards,
+    };
+    let camera = |camera| CameraSettings {
+        start: start(camera),
+        terms: arguments.distortion,
+    };
+    let defaults = StereoSettings::default();
+    Ok(StereoSettings {
+        cameras: cameras.map(camera),
+        joint: match arguments.intrinsics {
+            IntrinsicsChoice::Joint => JointIntrinsics::Free,
+            IntrinsicsChoice::Separate | IntrinsicsChoice::Known => JointIntrinsics::Fixed,
+        },
+        outlier_ratio: defaults.outlier_ratio.filter(|_| !arguments.keep_outliers),
+    })
+}
+
+/// The files that two patterns match, in pairs.
+fn pairs_of_files(left: &str, right: &str) -> Result<Vec<[PathBuf; 2]>> {
+    let files = |option: &str, pattern: &str| -> Result<Vec<PathBuf>> {
+        let paths = glob::glob(pattern).with_context(|| format!("{option} {pattern:?}"))?;
+        let mut files = Vec::new();
+        for path in paths {
+            let path = path.with_context(|| format!("{option} {pattern:?}"))?;
+            if path.is_file() {
+                files.push(path);
+            }
+        }
+        ensure!(!files.is_empty(), "{option} {pattern:?} matches no file");
+        files.sort();
+        Ok(files)
+    };
+    let [left, right] = [files("--left", left)?, files("--right", right)?];
+    ensure!(
+        left.len() == right.len(),
+        "{} left views and {} right ones do not make pairs",
+        left.len(),
+        right.len()
+    );
+    Ok(left
+        .into_iter()
+        .zip(right)
+        .map(|(left, right)| [left, right])
+        .collect())
+}
+
+type Found = ([usize; 2], Vec<Pair>, Vec<Rejected>);
+
+/// Looks for the board in all views, which must have one size.
+fn find_boards(
+    arguments: &Arguments,
+    files: &[[PathBuf; 2]],
+    progress: &Progress,
+) -> Result<Found> {
+    let mut size: Option<[usize; 2]> = None;
+    let (mut pairs, mut rejected) = (Vec::new(), Vec::new());
+    for (index, files_of_pair) in files.iter().enumerate() {
+        progress.step("looking for the board");
+        let [left, right] = files_of_pair;
+        let views = views::read_pair(left, right)?;
+        let own = [views[0].width(), views[0].height()];
+        let [width, height] = *size.get_or_insert(own);
+        ensure!(
+            own == [width, height],
+            "the views differ in size: {} has {} × {} pixels and {} has {width} × {height}",
+            left.display(),
+            own[0],
+            own[1],
+            files[0][0].display(),
+        );
+        let board = |side: usize| -> Result<Result<Chessboard, String>> {
+            match find(&views[side], arguments.board) {
+                Ok(board) => Ok(Ok(board)),
+                Err(error @ ChessboardError::NotFound { .. }) => {
+                    let path = files_of_pair[side].display();
+                    Ok(Err(format!("{path}: {error}")))
+                }
+                Err(error) => Err(error.into()),
+            }
+        };
+        match (board(0)?, board(1)?) {
+            (Ok(left), Ok(right)) => {
+                let right = right.ordered_like(&left);
+                pairs.push(Pair {
+                    index,
+                    views: arguments.pictures.is_some().then_some(views),
+                    boards: [left, right],
+                });
+            }
+            (Err(left), Err(right)) => {
+                rejected.push(Rejected::new(files_of_pair, format!("{left}; {right}")));
+            }
+            (Err(reason), _) | (_, Err(reason)) => {
+                rejected.push(Rejected::new(files_of_pair, reason));
+            }
+        }
+    }
+    Ok((size.unwrap_or_default(), pairs, rejected))
+}
+
+/// Writes a picture of both views for each pair, with the corners that were found.
+fn write_pictures(folder: &Path, pairs: &[Pair]) -> Result<()> {
+    for Pair {
+        index,
+        views,
+        boards,
+    } in pairs
+    {
+        if let Some(views) = views {
+            let name = format!("corners{:03}.png", index + 1);
+            png::write(folder.join(name), &corners::picture(views, boards))?;
+        }
+    }
+    Ok(())
+}
+
+impl Rejected {
+    fn new([left, right]: &[PathBuf; 2], reason: String) -> Self {
+        let [left, right] = [left, right].map(|path| path.display().to_string());
+        Self {
+            left,
+            right,
+            reason,
+        }
+    }
+}
+
+impl CameraReport {
+    fn new(camera: &Intrinsics, deviations: &[f64; Intrinsics::MAX_PARAMETERS]) -> Self {
+        // Coefficients that stay 0 after the last other one say nothing.
+        let coefficients = &camera.parameters()[4..];
+        let last = coefficients
+            .iter()
+            .rposition(|coefficient| *coefficient != 0.0);
+        let count = last.map_or(0, |last| last + 1);
+        Self {
+            focal_px: camera.focal(),
+            focal_deviation_px: [deviations[0], deviations[1]],
+            principal_px: camera.principal(),
+            principal_deviation_px: [deviations[2], deviations[3]],
+            distortion: coefficients[..count].to_vec(),
+            distortion_deviation: deviations[4..4 + count].to_vec(),
+        }
+    }
+}
+
+impl Report {
+    fn new(found: &StereoCalibration, edges: SquareEdges, rejected: Vec<Rejected>) -> Self {
+        let rig = &found.rig;
+        let (_, angle) = rig.left_to_right().rotor().to_axis_angle();
+        Self {
+            rms_px: found.rms,
+            rms_left_px: found.camera_rms[0],
+            rms_right_px: found.camera_rms[1],
+            pairs_used: found.used.len(),
+            pairs_rejected: rejected,
+            baseline_metres: rig.baseline(),
+            baseline_deviation_metres: found.baseline_deviation,
+            square_edge_mean_metres: edges.mean,
+            square_edge_rms_error_metres: edges.rms_error,
+            rotation_degrees: angle.to_degrees(),
+            left: CameraReport::new(&rig.left.intrinsics, &found.deviations[0]),
+            right: CameraReport::new(&rig.right.intrinsics, &found.deviations[1]),
+            pair_rms_px: found.pair_rms.clone(),
+        }
+    }
+
+    fn table(&self) -> String {
+        let mut table = format!(
+            "rms        {:.4} px (left {:.4}, right {:.4})\npairs      {} used, {} rejected\n\
+             baseline   {:.6} m ± {:.6}\nrotation   {:.4}°\n\
+             edges      {:.6} m on average, ± {:.6}\n",
+            self.rms_px,
+            self.rms_left_px,
+            self.rms_right_px,
+            self.pairs_used,
+            self.pairs_rejected.len(),
+            self.baseline_metres,
+            self.baseline_deviation_metres,
+            self.rotation_degrees,
+            self.square_edge_mean_metres,
+            self.square_edge_rms_error_metres
+        );
+        for (name, camera) in [("left", &self.left), ("right", &self.right)] {
+            let ([fx, fy], [cx, cy]) = (camera.focal_px, camera.principal_px);
+            let ([dfx, dfy], [dcx, dcy]) =
+                (camera.focal_deviation_px, camera.principal_deviation_px);
+            table += &format!(
+                "{name:<10} focal {fx:.2} ± {dfx:.2}, {fy:.2} ± {dfy:.2} px; \
+                 principal point {cx:.2} ± {dcx:.2}, {cy:.2} ± {dcy:.2} px\n"
+            );
+        }
+        for rejected in &self.pairs_rejected {
+            let Rejected {
+                left,
+                right,
+                reason,
+            } = rejected;
+            table += &format!("rejected   {left} and {right}: {reason}\n");
+        }
+        table
+    }
+}

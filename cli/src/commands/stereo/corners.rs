@@ -1,0 +1,73 @@
+//! Pictures of the corners of chessboards.
+
+use ga_image::plane::Plane;
+use ga_vision::chessboard::Chessboard;
+
+/// The half length of the cross at a corner, in pixels.
+const CROSS: isize = 4;
+const RED: [u8; 3] = [255, 60, 40];
+const GREEN: [u8; 3] = [60, 220, 60];
+const BLUE: [u8; 3] = [90, 150, 255];
+
+/// Two views beside each other, with a line through the corners in their order and a cross at each:
+/// red at the first corner, green in the first row, and blue in the others.
+pub(super) fn picture(views: &[Plane<u8>; 2], boards: &[Chessboard; 2]) -> Plane<[u8; 3]> {
+    let width = views[0].width();
+    let height = views[0].height().max(views[1].height());
+    let mut picture = Plane::from_fn(width + views[1].width(), height, |column, row| {
+        let value = match column < width {
+            true => views[0].get(column, row),
+            false => views[1].get(column - width, row),
+        };
+        [value.unwrap_or(0); 3]
+    });
+    for (left, board) in [0, width].into_iter().zip(boards) {
+        let corners: Vec<[f64; 2]> = board
+            .corners()
+            .iter()
+            .map(|[u, v]| [u + left as f64, *v])
+            .collect();
+        for pair in corners.windows(2) {
+            line(&mut picture, pair[0], pair[1]);
+        }
+        for (index, corner) in corners.iter().enumerate() {
+            let colour = match index {
+                0 => RED,
+                _ if index < board.size().columns() => GREEN,
+                _ => BLUE,
+            };
+            cross(&mut picture, *corner, colour);
+        }
+    }
+    picture
+}
+
+fn cross(picture: &mut Plane<[u8; 3]>, [u, v]: [f64; 2], colour: [u8; 3]) {
+    for offset in -CROSS..=CROSS {
+        let offset = offset as f64;
+        set(picture, [u + offset, v], colour);
+        set(picture, [u, v + offset], colour);
+    }
+}
+
+fn line(picture: &mut Plane<[u8; 3]>, from: [f64; 2], to: [f64; 2]) {
+    const YELLOW: [u8; 3] = [230, 200, 60];
+    let steps = (to[0] - from[0]).abs().max((to[1] - from[1]).abs()).ceil();
+    for step in 0..=steps as usize {
+        let part = step as f64 / steps.max(1.0);
+        set(
+            picture,
+            [0, 1].map(|k| from[k] + part * (to[k] - from[k])),
+            YELLOW,
+        );
+    }
+}
+
+/// Colours the pixel at a place, where there is one.
+fn set(picture: &mut Plane<[u8; 3]>, place: [f64; 2], colour: [u8; 3]) {
+    let [column, row] = place.map(|x| x.round());
+    let (width, height) = (picture.width() as f64, picture.height() as f64);
+    if (0.0..width).contains(&column) && (0.0..height).contains(&row) {
+        picture.row_mut(row as usize)[column as usize] = colour;
+    }
+}

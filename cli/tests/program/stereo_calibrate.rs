@@ -1,0 +1,109 @@
+//! `nullcone stereo calibrate`: a rig from pictures of a chessboard.
+
+use nullcone_shared_data::shared;
+use serde_json::Value;
+use tempfile::tempdir;
+
+use crate::common::{assert_failure, assert_success, names, nullcone, number};
+
+/// The bytes of a picture in grey.
+fn pgm(width: usize, height: usize, value: impl Fn(usize, usize) -> u8) -> Vec<u8> {
+    let mut bytes = format!("P5 {width} {height} 255\n").into_bytes();
+    bytes.extend((0..width * height).map(|k| value(k % width, k / width)));
+    bytes
+}
+
+/// The arguments for the views of a folder, with the rig written into the folder of the program.
+fn arguments(left: &str, right: &str) -> Vec<String> {
+    let fixed = "stereo calibrate --board 9x6 --square 0.025 --out rig.yml --json";
+    let mut arguments: Vec<String> = fixed.split(' ').map(String::from).collect();
+    arguments.extend(["--left", left, "--right", right].map(String::from));
+    arguments
+}
+
+#[test]
+fn the_pairs_of_opencv_give_a_rig() {
+    let Some(pictures) = shared("data/vision/opencv") else {
+        return;
+    };
+    let pattern = |side: &str| {
+        pictures
+            .join(format!("{side}[01]*.jpg"))
+            .display()
+            .to_string()
+    };
+    let folder = tempdir().unwrap();
+    let mut all = arguments(&pattern("left"), &pattern("right"));
+    all.extend(["--pictures".into(), "found".into()]);
+    let output = nullcone(folder.path(), &all);
+    assert_success(&output);
+    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(number(&report, "/pairs_used"), 13.0);
+    assert_eq!(report["pairs_rejected"], Value::Array(Vec::new()));
+    let rms = number(&report, "/rms_px");
+    assert!(rms < 0.46, "{rms}");
+    let [left, right] = ["/rms_left_px", "/rms_right_px"].map(|key| number(&report, key));
+    assert!((0.5 * (left * left + right * right) - rms * rms).abs() < 1e-9);
+    let baseline = number(&report, "/baseline_metres");
+    assert!((baseline - 0.0836).abs() < 0.0015, "{baseline}");
+    let edge = number(&report, "/square_edge_mean_metres");
+    assert!((edge / 0.025 - 1.0).abs() < 0.02, "{edge}");
+    let rig = std::fs::read_to_string(folder.path().join("rig.yml")).unwrap();
+    for name in ["%YAML:1.0", "M1:", "D1:", "M2:", "D2:", "R:", "T:"] {
+        assert!(rig.contains(name), "{rig}");
+    }
+    assert_eq!(names(&folder.path().join("found")).len(), 13);
+}
+
+#[test]
+fn bad_input_is_named_and_nothing_is_written() {
+    let folder = tempdir().unwrap();
+    let write = |name: &str, bytes: &[u8]| std::fs::write(folder.path().join(name), bytes).unwrap();
+    for k in 0..4 {
+        write(&format!("left{k}.pgm"), &pgm(200, 150, |x, _| x as u8));
+        write(&format!("right{k}.pgm"), &pgm(200, 150, |_, y| y as u8));
+    }
+    write("other0.pgm", &pgm(200, 151, |_, y| y as u8));
+    write("broken0.pgm", b"P5 200 150 255\nshort");
+    write("k.yml", b"%YAML:1.0\n---\nK: 7\n");
+    let before = names(folder.path());
+    let refused = |arguments: &[String], parts: &[&str]| {
+        let output = nullcone(folder.path(), arguments);
+        assert_failure(&output, parts);
+        assert_eq!(names(folder.path()), before);
+    };
+    let with = |left: &str, right: &str, more: &[&str]| {
+        let mut all = arguments(left, right);
+        all.extend(more.iter().map(|word| (*word).to_owned()));
+        all
+    };
+    refused(
+        &with("none*.pgm", "right*.pgm", &[]),
+        &["--left", "none*.pgm", "matches no file"],
+    );
+    refused(&with("left*.pgm", "right[", &[]), &["--right", "right["]);
+    refused(
+        &with("left*.pgm", "right[012].pgm", &[]),
+        &["4 left views", "3 right ones"],
+    );
+    refused(
+        &with("left0.pgm", "other0.pgm", &[]),
+        &["differ in size", "200 × 151"],
+    );
+    refused(&with("left0.pgm", "broken0.pgm", &[]), &["broken0.pgm"]);
+    let none = ["found in 0 of 4 pairs", "board not found", "left0.pgm"];
+    refused(&with("left*.pgm", "right*.pgm", &[]), &none);
+    let known = ["--intrinsics", "known"];
+    refused(&with("left*.pgm", "right*.pgm", &known), &["--left-camera"]);
+    let camera = ["--left-camera", "k.yml"];
+    refused(&with("left*.pgm", "right*.pgm", &camera), &["k.yml"]);
+    let square = |value: &str| {
+        let mut all = with("left*.pgm", "right*.pgm", &[]);
+        let place = all.iter().position(|word| word == "0.025").unwrap();
+        all[place] = value.into();
+        all
+    };
+    for value in ["0", "NaN", "inf"] {
+        refused(&square(value), &["--square"]);
+    }
+}
