@@ -357,3 +357,73 @@ fn a_character_excludes_a_mesh_and_needs_a_skin() {
     );
     assert!(!folder.path().join("out").exists());
 }
+
+/// The motion of the boxes is the same; the weights of the real figure change over more edges.
+#[test]
+fn weights_are_smoothed_and_feet_locked_where_asked() {
+    let folder = boxes();
+    let model = folder.path().join("out/model.glb");
+    assert_success(&animate(folder.path(), &[]));
+    let plain = std::fs::read(&model).unwrap();
+    assert_success(&animate(folder.path(), &["--smooth-weights", "0"]));
+    assert!(std::fs::read(&model).unwrap() == plain);
+    assert_success(&animate(folder.path(), &["--foot-locking"]));
+    let output = animate(folder.path(), &["--smooth-weights", "101"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(text(&output.stderr).contains("--smooth-weights 101"));
+
+    let files = [
+        shared("data/anim/human_base.obj"),
+        shared("data/anim/human/rig.cmu_mb.json"),
+        shared("data/anim/human/weights.cmu_mb.json"),
+        shared("data/anim/bvh/01_01.bvh"),
+    ];
+    let [Some(mesh), Some(rig), Some(weights), Some(motion)] = files else {
+        return;
+    };
+    let [mesh, rig, weights, motion] =
+        [mesh, rig, weights, motion].map(|path| path.to_str().unwrap().to_owned());
+    let frames = |out: &str, more: &[&str]| {
+        let arguments = [
+            "animate",
+            "--mesh",
+            &mesh,
+            "--rig",
+            &rig,
+            "--weights",
+            &weights,
+            "--motion",
+            &motion,
+            "--from",
+            "700",
+            "--to",
+            "710",
+            "--out",
+            out,
+        ];
+        assert_success(&nullcone(folder.path(), arguments.iter().chain(more)));
+        report(&folder.path().join(out))
+    };
+    let [before, after] = [
+        frames("painted", &[]),
+        frames("smooth", &["--smooth-weights", "10", "--foot-locking"]),
+    ];
+    assert_eq!(number(&before, "/figure/influences_max"), 7.0);
+    assert_eq!(number(&after, "/figure/influences_max"), 8.0);
+    let weights = ["painted", "smooth"].map(|out| {
+        let (document, buffers, _) =
+            gltf::import(folder.path().join(out).join("model.glb")).unwrap();
+        let primitive = document
+            .meshes()
+            .next()
+            .unwrap()
+            .primitives()
+            .next()
+            .unwrap();
+        let reader = primitive.reader(|buffer| Some(&buffers[buffer.index()]));
+        let rows: Vec<[f32; 4]> = reader.read_weights(0).unwrap().into_f32().collect();
+        // Vertices that one joint alone moves.
+        rows.iter().filter(|row| row[0] > 0.999).count()
+    });
+    assert!(weights[1] < weights[0], "{weights:?}");
+}
