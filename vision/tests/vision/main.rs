@@ -10,6 +10,7 @@ mod feature;
 mod format;
 mod least_squares;
 mod many_views;
+mod matcher;
 mod modelling_points;
 mod perspective_n_point;
 mod pose_error;
