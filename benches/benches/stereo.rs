@@ -145,8 +145,8 @@ mod plain {
         costs
     }
 
-    /// Adds the costs of the paths in one direction. Each pixel has a margin of one number on either
-    /// side, so that the loop over disparities has no special cases.
+    /// Adds the costs of the paths in one direction. Each pixel has a margin of one number on
+    /// either side, so that the loop over disparities has no special cases.
     fn add_path(
         costs: &[u8],
         [width, height]: [usize; 2],

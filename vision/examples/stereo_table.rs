@@ -1,9 +1,11 @@
-//! Matches the pairs with known disparities of the shared data, and prints how far the maps are from
-//! the truth and the least time of a processor that each took.
+//! Matches the pairs with known disparities of the shared data, and prints how far the maps are
+//! from the truth and the least time of a processor that each took.
 //!
 //! ```text
-//! cargo run --release -p ga-vision --example stereo_table -- [fast|balanced|best] [exposure|noise|offset] [threads]
+//! cargo run --release -p ga-vision --example stereo_table -- [MODE] [CHANGE] [THREADS]
 //! ```
+//!
+//! MODE is fast, balanced or best; CHANGE is exposure, noise or offset.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -146,8 +148,8 @@ fn row(pair: Pair, change: &str, mode: Mode, threads: usize) -> Result<[f64; 5],
     Ok([one, two, three, average, least])
 }
 
-/// The views under worse conditions: the right one with another exposure, both with noise of standard
-/// deviation 4, or the right one half a row lower.
+/// The views under worse conditions: the right one with another exposure, both with noise of
+/// standard deviation 4, or the right one half a row lower.
 fn changed(change: &str, left: Plane<u8>, right: Plane<u8>) -> (Plane<u8>, Plane<u8>) {
     match change {
         "exposure" => (left, right.map(|v| u8::from_f32(0.8 * f32::from(v) + 12.0))),

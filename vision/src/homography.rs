@@ -15,8 +15,8 @@ impl Homography {
     /// transformation with normalised coordinates (R. Hartley and A. Zisserman, "Multiple View
     /// Geometry in Computer Vision", algorithm 4.2).
     ///
-    /// `None` for fewer than four pairs, for places or pixels on one line, and where numbers are not
-    /// finite.
+    /// `None` for fewer than four pairs, for places or pixels on one line, and where numbers are
+    /// not finite.
     ///
     /// ```
     /// use ga_vision::homography::Homography;
@@ -56,7 +56,8 @@ impl Homography {
         let values = &decomposition.singular_values;
         let mut order: Vec<usize> = (0..9).collect();
         order.sort_by(|a, b| values[*a].total_cmp(&values[*b]));
-        if !(values[order[1]] > LEAST_RATIO * values[order[8]]) {
+        let (second, greatest) = (values[order[1]], values[order[8]]);
+        if second.is_nan() || second <= LEAST_RATIO * greatest {
             return None;
         }
         let solution = decomposition.v_t?;
@@ -64,7 +65,7 @@ impl Homography {
         let matrix = Matrix3::from_fn(|row, column| solution[3 * row + column]);
         // Pixels on one line are the image of a plane through the camera's centre.
         let values = matrix.singular_values();
-        if !(values.min() > LEAST_RATIO * values.max()) {
+        if values.min().is_nan() || values.min() <= LEAST_RATIO * values.max() {
             return None;
         }
         let matrix = to.try_inverse()? * matrix * from;

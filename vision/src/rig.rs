@@ -130,8 +130,8 @@ impl StereoRig {
     }
 
     /// The points that are seen at pairs of pixels by a method of your choice, of which
-    /// [`Method::Optimal`] has the least error in both pictures, taken without the distortion of the
-    /// lenses. For many calls with one rig, [`TwoViews`] is prepared once.
+    /// [`Method::Optimal`] has the least error in both pictures, taken without the distortion of
+    /// the lenses. For many calls with one rig, [`TwoViews`] is prepared once.
     ///
     /// # Errors
     /// [`RigError`] for pictures of different numbers of points, for cameras without a baseline,

@@ -161,7 +161,7 @@ impl Bvh {
                 let away = there - Vector::from(joint.offset);
                 if joint.parent.is_none() {
                     self.values.extend(away.coordinates());
-                } else if !(away.length() <= 1e-9 * size) {
+                } else if away.length().is_nan() || away.length() > 1e-9 * size {
                     return Err(BvhConversionError::Moves {
                         name: joint.name.clone(),
                         frame,

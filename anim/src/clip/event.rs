@@ -72,8 +72,8 @@ impl<T> EventTrack<T> {
             .events
             .partition_point(|(time, _)| *time < period)
             .max(first);
-        // Quotients are rounded, and so are the times below: the repetition before the first and the
-        // one after the last may have events in the interval, too. The filter decides.
+        // Quotients are rounded, and so are the times below: the repetition before the first and
+        // the one after the last may have events in the interval, too. The filter decides.
         let (start, end) = ((from / period).floor() - 1.0, (to / period).floor() + 1.0);
         // Beyond this range a repetition and the next are the same number.
         let is_counted = [start, end].iter().all(|n| n.abs() < 2_f64.powi(52));

@@ -158,8 +158,8 @@ impl Mirror {
 
     /// The mirror for a skeleton whose names tell left from right: one of their words is `left`,
     /// `right`, `l` or `r`, in any case. Words are divided by signs and spaces, by digits, and by
-    /// capital letters, as in `thigh_l`, `toe1-1.L`, `LeftUpLeg` and `LHipJoint`. Joints whose names
-    /// say neither stay in their places.
+    /// capital letters, as in `thigh_l`, `toe1-1.L`, `LeftUpLeg` and `LHipJoint`. Joints whose
+    /// names say neither stay in their places.
     ///
     /// Two kinds of names tell a side only where the counterpart exists: those that begin with
     /// `left` or `right` without a division (`leftarm`, but also `leftover`), and a letter directly

@@ -14,8 +14,8 @@ pub struct GroundMotion {
     pub joint: usize,
     /// The direction away from the ground, of any length.
     pub up: Vector<f64>,
-    /// Whether rotation about the vertical belongs to the trajectory. It is right-handed about `up`:
-    /// seen from above, counter-clockwise.
+    /// Whether rotation about the vertical belongs to the trajectory. It is right-handed about
+    /// `up`: seen from above, counter-clockwise.
     pub rotation: bool,
 }
 

@@ -12,9 +12,9 @@
 //! of a [`Pose`](crate::pose::Pose). The first three allocate nothing; a [`PoseFit`] is prepared
 //! once for many frames.
 //!
-//! A target out of reach is not an error: the result is the nearest pose or one near it, and it says
-//! how far it is from the target. Where the input does not determine a result, such as a pole on
-//! the line from shoulder to hand, there is a typed error.
+//! A target out of reach is not an error: the result is the nearest pose or one near it, and it
+//! says how far it is from the target. Where the input does not determine a result, such as a pole
+//! on the line from shoulder to hand, there is a typed error.
 
 mod aim;
 mod error;

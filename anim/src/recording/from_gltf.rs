@@ -11,8 +11,8 @@ use crate::transform::Transform;
 /// An animation of a glTF document as the motion of joints.
 ///
 /// The joints are the joints of all skins, the nodes that the animation moves, and the nodes above
-/// them. A node that stays where it is, with all nodes above it, is not a joint where it only moves,
-/// rotates and scales evenly: its frame then belongs to the joints below it.
+/// them. A node that stays where it is, with all nodes above it, is not a joint where it only
+/// moves, rotates and scales evenly: its frame then belongs to the joints below it.
 ///
 /// # Examples
 ///
@@ -272,9 +272,9 @@ impl<'a> GltfMotion<'a> {
     }
 
     /// How far a recording at this rate is from the document: the greatest error of a joint in a
-    /// frame, in metres, as [`Settings`](crate::clip::compressed::Settings) describes it, for points
-    /// within `shell` metres. A matrix of a node may have a little shear by its rounding, which the
-    /// factors of a recording do not have.
+    /// frame, in metres, as [`Settings`](crate::clip::compressed::Settings) describes it, for
+    /// points within `shell` metres. A matrix of a node may have a little shear by its rounding,
+    /// which the factors of a recording do not have.
     ///
     /// # Errors
     ///

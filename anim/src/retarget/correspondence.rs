@@ -210,7 +210,7 @@ impl<'a> Bodies<'a> {
         })
     }
 
-    fn from_tail(&self, joint: usize, below: usize) -> f64 {
+    fn distance_from_tail(&self, joint: usize, below: usize) -> f64 {
         Vector::from(self.target.joints()[joint].tail).distance(self.head(below))
     }
 
@@ -234,7 +234,7 @@ impl<'a> Bodies<'a> {
                     .below(joint)
                     .filter(|_| is_beside || goes_on)
                     .min_by(|&a, &b| {
-                        let [a, b] = [a, b].map(|below| self.from_tail(joint, below));
+                        let [a, b] = [a, b].map(|below| self.distance_from_tail(joint, below));
                         a.total_cmp(&b)
                     })
                     .filter(|&below| {
@@ -277,7 +277,8 @@ impl<'a> Bodies<'a> {
                     candidates.retain(|&(below, _)| in_the_middle(below));
                     candidates.sort_by(|a, b| self.head(b.0).e2.total_cmp(&self.head(a.0).e2));
                 } else {
-                    let from_tail = |&(below, _): &(usize, Bone)| self.from_tail(joint, below);
+                    let from_tail =
+                        |&(below, _): &(usize, Bone)| self.distance_from_tail(joint, below);
                     candidates.sort_by(|a, b| from_tail(a).total_cmp(&from_tail(b)));
                 }
             }

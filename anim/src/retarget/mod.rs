@@ -31,8 +31,8 @@
 //!
 //! This is [`Alignment::Limbs`], which suits skins: a neck that is bent at rest stays bent. With
 //! [`Alignment::EveryBone`] the bones of trunk, shoulders, hands and feet become parallel to the
-//! source's too, by a further shortest rotor each. Where several matched bones begin at a joint, one
-//! of them can be: in the middle of the body it is the one that goes on upwards.
+//! source's too, by a further shortest rotor each. Where several matched bones begin at a joint,
+//! one of them can be: in the middle of the body it is the one that goes on upwards.
 //!
 //! # Position of the body
 //!

@@ -123,8 +123,8 @@ impl<'a> Body<'a> {
             .sum()
     }
 
-    /// The joint from which two legs go down, and the joints of both below it: of the ways to joints
-    /// near the ground, the two that part first and are the longest and most alike.
+    /// The joint from which two legs go down, and the joints of both below it: of the ways to
+    /// joints near the ground, the two that part first and are the longest and most alike.
     fn legs(&self) -> Option<(usize, [Vec<usize>; 2])> {
         let limit = self.low + LOW * self.height;
         let low = self.leaves().filter(|&leaf| self.places[leaf].e2 <= limit);

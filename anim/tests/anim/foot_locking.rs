@@ -55,7 +55,10 @@ struct Walk {
 fn walk(stride: f64, steps: usize) -> Walk {
     const HALF: usize = 60;
     let frames = HALF * (steps + 1);
-    let mut stands: [Vec<Range<usize>>; 2] = [vec![0..1], vec![0..1]];
+    let mut stands: [Vec<Range<usize>>; 2] = [
+        vec![Range { start: 0, end: 1 }],
+        vec![Range { start: 0, end: 1 }],
+    ];
     let mut text = String::new();
     let mut at = [0.0, 0.0];
     for frame in 0..frames {
@@ -122,8 +125,8 @@ fn header(frames: usize) -> String {
     text + &format!("MOTION\nFrames: {frames}\nFrame Time: {FRAME_TIME}\n")
 }
 
-/// The body with other lengths: of thighs, shins and feet, and the distance between the hips; all of
-/// it in another size.
+/// The body with other lengths: of thighs, shins and feet, and the distance between the hips; all
+/// of it in another size.
 fn target([thigh, shin, foot, hips]: [f64; 4], size: f64) -> Skeleton {
     let mut places = BODY.map(|(_, _, place)| place);
     for (side, top) in [(1.0, 3), (-1.0, 7)] {

@@ -2,9 +2,9 @@
 //!
 //! Each picture gives a [homography](crate::homography) from the board. From these come focal
 //! lengths (Z. Zhang, "A flexible new technique for camera calibration", 2000, with the principal
-//! point in the middle) and the motor of each board. A bundle adjustment then varies intrinsic parameters and
-//! motors together until the sum of the squared distances between corners and projections, in
-//! pixels, is least.
+//! point in the middle) and the motor of each board. A bundle adjustment then varies intrinsic
+//! parameters and motors together until the sum of the squared distances between corners and
+//! projections, in pixels, is least.
 //!
 //! ```
 //! use ga_runtime::cga3::{Rotor, Translator};

@@ -156,7 +156,9 @@ pub(super) fn deviations(
     let own = &state.cameras[camera];
     for (k, &parameter) in bundle.free[camera].iter().enumerate() {
         let deviation = covariance.standard_deviation(bundle.first_column(camera) + k);
-        if parameter < 2 && !(deviation < GREATEST_PART * own.focal()[parameter]) {
+        if parameter < 2
+            && (deviation.is_nan() || deviation >= GREATEST_PART * own.focal()[parameter])
+        {
             let parameter = parameter_name(own, parameter);
             return Err(CalibrationError::Undetermined { parameter });
         }

@@ -66,8 +66,8 @@ pub struct StereoCalibration {
     pub rig: StereoRig,
     /// For the left and the right camera the standard deviations of the intrinsic parameters, in
     /// the order of [`Intrinsics::parameters`], 0 for those that did not vary. With
-    /// [`JointIntrinsics::Fixed`] they are those of each camera by itself, and the deviations of the
-    /// rig do not contain them.
+    /// [`JointIntrinsics::Fixed`] they are those of each camera by itself, and the deviations of
+    /// the rig do not contain them.
     pub deviations: [[f64; Intrinsics::MAX_PARAMETERS]; 2],
     /// The standard deviations of the twist of the motor from the left frame to the right one:
     /// three of the rotation in radians, three of the translation in metres.

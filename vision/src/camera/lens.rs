@@ -8,6 +8,10 @@ use super::radial_tangential::{self, NoInverse, RadialTangential};
 /// point make it a pixel.
 ///
 /// `x/z`, `y/z` for a pinhole; the other lenses add a distortion to this.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "cameras are few, and are copied without a heap"
+)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Lens {
     /// The central projection, without distortion.

@@ -40,7 +40,13 @@ pub(super) fn is_whole_board(picture: &Plane<f32>, corners: &[[f64; 2]], size: B
     };
     let inside = |row_index: usize| {
         let squares = row(row_index as f64);
-        contrast(&squares[1..columns]).map(|sum| if row_index % 2 == 0 { sum } else { -sum })
+        contrast(&squares[1..columns]).map(|sum| {
+            if row_index.is_multiple_of(2) {
+                sum
+            } else {
+                -sum
+            }
+        })
     };
     let Some(on_board) = (0..rows - 1).map(inside).collect::<Option<Vec<f64>>>() else {
         return false;

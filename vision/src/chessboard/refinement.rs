@@ -114,14 +114,14 @@ impl Gradient {
             }
             let [xx, xy, yy] = products;
             let determinant = xx * yy - xy * xy;
-            if !(determinant > 1e-6 * (xx + yy).powi(2)) {
+            if determinant.is_nan() || determinant <= 1e-6 * (xx + yy).powi(2) {
                 return None;
             }
             let step = Vector::new(
                 (yy * right[0] - xy * right[1]) / determinant,
                 (xx * right[1] - xy * right[0]) / determinant,
             );
-            place = place + step;
+            place += step;
             let moved = place - start;
             let [s, t] = [(moved ^ sides[1]).e12 / area, (sides[0] ^ moved).e12 / area];
             if !(s.abs() < 1.0 && t.abs() < 1.0) {

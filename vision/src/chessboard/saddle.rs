@@ -100,7 +100,7 @@ fn saddle(smooth: &Plane<f32>, column: usize, row: usize) -> Option<Saddle> {
         (xy * gradient[1] - yy * gradient[0]) / determinant,
         (xy * gradient[0] - xx * gradient[1]) / determinant,
     );
-    if !(offset.length() < 1.5) {
+    if offset.length().is_nan() || offset.length() >= 1.5 {
         return None;
     }
     let place = Vector::new(column as f64, row as f64) + offset;

@@ -76,7 +76,7 @@ pub enum CalibError {
         /// The key.
         key: &'static str,
         /// What is wrong.
-        error: CameraError,
+        error: Box<CameraError>,
     },
     /// The cameras and the baseline are not a rectified rig.
     #[error("line {line}: {error}")]
@@ -212,7 +212,11 @@ impl<'a> Entries<'a> {
             expected: "a matrix [a b c; d e f; g h i]",
         };
         let rows = matrix(text).ok_or(refuse)?;
-        Intrinsics::from_matrix(rows).map_err(|error| CalibError::Camera { line, key, error })
+        Intrinsics::from_matrix(rows).map_err(|error| CalibError::Camera {
+            line,
+            key,
+            error: error.into(),
+        })
     }
 }
 

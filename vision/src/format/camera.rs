@@ -17,7 +17,7 @@ use std::path::Path;
 use ga_files::{ReadError, WriteError};
 
 use super::yaml::{Matrix, Storage, YamlError};
-use crate::camera::{Fisheye, Intrinsics, Lens, RadialTangential};
+use crate::camera::{CameraError, Fisheye, Intrinsics, Lens, RadialTangential};
 
 const MATRIX: [&str; 5] = ["camera_matrix", "cameraMatrix", "Camera_Matrix", "K", "M"];
 const DISTORTION: [&str; 5] = [
@@ -140,10 +140,10 @@ pub(super) fn intrinsics(
     is_fisheye: bool,
 ) -> Result<Intrinsics, YamlError> {
     let (name, values) = shaped::<9>(storage, matrix, &[[3, 3]], "3 × 3")?;
-    let refuse = |name: &str, error| YamlError::Camera {
+    let refuse = |name: &str, error: CameraError| YamlError::Camera {
         name: name.to_owned(),
         line: storage.line(name),
-        error,
+        error: error.into(),
     };
     let plain = Intrinsics::from_matrix(by_rows(values)).map_err(|error| refuse(name, error))?;
     let Some(name) = first(storage, distortion) else {

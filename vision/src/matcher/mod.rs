@@ -76,8 +76,8 @@ pub enum Mode {
     /// Costs are averaged over neighbourhoods of similar levels, which flat surfaces need.
     #[default]
     Balanced,
-    /// As [`Balanced`](Self::Balanced), and the right view is matched as well: it confirms more, and
-    /// tells better what may fill the holes.
+    /// As [`Balanced`](Self::Balanced), and the right view is matched as well: it confirms more,
+    /// and tells better what may fill the holes.
     Best,
 }
 

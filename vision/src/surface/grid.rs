@@ -13,8 +13,8 @@ use crate::rectification::RectifiedRig;
 /// Which pixels become points, and which points are joined.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceOptions {
-    /// The largest difference of disparities that does not cut the surface, in pixels for each pixel
-    /// between the neighbours; see the [module](super#where-a-surface-is-cut).
+    /// The largest difference of disparities that does not cut the surface, in pixels for each
+    /// pixel between the neighbours; see the [module](super#where-a-surface-is-cut).
     pub cut_px: f64,
     /// Every how many rows and columns there is a point.
     pub step: usize,

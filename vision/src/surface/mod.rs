@@ -8,10 +8,10 @@
 //!
 //! An edge of the grid joins two pixels if their disparities differ by no more than
 //! [`SurfaceOptions::cut_px`] for each pixel of distance along rows or columns (the larger of the
-//! two counts for a diagonal). A triangle needs all three edges. The rule is one of disparity, since
-//! that is what was measured and its errors are equally large everywhere: a limit on depth would
-//! tear what is far away and join what is near. A limit of 1 px cuts where a surface is so steep
-//! that the right view would show it reversed.
+//! two counts for a diagonal). A triangle needs all three edges. The rule is one of disparity,
+//! since that is what was measured and its errors are equally large everywhere: a limit on depth
+//! would tear what is far away and join what is near. A limit of 1 px cuts where a surface is so
+//! steep that the right view would show it reversed.
 //!
 //! Of the two diagonals of a square of pixels, the one between more similar disparities is taken.
 //! Where one corner is missing, the other three may still be a triangle.

@@ -73,8 +73,8 @@ impl Surface {
         Ok(mesh.with_points(all)?.with_colours(colours)?)
     }
 
-    /// The triangles as a mesh with normals and the colours of the left view at its vertices. Points
-    /// without a triangle are left out.
+    /// The triangles as a mesh with normals and the colours of the left view at its vertices.
+    /// Points without a triangle are left out.
     ///
     /// # Errors
     /// [`ModelError`].

@@ -78,7 +78,7 @@ pub(super) fn covariance<S: Real>(sights: &[Sight<S>; 2], point: Vector<S>, vari
             g.e3 * g.e3,
         ];
         for (sum, product) in information.iter_mut().zip(products) {
-            *sum = *sum + product;
+            *sum += product;
         }
     }
     inverse(information, variance)

@@ -41,8 +41,8 @@ const PARALLEL: f64 = 32.0 * f64::EPSILON;
 ///
 /// # Errors
 /// [`TriangulationError`] for fewer than two views, another number of pixels than of cameras, a
-/// pixel that is not finite or outside the field of a lens, rays that are all parallel, a point behind a camera, and where no
-/// least sum was found.
+/// pixel that is not finite or outside the field of a lens, rays that are all parallel, a point
+/// behind a camera, and where no least sum was found.
 ///
 /// ```
 /// use ga_runtime::cga3::Point;
@@ -213,8 +213,8 @@ impl Normal {
     }
 }
 
-/// Descends to a least sum of squares, and the normal equations there. `size` is a distance at whose
-/// rounding steps end.
+/// Descends to a least sum of squares, and the normal equations there. `size` is a distance at
+/// whose rounding steps end.
 fn descend(
     start: Vector<f64>,
     size: f64,

@@ -358,6 +358,10 @@ fn pictures_without_a_board_are_refused() {
     }));
     // Squares of one brightness in an endless grid: the board could lie anywhere.
     not_found(&Plane::from_fn(640, 480, |x: usize, y: usize| {
-        if (x / 20 + y / 20) % 2 == 0 { 30 } else { 220 }
+        if (x / 20 + y / 20).is_multiple_of(2) {
+            30
+        } else {
+            220
+        }
     }));
 }

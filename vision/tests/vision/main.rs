@@ -1,5 +1,7 @@
 //! Triangulation against independent vectors and against scenes that are known.
 
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
 mod calibration;
 mod camera;
 mod chessboard;

@@ -118,8 +118,8 @@ proptest! {
     }
 }
 
-/// A square of pixels with one unknown keeps the triangle of the other three, and the diagonal joins
-/// the more similar corners.
+/// A square of pixels with one unknown keeps the triangle of the other three, and the diagonal
+/// joins the more similar corners.
 #[test]
 fn squares_are_halved_where_they_agree() {
     let triangles = |values: [f32; 4]| {
@@ -210,7 +210,7 @@ fn the_range_of_disparities_is_found() {
         };
         let range = disparity_range(&view(0), &view(shift), 1).unwrap();
         assert!(
-            range > shift && range <= shift + 48 && range % 16 == 0,
+            range > shift && range <= shift + 48 && range.is_multiple_of(16),
             "{range} {shift}"
         );
     }

@@ -276,10 +276,9 @@ proptest! {
             let Ok(other) = triangulate_views(&[rig.left, rig.right], &[left, right]) else { continue };
             let ours = covariances.get(index).unwrap();
             let size: f64 = (0..3).map(|k| ours[k][k]).sum();
-            for row in 0..3 {
-                for column in 0..3 {
-                    let theirs = 0.49 * other.covariance[row][column];
-                    prop_assert!((ours[row][column] - theirs).abs() < 1e-9 * size);
+            for (ours, theirs) in ours.iter().zip(&other.covariance) {
+                for (ours, theirs) in ours.iter().zip(theirs) {
+                    prop_assert!((ours - 0.49 * theirs).abs() < 1e-9 * size);
                 }
             }
         }

@@ -88,9 +88,9 @@ impl Volume {
             .then(|| self.before[cell / 64] as usize + in_word.count_ones() as usize - 1)
     }
 
-    /// Follows all lines of centres along an axis through the mesh. A cell is inside by two votes of
-    /// three axes, so that a ray through an edge or a small hole decides nothing; `once` has those
-    /// with a vote.
+    /// Follows all lines of centres along an axis through the mesh. A cell is inside by two votes
+    /// of three axes, so that a ray through an edge or a small hole decides nothing; `once` has
+    /// those with a vote.
     fn scan(&mut self, bvh: &Bvh, axis: usize, once: &mut Bits) {
         let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
         let mut direction = [0.0; 3];

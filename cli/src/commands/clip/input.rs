@@ -136,8 +136,9 @@ impl MotionArguments {
         }
     }
 
-    /// How far the recording is from what [`gltf_motion`](Self::gltf_motion) shows at its frames, in
-    /// metres, for points within a shell about the joints: 0 where the file is not a glTF document.
+    /// How far the recording is from what [`gltf_motion`](Self::gltf_motion) shows at its frames,
+    /// in metres, for points within a shell about the joints: 0 where the file is not a glTF
+    /// document.
     pub(super) fn deviation(&self, recording: &Recording, shell: f64) -> Result<f64> {
         if self.kind()? != Kind::Gltf {
             return Ok(0.0);

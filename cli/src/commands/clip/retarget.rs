@@ -27,9 +27,9 @@ use crate::progress::Progress;
 /// ones above them. The scale is the ratio of the lengths of the legs, and the feet are put on the
 /// ground at y = 0. Both bodies stand upright at rest, y up.
 ///
-/// With --foot-locking, a foot whose ankle is slower than 0.05 m/s in the motion stays in one place,
-/// and only thighs and shins deviate for that. A leg that is too short is reported. Where the unit
-/// of a .bvh is not given, it is guessed for these speeds by the length of the legs.
+/// With --foot-locking, a foot whose ankle is slower than 0.05 m/s in the motion stays in one
+/// place, and only thighs and shins deviate for that. A leg that is too short is reported. Where
+/// the unit of a .bvh is not given, it is guessed for these speeds by the length of the legs.
 ///
 /// For instance
 ///

@@ -16,9 +16,9 @@ use crate::output;
 /// A matrix has three rows of four numbers: it takes a place in the joint's own coordinates, with a
 /// 1 behind it, to model space, in metres. Between frames rotations move along the shorter arc at
 /// constant speed, in a compressed clip to within 0.00002 rad, translations and factors linearly.
-/// Before the first frame and after the last one the pose is that of the frame. A compressed clip is
-/// decoded to transforms relative to the
-/// parents in single precision, which are composed to model space in double precision.
+/// Before the first frame and after the last one the pose is that of the frame. A compressed clip
+/// is decoded to transforms relative to the parents in single precision, which are composed to
+/// model space in double precision.
 ///
 /// For instance
 ///

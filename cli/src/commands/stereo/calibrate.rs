@@ -30,8 +30,9 @@ use crate::progress::Progress;
 ///     --out rig.yml --json
 ///
 /// prints {"rms_px": …, "rms_left_px": …, "rms_right_px": …, "pairs_used": …,
-/// "pairs_rejected": […], "baseline_metres": …, …}. rms_px is the root mean square distance of all corners from the
-/// projections of their places on the boards, as OpenCV's stereoCalibrate returns it.
+/// "pairs_rejected": […], "baseline_metres": …, …}. rms_px is the root mean square distance of all
+/// corners from the projections of their places on the boards, as OpenCV's stereoCalibrate returns
+/// it.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {

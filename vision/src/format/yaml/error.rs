@@ -102,7 +102,7 @@ pub enum YamlError {
         /// The line of the matrix.
         line: usize,
         /// What is wrong.
-        error: CameraError,
+        error: Box<CameraError>,
     },
     /// A matrix is not a rotation.
     #[error(

@@ -14,7 +14,8 @@ use rayon::prelude::*;
 /// The rows that are computed together. Results do not depend on it.
 const TOGETHER: usize = 16;
 
-/// Computes the rows of a map in parallel: `compute` gets the number of the first row, and the rows.
+/// Computes the rows of a map in parallel: `compute` gets the number of the first row, and the
+/// rows.
 pub(super) fn over_rows<T: Send>(
     map: &mut [T],
     width: usize,

@@ -2,8 +2,8 @@
 
 use super::super::winner::{STEPS, UNKNOWN};
 
-/// Runs of pixels of a row whose disparities differ by at most 1 px from each to the next, joined to
-/// islands where pixels above each other differ by at most that.
+/// Runs of pixels of a row whose disparities differ by at most 1 px from each to the next, joined
+/// to islands where pixels above each other differ by at most that.
 #[derive(Clone, Debug, Default)]
 pub(in super::super) struct Islands {
     /// First pixel and end of each run, as places in the map.

@@ -2,8 +2,9 @@
 //!
 //! A pixel without a match is mostly hidden from the other view. Then each candidate point on its
 //! ray lies behind the surface that the other view shows at the candidate's place: a candidate in
-//! front of that surface would be seen instead of it. Candidates in front cost something, the others
-//! nothing, and smooth paths that begin at the known disparities around the hole choose among them.
+//! front of that surface would be seen instead of it. Candidates in front cost something, the
+//! others nothing, and smooth paths that begin at the known disparities around the hole choose
+//! among them.
 
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
@@ -70,9 +71,9 @@ impl VisibilityFill {
         }
     }
 
-    /// Fills the holes of a map. `other` has the disparities of the other view in whole pixels, with
-    /// its columns mirrored, where they are confirmed. Holes that begin at the first column are left
-    /// as they are: the other view shows nothing of them.
+    /// Fills the holes of a map. `other` has the disparities of the other view in whole pixels,
+    /// with its columns mirrored, where they are confirmed. Holes that begin at the first column
+    /// are left as they are: the other view shows nothing of them.
     pub(in super::super) fn fill(
         &self,
         map: &[u16],
@@ -162,9 +163,9 @@ impl Work for Strip<'_> {
 }
 
 impl Strip<'_> {
-    /// Continues the paths to the holes of a row, from the row before on their way; downwards, those
-    /// along the row as well. `hole` counts the holes of the strip from its top, and is that behind
-    /// the ones before; the new count is returned.
+    /// Continues the paths to the holes of a row, from the row before on their way; downwards,
+    /// those along the row as well. `hole` counts the holes of the strip from its top, and is that
+    /// behind the ones before; the new count is returned.
     #[inline(always)]
     fn row(&mut self, row: usize, before: Option<usize>, hole: usize, downwards: bool) -> usize {
         let width = self.fill.width;

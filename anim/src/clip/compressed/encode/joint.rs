@@ -291,7 +291,8 @@ fn chord(a: Rotor<f64>, b: Rotor<f64>) -> f64 {
 struct Channels<'a> {
     basis: &'a Basis,
     tolerance: f64,
-    /// Where levels are to be chosen, the part of the tolerance by which a channel may move a point.
+    /// Where levels are to be chosen, the part of the tolerance by which a channel may move a
+    /// point.
     share: Option<f64>,
     /// Those of the channels to come.
     levels: std::slice::IterMut<'a, Level>,
