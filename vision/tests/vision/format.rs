@@ -292,6 +292,21 @@ fn a_rotation_of_few_digits_is_replaced_by_the_nearest() {
 }
 
 #[test]
+fn no_values_and_values_with_any_name_come_back() {
+    let empty = Storage::default().encode();
+    assert_eq!(
+        Storage::decode(empty.as_bytes()).unwrap(),
+        Storage::default()
+    );
+    for name in ["- a", "a: b", ")M1", "#", "---", "\"", "a b", "1"] {
+        let mut storage = Storage::default();
+        storage.set_number(name, 1.5);
+        let back = Storage::decode(storage.encode().as_bytes()).unwrap();
+        assert_eq!(back.number(name).unwrap(), Some(1.5), "{name:?}");
+    }
+}
+
+#[test]
 fn what_is_not_such_yaml() {
     let error = |bytes: &[u8]| Storage::decode(bytes).unwrap_err();
     assert_eq!(error(b"a: 1\nb: \xff"), YamlError::NotText { line: 2 });

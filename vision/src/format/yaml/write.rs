@@ -1,5 +1,6 @@
 //! The text of a file.
 
+use std::borrow::Cow;
 use std::fmt::Write;
 
 use super::tree::{Content, Node};
@@ -10,7 +11,11 @@ const WIDTH: usize = 70;
 
 pub(super) fn encode(entries: &[(String, Entry)]) -> String {
     let mut text = String::from("%YAML:1.0\n---\n");
+    if entries.is_empty() {
+        text.push_str("{}\n");
+    }
     for (name, entry) in entries {
+        let name = &key(name);
         match entry {
             Entry::Number(value) => _ = writeln!(text, "{name}: {}", plain_number(*value)),
             Entry::Text(value) => _ = writeln!(text, "{name}: {}", quoted(value)),
@@ -101,6 +106,19 @@ fn plain_number(value: f64) -> String {
     }
 }
 
+/// A name, in double quotes where it is not made of letters, digits, `_`, `-` and `.`.
+fn key(name: &str) -> Cow<'_, str> {
+    let is_plain = name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
+        && name
+            .chars()
+            .all(|c| c.is_ascii_alphanumeric() || "_-.".contains(c));
+    if is_plain {
+        Cow::Borrowed(name)
+    } else {
+        Cow::Owned(in_quotes(name))
+    }
+}
+
 /// A text in double quotes, where it would otherwise be read as something else.
 fn quoted(value: &str) -> String {
     let is_plain = !value.is_empty()
@@ -111,6 +129,10 @@ fn quoted(value: &str) -> String {
     if is_plain && value != "-" {
         return value.to_owned();
     }
+    in_quotes(value)
+}
+
+fn in_quotes(value: &str) -> String {
     let mut text = String::from("\"");
     for c in value.chars() {
         match c {
