@@ -1,25 +1,19 @@
-//! Columns in, columns out, by blocks of lanes.
+//! Columns in, columns out.
 
-use ga_runtime::scalar::{Lanes, Mask, Real};
+/// How many elements are computed before their results are copied to where they belong. The loop
+/// over them reads and writes arrays of its own: their length is known and they do not overlap, so
+/// that the compiler takes several elements at once.
+const TILE: usize = 64;
 
-/// How many points are computed side by side.
-pub(super) const WIDTH: usize = 4;
-
-/// The numbers of as many points.
-pub(super) type Block = Lanes<f64, WIDTH>;
-
-/// Whether each number of a block passed.
-pub(super) type Passed = <Block as Real>::Mask;
-
-/// What is computed for each block. It is a trait, since closures cannot be `#[inline(always)]`,
+/// What is computed for each element. It is a trait, since closures cannot be `#[inline(always)]`,
 /// which loops for several sets of instructions need ([`ga_runtime::batch::Work`]).
 pub(super) trait Kernel<const N: usize, const M: usize> {
-    /// The results of a block, and which of them passed.
-    fn compute(&self, inputs: [Block; N]) -> ([Block; M], Passed);
+    /// The results of an element, and whether they passed. For several elements at once it has no
+    /// branches.
+    fn compute(&self, inputs: [f64; N]) -> ([f64; M], bool);
 }
 
-/// Computes M columns from N columns of the same length. The last block is filled up with copies of
-/// the last element. Whether all results passed.
+/// Computes M columns from N columns of the same length. Whether all results passed.
 #[inline(always)]
 pub(super) fn by_blocks<const N: usize, const M: usize>(
     inputs: [&[f64]; N],
@@ -27,33 +21,34 @@ pub(super) fn by_blocks<const N: usize, const M: usize>(
     kernel: &impl Kernel<N, M>,
 ) -> bool {
     let count = inputs.iter().map(|column| column.len()).min().unwrap_or(0);
-    let blocks = count / WIDTH;
-    let whole = inputs.map(|column| &column.as_chunks::<WIDTH>().0[..blocks]);
-    let rest = inputs.map(|column| &column[blocks * WIDTH..count]);
-    let filled = rest.map(|column| {
-        let last = column.last().copied().unwrap_or(0.0);
-        std::array::from_fn(|lane| column.get(lane).copied().unwrap_or(last))
-    });
-    let mut outputs = outputs.map(|column| column[..count].as_chunks_mut::<WIDTH>());
-
-    let mut passed = Passed::splat(true);
-    for index in 0..count.div_ceil(WIDTH) {
-        // Closures given to `array::map` and `array::from_fn` are not always inlined.
-        let mut block = [Block::splat(0.0); N];
-        for column in 0..N {
-            let numbers = whole[column].get(index).unwrap_or(&filled[column]);
-            block[column] = Lanes::from_array(*numbers);
+    let mut outputs = outputs;
+    let mut elements = [[0.0; TILE]; N];
+    let mut results = [[0.0; TILE]; M];
+    let mut passes = [true; TILE];
+    let mut passed = true;
+    for start in (0..count).step_by(TILE) {
+        let length = TILE.min(count - start);
+        for (element, column) in elements.iter_mut().zip(inputs) {
+            // The rest of the last tile is filled up with copies of the last element.
+            element[..length].copy_from_slice(&column[start..start + length]);
+            element[length..].fill(column[start + length - 1]);
         }
-        let (results, pass) = kernel.compute(block);
-        passed = passed & pass;
-        for (column, result) in outputs.iter_mut().zip(results) {
-            if let Some(block) = column.0.get_mut(index) {
-                *block = result.to_array();
-            } else {
-                let length = column.1.len();
-                column.1.copy_from_slice(&result.as_array()[..length]);
+        for index in 0..TILE {
+            let mut element = [0.0; N];
+            for (number, numbers) in element.iter_mut().zip(&elements) {
+                *number = numbers[index];
+            }
+            let (row, pass) = kernel.compute(element);
+            // A sum over the loop would keep it from being done for several elements at once.
+            passes[index] = pass;
+            for (result, number) in results.iter_mut().zip(row) {
+                result[index] = number;
             }
         }
+        passed &= passes.iter().fold(true, |all, pass| all & pass);
+        for (column, result) in outputs.iter_mut().zip(&results) {
+            column[start..start + length].copy_from_slice(&result[..length]);
+        }
     }
-    passed.all()
+    passed
 }

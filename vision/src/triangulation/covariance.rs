@@ -1,93 +1,73 @@
 //! How uncertain a point is, for pixels with independent noise of equal size.
 
 use ga_runtime::cga3::{Motor, Point};
-use ga_runtime::scalar::{Real, Ring};
 use ga_runtime::vga3::Vector;
 
 /// A camera prepared for the derivatives of its pixels: where a point is in its frame, and how its
 /// two coordinates depend on the point.
+///
+/// At a point b as seen from the centre, of depth z, the gradients of both coordinates of the pixel
+/// are `f_x ((b·Z) X − (b·X) Z)/z² = f_x Y × b/z²` and `−f_y X × b/z²`, with X, Y, Z the axes of the
+/// camera: the coordinates change with a motion about the centre, and not along the ray.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Sight<S> {
-    /// The axes of the camera in the world.
-    axes: [Vector<S>; 3],
-    centre: Vector<S>,
-    focal: [S; 2],
+pub(super) struct Sight {
+    /// `f_x Y` and `f_y X` in the world.
+    axes: [Vector<f64>; 2],
+    /// The optical axis Z in the world.
+    forward: Vector<f64>,
+    centre: Vector<f64>,
 }
 
-impl Sight<f64> {
+impl Sight {
     pub(super) fn new(world_to_camera: Motor<f64>, focal: [f64; 2]) -> Self {
         let to_world = world_to_camera.reverse();
         let rotation = to_world.rotor();
-        let axes = [Vector::X, Vector::Y, Vector::Z];
+        let axis = |axis: Vector<f64>| Vector::from(rotation.transform(Point::from(axis)));
         Self {
-            axes: axes.map(|axis| {
-                let turned = rotation.transform(Point::from(axis));
-                Vector::from(turned)
-            }),
+            axes: [axis(Vector::Y) * focal[0], axis(Vector::X) * focal[1]],
+            forward: axis(Vector::Z),
             centre: Vector::from(to_world.transform(Point::default())),
-            focal,
         }
     }
 
-    /// The same over another scalar.
+    /// The information about a point that both coordinates of its pixel contain, `Σ g gᵀ` over the
+    /// gradients g, as xx, xy, xz, yy, yz, zz and multiplied by z⁴, and z⁴.
     #[inline(always)]
-    pub(super) fn map<T: Ring>(&self, number: impl Fn(f64) -> T + Copy) -> Sight<T> {
-        let vector = |vector: Vector<f64>| {
-            let [x, y, z] = vector.coordinates().map(number);
-            Vector::new(x, y, z)
-        };
-        Sight {
-            axes: self.axes.map(vector),
-            centre: vector(self.centre),
-            focal: self.focal.map(number),
-        }
-    }
-}
-
-impl<S: Real> Sight<S> {
-    /// The gradients of both coordinates of the pixel at a point of the world: `f_x (X − x/z Z)/z`
-    /// and `f_y (Y − y/z Z)/z`, with X, Y, Z the axes of the camera.
-    #[inline(always)]
-    fn gradients(&self, point: Vector<S>) -> [Vector<S>; 2] {
-        let [x_axis, y_axis, z_axis] = self.axes;
+    fn information(&self, point: Vector<f64>) -> ([f64; 6], f64) {
         let between = point - self.centre;
-        let by_depth = between.dot(z_axis).recip();
-        let x = between.dot(x_axis) * by_depth;
-        let y = between.dot(y_axis) * by_depth;
-        [
-            (x_axis - z_axis * x) * (self.focal[0] * by_depth),
-            (y_axis - z_axis * y) * (self.focal[1] * by_depth),
-        ]
+        let [g, h] = [self.axes[0].cross(between), self.axes[1].cross(between)];
+        let depth = between.dot(self.forward);
+        let square = depth * depth;
+        let products = [
+            g.e1 * g.e1 + h.e1 * h.e1,
+            g.e1 * g.e2 + h.e1 * h.e2,
+            g.e1 * g.e3 + h.e1 * h.e3,
+            g.e2 * g.e2 + h.e2 * h.e2,
+            g.e2 * g.e3 + h.e2 * h.e3,
+            g.e3 * g.e3 + h.e3 * h.e3,
+        ];
+        (products, square * square)
     }
 }
 
 /// The covariance of a point seen by two cameras, as xx, xy, xz, yy, yz, zz: `σ² (Σ g gᵀ)⁻¹` over
-/// the gradients g of all four pixel coordinates.
+/// the gradients g of all four pixel coordinates. All entries are 0 where a depth is 0, if they are
+/// numbers.
 #[inline(always)]
-pub(super) fn covariance<S: Real>(sights: &[Sight<S>; 2], point: Vector<S>, variance: S) -> [S; 6] {
-    let [a, b] = sights[0].gradients(point);
-    let [c, d] = sights[1].gradients(point);
-    let mut information = [S::zero(); 6];
-    for g in [a, b, c, d] {
-        let products = [
-            g.e1 * g.e1,
-            g.e1 * g.e2,
-            g.e1 * g.e3,
-            g.e2 * g.e2,
-            g.e2 * g.e3,
-            g.e3 * g.e3,
-        ];
-        for (sum, product) in information.iter_mut().zip(products) {
-            *sum += product;
-        }
+pub(super) fn covariance(sights: &[Sight; 2], point: Vector<f64>, variance: f64) -> [f64; 6] {
+    let (left, left_depth) = sights[0].information(point);
+    let (right, right_depth) = sights[1].information(point);
+    let mut information = left;
+    for (sum, right) in information.iter_mut().zip(right) {
+        *sum = *sum * right_depth + right * left_depth;
     }
-    inverse(information, variance)
+    inverse(information, variance * (left_depth * right_depth))
 }
 
 /// A multiple of the inverse of a symmetric matrix, each as xx, xy, xz, yy, yz, zz: the inverse has
 /// the cross products of the rows, divided by their volume.
 #[inline(always)]
-fn inverse<S: Real>([xx, xy, xz, yy, yz, zz]: [S; 6], factor: S) -> [S; 6] {
+fn inverse([xx, xy, xz, yy, yz, zz]: [f64; 6], factor: f64) -> [f64; 6] {
     let rows = [
         Vector::new(xx, xy, xz),
         Vector::new(xy, yy, yz),

@@ -1,7 +1,7 @@
-//! The formulas of two pixels, compiled for one number or for lanes of them.
+//! The formulas of two pixels.
 
 use ga_runtime::cga3::{Direction, Motor, Point, Rotor};
-use ga_runtime::scalar::{Field, Real, Ring};
+use ga_runtime::scalar::{Field, Real};
 
 /// The two rays of a pair of pixels and their common perpendicular.
 #[derive(Clone, Copy, Debug)]
@@ -14,9 +14,9 @@ pub(super) struct Pair<S> {
     pub(super) square: S,
     /// a · b.
     pub(super) cosine: S,
-    /// The depths of the feet on both rays.
+    /// The depths of the feet on both rays, multiplied by |a × b|².
     pub(super) depths: [S; 2],
-    /// What multiple of the normal joins the left foot to the right one.
+    /// What multiple of the normal joins the left foot to the right one, multiplied by |a × b|².
     pub(super) height: S,
 }
 
@@ -29,6 +29,7 @@ mod formulas {
         /// the left ray has the depth (mutual moment of the right ray and the line o∧n∧ei)/n², that
         /// on the right ray accordingly, and (mutual moment of both rays)/n² is what multiple of n
         /// joins the feet. The mutual moment of two lines is the coefficient of ei in their meet.
+        /// The divisions by n² are left to the caller, who has other divisions to share with them.
         pub fn closest(
             uniform left: Rotor, uniform right: Motor,
             uniform k: [Scalar; 4], uniform m: [Scalar; 4],
@@ -41,10 +42,9 @@ mod formulas {
             let perpendicular = undual(commutator(dual(first), dual(second)));
             let n = ei | perpendicular;
             let square = -norm_squared(perpendicular);
-            let by = 1 / square;
-            let s = (eo | ((eo ^ n) & second)) * by;
-            let t = -(eo | (first & (sandwich(right, eo) ^ n))) * by;
-            let h = -(eo | (first & second)) * by;
+            let s = eo | ((eo ^ n) & second);
+            let t = -(eo | (first & (sandwich(right, eo) ^ n)));
+            let h = -(eo | (first & second));
             (a, n, square, first | second, s, t, h)
         }
 
@@ -84,16 +84,6 @@ impl Rays<f64> {
             centre,
         }
     }
-
-    /// The same over another scalar.
-    #[inline(always)]
-    pub(super) fn map<T: Ring>(self, function: impl Fn(f64) -> T + Copy) -> Rays<T> {
-        let [x, y, z] = self.centre.coordinates();
-        Rays {
-            closest: self.closest.map(function),
-            centre: Point::new(function(x), function(y), function(z)),
-        }
-    }
 }
 
 impl<S: Field> Rays<S> {
@@ -112,40 +102,49 @@ impl<S: Field> Rays<S> {
     }
 
     /// The point on the common perpendicular at a part of the way from the left foot to the right
-    /// one.
+    /// one, for the reciprocal of |a × b|².
     #[inline(always)]
-    pub(super) fn point(&self, pair: &Pair<S>, part: S) -> Point<S> {
-        let height = pair.height * part;
+    pub(super) fn point(&self, pair: &Pair<S>, by_square: S, part: S) -> Point<S> {
         formulas::place(
             self.centre,
             pair.direction,
-            pair.depths[0],
+            pair.depths[0] * by_square,
             pair.normal,
-            height,
+            pair.height * (by_square * part),
         )
     }
 }
 
 impl<S: Real> Pair<S> {
-    /// The distance of the rays.
+    /// |a|² |b|² = (a·b)² + |a×b|².
     #[inline(always)]
-    pub(super) fn gap(&self) -> S {
-        self.height.abs() * self.square.sqrt()
+    pub(super) fn norm(&self) -> S {
+        self.cosine * self.cosine + self.square
     }
 
-    /// Sine and cosine of the angle between the rays: |a|² |b|² = (a·b)² + |a×b|².
-    #[inline(always)]
-    pub(super) fn sine_and_cosine(&self) -> [S; 2] {
-        let by = (self.cosine * self.cosine + self.square).sqrt().recip();
-        [self.square.sqrt() * by, self.cosine * by]
+    /// The sine of the angle between the rays.
+    pub(super) fn sine(&self) -> S {
+        (self.square / self.norm()).sqrt()
     }
 
-    /// The angle between the rays in [0, π], from its sine and cosine.
+    /// The distance of the rays and the angle between them in [0, π], for the reciprocals of
+    /// |a × b|² and of the [`norm`](Self::norm).
+    ///
+    /// The angle φ is that of `tan φ = |a×b| / a·b`. Twice the angle has the cosine
+    /// `((a·b)² − |a×b|²)/(|a|² |b|²)` and the sine `2 (a·b) |a×b|/(|a|² |b|²)`, in which |a×b| is
+    /// the only root; the length of a perpendicular has the same one.
     #[inline(always)]
-    pub(super) fn angle([sine, cosine]: [S; 2]) -> S {
-        let (by_sine, _) = cosine.abs().angle_by_sine();
-        let acute = by_sine * sine;
-        let obtuse = S::from_f64(std::f64::consts::PI) - acute;
-        S::select(cosine.less_than(S::zero()), obtuse, acute)
+    pub(super) fn gap_and_angle(&self, by_square: S, by_norm: S) -> [S; 2] {
+        let length = self.square.sqrt();
+        let gap = self.height.abs() * (length * by_square);
+        let double = (self.cosine * self.cosine - self.square) * by_norm;
+        let (by_sine, _) = double.abs().angle_by_sine();
+        // The arc whose double has the sine of 2φ and a cosine that is not negative.
+        let arc = by_sine * (self.cosine * length * by_norm);
+        let straight = S::from_f64(std::f64::consts::PI);
+        let right = S::from_f64(std::f64::consts::FRAC_PI_2);
+        let away = S::select(self.cosine.less_than(S::zero()), straight + arc, arc);
+        let angle = S::select(double.less_than(S::zero()), right - arc, away);
+        [gap, angle]
     }
 }

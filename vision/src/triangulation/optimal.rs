@@ -36,21 +36,6 @@ impl Epipolar<f64> {
             focal: [focal, focal.recip()],
         }
     }
-
-    /// The same over another scalar.
-    #[inline(always)]
-    pub(super) fn map<T: Real>(&self, number: impl Fn(f64) -> T + Copy) -> Epipolar<T> {
-        let vector = |vector: Vector<f64>| {
-            let [x, y, z] = vector.coordinates().map(number);
-            Vector::new(x, y, z)
-        };
-        Epipolar {
-            rows: self.rows.map(vector),
-            columns: self.columns.map(vector),
-            principal: self.principal.map(|principal| principal.map(number)),
-            focal: self.focal.map(number),
-        }
-    }
 }
 
 impl<S: Real> Epipolar<S> {

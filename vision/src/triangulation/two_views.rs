@@ -2,11 +2,11 @@
 
 use ga_runtime::batch::{Batch, InstructionSet, Work};
 use ga_runtime::cga3::{Direction, Point};
-use ga_runtime::scalar::{Lanes, Real};
+use ga_runtime::scalar::Real;
 use ga_runtime::vga3::Vector;
 
 use super::TriangulationError;
-use super::blocks::{Block, Kernel, Passed, by_blocks};
+use super::blocks::{Kernel, by_blocks};
 use super::columns::{ColumnsError, CovarianceColumns, PixelColumns, PointColumns};
 use super::covariance::{Sight, covariance};
 use super::kernel::{Pair, Rays, mutual_moment};
@@ -66,7 +66,7 @@ pub enum Method {
 pub struct TwoViews {
     rays: Rays<f64>,
     epipolar: Epipolar<f64>,
-    sights: [Sight<f64>; 2],
+    sights: [Sight; 2],
     /// The squared ratio of the focal lengths, right by left.
     ratio: f64,
     instructions: InstructionSet,
@@ -234,7 +234,7 @@ impl TwoViews {
         }
         let variances = covariances.xx.iter().zip(&covariances.yy);
         let sums = variances.zip(&covariances.zz).map(|((x, y), z)| x + y + z);
-        let point = sums.take_while(|sum| sum.is_finite()).count();
+        let point = sums.take_while(|sum| is_variance(*sum)).count();
         Err(ColumnsError::Point {
             point,
             error: TriangulationError::NotFinite,
@@ -256,20 +256,20 @@ impl TwoViews {
         };
         for point in 0..left.u.len() {
             let pixels = [left.get(point), right.get(point)];
-            let row = kernel.row(pixels);
-            if !row.passed {
+            if !kernel.row(pixels).passed {
+                let [left, right] = pixels;
+                let sine = self.rays.pair(left, right).sine();
                 let error = if pixels.iter().flatten().all(|u| u.is_finite())
-                    && row.sine.is_finite()
-                    && row.sine <= PARALLEL
+                    && sine.is_finite()
+                    && sine <= PARALLEL
                 {
-                    TriangulationError::Parallel { sine: row.sine }
+                    TriangulationError::Parallel { sine }
                 } else {
                     TriangulationError::NotFinite
                 };
                 return ColumnsError::Point { point, error };
             }
         }
-        // Lanes compute what single numbers do.
         ColumnsError::Point {
             point: 0,
             error: TriangulationError::NotFinite,
@@ -278,15 +278,32 @@ impl TwoViews {
 }
 
 /// The part of the way from the left foot to the right one at which the errors in both pictures are
-/// least: `t⁻²/(s⁻² + t⁻²)` for depths s and t and equal focal lengths.
+/// least, as a quotient: `t⁻²/(s⁻² + t⁻²) = s²/(s² + t²)` for depths s and t and equal focal
+/// lengths.
 #[inline(always)]
-fn share<S: Real>(pair: &Pair<S>, ratio: S) -> S {
+fn share<S: Real>(pair: &Pair<S>, ratio: S) -> [S; 2] {
     let [s, t] = pair.depths;
     let far = ratio * (s * s);
-    far / (far + t * t)
+    [far, far + t * t]
 }
 
-/// Two views over a scalar.
+/// The reciprocals of two numbers by one division.
+#[inline(always)]
+fn reciprocals<S: Real>(a: S, b: S) -> [S; 2] {
+    let both = (a * b).recip();
+    [b * both, a * both]
+}
+
+/// The reciprocals of three numbers by one division.
+#[inline(always)]
+fn three_reciprocals<S: Real>(a: S, b: S, c: S) -> [S; 3] {
+    let product = a * b;
+    let all = (product * c).recip();
+    let both = c * all;
+    [b * both, a * both, product * all]
+}
+
+/// Two views and what is computed of them.
 struct PointKernel<S> {
     method: Method,
     rays: Rays<S>,
@@ -296,37 +313,52 @@ struct PointKernel<S> {
 }
 
 impl<S: Real> PointKernel<S> {
-    /// The point of one pair of pixels, or of several in lanes.
+    /// The point of one pair of pixels.
     #[inline(always)]
     fn row(&self, [left, right]: [[S; 2]; 2]) -> Row<S> {
         let measured = self.rays.pair(left, right);
-        let [sine, cosine] = measured.sine_and_cosine();
-        let gap = measured.gap();
-        let (pair, part) = match self.method {
-            Method::Midpoint => (measured, S::from_ratio(1, 2)),
-            Method::DepthWeighted => (measured, share(&measured, self.ratio)),
+        let (square, norm) = (measured.square, measured.norm());
+        let half = S::from_ratio(1, 2);
+        let (mut pair, mut part) = (measured, half);
+        let (by_square, by_norm, by_pair);
+        match self.method {
+            Method::Midpoint => {
+                [by_square, by_norm] = reciprocals(square, norm);
+                by_pair = by_square;
+            }
+            Method::DepthWeighted => {
+                let [dividend, divisor] = share(&measured, self.ratio);
+                let by_divisor;
+                [by_square, by_norm, by_divisor] = three_reciprocals(square, norm, divisor);
+                by_pair = by_square;
+                part = dividend * by_divisor;
+            }
             Method::Optimal => {
                 let [left, right] = self.epipolar.nearest(left, right);
-                (self.rays.pair(left, right), S::from_ratio(1, 2))
+                pair = self.rays.pair(left, right);
+                [by_square, by_norm, by_pair] = three_reciprocals(square, norm, pair.square);
             }
-        };
-        let position = Vector::from(self.rays.point(&pair, part));
+        }
+        let [gap, angle] = measured.gap_and_angle(by_square, by_norm);
+        let [s, t] = pair.depths;
+        let depths = [s * by_pair, t * by_pair];
+        let position = Vector::from(self.rays.point(&pair, by_pair, part));
         let [x, y, z] = position.coordinates();
-        let largest = x.abs() + y.abs() + z.abs() + gap + pair.depths[0] + pair.depths[1];
+        let largest = x.abs() + y.abs() + z.abs() + gap + depths[0] + depths[1];
+        let least = S::from_f64(PARALLEL * PARALLEL);
         Row {
             position,
             gap,
-            angle: Pair::angle([sine, cosine]),
-            sine,
-            depths: pair.depths,
-            passed: largest.is_finite() & S::from_f64(PARALLEL).less_than(sine),
+            angle,
+            depths,
+            passed: largest.is_finite() & least.less_than(square * by_norm),
         }
     }
 }
 
-impl Kernel<4, 7> for PointKernel<Block> {
+impl Kernel<4, 7> for PointKernel<f64> {
     #[inline(always)]
-    fn compute(&self, [u, v, x, y]: [Block; 4]) -> ([Block; 7], Passed) {
+    fn compute(&self, [u, v, x, y]: [f64; 4]) -> ([f64; 7], bool) {
         let row = self.row([[u, v], [x, y]]);
         let [x, y, z] = row.position.coordinates();
         let [s, t] = row.depths;
@@ -339,7 +371,6 @@ struct Row<S: Real> {
     position: Vector<S>,
     gap: S,
     angle: S,
-    sine: S,
     depths: [S; 2],
     passed: S::Mask,
 }
@@ -380,9 +411,9 @@ impl Points<'_> {
     fn by(self, method: Method) {
         let kernel = PointKernel {
             method,
-            rays: self.views.rays.map(Lanes::splat),
-            epipolar: self.views.epipolar.map(Lanes::splat),
-            ratio: Lanes::splat(self.views.ratio),
+            rays: self.views.rays,
+            epipolar: self.views.epipolar,
+            ratio: self.views.ratio,
         };
         *self.passed = by_blocks(self.inputs, self.points.slices(), &kernel);
     }
@@ -409,28 +440,32 @@ struct Covariances<'a> {
     passed: &'a mut bool,
 }
 
-/// Both cameras over lanes.
+/// Both cameras and the variance of a coordinate of a pixel.
 struct CovarianceKernel {
-    sights: [Sight<Block>; 2],
-    variance: Block,
+    sights: [Sight; 2],
+    variance: f64,
+}
+
+/// Whether the sum of the variances of a point's coordinates is one.
+#[inline(always)]
+fn is_variance(sum: f64) -> bool {
+    sum.is_finite() & (sum > 0.0)
 }
 
 impl Kernel<3, 6> for CovarianceKernel {
     #[inline(always)]
-    fn compute(&self, [x, y, z]: [Block; 3]) -> ([Block; 6], Passed) {
+    fn compute(&self, [x, y, z]: [f64; 3]) -> ([f64; 6], bool) {
         let entries = covariance(&self.sights, Vector::new(x, y, z), self.variance);
-        let passed = (entries[0] + entries[3] + entries[5]).is_finite();
-        (entries, passed)
+        (entries, is_variance(entries[0] + entries[3] + entries[5]))
     }
 }
 
 impl Work for Covariances<'_> {
     #[inline(always)]
     fn run(self) {
-        let [left, right] = &self.views.sights;
         let kernel = CovarianceKernel {
-            sights: [left.map(Lanes::splat), right.map(Lanes::splat)],
-            variance: Lanes::splat(self.variance),
+            sights: self.views.sights,
+            variance: self.variance,
         };
         let inputs = [&*self.points.x, &self.points.y, &self.points.z];
         *self.passed = by_blocks(inputs, self.covariances.slices(), &kernel);
