@@ -261,7 +261,8 @@ impl TwoViews {
                 let sine = self.rays.pair(left, right).sine();
                 let error = if pixels.iter().flatten().all(|u| u.is_finite())
                     && sine.is_finite()
-                    && sine <= PARALLEL
+                    // Without a root, the limit is rounded in another way.
+                    && sine <= PARALLEL * (1.0 + 8.0 * f64::EPSILON)
                 {
                     TriangulationError::Parallel { sine }
                 } else {
