@@ -1,6 +1,7 @@
 //! Atomic writing: the bytes go to a temporary file beside the target, which takes the target's
 //! name once it is complete. A failed write leaves the folder as it was.
 
+use std::collections::HashMap;
 use std::fs::Permissions;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -23,8 +24,8 @@ pub struct WriteError {
 /// # Errors
 ///
 /// [`WriteError`] when a folder or the file cannot be created, the disk is full, or `path` is a
-/// folder. The temporary file is then removed and an earlier file at `path` is unchanged; folders
-/// that were created remain.
+/// folder. The temporary file and folders that were created are then removed, and an earlier file
+/// at `path` is unchanged.
 ///
 /// # Examples
 ///
@@ -36,24 +37,18 @@ pub struct WriteError {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn write(path: impl AsRef<Path>, contents: &[u8]) -> Result<(), WriteError> {
-    let path = path.as_ref();
-    let place = |source| WriteError {
-        path: path.to_path_buf(),
-        source,
-    };
-    let file = staged(path, contents).map_err(place)?;
-    file.persist(path).map_err(|error| place(error.error))?;
-    Ok(())
+    write_together([(path, contents)])
 }
 
 /// Writes files of any folders, each a path and its contents, in place of any there, and creates
 /// missing parent folders. All of them are complete beside their places before the first takes its
-/// name, so that where one cannot be completed, all earlier files stay as they were.
+/// name, so that where one cannot be completed, all earlier files stay as they were, and folders
+/// that were created are removed.
 ///
 /// # Errors
 ///
-/// [`WriteError`] with the file that cannot be written. A folder in the place of a file is found
-/// before any file is written. Folders that were created remain.
+/// [`WriteError`] with the file that cannot be written. A folder in the place of a file, and two
+/// files of one path with different contents, are found before any file takes its name.
 ///
 /// # Examples
 ///
@@ -67,20 +62,64 @@ pub fn write(path: impl AsRef<Path>, contents: &[u8]) -> Result<(), WriteError> 
 pub fn write_together<'a, P: AsRef<Path> + 'a>(
     files: impl IntoIterator<Item = (P, &'a [u8])>,
 ) -> Result<(), WriteError> {
-    let mut ready = Vec::new();
+    let mut created = Vec::new();
+    write_all_or_none(files, &mut created).inspect_err(|_| remove_empty(&created))
+}
+
+/// Creates a folder and those above it that are missing, and adds these to a list, each after the
+/// one that contains it.
+pub(crate) fn create_folder(folder: &Path, created: &mut Vec<PathBuf>) -> io::Result<()> {
+    let is_missing =
+        |path: &&Path| !path.as_os_str().is_empty() && path.symlink_metadata().is_err();
+    let missing: Vec<&Path> = folder.ancestors().take_while(is_missing).collect();
+    created.extend(missing.into_iter().rev().map(Path::to_path_buf));
+    std::fs::create_dir_all(folder)
+}
+
+/// Removes folders that [`create_folder`] has created, but for those with files of other programs.
+pub(crate) fn remove_empty(created: &[PathBuf]) {
+    for folder in created.iter().rev() {
+        // This fails for a folder that is not empty.
+        let _ = std::fs::remove_dir(folder);
+    }
+}
+
+/// A file that is complete beside its place.
+struct Ready<'a> {
+    path: PathBuf,
+    contents: &'a [u8],
+    file: NamedTempFile,
+}
+
+fn write_all_or_none<'a, P: AsRef<Path>>(
+    files: impl IntoIterator<Item = (P, &'a [u8])>,
+    created: &mut Vec<PathBuf>,
+) -> Result<(), WriteError> {
+    let mut ready: Vec<Ready<'a>> = Vec::new();
+    // By the path with its folder resolved, however it was written.
+    let mut numbers: HashMap<PathBuf, usize> = HashMap::new();
     for (path, contents) in files {
         let path = path.as_ref().to_path_buf();
-        let file = if path.is_dir() {
-            Err(io::ErrorKind::IsADirectory.into())
-        } else {
-            staged(&path, contents)
+        let error = |source| WriteError {
+            path: path.clone(),
+            source,
         };
-        match file {
-            Ok(file) => ready.push((path, file)),
-            Err(source) => return Err(WriteError { path, source }),
-        }
+        let (place, file) = staged(&path, contents, created).map_err(error)?;
+        match numbers.get(&place) {
+            Some(&number) if ready[number].contents == contents => continue,
+            Some(_) => {
+                let reason = "another output has the same path";
+                return Err(error(io::Error::new(io::ErrorKind::InvalidInput, reason)));
+            }
+            None => numbers.insert(place, ready.len()),
+        };
+        ready.push(Ready {
+            path,
+            contents,
+            file,
+        });
     }
-    for (path, file) in ready {
+    for Ready { path, file, .. } in ready {
         if let Err(error) = file.persist(&path) {
             let source = error.error;
             return Err(WriteError { path, source });
@@ -89,13 +128,28 @@ pub fn write_together<'a, P: AsRef<Path> + 'a>(
     Ok(())
 }
 
-/// A complete temporary file in the folder of `path`.
-fn staged(path: &Path, contents: &[u8]) -> io::Result<NamedTempFile> {
+/// The place of a file, and its contents in a complete temporary file in the same folder.
+fn staged(
+    path: &Path,
+    contents: &[u8],
+    created: &mut Vec<PathBuf>,
+) -> io::Result<(PathBuf, NamedTempFile)> {
+    if path.is_dir() {
+        return Err(io::ErrorKind::IsADirectory.into());
+    }
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     };
-    std::fs::create_dir_all(folder)?;
+    create_folder(folder, created)?;
+    // A name that no file can have is found before any file takes its name.
+    if let Err(error) = path.symlink_metadata()
+        && error.kind() != io::ErrorKind::NotFound
+    {
+        return Err(error);
+    }
+    let name = path.file_name().ok_or(io::ErrorKind::InvalidInput)?;
+    let place = folder.canonicalize()?.join(name);
     let mut builder = Builder::new();
     if let Some(permissions) = ordinary_permissions() {
         builder.permissions(permissions);
@@ -104,7 +158,7 @@ fn staged(path: &Path, contents: &[u8]) -> io::Result<NamedTempFile> {
     file.write_all(contents)?;
     // Without this a power cut after the rename can leave the new name on an empty file.
     file.as_file().sync_all()?;
-    Ok(file)
+    Ok((place, file))
 }
 
 /// Temporary files are private to their owner by default; an output file follows the umask like any
@@ -170,6 +224,33 @@ mod tests {
         assert_eq!(error.path, second);
         assert_eq!(std::fs::read(&first).unwrap(), b"kept");
         assert_eq!(names(folder.path()), ["a", "b"]);
+    }
+
+    #[test]
+    fn when_one_of_several_fails_created_folders_are_removed() {
+        let folder = tempfile::tempdir().unwrap();
+        let [first, second] = ["new/deep/a", "taken"].map(|name| folder.path().join(name));
+        std::fs::create_dir(&second).unwrap();
+        write_together([(&first, &b"new"[..]), (&second, b"new")]).unwrap_err();
+        assert_eq!(names(folder.path()), ["taken"]);
+    }
+
+    #[test]
+    fn two_files_of_one_path_are_an_error() {
+        let folder = tempfile::tempdir().unwrap();
+        let [first, same] = ["a", "./a"].map(|name| folder.path().join(name));
+        std::fs::write(&first, b"kept").unwrap();
+        let files = [(&first, &b"picture"[..]), (&same, b"camera")];
+        let error = write_together(files).unwrap_err();
+        assert!(
+            error
+                .to_string()
+                .ends_with("another output has the same path")
+        );
+        assert_eq!(std::fs::read(&first).unwrap(), b"kept");
+        assert_eq!(names(folder.path()), ["a"]);
+        write_together([(&first, &b"new"[..]), (&same, b"new")]).unwrap();
+        assert_eq!(std::fs::read(&first).unwrap(), b"new");
     }
 
     #[test]

@@ -1,22 +1,21 @@
 //! Writing of several files into a folder, all of them or none.
 
-use std::fs;
-use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use crate::{WriteError, write};
+use crate::WriteError;
+use crate::write::{create_folder, remove_empty, write_together};
 
 /// Writes files, each a name and its contents, into a folder, in place of any of the same names.
 /// Creates the folder and those above it where they are missing.
 ///
-/// All files are complete in a hidden folder inside `folder` before the first of them is moved to
-/// its name. Where one cannot be completed, the files of the folder stay as they were, and folders
-/// that were created are removed.
+/// All files are complete in `folder` before the first of them takes its name, as with
+/// [`write_together`]. Where one cannot be completed, the files of the folder stay as they were,
+/// and folders that were created are removed.
 ///
 /// # Errors
 ///
-/// [`WriteError`] with the file or folder that cannot be written. Where a file cannot be moved to
-/// its name, because a folder has that name, those before it have been moved.
+/// [`WriteError`] with the file or folder that cannot be written. A folder in the place of a file,
+/// and two files of one name with different contents, are found before any file takes its name.
 ///
 /// # Examples
 ///
@@ -32,51 +31,24 @@ pub fn write_all<'a>(
     files: impl IntoIterator<Item = (&'a str, &'a [u8])>,
 ) -> Result<(), WriteError> {
     let folder = folder.as_ref();
-    let missing = missing_folders(folder);
-    write_staged(folder, files).inspect_err(|_| {
-        for folder in missing {
-            // This removes empty folders only, so that files of other programs stay.
-            let _ = fs::remove_dir(folder);
-        }
-    })
-}
-
-/// The folder and those above it that do not exist, deepest first.
-fn missing_folders(folder: &Path) -> Vec<PathBuf> {
-    let above = folder
-        .ancestors()
-        .take_while(|path| !path.as_os_str().is_empty() && path.symlink_metadata().is_err());
-    above.map(Path::to_path_buf).collect()
-}
-
-fn write_staged<'a>(
-    folder: &Path,
-    files: impl IntoIterator<Item = (&'a str, &'a [u8])>,
-) -> Result<(), WriteError> {
-    let error = |path: &Path, source: io::Error| WriteError {
-        path: path.to_path_buf(),
+    let mut created = Vec::new();
+    let error = |source| WriteError {
+        path: folder.to_path_buf(),
         source,
     };
-    fs::create_dir_all(folder).map_err(|source| error(folder, source))?;
-    let stage = tempfile::Builder::new()
-        .prefix(".nullcone-")
-        .tempdir_in(folder)
-        .map_err(|source| error(folder, source))?;
-    let mut names = Vec::new();
-    for (name, contents) in files {
-        write(stage.path().join(name), contents)
-            .map_err(|failed| error(&folder.join(name), failed.source))?;
-        names.push(name);
-    }
-    for name in names {
-        let place = folder.join(name);
-        fs::rename(stage.path().join(name), &place).map_err(|source| error(&place, source))?;
-    }
-    Ok(())
+    create_folder(folder, &mut created)
+        .map_err(error)
+        .and_then(|()| {
+            let files = files.into_iter();
+            write_together(files.map(|(name, contents)| (folder.join(name), contents)))
+        })
+        .inspect_err(|_| remove_empty(&created))
 }
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
 
     #[test]
@@ -102,6 +74,16 @@ mod tests {
         assert_eq!(error.path, folder.path().join("b\0"));
         assert_eq!(fs::read(folder.path().join("a")).unwrap(), b"kept");
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn a_folder_in_the_place_of_the_last_file_is_found_first() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("a"), b"kept").unwrap();
+        fs::create_dir(folder.path().join("b")).unwrap();
+        let error = write_all(folder.path(), [("a", &b"new"[..]), ("b", b"new")]).unwrap_err();
+        assert_eq!(error.path, folder.path().join("b"));
+        assert_eq!(fs::read(folder.path().join("a")).unwrap(), b"kept");
     }
 
     #[test]
