@@ -8,13 +8,18 @@ use crate::matcher::{MatchError, Matcher, MatcherOptions, Mode};
 
 /// Views are halved to no more columns than this before their range is measured.
 const COLUMNS: usize = 320;
+/// Views are not halved to fewer rows than this: a matcher compares windows of several rows.
+const ROWS: usize = 16;
+/// No matcher accepts a greater range.
+const GREATEST_RANGE: usize = 2047;
 /// The part of the pixels whose disparity the range holds.
 const PART: f64 = 0.995;
 /// Pixels are counted whose confidence is at least this.
 const CONFIDENCE: f32 = 0.1;
 
 /// A range of disparities that holds those of two rectified views, for
-/// [`MatcherOptions::max_disparity`]: a multiple of 16 px.
+/// [`MatcherOptions::max_disparity`]: a multiple of 16 px, or the greatest range that a
+/// [`Matcher`] accepts for views of this width.
 ///
 /// The views are matched at a small size over two thirds of their width. The range ends a tenth
 /// beyond the disparity that 99.5 % of the confident pixels stay below.
@@ -28,12 +33,12 @@ pub fn disparity_range(
 ) -> Result<usize, MatchError> {
     let width = left.width();
     let (mut small, mut factor) = ([left.clone(), right.clone()], 1);
-    while small[0].width() > COLUMNS {
+    while small[0].width() > COLUMNS && small[0].height() >= 2 * ROWS {
         small = [halved(&small[0]), halved(&small[1])];
         factor *= 2;
     }
     let options = MatcherOptions {
-        max_disparity: (small[0].width() * 2 / 3).max(1),
+        max_disparity: (small[0].width() * 2 / 3).clamp(1, GREATEST_RANGE),
         mode: Mode::Fast,
         threads,
     };
@@ -51,7 +56,7 @@ pub fn disparity_range(
     let most = f64::from(*most.unwrap_or(&0.0)) * factor as f64;
     // One candidate of the small views is several of the large ones.
     let range = (1.1 * most) as usize + 2 * factor;
-    Ok(range.next_multiple_of(16).min(width))
+    Ok(range.next_multiple_of(16).min(width).min(GREATEST_RANGE))
 }
 
 /// The disparities of pixels that both cameras see: others are made unknown. `inside` says of each

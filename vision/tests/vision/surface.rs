@@ -7,6 +7,7 @@ use ga_mesh::format;
 use ga_runtime::cga3::{Motor, Plane as Flat, Point, Rotor};
 use ga_vision::camera::Intrinsics;
 use ga_vision::disparity::DisparityMap;
+use ga_vision::matcher::{Matcher, MatcherOptions, Mode};
 use ga_vision::rectification::RectifiedRig;
 use ga_vision::surface::{
     ModelError, Surface, SurfaceError, SurfaceOptions, disparity_range, seen_by_both,
@@ -215,6 +216,18 @@ fn the_range_of_disparities_is_found() {
         );
     }
     assert!(disparity_range(&Plane::filled(3, 3, 0), &Plane::filled(3, 3, 0), 1).is_err());
+    // Flat views keep enough rows, and very wide ones get a range that a matcher accepts.
+    let view =
+        |shift: usize| Plane::from_fn(2000, 40, |column, row| level((column + shift) / 4, row / 4));
+    let range = disparity_range(&view(0), &view(100), 1).unwrap();
+    assert!(range > 100 && range <= 160, "{range}");
+    let wide = Plane::filled(3100, 10, 90);
+    let options = MatcherOptions {
+        max_disparity: disparity_range(&wide, &wide, 1).unwrap(),
+        mode: Mode::Fast,
+        threads: 1,
+    };
+    assert!(Matcher::new(options, 3100, 10).is_ok());
 }
 
 fn ramp() -> Plane<[u8; 3]> {
