@@ -24,6 +24,9 @@ use crate::frame::{LeftCamera, Pose, RectifiedLeft, RectifiedRight, RightCamera}
 use crate::rig::StereoRig;
 use view::View;
 
+/// The greatest number of pixels of a rectified picture, whose map has 16 bytes for each.
+const MOST_PIXELS: usize = 1 << 28;
+
 /// What the rectified pictures show.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RectificationOptions {
@@ -57,11 +60,14 @@ pub enum RectificationError {
     /// The second camera is above or below the first, rather than beside it.
     #[error("the second camera is at {0:?} m from the first: more above or below than beside it")]
     Vertical([f64; 3]),
+    /// The second camera is before or behind the first, rather than beside it.
+    #[error("the second camera is at {0:?} m from the first: more before or behind than beside it")]
+    Forward([f64; 3]),
     /// The second camera is to the left of the first.
     #[error("the second camera is at {0:?} m, left of the first: the views are exchanged")]
     Exchanged([f64; 3]),
-    /// There is no picture.
-    #[error("pictures of {0:?} pixels cannot be rectified")]
+    /// There is no picture, or the rectified ones would have more than 2²⁸ pixels.
+    #[error("pictures of {} × {} pixels cannot be rectified", .0[0], .0[1])]
     Size([usize; 2]),
     /// `alpha` is not in [0, 1].
     #[error("alpha is {0}, not from 0 to 1")]
@@ -145,6 +151,9 @@ impl Rectification {
             if size.iter().any(|count| *count < 2) {
                 return Err(RectificationError::Size(size));
             }
+        }
+        if size[0].saturating_mul(size[1]) > MOST_PIXELS {
+            return Err(RectificationError::Size(size));
         }
         if let Some(alpha) = options.alpha.filter(|alpha| !(0.0..=1.0).contains(alpha)) {
             return Err(RectificationError::Alpha(alpha));
@@ -263,6 +272,9 @@ fn rotations(between: Motor<f64>) -> Result<[Rotor<f64>; 2], RectificationError>
     // The centre of the right camera is at −t.
     let centre = [-x, -y, -z];
     if y.abs() >= x.abs() {
+        if z.abs() > y.abs() {
+            return Err(RectificationError::Forward(centre));
+        }
         return Err(RectificationError::Vertical(centre));
     }
     if x > 0.0 {

@@ -197,13 +197,17 @@ proptest! {
             alpha: choice.1,
             size: None,
         };
-        let Ok(found) = Rectification::new(&rig, [640, 480], options) else { return Ok(()) };
+        let Ok(found) = Rectification::new(&rig, [640, 480], options) else {
+            return Err(TestCaseError::reject("the views do not overlap"));
+        };
         let in_left = Point::new(place.0 * place.2, place.1 * place.2, place.2);
         let point = left.reverse().transform(in_left);
         let (Ok(a), Ok(b)) = (rig.left.project(point), rig.right.project(point)) else {
-            return Ok(());
+            return Err(TestCaseError::reject("a camera does not see the point"));
         };
-        let (Ok(a), Ok(b)) = (found.left_pixel(a), found.right_pixel(b)) else { return Ok(()) };
+        let (Ok(a), Ok(b)) = (found.left_pixel(a), found.right_pixel(b)) else {
+            return Err(TestCaseError::reject("the distortion cannot be inverted"));
+        };
         prop_assert!((a[1] - b[1]).abs() < 1e-7, "{a:?} {b:?}");
         let seen = found.rig.point(a, a[0] - b[0]).unwrap();
         let expected = found.left.motor.transform(in_left);
@@ -289,12 +293,25 @@ fn rigs_that_cannot_be_rectified() {
     );
     let above = rectify([0.01, -0.2, 0.0], size, options);
     assert!(matches!(above, RectificationError::Vertical([x, y, _]) if x == -0.01 && y == 0.2));
+    for t in [[0.0, 0.0, 0.2], [0.0, 0.01, -0.2]] {
+        let forward = rectify(t, size, options);
+        assert!(matches!(forward, RectificationError::Forward([_, _, z]) if z == -t[2]));
+    }
     let exchanged = rectify([0.2, 0.0, 0.0], size, options);
     assert!(matches!(exchanged, RectificationError::Exchanged([x, ..]) if x == -0.2));
     let side = [-0.2, 0.0, 0.0];
     assert_eq!(
         rectify(side, [640, 1], options),
         RectificationError::Size([640, 1])
+    );
+    // The maps of such pictures would have 64 GiB.
+    let large = RectificationOptions {
+        size: Some([65_535, 65_535]),
+        ..options
+    };
+    assert_eq!(
+        rectify(side, size, large),
+        RectificationError::Size([65_535, 65_535])
     );
     for alpha in [-0.1, 1.1, f64::NAN] {
         let options = RectificationOptions {
