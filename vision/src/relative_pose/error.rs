@@ -32,6 +32,14 @@ pub enum RelativePoseError {
         /// How many the model needs.
         needed: usize,
     },
+    /// There are more or fewer pairs of directions than pairs of pixels.
+    #[error("{pixels} pairs of pixels cannot have {directions} pairs of directions")]
+    Counts {
+        /// Pairs of pixels.
+        pixels: usize,
+        /// Pairs of directions.
+        directions: usize,
+    },
     /// A pixel is not finite.
     #[error("the {view} pixel of pair {pair} is not finite")]
     NotFinite {

@@ -170,10 +170,16 @@ pub fn estimate_from_bearings(
 ) -> Result<RelativePose, RelativePoseError> {
     /// Five pairs have up to ten solutions; a sixth selects one of them.
     const NEEDED: usize = 6;
-    if pairs.len() < NEEDED || pixels.len() != pairs.len() {
+    if pixels.len() != pairs.len() {
+        return Err(RelativePoseError::Counts {
+            pixels: pixels.len(),
+            directions: pairs.len(),
+        });
+    }
+    if pairs.len() < NEEDED {
         return Err(RelativePoseError::TooFew {
-            found: pairs.len().min(pixels.len()),
-            needed: NEEDED.max(pixels.len()),
+            found: pairs.len(),
+            needed: NEEDED,
         });
     }
     degenerate::check_finite(pixels)?;
