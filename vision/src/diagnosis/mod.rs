@@ -158,7 +158,8 @@ impl Diagnosis {
         // Least squares over the agreeing pairs, which may change which ones agree.
         for _ in 0..5 {
             let agreeing = rows.agreeing(&model, threshold);
-            let Some(next) = rows.fitted(&agreeing) else {
+            let next = rows.fitted(&agreeing);
+            let Some(next) = next.filter(RowModel::is_plausible) else {
                 break;
             };
             let is_settled = next == model;

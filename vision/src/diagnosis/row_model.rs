@@ -22,6 +22,12 @@ impl RowModel {
     /// The number of pairs that determine it.
     pub(super) const NEEDED: usize = 3;
 
+    /// Two views of one scene do not have rows that run backwards, or that are squeezed to a small
+    /// part of the picture.
+    pub(super) fn is_plausible(&self) -> bool {
+        self.b > 0.1 && (0.2..5.0).contains(&self.zoom())
+    }
+
     pub(super) fn rotation(&self) -> f64 {
         (-self.a).atan2(self.b)
     }
@@ -73,8 +79,7 @@ impl Rows {
         }
     }
 
-    /// The model that fits some pairs best; `None` where they do not determine one, or the rows
-    /// would run backwards.
+    /// The model that fits some pairs best; `None` where they do not determine one.
     pub(super) fn fitted(&self, chosen: &[usize]) -> Option<RowModel> {
         let (mut moments, mut target) = (Matrix3::zeros(), Vector3::zeros());
         for &index in chosen {
@@ -120,10 +125,7 @@ impl Consensus for Rows {
     }
 
     fn fit(&self, sample: &[usize], models: &mut Vec<RowModel>) {
-        // Rows that run backwards, or are squeezed to a small part of the picture, are no views of
-        // one scene.
-        let is_plausible = |model: &RowModel| model.b > 0.1 && (0.2..5.0).contains(&model.zoom());
-        models.extend(self.fitted(sample).filter(is_plausible));
+        models.extend(self.fitted(sample).filter(RowModel::is_plausible));
     }
 
     fn squared_error(&self, model: &RowModel, observation: usize) -> f64 {

@@ -98,6 +98,26 @@ fn rectified_views_are_recognised() {
     assert!(found.is_rectified() && found.is_exchanged());
 }
 
+/// Where rows run backwards for most pairs, least squares over all of them does not replace a model
+/// that two views of one scene can have.
+#[test]
+fn rows_do_not_run_backwards() {
+    let mut pairs = pairs(5, 50, 0.0, 1.0, 0.0);
+    for (index, pair) in pairs.iter_mut().enumerate() {
+        if index % 3 != 0 {
+            pair.right[1] = 479.0 - pair.right[1];
+        }
+    }
+    // So great a threshold that all pairs agree.
+    let options = DiagnosisOptions {
+        threshold: 2000.0,
+        ..DiagnosisOptions::default()
+    };
+    let found = Diagnosis::new(&pairs, SIZE, options).unwrap();
+    assert_eq!(found.agreeing, 50);
+    assert!(found.rotation.abs() < 1.5, "{found:?}");
+}
+
 #[test]
 fn pairs_that_cannot_be_diagnosed() {
     let with = |pairs: &[PixelPair]| Diagnosis::new(pairs, SIZE, DiagnosisOptions::default());
