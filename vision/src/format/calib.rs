@@ -13,6 +13,7 @@
 //! `doffs` is the difference of the principal points in pixels, right minus left, the baseline is
 //! in millimetres, and disparities are below `ndisp`. Other keys are ignored.
 
+use std::collections::HashSet;
 use std::path::Path;
 use std::str::FromStr;
 
@@ -154,6 +155,7 @@ impl<'a> Entries<'a> {
     fn new(bytes: &'a [u8]) -> Result<Self, CalibError> {
         let text = std::str::from_utf8(bytes).map_err(|_| CalibError::NotText)?;
         let mut found: Vec<(&str, usize, &str)> = Vec::new();
+        let mut keys = HashSet::new();
         for (index, text) in text.lines().enumerate() {
             let line = index + 1;
             if text.trim().is_empty() {
@@ -161,7 +163,7 @@ impl<'a> Entries<'a> {
             }
             let (key, value) = text.split_once('=').ok_or(CalibError::Line { line })?;
             let (key, value) = (key.trim(), value.trim());
-            if found.iter().any(|(other, ..)| *other == key) {
+            if !keys.insert(key) {
                 return Err(CalibError::Duplicate {
                     line,
                     key: key.to_owned(),

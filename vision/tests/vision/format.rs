@@ -416,3 +416,25 @@ fn calibrations_of_middlebury() {
     assert!(error("cam1=[3979.911", "cam1=[3979").starts_with("line 2: the focal lengths"));
     assert!(matches!(Calib::decode(b"\xff"), Err(CalibError::NotText)));
 }
+
+/// The time for many names grows with their number, not with its square.
+#[test]
+fn a_name_given_twice_is_found_among_many() {
+    const COUNT: usize = 200_000;
+    let names = |separator: &str| -> String {
+        let names = (0..COUNT).map(|k| format!("n{k}{separator}1\n"));
+        names.collect()
+    };
+    let yaml = format!("{}n7: 2\n", names(": "));
+    let error = RigFile::decode(yaml.as_bytes()).unwrap_err();
+    assert!(
+        matches!(&error, YamlError::Duplicate { line, name } if *line == COUNT + 1 && name == "n7"),
+        "{error}"
+    );
+    let calib = format!("{}n7=2\n", names("="));
+    let error = Calib::decode(calib.as_bytes()).unwrap_err();
+    assert!(
+        matches!(&error, CalibError::Duplicate { line, key } if *line == COUNT + 1 && key == "n7"),
+        "{error}"
+    );
+}

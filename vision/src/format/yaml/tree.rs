@@ -1,5 +1,7 @@
 //! The nodes of a YAML file with their lines.
 
+use std::collections::HashSet;
+
 use saphyr_parser::{Event, Parser, Span};
 
 use super::{YamlError, wrong_type};
@@ -87,6 +89,8 @@ enum OpenKind {
     List(Vec<Node>),
     Map {
         entries: Vec<(String, Node)>,
+        /// Those of the entries and `name`, to find duplicates.
+        names: HashSet<String>,
         name: Option<String>,
     },
 }
@@ -113,6 +117,7 @@ fn document(text: &str) -> Result<Option<Node>, YamlError> {
             Event::MappingStart(..) => {
                 let kind = OpenKind::Map {
                     entries: Vec::new(),
+                    names: HashSet::new(),
                     name: None,
                 };
                 begin(&mut open, line, kind)?;
@@ -168,7 +173,11 @@ fn begin(open: &mut Vec<Open>, line: usize, kind: OpenKind) -> Result<(), YamlEr
 fn insert(parent: &mut Open, node: Node) -> Result<(), YamlError> {
     match &mut parent.kind {
         OpenKind::List(items) => items.push(node),
-        OpenKind::Map { entries, name } => match name.take() {
+        OpenKind::Map {
+            entries,
+            names,
+            name,
+        } => match name.take() {
             Some(name) => entries.push((name, node)),
             None => {
                 let Content::Scalar(text) = node.content else {
@@ -177,7 +186,7 @@ fn insert(parent: &mut Open, node: Node) -> Result<(), YamlError> {
                         problem: "a name is a list or a map",
                     });
                 };
-                if entries.iter().any(|(other, _)| *other == text) {
+                if !names.insert(text.clone()) {
                     return Err(YamlError::Duplicate {
                         line: node.line,
                         name: text,
