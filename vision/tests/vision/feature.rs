@@ -110,14 +110,8 @@ fn errors_of_rectified(views: [&str; 2], focal: f64, centres: [[f64; 2]; 2]) -> 
         let angle = angle.min(std::f64::consts::TAU - angle);
         let t = Vector::from(found.left_to_right.translator().displacement());
         let direction = t.angle(-Vector::X).expect("a translation");
-        let (pairs, inliers) = (pairs.len(), found.inliers.len());
         let deviation = found.direction_deviation().expect("many pairs");
-        let errors = [angle, direction, deviation].map(f64::to_degrees);
-        println!(
-            "{pairs} pairs, {inliers} to {} px, {errors:?}°",
-            found.root_mean_square
-        );
-        errors
+        [angle, direction, deviation].map(f64::to_degrees)
     });
     found.collect()
 }
