@@ -41,7 +41,7 @@ pub struct Search {
     pub least_samples: usize,
     /// The greatest number of samples.
     pub samples: usize,
-    /// Equal seeds give equal results on every machine.
+    /// Equal seeds draw equal samples on every machine, and give equal results on one machine.
     pub seed: u64,
 }
 

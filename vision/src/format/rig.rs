@@ -25,8 +25,8 @@ use super::yaml::{Storage, YamlError};
 use crate::camera::{Camera, Lens};
 use crate::rig::StereoRig;
 
-/// How far the entries of a matrix may be from those of a rotation: less than what four digits
-/// after the point give.
+/// How far the entries of a matrix may be from those of a rotation: matrices with four digits after
+/// the point are accepted.
 const ROTATION_TOLERANCE: f64 = 1e-4;
 
 const MATRICES: [[&str; 4]; 2] = [
