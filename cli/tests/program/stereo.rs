@@ -79,9 +79,13 @@ fn evaluate_draws_map_truth_and_errors() {
 /// Two views of random texture, the right one with everything 5 px further left, and 9 px in the
 /// square from 30 to 60 of both axes.
 fn views(folder: &Path) {
+    // A multiplication alone would give levels that rise by a constant from pixel to pixel.
     let noise = |u: usize, v: usize| {
-        let mixed = (u * 7919 + v * 104_729).wrapping_mul(0x9e37_79b9_7f4a_7c15_u64 as usize);
-        (mixed >> 40) as u8
+        let mut mixed = (u as u64) << 32 | v as u64;
+        for _ in 0..2 {
+            mixed = (mixed ^ mixed >> 32).wrapping_mul(0xd6e8_feb8_6659_fd93);
+        }
+        (mixed >> 56) as u8
     };
     let square = |u: usize, v: usize| (30..60).contains(&u) && (30..60).contains(&v);
     let write = |name: &str, level: &dyn Fn(usize, usize) -> u8| {
