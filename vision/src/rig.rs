@@ -147,7 +147,8 @@ impl StereoRig {
     /// // Errors of one pixel along v in opposite directions.
     /// let points = rig.triangulate_by(Method::Optimal, &[[336.0, 241.0]], &[[320.0, 239.0]])?;
     /// assert!((points.z[0] - 10.0).abs() < 1e-12 && points.y[0].abs() < 1e-12);
-    /// assert!((points.gap[0] - 0.025).abs() < 1e-5);
+    /// // The rays pass at a distance of 0.0005/|(0.0025, −0.02, −0.000025)| of each other.
+    /// assert!((points.gap[0] - 0.024807).abs() < 1e-6);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn triangulate_by(
