@@ -55,6 +55,28 @@ fn the_pairs_of_opencv_give_a_rig() {
     assert_eq!(names(&folder.path().join("found")).len(), 13);
 }
 
+/// What is found wrong after the boards were found.
+#[test]
+fn nothing_is_written_where_the_rig_cannot_be() {
+    let Some(pictures) = shared("data/vision/opencv") else {
+        return;
+    };
+    let pattern = |side: &str| {
+        let pattern = pictures.join(format!("{side}0[1-4].jpg"));
+        pattern.display().to_string()
+    };
+    let folder = tempdir().unwrap();
+    std::fs::create_dir(folder.path().join("rig.yml")).unwrap();
+    let refused = |left: &str, right: &str, parts: &[&str]| {
+        let mut all = arguments(&pattern(left), &pattern(right));
+        all.extend(["--pictures".into(), "found".into()]);
+        assert_failure(&nullcone(folder.path(), &all), parts);
+        assert_eq!(names(folder.path()), ["rig.yml"]);
+    };
+    refused("left", "right", &["cannot write rig.yml"]);
+    refused("left", "left", &["baseline", "cannot be told from 0"]);
+}
+
 #[test]
 fn bad_input_is_named_and_nothing_is_written() {
     let folder = tempdir().unwrap();

@@ -179,10 +179,13 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         rig: found.rig,
         size: Some(size),
     };
+    let contents = rig.encode();
+    let contents = contents.with_context(|| arguments.out.display().to_string())?;
+    let mut files = vec![(arguments.out.clone(), contents.into_bytes())];
     if let Some(folder) = &arguments.pictures {
-        write_pictures(folder, &pairs)?;
+        files.extend(pictures(folder, &pairs)?);
     }
-    rig.write(&arguments.out)?;
+    ga_files::write_together(files.iter().map(|(path, bytes)| (path, &bytes[..])))?;
     drop(progress);
     let report = Report::new(&found, edges, rejected);
     if arguments.json {
@@ -311,8 +314,9 @@ fn find_boards(
     Ok((size.unwrap_or_default(), pairs, rejected))
 }
 
-/// Writes a picture of both views for each pair, with the corners that were found.
-fn write_pictures(folder: &Path, pairs: &[Pair]) -> Result<()> {
+/// For each pair a picture of both views with the corners that were found: its path and its bytes.
+fn pictures(folder: &Path, pairs: &[Pair]) -> Result<Vec<(PathBuf, Vec<u8>)>> {
+    let mut files = Vec::new();
     for Pair {
         index,
         views,
@@ -320,11 +324,11 @@ fn write_pictures(folder: &Path, pairs: &[Pair]) -> Result<()> {
     } in pairs
     {
         if let Some(views) = views {
-            let name = format!("corners{:03}.png", index + 1);
-            png::write(folder.join(name), &corners::picture(views, boards))?;
+            let path = folder.join(format!("corners{:03}.png", index + 1));
+            files.push((path, png::encode(&corners::picture(views, boards))?));
         }
     }
-    Ok(())
+    Ok(files)
 }
 
 impl Rejected {
