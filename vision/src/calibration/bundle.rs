@@ -47,8 +47,9 @@ impl Bundle<'_> {
         self.rig_column() + if self.free.len() > 1 { TWIST } else { 0 }
     }
 
-    /// The squared distances between corners and projections, summed for each camera and board.
-    pub(super) fn squared_errors(&self, state: &BundleState) -> Option<Vec<Vec<f64>>> {
+    /// The squared distances between corners and projections, summed for each camera and board;
+    /// infinite for a board of which the camera cannot see a corner.
+    pub(super) fn squared_errors(&self, state: &BundleState) -> Vec<Vec<f64>> {
         let cameras = self.pixels.iter().enumerate();
         cameras
             .map(|(camera, boards)| {
@@ -57,13 +58,14 @@ impl Bundle<'_> {
                 boards
                     .map(|(pixels, board)| {
                         let motor = to_camera * *board;
-                        let mut sum = 0.0;
-                        for (place, pixel) in self.places.iter().zip(*pixels) {
-                            let seen = state.cameras[camera].project(motor.transform(*place));
-                            let seen = seen.ok()?;
-                            sum += (seen[0] - pixel[0]).powi(2) + (seen[1] - pixel[1]).powi(2);
-                        }
-                        Some(sum)
+                        let squared = |(place, pixel): (&Point<f64>, &[f64; 2])| match state.cameras
+                            [camera]
+                            .project(motor.transform(*place))
+                        {
+                            Ok([u, v]) => (u - pixel[0]).powi(2) + (v - pixel[1]).powi(2),
+                            Err(_) => f64::INFINITY,
+                        };
+                        self.places.iter().zip(*pixels).map(squared).sum()
                     })
                     .collect()
             })

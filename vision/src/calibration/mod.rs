@@ -88,6 +88,13 @@ pub enum CalibrationError {
         /// The view, from 0.
         view: usize,
     },
+    /// The motion between the cameras that fits most pairs moves the board of a pair to where the
+    /// right camera cannot see it.
+    #[error("the board of pair {pair} lies where the right camera cannot see it")]
+    Unseen {
+        /// The pair, from 0.
+        pair: usize,
+    },
     /// The size of the pictures does not form a camera.
     #[error("no camera to begin with: {0}")]
     Camera(#[from] CameraError),

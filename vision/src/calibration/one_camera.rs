@@ -124,7 +124,7 @@ pub fn calibrate_camera(
     let minimum = minimise(&bundle, state, &Settings::default())?;
     let covariance = covariance(&minimum)?;
     let deviations = deviations(&bundle, &minimum.state, 0, &covariance)?;
-    let errors = bundle.squared_errors(&minimum.state).unwrap_or_default();
+    let errors = bundle.squared_errors(&minimum.state);
     let count = places.len() as f64;
     let view_rms = errors.iter().flatten().map(|sum| (sum / count).sqrt());
     Ok(CameraCalibration {

@@ -1,5 +1,8 @@
 //! The calibration of two cameras of a rig.
 
+use std::error::Error;
+use std::fmt;
+
 use ga_runtime::cga3::{Motor, Point};
 
 use super::bundle::{Bundle, BundleState, TWIST};
@@ -46,18 +49,35 @@ impl Default for StereoSettings {
 }
 
 /// A pair that does not agree with the others.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error(
-    "its corners are {rms:.2} px from where the rig sees them, those of all pairs {median:.2} px"
-)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outlier {
     /// The pair, from 0.
     pub pair: usize,
-    /// Its root mean square distance in pixels.
+    /// Its root mean square distance in pixels, infinite where the rig cannot see the board.
     pub rms: f64,
     /// The median of all pairs.
     pub median: f64,
 }
+
+impl fmt::Display for Outlier {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { rms, median, .. } = self;
+        match rms.is_finite() {
+            true => write!(
+                formatter,
+                "its corners are {rms:.2} px from where the rig sees them, \
+                 those of all pairs {median:.2} px"
+            ),
+            false => write!(
+                formatter,
+                "its board lies where the other camera of the rig cannot see it, \
+                 the corners of all pairs are {median:.2} px from where it sees them"
+            ),
+        }
+    }
+}
+
+impl Error for Outlier {}
 
 /// A rig and the boards that it sees.
 #[derive(Clone, Debug, PartialEq)]
@@ -114,14 +134,17 @@ pub fn calibrate_stereo(
         let rig = Rig::new(&chosen, places, size, settings);
         let rig = rig.map_err(|error| error.in_pairs(&used))?;
         // A pair with a board in another place than the rest would keep the rest from converging.
-        let before = rig.pair_rms(&rig.state)?;
+        let before = rig.pair_rms(&rig.state);
         let rough = settings.outlier_ratio.map(|ratio| 5.0 * ratio);
         if let Some(outlier) = worst(&before, &used, rough) {
             used.retain(|pair| *pair != outlier.pair);
             outliers.push(outlier);
             continue;
         }
-        let after = rig.pair_rms(&rig.robust_state())?;
+        if let Some(unseen) = before.iter().position(|rms| rms.is_infinite()) {
+            return Err(CalibrationError::Unseen { pair: used[unseen] });
+        }
+        let after = rig.pair_rms(&rig.robust_state());
         let Some(outlier) = worst(&after, &used, settings.outlier_ratio) else {
             let found = rig.adjusted(&used)?;
             return Ok(StereoCalibration { outliers, ..found });
@@ -160,6 +183,7 @@ fn worst(pair_rms: &[f64], used: &[usize], ratio: Option<f64>) -> Option<Outlier
     /// Distances up to this are not those of outliers, however small the others are.
     const NEGLIGIBLE: f64 = 0.1;
     let mut sorted = pair_rms.to_vec();
+    sorted.retain(|rms| rms.is_finite());
     sorted.sort_by(f64::total_cmp);
     let median = *sorted.get(sorted.len() / 2)?;
     let (place, rms) = (pair_rms.iter().enumerate()).max_by(|a, b| a.1.total_cmp(b.1))?;
@@ -215,17 +239,14 @@ impl<'a> Rig<'a> {
     }
 
     /// For each pair the root mean square distance of the corners of both views.
-    fn pair_rms(&self, state: &BundleState) -> Result<Vec<f64>, CalibrationError> {
-        let unseen = || {
-            // A board that the right camera cannot see at all.
-            vec![vec![f64::INFINITY; state.boards.len()]; 2]
-        };
-        let errors = self.bundle.squared_errors(state).unwrap_or_else(unseen);
+    /// It is infinite where a camera cannot see the board.
+    fn pair_rms(&self, state: &BundleState) -> Vec<f64> {
+        let errors = self.bundle.squared_errors(state);
         let count = 2.0 * self.bundle.places.len() as f64;
         let pairs = errors[0].iter().zip(&errors[1]);
-        Ok(pairs
+        pairs
             .map(|(left, right)| ((left + right) / count).sqrt())
-            .collect())
+            .collect()
     }
 
     /// The state where the losses of Huber are least, to which outliers matter less.
@@ -243,7 +264,7 @@ impl<'a> Rig<'a> {
         let minimum = minimise(&self.bundle, self.state.clone(), &Settings::default())?;
         let covariance = covariance(&minimum)?;
         let state = &minimum.state;
-        let errors = self.bundle.squared_errors(state).unwrap_or_default();
+        let errors = self.bundle.squared_errors(state);
         let count = (self.bundle.places.len() * used.len()) as f64;
         let camera_rms = |k: usize| (errors[k].iter().sum::<f64>() / count).sqrt();
         let camera = |k: usize, world_to_camera| Camera {
@@ -268,7 +289,7 @@ impl<'a> Rig<'a> {
             boards: state.boards.clone(),
             rms: (minimum.cost / (2.0 * count)).sqrt(),
             camera_rms: [camera_rms(0), camera_rms(1)],
-            pair_rms: self.pair_rms(state)?,
+            pair_rms: self.pair_rms(state),
         })
     }
 }

@@ -229,6 +229,44 @@ fn outliers_are_left_out_and_named() {
     assert!((found.rig.baseline() - 0.08_f64.hypot(0.001).hypot(0.002)).abs() < limit);
 }
 
+/// One board of eight lies where a right camera with much distortion sees nothing.
+#[test]
+fn a_board_beyond_the_field_of_the_right_lens_is_an_outlier() {
+    let lens = RadialTangential::new(&[-0.3, 0.0, 0.0, 0.0, 0.0]).unwrap();
+    let intrinsics = Intrinsics::new([540.0, 536.0], [325.0, 236.0]).unwrap();
+    let intrinsics = intrinsics.with_lens(lens);
+    let rig = motor([1.0, 0.0, 0.0], 0.02, [-0.08, 0.001, 0.002]);
+    let camera = |world_to_camera| Camera {
+        intrinsics,
+        world_to_camera,
+    };
+    let seen_right = boards(&TILTS);
+    let mut seen_left = seen_right.clone();
+    seen_left[2] = motor([0.0, 0.0, 1.0], 0.0, [-0.38, -0.0625, 0.4]);
+    let beyond = seen_left[2].transform(Point::default());
+    assert!(camera(Motor::default()).project(beyond).is_ok());
+    assert!(camera(rig).project(beyond).is_err());
+    let left = views(&camera(Motor::default()), &seen_left, 0.1, 1);
+    let right = views(&camera(rig), &seen_right, 0.1, 2);
+    let settings = StereoSettings {
+        cameras: [CameraSettings {
+            start: Start::Fixed(intrinsics),
+            ..CameraSettings::default()
+        }; 2],
+        ..StereoSettings::default()
+    };
+    let found = calibrate_stereo([&left, &right], &places(), SIZE, &settings).unwrap();
+    assert_eq!(found.used, [0, 1, 3, 4, 5, 6, 7]);
+    assert!(found.outliers[0].pair == 2 && found.outliers[0].rms.is_infinite());
+    assert!(found.rms < 0.2, "{}", found.rms);
+    let all = StereoSettings {
+        outlier_ratio: None,
+        ..settings
+    };
+    let found = calibrate_stereo([&left, &right], &places(), SIZE, &all);
+    assert_eq!(found, Err(CalibrationError::Unseen { pair: 2 }));
+}
+
 /// The oracle's corners, with squares of side 1.
 fn opencv_views() -> [Vec<Vec<[f64; 2]>>; 2] {
     let oracle = opencv();
