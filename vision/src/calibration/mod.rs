@@ -95,6 +95,17 @@ pub enum CalibrationError {
         /// The pair, from 0.
         pair: usize,
     },
+    /// At least half of the pairs do not agree with the others.
+    #[error(
+        "at least half of the {pairs} pairs do not agree with the others; pair {}: {outlier}",
+        outlier.pair
+    )]
+    Disagreement {
+        /// How many pairs there are.
+        pairs: usize,
+        /// The outlier after which no more than half of the pairs would be left.
+        outlier: Outlier,
+    },
     /// The size of the pictures does not form a camera.
     #[error("no camera to begin with: {0}")]
     Camera(#[from] CameraError),

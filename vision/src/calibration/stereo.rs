@@ -137,6 +137,7 @@ pub fn calibrate_stereo(
         let before = rig.pair_rms(&rig.state);
         let rough = settings.outlier_ratio.map(|ratio| 5.0 * ratio);
         if let Some(outlier) = worst(&before, &used, rough) {
+            check_majority(outlier, used.len(), left)?;
             used.retain(|pair| *pair != outlier.pair);
             outliers.push(outlier);
             continue;
@@ -149,6 +150,7 @@ pub fn calibrate_stereo(
             let found = rig.adjusted(&used)?;
             return Ok(StereoCalibration { outliers, ..found });
         };
+        check_majority(outlier, used.len(), left)?;
         used.retain(|pair| *pair != outlier.pair);
         outliers.push(outlier);
     }
@@ -177,8 +179,16 @@ impl CalibrationError {
     }
 }
 
+/// Checks that more than half of all pairs are left without an outlier.
+fn check_majority(outlier: Outlier, used: usize, pairs: usize) -> Result<(), CalibrationError> {
+    match 2 * (used - 1) > pairs {
+        true => Ok(()),
+        false => Err(CalibrationError::Disagreement { pairs, outlier }),
+    }
+}
+
 /// The pair with the greatest distance, where that is too great. As many pairs as a calibration
-/// needs are kept, and more than half of them.
+/// needs are kept.
 fn worst(pair_rms: &[f64], used: &[usize], ratio: Option<f64>) -> Option<Outlier> {
     /// Distances up to this are not those of outliers, however small the others are.
     const NEGLIGIBLE: f64 = 0.1;

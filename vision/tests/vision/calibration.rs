@@ -229,6 +229,46 @@ fn outliers_are_left_out_and_named() {
     assert!((found.rig.baseline() - 0.08_f64.hypot(0.001).hypot(0.002)).abs() < limit);
 }
 
+#[test]
+fn more_than_half_of_the_pairs_must_agree() {
+    let intrinsics = Intrinsics::new([540.0, 536.0], [325.0, 236.0]).unwrap();
+    let rig = motor([0.0, 1.0, 0.0], 0.05, [-0.08, 0.001, 0.002]);
+    let camera = |world_to_camera| Camera {
+        intrinsics,
+        world_to_camera,
+    };
+    let seen_left = boards(&TILTS[..7]);
+    let left = views(&camera(Motor::default()), &seen_left, 0.1, 1);
+    let settings = StereoSettings {
+        cameras: [CameraSettings {
+            start: Start::Fixed(intrinsics),
+            ..CameraSettings::default()
+        }; 2],
+        ..StereoSettings::default()
+    };
+    // Boards that were moved between the two pictures, each by more than all before together.
+    let with_moved = |count: usize| {
+        let mut seen_right = seen_left.clone();
+        for (board, distance) in seen_right
+            .iter_mut()
+            .zip([0.004, 0.02, 0.05, 0.12])
+            .take(count)
+        {
+            *board = Translator::from_displacement([0.0, distance, 0.0]) * *board;
+        }
+        let right = views(&camera(rig), &seen_right, 0.1, 2);
+        calibrate_stereo([&left, &right], &places(), SIZE, &settings)
+    };
+    let found = with_moved(3).unwrap();
+    assert_eq!(found.used, [3, 4, 5, 6]);
+    assert!(found.rms < 0.2, "{}", found.rms);
+    let found = with_moved(4);
+    assert!(
+        matches!(found, Err(CalibrationError::Disagreement { pairs: 7, .. })),
+        "{found:?}"
+    );
+}
+
 /// One board of eight lies where a right camera with much distortion sees nothing.
 #[test]
 fn a_board_beyond_the_field_of_the_right_lens_is_an_outlier() {
