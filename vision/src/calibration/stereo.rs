@@ -90,7 +90,8 @@ pub struct StereoCalibration {
     /// the rig do not contain them.
     pub deviations: [[f64; Intrinsics::MAX_PARAMETERS]; 2],
     /// The standard deviations of the twist of the motor from the left frame to the right one:
-    /// three of the rotation in radians, three of the translation in metres.
+    /// three of the angular velocity ω in radians, and three of the velocity u of the origin in
+    /// metres. The translation t varies by `ω × t + u`, so that only its length varies by u alone.
     pub rig_deviations: [f64; 6],
     /// The standard deviation of the baseline in metres.
     pub baseline_deviation: f64,
@@ -342,5 +343,10 @@ fn median_motion(
     };
     let distances: Vec<f64> = motions.iter().map(distance).collect();
     let best = (0..motions.len()).min_by(|a, b| distances[*a].total_cmp(&distances[*b]));
-    best.map_or_else(Motor::default, |best| motions[best])
+    let best = best.map_or_else(Motor::default, |best| motions[best]);
+    // Of a motor and its negative, which move alike, the one that rotates by the smaller angle.
+    match best.rotor().scalar() < 0.0 {
+        true => -best,
+        false => best,
+    }
 }

@@ -229,6 +229,41 @@ fn outliers_are_left_out_and_named() {
     assert!((found.rig.baseline() - 0.08_f64.hypot(0.001).hypot(0.002)).abs() < limit);
 }
 
+/// Upside down, the boards are rotated by a little less than half a turn in the left views and by a
+/// little more in the right ones.
+#[test]
+fn boards_upside_down_give_the_smaller_angle() {
+    let intrinsics = Intrinsics::new([540.0, 536.0], [325.0, 236.0]).unwrap();
+    let rig = motor([0.0, 0.0, 1.0], 0.04, [-0.08, 0.001, 0.002]);
+    let camera = |world_to_camera| Camera {
+        intrinsics,
+        world_to_camera,
+    };
+    let centre = Translator::from_displacement([-0.1, -0.0625, 0.0]);
+    let board = |tilt: &[f64; 2]| {
+        let roll = motor(
+            [0.0, 0.0, 1.0],
+            std::f64::consts::PI - 0.02,
+            [0.0, 0.0, 0.4],
+        );
+        let tilt = Rotor::from_rotation_vector([0.5 * tilt[0], 0.5 * tilt[1], 0.0]).unwrap();
+        roll * tilt * centre
+    };
+    let boards: Vec<Motor<f64>> = TILTS.iter().map(board).collect();
+    let left = views(&camera(Motor::default()), &boards, 0.0, 1);
+    let right = views(&camera(rig), &boards, 0.0, 2);
+    let settings = StereoSettings {
+        cameras: [CameraSettings {
+            start: Start::Fixed(intrinsics),
+            ..CameraSettings::default()
+        }; 2],
+        ..StereoSettings::default()
+    };
+    let found = calibrate_stereo([&left, &right], &places(), SIZE, &settings).unwrap();
+    let (_, angle) = found.rig.left_to_right().rotor().to_axis_angle();
+    assert!((angle - 0.04).abs() < 1e-9, "{angle}");
+}
+
 #[test]
 fn more_than_half_of_the_pairs_must_agree() {
     let intrinsics = Intrinsics::new([540.0, 536.0], [325.0, 236.0]).unwrap();
