@@ -112,6 +112,13 @@ pub enum CalibrationError {
     /// The bundle adjustment failed.
     #[error("the calibration failed: {0}")]
     LeastSquares(#[from] LeastSquaresError),
+    /// The distance between the cameras cannot be told from 0, as where both cameras have the same
+    /// pictures.
+    #[error("the baseline of {metres:.3e} m cannot be told from 0: are the views of two cameras?")]
+    Baseline {
+        /// The distance that was found, in metres.
+        metres: f64,
+    },
     /// The views do not determine a parameter: boards that are all parallel do not determine the
     /// focal length.
     #[error("the views do not determine {parameter}: show the board at more angles")]

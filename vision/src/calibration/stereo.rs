@@ -283,6 +283,7 @@ impl<'a> Rig<'a> {
             world_to_camera,
         };
         let column = self.bundle.rig_column();
+        let baseline_deviation = baseline_deviation(state, &covariance, column)?;
         let own = |k: usize| match self.bundle.free[k].is_empty() {
             true => Ok(self.deviations[k]),
             false => deviations(&self.bundle, state, k, &covariance),
@@ -294,7 +295,7 @@ impl<'a> Rig<'a> {
             },
             deviations: [own(0)?, own(1)?],
             rig_deviations: std::array::from_fn(|k| covariance.standard_deviation(column + k)),
-            baseline_deviation: baseline_deviation(state.rig, &covariance, column),
+            baseline_deviation,
             used: used.to_vec(),
             outliers: Vec::new(),
             boards: state.boards.clone(),
@@ -305,10 +306,26 @@ impl<'a> Rig<'a> {
     }
 }
 
-/// The standard deviation of the length of the rig's translation t: it varies by `u · t / |t|`.
-fn baseline_deviation(rig: Motor<f64>, covariance: &Covariance, column: usize) -> f64 {
-    let translation = rig.translator().displacement();
+/// The standard deviation of the length of the rig's translation t: it varies by `u · t / |t|`. An
+/// error where the length cannot be told from 0.
+fn baseline_deviation(
+    state: &BundleState,
+    covariance: &Covariance,
+    column: usize,
+) -> Result<f64, CalibrationError> {
+    /// The least baseline as a part of the distance to the farthest board.
+    const LEAST_PART: f64 = 1e-6;
+    /// The least baseline in standard deviations.
+    const LEAST_DEVIATIONS: f64 = 3.0;
+    let translation = state.rig.translator().displacement();
     let squared: f64 = translation.iter().map(|x| x * x).sum();
+    let metres = squared.sqrt();
+    let distance =
+        |board: &Motor<f64>| board.transform(Point::default()).distance(Point::default());
+    let farthest = state.boards.iter().map(distance).fold(0.0, f64::max);
+    if metres <= LEAST_PART * farthest {
+        return Err(CalibrationError::Baseline { metres });
+    }
     let first = column + TWIST / 2;
     let mut sum = 0.0;
     for (i, x) in translation.iter().enumerate() {
@@ -316,7 +333,11 @@ fn baseline_deviation(rig: Motor<f64>, covariance: &Covariance, column: usize) -
             sum += x * y * covariance.shared(first + i, first + j);
         }
     }
-    (sum / squared).max(0.0).sqrt()
+    let deviation = (sum / squared).max(0.0).sqrt();
+    match metres > LEAST_DEVIATIONS * deviation {
+        true => Ok(deviation),
+        false => Err(CalibrationError::Baseline { metres }),
+    }
 }
 
 /// Of the motors from the left frame to the right one that single boards give, the one that is
