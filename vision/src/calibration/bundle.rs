@@ -3,6 +3,7 @@
 use ga_runtime::cga3::{Direction, Motor, MotorGenerator, Point};
 use ga_runtime::vga3::Vector;
 
+use super::lens_terms::parameter_name;
 use crate::camera::{FrameProjection, Intrinsics};
 use crate::least_squares::{Columns, Equations, Problem};
 
@@ -45,6 +46,20 @@ impl Bundle<'_> {
 
     fn shared(&self) -> usize {
         self.rig_column() + if self.free.len() > 1 { TWIST } else { 0 }
+    }
+
+    /// The name of the unknown of a column.
+    pub(super) fn unknown_name(&self, state: &BundleState, column: usize) -> &'static str {
+        for (camera, free) in self.free.iter().enumerate() {
+            let place = column.checked_sub(self.first_column(camera));
+            if let Some(parameter) = place.and_then(|place| free.get(place)) {
+                return parameter_name(&state.cameras[camera], *parameter);
+            }
+        }
+        match column < self.shared() {
+            true => "the motion between the cameras",
+            false => "the motion of a board",
+        }
     }
 
     /// The squared distances between corners and projections, summed for each camera and board;

@@ -122,7 +122,7 @@ pub fn calibrate_camera(
         state = found.state;
     }
     let minimum = minimise(&bundle, state, &Settings::default())?;
-    let covariance = covariance(&minimum)?;
+    let covariance = covariance(&bundle, &minimum)?;
     let deviations = deviations(&bundle, &minimum.state, 0, &covariance)?;
     let errors = bundle.squared_errors(&minimum.state);
     let count = places.len() as f64;
@@ -137,10 +137,16 @@ pub fn calibrate_camera(
 }
 
 /// The covariance of the unknowns with the variance that the residuals show.
-pub(super) fn covariance<State>(minimum: &Minimum<State>) -> Result<Covariance, CalibrationError> {
+pub(super) fn covariance(
+    bundle: &Bundle<'_>,
+    minimum: &Minimum<BundleState>,
+) -> Result<Covariance, CalibrationError> {
     let covariance = minimum.covariance(minimum.variance().unwrap_or(0.0));
-    let parameter = "the focal length";
-    covariance.ok_or(CalibrationError::Undetermined { parameter })
+    covariance.ok_or_else(|| {
+        let column = minimum.undetermined().unwrap_or_default();
+        let parameter = bundle.unknown_name(&minimum.state, column);
+        CalibrationError::Undetermined { parameter }
+    })
 }
 
 /// The standard deviations of a camera's parameters.

@@ -273,7 +273,7 @@ impl<'a> Rig<'a> {
 
     fn adjusted(self, used: &[usize]) -> Result<StereoCalibration, CalibrationError> {
         let minimum = minimise(&self.bundle, self.state.clone(), &Settings::default())?;
-        let covariance = covariance(&minimum)?;
+        let covariance = covariance(&self.bundle, &minimum)?;
         let state = &minimum.state;
         let errors = self.bundle.squared_errors(state);
         let count = (self.bundle.places.len() * used.len()) as f64;

@@ -1,6 +1,6 @@
 //! The normal equations, and their solution by elimination of groups.
 
-use nalgebra_035::{Cholesky, DMatrix, DVector};
+use nalgebra_035::{Cholesky, DMatrix, DVector, Dyn};
 
 use super::covariance::Covariance;
 use super::loss::Loss;
@@ -219,36 +219,54 @@ impl Equations {
         sum
     }
 
-    /// The inverse of `JᵀWJ` times a variance, for the shared columns and within each group.
-    pub(super) fn covariance(&self, variance: f64) -> Option<Covariance> {
+    /// The inverse of `JᵀWJ` times a variance, for the shared columns and within each group. Else
+    /// the first column that the columns before it, in the order of elimination (the groups, then
+    /// the shared ones), leave undetermined.
+    pub(super) fn covariance(&self, variance: f64) -> Result<Covariance, usize> {
         let mut reduced = symmetric(&self.shared);
         let mut parts = Vec::with_capacity(self.own.len());
-        for (own, mixed) in self.own.iter().zip(&self.mixed) {
-            let factor = Cholesky::new(symmetric(own))?;
+        for (group, (own, mixed)) in self.own.iter().zip(&self.mixed).enumerate() {
+            let own = symmetric(own);
+            let first = self.columns.shared + group * self.columns.group_size;
+            let factor = Cholesky::new(own.clone())
+                .ok_or_else(|| first + first_singular(&own, Cholesky::new))?;
             let eliminated = factor.solve(mixed);
             reduced -= mixed.tr_mul(&eliminated);
             parts.push((factor.inverse(), eliminated));
         }
         let shared = match reduced.nrows() {
             0 => reduced,
-            _ => well_conditioned(&reduced)?.inverse(),
+            _ => well_conditioned(reduced.clone())
+                .ok_or_else(|| first_singular(&reduced, well_conditioned))?
+                .inverse(),
         };
         let groups = parts.into_iter().map(|(inverse, eliminated)| {
             (inverse + &eliminated * &shared * eliminated.transpose()) * variance
         });
         let groups: Vec<DMatrix<f64>> = groups.collect();
-        Some(Covariance::new(shared * variance, groups))
+        Ok(Covariance::new(shared * variance, groups))
     }
 }
 
 /// The Cholesky factor of a matrix that rounding errors have not made regular: scaled to a diagonal
 /// of ones, its pivots stay above them.
-fn well_conditioned(matrix: &DMatrix<f64>) -> Option<Cholesky<f64, nalgebra_035::Dyn>> {
+fn well_conditioned(matrix: DMatrix<f64>) -> Option<Cholesky<f64, Dyn>> {
     const LEAST_PIVOT: f64 = 1e-14;
-    let factor = Cholesky::new(matrix.clone())?;
+    let diagonal = matrix.diagonal();
+    let factor = Cholesky::new(matrix)?;
     let lower = factor.l_dirty();
-    let is_regular = |k: usize| lower[(k, k)] * lower[(k, k)] > LEAST_PIVOT * matrix[(k, k)].abs();
-    (0..matrix.nrows()).all(is_regular).then_some(factor)
+    let is_regular = |k: usize| lower[(k, k)] * lower[(k, k)] > LEAST_PIVOT * diagonal[k].abs();
+    (0..diagonal.len()).all(is_regular).then_some(factor)
+}
+
+/// The first column without which the columns up to it have a factor, of a matrix without one.
+fn first_singular(
+    matrix: &DMatrix<f64>,
+    factor: fn(DMatrix<f64>) -> Option<Cholesky<f64, Dyn>>,
+) -> usize {
+    let leading = |count: usize| matrix.view((0, 0), (count, count)).into_owned();
+    let is_singular = |column: &usize| factor(leading(column + 1)).is_none();
+    (0..matrix.nrows()).find(is_singular).unwrap_or_default()
 }
 
 /// The full matrix of a lower triangle.

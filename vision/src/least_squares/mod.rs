@@ -97,7 +97,15 @@ impl<State> Minimum<State> {
     /// determine the unknowns.
     #[must_use]
     pub fn covariance(&self, variance: f64) -> Option<Covariance> {
-        self.equations.covariance(variance)
+        self.equations.covariance(variance).ok()
+    }
+
+    /// Where there is no [`covariance`](Self::covariance), an unknown that the residuals do not
+    /// determine beside the others: the first of those that depend on each other, with all groups
+    /// before the shared unknowns, to show a dependence.
+    #[must_use]
+    pub fn undetermined(&self) -> Option<usize> {
+        self.equations.covariance(1.0).err()
     }
 }
 

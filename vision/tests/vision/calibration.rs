@@ -505,6 +505,15 @@ fn views_that_determine_nothing_are_refused() {
         ),
         "{found:?}"
     );
+    // Without distortion the terms of k1 and k4 cancel each other.
+    let settings = CameraSettings {
+        start: Start::Guess(intrinsics),
+        terms: "k1,k4".parse().unwrap(),
+    };
+    let exact = views(&camera, &boards(&TILTS), 0.0, 1);
+    let found = calibrate_camera(&exact, &places(), SIZE, &settings);
+    let parameter = "k4";
+    assert_eq!(found, Err(CalibrationError::Undetermined { parameter }));
     let counts = calibrate_stereo(
         [&good, &good[..5]],
         &places(),
