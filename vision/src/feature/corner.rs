@@ -94,7 +94,7 @@ fn top(values: &[f64; 9]) -> [f64; 2] {
 fn spread(mut corners: Vec<Corner>, size: [usize; 2], count: usize) -> Vec<Corner> {
     const CELL: usize = 48;
     let [columns, rows] = size.map(|side| side.div_ceil(CELL));
-    let share = (3 * count).div_ceil(columns * rows).max(2);
+    let share = count.saturating_mul(3).div_ceil(columns * rows).max(2);
     // The sort is stable, so that equal strengths stay in the order of rows.
     corners.sort_by(|a, b| b.strength.total_cmp(&a.strength));
     let mut taken = vec![0; columns * rows];

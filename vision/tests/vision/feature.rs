@@ -149,3 +149,18 @@ fn rectified_pairs_are_translations_to_the_side() {
         );
     }
 }
+
+#[test]
+fn any_number_of_features_may_be_asked_for() {
+    let view = view([160, 120], IDENTITY, [0.0; 2], 1.0);
+    let found = |features| {
+        let options = DetectOptions {
+            features,
+            ..DetectOptions::default()
+        };
+        detect(&view, &options)
+    };
+    let all = found(1_000_000);
+    assert!(!all.is_empty());
+    assert_eq!(found(usize::MAX), all);
+}
