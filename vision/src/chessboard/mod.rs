@@ -249,7 +249,7 @@ pub fn find<'a, T: Sample>(
     let mut gradient = None;
     let mut largest = (0, [0, 0]);
     for level in order {
-        let saddles = saddle::saddles(&levels[level])?;
+        let saddles = saddle::saddles(&levels[level], size.count())?;
         for grid in grid::grids(&saddles) {
             if grid.corner_count() > largest.0 {
                 largest = (grid.corner_count(), grid.extent());

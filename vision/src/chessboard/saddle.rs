@@ -8,7 +8,8 @@ use ga_runtime::vga2::Vector;
 const SIGMA: f64 = 1.5;
 /// The least strength of a saddle point, as a part of the greatest in the picture.
 const LEAST_STRENGTH: f32 = 0.02;
-/// No more saddle points than this are considered.
+/// As many saddle points are considered, and more only for a board with more than half as many
+/// corners.
 const MOST: usize = 3000;
 /// The radius in pixels of the circle around a saddle point on which the brightness is examined.
 const RING_RADIUS: f64 = 3.5;
@@ -27,8 +28,8 @@ pub(super) struct Saddle {
     pub(super) strength: f64,
 }
 
-/// The saddle points of a picture, the strongest first.
-pub(super) fn saddles(picture: &Plane<f32>) -> Result<Vec<Saddle>, SigmaError> {
+/// The saddle points of a picture in which a board has a number of corners, the strongest first.
+pub(super) fn saddles(picture: &Plane<f32>, corners: usize) -> Result<Vec<Saddle>, SigmaError> {
     let smooth = Gaussian::new(SIGMA)?.blur(picture, Border::Mirror);
     let strengths = strengths(&smooth);
     let greatest = strengths.values().iter().fold(0.0_f32, |a, b| a.max(*b));
@@ -56,7 +57,7 @@ pub(super) fn saddles(picture: &Plane<f32>) -> Result<Vec<Saddle>, SigmaError> {
     }
     // The order of rows and columns decides between equal strengths.
     found.sort_by(|a: &Saddle, b| b.strength.total_cmp(&a.strength));
-    found.truncate(MOST);
+    found.truncate(MOST.max(2 * corners));
     Ok(found)
 }
 

@@ -365,3 +365,21 @@ fn pictures_without_a_board_are_refused() {
         }
     }));
 }
+
+#[test]
+fn a_board_of_thousands_of_corners_is_found() {
+    let size = BoardSize::new(62, 51).unwrap();
+    // Squares of 10 pixels, from (40, 40) on.
+    let picture = Plane::from_fn(710, 600, |column: usize, row: usize| {
+        let inside = (40..670).contains(&column) && (40..560).contains(&row);
+        let dark = inside && ((column - 40) / 10 + (row - 40) / 10) % 2 == 0;
+        if dark { 20u8 } else { 230 }
+    });
+    let board = find(&picture, size).unwrap();
+    assert_eq!(board.corners().len(), 3162);
+    let [u, v] = board.corners()[0];
+    assert!(
+        (u - 49.5).abs() < 0.01 && (v - 49.5).abs() < 0.01,
+        "{u} {v}"
+    );
+}
