@@ -106,6 +106,16 @@ pub enum CalibrationError {
         /// The outlier after which no more than half of the pairs would be left.
         outlier: Outlier,
     },
+    /// A corner lies where the lens that is given sees nothing.
+    #[error("corner {corner} of view {view}: {error}")]
+    Pixel {
+        /// The view, from 0.
+        view: usize,
+        /// The corner, from 0.
+        corner: usize,
+        /// What is wrong with it.
+        error: CameraError,
+    },
     /// The size of the pictures does not form a camera.
     #[error("no camera to begin with: {0}")]
     Camera(#[from] CameraError),
@@ -126,6 +136,22 @@ pub enum CalibrationError {
         /// The name of the parameter.
         parameter: &'static str,
     },
+}
+
+impl CalibrationError {
+    /// The view, or the pair, that is to blame, from 0.
+    #[must_use]
+    pub fn view(&self) -> Option<usize> {
+        match *self {
+            Self::Corners { view, .. }
+            | Self::NotFinite { view, .. }
+            | Self::Pixel { view, .. }
+            | Self::View { view }
+            | Self::Unseen { pair: view } => Some(view),
+            Self::Disagreement { outlier, .. } => Some(outlier.pair),
+            _ => None,
+        }
+    }
 }
 
 /// Checks the corners of views of a board.

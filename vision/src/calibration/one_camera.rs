@@ -227,16 +227,20 @@ fn initial_boards(
 ) -> Result<Vec<Motor<f64>>, CalibrationError> {
     let flat = in_plane(places);
     let ([fx, fy], [cx, cy]) = (intrinsics.focal(), intrinsics.principal());
-    let motor = |corners: &Vec<[f64; 2]>| {
-        let at_focal_length_1 = |pixel: &[f64; 2]| {
-            let [u, v] = intrinsics.undistort(*pixel).ok()?;
-            Some([(u - cx) / fx, (v - cy) / fy])
+    let motor = |(view, corners): (usize, &Vec<[f64; 2]>)| {
+        let at_focal_length_1 = |(corner, pixel): (usize, &[f64; 2])| {
+            let undistorted = intrinsics.undistort(*pixel);
+            let [u, v] = undistorted.map_err(|error| CalibrationError::Pixel {
+                view,
+                corner,
+                error,
+            })?;
+            Ok([(u - cx) / fx, (v - cy) / fy])
         };
-        let images: Option<Vec<[f64; 2]>> = corners.iter().map(at_focal_length_1).collect();
-        Homography::from_pairs(&flat, &images?)?.motion()
+        let images = corners.iter().enumerate().map(at_focal_length_1);
+        let images = images.collect::<Result<Vec<[f64; 2]>, CalibrationError>>()?;
+        let motion = Homography::from_pairs(&flat, &images).and_then(|found| found.motion());
+        motion.ok_or(CalibrationError::View { view })
     };
-    let views = views.iter().enumerate();
-    views
-        .map(|(view, corners)| motor(corners).ok_or(CalibrationError::View { view }))
-        .collect()
+    views.iter().enumerate().map(motor).collect()
 }

@@ -171,6 +171,15 @@ impl CalibrationError {
                 found,
                 expected,
             },
+            Self::Pixel {
+                view,
+                corner,
+                error,
+            } => Self::Pixel {
+                view: used[view],
+                corner,
+                error,
+            },
             Self::NotFinite { view, corner } => Self::NotFinite {
                 view: used[view],
                 corner,

@@ -478,6 +478,18 @@ fn views_that_determine_nothing_are_refused() {
         .iter_mut()
         .for_each(|corner| corner[1] = 2.0 * corner[0]);
     assert_eq!(of(&flat), Err(CalibrationError::View { view: 1 }));
+    // A lens whose picture ends before some of the corners.
+    let lens = RadialTangential::new(&[-1.5, 0.0, 0.0, 0.0, 0.0]).unwrap();
+    let settings = CameraSettings {
+        start: Start::Fixed(intrinsics.with_lens(lens)),
+        ..CameraSettings::default()
+    };
+    let found = calibrate_camera(&good, &places(), SIZE, &settings);
+    let error = found.unwrap_err();
+    assert!(
+        matches!(error, CalibrationError::Pixel { .. }) && error.view().is_some(),
+        "{error}"
+    );
     // Boards that are all parallel to the picture.
     let parallel: Vec<Motor<f64>> = (0..5)
         .map(|k| {

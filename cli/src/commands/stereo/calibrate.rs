@@ -158,7 +158,17 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     };
     let [left, right] = [corners(0), corners(1)];
     let places = arguments.board.places(square);
-    let found = calibrate_stereo([&left, &right], &places, size, &settings)?;
+    let found = calibrate_stereo([&left, &right], &places, size, &settings);
+    let found = found.map_err(|error| {
+        let pair = error.view().map(|pair| &files[pairs[pair].index]);
+        let error = anyhow::Error::new(error);
+        match pair {
+            Some([left, right]) => {
+                error.context(format!("{} and {}", left.display(), right.display()))
+            }
+            None => error,
+        }
+    })?;
     for outlier in &found.outliers {
         rejected.push(Rejected::new(
             &files[pairs[outlier.pair].index],

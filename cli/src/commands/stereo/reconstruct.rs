@@ -159,7 +159,10 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         step: arguments.step,
         depths: [arguments.near, arguments.far],
     };
-    let surface = Surface::new(&map, &pair.rig, &options)?;
+    let surface = Surface::new(&map, &pair.rig, &options).with_context(|| {
+        let [left, right] = [&arguments.left, &arguments.right].map(|path| path.display());
+        format!("{left} and {right} with {}", arguments.rig.display())
+    })?;
     let mut depths: Vec<f64> = surface.points().iter().map(|point| point.e3()).collect();
     depths.sort_unstable_by(f64::total_cmp);
     let surface = surface.moved(&(arguments.axes.motor() * pair.to_left));
@@ -298,12 +301,12 @@ fn rectify(views: [Plane<[u8; 3]>; 2], path: &Path) -> Result<Pair> {
     let found = Rectification::new(&rig.rig, size, RectificationOptions::default())
         .with_context(|| path.display().to_string())?;
     let maps = [found.left_map(), found.right_map()];
-    let [left, right] = &views;
+    let warped = |side: usize| {
+        let view = maps[side].warped(&views[side], [0; 3]);
+        view.with_context(|| path.display().to_string())
+    };
     Ok(Pair {
-        views: [
-            maps[0].warped(left, [0; 3])?,
-            maps[1].warped(right, [0; 3])?,
-        ],
+        views: [warped(0)?, warped(1)?],
         inside: maps.each_ref().map(ga_image::warp::Warp::inside),
         rig: found.rig,
         to_left: found.left.motor.reverse(),
