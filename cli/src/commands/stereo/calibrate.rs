@@ -16,7 +16,7 @@ use ga_vision::format::camera::CameraFile;
 use ga_vision::format::rig::RigFile;
 use serde::Serialize;
 
-use super::{corners, views};
+use super::{corners, smaller_rotation, views};
 use crate::output;
 use crate::progress::Progress;
 
@@ -374,7 +374,7 @@ impl CameraReport {
 impl Report {
     fn new(found: &StereoCalibration, edges: SquareEdges, rejected: Vec<Rejected>) -> Self {
         let rig = &found.rig;
-        let (_, angle) = rig.left_to_right().rotor().to_axis_angle();
+        let (_, degrees) = smaller_rotation(rig.left_to_right().rotor());
         Self {
             rms_px: found.rms,
             rms_left_px: found.camera_rms[0],
@@ -385,7 +385,7 @@ impl Report {
             baseline_deviation_metres: found.baseline_deviation,
             square_edge_mean_metres: edges.mean,
             square_edge_rms_error_metres: edges.rms_error,
-            rotation_degrees: angle.to_degrees(),
+            rotation_degrees: degrees,
             left: CameraReport::new(&rig.left.intrinsics, &found.deviations[0]),
             right: CameraReport::new(&rig.right.intrinsics, &found.deviations[1]),
             pair_rms_px: found.pair_rms.clone(),

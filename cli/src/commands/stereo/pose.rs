@@ -1,6 +1,5 @@
 //! `nullcone stereo pose`: the motion between two views.
 
-use std::f64::consts::{PI, TAU};
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -13,7 +12,7 @@ use ga_vision::format::camera::CameraFile;
 use ga_vision::relative_pose::{Options, RelativePose, estimate};
 use serde::Serialize;
 
-use super::views;
+use super::{smaller_rotation, views};
 use crate::output;
 use crate::progress::Progress;
 
@@ -170,13 +169,11 @@ impl Report {
     fn new(found: &RelativePose, pairs: usize, seconds: f64) -> Self {
         let motion: Motor<f64> = found.left_to_right;
         let rotor = motion.rotor();
-        let (axis, angle) = rotor.to_axis_angle();
-        // The shorter way round.
-        let is_long = angle > PI;
+        let (rotation_axis, rotation_degrees) = smaller_rotation(rotor);
         Self {
             rotation_matrix: rotor.to_matrix(),
-            rotation_axis: axis.map(|x| if is_long { -x } else { x }),
-            rotation_degrees: if is_long { TAU - angle } else { angle }.to_degrees(),
+            rotation_axis,
+            rotation_degrees,
             translation_direction: motion.translator().displacement(),
             rotation_deviation_degrees: found.rotation_deviation().map(f64::to_degrees),
             direction_deviation_degrees: found.direction_deviation().map(f64::to_degrees),
