@@ -170,6 +170,14 @@ fn a_pinhole_has_no_distortion_to_remove() {
         ga_vision::format::camera::CameraFile::read(path).unwrap()
     });
     assert_eq!(old, new);
+
+    // Two outputs of one path.
+    let before = names(folder.path());
+    let arguments = "undistort left.png --camera k.yml --out a.png --new-camera ./a.png";
+    let arguments: Vec<&str> = ["stereo"].into_iter().chain(arguments.split(' ')).collect();
+    let output = nullcone(folder.path(), arguments);
+    assert_failure(&output, &["a.png", "another output has the same path"]);
+    assert_eq!(names(folder.path()), before);
 }
 
 #[test]
