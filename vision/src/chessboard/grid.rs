@@ -1,4 +1,6 @@
-//! From saddle points to grids: neighbours along edges, one after the other.
+//! From saddle points to grids: neighbours along edges, one after the other, as in A. Geiger and
+//! others, "Automatic camera and range sensor calibration using a single shot", 2012, but with
+//! conditions on the edges in place of an energy.
 
 use std::collections::{BTreeMap, VecDeque};
 

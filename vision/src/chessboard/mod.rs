@@ -5,6 +5,12 @@
 //! edge, and its bright and dark quadrants must be exchanged. A grid that is complete is a board,
 //! and its corners are refined in the picture itself, to where the gradients around them meet at
 //! right angles.
+//!
+//! Grids that grow from corner to corner are those of A. Geiger and others, "Automatic camera and
+//! range sensor calibration using a single shot", 2012, who find corners by templates; the saddle
+//! points, and the conditions on edges and quadrants, are our own. The refinement is that of
+//! W. Förstner and E. Gülch, "A fast operator for detection and precise location of distinct
+//! points, corners and centres of circular features", 1987.
 
 mod grid;
 mod margin;

@@ -1,4 +1,8 @@
 //! Where the brightness of a picture has saddle points: what the inner corners of a chessboard are.
+//!
+//! The determinant of the second derivatives is that of P. R. Beaudet, "Rotationally invariant
+//! image operators", 1978; it is negative at a saddle point. The examination on a circle is our
+//! own.
 
 use ga_image::filter::{Border, Gaussian, SigmaError};
 use ga_image::plane::Plane;

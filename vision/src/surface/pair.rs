@@ -22,7 +22,7 @@ const CONFIDENCE: f32 = 0.1;
 /// [`Matcher`] accepts for views of this width.
 ///
 /// The views are matched at a small size over two thirds of their width. The range ends a tenth
-/// beyond the disparity that 99.5 % of the confident pixels stay below.
+/// beyond the disparity that 99.5 % of the confident pixels stay below. The rule is our own.
 ///
 /// # Errors
 /// [`MatchError`] for views that cannot be matched.
