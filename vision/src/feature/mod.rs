@@ -20,6 +20,10 @@ pub use matching::{Match, MatchOptions, match_features};
 use alignment::align;
 use scale::Scale;
 
+/// A view with a side below this number of pixels has no features: there is no room for their
+/// surroundings.
+pub const LEAST_SIDE: usize = 64;
+
 /// The pixels at which two views show one point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PixelPair {
@@ -41,7 +45,7 @@ pub struct Feature {
     pub angle: f64,
     /// The smaller eigenvalue of the structure tensor, in squared grey levels per squared pixel.
     pub strength: f64,
-    /// Bits that describe its surroundings, turned by the angle.
+    /// Bits that describe its surroundings, rotated by the angle.
     pub descriptor: Descriptor,
     /// Which of the scales of the view it was found in.
     scale: usize,
@@ -55,7 +59,7 @@ pub struct DetectOptions {
     /// The greatest number of features.
     pub features: usize,
     /// How many scales there are, each smaller than the one before by a factor of √2. Those with a
-    /// side below 64 pixels are left out.
+    /// side below [`LEAST_SIDE`] pixels are left out.
     pub scales: usize,
     /// Weaker corners are left out; see [`Feature::strength`].
     pub least_strength: f64,

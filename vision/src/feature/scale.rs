@@ -5,8 +5,7 @@ use ga_image::plane::{Plane, PlaneView};
 use ga_image::pyramid::Pyramid;
 use ga_image::resample::{Method, resize};
 
-/// Sides below this number of pixels have no room for surroundings.
-const LEAST_SIDE: usize = 64;
+use super::LEAST_SIDE;
 
 /// A view in one size.
 pub(super) struct Scale {
