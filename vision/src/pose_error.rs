@@ -108,7 +108,7 @@ pub fn root_aligned_error(
 /// use ga_runtime::cga3::Point;
 /// use ga_vision::pose_error::procrustes_aligned;
 /// let truth = [[0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]].map(Point::from);
-/// // Twice as large, and rotated by a quarter turn about z.
+/// // Twice as large, and rotated by 90° about z.
 /// let found = [[0.0, 0.0, 3.0], [-2.0, 0.0, 3.0], [0.0, 2.0, 3.0]].map(Point::from);
 /// let aligned = procrustes_aligned(&truth, &found)?;
 /// assert!(aligned.mean_error < 1e-15 && (aligned.motion.factor() - 0.5).abs() < 1e-15);

@@ -171,8 +171,7 @@ impl Chessboard {
     /// about the same direction.
     ///
     /// A board with an odd number of columns + rows begins at one corner only. Others look the same
-    /// after half a turn, or a quarter of one, and two views of them may begin at different
-    /// corners.
+    /// after a rotation by 180°, or by 90°, and two views of them may begin at different corners.
     #[must_use]
     pub fn ordered_like(&self, other: &Self) -> Self {
         let BoardSize { columns, rows } = self.size;

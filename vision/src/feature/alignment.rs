@@ -38,7 +38,7 @@ pub(super) fn align(
     let (left_scale, right_scale) = (&left_scales[left.scale], &right_scales[right.scale]);
     let middle = left.place.map(f64::round);
     let patch = Patch::new(left_scale, middle)?;
-    // The features say how the surroundings are turned. Each is in its own scale.
+    // The features say how the surroundings are rotated. Each is in its own scale.
     let (sine, cosine) = (right.angle - left.angle).sin_cos();
     let away = [0, 1].map(|axis| middle[axis] - left.place[axis]);
     let start = [

@@ -47,8 +47,8 @@ impl Pattern {
         Self(std::array::from_fn(|_| [place(), place()]))
     }
 
-    /// The bits of the surroundings of a place, with the pattern turned by an angle. The place must
-    /// be inside the picture by more than the radius.
+    /// The bits of the surroundings of a place, with the pattern rotated by an angle. The place
+    /// must be inside the picture by more than the radius.
     pub(super) fn describe(&self, blurred: &Plane<f32>, place: [f64; 2], angle: f64) -> Descriptor {
         let (sine, cosine) = angle.sin_cos();
         let at = |[x, y]: [f64; 2]| {

@@ -59,7 +59,7 @@ impl EssentialMatrix {
     }
 
     /// The four motions with this matrix, with translations of length 1: two rotations, which
-    /// differ by half a turn about the line between the cameras, and both signs of the translation.
+    /// differ by 180° about the line between the cameras, and both signs of the translation.
     /// `None` where the singular value decomposition fails.
     #[must_use]
     pub fn motors(&self) -> Option<[Motor<f64>; 4]> {
@@ -79,19 +79,19 @@ impl EssentialMatrix {
         if v_t.determinant() < 0.0 {
             v_t.row_mut(2).neg_mut();
         }
-        let quarter_turn = Matrix3::new(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0);
+        let right_angle = Matrix3::new(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0);
         let translation = [u[(0, 2)], u[(1, 2)], u[(2, 2)]];
-        let motion = |turn: Matrix3<f64>, sign: f64| {
-            let rotation = u * turn * v_t;
+        let motion = |quarter: Matrix3<f64>, sign: f64| {
+            let rotation = u * quarter * v_t;
             let rows = [0, 1, 2].map(|r| [0, 1, 2].map(|c| rotation[(r, c)]));
             let displacement = translation.map(|x| sign * x);
             Rotor::from_matrix(rows)
                 .map(|rotor| Translator::from_displacement(displacement) * rotor)
         };
-        let back = quarter_turn.transpose();
+        let back = right_angle.transpose();
         Some([
-            motion(quarter_turn, 1.0)?,
-            motion(quarter_turn, -1.0)?,
+            motion(right_angle, 1.0)?,
+            motion(right_angle, -1.0)?,
             motion(back, 1.0)?,
             motion(back, -1.0)?,
         ])

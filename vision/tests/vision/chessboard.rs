@@ -287,7 +287,7 @@ fn the_boards_of_opencv_are_found_in_all_pictures() {
     );
 }
 
-/// A board that looks the same after half a turn, or after a quarter, keeps its order.
+/// A board that looks the same after a rotation by 180°, or by 90°, keeps its order.
 #[test]
 fn boards_of_two_views_get_one_order() {
     for (columns, rows) in [(5, 5), (6, 6), (6, 4), (5, 4)] {
