@@ -14,7 +14,7 @@ use nalgebra_035::{Matrix3, SymmetricEigen};
 pub use error::PerspectiveError;
 pub use three_points::three_points;
 
-use crate::camera::Intrinsics;
+use crate::camera::{Camera, Intrinsics};
 use crate::least_squares::{Columns, Covariance, Equations, Minimum, Problem, Settings, minimise};
 use crate::ransac::{Consensus, Search};
 
@@ -286,26 +286,15 @@ impl Problem for Observed<'_> {
     }
 
     fn evaluate(&self, motor: &Motor<f64>, equations: &mut Equations) -> Option<()> {
+        let camera = Camera {
+            intrinsics: *self.intrinsics,
+            world_to_camera: *motor,
+        };
         for Observation { point, pixel, .. } in self.observations {
-            let moved = motor.transform(*point);
-            let seen = self.intrinsics.project_with_derivatives(moved).ok()?;
-            // A point x of the frame moves by ω × x + u.
-            let by_point = seen.by_point.map(Vector::from);
-            let by_rotation = by_point.map(|row| Vector::from(moved).cross(row).coordinates());
-            let [[r1, r2, r3], [s1, s2, s3]] = by_rotation;
-            let [[p1, p2, p3], [q1, q2, q3]] = seen.by_point;
+            let seen = camera.project_with_derivatives(*point).ok()?;
             let residual = [seen.pixel[0] - pixel[0], seen.pixel[1] - pixel[1]];
-            equations.add(
-                residual,
-                &[
-                    (0, [r1, s1]),
-                    (1, [r2, s2]),
-                    (2, [r3, s3]),
-                    (3, [p1, q1]),
-                    (4, [p2, q2]),
-                    (5, [p3, q3]),
-                ],
-            );
+            let columns: [_; 6] = std::array::from_fn(|k| (k, seen.by_twist.map(|row| row[k])));
+            equations.add(residual, &columns);
         }
         Some(())
     }
