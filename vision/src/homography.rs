@@ -4,6 +4,8 @@ use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 use ga_runtime::vga3::Vector;
 use nalgebra_035::{DMatrix, Matrix3};
 
+use crate::normalisation::Normalisation;
+
 /// A map from a plane to a picture, `λ (u, v, 1) = H (x, y, 1)`, scaled to a sum of squares of 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Homography {
@@ -36,12 +38,13 @@ impl Homography {
         if count < 4 || pixels.len() != count {
             return None;
         }
-        let [from, to] = [normalisation(places)?, normalisation(pixels)?];
+        let similarity = |places: &[[f64; 2]]| Normalisation::new(places.iter().copied());
+        let [from, to] = [similarity(places)?, similarity(pixels)?];
         // Nine rows at least, so that the decomposition has nine singular vectors.
         let mut equations = DMatrix::zeros((2 * count).max(9), 9);
         for (index, (place, pixel)) in places.iter().zip(pixels).enumerate() {
-            let [x, y] = normalised(&from, *place);
-            let [u, v] = normalised(&to, *pixel);
+            let [x, y] = from.apply(*place);
+            let [u, v] = to.apply(*pixel);
             let rows = [
                 [x, y, 1.0, 0.0, 0.0, 0.0, -u * x, -u * y, -u],
                 [0.0, 0.0, 0.0, x, y, 1.0, -v * x, -v * y, -v],
@@ -68,7 +71,7 @@ impl Homography {
         if values.min().is_nan() || values.min() <= LEAST_RATIO * values.max() {
             return None;
         }
-        let matrix = to.try_inverse()? * matrix * from;
+        let matrix = as_matrix(to).try_inverse()? * matrix * as_matrix(from);
         let matrix = matrix / matrix.norm();
         matrix
             .iter()
@@ -110,23 +113,10 @@ impl Homography {
     }
 }
 
-/// The similarity that takes the centroid of places to the origin and makes their root mean square
-/// distance √2.
-fn normalisation(places: &[[f64; 2]]) -> Option<Matrix3<f64>> {
-    let count = places.len() as f64;
-    let mean = [0, 1].map(|k| places.iter().map(|place| place[k]).sum::<f64>() / count);
-    let squares = places.iter().map(|place| {
-        let [x, y] = [place[0] - mean[0], place[1] - mean[1]];
-        x * x + y * y
-    });
-    let scale = (2.0 * count / squares.sum::<f64>()).sqrt();
-    let [x, y] = mean.map(|x| -scale * x);
-    let is_finite = scale.is_finite() && x.is_finite() && y.is_finite();
-    is_finite.then(|| Matrix3::new(scale, 0.0, x, 0.0, scale, y, 0.0, 0.0, 1.0))
-}
-
-fn normalised(similarity: &Matrix3<f64>, place: [f64; 2]) -> [f64; 2] {
-    [0, 1].map(|k| similarity[(k, k)] * place[k] + similarity[(k, 2)])
+fn as_matrix(similarity: Normalisation) -> Matrix3<f64> {
+    let Normalisation { centre, scale } = similarity;
+    let [x, y] = centre.map(|x| -scale * x);
+    Matrix3::new(scale, 0.0, x, 0.0, scale, y, 0.0, 0.0, 1.0)
 }
 
 /// The places of a plane z = 0.

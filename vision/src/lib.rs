@@ -63,6 +63,7 @@ pub mod homography;
 pub mod least_squares;
 pub mod matcher;
 pub mod modelling_points;
+mod normalisation;
 pub mod observation;
 pub mod perspective_n_point;
 mod polynomial;

@@ -6,6 +6,7 @@ use super::degenerate::{check_finite, check_lines};
 use super::error::RelativePoseError;
 use super::matrix::{FundamentalMatrix, null_space};
 use crate::feature::PixelPair;
+use crate::normalisation::Normalisation;
 use crate::polynomial::real_roots;
 use crate::ransac::{Consensus, Search};
 
@@ -175,39 +176,26 @@ impl Consensus for Pixels<'_> {
     }
 }
 
-/// For each view, the centroid of pixels and the inverse of half their root mean square distance
-/// from it along both axes.
-struct Frames([([f64; 2], f64); 2]);
+/// The normalisations of the left and of the right view.
+struct Frames([Normalisation; 2]);
 
 fn frames(pairs: &[PixelPair]) -> Option<Frames> {
-    let frame = |pixel: fn(&PixelPair) -> [f64; 2]| {
-        let count = pairs.len() as f64;
-        let sum = |axis: usize| pairs.iter().map(|pair| pixel(pair)[axis]).sum::<f64>();
-        let [u, v] = [sum(0) / count, sum(1) / count];
-        let squares = pairs.iter().map(|pair| {
-            let [x, y] = pixel(pair);
-            (x - u).powi(2) + (y - v).powi(2)
-        });
-        let scale = (2.0 * count / squares.sum::<f64>()).sqrt();
-        scale.is_finite().then_some(([u, v], scale))
-    };
     Some(Frames([
-        frame(|pair| pair.left)?,
-        frame(|pair| pair.right)?,
+        Normalisation::new(pairs.iter().map(|pair| pair.left))?,
+        Normalisation::new(pairs.iter().map(|pair| pair.right))?,
     ]))
 }
 
 impl Frames {
     fn normalised(&self, pair: PixelPair) -> [Vector<f64>; 2] {
-        let apply = |([u, v], scale): ([f64; 2], f64), [x, y]: [f64; 2]| {
-            Vector::new((x - u) * scale, (y - v) * scale, 1.0)
-        };
-        [apply(self.0[0], pair.left), apply(self.0[1], pair.right)]
+        let [left, right] = [self.0[0].apply(pair.left), self.0[1].apply(pair.right)];
+        [left, right].map(|[x, y]| Vector::new(x, y, 1.0))
     }
 
     /// The matrix for pixels of one for normalised ones, `Tᵣᵀ F Tₗ`.
     fn restored(&self, rows: [Vector<f64>; 3]) -> Option<FundamentalMatrix> {
-        let [([u, v], left), ([x, y], right)] = self.0;
+        let [left, right] = self.0.map(|frame| frame.scale);
+        let [[u, v], [x, y]] = self.0.map(|frame| frame.centre);
         let by_left = |row: Vector<f64>| {
             let [a, b] = [row.e1 * left, row.e2 * left];
             Vector::new(a, b, row.e3 - a * u - b * v)
