@@ -17,7 +17,7 @@ use anyhow::Result;
 use clap::Subcommand;
 use ga_runtime::cga3::Rotor;
 
-/// Two views of a scene: disparities, and how far they are from the truth.
+/// Two views of a scene: calibration, rectification, motion, disparities and reconstruction.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct Arguments {
     #[command(subcommand)]

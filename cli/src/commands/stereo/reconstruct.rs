@@ -57,7 +57,9 @@ pub(crate) struct Arguments {
     /// The right view.
     #[arg(value_name = "RIGHT")]
     right: PathBuf,
-    /// The two cameras: YAML with M1, D1, M2, D2, R and T, or a calib.txt.
+    /// The two cameras: YAML with M1, D1, M2, D2, R and T in one file, or a calib.txt. OpenCV's
+    /// examples write two files: append extrinsics.yml, without `%YAML:1.0` and `---`, to
+    /// intrinsics.yml.
     #[arg(long, value_name = "FILE")]
     rig: PathBuf,
     /// The model: .ply, .obj, .glb or .gltf.
@@ -246,7 +248,7 @@ impl Axes {
     /// From the frame of a camera.
     fn motor(self) -> Motor<f64> {
         match self {
-            // Half a turn about x.
+            // A rotation by 180° about x.
             Self::YUp => Rotor::new_unchecked(0.0, 0.0, 0.0, -1.0).into(),
             Self::Camera => Motor::default(),
         }
