@@ -64,8 +64,13 @@ pub(super) fn covariance(sights: &[Sight; 2], point: Vector<f64>, variance: f64)
     inverse(information, variance * (left_depth * right_depth))
 }
 
-/// A multiple of the inverse of a symmetric matrix, each as xx, xy, xz, yy, yz, zz: the inverse has
-/// the cross products of the rows, divided by their volume.
+/// The volume of the rows of an information matrix, as a part of the product of its diagonal, from
+/// which on it counts as singular: that of rays at an angle of about 1e-6.
+const SINGULAR: f64 = 1e-13;
+
+/// A multiple of the inverse of a positive definite matrix, each as xx, xy, xz, yy, yz, zz: the
+/// inverse has the cross products of the rows, divided by their volume. NaN where the matrix is
+/// singular.
 #[inline(always)]
 fn inverse([xx, xy, xz, yy, yz, zz]: [f64; 6], factor: f64) -> [f64; 6] {
     let rows = [
@@ -75,7 +80,14 @@ fn inverse([xx, xy, xz, yy, yz, zz]: [f64; 6], factor: f64) -> [f64; 6] {
     ];
     let first = rows[1].cross(rows[2]);
     let second = rows[2].cross(rows[0]);
-    let by_volume = factor / rows[0].dot(first);
+    // On the line of both centres the volume is zero, or what rounding leaves of it.
+    let volume = rows[0].dot(first);
+    let is_regular = volume > SINGULAR * (xx * yy * zz);
+    let by_volume = if is_regular {
+        factor / volume
+    } else {
+        f64::NAN
+    };
     [
         first.e1 * by_volume,
         first.e2 * by_volume,

@@ -1,7 +1,7 @@
 //! Many pairs of pixels of two cameras, against the oracle's rigs, least squares and closed forms.
 
 use ga_runtime::batch::InstructionSet;
-use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
+use ga_runtime::cga3::{Direction, Motor, Point, Rotor, Translator};
 use ga_vision::camera::{Camera, Intrinsics};
 use ga_vision::rig::StereoRig;
 use ga_vision::triangulation::{
@@ -478,6 +478,37 @@ fn faulty_pairs_are_named_by_index() {
             error: TriangulationError::NotFinite
         }
     );
+}
+
+/// On the line of both centres the gradients span a plane, also where rounding leaves a volume.
+#[test]
+fn covariances_on_the_line_of_both_centres_are_errors() {
+    let mut random = 1_u64;
+    for _ in 0..200 {
+        let [a, b, part] = [0, 1, 2].map(|_| {
+            random = random.wrapping_mul(6_364_136_223_846_793_005) | 1;
+            (random >> 40) as f64 / (1_u64 << 24) as f64
+        });
+        let mut rig = side_by_side();
+        // The right camera is ahead of the left one, at `ahead`.
+        let ahead = Direction::new(0.2 * a - 0.1, 0.2 * b - 0.1, 0.5);
+        rig.right.world_to_camera = Translator::from_displacement((-ahead).coordinates()).into();
+        let views = TwoViews::new(&rig.left, &rig.right).unwrap();
+        let [x, y, z] = ahead.coordinates().map(|x| x * (3.0 + 7.0 * part));
+        let points = PointColumns {
+            x: vec![x],
+            y: vec![y],
+            z: vec![z],
+            ..PointColumns::default()
+        };
+        let error = views
+            .covariances(1.0, &points, &mut CovarianceColumns::default())
+            .unwrap_err();
+        assert!(
+            matches!(error, ColumnsError::Point { point: 0, .. }),
+            "{error}"
+        );
+    }
 }
 
 /// Pixels behind distorted lenses are undistorted first, and no camera of columns takes them raw.
