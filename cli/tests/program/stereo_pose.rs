@@ -2,6 +2,10 @@
 
 use std::path::Path;
 
+use ga_image::file;
+use ga_image::plane::Plane;
+use ga_runtime::cga3::Point;
+use ga_vision::camera::{Intrinsics, RadialTangential};
 use serde_json::Value;
 use tempfile::{TempDir, tempdir};
 
@@ -92,6 +96,56 @@ fn a_step_to_the_right_is_a_translation_to_the_left() {
     );
 }
 
+/// Corners outside the field of a wide lens are left out and counted.
+#[test]
+fn corners_whose_distortion_cannot_be_inverted_are_left_out() {
+    let folder = views();
+    let write = |name: &str, bytes: &[u8]| std::fs::write(folder.path().join(name), bytes).unwrap();
+    let lens = RadialTangential::new(&[0.0, 0.0, 0.0, 0.0, -4.0]).unwrap();
+    let camera = Intrinsics::new([300.0; 2], [159.5, 119.5]).unwrap();
+    let wide = camera.with_lens(lens);
+    // What a pinhole sees, through the lens; what lies outside its field has texture too.
+    let view = |moved: bool| {
+        pgm(|u, v| {
+            let pixel = [u as f64, v as f64];
+            let direction = wide.direction(pixel);
+            let [x, y] = direction.map_or(pixel, |direction| {
+                let [x, y, z] = direction.vector();
+                camera.project(Point::new(x, y, z)).unwrap()
+            });
+            let disparity = 4.0 + 3.0 * (y / 40.0).floor();
+            texture(if moved { x + disparity } else { x }, y)
+        })
+    };
+    write("a.pgm", &view(false));
+    write("b.pgm", &view(true));
+    let file = "%YAML:1.0\n---\nK: [[300, 0, 159.5], [0, 300, 119.5], [0, 0, 1]]\n\
+                D: [0, 0, 0, 0, -4.0]\n";
+    write("wide.yml", file.as_bytes());
+    let arguments = ["a.pgm", "b.pgm", "--camera", "wide.yml"];
+    let output = pose(folder.path(), &[&arguments[..], &["--json"]].concat());
+    assert_success(&output);
+    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let outside = number(&report, "/pairs_outside_field");
+    assert!(
+        outside > 0.0 && outside < 0.5 * number(&report, "/pairs"),
+        "{report}"
+    );
+    assert!(number(&report, "/rotation_degrees") < 0.5, "{report}");
+    assert!(
+        number(&report, "/translation_direction/0") < -0.99,
+        "{report}"
+    );
+    let output = pose(folder.path(), &arguments);
+    assert_success(&output);
+    let line = format!("{outside} pairs of corners are outside the field");
+    assert!(
+        text(&output.stdout).contains(&line),
+        "{}",
+        text(&output.stdout)
+    );
+}
+
 #[test]
 fn views_that_show_no_motion_are_refused() {
     let folder = views();
@@ -103,6 +157,12 @@ fn views_that_show_no_motion_are_refused() {
         &["grey.pgm", "6 pairs of pixels are needed"],
     );
     assert_failure(&find(&["a.pgm", "c.pgm"]), &["c.pgm"]);
+    let small = Plane::filled(90, 63, 7u8);
+    file::write(folder.path().join("small.png"), &small).unwrap();
+    let parts = ["small.png has 90 × 63 pixels", "at least 64 × 64"];
+    assert_failure(&find(&["a.pgm", "small.png"]), &parts);
+    let diagnose = ["stereo", "diagnose", "small.png", "small.png"];
+    assert_failure(&nullcone(folder.path(), diagnose), &parts);
     assert_failure(
         &find(&["a.pgm", "b.pgm", "--threshold", "0"]),
         &["--threshold"],

@@ -77,6 +77,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let progress = Progress::new(3, quiet);
     progress.step("reading the views");
     let [left, right] = views::read_pair(&arguments.left, &arguments.right)?;
+    views::check_side(&left, &arguments.left)?;
     progress.step("matching points");
     let pairs = match_views(&left, &right, &ViewOptions::default());
     progress.step("fitting");

@@ -28,11 +28,12 @@ use crate::progress::Progress;
 ///
 /// prints {"rotation_matrix": [[…], […], […]], "rotation_axis": […], "rotation_degrees": …,
 /// "translation_direction": […], "rotation_deviation_degrees": …, "direction_deviation_degrees": …,
-/// "pairs": …, "inliers": …, "in_front": …, "rms_px": …, "seconds": …}. The matrix is given by
-/// rows, and axis and direction have length 1. The deviations are standard deviations of the
-/// result, estimated from what remains. pairs counts the matched corners, inliers those that agree
-/// with the motion, and rms_px is the root mean square of their distances from the epipolar
-/// condition. Equal seeds give equal results.
+/// "pairs": …, "pairs_outside_field": …, "inliers": …, "in_front": …, "rms_px": …,
+/// "seconds": …}. The matrix is given by rows, and axis and direction have length 1. The deviations are standard deviations of the
+/// result, estimated from what remains. pairs counts the matched corners, pairs_outside_field those
+/// of them that are left out because the distortion of a lens cannot be inverted there, inliers
+/// those that agree with the motion, and rms_px is the root mean square of their distances from the
+/// epipolar condition. Equal seeds give equal results.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
@@ -73,6 +74,7 @@ struct Report {
     rotation_deviation_degrees: Option<f64>,
     direction_deviation_degrees: Option<f64>,
     pairs: usize,
+    pairs_outside_field: usize,
     inliers: usize,
     in_front: usize,
     rms_px: f64,
@@ -101,6 +103,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         (&arguments.camera, &first, &arguments.first, &views[0]),
         (second_path, &second, &arguments.second, &views[1]),
     ] {
+        views::check_side(view, view_path)?;
         let size = [view.width(), view.height()];
         ensure!(
             camera.size.is_none_or(|expected| expected == size),
@@ -115,7 +118,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let begin = Instant::now();
     progress.step("matching corners");
     let [a, b] = &views;
-    let (found, pairs) = pose(
+    let found = pose(
         a,
         b,
         [&first.intrinsics, &second.intrinsics],
@@ -129,7 +132,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let seconds = begin.elapsed().as_secs_f64();
     drop(progress);
 
-    let report = Report::new(&found, pairs, seconds);
+    let report = Report::new(&found, seconds);
     if arguments.json {
         output::print_json(&report)
     } else if quiet {
@@ -139,14 +142,22 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     }
 }
 
-/// The motion, and how many corners were matched.
+/// A motion, and the corners that it was found from.
+struct Found {
+    motion: RelativePose,
+    /// How many corners were matched.
+    pairs: usize,
+    /// How many of them have no direction.
+    outside: usize,
+}
+
 fn pose(
     first: &Plane<u8>,
     second: &Plane<u8>,
     cameras: [&Intrinsics; 2],
     arguments: &Arguments,
     progress: &Progress,
-) -> Result<(RelativePose, usize)> {
+) -> Result<Found> {
     let options = ViewOptions {
         detect: DetectOptions {
             features: arguments.features,
@@ -154,19 +165,38 @@ fn pose(
         },
         ..ViewOptions::default()
     };
-    let pairs = match_views(first, second, &options);
+    let mut pairs = match_views(first, second, &options);
+    let matched = pairs.len();
+    // Near the corners of a view, the distortion of a wide lens may not be invertible.
+    pairs.retain(|pair| {
+        cameras[0].direction(pair.left).is_ok() && cameras[1].direction(pair.right).is_ok()
+    });
     progress.step("searching the motion");
     let options = Options {
         threshold: arguments.threshold,
         seed: arguments.seed,
         ..Options::default()
     };
-    let found = estimate(&pairs, cameras[0], cameras[1], &options)?;
-    Ok((found, pairs.len()))
+    let outside = matched - pairs.len();
+    let motion = estimate(&pairs, cameras[0], cameras[1], &options);
+    let motion = motion.with_context(|| match outside {
+        0 => format!("{matched} pairs of corners"),
+        _ => format!("{matched} pairs of corners, {outside} of them outside the field of a lens"),
+    })?;
+    Ok(Found {
+        motion,
+        pairs: matched,
+        outside,
+    })
 }
 
 impl Report {
-    fn new(found: &RelativePose, pairs: usize, seconds: f64) -> Self {
+    fn new(found: &Found, seconds: f64) -> Self {
+        let Found {
+            motion: found,
+            pairs,
+            outside,
+        } = found;
         let motion: Motor<f64> = found.left_to_right;
         let rotor = motion.rotor();
         let (rotation_axis, rotation_degrees) = smaller_rotation(rotor);
@@ -177,7 +207,8 @@ impl Report {
             translation_direction: motion.translator().displacement(),
             rotation_deviation_degrees: found.rotation_deviation().map(f64::to_degrees),
             direction_deviation_degrees: found.direction_deviation().map(f64::to_degrees),
-            pairs,
+            pairs: *pairs,
+            pairs_outside_field: *outside,
             inliers: found.inliers.len(),
             in_front: found.in_front,
             rms_px: found.root_mean_square,
@@ -191,9 +222,13 @@ impl Report {
             Some(value) => format!(" ± {value:.3}°"),
             None => String::new(),
         };
+        let outside = match self.pairs_outside_field {
+            0 => String::new(),
+            count => format!("{count} pairs of corners are outside the field of a lens\n"),
+        };
         format!(
             "rotation {:.4}°{} about {}\ntranslation along {}{}\n\
-             {} of {} pairs of corners agree to {:.3} px, {} in front of both cameras\n",
+             {} of {} pairs of corners agree to {:.3} px, {} in front of both cameras\n{outside}",
             self.rotation_degrees,
             deviation(self.rotation_deviation_degrees),
             vector(self.rotation_axis),

@@ -6,10 +6,23 @@ use anyhow::{Result, ensure};
 use ga_image::file;
 use ga_image::grey::Luma;
 use ga_image::plane::Plane;
+use ga_vision::feature::LEAST_SIDE;
 
 /// Reads a view in grey. Colours become grey by the weights of ITU-R BT.601.
 pub(super) fn read(path: &Path) -> Result<Plane<u8>> {
     Ok(file::read(path)?.to_grey(Luma::Bt601))
+}
+
+/// Fails where a view is too small for features.
+pub(super) fn check_side(view: &Plane<u8>, path: &Path) -> Result<()> {
+    let [width, height] = [view.width(), view.height()];
+    ensure!(
+        width.min(height) >= LEAST_SIDE,
+        "{} has {width} × {height} pixels: corners are found in views of at least {LEAST_SIDE} × \
+         {LEAST_SIDE} pixels",
+        path.display()
+    );
+    Ok(())
 }
 
 /// Reads two views of the same size in grey.
