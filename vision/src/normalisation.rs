@@ -1,4 +1,5 @@
-//! Similarities that bring pixels near the origin, so that systems of equations are well-conditioned.
+//! Similarities that bring pixels near the origin, so that systems of equations are
+//! well-conditioned.
 
 /// The similarity that takes the centroid of places to the origin and makes their root mean square
 /// distance from it √2 (R. Hartley, "In defense of the eight-point algorithm", IEEE Transactions on

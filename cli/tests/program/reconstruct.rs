@@ -184,7 +184,7 @@ fn surfaces_are_cut_around_the_board() {
     assert!(mesh.faces().len() > 30_000, "{}", mesh.faces().len());
     let encoder = SrgbEncoder::new();
     for [red, green, blue, _] in mesh.colours().unwrap() {
-        let light = [red, green, blue].map(|x| f64::from(*x));
+        let light = [red, green, blue].map(|x| *x);
         let [red, green, blue] = encoder.encode(LinearColour::new(light[0], light[1], light[2]));
         // Both were rounded after the views were rectified.
         assert!(red == green && (255 - red).abs_diff(blue) <= 1);

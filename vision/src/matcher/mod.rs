@@ -28,7 +28,7 @@
 //! use ga_vision::matcher::{Matcher, MatcherOptions, Mode};
 //!
 //! // A texture, seen 5 px further left by the right camera.
-//! let level = |column: usize, row: usize| (column * column * 7 + row * row * 13 + column * row) as u8;
+//! let level = |u: usize, v: usize| (u * u * 7 + v * v * 13 + u * v) as u8;
 //! let left = Plane::from_fn(120, 60, |column, row| level(column + 5, row));
 //! let right = Plane::from_fn(120, 60, |column, row| level(column + 10, row));
 //! let options = MatcherOptions { max_disparity: 16, mode: Mode::Fast, threads: 1 };

@@ -25,7 +25,7 @@ pub(super) struct Strips {
     height: usize,
     range: usize,
     has_support: bool,
-    spare: Mutex<Vec<Box<Scratch>>>,
+    spare: Mutex<Vec<Scratch>>,
 }
 
 impl Strips {
@@ -78,12 +78,12 @@ impl Strips {
         });
     }
 
-    fn scratch(&self) -> Box<Scratch> {
+    fn scratch(&self) -> Scratch {
         let spare = self.spare().pop();
-        spare.unwrap_or_else(|| Box::new(Scratch::new(self.width, self.range, self.has_support)))
+        spare.unwrap_or_else(|| Scratch::new(self.width, self.range, self.has_support))
     }
 
-    fn spare(&self) -> std::sync::MutexGuard<'_, Vec<Box<Scratch>>> {
+    fn spare(&self) -> std::sync::MutexGuard<'_, Vec<Scratch>> {
         self.spare.lock().unwrap_or_else(PoisonError::into_inner)
     }
 

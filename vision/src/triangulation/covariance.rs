@@ -7,8 +7,8 @@ use ga_runtime::vga3::Vector;
 /// two coordinates depend on the point.
 ///
 /// At a point b as seen from the centre, of depth z, the gradients of both coordinates of the pixel
-/// are `f_x ((b·Z) X − (b·X) Z)/z² = f_x Y × b/z²` and `−f_y X × b/z²`, with X, Y, Z the axes of the
-/// camera: the coordinates change with a motion about the centre, and not along the ray.
+/// are `f_x ((b·Z) X − (b·X) Z)/z² = f_x Y × b/z²` and `−f_y X × b/z²`, with X, Y, Z the axes of
+/// the camera: the coordinates change with a motion about the centre, and not along the ray.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sight {
     /// `f_x Y` and `f_y X` in the world.

@@ -8,9 +8,9 @@
 //! | --- | --- | --- |
 //! | [`triangulate`] | the middle of the common perpendicular | two rays |
 //! | [`TwoViews`] with [`Method::Midpoint`] | the same | many pairs of pixels |
-//! | [`TwoViews`] with [`Method::DepthWeighted`] | the point of it with weights by depth | the same |
-//! | [`TwoViews`] with [`Method::Optimal`] | the one with the least error in both pictures | the same |
-//! | [`triangulate_views`] | the one with the least error in all pictures | any number of views |
+//! | [`TwoViews`] with [`Method::DepthWeighted`] | its point with weights by depth | the same |
+//! | [`TwoViews`] with [`Method::Optimal`] | that of the least error in both | the same |
+//! | [`triangulate_views`] | that of the least error in all pictures | any number of views |
 //!
 //! The midpoint has the least sum of squared distances from the rays, not that of squared pixel
 //! errors: where one camera is much nearer than the other, its errors in the pictures are larger.

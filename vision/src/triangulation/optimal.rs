@@ -75,8 +75,9 @@ impl<S: Real> Epipolar<S> {
         Vector::new((u - column) * by_focal, (v - row) * by_focal, S::one())
     }
 
-    /// How far along n and m the condition is satisfied that has the value `value` and the gradients
-    /// `first` and `second` at the measured pair: the smaller root of `a λ² − 2 b λ + c = 0`.
+    /// How far along n and m the condition is satisfied that has the value `value` and the
+    /// gradients `first` and `second` at the measured pair: the smaller root of
+    /// `a λ² − 2 b λ + c = 0`.
     #[inline(always)]
     fn along(&self, [first, second]: [[S; 2]; 2], [n, m]: [[S; 2]; 2], value: S) -> S {
         let a = dot(n, flat(&self.rows, m));

@@ -28,9 +28,9 @@ pub enum Method {
     /// perpendicular.
     DepthWeighted,
     /// The point whose projections are nearest to the pixels: the sum of the squared distances in
-    /// both pictures is least (P. Lindstrom, Triangulation made easy, CVPR 2010; the optimum is that
-    /// of R. Hartley and P. Sturm, Triangulation, Computer Vision and Image Understanding 68, 1997).
-    /// It is the most likely one for Gaussian noise of equal size in both pictures.
+    /// both pictures is least (P. Lindstrom, Triangulation made easy, CVPR 2010; the optimum is
+    /// that of R. Hartley and P. Sturm, Triangulation, Computer Vision and Image Understanding 68,
+    /// 1997). It is the most likely one for Gaussian noise of equal size in both pictures.
     #[default]
     Optimal,
 }

@@ -372,7 +372,7 @@ fn a_board_of_thousands_of_corners_is_found() {
     // Squares of 10 pixels, from (40, 40) on.
     let picture = Plane::from_fn(710, 600, |column: usize, row: usize| {
         let inside = (40..670).contains(&column) && (40..560).contains(&row);
-        let dark = inside && ((column - 40) / 10 + (row - 40) / 10) % 2 == 0;
+        let dark = inside && ((column - 40) / 10 + (row - 40) / 10).is_multiple_of(2);
         if dark { 20u8 } else { 230 }
     });
     let board = find(&picture, size).unwrap();

@@ -37,7 +37,7 @@ pub(in super::super) struct VisibilityFill {
     /// The path costs at a known disparity: those for disparity d begin at `padded` − d.
     tent: Vec<u8>,
     large: [u8; 256],
-    spare: Mutex<Vec<Box<Scratch>>>,
+    spare: Mutex<Vec<Scratch>>,
 }
 
 /// What a strip needs in memory.
@@ -88,8 +88,7 @@ impl VisibilityFill {
             let start = index * STRIP;
             let rows = start..(start + STRIP).min(height);
             let spare = self.spare().pop();
-            let mut scratch =
-                spare.unwrap_or_else(|| Box::new(Scratch::new(self.width, self.padded)));
+            let mut scratch = spare.unwrap_or_else(|| Scratch::new(self.width, self.padded));
             Batch::new().run(Strip {
                 fill: self,
                 map,
@@ -103,7 +102,7 @@ impl VisibilityFill {
         });
     }
 
-    fn spare(&self) -> std::sync::MutexGuard<'_, Vec<Box<Scratch>>> {
+    fn spare(&self) -> std::sync::MutexGuard<'_, Vec<Scratch>> {
         self.spare.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
