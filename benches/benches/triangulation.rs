@@ -79,7 +79,7 @@ fn pixel_pairs(criterion: &mut Criterion) {
         });
     }
     group.bench_function("nullcone, single rays", |bencher| {
-        bencher.iter(|| scene.rig.triangulate_all(&scene.left, &scene.right));
+        bencher.iter(|| scene.rig.triangulate_all(&scene.left, &scene.right).ok());
     });
 
     let rotation = DQuat::from_rotation_y(0.03);

@@ -42,7 +42,7 @@ pub(crate) struct Arguments {
     /// The side of a square in metres.
     #[arg(long, value_name = "METRES")]
     square: f64,
-    /// The left views: a pattern with *, ? or [abc]; ** stands for any folders.
+    /// The left views: a pattern with `*`, `?` or `[abc]`; `**` stands for any folders.
     #[arg(long, value_name = "GLOB")]
     left: String,
     /// The right views.
