@@ -9,7 +9,7 @@ use anyhow::{Context, Result, bail, ensure};
 use clap::ValueEnum;
 use ga_image::grey::Luma;
 use ga_image::plane::Plane;
-use ga_image::{file, png};
+use ga_image::png;
 use ga_mesh::Mesh;
 use ga_mesh::format::{self, Format};
 use ga_runtime::cga3::{Motor, Rotor};
@@ -22,6 +22,7 @@ use ga_vision::surface::{Surface, SurfaceOptions, disparity_range, seen_by_both}
 use serde::Serialize;
 
 use super::match_views::{Mode, threads};
+use super::views;
 use crate::output;
 use crate::progress::Progress;
 
@@ -150,7 +151,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let begin = Instant::now();
     let progress = Progress::new(5, quiet);
     progress.step("reading the views");
-    let views = read_views(&arguments.left, &arguments.right)?;
+    let views = views::read_colour_pair(&arguments.left, &arguments.right)?;
     progress.step("rectifying");
     let pair = rectify(views, &arguments.rig)?;
     progress.step("matching");
@@ -253,24 +254,6 @@ impl Axes {
             Self::Camera => Motor::default(),
         }
     }
-}
-
-/// Reads two views of the same size in colour; grey ones have three equal channels.
-fn read_views(left: &Path, right: &Path) -> Result<[Plane<[u8; 3]>; 2]> {
-    let read = |path: &Path| -> Result<Plane<[u8; 3]>> { Ok(file::read(path)?.to_rgb()) };
-    let views = [read(left)?, read(right)?];
-    let [first, second] = views.each_ref().map(|view| [view.width(), view.height()]);
-    ensure!(
-        first == second,
-        "the views differ in size: {} has {} × {} pixels and {} has {} × {}",
-        left.display(),
-        first[0],
-        first[1],
-        right.display(),
-        second[0],
-        second[1]
-    );
-    Ok(views)
 }
 
 /// Rectifies the views with the rig of a file.

@@ -27,7 +27,16 @@ pub(super) fn check_side(view: &Plane<u8>, path: &Path) -> Result<()> {
 
 /// Reads two views of the same size in grey.
 pub(super) fn read_pair(left: &Path, right: &Path) -> Result<[Plane<u8>; 2]> {
-    let views = [read(left)?, read(right)?];
+    of_one_size([read(left)?, read(right)?], [left, right])
+}
+
+/// Reads two views of the same size in colour; grey ones have three equal channels.
+pub(super) fn read_colour_pair(left: &Path, right: &Path) -> Result<[Plane<[u8; 3]>; 2]> {
+    let read = |path: &Path| -> Result<Plane<[u8; 3]>> { Ok(file::read(path)?.to_rgb()) };
+    of_one_size([read(left)?, read(right)?], [left, right])
+}
+
+fn of_one_size<T: Copy>(views: [Plane<T>; 2], [left, right]: [&Path; 2]) -> Result<[Plane<T>; 2]> {
     let [first, second] = views.each_ref().map(|view| [view.width(), view.height()]);
     ensure!(
         first == second,
