@@ -98,6 +98,8 @@ pub fn encode<'a>(
         }
     };
     let mut bytes = format!("P{letter}\n{width} {height}\n{scale}\n").into_bytes();
+    let samples: usize = rows.iter().map(|row| row.len()).sum();
+    bytes.reserve_exact(samples * size_of::<f32>());
     let upwards = rows.into_iter().rev().flatten();
     bytes.extend(upwards.flat_map(|value| match order {
         ByteOrder::Little => value.to_le_bytes(),

@@ -81,6 +81,9 @@ pub fn decode(bytes: &[u8]) -> Result<DisparityMap, DisparityFileError> {
 ///
 /// [`EncodeError::Size`] when the map has no pixels.
 pub fn encode(map: &DisparityMap) -> Result<Vec<u8>, EncodeError> {
+    if map.known() == map.plane().values().len() {
+        return pfm::encode(map.plane(), ByteOrder::Little);
+    }
     let stored = |value: f32| if value.is_nan() { f32::INFINITY } else { value };
     pfm::encode(&map.plane().map(stored), ByteOrder::Little)
 }

@@ -17,7 +17,9 @@
 //! [`Mode::Fast`] leaves out step 3. [`Mode::Best`] matches the right view as well for steps 5 and
 //! 6; the other modes take its disparities from the costs of the left view.
 //!
-//! Costs of one row are in memory at a time, those of step 3 for 42 rows.
+//! Costs of one row are in memory at a time for each strip of rows that is computed, those of step
+//! 3 for 42 rows, and those of step 6 for the holes of at most 64 rows or as many as 8 rows have
+//! pixels. No more strips are computed at the same time than need 24 MiB, or two.
 //!
 //! The loops are compiled for several sets of instructions, of which the best is taken at run time.
 //! Rows are computed in strips whose height does not depend on the number of threads, so neither
@@ -47,6 +49,7 @@ mod arms;
 mod cost;
 mod features;
 mod lanes;
+mod parts;
 mod path;
 mod refine;
 mod strips;
@@ -56,7 +59,7 @@ mod view;
 mod winner;
 
 use ga_image::plane::{Plane, PlaneView};
-use rayon::{ThreadPool, ThreadPoolBuilder};
+use rayon::{ThreadPool, ThreadPoolBuilder, join};
 
 use crate::disparity::DisparityMap;
 use path::Penalties;
@@ -65,7 +68,7 @@ use refine::visibility::VisibilityFill;
 use refine::weighted::WeightedMedian;
 use refine::{check, fill, median, smooth};
 use strips::Strips;
-use sweep::Task;
+use sweep::{Found, Task};
 use view::View;
 use winner::{STEPS, UNKNOWN};
 
@@ -284,9 +287,9 @@ impl Matcher {
                 expected,
             });
         }
-        let identity = std::array::from_fn(|level| level as u8);
-        self.left.fill(left, &identity);
-        self.right.fill(right, &view::exposure(left, right));
+        let threads = &self.threads;
+        let views = [&mut self.left, &mut self.right];
+        threads.install(|| view::fill([left, right], views));
         Ok(self.matched())
     }
 
@@ -307,11 +310,9 @@ impl Matcher {
             visibility,
         } = self;
         let width = *width;
-        let mut disparity = Plane::filled(width, *height, 0.0);
-        let mut clear = Plane::filled(width, *height, 0.0);
         threads.install(|| {
-            let noise = [&*left, &*right].map(view::noise);
-            let noise = (noise[0].max(noise[1]) - 1.5).max(0.0);
+            let noise = join(|| view::noise(left), || view::noise(right));
+            let noise = (noise.0.max(noise.1) - 1.5).max(0.0);
             let median_cost = strips.median_cost(left, right, options.max_disparity);
             let penalties = Penalties::new(median_cost, noise);
             let task = Task {
@@ -322,37 +323,53 @@ impl Matcher {
                 outside: median_cost.saturating_add(OUTSIDE).min(cost::HIGHEST),
                 threshold: (3.0 + 1.7 * noise) as u8,
             };
-            strips.run(task, spare, confidence, opposite);
-            median::median(spare, width, map);
-            fill_in_confidence(confidence, &mut clear);
+            let mut of_left = Found {
+                disparities: spare,
+                confidence: Some(confidence),
+                opposite: None,
+            };
             if options.mode == Mode::Best {
-                let task = Task {
+                let of_right = Found {
+                    disparities: opposite,
+                    confidence: None,
+                    opposite: None,
+                };
+                let mirrored = Task {
                     reference: right,
                     other: left,
                     ..task
                 };
-                // The confidence of the right view is not wanted, nor what it makes of the left.
-                let mut of_left = vec![0; opposite.len()];
-                strips.run(task, spare, confidence, &mut of_left);
-                median::median(spare, width, opposite);
-                check::to_pixels(opposite);
+                strips.run([(task, of_left), (mirrored, of_right)]);
             } else {
-                median::median(opposite, width, spare);
-                std::mem::swap(opposite, spare);
+                of_left.opposite = Some(opposite);
+                strips.run([(task, of_left)]);
+            }
+            median::median(spare, width, map);
+            median::median(opposite, width, spare);
+            std::mem::swap(opposite, spare);
+            if options.mode == Mode::Best {
+                check::to_pixels(opposite, width);
             }
             confirm(map, opposite, spare, width, islands, options.mode);
-            keep_confirmed(&mut clear, map);
+            keep_confirmed(confidence, map, width);
             visibility.fill(map, left, opposite, spare);
             fill::fill_rows(spare, width);
             weighted.at_edges(spare, left, map);
             median::median(map, width, spare);
             median::median(spare, width, map);
+            let mut disparity = Plane::filled(width, *height, 0.0);
             smooth::smooth(map, width, disparity.values_mut());
-        });
-        Match {
-            disparity: DisparityMap::new(disparity),
-            confidence: clear,
-        }
+            let mut clear = Plane::filled(width, *height, 0.0);
+            refine::over_rows(clear.values_mut(), width, |first, rows| {
+                for (value, level) in rows.iter_mut().zip(&confidence[first * width..]) {
+                    *value = f32::from(*level) / 255.0;
+                }
+            });
+            Match {
+                disparity: DisparityMap::new(disparity),
+                confidence: clear,
+            }
+        })
     }
 }
 
@@ -368,26 +385,31 @@ fn confirm(
 ) {
     pixels.copy_from_slice(map);
     check::check::<STEPS>(map, width, opposite);
-    islands.remove(map, width, SPECKLE);
-    // A map of the right view that comes from the costs of the left agrees with it even where both
-    // are wrong, so that it is compared with what is left of that map.
-    if mode != Mode::Best {
+    let confirm_opposite = |opposite: &mut [u16], pixels: &mut [u16]| {
+        check::to_pixels(pixels, width);
+        check::check::<1>(opposite, width, pixels);
+    };
+    if mode == Mode::Best {
+        join(
+            || islands.remove(map, width, SPECKLE),
+            || confirm_opposite(opposite, pixels),
+        );
+    } else {
+        // A map of the right view that comes from the costs of the left agrees with it even where
+        // both are wrong, so that it is compared with what is left of that map.
+        islands.remove(map, width, SPECKLE);
         pixels.copy_from_slice(map);
-    }
-    check::to_pixels(pixels);
-    check::check::<1>(opposite, width, pixels);
-}
-
-fn fill_in_confidence(levels: &[u8], confidence: &mut Plane<f32>) {
-    for (value, level) in confidence.values_mut().iter_mut().zip(levels) {
-        *value = f32::from(*level) / 255.0;
+        confirm_opposite(opposite, pixels);
     }
 }
 
-fn keep_confirmed(confidence: &mut Plane<f32>, map: &[u16]) {
-    for (value, disparity) in confidence.values_mut().iter_mut().zip(map) {
-        if *disparity == UNKNOWN {
-            *value = 0.0;
+/// Sets the confidence to 0 where the disparity is not known.
+fn keep_confirmed(confidence: &mut [u8], map: &[u16], width: usize) {
+    refine::over_rows(confidence, width, |first, rows| {
+        for (level, disparity) in rows.iter_mut().zip(&map[first * width..]) {
+            if *disparity == UNKNOWN {
+                *level = 0;
+            }
         }
-    }
+    });
 }

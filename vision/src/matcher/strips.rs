@@ -1,7 +1,6 @@
 //! The strips of rows in which a view is matched, and their memory.
 
 use std::ops::Range;
-use std::sync::{Mutex, PoisonError};
 
 use ga_runtime::batch::{Batch, Work};
 use rayon::prelude::*;
@@ -9,23 +8,30 @@ use rayon::prelude::*;
 use super::cost::pixel_costs;
 use super::features::Features;
 use super::lanes::LANES;
-use super::sweep::{Found, Scratch, Sweep, Task};
+use super::parts::Spare;
+use super::sweep::{Found, Scratch, Sweep, Task, WARM_UP};
 use super::view::View;
 
 /// The height of a strip, about: where costs are averaged over regions, the rows above and below it
 /// that have to be computed as well are more.
 const STRIP: [usize; 2] = [128, 240];
+/// The bytes that the strips computed at the same time may need; two strips may always.
+const AT_ONCE: usize = 24 << 20;
+/// The bytes that are kept for the next pair.
+const KEPT: usize = 8 << 20;
 /// Of this many rows, one is looked at for the median cost.
 const SAMPLED: usize = 12;
+/// The sampled rows that are computed together.
+const TOGETHER: usize = 4;
 
-/// The strips of rows of a view, and memory for as many as are computed at the same time.
+/// The strips of rows of a view, and memory for those that are computed at the same time.
 #[derive(Debug)]
 pub(super) struct Strips {
     width: usize,
     height: usize,
     range: usize,
     has_support: bool,
-    spare: Mutex<Vec<Scratch>>,
+    spare: Spare<Scratch>,
 }
 
 impl Strips {
@@ -35,67 +41,63 @@ impl Strips {
             height,
             range,
             has_support,
-            spare: Mutex::default(),
+            spare: Spare::default(),
         }
     }
 
-    /// The rows of each strip; they do not depend on the number of threads.
-    fn rows(&self) -> impl Iterator<Item = Range<usize>> {
+    /// The rows of each strip; they do not depend on the number of threads. An even number of
+    /// strips of the same work, in which rows above count as well, keeps two threads busy to the
+    /// end.
+    fn rows(&self) -> impl Iterator<Item = Range<usize>> + use<> {
         let strip = STRIP[usize::from(self.has_support)];
-        let count = ((self.height + strip / 2) / strip).max(1);
-        let height = self.height;
-        (0..count).map(move |strip| strip * height / count..(strip + 1) * height / count)
+        let pairs = (self.height + strip) / (2 * strip);
+        let count = (2 * pairs).max(1);
+        let work = self.height + (count - 1) * WARM_UP;
+        let start = move |strip: usize| strip * work / count - strip.saturating_sub(1) * WARM_UP;
+        (0..count).map(move |strip| start(strip)..start(strip + 1))
     }
 
-    /// Matches all strips.
-    pub(super) fn run(
-        &self,
-        task: Task<'_>,
-        mut disparities: &mut [u16],
-        mut confidence: &mut [u8],
-        mut opposite: &mut [u16],
-    ) {
+    /// Matches all strips of some passes.
+    pub(super) fn run<'a>(&self, passes: impl IntoIterator<Item = (Task<'a>, Found<'a>)>) {
         let mut strips = Vec::new();
-        for rows in self.rows() {
-            let pixels = rows.len() * self.width;
-            let found = Found {
-                disparities: split_off(&mut disparities, pixels),
-                confidence: split_off(&mut confidence, pixels),
-                opposite: split_off(&mut opposite, pixels),
-            };
-            strips.push((rows, found));
+        for (task, mut found) in passes {
+            for rows in self.rows() {
+                let found = found.split_off(rows.len() * self.width);
+                strips.push((task, rows, found));
+            }
         }
         let batch = Batch::new();
-        strips.into_par_iter().for_each(|(rows, found)| {
-            let mut scratch = self.scratch();
-            batch.run(Sweep {
-                task,
-                rows,
-                scratch: &mut scratch,
-                found,
+        let bytes = Scratch::bytes(self.width, self.range, self.has_support);
+        let most = (AT_ONCE / bytes).max(2);
+        let new = || Scratch::new(self.width, self.range, self.has_support);
+        self.spare
+            .compute(strips, most, new, |(task, rows, found), scratch| {
+                batch.run(Sweep {
+                    task,
+                    rows,
+                    scratch,
+                    found,
+                });
             });
-            self.spare().push(scratch);
-        });
-    }
-
-    fn scratch(&self) -> Scratch {
-        let spare = self.spare().pop();
-        spare.unwrap_or_else(|| Scratch::new(self.width, self.range, self.has_support))
-    }
-
-    fn spare(&self) -> std::sync::MutexGuard<'_, Vec<Scratch>> {
-        self.spare.lock().unwrap_or_else(PoisonError::into_inner)
+        self.spare.keep_at_most(KEPT, bytes);
     }
 
     /// The median of the least costs of the pixels in a sample of the rows.
     pub(super) fn median_cost(&self, reference: &View, other: &View, range: usize) -> u8 {
-        let mut counts = [0; 256];
-        Batch::new().run(Sample {
-            reference,
-            other,
-            range,
-            counts: &mut counts,
+        let rows: Vec<usize> = (SAMPLED / 2..self.height).step_by(SAMPLED).collect();
+        let counted = rows.par_chunks(TOGETHER).map(|rows| {
+            let mut counts = [0; 256];
+            Batch::new().run(Sample {
+                reference,
+                other,
+                range,
+                rows,
+                counts: &mut counts,
+            });
+            counts
         });
+        let sum = |a: [u32; 256], b: [u32; 256]| std::array::from_fn(|cost| a[cost] + b[cost]);
+        let counts = counted.reduce(|| [0; 256], sum);
         let total: u32 = counts.iter().sum();
         let mut below = 0;
         let median = counts.iter().position(|count| {
@@ -106,18 +108,12 @@ impl Strips {
     }
 }
 
-/// The first numbers of a slice, which then begins behind them.
-fn split_off<'a, T>(slice: &mut &'a mut [T], length: usize) -> &'a mut [T] {
-    let (first, rest) = std::mem::take(slice).split_at_mut(length);
-    *slice = rest;
-    first
-}
-
-/// Counts the least costs of pixels.
+/// Counts the least costs of the pixels of some rows.
 struct Sample<'a> {
     reference: &'a View,
     other: &'a View,
     range: usize,
+    rows: &'a [usize],
     counts: &'a mut [u32; 256],
 }
 
@@ -128,9 +124,9 @@ impl Work for Sample<'_> {
         let stride = self.range.next_multiple_of(LANES);
         let [mut left, mut right] = [(); 2].map(|()| Features::new(width, stride));
         let mut costs = vec![0; stride];
-        for row in (SAMPLED / 2..self.reference.height()).step_by(SAMPLED) {
-            left.compute(self.reference, row);
-            right.compute(self.other, row);
+        for row in self.rows {
+            left.compute(self.reference, *row);
+            right.compute(self.other, *row);
             for column in 0..width {
                 pixel_costs(&left, &right, width, column, &mut costs);
                 let seen = self.range.min(column + 1);

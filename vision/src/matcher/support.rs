@@ -41,6 +41,11 @@ impl Support {
         }
     }
 
+    /// The bytes of the sums.
+    pub(super) fn bytes(width: usize, range: usize) -> usize {
+        (ROWS + 1) * width * range * size_of::<u16>()
+    }
+
     /// The first row that is needed for the region of a pixel of `row`, and before which all is
     /// forgotten.
     pub(super) fn begin(&mut self, row: usize) -> usize {

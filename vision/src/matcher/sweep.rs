@@ -54,6 +54,18 @@ impl Scratch {
             opposite: Opposite::new(width, padded),
         }
     }
+
+    /// The bytes that it takes, without what does not grow with both `width` and `range`.
+    pub(super) fn bytes(width: usize, range: usize, has_support: bool) -> usize {
+        let padded = range.next_multiple_of(LANES);
+        let support = if has_support {
+            width * padded + Support::bytes(width, padded)
+        } else {
+            0
+        };
+        // One row of costs, and eight of paths.
+        9 * width * padded + support
+    }
 }
 
 /// What a pass finds in its strip.
@@ -61,10 +73,27 @@ impl Scratch {
 pub(super) struct Found<'a> {
     /// The disparities of the reference view in 1/32 px.
     pub(super) disparities: &'a mut [u16],
-    /// How clear they are, from 0 to 255.
-    pub(super) confidence: &'a mut [u8],
-    /// The disparities of the other view in whole pixels; its columns are mirrored.
-    pub(super) opposite: &'a mut [u16],
+    /// How clear they are, from 0 to 255, where that is wanted.
+    pub(super) confidence: Option<&'a mut [u8]>,
+    /// The disparities of the other view in whole pixels, where they are wanted; its columns are
+    /// mirrored.
+    pub(super) opposite: Option<&'a mut [u16]>,
+}
+
+impl<'a> Found<'a> {
+    /// The first `length` pixels; the others are left.
+    pub(super) fn split_off(&mut self, length: usize) -> Self {
+        fn first<'a, T>(slice: &mut &'a mut [T], length: usize) -> &'a mut [T] {
+            let (first, rest) = std::mem::take(slice).split_at_mut(length);
+            *slice = rest;
+            first
+        }
+        Self {
+            disparities: first(&mut self.disparities, length),
+            confidence: self.confidence.as_mut().map(|all| first(all, length)),
+            opposite: self.opposite.as_mut().map(|all| first(all, length)),
+        }
+    }
 }
 
 /// What all strips of a pass have in common.
@@ -192,6 +221,7 @@ impl Sweep<'_> {
         let scratch = &mut *self.scratch;
         let stride = scratch.sums.len();
         let levels = view.row(row);
+        let has_opposite = self.found.opposite.is_some();
         scratch.opposite.clear(PATHS as u16 * u16::from(NEVER));
         let costs = if scratch.support.is_some() {
             &scratch.means
@@ -210,13 +240,19 @@ impl Sweep<'_> {
             let [a, b, c] = &scratch.here;
             let paths = [a, b, c, &scratch.forward, &scratch.backward];
             sum(paths.map(|path| path.pixel(column)), &mut scratch.sums);
-            scratch.opposite.take(column, width, &scratch.sums);
-            let best = winner(&mut scratch.sums, self.task.range);
+            if has_opposite {
+                scratch.opposite.take(column, width, &scratch.sums);
+            }
+            let best = winner(&scratch.sums, self.task.range);
             self.found.disparities[place + column] = best.disparity;
-            self.found.confidence[place + column] = best.confidence;
+            if let Some(confidence) = &mut self.found.confidence {
+                confidence[place + column] = best.confidence(&mut scratch.sums, self.task.range);
+            }
         }
-        let opposite = scratch.opposite.disparities(width);
-        self.found.opposite[place..][..width].copy_from_slice(opposite);
+        if let Some(opposite) = &mut self.found.opposite {
+            let found = scratch.opposite.disparities(width);
+            opposite[place..][..width].copy_from_slice(found);
+        }
     }
 }
 
@@ -390,8 +426,8 @@ mod tests {
                     scratch: &mut scratch,
                     found: Found {
                         disparities: &mut disparities,
-                        confidence: &mut confidence,
-                        opposite: &mut opposite,
+                        confidence: Some(&mut confidence),
+                        opposite: Some(&mut opposite),
                     },
                 });
                 let row = rows - 1;
@@ -408,7 +444,7 @@ mod tests {
                         }
                     }
                     let place = (0..RANGE).min_by_key(|d| sums[*d]).unwrap_or(0);
-                    let best = winner(&mut sums, RANGE);
+                    let best = winner(&sums, RANGE);
                     prop_assert!(best.disparity.abs_diff(32 * place as u16) <= 16);
                     prop_assert_eq!(disparities[row * width + column], best.disparity);
                 }

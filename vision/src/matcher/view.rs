@@ -2,6 +2,7 @@
 //! and with a margin on either side of each row.
 
 use ga_image::plane::PlaneView;
+use rayon::join;
 
 /// The columns of margin on either side of a row, in which its outermost pixel is repeated.
 pub(super) const MARGIN: usize = 4;
@@ -72,11 +73,22 @@ impl View {
     }
 }
 
+/// Takes the left and the right view, the right one at the exposure of the left.
+pub(super) fn fill(planes: [PlaneView<'_, u8>; 2], [left, right]: [&mut View; 2]) {
+    let identity = std::array::from_fn(|level| level as u8);
+    let table = exposure(planes);
+    join(
+        || left.fill(planes[0], &identity),
+        || right.fill(planes[1], &table),
+    );
+}
+
 /// The table that brings the right view to the exposure of the left: the gain and the offset for
 /// which means and standard deviations agree. Where the gain is within 6 % of 1 and the means are
 /// within 6 levels, nothing is changed: such differences come from what only one view shows.
-pub(super) fn exposure(left: PlaneView<'_, u8>, right: PlaneView<'_, u8>) -> [u8; 256] {
-    let [(mean_left, deviation_left), (mean_right, deviation_right)] = [left, right].map(moments);
+fn exposure([left, right]: [PlaneView<'_, u8>; 2]) -> [u8; 256] {
+    let ((mean_left, deviation_left), (mean_right, deviation_right)) =
+        join(|| moments(left), || moments(right));
     let gain = if deviation_right > 0.5 && deviation_left > 0.5 {
         deviation_left / deviation_right
     } else {

@@ -12,23 +12,37 @@ pub(super) const UNKNOWN: u16 = u16::MAX;
 pub(super) struct Winner {
     /// In 1/32 px.
     pub(super) disparity: u16,
-    /// How much worse the best candidate is that is not beside this one: 255 · (1 − S / S′).
-    pub(super) confidence: u8,
+    /// The same in whole pixels.
+    place: usize,
+    cost: u16,
 }
 
-/// The winner among the costs of `range` disparities. `sums` is a whole number of blocks, and is
-/// changed.
+impl Winner {
+    /// How much worse the best candidate is that is not beside this one: 255 · (1 − S / S′), or 0
+    /// where there is no other. `sums` are those of which this is the winner, and are changed.
+    #[inline(always)]
+    pub(super) fn confidence(&self, sums: &mut [u16], range: usize) -> u8 {
+        sums[self.place.saturating_sub(1)..(self.place + 2).min(range)].fill(u16::MAX);
+        sums[range..].fill(u16::MAX);
+        let second = least_cost(sums);
+        if second == u16::MAX || second == 0 {
+            0
+        } else {
+            255 - (255.0 * f32::from(self.cost) / f32::from(second)) as u8
+        }
+    }
+}
+
+/// The winner among the costs of `range` disparities. `sums` is a whole number of blocks.
 ///
 /// Between whole disparities the costs are taken as two lines of equal and opposite slope through
 /// the three costs around the least (M. Shimizu and M. Okutomi, "Sub-pixel estimation error
 /// cancellation on area-based matching", International Journal of Computer Vision 63, 2005).
 #[inline(always)]
-pub(super) fn winner(sums: &mut [u16], range: usize) -> Winner {
+pub(super) fn winner(sums: &[u16], range: usize) -> Winner {
     let best = least_cost(sums);
     let place = first_with(sums, best);
     let mut disparity = place as u16 * STEPS;
-    let low = place.saturating_sub(1);
-    let high = (place + 2).min(range);
     if place > 0 && place + 1 < range {
         let [below, above] = [sums[place - 1], sums[place + 1]].map(i32::from);
         let steeper = below.max(above) - i32::from(best);
@@ -37,16 +51,10 @@ pub(super) fn winner(sums: &mut [u16], range: usize) -> Winner {
             disparity = disparity.wrapping_add_signed(offset.round_ties_even() as i16);
         }
     }
-    sums[low..high].fill(u16::MAX);
-    let second = least_cost(sums);
-    let confidence = if second == u16::MAX || second == 0 {
-        0
-    } else {
-        255 - (255.0 * f32::from(best) / f32::from(second)) as u8
-    };
     Winner {
         disparity,
-        confidence,
+        place,
+        cost: best,
     }
 }
 

@@ -127,6 +127,8 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let mut matcher = Matcher::new(options, left.width(), left.height()).with_context(named)?;
     let found = matcher.run(&left, &right).with_context(named)?;
     let seconds = begin.elapsed().as_secs_f64();
+    // The files need memory as well.
+    drop((matcher, left, right));
 
     progress.step("writing");
     let map = &found.disparity;

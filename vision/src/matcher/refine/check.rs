@@ -24,10 +24,12 @@ pub(in super::super) fn check<const STEPS: u16>(map: &mut [u16], width: usize, o
 }
 
 /// Rounds disparities to whole pixels, in which they are then given.
-pub(in super::super) fn to_pixels(map: &mut [u16]) {
-    for disparity in map {
-        if *disparity != UNKNOWN {
-            *disparity = (*disparity + STEPS / 2) / STEPS;
+pub(in super::super) fn to_pixels(map: &mut [u16], width: usize) {
+    over_rows(map, width, |_, rows| {
+        for disparity in rows {
+            if *disparity != UNKNOWN {
+                *disparity = (*disparity + STEPS / 2) / STEPS;
+            }
         }
-    }
+    });
 }

@@ -7,20 +7,25 @@
 //! among them.
 
 use std::ops::Range;
-use std::sync::{Mutex, PoisonError};
 
 use ga_runtime::batch::{Batch, Work};
-use rayon::prelude::*;
 
 use super::super::cost::{NEVER, difference};
 use super::super::lanes::{Block, LANES};
+use super::super::parts::Spare;
 use super::super::path::step;
 use super::super::view::View;
 use super::super::winner::{STEPS, UNKNOWN, winner};
 
-/// The rows of a strip, and those above and below it from which paths come.
+/// The greatest number of rows of a strip, and those above and below it from which paths come.
 const STRIP: usize = 64;
 const CONTEXT: usize = 24;
+/// A strip of more than one row has at most as many holes as this number of rows has pixels.
+const ROWS_OF_HOLES: usize = 8;
+/// The bytes that the strips computed at the same time may need; two strips may always.
+const AT_ONCE: usize = 24 << 20;
+/// The bytes that are kept for the next pair.
+const KEPT: usize = 8 << 20;
 /// The cost of a candidate that the other view would see.
 const SEEN: u8 = 30;
 /// The path cost at a known disparity, for each pixel that a candidate is off, and its greatest.
@@ -37,7 +42,7 @@ pub(in super::super) struct VisibilityFill {
     /// The path costs at a known disparity: those for disparity d begin at `padded` − d.
     tent: Vec<u8>,
     large: [u8; 256],
-    spare: Mutex<Vec<Scratch>>,
+    spare: Spare<Scratch>,
 }
 
 /// What a strip needs in memory.
@@ -53,7 +58,7 @@ struct Scratch {
     least_before: [Vec<u8>; 3],
     /// Path costs along the row, of the pixel before and of this one.
     along: [Vec<u8>; 2],
-    /// Sums of path costs for each hole of the strip.
+    /// Sums of path costs for each hole of the strip that is filled.
     sums: Vec<u16>,
 }
 
@@ -67,7 +72,7 @@ impl VisibilityFill {
             padded,
             tent: tent.collect(),
             large: std::array::from_fn(|g| (60.0 / (1.0 + g as f32 / 3.0)).max(8.0) as u8),
-            spare: Mutex::default(),
+            spare: Spare::default(),
         }
     }
 
@@ -81,30 +86,65 @@ impl VisibilityFill {
         other: &[u16],
         filled: &mut [u16],
     ) {
-        let height = view.height();
         filled.copy_from_slice(map);
-        let strips = filled.par_chunks_mut(STRIP * self.width).enumerate();
-        strips.for_each(|(index, filled)| {
-            let start = index * STRIP;
-            let rows = start..(start + STRIP).min(height);
-            let spare = self.spare().pop();
-            let mut scratch = spare.unwrap_or_else(|| Scratch::new(self.width, self.padded));
-            Batch::new().run(Strip {
-                fill: self,
-                map,
-                view,
-                other,
-                rows,
-                filled,
-                scratch: &mut scratch,
+        let mut strips = Vec::new();
+        let mut most_holes = 0;
+        let mut rest = filled;
+        for (rows, holes) in self.strips(map) {
+            let (filled, below) = rest.split_at_mut(rows.len() * self.width);
+            rest = below;
+            most_holes = most_holes.max(holes);
+            if holes > 0 {
+                strips.push((rows, holes, filled));
+            }
+        }
+        // Those of the paths from three directions, at two rows, and those of the sums.
+        let bytes = (6 * self.width + size_of::<u16>() * most_holes) * self.padded;
+        let most = (AT_ONCE / bytes).max(2);
+        let new = || Scratch::new(self.width, self.padded);
+        let batch = Batch::new();
+        self.spare
+            .compute(strips, most, new, |(rows, holes, filled), scratch| {
+                batch.run(Strip {
+                    fill: self,
+                    map,
+                    view,
+                    other,
+                    rows,
+                    holes,
+                    filled,
+                    scratch,
+                });
             });
-            self.spare().push(scratch);
-        });
+        self.spare.keep_at_most(KEPT, bytes);
     }
 
-    fn spare(&self) -> std::sync::MutexGuard<'_, Vec<Scratch>> {
-        self.spare.lock().unwrap_or_else(PoisonError::into_inner)
+    /// The rows of each strip, and the holes that are filled there. They depend on the map alone.
+    fn strips(&self, map: &[u16]) -> Vec<(Range<usize>, usize)> {
+        let mut strips = Vec::new();
+        let (mut start, mut holes) = (0, 0);
+        for (row, disparities) in map.chunks_exact(self.width).enumerate() {
+            let here = count(&disparities[at_border(disparities)..]);
+            let is_full = holes + here > ROWS_OF_HOLES * self.width || row - start == STRIP;
+            if is_full && row > start {
+                strips.push((start..row, holes));
+                (start, holes) = (row, 0);
+            }
+            holes += here;
+        }
+        strips.push((start..map.len() / self.width, holes));
+        strips
     }
+}
+
+/// The number of holes.
+fn count(map: &[u16]) -> usize {
+    map.iter().filter(|d| **d == UNKNOWN).count()
+}
+
+/// The length of the hole that begins at the first column.
+fn at_border(row: &[u16]) -> usize {
+    row.iter().take_while(|d| **d == UNKNOWN).count()
 }
 
 impl Scratch {
@@ -130,6 +170,7 @@ struct Strip<'a> {
     view: &'a View,
     other: &'a [u16],
     rows: Range<usize>,
+    holes: usize,
     filled: &'a mut [u16],
     scratch: &'a mut Scratch,
 }
@@ -137,15 +178,11 @@ struct Strip<'a> {
 impl Work for Strip<'_> {
     #[inline(always)]
     fn run(mut self) {
-        let width = self.fill.width;
         let (start, end) = (self.rows.start, self.rows.end);
-        let strip = &self.map[start * width..end * width];
-        let holes = strip.iter().filter(|d| **d == UNKNOWN).count();
-        if holes == 0 {
-            return;
-        }
+        let numbers = self.holes * self.fill.padded;
         self.scratch.sums.clear();
-        self.scratch.sums.resize(holes * self.fill.padded, 0);
+        self.scratch.sums.reserve_exact(numbers);
+        self.scratch.sums.resize(numbers, 0);
         let top = start.saturating_sub(CONTEXT);
         let bottom = (end + CONTEXT).min(self.view.height());
         let mut hole = 0;
@@ -153,7 +190,7 @@ impl Work for Strip<'_> {
             let above = (row > top).then(|| row - 1);
             hole = self.row(row, above, hole, true);
         }
-        hole = holes;
+        hole = self.holes;
         for row in (start..bottom).rev() {
             let below = (row + 1 < bottom).then_some(row + 1);
             hole = self.row(row, below, hole, false);
@@ -163,19 +200,19 @@ impl Work for Strip<'_> {
 
 impl Strip<'_> {
     /// Continues the paths to the holes of a row, from the row before on their way; downwards,
-    /// those along the row as well. `hole` counts the holes of the strip from its top, and is that
-    /// behind the ones before; the new count is returned.
+    /// those along the row as well. `hole` counts the holes of the strip that are filled from its
+    /// top, and is that behind the ones before; the new count is returned.
     #[inline(always)]
     fn row(&mut self, row: usize, before: Option<usize>, hole: usize, downwards: bool) -> usize {
         let width = self.fill.width;
         let is_inside = self.rows.contains(&row);
         let map = &self.map[row * width..][..width];
         self.limits(row);
-        let count = map.iter().filter(|d| **d == UNKNOWN).count();
-        let first = match (is_inside, downwards) {
-            (false, _) => hole,
-            (true, true) => hole,
-            (true, false) => hole - count,
+        let border = at_border(map);
+        let first = if is_inside && !downwards {
+            hole - count(&map[border..])
+        } else {
+            hole
         };
         let mut slot = first;
         for column in 0..width {
@@ -186,16 +223,16 @@ impl Strip<'_> {
             for direction in 0..3 {
                 self.advance(row, column, before, direction);
             }
-            if is_inside {
+            if is_inside && column >= border {
                 self.add(slot, column);
+                slot += 1;
             }
-            slot += usize::from(is_inside);
         }
         if is_inside {
             if downwards {
-                self.along(row, first);
+                self.along(row, border, [first, slot]);
             } else {
-                self.choose(row, first);
+                self.choose(row, border, first);
             }
         }
         let scratch = &mut *self.scratch;
@@ -276,9 +313,10 @@ impl Strip<'_> {
         }
     }
 
-    /// The paths along the row, both ways, to all of its holes.
+    /// The paths along the row, both ways, to its holes from column `border` on, which have the
+    /// numbers from `first` to `end`.
     #[inline(always)]
-    fn along(&mut self, row: usize, first: usize) {
+    fn along(&mut self, row: usize, border: usize, [first, end]: [usize; 2]) {
         let width = self.fill.width;
         let padded = self.fill.padded;
         let map = &self.map[row * width..][..width];
@@ -286,13 +324,10 @@ impl Strip<'_> {
         let mut state = std::mem::take(&mut self.scratch.along);
         for forward in [true, false] {
             let mut least = 0;
-            let mut slot = first;
-            if !forward {
-                slot += map.iter().filter(|d| **d == UNKNOWN).count();
-            }
-            for step_number in 0..width {
+            let mut slot = if forward { first } else { end };
+            for step_number in 0..width - border {
                 let column = if forward {
-                    step_number
+                    border + step_number
                 } else {
                     width - 1 - step_number
                 };
@@ -337,25 +372,20 @@ impl Strip<'_> {
         self.scratch.along = state;
     }
 
-    /// The best candidates of the holes of a row.
+    /// The best candidates of the holes of a row from column `border` on.
     #[inline(always)]
-    fn choose(&mut self, row: usize, first: usize) {
+    fn choose(&mut self, row: usize, border: usize, first: usize) {
         let width = self.fill.width;
         let padded = self.fill.padded;
         let map = &self.map[row * width..][..width];
         let filled = &mut self.filled[(row - self.rows.start) * width..][..width];
         let mut slot = first;
-        let mut at_border = true;
-        for column in 0..width {
-            if map[column] != UNKNOWN {
-                at_border = false;
-                continue;
-            }
-            if !at_border {
-                let sums = &mut self.scratch.sums[slot * padded..][..padded];
+        for column in border..width {
+            if map[column] == UNKNOWN {
+                let sums = &self.scratch.sums[slot * padded..][..padded];
                 filled[column] = winner(sums, self.fill.range).disparity;
+                slot += 1;
             }
-            slot += 1;
         }
     }
 }
