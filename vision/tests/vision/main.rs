@@ -4,6 +4,7 @@
 
 mod calibration;
 mod camera;
+mod capture;
 mod chessboard;
 mod dense;
 mod diagnosis;

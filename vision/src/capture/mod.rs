@@ -1,0 +1,25 @@
+//! Facial capture: the pose of a head, its expression, and the motion of its whole surface (Cui,
+//! §2.1.1).
+//!
+//! The motion of points on a face is that of the head as a rigid body, followed by what the muscles
+//! add to it. Four or more calibrated points, which no expression moves, separate the two:
+//!
+//! - [`rigid_pose`]: the motor of the head, by least squares or robust against gross errors;
+//! - [`Capture`]: frames of points, each as a pose and an expression in the frame of the head at
+//!   rest, with its [`CaptureMatrix`];
+//! - [`description_constant`]: the paper's eq. 1. Its eq. 2 is
+//!   [`predicted_distance`](crate::modelling_points::predicted_distance).
+//!
+//! Where the points are known only as pixels of one camera, [`estimate`] finds the pose.
+//!
+//! [`estimate`]: crate::perspective_n_point::estimate
+
+mod description;
+mod error;
+mod pose;
+mod sequence;
+
+pub use description::{DescriptionError, description_constant};
+pub use error::{CaptureError, FrameError, PointSet, PoseError};
+pub use pose::{PoseOptions, RigidPose, rigid_pose};
+pub use sequence::{Capture, CaptureMatrix, CapturedFrame};
