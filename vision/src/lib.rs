@@ -2,6 +2,7 @@
 //! techniques for 3D animation and their application to visual communication", which the modules
 //! cite as "Cui".
 //!
+//! - `body`: poses of bodies from their joints in pictures (feature `body`).
 //! - [`camera`]: cameras with lenses; the pixel of a point, and the [ray] of a pixel.
 //! - [`frame`]: frames of reference in types.
 //! - [`chessboard`]: the inner corners of chessboards in pictures.
@@ -52,6 +53,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+#[cfg(feature = "body")]
+pub mod body;
 pub mod calibration;
 pub mod camera;
 pub mod capture;

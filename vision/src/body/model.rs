@@ -1,0 +1,228 @@
+//! Bodies: a skeleton and the points of the body that pictures show.
+
+use ga_anim::skeleton::{JointLimits, LimitError, Skeleton};
+use ga_anim::skin::Method;
+
+/// A point of the body that pictures show: a joint, or a point of the skin.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BodyPoint {
+    /// The name, for messages and files.
+    pub name: String,
+    /// Where it is at rest, in the coordinates of the skeleton.
+    pub at_rest: [f64; 3],
+    /// The joints that it follows and how much it follows each: weights that sum to 1, as those of
+    /// a vertex of the skin. A point that is fixed to a bone follows one joint with the weight 1.
+    pub joints: Vec<(usize, f64)>,
+}
+
+/// A body: a skeleton in metres with the points that are observed, and limits of its joints.
+///
+/// The lengths of the bones are those of the skeleton, exactly.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BodyModel {
+    skeleton: Skeleton,
+    points: Vec<BodyPoint>,
+    limits: Option<JointLimits>,
+    blending: Method,
+}
+
+/// Why a skeleton and points are not a body.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum BodyModelError {
+    /// No point is observed.
+    #[error("no point of the body is observed")]
+    NoPoints,
+    /// The skeleton has no joint of a name.
+    #[error("the skeleton has no joint {name:?}; its joints are {}", .joints.join(", "))]
+    NoJoint {
+        /// The name.
+        name: String,
+        /// The names of the skeleton's joints.
+        joints: Vec<String>,
+    },
+    /// Two points have the same name.
+    #[error("two points of the body are called {name:?}")]
+    DuplicateName {
+        /// The name.
+        name: String,
+    },
+    /// A point follows a joint that does not exist.
+    #[error("the point {name:?} follows joint {joint}, and the skeleton has {count}")]
+    JointMissing {
+        /// The point.
+        name: String,
+        /// The joint.
+        joint: usize,
+        /// How many joints there are.
+        count: usize,
+    },
+    /// The weights of a point are not shares that sum to 1.
+    #[error("the weights {weights:?} of the point {name:?} are not shares of 1")]
+    Weights {
+        /// The point.
+        name: String,
+        /// Its weights.
+        weights: Vec<f64>,
+    },
+    /// The coordinates of a point are not finite.
+    #[error("the point {name:?} is at {at_rest:?}, which is not finite")]
+    NotFinite {
+        /// The point.
+        name: String,
+        /// Where it is at rest.
+        at_rest: [f64; 3],
+    },
+    /// The limits do not fit the skeleton.
+    #[error(transparent)]
+    Limits(#[from] LimitError),
+}
+
+/// By how much weights may miss the sum of 1: those of files are rounded.
+const ROUNDING: f64 = 1e-3;
+
+impl BodyModel {
+    /// A body whose points are given.
+    ///
+    /// # Errors
+    /// [`BodyModelError`], but for limits.
+    pub fn new(skeleton: Skeleton, points: Vec<BodyPoint>) -> Result<Self, BodyModelError> {
+        if points.is_empty() {
+            return Err(BodyModelError::NoPoints);
+        }
+        for (index, point) in points.iter().enumerate() {
+            check(&skeleton, point)?;
+            if points[..index].iter().any(|other| other.name == point.name) {
+                let name = point.name.clone();
+                return Err(BodyModelError::DuplicateName { name });
+            }
+        }
+        Ok(Self {
+            skeleton,
+            points,
+            limits: None,
+            blending: Method::default(),
+        })
+    }
+
+    /// A body that is observed at the joints of these names, in this order.
+    ///
+    /// # Errors
+    /// [`BodyModelError::NoJoint`] for a name that is not that of a joint,
+    /// [`BodyModelError::DuplicateName`], [`BodyModelError::NoPoints`].
+    pub fn of_joints<N: AsRef<str>>(
+        skeleton: Skeleton,
+        names: &[N],
+    ) -> Result<Self, BodyModelError> {
+        let points = names.iter().map(|name| {
+            let name = name.as_ref();
+            let missing = || BodyModelError::NoJoint {
+                name: name.to_owned(),
+                joints: skeleton.joints().iter().map(|j| j.name.clone()).collect(),
+            };
+            let joint = skeleton.index(name).ok_or_else(missing)?;
+            Ok(point_of_joint(&skeleton, joint))
+        });
+        let points = points.collect::<Result<_, BodyModelError>>()?;
+        Self::new(skeleton, points)
+    }
+
+    /// A body that is observed at all its joints, of those in the same place at rest the first one.
+    /// Of the 31 joints of CMU's motion capture, 21 are in places of their own.
+    ///
+    /// # Errors
+    /// None in practice: a skeleton has joints.
+    pub fn of_distinct_joints(skeleton: Skeleton) -> Result<Self, BodyModelError> {
+        let joints = skeleton.joints();
+        let is_first = |index: &usize| {
+            let head = joints[*index].head;
+            joints[..*index].iter().all(|other| other.head != head)
+        };
+        let points = (0..joints.len()).filter(is_first);
+        let points = points
+            .map(|joint| point_of_joint(&skeleton, joint))
+            .collect();
+        Self::new(skeleton, points)
+    }
+
+    /// The same body with limits of its joints.
+    ///
+    /// # Errors
+    /// [`LimitError::Count`] where they are for another number of joints.
+    pub fn with_limits(self, limits: JointLimits) -> Result<Self, BodyModelError> {
+        let (expected, found) = (self.skeleton.len(), limits.joint_count());
+        if expected != found {
+            return Err(LimitError::Count { expected, found }.into());
+        }
+        Ok(Self {
+            limits: Some(limits),
+            ..self
+        })
+    }
+
+    /// The same body with another way in which a point follows several joints; [`Method::Linear`]
+    /// at first.
+    #[must_use]
+    pub fn with_blending(self, blending: Method) -> Self {
+        Self { blending, ..self }
+    }
+
+    /// The skeleton, in metres.
+    #[must_use]
+    pub fn skeleton(&self) -> &Skeleton {
+        &self.skeleton
+    }
+
+    /// The points that are observed.
+    #[must_use]
+    pub fn points(&self) -> &[BodyPoint] {
+        &self.points
+    }
+
+    /// The limits of the joints.
+    #[must_use]
+    pub fn limits(&self) -> Option<&JointLimits> {
+        self.limits.as_ref()
+    }
+
+    /// How a point follows several joints.
+    #[must_use]
+    pub fn blending(&self) -> Method {
+        self.blending
+    }
+}
+
+fn point_of_joint(skeleton: &Skeleton, joint: usize) -> BodyPoint {
+    let at = &skeleton.joints()[joint];
+    BodyPoint {
+        name: at.name.clone(),
+        at_rest: at.head,
+        joints: vec![(joint, 1.0)],
+    }
+}
+
+fn check(skeleton: &Skeleton, point: &BodyPoint) -> Result<(), BodyModelError> {
+    let name = || point.name.clone();
+    let count = skeleton.len();
+    if let Some(&(joint, _)) = point.joints.iter().find(|(joint, _)| *joint >= count) {
+        return Err(BodyModelError::JointMissing {
+            name: name(),
+            joint,
+            count,
+        });
+    }
+    let weights = || point.joints.iter().map(|(_, weight)| *weight);
+    let sum: f64 = weights().sum();
+    if !weights().all(|weight| weight >= 0.0) || (sum - 1.0).abs() > ROUNDING || sum.is_nan() {
+        return Err(BodyModelError::Weights {
+            name: name(),
+            weights: weights().collect(),
+        });
+    }
+    if !point.at_rest.iter().all(|x| x.is_finite()) {
+        return Err(BodyModelError::NotFinite {
+            name: name(),
+            at_rest: point.at_rest,
+        });
+    }
+    Ok(())
+}
