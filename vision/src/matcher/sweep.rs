@@ -6,7 +6,7 @@ use ga_runtime::batch::Work;
 
 use super::cost::{NEVER, row_costs};
 use super::features::Features;
-use super::lanes::LANES;
+use super::lanes::{LANES, least_of_words};
 use super::path::{PathRow, Penalties};
 use super::support::Support;
 use super::view::View;
@@ -239,11 +239,14 @@ impl Sweep<'_> {
             }
             let [a, b, c] = &scratch.here;
             let paths = [a, b, c, &scratch.forward, &scratch.backward];
-            sum(paths.map(|path| path.pixel(column)), &mut scratch.sums);
+            let least = sum(paths.map(|path| path.pixel(column)), &mut scratch.sums);
             if has_opposite {
                 scratch.opposite.take(column, width, &scratch.sums);
             }
-            let best = winner(&scratch.sums, self.task.range);
+            // Sums favour whole disparities, since a change costs the same penalty on both sides.
+            // Costs of single pixels are too noisy to mend that.
+            let costs = scratch.support.is_some().then_some(costs);
+            let best = winner(&scratch.sums, least, costs, self.task.range);
             self.found.disparities[place + column] = best.disparity;
             if let Some(confidence) = &mut self.found.confidence {
                 confidence[place + column] = best.confidence(&mut scratch.sums, self.task.range);
@@ -256,9 +259,9 @@ impl Sweep<'_> {
     }
 }
 
-/// The sums of the path costs.
+/// The sums of the path costs; returns the least.
 #[inline(always)]
-fn sum(paths: [&[u8]; PATHS], sums: &mut [u16]) {
+fn sum(paths: [&[u8]; PATHS], sums: &mut [u16]) -> u16 {
     let [a, b, c, d, e] = paths;
     let [a, b] = [a.as_chunks::<LANES>().0, b.as_chunks::<LANES>().0];
     let [c, d, e] = [
@@ -266,6 +269,7 @@ fn sum(paths: [&[u8]; PATHS], sums: &mut [u16]) {
         d.as_chunks::<LANES>().0,
         e.as_chunks::<LANES>().0,
     ];
+    let mut least = [u16::MAX; LANES];
     for (index, sums) in sums.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
         let (a, b, c) = (&a[index], &b[index], &c[index]);
         let (d, e) = (&d[index], &e[index]);
@@ -277,8 +281,12 @@ fn sum(paths: [&[u8]; PATHS], sums: &mut [u16]) {
                 + u16::from(d[lane])
                 + u16::from(e[lane]);
         }
+        for lane in 0..LANES {
+            least[lane] = least[lane].min(total[lane]);
+        }
         *sums = total;
     }
+    least_of_words(least)
 }
 
 #[cfg(test)]
@@ -288,7 +296,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::matcher::winner::winner;
+    use crate::matcher::winner::{least_cost, winner};
 
     const RANGE: usize = 11;
     const OUTSIDE: u8 = 31;
@@ -444,7 +452,7 @@ mod tests {
                         }
                     }
                     let place = (0..RANGE).min_by_key(|d| sums[*d]).unwrap_or(0);
-                    let best = winner(&sums, RANGE);
+                    let best = winner(&sums, least_cost(&sums), None, RANGE);
                     prop_assert!(best.disparity.abs_diff(32 * place as u16) <= 16);
                     prop_assert_eq!(disparities[row * width + column], best.disparity);
                 }

@@ -7,6 +7,9 @@ pub(super) const STEPS: u16 = 32;
 /// Stands for a disparity that is not known.
 pub(super) const UNKNOWN: u16 = u16::MAX;
 
+/// The paths in a sum of path costs.
+const PATHS: i32 = 5;
+
 /// The best candidate of a pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Winner {
@@ -33,19 +36,24 @@ impl Winner {
     }
 }
 
-/// The winner among the costs of `range` disparities. `sums` is a whole number of blocks.
+/// The winner among the costs of `range` disparities, whose least is `best`. `sums` is a whole number
+/// of blocks.
 ///
-/// Between whole disparities the costs are taken as two lines of equal and opposite slope through
-/// the three costs around the least (M. Shimizu and M. Okutomi, "Sub-pixel estimation error
-/// cancellation on area-based matching", International Journal of Computer Vision 63, 2005).
+/// Between whole disparities, two lines of equal and opposite slope are taken through the three sums
+/// around the least (M. Shimizu and M. Okutomi, "Sub-pixel estimation error cancellation on
+/// area-based matching", International Journal of Computer Vision 63, 2005), to which the matching
+/// costs, where they are given, are added once more for each path.
 #[inline(always)]
-pub(super) fn winner(sums: &[u16], range: usize) -> Winner {
-    let best = least_cost(sums);
+pub(super) fn winner(sums: &[u16], best: u16, costs: Option<&[u8]>, range: usize) -> Winner {
     let place = first_with(sums, best);
     let mut disparity = place as u16 * STEPS;
     if place > 0 && place + 1 < range {
-        let [below, above] = [sums[place - 1], sums[place + 1]].map(i32::from);
-        let steeper = below.max(above) - i32::from(best);
+        let total = |place: usize| {
+            let cost = costs.map_or(0, |costs| costs[place]);
+            i32::from(sums[place]) + PATHS * i32::from(cost)
+        };
+        let [below, above] = [total(place - 1), total(place + 1)];
+        let steeper = below.max(above) - total(place).min(below.min(above));
         if steeper > 0 {
             let offset = f32::from(STEPS / 2) * (below - above) as f32 / steeper as f32;
             disparity = disparity.wrapping_add_signed(offset.round_ties_even() as i16);
@@ -58,8 +66,9 @@ pub(super) fn winner(sums: &[u16], range: usize) -> Winner {
     }
 }
 
+/// The least of the sums.
 #[inline(always)]
-fn least_cost(sums: &[u16]) -> u16 {
+pub(super) fn least_cost(sums: &[u16]) -> u16 {
     let mut smallest = [u16::MAX; LANES];
     for block in sums.as_chunks::<LANES>().0 {
         for lane in 0..LANES {
@@ -145,5 +154,55 @@ impl Opposite {
     #[inline(always)]
     pub(super) fn disparities(&self, width: usize) -> &[u16] {
         &self.disparities[..width]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn sums() -> impl Strategy<Value = (Vec<u16>, usize)> {
+        (1usize..3 * LANES).prop_flat_map(|range| {
+            let padded = range.next_multiple_of(LANES);
+            // What stands behind the sums of the candidates is higher than all of them.
+            let candidates = prop::collection::vec(0u16..1200, range);
+            candidates.prop_map(move |mut sums| {
+                sums.resize(padded, 1275);
+                (sums, range)
+            })
+        })
+    }
+
+    proptest! {
+        /// From the definition. Where no candidate is left to compare with, nothing is certain.
+        #[test]
+        fn confidence_compares_with_what_is_not_beside((sums, range) in sums()) {
+            let found = winner(&sums, least_cost(&sums), None, range);
+            let place = (0..range).min_by_key(|d| sums[*d]).unwrap_or(0);
+            let others = (0..range).filter(|d| d.abs_diff(place) > 1);
+            let expected = match others.map(|d| f64::from(sums[d])).reduce(f64::min) {
+                Some(second) if second > 0.0 => 255.0 * (1.0 - f64::from(sums[place]) / second),
+                _ => 0.0,
+            };
+            let confidence = found.confidence(&mut sums.clone(), range);
+            prop_assert!((f64::from(confidence) - expected).abs() <= 1.0, "{confidence} {expected}");
+        }
+
+        /// Where the costs around the winner are those of two lines of equal slope, the place where
+        /// these meet is found, from sums or from costs in addition to sums that are all equal.
+        #[test]
+        fn lines_meet_between_whole_disparities(offset in -16i16..=16, slope in 1u16..3) {
+            let line = |place: u16| slope * (32 * place).abs_diff(160u16.wrapping_add_signed(offset));
+            let sums: Vec<u16> = (0..32).map(line).collect();
+            let best = winner(&sums, least_cost(&sums), None, 11).disparity;
+            prop_assert_eq!(best, 160u16.wrapping_add_signed(offset));
+            let costs: Vec<u8> = (0..32).map(|place| line(place).min(200) as u8).collect();
+            let mut flat = vec![9; 32];
+            flat[5] = 8;
+            let best = winner(&flat, 8, Some(&costs), 11).disparity;
+            prop_assert!(best.abs_diff(160u16.wrapping_add_signed(offset)) <= 1, "{best}");
+        }
     }
 }

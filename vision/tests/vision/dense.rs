@@ -119,7 +119,8 @@ fn a_floor_is_found_to_a_fraction_of_a_pixel() {
         let errors = ErrorMap::new(&found.disparity, &truth).unwrap();
         assert!(errors.bad(1.0) < 0.5, "{mode:?}: bad 1 {}", errors.bad(1.0));
         let average = errors.average_px().unwrap();
-        assert!(average < 0.12, "{mode:?}: average {average}");
+        let limit = if mode == Mode::Fast { 0.12 } else { 0.09 };
+        assert!(average < limit, "{mode:?}: average {average}");
     }
 }
 
@@ -152,7 +153,8 @@ proptest! {
             let errors = ErrorMap::new(&found.disparity, &clear).unwrap();
             prop_assert!(errors.bad(1.0) < 1.0, "{mode:?}: bad 1 {}", errors.bad(1.0));
             let average = errors.average_px().unwrap();
-            prop_assert!(average < 0.3, "{mode:?}: average {average}");
+            let limit = if mode == Mode::Fast { 0.25 } else { 0.2 };
+            prop_assert!(average < limit, "{mode:?}: average {average}");
 
             let hidden = where_seen(&views, |column, row| {
                 state(column, row) == Some(Seen::Occluded) && !near_an_edge(&views, column, row, 2)

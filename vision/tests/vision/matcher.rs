@@ -110,6 +110,21 @@ fn any_number_of_threads_gives_the_same_bits() {
     }
 }
 
+/// Nothing is certain where there is no candidate to compare with but the one beside.
+#[test]
+fn one_or_two_candidates_have_no_confidence() {
+    let view = Plane::from_fn(64, 48, texture);
+    for mode in MODES {
+        for range in [1, 2] {
+            let found = matched(&[view.clone(), view.clone()], options(range, mode, 1));
+            let confidence = found.confidence.values();
+            assert!(confidence.iter().all(|c| *c == 0.0), "{mode:?}, {range}");
+        }
+        let found = matched(&[view.clone(), view.clone()], options(4, mode, 1));
+        assert!(found.confidence.get(32, 24) > Some(0.5), "{mode:?}");
+    }
+}
+
 #[test]
 fn a_matcher_remembers_nothing_of_the_pair_before() {
     let (views, _) = rectangle(80, 60);

@@ -15,7 +15,7 @@ use super::super::lanes::{Block, LANES};
 use super::super::parts::Spare;
 use super::super::path::step;
 use super::super::view::View;
-use super::super::winner::{STEPS, UNKNOWN, winner};
+use super::super::winner::{STEPS, UNKNOWN, least_cost, winner};
 
 /// The greatest number of rows of a strip, and those above and below it from which paths come.
 const STRIP: usize = 64;
@@ -23,9 +23,9 @@ const CONTEXT: usize = 24;
 /// A strip of more than one row has at most as many holes as this number of rows has pixels.
 const ROWS_OF_HOLES: usize = 8;
 /// The bytes that the strips computed at the same time may need; two strips may always.
-const AT_ONCE: usize = 24 << 20;
+const AT_ONCE: usize = 8 << 20;
 /// The bytes that are kept for the next pair.
-const KEPT: usize = 8 << 20;
+const KEPT: usize = 4 << 20;
 /// The cost of a candidate that the other view would see.
 const SEEN: u8 = 30;
 /// The path cost at a known disparity, for each pixel that a candidate is off, and its greatest.
@@ -383,7 +383,7 @@ impl Strip<'_> {
         for column in border..width {
             if map[column] == UNKNOWN {
                 let sums = &self.scratch.sums[slot * padded..][..padded];
-                filled[column] = winner(sums, self.fill.range).disparity;
+                filled[column] = winner(sums, least_cost(sums), None, self.fill.range).disparity;
                 slot += 1;
             }
         }
@@ -417,13 +417,25 @@ mod tests {
 
     use super::*;
 
-    /// A bright square at disparity 12 before a dark background at 4: the right view shows the
-    /// background up to the square's image, and the hole to the left of the square is behind it.
     #[test]
-    fn what_the_square_hides_is_background() {
-        let (width, height, range) = (80, 60, 20);
+    fn what_a_square_hides_is_background() {
+        what_a_rectangle_hides_is_background(20);
+    }
+
+    /// All holes are in rows that would be one strip, if that could have any number of holes.
+    #[test]
+    fn many_holes_are_filled_in_several_strips() {
+        what_a_rectangle_hides_is_background(85);
+    }
+
+    /// A bright rectangle at disparity 12 before a dark background at 4: the right view shows the
+    /// background up to the rectangle's image, and the hole to the left of the rectangle is behind
+    /// it.
+    fn what_a_rectangle_hides_is_background(rows: usize) {
+        let (width, height, range) = (60, rows + 40, 20);
+        let hiding = 20..20 + rows;
         let is_square =
-            |column: usize, row: usize| (30..50).contains(&column) && (20..40).contains(&row);
+            |column: usize, row: usize| (30..50).contains(&column) && hiding.contains(&row);
         let levels = Plane::from_fn(width, height, |column, row| {
             if is_square(column, row) { 200u8 } else { 50 }
         });
@@ -435,12 +447,8 @@ mod tests {
             for column in 0..width {
                 let disparity = if is_square(column, row) { 12 } else { 4 };
                 let is_hidden =
-                    disparity == 4 && (20..40).contains(&row) && (22..42).contains(&column);
-                map.push(if is_hidden {
-                    UNKNOWN
-                } else {
-                    disparity * STEPS
-                });
+                    disparity == 4 && hiding.contains(&row) && (22..42).contains(&column);
+                map.push([disparity * STEPS, UNKNOWN][usize::from(is_hidden)]);
                 if !is_hidden && column >= usize::from(disparity) {
                     let target = column - usize::from(disparity);
                     other[row * width + width - 1 - target] = disparity;
@@ -448,15 +456,18 @@ mod tests {
             }
         }
         let holes = map.iter().filter(|d| **d == UNKNOWN).count();
-        assert_eq!(holes, 8 * 20);
+        assert_eq!(holes, 8 * rows);
+        let fill = VisibilityFill::new(width, range);
+        let strips = fill.strips(&map);
+        for (rows, holes) in &strips {
+            assert!(rows.len() <= STRIP && *holes <= ROWS_OF_HOLES * width);
+        }
+        assert_eq!(strips.iter().map(|(_, holes)| holes).sum::<usize>(), holes);
         let mut filled = vec![0; map.len()];
-        VisibilityFill::new(width, range).fill(&map, &view, &other, &mut filled);
+        fill.fill(&map, &view, &other, &mut filled);
         for (place, (before, after)) in map.iter().zip(&filled).enumerate() {
-            let expected = if *before == UNKNOWN {
-                4 * STEPS
-            } else {
-                *before
-            };
+            let known = Some(*before).filter(|disparity| *disparity != UNKNOWN);
+            let expected = known.unwrap_or(4 * STEPS);
             assert!(after.abs_diff(expected) <= STEPS / 2, "{place}: {after}");
         }
     }
