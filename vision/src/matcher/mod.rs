@@ -19,7 +19,8 @@
 //!
 //! Costs of one row are in memory at a time for each strip of rows that is computed, those of step
 //! 3 for 42 rows, and those of step 6 for the holes of at most 64 rows or as many as 8 rows have
-//! pixels. No more strips are computed at the same time than need 24 MiB, or two.
+//! pixels. As many strips are computed at the same time as fit into 12 MiB, or 64 MiB with step 3,
+//! and two in any case.
 //!
 //! The loops are compiled for several sets of instructions, of which the best is taken at run time.
 //! Rows are computed in strips whose height does not depend on the number of threads, so neither
@@ -103,8 +104,8 @@ pub struct Match {
     /// The disparity of each pixel of the left view, in pixels. All are known.
     pub disparity: DisparityMap,
     /// How clearly the best candidate of each pixel stands out, from 0 to 1: 1 − S / S′, where S is
-    /// its cost and S′ the least cost of candidates that are not beside it. It is 0 where the
-    /// disparity was filled in.
+    /// its cost and S′ the least cost of candidates that are not beside it. It is 0 where there are
+    /// none, and where the disparity was filled in.
     pub confidence: Plane<f32>,
 }
 
@@ -184,8 +185,8 @@ const SPECKLE: u32 = 80;
 /// How much more than the median of the least costs a candidate outside the right view costs.
 const OUTSIDE: u8 = 20;
 
-/// Finds the disparities of rectified pairs of views of one size. What it needs in memory is kept
-/// from one pair to the next.
+/// Finds the disparities of rectified pairs of views of one size. Its maps, and up to 20 MiB of what
+/// it needs for strips of them, are kept from one pair to the next.
 #[derive(Debug)]
 pub struct Matcher {
     options: MatcherOptions,

@@ -26,6 +26,9 @@ impl<S: Send> Spare<S> {
     ) {
         let workers = most.max(1).min(rayon::current_num_threads());
         let workers = workers.min(parts.len());
+        // Storage allocated by the threads later, after their memory, might keep an allocator from
+        // giving that back.
+        locked(&self.0).reserve(workers);
         let parts = Mutex::new(parts.into_iter());
         let workers = (0..workers).into_par_iter().with_max_len(1);
         workers.for_each(|_| {

@@ -15,10 +15,11 @@ use super::view::View;
 /// The height of a strip, about: where costs are averaged over regions, the rows above and below it
 /// that have to be computed as well are more.
 const STRIP: [usize; 2] = [128, 240];
-/// The bytes that the strips computed at the same time may need; two strips may always.
-const AT_ONCE: usize = 24 << 20;
+/// The bytes that the strips computed at the same time may need, without and with regions; two
+/// strips may always.
+const AT_ONCE: [usize; 2] = [12 << 20, 64 << 20];
 /// The bytes that are kept for the next pair.
-const KEPT: usize = 8 << 20;
+const KEPT: usize = 16 << 20;
 /// Of this many rows, one is looked at for the median cost.
 const SAMPLED: usize = 12;
 /// The sampled rows that are computed together.
@@ -68,7 +69,7 @@ impl Strips {
         }
         let batch = Batch::new();
         let bytes = Scratch::bytes(self.width, self.range, self.has_support);
-        let most = (AT_ONCE / bytes).max(2);
+        let most = (AT_ONCE[usize::from(self.has_support)] / bytes).max(2);
         let new = || Scratch::new(self.width, self.range, self.has_support);
         self.spare
             .compute(strips, most, new, |(task, rows, found), scratch| {
