@@ -185,8 +185,8 @@ const SPECKLE: u32 = 80;
 /// How much more than the median of the least costs a candidate outside the right view costs.
 const OUTSIDE: u8 = 20;
 
-/// Finds the disparities of rectified pairs of views of one size. Its maps, and up to 20 MiB of what
-/// it needs for strips of them, are kept from one pair to the next.
+/// Finds the disparities of rectified pairs of views of one size. Its maps, and up to 20 MiB of
+/// what it needs for strips of them, are kept from one pair to the next.
 #[derive(Debug)]
 pub struct Matcher {
     options: MatcherOptions,

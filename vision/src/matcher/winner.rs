@@ -36,11 +36,11 @@ impl Winner {
     }
 }
 
-/// The winner among the costs of `range` disparities, whose least is `best`. `sums` is a whole number
-/// of blocks.
+/// The winner among the costs of `range` disparities, whose least is `best`. `sums` is a whole
+/// number of blocks.
 ///
-/// Between whole disparities, two lines of equal and opposite slope are taken through the three sums
-/// around the least (M. Shimizu and M. Okutomi, "Sub-pixel estimation error cancellation on
+/// Between whole disparities, two lines of equal and opposite slope are taken through the three
+/// sums around the least (M. Shimizu and M. Okutomi, "Sub-pixel estimation error cancellation on
 /// area-based matching", International Journal of Computer Vision 63, 2005), to which the matching
 /// costs, where they are given, are added once more for each path.
 #[inline(always)]
@@ -186,23 +186,24 @@ mod tests {
                 Some(second) if second > 0.0 => 255.0 * (1.0 - f64::from(sums[place]) / second),
                 _ => 0.0,
             };
-            let confidence = found.confidence(&mut sums.clone(), range);
-            prop_assert!((f64::from(confidence) - expected).abs() <= 1.0, "{confidence} {expected}");
+            let confidence = f64::from(found.confidence(&mut sums.clone(), range));
+            prop_assert!((confidence - expected).abs() <= 1.0, "{confidence} {expected}");
         }
 
         /// Where the costs around the winner are those of two lines of equal slope, the place where
         /// these meet is found, from sums or from costs in addition to sums that are all equal.
         #[test]
         fn lines_meet_between_whole_disparities(offset in -16i16..=16, slope in 1u16..3) {
-            let line = |place: u16| slope * (32 * place).abs_diff(160u16.wrapping_add_signed(offset));
+            let meeting = 160u16.wrapping_add_signed(offset);
+            let line = |place: u16| slope * (32 * place).abs_diff(meeting);
             let sums: Vec<u16> = (0..32).map(line).collect();
             let best = winner(&sums, least_cost(&sums), None, 11).disparity;
-            prop_assert_eq!(best, 160u16.wrapping_add_signed(offset));
+            prop_assert_eq!(best, meeting);
             let costs: Vec<u8> = (0..32).map(|place| line(place).min(200) as u8).collect();
             let mut flat = vec![9; 32];
             flat[5] = 8;
             let best = winner(&flat, 8, Some(&costs), 11).disparity;
-            prop_assert!(best.abs_diff(160u16.wrapping_add_signed(offset)) <= 1, "{best}");
+            prop_assert!(best.abs_diff(meeting) <= 1, "{best}");
         }
     }
 }
