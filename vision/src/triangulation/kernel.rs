@@ -101,21 +101,40 @@ impl<S: Field> Rays<S> {
         }
     }
 
-    /// The point on the common perpendicular at a part of the way from the left foot to the right
-    /// one, for the reciprocal of |a × b|².
+    /// The middle of the common perpendicular, for the reciprocal of |a × b|².
     #[inline(always)]
-    pub(super) fn point(&self, pair: &Pair<S>, by_square: S, part: S) -> Point<S> {
+    pub(super) fn middle(&self, pair: &Pair<S>, by_square: S) -> Point<S> {
         formulas::place(
             self.centre,
             pair.direction,
             pair.depths[0] * by_square,
             pair.normal,
-            pair.height * (by_square * part),
+            pair.height * (by_square * S::from_ratio(1, 2)),
         )
     }
 }
 
 impl<S: Real> Pair<S> {
+    /// The angle between the rays.
+    #[inline(always)]
+    pub(super) fn angle(&self) -> RayAngle<S> {
+        RayAngle {
+            square: self.square,
+            cosine: self.cosine,
+        }
+    }
+}
+
+/// The angle φ between two directions a and b.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RayAngle<S> {
+    /// |a × b|².
+    pub(super) square: S,
+    /// a · b.
+    pub(super) cosine: S,
+}
+
+impl<S: Real> RayAngle<S> {
     /// |a|² |b|² = (a·b)² + |a×b|².
     #[inline(always)]
     pub(super) fn norm(&self) -> S {
@@ -127,16 +146,16 @@ impl<S: Real> Pair<S> {
         (self.square / self.norm()).sqrt()
     }
 
-    /// The distance of the rays and the angle between them in [0, π], for the reciprocals of
-    /// |a × b|² and of the [`norm`](Self::norm).
+    /// The distance of the rays and the angle between them in [0, π], for the mutual moment of the
+    /// rays and the reciprocals of |a × b|² and of the [`norm`](Self::norm).
     ///
     /// The angle φ is that of `tan φ = |a×b| / a·b`. Twice the angle has the cosine
     /// `((a·b)² − |a×b|²)/(|a|² |b|²)` and the sine `2 (a·b) |a×b|/(|a|² |b|²)`, in which |a×b| is
     /// the only root; the length of a perpendicular has the same one.
     #[inline(always)]
-    pub(super) fn gap_and_angle(&self, by_square: S, by_norm: S) -> [S; 2] {
+    pub(super) fn gap_and_angle(&self, moment: S, by_square: S, by_norm: S) -> [S; 2] {
         let length = self.square.sqrt();
-        let gap = self.height.abs() * (length * by_square);
+        let gap = moment.abs() * (length * by_square);
         let double = (self.cosine * self.cosine - self.square) * by_norm;
         let (by_sine, _) = double.abs().angle_by_sine();
         // The arc whose double has the sine of 2φ and a cosine that is not negative.

@@ -8,14 +8,16 @@
 //! | --- | --- | --- |
 //! | [`triangulate`] | the middle of the common perpendicular | two rays |
 //! | [`TwoViews`] with [`Method::Midpoint`] | the same | many pairs of pixels |
-//! | [`TwoViews`] with [`Method::DepthWeighted`] | its point with weights by depth | the same |
+//! | [`TwoViews`] with [`Method::DepthWeighted`] | one step towards the next | the same |
 //! | [`TwoViews`] with [`Method::Optimal`] | that of the least error in both | the same |
 //! | [`triangulate_views`] | that of the least error in all pictures | any number of views |
 //!
 //! The midpoint has the least sum of squared distances from the rays, not that of squared pixel
 //! errors: where one camera is much nearer than the other, its errors in the pictures are larger.
-//! The optimal point of two views is found by moving both pixels as little as possible to where
-//! their rays meet, after Lindstrom; that of many views by the method of Gauss and Newton.
+//! Noise also tilts the common perpendicular against the plane of both centres and the point, by
+//! the distance of the rays divided by the baseline. The optimal point of two views is found by
+//! moving both pixels as little as possible to where their rays meet, after Lindstrom; one step of
+//! that is the point weighted by depth; that of many views by the method of Gauss and Newton.
 //!
 //! Every point comes with the distance of the rays (the gap), the depths in front of the cameras,
 //! whose signs are the cheirality, and the parallax angle;
@@ -28,6 +30,7 @@ mod columns;
 mod covariance;
 mod kernel;
 mod many_views;
+mod meeting;
 mod optimal;
 mod two_rays;
 mod two_views;

@@ -9,7 +9,8 @@ use super::TriangulationError;
 use super::blocks::{Kernel, by_blocks};
 use super::columns::{ColumnsError, CovarianceColumns, PixelColumns, PointColumns};
 use super::covariance::{Sight, covariance};
-use super::kernel::{Pair, Rays, mutual_moment};
+use super::kernel::{Rays, mutual_moment};
+use super::meeting::Meetings;
 use super::optimal::Epipolar;
 #[cfg(doc)]
 use crate::camera::Intrinsics;
@@ -21,11 +22,12 @@ pub enum Method {
     /// The middle of the common perpendicular: the sum of the squared distances from the rays is
     /// least.
     Midpoint,
-    /// The point of the common perpendicular at which the distances from the rays, divided by the
-    /// depths and multiplied by the focal lengths, have the least sum of squares. These are the
-    /// errors in both pictures to first order, so that a camera that is nearer counts more. The
-    /// errors are larger than the least ones by some 0.1 %, since the point stays on the common
-    /// perpendicular.
+    /// The point where the rays meet after one step of Gauss and Newton's method: both pixels move
+    /// along the gradients of the epipolar condition until it holds to first order. A gradient is
+    /// as long as the distance of the point from the other centre, so that the rays move in
+    /// proportion to the squares of their depths: the camera that is nearer counts more. The errors
+    /// in both pictures are the least ones up to the square of their part of the distance from the
+    /// epipole.
     DepthWeighted,
     /// The point whose projections are nearest to the pixels: the sum of the squared distances in
     /// both pictures is least (P. Lindstrom, Triangulation made easy, CVPR 2010; the optimum is
@@ -65,10 +67,9 @@ pub enum Method {
 #[derive(Clone, Debug)]
 pub struct TwoViews {
     rays: Rays<f64>,
+    meetings: Meetings<f64>,
     epipolar: Epipolar<f64>,
     sights: [Sight; 2],
-    /// The squared ratio of the focal lengths, right by left.
-    ratio: f64,
     instructions: InstructionSet,
 }
 
@@ -121,13 +122,12 @@ impl TwoViews {
             basis(focal[1]).map(|b| mutual_moment(right_to_axes, a, b) / baseline)
         });
         let principal = [left, right].map(|camera| camera.intrinsics.principal());
-        let mean = |focal: [f64; 2]| focal[0] * focal[1];
         Ok(Self {
             rays: Rays::new(rotation, right_to_axes, centres[0], pixels),
+            meetings: Meetings::new(left, right),
             epipolar: Epipolar::new(entries, principal, common),
             sights: [left, right]
                 .map(|camera| Sight::new(camera.world_to_camera, camera.intrinsics.focal())),
-            ratio: mean(focal[1]) / mean(focal[0]),
             instructions: InstructionSet::best(),
         })
     }
@@ -251,14 +251,14 @@ impl TwoViews {
         let kernel = PointKernel {
             method,
             rays: self.rays,
+            meetings: self.meetings,
             epipolar: self.epipolar,
-            ratio: self.ratio,
         };
         for point in 0..left.u.len() {
             let pixels = [left.get(point), right.get(point)];
             if !kernel.row(pixels).passed {
                 let [left, right] = pixels;
-                let sine = self.rays.pair(left, right).sine();
+                let sine = self.rays.pair(left, right).angle().sine();
                 let error = if pixels.iter().flatten().all(|u| u.is_finite())
                     && sine.is_finite()
                     // Without a root, the limit is rounded in another way.
@@ -278,16 +278,6 @@ impl TwoViews {
     }
 }
 
-/// The part of the way from the left foot to the right one at which the errors in both pictures are
-/// least, as a quotient: `t⁻²/(s⁻² + t⁻²) = s²/(s² + t²)` for depths s and t and equal focal
-/// lengths.
-#[inline(always)]
-fn share<S: Real>(pair: &Pair<S>, ratio: S) -> [S; 2] {
-    let [s, t] = pair.depths;
-    let far = ratio * (s * s);
-    [far, far + t * t]
-}
-
 /// The reciprocals of two numbers by one division.
 #[inline(always)]
 fn reciprocals<S: Real>(a: S, b: S) -> [S; 2] {
@@ -295,64 +285,51 @@ fn reciprocals<S: Real>(a: S, b: S) -> [S; 2] {
     [b * both, a * both]
 }
 
-/// The reciprocals of three numbers by one division.
-#[inline(always)]
-fn three_reciprocals<S: Real>(a: S, b: S, c: S) -> [S; 3] {
-    let product = a * b;
-    let all = (product * c).recip();
-    let both = c * all;
-    [b * both, a * both, product * all]
-}
-
 /// Two views and what is computed of them.
 struct PointKernel<S> {
     method: Method,
     rays: Rays<S>,
+    meetings: Meetings<S>,
     epipolar: Epipolar<S>,
-    /// The squared ratio of the focal lengths, right by left.
-    ratio: S,
 }
 
 impl<S: Real> PointKernel<S> {
     /// The point of one pair of pixels.
     #[inline(always)]
     fn row(&self, [left, right]: [[S; 2]; 2]) -> Row<S> {
-        let measured = self.rays.pair(left, right);
-        let (square, norm) = (measured.square, measured.norm());
-        let half = S::from_ratio(1, 2);
-        let (mut pair, mut part) = (measured, half);
-        let (by_square, by_norm, by_pair);
+        let (angle, [by_square, by_norm], moment, position, depths);
         match self.method {
             Method::Midpoint => {
-                [by_square, by_norm] = reciprocals(square, norm);
-                by_pair = by_square;
+                let pair = self.rays.pair(left, right);
+                (angle, moment) = (pair.angle(), pair.height);
+                [by_square, by_norm] = reciprocals(angle.square, angle.norm());
+                depths = pair.depths.map(|depth| depth * by_square);
+                position = Vector::from(self.rays.middle(&pair, by_square));
             }
-            Method::DepthWeighted => {
-                let [dividend, divisor] = share(&measured, self.ratio);
-                let by_divisor;
-                [by_square, by_norm, by_divisor] = three_reciprocals(square, norm, divisor);
-                by_pair = by_square;
-                part = dividend * by_divisor;
-            }
-            Method::Optimal => {
-                let [left, right] = self.epipolar.nearest(left, right);
-                pair = self.rays.pair(left, right);
-                [by_square, by_norm, by_pair] = three_reciprocals(square, norm, pair.square);
+            Method::DepthWeighted | Method::Optimal => {
+                let measured = self.meetings.measured(left, right);
+                (angle, moment) = (measured.angle, measured.moment);
+                let meeting = if self.method == Method::Optimal {
+                    let corrected = self.epipolar.nearest(left, right);
+                    self.meetings.corrected(corrected, &measured)
+                } else {
+                    self.meetings.after_step(&measured)
+                };
+                // Its own division: the angle does not wait for the meeting.
+                [by_square, by_norm] = reciprocals(angle.square, angle.norm());
+                (position, depths) = self.meetings.place(&meeting, meeting.divisor.recip());
             }
         }
-        let [gap, angle] = measured.gap_and_angle(by_square, by_norm);
-        let [s, t] = pair.depths;
-        let depths = [s * by_pair, t * by_pair];
-        let position = Vector::from(self.rays.point(&pair, by_pair, part));
+        let [gap, parallax] = angle.gap_and_angle(moment, by_square, by_norm);
         let [x, y, z] = position.coordinates();
         let largest = x.abs() + y.abs() + z.abs() + gap + depths[0] + depths[1];
         let least = S::from_f64(PARALLEL * PARALLEL);
         Row {
             position,
             gap,
-            angle,
+            angle: parallax,
             depths,
-            passed: largest.is_finite() & least.less_than(square * by_norm),
+            passed: largest.is_finite() & least.less_than(angle.square * by_norm),
         }
     }
 }
@@ -413,8 +390,8 @@ impl Points<'_> {
         let kernel = PointKernel {
             method,
             rays: self.views.rays,
+            meetings: self.views.meetings,
             epipolar: self.views.epipolar,
-            ratio: self.views.ratio,
         };
         *self.passed = by_blocks(self.inputs, self.points.slices(), &kernel);
     }
