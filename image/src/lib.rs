@@ -6,8 +6,9 @@
 //!   [`pnm`], [`pfm`] and [`y4m`]: each format with all that it offers.
 //! - [`colour`]: linear light and its encoding as 8-bit sRGB; [`grey`](mod@grey): from colour to
 //!   grey; [`ycbcr`]: the encoding of video.
-//! - [`filter`]: Gaussian blur and other convolutions; [`pyramid`]: halved sizes;
-//!   [`resample`]: other sizes; [`warp`]: pictures seen through a map of places.
+//! - [`filter`]: Gaussian blur and gradients; [`pyramid`]: halved sizes; [`resample`]: other sizes;
+//!   [`warp`]: pictures seen through a map of places.
+//! - [`threshold`]: pixels above a level; [`canny`]: edges.
 //! - [`quality`]: PSNR and SSIM of two pictures.
 //!
 //! Columns are counted from the left and rows from the top, both from 0. The pixel in column *c*
@@ -31,6 +32,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod canny;
 pub mod colour;
 pub mod file;
 pub mod filter;
@@ -46,6 +48,7 @@ pub mod pyramid;
 pub mod quality;
 pub mod resample;
 pub mod sample;
+pub mod threshold;
 pub mod warp;
 pub mod y4m;
 pub mod ycbcr;

@@ -1,10 +1,13 @@
-//! Filters: each pixel becomes a weighted mean of its neighbourhood.
+//! Filters: each pixel becomes a weighted sum of its neighbourhood.
 
 mod border;
 mod gaussian;
+mod gradient;
 mod separable;
 mod tent;
 
 pub use border::Border;
 pub use gaussian::{Gaussian, SigmaError};
+pub use gradient::Gradient;
+pub(crate) use gradient::SlopeRows;
 pub(crate) use separable::{Continued, to_floats};

@@ -1,7 +1,8 @@
-//! Tests of pictures: files of every format, filters, sizes, quality.
+//! Tests of pictures: files of every format, filters, edges, sizes, quality.
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
+mod edges;
 mod files;
 mod films;
 mod hostile;
