@@ -1,4 +1,4 @@
-//! Pictures of 1,920 × 1,080 pixels: quality, blur, halving. A copy of the frame, in the same run,
+//! Pictures of 1,920 × 1,080 pixels: quality, blur, halving, edges. A copy of the frame, in the same run,
 //! is the unit.
 //!
 //! The rival's structural similarity is that of blocks of 8 × 8 pixels beside each other, which is
@@ -7,10 +7,12 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use ga_image::filter::{Border, Gaussian};
+use ga_image::canny::Canny;
+use ga_image::filter::{Border, Gaussian, Gradient};
 use ga_image::plane::Plane;
 use ga_image::pyramid::halved;
 use ga_image::quality::{Ssim, psnr};
+use ga_image::threshold::otsu;
 use image::GrayImage;
 use image_compare::Algorithm;
 use nullcone_benches::comparison;
@@ -109,5 +111,32 @@ fn filters(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group! { name = benches; config = comparison::criterion(); targets = quality, filters }
+fn edges(criterion: &mut Criterion) {
+    let [_, a] = frames();
+    let mut copy = a.clone();
+    let [mut dx, mut dy] = [(); 2].map(|()| Plane::filled(WIDTH, HEIGHT, 0));
+    let mut canny = Canny::new(80.0, 160.0).expect("the thresholds are in order");
+
+    let mut group = criterion.benchmark_group("image/edges-1080p");
+    group.bench_function("Sobel dx", |bench| {
+        bench.iter(|| Gradient::Sobel.horizontal_into(black_box(&a), Border::Mirror, &mut dx));
+    });
+    group.bench_function("Sobel dx and dy", |bench| {
+        bench.iter(|| Gradient::Sobel.of_into(black_box(&a), Border::Mirror, &mut dx, &mut dy));
+    });
+    group.bench_function("Otsu", |bench| bench.iter(|| otsu(black_box(&a))));
+    group.bench_function("Canny", |bench| {
+        bench.iter(|| canny.edges_into(black_box(&a), &mut copy));
+    });
+    group.bench_function("copy", |bench| {
+        bench.iter(|| copy.values_mut().copy_from_slice(black_box(&a).values()));
+    });
+    group.finish();
+}
+
+criterion_group! {
+    name = benches;
+    config = comparison::criterion();
+    targets = quality, filters, edges
+}
 criterion_main!(benches);
