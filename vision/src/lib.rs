@@ -21,6 +21,7 @@
 //! - [`relative_pose`]: the motion between two cameras from pairs of pixels.
 //! - [`perspective_n_point`]: where a camera is that sees known points.
 //! - [`capture`]: the pose of a head, its expression, and the motion of its whole surface.
+//! - [`contour`]: borders of regions, snakes, and figures fitted to points.
 //! - [`ransac`]: models that most observations agree with.
 //! - [`modelling_points`]: points at several levels, with a depth and its deviation.
 //! - [`observation`]: simulated observations with noise, for tests and demonstrations.
@@ -59,6 +60,7 @@ pub mod calibration;
 pub mod camera;
 pub mod capture;
 pub mod chessboard;
+pub mod contour;
 pub mod diagnosis;
 pub mod disparity;
 pub mod feature;

@@ -6,6 +6,7 @@ mod calibration;
 mod camera;
 mod capture;
 mod chessboard;
+mod contour;
 mod dense;
 mod diagnosis;
 mod disparity;

@@ -1,0 +1,17 @@
+//! Contours: the borders of regions, curves that settle at edges, and figures fitted to them.
+//!
+//! - [`borders`]: the borders of the regions of a picture in black and white, with their hierarchy.
+//! - [`snake`]: closed curves that minimise an energy of their shape and of the picture.
+//! - [`fit`]: lines, circles and ellipses through points.
+//!
+//! Places are pixel coordinates `[u, v]`: u to the right and v down from the centre of the top left
+//! pixel.
+
+mod border;
+mod cyclic;
+pub mod fit;
+mod polygon;
+pub mod snake;
+
+pub use border::{Contour, borders};
+pub use polygon::{centroid, perimeter, resampled, signed_area};

@@ -1,0 +1,140 @@
+//! The energy that a picture gives to each place.
+
+use ga_image::filter::{Border, Gaussian};
+use ga_image::plane::Plane;
+
+use super::{Flow, SnakeError};
+
+/// The potential energy of places in a picture: low where a snake should lie.
+///
+/// Between the centres of pixels it is interpolated by cubic splines (E. Catmull and R. Rom, 1974),
+/// so that its slope is continuous. Beyond the border the outermost pixels are repeated.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Potential {
+    values: Plane<f32>,
+}
+
+impl Potential {
+    /// A potential that is given at the centres of the pixels.
+    ///
+    /// # Errors
+    ///
+    /// [`SnakeError`] for fewer than 2 × 2 pixels and values that are not finite.
+    pub fn new(values: Plane<f32>) -> Result<Self, SnakeError> {
+        let (width, height) = (values.width(), values.height());
+        if width.min(height) < 2 {
+            return Err(SnakeError::TooSmall { width, height });
+        }
+        let wrong = values.values().iter().position(|value| !value.is_finite());
+        match wrong {
+            None => Ok(Self { values }),
+            Some(index) => Err(SnakeError::NotFinite {
+                column: index % width,
+                row: index / width,
+            }),
+        }
+    }
+
+    /// The potential of edges, minus the length of the slope of the picture after a blur by a
+    /// Gaussian of standard deviation `sigma` pixels, in units of the step of an edge from black
+    /// (0) to white (1) that is as sharp as the blur allows.
+    ///
+    /// # Errors
+    ///
+    /// As [`new`](Self::new), and for a `sigma` of which there is no Gaussian.
+    pub fn edges(picture: &Plane<f32>, sigma: f64) -> Result<Self, SnakeError> {
+        Self::new(steepness(picture, sigma)?.map(|value| -value))
+    }
+
+    /// The potential of the gradient vector flow of the edges: snakes are drawn to them from far
+    /// away and into concave parts; see [`Flow`].
+    ///
+    /// # Errors
+    ///
+    /// As [`edges`](Self::edges).
+    pub fn flow(picture: &Plane<f32>, sigma: f64, flow: &Flow) -> Result<Self, SnakeError> {
+        let steepness = Self::new(steepness(picture, sigma)?)?;
+        Self::new(flow.potential(&steepness.values))
+    }
+
+    /// Columns and rows.
+    #[must_use]
+    pub fn size(&self) -> [usize; 2] {
+        [self.values.width(), self.values.height()]
+    }
+
+    /// The values at the centres of the pixels.
+    #[must_use]
+    pub fn values(&self) -> &Plane<f32> {
+        &self.values
+    }
+
+    /// The potential and its slope at a place.
+    #[must_use]
+    pub fn at(&self, [u, v]: [f64; 2]) -> (f64, [f64; 2]) {
+        let (columns, across) = taps(u, self.values.width());
+        let (rows, down) = taps(v, self.values.height());
+        let mut value = 0.0;
+        let mut slope = [0.0; 2];
+        for (k, row) in rows.into_iter().enumerate() {
+            let pixels = self.values.row(row);
+            let [mut sum, mut sum_of_slopes] = [0.0; 2];
+            for (l, column) in columns.into_iter().enumerate() {
+                let pixel = f64::from(pixels[column]);
+                sum += across[0][l] * pixel;
+                sum_of_slopes += across[1][l] * pixel;
+            }
+            value += down[0][k] * sum;
+            slope[0] += down[0][k] * sum_of_slopes;
+            slope[1] += down[1][k] * sum;
+        }
+        (value, slope)
+    }
+}
+
+/// The four pixels round a place along one axis, their weights, and the slopes of these.
+fn taps(place: f64, length: usize) -> ([usize; 4], [[f64; 4]; 2]) {
+    let last = length as f64 - 1.0;
+    let place = place.clamp(-2.0, last + 2.0);
+    let floor = place.floor();
+    let t = place - floor;
+    let at = |offset: f64| (floor + offset).clamp(0.0, last) as usize;
+    let weights = [
+        ((2.0 - t) * t - 1.0) * t / 2.0,
+        ((3.0 * t - 5.0) * t * t + 2.0) / 2.0,
+        ((4.0 - 3.0 * t) * t + 1.0) * t / 2.0,
+        (t - 1.0) * t * t / 2.0,
+    ];
+    let slopes = [
+        ((4.0 - 3.0 * t) * t - 1.0) / 2.0,
+        (9.0 * t - 10.0) * t / 2.0,
+        ((8.0 - 9.0 * t) * t + 1.0) / 2.0,
+        (3.0 * t - 2.0) * t / 2.0,
+    ];
+    ([at(-1.0), at(0.0), at(1.0), at(2.0)], [weights, slopes])
+}
+
+/// The length of the slope of a blurred picture, by Sobel's weights, times σ √(2π): 1 at a straight
+/// edge from 0 to 1 where the blur is wide.
+fn steepness(picture: &Plane<f32>, sigma: f64) -> Result<Plane<f32>, SnakeError> {
+    let blurred = Gaussian::new(sigma)?.blur(picture, Border::Replicate);
+    let (width, height) = (blurred.width(), blurred.height());
+    let scale = (sigma * std::f64::consts::TAU.sqrt() / 8.0) as f32;
+    let mut steepness = Plane::filled(width, height, 0.0f32);
+    let [mut sums, mut differences] = [(); 2].map(|()| vec![0.0f32; width]);
+    for row in 0..height {
+        let [above, here, below] =
+            [row.saturating_sub(1), row, (row + 1).min(height - 1)].map(|row| blurred.row(row));
+        for column in 0..width {
+            sums[column] = above[column] + 2.0 * here[column] + below[column];
+            differences[column] = below[column] - above[column];
+        }
+        for (column, target) in steepness.row_mut(row).iter_mut().enumerate() {
+            let (left, right) = (column.saturating_sub(1), (column + 1).min(width - 1));
+            let dx = sums[right] - sums[left];
+            let dy = differences[left] + 2.0 * differences[column] + differences[right];
+            *target = scale * (dx * dx + dy * dy).sqrt();
+        }
+    }
+    Ok(steepness)
+}

@@ -1,0 +1,374 @@
+//! Borders, snakes and fits, compared with OpenCV, with the shapes that were drawn, and with points
+//! of known figures.
+
+use std::f64::consts::TAU;
+use std::path::Path;
+
+use ga_image::file;
+use ga_image::grey::Luma;
+use ga_image::plane::Plane;
+use ga_vision::contour::fit::{self, FitError};
+use ga_vision::contour::snake::{self, Flow, Potential, SnakeError, SnakeOptions};
+use ga_vision::contour::{borders, centroid, perimeter, resampled, signed_area};
+use nullcone_shared_data::shared;
+use proptest::prelude::*;
+use serde_json::Value;
+
+fn truth(folder: &Path) -> Value {
+    let text = std::fs::read_to_string(folder.join("truth.json")).unwrap();
+    serde_json::from_str(&text).unwrap()
+}
+
+fn grey(path: impl AsRef<Path>) -> Plane<u8> {
+    file::read(path.as_ref()).unwrap().to_grey(Luma::Bt601)
+}
+
+#[test]
+fn opencv_finds_the_same_borders() {
+    let Some(folder) = shared("oracle/vision/seed1") else {
+        return;
+    };
+    let case = &truth(&folder)["contours"];
+    let picture = grey(folder.join(case["file"].as_str().unwrap()));
+    let mut found = borders(&picture);
+    // OpenCV lists them from the bottom.
+    found.reverse();
+    let expected = case["found"].as_array().unwrap();
+    assert_eq!(found.len(), expected.len());
+    for (contour, expected) in found.iter().zip(expected) {
+        let number = |name: &str| expected[name].as_f64().unwrap();
+        assert_eq!(contour.area(), number("area"));
+        assert!((contour.perimeter() - number("perimeter")).abs() < 1e-5);
+        assert_eq!(contour.pixels.len() as f64, number("n"));
+        assert_eq!(serde_json::json!(contour.bounding_box()), expected["bbox"]);
+        assert!(!contour.is_hole && contour.parent.is_none());
+        assert!(signed_area(&contour.points()) < 0.0, "counterclockwise");
+    }
+}
+
+fn from_text(rows: &[&str]) -> Plane<u8> {
+    Plane::from_fn(rows[0].len(), rows.len(), |column, row| {
+        u8::from(rows[row].as_bytes()[column] == b'#')
+    })
+}
+
+#[test]
+fn borders_have_a_hierarchy() {
+    let picture = from_text(&[
+        "#########.",
+        "#.......#.",
+        "#.###.#.#.",
+        "#.#.#...#.",
+        "#.###...#.",
+        "#.......##",
+        "#########.",
+        "..........",
+        "##........",
+    ]);
+    let found = borders(&picture);
+    let hierarchy: Vec<_> = found.iter().map(|c| (c.is_hole, c.parent)).collect();
+    let expected = [
+        (false, None),
+        (true, Some(0)),
+        (false, Some(1)),
+        (false, Some(1)),
+        (true, Some(2)),
+        (false, None),
+    ];
+    assert_eq!(hierarchy, expected);
+    assert_eq!(found[3].pixels, [[6, 2]]);
+    assert_eq!(found[5].pixels, [[0, 8], [1, 8]]);
+    assert!(borders(&Plane::filled(5, 4, 0u8)).is_empty());
+    assert!(borders(&Plane::<u8>::default()).is_empty());
+}
+
+/// The number of sets of connected pixels of one kind, with four or eight neighbours.
+fn count_regions(picture: &Plane<u8>, kind: u8, eight: bool) -> usize {
+    let (width, height) = (
+        picture.width().cast_signed(),
+        picture.height().cast_signed(),
+    );
+    let mut pixels = picture.clone();
+    let mut count = 0;
+    for start in 0..pixels.values().len() {
+        if pixels.values()[start] != kind {
+            continue;
+        }
+        count += 1;
+        let mut pending = vec![start.cast_signed()];
+        while let Some(index) = pending.pop() {
+            let value = &mut pixels.values_mut()[index.cast_unsigned()];
+            if *value != kind {
+                continue;
+            }
+            *value = 2;
+            let (column, row) = (index % width, index / width);
+            for k in 0..9 {
+                let (x, y) = (k % 3 - 1, k / 3 - 1);
+                let place = (column + x, row + y);
+                let is_inside = (0..width).contains(&place.0) && (0..height).contains(&place.1);
+                if is_inside && (eight || x * y == 0) {
+                    pending.push(place.1 * width + place.0);
+                }
+            }
+        }
+    }
+    count
+}
+
+proptest! {
+    #[test]
+    fn every_region_and_every_hole_has_a_border(
+        size in (1usize..14, 1usize..14),
+        pixels in prop::collection::vec(0u8..2, 196),
+    ) {
+        let picture = Plane::from_fn(size.0, size.1, |column, row| pixels[14 * row + column]);
+        let found = borders(&picture);
+        let holes = found.iter().filter(|contour| contour.is_hole).count();
+        prop_assert_eq!(found.len() - holes, count_regions(&picture, 1, true));
+        // A frame of background makes one region of all the background that is not a hole.
+        let framed = Plane::from_fn(size.0 + 2, size.1 + 2, |column, row| {
+            picture.get(column.wrapping_sub(1), row.wrapping_sub(1)).unwrap_or(0)
+        });
+        prop_assert_eq!(holes + 1, count_regions(&framed, 0, false));
+        for contour in &found {
+            let next = contour.pixels.iter().cycle().skip(1);
+            for (a, b) in contour.pixels.iter().zip(next) {
+                prop_assert_eq!(picture.get(a[0] as usize, a[1] as usize), Some(1));
+                prop_assert!(a[0].abs_diff(b[0]) <= 1 && a[1].abs_diff(b[1]) <= 1);
+            }
+            match contour.parent {
+                None => prop_assert!(!contour.is_hole),
+                Some(parent) => prop_assert_ne!(found[parent].is_hole, contour.is_hole),
+            }
+        }
+    }
+
+    #[test]
+    fn points_of_figures_give_these_figures(
+        centre in [-50.0..50.0f64, -50.0..50.0],
+        semi_axes in (2.0..9.0f64, 10.0..40.0f64),
+        angle in -1.5..1.5f64,
+        count in 6usize..30,
+    ) {
+        let (short, long) = semi_axes;
+        let points = |[a, b]: [f64; 2]| -> Vec<[f64; 2]> {
+            let point = |k: usize| {
+                let t = 2.5 + TAU * k as f64 / count as f64;
+                let [x, y] = [a * t.cos(), b * t.sin()];
+                let [c, s] = [f64::cos(angle), f64::sin(angle)];
+                [centre[0] + c * x - s * y, centre[1] + s * x + c * y]
+            };
+            (0..count).map(point).collect()
+        };
+        let ellipse = fit::ellipse(&points([long, short])).unwrap();
+        for axis in 0..2 {
+            prop_assert!((ellipse.centre[axis] - centre[axis]).abs() < 1e-6);
+        }
+        prop_assert!((ellipse.semi_axes[0] - long).abs() < 1e-6);
+        prop_assert!((ellipse.semi_axes[1] - short).abs() < 1e-6);
+        prop_assert!((ellipse.angle - angle).abs() < 1e-6);
+        let circle = fit::circle(&points([long; 2])).unwrap();
+        prop_assert!((circle.radius().unwrap() - long).abs() < 1e-9);
+        let found = circle.centre().unwrap().coordinates();
+        prop_assert!((found[0] - centre[0]).hypot(found[1] - centre[1]) < 1e-9);
+        let line = fit::line(&points([long, 0.0])).unwrap();
+        for point in points([long, 0.0]) {
+            prop_assert!(line.signed_distance(point.into()).unwrap().abs() < 1e-9);
+        }
+    }
+
+    /// No circle near the fitted one has a smaller sum of squared distances.
+    #[test]
+    fn fitted_circles_are_the_nearest(
+        noise in prop::collection::vec([-2.0..2.0f64, -2.0..2.0], 12),
+        change in [-0.1..0.1f64, -0.1..0.1, -0.1..0.1],
+    ) {
+        let points: Vec<[f64; 2]> = noise
+            .iter()
+            .enumerate()
+            .map(|(k, [x, y])| [12.0 * (k as f64).cos() + x, 12.0 * (k as f64).sin() + y])
+            .collect();
+        let circle = fit::circle(&points).unwrap();
+        let cost = |[x, y]: [f64; 2], radius: f64| -> f64 {
+            let residual = |p: &[f64; 2]| (p[0] - x).hypot(p[1] - y) - radius;
+            points.iter().map(|p| residual(p).powi(2)).sum()
+        };
+        let (centre, radius) = (circle.centre().unwrap().coordinates(), circle.radius().unwrap());
+        let other = [centre[0] + change[0], centre[1] + change[1]];
+        prop_assert!(cost(centre, radius) <= cost(other, radius + change[2]) + 1e-9);
+    }
+}
+
+#[test]
+fn points_that_determine_no_figure_are_errors() {
+    let line: Vec<[f64; 2]> = (0..8).map(|k| [f64::from(k), 2.0 * f64::from(k)]).collect();
+    assert!(matches!(
+        fit::circle(&line),
+        Err(FitError::Degenerate {
+            figure: "circle",
+            ..
+        })
+    ));
+    assert!(matches!(
+        fit::ellipse(&line),
+        Err(FitError::Degenerate { .. })
+    ));
+    assert!(matches!(
+        fit::line(&[[1.0, 2.0]; 5]),
+        Err(FitError::Degenerate { .. })
+    ));
+    assert!(matches!(
+        fit::ellipse(&line[..4]),
+        Err(FitError::TooFew {
+            count: 4,
+            least: 5,
+            ..
+        })
+    ));
+    let wrong = [[0.0, 0.0], [1.0, f64::NAN], [2.0, 0.0]];
+    assert_eq!(
+        fit::circle(&wrong).err(),
+        Some(FitError::NotFinite { index: 1 })
+    );
+    let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    assert!(matches!(
+        fit::line(&square),
+        Err(FitError::Degenerate { .. })
+    ));
+}
+
+#[test]
+fn polygons_have_areas_lengths_and_equal_parts() {
+    let square = [[1.0, 1.0], [5.0, 1.0], [5.0, 5.0], [1.0, 5.0]];
+    assert_eq!((signed_area(&square), perimeter(&square)), (16.0, 16.0));
+    assert_eq!(centroid(&square), Some([3.0, 3.0]));
+    assert_eq!(centroid(&square[..2]), None);
+    let parts = resampled(&square, 8);
+    let expected = [
+        [1, 1],
+        [3, 1],
+        [5, 1],
+        [5, 3],
+        [5, 5],
+        [3, 5],
+        [1, 5],
+        [1, 3],
+    ];
+    assert_eq!(parts, expected.map(|point| point.map(f64::from)));
+    assert!(resampled(&[[2.0, 2.0]; 3], 4).is_empty());
+}
+
+/// The share of two regions that is in both: of the pixels of a picture that are white, and of
+/// those whose centres a polygon encloses.
+fn overlap(picture: &Plane<u8>, polygon: &[[f64; 2]]) -> f64 {
+    let (mut both, mut either) = (0, 0);
+    for row in 0..picture.height() {
+        for column in 0..picture.width() {
+            let (u, v) = (column as f64, row as f64);
+            let mut is_inside = false;
+            let next = polygon.iter().cycle().skip(1);
+            for ([a, b], [c, d]) in polygon.iter().zip(next) {
+                if (*b > v) != (*d > v) && u < a + (v - b) / (d - b) * (c - a) {
+                    is_inside = !is_inside;
+                }
+            }
+            let is_white = picture.get(column, row) > Some(127);
+            both += usize::from(is_inside && is_white);
+            either += usize::from(is_inside || is_white);
+        }
+    }
+    f64::from(both as u32) / f64::from(either as u32)
+}
+
+#[test]
+fn snakes_settle_at_shapes() {
+    let Some(folder) = shared("oracle/vision/seed1") else {
+        return;
+    };
+    for case in truth(&folder)["snake"].as_array().unwrap() {
+        let name = case["file"].as_str().unwrap();
+        let picture = grey(folder.join(name));
+        let floats = picture.map(|value| f32::from(value) / 255.0);
+        for has_flow in [false, true] {
+            let potential = if has_flow {
+                Potential::flow(&floats, 2.0, &Flow::default())
+            } else {
+                Potential::edges(&floats, 2.0)
+            };
+            let start = snake::circle([100.0, 100.0], 80.0, 200);
+            let mut energies = Vec::new();
+            let options = SnakeOptions::default();
+            let found = snake::settle(&start, &potential.unwrap(), &options, |step| {
+                energies.push(step.energy);
+            });
+            let found = found.unwrap();
+            let share = overlap(&picture, &found.points);
+            let radii = found
+                .points
+                .iter()
+                .map(|[u, v]| (u - 100.0).hypot(v - 100.0));
+            let radius = case["r0"].as_f64().unwrap();
+            let rms = (radii.map(|r| (r - radius).powi(2)).sum::<f64>() / 200.0).sqrt();
+            assert!(energies.is_sorted_by(|a, b| a >= b));
+            assert!(has_flow || found.has_converged, "{name}");
+            assert!(share >= 0.97, "{name} {has_flow}: {share}");
+            assert!(
+                !name.contains("disk") || rms <= 0.3,
+                "{name} {has_flow}: {rms}"
+            );
+        }
+    }
+}
+
+#[test]
+fn snakes_that_cannot_be_are_errors() {
+    let picture = Plane::from_fn(30, 20, |column, _| column as f32 / 30.0);
+    let potential = Potential::edges(&picture, 1.0).unwrap();
+    let options = SnakeOptions::default();
+    let start = snake::circle([15.0, 10.0], 8.0, 20);
+    let fails = |start: &[[f64; 2]], options: &SnakeOptions| {
+        snake::settle(start, &potential, options, |_| {}).unwrap_err()
+    };
+    let few = fails(&start[..5], &options);
+    assert_eq!(few, SnakeError::TooFew { count: 5, least: 6 });
+    let outside = SnakeError::Outside {
+        index: 0,
+        point: [30.0, 10.0],
+        size: [30, 20],
+    };
+    assert_eq!(
+        fails(&snake::circle([15.0, 10.0], 15.0, 20), &options),
+        outside
+    );
+    let mut wrong = start.clone();
+    wrong[7][1] = f64::NAN;
+    let error = fails(&wrong, &options);
+    assert!(matches!(error, SnakeError::Outside { index: 7, .. }));
+    let negative = SnakeOptions {
+        tension: -1.0,
+        ..options
+    };
+    let setting = SnakeError::Setting {
+        setting: "tension",
+        value: -1.0,
+    };
+    assert_eq!(fails(&start, &negative), setting);
+    assert!(matches!(
+        Potential::edges(&picture, -1.0),
+        Err(SnakeError::Sigma(_))
+    ));
+    let wrong = picture.map(|value| if value > 0.9 { f32::NAN } else { value });
+    assert!(matches!(
+        Potential::new(wrong),
+        Err(SnakeError::NotFinite { column: 28, row: 0 })
+    ));
+    let small = Potential::new(Plane::filled(1, 5, 0.0));
+    assert_eq!(
+        small.err(),
+        Some(SnakeError::TooSmall {
+            width: 1,
+            height: 5
+        })
+    );
+}
