@@ -15,6 +15,8 @@
 //! - *Weights*: inverse distance to the bones (Cui, eq. 33, see
 //!   [`distance_weights`](ga_anim::distance_weights)) within the part of the body that a point
 //!   belongs to.
+//! - *Markers*: coloured discs round the bones, painted on the skin where cameras are to find the
+//!   body (see [`Human::markers`]).
 //! - *Walk*: gait curves of the textbooks at eight moments of the stride, put on the ground by
 //!   forward and inverse kinematics.
 //!
@@ -22,6 +24,7 @@
 
 mod frame;
 mod landmarks;
+mod markers;
 mod shape;
 mod skeleton;
 mod skin;
@@ -34,6 +37,7 @@ use ga_mesh::{Faces, Mesh, Position};
 use ga_anim::skeleton::Skeleton;
 use ga_anim::weights::SkinWeights;
 
+pub use markers::Marker;
 pub use walk::{KEY_NAMES, KEY_TIME, KEYS_PER_STRIDE, walk};
 
 /// A vector or a place: x to the left of the body, y up, z to the front, in metres.

@@ -38,6 +38,16 @@ impl Human {
     /// ```
     #[must_use]
     pub fn texture(&self, size: usize) -> Plane<[u8; 3]> {
+        self.painted(size, |_, colour| colour)
+    }
+
+    /// The texture with its colours changed: `change` is given the place on the body at rest and
+    /// the colour there, encoded as sRGB with channels from 0 to 1.
+    pub(crate) fn painted(
+        &self,
+        size: usize,
+        change: impl Fn(Vector, [f64; 3]) -> [f64; 3] + Sync,
+    ) -> Plane<[u8; 3]> {
         let landmarks = Landmarks::new();
         let mut texels = Plane::filled(size, size, None);
         let Some(coordinates) = self.mesh.texture_coordinates() else {
@@ -57,7 +67,8 @@ impl Human {
         }
         let colour = |texel: &Texel| {
             let (_, point) = (*texel)?;
-            Some(paint::colour(&landmarks, point).map(|c| 255.0 * c.clamp(0.0, 1.0)))
+            let colour = change(point, paint::colour(&landmarks, point));
+            Some(colour.map(|c| 255.0 * c.clamp(0.0, 1.0)))
         };
         filled(size, texels.values().par_iter().map(colour).collect())
     }

@@ -5,6 +5,7 @@
 
 mod closed;
 mod compressed;
+mod markers;
 mod skin;
 mod surface;
 mod walking;

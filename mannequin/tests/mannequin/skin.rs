@@ -6,7 +6,7 @@ use ga_image::resample::{Method, resize};
 use crate::{HUMAN, positions};
 
 /// Where the vertex nearest to a place lies in a texture of this side: column and row.
-fn texel(place: [f64; 3], size: usize) -> (usize, usize) {
+pub(crate) fn texel(place: [f64; 3], size: usize) -> (usize, usize) {
     let positions = positions();
     let triangles = HUMAN.mesh.triangles();
     let distance = |p: [f64; 3]| (0..3).map(|k| (p[k] - place[k]).powi(2)).sum::<f64>();
