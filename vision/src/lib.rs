@@ -12,6 +12,7 @@
 //! - [`rectification`]: views in which the images of a point are in the same row.
 //! - [`diagnosis`]: what is wrong with a pair of views that should be rectified.
 //! - [`format`](mod@format): files of cameras and rigs.
+//! - [`marker`]: painted discs that say which point they are.
 //! - [`matcher`]: the disparity of every pixel of a rectified pair.
 //! - [`triangulation`]: the point that two or more rays determine.
 //! - [`disparity`]: disparity maps of rectified views, their files and their errors.
@@ -68,6 +69,7 @@ pub mod format;
 pub mod frame;
 pub mod homography;
 pub mod least_squares;
+pub mod marker;
 pub mod matcher;
 pub mod modelling_points;
 mod normalisation;

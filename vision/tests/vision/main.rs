@@ -14,6 +14,7 @@ mod feature;
 mod format;
 mod least_squares;
 mod many_views;
+mod marker;
 mod matcher;
 mod modelling_points;
 mod perspective_n_point;

@@ -1,0 +1,224 @@
+//! Connected coloured pixels, and the ellipse with their moments.
+
+use std::collections::HashSet;
+
+use ga_image::plane::Plane;
+
+/// Candidates with a greater extent in pixels are something else.
+const MOST_EXTENT: usize = 400;
+/// Candidates of fewer pixels say nothing about colours.
+const LEAST_PIXELS: usize = 6;
+
+/// A connected set of coloured pixels with all pixels that touch it.
+pub(super) struct Blob {
+    /// Column and row of each pixel.
+    pub(super) pixels: Vec<[usize; 2]>,
+    /// The part of each pixel that is covered, 0 to 1.
+    coverage: Vec<f64>,
+}
+
+/// An ellipse with the moments of a set of pixels.
+pub(super) struct Ellipse {
+    pub(super) centre: [f64; 2],
+    pub(super) semi_axes: [f64; 2],
+    /// The inverse of the matrix of second moments as xx, xy, yy.
+    inverse: [f64; 3],
+}
+
+/// The candidates in a picture of linear light. Pixels touch by their edges, so that markers which
+/// are a pixel apart are separate.
+pub(super) fn blobs(light: &Plane<[f32; 3]>, least_saturation: f32) -> Vec<Blob> {
+    let (width, height) = (light.width(), light.height());
+    let is_coloured = light.map(|[red, green, blue]| {
+        let most = red.max(green).max(blue);
+        let chroma = most - red.min(green).min(blue);
+        chroma > least_saturation * most && chroma > NOISE
+    });
+    let mut owner = Plane::filled(width, height, 0u32);
+    let mut sets: Vec<Vec<[usize; 2]>> = Vec::new();
+    for row in 0..height {
+        for column in 0..width {
+            if is_coloured.row(row)[column] && owner.row(row)[column] == 0 {
+                let number = sets.len() as u32 + 1;
+                sets.push(connected([column, row], &is_coloured, &mut owner, number));
+            }
+        }
+    }
+    let whole = |set: &&Vec<[usize; 2]>| {
+        let fits = |axis: usize, size: usize| {
+            let places = set.iter().map(|pixel| pixel[axis]);
+            let (low, high) =
+                places.fold((usize::MAX, 0), |(low, high), c| (low.min(c), high.max(c)));
+            // What the picture cuts off has no centre.
+            low > 0 && high + 1 < size && high - low < MOST_EXTENT
+        };
+        set.len() >= LEAST_PIXELS && fits(0, width) && fits(1, height)
+    };
+    let sets = sets.iter().filter(whole);
+    sets.map(|set| Blob::new(light, set, &owner)).collect()
+}
+
+/// Less chroma than this in linear light is what rounding to 8 bits leaves of grey.
+const NOISE: f32 = 0.01;
+
+/// The coloured pixels that are connected with one, marked with a number.
+fn connected(
+    start: [usize; 2],
+    is_coloured: &Plane<bool>,
+    owner: &mut Plane<u32>,
+    number: u32,
+) -> Vec<[usize; 2]> {
+    let mut pixels = vec![start];
+    owner.row_mut(start[1])[start[0]] = number;
+    let mut next = 0;
+    while let Some(&[column, row]) = pixels.get(next) {
+        next += 1;
+        let around = [
+            [column.wrapping_sub(1), row],
+            [column + 1, row],
+            [column, row.wrapping_sub(1)],
+            [column, row + 1],
+        ];
+        for pixel in around {
+            let [column, row] = pixel;
+            if is_coloured.get(column, row) == Some(true) && owner.get(column, row) == Some(0) {
+                owner.row_mut(row)[column] = number;
+                pixels.push(pixel);
+            }
+        }
+    }
+    pixels
+}
+
+/// A connected set with the pixels that it encloses: where two colours meet whose mixture is grey,
+/// pixels are not coloured.
+fn filled(set: &[[usize; 2]]) -> Vec<[usize; 2]> {
+    let range = |axis: usize| {
+        let places = set.iter().map(|pixel| pixel[axis]);
+        places.fold((usize::MAX, 0), |(low, high), c| (low.min(c), high.max(c)))
+    };
+    let ((left, right), (top, bottom)) = (range(0), range(1));
+    // A box with a free border around the set; what is connected with its corner is outside.
+    let (width, height) = (right - left + 3, bottom - top + 3);
+    let mut is_free = Plane::filled(width, height, true);
+    for [column, row] in set {
+        is_free.row_mut(row - top + 1)[column - left + 1] = false;
+    }
+    let mut owner = Plane::filled(width, height, 0u32);
+    connected([0, 0], &is_free, &mut owner, 1);
+    let inside = (0..height).flat_map(|row| (0..width).map(move |column| [column, row]));
+    inside
+        .filter(|&[column, row]| owner.row(row)[column] == 0)
+        .map(|[column, row]| [column + left - 1, row + top - 1])
+        .collect()
+}
+
+impl Blob {
+    /// A set of coloured pixels without its holes, and all pixels that touch it by an edge or a
+    /// corner and belong to no other set.
+    fn new(light: &Plane<[f32; 3]>, set: &[[usize; 2]], owner: &Plane<u32>) -> Self {
+        let around = |[column, row]: [usize; 2]| {
+            let rows = row.saturating_sub(1)..=row + 1;
+            rows.flat_map(move |row| {
+                (column.saturating_sub(1)..=column + 1).map(move |column| [column, row])
+            })
+        };
+        let set = &filled(set);
+        let own: HashSet<[usize; 2]> = set.iter().copied().collect();
+        let is_own = |pixel: [usize; 2]| own.contains(&pixel);
+        let mut pixels: Vec<[usize; 2]> = set.to_vec();
+        for pixel in set {
+            let free = around(*pixel).filter(|&[column, row]| owner.get(column, row) == Some(0));
+            pixels.extend(free.filter(|&pixel| !is_own(pixel)));
+        }
+        pixels[set.len()..].sort_unstable_by_key(|&[column, row]| [row, column]);
+        pixels.dedup();
+
+        let chroma = |[column, row]: [usize; 2]| {
+            let [red, green, blue] = light.row(row)[column];
+            f64::from(red.max(green).max(blue) - red.min(green).min(blue))
+        };
+        // The chroma of a pixel that is covered whole: that of most, but for those on the edge
+        // between the colours, where it is less.
+        let mut chromas: Vec<f64> = set.iter().map(|&pixel| chroma(pixel)).collect();
+        chromas.sort_unstable_by(f64::total_cmp);
+        let full = chromas[(chromas.len() * 4 / 5).min(chromas.len() - 1)];
+        let coverage = pixels.iter().map(|&pixel| {
+            // Inside, where no grey is near, the colours of the marker are mixed with each other.
+            if around(pixel).all(is_own) {
+                1.0
+            } else {
+                (chroma(pixel) / full).min(1.0)
+            }
+        });
+        let coverage = coverage.collect();
+        Self { pixels, coverage }
+    }
+
+    /// The mean distance of the outline from an ellipse in pixels: the sum of the differences of
+    /// the covered parts of all pixels from those that the ellipse covers, divided by its
+    /// circumference. For a pixel at the distance s outside the ellipse that is ½ − s, from 0 to 1.
+    pub(super) fn outline_error(&self, ellipse: &Ellipse) -> f64 {
+        let differences = self
+            .pixels
+            .iter()
+            .zip(&self.coverage)
+            .map(|(pixel, coverage)| {
+                let place = pixel.map(|c| c as f64);
+                (coverage - (0.5 - ellipse.distance(place)).clamp(0.0, 1.0)).abs()
+            });
+        let [greater, smaller] = ellipse.semi_axes;
+        differences.sum::<f64>() / (std::f64::consts::PI * (greater + smaller))
+    }
+
+    /// The ellipse with the moments of the pixels; `None` where they lie on a line.
+    pub(super) fn ellipse(&self) -> Option<Ellipse> {
+        let pixels = || {
+            let pixels = self.pixels.iter().zip(&self.coverage);
+            pixels.map(|(&[column, row], &coverage)| ([column as f64, row as f64], coverage))
+        };
+        let weight: f64 = self.coverage.iter().sum();
+        let mean = |axis: usize| pixels().map(|(at, w)| w * at[axis]).sum::<f64>() / weight;
+        let centre = [mean(0), mean(1)];
+        let moment = |a: usize, b: usize| {
+            let products = pixels().map(|(at, w)| w * (at[a] - centre[a]) * (at[b] - centre[b]));
+            products.sum::<f64>() / weight
+        };
+        let extent = 1.0 / 12.0;
+        let [xx, xy, yy] = [moment(0, 0) - extent, moment(0, 1), moment(1, 1) - extent];
+        let determinant = xx * yy - xy * xy;
+        if !(xx > 0.0 && yy > 0.0 && determinant > 0.0) {
+            return None;
+        }
+        let (middle, half) = (0.5 * (xx + yy), (0.5 * (xx - yy)).hypot(xy));
+        Some(Ellipse {
+            centre,
+            semi_axes: [middle + half, middle - half]
+                .map(|variance| 2.0 * variance.max(0.0).sqrt()),
+            inverse: [yy / determinant, -xy / determinant, xx / determinant],
+        })
+    }
+}
+
+impl Ellipse {
+    /// How far a place is from the centre, 1 on the ellipse.
+    pub(super) fn radius(&self, place: [f64; 2]) -> f64 {
+        let [x, y] = [place[0] - self.centre[0], place[1] - self.centre[1]];
+        let [xx, xy, yy] = self.inverse;
+        0.5 * (xx * x * x + 2.0 * xy * x * y + yy * y * y).sqrt()
+    }
+
+    /// About how far outside the ellipse a place near it is, in pixels: the radius less 1, divided
+    /// by its gradient.
+    fn distance(&self, place: [f64; 2]) -> f64 {
+        let [x, y] = [place[0] - self.centre[0], place[1] - self.centre[1]];
+        let [xx, xy, yy] = self.inverse;
+        let radius = self.radius(place);
+        let gradient = 0.25 * (xx * x + xy * y).hypot(xy * x + yy * y) / radius;
+        if radius > 0.0 {
+            (radius - 1.0) / gradient
+        } else {
+            f64::NEG_INFINITY
+        }
+    }
+}
