@@ -185,7 +185,7 @@ const SPECKLE: u32 = 80;
 /// How much more than the median of the least costs a candidate outside the right view costs.
 const OUTSIDE: u8 = 20;
 
-/// Finds the disparities of rectified pairs of views of one size. Its maps, and up to 20 MiB of
+/// Finds the disparities of rectified pairs of views of one size. Its maps, and up to 16 MiB of
 /// what it needs for strips of them, are kept from one pair to the next.
 #[derive(Debug)]
 pub struct Matcher {
@@ -294,11 +294,37 @@ impl Matcher {
         Ok(self.matched())
     }
 
+    /// Memory is made and given back between the steps, in the thread of the caller.
     fn matched(&mut self) -> Match {
+        let threads = self.threads.current_num_threads();
+        self.strips.prepare(threads);
+        self.find();
+        self.strips.release();
+        self.visibility.prepare(&self.maps[0], threads);
+        self.fill();
+        self.visibility.release();
+        let plane = || Plane::filled(self.width, self.height, 0.0);
+        let (mut disparity, mut clear) = (plane(), plane());
+        let (map, confidence, width) = (&self.maps[0], &self.confidence, self.width);
+        self.threads.install(|| {
+            smooth::smooth(map, width, disparity.values_mut());
+            refine::over_rows(clear.values_mut(), width, |first, rows| {
+                for (value, level) in rows.iter_mut().zip(&confidence[first * width..]) {
+                    *value = f32::from(*level) / 255.0;
+                }
+            });
+        });
+        Match {
+            disparity: DisparityMap::new(disparity),
+            confidence: clear,
+        }
+    }
+
+    /// Finds the disparities that the other view confirms, and its own in whole pixels.
+    fn find(&mut self) {
         let Self {
             options,
             width,
-            height,
             threads,
             strips,
             left,
@@ -307,8 +333,7 @@ impl Matcher {
             opposite,
             confidence,
             islands,
-            weighted,
-            visibility,
+            ..
         } = self;
         let width = *width;
         threads.install(|| {
@@ -353,24 +378,28 @@ impl Matcher {
             }
             confirm(map, opposite, spare, width, islands, options.mode);
             keep_confirmed(confidence, map, width);
+        });
+    }
+
+    /// Fills the holes, and sharpens the edges.
+    fn fill(&mut self) {
+        let Self {
+            width,
+            threads,
+            left,
+            maps: [map, spare],
+            opposite,
+            weighted,
+            visibility,
+            ..
+        } = self;
+        threads.install(|| {
             visibility.fill(map, left, opposite, spare);
-            fill::fill_rows(spare, width);
+            fill::fill_rows(spare, *width);
             weighted.at_edges(spare, left, map);
-            median::median(map, width, spare);
-            median::median(spare, width, map);
-            let mut disparity = Plane::filled(width, *height, 0.0);
-            smooth::smooth(map, width, disparity.values_mut());
-            let mut clear = Plane::filled(width, *height, 0.0);
-            refine::over_rows(clear.values_mut(), width, |first, rows| {
-                for (value, level) in rows.iter_mut().zip(&confidence[first * width..]) {
-                    *value = f32::from(*level) / 255.0;
-                }
-            });
-            Match {
-                disparity: DisparityMap::new(disparity),
-                confidence: clear,
-            }
-        })
+            median::median(map, *width, spare);
+            median::median(spare, *width, map);
+        });
     }
 }
 

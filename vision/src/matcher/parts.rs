@@ -15,31 +15,30 @@ impl<S> Default for Spare<S> {
 }
 
 impl<S: Send> Spare<S> {
-    /// Computes all parts, at most `most` at the same time. The order does not matter, since each
-    /// part has its own results.
-    pub(super) fn compute<T: Send>(
-        &self,
-        parts: Vec<T>,
-        most: usize,
-        new: impl Fn() -> S + Sync,
-        compute: impl Fn(T, &mut S) + Sync,
-    ) {
-        let workers = most.max(1).min(rayon::current_num_threads());
-        let workers = workers.min(parts.len());
-        // Storage allocated by the threads later, after their memory, might keep an allocator from
-        // giving that back.
-        locked(&self.0).reserve(workers);
+    /// Makes memory for `count` parts that are computed at the same time, and makes all of it
+    /// `ready`. This is done in one thread outside the pool: allocators give memory that was freed
+    /// to the thread that allocated it, and not to others.
+    pub(super) fn prepare(&self, count: usize, new: impl Fn() -> S, ready: impl Fn(&mut S)) {
+        let mut spare = locked(&self.0);
+        spare.truncate(count);
+        spare.resize_with(count, new);
+        spare.iter_mut().for_each(ready);
+    }
+
+    /// Computes all parts, as many at the same time as there is memory for. The order does not
+    /// matter, since each part has its own results.
+    pub(super) fn compute<T: Send>(&self, parts: Vec<T>, compute: impl Fn(T, &mut S) + Sync) {
+        let workers = locked(&self.0).len();
+        debug_assert!(workers > 0 || parts.is_empty(), "nothing was prepared");
         let parts = Mutex::new(parts.into_iter());
         let workers = (0..workers).into_par_iter().with_max_len(1);
         workers.for_each(|_| {
             let next = || locked(&parts).next();
-            let mut memory = None;
-            while let Some(part) = next() {
-                let memory = memory.get_or_insert_with(|| {
-                    let spare = locked(&self.0).pop();
-                    spare.unwrap_or_else(&new)
-                });
-                compute(part, memory);
+            let mut memory = locked(&self.0).pop();
+            if let Some(memory) = &mut memory {
+                while let Some(part) = next() {
+                    compute(part, memory);
+                }
             }
             locked(&self.0).extend(memory);
         });
@@ -72,13 +71,11 @@ mod tests {
         let mut results = vec![0; 40];
         for round in 1..=2 {
             let parts = results.iter_mut().collect();
-            let new = || made.fetch_add(1, Ordering::Relaxed);
-            pool.install(|| {
-                spare.compute(parts, 3, new, |part: &mut i32, _| *part += 1);
-            });
+            spare.prepare(3, || made.fetch_add(1, Ordering::Relaxed), |_| ());
+            pool.install(|| spare.compute(parts, |part: &mut i32, _| *part += 1));
             assert!(results.iter().all(|result| *result == round));
         }
-        assert!((1..=3).contains(&made.into_inner()));
+        assert_eq!(made.into_inner(), 3);
         spare.keep_at_most(100, 60);
         assert!(locked(&spare.0).len() <= 1);
     }

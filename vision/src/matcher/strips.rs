@@ -58,6 +58,23 @@ impl Strips {
         (0..count).map(move |strip| start(strip)..start(strip + 1))
     }
 
+    /// Makes the memory for matching with a number of threads.
+    pub(super) fn prepare(&self, threads: usize) {
+        let most = (AT_ONCE[usize::from(self.has_support)] / self.scratch_bytes()).max(2);
+        let count = most.min(threads).min(2 * self.rows().count());
+        let new = || Scratch::new(self.width, self.range, self.has_support);
+        self.spare.prepare(count, new, |_| ());
+    }
+
+    /// Gives memory back where it is much.
+    pub(super) fn release(&self) {
+        self.spare.keep_at_most(KEPT, self.scratch_bytes());
+    }
+
+    fn scratch_bytes(&self) -> usize {
+        Scratch::bytes(self.width, self.range, self.has_support)
+    }
+
     /// Matches all strips of some passes.
     pub(super) fn run<'a>(&self, passes: impl IntoIterator<Item = (Task<'a>, Found<'a>)>) {
         let mut strips = Vec::new();
@@ -68,19 +85,14 @@ impl Strips {
             }
         }
         let batch = Batch::new();
-        let bytes = Scratch::bytes(self.width, self.range, self.has_support);
-        let most = (AT_ONCE[usize::from(self.has_support)] / bytes).max(2);
-        let new = || Scratch::new(self.width, self.range, self.has_support);
-        self.spare
-            .compute(strips, most, new, |(task, rows, found), scratch| {
-                batch.run(Sweep {
-                    task,
-                    rows,
-                    scratch,
-                    found,
-                });
+        self.spare.compute(strips, |(task, rows, found), scratch| {
+            batch.run(Sweep {
+                task,
+                rows,
+                scratch,
+                found,
             });
-        self.spare.keep_at_most(KEPT, bytes);
+        });
     }
 
     /// The median of the least costs of the pixels in a sample of the rows.

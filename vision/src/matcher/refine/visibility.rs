@@ -24,8 +24,6 @@ const CONTEXT: usize = 24;
 const ROWS_OF_HOLES: usize = 8;
 /// The bytes that the strips computed at the same time may need; two strips may always.
 const AT_ONCE: usize = 8 << 20;
-/// The bytes that are kept for the next pair.
-const KEPT: usize = 4 << 20;
 /// The cost of a candidate that the other view would see.
 const SEEN: u8 = 30;
 /// The path cost at a known disparity, for each pixel that a candidate is off, and its greatest.
@@ -88,23 +86,17 @@ impl VisibilityFill {
     ) {
         filled.copy_from_slice(map);
         let mut strips = Vec::new();
-        let mut most_holes = 0;
         let mut rest = filled;
         for (rows, holes) in self.strips(map) {
             let (filled, below) = rest.split_at_mut(rows.len() * self.width);
             rest = below;
-            most_holes = most_holes.max(holes);
             if holes > 0 {
                 strips.push((rows, holes, filled));
             }
         }
-        // Those of the paths from three directions, at two rows, and those of the sums.
-        let bytes = (6 * self.width + size_of::<u16>() * most_holes) * self.padded;
-        let most = (AT_ONCE / bytes).max(2);
-        let new = || Scratch::new(self.width, self.padded);
         let batch = Batch::new();
         self.spare
-            .compute(strips, most, new, |(rows, holes, filled), scratch| {
+            .compute(strips, |(rows, holes, filled), scratch| {
                 batch.run(Strip {
                     fill: self,
                     map,
@@ -116,7 +108,25 @@ impl VisibilityFill {
                     scratch,
                 });
             });
-        self.spare.keep_at_most(KEPT, bytes);
+    }
+
+    /// Makes the memory for filling a map with a number of threads.
+    pub(in super::super) fn prepare(&self, map: &[u16], threads: usize) {
+        let holes = self.strips(map).into_iter().map(|(_, holes)| holes);
+        let numbers = holes.max().unwrap_or(0) * self.padded;
+        // Of the paths from three directions, at two rows, and of the sums.
+        let bytes = 6 * self.width * self.padded + size_of::<u16>() * numbers;
+        let most = (AT_ONCE / bytes).max(2);
+        let new = || Scratch::new(self.width, self.padded);
+        self.spare.prepare(most.min(threads), new, |scratch| {
+            scratch.sums.clear();
+            scratch.sums.reserve_exact(numbers);
+        });
+    }
+
+    /// Gives the memory back.
+    pub(in super::super) fn release(&self) {
+        self.spare.keep_at_most(0, 1);
     }
 
     /// The rows of each strip, and the holes that are filled there. They depend on the map alone.
@@ -181,7 +191,6 @@ impl Work for Strip<'_> {
         let (start, end) = (self.rows.start, self.rows.end);
         let numbers = self.holes * self.fill.padded;
         self.scratch.sums.clear();
-        self.scratch.sums.reserve_exact(numbers);
         self.scratch.sums.resize(numbers, 0);
         let top = start.saturating_sub(CONTEXT);
         let bottom = (end + CONTEXT).min(self.view.height());
@@ -418,20 +427,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_a_square_hides_is_background() {
-        what_a_rectangle_hides_is_background(20);
-    }
-
-    /// All holes are in rows that would be one strip, if that could have any number of holes.
-    #[test]
-    fn many_holes_are_filled_in_several_strips() {
-        what_a_rectangle_hides_is_background(85);
+    fn what_a_rectangle_hides_is_background() {
+        // 64 of 85 rows have more holes than a strip may have.
+        [20, 85].into_iter().for_each(what_it_hides_is_background);
     }
 
     /// A bright rectangle at disparity 12 before a dark background at 4: the right view shows the
-    /// background up to the rectangle's image, and the hole to the left of the rectangle is behind
-    /// it.
-    fn what_a_rectangle_hides_is_background(rows: usize) {
+    /// background up to the rectangle's image, and the hole to the left of it is behind it.
+    fn what_it_hides_is_background(rows: usize) {
         let (width, height, range) = (60, rows + 40, 20);
         let hiding = 20..20 + rows;
         let is_square =
@@ -455,7 +458,7 @@ mod tests {
                 }
             }
         }
-        let holes = map.iter().filter(|d| **d == UNKNOWN).count();
+        let holes = count(&map);
         assert_eq!(holes, 8 * rows);
         let fill = VisibilityFill::new(width, range);
         let strips = fill.strips(&map);
@@ -464,10 +467,10 @@ mod tests {
         }
         assert_eq!(strips.iter().map(|(_, holes)| holes).sum::<usize>(), holes);
         let mut filled = vec![0; map.len()];
+        fill.prepare(&map, 2);
         fill.fill(&map, &view, &other, &mut filled);
         for (place, (before, after)) in map.iter().zip(&filled).enumerate() {
-            let known = Some(*before).filter(|disparity| *disparity != UNKNOWN);
-            let expected = known.unwrap_or(4 * STEPS);
+            let expected = Some(*before).filter(|d| *d != UNKNOWN).unwrap_or(4 * STEPS);
             assert!(after.abs_diff(expected) <= STEPS / 2, "{place}: {after}");
         }
     }
@@ -485,6 +488,7 @@ mod tests {
         let other = vec![UNKNOWN; map.len()];
         let fill = VisibilityFill::new(40, 32);
         let mut filled = vec![0; map.len()];
+        fill.prepare(&map, 1);
         fill.fill(&map, &view, &other, &mut filled);
         for row in filled.chunks_exact(40) {
             assert!(row[..6].iter().all(|d| *d == UNKNOWN));
