@@ -68,7 +68,7 @@ mod tests {
         let pool = ThreadPoolBuilder::new().num_threads(8).build().unwrap();
         let spare = Spare::default();
         let made = AtomicUsize::new(0);
-        let mut results = vec![0; 40];
+        let mut results = [0; 40];
         for round in 1..=2 {
             let parts = results.iter_mut().collect();
             spare.prepare(3, || made.fetch_add(1, Ordering::Relaxed), |_| ());
