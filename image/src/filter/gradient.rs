@@ -6,7 +6,15 @@ use super::Border;
 use crate::plane::{Plane, PlaneView, SizeError, same_size};
 
 /// Weights of 3 × 3 pixels whose sum is a multiple of the slope. Along the direction of the slope
-/// they are −1, 0, 1; across it the slopes of three rows or columns are added with weights.
+/// they are −1, 0, 1; across it the slopes of three rows or columns are added with weights w:
+///
+/// ```text
+/// dx(c, r) = Σₖ wₖ (I(c + 1, r + k) − I(c − 1, r + k)),  k = −1, 0, 1
+/// dy(c, r) = Σₖ wₖ (I(c + k, r + 1) − I(c + k, r − 1))
+/// ```
+///
+/// for the level I of the pixel in column c and row r. Beyond its border the picture is continued by
+/// a [`Border`].
 ///
 /// Slopes are positive where the picture becomes brighter to the right (dx) or downwards (dy), and
 /// are not divided by the sum of the weights: a ramp that rises by 1 in each pixel has the slope

@@ -161,6 +161,31 @@ proptest! {
         }
     }
 
+    /// The variance between the classes, by counting pixels and in whole numbers, has no greater
+    /// value. Of levels that divide the pixels in the same way the least is given, which occurs.
+    #[test]
+    fn otsu_divides_by_the_greatest_variance(picture in pictures(), levels in 1u8..=255) {
+        let picture = picture.map(|value| value % levels);
+        let variance = |level: u8| {
+            let sums = [false, true].map(|is_above| {
+                let class = picture.values().iter().filter(|value| (**value > level) == is_above);
+                class.fold((0, 0), |(n, sum), value| (n + 1, sum + i128::from(*value)))
+            });
+            let [(n0, sum0), (n1, sum1)] = sums;
+            // (m0 - m1)^2 n0 n1 as a fraction.
+            let difference: i128 = sum0 * n1 - sum1 * n0;
+            (n0 * n1 > 0).then(|| (difference * difference) as f64 / (n0 * n1) as f64)
+        };
+        let greatest = (0..=254).filter_map(variance).fold(0.0, f64::max);
+        match otsu(&picture) {
+            None => prop_assert_eq!(greatest, 0.0),
+            Some(level) => {
+                prop_assert!(variance(level).unwrap() >= greatest * (1.0 - 1e-12));
+                prop_assert!(picture.values().contains(&level));
+            }
+        }
+    }
+
     /// Canny's edges are found by thresholds alone where these are equal, and lie between those of
     /// the upper and of the lower threshold otherwise.
     #[test]
