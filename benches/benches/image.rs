@@ -1,5 +1,5 @@
-//! Pictures of 1,920 × 1,080 pixels: quality, blur, halving, edges. A copy of the frame, in the same run,
-//! is the unit.
+//! Pictures of 1,920 × 1,080 pixels: quality, blur, halving, edges. A copy of the frame, in the
+//! same run, is the unit.
 //!
 //! The rival's structural similarity is that of blocks of 8 × 8 pixels beside each other, which is
 //! less work than a window around each pixel.
@@ -112,24 +112,53 @@ fn filters(criterion: &mut Criterion) {
 }
 
 fn edges(criterion: &mut Criterion) {
-    let [_, a] = frames();
-    let mut copy = a.clone();
+    let [smooth, noisy] = frames();
+    let mut copy = noisy.clone();
     let [mut dx, mut dy] = [(); 2].map(|()| Plane::filled(WIDTH, HEIGHT, 0));
-    let mut canny = Canny::new(80.0, 160.0).expect("the thresholds are in order");
 
-    let mut group = criterion.benchmark_group("image/edges-1080p");
-    group.bench_function("Sobel dx", |bench| {
-        bench.iter(|| Gradient::Sobel.horizontal_into(black_box(&a), Border::Mirror, &mut dx));
+    let mut group = criterion.benchmark_group("sobel/1080p");
+    group.bench_function("nullcone dx", |bench| {
+        bench.iter(|| Gradient::Sobel.horizontal_into(black_box(&noisy), Border::Mirror, &mut dx));
     });
-    group.bench_function("Sobel dx and dy", |bench| {
-        bench.iter(|| Gradient::Sobel.of_into(black_box(&a), Border::Mirror, &mut dx, &mut dy));
-    });
-    group.bench_function("Otsu", |bench| bench.iter(|| otsu(black_box(&a))));
-    group.bench_function("Canny", |bench| {
-        bench.iter(|| canny.edges_into(black_box(&a), &mut copy));
+    group.bench_function("nullcone dx and dy", |bench| {
+        bench.iter(|| Gradient::Sobel.of_into(black_box(&noisy), Border::Mirror, &mut dx, &mut dy));
     });
     group.bench_function("copy", |bench| {
-        bench.iter(|| copy.values_mut().copy_from_slice(black_box(&a).values()));
+        bench.iter(|| {
+            copy.values_mut()
+                .copy_from_slice(black_box(&noisy).values())
+        });
+    });
+    group.finish();
+
+    let mut group = criterion.benchmark_group("otsu/1080p");
+    for (name, frame) in [("nullcone, smooth", &smooth), ("nullcone, noise", &noisy)] {
+        group.bench_function(name, |bench| bench.iter(|| otsu(black_box(frame))));
+    }
+    group.bench_function("copy", |bench| {
+        bench.iter(|| {
+            copy.values_mut()
+                .copy_from_slice(black_box(&noisy).values())
+        });
+    });
+    group.finish();
+
+    // The lower thresholds find edges at a third of the pixels.
+    let mut group = criterion.benchmark_group("canny/1080p");
+    for (name, [low, high]) in [
+        ("nullcone, few edges", [80.0, 160.0]),
+        ("nullcone, many edges", [20.0, 60.0]),
+    ] {
+        let mut canny = Canny::new(low, high).expect("the thresholds are in order");
+        group.bench_function(name, |bench| {
+            bench.iter(|| canny.edges_into(black_box(&noisy), &mut copy));
+        });
+    }
+    group.bench_function("copy", |bench| {
+        bench.iter(|| {
+            copy.values_mut()
+                .copy_from_slice(black_box(&noisy).values())
+        });
     });
     group.finish();
 }
