@@ -46,7 +46,7 @@ mod writer;
 
 pub use animation::{Animation, Channel, Interpolation, Keys, Skin};
 pub(crate) use convert::mesh_files;
-pub use convert::{Vertices, read_mesh, write_mesh};
+pub use convert::{Target, Vertices, read_mesh, write_mesh};
 pub use document::{Asset, Camera, Document, Extras, Node, Projection, Scene, Transform};
 pub use error::{Element, GltfError, Problem};
 pub use material::{Image, ImageSource, Material, Sampler, Texture, TextureInfo, TextureTransform};

@@ -3,8 +3,12 @@
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-use super::super::{self as gltf, Asset, Document, Mode, Node, Primitive, Scene};
-use super::material;
+use ga_runtime::vga3::Vector;
+use serde_json::json;
+
+use super::super::{self as gltf, Asset, Document, Mode, MorphTarget, Node, Primitive, Scene};
+use super::{Target, material};
+use crate::normals::vertex_normals;
 use crate::{Mesh, tangents};
 
 /// What all faces of a primitive have in common.
@@ -23,8 +27,11 @@ struct Kind {
 /// corner's attributes.
 type Key = (u32, Vec<Option<u32>>);
 
-pub(super) fn document(mesh: &Mesh) -> Document {
-    let mesh = &with_tangents(mesh);
+pub(super) fn document(mesh: &Mesh, targets: &[Target<'_>]) -> Document {
+    let shape = &with_tangents(mesh);
+    let mesh: &Mesh = shape;
+    let targets: Vec<_> = targets.iter().map(|one| Moved::new(mesh, one)).collect();
+    let names: Vec<_> = targets.iter().map(|target| target.name).collect();
     let mut document = Document {
         asset: Asset::of_this_crate(),
         scene: Some(0),
@@ -34,14 +41,14 @@ pub(super) fn document(mesh: &Mesh) -> Document {
     // One list of primitives for each object, and one for faces without an object and for lines.
     let mut lists: Vec<Vec<Primitive>> = vec![Vec::new(); mesh.objects().len() + 1];
     for (kind, faces) in kinds(mesh) {
-        let mut primitive = triangles(mesh, &kind, &faces);
+        let mut primitive = triangles(mesh, &targets, &kind, &faces);
         let sets = primitive.texcoords.len();
         primitive.material = primitive
             .material
             .map(|material| material::with_sets(material, sets, &mut document));
         lists[kind.object].push(primitive);
     }
-    lists[mesh.objects().len()].extend(lines(mesh));
+    lists[mesh.objects().len()].extend(lines(mesh, &targets));
     let named = lists.into_iter().enumerate().map(|(object, primitives)| {
         let object = mesh.objects().get(object);
         (object.map(|object| object.name.clone()), primitives)
@@ -51,6 +58,8 @@ pub(super) fn document(mesh: &Mesh) -> Document {
         document.meshes.push(gltf::Mesh {
             name: name.clone(),
             primitives,
+            // The custom of programs that name morph targets; glTF itself has no names for them.
+            extras: (!names.is_empty()).then(|| json!({ "targetNames": names })),
             ..gltf::Mesh::default()
         });
         document.nodes.push(Node {
@@ -117,7 +126,7 @@ fn kinds(mesh: &Mesh) -> BTreeMap<Kind, Vec<usize>> {
 }
 
 /// The primitive of faces of one kind. Its vertices are in the order of those of the mesh.
-fn triangles(mesh: &Mesh, kind: &Kind, faces: &[usize]) -> Primitive {
+fn triangles(mesh: &Mesh, targets: &[Moved<'_>], kind: &Kind, faces: &[usize]) -> Primitive {
     let key = |corner: usize| -> Key {
         let sets = mesh.texture_coordinate_sets().iter().zip(&kind.texcoords);
         let texcoords = sets
@@ -153,7 +162,7 @@ fn triangles(mesh: &Mesh, kind: &Kind, faces: &[usize]) -> Primitive {
         }
     }
     let vertices = firsts.iter().map(|&corner| mesh.faces().corners()[corner]);
-    let mut primitive = vertices_of(mesh, vertices);
+    let mut primitive = vertices_of(mesh, targets, vertices.clone());
     primitive.mode = Mode::Triangles;
     primitive.indices = Some(indices);
     primitive.material = kind.material.map(|material| material as usize);
@@ -167,6 +176,10 @@ fn triangles(mesh: &Mesh, kind: &Kind, faces: &[usize]) -> Primitive {
     if let Some(normals) = mesh.normals().filter(|_| kind.normals) {
         let values = firsts.iter().filter_map(|&corner| normals.get(corner));
         primitive.normals = values.map(|n| n.coordinates().map(|c| c as f32)).collect();
+        for (found, target) in primitive.targets.iter_mut().zip(targets) {
+            let change = |vertex: u32| target.normals[vertex as usize].map(|c| c as f32);
+            found.normals = vertices.clone().map(change).collect();
+        }
     }
     if let Some(tangents) = mesh.tangents().filter(|_| kind.tangents) {
         let values = firsts.iter().filter_map(|&corner| tangents.get(corner));
@@ -179,8 +192,42 @@ fn triangles(mesh: &Mesh, kind: &Kind, faces: &[usize]) -> Primitive {
     primitive
 }
 
-/// A primitive with the places and colours of these vertices.
-fn vertices_of(mesh: &Mesh, vertices: impl Iterator<Item = u32> + Clone) -> Primitive {
+/// A morph target with the change of the normals.
+struct Moved<'a> {
+    name: &'a str,
+    displacements: &'a [Vector<f64>],
+    /// For each vertex; empty where the mesh has no normals.
+    normals: Vec<[f64; 3]>,
+}
+
+impl<'a> Moved<'a> {
+    fn new(mesh: &Mesh, target: &Target<'a>) -> Self {
+        let normals = mesh.normals().map(|_| {
+            let rest: Vec<[f64; 3]> = mesh.coordinates().collect();
+            let pairs = rest.iter().zip(target.displacements);
+            let moved: Vec<_> = pairs
+                .map(|(&place, &by)| (Vector::from(place) + by).coordinates())
+                .collect();
+            let triangles = mesh.triangles();
+            let [rest, moved] = [&rest, &moved].map(|p| vertex_normals(p, &triangles));
+            let pairs = moved.into_iter().zip(rest);
+            let change = |(a, b): ([f64; 3], [f64; 3])| Vector::from(a) - Vector::from(b);
+            pairs.map(|pair| change(pair).coordinates()).collect()
+        });
+        Self {
+            name: target.name,
+            displacements: target.displacements,
+            normals: normals.unwrap_or_default(),
+        }
+    }
+}
+
+/// A primitive with the places, displacements and colours of these vertices.
+fn vertices_of(
+    mesh: &Mesh,
+    targets: &[Moved<'_>],
+    vertices: impl Iterator<Item = u32> + Clone,
+) -> Primitive {
     let place = |vertex: u32| mesh.positions()[vertex as usize].coordinates();
     let positions = vertices
         .clone()
@@ -189,9 +236,18 @@ fn vertices_of(mesh: &Mesh, vertices: impl Iterator<Item = u32> + Clone) -> Prim
         let colour = |vertex: u32| colours[vertex as usize].map(|c| c as f32);
         vertices.clone().map(colour).collect()
     });
+    let targets = targets.iter().map(|target| {
+        let by = |vertex: u32| target.displacements[vertex as usize].coordinates();
+        let positions = vertices.clone().map(|vertex| by(vertex).map(|c| c as f32));
+        MorphTarget {
+            positions: positions.collect(),
+            ..MorphTarget::default()
+        }
+    });
     Primitive {
         positions: positions.collect(),
         colours: colours.into_iter().collect(),
+        targets: targets.collect(),
         ..Primitive::default()
     }
 }
@@ -202,10 +258,10 @@ const STRIPS: usize = 256;
 
 /// The edges, which are polylines of two vertices, as one primitive; the longer polylines, one
 /// primitive each, or as edges where there are many; and the points.
-fn lines(mesh: &Mesh) -> Vec<Primitive> {
+fn lines(mesh: &Mesh, targets: &[Moved<'_>]) -> Vec<Primitive> {
     let strip = |line: &[u32]| Primitive {
         mode: Mode::LineStrip,
-        ..vertices_of(mesh, line.iter().copied())
+        ..vertices_of(mesh, targets, line.iter().copied())
     };
     let long = || mesh.polylines().iter().filter(|line| line.len() > 2);
     let has_strips = long().count() <= STRIPS;
@@ -218,7 +274,7 @@ fn lines(mesh: &Mesh) -> Vec<Primitive> {
         .collect();
     let mut primitives = Vec::new();
     if !edges.is_empty() {
-        primitives.push(segments(mesh, &edges));
+        primitives.push(segments(mesh, targets, &edges));
     }
     if has_strips {
         primitives.extend(long().map(strip));
@@ -226,14 +282,14 @@ fn lines(mesh: &Mesh) -> Vec<Primitive> {
     if !mesh.points().is_empty() {
         primitives.push(Primitive {
             mode: Mode::Points,
-            ..vertices_of(mesh, mesh.points().iter().copied())
+            ..vertices_of(mesh, targets, mesh.points().iter().copied())
         });
     }
     primitives
 }
 
 /// Edges, two vertices each, as one primitive with indices.
-fn segments(mesh: &Mesh, edges: &[u32]) -> Primitive {
+fn segments(mesh: &Mesh, targets: &[Moved<'_>], edges: &[u32]) -> Primitive {
     let mut used = edges.to_vec();
     used.sort_unstable();
     used.dedup();
@@ -241,6 +297,6 @@ fn segments(mesh: &Mesh, edges: &[u32]) -> Primitive {
     Primitive {
         mode: Mode::Lines,
         indices: Some(edges.iter().map(|&vertex| index(vertex)).collect()),
-        ..vertices_of(mesh, used.iter().copied())
+        ..vertices_of(mesh, targets, used.iter().copied())
     }
 }

@@ -8,9 +8,10 @@ mod to_mesh;
 use std::path::Path;
 
 use ga_files::ReadError;
+use ga_runtime::vga3::Vector;
 
-use super::{Document, GltfError, WriteGltfError};
-use crate::Mesh;
+use super::{Document, Element, GltfError, Problem, WriteGltfError};
+use crate::{Mesh, MeshError};
 
 pub use to_mesh::Vertices;
 
@@ -51,10 +52,55 @@ impl Document {
     /// [`Problem::NotFinite`](super::Problem::NotFinite) and the like where a number does not fit
     /// into single precision.
     pub fn from_mesh(mesh: &Mesh) -> Result<Self, GltfError> {
-        let document = from_mesh::document(mesh);
+        Self::from_mesh_with_targets(mesh, &[])
+    }
+
+    /// A mesh with morph targets as a document; see [`Document::from_mesh`]. All weights are 0, so
+    /// that the document shows the mesh, until a node or an animation has others. Where the mesh
+    /// has normals, a target changes them by the difference between the vertex normals of the mesh
+    /// that it moves and those of the mesh at rest. The names of the targets are `targetNames` in
+    /// the extra data of each mesh, where most programs look for them.
+    ///
+    /// # Errors
+    ///
+    /// As [`Document::from_mesh`]; [`MeshError::VertexCount`](crate::MeshError::VertexCount) in
+    /// [`Problem::Mesh`](super::Problem::Mesh) where a target has another number of vertices.
+    ///
+    /// ```
+    /// use ga_mesh::gltf::{Document, Target};
+    /// use ga_mesh::{Faces, Mesh};
+    /// use ga_runtime::vga3::Vector;
+    ///
+    /// let corners = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    /// let mesh = Mesh::new(corners, Faces::from_polygons([[0, 1, 2]])?)?;
+    /// let displacements = [Vector::ZERO, Vector::ZERO, Vector::new(0.0, 0.5, 0.0)];
+    /// let longer = Target { name: "longer", displacements: &displacements };
+    /// let document = Document::from_mesh_with_targets(&mesh, &[longer])?;
+    /// let target = &document.meshes[0].primitives[0].targets[0];
+    /// assert_eq!(target.positions[2], [0.0, 0.5, 0.0]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn from_mesh_with_targets(mesh: &Mesh, targets: &[Target<'_>]) -> Result<Self, GltfError> {
+        let expected = mesh.vertex_count();
+        let counts = targets.iter().map(|target| target.displacements.len());
+        if let Some(found) = counts.into_iter().find(|&found| found != expected) {
+            let problem = MeshError::VertexCount { expected, found };
+            let problem = Problem::Mesh(problem.into());
+            return Err(GltfError::new(Element::File, problem));
+        }
+        let document = from_mesh::document(mesh, targets);
         document.validate()?;
         Ok(document)
     }
+}
+
+/// A morph target of a mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Target<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// The displacement of each vertex of the mesh where its weight is 1.
+    pub displacements: &'a [Vector<f64>],
 }
 
 /// Reads the mesh of a `.glb` or `.gltf` file; see [`Document::to_mesh`], with every vertex of the

@@ -5,6 +5,7 @@ mod bad_input;
 mod convert;
 mod documents;
 mod errors;
+mod morph_targets;
 mod mutations;
 mod reader;
 mod sampler;
