@@ -71,8 +71,13 @@ impl<T> CornerAttribute<T> {
         self.values.get((*self.corners.get(corner)?)? as usize)
     }
 
-    /// The same values, chosen for other corners.
-    pub(crate) fn at_corners(&self, corners: impl Iterator<Item = usize>) -> Self
+    /// The same values, chosen for other corners, by the indices of corners of this attribute.
+    ///
+    /// # Panics
+    ///
+    /// When there is no such corner.
+    #[must_use]
+    pub fn at_corners(&self, corners: impl Iterator<Item = usize>) -> Self
     where
         T: Clone,
     {

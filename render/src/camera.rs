@@ -354,6 +354,31 @@ impl Camera {
         })
     }
 
+    /// The projection onto the pixels of a picture of the given size. That of a camera with
+    /// [`Intrinsics`] is for one size, and the one given here is not used.
+    ///
+    /// ```
+    /// use ga_render::Camera;
+    ///
+    /// let (eye, target, up) = ([0.0, 0.0, 4.0], [0.0; 3], [0.0, 1.0, 0.0]);
+    /// let camera = Camera::look_at(eye, target, up, std::f64::consts::FRAC_PI_2, 0.1)?;
+    /// // The tangent of half the field of view is 1: half the height at depth 1.
+    /// let intrinsics = camera.intrinsics(640, 480);
+    /// assert!((intrinsics.focal[0] - 240.0).abs() < 1e-9);
+    /// assert_eq!(intrinsics.principal, [319.5, 239.5]);
+    /// # Ok::<(), ga_render::RenderError>(())
+    /// ```
+    pub fn intrinsics(&self, width: u32, height: u32) -> Intrinsics {
+        let [width, height] = [width, height].map(f64::from);
+        match self.projection {
+            Projection::Pixels(intrinsics) => intrinsics,
+            Projection::FieldOfView { tangent } => Intrinsics::new(
+                [height / (2.0 * tangent); 2],
+                [width, height].map(|side| (side - 1.0) / 2.0),
+            ),
+        }
+    }
+
     pub(crate) fn projection(&self) -> Projection {
         self.projection
     }

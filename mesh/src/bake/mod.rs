@@ -51,18 +51,18 @@ pub use error::BakeError;
 pub use map::Map;
 pub use occlusion::OcclusionOptions;
 pub use surface::{Coarse, CoarseCorner, Fine, FinePoint, corner_colours, corner_coordinates};
+pub use texel::{Texel, Texels};
 
 use ga_runtime::vga3::Vector;
 
-use crate::atlas::MAX_SIZE;
 use occlusion::Hemisphere;
-use texel::{Texel, Texels};
 
 /// What is baked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Options {
-    /// The side of the square maps in texels, from 1 to [`MAX_SIZE`]; 1024 by default.
+    /// The side of the square maps in texels, from 1 to
+    /// [`MAX_SIZE`](crate::atlas::MAX_SIZE); 1024 by default.
     pub size: u32,
     /// The cage distance, in the unit of the coordinates; without it, 2 % of the diagonal of the
     /// bounding box of the coarse surface.
@@ -121,9 +121,6 @@ impl<'a> Bake<'a> {
     /// texture coordinates outside of the unit square.
     pub fn new(coarse: &'a Coarse, fine: &'a Fine, options: &Options) -> Result<Self, BakeError> {
         let size = options.size;
-        if !(1..=MAX_SIZE).contains(&size) {
-            return Err(BakeError::Size { size });
-        }
         let cage = options
             .cage_distance
             .unwrap_or_else(|| default_cage(coarse));
@@ -133,8 +130,10 @@ impl<'a> Bake<'a> {
                 value: cage,
             });
         }
-        let texels = Texels::new(coarse, size)?;
-        if texels.len() == 0 {
+        let corners = coarse.triangles.iter();
+        let coordinates: Vec<_> = corners.map(|t| t.map(|corner| corner.coordinate)).collect();
+        let texels = Texels::new(&coordinates, size)?;
+        if texels.is_empty() {
             return Err(BakeError::NoTriangles { surface: "coarse" });
         }
         let mut samples = Vec::with_capacity(texels.len());

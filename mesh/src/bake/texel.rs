@@ -1,23 +1,41 @@
-//! Which texels belong to which triangle of the coarse surface.
+//! Which texels belong to which triangle of a surface.
 
 use ga_runtime::vga3::Vector;
 
-use super::{BakeError, Coarse};
-use crate::atlas::raster;
+use super::BakeError;
+use super::map::dilation;
+use crate::atlas::{MAX_SIZE, raster};
 use crate::query::closest_weights;
 
-/// A texel and the point of the coarse surface that it shows.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Texel {
-    pub(super) index: u32,
-    pub(super) triangle: u32,
-    pub(super) weights: [f64; 3],
+/// A texel and the point of the surface that it shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Texel {
+    /// Where it is in the rows of the texture, from the top, each from left to right.
+    pub index: u32,
+    /// The triangle to which it belongs.
+    pub triangle: u32,
+    /// The barycentric coordinates of the point, with sum 1, in the order of the corners.
+    pub weights: [f64; 3],
 }
 
-/// The texels that the triangles touch. A texel belongs to the triangle in which its centre lies,
-/// or else to the first that touches it; it then shows the point of that triangle that is nearest
-/// to its centre.
-pub(super) struct Texels {
+/// The texels that the triangles of a surface touch in a square texture. A texel belongs to the
+/// triangle in which its centre lies, or else to the first that touches it; it then shows the point
+/// of that triangle that is nearest to its centre.
+///
+/// ```
+/// use ga_mesh::bake::Texels;
+///
+/// // The triangle reaches 1.6 of 4 texels to the right and up.
+/// let texels = Texels::new(&[[[0.0, 0.0], [0.4, 0.0], [0.0, 0.4]]], 4)?;
+/// let indices: Vec<u32> = texels.iter().map(|texel| texel.index).collect();
+/// assert_eq!(indices, [8, 12, 13]);
+/// // The centre of texel 12 is half a texel to the right of the corner, and half a texel up.
+/// let weights = texels.iter().nth(1).ok_or("three texels")?.weights;
+/// assert!((weights[1] - 0.5 / 1.6).abs() < 1e-12 && (weights[2] - 0.5 / 1.6).abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Texels {
     size: u32,
     /// The corners of each triangle, in texels from the upper left corner.
     places: Vec<[[f64; 2]; 3]>,
@@ -30,22 +48,28 @@ pub(super) struct Texels {
 const NONE: u32 = u32::MAX;
 
 impl Texels {
-    pub(super) fn new(coarse: &Coarse, size: u32) -> Result<Self, BakeError> {
+    /// The texels of a texture with so many on a side, for the texture coordinates (u, v) at the
+    /// corners of each triangle, u to the right and v up, in the unit square.
+    ///
+    /// # Errors
+    ///
+    /// [`BakeError::Size`] and [`BakeError::OutsideSquare`].
+    pub fn new(coordinates: &[[[f64; 2]; 3]], size: u32) -> Result<Self, BakeError> {
+        if !(1..=MAX_SIZE).contains(&size) {
+            return Err(BakeError::Size { size });
+        }
         let side = f64::from(size);
-        let mut places = Vec::with_capacity(coarse.triangles.len());
-        for (triangle, corners) in coarse.triangles.iter().enumerate() {
-            for corner in corners {
-                if !corner.coordinate.iter().all(|x| (0.0..=1.0).contains(x)) {
+        let mut places = Vec::with_capacity(coordinates.len());
+        for (triangle, &corners) in coordinates.iter().enumerate() {
+            for coordinate in corners {
+                if !coordinate.iter().all(|x| (0.0..=1.0).contains(x)) {
                     return Err(BakeError::OutsideSquare {
                         triangle,
-                        coordinate: corner.coordinate,
+                        coordinate,
                     });
                 }
             }
-            places.push(corners.map(|corner| {
-                let [u, v] = corner.coordinate;
-                [u * side, (1.0 - v) * side]
-            }));
+            places.push(corners.map(|[u, v]| [u * side, (1.0 - v) * side]));
         }
         let mut owners = vec![NONE; size as usize * size as usize];
         let mut claim = |row: i64, [first, last]: [i64; 2], triangle: usize| {
@@ -79,13 +103,30 @@ impl Texels {
     }
 
     /// How many there are.
-    pub(super) fn len(&self) -> usize {
+    #[must_use]
+    pub fn len(&self) -> usize {
         self.count
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
+    /// For the texels around these, up to a number of steps to one of the eight neighbours, the
+    /// texel from which each is copied, `[target, source]`, so that interpolation across the border
+    /// of a chart reads no others.
+    #[must_use]
+    pub fn margin(&self, steps: u32) -> Vec<[u32; 2]> {
+        let owned = (0..).zip(&self.owners).filter(|(_, owner)| **owner != NONE);
+        let covered: Vec<u32> = owned.map(|(index, _)| index).collect();
+        dilation(self.size, &covered, steps)
     }
 
     /// The texels in the order of their indices. They are computed one by one, since a list of them
     /// would take many times the memory of a map.
-    pub(super) fn iter(&self) -> impl Iterator<Item = Texel> + '_ {
+    pub fn iter(&self) -> impl Iterator<Item = Texel> + '_ {
         let flat = |[x, y]: [f64; 2]| Vector::new(x, y, 0.0);
         let size = self.size as usize;
         let mut last = NONE;
@@ -116,7 +157,7 @@ impl Texels {
 }
 
 /// Barycentric coordinates in a triangle of the texture.
-#[derive(Default)]
+#[derive(Clone, Copy, Debug, Default)]
 struct Weigh {
     origin: [f64; 2],
     /// The gradients of the second and third coordinates.
@@ -143,16 +184,12 @@ impl Weigh {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Mesh, obj};
 
     /// The triangle reaches 1.6 of 4 texels to the right and up: it touches two texels of the
     /// lowest row and one of the row above.
     #[test]
     fn the_texels_are_counted_before_they_are_computed() {
-        let mesh: Mesh =
-            obj::parse(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 0.4 0\nvt 0 0.4\nf 1/1 2/2 3/3\n")
-                .unwrap();
-        let texels = Texels::new(&Coarse::from_mesh(&mesh, 0).unwrap(), 4).unwrap();
+        let texels = Texels::new(&[[[0.0, 0.0], [0.4, 0.0], [0.0, 0.4]]], 4).unwrap();
         let indices: Vec<u32> = texels.iter().map(|texel| texel.index).collect();
         assert_eq!(indices, [8, 12, 13]);
         assert_eq!(texels.len(), 3);
