@@ -7,6 +7,8 @@
 //! | [`Observation`] | for each view the pixels of these points, as far as they were seen |
 //! | [`BodyFit`] | the most likely poses, of a frame by itself or of a clip |
 //! | [`FittedPose`] | motors, points and what remains in the pictures |
+//! | [`format`](mod@format) | files of joints in pictures: COCO's, OpenPose's and our own |
+//! | [`evaluation`] | how far reconstructed bodies are from true ones |
 //!
 //! A pose has the rotation R of each joint and the translation t of the body. It takes a point x at
 //! rest to `x' = G x ~G` with the total motion G of its joint, the product of the motors of the
@@ -60,7 +62,9 @@
 //! ```
 
 mod error;
+pub mod evaluation;
 mod fit;
+pub mod format;
 mod model;
 mod start;
 

@@ -2,6 +2,10 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
+#[cfg(feature = "body")]
+mod body_evaluation;
+#[cfg(feature = "body")]
+mod body_format;
 mod calibration;
 mod camera;
 mod capture;

@@ -1,0 +1,137 @@
+//! Reading files of every kind.
+
+use std::path::{Path, PathBuf};
+
+use ga_files::ReadError;
+use serde_json::Value;
+
+use super::{Detections, DetectorOptions, JointViews, JointsError, coco, openpose};
+
+/// Why files of joints cannot be read.
+#[derive(Debug, thiserror::Error)]
+pub enum JointsReadError {
+    /// A file cannot be read, or its contents are wrong.
+    #[error(transparent)]
+    File(#[from] ReadError<JointsError>),
+    /// A folder cannot be listed.
+    #[error("cannot list {}: {source}", path.display())]
+    Folder {
+        /// The folder.
+        path: PathBuf,
+        /// What the operating system said.
+        source: std::io::Error,
+    },
+    /// The views do not fit together.
+    #[error(transparent)]
+    Views(#[from] JointsError),
+    /// A file has the joints of all views, and there are others beside it.
+    #[error("{} has the joints of all views, and is not one of several", path.display())]
+    AllViews {
+        /// The file.
+        path: PathBuf,
+    },
+}
+
+/// What a file of joints is, by its members.
+enum Kind {
+    Views,
+    Coco,
+    OpenPose,
+}
+
+fn kind(bytes: &[u8]) -> Result<Kind, JointsError> {
+    Ok(match serde_json::from_slice::<Value>(bytes)? {
+        Value::Object(members) if members.contains_key("people") => Kind::OpenPose,
+        Value::Object(members) if members.contains_key("annotations") => Kind::Coco,
+        Value::Array(_) => Kind::Coco,
+        _ => Kind::Views,
+    })
+}
+
+impl JointViews {
+    /// Reads one file that holds [all views](JointViews), or for each view a file of COCO, a file
+    /// of OpenPose, or a folder with OpenPose's files of its frames. The names of views are those
+    /// of the files or folders without their endings.
+    ///
+    /// # Errors
+    /// [`JointsReadError`], which names the file.
+    pub fn read<P: AsRef<Path>>(
+        paths: &[P],
+        options: &DetectorOptions,
+    ) -> Result<Self, JointsReadError> {
+        let mut views: Vec<(String, Detections)> = Vec::with_capacity(paths.len());
+        for path in paths {
+            let path = path.as_ref();
+            let found = if path.is_dir() {
+                folder(path)?
+            } else {
+                match ga_files::read(path, |bytes| file(path, bytes))? {
+                    Contents::View(detections) => detections,
+                    Contents::AllViews(joints) if paths.len() == 1 => return Ok(joints),
+                    Contents::AllViews(_) => {
+                        let path = path.to_owned();
+                        return Err(JointsReadError::AllViews { path });
+                    }
+                }
+            };
+            let stem = path.file_stem().unwrap_or(path.as_os_str());
+            let mut name = stem.to_string_lossy().into_owned();
+            if views.iter().any(|(other, _)| *other == name) {
+                name = path.display().to_string();
+            }
+            views.push((name, found));
+        }
+        Ok(Self::from_detections(&views, options)?)
+    }
+}
+
+enum Contents {
+    AllViews(JointViews),
+    View(Detections),
+}
+
+fn file(path: &Path, bytes: &[u8]) -> Result<Contents, JointsError> {
+    Ok(match kind(bytes)? {
+        Kind::Views => Contents::AllViews(JointViews::decode(bytes)?),
+        Kind::Coco => Contents::View(coco::decode(bytes)?),
+        Kind::OpenPose => {
+            let name = path.file_name().unwrap_or(path.as_os_str());
+            Contents::View(openpose::decode(&[(name.to_string_lossy(), bytes)])?)
+        }
+    })
+}
+
+/// OpenPose's files of the frames of a view.
+fn folder(path: &Path) -> Result<Detections, JointsReadError> {
+    let failed = |source| JointsReadError::Folder {
+        path: path.to_owned(),
+        source,
+    };
+    let mut files: Vec<PathBuf> = Vec::new();
+    for entry in std::fs::read_dir(path).map_err(failed)? {
+        let file = entry.map_err(failed)?.path();
+        if file.extension().is_some_and(|ending| ending == "json") {
+            files.push(file);
+        }
+    }
+    let mut contents: Vec<(String, Vec<u8>)> = Vec::with_capacity(files.len());
+    for file in files {
+        // A file that is not OpenPose's is named.
+        let bytes = ga_files::read(&file, |bytes| -> Result<Vec<u8>, JointsError> {
+            let name = file
+                .file_name()
+                .unwrap_or(file.as_os_str())
+                .to_string_lossy();
+            openpose::decode(&[(name, bytes)])?;
+            Ok(bytes.to_vec())
+        })?;
+        let name = file.file_name().unwrap_or(file.as_os_str());
+        contents.push((name.to_string_lossy().into_owned(), bytes));
+    }
+    let files: Vec<(&str, &[u8])> = contents.iter().map(|(n, f)| (n.as_str(), &f[..])).collect();
+    let found = openpose::decode(&files);
+    found.map_err(|problem| {
+        let path = path.to_owned();
+        ReadError::Contents { path, problem }.into()
+    })
+}
