@@ -15,6 +15,7 @@
 //! | [`atlas`] | cuts a surface into charts and places them in a texture |
 //! | [`bake`] | maps of a fine surface for a coarse one: normals, displacement, colour, occlusion |
 //! | [`query`] | nearest points, rays, overlaps |
+//! | [`geodesic`] | distances along the surface |
 //! | [`subdivision`] | Loop and Catmull–Clark surfaces with creases, stencils and limits |
 //! | [`normals`], [`tangents`] | smooth normals, tangents for normal maps |
 //! | [`obj`] | reads and writes Wavefront OBJ |
@@ -43,6 +44,7 @@ mod colour_space;
 mod error;
 mod faces;
 pub mod format;
+pub mod geodesic;
 pub mod gltf;
 mod lists;
 mod material;

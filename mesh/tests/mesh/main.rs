@@ -6,6 +6,7 @@ mod atlas;
 mod attributes;
 mod bake;
 mod damage;
+mod geodesic;
 mod gltf;
 mod materials;
 mod normals;

@@ -34,8 +34,8 @@ pub enum DescriptionError {
 /// H = (1 − m) h + Σ hᵢ ϖⁱ    i = 1 … m
 /// ```
 ///
-/// with the conversion description ratio h, the ratios h₁ … hₘ of the m times of description and the
-/// controllable frame value ϖ; m is the length of `times`. The paper prints `hi` for hᵢ. H is a
+/// with the conversion description ratio h, the ratios h₁ … hₘ of the m times of description and
+/// the controllable frame value ϖ; m is the length of `times`. The paper prints `hi` for hᵢ. H is a
 /// heuristic of the paper in units of h, and nothing else here depends on it.
 ///
 /// ```

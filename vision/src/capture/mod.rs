@@ -10,16 +10,37 @@
 //! - [`description_constant`]: the paper's eq. 1. Its eq. 2 is
 //!   [`predicted_distance`](crate::modelling_points::predicted_distance).
 //!
+//! A few key points show how the whole surface moves:
+//!
+//! - [`SphericalParameterisation`]: the surface as seen from its centre of gravity;
+//! - [`SurfaceMotion`]: the displacement of every vertex from those of the key points, by a
+//!   [`SphericalSpline`];
+//! - [`LocalArea`]: a part of the surface that moves while the rest stays, with its centre of
+//!   gravity;
+//! - [`PrincipalShapes`]: a sequence of expressions as morph targets with weights.
+//!
 //! Where the points are known only as pixels of one camera, [`estimate`] finds the pose.
 //!
 //! [`estimate`]: crate::perspective_n_point::estimate
 
+mod area;
 mod description;
 mod error;
 mod pose;
+mod principal;
 mod sequence;
+mod sphere;
+mod spline;
+mod surface_mesh;
+mod surface_motion;
 
+pub use area::LocalArea;
 pub use description::{DescriptionError, description_constant};
 pub use error::{CaptureError, FrameError, PointSet, PoseError};
 pub use pose::{PoseOptions, RigidPose, rigid_pose};
+pub use principal::PrincipalShapes;
 pub use sequence::{Capture, CaptureMatrix, CapturedFrame};
+pub use sphere::SphericalParameterisation;
+pub use spline::SphericalSpline;
+pub use surface_mesh::{SurfaceError, SurfaceMesh};
+pub use surface_motion::SurfaceMotion;

@@ -54,8 +54,8 @@ pub struct CapturedFrame {
     pub expression: Vec<Option<Vector<f64>>>,
 }
 
-/// The capture matrix of a frame (Cui, §2.1.1): the 4 × N homogeneous coordinates of its points with
-/// the pose of the head taken out,
+/// The capture matrix of a frame (Cui, §2.1.1): the 4 × N homogeneous coordinates of its points
+/// with the pose of the head taken out, which are the paper's reverse points,
 ///
 /// ```text
 ///     ⎡ x₁ x₂ … xN ⎤

@@ -9,6 +9,7 @@ mod body_format;
 mod calibration;
 mod camera;
 mod capture;
+mod capture_surface;
 mod chessboard;
 mod contour;
 mod dense;
