@@ -14,6 +14,7 @@ mod pipeline;
 mod progress;
 mod recording;
 mod report;
+mod rotation;
 mod sheet;
 mod storyboard;
 mod summary;
@@ -24,7 +25,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use commands::{animate, clip, curve, demo, draw, expand, mesh, render, skin, stereo};
+use commands::{animate, capture, clip, curve, demo, draw, expand, mesh, render, skin, stereo};
 
 /// Animation, stereo vision and pictures on conformal geometric algebra.
 #[derive(Parser)]
@@ -41,6 +42,7 @@ struct Cli {
 enum Command {
     Demo(demo::Arguments),
     Animate(animate::Arguments),
+    Capture(capture::Arguments),
     Expand(expand::Arguments),
     Clip(clip::Arguments),
     Curve(curve::Arguments),
@@ -56,6 +58,7 @@ fn main() -> ExitCode {
     let result = match &cli.command {
         Command::Demo(arguments) => demo::run(arguments, cli.quiet),
         Command::Animate(arguments) => animate::run(arguments, cli.quiet),
+        Command::Capture(arguments) => capture::run(arguments, cli.quiet),
         Command::Expand(arguments) => expand::run(arguments),
         Command::Clip(arguments) => clip::run(arguments, cli.quiet),
         Command::Curve(arguments) => curve::run(arguments, cli.quiet),

@@ -16,9 +16,10 @@ use ga_vision::format::camera::CameraFile;
 use ga_vision::format::rig::RigFile;
 use serde::Serialize;
 
-use super::{corners, smaller_rotation, views};
+use super::{corners, views};
 use crate::output;
 use crate::progress::Progress;
+use crate::rotation::smaller_rotation;
 
 /// Calibrate a stereo rig from pairs of pictures of a chessboard.
 ///

@@ -15,7 +15,6 @@ mod views;
 
 use anyhow::Result;
 use clap::Subcommand;
-use ga_runtime::cga3::Rotor;
 
 /// Two views of a scene: calibration, rectification, motion, disparities and reconstruction.
 #[derive(Clone, Debug, clap::Args)]
@@ -34,14 +33,6 @@ enum Command {
     Undistort(undistort::Arguments),
     Diagnose(diagnose::Arguments),
     Reconstruct(reconstruct::Arguments),
-}
-
-/// The axis of a rotation and its angle in degrees, of which there are no more than 180.
-fn smaller_rotation(rotor: Rotor<f64>) -> ([f64; 3], f64) {
-    // A rotor and its negative rotate to the same orientation, in opposite directions.
-    let smaller = if rotor.scalar() < 0.0 { -rotor } else { rotor };
-    let (axis, angle) = smaller.to_axis_angle();
-    (axis, angle.to_degrees())
 }
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {

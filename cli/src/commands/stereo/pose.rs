@@ -12,9 +12,10 @@ use ga_vision::format::camera::CameraFile;
 use ga_vision::relative_pose::{Options, RelativePose, estimate};
 use serde::Serialize;
 
-use super::{smaller_rotation, views};
+use super::views;
 use crate::output;
 use crate::progress::Progress;
+use crate::rotation::smaller_rotation;
 
 /// Find how a camera moved between two views: the rotation, and the direction of the translation.
 ///
