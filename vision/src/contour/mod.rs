@@ -1,6 +1,7 @@
 //! Contours: the borders of regions, curves that settle at edges, and figures fitted to them.
 //!
 //! - [`borders`]: the borders of the regions of a picture in black and white, with their hierarchy.
+//! - [`outline`]: the border of the largest region or hole of a picture.
 //! - [`snake`]: closed curves that minimise an energy of their shape and of the picture.
 //! - [`fit`]: lines, circles and ellipses through points.
 //!
@@ -8,10 +9,12 @@
 //! pixel.
 
 mod border;
-mod cyclic;
 pub mod fit;
+mod outline;
 mod polygon;
+mod ring;
 pub mod snake;
 
 pub use border::{Contour, borders};
+pub use outline::{OutlineError, outline};
 pub use polygon::{centroid, perimeter, resampled, signed_area};

@@ -17,6 +17,7 @@ mod diagnosis;
 mod disparity;
 mod feature;
 mod format;
+mod gradient_vector_flow;
 mod least_squares;
 mod many_views;
 mod marker;

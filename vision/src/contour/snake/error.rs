@@ -2,7 +2,7 @@
 
 use ga_image::filter::SigmaError;
 
-use super::super::cyclic::Cyclic;
+use super::super::ring::Ring;
 use super::{Potential, SnakeOptions};
 
 /// Why a snake does not move.
@@ -53,6 +53,14 @@ pub enum SnakeError {
         /// The row.
         row: usize,
     },
+    /// The equations of a flow were not solved.
+    #[error("the flow of the edges was not found in {steps} steps: a part of {residual} is left")]
+    FlowNotConverged {
+        /// How many steps were taken.
+        steps: usize,
+        /// The residual by the right-hand side.
+        residual: f64,
+    },
     /// The picture cannot be blurred so.
     #[error(transparent)]
     Sigma(#[from] SigmaError),
@@ -63,10 +71,10 @@ pub(super) fn check(
     potential: &Potential,
     options: &SnakeOptions,
 ) -> Result<(), SnakeError> {
-    if start.len() < Cyclic::LEAST {
+    if start.len() < Ring::LEAST {
         return Err(SnakeError::TooFew {
             count: start.len(),
-            least: Cyclic::LEAST,
+            least: Ring::LEAST,
         });
     }
     for (setting, value, may_be_zero) in [

@@ -1,145 +1,138 @@
 //! Gradient vector flow: the slopes of edges, spread over the picture.
 
 use ga_image::plane::Plane;
-use ga_image::pyramid::halved;
+
+use super::SnakeError;
+use super::diffusion::Diffusion;
 
 /// How far the forces of edges reach.
 ///
-/// The field of forces w minimises `∫ μ |∇w|² + |∇f|² |w − ∇f|²` for the strength f of edges (C. Xu
-/// and J. Prince, "Gradient vector flow: a new external force for snakes", 1997): near edges it is
-/// their slope, and where the picture is level it continues smoothly. The potential P is that whose
-/// forces −∇P are nearest to w, so that a snake has an energy. Both equations are relaxed from a
-/// small picture up to the whole one.
+/// For the strength f of edges, scaled so that its greatest value is 1, the field of forces w
+/// minimises
+///
+/// ```text
+/// ∫ μ |∇w|² + |∇f|² |w − ∇f|²
+/// ```
+///
+/// (C. Xu and J. Prince, "Snakes, shapes, and gradient vector flow", 1998, eq. 10): near edges it
+/// is their slope, and where the picture is level it continues smoothly. Xu and Prince follow the
+/// diffusion `∂w/∂t = μ Δw − |∇f|² (w − ∇f)` in small steps; here its end, the solution of
+/// `μ Δw = |∇f|² (w − ∇f)` with `∂w/∂n = 0` at the border of the picture, is found directly, by
+/// conjugate gradients with multigrid cycles.
+///
+/// A flow is not the slope of anything, so that a snake in it would have no energy. The potential P
+/// is that whose forces −∇P are nearest to w in the mean square: `−ΔP = ∇·w`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Flow {
-    /// μ: how much smoothness counts against nearness to the slope of edges.
+    /// μ, in squared pixels times the squared slope of f: how much smoothness counts against
+    /// nearness to the slope of edges.
     pub smoothness: f64,
-    /// The number of passes over the pictures of each size.
-    pub passes: usize,
 }
 
 impl Default for Flow {
-    /// μ = 0.02, 20 passes.
+    /// μ = 0.02.
     fn default() -> Self {
-        Self {
-            smoothness: 0.02,
-            passes: 20,
-        }
+        Self { smoothness: 0.02 }
     }
 }
 
 impl Flow {
-    /// The potential of the flow of edges whose strength is given.
-    pub(super) fn potential(&self, strength: &Plane<f32>) -> Plane<f32> {
-        /// The smallest picture has at least so many pixels in a row and a column.
-        const LEAST: usize = 8;
-        let mut levels = vec![strength.clone()];
-        while let Some(last) = levels.last() {
-            if last.width().min(last.height()) < 2 * LEAST {
-                break;
-            }
-            levels.push(halved(last));
+    /// The field of forces `[w_u, w_v]` of edges whose strength is given at the pixels, with
+    /// differences of neighbouring pixels for derivatives.
+    ///
+    /// ```
+    /// use ga_image::plane::Plane;
+    /// use ga_vision::contour::snake::Flow;
+    ///
+    /// // An edge in column 10: the forces far away from it point to it.
+    /// let edge = Plane::from_fn(40, 9, |column, _| {
+    ///     (-0.5 * (column as f32 - 10.0).powi(2)).exp()
+    /// });
+    /// let [across, down] = Flow::default().field(&edge)?;
+    /// assert!(across.row(4)[2] > 0.1 && across.row(4)[35] < -0.1);
+    /// assert!(down.values().iter().all(|force| force.abs() < 1e-6));
+    /// # Ok::<(), ga_vision::contour::snake::SnakeError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`SnakeError`] for a μ that is not positive and finite, fewer than 2 × 2 pixels, values that
+    /// are not finite, and equations whose solution is beyond the accuracy of the numbers.
+    pub fn field(&self, strength: &Plane<f32>) -> Result<[Plane<f64>; 2], SnakeError> {
+        let mu = self.smoothness;
+        if !(mu > 0.0 && mu.is_finite()) {
+            return Err(SnakeError::Setting {
+                setting: "smoothness of the flow",
+                value: mu,
+            });
         }
-        let mut field: [Plane<f32>; 2] = Default::default();
-        let mut potential: Plane<f32> = Plane::default();
-        while let Some(level) = levels.pop() {
-            let size = [level.width(), level.height()];
-            let slopes = central(&level);
-            // A slope is a difference of neighbours, whose distance halves; a potential is not.
-            field = if field[0].is_empty() {
-                slopes.clone()
-            } else {
-                field.map(|plane| enlarged(&plane, size, 0.5))
-            };
-            potential = if potential.is_empty() {
-                Plane::filled(size[0], size[1], 0.0)
-            } else {
-                enlarged(&potential, size, 1.0)
-            };
-            self.spread(&mut field, &slopes);
-            self.integrate(&mut potential, &field);
+        let size = super::potential::check_plane(strength)?;
+        let greatest = strength.values().iter().fold(0.0f32, |a, b| a.max(b.abs()));
+        if greatest == 0.0 {
+            return Ok([(); 2].map(|()| Plane::filled(size[0], size[1], 0.0)));
         }
-        potential
-    }
-
-    /// Relaxes `μ Δw = |∇f|² (w − ∇f)`.
-    fn spread(&self, field: &mut [Plane<f32>; 2], slopes: &[Plane<f32>; 2]) {
-        let mu = self.smoothness as f32;
-        let squares: Vec<f32> = slopes[0]
+        let scaled = strength.map(|value| f64::from(value) / f64::from(greatest));
+        let slopes = central(&scaled);
+        let squares: Vec<f64> = slopes[0]
             .values()
             .iter()
             .zip(slopes[1].values())
             .map(|(x, y)| x * x + y * y)
             .collect();
-        for (component, slope) in field.iter_mut().zip(slopes) {
-            let slope = slope.values();
-            relax(component, self.passes, |index, sum, count| {
-                let weight = squares[index];
-                (mu * sum + weight * slope[index]) / (mu * count + weight)
-            });
-        }
+        let diffusion = Diffusion::new(size, mu, squares);
+        let [across, down] = slopes.map(|slope| {
+            let weights = diffusion.weights().iter();
+            let right: Vec<f64> = weights
+                .zip(slope.values())
+                .map(|(weight, slope)| weight * slope)
+                .collect();
+            diffusion.solve(&right)
+        });
+        let plane =
+            |values: Vec<f64>| Plane::from_fn(size[0], size[1], |u, v| values[v * size[0] + u]);
+        Ok([plane(across?), plane(down?)])
     }
 
-    /// Relaxes `Δ(−P) = ∇·w`: the differences of neighbours are to be the mean forces between them.
-    fn integrate(&self, potential: &mut Plane<f32>, [x, y]: &[Plane<f32>; 2]) {
-        let (width, height) = (x.width(), x.height());
-        let divergence = Plane::from_fn(width, height, |column, row| {
-            let between = |plane: &Plane<f32>, a: [usize; 2], b: [usize; 2]| {
-                let [a, b] = [a, b].map(|[column, row]| plane.row(row)[column]);
-                (a + b) / 2.0
+    /// The potential of the flow of edges whose strength is given.
+    pub(super) fn potential(&self, strength: &Plane<f32>) -> Result<Plane<f32>, SnakeError> {
+        let [across, down] = self.field(strength)?;
+        let (width, height) = (across.width(), across.height());
+        let poisson = Diffusion::new([width, height], 1.0, vec![0.0; width * height]);
+        let values = poisson.solve(&divergence(&across, &down))?;
+        Ok(Plane::from_fn(width, height, |u, v| {
+            values[v * width + u] as f32
+        }))
+    }
+}
+
+/// The sums of what flows out of each pixel to its neighbours, with the mean force of both.
+/// Nothing flows across the border of the picture.
+fn divergence(across: &Plane<f64>, down: &Plane<f64>) -> Vec<f64> {
+    let (width, height) = (across.width(), across.height());
+    let mut sums = vec![0.0; width * height];
+    for row in 0..height {
+        for column in 0..width {
+            let index = row * width + column;
+            let mut flow = |other: usize, force: f64| {
+                sums[index] += force / 2.0;
+                sums[other] -= force / 2.0;
             };
-            let mut sum = 0.0;
             if column + 1 < width {
-                sum += between(x, [column, row], [column + 1, row]);
-            }
-            if column > 0 {
-                sum -= between(x, [column - 1, row], [column, row]);
+                let pixels = across.row(row);
+                flow(index + 1, pixels[column] + pixels[column + 1]);
             }
             if row + 1 < height {
-                sum += between(y, [column, row], [column, row + 1]);
-            }
-            if row > 0 {
-                sum -= between(y, [column, row - 1], [column, row]);
-            }
-            sum
-        });
-        let divergence = divergence.values();
-        relax(potential, self.passes, |index, sum, count| {
-            (sum + divergence[index]) / count
-        });
-    }
-}
-
-/// Passes of successive over-relaxation. `value` gives the value of the pixel at an index from the
-/// sum of its neighbours and their number.
-fn relax(plane: &mut Plane<f32>, passes: usize, value: impl Fn(usize, f32, f32) -> f32) {
-    const OVER: f32 = 1.7;
-    let (width, height) = (plane.width(), plane.height());
-    let values = plane.values_mut();
-    for _ in 0..passes {
-        for row in 0..height {
-            for column in 0..width {
-                let index = row * width + column;
-                let (mut sum, mut count) = (0.0, 0.0);
-                for (exists, neighbour) in [
-                    (column > 0, index.wrapping_sub(1)),
-                    (column + 1 < width, index + 1),
-                    (row > 0, index.wrapping_sub(width)),
-                    (row + 1 < height, index + width),
-                ] {
-                    if exists {
-                        sum += values[neighbour];
-                        count += 1.0;
-                    }
-                }
-                values[index] += OVER * (value(index, sum, count) - values[index]);
+                let below = down.row(row + 1);
+                flow(index + width, down.row(row)[column] + below[column]);
             }
         }
     }
+    sums
 }
 
-/// Half the differences of the two neighbours, along columns and rows.
-fn central(plane: &Plane<f32>) -> [Plane<f32>; 2] {
+/// Half the differences of the two neighbours, along columns and rows. Beyond the border the
+/// outermost pixels are repeated.
+fn central(plane: &Plane<f64>) -> [Plane<f64>; 2] {
     let (width, height) = (plane.width(), plane.height());
     let across = Plane::from_fn(width, height, |column, row| {
         let pixels = plane.row(row);
@@ -150,27 +143,4 @@ fn central(plane: &Plane<f32>) -> [Plane<f32>; 2] {
         (plane.row(below)[column] - plane.row(above)[column]) / 2.0
     });
     [across, down]
-}
-
-/// A plane of twice the size, bilinear, times a factor.
-fn enlarged(plane: &Plane<f32>, [width, height]: [usize; 2], factor: f32) -> Plane<f32> {
-    let around = |place: usize, length: usize| {
-        let place = (place as f32 - 0.5) / 2.0;
-        let place = place.clamp(0.0, length as f32 - 1.0);
-        let first = place.floor();
-        let index = first as usize;
-        (index, (index + 1).min(length - 1), place - first)
-    };
-    let columns: Vec<_> = (0..width)
-        .map(|column| around(column, plane.width()))
-        .collect();
-    Plane::from_fn(width, height, |column, row| {
-        let (top, bottom, down) = around(row, plane.height());
-        let (left, right, across) = columns[column];
-        let [above, below] = [top, bottom].map(|row| {
-            let pixels = plane.row(row);
-            pixels[left] + across * (pixels[right] - pixels[left])
-        });
-        factor * (above + down * (below - above))
-    })
 }

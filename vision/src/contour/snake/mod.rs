@@ -1,5 +1,6 @@
 //! Closed curves that settle at the edges of a picture: snakes.
 
+mod diffusion;
 mod error;
 mod flow;
 mod potential;
@@ -8,10 +9,8 @@ pub use error::SnakeError;
 pub use flow::Flow;
 pub use potential::Potential;
 
-use ga_runtime::cga2::Point;
-
-use super::cyclic::Cyclic;
 use super::polygon::resampled;
+use super::ring::Ring;
 
 /// How a snake moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,7 +19,7 @@ pub struct SnakeOptions {
     pub tension: f64,
     /// β: how strongly the curve resists bending.
     pub rigidity: f64,
-    /// The snake has settled when no point moves farther than this in a step, in pixels.
+    /// The snake has settled when no point moves farther than this in two steps, in pixels.
     pub tolerance: f64,
     /// The greatest distance that a point moves in a step, in pixels.
     pub greatest_move: f64,
@@ -32,14 +31,14 @@ pub struct SnakeOptions {
 }
 
 impl Default for SnakeOptions {
-    /// α = 0.01, β = 0.01, at most 2500 steps of at most 1 pixel until none is above 0.01 pixels,
+    /// α = 0.2, β = 3, at most 2500 steps of at most 4 pixels until none is above 0.01 pixels,
     /// without resampling.
     fn default() -> Self {
         Self {
-            tension: 0.01,
-            rigidity: 0.01,
+            tension: 0.2,
+            rigidity: 3.0,
             tolerance: 0.01,
-            greatest_move: 1.0,
+            greatest_move: 4.0,
             steps: 2500,
             resampled_every: None,
         }
@@ -68,7 +67,7 @@ pub struct Settled {
     pub energy: f64,
     /// The number of steps.
     pub steps: usize,
-    /// Whether no point moved farther than the tolerance in the last step.
+    /// Whether no point moved farther than the tolerance in the last two steps.
     pub has_converged: bool,
 }
 
@@ -79,9 +78,21 @@ pub struct Settled {
 /// ```
 ///
 /// where P is the potential of the picture (M. Kass, A. Witkin and D. Terzopoulos, "Snakes: active
-/// contour models", 1988). Each step is implicit in the shape and explicit in the potential,
-/// `(A + γ) x′ = γ x − ∇P(x)`. γ is chosen in each step so that the energy falls by at
-/// least ¼ γ Σ |x′ − x|²: it is doubled until that is so, and lowered again afterwards.
+/// contour models", 1988). Each step solves
+///
+/// ```text
+/// (A + H(x) + γ) (x′ − x) = −A x − ∇P(x)
+/// ```
+///
+/// with the matrix A of the first two terms, which joins each point to two neighbours on either
+/// side, and the second derivatives H of P at the points. Without H it is the semi-implicit step
+/// of Kass, Witkin and Terzopoulos, which crawls along edges; with it, the last steps are those of
+/// Newton's method. γ is chosen so that the matrix is positive definite, that no point moves
+/// farther than it may, and that the energy falls by at least a tenth of what the step promises (D.
+/// Marquardt, 1963).
+///
+/// The snake has settled when no point moves farther than the tolerance in two steps, between which
+/// γ is lowered: one short step may be that of a large γ.
 ///
 /// ```
 /// use ga_image::plane::Plane;
@@ -117,7 +128,7 @@ pub fn settle(
     error::check(start, potential, options)?;
     let mut motion = Motion::new(start, potential, options);
     let mut has_converged = false;
-    let mut number = 0;
+    let [mut number, mut short_steps] = [0; 2];
     each_step(&motion.state(0, 0.0));
     while number < options.steps && !has_converged {
         number += 1;
@@ -128,7 +139,13 @@ pub fn settle(
         {
             motion.resample();
         }
-        has_converged = greatest_move <= options.tolerance;
+        short_steps = if greatest_move <= options.tolerance {
+            motion.damping = motion.least_damping.max(0.1 * motion.damping);
+            short_steps + 1
+        } else {
+            0
+        };
+        has_converged = greatest_move == 0.0 || short_steps == 2;
         each_step(&motion.state(number, greatest_move));
     }
     Ok(Settled {
@@ -157,31 +174,47 @@ struct Motion<'a> {
     potential: &'a Potential,
     options: &'a SnakeOptions,
     points: Vec<[f64; 2]>,
-    /// The slope of the potential at the points.
+    /// The slope of the energy by each point, and the second derivatives of the potential there.
     slopes: Vec<[f64; 2]>,
+    curvatures: Vec<[f64; 3]>,
     energy: f64,
-    /// γ.
+    /// γ, and the least that it may be.
     damping: f64,
+    least_damping: f64,
+    /// The same at the end of a step that may not be taken.
     next: Vec<[f64; 2]>,
     next_slopes: Vec<[f64; 2]>,
-    matrix: Cyclic,
+    next_curvatures: Vec<[f64; 3]>,
+    /// The step.
+    moves: Vec<[f64; 2]>,
+    matrix: Ring,
 }
 
 impl<'a> Motion<'a> {
     fn new(start: &[[f64; 2]], potential: &'a Potential, options: &'a SnakeOptions) -> Self {
+        let count = start.len();
         let mut motion = Self {
             potential,
             options,
             points: start.to_vec(),
-            slopes: vec![[0.0; 2]; start.len()],
+            slopes: vec![[0.0; 2]; count],
+            curvatures: vec![[0.0; 3]; count],
             energy: 0.0,
-            damping: options.tension + options.rigidity + f64::EPSILON,
+            damping: 0.0,
+            least_damping: 0.0,
             next: start.to_vec(),
-            next_slopes: vec![[0.0; 2]; start.len()],
-            matrix: Cyclic::default(),
+            next_slopes: vec![[0.0; 2]; count],
+            next_curvatures: vec![[0.0; 3]; count],
+            moves: vec![[0.0; 2]; count],
+            matrix: Ring::default(),
         };
-        motion.energy = motion.evaluate();
-        std::mem::swap(&mut motion.slopes, &mut motion.next_slopes);
+        let energy = motion.evaluate();
+        motion.accept(energy);
+        // Without the other terms of the matrix, the first step would be as long as it may be.
+        let steepest = motion.slopes.iter().map(|[x, y]| x.hypot(*y));
+        let damping = steepest.fold(0.0, f64::max) / options.greatest_move;
+        motion.damping = damping.max(f64::MIN_POSITIVE);
+        motion.least_damping = 1e-4 * motion.damping;
         motion
     }
 
@@ -196,43 +229,70 @@ impl<'a> Motion<'a> {
 
     /// Moves the points, and gives the greatest distance. It is 0 where the energy cannot fall.
     fn step(&mut self) -> Result<f64, SnakeError> {
+        /// Part of the energy that its rounding errors may reach.
+        const ROUNDING: f64 = 1e-14;
         /// Beyond this damping, a step is below the accuracy of the numbers.
         const GREATEST: f64 = 1e12;
+        while self.damping < GREATEST {
+            let Some([greatest, along]) = self.solve() else {
+                self.damping *= 2.0;
+                continue;
+            };
+            let longest = self.options.greatest_move;
+            if !(greatest <= longest) {
+                self.damping *= (greatest / longest).clamp(1.5, 4.0);
+                continue;
+            }
+            let moves = self.moves.as_flattened();
+            let square: f64 = moves.iter().map(|x| x * x).sum();
+            let predicted = (self.damping * square - along) / 2.0;
+            if !(predicted > ROUNDING * self.energy.abs()) {
+                break;
+            }
+            for (next, (point, step)) in self
+                .next
+                .iter_mut()
+                .zip(self.points.iter().zip(&self.moves))
+            {
+                *next = [point[0] + step[0], point[1] + step[1]];
+            }
+            let energy = self.evaluate();
+            let gain = (self.energy - energy) / predicted;
+            if gain > 0.1 {
+                error::check_inside(&self.next, self.potential.size())?;
+                self.accept(energy);
+                if gain > 0.7 {
+                    self.damping = (0.5 * self.damping).max(self.least_damping);
+                } else if gain < 0.3 {
+                    self.damping *= 2.0;
+                }
+                return Ok(greatest);
+            }
+            self.damping *= 3.0;
+        }
+        Ok(0.0)
+    }
+
+    /// Solves the equations of a step. Gives the greatest distance of it and the slope of the
+    /// energy along it; `None` where the energy has no minimum with this damping.
+    fn solve(&mut self) -> Option<[f64; 2]> {
         let SnakeOptions {
             tension, rigidity, ..
         } = *self.options;
-        while self.damping < GREATEST {
-            let numbers = [
-                self.damping + 2.0 * tension + 6.0 * rigidity,
-                -tension - 4.0 * rigidity,
-                rigidity,
-            ];
-            self.matrix.factorise(self.points.len(), numbers);
-            let old = self.points.iter().zip(&self.slopes);
-            for (next, (point, slope)) in self.next.iter_mut().zip(old) {
-                *next = [0, 1].map(|axis| self.damping * point[axis] - slope[axis]);
-            }
-            self.matrix.solve(&mut self.next);
-            let moves = self.points.iter().zip(&self.next);
-            let squares = moves.map(|(a, b)| Point::from(*a).distance_squared(Point::from(*b)));
-            let (sum, greatest) = squares.fold((0.0, 0.0f64), |(sum, greatest), square| {
-                (sum + square, greatest.max(square))
-            });
-            let greatest = greatest.sqrt();
-            if greatest <= self.options.greatest_move {
-                let energy = self.evaluate();
-                // Steps across a valley to the same height are not steps towards its bottom.
-                if energy <= self.energy - self.damping * sum / 4.0 {
-                    let size = self.potential.size();
-                    error::check_inside(&self.next, size)?;
-                    self.accept(energy);
-                    self.damping *= 0.7;
-                    return Ok(greatest);
-                }
-            }
-            self.damping *= 2.0;
+        let diagonal = self.damping + 2.0 * tension + 6.0 * rigidity;
+        let neighbours = [-tension - 4.0 * rigidity, rigidity];
+        self.matrix
+            .factorise(&self.curvatures, diagonal, neighbours)?;
+        for (step, slope) in self.moves.iter_mut().zip(&self.slopes) {
+            *step = slope.map(|x| -x);
         }
-        Ok(0.0)
+        self.matrix.solve(&mut self.moves);
+        let (mut greatest, mut along) = (0.0f64, 0.0);
+        for ([x, y], [p, q]) in self.moves.iter().zip(&self.slopes) {
+            greatest = greatest.max(x * x + y * y);
+            along += x * p + y * q;
+        }
+        Some([greatest.sqrt(), along])
     }
 
     /// Places the points at equal distances, if the energy does not rise.
@@ -251,26 +311,38 @@ impl<'a> Motion<'a> {
         self.energy = energy;
         std::mem::swap(&mut self.points, &mut self.next);
         std::mem::swap(&mut self.slopes, &mut self.next_slopes);
+        std::mem::swap(&mut self.curvatures, &mut self.next_curvatures);
     }
 
-    /// The energy of the next points. Notes the slopes of the potential there.
+    /// The energy of the next points. Notes its slope and the curvature of the potential there.
     fn evaluate(&mut self) -> f64 {
+        let SnakeOptions {
+            tension, rigidity, ..
+        } = *self.options;
         let points = &self.next;
         let count = points.len();
         let [mut stretching, mut bending, mut outer] = [0.0; 3];
-        let [mut before, mut at] = [points[count - 2], points[count - 1]];
-        for (point, slope) in points.iter().zip(&mut self.next_slopes) {
-            let forward = [point[0] - at[0], point[1] - at[1]];
-            let backward = [at[0] - before[0], at[1] - before[1]];
+        let ends = [points[count - 2], points[count - 1], points[0], points[1]];
+        let at = |index: usize| match index {
+            0 | 1 => ends[index],
+            _ if index < count + 2 => points[index - 2],
+            _ => ends[index - count],
+        };
+        for index in 0..count {
+            let [a, b, here, c, d] = std::array::from_fn(|k| at(index + k));
+            let found = self.potential.expansion(here);
+            outer += found.value;
+            self.next_curvatures[index] = found.curvature;
             for axis in 0..2 {
-                stretching += forward[axis] * forward[axis];
-                bending += (forward[axis] - backward[axis]).powi(2);
+                let [a, b, here, c, d] = [a, b, here, c, d].map(|point: [f64; 2]| point[axis]);
+                let second = b - 2.0 * here + c;
+                let fourth = (a - 2.0 * b + here) - 2.0 * second + (here - 2.0 * c + d);
+                stretching += (c - here) * (c - here);
+                bending += second * second;
+                self.next_slopes[index][axis] =
+                    found.slope[axis] - tension * second + rigidity * fourth;
             }
-            let (value, gradient) = self.potential.at(*point);
-            outer += value;
-            *slope = gradient;
-            (before, at) = (at, *point);
         }
-        (self.options.tension * stretching + self.options.rigidity * bending) / 2.0 + outer
+        (tension * stretching + rigidity * bending) / 2.0 + outer
     }
 }

@@ -21,18 +21,8 @@ impl Potential {
     ///
     /// [`SnakeError`] for fewer than 2 × 2 pixels and values that are not finite.
     pub fn new(values: Plane<f32>) -> Result<Self, SnakeError> {
-        let (width, height) = (values.width(), values.height());
-        if width.min(height) < 2 {
-            return Err(SnakeError::TooSmall { width, height });
-        }
-        let wrong = values.values().iter().position(|value| !value.is_finite());
-        match wrong {
-            None => Ok(Self { values }),
-            Some(index) => Err(SnakeError::NotFinite {
-                column: index % width,
-                row: index / width,
-            }),
-        }
+        check_plane(&values)?;
+        Ok(Self { values })
     }
 
     /// The potential of edges, minus the length of the slope of the picture after a blur by a
@@ -51,10 +41,9 @@ impl Potential {
     ///
     /// # Errors
     ///
-    /// As [`edges`](Self::edges).
+    /// As [`edges`](Self::edges) and [`Flow::field`].
     pub fn flow(picture: &Plane<f32>, sigma: f64, flow: &Flow) -> Result<Self, SnakeError> {
-        let steepness = Self::new(steepness(picture, sigma)?)?;
-        Self::new(flow.potential(&steepness.values))
+        Self::new(flow.potential(&steepness(picture, sigma)?)?)
     }
 
     /// Columns and rows.
@@ -71,29 +60,66 @@ impl Potential {
 
     /// The potential and its slope at a place.
     #[must_use]
-    pub fn at(&self, [u, v]: [f64; 2]) -> (f64, [f64; 2]) {
+    pub fn at(&self, place: [f64; 2]) -> (f64, [f64; 2]) {
+        let found = self.expansion(place);
+        (found.value, found.slope)
+    }
+
+    /// The potential near a place, to the second order.
+    #[inline]
+    pub(super) fn expansion(&self, [u, v]: [f64; 2]) -> Expansion {
         let (columns, across) = taps(u, self.values.width());
         let (rows, down) = taps(v, self.values.height());
-        let mut value = 0.0;
-        let mut slope = [0.0; 2];
+        let mut found = Expansion::default();
         for (k, row) in rows.into_iter().enumerate() {
             let pixels = self.values.row(row);
-            let [mut sum, mut sum_of_slopes] = [0.0; 2];
+            let mut sums = [0.0; 3];
             for (l, column) in columns.into_iter().enumerate() {
                 let pixel = f64::from(pixels[column]);
-                sum += across[0][l] * pixel;
-                sum_of_slopes += across[1][l] * pixel;
+                for (sum, weights) in sums.iter_mut().zip(&across) {
+                    *sum += weights[l] * pixel;
+                }
             }
-            value += down[0][k] * sum;
-            slope[0] += down[0][k] * sum_of_slopes;
-            slope[1] += down[1][k] * sum;
+            found.value += down[0][k] * sums[0];
+            found.slope[0] += down[0][k] * sums[1];
+            found.slope[1] += down[1][k] * sums[0];
+            found.curvature[0] += down[0][k] * sums[2];
+            found.curvature[1] += down[1][k] * sums[1];
+            found.curvature[2] += down[2][k] * sums[0];
         }
-        (value, slope)
+        found
     }
 }
 
-/// The four pixels round a place along one axis, their weights, and the slopes of these.
-fn taps(place: f64, length: usize) -> ([usize; 4], [[f64; 4]; 2]) {
+/// A potential near a place.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Expansion {
+    pub(super) value: f64,
+    pub(super) slope: [f64; 2],
+    /// The second derivatives: by u twice, by u and v, by v twice.
+    pub(super) curvature: [f64; 3],
+}
+
+/// Columns and rows of a plane that has slopes, all of whose values are finite.
+pub(super) fn check_plane(plane: &Plane<f32>) -> Result<[usize; 2], SnakeError> {
+    let (width, height) = (plane.width(), plane.height());
+    if width.min(height) < 2 {
+        return Err(SnakeError::TooSmall { width, height });
+    }
+    let wrong = plane.values().iter().position(|value| !value.is_finite());
+    match wrong {
+        None => Ok([width, height]),
+        Some(index) => Err(SnakeError::NotFinite {
+            column: index % width,
+            row: index / width,
+        }),
+    }
+}
+
+/// The four pixels round a place along one axis, their weights, and the first and second
+/// derivatives of these.
+#[inline]
+fn taps(place: f64, length: usize) -> ([usize; 4], [[f64; 4]; 3]) {
     let last = length as f64 - 1.0;
     let place = place.clamp(-2.0, last + 2.0);
     let floor = place.floor();
@@ -111,7 +137,9 @@ fn taps(place: f64, length: usize) -> ([usize; 4], [[f64; 4]; 2]) {
         ((8.0 - 9.0 * t) * t + 1.0) / 2.0,
         (3.0 * t - 2.0) * t / 2.0,
     ];
-    ([at(-1.0), at(0.0), at(1.0), at(2.0)], [weights, slopes])
+    let curvatures = [2.0 - 3.0 * t, 9.0 * t - 5.0, 4.0 - 9.0 * t, 3.0 * t - 1.0];
+    let pixels = [at(-1.0), at(0.0), at(1.0), at(2.0)];
+    (pixels, [weights, slopes, curvatures])
 }
 
 /// The length of the slope of a blurred picture, by Sobel's weights, times σ √(2π): 1 at a straight
