@@ -1,9 +1,11 @@
-//! Contours: the borders of regions, curves that settle at edges, and figures fitted to them.
+//! Contours: the borders of regions, curves that settle at edges, figures fitted to them, and
+//! curves in space from two views.
 //!
 //! - [`borders`]: the borders of the regions of a picture in black and white, with their hierarchy.
 //! - [`outline`]: the border of the largest region or hole of a picture.
 //! - [`snake`]: closed curves that minimise an energy of their shape and of the picture.
-//! - [`fit`]: lines, circles and ellipses through points.
+//! - [`fit`]: lines, circles and ellipses through points, and lines and circles in space.
+//! - [`space_curve`](mod@space_curve): the closed curve in space that two views see as contours.
 //!
 //! Places are pixel coordinates `[u, v]`: u to the right and v down from the centre of the top left
 //! pixel.
@@ -14,6 +16,7 @@ mod outline;
 mod polygon;
 mod ring;
 pub mod snake;
+pub mod space_curve;
 
 pub use border::{Contour, borders};
 pub use outline::{OutlineError, outline};

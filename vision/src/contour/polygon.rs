@@ -14,7 +14,7 @@ use ga_runtime::cga2::Point;
 /// ```
 #[must_use]
 pub fn signed_area(corners: &[[f64; 2]]) -> f64 {
-    // Products of differences from one corner are exact for more numbers than those from the origin.
+    // Products of differences from one corner are exact for more numbers than those of places.
     let origin = corners.first().copied().unwrap_or_default();
     let sum: f64 = edges(corners).map(|(a, b)| cross(a, b, origin)).sum();
     sum / 2.0
@@ -70,6 +70,28 @@ pub fn resampled(corners: &[[f64; 2]], count: usize) -> Vec<[f64; 2]> {
     // Rounding may leave the last place behind the end of the last edge.
     points.resize(count, corners[0]);
     points
+}
+
+/// The distance of a closed polygon from a point, and the nearest point of the polygon.
+pub(super) fn distance_to(corners: &[[f64; 2]], point: [f64; 2]) -> (f64, [f64; 2]) {
+    let mut best = (f64::INFINITY, point);
+    for (a, b) in edges(corners) {
+        let [along, across] = [b, point].map(|p| [p[0] - a[0], p[1] - a[1]]);
+        let square = along[0] * along[0] + along[1] * along[1];
+        let share = (along[0] * across[0] + along[1] * across[1]) / square;
+        // An edge without a length has its place as the nearest one.
+        let part = if square > 0.0 {
+            share.clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
+        let nearest = [a[0] + part * along[0], a[1] + part * along[1]];
+        let found = distance(nearest, point);
+        if found < best.0 {
+            best = (found, nearest);
+        }
+    }
+    best
 }
 
 fn edges(corners: &[[f64; 2]]) -> impl Iterator<Item = ([f64; 2], [f64; 2])> {

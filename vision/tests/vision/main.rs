@@ -27,6 +27,7 @@ mod perspective_n_point;
 mod pose_error;
 mod rectification;
 mod relative_pose;
+mod space_curve;
 mod surface;
 mod synthetic_scene;
 mod two_views;

@@ -1,4 +1,9 @@
-//! Lines, circles and ellipses through points of a plane, by least squares.
+//! Lines, circles and ellipses through points of a plane, and lines and circles in space, by least
+//! squares.
+
+mod space;
+
+pub use space::{circle_in_space, line_in_space};
 
 use ga_runtime::cga2::{Circle, Line, Point};
 use nalgebra_035::{Matrix2, Matrix3, Vector2, Vector3};
@@ -140,7 +145,7 @@ pub fn circle(points: &[[f64; 2]]) -> Result<Circle<f64>, FitError> {
 
 /// The sum of squared distances to a circle (centre and radius), and the step of Gauss and Newton's
 /// method.
-fn radial_step(frame: &Frame<'_>, circle: Vector3<f64>) -> (f64, Vector3<f64>) {
+fn radial_step(frame: &Frame<'_, 2>, circle: Vector3<f64>) -> (f64, Vector3<f64>) {
     let (mut normal, mut right, mut cost) = (Matrix3::zeros(), Vector3::zeros(), 0.0);
     for [x, y] in frame.points() {
         let (dx, dy) = (x - circle.x, y - circle.y);
@@ -157,9 +162,20 @@ fn radial_step(frame: &Frame<'_>, circle: Vector3<f64>) -> (f64, Vector3<f64>) {
     (cost, step.unwrap_or_default())
 }
 
-/// The ellipse whose conic `A u² + B u v + C v² + D u + E v + F` has the least sum of squares at the
-/// points with `4AC − B² = 1` (A. Fitzgibbon, M. Pilu and R. Fisher, "Direct least square fitting of
-/// ellipses", 1999, in the form of R. Halíř and J. Flusser, 1998).
+/// The ellipse whose conic `A u² + B u v + C v² + D u + E v + F` has the least sum of squares at
+/// the points with `4AC − B² = 1` (A. Fitzgibbon, M. Pilu and R. Fisher, "Direct least square
+/// fitting of ellipses", 1999, in the form of R. Halíř and J. Flusser, 1998).
+///
+/// ```
+/// use ga_vision::contour::fit::ellipse;
+///
+/// // u²/9 + v²/4 = 1, moved by (5, 1).
+/// let points = [[8.0, 1.0], [5.0, 3.0], [2.0, 1.0], [5.0, -1.0], [6.8, 2.6], [3.2, -0.6]];
+/// let fitted = ellipse(&points)?;
+/// assert!((fitted.semi_axes[0] - 3.0).abs() < 1e-9 && (fitted.semi_axes[1] - 2.0).abs() < 1e-9);
+/// assert!((fitted.centre[0] - 5.0).abs() < 1e-9 && fitted.angle.abs() < 1e-9);
+/// # Ok::<(), ga_vision::contour::fit::FitError>(())
+/// ```
 ///
 /// # Errors
 ///
@@ -250,14 +266,14 @@ fn null_vector(matrix: Matrix3<f64>) -> Vector3<f64> {
 }
 
 /// Points seen from their centroid, in units of their root mean square distance from it.
-struct Frame<'a> {
-    points: &'a [[f64; 2]],
-    centre: [f64; 2],
+struct Frame<'a, const N: usize> {
+    points: &'a [[f64; N]],
+    centre: [f64; N],
     scale: f64,
 }
 
-impl<'a> Frame<'a> {
-    fn new(points: &'a [[f64; 2]], figure: &'static str, least: usize) -> Result<Self, FitError> {
+impl<'a, const N: usize> Frame<'a, N> {
+    fn new(points: &'a [[f64; N]], figure: &'static str, least: usize) -> Result<Self, FitError> {
         let count = points.len();
         if count < least {
             return Err(FitError::TooFew {
@@ -266,16 +282,21 @@ impl<'a> Frame<'a> {
                 least,
             });
         }
-        let is_finite = |point: &[f64; 2]| point.iter().all(|x| x.is_finite());
+        let is_finite = |point: &[f64; N]| point.iter().all(|x| x.is_finite());
         if let Some(index) = points.iter().position(|point| !is_finite(point)) {
             return Err(FitError::NotFinite { index });
         }
         let mean =
-            |value: &dyn Fn(&[f64; 2]) -> f64| points.iter().map(value).sum::<f64>() / count as f64;
-        let centre = [0, 1].map(|axis| mean(&|point| point[axis]));
-        let square = |p: &[f64; 2]| (p[0] - centre[0]).powi(2) + (p[1] - centre[1]).powi(2);
+            |value: &dyn Fn(&[f64; N]) -> f64| points.iter().map(value).sum::<f64>() / count as f64;
+        let centre: [f64; N] = std::array::from_fn(|axis| mean(&|point| point[axis]));
+        let square = |p: &[f64; N]| {
+            p.iter()
+                .zip(centre)
+                .map(|(x, c)| (x - c).powi(2))
+                .sum::<f64>()
+        };
         let scale = mean(&square).sqrt();
-        let size = centre[0].abs().max(centre[1].abs());
+        let size = centre.iter().fold(0.0f64, |size, x| size.max(x.abs()));
         if !(scale > 1e-12 * size && scale.is_finite()) {
             return Err(FitError::Degenerate {
                 figure,
@@ -289,12 +310,12 @@ impl<'a> Frame<'a> {
         })
     }
 
-    fn points(&self) -> impl Iterator<Item = [f64; 2]> {
-        let inside = |p: &[f64; 2]| [0, 1].map(|k| (p[k] - self.centre[k]) / self.scale);
+    fn points(&self) -> impl Iterator<Item = [f64; N]> {
+        let inside = |p: &[f64; N]| std::array::from_fn(|k| (p[k] - self.centre[k]) / self.scale);
         self.points.iter().map(inside)
     }
 
-    fn outside(&self, place: [f64; 2]) -> [f64; 2] {
-        [0, 1].map(|axis| self.centre[axis] + self.scale * place[axis])
+    fn outside(&self, place: [f64; N]) -> [f64; N] {
+        std::array::from_fn(|axis| self.centre[axis] + self.scale * place[axis])
     }
 }

@@ -1,0 +1,262 @@
+//! Closed curves in space from their contours in two views, compared with the curves from which the
+//! contours were made.
+
+use std::f64::consts::TAU;
+
+use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
+use ga_runtime::vga3::Vector;
+use ga_vision::camera::{Camera, Fisheye, Intrinsics, Lens, RadialTangential};
+use ga_vision::contour::fit::{FitError, circle_in_space, line_in_space};
+use ga_vision::contour::resampled;
+use ga_vision::contour::space_curve::{SpaceCurveError, SpaceCurveOptions, space_curve};
+use ga_vision::rig::StereoRig;
+use proptest::prelude::*;
+
+/// Cameras that look at a place 2 m away from different heights, 0.5 m apart, with distorted lenses
+/// and rolled against each other.
+fn oblique_rig() -> StereoRig {
+    let lens = |k1: f64| RadialTangential::new(&[k1, 0.05, 1e-3, -8e-4, 0.0]).unwrap();
+    let camera = |eye: [f64; 3], up: [f64; 3], k1: f64| {
+        let intrinsics = Intrinsics::new([900.0, 910.0], [330.0, 235.0]).unwrap();
+        let intrinsics = intrinsics.with_lens(lens(k1));
+        let target = Point::new(0.0, 0.0, 2.0);
+        Camera::look_at(intrinsics, Point::from(eye), target, up).unwrap()
+    };
+    StereoRig {
+        left: camera([-0.2, 0.1, 0.0], [0.1, 1.0, 0.0], -0.2),
+        right: camera([0.25, -0.15, 0.1], [-0.2, 1.0, 0.1], -0.15),
+    }
+}
+
+/// Both contours of a closed curve: from one and the same points, then at points of their own at
+/// equal distances.
+fn contours(
+    rig: &StereoRig,
+    curve: impl Fn(f64) -> Point<f64>,
+    count: usize,
+) -> [Vec<[f64; 2]>; 2] {
+    let fine: Vec<Point<f64>> = (0..20 * count)
+        .map(|k| curve(k as f64 / (20 * count) as f64))
+        .collect();
+    let seen = |camera: &Camera, start: usize| {
+        let mut pixels = camera.project_all(&fine).unwrap();
+        pixels.rotate_left(start);
+        resampled(&pixels, count)
+    };
+    [seen(&rig.left, 0), seen(&rig.right, 7 * count)]
+}
+
+/// A circle of radius 0.25 m in an oblique plane through (0, 0, 2).
+fn circle(t: f64) -> Point<f64> {
+    ellipse(t, [0.25, 0.25])
+}
+
+fn ellipse(t: f64, semi_axes: [f64; 2]) -> Point<f64> {
+    let (sin, cos) = (TAU * t).sin_cos();
+    let place = Point::new(semi_axes[0] * cos, semi_axes[1] * sin, 0.0);
+    placement().transform(place)
+}
+
+fn placement() -> Motor<f64> {
+    let rotor = Rotor::from_axis_angle([0.8, 0.5, 0.3], 0.7).unwrap();
+    Translator::from_displacement([0.02, -0.03, 2.0]) * rotor
+}
+
+/// The least distances of points from a curve, by a fine search.
+fn errors(points: &[Point<f64>], curve: impl Fn(f64) -> Point<f64>) -> Vec<f64> {
+    let fine: Vec<Point<f64>> = (0..20_000)
+        .map(|k| curve(f64::from(k) / 20_000.0))
+        .collect();
+    let nearest = |point: &Point<f64>| {
+        let distances = fine.iter().map(|other| point.distance(*other));
+        distances.fold(f64::INFINITY, f64::min)
+    };
+    points.iter().map(nearest).collect()
+}
+
+fn greatest(values: &[f64]) -> f64 {
+    values.iter().copied().fold(0.0, f64::max)
+}
+
+#[test]
+fn an_oblique_rig_finds_a_circle() {
+    let rig = oblique_rig();
+    let [left, right] = contours(&rig, circle, 400);
+    let found = space_curve(&rig, &left, &right, &SpaceCurveOptions::default()).unwrap();
+    assert_eq!(found.points.len(), 400);
+    assert!(found.points.iter().filter(|point| point.is_bridged).count() < 120);
+    // Chords of the right contour lie up to 5e-3 pixels inside it. At the least angle that is four
+    // times as far along an epipolar line, and at a depth of four baselines 2e-4 m.
+    let errors = errors(&found.positions(), circle);
+    assert!(greatest(&errors) < 2e-4, "{}", greatest(&errors));
+    for (point, left) in found.points.iter().zip(&left) {
+        assert_eq!(point.left, *left);
+        assert!(point.gap < 1e-4 && point.deviation < 0.02, "{point:?}");
+        let seen = rig.right.project(point.position).unwrap();
+        assert!((seen[0] - point.right[0]).hypot(seen[1] - point.right[1]) < 0.02);
+    }
+    assert!((found.length() - TAU * 0.25).abs() < 2e-4);
+    let fitted = circle_in_space(&found.triangulated()).unwrap();
+    assert!((fitted.radius().unwrap() - 0.25).abs() < 2e-5);
+    let truth = placement().transform(Point::default());
+    assert!(fitted.centre().unwrap().distance(truth) < 2e-5);
+}
+
+#[test]
+fn ellipses_are_found_in_any_sense_and_from_any_start() {
+    let rig = oblique_rig();
+    let curve = |t| ellipse(t, [0.35, 0.12]);
+    let [left, mut right] = contours(&rig, curve, 300);
+    for _ in 0..2 {
+        let found = space_curve(&rig, &left, &right, &SpaceCurveOptions::default());
+        // At the ends of the ellipse, chords lie 0.03 pixels inside.
+        let errors = errors(&found.unwrap().positions(), curve);
+        assert!(greatest(&errors) < 1.5e-3, "{}", greatest(&errors));
+        right.reverse();
+    }
+}
+
+/// Fisheye lenses, one camera before the other: the epipole lies inside the contours, and each
+/// epipolar line meets them once.
+#[test]
+fn a_camera_behind_the_other_sees_every_point_once() {
+    let lens = Fisheye::new(&[0.02, -0.004, 0.0, 0.0]).unwrap();
+    let intrinsics = Intrinsics::new([400.0; 2], [320.0, 240.0]).unwrap();
+    let camera = |z: f64| Camera {
+        intrinsics: intrinsics.with_lens(Lens::Fisheye(lens)),
+        world_to_camera: Translator::from_displacement([0.0, 0.0, -z]).into(),
+    };
+    let rig = StereoRig {
+        left: camera(0.0),
+        right: camera(0.8),
+    };
+    let [left, right] = contours(&rig, |t| ellipse(t, [0.8, 0.6]), 400);
+    let found = space_curve(&rig, &left, &right, &SpaceCurveOptions::default()).unwrap();
+    assert!(found.points.iter().all(|point| !point.is_bridged));
+    let errors = errors(&found.positions(), |t| ellipse(t, [0.8, 0.6]));
+    assert!(greatest(&errors) < 4e-4, "{}", greatest(&errors));
+}
+
+#[test]
+fn contours_that_give_no_curve_are_errors() {
+    let rig = oblique_rig();
+    let options = SpaceCurveOptions::default();
+    let [left, right] = contours(&rig, circle, 60);
+    let fails = |left: &[[f64; 2]], right: &[[f64; 2]]| {
+        space_curve(&rig, left, right, &options).unwrap_err()
+    };
+    let few = SpaceCurveError::TooFew {
+        view: "right",
+        count: 7,
+        least: 8,
+    };
+    assert_eq!(fails(&left, &right[..7]), few);
+    let mut wrong = left.clone();
+    wrong[11][0] = f64::NAN;
+    let error = fails(&wrong, &right);
+    let expected = |error| {
+        matches!(
+            error,
+            SpaceCurveError::Camera {
+                view: "left",
+                index: 11,
+                ..
+            }
+        )
+    };
+    assert!(expected(error), "{error}");
+    // What is far above in one view is not what is below in the other.
+    let moved = |by: f64| -> Vec<[f64; 2]> { right.iter().map(|[u, v]| [*u, v + by]).collect() };
+    assert_eq!(fails(&left, &moved(-600.0)), SpaceCurveError::NoOverlap);
+    // A part of the one is in the planes of a part of the other.
+    let error = fails(&left, &moved(-220.0));
+    assert!(matches!(error, SpaceCurveError::Apart { .. }), "{error}");
+    let flat: Vec<[f64; 2]> = (0..10).map(|k| [f64::from(k), 3.0]).collect();
+    assert_eq!(
+        fails(&flat, &right),
+        SpaceCurveError::NoArea { view: "left" }
+    );
+    let same = StereoRig {
+        left: rig.left,
+        right: rig.left,
+    };
+    let error = space_curve(&same, &left, &left, &options).unwrap_err();
+    assert!(matches!(error, SpaceCurveError::Cameras(_)), "{error}");
+}
+
+fn nearby(noise: &[[f64; 3]], point: impl Fn(f64) -> Point<f64>) -> Vec<Point<f64>> {
+    let at = |k: usize| Vector::from(point(k as f64 / noise.len() as f64));
+    let moved = noise
+        .iter()
+        .enumerate()
+        .map(|(k, n)| at(k) + Vector::from(*n));
+    moved.map(Point::from).collect()
+}
+
+proptest! {
+    /// No circle near the fitted one has a smaller sum of squared distances.
+    #[test]
+    fn fitted_circles_in_space_are_the_nearest(
+        noise in prop::collection::vec(prop::array::uniform3(-0.02..0.02f64), 5..20),
+        change in prop::array::uniform3(-3e-3..3e-3f64),
+        tilt in prop::array::uniform3(-0.03..0.03f64),
+        wider in -3e-3..3e-3f64,
+    ) {
+        let points = nearby(&noise, circle);
+        let found = circle_in_space(&points).unwrap();
+        let cost = |circle: ga_runtime::cga3::Circle<f64>| -> f64 {
+            points.iter().map(|point| point.distance_to(circle).unwrap().powi(2)).sum()
+        };
+        let centre = Vector::from(found.centre().unwrap()) + Vector::from(change);
+        let normal = Vector::from(found.unit_normal().unwrap()) + Vector::from(tilt);
+        let other = ga_runtime::cga3::Circle::from_centre_normal_radius(
+            centre.into(),
+            normal.into(),
+            found.radius().unwrap() + wider,
+        );
+        prop_assert!(cost(found) <= cost(other.unwrap()) * (1.0 + 1e-9));
+    }
+
+    /// The same for lines.
+    #[test]
+    fn fitted_lines_in_space_are_the_nearest(
+        noise in prop::collection::vec(prop::array::uniform3(-0.02..0.02f64), 3..20),
+        change in prop::array::uniform3(-3e-3..3e-3f64),
+        tilt in prop::array::uniform3(-0.03..0.03f64),
+    ) {
+        let points = nearby(&noise, |t| placement().transform(Point::new(t, 0.0, 0.0)));
+        let found = line_in_space(&points).unwrap();
+        let cost = |line: ga_runtime::cga3::Line<f64>| -> f64 {
+            points.iter().map(|point| line.distance(*point).unwrap().powi(2)).sum()
+        };
+        let place = Vector::from(found.foot(points[0]).unwrap()) + Vector::from(change);
+        let direction = Vector::from(found.direction()) + Vector::from(tilt);
+        let other =
+            ga_runtime::cga3::Line::from_point_direction(place.into(), direction.into());
+        prop_assert!(cost(found) <= cost(other) * (1.0 + 1e-9));
+    }
+}
+
+#[test]
+fn points_that_determine_no_figure_in_space_are_errors() {
+    let line: Vec<Point<f64>> = (0..6)
+        .map(|k| placement().transform(Point::new(f64::from(k), 0.0, 0.0)))
+        .collect();
+    assert!(matches!(
+        circle_in_space(&line),
+        Err(FitError::Degenerate { .. })
+    ));
+    assert!(matches!(
+        circle_in_space(&line[..2]),
+        Err(FitError::TooFew { count: 2, .. })
+    ));
+    assert!(matches!(
+        line_in_space(&[line[0]; 3]),
+        Err(FitError::Degenerate { .. })
+    ));
+    let wrong = [line[0], line[1], Point::new(0.0, f64::INFINITY, 0.0)];
+    assert_eq!(
+        line_in_space(&wrong).err(),
+        Some(FitError::NotFinite { index: 2 })
+    );
+}
