@@ -26,6 +26,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 use commands::{animate, capture, clip, curve, demo, draw, expand, mesh, render, skin, stereo};
+use commands::{animate, clip, contour, curve, demo, draw, expand, mesh, render, skin, stereo};
 
 /// Animation, stereo vision and pictures on conformal geometric algebra.
 #[derive(Parser)]
@@ -45,6 +46,7 @@ enum Command {
     Capture(capture::Arguments),
     Expand(expand::Arguments),
     Clip(clip::Arguments),
+    Contour(contour::Arguments),
     Curve(curve::Arguments),
     Draw(draw::Arguments),
     Mesh(mesh::Arguments),
@@ -61,6 +63,7 @@ fn main() -> ExitCode {
         Command::Capture(arguments) => capture::run(arguments, cli.quiet),
         Command::Expand(arguments) => expand::run(arguments),
         Command::Clip(arguments) => clip::run(arguments, cli.quiet),
+        Command::Contour(arguments) => contour::run(arguments, cli.quiet),
         Command::Curve(arguments) => curve::run(arguments, cli.quiet),
         Command::Draw(arguments) => draw::run(arguments, cli.quiet),
         Command::Mesh(arguments) => mesh::run(arguments, cli.quiet),

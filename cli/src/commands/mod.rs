@@ -3,6 +3,7 @@
 pub(crate) mod animate;
 pub(crate) mod capture;
 pub(crate) mod clip;
+pub(crate) mod contour;
 pub(crate) mod curve;
 pub(crate) mod demo;
 pub(crate) mod draw;

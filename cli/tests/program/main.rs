@@ -10,6 +10,8 @@ mod clip;
 mod clip_edit;
 mod clip_retarget;
 mod common;
+mod contour;
+mod contour_in_space;
 mod curve;
 mod demo;
 mod draw;

@@ -6,12 +6,14 @@ mod diagnose;
 mod evaluate;
 mod match_views;
 mod picture;
-mod pixels;
+pub(super) mod pixels;
 mod pose;
 mod reconstruct;
 mod rectify;
 mod undistort;
-mod views;
+pub(super) mod views;
+
+pub(super) use reconstruct::Axes;
 
 use anyhow::Result;
 use clap::Subcommand;

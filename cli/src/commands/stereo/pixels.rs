@@ -15,7 +15,7 @@ pub(super) fn size(text: &str) -> Result<[usize; 2], String> {
 }
 
 /// Fails where a picture does not have the size that a file of cameras is for.
-pub(super) fn check(
+pub(in crate::commands) fn check(
     expected: Option<[usize; 2]>,
     found: [usize; 2],
     picture: &Path,

@@ -109,7 +109,7 @@ pub(crate) struct Arguments {
 
 /// Which way the axes point.
 #[derive(Clone, Copy, Debug, ValueEnum)]
-enum Axes {
+pub(in crate::commands) enum Axes {
     /// x to the right, y up, z towards the viewer.
     YUp,
     /// x to the right, y down, z forward.
@@ -247,7 +247,7 @@ impl Kind {
 
 impl Axes {
     /// From the frame of a camera.
-    fn motor(self) -> Motor<f64> {
+    pub(in crate::commands) fn motor(self) -> Motor<f64> {
         match self {
             // A rotation by 180° about x.
             Self::YUp => Rotor::new_unchecked(0.0, 0.0, 0.0, -1.0).into(),

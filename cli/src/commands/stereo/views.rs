@@ -26,7 +26,7 @@ pub(super) fn check_side(view: &Plane<u8>, path: &Path) -> Result<()> {
 }
 
 /// Reads two views of the same size in grey.
-pub(super) fn read_pair(left: &Path, right: &Path) -> Result<[Plane<u8>; 2]> {
+pub(in crate::commands) fn read_pair(left: &Path, right: &Path) -> Result<[Plane<u8>; 2]> {
     of_one_size([read(left)?, read(right)?], [left, right])
 }
 
