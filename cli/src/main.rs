@@ -25,8 +25,9 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use commands::{animate, capture, clip, curve, demo, draw, expand, mesh, render, skin, stereo};
-use commands::{animate, clip, contour, curve, demo, draw, expand, mesh, render, skin, stereo};
+use commands::{
+    animate, capture, clip, contour, curve, demo, draw, expand, mesh, render, skin, stereo,
+};
 
 /// Animation, stereo vision and pictures on conformal geometric algebra.
 #[derive(Parser)]

@@ -219,8 +219,9 @@ impl Rectangle {
 
 /// Whether the steps from each corner to its neighbours on either side are similar.
 fn is_even(corners: &[Vector<f64>], size: BoardSize) -> bool {
-    /// The greatest difference between two steps, as a part of their sum.
-    const GREATEST: f64 = 0.4;
+    /// The greatest difference between two steps, as a part of their sum. Perspective of a board as
+    /// near as its own size gives 0.2; a grid that leaves out corners gives a third.
+    const GREATEST: f64 = 0.28;
     let (columns, rows) = (size.columns(), size.rows());
     let is_similar = |index: usize, stride: usize| {
         let [before, here, after] = [index - stride, index, index + stride].map(|k| corners[k]);
