@@ -4,7 +4,7 @@ use ga_runtime::cga3::{Direction, Motor, MotorGenerator, Point};
 use ga_runtime::vga3::Vector;
 
 use super::lens_terms::parameter_name;
-use crate::camera::{FrameProjection, Intrinsics};
+use crate::camera::{FrameProjection, Intrinsics, by_twist};
 use crate::least_squares::{Columns, Equations, Problem};
 
 /// The unknowns of a twist: the angular velocity and the velocity of the origin.
@@ -171,20 +171,15 @@ fn rotated(motor: Motor<f64>, vector: Vector<f64>) -> Vector<f64> {
     Vector::from(motor.transform(direction).vector())
 }
 
-/// Adds the derivatives of a pixel by the twist of a frame, from those by the place in the frame:
-/// `row · (ω × x + u) = ω · (x × row) + u · row`.
+/// Adds the derivatives of a pixel by the twist of a frame, from those by the place in the frame.
 fn push_twist(
     derivatives: &mut Vec<(usize, [f64; 2])>,
     column: usize,
     place: Point<f64>,
     by_point: [Vector<f64>; 2],
 ) {
-    let turned = by_point.map(|row| Vector::from(place).cross(row).coordinates());
-    let straight = by_point.map(Vector::coordinates);
-    for k in 0..3 {
-        derivatives.push((column + k, turned.map(|row| row[k])));
-        derivatives.push((column + 3 + k, straight.map(|row| row[k])));
-    }
+    let rows = by_point.map(|row| by_twist(place.into(), row));
+    derivatives.extend((0..TWIST).map(|k| (column + k, rows.map(|row| row[k]))));
 }
 
 /// The motor of the first six numbers as a twist.

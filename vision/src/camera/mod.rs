@@ -164,11 +164,7 @@ impl Camera {
             by_point: seen
                 .by_point
                 .map(|row| to_world.transform(Direction::from_vector(row)).vector()),
-            by_twist: seen.by_point.map(|row| {
-                // row · (ω × x) = ω · (x × row).
-                let [a, b, c] = place.cross(Vector::from(row)).coordinates();
-                [a, b, c, row[0], row[1], row[2]]
-            }),
+            by_twist: seen.by_point.map(|row| by_twist(place, row.into())),
             by_parameters: seen.by_parameters,
         })
     }
@@ -192,4 +188,11 @@ impl Camera {
     pub fn pose(&self) -> Pose<World, CameraFrame> {
         Pose::new(self.world_to_camera)
     }
+}
+
+/// The derivatives of a number by the twist of a frame, from those by the place x in the frame:
+/// `row · (ω × x + u) = ω · (x × row) + u · row`.
+pub(crate) fn by_twist(place: Vector<f64>, row: Vector<f64>) -> [f64; 6] {
+    let ([a, b, c], [x, y, z]) = (place.cross(row).coordinates(), row.coordinates());
+    [a, b, c, x, y, z]
 }
