@@ -69,8 +69,8 @@ pub enum RelativePoseError {
     /// A rotation alone explains the pairs: the cameras are in one place, or all points are so far
     /// away that the baseline does not show.
     #[error(
-        "a rotation alone explains the pairs to {rotation_rms} px, a rotation and a translation to \
-         {motion_rms} px: the baseline is zero, or too short for this scene"
+        "a rotation alone explains the pairs to {rotation_rms:.3e} px, a rotation and a translation to \
+         {motion_rms:.3e} px: the baseline is zero, or too short for this scene"
     )]
     PureRotation {
         /// The root mean square of what a rotation leaves, in pixels.
