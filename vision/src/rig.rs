@@ -3,6 +3,7 @@
 use ga_runtime::cga3::Motor;
 
 use crate::camera::{Camera, CameraError, Intrinsics, Lens};
+use crate::frame::{LeftCamera, Pose, RightCamera};
 use crate::triangulation::{
     ColumnsError, Method, PixelColumns, PointColumns, Triangulation, TriangulationError, TwoViews,
     triangulate,
@@ -86,10 +87,10 @@ impl StereoRig {
     }
 
     /// The motor between the cameras: it takes the left camera's frame into the right one's,
-    /// `M_right ~M_left`.
+    /// `M_right ~M_left`, with the frames in its type.
     #[must_use]
-    pub fn left_to_right(&self) -> Motor<f64> {
-        self.right.world_to_camera * self.left.world_to_camera.reverse()
+    pub fn left_to_right(&self) -> Pose<LeftCamera, RightCamera> {
+        Pose::new(self.right.world_to_camera * self.left.world_to_camera.reverse())
     }
 
     /// The distance between the cameras' centres in metres.

@@ -7,6 +7,7 @@ use super::bundle::{Bundle, BundleState};
 use super::lens_terms::{LensTerms, parameter_name};
 use super::{CalibrationError, check};
 use crate::camera::{CameraError, Intrinsics};
+use crate::frame::{Board, CameraFrame, Pose};
 use crate::homography::{Homography, in_plane};
 use crate::least_squares::{Covariance, Loss, Minimum, Settings, minimise};
 
@@ -42,7 +43,7 @@ pub struct CameraCalibration {
     /// errors of the corners of the size that the remaining distances show.
     pub deviations: [f64; Intrinsics::MAX_PARAMETERS],
     /// For each view the motor that takes the board into the camera's frame.
-    pub boards: Vec<Motor<f64>>,
+    pub boards: Vec<Pose<Board, CameraFrame>>,
     /// The root mean square distance of all corners from the projections of their places, in
     /// pixels, as OpenCV's `calibrateCamera` returns it.
     pub rms: f64,
@@ -132,7 +133,7 @@ pub fn calibrate_camera(
         deviations,
         rms: (minimum.cost / (count * views.len() as f64)).sqrt(),
         view_rms: view_rms.collect(),
-        boards: minimum.state.boards,
+        boards: minimum.state.boards.into_iter().map(Pose::new).collect(),
     })
 }
 

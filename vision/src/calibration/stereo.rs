@@ -11,6 +11,7 @@ use super::one_camera::{
 };
 use super::{CalibrationError, LEAST_VIEWS};
 use crate::camera::{Camera, Intrinsics};
+use crate::frame::{Board, Frame, LeftCamera, Pose};
 use crate::least_squares::{Covariance, Loss, Settings, minimise};
 use crate::rig::StereoRig;
 
@@ -100,7 +101,7 @@ pub struct StereoCalibration {
     /// The pairs that were left out.
     pub outliers: Vec<Outlier>,
     /// For each pair that was used the motor that takes the board into the left camera's frame.
-    pub boards: Vec<Motor<f64>>,
+    pub boards: Vec<Pose<Board, LeftCamera>>,
     /// The root mean square distance of all corners in both views from the projections of their
     /// places, in pixels, as OpenCV's `stereoCalibrate` returns it.
     pub rms: f64,
@@ -249,7 +250,7 @@ impl<'a> Rig<'a> {
         let state = BundleState {
             cameras: vec![left.intrinsics, right.intrinsics],
             rig,
-            boards: left.boards,
+            boards: motors(&left.boards),
         };
         Ok(Self {
             bundle,
@@ -307,7 +308,7 @@ impl<'a> Rig<'a> {
             baseline_deviation,
             used: used.to_vec(),
             outliers: Vec::new(),
-            boards: state.boards.clone(),
+            boards: state.boards.iter().copied().map(Pose::new).collect(),
             rms: (minimum.cost / (2.0 * count)).sqrt(),
             camera_rms: [camera_rms(0), camera_rms(1)],
             pair_rms: self.pair_rms(state),
@@ -349,6 +350,10 @@ fn baseline_deviation(
     }
 }
 
+fn motors<F: Frame>(boards: &[Pose<Board, F>]) -> Vec<Motor<f64>> {
+    boards.iter().map(|board| board.motor).collect()
+}
+
 /// Of the motors from the left frame to the right one that single boards give, the one that is
 /// nearest to the others: the sum of the distances between corners in space is least.
 fn median_motion(
@@ -356,7 +361,8 @@ fn median_motion(
     right: &CameraCalibration,
     places: &[Point<f64>],
 ) -> Motor<f64> {
-    let boards = || left.boards.iter().zip(&right.boards);
+    let [left, right] = [left, right].map(|side| motors(&side.boards));
+    let boards = || left.iter().zip(&right);
     let motions: Vec<Motor<f64>> = boards().map(|(l, r)| *r * l.reverse()).collect();
     // The first and the last corner, and one beside the line between them.
     let middle = places.len() / 2;

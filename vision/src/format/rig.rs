@@ -115,7 +115,7 @@ impl RigFile {
         for (k, side) in sides.iter().enumerate() {
             set_intrinsics(&mut storage, [MATRICES[k][0], DISTORTIONS[k][0]], side);
         }
-        let pose = self.rig.left_to_right();
+        let pose = self.rig.left_to_right().motor;
         let rotation = pose.rotor().to_matrix().into_iter().flatten().collect();
         set(&mut storage, ROTATION[0], [3, 3], rotation);
         let translation = pose.translator().displacement().to_vec();

@@ -158,7 +158,7 @@ impl Rectification {
         if let Some(alpha) = options.alpha.filter(|alpha| !(0.0..=1.0).contains(alpha)) {
             return Err(RectificationError::Alpha(alpha));
         }
-        let between = rig.left_to_right();
+        let between = rig.left_to_right().motor;
         let rotations = rotations(between)?;
         let cameras = [rig.left.intrinsics, rig.right.intrinsics];
         let views = [0, 1].map(|k| View {

@@ -33,6 +33,7 @@ pub use sampson::BearingPair;
 
 use crate::camera::Intrinsics;
 use crate::feature::PixelPair;
+use crate::frame::{LeftCamera, Pose, RightCamera};
 use crate::least_squares::{Covariance, Minimum, Settings, minimise};
 use crate::ransac::{Consensus, Search};
 use sampson::{SampsonCost, across_translation};
@@ -67,7 +68,7 @@ impl Default for Options {
 pub struct RelativePose {
     /// The motor that takes the left camera's frame to the right one's. Its translation has length
     /// 1, since two views do not show the scale of a scene.
-    pub left_to_right: Motor<f64>,
+    pub left_to_right: Pose<LeftCamera, RightCamera>,
     /// The indices of the pairs that agree, rising.
     pub inliers: Vec<usize>,
     /// How many of these are in front of both cameras.
@@ -134,7 +135,7 @@ impl RelativePose {
 ///     pairs.push(PixelPair { left: left.project(point)?, right: right.project(point)? });
 /// }
 /// let found = estimate(&pairs, &intrinsics, &intrinsics, &Options::default())?;
-/// let [x, y, z] = found.left_to_right.translator().displacement();
+/// let [x, y, z] = found.left_to_right.motor.translator().displacement();
 /// assert!((x + 0.6).abs() < 1e-9 && y.abs() < 1e-9 && (z - 0.8).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -232,7 +233,7 @@ pub fn estimate_from_bearings(
         .map_err(|_| RelativePoseError::Undetermined)?;
     let covariance = variance.and_then(|variance| minimum.covariance(variance));
     Ok(RelativePose {
-        left_to_right: minimum.state,
+        left_to_right: Pose::new(minimum.state),
         in_front,
         root_mean_square: minimum.root_mean_square(),
         covariance: covariance.map(|covariance| of_twist(&covariance, minimum.state)),

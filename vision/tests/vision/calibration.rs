@@ -7,6 +7,7 @@ use ga_vision::calibration::{
 };
 use ga_vision::camera::{Camera, Fisheye, Intrinsics, Lens, RadialTangential};
 use ga_vision::chessboard::BoardSize;
+use ga_vision::frame::In;
 use proptest::prelude::*;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
@@ -113,10 +114,11 @@ proptest! {
         close(&found.rig.left.intrinsics, &left, 1e-6)?;
         close(&found.rig.right.intrinsics, &right, 1e-6)?;
         let probe = Point::new(0.1, -0.1, 0.5);
-        let moved = found.rig.left_to_right().transform(probe);
+        let moved = found.rig.left_to_right().motor.transform(probe);
         prop_assert!(moved.distance(rig.transform(probe)) < 1e-9);
         for (found, truth) in found.boards.iter().zip(&boards) {
-            prop_assert!(found.transform(probe).distance(truth.transform(probe)) < 1e-8);
+            let placed = found.transform(In::new(probe)).value;
+            prop_assert!(placed.distance(truth.transform(probe)) < 1e-8);
         }
     }
 
@@ -260,7 +262,7 @@ fn boards_upside_down_give_the_smaller_angle() {
         ..StereoSettings::default()
     };
     let found = calibrate_stereo([&left, &right], &places(), SIZE, &settings).unwrap();
-    let (_, angle) = found.rig.left_to_right().rotor().to_axis_angle();
+    let (_, angle) = found.rig.left_to_right().motor.rotor().to_axis_angle();
     assert!((angle - 0.04).abs() < 1e-9, "{angle}");
 }
 
@@ -401,7 +403,7 @@ fn the_rig_is_that_of_opencv() {
         "{} {rms}",
         fixed.rms
     );
-    let pose = fixed.rig.left_to_right();
+    let pose = fixed.rig.left_to_right().motor;
     let rotation = super::matrix(&oracle["R"]);
     for (row, expected) in pose.rotor().to_matrix().iter().zip(rotation) {
         for (found, expected) in row.iter().zip(expected) {

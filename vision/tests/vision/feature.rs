@@ -106,9 +106,9 @@ fn errors_of_rectified(views: [&str; 2], focal: f64, centres: [[f64; 2]; 2]) -> 
             ..Options::default()
         };
         let found = estimate(&pairs, &first, &second, &options).expect("a motion");
-        let (_, angle) = found.left_to_right.rotor().to_axis_angle();
+        let (_, angle) = found.left_to_right.motor.rotor().to_axis_angle();
         let angle = angle.min(std::f64::consts::TAU - angle);
-        let t = Vector::from(found.left_to_right.translator().displacement());
+        let t = Vector::from(found.left_to_right.motor.translator().displacement());
         let direction = t.angle(-Vector::X).expect("a translation");
         let deviation = found.direction_deviation().expect("many pairs");
         [angle, direction, deviation].map(f64::to_degrees)

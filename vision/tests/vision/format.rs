@@ -67,7 +67,7 @@ proptest! {
         prop_assert_eq!(again.size, size);
         prop_assert_eq!(again.rig.left, rig.left);
         prop_assert_eq!(again.rig.right.intrinsics, rig.right.intrinsics);
-        let (a, b) = (again.rig.left_to_right().to_matrix(), rig.left_to_right().to_matrix());
+        let (a, b) = (again.rig.left_to_right().motor.to_matrix(), rig.left_to_right().motor.to_matrix());
         for (a, b) in a.iter().flatten().zip(b.iter().flatten()) {
             prop_assert!((a - b).abs() < 1e-14, "{a} {b}");
         }
@@ -140,9 +140,9 @@ fn the_intrinsics_of_opencvs_rig_are_read() {
     let rig = RigFile::decode(more.as_bytes()).unwrap().rig;
     assert_eq!(rig.left.intrinsics.focal()[0], 534.803_268_450_513_1);
     assert_eq!(rig.right.intrinsics.principal()[1], 242.053_245_733_766);
-    let rotation = rig.left_to_right().rotor().to_rotation_vector();
+    let rotation = rig.left_to_right().motor.rotor().to_rotation_vector();
     assert!((rotation[2] - 0.03).abs() < 1e-15);
-    let translation = rig.left_to_right().translator().displacement();
+    let translation = rig.left_to_right().motor.translator().displacement();
     for (found, expected) in translation.into_iter().zip([-3.3, 0.04, 0.05]) {
         assert!((found - expected).abs() < 1e-15);
     }
@@ -284,7 +284,7 @@ fn a_rotation_of_few_digits_is_replaced_by_the_nearest() {
     );
     let text = RIG.replacen("1., 0., 0., 0., 1., 0., 0., 0., 1. ]\nT", &rotation, 1);
     let rig = RigFile::decode(text.as_bytes()).unwrap().rig;
-    let [x, y, z] = rig.left_to_right().rotor().to_rotation_vector();
+    let [x, y, z] = rig.left_to_right().motor.rotor().to_rotation_vector();
     assert!(
         x.abs() < 1e-15 && z.abs() < 1e-15 && (y - 0.3).abs() < 1e-5,
         "{y}"

@@ -159,7 +159,7 @@ proptest! {
         prop_assert!(ray.line().distance(point).unwrap() < 1e-13 * 20.0);
         prop_assert!((ray.depth(point) - found.depths[0]).abs() < 1e-11 / found.angle);
         // The motor between the cameras takes one frame into the other.
-        let across = rig.left_to_right().transform(left.transform(point));
+        let across = rig.left_to_right().motor.transform(left.transform(point));
         prop_assert!(across.distance(right.transform(point)) < 1e-13 * 20.0);
     }
 

@@ -80,14 +80,14 @@ fn generous() -> Options {
 fn exact_rigs_of_the_oracle_are_found_to_rounding() {
     for rig in rigs().iter().filter(|rig| rig.noise == 0.0) {
         let found = estimate(&rig.pairs, &rig.left, &rig.right, &Options::default()).unwrap();
-        let [rotation, direction] = errors(found.left_to_right, rig.truth);
+        let [rotation, direction] = errors(found.left_to_right.motor, rig.truth);
         assert!(
             rotation < 1e-9 && direction < 1e-9,
             "{rotation:e} {direction:e}"
         );
         assert_eq!((found.inliers.len(), found.in_front), (40, 40));
         assert!(found.root_mean_square < 1e-9);
-        let essential = EssentialMatrix::from_motor(found.left_to_right).unwrap();
+        let essential = EssentialMatrix::from_motor(found.left_to_right.motor).unwrap();
         assert_equal_up_to_scale(essential.rows(), matrix(&rig.record["E"]));
     }
 }
@@ -178,11 +178,11 @@ fn noisy_rigs_of_the_oracle_have_the_least_sampson_cost() {
     for rig in &noisy {
         let found = estimate(&rig.pairs, &rig.left, &rig.right, &generous()).unwrap();
         assert_eq!(found.inliers.len(), 40);
-        let cost = sampson_cost(rig, found.left_to_right);
+        let cost = sampson_cost(rig, found.left_to_right.motor);
         let mean_square = found.root_mean_square.powi(2);
         assert!((cost / 40.0 - mean_square).abs() < 1e-9 * mean_square);
         // Searches from the truth, from the result and from other places.
-        let mut starts = vec![rig.truth, found.left_to_right];
+        let mut starts = vec![rig.truth, found.left_to_right.motor];
         for axis in [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]] {
             starts.push(motor(axis, 0.05, [0.0, 0.0, 0.1]) * rig.truth);
         }
@@ -190,7 +190,7 @@ fn noisy_rigs_of_the_oracle_have_the_least_sampson_cost() {
             let other = least_by_trial(rig, start);
             assert!(cost <= (1.0 + 1e-6) * other, "{cost} {other}");
         }
-        let [rotation, direction] = errors(found.left_to_right, rig.truth);
+        let [rotation, direction] = errors(found.left_to_right.motor, rig.truth);
         ours.push([rotation, direction]);
         let keys = ["rot_err_deg", "trans_err_deg"];
         let theirs = keys.map(|key| rig.record["cv2_pose"][key].as_f64().expect("a number"));
@@ -274,7 +274,7 @@ proptest! {
         let truth = motor(axis, angle, displacement);
         let Some(pairs) = seen(&scene(30), truth) else { return Ok(()) };
         let found = estimate(&pairs, &intrinsics(), &intrinsics(), &Options::default()).unwrap();
-        let [rotation, direction] = errors(found.left_to_right, truth);
+        let [rotation, direction] = errors(found.left_to_right.motor, truth);
         // 1e-6 of a degree.
         prop_assert!(rotation.max(direction) < 1.7e-8, "{rotation:e} {direction:e}");
         prop_assert_eq!(found.in_front, 30);
@@ -294,7 +294,7 @@ proptest! {
         }
         let options = Options { seed, ..Options::default() };
         let found = estimate(&pairs, &intrinsics(), &intrinsics(), &options).unwrap();
-        let [rotation, direction] = errors(found.left_to_right, truth);
+        let [rotation, direction] = errors(found.left_to_right.motor, truth);
         prop_assert!(rotation < 0.01 && direction < 0.1, "{rotation} {direction}");
         prop_assert!(found.inliers.len() >= 75, "{}", found.inliers.len());
         let again = estimate(&pairs, &intrinsics(), &intrinsics(), &options).unwrap();

@@ -375,7 +375,7 @@ impl CameraReport {
 impl Report {
     fn new(found: &StereoCalibration, edges: SquareEdges, rejected: Vec<Rejected>) -> Self {
         let rig = &found.rig;
-        let (_, degrees) = smaller_rotation(rig.left_to_right().rotor());
+        let (_, degrees) = smaller_rotation(rig.left_to_right().motor.rotor());
         Self {
             rms_px: found.rms,
             rms_left_px: found.camera_rms[0],

@@ -198,7 +198,7 @@ impl Report {
             pairs,
             outside,
         } = found;
-        let motion: Motor<f64> = found.left_to_right;
+        let motion: Motor<f64> = found.left_to_right.motor;
         let rotor = motion.rotor();
         let (rotation_axis, rotation_degrees) = smaller_rotation(rotor);
         Self {
