@@ -39,6 +39,12 @@ fn the_pairs_of_opencv_give_a_rig() {
     assert_success(&output);
     let report: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(number(&report, "/pairs_used"), 13.0);
+    for pair in report["pairs"].as_array().unwrap() {
+        let [left, right] = ["left", "right"].map(|side| pair[side].as_str().unwrap());
+        let right = right.rsplit_once("right").unwrap().1;
+        assert_eq!(left.rsplit_once("left").unwrap().1, right);
+    }
+    assert!(output.stderr.is_empty());
     assert_eq!(report["pairs_rejected"], Value::Array(Vec::new()));
     let rms = number(&report, "/rms_px");
     assert!(rms < 0.46, "{rms}");
@@ -113,6 +119,13 @@ fn bad_input_is_named_and_nothing_is_written() {
         &["differ in size", "200 × 151"],
     );
     refused(&with("left0.pgm", "broken0.pgm", &[]), &["broken0.pgm"]);
+    // A view is missing on each side, so that the order of the others makes a wrong pair.
+    let output = nullcone(folder.path(), &with("left[012].pgm", "right[013].pgm", &[]));
+    let error = String::from_utf8(output.stderr).unwrap();
+    assert!(
+        error.starts_with("warning: left2.pgm and right3.pgm are a pair"),
+        "{error}"
+    );
     let none = ["found in 0 of 4 pairs", "board not found", "left0.pgm"];
     refused(&with("left*.pgm", "right*.pgm", &[]), &none);
     let known = ["--intrinsics", "known"];

@@ -91,6 +91,8 @@ struct Report {
     rms_px: f64,
     rms_left_px: f64,
     rms_right_px: f64,
+    /// The pairs that were made of the files.
+    pairs: Vec<PairFiles>,
     pairs_used: usize,
     pairs_rejected: Vec<Rejected>,
     baseline_metres: f64,
@@ -101,6 +103,12 @@ struct Report {
     left: CameraReport,
     right: CameraReport,
     pair_rms_px: Vec<f64>,
+}
+
+#[derive(Serialize)]
+struct PairFiles {
+    left: String,
+    right: String,
 }
 
 #[derive(Serialize)]
@@ -137,6 +145,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     );
     let settings = settings(arguments)?;
     let files = pairs_of_files(&arguments.left, &arguments.right)?;
+    warn_of_other_numbers(&files);
     let progress = Progress::new(files.len() as u64 + 1, quiet);
     let (size, pairs, mut rejected) = find_boards(arguments, &files, &progress)?;
     progress.step("calibrating");
@@ -192,13 +201,13 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     };
     let contents = rig.encode();
     let contents = contents.with_context(|| arguments.out.display().to_string())?;
-    let mut files = vec![(arguments.out.clone(), contents.into_bytes())];
+    let mut outputs = vec![(arguments.out.clone(), contents.into_bytes())];
     if let Some(folder) = &arguments.pictures {
-        files.extend(pictures(folder, &pairs)?);
+        outputs.extend(pictures(folder, &pairs)?);
     }
-    ga_files::write_together(files.iter().map(|(path, bytes)| (path, &bytes[..])))?;
+    ga_files::write_together(outputs.iter().map(|(path, bytes)| (path, &bytes[..])))?;
     drop(progress);
-    let report = Report::new(&found, edges, rejected);
+    let report = Report::new(&found, edges, &files, rejected);
     if arguments.json {
         output::print_json(&report)
     } else if quiet {
@@ -269,6 +278,37 @@ fn pairs_of_files(left: &str, right: &str) -> Result<Vec<[PathBuf; 2]>> {
         .zip(right)
         .map(|(left, right)| [left, right])
         .collect())
+}
+
+/// Warns of the first pair whose names do not belong together by their numbers: where a number of
+/// the left name differs from that of the right one, it does so as in the first pair, as 0 and 1 in
+/// `0-07.png` and `1-07.png`. Names with different counts of numbers are not compared.
+fn warn_of_other_numbers(pairs: &[[PathBuf; 2]]) {
+    let changes = |pair: &[PathBuf; 2]| {
+        let [left, right] = pair.each_ref().map(|path| numbers(path));
+        let is_comparable = left.len() == right.len();
+        let both = left.into_iter().zip(right).filter(|_| is_comparable);
+        both.map(|(left, right)| (left != right).then_some((left, right)))
+            .collect::<Vec<_>>()
+    };
+    let first = pairs.first().map(changes);
+    if let Some([left, right]) = pairs.iter().find(|pair| Some(changes(pair)) != first) {
+        eprintln!(
+            "warning: {} and {} are a pair by their places in the lists, but their numbers differ \
+             otherwise than those of the first pair",
+            left.display(),
+            right.display()
+        );
+    }
+}
+
+/// The numbers in the name of a file, without leading zeros.
+fn numbers(path: &Path) -> Vec<String> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    name.split(|symbol: char| !symbol.is_ascii_digit())
+        .filter(|digits| !digits.is_empty())
+        .map(|digits| digits.trim_start_matches('0').to_owned())
+        .collect()
 }
 
 type Found = ([usize; 2], Vec<Pair>, Vec<Rejected>);
@@ -342,6 +382,13 @@ fn pictures(folder: &Path, pairs: &[Pair]) -> Result<Vec<(PathBuf, Vec<u8>)>> {
     Ok(files)
 }
 
+impl PairFiles {
+    fn new(files: &[PathBuf; 2]) -> Self {
+        let [left, right] = files.each_ref().map(|path| path.display().to_string());
+        Self { left, right }
+    }
+}
+
 impl Rejected {
     fn new([left, right]: &[PathBuf; 2], reason: String) -> Self {
         let [left, right] = [left, right].map(|path| path.display().to_string());
@@ -373,13 +420,19 @@ impl CameraReport {
 }
 
 impl Report {
-    fn new(found: &StereoCalibration, edges: SquareEdges, rejected: Vec<Rejected>) -> Self {
+    fn new(
+        found: &StereoCalibration,
+        edges: SquareEdges,
+        files: &[[PathBuf; 2]],
+        rejected: Vec<Rejected>,
+    ) -> Self {
         let rig = &found.rig;
         let (_, degrees) = smaller_rotation(rig.left_to_right().motor.rotor());
         Self {
             rms_px: found.rms,
             rms_left_px: found.camera_rms[0],
             rms_right_px: found.camera_rms[1],
+            pairs: files.iter().map(PairFiles::new).collect(),
             pairs_used: found.used.len(),
             pairs_rejected: rejected,
             baseline_metres: rig.baseline(),
