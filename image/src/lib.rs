@@ -7,7 +7,7 @@
 //! - [`colour`]: linear light and its encoding as 8-bit sRGB; [`grey`](mod@grey): from colour to
 //!   grey; [`ycbcr`]: the encoding of video.
 //! - [`filter`]: Gaussian blur and gradients; [`pyramid`]: halved sizes; [`resample`]: other sizes;
-//!   [`warp`]: pictures seen through a map of places.
+//!   [`interpolation`]: values between pixels; [`warp`]: pictures seen through a map of places.
 //! - [`threshold`]: pixels above a level; [`canny`]: edges.
 //! - [`quality`]: PSNR and SSIM of two pictures.
 //!
@@ -38,6 +38,7 @@ pub mod file;
 pub mod filter;
 pub mod grey;
 mod header;
+pub mod interpolation;
 pub mod jpeg;
 pub mod pfm;
 pub mod picture;

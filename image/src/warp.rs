@@ -1,5 +1,6 @@
 //! Pictures seen through a map of places.
 
+use crate::interpolation::mixed;
 use crate::plane::{Plane, PlaneView, PlaneViewMut, SizeError};
 use crate::sample::{Pixel, Sample};
 
@@ -9,7 +10,7 @@ use crate::sample::{Pixel, Sample};
 /// pixel in column *c* and row *r* is at (*c* + ½, *r* + ½). Pixels are interpolated linearly
 /// between the centres of the four nearest. Within half a pixel of the border, where some of the
 /// four are missing, the outermost pixels continue; what lies outside the old picture gets a given
-/// value.
+/// value. A pixel of weight 0 has no influence, whatever its value.
 ///
 /// ```
 /// use ga_image::plane::Plane;
@@ -151,15 +152,14 @@ impl Place {
         let below = (row + 1).min(picture.height() - 1);
         let (upper, lower) = (picture.row(row), picture.row(below));
         let corners = [upper[column], upper[right], lower[column], lower[right]];
-        let mut mixed = P::default();
-        let channels = P::samples_mut(std::slice::from_mut(&mut mixed));
+        let mut result = P::default();
+        let channels = P::samples_mut(std::slice::from_mut(&mut result));
         for (channel, value) in channels.iter_mut().enumerate() {
-            let [a, b, c, d] = [0, 1, 2, 3]
+            let values = [0, 1, 2, 3]
                 .map(|k: usize| P::samples(std::slice::from_ref(&corners[k]))[channel].to_f32());
-            let (top, bottom) = (a + (b - a) * self.right, c + (d - c) * self.right);
-            *value = P::Sample::from_f32(top + (bottom - top) * self.down);
+            *value = P::Sample::from_f32(mixed(values, [self.right, self.down]));
         }
-        mixed
+        result
     }
 }
 

@@ -1,5 +1,6 @@
 //! Pictures seen through maps, compared with OpenCV and with interpolation written out.
 
+use ga_image::interpolation::bilinear;
 use ga_image::picture::Picture;
 use ga_image::plane::{Plane, SizeError};
 use ga_image::warp::Warp;
@@ -45,6 +46,25 @@ proptest! {
             match expected(&picture, place) {
                 Some(truth) => prop_assert!(*inside && (f64::from(*value) - truth).abs() < 1e-4),
                 None => prop_assert!(!*inside && *value == 77.0),
+            }
+        }
+    }
+
+    /// Between the outermost centres, single places have the values of maps.
+    #[test]
+    fn single_places_are_interpolated(
+        size in (1usize..5, 1usize..5),
+        values in prop::collection::vec(-9.0f32..9.0, 16),
+        places in prop::collection::vec([-1.0..5.0, -1.0..5.0], 12),
+    ) {
+        let picture = Plane::from_fn(size.0, size.1, |column, row| values[4 * row + column]);
+        let last = [size.0, size.1].map(|count| (count - 1) as f64);
+        for place in places.into_iter().chain([[0.0; 2], last]) {
+            let is_inside = (0..2).all(|axis| (0.0..=last[axis]).contains(&place[axis]));
+            let truth = expected(&picture, place.map(|x| x + 0.5)).filter(|_| is_inside);
+            match (bilinear(&picture, place), truth) {
+                (Some(found), Some(truth)) => prop_assert!((found - truth).abs() < 1e-6),
+                (found, truth) => prop_assert_eq!(found, truth),
             }
         }
     }
@@ -122,4 +142,17 @@ fn sizes_are_checked() {
     assert_eq!(nowhere.warped(&empty, 9).unwrap().values(), [9, 9]);
     let nan = Warp::new([2, 1], [5, 5], |_| Some([f64::NAN, 1.0]));
     assert_eq!(nan.warped(&picture, 9).unwrap().values(), [9, 9]);
+}
+
+#[test]
+fn pixels_without_weight_have_no_influence() {
+    let values = vec![1.0, f32::INFINITY, f32::NAN, f32::NEG_INFINITY];
+    let picture = Plane::from_values(2, 2, values).unwrap();
+    assert_eq!(bilinear(&picture, [0.0, 0.0]), Some(1.0));
+    assert_eq!(bilinear(&picture, [1.0, 0.0]), Some(f64::INFINITY));
+    assert_eq!(bilinear(&picture, [f64::NAN, 0.0]), None);
+    assert_eq!(bilinear(&Plane::filled(0, 3, 1.0_f32), [0.0, 0.0]), None);
+    let warp = Warp::new([2, 1], [2, 2], Some);
+    let upper = warp.warped(&picture, 0.0).unwrap();
+    assert_eq!(upper.values(), [1.0, f32::INFINITY]);
 }

@@ -1,10 +1,9 @@
 //! Whether a grid of corners is a whole board, and not a part of a larger one.
 
+use ga_image::interpolation::bilinear;
 use ga_image::plane::Plane;
-use ga_runtime::vga2::Vector;
 
 use super::BoardSize;
-use super::saddle::bilinear;
 use crate::homography::Homography;
 
 /// The difference between bright and dark squares beyond the margin at which a board goes on, as a
@@ -72,7 +71,7 @@ fn brightness(picture: &Plane<f32>, homography: &Homography, corner: [f64; 2]) -
     for x in PARTS {
         for y in PARTS {
             let place = homography.apply([corner[0] + x, corner[1] + y])?;
-            sum += bilinear(picture, Vector::from(place))?;
+            sum += bilinear(picture, place)?;
         }
     }
     Some(sum / (PARTS.len() * PARTS.len()) as f64)

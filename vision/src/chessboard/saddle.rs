@@ -5,6 +5,7 @@
 //! own.
 
 use ga_image::filter::{Border, Gaussian, SigmaError};
+use ga_image::interpolation::bilinear;
 use ga_image::plane::Plane;
 use ga_runtime::vga2::Vector;
 
@@ -127,33 +128,18 @@ fn saddle(smooth: &Plane<f32>, column: usize, row: usize) -> Option<Saddle> {
 
 /// Whether the brightness on a circle around a saddle point crosses that of its centre four times.
 fn changes_four_times(smooth: &Plane<f32>, place: Vector<f64>) -> bool {
-    let Some(centre) = bilinear(smooth, place) else {
+    let Some(centre) = bilinear(smooth, place.coordinates()) else {
         return false;
     };
     let mut is_bright = [false; RING];
     for (k, bright) in is_bright.iter_mut().enumerate() {
         let angle = std::f64::consts::TAU * k as f64 / RING as f64;
         let around = place + Vector::new(angle.cos(), angle.sin()) * RING_RADIUS;
-        let Some(value) = bilinear(smooth, around) else {
+        let Some(value) = bilinear(smooth, around.coordinates()) else {
             return false;
         };
         *bright = value > centre;
     }
     let changes = (0..RING).filter(|&k| is_bright[k] != is_bright[(k + 1) % RING]);
     changes.count() == 4
-}
-
-/// The value between four pixels, with coordinates that count from the centre of the first pixel.
-/// `None` outside the picture.
-pub(super) fn bilinear(picture: &Plane<f32>, place: Vector<f64>) -> Option<f64> {
-    let [x, y] = place.coordinates();
-    if !(x >= 0.0 && y >= 0.0) {
-        return None;
-    }
-    let (column, row) = (x as usize, y as usize);
-    let (s, t) = (x - column as f64, y - row as f64);
-    let value = |column, row| picture.get(column, row).map(f64::from);
-    let top = value(column, row)? * (1.0 - s) + value(column + 1, row)? * s;
-    let bottom = value(column, row + 1)? * (1.0 - s) + value(column + 1, row + 1)? * s;
-    Some(top * (1.0 - t) + bottom * t)
 }

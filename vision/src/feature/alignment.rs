@@ -1,8 +1,9 @@
 //! The alignment of the surroundings of two features to a fraction of a pixel.
 
+use ga_image::interpolation::bilinear;
 use nalgebra_035::{SMatrix, SVector};
 
-use super::scale::{Scale, bilinear};
+use super::scale::Scale;
 use super::{Feature, PixelPair};
 
 /// Pixels on either side of the middle one.
@@ -118,9 +119,10 @@ impl Patch {
             if !is_inside {
                 return None;
             }
-            let right = bilinear(plane, [u, v]);
-            let du = 0.5 * (bilinear(plane, [u + 1.0, v]) - bilinear(plane, [u - 1.0, v]));
-            let dv = 0.5 * (bilinear(plane, [u, v + 1.0]) - bilinear(plane, [u, v - 1.0]));
+            let value = |du: f64, dv: f64| bilinear(plane, [u + du, v + dv]);
+            let right = value(0.0, 0.0)?;
+            let du = 0.5 * (value(1.0, 0.0)? - value(-1.0, 0.0)?);
+            let dv = 0.5 * (value(0.0, 1.0)? - value(0.0, -1.0)?);
             // Less towards the edge, so that the middle counts.
             let weight = (-(x * x + y * y) / f64::from(RADIUS * RADIUS)).exp();
             let residual = right - (warp.gain * left + warp.offset);

@@ -78,16 +78,3 @@ pub(super) fn scales(view: PlaneView<'_, u8>, count: usize) -> Vec<Scale> {
     }
     scales
 }
-
-/// The value between the pixels around a place, which must be inside the plane by a pixel.
-pub(super) fn bilinear(plane: &Plane<f32>, [x, y]: [f64; 2]) -> f64 {
-    let (column, row) = (x.floor(), y.floor());
-    let (s, t) = (x - column, y - row);
-    let (column, row) = (column as usize, row as usize);
-    let [above, below] = [row, row + 1].map(|row| {
-        let row = plane.row(row);
-        let [a, b] = [row[column], row[column + 1]].map(f64::from);
-        a + s * (b - a)
-    });
-    above + t * (below - above)
-}
