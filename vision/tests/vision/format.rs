@@ -215,6 +215,10 @@ fn what_is_wrong_with_a_rig_is_named_with_its_line() {
         error("M2:", "N2:"),
         "there is no `M2`, and none of `K2`, `cameraMatrix2`, `camera_matrix_2`"
     );
+}
+
+#[test]
+fn what_is_no_camera_of_a_rig_is_refused() {
     let negative = refused(RIG, "[ 500.", "[ -500.");
     assert!(
         matches!(
@@ -230,26 +234,6 @@ fn what_is_wrong_with_a_rig_is_named_with_its_line() {
         YamlError::Camera { error, .. }
             if matches!(*error, CameraError::Matrix { row: 0, column: 1, .. })
     ));
-    let scaled = refused(
-        RIG,
-        "1., 0., 0., 0., 1., 0., 0., 0., 1. ]\nT",
-        "1., 0., 0., 0., 1.1, 0., 0., 0., 1. ]\nT",
-    );
-    let YamlError::Rotation {
-        line: 13,
-        deviation,
-        ..
-    } = scaled
-    else {
-        panic!("{scaled}");
-    };
-    assert!((deviation - 0.1).abs() < 1e-12);
-    let mirrored = refused(
-        RIG,
-        "1., 0., 0., 0., 1., 0., 0., 0., 1. ]\nT",
-        "-1., 0., 0., 0., 1., 0., 0., 0., 1. ]\nT",
-    );
-    assert!(matches!(mirrored, YamlError::Rotation { .. }));
     let distorted = refused(RIG, "M2:", "D1: [ 0.1, 0.2, 0.3 ]\nM2:");
     assert!(matches!(
         distorted,
@@ -273,6 +257,30 @@ fn what_is_wrong_with_a_rig_is_named_with_its_line() {
             ..
         }
     ));
+}
+
+#[test]
+fn what_is_no_rotation_of_a_rig_is_refused() {
+    let scaled = refused(
+        RIG,
+        "1., 0., 0., 0., 1., 0., 0., 0., 1. ]\nT",
+        "1., 0., 0., 0., 1.1, 0., 0., 0., 1. ]\nT",
+    );
+    let YamlError::Rotation {
+        line: 13,
+        deviation,
+        ..
+    } = scaled
+    else {
+        panic!("{scaled}");
+    };
+    assert!((deviation - 0.1).abs() < 1e-12);
+    let mirrored = refused(
+        RIG,
+        "1., 0., 0., 0., 1., 0., 0., 0., 1. ]\nT",
+        "-1., 0., 0., 0., 1., 0., 0., 0., 1. ]\nT",
+    );
+    assert!(matches!(mirrored, YamlError::Rotation { .. }));
 }
 
 #[test]
