@@ -22,6 +22,28 @@ pub struct SquareEdges {
 /// # Errors
 ///
 /// [`RigError`] for the first corner that cannot be triangulated, counted over all boards.
+///
+/// ```
+/// use ga_runtime::cga3::{Point, Translator};
+/// use ga_vision::calibration::square_edges;
+/// use ga_vision::camera::Intrinsics;
+/// use ga_vision::chessboard::BoardSize;
+/// use ga_vision::rig::StereoRig;
+///
+/// let intrinsics = Intrinsics::new([800.0, 800.0], [320.0, 240.0])?;
+/// let parallel = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+/// let rig = StereoRig::from_matrices(intrinsics, intrinsics, parallel, [-0.12, 0.0, 0.0])?;
+/// // A board at 1 m with squares of 25 mm: 48 edges along its rows, and 45 along its columns.
+/// let size = BoardSize::new(9, 6)?;
+/// let away = Translator::from_displacement([0.0, 0.0, 1.0]);
+/// let corners: Vec<Point<f64>> = size.places(0.025).iter().map(|p| away.transform(*p)).collect();
+/// let left = [rig.left.project_all(&corners).map_err(|(_, error)| error)?];
+/// let right = [rig.right.project_all(&corners).map_err(|(_, error)| error)?];
+/// let edges = square_edges(&rig, [&left, &right], size, 0.025)?;
+/// assert_eq!(edges.count, 93);
+/// assert!((edges.mean - 0.025).abs() < 1e-12 && edges.greatest_error < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn square_edges(
     rig: &StereoRig,
     views: [&[Vec<[f64; 2]>]; 2],

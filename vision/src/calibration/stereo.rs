@@ -119,6 +119,32 @@ pub struct StereoCalibration {
 /// # Errors
 ///
 /// [`CalibrationError`]. A view is counted in the pairs as they were given.
+///
+/// ```
+/// use ga_runtime::cga3::{Motor, Rotor, Translator};
+/// use ga_vision::calibration::{StereoSettings, calibrate_stereo};
+/// use ga_vision::camera::{Camera, Intrinsics};
+/// use ga_vision::chessboard::BoardSize;
+///
+/// // Two equal cameras, the right one 12 cm to the right, see four boards.
+/// let places = BoardSize::new(9, 6)?.places(0.025);
+/// let intrinsics = Intrinsics::new([810.0, 805.0], [322.0, 238.0])?;
+/// let left_to_right: Motor<f64> = Translator::from_displacement([-0.12, 0.0, 0.0]).into();
+/// let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.5], [-1.0, 2.0, 0.0]];
+/// let mut views = [Vec::new(), Vec::new()];
+/// for axis in axes {
+///     let rotor = Rotor::from_axis_angle(axis, 0.5).ok_or("no axis")?;
+///     let board: Motor<f64> = Translator::from_displacement([-0.1, -0.06, 0.6]) * rotor;
+///     for (views, world_to_camera) in views.iter_mut().zip([board, left_to_right * board]) {
+///         let camera = Camera { intrinsics, world_to_camera };
+///         views.push(camera.project_all(&places).map_err(|(_, error)| error)?);
+///     }
+/// }
+/// let views = [&views[0][..], &views[1][..]];
+/// let found = calibrate_stereo(views, &places, [640, 480], &StereoSettings::default())?;
+/// assert!((found.rig.baseline() - 0.12).abs() < 1e-6 && found.rms < 1e-8);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn calibrate_stereo(
     views: [&[Vec<[f64; 2]>]; 2],
     places: &[Point<f64>],

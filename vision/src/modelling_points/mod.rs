@@ -230,7 +230,7 @@ impl ModellingPyramid {
     /// As few points as describe the surface: those of the coarsest cells whose residual is at most
     /// `tolerance_px` and whose slope is at most 1 px a pixel, and of single pixels where no
     /// coarser cell is flat enough. Every pixel that has a part in the pyramid lies in exactly one
-    /// of their cells.
+    /// of their cells. For a negative tolerance, and for NaN, they are single pixels.
     ///
     /// A plane through a few pixels fits an edge as well as a surface. What tells them apart is the
     /// limit of the disparity gradient, beyond which people do not see one surface either (P. Burt

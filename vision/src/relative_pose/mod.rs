@@ -78,7 +78,8 @@ pub struct RelativePose {
     /// The covariance of a small motion that follows the result, `exp(B) M`, with the rotation
     /// vector of B in radians and then its velocity of the origin, which is across the translation;
     /// to first order, from the distances that remain. `None` where there are no more than five
-    /// pairs.
+    /// pairs. Pairs count as independent: where one corner was paired in several scales of the
+    /// views, as [`match_views`](crate::feature::match_views) does, the variances are too small.
     pub covariance: Option<[[f64; 6]; 6]>,
 }
 

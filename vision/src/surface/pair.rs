@@ -26,6 +26,22 @@ const CONFIDENCE: f32 = 0.1;
 ///
 /// # Errors
 /// [`MatchError`] for views that cannot be matched.
+///
+/// ```
+/// use ga_image::plane::Plane;
+/// use ga_vision::surface::disparity_range;
+///
+/// // Random blocks, and the same at a disparity of 21 px.
+/// let grey = |u: usize, v: usize| {
+///     let block = (u / 4 + 1) * 7919 + (v / 4 + 1) * 104_729;
+///     (block * block / 977 % 200) as u8
+/// };
+/// let left = Plane::from_fn(400, 160, grey);
+/// let right = Plane::from_fn(400, 160, |u, v| grey(u + 21, v));
+/// let range = disparity_range(&left, &right, 1)?;
+/// assert!(range > 21 && range <= 64, "{range}");
+/// # Ok::<(), ga_vision::matcher::MatchError>(())
+/// ```
 pub fn disparity_range(
     left: &Plane<u8>,
     right: &Plane<u8>,
