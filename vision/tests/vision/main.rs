@@ -18,6 +18,7 @@ mod disparity;
 mod feature;
 mod format;
 mod gradient_vector_flow;
+mod homography;
 mod least_squares;
 mod many_views;
 mod marker;

@@ -196,22 +196,49 @@ fn what_cannot_be_matched_is_named() {
     );
 }
 
-/// Percentages of errors above 2 px on a pair of the Middlebury data sets.
-fn bad_2(folder: &str, scale: f64, range: usize, mode: Mode) -> Option<f64> {
-    let path = |name: &str| shared(&format!("data/vision/stereo/{folder}/{name}"));
+/// The part of the pixels of a view whose disparity is wrong by more than 2 px, in percent. The
+/// views and the truth are in a folder of shared data.
+fn bad_2(
+    folder: &str,
+    [left, right, truth]: [&str; 3],
+    (scale, range, mode): (f64, usize, Mode),
+) -> Option<f64> {
+    let path = |name: &str| shared(&format!("data/vision/{folder}/{name}"));
     let grey = |name: &str| {
         let picture = ga_image::file::read(path(name)?).expect("a picture");
         Some(picture.to_grey::<u8>(Luma::Bt601))
     };
-    let views = [grey("left.png")?, grey("right.png")?];
-    let truth = file::read_truth(path("disp_left.png")?, scale).expect("a truth");
+    let views = [grey(left)?, grey(right)?];
+    let truth = file::read_truth(path(truth)?, scale).expect("a truth");
     let found = matched(&views, options(range, mode, 2));
     let errors = ErrorMap::new(&found.disparity, &truth).expect("sizes");
     Some(errors.bad(2.0))
 }
 
-/// The limits are a little above what is reached. Without averages over regions, about 30 % of the
-/// last pair are wrong, since it shows bare walls.
+/// Limits that were set before the matcher was written: OpenCV's semi-global block matching has
+/// 9.68 % and 15.97 % here.
+#[test]
+fn the_pairs_motorcycle_and_aloe_have_few_errors() {
+    let motorcycle = [
+        "motorcycle_left.png",
+        "motorcycle_right.png",
+        "motorcycle_disp.pfm",
+    ];
+    let aloe = ["aloeL.jpg", "aloeR.jpg", "aloeGT.png"];
+    for (folder, names, range, limit) in [
+        ("middlebury", motorcycle, 64, 6.2),
+        ("opencv", aloe, 224, 7.0),
+    ] {
+        let Some(bad) = bad_2(folder, names, (1.0, range, Mode::Fast)) else {
+            return;
+        };
+        assert!(bad <= limit, "{folder}: {bad}");
+    }
+}
+
+/// The limits are a little above what is reached, on pairs that were known when the matcher was
+/// written: they show changes for the worse, and not how well other pairs are matched. Without
+/// averages over regions, about 30 % of the last pair are wrong, since it shows bare walls.
 #[test]
 fn pairs_of_middlebury_are_matched() {
     for (folder, scale, range, mode, limit) in [
@@ -219,7 +246,9 @@ fn pairs_of_middlebury_are_matched() {
         ("mb2003_Teddy", 4.0, 64, Mode::Balanced, 8.0),
         ("mb2006_Midd1", 3.0, 80, Mode::Best, 11.0),
     ] {
-        let Some(bad) = bad_2(folder, scale, range, mode) else {
+        let folder = format!("stereo/{folder}");
+        let names = ["left.png", "right.png", "disp_left.png"];
+        let Some(bad) = bad_2(&folder, names, (scale, range, mode)) else {
             return;
         };
         assert!(bad <= limit, "{folder}: {bad}");

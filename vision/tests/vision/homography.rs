@@ -1,0 +1,64 @@
+//! Homographies against the maps that made the pairs.
+
+use ga_vision::homography::Homography;
+use proptest::prelude::*;
+
+/// The image of a place by a matrix with 1 in its last entry.
+fn mapped(m: &[f64; 8], [x, y]: [f64; 2]) -> [f64; 2] {
+    let scale = m[6] * x + m[7] * y + 1.0;
+    [
+        (m[0] * x + m[1] * y + m[2]) / scale,
+        (m[3] * x + m[4] * y + m[5]) / scale,
+    ]
+}
+
+const PLACES: [[f64; 2]; 6] = [
+    [0.0, 0.0],
+    [2.0, 0.1],
+    [0.3, 1.5],
+    [1.7, 1.9],
+    [-0.8, 0.9],
+    [0.9, -0.7],
+];
+
+proptest! {
+    #[test]
+    fn exact_pairs_give_the_map(
+        linear in prop::array::uniform4(-50.0..50.0),
+        offset in prop::array::uniform2(-300.0..300.0),
+        far in prop::array::uniform2(-0.1..0.1),
+        count in 4usize..7,
+        other in prop::array::uniform2(-0.8..2.0),
+    ) {
+        let [a, b, c, d] = linear;
+        let ([u, v], [p, q]) = (offset, far);
+        prop_assume!((a * d - b * c).abs() > 200.0);
+        let map = [a + p * u, b + q * u, u, c + p * v, d + q * v, v, p, q];
+        let places = &PLACES[..count];
+        let pixels: Vec<_> = places.iter().map(|place| mapped(&map, *place)).collect();
+        let found = Homography::from_pairs(places, &pixels).unwrap();
+        let (found, truth) = (found.apply(other).unwrap(), mapped(&map, other));
+        prop_assert!((found[0] - truth[0]).hypot(found[1] - truth[1]) < 1e-7);
+    }
+}
+
+#[test]
+fn pairs_that_determine_nothing_are_refused() {
+    let map = [40.0, 3.0, 20.0, -2.0, 45.0, 30.0, 0.01, -0.02];
+    let pixels = PLACES.map(|place| mapped(&map, place));
+    let find = |places: &[[f64; 2]], pixels: &[[f64; 2]]| Homography::from_pairs(places, pixels);
+    assert!(find(&PLACES, &pixels).is_some());
+    assert!(find(&PLACES[..3], &pixels[..3]).is_none());
+    assert!(find(&PLACES, &pixels[..5]).is_none());
+    let line: [[f64; 2]; 6] = std::array::from_fn(|k| [k as f64, 0.5 * k as f64 + 1.0]);
+    assert!(find(&line, &line.map(|place| mapped(&map, place))).is_none());
+    assert!(find(&PLACES, &line).is_none());
+    assert!(find(&line, &pixels).is_none());
+    assert!(find(&[[1.0; 2]; 6], &pixels).is_none());
+    for value in [f64::NAN, f64::INFINITY] {
+        let mut faulty = pixels;
+        faulty[3][1] = value;
+        assert!(find(&PLACES, &faulty).is_none());
+        assert!(find(&faulty, &pixels).is_none());
+    }
+}
