@@ -147,13 +147,6 @@ fn points_lie_on_the_planes_of_the_scene() {
     }
     errors.sort_unstable_by(f64::total_cmp);
     let part = |part: f64| errors[(part * errors.len() as f64) as usize];
-    println!("{} points, {} on the board", errors.len(), on_board);
-    println!(
-        "errors {:.4} {:.4} {:.4} m",
-        part(0.5),
-        part(0.9),
-        part(0.97)
-    );
     // A tenth of a pixel is a depth of 2 cm at the wall.
     assert!(
         part(0.5) < 0.015 && part(0.9) < 0.05,
@@ -215,175 +208,80 @@ fn surfaces_are_cut_around_the_board() {
     assert_eq!(number(&report, "/triangles"), 0.0);
 }
 
-#[test]
-fn bad_input_writes_nothing() {
+/// A scene with files beside it that cannot be used with its views or its rig.
+fn scene_with_faulty_files() -> TempDir {
     let folder = scene();
     let at = |name: &str| folder.path().join(name);
     let small = Plane::filled(40, 30, [90u8; 3]);
     std::fs::write(at("small.png"), png::encode(&small).unwrap()).unwrap();
-    std::fs::write(
-        at("broken.png"),
-        &std::fs::read(at("left.png")).unwrap()[..200],
-    )
-    .unwrap();
+    let flat = Plane::filled(SIZE[0], SIZE[1], [90u8; 3]);
+    std::fs::write(at("flat.png"), png::encode(&flat).unwrap()).unwrap();
+    let left = std::fs::read(at("left.png")).unwrap();
+    std::fs::write(at("broken.png"), &left[..200]).unwrap();
     std::fs::write(at("broken.yml"), "%YAML:1.0\n---\nM1: [1, 2\n").unwrap();
     std::fs::write(at("half.yml"), "%YAML:1.0\n---\nwidth: 3\n").unwrap();
-    let mut same = rig();
-    same.right.world_to_camera = same.left.world_to_camera;
-    RigFile {
-        rig: same,
-        size: Some(SIZE),
-    }
-    .write(at("same.yml"))
-    .unwrap();
-    RigFile {
-        rig: rig(),
-        size: Some([640, 480]),
-    }
-    .write(at("large.yml"))
-    .unwrap();
+    let camera = "[[221, 0, 127.5], [0, 221, 95.5], [0, 0, 1]]";
+    let parallel = format!(
+        "%YAML:1.0\n---\nM1: {camera}\nM2: {camera}\n\
+         R: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\nT: [[-0.1], [0], [0]]\n"
+    );
+    std::fs::write(at("parallel.yml"), parallel).unwrap();
+    let write = |name: &str, right: Motor<f64>, size: [usize; 2]| {
+        let mut rig = rig();
+        rig.right.world_to_camera = right;
+        let size = Some(size);
+        RigFile { rig, size }.write(at(name)).unwrap();
+    };
+    let right = rig().right.world_to_camera;
+    write("same.yml", rig().left.world_to_camera, SIZE);
+    write("large.yml", right, [640, 480]);
+    write("exchanged.yml", right.reverse(), SIZE);
+    let ahead = Translator::from_displacement([0.0, 0.0, -0.1]);
+    write("ahead.yml", ahead.into(), SIZE);
+    let half_turn = Rotor::from_axis_angle([0.0, 1.0, 0.0], std::f64::consts::PI).unwrap();
+    write("behind.yml", right * half_turn, SIZE);
+    folder
+}
+
+#[test]
+fn bad_input_writes_nothing() {
+    let folder = scene_with_faulty_files();
     let before = names(folder.path());
-    let cases: [(&[&str], &str); 12] = [
+    for (arguments, message) in [
+        ("left.png small.png --rig rig.yml", "differ in size"),
+        ("small.png small.png --rig rig.yml", "256 × 192"),
+        ("broken.png right.png --rig rig.yml", "broken.png"),
+        ("none.png right.png --rig rig.yml", "none.png"),
+        ("left.png right.png --rig none.yml", "none.yml"),
+        ("left.png right.png --rig broken.yml", "line"),
+        ("left.png right.png --rig half.yml", "M1"),
+        ("left.png right.png --rig same.yml", "at the same place"),
+        ("left.png right.png --rig large.yml", "640 × 480"),
         (
-            &[
-                "left.png",
-                "small.png",
-                "--rig",
-                "rig.yml",
-                "--out",
-                "m.glb",
-            ],
-            "differ in size",
+            "left.png right.png --rig exchanged.yml",
+            "the views are exchanged",
         ),
         (
-            &[
-                "small.png",
-                "small.png",
-                "--rig",
-                "rig.yml",
-                "--out",
-                "m.glb",
-            ],
-            "256 × 192",
+            "left.png right.png --rig ahead.yml",
+            "more before or behind",
         ),
+        ("left.png right.png --rig behind.yml", "look too far apart"),
+        // Without disparities, the rays of all pairs are parallel.
+        ("left.png left.png --rig parallel.yml", "none of the 49152"),
+        ("flat.png flat.png --rig parallel.yml", "none of the 49152"),
+        ("left.png right.png --rig rig.yml --out m.stl", "m.stl"),
+        ("left.png right.png --rig rig.yml --near 90", "none of the"),
         (
-            &[
-                "broken.png",
-                "right.png",
-                "--rig",
-                "rig.yml",
-                "--out",
-                "m.glb",
-            ],
-            "broken.png",
-        ),
-        (
-            &[
-                "none.png",
-                "right.png",
-                "--rig",
-                "rig.yml",
-                "--out",
-                "m.glb",
-            ],
-            "none.png",
-        ),
-        (
-            &[
-                "left.png",
-                "right.png",
-                "--rig",
-                "none.yml",
-                "--out",
-                "m.glb",
-            ],
-            "none.yml",
-        ),
-        (
-            &[
-                "left.png",
-                "right.png",
-                "--rig",
-                "broken.yml",
-                "--out",
-                "m.glb",
-            ],
-            "line",
-        ),
-        (
-            &[
-                "left.png",
-                "right.png",
-                "--rig",
-                "half.yml",
-                "--out",
-                "m.glb",
-            ],
-            "M1",
-        ),
-        (
-            &[
-                "left.png",
-                "right.png",
-                "--rig",
-                "same.yml",
-                "--out",
-                "m.glb",
-            ],
-            "at the same place",
-        ),
-        (
-            &[
-                "left.png",
-                "right.png",
-                "--rig",
-                "large.yml",
-                "--out",
-                "m.glb",
-            ],
-            "640 × 480",
-        ),
-        (
-            &[
-                "left.png",
-                "right.png",
-                "--rig",
-                "rig.yml",
-                "--out",
-                "m.stl",
-            ],
-            "m.stl",
-        ),
-        (
-            &[
-                "left.png",
-                "right.png",
-                "--rig",
-                "rig.yml",
-                "--out",
-                "m.glb",
-                "--near",
-                "90",
-            ],
-            "none of the",
-        ),
-        (
-            &[
-                "left.png",
-                "right.png",
-                "--rig",
-                "rig.yml",
-                "--out",
-                "m.ply",
-                "--texture",
-            ],
+            "left.png right.png --rig rig.yml --out m.ply --texture",
             "PLY holds no pictures",
         ),
-    ];
-    for (arguments, message) in cases {
-        let arguments = [&["stereo", "reconstruct"], arguments].concat();
-        let output = nullcone(folder.path(), &arguments);
-        assert_failure(&output, &[message]);
-        assert_eq!(names(folder.path()), before, "{arguments:?}");
+    ] {
+        let mut all = vec!["stereo", "reconstruct"];
+        all.extend(arguments.split(' '));
+        if !all.contains(&"--out") {
+            all.extend(["--out", "m.glb"]);
+        }
+        assert_failure(&nullcone(folder.path(), &all), &[message]);
+        assert_eq!(names(folder.path()), before, "{arguments}");
     }
 }

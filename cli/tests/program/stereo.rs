@@ -1,4 +1,4 @@
-//! `nullcone stereo`: disparities of two views, and how far they are from the truth.
+//! `nullcone stereo match` and `evaluate`: disparities, and how far they are from the truth.
 
 use std::path::Path;
 
@@ -220,67 +220,57 @@ fn match_says_what_is_wrong_and_writes_nothing() {
     write("small.pgm", b"P5 3 2 255\nabcdef");
     std::fs::create_dir(folder.path().join("taken.pfm")).unwrap();
     let before = names(folder.path());
-    for (arguments, parts) in [
+    let refused = |arguments: &str, parts: &[&str]| {
+        let all = ["stereo", "match"].into_iter().chain(arguments.split(' '));
+        assert_failure(&nullcone(folder.path(), all), parts);
+        assert_eq!(names(folder.path()), before, "{arguments}");
+    };
+    for (views, parts) in [
+        ("nowhere.png right.png", &["cannot read nowhere.png: "][..]),
+        ("left.png nowhere.png", &["cannot read nowhere.png: "]),
+        ("cut.png right.png", &["cut.png: PNG: "]),
+        ("left.png flipped.png", &["flipped.png: PNG: "]),
+        ("left.png text.png", &["text.png: not a picture"]),
         (
-            "nowhere.png right.png --max-disparity 16 --out new/d.pfm",
-            &["cannot read nowhere.png: "][..],
-        ),
-        (
-            "left.png nowhere.png --max-disparity 16 --out new/d.pfm",
-            &["cannot read nowhere.png: "],
-        ),
-        (
-            "cut.png right.png --max-disparity 16 --out new/d.pfm",
-            &["cut.png: PNG: "],
-        ),
-        (
-            "left.png flipped.png --max-disparity 16 --out new/d.pfm",
-            &["flipped.png: PNG: "],
-        ),
-        (
-            "left.png text.png --max-disparity 16 --out new/d.pfm",
-            &["text.png: not a picture"],
-        ),
-        (
-            "left.png small.pgm --max-disparity 16 --out new/d.pfm",
+            "left.png small.pgm",
             &["left.png has 120 × 90", "small.pgm has 3 × 2"],
         ),
+        ("small.pgm small.pgm", &["small.pgm", "3 × 2"]),
+    ] {
+        let arguments = format!("{views} --max-disparity 16 --out new/d.pfm");
+        refused(&arguments, parts);
+    }
+    for (options, parts) in [
         (
-            "small.pgm small.pgm --max-disparity 16 --out new/d.pfm",
-            &["small.pgm", "3 × 2"],
+            "--max-disparity 0 --out d.pfm",
+            &["left.png and right.png: ", "range of 0 px"][..],
         ),
         (
-            "left.png right.png --max-disparity 0 --out d.pfm",
-            &["left.png and right.png: ", "range of 0 px"],
-        ),
-        (
-            "left.png right.png --max-disparity 121 --out d.pfm",
+            "--max-disparity 121 --out d.pfm",
             &["range of 121 px", "1 to 120 px"],
         ),
         (
-            "left.png right.png --max-disparity 16 --out d.tiff",
+            "--max-disparity 16 --out d.tiff",
             &["d.tiff: disparities are written as .pfm"],
         ),
         (
-            "left.png right.png --max-disparity 16 --out taken.pfm --picture d.png",
+            "--max-disparity 16 --out taken.pfm --picture d.png",
             &["cannot write taken.pfm"],
         ),
         (
-            "left.png right.png --max-disparity 16 --out d.pfm --picture left.png/d.png",
+            "--max-disparity 16 --out d.pfm --picture left.png/d.png",
             &["cannot write left.png/d.png"],
         ),
         (
-            "left.png right.png --max-disparity 16 --out d.pfm --picture d.jpg",
+            "--max-disparity 16 --out d.pfm --picture d.jpg",
             &["d.jpg: a picture is written as .png"],
         ),
         (
-            "left.png right.png --max-disparity 16 --out d.pfm --picture x.png --confidence x.png",
+            "--max-disparity 16 --out d.pfm --picture x.png --confidence x.png",
             &["--confidence and --picture"],
         ),
     ] {
-        let arguments = ["stereo", "match"].into_iter().chain(arguments.split(' '));
-        assert_failure(&nullcone(folder.path(), arguments), parts);
-        assert_eq!(names(folder.path()), before);
+        refused(&format!("left.png right.png {options}"), parts);
     }
 }
 

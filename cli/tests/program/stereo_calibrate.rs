@@ -142,3 +142,37 @@ fn bad_input_is_named_and_nothing_is_written() {
         refused(&square(value), &["--square"]);
     }
 }
+
+/// Boards that are all parallel to the pictures show no focal length.
+#[test]
+fn boards_at_one_angle_are_refused() {
+    let folder = tempdir().unwrap();
+    let board = |x: f64, y: f64, square: f64| {
+        pgm(320, 240, |u, v| {
+            let (column, row) = ((u as f64 - x) / square, (v as f64 - y) / square);
+            let is_board = (-1.0..9.0).contains(&column) && (-1.0..6.0).contains(&row);
+            let is_dark = (column.floor() + row.floor()).rem_euclid(2.0) == 0.0;
+            if is_board && is_dark { 30 } else { 230 }
+        })
+    };
+    for (k, [x, y, square]) in [
+        [40.0, 40.0, 22.0],
+        [60.0, 50.0, 20.0],
+        [70.0, 60.0, 18.0],
+        [50.0, 45.0, 24.0],
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        // The disparity is that of the depth, on which the size of a square depends.
+        for (side, x) in [("left", x), ("right", x - 0.5 * square)] {
+            let path = folder.path().join(format!("{side}{k}.pgm"));
+            std::fs::write(path, board(x, y, square)).unwrap();
+        }
+    }
+    let before = names(folder.path());
+    let output = nullcone(folder.path(), arguments("left*.pgm", "right*.pgm"));
+    let parts = ["the views do not determine f", "at more angles"];
+    assert_failure(&output, &parts);
+    assert_eq!(names(folder.path()), before);
+}

@@ -154,7 +154,10 @@ fn views_that_show_no_motion_are_refused() {
     assert_failure(&find(&["a.pgm", "a.pgm"]), &["a.pgm", "rotation alone"]);
     assert_failure(
         &find(&["a.pgm", "grey.pgm"]),
-        &["grey.pgm", "6 pairs of pixels are needed"],
+        &[
+            "grey.pgm has too little texture: 0 corners",
+            "6 pairs of pixels are needed",
+        ],
     );
     assert_failure(&find(&["a.pgm", "c.pgm"]), &["c.pgm"]);
     let small = Plane::filled(90, 63, 7u8);
@@ -174,4 +177,24 @@ fn views_that_show_no_motion_are_refused() {
     std::fs::write(folder.path().join("size.yml"), other).unwrap();
     let output = pose(folder.path(), &["a.pgm", "b.pgm", "--camera", "size.yml"]);
     assert_failure(&output, &["size.yml", "320 × 240"]);
+}
+
+/// Without corners there is nothing to match: a view of one grey, and stripes, along which every
+/// place looks like the next.
+#[test]
+fn views_with_too_little_texture_are_named() {
+    let folder = views();
+    let stripes = pgm(|u, _| texture(u as f64, 0.0));
+    std::fs::write(folder.path().join("stripes.pgm"), stripes).unwrap();
+    for (left, right, faulty) in [
+        ("grey.pgm", "grey.pgm", "grey.pgm"),
+        ("a.pgm", "grey.pgm", "grey.pgm"),
+        ("stripes.pgm", "a.pgm", "stripes.pgm"),
+    ] {
+        let parts = format!("{faulty} has too little texture: 0 corners are found in it");
+        let output = nullcone(folder.path(), ["stereo", "diagnose", left, right]);
+        assert_failure(&output, &[&parts, "0 pairs of points are given"]);
+        let output = pose(folder.path(), &[left, right, "--camera", "k.yml"]);
+        assert_failure(&output, &[&parts, "6 pairs of pixels are needed"]);
+    }
 }

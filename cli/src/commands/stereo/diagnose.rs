@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Context, Result};
-use ga_vision::diagnosis::{Diagnosis, DiagnosisOptions};
+use anyhow::{Error, Result};
+use ga_vision::diagnosis::{Diagnosis, DiagnosisError, DiagnosisOptions};
 use ga_vision::feature::{ViewOptions, match_views};
 use serde::Serialize;
 
@@ -79,16 +79,23 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let [left, right] = views::read_pair(&arguments.left, &arguments.right)?;
     views::check_side(&left, &arguments.left)?;
     progress.step("matching points");
-    let pairs = match_views(&left, &right, &ViewOptions::default());
+    let matching = ViewOptions::default();
+    let pairs = match_views(&left, &right, &matching);
     progress.step("fitting");
     let options = DiagnosisOptions {
         threshold: arguments.threshold,
         seed: arguments.seed,
     };
     let found = Diagnosis::new(&pairs, [left.width(), left.height()], options);
-    let found = found.with_context(|| {
-        let [left, right] = [&arguments.left, &arguments.right].map(|path| path.display());
-        format!("{left} and {right}")
+    let paths = [&*arguments.left, &*arguments.right];
+    let found = found.map_err(|error| {
+        let context = match error {
+            DiagnosisError::TooFew { needed, .. } => {
+                views::few_matches([&left, &right], paths, &matching.detect, needed)
+            }
+            _ => format!("{} and {}", paths[0].display(), paths[1].display()),
+        };
+        Error::new(error).context(context)
     })?;
     drop(progress);
     let report = Report::new(&found);

@@ -3,13 +3,13 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Error, Result, ensure};
 use ga_image::plane::Plane;
 use ga_runtime::cga3::Motor;
 use ga_vision::camera::Intrinsics;
 use ga_vision::feature::{DetectOptions, ViewOptions, match_views};
 use ga_vision::format::camera::CameraFile;
-use ga_vision::relative_pose::{Options, RelativePose, estimate};
+use ga_vision::relative_pose::{Options, RelativePose, RelativePoseError, estimate};
 use serde::Serialize;
 
 use super::views;
@@ -31,7 +31,8 @@ use crate::rotation::smaller_rotation;
 /// "translation_direction": […], "rotation_deviation_degrees": …, "direction_deviation_degrees": …,
 /// "pairs": …, "pairs_outside_field": …, "inliers": …, "in_front": …, "rms_px": …,
 /// "seconds": …}. The matrix is given by rows, and axis and direction have length 1. The deviations
-/// are standard deviations of the result, estimated from what remains. pairs counts the matched
+/// are standard deviations of the result, estimated from what remains as if the pairs were
+/// independent, which corners that are matched in several scales are not. pairs counts the matched
 /// corners, pairs_outside_field those of them that are left out because the distortion of a lens
 /// cannot be inverted there, inliers those that agree with the motion, and rms_px is the root mean
 /// square of their distances from the epipolar condition. Equal seeds give equal results.
@@ -159,14 +160,14 @@ fn pose(
     arguments: &Arguments,
     progress: &Progress,
 ) -> Result<Found> {
-    let options = ViewOptions {
+    let matching = ViewOptions {
         detect: DetectOptions {
             features: arguments.features,
             ..DetectOptions::default()
         },
         ..ViewOptions::default()
     };
-    let mut pairs = match_views(first, second, &options);
+    let mut pairs = match_views(first, second, &matching);
     let matched = pairs.len();
     // Near the corners of a view, the distortion of a wide lens may not be invertible.
     pairs.retain(|pair| {
@@ -180,9 +181,18 @@ fn pose(
     };
     let outside = matched - pairs.len();
     let motion = estimate(&pairs, cameras[0], cameras[1], &options);
-    let motion = motion.with_context(|| match outside {
-        0 => format!("{matched} pairs of corners"),
-        _ => format!("{matched} pairs of corners, {outside} of them outside the field of a lens"),
+    let motion = motion.map_err(|error| {
+        let corners = match (error, outside) {
+            (RelativePoseError::TooFew { needed, .. }, _) if matched < needed => {
+                let paths = [&*arguments.first, &*arguments.second];
+                views::few_matches([first, second], paths, &matching.detect, needed)
+            }
+            (_, 0) => format!("{matched} pairs of corners"),
+            _ => {
+                format!("{matched} pairs of corners, {outside} of them outside the field of a lens")
+            }
+        };
+        Error::new(error).context(corners)
     })?;
     Ok(Found {
         motion,

@@ -6,7 +6,7 @@ use anyhow::{Result, ensure};
 use ga_image::file;
 use ga_image::grey::Luma;
 use ga_image::plane::Plane;
-use ga_vision::feature::LEAST_SIDE;
+use ga_vision::feature::{DetectOptions, LEAST_SIDE, detect};
 
 /// Reads a view in grey. Colours become grey by the weights of ITU-R BT.601.
 pub(super) fn read(path: &Path) -> Result<Plane<u8>> {
@@ -23,6 +23,25 @@ pub(super) fn check_side(view: &Plane<u8>, path: &Path) -> Result<()> {
         path.display()
     );
     Ok(())
+}
+
+/// What two views have that give fewer matched corners than are needed: the first of them that has
+/// too few corners for it, or both.
+pub(super) fn few_matches(
+    views: [&Plane<u8>; 2],
+    paths: [&Path; 2],
+    options: &DetectOptions,
+    needed: usize,
+) -> String {
+    for (view, path) in views.into_iter().zip(paths) {
+        let corners = detect(view, options).len();
+        if corners < needed {
+            let path = path.display();
+            return format!("{path} has too little texture: {corners} corners are found in it");
+        }
+    }
+    let [left, right] = paths.map(Path::display);
+    format!("{left} and {right} seem to show different scenes")
 }
 
 /// Reads two views of the same size in grey.
