@@ -32,6 +32,7 @@ mod space_curve;
 mod surface;
 mod synthetic_scene;
 mod two_views;
+mod views;
 
 use ga_runtime::cga3::{Direction, Motor, Point, Rotor, Translator};
 use ga_runtime::geometry::ray::Ray;
