@@ -17,6 +17,7 @@
 //! - [`triangulation`]: the point that two or more rays determine.
 //! - [`disparity`]: disparity maps of rectified views, their files and their errors.
 //! - [`surface`]: points, triangles and meshes from disparity maps.
+//! - [`texture`]: textures of meshes from calibrated views.
 //! - [`least_squares`]: nonlinear least squares over any unknowns, with covariances.
 //! - [`feature`]: corners, descriptors and matches of two views.
 //! - [`relative_pose`]: the motion between two cameras from pairs of pixels.
@@ -82,4 +83,5 @@ pub mod rectification;
 pub mod relative_pose;
 pub mod rig;
 pub mod surface;
+pub mod texture;
 pub mod triangulation;

@@ -31,6 +31,7 @@ mod relative_pose;
 mod space_curve;
 mod surface;
 mod synthetic_scene;
+mod texture;
 mod two_views;
 mod views;
 

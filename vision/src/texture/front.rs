@@ -1,0 +1,104 @@
+//! What is in front: the surface at each pixel of a view.
+
+use ga_image::plane::Plane;
+use ga_mesh::query::Bvh;
+use ga_runtime::cga3::{Motor, Point};
+use ga_runtime::geometry::ray::Ray;
+use ga_runtime::vga3::Vector;
+use rayon::prelude::*;
+
+use super::geometry::Placed;
+use crate::camera::{Camera, Intrinsics};
+
+/// How a texel is seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sight {
+    /// All pixels around it show the surface near it.
+    Clear,
+    /// The nearest pixels show it, and others something else.
+    Edge,
+    /// It is hidden, or its colour would be mixed with another.
+    Hidden,
+}
+
+/// The points that a camera sees at the middles of its pixels, in its frame.
+pub(super) struct Front {
+    /// NaN where nothing is seen.
+    points: Plane<[f32; 3]>,
+    /// The greatest focal length in pixels.
+    focal: f64,
+}
+
+/// Half the side of the square of pixels that has a part in a colour by bicubic interpolation, and
+/// of the square whose pixels decide it.
+const REACH: [f64; 2] = [1.5, 0.75];
+
+/// A neighbour belongs to the same surface if it is no more than this many pixels away from the
+/// tangent plane.
+const HEIGHT: f64 = 2.0;
+
+impl Front {
+    pub(super) fn new(camera: &Camera, [width, height]: [usize; 2], bvh: &Bvh) -> Self {
+        let to_world = camera.world_to_camera.reverse();
+        let intrinsics = &camera.intrinsics;
+        let rows = (0..height).into_par_iter().flat_map_iter(|row| {
+            (0..width).map(move |column| {
+                let pixel = [column as f64, row as f64];
+                seen(pixel, intrinsics, to_world, bvh).unwrap_or([f32::NAN; 3])
+            })
+        });
+        let points = Plane::from_values(width, height, rows.collect());
+        Self {
+            points: points.unwrap_or_default(),
+            focal: intrinsics.focal()[0].max(intrinsics.focal()[1]),
+        }
+    }
+
+    /// How a texel is seen.
+    pub(super) fn sight(&self, placed: &Placed) -> Sight {
+        let [wide, narrow] = REACH;
+        if !self.shows(placed, narrow) {
+            Sight::Hidden
+        } else if self.shows(placed, wide) {
+            Sight::Clear
+        } else {
+            Sight::Edge
+        }
+    }
+
+    /// Whether the pixels around a texel show nothing but the surface near it: neither something in
+    /// front of it, nor what is behind its edge.
+    fn shows(&self, placed: &Placed, reach: f64) -> bool {
+        let reach = reach * placed.pixels.max(1.0);
+        let tolerance = HEIGHT * placed.pixels.max(1.0) * placed.point.length() / self.focal;
+        let last = [self.points.width() - 1, self.points.height() - 1];
+        // The middle comes first, since it decides most often.
+        let offsets = [0.0, -reach, reach];
+        offsets.into_iter().all(|down| {
+            offsets.into_iter().all(|right| {
+                let [column, row] = [(0, right), (1, down)].map(|(axis, offset)| {
+                    let place = (placed.pixel[axis] + offset).round();
+                    place.clamp(0.0, last[axis] as f64) as usize
+                });
+                let seen = self.points.row(row)[column].map(f64::from);
+                let height = placed.normal.dot(Vector::from(seen) - placed.point);
+                // A comparison with NaN is false.
+                height.abs() <= tolerance
+            })
+        })
+    }
+}
+
+/// The point that is seen at a pixel.
+fn seen(
+    pixel: [f64; 2],
+    intrinsics: &Intrinsics,
+    to_world: Motor<f64>,
+    bvh: &Bvh,
+) -> Option<[f32; 3]> {
+    let direction = intrinsics.direction(pixel).ok()?;
+    let ray = Ray::new_unchecked(Point::default(), direction);
+    let found = bvh.first_hit(to_world.transform(ray))?;
+    let place = Vector::from(direction.vector()) * found.hit.distance;
+    Some(place.coordinates().map(|x| x as f32))
+}

@@ -1,0 +1,96 @@
+//! A mesh with its texture.
+
+use std::sync::Arc;
+
+use ga_image::file::EncodeError;
+use ga_image::plane::Plane;
+use ga_image::png;
+use ga_mesh::{Image, Material, Mesh, MeshError, Texture, Wrap};
+
+/// A mesh with a texture from views.
+#[derive(Clone, Debug)]
+pub struct Textured {
+    /// The mesh, whose first set of texture coordinates is that of the texture. It consists of
+    /// triangles where the atlas was made here.
+    pub mesh: Mesh,
+    /// The texture in sRGB.
+    pub texture: Plane<[u8; 3]>,
+    /// What the views contributed.
+    pub report: Report,
+}
+
+/// The figures of a texture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Report {
+    /// The side of the texture in texels.
+    pub size: u32,
+    /// Whether a new atlas was made.
+    pub unwrapped: bool,
+    /// How many charts the atlas has.
+    pub charts: usize,
+    /// The part of the texels whose centres lie in a triangle.
+    pub utilisation: f64,
+    /// Texels that two triangles claim; see [`ga_mesh::atlas::Report`].
+    pub overlapping_texels: usize,
+    /// Texels that show the surface.
+    pub covered_texels: usize,
+    /// Those of them that no view sees.
+    pub filled_texels: usize,
+    /// One for each view.
+    pub views: Vec<ViewReport>,
+}
+
+/// What a view contributed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ViewReport {
+    /// Its name.
+    pub name: String,
+    /// Texels that it sees.
+    pub seen_texels: usize,
+    /// Texels for which it counts most.
+    pub best_texels: usize,
+    /// The factors of its linear red, green and blue that level its exposure.
+    pub gain: [f64; 3],
+    /// Triangles whose front faces the camera.
+    pub facing_triangles: usize,
+    /// Those of them that are warped by an affine map.
+    pub affine_triangles: usize,
+}
+
+/// Why a textured mesh is not a model.
+#[derive(Debug, thiserror::Error)]
+pub enum ModelError {
+    /// The texture has no form in PNG.
+    #[error(transparent)]
+    Encode(#[from] EncodeError),
+    /// The mesh is not valid.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+}
+
+impl Textured {
+    /// The mesh with one material that shows the texture, as an embedded PNG. It is not lit, since
+    /// the pictures already show the light of the scene.
+    ///
+    /// # Errors
+    /// [`ModelError`].
+    pub fn to_mesh(&self) -> Result<Mesh, ModelError> {
+        let texture = Texture {
+            wrap: [Wrap::ClampToEdge; 2],
+            ..Texture::new(Image::Embedded {
+                media_type: "image/png".into(),
+                bytes: Arc::from(png::encode(&self.texture)?),
+            })
+        };
+        let material = Material {
+            base_colour_texture: Some(texture),
+            unlit: true,
+            ..Material::named("views")
+        };
+        let faces = self.mesh.faces().len();
+        Ok(self
+            .mesh
+            .clone()
+            .with_materials(vec![material], vec![Some(0); faces])?)
+    }
+}
