@@ -2,12 +2,12 @@
 
 use ga_render::{Camera, Intrinsics, RenderError};
 use ga_runtime::cga3::Motor;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// A pinhole camera for pictures of one size: intrinsics in pixels, and the pose from the world to
 /// the camera's frame with x to the right, y down and z forwards. The middle of the first pixel is
 /// (0, 0).
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct CameraFile {
     width: u32,
@@ -25,7 +25,7 @@ pub(crate) struct CameraFile {
     #[serde(default = "default_near")]
     near: f64,
     /// The greatest depth that is drawn.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     far: Option<f64>,
 }
 
@@ -52,6 +52,25 @@ impl CameraFile {
         let file: Self = serde_json::from_slice(bytes)?;
         file.camera()?;
         Ok(file)
+    }
+
+    /// The file of a camera that takes pictures of a size.
+    pub(crate) fn new(camera: &Camera, [width, height]: [u32; 2]) -> Self {
+        let intrinsics = camera.intrinsics(width, height);
+        let pose = camera.world_to_camera();
+        Self {
+            width,
+            height,
+            fx: intrinsics.focal[0],
+            fy: intrinsics.focal[1],
+            cx: intrinsics.principal[0],
+            cy: intrinsics.principal[1],
+            skew: intrinsics.skew,
+            rotation: pose.rotor().to_matrix(),
+            translation: pose.translator().displacement(),
+            near: camera.near(),
+            far: Some(camera.far()).filter(|far| far.is_finite()),
+        }
     }
 
     /// Columns and rows of its pictures.

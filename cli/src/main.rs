@@ -1,6 +1,7 @@
 //! The `nullcone` program: animation and stereo vision on conformal geometric algebra, and a look
 //! into its compiler.
 
+mod buffer_files;
 mod camera_file;
 mod checks;
 mod commands;
@@ -20,13 +21,14 @@ mod storyboard;
 mod summary;
 mod two_views;
 mod view;
+mod view_files;
 
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
 use commands::{
-    animate, capture, clip, contour, curve, demo, draw, expand, mesh, render, skin, stereo,
+    animate, capture, clip, contour, curve, demo, draw, expand, mesh, render, skin, stereo, texture,
 };
 
 /// Animation, stereo vision and pictures on conformal geometric algebra.
@@ -54,6 +56,7 @@ enum Command {
     Render(render::Arguments),
     Skin(skin::Arguments),
     Stereo(stereo::Arguments),
+    Texture(texture::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -71,6 +74,7 @@ fn main() -> ExitCode {
         Command::Render(arguments) => render::run(arguments, cli.quiet),
         Command::Skin(arguments) => skin::run(arguments, cli.quiet),
         Command::Stereo(arguments) => stereo::run(arguments, cli.quiet),
+        Command::Texture(arguments) => texture::run(arguments, cli.quiet),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -12,3 +12,4 @@ pub(crate) mod mesh;
 pub(crate) mod render;
 pub(crate) mod skin;
 pub(crate) mod stereo;
+pub(crate) mod texture;

@@ -9,16 +9,17 @@ use ga_image::colour::LinearColour;
 use ga_image::file::EncodeError;
 use ga_image::picture::PictureView;
 use ga_image::plane::Plane;
-use ga_image::{pfm, png, y4m};
+use ga_image::{png, y4m};
 use ga_mesh::format::{self, Loaded};
 use ga_mesh::gltf;
 use ga_render::model::Model;
-use ga_render::{
-    Buffers, Camera, Ground, Polyline, Scene, Shading, Style, SurfacePoint, Visibility, render,
-};
+use ga_render::{Buffers, Camera, Ground, Polyline, Scene, Shading, Style, Visibility, render};
 
+use crate::buffer_files;
+use crate::camera_file::CameraFile;
 use crate::output::{self, File};
 use crate::view::{View, bounds};
+use crate::view_files::{self, ViewFiles};
 
 /// Draw a model.
 ///
@@ -91,6 +92,13 @@ pub(crate) struct Arguments {
     /// all these are 0.
     #[arg(long, value_name = "DIR")]
     buffers: Option<PathBuf>,
+    /// Also write each picture as PNG into this folder, and views.json with their cameras, which
+    /// `nullcone texture` reads.
+    #[arg(long, value_name = "DIR")]
+    views: Option<PathBuf>,
+    /// Also write the camera of the first picture, as --camera reads it.
+    #[arg(long, value_name = "FILE.json")]
+    camera_out: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -108,16 +116,6 @@ const POINT_DIAMETER: f64 = 5.0;
 /// The most pictures of a turntable.
 const MOST_PICTURES: u32 = 1000;
 
-/// The names of the files of `--buffers`.
-const BUFFERS: [&str; 6] = [
-    "depth.pfm",
-    "distance.pfm",
-    "uv.pfm",
-    "normal.pfm",
-    "identity.png",
-    "material.png",
-];
-
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let Arguments {
         model: path, out, ..
@@ -134,6 +132,9 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         arguments.turntable
     );
     let place = Place::new(out, arguments.buffers.as_deref())?;
+    if let Some(folder) = &arguments.views {
+        view_files::check(folder, arguments.turntable)?;
+    }
     let view = View::parse(&arguments.camera)?;
     let size = match &arguments.size {
         Some(size) => Some(parse_size(size)?),
@@ -222,6 +223,8 @@ fn read(path: &Path) -> Result<Model> {
 struct Drawing {
     film: Vec<u8>,
     buffers: Vec<File>,
+    /// The files of `--views` and `--camera-out`.
+    cameras: Vec<(PathBuf, Vec<u8>)>,
     /// How long drawing the pictures took.
     time: Duration,
 }
@@ -276,6 +279,7 @@ fn draw(
     };
     let mut time = Duration::ZERO;
     let mut failure = None;
+    let mut views = arguments.views.as_deref().map(ViewFiles::new);
     let pictures = cameras.iter().map(|camera| {
         let begin = Instant::now();
         // An encoder asks for pictures, not for errors: those after an error have no pixels.
@@ -286,9 +290,13 @@ fn draw(
             Some(_) => None,
         };
         time += begin.elapsed();
-        picture.map_or_else(Plane::default, |picture| {
+        let picture = picture.map_or_else(Plane::default, |picture| {
             PictureView::from(&picture.colour).to_rgb()
-        })
+        });
+        if let Some(views) = &mut views {
+            views.add(&picture, camera);
+        }
+        picture
     });
     let film = format.encode(pictures);
     if let Some(error) = failure {
@@ -297,13 +305,19 @@ fn draw(
     let buffers = match (&arguments.buffers, cameras) {
         (Some(_), [camera, ..]) => {
             let buffers = Buffers::new(&scene, camera, style.width, style.height)?;
-            encode_buffers(&buffers)?
+            buffer_files::encode(&buffers)?
         }
         _ => Vec::new(),
     };
+    let mut files = views.map_or(Ok(Vec::new()), ViewFiles::finish)?;
+    if let (Some(path), [camera, ..]) = (&arguments.camera_out, cameras) {
+        let file = CameraFile::new(camera, [style.width, style.height]);
+        files.push((path.clone(), serde_json::to_vec_pretty(&file)?));
+    }
     Ok(Drawing {
         film: film?,
         buffers,
+        cameras: files,
         time,
     })
 }
@@ -311,8 +325,8 @@ fn draw(
 /// Where the files go.
 struct Place<'a> {
     out: &'a Path,
-    /// The folder and the name of the picture.
-    picture: (&'a Path, &'a str),
+    /// The folder of the picture.
+    folder: &'a Path,
     buffers: Option<&'a Path>,
 }
 
@@ -325,13 +339,13 @@ impl<'a> Place<'a> {
         output::check_place(folder, &[name])?;
         let place = Self {
             out,
-            picture: (folder, name),
+            folder,
             buffers,
         };
         if let Some(folder) = buffers {
-            output::check_place(folder, &BUFFERS)?;
+            output::check_place(folder, &buffer_files::NAMES)?;
             ensure!(
-                !(place.is_one_folder() && BUFFERS.contains(&name)),
+                !(place.is_one_folder() && buffer_files::NAMES.contains(&name)),
                 "--out {}: --buffers writes a file of this name into the same folder",
                 out.display()
             );
@@ -353,24 +367,19 @@ impl<'a> Place<'a> {
                 .ok()
         };
         self.buffers
-            .is_some_and(|buffers| full(buffers) == full(self.picture.0))
+            .is_some_and(|buffers| full(buffers) == full(self.folder))
     }
 
-    /// Writes all files or none where they go into one folder, else the picture first.
+    /// Writes all files or none.
     fn write(&self, drawing: &Drawing) -> Result<()> {
-        let (folder, name) = self.picture;
-        let buffers = drawing.buffers.iter();
-        let buffers = buffers.map(|file| (file.name, &file.contents[..]));
-        if self.is_one_folder() {
-            let files = buffers.chain([(name, &drawing.film[..])]);
-            ga_files::write_all(folder, files)?;
-            return Ok(());
-        }
-        ga_files::write(self.out, &drawing.film)?;
+        let mut files = vec![(self.out.to_path_buf(), &drawing.film[..])];
         if let Some(folder) = self.buffers {
-            ga_files::write_all(folder, buffers)?;
+            let buffers = drawing.buffers.iter();
+            files.extend(buffers.map(|file| (folder.join(file.name), &file.contents[..])));
         }
-        Ok(())
+        let cameras = drawing.cameras.iter();
+        files.extend(cameras.map(|(path, contents)| (path.clone(), &contents[..])));
+        Ok(ga_files::write_together(files)?)
     }
 }
 
@@ -412,52 +421,6 @@ fn ground(model: &Model) -> Ground {
         height: low.e2,
         grid: (size / 5.0).max(f64::MIN_POSITIVE),
     }
-}
-
-fn encode_buffers(buffers: &Buffers) -> Result<Vec<File>> {
-    let points = buffers.points();
-    let counted = |number: usize| u16::try_from(number + 1);
-    let mut too_many = false;
-    let mut identity = |point: Option<SurfacePoint>| {
-        let Some(point) = point else {
-            return [0; 3];
-        };
-        let triangle = point.triangle as u32 + 1;
-        let object = counted(point.object).unwrap_or_else(|_| {
-            too_many = true;
-            u16::MAX
-        });
-        [object, (triangle >> 16) as u16, triangle as u16]
-    };
-    let identities = points.map(&mut identity);
-    let materials = points.map(|point| {
-        let material = point.and_then(|point| point.material);
-        material.map_or(0, |material| counted(material as usize).unwrap_or(u16::MAX))
-    });
-    ensure!(
-        !too_many && !materials.values().contains(&u16::MAX),
-        "--buffers: there are more objects or materials than 16 bits can number"
-    );
-    let contents = [
-        float(&buffers.depth())?,
-        float(&buffers.distance())?,
-        floats(&buffers.texture_coordinates())?,
-        floats(&buffers.normals())?,
-        png::encode(&identities)?,
-        png::encode(&materials)?,
-    ];
-    let files = BUFFERS.into_iter().zip(contents);
-    Ok(files
-        .map(|(name, contents)| File { name, contents })
-        .collect())
-}
-
-fn float(plane: &Plane<f32>) -> Result<Vec<u8>> {
-    Ok(pfm::encode(plane, pfm::ByteOrder::Little)?)
-}
-
-fn floats(plane: &Plane<[f32; 3]>) -> Result<Vec<u8>> {
-    Ok(pfm::encode(plane, pfm::ByteOrder::Little)?)
 }
 
 fn parse_size(text: &str) -> Result<[u32; 2]> {

@@ -25,3 +25,4 @@ mod stereo;
 mod stereo_calibrate;
 mod stereo_cameras;
 mod stereo_pose;
+mod texture;

@@ -1,0 +1,199 @@
+//! `nullcone texture`: a mesh textured from calibrated views.
+
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use anyhow::{Context, Result, ensure};
+use clap::builder::RangedI64ValueParser;
+use ga_mesh::format::{self, Format, Loaded};
+use ga_vision::format::views;
+use ga_vision::texture::{self, Options, Textured, View, texture_mesh};
+use serde::Serialize;
+
+use crate::output;
+use crate::progress::Progress;
+
+/// Texture a mesh from pictures whose cameras are known.
+///
+/// The views are projected into the texture atlas of the mesh, which keeps its texture coordinates
+/// if every corner has one; otherwise an atlas is made. Surfaces that other parts hide from a
+/// camera get nothing from it, exposures are levelled, views are blended so that no seams are
+/// seen, and what no view sees is filled from its surroundings.
+///
+/// VIEWS.json lists the pictures, by paths relative to it, and their cameras:
+///
+///   {"views": [
+///     {"picture": "front.png",
+///      "camera": {"width": 640, "height": 480, "fx": 500, "fy": 500, "cx": 319.5, "cy": 239.5},
+///      "rotation": [[1, 0, 0], [0, -1, 0], [0, 0, -1]], "translation": [0, 0, 2]},
+///     {"picture": "side.jpg", "camera": "side.yml",
+///      "quaternion_wxyz": [0, 0.707107, 0, 0.707107], "translation": [0, 0.1, 2]}
+///   ]}
+///
+/// A point p of the mesh is at rotation p + translation in the camera's frame, with x right, y
+/// down and z forwards; (0, 0) is the middle of the first pixel. A camera is an object, which may
+/// have "distortion" in OpenCV's order and "lens": "fisheye", or the path of OpenCV's YAML or of
+/// such an object as JSON. `nullcone render --views DIR` writes pictures and such a file.
+///
+/// For instance
+///
+///   nullcone render statue.glb --turntable 8 --shading unlit --views views --out film.png
+///   nullcone texture statue.obj --views views/views.json --out model.glb
+#[derive(Clone, Debug, clap::Args)]
+#[command(verbatim_doc_comment)]
+pub(crate) struct Arguments {
+    /// The mesh: .obj, .ply, .glb or .gltf.
+    #[arg(value_name = "MESH")]
+    mesh: PathBuf,
+    /// The pictures and their cameras; see above.
+    #[arg(long, value_name = "VIEWS.json")]
+    views: PathBuf,
+    /// The textured model: .glb, .gltf or .obj.
+    #[arg(long, value_name = "FILE")]
+    out: PathBuf,
+    /// The side of the texture, in texels; at most 8192.
+    #[arg(long, value_name = "TEXELS", default_value_t = 2048, value_parser = size())]
+    size: u32,
+    /// Make new texture coordinates even if the mesh has its own.
+    #[arg(long)]
+    unwrap: bool,
+    /// In a new atlas, texels around each chart that no other chart claims.
+    #[arg(long, value_name = "TEXELS", default_value_t = 4)]
+    margin: u32,
+    /// Take the pictures as bright as they are, without levelling their exposures.
+    #[arg(long)]
+    keep_exposure: bool,
+    /// Print the report as one JSON object.
+    #[arg(long)]
+    json: bool,
+}
+
+/// Sizes that textures may have.
+fn size() -> RangedI64ValueParser<u32> {
+    clap::value_parser!(u32).range(1..=8192)
+}
+
+pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+    let out = &arguments.out;
+    ensure!(
+        Format::of_path(out)? != Format::Ply,
+        "--out {}: PLY holds no pictures; the name must end in .glb, .gltf or .obj",
+        out.display()
+    );
+    let begin = Instant::now();
+    let progress = Progress::new(8, quiet);
+    progress.step("reading");
+    let Loaded { mesh, warnings } = format::read(&arguments.mesh)?;
+    if !quiet {
+        for warning in warnings {
+            eprintln!("warning: {}: {warning}", arguments.mesh.display());
+        }
+    }
+    let views = read_views(&arguments.views)?;
+    let mut options = Options::with_size(arguments.size);
+    options.unwrap = arguments.unwrap;
+    options.margin_texels = arguments.margin;
+    options.level_exposure = !arguments.keep_exposure;
+    let textured = texture_mesh(&mesh, &views, &options, |step| progress.step(step));
+    let textured = textured.with_context(|| arguments.mesh.display().to_string())?;
+    progress.step("writing");
+    let model = textured.to_mesh()?;
+    format::write(out, &model, &format::Options::default())?;
+    drop(progress);
+    let report = Report::new(&textured, begin.elapsed().as_secs_f64());
+    if arguments.json {
+        output::print_json(&report)
+    } else if quiet {
+        Ok(())
+    } else {
+        output::print(&report.lines(out))
+    }
+}
+
+/// The views of a file with their pictures, which are the names of the views.
+fn read_views(path: &Path) -> Result<Vec<View>> {
+    let entries = views::read(path)?;
+    let view = |entry: views::ViewEntry| {
+        let picture = ga_image::file::read(&entry.picture)?;
+        let name = entry.picture.display().to_string();
+        let view = View::new(name, entry.camera, entry.size, &picture);
+        view.with_context(|| path.display().to_string())
+    };
+    entries.into_iter().map(view).collect()
+}
+
+/// What is printed.
+#[derive(Serialize)]
+struct Report {
+    size_texels: u32,
+    unwrapped: bool,
+    charts: usize,
+    utilisation: f64,
+    overlapping_texels: usize,
+    covered_texels: usize,
+    filled_texels: usize,
+    views: Vec<ViewReport>,
+    seconds: f64,
+}
+
+/// What is printed of a view.
+#[derive(Serialize)]
+struct ViewReport {
+    picture: String,
+    seen_texels: usize,
+    best_texels: usize,
+    gain_red_green_blue: [f64; 3],
+    facing_triangles: usize,
+    affine_triangles: usize,
+}
+
+impl Report {
+    fn new(textured: &Textured, seconds: f64) -> Self {
+        let report = &textured.report;
+        let view = |view: &texture::ViewReport| ViewReport {
+            picture: view.name.clone(),
+            seen_texels: view.seen_texels,
+            best_texels: view.best_texels,
+            gain_red_green_blue: view.gain,
+            facing_triangles: view.facing_triangles,
+            affine_triangles: view.affine_triangles,
+        };
+        Self {
+            size_texels: report.size,
+            unwrapped: report.unwrapped,
+            charts: report.charts,
+            utilisation: report.utilisation,
+            overlapping_texels: report.overlapping_texels,
+            covered_texels: report.covered_texels,
+            filled_texels: report.filled_texels,
+            views: report.views.iter().map(view).collect(),
+            seconds,
+        }
+    }
+
+    fn lines(&self, out: &Path) -> String {
+        let atlas = if self.unwrapped { "a new" } else { "its own" };
+        let share = |part: usize, whole: usize| 100.0 * part as f64 / whole.max(1) as f64;
+        let mut text = format!(
+            "{}: {} texels a side, {atlas} atlas of {} charts, {} texels on the surface\n",
+            out.display(),
+            self.size_texels,
+            self.charts,
+            self.covered_texels
+        );
+        for view in &self.views {
+            let [red, green, blue] = view.gain_red_green_blue;
+            text += &format!(
+                "{}: sees {:.1} %, is the best for {:.1} %, gain {red:.3} {green:.3} {blue:.3}\n",
+                view.picture,
+                share(view.seen_texels, self.covered_texels),
+                share(view.best_texels, self.covered_texels)
+            );
+        }
+        text + &format!(
+            "{:.1} % seen by no view and filled; done in {:.2} s\n",
+            share(self.filled_texels, self.covered_texels),
+            self.seconds
+        )
+    }
+}
