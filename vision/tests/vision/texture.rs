@@ -315,7 +315,7 @@ fn bad_input_is_named() {
         "{message}"
     );
     assert!(message.ends_with("is inside the mesh"), "{message}");
-    let points = obj::parse(b"v 0 0 0\nv 1 0 0\nv 2 0 0\n").unwrap();
+    let points = obj::parse(b"v 0 0 0\nv 1 0 0\np 1 2\n").unwrap();
     let line = obj::parse(b"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n").unwrap();
     assert!(run(&points, &views[..1], 64).contains("no triangles"));
     assert!(run(&line, &views[..1], 64).contains("degenerate"));
