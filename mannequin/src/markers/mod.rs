@@ -88,7 +88,7 @@ impl Human {
         markers
     }
 
-    /// The texture of [`Human::texture`] in grey, with markers painted on it: for each marker the
+    /// The texture of [`Human::texture`] in dark grey, with markers painted on it: for each marker the
     /// 8-bit sRGB colours of its inner disc and of its ring. Grey has no hue, so that a picture of
     /// the body is coloured where a marker is, and nowhere else.
     ///
@@ -118,7 +118,7 @@ impl Human {
                 (point - *centre).length_squared() < (radius + softness).powi(2)
             });
             let light = cloth.map(ga_image::colour::linear_from_srgb);
-            let grey = 0.2126 * light[0] + 0.7152 * light[1] + 0.0722 * light[2];
+            let grey = DARKENING * (0.2126 * light[0] + 0.7152 * light[1] + 0.0722 * light[2]);
             let mut colour = [grey; 3];
             if let Some((centre, radius, [inner, ring])) = near {
                 let distance = point.distance(*centre);
@@ -138,6 +138,8 @@ impl Human {
     }
 }
 
+/// The light of the grey skin as a part of that of its colours: markers are brighter.
+const DARKENING: f64 = 0.4;
 /// How many texels a metre of the skin has, for each row of the texture: the charts of its 2 square
 /// metres cover about two thirds of the texture.
 const TEXELS_PER_METRE: f64 = 0.55;

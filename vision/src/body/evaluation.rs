@@ -160,7 +160,7 @@ pub struct Scores {
 /// let intrinsics = Intrinsics::new([1000.0, 1000.0], [0.0, 0.0])?;
 /// let camera = Camera { intrinsics, world_to_camera: Default::default() };
 /// let truth = vec![[[0.0, 0.0, 4.0], [1.0, 0.0, 4.0], [0.0, 1.0, 4.0]].map(Point::from).to_vec()];
-/// let mut found: Vec<Vec<Option<Point<f64>>>> = vec![truth[0].iter().copied().map(Some).collect()];
+/// let mut found = vec![truth[0].iter().copied().map(Some).collect::<Vec<_>>()];
 /// found[0][1] = Some(Point::new(1.0, 0.0, 4.3));
 /// found[0][2] = None;
 /// let scores = score(&[camera], &truth, &found)?;

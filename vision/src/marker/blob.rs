@@ -4,12 +4,16 @@ use std::collections::HashSet;
 
 use ga_image::plane::Plane;
 
+/// Sectors in which the outline of a candidate is compared with an ellipse.
+const SECTORS: usize = 12;
 /// Candidates with a greater extent in pixels are something else.
 const MOST_EXTENT: usize = 400;
+/// The pixels so near to coloured ones may be covered in part: pictures are not quite sharp.
+const BORDER: usize = 2;
 /// Candidates of fewer pixels say nothing about colours.
 const LEAST_PIXELS: usize = 6;
 
-/// A connected set of coloured pixels with all pixels that touch it.
+/// A connected set of coloured pixels with all pixels near it.
 pub(super) struct Blob {
     /// Column and row of each pixel.
     pub(super) pixels: Vec<[usize; 2]>,
@@ -114,21 +118,21 @@ fn filled(set: &[[usize; 2]]) -> Vec<[usize; 2]> {
 }
 
 impl Blob {
-    /// A set of coloured pixels without its holes, and all pixels that touch it by an edge or a
-    /// corner and belong to no other set.
+    /// A set of coloured pixels without its holes, and all pixels near it that belong to no other
+    /// set.
     fn new(light: &Plane<[f32; 3]>, set: &[[usize; 2]], owner: &Plane<u32>) -> Self {
-        let around = |[column, row]: [usize; 2]| {
-            let rows = row.saturating_sub(1)..=row + 1;
-            rows.flat_map(move |row| {
-                (column.saturating_sub(1)..=column + 1).map(move |column| [column, row])
-            })
+        let around = |[column, row]: [usize; 2], reach: usize| {
+            let rows = row.saturating_sub(reach)..=row + reach;
+            let columns = column.saturating_sub(reach)..=column + reach;
+            rows.flat_map(move |row| columns.clone().map(move |column| [column, row]))
         };
         let set = &filled(set);
         let own: HashSet<[usize; 2]> = set.iter().copied().collect();
         let is_own = |pixel: [usize; 2]| own.contains(&pixel);
         let mut pixels: Vec<[usize; 2]> = set.to_vec();
         for pixel in set {
-            let free = around(*pixel).filter(|&[column, row]| owner.get(column, row) == Some(0));
+            let near = around(*pixel, BORDER);
+            let free = near.filter(|&[column, row]| owner.get(column, row) == Some(0));
             pixels.extend(free.filter(|&pixel| !is_own(pixel)));
         }
         pixels[set.len()..].sort_unstable_by_key(|&[column, row]| [row, column]);
@@ -145,7 +149,7 @@ impl Blob {
         let full = chromas[(chromas.len() * 4 / 5).min(chromas.len() - 1)];
         let coverage = pixels.iter().map(|&pixel| {
             // Inside, where no grey is near, the colours of the marker are mixed with each other.
-            if around(pixel).all(is_own) {
+            if around(pixel, 1).all(is_own) {
                 1.0
             } else {
                 (chroma(pixel) / full).min(1.0)
@@ -155,57 +159,74 @@ impl Blob {
         Self { pixels, coverage }
     }
 
-    /// The mean distance of the outline from an ellipse in pixels: the sum of the differences of
-    /// the covered parts of all pixels from those that the ellipse covers, divided by its
-    /// circumference. For a pixel at the distance s outside the ellipse that is ½ − s, from 0 to 1.
+    /// The mean distance of the outline from an ellipse in pixels, over the [`SECTORS`] of equal
+    /// area of the ellipse. In each, the sum of the differences of the covered parts of all pixels
+    /// from those that the ellipse covers, divided by the length of the outline, is how far it lies
+    /// outside, whether it is sharp or not. The ellipse covers ½ − s of a pixel at the distance s
+    /// outside, from 0 to 1.
     pub(super) fn outline_error(&self, ellipse: &Ellipse) -> f64 {
-        let differences = self
-            .pixels
-            .iter()
-            .zip(&self.coverage)
-            .map(|(pixel, coverage)| {
-                let place = pixel.map(|c| c as f64);
-                (coverage - (0.5 - ellipse.distance(place)).clamp(0.0, 1.0)).abs()
-            });
+        let mut sums = [0.0; SECTORS];
+        for (pixel, coverage) in self.pixels.iter().zip(&self.coverage) {
+            let place = pixel.map(|c| c as f64);
+            let [x, y] = ellipse.on_unit_circle(place);
+            let part = y.atan2(x) / std::f64::consts::TAU + 0.5;
+            let sector = ((part * SECTORS as f64) as usize).min(SECTORS - 1);
+            sums[sector] += coverage - (0.5 - ellipse.distance(place)).clamp(0.0, 1.0);
+        }
         let [greater, smaller] = ellipse.semi_axes;
-        differences.sum::<f64>() / (std::f64::consts::PI * (greater + smaller))
+        let total: f64 = sums.iter().map(|sum| sum.abs()).sum();
+        total / (std::f64::consts::PI * (greater + smaller))
     }
 
-    /// The ellipse with the moments of the pixels; `None` where they lie on a line.
+    /// The ellipse with the moments of the pixels but for the same variance in all directions, by
+    /// which the extent of pixels and blur enlarge them: its area is the covered one. `None` where
+    /// the pixels lie on a line.
     pub(super) fn ellipse(&self) -> Option<Ellipse> {
         let pixels = || {
             let pixels = self.pixels.iter().zip(&self.coverage);
             pixels.map(|(&[column, row], &coverage)| ([column as f64, row as f64], coverage))
         };
-        let weight: f64 = self.coverage.iter().sum();
-        let mean = |axis: usize| pixels().map(|(at, w)| w * at[axis]).sum::<f64>() / weight;
+        let area: f64 = self.coverage.iter().sum();
+        let mean = |axis: usize| pixels().map(|(at, w)| w * at[axis]).sum::<f64>() / area;
         let centre = [mean(0), mean(1)];
         let moment = |a: usize, b: usize| {
             let products = pixels().map(|(at, w)| w * (at[a] - centre[a]) * (at[b] - centre[b]));
-            products.sum::<f64>() / weight
+            products.sum::<f64>() / area
         };
-        let extent = 1.0 / 12.0;
-        let [xx, xy, yy] = [moment(0, 0) - extent, moment(0, 1), moment(1, 1) - extent];
+        let [xx, xy, yy] = [moment(0, 0), moment(0, 1), moment(1, 1)];
+        // With a variance b less, the area 4π √((xx − b)(yy − b) − xy²) is to be the covered one.
+        let half = (0.5 * (xx - yy)).hypot(xy);
+        let middle = half.hypot(area / (4.0 * std::f64::consts::PI));
+        let blur = 0.5 * (xx + yy) - middle;
+        let [xx, yy] = [xx - blur, yy - blur];
         let determinant = xx * yy - xy * xy;
         if !(xx > 0.0 && yy > 0.0 && determinant > 0.0) {
             return None;
         }
-        let (middle, half) = (0.5 * (xx + yy), (0.5 * (xx - yy)).hypot(xy));
         Some(Ellipse {
             centre,
-            semi_axes: [middle + half, middle - half]
-                .map(|variance| 2.0 * variance.max(0.0).sqrt()),
+            semi_axes: [middle + half, middle - half].map(|variance| 2.0 * variance.sqrt()),
             inverse: [yy / determinant, -xy / determinant, xx / determinant],
         })
     }
 }
 
 impl Ellipse {
-    /// How far a place is from the centre, 1 on the ellipse.
-    pub(super) fn radius(&self, place: [f64; 2]) -> f64 {
+    /// The place after a linear map that takes the ellipse to a circle of radius 1: the factor of
+    /// Cholesky of the inverse moments, halved.
+    fn on_unit_circle(&self, place: [f64; 2]) -> [f64; 2] {
         let [x, y] = [place[0] - self.centre[0], place[1] - self.centre[1]];
         let [xx, xy, yy] = self.inverse;
-        0.5 * (xx * x * x + 2.0 * xy * x * y + yy * y * y).sqrt()
+        let first = xx.sqrt();
+        let below = xy / first;
+        let second = (yy - below * below).max(0.0).sqrt();
+        [0.5 * (first * x + below * y), 0.5 * second * y]
+    }
+
+    /// How far a place is from the centre, 1 on the ellipse.
+    pub(super) fn radius(&self, place: [f64; 2]) -> f64 {
+        let [x, y] = self.on_unit_circle(place);
+        x.hypot(y)
     }
 
     /// About how far outside the ellipse a place near it is, in pixels: the radius less 1, divided

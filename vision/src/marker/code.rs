@@ -74,9 +74,6 @@ fn nearest(light: [f64; 3]) -> Option<usize> {
 fn hue([red, green, blue]: [f64; 3]) -> Option<f64> {
     let most = red.max(green).max(blue);
     let chroma = most - red.min(green).min(blue);
-    if !(chroma > 0.0) {
-        return None;
-    }
     let sixths = if most == red {
         ((green - blue) / chroma).rem_euclid(6.0)
     } else if most == green {
@@ -84,7 +81,7 @@ fn hue([red, green, blue]: [f64; 3]) -> Option<f64> {
     } else {
         (red - green) / chroma + 4.0
     };
-    Some(60.0 * sixths)
+    (chroma > 0.0).then_some(60.0 * sixths)
 }
 
 /// The saturated light of a hue in degrees, with the greatest channel 1.

@@ -14,11 +14,14 @@
 //! ellipse with the same moments, with α as the weight of a pixel:
 //!
 //! ```text
-//! c = Σ α x / Σ α,   C = Σ α (x − c)(x − c)ᵀ / Σ α − I/12,   semi-axes 2 √eigenvalues of C
+//! c = Σ α x / Σ α,   C = Σ α (x − c)(x − c)ᵀ / Σ α − b I,   semi-axes 2 √eigenvalues of C
 //! ```
 //!
-//! I/12 is what the extent of a pixel adds. A candidate is not a marker where its outline is not that
-//! ellipse, as where something hides it in part, or where the ellipse is too thin. The colours are the means of the pixels within the inner disc and within the ring.
+//! b is what the extent of a pixel, 1/12, and blur add to the moments; with it the area of the
+//! ellipse is Σ α. A candidate is not a marker where its outline is not that ellipse, as
+//! where something hides it in part, or where the ellipse is too thin. The colours are those in the
+//! middle of the inner disc and in the outer half of the ring, where no other hue is near: grey
+//! beyond the outline does not change a hue.
 //!
 //! The centre of the ellipse is not exactly the image of the centre of the disc. For a disc of
 //! radius r at the distance d, inclined by β, it is off by about `f r² sin β cos β / d²` pixels:
@@ -83,13 +86,13 @@ pub struct FindOptions {
 }
 
 impl Default for FindOptions {
-    /// Saturation 0.4, semi-axes of 1.8 px with a quotient of 0.5, outline to 0.1 px.
+    /// Saturation 0.4, semi-axes of 1.8 px with a quotient of 0.5, outline to 0.15 px.
     fn default() -> Self {
         Self {
             least_saturation: 0.4,
             least_semi_axis: 1.8,
             least_quotient: 0.5,
-            outline_tolerance: 0.1,
+            outline_tolerance: 0.15,
         }
     }
 }
@@ -126,10 +129,11 @@ fn marker(light: &Plane<[f32; 3]>, blob: &Blob, options: &FindOptions) -> Option
     if !is_marker {
         return None;
     }
-    // The pixels of each colour by their distance from the centre, 1 at the outline; where the
-    // parts are too narrow for a pixel to lie in one alone, the pixels nearest to their middles.
-    let mean = |range: [f64; 2], middle: f64| {
+    // The light of pixels by their distance from the centre, 1 at the outline; where no pixel is in
+    // the range, of the one nearest to its middle.
+    let sum = |range: [f64; 2]| {
         let at = |pixel: &[usize; 2]| ellipse.radius(pixel.map(|c| c as f64));
+        let middle = 0.5 * (range[0] + range[1]);
         let inside = blob
             .pixels
             .iter()
@@ -151,10 +155,8 @@ fn marker(light: &Plane<[f32; 3]>, blob: &Blob, options: &FindOptions) -> Option
         }
         sum
     };
-    // Half a pixel, in the unit of the radius.
-    let half = 0.5 / smaller;
-    let inner = mean([0.0, (INNER - half).max(0.2)], 0.0);
-    let ring = mean([INNER + half, 1.0 - half], 0.5 * (1.0 + INNER));
+    let inner = sum([0.0, 0.5 * INNER]);
+    let ring = sum([0.5 * (1.0 + INNER), 1.0]);
     Some(FoundMarker {
         code: Code::of_light(inner, ring)?,
         centre: ellipse.centre,

@@ -19,7 +19,7 @@
 //! use ga_vision::body::format::coco;
 //!
 //! let numbers = vec!["0"; 16 * 3].join(",");
-//! let text = format!(r#"[{{"image_id": 7, "category_id": 1, "keypoints": [310.5, 82, 0.9, {numbers}]}}]"#);
+//! let text = format!(r#"[{{"image_id": 7, "keypoints": [310.5, 82, 0.9, {numbers}]}}]"#);
 //! let people = coco::decode(text.as_bytes())?;
 //! assert_eq!(people.joints[0], "nose");
 //! let nose = people.frames[0].people[0].joints[0].ok_or("no nose")?;

@@ -2,7 +2,7 @@
 //!
 //! | file | what it holds | read by |
 //! | --- | --- | --- |
-//! | [joints of views](JointViews), JSON | all views and frames of one person | [`JointViews::decode`] |
+//! | [joints of views](JointViews), JSON | one person in all views | [`JointViews::decode`] |
 //! | COCO, JSON | people in pictures of one view, 17 joints or those it names | [`coco::decode`] |
 //! | OpenPose, JSON, one file a frame | people in one frame of one view | [`openpose::decode`] |
 //!
