@@ -188,7 +188,8 @@ impl JointLimits {
     }
 
     /// The unit axis about which alone a joint rotates, if it is a hinge.
-    pub(crate) fn hinge_axis(&self, joint: usize) -> Option<Vector<f64>> {
+    #[must_use]
+    pub fn hinge_axis(&self, joint: usize) -> Option<Vector<f64>> {
         match self.limits.get(joint) {
             Some(&Prepared::Hinge { axis, .. }) => Some(axis),
             _ => None,
@@ -196,7 +197,8 @@ impl JointLimits {
     }
 
     /// Whether a joint cannot rotate.
-    pub(crate) fn is_fixed(&self, joint: usize) -> bool {
+    #[must_use]
+    pub fn is_fixed(&self, joint: usize) -> bool {
         self.limits.get(joint) == Some(&Prepared::Fixed)
     }
 }

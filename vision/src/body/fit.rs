@@ -1,18 +1,37 @@
 //! Fits of poses to what views show.
 
-use ga_anim::inverse_kinematics::{Marker, PoseFit, PoseFitSettings};
 use ga_anim::pose::Pose;
 use ga_runtime::cga3::Point;
+use rayon::prelude::*;
 
-use super::start::triangulated;
+use super::chain::{Chain, State};
+use super::clip;
+use super::descent::{Found, descend};
+use super::likelihood::{Likelihood, Normal};
+use super::start::starts;
 use super::{BodyError, BodyModel, ClipError, Observation};
 use crate::camera::Camera;
+use crate::least_squares::Loss;
+
+/// The greatest number of steps from a start, and from one that is near.
+const STEPS: usize = 100;
+const FEW: usize = 10;
+/// The distance from its pixel, in standard deviations, from which on a point counts less. One in
+/// ninety is as far away by Gaussian noise.
+const OUTLIER: f64 = 3.0;
 
 /// Fits of the poses of a body to what views show, prepared for many frames.
 #[derive(Clone, Debug)]
 pub struct BodyFit<'a> {
-    model: &'a BodyModel,
-    cameras: &'a [Camera],
+    likelihood: Likelihood<'a>,
+}
+
+/// Frames that follow one another.
+struct Stretch {
+    /// `None` before the first frame that has a pose.
+    states: Vec<Option<State>>,
+    /// Why the first frame has no pose by itself that has none.
+    error: Option<ClipError>,
 }
 
 /// A pose that was fitted.
@@ -41,45 +60,66 @@ impl<'a> BodyFit<'a> {
         if cameras.is_empty() {
             return Err(BodyError::NoViews);
         }
-        Ok(Self { model, cameras })
+        let likelihood = Likelihood {
+            chain: Chain::new(model),
+            cameras,
+            loss: Loss::Huber(OUTLIER),
+        };
+        Ok(Self { likelihood })
+    }
+
+    /// The same with another loss of the distances from the pixels, which are in standard
+    /// deviations; [`Loss::Huber`] of 3 at first.
+    #[must_use]
+    pub fn with_loss(mut self, loss: Loss) -> Self {
+        self.likelihood.loss = loss;
+        self
     }
 
     /// The most likely pose for what the views show at one time.
     ///
+    /// It begins where points are that two views or more determine, at the pose that anim's
+    /// whole-pose fit finds for them. With one view it begins at rest, in the orientations in which
+    /// rest explains the view best, and takes the best of what it finds. From there it descends by
+    /// damped Gauss–Newton steps.
+    ///
+    /// Joints rotate from rest by 1 rad in the mean, as a human's do: where the pixels leave a
+    /// rotation open, such as the twist of a bone with nothing beside it, it stays at rest.
+    ///
     /// # Errors
     /// Any [`BodyError`] but [`BodyError::NoViews`] and [`BodyError::FrameRate`].
     pub fn frame(&self, observation: &Observation) -> Result<FittedPose, BodyError> {
-        self.check(observation)?;
-        let targets = triangulated(self.model, self.cameras, observation)?;
-        let seen = targets.iter().filter(|target| target.weight > 0.0).count();
-        if seen < 3 {
-            return Err(BodyError::TooFewPoints { seen, needed: 3 });
-        }
-        let skeleton = self.model.skeleton();
-        let markers = self.model.points().iter().map(|point| {
-            let strongest = point.joints.iter().max_by(|a, b| a.1.total_cmp(&b.1));
-            Marker {
-                joint: strongest.map_or(0, |(joint, _)| *joint),
-                at_rest: point.at_rest,
-            }
-        });
-        let mut pose = Pose::rest(skeleton.len());
-        let mut fit = PoseFit::new(skeleton, self.model.limits(), markers.collect())?;
-        fit.solve(&targets, &mut pose, &PoseFitSettings::default())?;
-        let motions = pose.motions(skeleton).unwrap_or_default();
-        let points = fit.markers().iter();
-        let points = points.map(|marker| {
-            let motion = motions[marker.joint];
-            motion.transform(Point::from(marker.at_rest))
-        });
-        self.fitted(observation, pose.clone(), points.collect())
+        self.fitted(observation, &self.state(observation)?)
     }
 
-    /// The most likely poses for what the views show in a clip.
+    /// The state of [`frame`](Self::frame).
+    pub(super) fn state(&self, observation: &Observation) -> Result<State, BodyError> {
+        self.check(observation)?;
+        Ok(self.search(observation, &mut self.normal())?.state)
+    }
+
+    pub(super) fn likelihood(&self) -> &Likelihood<'a> {
+        &self.likelihood
+    }
+
+    /// The most likely poses for what the views show in a clip, as a whole: joints and body move
+    /// with accelerations of a size that the clip itself shows.
+    ///
+    /// Between frames the second differences of every joint's rotation vector and of the
+    /// translation are Gaussian, each with a variance of its own (a discrete white noise of
+    /// accelerations; the most likely motion is a smoothing spline: G. Wahba, 1978). The variances
+    /// follow from how second differences over more than one frame grow beyond those over one,
+    /// which are mostly noise, so there is nothing to tune. Long clips are fitted in stretches that
+    /// overlap.
+    ///
+    /// Frames may show fewer points than a pose needs, or none: they follow from those around. The
+    /// frame rate only matters for clips of less than eight frames, which do not show how large
+    /// accelerations are: then they are those of a human who moves without haste.
     ///
     /// # Errors
-    /// [`ClipError`] with the first frame that has an error of [`frame`](Self::frame), or a frame
-    /// rate that is not positive.
+    /// [`ClipError`] with the first frame that does not fit the cameras and the model, or with the
+    /// first one of all, where no frame by itself has a pose; [`BodyError::FrameRate`] for a rate
+    /// that is not positive and finite.
     pub fn clip(
         &self,
         observations: &[Observation],
@@ -89,20 +129,111 @@ impl<'a> BodyFit<'a> {
             let error = BodyError::FrameRate(frames_per_second);
             return Err(ClipError { frame: 0, error });
         }
-        let fit = |(frame, observation)| {
-            let fitted = self.frame(observation);
-            fitted.map_err(|error| ClipError { frame, error })
+        let of_frame = |frame| move |error| ClipError { frame, error };
+        for (frame, observation) in observations.iter().enumerate() {
+            self.check(observation).map_err(of_frame(frame))?;
+        }
+        let states = self.one_by_one(observations)?;
+        let states = clip::smooth(&self.likelihood, observations, states, frames_per_second);
+        let frames = observations.iter().zip(&states).enumerate();
+        frames
+            .map(|(frame, (observation, state))| {
+                self.fitted(observation, state).map_err(of_frame(frame))
+            })
+            .collect()
+    }
+
+    fn normal(&self) -> Normal {
+        Normal::new(self.likelihood.chain.count)
+    }
+
+    /// The best state that is found from all starts.
+    fn search(&self, observation: &Observation, normal: &mut Normal) -> Result<Found, BodyError> {
+        let Likelihood { chain, cameras, .. } = &self.likelihood;
+        let starts = starts(chain, cameras, observation)?;
+        let mut best: Option<Found> = None;
+        let mut error = BodyError::NoPose;
+        for start in starts {
+            match descend(&self.likelihood, observation, start.clone(), STEPS, normal) {
+                Some(found) if best.as_ref().is_none_or(|best| found.cost < best.cost) => {
+                    best = Some(found);
+                }
+                Some(_) => {}
+                None => error = self.likelihood.unseen(&start, observation),
+            }
+        }
+        best.ok_or(error)
+    }
+
+    /// The states of all frames by themselves.
+    fn one_by_one(&self, observations: &[Observation]) -> Result<Vec<State>, ClipError> {
+        /// How many frames follow one another; stretches are independent.
+        const STRETCH: usize = 96;
+        // One view leaves several poses open, of which a clip has one.
+        let stretch = match self.likelihood.cameras.len() {
+            1 => observations.len().max(1),
+            _ => STRETCH,
         };
-        observations.iter().enumerate().map(fit).collect()
+        let stretches = observations.par_chunks(stretch).enumerate();
+        let found: Vec<Stretch> = stretches
+            .map(|(index, frames)| self.stretch(index * stretch, frames))
+            .collect();
+        let states = || found.iter().flat_map(|stretch| &stretch.states);
+        let Some(first) = states().flatten().next() else {
+            let error = found.iter().find_map(|stretch| stretch.error.clone());
+            return error.map_or(Ok(Vec::new()), Err);
+        };
+        // Frames before the first pose begin with that, and others with the one before.
+        let filled = states().scan(first, |last, state| {
+            *last = state.as_ref().unwrap_or(*last);
+            Some((*last).clone())
+        });
+        Ok(filled.collect())
+    }
+
+    /// Frames one after the other, each near to the one before where that is as good. Frames
+    /// without a pose of their own have that of the one before.
+    fn stretch(&self, first: usize, observations: &[Observation]) -> Stretch {
+        /// A cost for each coordinate of a pixel that is no longer that of noise.
+        const BAD: f64 = 3.0;
+        let normal = &mut self.normal();
+        let mut states: Vec<Option<State>> = Vec::with_capacity(observations.len());
+        let mut last: Option<State> = None;
+        let mut first_error = None;
+        for (index, observation) in observations.iter().enumerate() {
+            let near = last
+                .clone()
+                .and_then(|last| descend(&self.likelihood, observation, last, FEW, normal));
+            let count = observation.views.iter().flatten().flatten().count();
+            let is_good = |found: &Found| found.cost <= BAD * (2 * count) as f64;
+            let found = match near {
+                Some(near) if is_good(&near) => Some(near),
+                near => match (self.search(observation, normal), near) {
+                    (Ok(found), Some(near)) if near.cost <= found.cost => Some(near),
+                    (Ok(found), _) => Some(found),
+                    (Err(error), near) => {
+                        let frame = first + index;
+                        first_error.get_or_insert(ClipError { frame, error });
+                        near
+                    }
+                },
+            };
+            last = found.map(|found| found.state).or(last);
+            states.push(last.clone());
+        }
+        Stretch {
+            states,
+            error: first_error,
+        }
     }
 
     /// Whether an observation fits the cameras and the model, with finite pixels.
     fn check(&self, observation: &Observation) -> Result<(), BodyError> {
-        let (expected, found) = (self.cameras.len(), observation.views.len());
+        let (expected, found) = (self.likelihood.cameras.len(), observation.views.len());
         if expected != found {
             return Err(BodyError::Views { expected, found });
         }
-        let points = self.model.points();
+        let points = self.likelihood.chain.model.points();
         for (view, pixels) in observation.views.iter().enumerate() {
             let (expected, found) = (points.len(), pixels.len());
             if expected != found {
@@ -134,17 +265,17 @@ impl<'a> BodyFit<'a> {
         Ok(())
     }
 
-    /// A pose with what remains in the pictures.
-    fn fitted(
-        &self,
-        observation: &Observation,
-        pose: Pose,
-        points: Vec<Point<f64>>,
-    ) -> Result<FittedPose, BodyError> {
-        let mut residuals_px = Vec::with_capacity(self.cameras.len());
-        let (mut sum, mut count) = (0.0, 0);
-        let name = |index: usize| self.model.points()[index].name.as_str();
-        for (view, (camera, pixels)) in self.cameras.iter().zip(&observation.views).enumerate() {
+    /// A state as a pose, with what remains in the pictures.
+    fn fitted(&self, observation: &Observation, state: &State) -> Result<FittedPose, BodyError> {
+        let Likelihood { chain, cameras, .. } = &self.likelihood;
+        let points: Vec<Point<f64>> = {
+            let places = chain.places(state);
+            places.points.into_iter().map(Point::from).collect()
+        };
+        let mut residuals_px = Vec::with_capacity(cameras.len());
+        let (mut sum, mut count) = (0.0, 0_u32);
+        let name = |index: usize| chain.model.points()[index].name.as_str();
+        for (view, (camera, pixels)) in cameras.iter().zip(&observation.views).enumerate() {
             let mut row = Vec::with_capacity(points.len());
             for (index, (pixel, place)) in pixels.iter().zip(&points).enumerate() {
                 let Some(pixel) = pixel else {
@@ -163,7 +294,7 @@ impl<'a> BodyFit<'a> {
         }
         let is_unseen = |point: &usize| observation.views.iter().all(|view| view[*point].is_none());
         Ok(FittedPose {
-            pose,
+            pose: chain.pose_of(state),
             unseen: (0..points.len()).filter(is_unseen).collect(),
             points,
             residuals_px,

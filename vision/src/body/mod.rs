@@ -23,6 +23,10 @@
 //! bones do not change, so the fit is nearer to the truth than points that are triangulated one by
 //! one. The loss ρ ([`Loss`](crate::least_squares::Loss)) limits what a wrong pixel does.
 //!
+//! In a [clip](BodyFit::clip) the accelerations of body and joints are part of the sum, each in
+//! units of its own standard deviation, which the clip shows. Where lengths of bones are not known,
+//! [`fit_lengths`] finds them from several frames.
+//!
 //! ```
 //! use ga_anim::skeleton::{Joint, Skeleton};
 //! use ga_runtime::cga3::Point;
@@ -51,7 +55,7 @@
 //! let mut seen = Observation::unseen(cameras.len(), truth.len());
 //! for (camera, view) in cameras.iter().zip(&mut seen.views) {
 //!     for (point, pixel) in truth.iter().zip(view) {
-//!         *pixel = Some(JointPixel { position: camera.project(*point)?, deviation: 1.0 });
+//!         *pixel = Some(JointPixel { position: camera.project(*point)?, deviation: 0.1 });
 //!     }
 //! }
 //! let fitted = BodyFit::new(&model, &cameras)?.frame(&seen)?;
@@ -61,15 +65,22 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod chain;
+mod clip;
+mod descent;
 mod error;
 pub mod evaluation;
 mod fit;
 pub mod format;
+mod lengths;
+mod likelihood;
 mod model;
+mod skinned;
 mod start;
 
 pub use error::{BodyError, ClipError};
 pub use fit::{BodyFit, FittedPose};
+pub use lengths::{FittedLengths, Lengths, LengthsError, fit_lengths};
 pub use model::{BodyModel, BodyModelError, BodyPoint};
 
 /// A point of the body as a view shows it.

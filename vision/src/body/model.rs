@@ -166,6 +166,15 @@ impl BodyModel {
         Self { blending, ..self }
     }
 
+    /// The same body with joints and points in other places.
+    pub(super) fn with_skeleton(&self, skeleton: Skeleton, points: Vec<BodyPoint>) -> Self {
+        Self {
+            skeleton,
+            points,
+            ..self.clone()
+        }
+    }
+
     /// The skeleton, in metres.
     #[must_use]
     pub fn skeleton(&self) -> &Skeleton {

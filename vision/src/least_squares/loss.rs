@@ -17,7 +17,7 @@ pub enum Loss {
 impl Loss {
     /// The loss of a residual with the square of the length `s²`, and the weight of its squares in
     /// the equations of a step, `dρ / d(s²)`.
-    pub(super) fn of(self, squared: f64) -> (f64, f64) {
+    pub(crate) fn of(self, squared: f64) -> (f64, f64) {
         match self {
             Self::Squares => (squared, 1.0),
             Self::Huber(scale) if squared <= scale * scale => (squared, 1.0),

@@ -3,6 +3,8 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 #[cfg(feature = "body")]
+mod body;
+#[cfg(feature = "body")]
 mod body_evaluation;
 #[cfg(feature = "body")]
 mod body_format;

@@ -1,0 +1,367 @@
+//! A skeleton as a function of its rotations, with derivatives.
+
+use ga_anim::pose::Pose;
+use ga_runtime::cga3::{Direction, Motor, Point, Rotor, Translator};
+use ga_runtime::geometry::RotationPath;
+use ga_runtime::vga3::Vector;
+
+use super::model::{BodyModel, BodyPoint};
+use super::skinned::Skinned;
+
+/// The columns of the translation, which come first.
+pub(super) const TRANSLATION: usize = 3;
+
+/// The unknowns of a joint's rotation.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Columns {
+    /// The first of them.
+    pub(super) first: usize,
+    /// 3 for a joint that rotates freely, 1 for a hinge, 0 for one that is fixed, or whose rotation
+    /// no point shows.
+    pub(super) count: usize,
+    /// The unit axis of a hinge, in the coordinates of the skeleton at rest.
+    axis: Vector<f64>,
+}
+
+/// A joint that moves a point, and which of the point's joints it carries.
+#[derive(Clone, Debug)]
+struct Mover {
+    joint: usize,
+    carries: Vec<usize>,
+}
+
+/// A model prepared for fits.
+#[derive(Clone, Debug)]
+pub(super) struct Chain<'a> {
+    pub(super) model: &'a BodyModel,
+    /// For each joint, where its head is at rest, relative to that of its parent.
+    offsets: Vec<Vector<f64>>,
+    /// For each point, where it is at rest, relative to the heads of its joints.
+    levers: Vec<Vec<Vector<f64>>>,
+    pub(super) columns: Vec<Columns>,
+    /// The number of all unknowns.
+    pub(super) count: usize,
+    /// For each point, what moves it, from the root on.
+    movers: Vec<Vec<Mover>>,
+    /// The points that follow several joints by a blend of motors.
+    skinned: Option<Skinned>,
+}
+
+/// A pose by numbers and rotors: rotations relative to the parent, in the axes of rest.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct State {
+    pub(super) translation: Vector<f64>,
+    pub(super) rotors: Vec<Rotor<f64>>,
+}
+
+/// Where everything is in a state.
+#[derive(Clone, Debug)]
+pub(super) struct Places {
+    /// For each joint the rotation of its bone from rest.
+    rotors: Vec<Rotor<f64>>,
+    heads: Vec<Vector<f64>>,
+    /// For each point, where each of its joints would take it.
+    parts: Vec<Vec<Vector<f64>>>,
+    pub(super) points: Vec<Vector<f64>>,
+}
+
+impl<'a> Chain<'a> {
+    pub(super) fn new(model: &'a BodyModel) -> Self {
+        let joints = model.skeleton().joints();
+        let offsets = joints.iter().map(|joint| {
+            let above = joint.parent.map_or([0.0; 3], |parent| joints[parent].head);
+            Vector::from(joint.head) - Vector::from(above)
+        });
+        let levers = model.points().iter().map(|point| {
+            let of_joint = |&(joint, _): &(usize, f64)| {
+                Vector::from(point.at_rest) - Vector::from(joints[joint].head)
+            };
+            point.joints.iter().map(of_joint).collect()
+        });
+        let movers: Vec<Vec<Mover>> = model.points().iter().map(|p| movers(model, p)).collect();
+        let mut count = TRANSLATION;
+        let columns = (0..joints.len()).map(|joint| {
+            let axis = model.limits().and_then(|limits| limits.hinge_axis(joint));
+            let is_fixed = model.limits().is_some_and(|limits| limits.is_fixed(joint));
+            let own = match (is_fixed || is_redundant(model, &movers, joint), axis) {
+                (true, _) => 0,
+                (false, Some(_)) => 1,
+                (false, None) => 3,
+            };
+            count += own;
+            Columns {
+                first: count - own,
+                count: own,
+                axis: axis.unwrap_or_default(),
+            }
+        });
+        Self {
+            columns: columns.collect(),
+            offsets: offsets.collect(),
+            levers: levers.collect(),
+            skinned: Skinned::new(model),
+            count,
+            movers,
+            model,
+        }
+    }
+
+    /// The same chain with the way to each joint times a factor, and what lies beside the bones
+    /// times another; points that follow several joints are at the means of their places.
+    pub(super) fn with_factors(&self, factors: &[f64], beside: f64) -> Self {
+        let offsets = self.offsets.iter().zip(factors);
+        let levers = self.levers.iter();
+        Self {
+            offsets: offsets.map(|(offset, factor)| *offset * *factor).collect(),
+            levers: levers
+                .map(|levers| levers.iter().map(|lever| *lever * beside).collect())
+                .collect(),
+            skinned: None,
+            ..self.clone()
+        }
+    }
+
+    /// The derivatives of a point by the logarithms of the lengths of the ways to joints.
+    pub(super) fn derivatives_by_bones(
+        &self,
+        places: &Places,
+        point: usize,
+        mut by_bone: impl FnMut(usize, Vector<f64>),
+    ) {
+        let joints = self.model.skeleton().joints();
+        let point = &self.model.points()[point];
+        let total = weights(point);
+        for &(joint, weight) in &point.joints {
+            let mut below = joint;
+            while let Some(parent) = joints[below].parent {
+                let way = places.heads[below] - places.heads[parent];
+                by_bone(below, way * (weight / total));
+                below = parent;
+            }
+        }
+    }
+
+    /// Whether a joint has no joint above it: its rotation is that of the whole body.
+    pub(super) fn is_root(&self, joint: usize) -> bool {
+        self.model.skeleton().joints()[joint].parent.is_none()
+    }
+
+    pub(super) fn rest(&self) -> State {
+        State {
+            translation: Vector::default(),
+            rotors: vec![Rotor::default(); self.offsets.len()],
+        }
+    }
+
+    /// The state nearest to a pose: the total rotations of the bones are those of the pose, and the
+    /// first joint is where it is in the pose.
+    pub(super) fn state_of(&self, pose: &Pose) -> State {
+        let joints = self.model.skeleton().joints();
+        let mut state = self.rest();
+        for (index, (own, joint)) in pose.joints.iter().zip(joints).enumerate() {
+            let rotor = match joint.parent {
+                Some(_) => own.rotor(),
+                None => pose.root.rotor() * own.rotor(),
+            };
+            state.rotors[index] = rotor.along(RotationPath::Short);
+        }
+        let head = joints[0].head;
+        let root = pose.joints.first().copied().unwrap_or_default();
+        let moved = (pose.root * root).transform(Point::from(head));
+        state.translation = Vector::from(moved) - Vector::from(head);
+        state
+    }
+
+    pub(super) fn pose_of(&self, state: &State) -> Pose {
+        let joints = self.model.skeleton().joints().iter().zip(&state.rotors);
+        Pose {
+            root: Translator::from_displacement(state.translation.into()).into(),
+            joints: joints
+                .map(|(joint, &rotor)| Motor::about(joint.head.into(), rotor))
+                .collect(),
+        }
+    }
+
+    pub(super) fn places(&self, state: &State) -> Places {
+        let joints = self.model.skeleton().joints();
+        let mut rotors: Vec<Rotor<f64>> = Vec::with_capacity(joints.len());
+        let mut heads: Vec<Vector<f64>> = Vec::with_capacity(joints.len());
+        for (index, joint) in joints.iter().enumerate() {
+            let (own, offset) = (state.rotors[index], self.offsets[index]);
+            let (rotor, head) = match joint.parent {
+                Some(parent) => (
+                    rotors[parent] * own,
+                    heads[parent] + rotated(rotors[parent], offset),
+                ),
+                None => (own, offset + state.translation),
+            };
+            rotors.push(rotor);
+            heads.push(head);
+        }
+        let (mut parts, mut points) = (Vec::new(), Vec::new());
+        for (point, levers) in self.model.points().iter().zip(&self.levers) {
+            let parts_of_point = point.joints.iter().zip(levers);
+            let parts_of_point = parts_of_point
+                .map(|(&(joint, _), lever)| heads[joint] + rotated(rotors[joint], *lever));
+            let parts_of_point: Vec<Vector<f64>> = parts_of_point.collect();
+            let weighted = parts_of_point.iter().zip(&point.joints);
+            let sum = weighted.fold(Vector::default(), |sum, (part, (_, weight))| {
+                sum + *part * *weight
+            });
+            points.push(sum / weights(point));
+            parts.push(parts_of_point);
+        }
+        let mut places = Places {
+            rotors,
+            heads,
+            parts,
+            points,
+        };
+        if let Some(skinned) = &self.skinned {
+            skinned.blend(
+                &self.motions(&places),
+                &mut places.points,
+                &mut places.parts,
+            );
+        }
+        places
+    }
+
+    /// The total motions of all joints.
+    fn motions(&self, places: &Places) -> Vec<Motor<f64>> {
+        let joints = self.model.skeleton().joints().iter();
+        let placed = joints.zip(places.rotors.iter().zip(&places.heads));
+        placed
+            .map(|(joint, (rotor, head))| {
+                let displacement = *head - rotated(*rotor, joint.head.into());
+                Translator::from_displacement(displacement.into()) * *rotor
+            })
+            .collect()
+    }
+
+    /// The derivatives of a point by the unknowns, in ascending order: by the translation, and by
+    /// rotations of the joints, whose axes are those of the parent.
+    pub(super) fn derivatives(
+        &self,
+        places: &Places,
+        point: usize,
+        rows: &mut Vec<(usize, Vector<f64>)>,
+    ) {
+        rows.clear();
+        rows.extend((0..TRANSLATION).map(|k| (k, unit(k))));
+        let BodyPoint { joints, .. } = &self.model.points()[point];
+        let total = weights(&self.model.points()[point]);
+        for Mover { joint, carries } in &self.movers[point] {
+            let columns = self.columns[*joint];
+            if columns.count == 0 {
+                continue;
+            }
+            let head = places.heads[*joint];
+            // The sum of the levers of what the joint carries.
+            let lever = carries.iter().fold(Vector::default(), |sum, &part| {
+                sum + (places.parts[point][part] - head) * (joints[part].1 / total)
+            });
+            let parent = self.model.skeleton().joints()[*joint].parent;
+            let above = parent.map_or(Rotor::default(), |parent| places.rotors[parent]);
+            for k in 0..columns.count {
+                let axis = rotated(above, columns.direction(k));
+                rows.push((columns.first + k, axis.cross(lever)));
+            }
+        }
+    }
+
+    /// The state after a step of all unknowns, with joints within their limits.
+    pub(super) fn stepped(&self, state: &State, step: &[f64]) -> Option<State> {
+        let mut next = state.clone();
+        next.translation = state.translation + Vector::new(step[0], step[1], step[2]);
+        for (joint, columns) in self.columns.iter().enumerate() {
+            if columns.count > 0 {
+                let own = &step[columns.first..columns.first + columns.count];
+                let vector = columns.vector(own);
+                let rotor = Rotor::from_rotation_vector(vector.into())? * state.rotors[joint];
+                next.rotors[joint] = match self.model.limits() {
+                    Some(limits) => limits.clamp(joint, rotor),
+                    None => rotor,
+                };
+            }
+        }
+        let finite = next.translation.coordinates().iter().all(|x| x.is_finite());
+        finite.then_some(next)
+    }
+}
+
+impl Columns {
+    /// The axis of an unknown in the coordinates of the parent.
+    pub(super) fn direction(&self, k: usize) -> Vector<f64> {
+        if self.count == 1 { self.axis } else { unit(k) }
+    }
+
+    /// The rotation vector of a step.
+    fn vector(&self, step: &[f64]) -> Vector<f64> {
+        let parts = step.iter().enumerate();
+        parts.fold(Vector::default(), |sum, (k, part)| {
+            sum + self.direction(k) * *part
+        })
+    }
+}
+
+/// The rotation vector of a rotor, the shorter way.
+pub(super) fn rotation_vector(rotor: Rotor<f64>) -> Vector<f64> {
+    rotor.along(RotationPath::Short).to_rotation_vector().into()
+}
+
+pub(super) fn rotated(rotor: Rotor<f64>, vector: Vector<f64>) -> Vector<f64> {
+    let direction = Direction::from_vector(vector.into());
+    rotor.transform(direction).vector().into()
+}
+
+fn unit(k: usize) -> Vector<f64> {
+    Vector::from([0, 1, 2].map(|i| f64::from(u8::from(i == k))))
+}
+
+fn weights(point: &BodyPoint) -> f64 {
+    point.joints.iter().map(|(_, weight)| weight).sum()
+}
+
+/// The joints that move a point, from the root on. A joint does not move what is at its own head.
+fn movers(model: &BodyModel, point: &BodyPoint) -> Vec<Mover> {
+    let joints = model.skeleton().joints();
+    let mut movers: Vec<Mover> = Vec::new();
+    for (part, &(joint, weight)) in point.joints.iter().enumerate() {
+        if weight == 0.0 {
+            continue;
+        }
+        let mut above = Some(joint);
+        let mut is_at_head = true;
+        while let Some(joint) = above {
+            is_at_head &= joints[joint].head == point.at_rest;
+            if !is_at_head {
+                match movers.iter_mut().find(|mover| mover.joint == joint) {
+                    Some(mover) => mover.carries.push(part),
+                    None => movers.push(Mover {
+                        joint,
+                        carries: vec![part],
+                    }),
+                }
+            }
+            above = joints[joint].parent;
+        }
+    }
+    movers.sort_by_key(|mover| mover.joint);
+    movers
+}
+
+/// Whether a joint moves nothing, or exactly what its parent moves and about the same centre.
+fn is_redundant(model: &BodyModel, movers: &[Vec<Mover>], joint: usize) -> bool {
+    let joints = model.skeleton().joints();
+    let carried = |joint: usize, point: usize| {
+        let mover = movers[point].iter().find(|mover| mover.joint == joint);
+        mover.map(|mover| mover.carries.as_slice())
+    };
+    let moves = |joint: usize| (0..movers.len()).any(|point| carried(joint, point).is_some());
+    let Some(parent) = joints[joint].parent else {
+        return !moves(joint);
+    };
+    let is_same = || (0..movers.len()).all(|point| carried(joint, point) == carried(parent, point));
+    !moves(joint) || (joints[joint].head == joints[parent].head && is_same())
+}

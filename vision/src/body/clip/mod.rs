@@ -1,0 +1,45 @@
+//! The most likely motion of a clip.
+
+mod band;
+mod differences;
+mod variances;
+mod window;
+
+use rayon::prelude::*;
+
+use super::Observation;
+use super::chain::State;
+use super::likelihood::Likelihood;
+
+/// How many frames a stretch of a long clip contributes…
+const CORE: usize = 192;
+/// …and how many more it has on either side, which the frames of the core hardly depend on.
+const MARGIN: usize = 48;
+
+/// The most likely states of all frames from those of the frames by themselves. Stretches of the
+/// clip are computed independently of each other.
+pub(super) fn smooth(
+    likelihood: &Likelihood<'_>,
+    observations: &[Observation],
+    states: Vec<State>,
+    frames_per_second: f64,
+) -> Vec<State> {
+    let count = states.len();
+    let cores: Vec<(usize, usize)> = (0..count)
+        .step_by(CORE)
+        .map(|first| (first, (first + CORE).min(count)))
+        .collect();
+    let smoothed = cores.into_par_iter().map(|(first, end)| {
+        let (from, to) = (first.saturating_sub(MARGIN), (end + MARGIN).min(count));
+        let mut found = window::fit(
+            likelihood,
+            &observations[from..to],
+            states[from..to].to_vec(),
+            frames_per_second,
+        );
+        found.truncate(end - from);
+        found.drain(..first - from);
+        found
+    });
+    smoothed.flatten_iter().collect()
+}

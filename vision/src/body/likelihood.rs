@@ -1,0 +1,177 @@
+//! How likely a pose is for what the views show, and the normal equations of a step.
+
+use ga_runtime::vga3::Vector;
+use nalgebra_035::{DMatrix, DVector};
+
+use super::chain::{Chain, Places, State, rotation_vector};
+use super::{BodyError, JointPixel, Observation};
+use crate::camera::Camera;
+use crate::least_squares::Loss;
+
+/// The standard deviation of a joint's rotation from rest in radians, where nothing else is known:
+/// about that of a human's limbs. It is weak beside pixels and decides what they leave open.
+const ROTATION_FROM_REST: f64 = 1.0;
+
+/// The negative logarithm of a likelihood, doubled, and the equations of a step from there.
+#[derive(Clone, Debug)]
+pub(super) struct Normal {
+    pub(super) cost: f64,
+    /// Half the second derivative, in the lower triangle.
+    pub(super) matrix: DMatrix<f64>,
+    /// Half the first derivative.
+    pub(super) gradient: DVector<f64>,
+    rows: Vec<(usize, Vector<f64>)>,
+}
+
+impl Normal {
+    pub(super) fn new(count: usize) -> Self {
+        Self {
+            cost: 0.0,
+            matrix: DMatrix::zeros(count, count),
+            gradient: DVector::zeros(count),
+            rows: Vec::new(),
+        }
+    }
+
+    /// Adds to the equations that a point should move along the downward gradient −b, where its
+    /// squared error grows with the matrix A.
+    fn add(&mut self, places: &Places, chain: &Chain<'_>, point: usize, error: &PointError) {
+        let mut rows = std::mem::take(&mut self.rows);
+        chain.derivatives(places, point, &mut rows);
+        for (index, (row, by_row)) in rows.iter().enumerate() {
+            self.gradient[*row] += by_row.dot(error.gradient);
+            let weighted = Vector::from(error.matrix.map(|line| line.dot(*by_row)));
+            for (column, by_column) in &rows[..=index] {
+                self.matrix[(*row, *column)] += weighted.dot(*by_column);
+            }
+        }
+        self.rows = rows;
+    }
+}
+
+/// The errors of a point in all views as a function of where it is.
+#[derive(Clone, Copy, Debug, Default)]
+struct PointError {
+    gradient: Vector<f64>,
+    matrix: [Vector<f64>; 3],
+}
+
+/// The likelihood of the poses of a body in front of cameras.
+#[derive(Clone, Debug)]
+pub(super) struct Likelihood<'a> {
+    pub(super) chain: Chain<'a>,
+    pub(super) cameras: &'a [Camera],
+    pub(super) loss: Loss,
+}
+
+impl Likelihood<'_> {
+    /// The cost of a state; `None` where a camera does not see a point that it observes.
+    pub(super) fn cost(&self, state: &State, observation: &Observation) -> Option<f64> {
+        let places = self.chain.places(state);
+        let mut cost = self.prior_cost(state);
+        for (camera, pixels) in self.cameras.iter().zip(&observation.views) {
+            for (place, pixel) in places.points.iter().zip(pixels) {
+                let Some(pixel) = pixel else { continue };
+                let found = camera.project((*place).into()).ok()?;
+                cost += self.loss.of(squared(error_of(found, pixel))).0;
+            }
+        }
+        cost.is_finite().then_some(cost)
+    }
+
+    /// The equations of a step from a state; `None` where [`cost`](Self::cost) is.
+    pub(super) fn linearise(
+        &self,
+        state: &State,
+        observation: &Observation,
+        normal: &mut Normal,
+    ) -> Option<()> {
+        normal.cost = self.prior_cost(state);
+        normal.matrix.fill(0.0);
+        normal.gradient.fill(0.0);
+        let places = self.chain.places(state);
+        for (point, place) in places.points.iter().enumerate() {
+            let mut error = PointError::default();
+            let mut is_seen = false;
+            for (camera, pixels) in self.cameras.iter().zip(&observation.views) {
+                let Some(pixel) = &pixels[point] else {
+                    continue;
+                };
+                is_seen = true;
+                let seen = camera.project_with_derivatives((*place).into()).ok()?;
+                let residual = error_of(seen.pixel, pixel);
+                let (loss, weight) = self.loss.of(squared(residual));
+                normal.cost += loss;
+                for (row, value) in seen.by_point.iter().zip(residual) {
+                    let row = Vector::from(*row) / pixel.deviation;
+                    error.gradient += row * (weight * value);
+                    for (line, part) in error.matrix.iter_mut().zip(row.coordinates()) {
+                        *line += row * (weight * part);
+                    }
+                }
+            }
+            if is_seen {
+                normal.add(&places, &self.chain, point, &error);
+            }
+        }
+        self.add_prior(state, normal);
+        normal.cost.is_finite().then_some(())
+    }
+
+    /// Which camera does not see a point that it observes, in a state without a cost.
+    pub(super) fn unseen(&self, state: &State, observation: &Observation) -> BodyError {
+        let places = self.chain.places(state);
+        for (view, (camera, pixels)) in self.cameras.iter().zip(&observation.views).enumerate() {
+            let points = self.chain.model.points().iter().zip(&places.points);
+            for ((point, place), _) in points.zip(pixels).filter(|(_, pixel)| pixel.is_some()) {
+                if let Err(error) = camera.project((*place).into()) {
+                    return BodyError::of_point(view, &point.name, error);
+                }
+            }
+        }
+        BodyError::NoPose
+    }
+
+    /// The residuals of joints from rest, each with its column and its derivative.
+    pub(super) fn rest_residuals(&self, state: &State, mut add: impl FnMut(usize, f64, f64)) {
+        let slope = 1.0 / ROTATION_FROM_REST;
+        for (joint, (columns, rotor)) in self.chain.columns.iter().zip(&state.rotors).enumerate() {
+            if !self.chain.is_root(joint) {
+                let vector = rotation_vector(*rotor);
+                for k in 0..columns.count {
+                    add(
+                        columns.first + k,
+                        vector.dot(columns.direction(k)) * slope,
+                        slope,
+                    );
+                }
+            }
+        }
+    }
+
+    fn prior_cost(&self, state: &State) -> f64 {
+        let joints = self.chain.columns.iter().zip(&state.rotors);
+        let rotating = joints
+            .enumerate()
+            .filter(|(joint, (columns, _))| columns.count > 0 && !self.chain.is_root(*joint));
+        let squares = rotating.map(|(_, (_, rotor))| rotation_vector(*rotor).length_squared());
+        squares.sum::<f64>() / ROTATION_FROM_REST.powi(2)
+    }
+
+    /// Rotations of joints are near rest. That of the whole body is not.
+    fn add_prior(&self, state: &State, normal: &mut Normal) {
+        // A rotation vector is an eigenvector of its derivatives by rotations.
+        self.rest_residuals(state, |row, residual, slope| {
+            normal.matrix[(row, row)] += slope * slope;
+            normal.gradient[row] += residual * slope;
+        });
+    }
+}
+
+fn error_of(found: [f64; 2], pixel: &JointPixel) -> [f64; 2] {
+    [0, 1].map(|k| (found[k] - pixel.position[k]) / pixel.deviation)
+}
+
+fn squared([u, v]: [f64; 2]) -> f64 {
+    u * u + v * v
+}
