@@ -28,7 +28,8 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 use commands::{
-    animate, capture, clip, contour, curve, demo, draw, expand, mesh, render, skin, stereo, texture,
+    animate, body, capture, clip, contour, curve, demo, draw, expand, mesh, render, skin, stereo,
+    texture,
 };
 
 /// Animation, stereo vision and pictures on conformal geometric algebra.
@@ -46,6 +47,7 @@ struct Cli {
 enum Command {
     Demo(demo::Arguments),
     Animate(animate::Arguments),
+    Body(body::Arguments),
     Capture(capture::Arguments),
     Expand(expand::Arguments),
     Clip(clip::Arguments),
@@ -64,6 +66,7 @@ fn main() -> ExitCode {
     let result = match &cli.command {
         Command::Demo(arguments) => demo::run(arguments, cli.quiet),
         Command::Animate(arguments) => animate::run(arguments, cli.quiet),
+        Command::Body(arguments) => body::run(arguments, cli.quiet),
         Command::Capture(arguments) => capture::run(arguments, cli.quiet),
         Command::Expand(arguments) => expand::run(arguments),
         Command::Clip(arguments) => clip::run(arguments, cli.quiet),

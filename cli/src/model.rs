@@ -56,7 +56,13 @@ pub(crate) fn files(figure: &Figure, clip: &Clip, clip_name: &str) -> Result<Vec
 const MATERIAL: &str = "skin";
 pub(crate) const ROUGHNESS: f64 = 0.8;
 
-fn glb(figure: &Figure, clip: &Clip, clip_name: &str, png: Option<&[u8]>) -> Result<Vec<u8>> {
+/// The mesh with skeleton, skin weights and one animation as binary glTF, painted with a PNG.
+pub(crate) fn glb(
+    figure: &Figure,
+    clip: &Clip,
+    clip_name: &str,
+    png: Option<&[u8]>,
+) -> Result<Vec<u8>> {
     let positions: Vec<[f64; 3]> = figure.mesh.coordinates().collect();
     let normals = vertex_normals(&positions, &figure.mesh.triangles());
     let weights = gltf::vertex_weights(&figure.weights);

@@ -1,6 +1,7 @@
 //! The subcommands, a file each.
 
 pub(crate) mod animate;
+pub(crate) mod body;
 pub(crate) mod capture;
 pub(crate) mod clip;
 pub(crate) mod contour;
