@@ -3,6 +3,7 @@
 
 mod buffer_files;
 mod camera_file;
+mod chart;
 mod checks;
 mod commands;
 mod failure;

@@ -1,5 +1,6 @@
 //! `nullcone body`: people in views.
 
+mod evaluate;
 mod fit;
 
 use anyhow::Result;
@@ -15,10 +16,12 @@ pub(crate) struct Arguments {
 #[derive(Clone, Debug, Subcommand)]
 enum Command {
     Fit(fit::Arguments),
+    Evaluate(evaluate::Arguments),
 }
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     match &arguments.command {
         Command::Fit(arguments) => fit::run(arguments, quiet),
+        Command::Evaluate(arguments) => evaluate::run(arguments, quiet),
     }
 }

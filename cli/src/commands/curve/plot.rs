@@ -6,28 +6,16 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 
 use super::table::Table;
+use crate::chart::{COLOURS, FINE, shown_small};
 
 /// The size of the picture as it is shown.
 const SIZE: (u32, u32) = (1000, 560);
-/// It is drawn so many times larger, since the library rounds coordinates to whole numbers.
-const FINE: u32 = 8;
 /// The width of the strip with the names of the channels.
 const NAMES: u32 = 180;
 /// So many names fit into it.
 const MOST_NAMES: usize = 20;
 /// More vertices of a polyline than this would hide the curve.
 const MOST_MARKS: usize = 400;
-/// Colours that people with any colour vision tell apart (Okabe and Ito, 2008).
-const COLOURS: [RGBColor; 7] = [
-    RGBColor(0, 114, 178),
-    RGBColor(213, 94, 0),
-    RGBColor(0, 158, 115),
-    RGBColor(204, 121, 167),
-    RGBColor(86, 180, 233),
-    RGBColor(230, 159, 0),
-    RGBColor(60, 60, 60),
-];
-
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 /// A picture of curves with their keys as dots, and the vertices of a polyline as small rings.
@@ -107,19 +95,7 @@ pub(super) fn svg(
         )?;
         root.present()?;
     }
-    Ok(shown_small(&text))
-}
-
-/// The picture with its width and height as it is shown; the view box keeps the fine coordinates.
-fn shown_small(svg: &str) -> String {
-    let size = |factor: u32| {
-        format!(
-            "width=\"{}\" height=\"{}\"",
-            SIZE.0 * factor,
-            SIZE.1 * factor
-        )
-    };
-    svg.replacen(&size(FINE), &size(1), 1)
+    Ok(shown_small(&text, SIZE))
 }
 
 /// The names of the channels beside samples of their lines, and what the marks are.

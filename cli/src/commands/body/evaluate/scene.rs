@@ -1,0 +1,196 @@
+//! The motion and the cameras that see it.
+
+use anyhow::{Context, Result, ensure};
+use ga_anim::bvh::Bvh;
+use ga_anim::recording::Recording;
+use ga_runtime::cga3::Point;
+use ga_runtime::vga3::Vector;
+use ga_vision::body::BodyModel;
+use ga_vision::camera::{Camera, Intrinsics};
+
+/// From the mean of the body's points to each camera, in metres.
+pub(super) const DISTANCE: f64 = 4.0;
+/// Between the two cameras of a rig, in metres.
+pub(super) const BASELINE: f64 = 1.0;
+pub(super) const FOCAL_LENGTH: f64 = 1000.0;
+/// The middle of pictures of 1920 × 1080 pixels.
+const PRINCIPAL_POINT: [f64; 2] = [959.5, 539.5];
+/// The frames of a stretch: a second of motion capture.
+const STRETCH: usize = 120;
+/// The stature that guesses of a unit go by, in metres.
+const STATURE: f64 = 1.7;
+/// Units in metres: a metre, a decimetre, CMU's, an inch, a centimetre and a millimetre.
+const UNITS: [f64; 6] = [1.0, 0.1, 0.0254 / 0.45, 0.0254, 0.01, 0.001];
+
+/// The length of a unit of the motion.
+pub(super) enum Unit {
+    /// This in metres.
+    Given(f64),
+    /// That of [`UNITS`] with which the body is most like a person.
+    Guessed,
+}
+
+/// A motion of a body in metres, in stretches.
+pub(super) struct Motion {
+    pub(super) model: BodyModel,
+    pub(super) metres_per_unit: f64,
+    pub(super) frames_per_second: f64,
+    pub(super) stretches: Vec<Stretch>,
+}
+
+/// Frames one after the other, and where the cameras look.
+pub(super) struct Stretch {
+    /// The points of the model in each frame.
+    pub(super) frames: Vec<Vec<Point<f64>>>,
+    /// The mean of all of them.
+    middle: Vector<f64>,
+    /// The level direction from there to the cameras: the body moves across rather than in depth.
+    towards_cameras: Vector<f64>,
+}
+
+impl Motion {
+    /// At most `most` frames from `first` on, 0 for all, of every `every`th of the motion.
+    pub(super) fn new(
+        recorded: &Bvh,
+        unit: Unit,
+        first: usize,
+        every: usize,
+        most: usize,
+    ) -> Result<Self> {
+        let metres_per_unit = match unit {
+            Unit::Given(unit) => unit,
+            Unit::Guessed => guessed_unit(recorded).context("the body at rest has no height")?,
+        };
+        let recording = Recording::from_bvh(recorded, metres_per_unit)?;
+        let skeleton = recording.to_skeleton()?;
+        let clip = recording.to_clip()?;
+        let model = BodyModel::of_distinct_joints(skeleton)?;
+        let poses: Vec<_> = clip.frames().iter().skip(first).step_by(every).collect();
+        ensure!(!poses.is_empty(), "the motion has no frames");
+        let points = |pose: &&ga_anim::pose::Pose| -> Result<Vec<Point<f64>>> {
+            let motions = pose.motions(model.skeleton())?;
+            let points = model.points().iter().map(|point| {
+                let joint = point.joints.first().map_or(0, |(joint, _)| *joint);
+                motions[joint].transform(Point::from(point.at_rest))
+            });
+            Ok(points.collect())
+        };
+        let stretches = stretches(poses.len(), most).into_iter().map(|range| {
+            let frames = poses[range].iter().map(points);
+            Ok(Stretch::new(frames.collect::<Result<_>>()?))
+        });
+        Ok(Self {
+            stretches: stretches.collect::<Result<_>>()?,
+            model,
+            metres_per_unit,
+            frames_per_second: 1.0 / (recording.frame_time() * every as f64),
+        })
+    }
+
+    pub(super) fn frame_count(&self) -> usize {
+        let stretches = self.stretches.iter();
+        stretches.map(|stretch| stretch.frames.len()).sum()
+    }
+}
+
+impl Stretch {
+    fn new(frames: Vec<Vec<Point<f64>>>) -> Self {
+        let points = || frames.iter().flatten().map(|&point| Vector::from(point));
+        let [low, high] = ga_mesh::bounds(points()).unwrap_or_default();
+        let size = high - low;
+        let (sum, count) = (
+            points().fold(Vector::ZERO, |sum, p| sum + p),
+            points().count(),
+        );
+        let towards_cameras = if size.e1 < size.e3 {
+            Vector::X
+        } else {
+            Vector::Z
+        };
+        Self {
+            middle: sum * (1.0 / count.max(1) as f64),
+            towards_cameras,
+            frames,
+        }
+    }
+
+    /// One camera; two with the baseline between them, side by side; or more in a circle.
+    pub(super) fn cameras(&self, count: usize) -> Result<Vec<Camera>> {
+        let intrinsics = Intrinsics::new([FOCAL_LENGTH; 2], PRINCIPAL_POINT)?;
+        let step = match count {
+            2 => 2.0 * (0.5 * BASELINE / DISTANCE).asin(),
+            _ => std::f64::consts::TAU / count as f64,
+        };
+        let start = if count == 2 { -0.5 * step } else { 0.0 };
+        let across = Vector::Y.cross(self.towards_cameras);
+        let cameras = (0..count).map(|index| {
+            let (sin, cos) = (start + step * index as f64).sin_cos();
+            let way = self.towards_cameras * cos + across * sin;
+            let eye = Point::from(self.middle + way * DISTANCE);
+            Camera::look_at(intrinsics, eye, self.middle.into(), [0.0, 1.0, 0.0])
+                .context("the cameras have no direction")
+        });
+        cameras.collect()
+    }
+}
+
+/// The unit with which the body at rest is nearest to the usual stature.
+fn guessed_unit(recorded: &Bvh) -> Option<f64> {
+    let heights = recorded.rest_positions().into_iter().map(|place| place[1]);
+    let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| {
+        (low.min(y), high.max(y))
+    });
+    let height = high - low;
+    let misses = |unit: &f64| (height * unit / STATURE).ln().abs();
+    (height > 0.0 && height.is_finite())
+        .then(|| {
+            let units = UNITS.into_iter();
+            units.min_by(|a, b| misses(a).total_cmp(&misses(b)))
+        })
+        .flatten()
+}
+
+/// Ranges of `count` frames that are at most `most` together, 0 for all.
+fn stretches(count: usize, most: usize) -> Vec<std::ops::Range<usize>> {
+    let wanted = if most == 0 { count } else { most.min(count) };
+    let number = wanted.div_ceil(STRETCH).max(1);
+    let length = wanted / number;
+    let slack = count - number * length;
+    let range = |index: usize| {
+        let start = index * length + slack * index / number.saturating_sub(1).max(1);
+        start..start + length
+    };
+    (0..number).map(range).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stretches_are_apart_and_within_the_motion() {
+        for (count, most) in [
+            (2752, 480),
+            (2752, 0),
+            (100, 480),
+            (1, 480),
+            (500, 7),
+            (481, 480),
+        ] {
+            let ranges = stretches(count, most);
+            assert!(ranges.last().is_some_and(|range| range.end <= count));
+            assert!(
+                ranges
+                    .iter()
+                    .all(|range| (1..=STRETCH).contains(&range.len()))
+            );
+            assert!(ranges.windows(2).all(|pair| pair[0].end <= pair[1].start));
+            let frames: usize = ranges.iter().map(ExactSizeIterator::len).sum();
+            let wanted = if most == 0 { count } else { most.min(count) };
+            assert!(
+                frames <= wanted && frames + ranges.len() > wanted,
+                "{frames} {wanted}"
+            );
+        }
+    }
+}
