@@ -81,7 +81,7 @@ pub(crate) struct Arguments {
     every: usize,
     /// At most so many frames, in stretches of 120 that are evenly spread over the motion; 0 for
     /// all.
-    #[arg(long, value_name = "N", default_value_t = 480)]
+    #[arg(long, value_name = "N", default_value_t = 240)]
     frames: usize,
     /// Draw 2-D joint errors, times and the errors over the noise as a picture.
     #[arg(long, value_name = "FILE.svg")]
