@@ -24,11 +24,11 @@ const PLACES: [[f64; 2]; 6] = [
 proptest! {
     #[test]
     fn exact_pairs_give_the_map(
-        linear in prop::array::uniform4(-50.0..50.0),
-        offset in prop::array::uniform2(-300.0..300.0),
-        far in prop::array::uniform2(-0.1..0.1),
+        linear in prop::array::uniform4(-50.0..50.0_f64),
+        offset in prop::array::uniform2(-300.0..300.0_f64),
+        far in prop::array::uniform2(-0.1..0.1_f64),
         count in 4usize..7,
-        other in prop::array::uniform2(-0.8..2.0),
+        other in prop::array::uniform2(-0.8..2.0_f64),
     ) {
         let [a, b, c, d] = linear;
         let ([u, v], [p, q]) = (offset, far);
