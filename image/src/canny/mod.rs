@@ -17,9 +17,9 @@ use hysteresis::{COLUMNS, Hysteresis};
 /// ```
 ///
 /// `[dx, dy]` is Sobel's [`Gradient`] of a picture whose outermost pixels are repeated; m and the
-/// thresholds are 4 times the step of a sharp vertical or horizontal edge. Beyond the border m is 0.
-/// The direction across the edge is rounded to a multiple of 45°. Of two neighbours in a row or a
-/// column with equal m, the first is the edge. Pixels are connected to their eight neighbours.
+/// thresholds are 4 times the step of a sharp vertical or horizontal edge. Beyond the border
+/// m = 0. The direction across the edge is rounded to a multiple of 45°. Of two neighbours in a row
+/// or a column with equal m, the first is the edge. Pixels are connected to their eight neighbours.
 ///
 /// These are the edges of OpenCV's `Canny` with `L2gradient`. Noise is to be removed before, by a
 /// [`Gaussian`](crate::filter::Gaussian).

@@ -13,8 +13,8 @@ use crate::plane::{Plane, PlaneView, SizeError, same_size};
 /// dy(c, r) = Σₖ wₖ (I(c + k, r + 1) − I(c + k, r − 1))
 /// ```
 ///
-/// for the level I of the pixel in column c and row r. Beyond its border the picture is continued by
-/// a [`Border`].
+/// for the level I of the pixel in column c and row r. Beyond its border the picture is continued
+/// by a [`Border`].
 ///
 /// Slopes are positive where the picture becomes brighter to the right (dx) or downwards (dy), and
 /// are not divided by the sum of the weights: a ramp that rises by 1 in each pixel has the slope

@@ -88,9 +88,9 @@ impl Human {
         markers
     }
 
-    /// The texture of [`Human::texture`] in dark grey, with markers painted on it: for each marker the
-    /// 8-bit sRGB colours of its inner disc and of its ring. Grey has no hue, so that a picture of
-    /// the body is coloured where a marker is, and nowhere else.
+    /// The texture of [`Human::texture`] in dark grey, with markers painted on it: for each marker
+    /// the 8-bit sRGB colours of its inner disc and of its ring. Grey has no hue, so that a picture
+    /// of the body is coloured where a marker is, and nowhere else.
     ///
     /// Markers without colours are left out.
     #[must_use]

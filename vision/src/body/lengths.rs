@@ -83,7 +83,8 @@ const FRAMES: usize = 32;
 /// let model = BodyModel::of_distinct_joints(arm)?;
 ///
 /// let intrinsics = Intrinsics::new([1000.0, 1000.0], [640.0, 360.0])?;
-/// let camera = |x| Camera::look_at(intrinsics, [x, 0.0, 4.0].into(), Point::default(), [0., 1., 0.]);
+/// let up = [0.0, 1.0, 0.0];
+/// let camera = |x| Camera::look_at(intrinsics, [x, 0.0, 4.0].into(), Point::default(), up);
 /// let cameras = [-0.5, 0.5].map(camera).into_iter().flatten().collect::<Vec<_>>();
 /// // An arm that is larger by a tenth: bones of 33 and 27.5 cm.
 /// let truth = [[0.0, 0.0, 0.0], [0.33, 0.0, 0.0], [0.33, 0.275, 0.0]].map(Point::from);

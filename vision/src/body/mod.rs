@@ -49,7 +49,8 @@
 //!
 //! // Two cameras see it bent at the elbow.
 //! let intrinsics = Intrinsics::new([1000.0, 1000.0], [640.0, 360.0])?;
-//! let camera = |x| Camera::look_at(intrinsics, [x, 0.0, 4.0].into(), Point::default(), [0., 1., 0.]);
+//! let up = [0.0, 1.0, 0.0];
+//! let camera = |x| Camera::look_at(intrinsics, [x, 0.0, 4.0].into(), Point::default(), up);
 //! let cameras = [-0.5, 0.5].map(camera).into_iter().flatten().collect::<Vec<_>>();
 //! let truth = [[0.0, 0.0, 0.0], [0.3, 0.0, 0.0], [0.3, 0.2, 0.15]].map(Point::from);
 //! let mut seen = Observation::unseen(cameras.len(), truth.len());

@@ -40,11 +40,11 @@ use crate::{model, output};
 ///   nullcone body fit --joints J.json --rig rig.yml --character person.glb --out fitted.glb --json
 ///
 /// prints {"character": "person.glb", "out": "fitted.glb", "views": 2, "frames": …,
-/// "frames_per_second": …, "joints": […], "joints_without_counterpart": […],
-/// "reprojection_rms_px": …, "reprojection_max_px": …, "joints_unseen": …,
-/// "frames_with_unseen_joints": …, "milliseconds_per_frame": …, "per_frame": [{"reprojection_rms_px":
-/// …, "joints_unseen": […]}, …]}. joints_without_counterpart are joints of the file that the
-/// skeleton does not have; joints_unseen counts joints that no view shows, over all frames.
+/// "frames_per_second": …, "joints": […], "joints_without_counterpart": […], "reprojection_rms_px":
+/// …, "reprojection_max_px": …, "joints_unseen": …, "frames_with_unseen_joints": …,
+/// "milliseconds_per_frame": …, "per_frame": [{"reprojection_rms_px": …, "joints_unseen": […]},
+/// …]}. joints_without_counterpart are joints of the file that the skeleton does not have;
+/// joints_unseen counts joints that no view shows, over all frames.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {

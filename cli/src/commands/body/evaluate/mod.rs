@@ -22,9 +22,9 @@ use scene::{Motion, Unit};
 /// A motion is seen by synthetic cameras with f = 1000 px, 4 m from the body: by one; by a rig of
 /// two with a baseline of 1 m; or by three and more in a circle around it. Their pixels get
 /// Gaussian noise in both coordinates, and joints are missing by chance. From what is left the body
-/// is found in three ways: by triangulation of each joint by itself (triangulation), by the fit of a
-/// pose to each frame (single_frame), and by the fit of poses to a clip, which are smooth over time
-/// (clip).
+/// is found in three ways: by triangulation of each joint by itself (triangulation), by the fit of
+/// a pose to each frame (single_frame), and by the fit of poses to a clip, which are smooth over
+/// time (clip).
 ///
 /// The bones have the lengths of the motion. Joints that are in one place at rest count once. For
 /// instance
