@@ -102,7 +102,7 @@ fn left_and_right_are_mirror_images() {
 
 #[test]
 fn the_marked_texture_is_grey_but_for_the_markers() {
-    let size = 512;
+    let size = 2048;
     let colours = [[200, 10, 10], [10, 10, 200]];
     let texture = HUMAN.marked_texture(size, &MARKERS[..], &vec![colours; MARKERS.len()]);
     let is_coloured = |[r, g, b]: &[u8; 3]| r.max(g).max(b) - r.min(g).min(b) > 100;
