@@ -28,17 +28,19 @@
 //! with f = 1000 px less than 0.02 px for r = 2 cm and d = 4 m.
 //!
 //! ```
+//! use ga_image::colour::{LinearColour, SrgbEncoder};
 //! use ga_image::plane::Plane;
 //! use ga_vision::marker::{Code, FindOptions, find};
 //!
 //! let code = Code::new(17).ok_or("no such code")?;
 //! let [inner, ring] = code.colours();
+//! let [inner, ring, grey] = [inner, ring, [90; 3]].map(LinearColour::from_srgb);
+//! let encoder = SrgbEncoder::new();
+//! // Pixels on a rim have a part of the light of either side.
 //! let picture = Plane::from_fn(60, 40, |column, row| {
-//!     match (column as f64 - 31.0).hypot(row as f64 - 18.0) {
-//!         r if r < 4.4 => inner,
-//!         r if r < 8.0 => ring,
-//!         _ => [90; 3],
-//!     }
+//!     let distance = (column as f64 - 31.0).hypot(row as f64 - 18.0);
+//!     let part = |radius: f64| (radius + 0.5 - distance).clamp(0.0, 1.0);
+//!     encoder.encode(grey.lerp(ring, part(8.0)).lerp(inner, part(4.4)))
 //! });
 //! let found = find(picture.view(), &FindOptions::default());
 //! assert_eq!(found.len(), 1);

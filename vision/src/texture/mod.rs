@@ -45,7 +45,7 @@
 //! let (eye, target) = (Point::new(0.0, 0.0, 4.0), Point::default());
 //! let camera = Camera::look_at(intrinsics, eye, target, [0.0, 1.0, 0.0]).ok_or("no view")?;
 //! // Red on the left, green on the right.
-//! let paint = |column, _| if column < 32 { [255, 0, 0] } else { [0, 255, 0] };
+//! let paint = |column, _| if column < 32 { [255_u8, 0, 0] } else { [0, 255, 0] };
 //! let picture = Plane::from_fn(65, 65, paint);
 //! let view = View::new("front", camera, Some([65, 65]), &picture)?;
 //!
