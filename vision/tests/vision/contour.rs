@@ -334,12 +334,20 @@ fn a_snake_of_400_points_settles_on_a_photograph() {
     let picture = grey(folder.join("astronaut.png")).map(|value| f32::from(value) / 255.0);
     let potential = Potential::edges(&picture, 3.0).unwrap();
     let start = snake::circle([220.0, 100.0], 100.0, 400);
-    // The second pair is scikit-image's example in the units of this potential.
-    for (tension, rigidity) in [(0.2, 3.0), (0.16, 106.0), (0.2, 10.0), (0.2, 1.0)] {
+    // Sums over points, without their distance. The second pair is scikit-image's example in the
+    // units of this potential.
+    let spacing = perimeter(&start) / 400.0;
+    let sums = [(0.2, 3.0), (0.16, 106.0), (0.2, 10.0), (0.2, 1.0)];
+    let usual = SnakeOptions::default();
+    let all = sums
+        .map(|(tension, rigidity)| (tension * spacing.powi(2), rigidity * spacing.powi(4)))
+        .into_iter()
+        .chain([(usual.tension, usual.rigidity)]);
+    for (tension, rigidity) in all {
         let options = SnakeOptions {
             tension,
             rigidity,
-            ..SnakeOptions::default()
+            ..usual
         };
         let mut energies = Vec::new();
         let found = snake::settle(&start, &potential, &options, |step| {
@@ -347,7 +355,11 @@ fn a_snake_of_400_points_settles_on_a_photograph() {
         });
         let found = found.unwrap();
         assert!(found.has_converged && energies.is_sorted_by(|a, b| a >= b));
+        // The same energy in the arc length of the shorter curve.
+        let shorter = perimeter(&found.points) / perimeter(&start);
         let finer = SnakeOptions {
+            tension: tension * shorter.powi(2),
+            rigidity: rigidity * shorter.powi(4),
             tolerance: 1e-6,
             ..options
         };
@@ -358,6 +370,51 @@ fn a_snake_of_400_points_settles_on_a_photograph() {
             .fold(0.0, f64::max);
         assert!(greatest < 0.1, "{greatest}");
     }
+}
+
+/// A smooth shape with a waist, drawn with a soft edge, whose curve must not depend on the number
+/// of points of the snake.
+#[test]
+fn the_number_of_points_does_not_change_the_curve() {
+    let shape = Plane::from_fn(200, 180, |column, row| {
+        let (x, y) = (column as f64 - 100.0, row as f64 - 90.0);
+        let edge = 50.0 + 12.0 * (2.0 * y.atan2(x)).cos();
+        (edge + 0.5 - x.hypot(y)).clamp(0.0, 1.0) as f32
+    });
+    let potential = Potential::edges(&shape, 2.0).unwrap();
+    let settled = |count: usize| {
+        let start = snake::circle([100.0, 90.0], 72.0, count);
+        let options = SnakeOptions::default();
+        let found = snake::settle(&start, &potential, &options, |_| {}).unwrap();
+        assert!(found.has_converged, "{count}");
+        found
+    };
+    let all = [100, 200, 400, 1200].map(settled);
+    let [.., reference] = &all;
+    for found in &all {
+        let ways = [
+            (&found.points, &reference.points),
+            (&reference.points, &found.points),
+        ];
+        for (from, to) in ways {
+            let far = from.iter().map(|point| distance_to_polygon(*point, to));
+            let far = far.fold(0.0, f64::max);
+            assert!(far < 0.1, "{} points: {far} px", found.points.len());
+        }
+        let change = found.energy / reference.energy - 1.0;
+        assert!(change.abs() < 0.01, "{} {change}", found.points.len());
+    }
+}
+
+fn distance_to_polygon([u, v]: [f64; 2], polygon: &[[f64; 2]]) -> f64 {
+    let next = polygon.iter().cycle().skip(1);
+    let distances = polygon.iter().zip(next).map(|([a, b], [c, d])| {
+        let (x, y) = (c - a, d - b);
+        let part = ((u - a) * x + (v - b) * y) / (x * x + y * y);
+        let part = part.clamp(0.0, 1.0);
+        (u - a - part * x).hypot(v - b - part * y)
+    });
+    distances.fold(f64::INFINITY, f64::min)
 }
 
 #[test]
@@ -409,6 +466,10 @@ fn snakes_that_cannot_be_are_errors() {
     assert_eq!(
         fails(&snake::circle([15.0, 10.0], 15.0, 20), &options),
         outside
+    );
+    assert_eq!(
+        fails(&[[15.0, 10.0]; 8], &options),
+        SnakeError::NoLength { spacing: 0.0 }
     );
     let mut wrong = start.clone();
     wrong[7][1] = f64::NAN;

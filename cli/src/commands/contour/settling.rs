@@ -31,10 +31,11 @@ pub(super) struct Settings {
     /// The standard deviation of the blur before edges are found, in pixels.
     #[arg(long, value_name = "PIXELS", default_value_t = 2.0)]
     sigma: f64,
-    /// How strongly the snake contracts (α).
+    /// How strongly the snake contracts (α, in square pixels), whatever the number of points.
     #[arg(long, value_name = "NUMBER", default_value_t = SnakeOptions::default().tension)]
     tension: f64,
-    /// How strongly the snake resists bending (β).
+    /// How strongly the snake resists bending (β, in fourth powers of a pixel), whatever the number
+    /// of points.
     #[arg(long, value_name = "NUMBER", default_value_t = SnakeOptions::default().rigidity)]
     rigidity: f64,
     /// The snake has settled when no point moves farther than this in a step.

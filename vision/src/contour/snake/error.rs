@@ -2,6 +2,7 @@
 
 use ga_image::filter::SigmaError;
 
+use super::super::polygon::perimeter;
 use super::super::ring::Ring;
 use super::{Potential, SnakeOptions};
 
@@ -15,6 +16,13 @@ pub enum SnakeError {
         count: usize,
         /// The least number.
         least: usize,
+    },
+    /// All points are at one place, or so near each other that the tension or the rigidity by the
+    /// power of their distance is infinite.
+    #[error("the points of a snake are {spacing} pixels apart on average")]
+    NoLength {
+        /// The mean distance of neighbouring points in pixels.
+        spacing: f64,
     },
     /// A point is not in the picture.
     #[error(
@@ -94,7 +102,13 @@ pub(super) fn check(
             value: 0.0,
         });
     }
-    check_inside(start, potential.size())
+    check_inside(start, potential.size())?;
+    let spacing = perimeter(start) / start.len() as f64;
+    let stiffness = options.tension / spacing.powi(2) + options.rigidity / spacing.powi(4);
+    if !(spacing > 0.0 && stiffness.is_finite()) {
+        return Err(SnakeError::NoLength { spacing });
+    }
+    Ok(())
 }
 
 /// That all points are in a picture of this size, which reaches half a pixel beyond the centres of

@@ -9,15 +9,15 @@ pub use error::SnakeError;
 pub use flow::Flow;
 pub use potential::Potential;
 
-use super::polygon::resampled;
+use super::polygon::{perimeter, resampled};
 use super::ring::Ring;
 
 /// How a snake moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SnakeOptions {
-    /// α: how strongly the curve contracts.
+    /// α: how strongly the curve contracts, in square pixels.
     pub tension: f64,
-    /// β: how strongly the curve resists bending.
+    /// β: how strongly the curve resists bending, in fourth powers of a pixel.
     pub rigidity: f64,
     /// The snake has settled when no point moves farther than this in two steps, in pixels.
     pub tolerance: f64,
@@ -31,14 +31,14 @@ pub struct SnakeOptions {
 }
 
 impl Default for SnakeOptions {
-    /// α = 0.2, β = 3, at most 2500 steps of at most 4 pixels until none is above 0.01 pixels,
+    /// α = 0.5, β = 50, at most 2500 steps of at most 8 pixels until none is above 0.01 pixels,
     /// without resampling.
     fn default() -> Self {
         Self {
-            tension: 0.2,
-            rigidity: 3.0,
+            tension: 0.5,
+            rigidity: 50.0,
             tolerance: 0.01,
-            greatest_move: 4.0,
+            greatest_move: 8.0,
             steps: 2500,
             resampled_every: None,
         }
@@ -71,25 +71,36 @@ pub struct Settled {
     pub has_converged: bool,
 }
 
-/// A closed curve of points that minimises
+/// A closed curve x(s) that minimises
 ///
 /// ```text
-/// E = Σ ½ α |xᵢ₊₁ − xᵢ|² + ½ β |xᵢ₊₁ − 2 xᵢ + xᵢ₋₁|² + P(xᵢ)
+/// E = ∫ ½ α |x′(s)|² + ½ β |x″(s)|² + P(x(s)) ds
 /// ```
 ///
-/// where P is the potential of the picture (M. Kass, A. Witkin and D. Terzopoulos, "Snakes: active
-/// contour models", 1988). Each step solves
+/// where P is the potential of the picture, and s the arc length of the curve at the beginning (M.
+/// Kass, A. Witkin and D. Terzopoulos, "Snakes: active contour models", 1988). With the points xᵢ,
+/// whose mean distance at the beginning is h, this is
 ///
 /// ```text
-/// (A + H(x) + γ) (x′ − x) = −A x − ∇P(x)
+/// E = h Σ ½ α |xᵢ₊₁ − xᵢ|²/h² + ½ β |xᵢ₊₁ − 2 xᵢ + xᵢ₋₁|²/h⁴ + P(xᵢ)
 /// ```
 ///
-/// with the matrix A of the first two terms, which joins each point to two neighbours on either
-/// side, and the second derivatives H of P at the points. Without H it is the semi-implicit step
-/// of Kass, Witkin and Terzopoulos, which crawls along edges; with it, the last steps are those of
-/// Newton's method. γ is chosen so that the matrix is positive definite, that no point moves
-/// farther than it may, and that the energy falls by at least a tenth of what the step promises (D.
-/// Marquardt, 1963).
+/// so that the number of points changes the curve only by the error of the sum, and the same α and
+/// β suit any h below the size of what the curve should follow. An energy that is summed over
+/// points, without h, has the tension α/h² and the rigidity β/h⁴.
+///
+/// Each step solves
+///
+/// ```text
+/// (A + H(x) + γ) (x̂ − x) = −A x − ∇P(x)
+/// ```
+///
+/// for the next points x̂, with the matrix A of the first two terms of E/h, which joins each point
+/// to two neighbours on either side, and the second derivatives H of P at the points. Without H it
+/// is the semi-implicit step of Kass, Witkin and Terzopoulos, which crawls along edges; with it,
+/// the last steps are those of Newton's method. γ is chosen so that the matrix is positive
+/// definite, that no point moves farther than it may, and that the energy falls by at least a tenth
+/// of what the step promises (D. Marquardt, 1963).
 ///
 /// The snake has settled when no point moves farther than the tolerance in two steps, between which
 /// γ is lowered: one short step may be that of a large γ.
@@ -117,8 +128,8 @@ pub struct Settled {
 ///
 /// # Errors
 ///
-/// [`SnakeError`] for fewer than six points, settings that are not positive and finite, and a point
-/// outside the picture, at the beginning or after a step.
+/// [`SnakeError`] for fewer than six points, points that are all at one place, settings that are
+/// not positive and finite, and a point outside the picture, at the beginning or after a step.
 pub fn settle(
     start: &[[f64; 2]],
     potential: &Potential,
@@ -149,8 +160,8 @@ pub fn settle(
         each_step(&motion.state(number, greatest_move));
     }
     Ok(Settled {
+        energy: motion.spacing * motion.energy,
         points: motion.points,
-        energy: motion.energy,
         steps: number,
         has_converged,
     })
@@ -173,10 +184,15 @@ pub fn circle(centre: [f64; 2], radius: f64, count: usize) -> Vec<[f64; 2]> {
 struct Motion<'a> {
     potential: &'a Potential,
     options: &'a SnakeOptions,
+    /// h: the mean distance of the points at the beginning.
+    spacing: f64,
+    /// α/h² and β/h⁴.
+    stiffness: [f64; 2],
     points: Vec<[f64; 2]>,
-    /// The slope of the energy by each point, and the second derivatives of the potential there.
+    /// The slope of E/h by each point, and the second derivatives of the potential there.
     slopes: Vec<[f64; 2]>,
     curvatures: Vec<[f64; 3]>,
+    /// E/h.
     energy: f64,
     /// γ, and the least that it may be.
     damping: f64,
@@ -193,9 +209,15 @@ struct Motion<'a> {
 impl<'a> Motion<'a> {
     fn new(start: &[[f64; 2]], potential: &'a Potential, options: &'a SnakeOptions) -> Self {
         let count = start.len();
+        let spacing = perimeter(start) / count as f64;
         let mut motion = Self {
             potential,
             options,
+            spacing,
+            stiffness: [
+                options.tension / spacing.powi(2),
+                options.rigidity / spacing.powi(4),
+            ],
             points: start.to_vec(),
             slopes: vec![[0.0; 2]; count],
             curvatures: vec![[0.0; 3]; count],
@@ -221,7 +243,7 @@ impl<'a> Motion<'a> {
     fn state(&self, number: usize, greatest_move: f64) -> SnakeStep<'_> {
         SnakeStep {
             number,
-            energy: self.energy,
+            energy: self.spacing * self.energy,
             greatest_move,
             points: &self.points,
         }
@@ -276,9 +298,7 @@ impl<'a> Motion<'a> {
     /// Solves the equations of a step. Gives the greatest distance of it and the slope of the
     /// energy along it; `None` where the energy has no minimum with this damping.
     fn solve(&mut self) -> Option<[f64; 2]> {
-        let SnakeOptions {
-            tension, rigidity, ..
-        } = *self.options;
+        let [tension, rigidity] = self.stiffness;
         let diagonal = self.damping + 2.0 * tension + 6.0 * rigidity;
         let neighbours = [-tension - 4.0 * rigidity, rigidity];
         self.matrix
@@ -314,11 +334,9 @@ impl<'a> Motion<'a> {
         std::mem::swap(&mut self.curvatures, &mut self.next_curvatures);
     }
 
-    /// The energy of the next points. Notes its slope and the curvature of the potential there.
+    /// E/h of the next points. Notes its slope and the curvature of the potential there.
     fn evaluate(&mut self) -> f64 {
-        let SnakeOptions {
-            tension, rigidity, ..
-        } = *self.options;
+        let [tension, rigidity] = self.stiffness;
         let points = &self.next;
         let count = points.len();
         let [mut stretching, mut bending, mut outer] = [0.0; 3];
