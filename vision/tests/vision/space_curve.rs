@@ -116,6 +116,77 @@ fn ellipses_are_found_in_any_sense_and_from_any_start() {
     }
 }
 
+/// Two pinholes side by side.
+fn rectified_rig() -> StereoRig {
+    let intrinsics = Intrinsics::new([800.0; 2], [320.0, 240.0]).unwrap();
+    let identity = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    StereoRig::from_matrices(intrinsics, intrinsics, identity, [-0.3, 0.0, 0.0]).unwrap()
+}
+
+/// A point of the tilted plane z = 2 + 0.5 x + 0.3 y.
+fn on_tilted_plane([x, y]: [f64; 2]) -> Point<f64> {
+    Point::new(x, y, 2.0 + 0.5 * x + 0.3 * y)
+}
+
+/// A body with two arms along the baseline: four points of it are in each of many rows, and the two
+/// horizontal sides of each arm are in one row. Equal distances along the contours cut its corners
+/// by up to 1.5 pixels, and a pixel is 0.017 m in depth.
+#[test]
+fn sides_along_the_rows_and_arms_beside_each_other_are_matched_in_order() {
+    let rig = rectified_rig();
+    let corners = [
+        [-0.3, -0.3],
+        [0.3, -0.3],
+        [0.3, -0.1],
+        [-0.1, -0.1],
+        [-0.1, 0.1],
+        [0.3, 0.1],
+        [0.3, 0.3],
+        [-0.3, 0.3],
+    ];
+    let seen = |camera: &Camera| {
+        let pixels = corners.map(|corner| camera.project(on_tilted_plane(corner)).unwrap());
+        resampled(&pixels, 400)
+    };
+    let [left, right] = [seen(&rig.left), seen(&rig.right)];
+    let found = space_curve(&rig, &left, &right, &SpaceCurveOptions::default());
+    for point in found.unwrap().points {
+        let [x, y, z] = point.position.coordinates();
+        assert!((z - (2.0 + 0.5 * x + 0.3 * y)).abs() < 2e-2, "{point:?}");
+    }
+}
+
+/// Bars along the baseline, of which only the ends have counterparts.
+#[test]
+fn bars_along_the_rows_are_bridged() {
+    let rig = rectified_rig();
+    for half_height in [0.15, 0.08, 0.04] {
+        for is_round in [false, true] {
+            let [a, b]: [f64; 2] = [0.3, half_height];
+            let corners = if is_round {
+                let arc = |k: i32| {
+                    let (sin, cos) = (f64::from(k) * TAU / 80.0).sin_cos();
+                    [(a - b).copysign(cos) + b * cos, b * sin]
+                };
+                (-20..60).map(arc).collect()
+            } else {
+                vec![[-a, -b], [a, -b], [a, b], [-a, b]]
+            };
+            let around = resampled(&corners, 8000);
+            let bar = |t: f64| on_tilted_plane(around[(8000.0 * t).round() as usize % 8000]);
+            let [left, right] = contours(&rig, bar, 400);
+            let found = space_curve(&rig, &left, &right, &SpaceCurveOptions::default());
+            let found = found.unwrap_or_else(|error| panic!("{half_height} {is_round}: {error}"));
+            let errors = found.points.iter().map(|point| {
+                let [x, y, z] = point.position.coordinates();
+                (z - (2.0 + 0.5 * x + 0.3 * y)).abs()
+            });
+            let worst = errors.fold(0.0, f64::max);
+            assert!(worst < 2e-2, "{half_height} {is_round}: {worst}");
+        }
+    }
+}
+
 /// Fisheye lenses, one camera before the other: the epipole lies inside the contours, and each
 /// epipolar line meets them once.
 #[test]

@@ -12,7 +12,8 @@ use super::SpaceCurveError;
 /// A plane `n·x = 1`, with the rays' origin as that of x, meets the ray of direction d at the
 /// distance `1/(n·d)`: the reciprocals of distances are linear in the directions. The plane is
 /// fitted to as many points on either side as are missing; the difference that is left at the ends
-/// is spread over the stretch.
+/// is spread over the stretch. Where that is not in front of the camera, because few points with
+/// their errors give the plane, the stretch is straight.
 pub(super) fn bridge(
     rays: &[Ray<f64>],
     distances: &[Option<f64>],
@@ -32,22 +33,35 @@ pub(super) fn bridge(
         }
         let length = (index..).take_while(|k| known(*k).is_none()).count();
         // The stretch is after the known point `before` and before the known point `after`.
-        let [before, after] = [index + count - 1, index + length];
-        let plane = plane(length, [before, after], count, known, direction);
-        let rest = |end: usize| known(end).unwrap_or(0.0) - plane.dot(direction(end));
-        let rests = [rest(before), rest(after)];
-        for missing in index..after {
-            let part = (missing + 1 - index) as f64 / (length + 1) as f64;
-            let reciprocal =
-                plane.dot(direction(missing)) + rests[0] + part * (rests[1] - rests[0]);
-            let distance = reciprocal.recip();
+        let ends = [index + count - 1, index + length];
+        let reciprocals = ends.map(|end| known(end).unwrap_or(0.0));
+        let plane = plane(length, ends, count, known, direction);
+        let rests = [0, 1].map(|k| reciprocals[k] - plane.dot(direction(ends[k])));
+        let curved = |missing: usize, part: f64| {
+            plane.dot(direction(missing)) + rests[0] + part * (rests[1] - rests[0])
+        };
+        // Reciprocals of depths along an axis are linear along a straight line in a picture.
+        let axis = direction(ends[0]) + direction(ends[1]);
+        let depths = [0, 1].map(|k| reciprocals[k] / axis.dot(direction(ends[k])));
+        let straight = |missing: usize, part: f64| {
+            axis.dot(direction(missing)) * (depths[0] + part * (depths[1] - depths[0]))
+        };
+        let part = |missing: usize| (missing + 1 - index) as f64 / (length + 1) as f64;
+        let is_in_front = |reciprocal: f64| reciprocal > 0.0 && reciprocal.recip().is_finite();
+        let is_curved = (index..ends[1]).all(|k| is_in_front(curved(k, part(k))));
+        for missing in index..ends[1] {
+            let reciprocal = if is_curved {
+                curved(missing, part(missing))
+            } else {
+                straight(missing, part(missing))
+            };
             let index = missing % count;
-            if !(distance > 0.0 && distance.is_finite()) {
+            if !is_in_front(reciprocal) {
                 return Err(SpaceCurveError::NotBridged { index });
             }
-            bridged[index] = distance;
+            bridged[index] = reciprocal.recip();
         }
-        index = after;
+        index = ends[1];
     }
     Ok(bridged)
 }

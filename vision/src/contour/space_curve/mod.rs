@@ -48,7 +48,8 @@ pub struct SpaceCurvePoint {
     pub gap: f64,
     /// The distance of the right pixel from the right contour, in pixels.
     pub deviation: f64,
-    /// Whether the point lies on the plane through its neighbours instead of the intersection of an
+    /// Whether the point lies on the plane through its neighbours, or on the straight line between
+    /// them where that plane is not in front of the camera, instead of the intersection of an
     /// epipolar line, because this touches the contour or does not meet it.
     pub is_bridged: bool,
 }
@@ -96,7 +97,9 @@ impl SpaceCurve {
 ///
 /// Where an epipolar line touches the contour, it meets it at an angle near zero or not at all.
 /// These stretches lie on planes that are fitted to the curve on both sides of them, which is exact
-/// for plane curves and polygons.
+/// for plane curves. They are estimates for other curves: neither picture shows the depth of a
+/// stretch along an epipolar line, and a point of it may be as far off as the curve leaves that
+/// plane. [`is_bridged`](SpaceCurvePoint::is_bridged) marks these points.
 ///
 /// Both cameras have to look at the same side of the curve; contours in the opposite sense of
 /// rotation are reversed. The distances between points should be some pixels, and their errors
