@@ -238,7 +238,7 @@ fn scene_with_faulty_files() -> TempDir {
     write("exchanged.yml", right.reverse(), SIZE);
     let ahead = Translator::from_displacement([0.0, 0.0, -0.1]);
     write("ahead.yml", ahead.into(), SIZE);
-    let half_turn = Rotor::from_axis_angle([0.0, 1.0, 0.0], std::f64::consts::PI).unwrap();
+    let half_turn = Rotor::from_axis_angle([1.0, 0.0, 0.0], std::f64::consts::PI).unwrap();
     write("behind.yml", half_turn * right, SIZE);
     folder
 }
