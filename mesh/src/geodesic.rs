@@ -252,5 +252,5 @@ fn straight(corners: [Vector<f64>; 3], [first, second]: [f64; 2]) -> Option<f64>
     let sine = (second - first) / length;
     let cosine = (1.0 - sine * sine).max(0.0).sqrt();
     let crossing = x - sine * y / cosine;
-    (sine.abs() < 1.0 && plane.is_between(crossing)).then(|| first + sine * x + cosine * y)
+    (sine.abs() < 1.0 && plane.is_between(crossing)).then_some(first + sine * x + cosine * y)
 }

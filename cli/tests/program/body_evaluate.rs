@@ -20,7 +20,7 @@ fn motion(scale: f64) -> String {
             );
         }
         let [x, y, z] = offsets[3].map(|c| c * scale);
-        let _ = write!(text, "End Site {{ OFFSET {x} {y} {z} }} }} }} }}\n");
+        let _ = writeln!(text, "End Site {{ OFFSET {x} {y} {z} }} }} }} }}");
         text
     };
     let leg = |x: f64| {

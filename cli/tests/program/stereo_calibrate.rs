@@ -120,7 +120,7 @@ fn bad_input_is_named_and_nothing_is_written() {
     );
     refused(&with("left0.pgm", "broken0.pgm", &[]), &["broken0.pgm"]);
     // A view is missing on each side, so that the order of the others makes a wrong pair.
-    let output = nullcone(folder.path(), &with("left[012].pgm", "right[013].pgm", &[]));
+    let output = nullcone(folder.path(), with("left[012].pgm", "right[013].pgm", &[]));
     let error = String::from_utf8(output.stderr).unwrap();
     assert!(
         error.starts_with("warning: left2.pgm and right3.pgm are a pair"),

@@ -74,7 +74,7 @@ pub enum BodyError {
         /// The name of the point.
         point: String,
         /// What is wrong.
-        error: CameraError,
+        error: Box<CameraError>,
     },
     /// No pose was found at which all cameras see the points that were observed.
     #[error("no pose was found that the cameras see")]
@@ -104,7 +104,11 @@ impl BodyError {
         let point = point.to_owned();
         match error {
             CameraError::Behind { depth, .. } => Self::Behind { view, point, depth },
-            error => Self::Camera { view, point, error },
+            error => Self::Camera {
+                view,
+                point,
+                error: Box::new(error),
+            },
         }
     }
 }

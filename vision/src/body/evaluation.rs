@@ -34,7 +34,7 @@ pub struct Disturbance {
 }
 
 /// Why a motion cannot be observed.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SimulationError {
     /// A camera does not see a joint, or the noise is not a standard deviation.
     #[error("frame {frame}, view {view}: {error}")]
@@ -44,7 +44,7 @@ pub enum SimulationError {
         /// Which view, from 0.
         view: usize,
         /// What is wrong.
-        error: ObservationError,
+        error: Box<ObservationError>,
     },
     /// A probability is not between 0 and 1.
     #[error("{0} is not a probability that a joint is missing")]
@@ -89,8 +89,11 @@ pub fn simulate(
     let frames = motion.iter().enumerate().map(|(frame, points)| {
         let views = cameras.iter().enumerate().map(|(view, camera)| {
             let pixels = observe(camera, points, disturbance.noise_px, seeds.next_u64());
-            let pixels =
-                pixels.map_err(|error| SimulationError::Observation { frame, view, error })?;
+            let pixels = pixels.map_err(|error| SimulationError::Observation {
+                frame,
+                view,
+                error: Box::new(error),
+            })?;
             let mut random = ChaCha8Rng::seed_from_u64(seeds.next_u64());
             let pixels = pixels.into_iter().map(|position| {
                 // 53 random bits as a number from 0 to below 1.

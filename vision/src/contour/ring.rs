@@ -109,7 +109,7 @@ impl Ring {
                     row[k] = products[k] * reciprocals[k];
                     pivot -= products[k] * row[k];
                 }
-                if !(pivot > 1e-12 * (own + diagonal).abs()) {
+                if pivot.is_nan() || pivot <= 1e-12 * (own + diagonal).abs() {
                     return None;
                 }
                 rows = [row, rows[0], rows[1], rows[2]];

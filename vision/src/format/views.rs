@@ -116,7 +116,7 @@ pub enum ViewsError {
         /// Which view.
         view: usize,
         /// What is wrong with it.
-        error: CameraError,
+        error: Box<CameraError>,
     },
     /// A camera's YAML cannot be read.
     #[error("view {view}: `camera`: {error}")]
@@ -367,7 +367,7 @@ impl<'a> Object<'a> {
     fn quaternion(&self, key: &str, value: &Value) -> Result<Rotor<f64>, ViewsError> {
         let [w, x, y, z] = self.numbers(key, value, "four numbers")?;
         let length = (w * w + x * x + y * y + z * z).sqrt();
-        if !((length - 1.0).abs() <= 1e-4) {
+        if length.is_nan() || (length - 1.0).abs() > 1e-4 {
             return Err(self.no_rotation(key));
         }
         Rotor::from_quaternion([x, y, z], w).ok_or_else(|| self.no_rotation(key))
@@ -383,7 +383,10 @@ impl<'a> Object<'a> {
     /// Focal lengths, principal point, lens and size of a camera.
     fn intrinsics(&self) -> Result<(Intrinsics, Option<[usize; 2]>), ViewsError> {
         let view = self.view;
-        let refuse = |error| ViewsError::Camera { view, error };
+        let refuse = |error| ViewsError::Camera {
+            view,
+            error: Box::new(error),
+        };
         let focal = [self.number("fx")?, self.number("fy")?];
         let principal = [self.number("cx")?, self.number("cy")?];
         let plain = Intrinsics::new(focal, principal).map_err(refuse)?;

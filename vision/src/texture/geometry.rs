@@ -102,7 +102,7 @@ impl<'a> Geometry<'a> {
         let point = a * (1.0 - v - w) + b * v + c * w;
         let cosine = -triangle.normal.dot(point) / point.length();
         // A comparison with NaN is false.
-        if !(cosine > 0.0) {
+        if cosine.is_nan() || cosine <= 0.0 {
             return None;
         }
         let pixel = match &triangle.warp {

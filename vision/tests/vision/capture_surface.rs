@@ -94,8 +94,9 @@ fn solve(mut rows: Vec<Vec<f64>>) -> Vec<f64> {
         for i in 0..n {
             let factor = rows[i][k] / rows[k][k];
             if i != k {
-                for j in k..=n {
-                    rows[i][j] -= factor * rows[k][j];
+                let (pivot, rest) = (rows[k].clone(), &mut rows[i]);
+                for (value, pivot) in rest.iter_mut().zip(pivot).skip(k) {
+                    *value -= factor * pivot;
                 }
             }
         }
@@ -237,7 +238,8 @@ fn centres_of_gravity_by_hand() {
         [0.1, 0.1],
         [0.2, 0.5],
     ];
-    let meshes: [(&[[f64; 2]], &[[u32; 3]]); 2] = [
+    type Grid<'a> = (&'a [[f64; 2]], &'a [[u32; 3]]);
+    let meshes: [Grid<'_>; 2] = [
         (&coarse, &[[0, 1, 2], [0, 2, 3]]),
         (
             &fine,

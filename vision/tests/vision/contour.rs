@@ -164,8 +164,8 @@ proptest! {
             (0..count).map(point).collect()
         };
         let ellipse = fit::ellipse(&points([long, short])).unwrap();
-        for axis in 0..2 {
-            prop_assert!((ellipse.centre[axis] - centre[axis]).abs() < 1e-6);
+        for (found, truth) in ellipse.centre.into_iter().zip(centre) {
+            prop_assert!((found - truth).abs() < 1e-6);
         }
         prop_assert!((ellipse.semi_axes[0] - long).abs() < 1e-6);
         prop_assert!((ellipse.semi_axes[1] - short).abs() < 1e-6);

@@ -225,7 +225,7 @@ fn contours_that_give_no_curve_are_errors() {
     let mut wrong = left.clone();
     wrong[11][0] = f64::NAN;
     let error = fails(&wrong, &right);
-    let expected = |error| {
+    let expected = |error: &SpaceCurveError| {
         matches!(
             error,
             SpaceCurveError::Camera {
@@ -235,7 +235,7 @@ fn contours_that_give_no_curve_are_errors() {
             }
         )
     };
-    assert!(expected(error), "{error}");
+    assert!(expected(&error), "{error}");
     // What is far above in one view is not what is below in the other.
     let moved = |by: f64| -> Vec<[f64; 2]> { right.iter().map(|[u, v]| [*u, v + by]).collect() };
     assert_eq!(fails(&left, &moved(-600.0)), SpaceCurveError::NoOverlap);

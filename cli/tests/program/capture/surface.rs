@@ -58,8 +58,8 @@ fn the_surface_follows_its_keys() {
     for (name, key) in NAMES.iter().zip(keys()) {
         let wanted = vertices()[key].map(|x| x as f32);
         let k = rest.iter().position(|place| *place == wanted).unwrap();
-        for axis in 0..3 {
-            assert!((f64::from(target[k][axis]) - expression(name)[axis]).abs() < 1e-8);
+        for (found, truth) in target[k].into_iter().zip(expression(name)) {
+            assert!((f64::from(found) - truth).abs() < 1e-8);
         }
     }
     let animation = document.animations().next().unwrap();

@@ -222,8 +222,8 @@ mod tests {
             .collect();
         factor.solve(&mut found);
         let exact = dense.clone().lu().solve(&right).expect("regular");
-        for frame in 0..frames {
-            assert!((&found[frame] - exact.rows(frame * size, size)).norm() < 1e-12);
+        for (frame, found) in found.iter().enumerate() {
+            assert!((found - exact.rows(frame * size, size)).norm() < 1e-12);
         }
     }
 }

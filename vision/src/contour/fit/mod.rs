@@ -75,7 +75,7 @@ pub fn line(points: &[[f64; 2]]) -> Result<Line<f64>, FitError> {
         yy += y * y;
     }
     let spread = (2.0 * xy).hypot(xx - yy);
-    if !(spread > 1e-12 * (xx + yy)) {
+    if spread.is_nan() || spread <= 1e-12 * (xx + yy) {
         return Err(FitError::Degenerate {
             figure: FIGURE,
             arrangement: "they spread equally in all directions",
@@ -121,7 +121,7 @@ pub fn circle(points: &[[f64; 2]]) -> Result<Circle<f64>, FitError> {
         constant += place.norm_squared() / count;
     }
     let spread = normal.symmetric_eigenvalues();
-    if !(spread.min() > 1e-12 * spread.max()) {
+    if spread.min().is_nan() || spread.min() <= 1e-12 * spread.max() {
         return Err(on_a_line);
     }
     let centre = normal.try_inverse().ok_or(on_a_line)? * right;
@@ -131,7 +131,7 @@ pub fn circle(points: &[[f64; 2]]) -> Result<Circle<f64>, FitError> {
     for _ in 0..STEPS {
         let next = best + step;
         let (next_cost, next_step) = radial_step(&frame, next);
-        if !(next_cost < cost) {
+        if next_cost.is_nan() || next_cost >= cost {
             break;
         }
         (best, cost, step) = (next, next_cost, next_step);
@@ -196,7 +196,8 @@ pub fn ellipse(points: &[[f64; 2]]) -> Result<Ellipse, FitError> {
         variance += place * place.transpose() / points.len() as f64;
     }
     let axes = variance.symmetric_eigen();
-    if !(axes.eigenvalues.min() > 1e-12 * axes.eigenvalues.max()) {
+    let [least, greatest] = [axes.eigenvalues.min(), axes.eigenvalues.max()];
+    if least.is_nan() || least <= 1e-12 * greatest {
         return Err(degenerate);
     }
     let scales = Matrix2::from_diagonal(&axes.eigenvalues.map(|value| 1.0 / value.sqrt()));
@@ -235,7 +236,7 @@ pub fn ellipse(points: &[[f64; 2]]) -> Result<Ellipse, FitError> {
     } else {
         [1, 0]
     };
-    if !(squares[short] > 0.0) {
+    if squares[short].is_nan() || squares[short] <= 0.0 {
         return Err(degenerate);
     }
     let axis = eigen.eigenvectors.column(long);

@@ -29,7 +29,8 @@ pub fn line_in_space(points: &[Point<f64>]) -> Result<Line<f64>, FitError> {
     let places: Vec<[f64; 3]> = points.iter().map(|point| point.coordinates()).collect();
     let frame = Frame::new(&places, FIGURE, 2)?;
     let (values, axes) = axes(&frame);
-    if !(values[2] - values[1] > 1e-12 * values[2]) {
+    let gap = values[2] - values[1];
+    if gap.is_nan() || gap <= 1e-12 * values[2] {
         return Err(FitError::Degenerate {
             figure: FIGURE,
             arrangement: "they spread equally in several directions",
@@ -75,7 +76,7 @@ pub fn circle_in_space(points: &[Point<f64>]) -> Result<Circle<f64>, FitError> {
         arrangement,
     };
     let (values, axes) = axes(&frame);
-    if !(values[1] > 1e-12 * values[2]) {
+    if values[1].is_nan() || values[1] <= 1e-12 * values[2] {
         return Err(degenerate("they lie on one line"));
     }
     let [_, second, first] = axes;

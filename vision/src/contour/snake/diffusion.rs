@@ -193,7 +193,7 @@ impl Level {
         const WEIGHTS: [f64; 2] = [0.75, 0.25];
         let around = |place: usize, length: usize| {
             let near = place / 2;
-            let far = if place % 2 == 0 {
+            let far = if place.is_multiple_of(2) {
                 near.saturating_sub(1)
             } else {
                 (near + 1).min(length - 1)

@@ -261,14 +261,14 @@ impl<'a> Motion<'a> {
                 continue;
             };
             let longest = self.options.greatest_move;
-            if !(greatest <= longest) {
+            if greatest.is_nan() || greatest > longest {
                 self.damping *= (greatest / longest).clamp(1.5, 4.0);
                 continue;
             }
             let moves = self.moves.as_flattened();
             let square: f64 = moves.iter().map(|x| x * x).sum();
             let predicted = (self.damping * square - along) / 2.0;
-            if !(predicted > ROUNDING * self.energy.abs()) {
+            if predicted.is_nan() || predicted <= ROUNDING * self.energy.abs() {
                 break;
             }
             for (next, (point, step)) in self

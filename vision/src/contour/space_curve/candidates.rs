@@ -63,7 +63,8 @@ pub(super) fn candidates(
                 }
                 let part = start / (start - to);
                 let direction = right_centre.vector_to(ends[0].lerp(ends[1], part));
-                if !(direction.dot(forward) > 0.0) {
+                let ahead = direction.dot(forward);
+                if ahead.is_nan() || ahead <= 0.0 {
                     continue;
                 }
                 let other = Ray::new(right_centre, direction);

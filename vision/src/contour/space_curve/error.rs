@@ -4,7 +4,7 @@ use crate::camera::CameraError;
 use crate::triangulation::TriangulationError;
 
 /// Why two contours do not give a closed curve in space.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SpaceCurveError {
     /// A contour has too few points.
     #[error("{count} points are too few for the contour of the {view} view; {least} are needed")]
@@ -24,7 +24,7 @@ pub enum SpaceCurveError {
         /// The point, counted from 0.
         index: usize,
         /// What is wrong with it.
-        error: CameraError,
+        error: Box<CameraError>,
     },
     /// A contour encloses no area, so that it does not run in one sense round anything.
     #[error("the contour of the {view} view encloses no area")]

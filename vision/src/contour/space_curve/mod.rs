@@ -151,11 +151,11 @@ pub fn space_curve(
     }
     let right_rays = rays(&rig.right, &right, "right")?;
     for (view, area) in [("left", left_area), ("right", right_area)] {
-        if !(area.abs() > 0.0) {
+        if area.is_nan() || area == 0.0 {
             return Err(SpaceCurveError::NoArea { view });
         }
     }
-    if !(rig.baseline() > 0.0) {
+    if rig.baseline().is_nan() || rig.baseline() <= 0.0 {
         return Err(SpaceCurveError::Cameras(TriangulationError::NoBaseline));
     }
     let found = candidates(&left_rays, &right_rays, options.least_angle.sin());
@@ -210,7 +210,11 @@ fn rays(
     pixels
         .map(|(index, pixel)| {
             let ray = camera.ray(*pixel);
-            ray.map_err(|error| SpaceCurveError::Camera { view, index, error })
+            ray.map_err(|error| SpaceCurveError::Camera {
+                view,
+                index,
+                error: Box::new(error),
+            })
         })
         .collect()
 }
@@ -252,7 +256,13 @@ fn bridged(
     left: [f64; 2],
     right: &[[f64; 2]],
 ) -> Result<SpaceCurvePoint, SpaceCurveError> {
-    let of_point = |view| move |error: CameraError| SpaceCurveError::Camera { view, index, error };
+    let of_point = |view| {
+        move |error: CameraError| SpaceCurveError::Camera {
+            view,
+            index,
+            error: Box::new(error),
+        }
+    };
     let seen = rig.right.project(position).map_err(of_point("right"))?;
     let (deviation, nearest) = distance_to(right, seen);
     let ray = rig.right.ray(nearest).map_err(of_point("right"))?;

@@ -93,7 +93,8 @@ fn hinges_and_cones_hold() {
 fn points_of_the_skin_are_fitted_as_they_are_skinned() {
     let skeleton = biped();
     let pose = moved_biped(&skeleton);
-    let influences: Vec<(&str, [f64; 3], Vec<(u32, f64)>)> = vec![
+    type SkinPoint = (&'static str, [f64; 3], Vec<(u32, f64)>);
+    let influences: Vec<SkinPoint> = vec![
         ("belly", [0.0, 1.2, 0.12], vec![(0, 1.0)]),
         ("back", [0.05, 1.4, -0.12], vec![(0, 0.7), (1, 0.3)]),
         ("chin", [0.0, 1.6, 0.1], vec![(1, 1.0)]),

@@ -39,7 +39,14 @@ pub(super) fn text(report: &Report) -> String {
         report.distance_metres,
         report.baseline_metres
     );
-    let tables: [(&str, &str, &[(&str, f64)], fn(&Row) -> Option<f64>); 2] = [
+    /// Title, name of the column, printed figures, and where a row has its own.
+    type Table<'a> = (
+        &'a str,
+        &'a str,
+        &'a [(&'a str, f64)],
+        fn(&Row) -> Option<f64>,
+    );
+    let tables: [Table<'_>; 2] = [
         (
             "Reconstruction error after Procrustes alignment (shape of Cui, table 2)",
             "Reconst. Error (mm)",
