@@ -4,7 +4,7 @@
 //! mesh (Cui, section 2.1.3). [`texture_mesh`] does this in steps:
 //!
 //! 1. *Atlas.* The mesh's own texture coordinates are used where every corner has one, otherwise
-//!    an [atlas](ga_mesh::atlas) is made. Each texel shows a point p of the surface.
+//!    an [`atlas`] is made. Each texel shows a point p of the surface.
 //! 2. *Projection.* The texel is at the pixel `π(M p ~M)` of a view with the motor M from the
 //!    world to the camera and the projection π of its lens. For a pinhole, a triangle is warped by
 //!    the affine map of its corners ([`TriangleWarp`]) where that is wrong by at most 1/16 pixel
