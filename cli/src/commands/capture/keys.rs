@@ -24,7 +24,7 @@ pub(super) enum KeysError {
     Header(String),
     #[error("there are no keys")]
     Empty,
-    #[error("line {line}: there is no point {name:?}")]
+    #[error("line {line}: {name:?} is not the name of a point")]
     NoPoint { line: u64, name: String },
     #[error("line {line}: point {name:?} is there twice")]
     Twice { line: u64, name: String },

@@ -302,7 +302,7 @@ fn calibrated(arguments: &Arguments, points: &Points) -> Result<Vec<usize>> {
                 0..=30 => points.names.join(", "),
                 count => format!("{} and {} others", points.names[..8].join(", "), count - 8),
             };
-            format!("--calibrated {word}: there is no such point; they are {names}")
+            format!("--calibrated {word}: this is not a point; the points are {names}")
         })
     };
     words.map(point).collect()

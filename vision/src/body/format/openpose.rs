@@ -78,7 +78,7 @@ struct FilePerson {
 /// # Errors
 /// [`JointsError`] for text that is not such JSON, a person with a number of joints that is not 25
 /// or 18, files of both kinds, a joint with numbers that are not finite or a negative confidence,
-/// and where there is no file.
+/// and an empty list of files.
 ///
 /// ```
 /// use ga_vision::body::format::openpose;
