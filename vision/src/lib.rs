@@ -26,6 +26,7 @@
 //! - [`contour`]: borders of regions, snakes, and figures fitted to points.
 //! - [`ransac`]: models that most observations agree with.
 //! - [`modelling_points`]: points at several levels, with a depth and its deviation.
+//! - [`video`]: frames one after another, as luma and colour differences.
 //! - [`observation`]: simulated observations with noise, for tests and demonstrations.
 //! - [`pose_error`]: how far reconstructed joints are from the true ones.
 //!
@@ -85,3 +86,4 @@ pub mod rig;
 pub mod surface;
 pub mod texture;
 pub mod triangulation;
+pub mod video;
