@@ -18,9 +18,9 @@ use crate::skeleton::{Skeleton, SkeletonError};
 /// without skins they are all nodes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rigged {
-    document: Document,
-    skeleton: Skeleton,
-    nodes: Vec<usize>,
+    pub(super) document: Document,
+    pub(super) skeleton: Skeleton,
+    pub(super) nodes: Vec<usize>,
 }
 
 /// A document whose joints no clip can move.
@@ -42,6 +42,14 @@ pub enum RiggedError {
     Uneven {
         /// The node.
         node: usize,
+    },
+    /// The factor of a length is not positive and finite.
+    #[error("joint {joint:?}: a length cannot be {factor} times what it was")]
+    Length {
+        /// The name of the joint.
+        joint: String,
+        /// The factor.
+        factor: f64,
     },
 }
 
@@ -216,14 +224,14 @@ impl JointNode {
 }
 
 /// A frame as translation, rotation and factors.
-struct Parts {
-    translation: [f64; 3],
+pub(super) struct Parts {
+    pub(super) translation: [f64; 3],
     rotor: Rotor<f64>,
-    scale: [f64; 3],
+    pub(super) scale: [f64; 3],
 }
 
 impl Parts {
-    fn to_node(&self) -> NodeTransform {
+    pub(super) fn to_node(&self) -> NodeTransform {
         let single = |v: [f64; 3]| v.map(|x| x as f32);
         NodeTransform::Decomposed {
             translation: single(self.translation),
@@ -233,7 +241,7 @@ impl Parts {
     }
 }
 
-fn parts(frame: &LocalFrame) -> Option<Parts> {
+pub(super) fn parts(frame: &LocalFrame) -> Option<Parts> {
     match frame {
         LocalFrame::Parts(parts) => Some(Parts {
             translation: parts.translation().coordinates(),

@@ -207,3 +207,57 @@ fn a_skeleton_alone_plays_a_clip() {
         RiggedError::Uneven { node: 0 }
     );
 }
+
+proptest! {
+    #[test]
+    fn bones_of_other_lengths_move_along(
+        places in vec(uniform3(-2.0..2.0f64), 7),
+        factors in vec(0.5..2.0f64, 7),
+        (numbers, way) in (vec(uniform3(-3.0..3.0f64), 7), uniform3(-5.0..5.0f64)),
+    ) {
+        let skeleton = skeleton(&places);
+        let longer = Rigged::of_skeleton(&skeleton).with_lengths(&factors).unwrap();
+        let joints = longer.skeleton().joints();
+        for (joint, old) in skeleton.joints().iter().enumerate() {
+            let (from, to) = match old.parent {
+                Some(parent) => (skeleton.joints()[parent].head, joints[parent].head),
+                None => ([0.0; 3], [0.0; 3]),
+            };
+            let way = Vector::from(old.head) - Vector::from(from);
+            let head = Vector::from(to) + way * factors[joint];
+            prop_assert!(head.distance(joints[joint].head.into()) < 1e-5);
+        }
+        let pose = pose(longer.skeleton(), &numbers, way);
+        let clip = Clip::new(0.1, vec![pose]).unwrap();
+        let played = longer.with_clip("longer", &clip).unwrap();
+        assert_played(&longer, &played, &clip, 1e-4);
+    }
+}
+
+/// One factor for all joints gives the same figure in another size, below a frame of its own.
+#[test]
+fn a_figure_grows_with_its_skin() {
+    let Some(path) = shared("data/anim/gltf/cesium_man.gltf") else {
+        return;
+    };
+    let document = ga_mesh::gltf::read(path).unwrap();
+    let rigged = Rigged::new(&document).unwrap();
+    let count = rigged.skeleton().len();
+    let still = Clip::new(1.0, vec![Pose::rest(count)]).unwrap();
+    let grown = rigged.with_lengths(&vec![1.25; count]).unwrap();
+    let before = character(&rigged.with_clip("still", &still).unwrap()).unwrap();
+    let after = character(&grown.with_clip("still", &still).unwrap()).unwrap();
+    assert_eq!(before.mesh.vertex_count(), after.mesh.vertex_count());
+    for (old, new) in before.mesh.coordinates().zip(after.mesh.coordinates()) {
+        let wanted = Vector::from(old) * 1.25;
+        assert!(wanted.distance(new.into()) < 1e-5, "{old:?} {new:?}");
+    }
+    let refused = |factors: &[f64]| rigged.with_lengths(factors).unwrap_err();
+    assert!(matches!(refused(&[1.0]), RiggedError::Pose(_)));
+    for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let mut factors = vec![1.0; count];
+        factors[2] = wrong;
+        let name = &rigged.skeleton().joints()[2].name;
+        assert!(refused(&factors).to_string().contains(name.as_str()));
+    }
+}
