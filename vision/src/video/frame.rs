@@ -1,6 +1,7 @@
 //! Frames of a video.
 
 use std::borrow::Cow;
+use std::mem;
 
 use ga_image::plane::Plane;
 use ga_image::y4m::Sampling;
@@ -77,6 +78,22 @@ impl Samples {
         match self {
             Self::Eight(_) => 8,
             Self::Ten(_) => 10,
+        }
+    }
+
+    /// The planes of 8 bits, whose memory is to be used again; empty ones for another depth.
+    pub(super) fn take_eight(&mut self) -> Planes<u8> {
+        match mem::take(self) {
+            Self::Eight(planes) => planes,
+            Self::Ten(_) => Planes::default(),
+        }
+    }
+
+    /// As [`take_eight`](Self::take_eight), for 10 bits.
+    pub(super) fn take_ten(&mut self) -> Planes<u16> {
+        match mem::take(self) {
+            Self::Eight(_) => Planes::default(),
+            Self::Ten(planes) => planes,
         }
     }
 

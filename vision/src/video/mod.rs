@@ -1,7 +1,15 @@
 //! Videos: frames one after another, as luma and colour differences.
 //!
-//! - [`frame`]: one frame, with its number and its time, and what all frames of a video share.
+//! - [`frame`](mod@frame): one frame, with its number and its time, and what all frames of a video
+//!   share.
+//! - [`source`]: where frames come from, and [`open`] for files of any known kind.
+//! - [`y4m`]: videos without compression, from files and pipes.
 
+mod error;
 pub mod frame;
+pub mod source;
+pub mod y4m;
 
+pub use error::VideoError;
 pub use frame::{Frame, Planes, Properties, Samples};
+pub use source::{Source, open};

@@ -1,0 +1,213 @@
+//! Why a video cannot be read.
+
+use std::io;
+use std::path::PathBuf;
+
+use ga_files::ReadError;
+use ga_image::file::DecodeError;
+use ga_image::y4m::StreamError;
+
+/// Why a video cannot be read, or not further. Frames are counted from 0. What was read before an
+/// error remains valid. The file of the standard input is called so.
+#[derive(Debug, thiserror::Error)]
+pub enum VideoError {
+    /// The operating system could not open or read the file.
+    #[error("cannot read {}: {source}", file.display())]
+    Open {
+        /// The file.
+        file: PathBuf,
+        /// What the operating system said.
+        source: io::Error,
+    },
+    /// The file is of no format that this program reads.
+    #[error(
+        "{}: not a video of a known format (Y4M, MP4, numbered pictures): it begins with \
+         {start:02x?}",
+        file.display()
+    )]
+    UnknownFormat {
+        /// The file.
+        file: PathBuf,
+        /// The first bytes.
+        start: Vec<u8>,
+    },
+    /// The program was built without the feature `mp4`.
+    #[error(
+        "{file}: MP4 is read where the program is built with the feature `mp4`; without it, let \
+         ffmpeg decode: ffmpeg -i {file} -f yuv4mpegpipe -pix_fmt yuv420p - | nullcone video \
+         keyframes -",
+        file = file.display()
+    )]
+    Mp4Feature {
+        /// The file.
+        file: PathBuf,
+    },
+    /// The video has no frames.
+    #[error("{}: the video has no frames", file.display())]
+    Empty {
+        /// The file.
+        file: PathBuf,
+    },
+    /// The video ends within a frame.
+    #[error("{}: the video ends within frame {frame}", file.display())]
+    Truncated {
+        /// The file.
+        file: PathBuf,
+        /// The frame.
+        frame: usize,
+    },
+    /// A frame differs in size from the first.
+    #[error(
+        "{}: frame {frame} has {} × {} pixels, the first has {} × {}",
+        file.display(), size[0], size[1], first[0], first[1]
+    )]
+    Size {
+        /// The file; of numbered pictures, that of the frame.
+        file: PathBuf,
+        /// The frame.
+        frame: usize,
+        /// Its columns and rows.
+        size: [usize; 2],
+        /// Columns and rows of the first frame.
+        first: [usize; 2],
+    },
+    /// The rows of a frame belong to two moments.
+    #[error(
+        "{file}: the video is interlaced; let ffmpeg separate the moments: ffmpeg -i {file} -vf \
+         bwdif -f yuv4mpegpipe -",
+        file = file.display()
+    )]
+    Interlaced {
+        /// The file.
+        file: PathBuf,
+    },
+    /// The header of a Y4M file is wrong.
+    #[error("{}: {problem}", file.display())]
+    Header {
+        /// The file.
+        file: PathBuf,
+        /// What is wrong.
+        problem: DecodeError,
+    },
+    /// A Y4M file is wrong within a frame, or cannot be read further.
+    #[error("{}: {problem}", file.display())]
+    Y4m {
+        /// The file.
+        file: PathBuf,
+        /// The frame.
+        frame: usize,
+        /// What is wrong.
+        problem: StreamError,
+    },
+    /// A picture of a row of numbered pictures cannot be read. The error names its file.
+    #[error("frame {frame}: {problem}")]
+    Picture {
+        /// The frame.
+        frame: usize,
+        /// What is wrong.
+        problem: ReadError<DecodeError>,
+    },
+    /// A number is missing in a row of numbered pictures.
+    #[error("{}: the picture of frame {frame} is missing", file.display())]
+    Missing {
+        /// The file that is not there.
+        file: PathBuf,
+        /// The frame.
+        frame: usize,
+    },
+    /// The name of numbered pictures cannot be understood.
+    #[error("{}: {problem}", file.display())]
+    Pattern {
+        /// The folder or pattern.
+        file: PathBuf,
+        /// What is wrong.
+        problem: &'static str,
+    },
+    /// An MP4 file is wrong or has what this program does not read.
+    #[error("{}: {problem}", file.display())]
+    Mp4 {
+        /// The file.
+        file: PathBuf,
+        /// What is wrong.
+        problem: String,
+    },
+    /// A frame of an MP4 file cannot be decoded.
+    #[error("{}: frame {frame}: {problem}", file.display())]
+    Decoding {
+        /// The file.
+        file: PathBuf,
+        /// The frame.
+        frame: usize,
+        /// What is wrong.
+        problem: String,
+    },
+    /// Two views cannot lie beside each other, or above each other, in a frame of this size.
+    #[error(
+        "frames of {} × {} pixels cannot be divided into two views {layout}",
+        size[0], size[1]
+    )]
+    Layout {
+        /// How the views should lie.
+        layout: &'static str,
+        /// Columns and rows of the frames.
+        size: [usize; 2],
+    },
+    /// Two videos that should be the two views of one differ in what all their frames share.
+    #[error("the left and the right video differ in {what}: {left} and {right}")]
+    Views {
+        /// In what they differ.
+        what: &'static str,
+        /// That of the left video.
+        left: String,
+        /// That of the right video.
+        right: String,
+    },
+    /// Of two videos that should be the two views of one, one ends before the other.
+    #[error("the {side} video has no frame {frame}, the other has")]
+    Length {
+        /// The frame.
+        frame: usize,
+        /// Which one is shorter: `left` or `right`.
+        side: &'static str,
+    },
+    /// Of two videos that should be the two views of one, a frame is shown at different times.
+    #[error(
+        "frame {frame} is shown at {left_seconds} s in the left video and at {right_seconds} s in \
+         the right one"
+    )]
+    Time {
+        /// The frame.
+        frame: usize,
+        /// When the left one is shown.
+        left_seconds: f64,
+        /// When the right one is shown.
+        right_seconds: f64,
+    },
+}
+
+impl VideoError {
+    /// The frame at which reading ended, counted from 0, where it did at a frame.
+    #[must_use]
+    pub fn frame(&self) -> Option<usize> {
+        match self {
+            Self::Truncated { frame, .. }
+            | Self::Size { frame, .. }
+            | Self::Y4m { frame, .. }
+            | Self::Picture { frame, .. }
+            | Self::Missing { frame, .. }
+            | Self::Decoding { frame, .. }
+            | Self::Length { frame, .. }
+            | Self::Time { frame, .. } => Some(*frame),
+            Self::Open { .. }
+            | Self::UnknownFormat { .. }
+            | Self::Mp4Feature { .. }
+            | Self::Empty { .. }
+            | Self::Interlaced { .. }
+            | Self::Header { .. }
+            | Self::Pattern { .. }
+            | Self::Mp4 { .. }
+            | Self::Layout { .. }
+            | Self::Views { .. } => None,
+        }
+    }
+}
