@@ -1,5 +1,7 @@
 //! MSE, PSNR and SSIM, compared with scikit-image.
 
+mod information;
+
 use ga_image::file;
 use ga_image::grey::Luma;
 use ga_image::plane::{Plane, SizeError};
