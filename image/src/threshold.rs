@@ -139,31 +139,42 @@ struct Counting<'a> {
 impl Work for Counting<'_> {
     #[inline(always)]
     fn run(self) {
-        // Several tables, so that equal levels beside each other do not wait for one counter.
-        let mut tables = [[0u32; 256]; 4];
-        // A table of 32 bits cannot overflow before it is added up.
+        if self.picture.width() * self.picture.height() < LEAST_FOR_PAIRS {
+            let mut tables = [[0; 256]; 4];
+            for row in self.picture.rows() {
+                count(&mut tables, row);
+            }
+            collect(&tables, self.counts);
+            return;
+        }
+        let mut pairs = [(); 2].map(|()| vec![0; 1 << 16]);
+        // A counter of 32 bits cannot overflow before it is added up.
         let mut pending = 0;
         for row in self.picture.rows() {
             for part in row.chunks(1 << 24) {
                 pending += part.len();
-                count(&mut tables, part);
+                count_pairs(&mut pairs, self.counts, part);
                 if pending > 1 << 30 {
                     pending = 0;
-                    collect(&mut tables, self.counts);
+                    collect_pairs(&mut pairs, self.counts);
                 }
             }
         }
-        collect(&mut tables, self.counts);
+        collect_pairs(&mut pairs, self.counts);
     }
 }
 
+/// From so many pixels on, to clear and to add up tables of pairs takes less time than they save.
+const LEAST_FOR_PAIRS: usize = 1 << 18;
+
+/// Counts pixels in several tables, so that equal levels beside each other do not wait for one
+/// counter.
 #[inline(always)]
 fn count(tables: &mut [[u32; 256]; 4], pixels: &[u8]) {
-    let (words, rest) = pixels.as_chunks::<8>();
-    for word in words {
-        let bytes = u64::from_le_bytes(*word);
-        for k in 0..8 {
-            tables[k % 4][usize::from((bytes >> (8 * k)) as u8)] += 1;
+    let (groups, rest) = pixels.as_chunks::<4>();
+    for group in groups {
+        for (table, pixel) in tables.iter_mut().zip(group) {
+            table[usize::from(*pixel)] += 1;
         }
     }
     for pixel in rest {
@@ -171,10 +182,39 @@ fn count(tables: &mut [[u32; 256]; 4], pixels: &[u8]) {
     }
 }
 
-fn collect(tables: &mut [[u32; 256]; 4], counts: &mut [u64; 256]) {
+fn collect(tables: &[[u32; 256]; 4], counts: &mut [u64; 256]) {
     for table in tables {
         for (count, part) in counts.iter_mut().zip(table) {
-            *count += u64::from(std::mem::take(part));
+            *count += u64::from(*part);
+        }
+    }
+}
+
+/// Counts pairs of pixels beside each other: half as many counters change as there are pixels.
+#[inline(always)]
+fn count_pairs([even, odd]: &mut [Vec<u32>; 2], counts: &mut [u64; 256], pixels: &[u8]) {
+    let (words, rest) = pixels.as_chunks::<8>();
+    for word in words {
+        let bytes = u64::from_le_bytes(*word);
+        even[usize::from(bytes as u16)] += 1;
+        odd[usize::from((bytes >> 16) as u16)] += 1;
+        even[usize::from((bytes >> 32) as u16)] += 1;
+        odd[usize::from((bytes >> 48) as u16)] += 1;
+    }
+    for pixel in rest {
+        counts[usize::from(*pixel)] += 1;
+    }
+}
+
+/// Adds each counter of pairs to those of both its levels, and clears it.
+fn collect_pairs(pairs: &mut [Vec<u32>; 2], counts: &mut [u64; 256]) {
+    for table in pairs {
+        for (high, row) in table.as_chunks_mut::<256>().0.iter_mut().enumerate() {
+            for (count, pair) in counts.iter_mut().zip(&mut *row) {
+                *count += u64::from(*pair);
+            }
+            counts[high] += row.iter().map(|pair| u64::from(*pair)).sum::<u64>();
+            row.fill(0);
         }
     }
 }

@@ -229,3 +229,27 @@ fn planes_of_other_sizes_and_thresholds_out_of_order_are_errors() {
     assert_eq!(otsu(&Plane::<u8>::default()), None);
     assert!(canny.edges(&Plane::<u8>::default()).is_empty());
 }
+
+/// Large pictures, whose rows are no multiple of what is read at once, seen as a part of a picture
+/// and alone.
+#[test]
+fn histograms_of_large_pictures_count_every_pixel() {
+    let mut state = 9u32;
+    let picture = Plane::from_fn(803, 701, |column, row| {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        if (column / 50 + row / 40) % 3 == 0 {
+            90
+        } else {
+            (state >> 24) as u8
+        }
+    });
+    for view in [picture.view(), picture.view().part(5, 3, 797, 690).unwrap()] {
+        let mut expected = [0; 256];
+        for row in view.rows() {
+            for value in row {
+                expected[usize::from(*value)] += 1;
+            }
+        }
+        assert_eq!(histogram(view), expected);
+    }
+}
