@@ -19,6 +19,7 @@
 //! - [`surface`]: points, triangles and meshes from disparity maps.
 //! - [`texture`]: textures of meshes from calibrated views.
 //! - [`least_squares`]: nonlinear least squares over any unknowns, with covariances.
+//! - [`conjugate_gradient`]: linear equations whose matrix is too large to be stored.
 //! - [`feature`]: corners, descriptors and matches of two views.
 //! - [`relative_pose`]: the motion between two cameras from pairs of pixels.
 //! - [`perspective_n_point`]: where a camera is that sees known points.
@@ -63,6 +64,7 @@ pub mod calibration;
 pub mod camera;
 pub mod capture;
 pub mod chessboard;
+pub mod conjugate_gradient;
 pub mod contour;
 pub mod diagnosis;
 pub mod disparity;

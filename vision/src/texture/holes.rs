@@ -4,16 +4,18 @@ use super::blend::{Blend, NONE};
 use super::covered::Covered;
 use super::target::{Seam, Target};
 use super::weight::Grade;
+use crate::conjugate_gradient::{self, Settings};
 
 /// How strongly a texel at the edge of what is seen keeps its colour, compared with the difference
 /// from one neighbour: it gives way to better ones within about ten texels.
 const HOLD: f64 = 0.01;
 
-/// The membrane is solved until its residual is this share of what it was at first.
-const PRECISION: f64 = 1e-3;
-
-/// The most steps of the solver.
-const STEPS: usize = 400;
+/// The membrane is solved until its residual is a thousandth of what it was at first.
+const SOLVER: Settings = Settings {
+    steps: 400,
+    relative_tolerance: 1e-3,
+    absolute_tolerance: 1e-6,
+};
 
 /// Texels that are not seen well, as a graph.
 struct Holes {
@@ -153,51 +155,41 @@ impl Holes {
                 .iter()
                 .map(|texel| f64::from(blend.colours[*texel as usize][channel]))
                 .collect();
-            let known = |texel: u32| f64::from(blend.colours[texel as usize][channel]);
-            // The graph's Laplacian, with what is not free on the right side where `with_known`.
-            let apply = |x: &[f64], hole: usize, with_known: bool| {
-                if fixed[hole] {
-                    return 0.0;
-                }
-                let differences = self.neighbours(hole).iter().map(|&texel| {
-                    if is_free(texel) {
-                        x[hole] - x[self.number[texel as usize] as usize]
-                    } else if with_known {
-                        x[hole] - known(texel)
-                    } else {
-                        x[hole]
-                    }
-                });
-                let held = if with_known {
-                    known(self.texels[hole])
-                } else {
-                    0.0
-                };
-                differences.sum::<f64>() + self.hold[hole] * (x[hole] - held)
-            };
-            let mut residual: Vec<f64> = (0..count).map(|hole| -apply(&x, hole, true)).collect();
-            let mut direction = residual.clone();
-            let mut square = dot(&residual, &residual);
-            let enough = PRECISION * PRECISION * square;
-            for _ in 0..STEPS {
-                if square <= enough.max(1e-12) {
-                    break;
-                }
-                let image: Vec<f64> = (0..count)
-                    .map(|hole| apply(&direction, hole, false))
-                    .collect();
-                let step = square / dot(&direction, &image);
-                for hole in 0..count {
-                    x[hole] += step * direction[hole];
-                    residual[hole] -= step * image[hole];
-                }
-                let next = dot(&residual, &residual);
-                let share = next / square;
-                for (direction, residual) in direction.iter_mut().zip(&residual) {
-                    *direction = residual + share * *direction;
-                }
-                square = next;
+            // The graph's Laplacian of free holes, with what they hold and all others as known.
+            let mut right = vec![0.0; count];
+            for hole in (0..count).filter(|hole| !fixed[*hole]) {
+                let neighbours = self.neighbours(hole).iter();
+                let known = neighbours.filter(|texel| !is_free(**texel));
+                let sum: f64 = known
+                    .map(|texel| f64::from(blend.colours[*texel as usize][channel]))
+                    .sum();
+                right[hole] = sum + self.hold[hole] * x[hole];
             }
+            let image = |x: &[f64], image: &mut [f64]| {
+                for (hole, image) in image.iter_mut().enumerate() {
+                    *image = if fixed[hole] {
+                        0.0
+                    } else {
+                        let neighbours = self.neighbours(hole).iter();
+                        let differences = neighbours.map(|&texel| {
+                            if is_free(texel) {
+                                x[hole] - x[self.number[texel as usize] as usize]
+                            } else {
+                                x[hole]
+                            }
+                        });
+                        differences.sum::<f64>() + self.hold[hole] * x[hole]
+                    };
+                }
+            };
+            // What the steps leave is smooth already, and no reason to refuse a texture.
+            let _ = conjugate_gradient::solve(
+                &right,
+                &mut x,
+                image,
+                |residual, improved| improved.copy_from_slice(residual),
+                &SOLVER,
+            );
             for (texel, value) in self.texels.iter().zip(x) {
                 blend.colours[*texel as usize][channel] = value.max(0.0) as f32;
             }
@@ -244,8 +236,4 @@ fn mean(colours: impl Iterator<Item = [f32; 3]>) -> [f32; 3] {
         count += 1.0;
     }
     sum.map(|x| (x / f64::max(count, 1.0)) as f32)
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
 }

@@ -13,6 +13,7 @@ mod camera;
 mod capture;
 mod capture_surface;
 mod chessboard;
+mod conjugate_gradient;
 mod contour;
 mod dense;
 mod diagnosis;

@@ -1,6 +1,7 @@
 //! Diffusion with sinks: `(w − μΔ) x = b` on the pixels of a picture.
 
 use super::SnakeError;
+use crate::conjugate_gradient::{self, NotConverged, Settings};
 
 /// The equations `wᵢ xᵢ + μ Σⱼ (xᵢ − xⱼ) = bᵢ`, where the pixels j are the two to four neighbours
 /// of the pixel i: nothing flows across the border.
@@ -41,40 +42,28 @@ impl Diffusion {
 
     /// The solution, or the one of mean zero where all weights are zero.
     pub(super) fn solve(&self, right: &[f64]) -> Result<Vec<f64>, SnakeError> {
-        const STEPS: usize = 200;
-        const TOLERANCE: f64 = 1e-10;
+        const SETTINGS: Settings = Settings {
+            steps: 200,
+            relative_tolerance: 1e-10,
+            absolute_tolerance: 0.0,
+        };
         let finest = &self.levels[0];
         let mut solution = vec![0.0; right.len()];
-        let mut residual = right.to_vec();
-        let size = dot(right, right).sqrt();
-        let mut direction = vec![0.0; right.len()];
-        let mut before = f64::INFINITY;
-        for _ in 0..STEPS {
-            if dot(&residual, &residual).sqrt() <= TOLERANCE * size {
-                if finest.weights.iter().all(|weight| *weight == 0.0) {
-                    let mean = solution.iter().sum::<f64>() / solution.len() as f64;
-                    solution.iter_mut().for_each(|value| *value -= mean);
-                }
-                return Ok(solution);
-            }
-            let improved = self.cycle(0, &residual);
-            let product = dot(&residual, &improved);
-            let share = product / before;
-            for (direction, improved) in direction.iter_mut().zip(&improved) {
-                *direction = improved + share * *direction;
-            }
-            before = product;
-            let image = finest.image(&direction);
-            let step = product / dot(&direction, &image);
-            for (index, value) in solution.iter_mut().enumerate() {
-                *value += step * direction[index];
-                residual[index] -= step * image[index];
-            }
+        conjugate_gradient::solve(
+            right,
+            &mut solution,
+            |x, image| finest.image(x, image),
+            |residual, improved| improved.copy_from_slice(&self.cycle(0, residual)),
+            &SETTINGS,
+        )
+        .map_err(
+            |NotConverged { steps, residual }| SnakeError::FlowNotConverged { steps, residual },
+        )?;
+        if finest.weights.iter().all(|weight| *weight == 0.0) {
+            let mean = solution.iter().sum::<f64>() / solution.len() as f64;
+            solution.iter_mut().for_each(|value| *value -= mean);
         }
-        Err(SnakeError::FlowNotConverged {
-            steps: STEPS,
-            residual: dot(&residual, &residual).sqrt() / size,
-        })
+        Ok(solution)
     }
 
     /// One V-cycle from zero.
@@ -90,7 +79,8 @@ impl Diffusion {
             return values;
         };
         here.sweep(&mut values, right, false);
-        let image = here.image(&values);
+        let mut image = vec![0.0; right.len()];
+        here.image(&values, &mut image);
         let rest: Vec<f64> = right.iter().zip(&image).map(|(b, x)| b - x).collect();
         let correction = self.cycle(level + 1, &here.restricted(&rest, coarser.size));
         here.add_enlarged(&correction, coarser.size, &mut values);
@@ -138,17 +128,16 @@ impl Level {
     }
 
     /// The left-hand sides of the equations.
-    fn image(&self, values: &[f64]) -> Vec<f64> {
-        let mut image = Vec::with_capacity(values.len());
-        for row in 0..self.size[1] {
-            for column in 0..self.size[0] {
-                let value = values[image.len()];
+    fn image(&self, values: &[f64], image: &mut [f64]) {
+        let [width, height] = self.size;
+        for row in 0..height {
+            for column in 0..width {
+                let index = row * width + column;
                 let (sum, count) = self.neighbours(values, column, row);
-                let weight = self.weights[image.len()];
-                image.push(weight * value + self.mu * (count * value - sum));
+                let flow = self.mu * (count * values[index] - sum);
+                image[index] = self.weights[index] * values[index] + flow;
             }
         }
-        image
     }
 
     /// Solves the equation of each pixel for its value, one after the other.
@@ -213,8 +202,4 @@ impl Level {
             }
         }
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
