@@ -16,7 +16,8 @@ pub struct Contour {
     pub is_hole: bool,
     /// The index of the border that directly surrounds this one: for the outer border of a region,
     /// the hole in which it lies, and for a hole, the outer border of its region. `None` at the
-    /// outermost.
+    /// outermost. A parent comes before what it surrounds, and borders of one parent have the order
+    /// in which their first pixels are met from the top left, row by row.
     pub parent: Option<usize>,
 }
 

@@ -1,9 +1,11 @@
 //! Closed polygons, given by their corners.
 
 use ga_runtime::cga2::Point;
+use ga_runtime::vga2::Vector;
 
 /// The area that a closed polygon encloses, positive where its corners run clockwise as seen in the
-/// picture, whose v axis points down: ½ Σ (uᵢ vᵢ₊₁ − uᵢ₊₁ vᵢ).
+/// picture, whose v axis points down: ½ Σ xᵢ∧xᵢ₊₁ = ½ Σ (uᵢ vᵢ₊₁ − uᵢ₊₁ vᵢ). Not a number where a
+/// corner is not.
 ///
 /// ```
 /// use ga_vision::contour::{perimeter, signed_area};
@@ -16,34 +18,59 @@ use ga_runtime::cga2::Point;
 pub fn signed_area(corners: &[[f64; 2]]) -> f64 {
     // Products of differences from one corner are exact for more numbers than those of places.
     let origin = corners.first().copied().unwrap_or_default();
-    let sum: f64 = edges(corners).map(|(a, b)| cross(a, b, origin)).sum();
+    let sum: f64 = edges(corners).map(|edge| doubled_area(edge, origin)).sum();
     sum / 2.0
 }
 
-/// The length of a closed polygon.
+/// The length of a closed polygon. Not a number where a corner is not.
 #[must_use]
 pub fn perimeter(corners: &[[f64; 2]]) -> f64 {
     edges(corners).map(|(a, b)| distance(a, b)).sum()
 }
 
-/// The centre of gravity of the area of a closed polygon, or `None` where it has no area.
+/// The centre of gravity of the area of a closed polygon, or `None` where it has no area: where the
+/// sum of the areas along its edges is within their rounding errors and those of the corners.
+///
+/// ```
+/// use ga_vision::contour::centroid;
+///
+/// let triangle = [[0.0, 0.0], [6.0, 0.0], [0.0, 3.0]];
+/// assert_eq!(centroid(&triangle), Some([2.0, 1.0]));
+/// assert_eq!(centroid(&[[0.1, 0.3], [0.2, 0.6], [0.7, 2.1]]), None);
+/// ```
 #[must_use]
 pub fn centroid(corners: &[[f64; 2]]) -> Option<[f64; 2]> {
     let origin = *corners.first()?;
-    let area = signed_area(corners);
+    let (mut doubled, mut products) = (0.0, 0.0);
     let mut sums = [0.0; 2];
     for (a, b) in edges(corners) {
-        let weight = cross(a, b, origin);
+        let weight = doubled_area((a, b), origin);
+        doubled += weight;
+        let [p, q] = [a, b].map(|corner| [0, 1].map(|k| corner[k] - origin[k]));
+        products += (p[0] * q[1]).abs() + (p[1] * q[0]).abs();
         for axis in 0..2 {
-            sums[axis] += weight * (a[axis] + b[axis] - 2.0 * origin[axis]);
+            sums[axis] += weight * (p[axis] + q[axis]);
         }
     }
-    let centre = [0, 1].map(|axis| origin[axis] + sums[axis] / (6.0 * area));
+    let coordinates = corners.as_flattened().iter();
+    let size = coordinates.fold(0.0f64, |size, x| size.max(x.abs()));
+    let rounding = 4.0 * f64::EPSILON * (products + size * perimeter(corners));
+    if doubled.is_nan() || doubled.abs() <= rounding {
+        return None;
+    }
+    let centre = [0, 1].map(|axis| origin[axis] + sums[axis] / (3.0 * doubled));
     centre.iter().all(|x| x.is_finite()).then_some(centre)
 }
 
 /// `count` points at equal distances along a closed polygon, from its first corner on. Empty where
-/// the polygon has no length.
+/// the polygon has no length, or none that is finite.
+///
+/// ```
+/// use ga_vision::contour::resampled;
+///
+/// let triangle = [[0.0, 0.0], [3.0, 0.0], [3.0, 4.0]];
+/// assert_eq!(resampled(&triangle, 3), [[0.0, 0.0], [3.0, 1.0], [2.4, 3.2]]);
+/// ```
 #[must_use]
 pub fn resampled(corners: &[[f64; 2]], count: usize) -> Vec<[f64; 2]> {
     let length = perimeter(corners);
@@ -76,16 +103,16 @@ pub fn resampled(corners: &[[f64; 2]], count: usize) -> Vec<[f64; 2]> {
 pub(super) fn distance_to(corners: &[[f64; 2]], point: [f64; 2]) -> (f64, [f64; 2]) {
     let mut best = (f64::INFINITY, point);
     for (a, b) in edges(corners) {
-        let [along, across] = [b, point].map(|p| [p[0] - a[0], p[1] - a[1]]);
-        let square = along[0] * along[0] + along[1] * along[1];
-        let share = (along[0] * across[0] + along[1] * across[1]) / square;
+        let [along, across] = [b, point].map(|end| way(a, end));
+        let square = along | along;
+        let share = (along | across) / square;
         // An edge without a length has its place as the nearest one.
         let part = if square > 0.0 {
             share.clamp(0.0, 1.0)
         } else {
             0.0
         };
-        let nearest = [a[0] + part * along[0], a[1] + part * along[1]];
+        let nearest = (Vector::from(a) + along * part).coordinates();
         let found = distance(nearest, point);
         if found < best.0 {
             best = (found, nearest);
@@ -103,7 +130,11 @@ fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
     Point::from(a).distance(Point::from(b))
 }
 
-fn cross(a: [f64; 2], b: [f64; 2], origin: [f64; 2]) -> f64 {
-    let [a, b] = [a, b].map(|p| [p[0] - origin[0], p[1] - origin[1]]);
-    a[0] * b[1] - a[1] * b[0]
+/// Twice the area of the triangle of an origin and an edge.
+fn doubled_area((a, b): ([f64; 2], [f64; 2]), origin: [f64; 2]) -> f64 {
+    (way(origin, a) ^ way(origin, b)).e12
+}
+
+fn way(from: [f64; 2], to: [f64; 2]) -> Vector<f64> {
+    Vector::from(to) - Vector::from(from)
 }

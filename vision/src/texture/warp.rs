@@ -1,5 +1,7 @@
 //! Affine maps between triangles of a texture and of a picture.
 
+use ga_runtime::vga2::Vector;
+
 /// The affine map between two triangles of the plane, q = o + a x + b y.
 ///
 /// A pinhole maps a triangle of space to its picture by a projective map, whose affine part is
@@ -32,7 +34,7 @@ impl TriangleWarp {
     pub fn new(from: [[f64; 2]; 3], to: [[f64; 2]; 3]) -> Option<Self> {
         let sides = |[a, b, c]: [[f64; 2]; 3]| [minus(b, a), minus(c, a)];
         let ([p, q], [r, s]) = (sides(from), sides(to));
-        let area = cross(p, q);
+        let area = wedge(p, q);
         let column = |x: f64, y: f64| [0, 1].map(|k| (x * r[k] + y * s[k]) / area);
         let columns = [column(q[1], -p[1]), column(-q[0], p[0])];
         let offset = |k: usize| columns[0][k] * from[0][0] + columns[1][k] * from[0][1];
@@ -51,7 +53,7 @@ impl TriangleWarp {
     /// How many times larger an area becomes: the magnitude of the determinant.
     #[must_use]
     pub fn area_ratio(&self) -> f64 {
-        cross(self.columns[0], self.columns[1]).abs()
+        wedge(self.columns[0], self.columns[1]).abs()
     }
 }
 
@@ -95,6 +97,7 @@ fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0] - b[0], a[1] - b[1]]
 }
 
-fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
-    a[0] * b[1] - a[1] * b[0]
+/// The area of the parallelogram of two sides.
+fn wedge(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (Vector::from(a) ^ Vector::from(b)).e12
 }
