@@ -8,6 +8,8 @@ pub use space::{circle_in_space, line_in_space};
 use ga_runtime::cga2::{Circle, Line, Point};
 use nalgebra_035::{Matrix2, Matrix3, Vector2, Vector3};
 
+use crate::least_squares::{Columns, Equations, Loss, Problem, Settings, minimise};
+
 /// Points that do not determine a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum FitError {
@@ -89,8 +91,8 @@ pub fn line(points: &[[f64; 2]]) -> Result<Line<f64>, FitError> {
     ))
 }
 
-/// The circle with the least sum of squared distances to the points, by Gauss and Newton's method
-/// from the circle that fits `|x − c|² = r²` best (I. Kåsa, 1976).
+/// The circle with the least sum of squared distances to the points, by the method of Levenberg and
+/// Marquardt from the circle that fits `|x − c|² = r²` best (I. Kåsa, 1976).
 ///
 /// ```
 /// use ga_vision::contour::fit::circle;
@@ -102,10 +104,17 @@ pub fn line(points: &[[f64; 2]]) -> Result<Line<f64>, FitError> {
 ///
 /// # Errors
 ///
-/// [`FitError`] for fewer than three points, points on one line, and numbers that are not finite.
+/// [`FitError`] for fewer than three points, points on one line, points that no circle fits best,
+/// since larger ones fit ever better, and numbers that are not finite.
 pub fn circle(points: &[[f64; 2]]) -> Result<Circle<f64>, FitError> {
     const FIGURE: &str = "circle";
-    const STEPS: usize = 100;
+    /// Circles through short arcs are found slowly.
+    const SETTINGS: Settings = Settings {
+        steps: 1000,
+        relative_tolerance: 1e-9,
+        absolute_tolerance: 1e-11,
+        loss: Loss::Squares,
+    };
     let frame = Frame::new(points, FIGURE, 3)?;
     let on_a_line = FitError::Degenerate {
         figure: FIGURE,
@@ -126,40 +135,54 @@ pub fn circle(points: &[[f64; 2]]) -> Result<Circle<f64>, FitError> {
     }
     let centre = normal.try_inverse().ok_or(on_a_line)? * right;
     let radius = (constant + centre.norm_squared()).sqrt();
-    let mut best = Vector3::new(centre.x, centre.y, radius);
-    let (mut cost, mut step) = radial_step(&frame, best);
-    for _ in 0..STEPS {
-        let next = best + step;
-        let (next_cost, next_step) = radial_step(&frame, next);
-        if next_cost.is_nan() || next_cost >= cost {
-            break;
-        }
-        (best, cost, step) = (next, next_cost, next_step);
-    }
-    let centre = frame.outside([best.x, best.y]);
+    let start = [centre.x, centre.y, radius];
+    let found = minimise(&Radial(&frame), start, &SETTINGS);
+    let [x, y, radius] = found
+        .map_err(|_| FitError::Degenerate {
+            figure: FIGURE,
+            arrangement: "no circle fits them best",
+        })?
+        .state;
     Ok(Circle::from_centre_radius(
-        Point::from(centre),
-        frame.scale * best.z,
+        Point::from(frame.outside([x, y])),
+        frame.scale * radius,
     ))
 }
 
-/// The sum of squared distances to a circle (centre and radius), and the step of Gauss and Newton's
-/// method.
-fn radial_step(frame: &Frame<'_, 2>, circle: Vector3<f64>) -> (f64, Vector3<f64>) {
-    let (mut normal, mut right, mut cost) = (Matrix3::zeros(), Vector3::zeros(), 0.0);
-    for [x, y] in frame.points() {
-        let (dx, dy) = (x - circle.x, y - circle.y);
-        let distance = dx.hypot(dy);
-        let residual = distance - circle.z;
-        cost += residual * residual;
-        if distance > 0.0 {
-            let slope = Vector3::new(dx / distance, dy / distance, 1.0);
-            normal += slope * slope.transpose();
-            right += residual * slope;
-        }
+/// The distances of points from a circle, of which a state is the centre and the radius.
+struct Radial<'a, 'b>(&'b Frame<'a, 2>);
+
+impl Problem for Radial<'_, '_> {
+    type State = [f64; 3];
+
+    fn columns(&self) -> Columns {
+        Columns::dense(3)
     }
-    let step = normal.try_inverse().map(|inverse| inverse * right);
-    (cost, step.unwrap_or_default())
+
+    fn evaluate(&self, [x, y, radius]: &[f64; 3], equations: &mut Equations) -> Option<()> {
+        for [u, v] in self.0.points() {
+            let (across, down) = (u - x, v - y);
+            let distance = across.hypot(down);
+            // The distance from a point at the centre has no slope.
+            let slope = |part: f64| {
+                if distance > 0.0 {
+                    -part / distance
+                } else {
+                    0.0
+                }
+            };
+            equations.add(
+                [distance - radius],
+                &[(0, [slope(across)]), (1, [slope(down)]), (2, [-1.0])],
+            );
+        }
+        Some(())
+    }
+
+    fn stepped(&self, circle: &[f64; 3], step: &[f64]) -> Option<[f64; 3]> {
+        let next = [0, 1, 2].map(|k| circle[k] + step[k]);
+        (next[2] > 0.0).then_some(next)
+    }
 }
 
 /// The ellipse whose conic `A u² + B u v + C v² + D u + E v + F` has the least sum of squares at
