@@ -180,6 +180,17 @@ proptest! {
         }
     }
 
+    #[test]
+    fn points_on_a_line_have_no_centroid(
+        origin in [-1e4..1e4f64, -1e4..1e4],
+        direction in [-1.0..1.0f64, -1.0..1.0],
+        along in prop::collection::vec(-300.0..300.0f64, 0..60),
+    ) {
+        let point = |t: &f64| [0, 1].map(|axis| origin[axis] + t * direction[axis]);
+        let points: Vec<[f64; 2]> = along.iter().map(point).collect();
+        prop_assert_eq!(centroid(&points), None);
+    }
+
     /// No circle near the fitted one has a smaller sum of squared distances.
     #[test]
     fn fitted_circles_are_the_nearest(
@@ -200,6 +211,62 @@ proptest! {
         let other = [centre[0] + change[0], centre[1] + change[1]];
         prop_assert!(cost(centre, radius) <= cost(other, radius + change[2]) + 1e-9);
     }
+}
+
+/// At a minimum the sum of squared distances has no slope, up to the root of its rounding errors.
+/// Where no circle is found, larger ones fit ever better: the line, which is the largest, fits
+/// better than the circle that was drawn.
+#[test]
+fn circles_through_noisy_short_arcs_are_minima() {
+    let mut state = 5u32;
+    let mut random = || {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        f64::from(state >> 8) / f64::from(1 << 24)
+    };
+    let mut found = 0;
+    for _ in 0..2000 {
+        let (centre, radius) = ([20.0 * random(), -30.0 * random()], 5.0 + 10.0 * random());
+        let (start, arc) = (TAU * random(), 0.2 + random());
+        let noise = radius * (0.002 + 0.028 * random());
+        let points: Vec<[f64; 2]> = (0..20)
+            .map(|k| {
+                let angle = start + arc * f64::from(k) / 19.0;
+                let distance = radius + noise * (2.0 * random() - 1.0);
+                [
+                    centre[0] + distance * angle.cos(),
+                    centre[1] + distance * angle.sin(),
+                ]
+            })
+            .collect();
+        let drawn: f64 = points
+            .iter()
+            .map(|[u, v]| ((u - centre[0]).hypot(v - centre[1]) - radius).powi(2))
+            .sum();
+        let Ok(circle) = fit::circle(&points) else {
+            let line = fit::line(&points).unwrap();
+            let distances = points
+                .iter()
+                .map(|p| line.signed_distance((*p).into()).unwrap());
+            assert!(distances.map(|x| x * x).sum::<f64>() < drawn);
+            continue;
+        };
+        found += 1;
+        let [x, y] = circle.centre().unwrap().coordinates();
+        let (mut slope, mut size, mut cost) = ([0.0; 3], 0.0, 0.0);
+        for [u, v] in &points {
+            let distance = (u - x).hypot(v - y);
+            let residual = distance - circle.radius().unwrap();
+            cost += residual * residual;
+            size += residual.abs();
+            let direction = [(u - x) / distance, (v - y) / distance, 1.0];
+            for (sum, part) in slope.iter_mut().zip(direction) {
+                *sum += residual * part;
+            }
+        }
+        assert!(slope.iter().all(|sum| sum.abs() < 1e-4 * size), "{slope:?}");
+        assert!(cost <= drawn);
+    }
+    assert!(found > 1800, "{found}");
 }
 
 #[test]
@@ -246,6 +313,10 @@ fn polygons_have_areas_lengths_and_equal_parts() {
     assert_eq!((signed_area(&square), perimeter(&square)), (16.0, 16.0));
     assert_eq!(centroid(&square), Some([3.0, 3.0]));
     assert_eq!(centroid(&square[..2]), None);
+    // Far from the origin a small square still has a centre.
+    let small = square.map(|corner| corner.map(|x| 1e6 + 1e-3 * x));
+    let centre = centroid(&small).unwrap();
+    assert!(centre.iter().all(|x| (x - 1e6 - 3e-3).abs() < 1e-5));
     let parts = resampled(&square, 8);
     let expected = [
         [1, 1],
@@ -447,6 +518,68 @@ fn outlines_are_those_of_the_largest_things() {
     assert_eq!(level, Err(OutlineError::OneLevel));
 }
 
+/// Points that are placed at equal distances have moved. A snake has not settled while that goes
+/// on, and each step says how far.
+#[test]
+fn resampling_counts_as_a_move() {
+    let level = Potential::new(Plane::filled(100, 100, 0.0)).unwrap();
+    let start: Vec<[f64; 2]> = (0..40)
+        .map(|k| TAU * (f64::from(k) / 40.0).powi(2))
+        .map(|angle| [50.0 + 30.0 * angle.cos(), 50.0 + 30.0 * angle.sin()])
+        .collect();
+    let options = SnakeOptions {
+        tension: 0.0,
+        rigidity: 0.0,
+        resampled_every: Some(1),
+        ..SnakeOptions::default()
+    };
+    let mut before = start.clone();
+    let found = snake::settle(&start, &level, &options, |step| {
+        let ways = step.points.iter().zip(&before);
+        let way = ways
+            .map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]))
+            .fold(0.0, f64::max);
+        assert!(step.greatest_move >= way - 1e-12, "{}: {way}", step.number);
+        before = step.points.to_vec();
+    });
+    let found = found.unwrap();
+    let again = resampled(&found.points, 40);
+    for (a, b) in found.points.iter().zip(&again) {
+        assert!((a[0] - b[0]).hypot(a[1] - b[1]) < 0.1, "{a:?} {b:?}");
+    }
+    let length = |k: usize| {
+        let [a, b] = [found.points[k], found.points[(k + 1) % 40]];
+        (a[0] - b[0]).hypot(a[1] - b[1])
+    };
+    assert!(found.has_converged && (length(0) / length(20) - 1.0).abs() < 0.1);
+}
+
+/// A potential in any unit, here 10³⁰ times as large, has its minimum at the same place.
+#[test]
+fn the_unit_of_the_potential_does_not_matter() {
+    let disk = Plane::from_fn(80, 80, |column, row| {
+        let radius = (column as f32 - 40.0).hypot(row as f32 - 40.0);
+        (20.5 - radius).clamp(0.0, 1.0)
+    });
+    let edges = Potential::edges(&disk, 2.0).unwrap();
+    let start = snake::circle([40.0, 40.0], 30.0, 100);
+    let settled = |scale: f64| {
+        let potential = Potential::new(edges.values().map(|value| value * scale as f32)).unwrap();
+        let usual = SnakeOptions::default();
+        let options = SnakeOptions {
+            tension: scale * usual.tension,
+            rigidity: scale * usual.rigidity,
+            ..usual
+        };
+        let found = snake::settle(&start, &potential, &options, |_| {}).unwrap();
+        assert!(found.has_converged && found.steps > 2, "{scale}");
+        found.points
+    };
+    for (a, b) in settled(1.0).iter().zip(settled(1e30)) {
+        assert!((a[0] - b[0]).hypot(a[1] - b[1]) < 0.02, "{a:?} {b:?}");
+    }
+}
+
 #[test]
 fn snakes_that_cannot_be_are_errors() {
     let picture = Plane::from_fn(30, 20, |column, _| column as f32 / 30.0);
@@ -488,11 +621,30 @@ fn snakes_that_cannot_be_are_errors() {
         Potential::edges(&picture, -1.0),
         Err(SnakeError::Sigma(_))
     ));
-    let wrong = picture.map(|value| if value > 0.9 { f32::NAN } else { value });
-    assert!(matches!(
+    let mut wrong = picture.clone();
+    wrong.row_mut(13)[17] = f32::NAN;
+    let named = SnakeError::NotFinite {
+        column: 17,
+        row: 13,
+    };
+    let flow = Flow::default();
+    for potential in [
+        Potential::edges(&wrong, 2.0),
+        Potential::flow(&wrong, 2.0, &flow),
         Potential::new(wrong),
-        Err(SnakeError::NotFinite { column: 28, row: 0 })
-    ));
+    ] {
+        assert_eq!(potential.err(), Some(named.clone()));
+    }
+    // Both are numbers that a setting can be, and give an energy that none can be.
+    let great = SnakeOptions {
+        tension: 1e308,
+        ..options
+    };
+    let error = fails(&snake::circle([15.0, 10.0], 9.0, 20), &great);
+    assert!(
+        matches!(error, SnakeError::EnergyNotFinite { tension: 1e308, .. }),
+        "{error}"
+    );
     let small = Potential::new(Plane::filled(1, 5, 0.0));
     assert_eq!(
         small.err(),

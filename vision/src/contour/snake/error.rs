@@ -45,6 +45,17 @@ pub enum SnakeError {
         /// Its value.
         value: f64,
     },
+    /// The energy or its slope is infinite or not a number.
+    #[error(
+        "the energy of the snake is beyond the range of numbers: the tension of {tension}, the \
+         rigidity of {rigidity} or the potential is too great"
+    )]
+    EnergyNotFinite {
+        /// α.
+        tension: f64,
+        /// β.
+        rigidity: f64,
+    },
     /// The picture is too small for slopes.
     #[error("a picture of {width} × {height} pixels is too small for a snake")]
     TooSmall {

@@ -52,7 +52,8 @@ pub struct SnakeStep<'a> {
     pub number: usize,
     /// The energy.
     pub energy: f64,
-    /// The greatest distance that a point moved in this step, in pixels.
+    /// The greatest distance that a point moved in this step, or by the resampling after it, in
+    /// pixels.
     pub greatest_move: f64,
     /// The points.
     pub points: &'a [[f64; 2]],
@@ -67,7 +68,8 @@ pub struct Settled {
     pub energy: f64,
     /// The number of steps.
     pub steps: usize,
-    /// Whether no point moved farther than the tolerance in the last two steps.
+    /// Whether no point moved farther than the tolerance in the last two steps, or the energy could
+    /// not fall any further in the accuracy of the numbers.
     pub has_converged: bool,
 }
 
@@ -88,6 +90,9 @@ pub struct Settled {
 /// so that the number of points changes the curve only by the error of the sum, and the same α and
 /// β suit any h below the size of what the curve should follow. An energy that is summed over
 /// points, without h, has the tension α/h² and the rigidity β/h⁴.
+///
+/// h is that of the beginning however long the curve becomes. To continue with the same energy from
+/// a curve that has settled and whose points are h′ apart, scale α by (h′/h)² and β by (h′/h)⁴.
 ///
 /// Each step solves
 ///
@@ -129,7 +134,8 @@ pub struct Settled {
 /// # Errors
 ///
 /// [`SnakeError`] for fewer than six points, points that are all at one place, settings that are
-/// not positive and finite, and a point outside the picture, at the beginning or after a step.
+/// not positive and finite, an energy beyond the range of numbers, and a point outside the picture,
+/// at the beginning or after a step.
 pub fn settle(
     start: &[[f64; 2]],
     potential: &Potential,
@@ -138,17 +144,18 @@ pub fn settle(
 ) -> Result<Settled, SnakeError> {
     error::check(start, potential, options)?;
     let mut motion = Motion::new(start, potential, options);
+    motion.check_energy()?;
     let mut has_converged = false;
     let [mut number, mut short_steps] = [0; 2];
     each_step(&motion.state(0, 0.0));
     while number < options.steps && !has_converged {
         number += 1;
-        let greatest_move = motion.step()?;
+        let mut greatest_move = motion.step()?;
         if options
             .resampled_every
             .is_some_and(|every| number % every == 0)
         {
-            motion.resample();
+            greatest_move = greatest_move.max(motion.resample());
         }
         short_steps = if greatest_move <= options.tolerance {
             motion.damping = motion.least_damping.max(0.1 * motion.damping);
@@ -168,6 +175,14 @@ pub fn settle(
 }
 
 /// `count` points on a circle, from the rightmost one on, clockwise as seen in the picture.
+///
+/// ```
+/// use ga_vision::contour::snake::circle;
+///
+/// let [right, below] = [0, 1].map(|k| circle([20.0, 30.0], 5.0, 4)[k]);
+/// assert_eq!(right, [25.0, 30.0]);
+/// assert!((below[0] - 20.0).abs() < 1e-12 && (below[1] - 35.0).abs() < 1e-12);
+/// ```
 #[must_use]
 pub fn circle(centre: [f64; 2], radius: f64, count: usize) -> Vec<[f64; 2]> {
     let points = (0..count).map(|index| {
@@ -249,13 +264,27 @@ impl<'a> Motion<'a> {
         }
     }
 
-    /// Moves the points, and gives the greatest distance. It is 0 where the energy cannot fall.
+    fn check_energy(&self) -> Result<(), SnakeError> {
+        let mut slopes = self.slopes.as_flattened().iter();
+        if self.energy.is_finite() && slopes.all(|slope| slope.is_finite()) {
+            return Ok(());
+        }
+        Err(self.energy_not_finite())
+    }
+
+    fn energy_not_finite(&self) -> SnakeError {
+        SnakeError::EnergyNotFinite {
+            tension: self.options.tension,
+            rigidity: self.options.rigidity,
+        }
+    }
+
+    /// Moves the points, and gives the greatest distance. It is 0 where the energy cannot fall by
+    /// more than its rounding errors.
     fn step(&mut self) -> Result<f64, SnakeError> {
         /// Part of the energy that its rounding errors may reach.
         const ROUNDING: f64 = 1e-14;
-        /// Beyond this damping, a step is below the accuracy of the numbers.
-        const GREATEST: f64 = 1e12;
-        while self.damping < GREATEST {
+        while self.damping.is_finite() {
             let Some([greatest, along]) = self.solve() else {
                 self.damping *= 2.0;
                 continue;
@@ -268,8 +297,8 @@ impl<'a> Motion<'a> {
             let moves = self.moves.as_flattened();
             let square: f64 = moves.iter().map(|x| x * x).sum();
             let predicted = (self.damping * square - along) / 2.0;
-            if predicted.is_nan() || predicted <= ROUNDING * self.energy.abs() {
-                break;
+            if predicted <= ROUNDING * self.energy.abs() {
+                return Ok(0.0);
             }
             for (next, (point, step)) in self
                 .next
@@ -292,7 +321,7 @@ impl<'a> Motion<'a> {
             }
             self.damping *= 3.0;
         }
-        Ok(0.0)
+        Err(self.energy_not_finite())
     }
 
     /// Solves the equations of a step. Gives the greatest distance of it and the slope of the
@@ -315,16 +344,23 @@ impl<'a> Motion<'a> {
         Some([greatest.sqrt(), along])
     }
 
-    /// Places the points at equal distances, if the energy does not rise.
-    fn resample(&mut self) {
+    /// Places the points at equal distances, if the energy does not rise. Gives the greatest
+    /// distance that a point moves.
+    fn resample(&mut self) -> f64 {
         let points = resampled(&self.points, self.points.len());
-        if points.len() == self.points.len() {
-            self.next.copy_from_slice(&points);
-            let energy = self.evaluate();
-            if energy <= self.energy {
-                self.accept(energy);
-            }
+        if points.len() != self.points.len() {
+            return 0.0;
         }
+        self.next.copy_from_slice(&points);
+        let energy = self.evaluate();
+        if energy.is_nan() || energy > self.energy {
+            return 0.0;
+        }
+        self.accept(energy);
+        // What was accepted has changed places with what was before.
+        let ways = self.points.iter().zip(&self.next);
+        ways.map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]))
+            .fold(0.0, f64::max)
     }
 
     fn accept(&mut self, energy: f64) {

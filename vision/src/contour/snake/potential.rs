@@ -9,6 +9,20 @@ use super::{Flow, SnakeError};
 ///
 /// Between the centres of pixels it is interpolated by cubic splines (E. Catmull and R. Rom, 1974),
 /// so that its slope is continuous. Beyond the border the outermost pixels are repeated.
+///
+/// ```
+/// use ga_image::plane::Plane;
+/// use ga_vision::contour::snake::Potential;
+///
+/// // An edge between the columns 9 and 10, where the potential is lowest: about −1.
+/// let edge = Plane::from_fn(20, 8, |column, _| if column < 10 { 0.0 } else { 1.0 });
+/// let potential = Potential::edges(&edge, 2.0)?;
+/// let (value, slope) = potential.at([9.5, 4.0]);
+/// assert!((value + 1.0).abs() < 0.1 && slope[0].abs() < 1e-6);
+/// let (value, slope) = potential.at([12.0, 4.0]);
+/// assert!(value > -0.6 && slope[0] > 0.1);
+/// # Ok::<(), ga_vision::contour::snake::SnakeError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Potential {
     values: Plane<f32>,
@@ -31,7 +45,8 @@ impl Potential {
     ///
     /// # Errors
     ///
-    /// As [`new`](Self::new), and for a `sigma` of which there is no Gaussian.
+    /// As [`new`](Self::new), for the pixels of the picture, and for a `sigma` of which there is no
+    /// Gaussian.
     pub fn edges(picture: &Plane<f32>, sigma: f64) -> Result<Self, SnakeError> {
         Self::new(steepness(picture, sigma)?.map(|value| -value))
     }
@@ -145,7 +160,10 @@ fn taps(place: f64, length: usize) -> ([usize; 4], [[f64; 4]; 3]) {
 /// The length of the slope of a blurred picture, by Sobel's weights, times σ √(2π): 1 at a straight
 /// edge from 0 to 1 where the blur is wide.
 fn steepness(picture: &Plane<f32>, sigma: f64) -> Result<Plane<f32>, SnakeError> {
-    let blurred = Gaussian::new(sigma)?.blur(picture, Border::Replicate);
+    let gaussian = Gaussian::new(sigma)?;
+    // Before the blur, which spreads a wrong pixel over all within its reach.
+    check_plane(picture)?;
+    let blurred = gaussian.blur(picture, Border::Replicate);
     let (width, height) = (blurred.width(), blurred.height());
     let scale = (sigma * std::f64::consts::TAU.sqrt() / 8.0) as f32;
     let mut steepness = Plane::filled(width, height, 0.0f32);
