@@ -160,7 +160,7 @@ fn sides_along_the_rows_and_arms_beside_each_other_are_matched_in_order() {
 #[test]
 fn bars_along_the_rows_are_bridged() {
     let rig = rectified_rig();
-    for half_height in [0.15, 0.08, 0.04] {
+    for half_height in [0.15, 0.08, 0.04, 0.02, 0.012] {
         for is_round in [false, true] {
             let [a, b]: [f64; 2] = [0.3, half_height];
             let corners = if is_round {
@@ -246,6 +246,23 @@ fn contours_that_give_no_curve_are_errors() {
     assert_eq!(
         fails(&flat, &right),
         SpaceCurveError::NoArea { view: "left" }
+    );
+    // A bar along the baseline, too thin for points at its ends.
+    let corners = [[-0.3, -0.004], [0.3, -0.004], [0.3, 0.004], [-0.3, 0.004]];
+    let around = resampled(&corners, 8000);
+    let bar = |t: f64| on_tilted_plane(around[(8000.0 * t).round() as usize % 8000]);
+    let [thin, other] = contours(&rectified_rig(), bar, 400);
+    let error = space_curve(&rectified_rig(), &thin, &other, &options).unwrap_err();
+    assert!(
+        matches!(
+            error,
+            SpaceCurveError::AlongLines {
+                crossing: ..8,
+                count: 400,
+                least: 8
+            }
+        ),
+        "{error}"
     );
     let same = StereoRig {
         left: rig.left,

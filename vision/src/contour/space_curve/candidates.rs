@@ -21,12 +21,12 @@ pub(super) struct Candidate {
 
 /// For each point of the left contour, the points of the right one that lie in its epipolar plane
 /// in front of both cameras, where both contours cross the plane in the same sense and at angles
-/// whose sine is at least `least_sine`.
+/// whose sine is at least `least_sine`; `None` where the left contour does not cross it so.
 pub(super) fn candidates(
     left: &[Ray<f64>],
     right: &[Ray<f64>],
     least_sine: f64,
-) -> Vec<Vec<Candidate>> {
+) -> Vec<Option<Vec<Candidate>>> {
     let [left_centre, right_centre] = [left[0].origin(), right[0].origin()];
     let baseline = left_centre.vector_to(right_centre);
     // Points of the right rays at a distance of 1, of which an edge joins two.
@@ -36,15 +36,11 @@ pub(super) fn candidates(
             let ray = left[index];
             let plane = Plane::through(left_centre, right_centre, ray.at(1.0));
             // What the direction adds to the baseline: the half of the plane that is seen.
-            let Some(forward) = Vector::from(ray.direction()).reject(baseline) else {
-                return Vec::new();
-            };
+            let forward = Vector::from(ray.direction()).reject(baseline)?;
             let [before, after] = [left.len() - 1, 1].map(|k| left[(index + k) % left.len()]);
-            let Some(sense) = crossing(plane, [before.at(1.0), after.at(1.0)]) else {
-                return Vec::new();
-            };
-            if sense.abs() < least_sine {
-                return Vec::new();
+            let sense = crossing(plane, [before.at(1.0), after.at(1.0)])?;
+            if sense.is_nan() || sense.abs() < least_sine {
+                return None;
             }
             let signed = |tip: Point<f64>| plane.signed_distance(tip).unwrap_or(0.0);
             let mut found = Vec::new();
@@ -81,7 +77,7 @@ pub(super) fn candidates(
                     });
                 }
             }
-            found
+            Some(found)
         })
         .collect()
 }

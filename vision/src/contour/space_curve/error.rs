@@ -42,16 +42,31 @@ pub enum SpaceCurveError {
          one in front of both cameras"
     )]
     NoOverlap,
+    /// The left contour runs along the epipolar lines nearly everywhere: it is a thin bar or a slit
+    /// along the baseline.
+    #[error(
+        "only {crossing} of {count} points of the left contour are where it crosses epipolar lines, \
+         and {least} are needed: take more points, or views from cameras one of which is to the \
+         side of the contour's length"
+    )]
+    AlongLines {
+        /// How many points are where the contour crosses their epipolar lines.
+        crossing: usize,
+        /// The number of points.
+        count: usize,
+        /// The least number that cross them.
+        least: usize,
+    },
     /// Few points of the left contour have a counterpart on the right one in the same order.
     #[error(
-        "only {matched} of {count} points of the left contour have a counterpart on the right one; \
-         the contours are not those of one curve"
+        "only {matched} of the {crossing} points where the left contour crosses epipolar lines \
+         have a counterpart on the right one; the contours are not those of one curve"
     )]
     TooFewMatches {
         /// How many have one.
         matched: usize,
-        /// The number of points.
-        count: usize,
+        /// The number of points at which the left contour crosses epipolar lines.
+        crossing: usize,
     },
     /// The place of a point that was not matched is not on the right contour.
     #[error(

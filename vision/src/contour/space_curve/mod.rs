@@ -131,15 +131,17 @@ impl SpaceCurve {
 ///
 /// # Errors
 ///
-/// [`SpaceCurveError`] for fewer than eight points, pixels without a ray, cameras at one place,
-/// contours of which no part is seen by both cameras, and contours that are not of one curve.
+/// [`SpaceCurveError`] for fewer than eight points, pixels without a ray, cameras at one place, a
+/// contour along the epipolar lines, contours of which no part is seen by both cameras, and
+/// contours that are not of one curve.
 pub fn space_curve(
     rig: &StereoRig,
     left: &[[f64; 2]],
     right: &[[f64; 2]],
     options: &SpaceCurveOptions,
 ) -> Result<SpaceCurve, SpaceCurveError> {
-    /// At least this part of the points needs a counterpart.
+    /// At least this part of the points at which the left contour crosses epipolar lines needs a
+    /// counterpart.
     const LEAST_SHARE: f64 = 0.1;
     /// How far points may be from the right contour, by the diameter of a circle of its length.
     const GREATEST_DEVIATION: f64 = 0.1;
@@ -159,16 +161,22 @@ pub fn space_curve(
         return Err(SpaceCurveError::Cameras(TriangulationError::NoBaseline));
     }
     let found = candidates(&left_rays, &right_rays, options.least_angle.sin());
+    let crossing = found.iter().flatten().count();
+    if crossing < LEAST {
+        return Err(SpaceCurveError::AlongLines {
+            crossing,
+            count: left.len(),
+            least: LEAST,
+        });
+    }
+    let found: Vec<_> = found.into_iter().map(Option::unwrap_or_default).collect();
     if found.iter().all(Vec::is_empty) {
         return Err(SpaceCurveError::NoOverlap);
     }
     let chosen = in_order(&found, &fractions(left), &fractions(&right));
     let matched = chosen.iter().flatten().count();
-    if (matched as f64) < LEAST_SHARE * left.len() as f64 || matched < LEAST {
-        return Err(SpaceCurveError::TooFewMatches {
-            matched,
-            count: left.len(),
-        });
+    if (matched as f64) < LEAST_SHARE * crossing as f64 || matched < LEAST {
+        return Err(SpaceCurveError::TooFewMatches { matched, crossing });
     }
     let depths: Vec<Option<f64>> = chosen
         .iter()
