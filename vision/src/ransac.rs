@@ -45,6 +45,29 @@ pub struct Search {
     pub seed: u64,
 }
 
+/// How the pose of points is searched, some of which may be gross errors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PoseOptions {
+    /// Points that are nearer than this to where a pose takes them, or to the pixel at which it
+    /// shows them, agree with it; `None` where none of them is wrong, and all count.
+    pub threshold: Option<f64>,
+    /// The greatest number of random samples.
+    pub samples: usize,
+    /// The seed of the random samples. Equal seeds give equal results.
+    pub seed: u64,
+}
+
+impl Default for PoseOptions {
+    /// All points count; at most 2000 samples, seed 1.
+    fn default() -> Self {
+        Self {
+            threshold: None,
+            samples: 2000,
+            seed: 1,
+        }
+    }
+}
+
 /// A model, and how well it explains the observations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Candidate<Model> {

@@ -5,30 +5,8 @@ use ga_runtime::geometry::motion::FitError;
 use ga_runtime::vga3::Vector;
 
 use super::error::{NEEDED, PointSet, PoseError};
+pub use crate::ransac::PoseOptions;
 use crate::ransac::{Consensus, Search};
-
-/// How a pose is searched.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PoseOptions {
-    /// Points that are nearer than this to where a pose takes them agree with it, in the unit of
-    /// the points; `None` where none of them is wrong, and all count.
-    pub threshold: Option<f64>,
-    /// The greatest number of random samples.
-    pub samples: usize,
-    /// The seed of the random samples. Equal seeds give equal results.
-    pub seed: u64,
-}
-
-impl Default for PoseOptions {
-    /// All points count; at most 2000 samples, seed 1.
-    fn default() -> Self {
-        Self {
-            threshold: None,
-            samples: 2000,
-            seed: 1,
-        }
-    }
-}
 
 /// Where a rigid body is.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,7 +27,8 @@ pub struct RigidPose {
 /// Σ |yᵢ − M xᵢ ~M|²
 /// ```
 ///
-/// is least, over all points or, with a [threshold](PoseOptions::threshold), over those that agree.
+/// is least, over all points or, with a [threshold](PoseOptions::threshold) in the unit of the
+/// points, over those that agree.
 /// The points that agree are found by random samples of three points ([`ransac`](crate::ransac)),
 /// and the motor is fitted to all of them ([`Motor::from_point_pairs`]) until they do not change
 /// any more.

@@ -16,33 +16,11 @@ pub use three_points::three_points;
 
 use crate::camera::{Camera, Intrinsics};
 use crate::least_squares::{Columns, Covariance, Equations, Minimum, Problem, Settings, minimise};
+pub use crate::ransac::PoseOptions as Options;
 use crate::ransac::{Consensus, Search};
 
 /// Three points have up to four poses; a fourth selects one of them.
 const NEEDED: usize = 4;
-
-/// How a pose is searched.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Options {
-    /// Points whose pixel is nearer than this agree with a pose, in pixels; `None` where none of
-    /// them is wrong, and all count.
-    pub threshold: Option<f64>,
-    /// The greatest number of samples.
-    pub samples: usize,
-    /// The seed of the random samples. Equal seeds give equal results.
-    pub seed: u64,
-}
-
-impl Default for Options {
-    /// All points count; at most 2000 samples, seed 1.
-    fn default() -> Self {
-        Self {
-            threshold: None,
-            samples: 2000,
-            seed: 1,
-        }
-    }
-}
 
 /// Where a camera is.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,7 +37,8 @@ pub struct PerspectivePose {
     pub covariance: Option<[[f64; 6]; 6]>,
 }
 
-/// The pose of a camera that sees known points at given pixels.
+/// The pose of a camera that sees known points at given pixels. The threshold of the options is in
+/// pixels.
 ///
 /// Random samples of three points give poses ([`three_points`]). From the best of them Levenberg
 /// and Marquardt's method makes the sum of the squared distances in the picture least, over motors;
