@@ -1,12 +1,10 @@
 //! `nullcone clip`: compressed clips written, described and sampled.
 
-use std::path::Path;
-
 use nullcone_shared_data::shared;
 use serde_json::Value;
 use tempfile::{TempDir, tempdir};
 
-use crate::common::{assert_failure, assert_success, names, nullcone, text};
+use crate::common::{assert_failure, assert_success, json, names, nullcone, text};
 
 /// An arm of two joints that waves, in centimetres.
 fn folder() -> TempDir {
@@ -22,13 +20,6 @@ fn folder() -> TempDir {
     let folder = tempdir().unwrap();
     std::fs::write(folder.path().join("wave.bvh"), motion).unwrap();
     folder
-}
-
-#[track_caller]
-fn json(folder: &Path, arguments: &[&str]) -> Value {
-    let output = nullcone(folder, arguments.iter().chain(&["--json"]));
-    assert_success(&output);
-    serde_json::from_slice(&output.stdout).unwrap()
 }
 
 const COMPRESS: [&str; 9] = [

@@ -4,10 +4,9 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use nullcone_shared_data::shared;
-use serde_json::Value;
 use tempfile::{TempDir, tempdir};
 
-use crate::common::{assert_failure, assert_success, names, nullcone, text};
+use crate::common::{assert_failure, assert_success, json, names, nullcone, text};
 
 /// A body with an arm on either side, in centimetres, for 0.49 s at 100 Hz.
 fn body(left: &str, right: &str, angle: f64) -> String {
@@ -34,13 +33,6 @@ fn folder() -> TempDir {
     write("other.bvh", body("LeftArm", "Tail", 0.0));
     write("note.txt", "hello".to_owned());
     folder
-}
-
-#[track_caller]
-fn json(folder: &Path, arguments: &[&str]) -> Value {
-    let output = nullcone(folder, arguments.iter().chain(&["--json"]));
-    assert_success(&output);
-    serde_json::from_slice(&output.stdout).unwrap()
 }
 
 /// The matrix of a joint at a time.

@@ -4,10 +4,9 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use nullcone_shared_data::shared;
-use serde_json::Value;
 use tempfile::{TempDir, tempdir};
 
-use crate::common::{assert_failure, assert_success, names, nullcone, text};
+use crate::common::{assert_failure, assert_success, json, names, nullcone, text};
 
 /// Parent and place of the joints of a person in metres.
 const BODY: [(Option<usize>, [f64; 3]); 12] = [
@@ -119,13 +118,6 @@ fn folder() -> TempDir {
     let nameless: Vec<&str> = nameless.iter().map(String::as_str).collect();
     write("nameless.bvh", body(&nameless, 100.0, other));
     folder
-}
-
-#[track_caller]
-fn json(folder: &Path, arguments: &[&str]) -> Value {
-    let output = nullcone(folder, arguments.iter().chain(&["--json"]));
-    assert_success(&output);
-    serde_json::from_slice(&output.stdout).unwrap()
 }
 
 /// The places of the joints at a time, in the order of BODY.

@@ -8,7 +8,7 @@ use nullcone_shared_data::shared;
 use serde_json::Value;
 use tempfile::tempdir;
 
-use crate::common::{assert_failure, assert_success, names, nullcone, number, text};
+use crate::common::{assert_failure, assert_success, json, names, nullcone, number, text};
 
 /// A bright ring with radii 30 and 10 px about (50, 40), in 110 × 80 pixels.
 fn write_ring(folder: &Path) {
@@ -23,20 +23,11 @@ fn write_ring(folder: &Path) {
     file::write(folder.join("ring.png"), &ring).unwrap();
 }
 
-fn json(folder: &Path, arguments: &[&str]) -> Value {
-    let output = nullcone(folder, arguments);
-    assert_success(&output);
-    serde_json::from_slice(&output.stdout).unwrap()
-}
-
 #[test]
 fn a_ring_has_two_borders() {
     let folder = tempdir().unwrap();
     write_ring(folder.path());
-    let report = json(
-        folder.path(),
-        &["contour", "ring.png", "--out", "c.svg", "--json"],
-    );
+    let report = json(folder.path(), &["contour", "ring.png", "--out", "c.svg"]);
     assert_eq!(report["threshold"], 30);
     let contours = report["contours"].as_array().unwrap();
     assert_eq!(contours.len(), 2);
@@ -69,7 +60,7 @@ fn a_snake_settles_at_the_ring() {
         &[],
         &["--circle", "50,40,38", "--flow"],
     ] {
-        let start = ["contour", "ring.png", "--snake", "--json", "--out", "c.svg"];
+        let start = ["contour", "ring.png", "--snake", "--out", "c.svg"];
         let report = json(folder.path(), &[&start[..], more].concat());
         assert_eq!(report["snake"]["converged"], true, "{more:?}");
         let radius = number(&report, "/contours/0/circle/radius_px");
@@ -91,7 +82,7 @@ fn snakes_of_the_oracle_settle_at_its_shapes() {
     let folder = tempdir().unwrap();
     for name in ["snake_disk.png", "snake_ellipse.png", "snake_star.png"] {
         let path = oracle.join(name);
-        let start = ["contour", path.to_str().unwrap(), "--snake", "--json"];
+        let start = ["contour", path.to_str().unwrap(), "--snake"];
         for more in [&["--circle", "100,100,80", "--points", "200"][..], &[]] {
             let report = json(folder.path(), &[&start[..], more].concat());
             let white = file::read(&path)

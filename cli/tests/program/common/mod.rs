@@ -46,6 +46,14 @@ pub(crate) fn assert_failure(output: &Output, parts: &[&str]) {
     }
 }
 
+/// What the program prints with `--json`.
+#[track_caller]
+pub(crate) fn json(folder: &Path, arguments: &[&str]) -> Value {
+    let output = nullcone(folder, arguments.iter().chain(&["--json"]));
+    assert_success(&output);
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
 /// The names in a folder in their order.
 pub(crate) fn names(folder: &Path) -> Vec<String> {
     let entries = std::fs::read_dir(folder).unwrap();

@@ -65,6 +65,17 @@ fn views(camera: &Camera, boards: &[Motor<f64>], noise: f64, seed: u64) -> Vec<V
     boards.iter().map(&mut view).collect()
 }
 
+/// Both cameras are known.
+fn with_fixed(intrinsics: Intrinsics) -> StereoSettings {
+    StereoSettings {
+        cameras: [CameraSettings {
+            start: Start::Fixed(intrinsics),
+            ..CameraSettings::default()
+        }; 2],
+        ..StereoSettings::default()
+    }
+}
+
 fn close(found: &Intrinsics, truth: &Intrinsics, tolerance: f64) -> Result<(), TestCaseError> {
     for (found, truth) in found.parameters().iter().zip(truth.parameters()) {
         let scale = truth.abs().max(1.0);
@@ -221,13 +232,7 @@ fn boards_upside_down_give_the_smaller_angle() {
     let boards: Vec<Motor<f64>> = TILTS.iter().map(board).collect();
     let left = views(&camera(Motor::default()), &boards, 0.0, 1);
     let right = views(&camera(rig), &boards, 0.0, 2);
-    let settings = StereoSettings {
-        cameras: [CameraSettings {
-            start: Start::Fixed(intrinsics),
-            ..CameraSettings::default()
-        }; 2],
-        ..StereoSettings::default()
-    };
+    let settings = with_fixed(intrinsics);
     let found = calibrate_stereo([&left, &right], &places(), SIZE, &settings).unwrap();
     let (_, angle) = found.rig.left_to_right().motor.rotor().to_axis_angle();
     assert!((angle - 0.04).abs() < 1e-9, "{angle}");

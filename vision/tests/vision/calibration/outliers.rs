@@ -2,11 +2,11 @@
 
 use ga_runtime::cga3::{Motor, Point, Translator};
 use ga_vision::calibration::{
-    CalibrationError, CameraSettings, LensTerms, Start, StereoSettings, calibrate_stereo,
+    CalibrationError, CameraSettings, LensTerms, StereoSettings, calibrate_stereo,
 };
 use ga_vision::camera::{Camera, Intrinsics, RadialTangential};
 
-use super::{SIZE, TILTS, boards, motor, places, views};
+use super::{SIZE, TILTS, boards, motor, places, views, with_fixed};
 
 #[test]
 fn outliers_are_left_out_and_named() {
@@ -52,13 +52,7 @@ fn more_than_half_of_the_pairs_must_agree() {
     };
     let seen_left = boards(&TILTS[..7]);
     let left = views(&camera(Motor::default()), &seen_left, 0.1, 1);
-    let settings = StereoSettings {
-        cameras: [CameraSettings {
-            start: Start::Fixed(intrinsics),
-            ..CameraSettings::default()
-        }; 2],
-        ..StereoSettings::default()
-    };
+    let settings = with_fixed(intrinsics);
     // Boards that were moved between the two pictures, each by more than all before together.
     let with_moved = |count: usize| {
         let mut seen_right = seen_left.clone();
@@ -101,13 +95,7 @@ fn a_board_beyond_the_field_of_the_right_lens_is_an_outlier() {
     assert!(camera(rig).project(beyond).is_err());
     let left = views(&camera(Motor::default()), &seen_left, 0.1, 1);
     let right = views(&camera(rig), &seen_right, 0.1, 2);
-    let settings = StereoSettings {
-        cameras: [CameraSettings {
-            start: Start::Fixed(intrinsics),
-            ..CameraSettings::default()
-        }; 2],
-        ..StereoSettings::default()
-    };
+    let settings = with_fixed(intrinsics);
     let found = calibrate_stereo([&left, &right], &places(), SIZE, &settings).unwrap();
     assert_eq!(found.used, [0, 1, 3, 4, 5, 6, 7]);
     assert!(found.outliers[0].pair == 2 && found.outliers[0].rms.is_infinite());
