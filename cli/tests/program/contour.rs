@@ -126,7 +126,12 @@ fn bad_input_leaves_nothing() {
     );
     fails(
         &["cut.png", "--snake"],
-        &["cut.png", "leaves the picture of 50 × 40", "(0, 10)"],
+        &[
+            "cut.png",
+            "leaves the picture of 50 × 40",
+            "(0, 10)",
+            "--circle",
+        ],
     );
     fails(
         &["ring.png", "--snake", "--circle", "50,40,70"],

@@ -5,7 +5,7 @@ use std::time::Instant;
 use anyhow::{Result, bail};
 use ga_image::plane::Plane;
 use ga_vision::contour::snake::{self, Flow, Potential, SnakeOptions};
-use ga_vision::contour::{outline, resampled};
+use ga_vision::contour::{OutlineError, outline, resampled};
 use serde::Serialize;
 
 use crate::progress::Progress;
@@ -96,7 +96,14 @@ impl Settings {
         let count = usize::from(self.points);
         let start = match circle {
             Some([u, v, radius]) => snake::circle([u, v], radius, count),
-            None => resampled(&outline(picture, least_area.max(1.0))?.points(), count),
+            None => match outline(picture, least_area.max(1.0)) {
+                Ok(border) => resampled(&border.points(), count),
+                Err(error @ OutlineError::LeavesPicture { .. }) => bail!(
+                    "{error}; --circle, or --right-circle for the right view, gives the circle at \
+                     which the snake begins"
+                ),
+                Err(error) => return Err(error.into()),
+            },
         };
         let floats = picture.map(|value| f32::from(value) / 255.0);
         let potential = if self.flow {
