@@ -22,6 +22,12 @@ pub enum ComparisonError {
     /// There are no joints.
     #[error("poses without joints have no mean error")]
     Empty,
+    /// A joint of either pose is infinite or not a number.
+    #[error("joint {joint}, from 0, has a coordinate that is not finite")]
+    NotFinite {
+        /// Which joint, from 0.
+        joint: usize,
+    },
     /// There is no such joint.
     #[error("joint {root} cannot be the root of {joints} joints, which count from 0")]
     Root {
@@ -51,7 +57,8 @@ pub struct Aligned<V> {
 /// per joint position error, MPJPE; Cui, table 3).
 ///
 /// # Errors
-/// [`ComparisonError`] where there are no joints, or different numbers of them.
+/// [`ComparisonError`] where there are no joints, different numbers of them, or joints that are not
+/// finite.
 ///
 /// ```
 /// use ga_runtime::cga3::Point;
@@ -73,7 +80,8 @@ pub fn mean_per_joint_position_error(
 /// error apart from where the body is. The root counts with its error of 0.
 ///
 /// # Errors
-/// [`ComparisonError`] where there are no joints, different numbers of them, or no such root.
+/// [`ComparisonError`] where there are no joints, different numbers of them, joints that are not
+/// finite, or no such root.
 ///
 /// ```
 /// use ga_runtime::cga3::Point;
@@ -101,8 +109,9 @@ pub fn root_aligned_error(
 /// and scaled to the true ones first.
 ///
 /// # Errors
-/// [`ComparisonError`] where there are fewer than three joints or different numbers of them, and
-/// where several similarities fit equally well, as for joints on a line.
+/// [`ComparisonError`] where there are fewer than three joints or different numbers of them, for
+/// joints that are not finite, and where several similarities fit equally well, as for joints on a
+/// line.
 ///
 /// ```
 /// use ga_runtime::cga3::Point;
@@ -179,13 +188,18 @@ fn mean(distances: impl Iterator<Item = f64>, count: usize) -> f64 {
     distances.sum::<f64>() / count as f64
 }
 
-fn check(truth: &[Point<f64>], found: &[Point<f64>]) -> Result<(), ComparisonError> {
-    let (expected, found) = (truth.len(), found.len());
+fn check(truth: &[Point<f64>], reconstructed: &[Point<f64>]) -> Result<(), ComparisonError> {
+    let (expected, found) = (truth.len(), reconstructed.len());
     if expected != found {
-        Err(ComparisonError::Counts { expected, found })
-    } else if expected == 0 {
-        Err(ComparisonError::Empty)
-    } else {
-        Ok(())
+        return Err(ComparisonError::Counts { expected, found });
+    }
+    if expected == 0 {
+        return Err(ComparisonError::Empty);
+    }
+    let is_finite = |point: &Point<f64>| point.coordinates().iter().all(|x| x.is_finite());
+    let mut pairs = truth.iter().zip(reconstructed);
+    match pairs.position(|(a, b)| !is_finite(a) || !is_finite(b)) {
+        Some(joint) => Err(ComparisonError::NotFinite { joint }),
+        None => Ok(()),
     }
 }

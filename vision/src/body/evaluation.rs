@@ -8,7 +8,8 @@
 //! | aligned (Procrustes) | mean of `\|S q ~S − p\|` for the similarity S of least squares |
 //! | 2-D joint error | mean of `\|π(q) − π(p)\|` over all views |
 //!
-//! Scores are means over frames, in metres and in pixels.
+//! Scores are means over frames, in metres and in pixels. The joints that were not found are left
+//! out, so scores of methods that find other joints are to be read with the part that each found.
 
 use ga_runtime::cga3::Point;
 use rand_chacha::ChaCha8Rng;
@@ -142,7 +143,8 @@ pub struct Scores {
     /// The error after Procrustes alignment without reflection in metres, over the frames with
     /// three joints or more.
     pub aligned_error: Option<f64>,
-    /// The mean distance of joints in the views, in pixels.
+    /// The mean distance in the pictures from where the joints truly are, in pixels, over all views
+    /// in front of whose cameras both are.
     pub joint_error_px: f64,
     /// The part of all joints that was found.
     pub found: f64,
@@ -152,8 +154,8 @@ pub struct Scores {
 /// root.
 ///
 /// # Errors
-/// [`ComparisonError`] for other numbers of frames or joints than the true motion has, and where no
-/// joint was found.
+/// [`ComparisonError`] for other numbers of frames or joints than the true motion has, for joints
+/// that are not finite, and where no joint was found.
 ///
 /// ```
 /// use ga_runtime::cga3::Point;

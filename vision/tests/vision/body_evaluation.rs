@@ -6,6 +6,10 @@ use ga_vision::body::evaluation::{
     Disturbance, SimulationError, score, simulate, triangulated_points,
 };
 use ga_vision::camera::{Camera, Intrinsics};
+use ga_vision::pose_error::ComparisonError;
+use serde_json::Value;
+
+use crate::rows;
 
 fn cameras() -> Vec<Camera> {
     let intrinsics = Intrinsics::new([1000.0, 1000.0], [960.0, 540.0]).unwrap();
@@ -130,6 +134,127 @@ fn scores_do_not_see_what_they_are_free_of() {
     let exact: Vec<_> = motion.iter().map(|points| some(points)).collect();
     let scores = score(&cameras, &motion, &exact).unwrap();
     assert_eq!((scores.position_error, scores.joint_error_px), (0.0, 0.0));
+}
+
+/// The scores of a motion are the means of what numpy finds for its frames, whether all joints of a
+/// frame are found or not.
+#[test]
+fn scores_are_means_of_the_oracle() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/procrustes.json");
+    let text = std::fs::read_to_string(path).expect("committed");
+    let oracle: Value = serde_json::from_str(&text).expect("JSON");
+    let cases = oracle["cases"].as_array().expect("cases");
+    let complete: Vec<&Value> = cases.iter().filter(|case| case["mpjpe"].is_f64()).collect();
+    assert_eq!(complete.len(), 3);
+    let points = |case: &Value, key: &str| -> Vec<Point<f64>> {
+        rows::<3>(&case[key]).into_iter().map(Point::from).collect()
+    };
+    let mut truth: Vec<_> = complete.iter().map(|c| points(c, "ground_truth")).collect();
+    let found = complete.iter().map(|c| points(c, "predicted"));
+    let mut found: Vec<Vec<_>> = found.map(|f| f.into_iter().map(Some).collect()).collect();
+    // Joints that are not found count for nothing.
+    for (truth, found) in truth.iter_mut().zip(&mut found) {
+        truth.insert(2, Point::new(7.0, -3.0, 9.0));
+        found.insert(2, None);
+    }
+    let scores = score(&[], &truth, &found).unwrap();
+    let mean = |key: &str| -> f64 {
+        let values = complete.iter().map(|case| case[key].as_f64().unwrap());
+        values.sum::<f64>() / 3.0
+    };
+    for (key, found) in [
+        ("mpjpe", Some(scores.position_error)),
+        ("mpjpe_root", scores.root_relative_error),
+        ("pa_mpjpe", scores.aligned_error),
+    ] {
+        let (found, expected) = (found.unwrap(), mean(key));
+        assert!(
+            (found - expected).abs() <= 1e-12 * expected.max(1.0),
+            "{key}: {found} is not {expected}"
+        );
+    }
+    // The mirror image is rotated as well as can be, and not reflected.
+    let mirrored = cases.iter().find(|case| case["mpjpe"].is_null()).unwrap();
+    let truth = vec![points(mirrored, "ground_truth")];
+    let found = points(mirrored, "predicted").into_iter().map(Some);
+    let scores = score(&[], &truth, &[found.collect()]).unwrap();
+    let expected = mirrored["pa_mpjpe"].as_f64().unwrap();
+    assert!((scores.aligned_error.unwrap() - expected).abs() < 1e-12);
+    assert!(expected > 0.01);
+}
+
+#[test]
+fn frames_without_their_root_or_with_few_joints_have_fewer_scores() {
+    let truth = vec![[[0.0, 0.0, 4.0], [1.0, 0.0, 4.0], [0.0, 1.0, 4.0]].map(Point::from); 3]
+        .into_iter()
+        .map(Vec::from)
+        .collect::<Vec<_>>();
+    let off = |k: usize| {
+        Some(Point::from(
+            Vector::from(truth[0][k]) + Vector::new(0.0, 0.0, 0.5),
+        ))
+    };
+    // All; without the root; and none.
+    let found = [
+        vec![Some(truth[0][0]), Some(truth[0][1]), off(2)],
+        vec![None, off(1), off(2)],
+        vec![None; 3],
+    ];
+    let scores = score(&[], &truth, &found).unwrap();
+    assert!((scores.position_error - (0.5 / 3.0 + 0.5) / 2.0).abs() < 1e-15);
+    assert!((scores.root_relative_error.unwrap() - 0.5 / 3.0).abs() < 1e-15);
+    assert!((scores.found - 5.0 / 9.0).abs() < 1e-15);
+    let alone = score(&[], &truth[..1], &found[..1]).unwrap();
+    assert_eq!(scores.aligned_error, alone.aligned_error);
+    assert!(matches!(
+        score(&[], &truth[..1], &found[2..]),
+        Err(ComparisonError::Empty)
+    ));
+    let nan = vec![Some(Point::new(f64::NAN, 0.0, 0.0)), None, None];
+    assert!(matches!(
+        score(&[], &truth[..1], &[nan]),
+        Err(ComparisonError::NotFinite { joint: 0 })
+    ));
+    assert!(matches!(
+        score(&[], &truth[..1], &[vec![None; 2]]),
+        Err(ComparisonError::Counts {
+            expected: 3,
+            found: 2
+        })
+    ));
+}
+
+/// The noise of a view says nothing about that of another view or frame.
+#[test]
+fn noise_is_independent_between_views_and_frames() {
+    let cameras = cameras();
+    let still = vec![motion()[0].clone(); 400];
+    let disturbance = Disturbance {
+        noise_px: 1.5,
+        missing: 0.0,
+        seed: 3,
+    };
+    let seen = simulate(&cameras, &still, &disturbance).unwrap();
+    let noise = |frame: usize, view: usize, point: usize| {
+        let pixel = seen[frame].views[view][point].unwrap().position;
+        let [u, v] = cameras[view].project(still[0][point]).unwrap();
+        [pixel[0] - u, pixel[1] - v]
+    };
+    let (mut views, mut frames, mut coordinates, mut count) = (0.0, 0.0, 0.0, 0.0_f64);
+    for frame in 0..399 {
+        for point in 0..21 {
+            let here = noise(frame, 0, point);
+            views += here[0] * noise(frame, 1, point)[0];
+            frames += here[0] * noise(frame + 1, 0, point)[0];
+            coordinates += here[0] * here[1];
+            count += 1.0;
+        }
+    }
+    // Five standard errors of the mean of products with the variance σ⁴.
+    let bound = 5.0 * 1.5 * 1.5 / count.sqrt();
+    for sum in [views, frames, coordinates] {
+        assert!((sum / count).abs() < bound, "{}", sum / count);
+    }
 }
 
 #[test]

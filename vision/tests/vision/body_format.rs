@@ -133,10 +133,39 @@ fn files_of_openpose_are_frames() {
     let found = openpose::decode(&[("x.json", eighteen.as_bytes())]).unwrap();
     assert_eq!(found.joints, openpose::COCO_18);
     let mixed = [("a1.json", a.as_bytes()), ("a2.json", eighteen.as_bytes())];
-    assert!(matches!(
-        openpose::decode(&mixed),
-        Err(JointsError::Kind { found: 54, .. })
-    ));
+    let text = openpose::decode(&mixed).unwrap_err().to_string();
+    for part in ["a2.json", "person 0", "54", "75"] {
+        assert!(text.contains(part), "{text}");
+    }
+    // OpenPose's documentation numbers the 18 joints in this way.
+    for (index, name) in [
+        (0, "Nose"),
+        (1, "Neck"),
+        (7, "LWrist"),
+        (8, "RHip"),
+        (13, "LAnkle"),
+        (17, "LEar"),
+    ] {
+        assert_eq!(openpose::COCO_18[index], name);
+    }
+}
+
+#[test]
+fn joints_of_little_confidence_are_missing() {
+    let numbers = (0..17).map(|k| format!("{k}, {k}, {}", 0.01 * f64::from(k)));
+    let numbers: Vec<String> = numbers.collect();
+    let text = format!(
+        r#"[{{"image_id": 1, "keypoints": [{}]}}]"#,
+        numbers.join(",")
+    );
+    let detections = coco::decode(text.as_bytes()).unwrap();
+    let found = views(detections, &DetectorOptions::default());
+    let is_there: Vec<bool> = found.views()[0].frames[0]
+        .iter()
+        .map(Option::is_some)
+        .collect();
+    let wanted: Vec<bool> = (0..17).map(|k| k >= 5).collect();
+    assert_eq!(is_there, wanted);
 }
 
 #[test]

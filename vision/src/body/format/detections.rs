@@ -1,5 +1,7 @@
 //! People that a detector found in the pictures of a view.
 
+use std::collections::{BTreeSet, HashMap};
+
 use super::{JointProblem, JointView, JointViews, JointsError};
 use crate::body::JointPixel;
 
@@ -201,28 +203,28 @@ impl JointViews {
         let Some((_, first)) = views.first() else {
             return Err(JointsError::Empty("views"));
         };
-        let keys = |detections: &Detections| -> Vec<FrameKey> {
-            let frames = detections.frames.iter();
-            frames.map(|frame| frame.key.clone()).collect()
+        let keys = |detections: &Detections| {
+            // Of pictures with equal keys the first.
+            let frames = detections.frames.iter().enumerate().rev();
+            let keys = frames.map(|(index, frame)| (frame.key.clone(), index));
+            keys.collect::<HashMap<FrameKey, usize>>()
         };
-        let mut all = keys(first);
+        let own: Vec<HashMap<FrameKey, usize>> = views.iter().map(|(_, view)| keys(view)).collect();
+        let mut all: BTreeSet<&FrameKey> = own[0].keys().collect();
         let mut by_key = true;
-        for (name, view) in &views[1..] {
+        for ((name, view), own) in views.iter().zip(&own).skip(1) {
             if view.joints != first.joints {
                 return Err(JointsError::Kinds { view: name.clone() });
             }
-            let own = keys(view);
-            by_key &= own.iter().any(|key| all.contains(key));
-            all.extend(own);
+            by_key &= own.keys().any(|key| all.contains(key));
+            all.extend(own.keys());
         }
-        all.sort();
-        all.dedup();
-        let view = |(name, detections): &(String, Detections)| {
+        let view = |((name, detections), own): (&(String, Detections), &HashMap<_, usize>)| {
             let frame = |frame: &DetectedFrame| detections.frame(frame, options);
             let frames = if by_key {
-                let by_key = all.iter().map(|key| {
-                    let found = detections.frames.iter().find(|frame| frame.key == *key);
-                    found.map_or_else(|| Ok(vec![None; first.joints.len()]), frame)
+                let by_key = all.iter().map(|key| match own.get(*key) {
+                    Some(&index) => frame(&detections.frames[index]),
+                    None => Ok(vec![None; first.joints.len()]),
                 });
                 by_key.collect::<Result<Vec<_>, _>>()?
             } else {
@@ -232,7 +234,8 @@ impl JointViews {
             let name = name.clone();
             Ok(JointView { name, frames })
         };
-        let views = views.iter().map(view).collect::<Result<_, JointsError>>()?;
+        let views = views.iter().zip(&own).map(view);
+        let views = views.collect::<Result<_, JointsError>>()?;
         Self::new(first.joints.clone(), options.frames_per_second, views)
     }
 }

@@ -6,6 +6,14 @@ pub enum JointsError {
     /// It is not JSON of the expected form.
     #[error("not JSON of joints: {0}")]
     Json(#[from] serde_json::Error),
+    /// One of several files is not JSON of the expected form.
+    #[error("{frame}: not JSON of joints: {error}")]
+    JsonOfFrame {
+        /// The file.
+        frame: String,
+        /// What is wrong with it.
+        error: serde_json::Error,
+    },
     /// It says that it is of another format or version.
     #[error("the version of the file is {found}, and {expected} is read")]
     Version {
@@ -115,13 +123,15 @@ pub enum JointsError {
         view: String,
     },
     /// The files of an OpenPose folder are of several kinds of bodies.
-    #[error("{frame}: {found} numbers a person, and the frame before has {expected}")]
+    #[error("{frame}, person {person}: {found} numbers, and the first person has {expected}")]
     Kind {
         /// The file.
         frame: String,
-        /// How many numbers a person has in the frame before.
+        /// Which person of the file, from 0.
+        person: usize,
+        /// How many numbers the first person of all has.
         expected: usize,
-        /// How many here.
+        /// How many this one has.
         found: usize,
     },
     /// The deviation of a joint of confidence 1 is not positive and finite.

@@ -1,9 +1,10 @@
 //! Reading files of every kind.
 
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 use ga_files::ReadError;
-use serde_json::Value;
+use serde::de::IgnoredAny;
 
 use super::{Detections, DetectorOptions, JointViews, JointsError, coco, openpose};
 
@@ -39,12 +40,18 @@ enum Kind {
     OpenPose,
 }
 
+/// The kind of a file by the members of its object, whose values are passed over.
 fn kind(bytes: &[u8]) -> Result<Kind, JointsError> {
-    Ok(match serde_json::from_slice::<Value>(bytes)? {
-        Value::Object(members) if members.contains_key("people") => Kind::OpenPose,
-        Value::Object(members) if members.contains_key("annotations") => Kind::Coco,
-        Value::Array(_) => Kind::Coco,
-        _ => Kind::Views,
+    if bytes.iter().find(|byte| !byte.is_ascii_whitespace()) == Some(&b'[') {
+        return Ok(Kind::Coco);
+    }
+    let members: HashMap<String, IgnoredAny> = serde_json::from_slice(bytes)?;
+    Ok(if members.contains_key("people") {
+        Kind::OpenPose
+    } else if members.contains_key("annotations") {
+        Kind::Coco
+    } else {
+        Kind::Views
     })
 }
 
@@ -114,23 +121,14 @@ fn folder(path: &Path) -> Result<Detections, JointsReadError> {
             files.push(file);
         }
     }
-    let mut contents: Vec<(String, Vec<u8>)> = Vec::with_capacity(files.len());
+    let mut frames = Vec::with_capacity(files.len());
     for file in files {
-        // A file that is not OpenPose's is named.
-        let bytes = ga_files::read(&file, |bytes| -> Result<Vec<u8>, JointsError> {
-            let name = file
-                .file_name()
-                .unwrap_or(file.as_os_str())
-                .to_string_lossy();
-            openpose::decode(&[(name, bytes)])?;
-            Ok(bytes.to_vec())
-        })?;
         let name = file.file_name().unwrap_or(file.as_os_str());
-        contents.push((name.to_string_lossy().into_owned(), bytes));
+        let name = name.to_string_lossy().into_owned();
+        let frame = ga_files::read(&file, |bytes| openpose::decode_file(&name, bytes))?;
+        frames.push((name, frame));
     }
-    let files: Vec<(&str, &[u8])> = contents.iter().map(|(n, f)| (n.as_str(), &f[..])).collect();
-    let found = openpose::decode(&files);
-    found.map_err(|problem| {
+    openpose::join(frames).map_err(|problem| {
         let path = path.to_owned();
         ReadError::Contents { path, problem }.into()
     })

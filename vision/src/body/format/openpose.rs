@@ -37,30 +37,24 @@ pub const BODY_25: [&str; 25] = [
     "RHeel",
 ];
 
-/// The joints of OpenPose's model COCO in their order.
-pub const COCO_18: [&str; 18] = [
-    "Nose",
-    "Neck",
-    "RShoulder",
-    "RElbow",
-    "RWrist",
-    "LShoulder",
-    "LElbow",
-    "LWrist",
-    "RHip",
-    "RKnee",
-    "RAnkle",
-    "LHip",
-    "LKnee",
-    "LAnkle",
-    "REye",
-    "LEye",
-    "REar",
-    "LEar",
-];
+/// The joints of OpenPose's model COCO in their order: those of [`BODY_25`] but for the middle of
+/// the hips and the feet.
+pub const COCO_18: [&str; 18] = {
+    let mut joints = [""; 18];
+    let mut index = 0;
+    while index < joints.len() {
+        joints[index] = BODY_25[if index < MID_HIP { index } else { index + 1 }];
+        index += 1;
+    }
+    joints
+};
 
+/// The middle of the hips in [`BODY_25`].
+const MID_HIP: usize = 8;
+
+/// A file of one frame.
 #[derive(Deserialize)]
-struct File {
+pub(super) struct File {
     people: Vec<FilePerson>,
 }
 
@@ -91,8 +85,40 @@ struct FilePerson {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn decode<N: AsRef<str>>(files: &[(N, &[u8])]) -> Result<Detections, JointsError> {
-    let mut files: Vec<(&str, &[u8])> = files.iter().map(|(name, f)| (name.as_ref(), *f)).collect();
-    files.sort_by_key(|(name, _)| *name);
+    let files = files.iter().map(|(name, bytes)| {
+        let name = name.as_ref();
+        Ok((name.to_owned(), decode_file(name, bytes)?))
+    });
+    join(files.collect::<Result<_, JointsError>>()?)
+}
+
+/// Reads the file of a frame, whose people have joints of a known number.
+pub(super) fn decode_file(name: &str, bytes: &[u8]) -> Result<File, JointsError> {
+    let frame = || FrameKey::Name(name.to_owned()).to_string();
+    let file: File = serde_json::from_slice(bytes).map_err(|error| JointsError::JsonOfFrame {
+        frame: frame(),
+        error,
+    })?;
+    for (person, numbers) in file.people.iter().enumerate() {
+        let found = numbers.pose_keypoints_2d.len();
+        if found != 3 * BODY_25.len() && found != 3 * COCO_18.len() {
+            return Err(JointsError::Numbers {
+                frame: frame(),
+                person,
+                expected: "75 or 54".to_owned(),
+                found,
+            });
+        }
+    }
+    Ok(file)
+}
+
+/// The frames of a view from the files of them, with their names.
+pub(super) fn join(mut files: Vec<(String, File)>) -> Result<Detections, JointsError> {
+    if files.is_empty() {
+        return Err(JointsError::Empty("pictures"));
+    }
+    files.sort_by(|(a, _), (b, _)| a.cmp(b));
     let numbers: Option<Vec<i64>> = files.iter().map(|(name, _)| number_in(name)).collect();
     let numbers = numbers.filter(|numbers| {
         let mut sorted = numbers.clone();
@@ -100,54 +126,39 @@ pub fn decode<N: AsRef<str>>(files: &[(N, &[u8])]) -> Result<Detections, JointsE
         sorted.dedup();
         numbers.len() > 1 && sorted.len() == numbers.len()
     });
-    let mut kind: Option<usize> = None;
-    let mut read = Vec::with_capacity(files.len());
-    for (index, (name, bytes)) in files.into_iter().enumerate() {
-        let file: File = serde_json::from_slice(bytes)?;
+    let people = files.iter().flat_map(|(_, file)| &file.people);
+    let expected = people.map(|person| person.pose_keypoints_2d.len()).next();
+    let expected = expected.unwrap_or(3 * BODY_25.len());
+    let joints: &[&str] = if expected == 3 * COCO_18.len() {
+        &COCO_18
+    } else {
+        &BODY_25
+    };
+    let joints: Vec<String> = joints.iter().map(|&name| name.to_owned()).collect();
+    let mut frames = Vec::with_capacity(files.len());
+    for (index, (name, file)) in files.into_iter().enumerate() {
         let number = numbers
             .as_ref()
             .map_or(index as i64, |numbers| numbers[index]);
-        let of_file = FrameKey::Name(name.to_owned());
-        for (person, numbers) in file.people.iter().enumerate() {
-            let found = numbers.pose_keypoints_2d.len();
-            if kind.is_some_and(|kind| kind != found) {
-                return Err(JointsError::Kind {
-                    frame: of_file.to_string(),
-                    expected: kind.unwrap_or(0),
-                    found,
-                });
-            }
-            if found != 3 * BODY_25.len() && found != 3 * COCO_18.len() {
-                return Err(JointsError::Numbers {
-                    frame: of_file.to_string(),
-                    person,
-                    expected: "75 or 54".to_owned(),
-                    found,
-                });
-            }
-            kind = Some(found);
-        }
-        read.push((number, of_file, file));
-    }
-    if read.is_empty() {
-        return Err(JointsError::Empty("pictures"));
-    }
-    let joints: Vec<String> = if kind == Some(3 * COCO_18.len()) {
-        COCO_18.map(str::to_owned).to_vec()
-    } else {
-        BODY_25.map(str::to_owned).to_vec()
-    };
-    read.sort_by_key(|(number, ..)| *number);
-    let frames = read.into_iter().map(|(number, name, file)| {
+        let frame = FrameKey::Name(name);
         let people = file.people.iter().enumerate().map(|(person, numbers)| {
-            Person::from_numbers(&name, person, &joints, &numbers.pose_keypoints_2d)
+            let numbers = &numbers.pose_keypoints_2d;
+            if numbers.len() != expected {
+                return Err(JointsError::Kind {
+                    frame: frame.to_string(),
+                    person,
+                    expected,
+                    found: numbers.len(),
+                });
+            }
+            Person::from_numbers(&frame, person, &joints, numbers)
         });
-        Ok(DetectedFrame {
+        frames.push(DetectedFrame {
             key: FrameKey::Number(number),
             people: people.collect::<Result<_, _>>()?,
-        })
-    });
-    let frames = frames.collect::<Result<_, JointsError>>()?;
+        });
+    }
+    frames.sort_by(|a, b| a.key.cmp(&b.key));
     Ok(Detections { joints, frames })
 }
 
