@@ -93,7 +93,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "DIR")]
     buffers: Option<PathBuf>,
     /// Also write each picture as PNG into this folder, and views.json with their cameras, which
-    /// `nullcone texture` reads.
+    /// `nullcone texture` and `nullcone body fit` read.
     #[arg(long, value_name = "DIR")]
     views: Option<PathBuf>,
     /// Also write the camera of the first picture, as --camera reads it.

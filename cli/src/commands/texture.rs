@@ -45,7 +45,7 @@ pub(crate) struct Arguments {
     /// The mesh: .obj, .ply, .glb or .gltf.
     #[arg(value_name = "MESH")]
     mesh: PathBuf,
-    /// The pictures and their cameras; see above.
+    /// The pictures and their cameras, see above; or a folder with them in views.json.
     #[arg(long, value_name = "VIEWS.json")]
     views: PathBuf,
     /// The textured model: .glb, .gltf or .obj.

@@ -136,14 +136,20 @@ pub enum ViewsError {
     },
 }
 
-/// Reads a file.
+/// The name of the file in a folder of views.
+pub const FILE_NAME: &str = "views.json";
+
+/// Reads a file, or [`FILE_NAME`] in a folder.
 ///
 /// # Errors
 /// [`ReadError`] with the file and an error of [`decode`].
 pub fn read(path: impl AsRef<Path>) -> Result<Vec<ViewEntry>, ReadError<ViewsError>> {
-    let path = path.as_ref();
+    let path = match path.as_ref() {
+        folder if folder.is_dir() => folder.join(FILE_NAME),
+        file => file.to_owned(),
+    };
     let folder = path.parent().unwrap_or(Path::new(""));
-    ga_files::read(path, |bytes| decode(bytes, folder))
+    ga_files::read(&path, |bytes| decode(bytes, folder))
 }
 
 /// Reads views from the text of a file that lies in a folder.

@@ -81,6 +81,7 @@ fn cameras_may_be_in_files_of_their_own() {
     assert_eq!(views[0].camera, views[1].camera);
     assert_eq!((views[0].size, views[1].size), (None, Some([64, 48])));
     assert_eq!(views[1].picture, folder.path().join("b.png"));
+    assert_eq!(views::read(folder.path()).unwrap(), views);
 
     let text = r#"{"views": [{"picture": "a.png", "camera": "none.yml"}]}"#;
     std::fs::write(&path, text).unwrap();
