@@ -56,7 +56,12 @@ pub fn psnr<'a, P: Pixel>(
     b: impl Into<PlaneView<'a, P>>,
     range: f64,
 ) -> Result<f64, SizeError> {
-    Ok(10.0 * (range * range / mse(a, b)?).log10())
+    Ok(peak_ratio(mse(a, b)?, range))
+}
+
+/// 10 log₁₀(range² / mse).
+pub(super) fn peak_ratio(mse: f64, range: f64) -> f64 {
+    10.0 * (range * range / mse).log10()
 }
 
 struct SquaredError<'a, 's, P> {

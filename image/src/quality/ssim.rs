@@ -3,6 +3,7 @@
 use ga_runtime::batch::{Batch, Work};
 use ga_runtime::scalar::Lanes;
 
+use super::weighted::{WeightError, Weights, weighted_sums};
 use crate::filter::{Border, Gaussian};
 use crate::plane::{Plane, PlaneView, SizeError, same_size};
 use crate::sample::{Pixel, Sample};
@@ -46,11 +47,20 @@ pub struct Similarity {
     pub contrast_structure: f64,
 }
 
+/// What [`Ssim::compare_weighted`] finds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WeightedSimilarity {
+    /// Σ w SSIM / Σ w, with the weight w of the pixel in the middle of each window.
+    pub weighted_ssim: f64,
+    /// The means in which all windows count the same.
+    pub similarity: Similarity,
+}
+
 /// Pixels on either side of the middle of a window: 3.5 σ, rounded.
 const RADIUS: usize = 5;
 
 /// The side of a window.
-const WINDOW: usize = 2 * RADIUS + 1;
+pub(super) const WINDOW: usize = 2 * RADIUS + 1;
 
 impl Ssim {
     /// For pictures whose numbers lie within a range of this length, from 0: 255 for 8 bits.
@@ -79,12 +89,48 @@ impl Ssim {
                 sums[1] += sum(contrast_structure);
             });
         }
-        let windows = (a.width() - 2 * RADIUS) * (a.height() - 2 * RADIUS) * P::CHANNELS;
-        let [ssim, contrast_structure] = sums.map(|sum| sum / windows as f64);
-        Ok(Similarity {
-            ssim,
-            contrast_structure,
-        })
+        Ok(Similarity::of_sums(sums, a))
+    }
+
+    /// The similarity of two pictures, and the mean of SSIM with a weight for each pixel, in one
+    /// pass. The windows are those of [`compare`](Self::compare): pixels that are less than five
+    /// from the border are in the middle of none, and their weights do not take part.
+    ///
+    /// # Errors
+    ///
+    /// [`WeightError::Size`] as [`compare`](Self::compare), or when the weights have another size;
+    /// [`WeightError::Zero`] when all weights that take part are zero.
+    pub fn compare_weighted<'a, P: Pixel>(
+        &self,
+        a: impl Into<PlaneView<'a, P>>,
+        b: impl Into<PlaneView<'a, P>>,
+        weights: &Weights,
+    ) -> Result<WeightedSimilarity, WeightError> {
+        let (a, b) = (a.into(), b.into());
+        self.check(a, b, WINDOW)?;
+        let weights = weights.plane();
+        same_size(a, weights.view())?;
+        let mut sums = [0.0; 2];
+        let mut weighted = [0.0; 2];
+        for channel in 0..P::CHANNELS {
+            self.run(a, b, channel, &mut |column, row, ssim, structure| {
+                sums[0] += sum(ssim);
+                sums[1] += sum(structure);
+                let weights = &weights.row(row + RADIUS)[column + RADIUS..][..ssim.len()];
+                let [value, weight] = weighted_sums(weights, |index| ssim[index]);
+                weighted[0] += value;
+                weighted[1] += weight;
+            });
+        }
+        let [value, weight] = weighted;
+        if weight > 0.0 {
+            Ok(WeightedSimilarity {
+                weighted_ssim: value / weight,
+                similarity: Similarity::of_sums(sums, a),
+            })
+        } else {
+            Err(WeightError::Zero)
+        }
     }
 
     /// SSIM in the window around each pixel, as the mean over the channels. The pictures are
@@ -154,6 +200,19 @@ impl Ssim {
             constants: Constants::new(self.range),
             take,
         });
+    }
+}
+
+impl Similarity {
+    /// Of the sums of SSIM and of its factor over all windows and channels of a picture.
+    fn of_sums<P: Pixel>(sums: [f64; 2], picture: PlaneView<'_, P>) -> Self {
+        let [columns, rows] = [picture.width(), picture.height()].map(|side| side - 2 * RADIUS);
+        let [ssim, contrast_structure] =
+            sums.map(|sum| sum / (columns * rows * P::CHANNELS) as f64);
+        Self {
+            ssim,
+            contrast_structure,
+        }
     }
 }
 

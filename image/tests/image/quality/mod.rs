@@ -1,6 +1,8 @@
 //! MSE, PSNR and SSIM, compared with scikit-image.
 
 mod information;
+mod multiscale;
+mod weighted;
 
 use ga_image::file;
 use ga_image::grey::Luma;
