@@ -47,11 +47,8 @@ impl From<u32> for Source {
 ///
 /// # Errors
 ///
-/// [`MeshError::IndexOutOfRange`] for a triangle, [`MeshError::NotFinite`] for a position.
-///
-/// # Panics
-///
-/// When a source is no vertex.
+/// [`MeshError::IndexOutOfRange`] for a triangle, [`MeshError::NotFinite`] for a position, and
+/// [`MeshError::PointOutOfRange`] for a source that refers to a vertex that does not exist.
 ///
 /// ```
 /// use ga_mesh::geodesic::distances;
@@ -88,6 +85,13 @@ pub fn distances<P: Copy + Into<Point<f64>>>(
                 vertices,
             });
         }
+    }
+    if let Some(point) = sources.iter().position(|source| is_beyond(&source.vertex)) {
+        return Err(MeshError::PointOutOfRange {
+            point,
+            index: sources[point].vertex,
+            vertices,
+        });
     }
     let faces = Faces::from_polygons(triangles.iter().copied())?;
     let mut front = Front {

@@ -166,7 +166,8 @@ impl Mask {
 
     /// Adds all cells within `margin` rows and columns of the set.
     pub(super) fn dilate(&mut self, margin: usize) {
-        for _ in 0..margin {
+        // After so many steps every cell has been reached.
+        for _ in 0..margin.min(self.width.max(self.height)) {
             for row in self.words.chunks_exact_mut(self.stride) {
                 let mut carry = 0;
                 for at in 0..row.len() {

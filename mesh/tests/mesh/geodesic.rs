@@ -160,6 +160,14 @@ fn data_that_are_no_mesh_are_refused() {
         distances(&wrong, &[[0, 1, 2]], &[0.into()], ALL),
         Err(MeshError::NotFinite { vertex: 1, .. })
     ));
+    assert_eq!(
+        distances(&places, &[[0, 1, 2]], &[0.into(), 3.into()], ALL),
+        Err(MeshError::PointOutOfRange {
+            point: 1,
+            index: 3,
+            vertices: 3
+        })
+    );
     // Triangles without area do no harm.
     let found = distances(&places, &[[0, 1, 2], [1, 1, 2]], &[0.into()], ALL).unwrap();
     assert_eq!(found, [0.0, 1.0, 1.0]);
