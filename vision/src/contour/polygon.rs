@@ -68,8 +68,9 @@ pub fn centroid(corners: &[[f64; 2]]) -> Option<[f64; 2]> {
 /// ```
 /// use ga_vision::contour::resampled;
 ///
-/// let triangle = [[0.0, 0.0], [3.0, 0.0], [3.0, 4.0]];
-/// assert_eq!(resampled(&triangle, 3), [[0.0, 0.0], [3.0, 1.0], [2.4, 3.2]]);
+/// let rectangle = [[0.0, 0.0], [4.0, 0.0], [4.0, 2.0], [0.0, 2.0]];
+/// let points = [[0.0, 0.0], [3.0, 0.0], [4.0, 2.0], [1.0, 2.0]];
+/// assert_eq!(resampled(&rectangle, 4), points);
 /// ```
 #[must_use]
 pub fn resampled(corners: &[[f64; 2]], count: usize) -> Vec<[f64; 2]> {
