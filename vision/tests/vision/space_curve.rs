@@ -248,7 +248,7 @@ fn contours_that_give_no_curve_are_errors() {
         SpaceCurveError::NoArea { view: "left" }
     );
     // A bar along the baseline, too thin for points at its ends.
-    let corners = [[-0.3, -0.004], [0.3, -0.004], [0.3, 0.004], [-0.3, 0.004]];
+    let corners = [[-0.3, -0.002], [0.3, -0.002], [0.3, 0.002], [-0.3, 0.002]];
     let around = resampled(&corners, 8000);
     let bar = |t: f64| on_tilted_plane(around[(8000.0 * t).round() as usize % 8000]);
     let [thin, other] = contours(&rectified_rig(), bar, 400);

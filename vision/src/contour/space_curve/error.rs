@@ -60,7 +60,8 @@ pub enum SpaceCurveError {
     /// Few points of the left contour have a counterpart on the right one in the same order.
     #[error(
         "only {matched} of the {crossing} points where the left contour crosses epipolar lines \
-         have a counterpart on the right one; the contours are not those of one curve"
+         have a counterpart on the right one; the contours are not those of one curve, or have too \
+         few points"
     )]
     TooFewMatches {
         /// How many have one.
