@@ -33,6 +33,9 @@ pub enum PerspectiveError {
         /// What is wrong with its pixel.
         error: CameraError,
     },
+    /// The threshold is not positive and finite.
+    #[error("{0} pixels is not a distance within which points agree")]
+    Threshold(f64),
     /// All points are on one line or in one place.
     #[error("all points are on one line within {distance} units of length")]
     Collinear {

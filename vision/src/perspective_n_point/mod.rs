@@ -45,8 +45,8 @@ pub struct PerspectivePose {
 /// several starts are refined, since points near a plane may have two local minima.
 ///
 /// # Errors
-/// [`PerspectiveError`]: fewer than four points, numbers that are not finite, points on a line,
-/// pixels that no pose explains.
+/// [`PerspectiveError`]: fewer than four points, numbers that are not finite, points on a line, a
+/// threshold that is not positive, pixels that no pose explains.
 ///
 /// ```
 /// use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
@@ -72,6 +72,11 @@ pub fn estimate(
     intrinsics: &Intrinsics,
     options: &Options,
 ) -> Result<PerspectivePose, PerspectiveError> {
+    if let Some(threshold) = options.threshold
+        && !(threshold.is_finite() && threshold > 0.0)
+    {
+        return Err(PerspectiveError::Threshold(threshold));
+    }
     let observations = observations(points, pixels, intrinsics)?;
     let problem = Observed {
         observations: &observations,

@@ -180,4 +180,31 @@ fn points_that_determine_nothing_are_refused() {
         find(&line, &seen),
         PerspectiveError::Collinear { .. }
     ));
+    for threshold in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let options = Options {
+            threshold: Some(threshold),
+            ..Options::default()
+        };
+        let refused = estimate(&points, &pixels, &lens(), &options);
+        assert!(matches!(refused, Err(PerspectiveError::Threshold(_))));
+    }
+    // Points that no camera sees there.
+    let behind = camera.project_all(&points[..4]).unwrap();
+    let swapped = [behind[1], behind[0], [5000.0, -4000.0], [-300.0, 900.0]];
+    let options = Options {
+        threshold: Some(0.5),
+        ..Options::default()
+    };
+    assert!(matches!(
+        estimate(&points[..4], &swapped, &lens(), &options),
+        Err(PerspectiveError::NoConsensus { .. } | PerspectiveError::Undetermined)
+    ));
+    // A sample may have the same point twice.
+    let [p, q] = [points[0], points[1]];
+    let [a, b] = [p, q].map(|p| {
+        Vector::from(world_to_camera.transform(p))
+            .normalized()
+            .unwrap()
+    });
+    assert!(three_points([p, p, q], [a, a, b]).is_empty());
 }
