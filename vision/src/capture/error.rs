@@ -173,6 +173,14 @@ pub enum FrameError {
     /// The calibrated points do not determine a pose.
     #[error(transparent)]
     Pose(#[from] PoseError),
+    /// Those calibrated points that were seen do not determine a pose.
+    #[error("{error}; missing: {}", list(missing))]
+    PoseOfSeen {
+        /// The calibrated points that were not seen.
+        missing: Vec<usize>,
+        /// Why the others do not determine a pose.
+        error: PoseError,
+    },
 }
 
 fn list(points: &[usize]) -> String {

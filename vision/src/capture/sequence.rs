@@ -173,17 +173,26 @@ impl Capture {
     fn pose(&self, seen: &[Option<Point<f64>>]) -> Result<RigidPose, FrameError> {
         let visible = |point: &usize| seen[*point].map(|place| (*point, place));
         let places: Vec<_> = self.calibrated.iter().filter_map(visible).collect();
+        let missing = || -> Vec<usize> {
+            let all = self.calibrated.iter().copied();
+            all.filter(|&point| seen[point].is_none()).collect()
+        };
         if places.len() < NEEDED {
-            let missing = self.calibrated.iter().copied();
             return Err(FrameError::Missing {
                 seen: places.len(),
                 needed: NEEDED,
-                missing: missing.filter(|&point| seen[point].is_none()).collect(),
+                missing: missing(),
             });
         }
-        let rest: Vec<_> = places.iter().map(|&(point, _)| self.rest[point]).collect();
-        let seen: Vec<_> = places.iter().map(|&(_, place)| place).collect();
-        let mut pose = rigid_pose(&rest, &seen, &self.options)?;
+        let [rest, there]: [Vec<_>; 2] = [
+            places.iter().map(|&(point, _)| self.rest[point]).collect(),
+            places.iter().map(|&(_, place)| place).collect(),
+        ];
+        let pose = rigid_pose(&rest, &there, &self.options);
+        let mut pose = pose.map_err(|error| match missing() {
+            missing if missing.is_empty() => FrameError::Pose(error),
+            missing => FrameError::PoseOfSeen { missing, error },
+        })?;
         for inlier in &mut pose.inliers {
             *inlier = places[*inlier].0;
         }

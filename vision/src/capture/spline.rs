@@ -9,6 +9,9 @@ use super::surface_mesh::SurfaceError;
 /// to be divided by the square of this angle.
 const SAME: f64 = 1e-4;
 
+/// The most keys. Their system takes 512 MiB.
+const MOST_KEYS: usize = 8192;
+
 /// The spline of least bending on the unit sphere through values at some of its points, the keys:
 ///
 /// ```text
@@ -32,8 +35,8 @@ impl SphericalSpline {
     /// The spline with these unit vectors as keys.
     ///
     /// # Errors
-    /// [`SurfaceError::NoKeys`]; [`SurfaceError::SameDirection`] for two keys that are not 10⁻⁴
-    /// radians apart.
+    /// [`SurfaceError::NoKeys`]; [`SurfaceError::TooManyKeys`] above 8192;
+    /// [`SurfaceError::SameDirection`] for two keys that are not 10⁻⁴ radians apart.
     ///
     /// ```
     /// use ga_runtime::vga3::Vector;
@@ -50,6 +53,12 @@ impl SphericalSpline {
     pub fn new(keys: &[Vector<f64>]) -> Result<Self, SurfaceError> {
         if keys.is_empty() {
             return Err(SurfaceError::NoKeys);
+        }
+        if keys.len() > MOST_KEYS {
+            return Err(SurfaceError::TooManyKeys {
+                keys: keys.len(),
+                most: MOST_KEYS,
+            });
         }
         for (second, key) in keys.iter().enumerate() {
             let same = keys[..second].iter().position(|k| k.distance(*key) < SAME);

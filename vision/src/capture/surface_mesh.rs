@@ -24,6 +24,14 @@ pub enum SurfaceError {
     /// There are no key points.
     #[error("without key points no motion is known")]
     NoKeys,
+    /// There are too many key points.
+    #[error("{keys} key points are more than {most}")]
+    TooManyKeys {
+        /// How many there are.
+        keys: usize,
+        /// How many there may be.
+        most: usize,
+    },
     /// A key point is not finite.
     #[error("key point {key} is not finite")]
     KeyNotFinite {

@@ -56,8 +56,8 @@ impl SurfaceMotion {
     /// The motion of a surface by key points, which need not be vertices.
     ///
     /// # Errors
-    /// [`SurfaceError`]: no keys, a key that is not finite or at the centre, two keys in the same
-    /// direction, more than 2²⁸ weights.
+    /// [`SurfaceError`]: no keys or more than 8192, a key that is not finite or at the centre, two
+    /// keys in the same direction, more than 2²⁸ weights.
     pub fn new(
         sphere: &SphericalParameterisation,
         keys: &[Point<f64>],

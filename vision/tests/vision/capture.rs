@@ -346,6 +346,23 @@ fn frames_that_cannot_be_captured_are_named() {
     assert!(
         error.to_string().contains("frame 1") && error.to_string().contains("point 1, point 3")
     );
+    // The four that are seen are on one line at rest, which the fifth is not.
+    let mut rest = rest.clone();
+    rest[2] = Point::new(2.0, 0.0, 0.0);
+    rest[4] = Point::new(3.0, 0.0, 0.0);
+    let line = Capture::new(rest.clone(), vec![0, 1, 2, 3, 4], PoseOptions::default()).unwrap();
+    let mut seen: Vec<_> = rest.iter().map(|&point| Some(point)).collect();
+    assert!(line.frame(&seen).is_ok());
+    seen[3] = None;
+    let place = PointSet::Rest;
+    let problem = line.frame(&seen).unwrap_err();
+    let error = PoseError::Collinear { place };
+    let missing = vec![3];
+    assert_eq!(problem, FrameError::PoseOfSeen { missing, error });
+    assert!(
+        problem.to_string().ends_with("missing: point 3"),
+        "{problem}"
+    );
     frame[1] = Some(Point::new(f64::NAN, 0.0, 0.0));
     assert_eq!(
         capture.frame(&frame),

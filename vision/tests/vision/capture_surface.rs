@@ -327,18 +327,18 @@ fn a_local_area_moves_alone_and_keeps_its_centre() {
     }
     // The whole surface keeps its centre too.
     let whole = LocalArea::whole(&surface).unwrap();
-    assert!(
-        whole
-            .centre_of_gravity()
-            .distance(surface.centre_of_gravity())
-            < 1e-14
-    );
+    let [found, expected] = [whole.centre_of_gravity(), surface.centre_of_gravity()];
+    assert!(found.distance(expected) < 1e-14);
     let mut moved = given.clone();
     whole.apply(&mut moved, false);
     assert_eq!(moved, given);
     whole.apply(&mut moved, true);
     assert!(whole.centre_displacement(&moved).length() < 1e-15);
-    assert!(moved[0].distance(moved[1]) - given[0].distance(given[1]) < 1e-15);
+    // All vertices move by the same displacement less.
+    let less = given[0] - moved[0];
+    for (moved, given) in moved.iter().zip(&given) {
+        assert!((*given - *moved).distance(less) < 1e-15);
+    }
 }
 
 #[test]
@@ -444,6 +444,14 @@ fn surfaces_and_keys_that_cannot_be_used_are_refused() {
     let key = |x, y, z| Point::new(x, y, z);
     let fails = |keys: &[Point<f64>]| SurfaceMotion::new(&sphere, keys).unwrap_err();
     assert_eq!(fails(&[]), SurfaceError::NoKeys);
+    let many = fails(&[key(1.0, 0.0, 0.0); 8193]);
+    assert_eq!(
+        many,
+        SurfaceError::TooManyKeys {
+            keys: 8193,
+            most: 8192
+        }
+    );
     let nan = [key(1.0, 0.0, 0.0), key(0.0, f64::NAN, 0.0)];
     assert_eq!(fails(&nan), SurfaceError::KeyNotFinite { key: 1 });
     let inside = [key(1.0, 0.0, 0.0), sphere.centre()];
