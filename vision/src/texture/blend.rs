@@ -37,7 +37,7 @@ const TRUSTED: [f32; 2] = [0.002, 0.97];
 impl Layer<'_> {
     /// The colour of each texel that is seen, as the picture shows it.
     fn colours(&self, covered: &Covered, decoder: &Decoder, step: usize) -> Vec<Option<[f32; 3]>> {
-        let sampler = Sampler::new(&self.view.picture, decoder, self.geometry.most_pixels());
+        let sampler = Sampler::new(&self.view.picture, decoder);
         let gain = self.gain.map(|gain| gain as f32);
         let count = covered.len().div_ceil(step);
         let colour = |index: usize| {
@@ -46,16 +46,20 @@ impl Layer<'_> {
                 return None;
             }
             let placed = self.geometry.place(&covered.texels[index])?;
-            let colour = sampler.at(placed.pixel, placed.pixels);
+            let colour = sampler.mean(placed.pixel, placed.sides, self.weights.reaches[index]);
             Some([0, 1, 2].map(|channel| gain[channel] * colour[channel]))
         };
         (0..count).into_par_iter().map(colour).collect()
     }
 }
 
-/// Sets the gains of the layers to those that level their exposures, from at most about so many
-/// texels.
-pub(super) fn level(layers: &mut [Layer], covered: &Covered, decoder: &Decoder, samples: usize) {
+/// What the layers show of the same texels, from at most about so many texels.
+pub(super) fn overlaps(
+    layers: &[Layer],
+    covered: &Covered,
+    decoder: &Decoder,
+    samples: usize,
+) -> Overlaps {
     let step = (covered.len() / samples).max(1);
     let colours: Vec<_> = layers
         .iter()
@@ -77,9 +81,7 @@ pub(super) fn level(layers: &mut [Layer], covered: &Covered, decoder: &Decoder, 
         }
         overlaps.add(&seen);
     }
-    for (layer, gain) in layers.iter_mut().zip(overlaps.gains()) {
-        layer.gain = gain;
-    }
+    overlaps
 }
 
 /// Blends the layers in two bands: low frequencies are the weighted mean of all views, high ones
@@ -152,7 +154,7 @@ pub(super) fn blend(
                 && *best == number
             {
                 // Few neighbours that are seen well say little.
-                let share = 1.0 / (low[3] + 0.02);
+                let share = 1.0 / (low[3] + 0.02 * (1.0 - low[3]));
                 *colour = [0, 1, 2].map(|k| (own[k] - low[k] * share).max(0.0));
             }
         });

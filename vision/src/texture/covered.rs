@@ -106,26 +106,25 @@ impl Covered {
 
 /// Fails where a chart with an area in the texture owns no texel.
 fn check_charts(list: &[Texel], target: &Target, size: u32) -> Result<(), TextureError> {
-    let mut has_area = vec![false; target.chart_count];
+    /// A chart of so many texels contains the middle of one, unless it is thinner than a texel.
+    const LARGE: f64 = 4.0;
+    let mut areas = vec![0.0; target.chart_count];
     for (chart, [a, b, c]) in target.charts.iter().zip(&target.coordinates) {
         let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-        has_area[*chart as usize] |= area != 0.0;
+        areas[*chart as usize] += 0.5 * area.abs() * f64::from(size) * f64::from(size);
     }
     let mut owns = vec![false; target.chart_count];
     for texel in list {
         owns[target.charts[texel.triangle as usize] as usize] = true;
     }
-    let lost = has_area
-        .iter()
-        .zip(&owns)
-        .filter(|(area, owns)| **area && !**owns);
-    match lost.count() {
-        0 => Ok(()),
-        lost => Err(TextureError::TooSmall {
-            size,
-            lost,
-            charts: target.chart_count,
-        }),
+    let lost = areas.iter().zip(&owns).filter(|(_, owns)| !**owns);
+    let lost: Vec<f64> = lost.map(|(area, _)| *area).filter(|a| *a > 0.0).collect();
+    let hidden = lost.iter().filter(|area| **area > LARGE).count();
+    let charts = target.chart_count;
+    match (hidden, lost.len()) {
+        (_, 0) => Ok(()),
+        (0, lost) => Err(TextureError::TooSmall { size, lost, charts }),
+        (hidden, _) => Err(TextureError::Overlapping { hidden, charts }),
     }
 }
 

@@ -6,6 +6,7 @@ use ga_mesh::bake::BakeError;
 
 /// Why a mesh cannot be textured from views. Views are named as their [`View`](super::View) is.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum TextureError {
     /// There are no views.
     #[error("there are no views")]
@@ -59,15 +60,18 @@ pub enum TextureError {
         /// How many charts there are.
         charts: usize,
     },
-    /// A number of the options is not allowed.
-    #[error("the {what} is {value}, which is not {expected}")]
-    Number {
-        /// Which number.
-        what: &'static str,
-        /// Its value.
-        value: f64,
-        /// What it must be.
-        expected: &'static str,
+    /// Charts of the mesh's own atlas lie under others, as where two halves of a character share
+    /// their place in the texture. A new atlas ([`Options::unwrap`](super::Options::unwrap)) has
+    /// none.
+    #[error(
+        "{hidden} of {charts} charts of the mesh's own texture coordinates lie under others; new \
+         coordinates are needed"
+    )]
+    Overlapping {
+        /// How many charts have no texel.
+        hidden: usize,
+        /// How many charts there are.
+        charts: usize,
     },
     /// There is no atlas, as of a texture that is too small for its charts.
     #[error(transparent)]

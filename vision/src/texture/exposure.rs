@@ -36,6 +36,12 @@ impl Overlaps {
         }
     }
 
+    /// How many other views show texels that a view shows.
+    pub(super) fn partners(&self, view: usize) -> usize {
+        let shared = |other: usize| self.counts[view.min(other) * self.views + view.max(other)];
+        (0..self.views).filter(|other| shared(*other) > 0.0).count()
+    }
+
     /// The gain of each view and channel: the factors g of linear light that minimise
     ///
     /// ```text
@@ -108,5 +114,9 @@ mod tests {
             assert_eq!(gain[2], 1.0);
         }
         assert_eq!(gains[3], [1.0; 3]);
+        assert_eq!(
+            [0, 1, 2, 3].map(|view| overlaps.partners(view)),
+            [1, 2, 1, 0]
+        );
     }
 }

@@ -13,7 +13,9 @@ use crate::camera::{Camera, Intrinsics};
 /// How a texel is seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Sight {
-    /// All pixels around it show the surface near it.
+    /// All pixels far around it show the surface near it.
+    Inner,
+    /// All pixels around it do, though not all of those farther away.
     Clear,
     /// The nearest pixels show it, and others something else.
     Edge,
@@ -29,9 +31,10 @@ pub(super) struct Front {
     focal: f64,
 }
 
-/// Half the side of the square of pixels that has a part in a colour by bicubic interpolation, and
-/// of the square whose pixels decide it.
-const REACH: [f64; 2] = [1.5, 0.75];
+/// How far pixels around a texel have a part in its colour by the spline, how far by the cubic, and
+/// how far those that decide it. For a texel larger than a pixel its own extents beyond half a pixel
+/// are added.
+const REACH: [f64; 3] = [4.0, 1.5, 0.75];
 
 /// A neighbour belongs to the same surface if it is no more than this many pixels away from the
 /// tangent plane.
@@ -56,26 +59,29 @@ impl Front {
 
     /// How a texel is seen.
     pub(super) fn sight(&self, placed: &Placed) -> Sight {
-        let [wide, narrow] = REACH;
+        let [far, wide, narrow] = REACH;
         if !self.shows(placed, narrow) {
             Sight::Hidden
-        } else if self.shows(placed, wide) {
+        } else if !self.shows(placed, wide) {
+            Sight::Edge
+        } else if !self.shows(placed, far) {
             Sight::Clear
         } else {
-            Sight::Edge
+            Sight::Inner
         }
     }
 
     /// Whether the pixels around a texel show nothing but the surface near it: neither something in
     /// front of it, nor what is behind its edge.
     fn shows(&self, placed: &Placed, reach: f64) -> bool {
-        let reach = reach * placed.pixels.max(1.0);
-        let tolerance = HEIGHT * placed.pixels.max(1.0) * placed.point.length() / self.focal;
+        let beyond = placed.extents().map(|extent| (extent - 0.5).max(0.0));
+        let pixels = 1.0 + 2.0 * beyond[0].max(beyond[1]);
+        let tolerance = HEIGHT * pixels * placed.point.length() / self.focal;
         let last = [self.points.width() - 1, self.points.height() - 1];
         // The middle comes first, since it decides most often.
-        let offsets = [0.0, -reach, reach];
-        offsets.into_iter().all(|down| {
-            offsets.into_iter().all(|right| {
+        let [across, along] = beyond.map(|beyond| [0.0, -reach - beyond, reach + beyond]);
+        along.into_iter().all(|down| {
+            across.into_iter().all(|right| {
                 let [column, row] = [(0, right), (1, down)].map(|(axis, offset)| {
                     let place = (placed.pixel[axis] + offset).round();
                     place.clamp(0.0, last[axis] as f64) as usize

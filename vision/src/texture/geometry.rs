@@ -14,6 +14,9 @@ use crate::camera::{Camera, Lens};
 /// elsewhere every texel is projected by itself.
 pub(super) const AFFINE_TOLERANCE: f64 = 1.0 / 16.0;
 
+/// A texel is no more than so many times longer than it is on average in its chart.
+const MOST_STRETCH: f64 = 4.0;
+
 /// The triangles of the surface as a camera sees them.
 pub(super) struct Geometry<'a> {
     target: &'a Target,
@@ -31,8 +34,8 @@ struct Triangle {
     /// From the barycentric coordinates of the second and third corners to pixels, where that is
     /// accurate.
     warp: Option<TriangleWarp>,
-    /// How many pixels the side of a texel is long.
-    pixels: f64,
+    /// The sides of a texel in pixels; zero where the triangle has no area in the texture.
+    texel: [[f64; 2]; 2],
 }
 
 /// A texel in a view.
@@ -45,8 +48,16 @@ pub(super) struct Placed {
     /// The cosine of the angle of incidence; positive where the front is seen.
     pub(super) cosine: f64,
     pub(super) pixel: [f64; 2],
-    /// How many pixels the side of the texel is long.
-    pub(super) pixels: f64,
+    /// The sides of the texel in pixels.
+    pub(super) sides: [[f64; 2]; 2],
+}
+
+impl Placed {
+    /// How far the texel reaches from its middle along columns and rows, in pixels.
+    pub(super) fn extents(&self) -> [f64; 2] {
+        let [a, b] = self.sides;
+        [0, 1].map(|axis| 0.5 * (a[axis].abs() + b[axis].abs()))
+    }
 }
 
 impl<'a> Geometry<'a> {
@@ -66,7 +77,7 @@ impl<'a> Geometry<'a> {
             let mut found = Triangle {
                 normal: normal.into(),
                 warp: None,
-                pixels: 1.0,
+                texel: [[0.0; 2]; 2],
             };
             let [Some(a), Some(b), Some(c)] = corners.map(|vertex| pixels[vertex]) else {
                 return found;
@@ -74,9 +85,21 @@ impl<'a> Geometry<'a> {
             let side = f64::from(size);
             let texels = target.coordinates[index].map(|place| place.map(|x| side * x));
             if let Some(warp) = TriangleWarp::new(texels, [a, b, c]) {
-                found.pixels = warp.area_ratio().sqrt();
+                found.texel = warp.columns();
             }
             let depths = corners.map(|vertex| positions[vertex].e3);
+            // Slivers of the texture say nothing about the size of their texels.
+            let focal = camera.intrinsics.focal();
+            let distances = corners.map(|vertex| positions[vertex].length());
+            let near = distances.into_iter().fold(f64::INFINITY, f64::min);
+            let usual = target.chart_sides[target.charts[index] as usize] / side;
+            let longest = MOST_STRETCH * focal[0].max(focal[1]) * usual / near;
+            for edge in &mut found.texel {
+                let length = edge[0].hypot(edge[1]);
+                if length > longest {
+                    *edge = edge.map(|x| x * longest / length);
+                }
+            }
             if is_pinhole && affine_error(depths, [a, b, c]) <= AFFINE_TOLERANCE {
                 let barycentric = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
                 found.warp = TriangleWarp::new(barycentric, [a, b, c]);
@@ -114,7 +137,7 @@ impl<'a> Geometry<'a> {
             normal: triangle.normal,
             cosine,
             pixel,
-            pixels: triangle.pixels,
+            sides: triangle.texel,
         })
     }
 
@@ -129,11 +152,5 @@ impl<'a> Geometry<'a> {
             }
         }
         counts
-    }
-
-    /// The most pixels along the side of a texel.
-    pub(super) fn most_pixels(&self) -> f64 {
-        let pixels = self.triangles.iter().map(|triangle| triangle.pixels);
-        pixels.fold(1.0, f64::max)
     }
 }

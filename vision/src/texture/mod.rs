@@ -9,7 +9,9 @@
 //!    world to the camera and the projection π of its lens. For a pinhole, a triangle is warped by
 //!    the affine map of its corners ([`TriangleWarp`]) where that is wrong by at most 1/16 pixel
 //!    ([`affine_error`] bounds it); in all other triangles, and behind lenses with distortion,
-//!    each texel is projected by itself.
+//!    each texel is projected by itself. A texel shows the mean of the light over its area; the
+//!    light between the middles of pixels is the spline whose mean over each pixel is the pixel,
+//!    except beside edges, where it is a cubic between the nearest pixels.
 //! 3. *Visibility.* A ray through the middle of each pixel finds the surface in front. A texel is
 //!    seen where the nearest pixels show the surface near its tangent plane, and well seen where
 //!    all pixels that have a part in its colour do: elsewhere its colour would be mixed with that
@@ -28,7 +30,7 @@
 //!
 //! Lengths are in the unit of the mesh, which the poses share; pixels count from the middle of the
 //! top left one. Equal input gives equal textures, on any number of threads. The memory is about
-//! 150 bytes for each texel of the surface, and 5 more for each view.
+//! 150 bytes for each texel of the surface, and 6 more for each view.
 //!
 //! ```
 //! use ga_image::plane::Plane;
@@ -167,9 +169,12 @@ pub fn texture_mesh(
         layers.push(layer(view, &target, &covered, options)?);
     }
     let decoder = Decoder::new();
-    if options.level_exposure && views.len() > 1 {
-        begin("exposure");
-        blend::level(&mut layers, &covered, &decoder, SAMPLES);
+    begin("exposure");
+    let overlaps = blend::overlaps(&layers, &covered, &decoder, SAMPLES);
+    if options.level_exposure {
+        for (layer, gain) in layers.iter_mut().zip(overlaps.gains()) {
+            layer.gain = gain;
+        }
     }
     begin("blending");
     let mut blend = blend::blend(&layers, &covered, &decoder, options.band_texels as usize);
@@ -183,6 +188,7 @@ pub fn texture_mesh(
             name: layer.view.name.clone(),
             seen_texels: layer.weights.seen,
             best_texels: blend.best.iter().filter(|best| **best == number).count(),
+            overlapping_views: overlaps.partners(usize::from(number)),
             gain: layer.gain,
             facing_triangles: facing,
             affine_triangles: affine,

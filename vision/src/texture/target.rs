@@ -28,6 +28,8 @@ pub(super) struct Target {
     /// The chart of each triangle.
     pub(super) charts: Vec<u32>,
     pub(super) chart_count: usize,
+    /// How long the side of the texture would be on the surface, in each chart on average.
+    pub(super) chart_sides: Vec<f64>,
     pub(super) seams: Vec<Seam>,
     pub(super) bvh: Bvh,
 }
@@ -55,7 +57,12 @@ impl Target {
         let unwrapped = own.is_none();
         let (mesh, coordinates, report) = match own {
             Some(own) => {
-                let report = atlas::measure(&places, &triangles, &own, options)?;
+                // Others have chosen its margins.
+                let options = Options {
+                    margin_texels: 0,
+                    ..*options
+                };
+                let report = atlas::measure(&places, &triangles, &own, &options)?;
                 (mesh.clone(), own, report)
             }
             None => {
@@ -73,6 +80,13 @@ impl Target {
             return Err(TextureError::NoTriangles);
         }
         let (charts, chart_count, seams) = charts(&places, &triangles, &coordinates)?;
+        let mut areas = vec![[0.0; 2]; chart_count];
+        for ((&chart, triangle), [a, b, c]) in charts.iter().zip(&triangles).zip(&coordinates) {
+            let [on_surface, in_texture] = &mut areas[chart as usize];
+            *on_surface += area_vector(corners(triangle)).length();
+            *in_texture += ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])).abs();
+        }
+        let side = |[on_surface, in_texture]: [f64; 2]| (on_surface / in_texture).sqrt();
         Ok(Self {
             mesh,
             unwrapped,
@@ -84,6 +98,7 @@ impl Target {
             normals,
             charts,
             chart_count,
+            chart_sides: areas.into_iter().map(side).collect(),
             seams,
         })
     }

@@ -49,6 +49,9 @@ pub struct ViewReport {
     pub seen_texels: usize,
     /// Texels for which it counts most.
     pub best_texels: usize,
+    /// How many other views show some of the same texels well. Where it is 0, nothing says how the
+    /// exposure of the view compares with those of others.
+    pub overlapping_views: usize,
     /// The factors of its linear red, green and blue that level its exposure.
     pub gain: [f64; 3],
     /// Triangles whose front faces the camera.

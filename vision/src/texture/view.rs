@@ -54,20 +54,22 @@ impl View {
         &self.name
     }
 
-    /// Fails where the camera is inside a surface, or where its centre is not finite.
+    /// Fails where the camera is behind a closed surface. In a room, whose walls face it, it may be.
     pub(super) fn check_place(
         &self,
         triangles: impl Iterator<Item = [Vector<f64>; 3]>,
     ) -> Result<(), TextureError> {
         let centre = Vector::from(self.camera.centre());
-        let winding = winding_number(centre, triangles);
-        if winding.abs() <= 0.5 {
-            return Ok(());
+        let view = || self.name.clone();
+        match winding_number(centre, triangles) {
+            inside if inside > 0.5 => Err(TextureError::CameraInside {
+                view: view(),
+                centre: centre.coordinates(),
+            }),
+            // It is too far away for numbers.
+            unknown if unknown.is_nan() => Err(TextureError::NoOverlap { view: view() }),
+            _ => Ok(()),
         }
-        Err(TextureError::CameraInside {
-            view: self.name.clone(),
-            centre: centre.coordinates(),
-        })
     }
 }
 

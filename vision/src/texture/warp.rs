@@ -50,6 +50,11 @@ impl TriangleWarp {
         [0, 1].map(|k| self.origin[k] + a[k] * x + b[k] * y)
     }
 
+    /// The images of the two units.
+    pub(super) fn columns(&self) -> [[f64; 2]; 2] {
+        self.columns
+    }
+
     /// How many times larger an area becomes: the magnitude of the determinant.
     #[must_use]
     pub fn area_ratio(&self) -> f64 {

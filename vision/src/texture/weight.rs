@@ -5,6 +5,7 @@ use rayon::prelude::*;
 use super::covered::Covered;
 use super::front::{Front, Sight};
 use super::geometry::{Geometry, Placed};
+use super::sampler::Reach;
 use super::target::Target;
 use super::view::View;
 
@@ -39,6 +40,8 @@ pub(super) struct Weights {
     pub(super) seen: usize,
     /// How well each texel is seen.
     pub(super) grades: Vec<Grade>,
+    /// Which pixels each texel may depend on.
+    pub(super) reaches: Vec<Reach>,
 }
 
 impl Weights {
@@ -59,7 +62,7 @@ impl Weights {
             (pixels * placed.cosine) as f32
         };
         let look = |texel| {
-            let unseen = (0.0, false);
+            let unseen = (0.0, Sight::Hidden);
             let Some(placed) = geometry.place(texel) else {
                 return unseen;
             };
@@ -68,24 +71,24 @@ impl Weights {
                 return unseen;
             }
             match front.sight(&placed) {
-                Sight::Clear => (weight(&placed), true),
-                Sight::Edge => (weight(&placed), false),
                 Sight::Hidden => unseen,
+                sight => (weight(&placed), sight),
             }
         };
-        let found: Vec<(f32, bool)> = covered.texels.par_iter().map(look).collect();
+        let is_clear = |sight: Sight| matches!(sight, Sight::Clear | Sight::Inner);
+        let found: Vec<(f32, Sight)> = covered.texels.par_iter().map(look).collect();
         let mut soft: Vec<[f32; 1]> = found
             .iter()
-            .map(|(_, clear)| [f32::from(u8::from(*clear))])
+            .map(|(_, sight)| [f32::from(u8::from(is_clear(*sight)))])
             .collect();
         covered.smooth(&mut soft, feather);
         let fade = |index: usize| {
-            let (weight, is_clear) = found[index];
+            let (weight, sight) = found[index];
             if weight == 0.0 {
                 return (0.0, Grade::Unseen);
             }
             let placed = geometry.place(&covered.texels[index]);
-            let Some(placed) = placed.filter(|_| is_clear) else {
+            let Some(placed) = placed.filter(|_| is_clear(sight)) else {
                 return (weight * SHARE_AT_EDGES, Grade::Edge);
             };
             // Half of the neighbours are hidden at a straight edge.
@@ -102,7 +105,12 @@ impl Weights {
         };
         let (values, grades): (Vec<f32>, Vec<Grade>) =
             (0..covered.len()).into_par_iter().map(fade).unzip();
+        let reach = |(_, sight): &(f32, Sight)| match sight {
+            Sight::Inner => Reach::Spline,
+            _ => Reach::Near,
+        };
         Self {
+            reaches: found.iter().map(reach).collect(),
             seen: values.iter().filter(|weight| **weight > 0.0).count(),
             values,
             grades,

@@ -35,6 +35,7 @@ mod space_curve;
 mod surface;
 mod synthetic_scene;
 mod texture;
+mod texture_blend;
 mod two_views;
 mod views;
 

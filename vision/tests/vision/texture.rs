@@ -6,7 +6,7 @@ use ga_image::colour::{LinearColour, SrgbEncoder, linear_from_srgb};
 use ga_image::plane::Plane;
 use ga_mesh::atlas::AtlasError;
 use ga_mesh::query::Bvh;
-use ga_mesh::{Mesh, obj};
+use ga_mesh::{Faces, Mesh, obj};
 use ga_runtime::cga3::Point;
 use ga_vision::camera::{Camera, Fisheye, Intrinsics, Lens, RadialTangential};
 use ga_vision::texture::{
@@ -14,7 +14,7 @@ use ga_vision::texture::{
 };
 use proptest::prelude::*;
 
-const SIZE: [usize; 2] = [200, 160];
+pub(super) const SIZE: [usize; 2] = [200, 160];
 
 /// A cube of side 2 around the origin, as its six sides.
 fn cube() -> Mesh {
@@ -37,7 +37,7 @@ fn paint([x, y, z]: [f64; 3]) -> [f64; 3] {
 }
 
 /// What a camera sees of a painted mesh, times a gain, by 3 × 3 rays for each pixel.
-fn photograph(
+pub(super) fn photograph(
     mesh: &Mesh,
     camera: &Camera,
     gain: f64,
@@ -65,7 +65,7 @@ fn photograph(
     })
 }
 
-fn camera(eye: [f64; 3], target: [f64; 3], lens: Lens) -> Camera {
+pub(super) fn camera(eye: [f64; 3], target: [f64; 3], lens: Lens) -> Camera {
     let principal = SIZE.map(|side| (side as f64 - 1.0) / 2.0);
     let intrinsics = Intrinsics::new([230.0, 235.0], principal).unwrap();
     let eye = Point::from(eye);
@@ -111,7 +111,7 @@ fn texel(textured: &Textured, corners: &[[f64; 2]; 3], weights: [f64; 3]) -> [f6
 }
 
 /// For points all over the mesh, the place and what the texture shows there.
-fn samples(textured: &Textured) -> Vec<([f64; 3], [f64; 3])> {
+pub(super) fn samples(textured: &Textured) -> Vec<([f64; 3], [f64; 3])> {
     let coordinates = ga_mesh::bake::corner_coordinates(&textured.mesh, 0).unwrap();
     let positions: Vec<[f64; 3]> = textured.mesh.coordinates().collect();
     let mut found = Vec::new();
@@ -188,8 +188,50 @@ fn exposures_are_levelled() {
     assert_eq!(raw.report.views[0].gain, [1.0; 3]);
 }
 
+#[test]
+fn views_of_opposite_sides_have_nothing_to_compare() {
+    let mesh = cube();
+    let corner = |s: f64| camera([4.0 * s, 3.0 * s, 4.0 * s], [0.0; 3], Lens::Pinhole);
+    let mut cameras = vec![corner(1.0), corner(-1.0)];
+    let views_of = |cameras: &[Camera]| views(&mesh, cameras, &[0.7, 1.0]);
+    let options = Options::with_size(128);
+    let textured = texture_mesh(&mesh, &views_of(&cameras), &options, |_| ()).unwrap();
+    for view in &textured.report.views {
+        assert_eq!((view.overlapping_views, view.gain), (0, [1.0; 3]));
+    }
+    // This one sees sides of both.
+    cameras.push(camera([4.0, -3.0, 4.0], [0.0; 3], Lens::Pinhole));
+    let textured = texture_mesh(&mesh, &views_of(&cameras), &options, |_| ()).unwrap();
+    let overlaps = textured.report.views.iter().map(|v| v.overlapping_views);
+    assert_eq!(overlaps.collect::<Vec<_>>(), [1, 1, 2]);
+}
+
+#[test]
+fn a_room_is_seen_from_inside() {
+    let outside = cube();
+    let turned = outside.triangles().into_iter().map(|[a, b, c]| [a, c, b]);
+    let faces = Faces::from_polygons(turned).unwrap();
+    let room = Mesh::new(outside.positions().to_vec(), faces).unwrap();
+    let camera = camera([0.0; 3], [1.0, 0.0, 0.0], Lens::Pinhole);
+    let views = [view("room", &room, &camera, 1.0)];
+    let textured = texture_mesh(&room, &views, &Options::with_size(256), |_| ()).unwrap();
+    let mut compared = 0;
+    for (place, light) in samples(&textured) {
+        let [x, y, z] = place;
+        if x > 0.99 && y.abs() < 0.2 && z.abs() < 0.2 {
+            let truth = paint(place);
+            assert!(
+                (0..3).all(|k| (light[k] - truth[k]).abs() < 0.02),
+                "{place:?}"
+            );
+            compared += 1;
+        }
+    }
+    assert!(compared > 4, "{compared}");
+}
+
 /// A wall, and a small square in front of it.
-const WALL: &[u8] = b"v -2 -2 0\nv 2 -2 0\nv 2 2 0\nv -2 2 0\nf 1 2 3 4\n\
+pub(super) const WALL: &[u8] = b"v -2 -2 0\nv 2 -2 0\nv 2 2 0\nv -2 2 0\nf 1 2 3 4\n\
     v -0.4 -0.4 1\nv 0.4 -0.4 1\nv 0.4 0.4 1\nv -0.4 0.4 1\nf 5 6 7 8\n";
 
 #[test]
@@ -333,6 +375,12 @@ fn bad_input_is_named() {
     let message = run(&close, &views[..1], 64);
     assert!(message.contains("64 × 64 texels is too small"), "{message}");
     assert!(message.contains("1 of 2 charts"), "{message}");
+    // Two squares with the same place in the texture.
+    let text = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 3 0 0\nv 3 1 0\nv 2 1 0\n\
+        vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\nf 5/1 6/2 7/3 8/4\n";
+    let message = run(&obj::parse(text).unwrap(), &views[..1], 64);
+    assert!(message.starts_with("1 of 2 charts"), "{message}");
+    assert!(message.contains("lie under others"), "{message}");
     let tiled = obj::parse(b"v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 3 0\nvt 3 3\nf 1/1 2/2 3/3\n");
     assert!(run(&tiled.unwrap(), &views[..1], 64).contains("outside of the unit square"));
 }
