@@ -169,7 +169,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         style.background = [parse_colour(background)?; 2];
     }
 
-    let model = read(path)?;
+    let model = read(path, quiet)?;
     ensure!(
         !model.is_empty(),
         "{}: there is no triangle, line or point to be drawn",
@@ -192,8 +192,9 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     Ok(())
 }
 
-/// The model in a file. What it refers to that is not there is said on standard error.
-fn read(path: &Path) -> Result<Model> {
+/// The model in a file. What it refers to that is not there is said on standard error, unless
+/// `quiet`.
+fn read(path: &Path, quiet: bool) -> Result<Model> {
     let is_gltf = matches!(format::Format::of_path(path), Ok(format::Format::Gltf));
     let Loaded { mesh, mut warnings } = if is_gltf {
         Loaded {
@@ -213,8 +214,10 @@ fn read(path: &Path) -> Result<Model> {
             warnings.push(warning.clone());
         }
     }
-    for warning in warnings {
-        eprintln!("warning: {}: {warning}", path.display());
+    if !quiet {
+        for warning in warnings {
+            eprintln!("warning: {}: {warning}", path.display());
+        }
     }
     Ok(model)
 }

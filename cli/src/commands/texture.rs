@@ -57,8 +57,13 @@ pub(crate) struct Arguments {
     /// Make new texture coordinates even if the mesh has its own.
     #[arg(long)]
     unwrap: bool,
-    /// In a new atlas, texels around each chart that no other chart claims.
-    #[arg(long, value_name = "TEXELS", default_value_t = 4)]
+    /// In a new atlas, texels around each chart that no other chart claims; at most 256.
+    #[arg(
+        long,
+        value_name = "TEXELS",
+        default_value_t = 4,
+        value_parser = clap::value_parser!(u32).range(0..=256)
+    )]
     margin: u32,
     /// Take the pictures as bright as they are, without levelling their exposures.
     #[arg(long)]
@@ -101,6 +106,9 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     format::write(out, &model, &format::Options::default())?;
     drop(progress);
     let report = Report::new(&textured, begin.elapsed().as_secs_f64());
+    if !quiet {
+        report.warn();
+    }
     if arguments.json {
         output::print_json(&report)
     } else if quiet {
@@ -142,6 +150,7 @@ struct ViewReport {
     picture: String,
     seen_texels: usize,
     best_texels: usize,
+    overlapping_views: usize,
     gain_red_green_blue: [f64; 3],
     facing_triangles: usize,
     affine_triangles: usize,
@@ -154,6 +163,7 @@ impl Report {
             picture: view.name.clone(),
             seen_texels: view.seen_texels,
             best_texels: view.best_texels,
+            overlapping_views: view.overlapping_views,
             gain_red_green_blue: view.gain,
             facing_triangles: view.facing_triangles,
             affine_triangles: view.affine_triangles,
@@ -168,6 +178,17 @@ impl Report {
             filled_texels: report.filled_texels,
             views: report.views.iter().map(view).collect(),
             seconds,
+        }
+    }
+
+    /// Says what may not be as intended.
+    fn warn(&self) {
+        let alone = self.views.iter().filter(|view| view.overlapping_views == 0);
+        for view in alone.filter(|_| self.views.len() > 1) {
+            eprintln!(
+                "warning: {}: this view overlaps no other, so that its exposure is not levelled",
+                view.picture
+            );
         }
     }
 

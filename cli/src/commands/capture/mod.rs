@@ -56,8 +56,10 @@ use surface::{Motion, Surface};
 /// "rotation_axis": […], "rotation_degrees": …, "rms_metres": …, "inliers": …, "outliers": […],
 /// "missing": […]}, …], "surface": {"vertices": …, "keys": …, "keys_filled": …,
 /// "key_fit_rms_metres": …, "sphere_centre_metres": […], "folded_triangles": …,
-/// "morph_targets": …, "morph_error_max_metres": …, "area": {"vertices": …, "centre_metres": […],
-/// "centre_kept": …, "centre_displacement_metres": [[…], …]}}, "seconds": …}.
+/// "morph_targets": …, "morph_error_max_metres": …, "metres_per_mesh_unit": …,
+/// "area": {"vertices": …, "centre_metres": […], "centre_kept": …,
+/// "centre_displacement_metres": [[…], …]}}, "seconds": …}. Places on the surface are in the
+/// coordinates of the mesh, scaled to metres.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 #[command(group(clap::ArgGroup::new("results").required(true).multiple(true)))]
@@ -85,7 +87,7 @@ pub(crate) struct Arguments {
     /// Where points are on the mesh. Others do not move it.
     #[arg(long, value_name = "KEYS.csv", requires = "mesh")]
     keys: Option<PathBuf>,
-    /// Let the mesh have another size than the head.
+    /// Let the mesh have another size or unit than the head. Without this, its unit is the metre.
     #[arg(long, requires = "keys")]
     fit_scale: bool,
     /// Move only what is within a radius of a key along the surface, in the unit of the mesh. The
@@ -202,7 +204,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
 
     progress.step("moving the surface");
     let surface = arguments.mesh.as_ref().map(|path| {
-        let surface = Surface::new(path, arguments, &points, capture.rest())?;
+        let surface = Surface::new(path, arguments, &points, capture.rest(), quiet)?;
         let motion = surface.follow(&frames, &points, arguments.tolerance);
         let motion = motion.with_context(named)?;
         Ok::<_, anyhow::Error>((surface, motion))
@@ -343,6 +345,10 @@ fn text(error: CaptureError, points: &Points, reference: usize) -> anyhow::Error
                          missing: {}",
                         missing.join(", ")
                     )
+                }
+                FrameError::PoseOfSeen { missing, error } => {
+                    let missing: Vec<_> = missing.iter().map(name).collect();
+                    anyhow!("{place}: {error}; missing: {}", missing.join(", "))
                 }
                 problem => anyhow!("{place}: {problem}"),
             }

@@ -1,5 +1,7 @@
 //! Tables of points in frames, as CSV.
 
+use std::collections::HashSet;
+
 use csv::{ReaderBuilder, StringRecord, Trim};
 use ga_runtime::cga3::Point;
 
@@ -213,6 +215,7 @@ impl Columns {
             }
             found.first = column + 1;
         }
+        let mut names = HashSet::new();
         let mut columns = header.iter().enumerate().skip(found.first).peekable();
         while let Some(&(column, text)) = columns.peek() {
             let wrong = |column: usize, name: &str, expected: String| PointsError::Header {
@@ -232,11 +235,11 @@ impl Columns {
                     None => return Err(wrong(header.len(), "", expected())),
                 }
             }
-            let name = name.to_owned();
-            if found.names.contains(&name) {
+            if !names.insert(name) {
+                let name = name.to_owned();
                 return Err(PointsError::Twice { line, name });
             }
-            found.names.push(name);
+            found.names.push(name.to_owned());
         }
         if found.names.is_empty() {
             return Err(PointsError::NoPoint { line });

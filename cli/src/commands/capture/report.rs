@@ -60,7 +60,7 @@ struct Pose {
     missing: Vec<String>,
 }
 
-/// The surface, in the coordinates of the mesh.
+/// The surface, in the coordinates of the mesh, scaled to metres.
 #[derive(Serialize)]
 struct SurfaceReport {
     vertices: usize,
@@ -72,6 +72,7 @@ struct SurfaceReport {
     folded_triangles: usize,
     morph_targets: usize,
     morph_error_max_metres: f64,
+    metres_per_mesh_unit: f64,
     area: AreaReport,
 }
 
@@ -229,23 +230,26 @@ impl Expression {
 
 impl SurfaceReport {
     fn new(surface: &Surface, motion: &Motion, area: Option<&Area>, kept: bool) -> Self {
+        let metres = surface.metres_per_unit();
+        let scaled = |place: Vector<f64>| (place * metres).coordinates();
         let displacements = surface.centre_displacements(motion).into_iter();
         Self {
             vertices: surface.vertex_count(),
             keys: surface.key_count(),
             keys_filled: motion.filled,
-            key_fit_rms_metres: surface.fit,
-            sphere_centre_metres: surface.centre.coordinates(),
+            key_fit_rms_metres: metres * surface.fit,
+            sphere_centre_metres: scaled(surface.centre.into()),
             folded_triangles: surface.folded_triangles,
             morph_targets: motion.shapes.shapes.len(),
-            morph_error_max_metres: motion.shapes.error,
+            morph_error_max_metres: metres * motion.shapes.error,
+            metres_per_mesh_unit: metres,
             area: AreaReport {
                 key: area.map(|area| area.key.clone()),
-                radius_metres: area.map(|area| area.radius),
+                radius_metres: area.map(|area| metres * area.radius),
                 vertices: surface.area.vertex_count(),
-                centre_metres: surface.area.centre_of_gravity().coordinates(),
+                centre_metres: scaled(surface.area.centre_of_gravity().into()),
                 centre_kept: kept,
-                centre_displacement_metres: displacements.map(Vector::coordinates).collect(),
+                centre_displacement_metres: displacements.map(scaled).collect(),
             },
         }
     }

@@ -28,7 +28,8 @@ pub(super) struct Surface {
     pub(super) area: LocalArea,
     /// From the points at rest to the mesh.
     to_mesh: Similarity<f64>,
-    /// The root mean square distance between the keys on the mesh and the points at rest.
+    /// The root mean square distance between the keys on the mesh and the points at rest, in the
+    /// unit of the mesh, as all that follows.
     pub(super) fit: f64,
     pub(super) centre: Point<f64>,
     pub(super) folded_triangles: usize,
@@ -52,10 +53,13 @@ impl Surface {
         arguments: &Arguments,
         points: &Points,
         rest: &[Point<f64>],
+        quiet: bool,
     ) -> Result<Self> {
         let Loaded { mesh, warnings } = format::read(path)?;
-        for warning in warnings {
-            eprintln!("warning: {}: {warning}", path.display());
+        if !quiet {
+            for warning in warnings {
+                eprintln!("warning: {}: {warning}", path.display());
+            }
         }
         let keys = match &arguments.keys {
             Some(path) => ga_files::read(path, |bytes| keys::parse(bytes, points, &mesh))?,
@@ -69,6 +73,11 @@ impl Surface {
                 .with_context(|| format!("{} does not place the points", path.display()))?,
             None => (Similarity::default(), 0.0),
         };
+        ensure!(
+            to_mesh.factor() > 0.0,
+            "{}: the points at rest and the keys have no scale in common",
+            path.display()
+        );
         let named =
             |error: SurfaceError| anyhow!("{}: {}", path.display(), text(&error, &keys, points));
         let triangles = mesh.triangles();
@@ -95,6 +104,11 @@ impl Surface {
         })
     }
 
+    /// The length of the mesh's unit.
+    pub(super) fn metres_per_unit(&self) -> f64 {
+        self.to_mesh.factor().recip()
+    }
+
     pub(super) fn key_count(&self) -> usize {
         self.keys.len()
     }
@@ -103,7 +117,7 @@ impl Surface {
         self.mesh.vertex_count()
     }
 
-    /// The surface in all frames, as shapes that represent the keys within a tolerance.
+    /// The surface in all frames, as shapes that represent the keys within a tolerance in metres.
     pub(super) fn follow(
         &self,
         frames: &[CapturedFrame],
@@ -130,7 +144,7 @@ impl Surface {
                 ),
             })?);
         }
-        let shapes = PrincipalShapes::new(&all, tolerance)?;
+        let shapes = PrincipalShapes::new(&all, tolerance * self.to_mesh.factor())?;
         let targets = shapes.shapes.iter().map(|shape| self.displacements(shape));
         Ok(Motion {
             targets: targets.collect::<Result<_>>()?,

@@ -116,6 +116,17 @@ fn the_mesh_may_have_its_own_coordinates() {
     let there = format!("{start} --fit-scale --out there.obj --json");
     let report = json(&capture(folder.path(), &there));
     assert!(number(&report, "/surface/key_fit_rms_metres") < 1e-9);
+    // Lengths are in metres whatever the unit of the mesh.
+    let surface = &report["surface"];
+    assert!((number(surface, "/metres_per_mesh_unit") - 1e-3).abs() < 1e-12);
+    let centre = own([0.0; 3]).map(|x| 1e-3 * x);
+    assert_near(&surface["sphere_centre_metres"], &centre, 1e-9);
+    assert_near(&surface["area"]["centre_metres"], &centre, 1e-9);
+    // No key moves by more than 12 mm, so that the surface may stay within 13 mm.
+    let coarse = format!("{start} --fit-scale --tolerance 0.013 --json");
+    let report = json(&capture(folder.path(), &coarse));
+    assert_eq!(number(&report, "/surface/morph_targets"), 0.0);
+    assert!((number(&report, "/surface/morph_error_max_metres") - 0.012).abs() < 1e-9);
     let found = obj_vertices(folder.path(), "there.obj");
     for (place, key) in seen(2).into_iter().zip(keys()) {
         assert!(distance(found[key], place) < 1e-9, "{key}");
