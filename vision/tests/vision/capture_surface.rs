@@ -230,14 +230,7 @@ fn centres_of_gravity_by_hand() {
     // A rectangle of 3 × 1 with centre (1.5, 0.5), as two triangles and finer on one side: the
     // centre does not depend on the triangles.
     let coarse = [[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [0.0, 1.0]];
-    let fine = [
-        coarse[0],
-        coarse[1],
-        coarse[2],
-        coarse[3],
-        [0.1, 0.1],
-        [0.2, 0.5],
-    ];
+    let fine = [&coarse[..], &[[0.1, 0.1], [0.2, 0.5]]].concat();
     type Grid<'a> = (&'a [[f64; 2]], &'a [[u32; 3]]);
     let meshes: [Grid<'_>; 2] = [
         (&coarse, &[[0, 1, 2], [0, 2, 3]]),
