@@ -1,5 +1,6 @@
-//! Markers on the skin: discs round the bones, by which cameras find the body.
+//! Markers on the skin, by which cameras find the body: discs round the bones, and dots all over.
 
+mod dots;
 mod layout;
 
 use ga_anim::weights::Influence;
@@ -35,6 +36,8 @@ pub struct Marker {
     pub centre: [f64; 3],
     /// The distance of its rim from the centre, in metres.
     pub radius: f64,
+    /// The unit normal of the skin at its centre at rest, outwards.
+    pub normal: [f64; 3],
     /// The mean of its rim at rest: the point that pictures show as its centre.
     pub middle: [f64; 3],
     /// The mean of the skin weights at its rim, greatest first.
@@ -56,15 +59,8 @@ impl Human {
     /// ```
     #[must_use]
     pub fn markers(&self) -> Vec<Marker> {
-        let positions: Vec<[f64; 3]> = self.mesh.coordinates().collect();
-        let triangles = self.mesh.triangles();
-        let Ok(surface) = Bvh::new(&positions, &triangles) else {
+        let Some(skin) = Skin::new(self) else {
             return Vec::new();
-        };
-        let skin = Skin {
-            human: self,
-            surface,
-            triangles,
         };
         let mut markers: Vec<Marker> = Vec::new();
         for ring in LAYOUT {
@@ -150,7 +146,18 @@ struct Skin<'a> {
     triangles: Vec<[u32; 3]>,
 }
 
-impl Skin<'_> {
+impl<'a> Skin<'a> {
+    fn new(human: &'a Human) -> Option<Self> {
+        let positions: Vec<[f64; 3]> = human.mesh.coordinates().collect();
+        let triangles = human.mesh.triangles();
+        let surface = Bvh::new(&positions, &triangles).ok()?;
+        Some(Self {
+            human,
+            surface,
+            triangles,
+        })
+    }
+
     /// The marker that a ray from the bone meets at an angle; `None` where there is no skin.
     fn marker(&self, ring: &Ring, joint: usize, angle: f64) -> Option<Marker> {
         let (from, direction) = ring.ray(&self.human.skeleton.joints()[joint], angle)?;
@@ -161,16 +168,26 @@ impl Skin<'_> {
         let normal = (corners[1] - corners[0])
             .cross(corners[2] - corners[0])
             .normalized()?;
-        let across = normal
-            .cross(direction.cross(Vector::new(0.3, 0.5, 0.8)))
-            .normalized()?;
-        let depth = normal.cross(across);
+        let across = normal.cross(direction.cross(Vector::new(0.3, 0.5, 0.8)));
+        self.disc(joint, centre, normal, across, ring.radius)
+    }
 
+    /// The disc of a radius about a point of the skin, with its rim from a direction on.
+    fn disc(
+        &self,
+        joint: usize,
+        centre: Vector,
+        normal: Vector,
+        across: Vector,
+        radius: f64,
+    ) -> Option<Marker> {
+        let across = across.normalized()?;
+        let depth = normal.cross(across);
         let mut middle = Vector::ZERO;
         let mut weights = vec![0.0; self.human.skeleton.len()];
         for step in 0..RIM {
             let (sin, cos) = (std::f64::consts::TAU * step as f64 / RIM as f64).sin_cos();
-            let rim = self.rim(centre, across * cos + depth * sin, ring.radius)?;
+            let rim = self.rim(centre, across * cos + depth * sin, radius)?;
             middle += rim.0 / RIM as f64;
             for (sum, weight) in weights.iter_mut().zip(rim.1) {
                 *sum += weight / RIM as f64;
@@ -180,7 +197,8 @@ impl Skin<'_> {
             name: String::new(),
             joint,
             centre: centre.coordinates(),
-            radius: ring.radius,
+            radius,
+            normal: normal.coordinates(),
             middle: middle.coordinates(),
             weights: influences(&weights),
         })

@@ -7,6 +7,7 @@
 //! | [`Observation`] | for each view the pixels of these points, as far as they were seen |
 //! | [`BodyFit`] | the most likely poses, of a frame by itself or of a clip |
 //! | [`FittedPose`] | motors, points and what remains in the pictures |
+//! | [`marked`] | bodies with coloured dots on their skin, in pictures |
 //! | [`format`](mod@format) | files of joints in pictures: COCO's, OpenPose's and our own |
 //! | [`evaluation`] | how far reconstructed bodies are from true ones |
 //!
@@ -75,6 +76,7 @@ mod fit;
 pub mod format;
 mod lengths;
 mod likelihood;
+pub mod marked;
 mod model;
 mod skinned;
 mod start;

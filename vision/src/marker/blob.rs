@@ -29,22 +29,33 @@ pub(super) struct Ellipse {
     inverse: [f64; 3],
 }
 
-/// The candidates in a picture of linear light. Pixels touch by their edges, so that markers which
-/// are a pixel apart are separate.
-pub(super) fn blobs(light: &Plane<[f32; 3]>, least_saturation: f32) -> Vec<Blob> {
+/// Whether a pixel of linear light is coloured.
+pub(super) fn is_coloured([red, green, blue]: [f32; 3], least_saturation: f32) -> bool {
+    let most = red.max(green).max(blue);
+    let chroma = most - red.min(green).min(blue);
+    chroma > least_saturation * most && chroma > NOISE
+}
+
+/// How the light falls on a candidate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Shade {
+    /// Evenly: all covered pixels have about the same chroma.
+    Even,
+    /// On one side more than on the other: the chroma changes linearly.
+    Inclined,
+}
+
+/// The candidates in a picture of linear light: connected pixels of one class, other than 0. Pixels
+/// touch by their edges, so that markers which are a pixel apart are separate.
+pub(super) fn blobs(light: &Plane<[f32; 3]>, classes: &Plane<u8>, shade: Shade) -> Vec<Blob> {
     let (width, height) = (light.width(), light.height());
-    let is_coloured = light.map(|[red, green, blue]| {
-        let most = red.max(green).max(blue);
-        let chroma = most - red.min(green).min(blue);
-        chroma > least_saturation * most && chroma > NOISE
-    });
     let mut owner = Plane::filled(width, height, 0u32);
     let mut sets: Vec<Vec<[usize; 2]>> = Vec::new();
     for row in 0..height {
         for column in 0..width {
-            if is_coloured.row(row)[column] && owner.row(row)[column] == 0 {
+            if classes.row(row)[column] != 0 && owner.row(row)[column] == 0 {
                 let number = sets.len() as u32 + 1;
-                sets.push(connected([column, row], &is_coloured, &mut owner, number));
+                sets.push(connected([column, row], classes, &mut owner, number));
             }
         }
     }
@@ -59,20 +70,22 @@ pub(super) fn blobs(light: &Plane<[f32; 3]>, least_saturation: f32) -> Vec<Blob>
         set.len() >= LEAST_PIXELS && fits(0, width) && fits(1, height)
     };
     let sets = sets.iter().filter(whole);
-    sets.map(|set| Blob::new(light, set, &owner)).collect()
+    sets.map(|set| Blob::new(light, set, &owner, shade))
+        .collect()
 }
 
 /// Less chroma than this in linear light is what rounding to 8 bits leaves of grey.
 const NOISE: f32 = 0.01;
 
-/// The coloured pixels that are connected with one, marked with a number.
+/// The pixels of one class that are connected with one, marked with a number.
 fn connected(
     start: [usize; 2],
-    is_coloured: &Plane<bool>,
+    classes: &Plane<u8>,
     owner: &mut Plane<u32>,
     number: u32,
 ) -> Vec<[usize; 2]> {
     let mut pixels = vec![start];
+    let class = classes.get(start[0], start[1]);
     owner.row_mut(start[1])[start[0]] = number;
     let mut next = 0;
     while let Some(&[column, row]) = pixels.get(next) {
@@ -85,7 +98,7 @@ fn connected(
         ];
         for pixel in around {
             let [column, row] = pixel;
-            if is_coloured.get(column, row) == Some(true) && owner.get(column, row) == Some(0) {
+            if classes.get(column, row) == class && owner.get(column, row) == Some(0) {
                 owner.row_mut(row)[column] = number;
                 pixels.push(pixel);
             }
@@ -104,9 +117,9 @@ fn filled(set: &[[usize; 2]]) -> Vec<[usize; 2]> {
     let ((left, right), (top, bottom)) = (range(0), range(1));
     // A box with a free border around the set; what is connected with its corner is outside.
     let (width, height) = (right - left + 3, bottom - top + 3);
-    let mut is_free = Plane::filled(width, height, true);
+    let mut is_free = Plane::filled(width, height, 1u8);
     for [column, row] in set {
-        is_free.row_mut(row - top + 1)[column - left + 1] = false;
+        is_free.row_mut(row - top + 1)[column - left + 1] = 0;
     }
     let mut owner = Plane::filled(width, height, 0u32);
     connected([0, 0], &is_free, &mut owner, 1);
@@ -120,7 +133,7 @@ fn filled(set: &[[usize; 2]]) -> Vec<[usize; 2]> {
 impl Blob {
     /// A set of coloured pixels without its holes, and all pixels near it that belong to no other
     /// set.
-    fn new(light: &Plane<[f32; 3]>, set: &[[usize; 2]], owner: &Plane<u32>) -> Self {
+    fn new(light: &Plane<[f32; 3]>, set: &[[usize; 2]], owner: &Plane<u32>, shade: Shade) -> Self {
         let around = |[column, row]: [usize; 2], reach: usize| {
             let rows = row.saturating_sub(reach)..=row + reach;
             let columns = column.saturating_sub(reach)..=column + reach;
@@ -147,16 +160,36 @@ impl Blob {
         let mut chromas: Vec<f64> = set.iter().map(|&pixel| chroma(pixel)).collect();
         chromas.sort_unstable_by(f64::total_cmp);
         let full = chromas[(chromas.len() * 4 / 5).min(chromas.len() - 1)];
+        let is_inside = |pixel: [usize; 2]| around(pixel, 1).all(is_own);
+        let full = match shade {
+            Shade::Even => Incline::even(full),
+            Shade::Inclined => {
+                let inside = pixels.iter().filter(|&&pixel| is_inside(pixel));
+                Incline::of(inside.map(|&pixel| (pixel, chroma(pixel))), full)
+            }
+        };
         let coverage = pixels.iter().map(|&pixel| {
             // Inside, where no grey is near, the colours of the marker are mixed with each other.
-            if around(pixel, 1).all(is_own) {
+            if is_inside(pixel) {
                 1.0
             } else {
-                (chroma(pixel) / full).min(1.0)
+                (chroma(pixel) / full.at(pixel)).min(1.0)
             }
         });
         let coverage = coverage.collect();
         Self { pixels, coverage }
+    }
+
+    /// The mean light of the pixels, each as far as it is covered.
+    pub(super) fn mean_light(&self, light: &Plane<[f32; 3]>) -> [f64; 3] {
+        let mut sum = [0.0; 3];
+        for (&[column, row], coverage) in self.pixels.iter().zip(&self.coverage) {
+            for (sum, channel) in sum.iter_mut().zip(light.row(row)[column]) {
+                *sum += coverage * f64::from(channel);
+            }
+        }
+        let total: f64 = self.coverage.iter().sum();
+        sum.map(|sum| sum / total)
     }
 
     /// The mean distance of the outline from an ellipse in pixels, over the [`SECTORS`] of equal
@@ -210,6 +243,66 @@ impl Blob {
         })
     }
 }
+
+/// A linear function of the pixel.
+struct Incline {
+    origin: [f64; 2],
+    value: f64,
+    slope: [f64; 2],
+    /// It is nowhere less.
+    least: f64,
+}
+
+impl Incline {
+    fn even(value: f64) -> Self {
+        Self {
+            origin: [0.0; 2],
+            value,
+            slope: [0.0; 2],
+            least: value,
+        }
+    }
+
+    /// The function with the least squared differences from values at pixels; constant where they
+    /// do not determine it.
+    fn of(values: impl Iterator<Item = ([usize; 2], f64)>, otherwise: f64) -> Self {
+        let values: Vec<([f64; 2], f64)> = values
+            .map(|(pixel, value)| (pixel.map(|c| c as f64), value))
+            .collect();
+        let count = values.len() as f64;
+        let mean =
+            |part: &dyn Fn(&([f64; 2], f64)) -> f64| values.iter().map(part).sum::<f64>() / count;
+        let origin = [mean(&|(at, _)| at[0]), mean(&|(at, _)| at[1])];
+        let value = mean(&|(_, value)| *value);
+        let product =
+            |a: usize, b: usize| mean(&|(at, _)| (at[a] - origin[a]) * (at[b] - origin[b]));
+        let [xx, xy, yy] = [product(0, 0), product(0, 1), product(1, 1)];
+        let [x, y] = [0, 1].map(|k| mean(&|(at, v)| (at[k] - origin[k]) * (v - value)));
+        let determinant = xx * yy - xy * xy;
+        if !(values.len() >= FEWEST_OF_INCLINE && determinant > LEAST_SPREAD && value > 0.0) {
+            return Self::even(otherwise);
+        }
+        Self {
+            origin,
+            value,
+            slope: [
+                (yy * x - xy * y) / determinant,
+                (xx * y - xy * x) / determinant,
+            ],
+            least: 0.25 * value,
+        }
+    }
+
+    fn at(&self, pixel: [usize; 2]) -> f64 {
+        let [x, y] = [0, 1].map(|k| pixel[k] as f64 - self.origin[k]);
+        (self.value + self.slope[0] * x + self.slope[1] * y).max(self.least)
+    }
+}
+
+/// A linear function is fitted to no fewer values.
+const FEWEST_OF_INCLINE: usize = 6;
+/// The least determinant of the second moments of their pixels.
+const LEAST_SPREAD: f64 = 0.1;
 
 impl Ellipse {
     /// The place after a linear map that takes the ellipse to a circle of radius 1: the factor of

@@ -8,7 +8,7 @@ const HUES: usize = 10;
 const RINGS: usize = HUES - 3;
 /// The linear light of the brightest channel: less than white, so that light which is brighter than
 /// white does not change the hue.
-const BRIGHTNESS: f64 = 0.6;
+pub(super) const BRIGHTNESS: f64 = 0.6;
 /// The greatest distance from a hue in degrees; there are 36 between two.
 const TOLERANCE_DEGREES: f64 = 15.0;
 
@@ -71,7 +71,7 @@ fn nearest(light: [f64; 3]) -> Option<usize> {
 
 /// The hue of linear light in degrees from 0 to 360: 0 is red, 120 green and 240 blue, and between
 /// them the middle channel is linear (A. R. Smith, Color gamut transform pairs, SIGGRAPH 1978).
-fn hue([red, green, blue]: [f64; 3]) -> Option<f64> {
+pub(super) fn hue([red, green, blue]: [f64; 3]) -> Option<f64> {
     let most = red.max(green).max(blue);
     let chroma = most - red.min(green).min(blue);
     let sixths = if most == red {
@@ -85,7 +85,7 @@ fn hue([red, green, blue]: [f64; 3]) -> Option<f64> {
 }
 
 /// The saturated light of a hue in degrees, with the greatest channel 1.
-fn light(hue: f64) -> [f64; 3] {
+pub(super) fn light(hue: f64) -> [f64; 3] {
     [0.0, 120.0, 240.0].map(|primary: f64| {
         let between = (hue - primary).rem_euclid(360.0);
         let distance = between.min(360.0 - between);

@@ -1,4 +1,5 @@
-//! Painted markers: discs of two colours that say which point of a scene they are.
+//! Painted markers: discs of two colours that say which point of a scene they are, and smaller dots
+//! of one colour ([`find_dots`]) that say it together with their neighbours.
 //!
 //! A marker is a disc of one saturated colour inside a ring of another, on something grey. The two
 //! colours are its [`Code`], so that each marker is known by itself, from any side, in any picture.
@@ -51,13 +52,15 @@
 
 mod blob;
 mod code;
+mod dot;
 
 use ga_image::colour::LinearColour;
 use ga_image::plane::{Plane, PlaneView};
 
 pub use code::Code;
+pub use dot::{Dot, DotOptions, Hue, find_dots};
 
-use blob::{Blob, blobs};
+use blob::{Blob, Shade, blobs, is_coloured};
 
 /// The radius of the inner disc as a part of the marker's.
 pub const INNER: f64 = 0.55;
@@ -103,13 +106,10 @@ impl Default for FindOptions {
 /// several places is left out, since one of them is not what it seems.
 #[must_use]
 pub fn find(picture: PlaneView<'_, [u8; 3]>, options: &FindOptions) -> Vec<FoundMarker> {
-    let light: Plane<[f32; 3]> = {
-        let table: Vec<f32> = (0..=255)
-            .map(|code| LinearColour::from_srgb([code; 3]).red as f32)
-            .collect();
-        picture.map(|colour| colour.map(|c| table[usize::from(c)]))
-    };
-    let candidates = blobs(&light, options.least_saturation as f32);
+    let light = linear(picture);
+    let least = options.least_saturation as f32;
+    let classes = light.map(|light| u8::from(is_coloured(light, least)));
+    let candidates = blobs(&light, &classes, Shade::Even);
     let found = candidates
         .iter()
         .filter_map(|blob| marker(&light, blob, options));
@@ -119,6 +119,14 @@ pub fn find(picture: PlaneView<'_, [u8; 3]>, options: &FindOptions) -> Vec<Found
     let is_alone = |code: Code| codes.iter().filter(|other| **other == code).count() == 1;
     found.retain(|marker| is_alone(marker.code));
     found
+}
+
+/// The linear light of a picture in 8-bit sRGB.
+fn linear(picture: PlaneView<'_, [u8; 3]>) -> Plane<[f32; 3]> {
+    let table: Vec<f32> = (0..=255)
+        .map(|code| LinearColour::from_srgb([code; 3]).red as f32)
+        .collect();
+    picture.map(|colour| colour.map(|c| table[usize::from(c)]))
 }
 
 /// The marker that a candidate is.
