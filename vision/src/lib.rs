@@ -27,6 +27,7 @@
 //! - [`contour`]: borders of regions, snakes, and figures fitted to points.
 //! - [`ransac`]: models that most observations agree with.
 //! - [`modelling_points`]: points at several levels, with a depth and its deviation.
+//! - [`keyframe`]: cuts, shots and key frames of videos.
 //! - [`video`]: frames one after another, as luma and colour differences.
 //! - [`observation`]: simulated observations with noise, for tests and demonstrations.
 //! - [`pose_error`]: how far reconstructed joints are from the true ones.
@@ -72,6 +73,7 @@ pub mod feature;
 pub mod format;
 pub mod frame;
 pub mod homography;
+pub mod keyframe;
 pub mod least_squares;
 pub mod marker;
 pub mod matcher;

@@ -1,0 +1,33 @@
+//! Key frames of video in two stages, after Cui, §3.1.
+//!
+//! [`Analyser`] takes the frames of a video one after another and finds its cuts, dissolves and
+//! fades, its shots with a background that stands still or moves, and the key frames.
+//!
+//! - [`signature`]: a frame as its red component over 64 × 36 boxes.
+//! - [`layout`]: blocks of objects and of the background; black bars.
+//! - [`difference`]: how much two frames differ, block by block.
+//! - [`cut`], [`dissolve`], [`fade`]: where one shot ends and the next begins.
+//! - [`shot`]: shots, and whether their background stands still.
+//! - [`select`]: first stage, the difference of the background and of objects from the last
+//!   candidate; second stage, mutual information at full resolution.
+//! - [`analysis`]: all of it, frame by frame.
+//! - [`statistics`]: Cui, table 1. [`evaluation`]: found cuts against labelled ones.
+//! - [`scenes`]: shots as CSV and as an edit decision list.
+
+pub mod analysis;
+pub mod cut;
+pub mod difference;
+pub mod dissolve;
+pub mod evaluation;
+pub mod fade;
+pub mod layout;
+pub mod scenes;
+pub mod select;
+pub mod shot;
+pub mod signature;
+pub mod statistics;
+pub mod window;
+
+pub use analysis::{Analyser, Analysis, FrameMeasures, KeyFrameError, Options};
+pub use select::{KeyFrame, Reason};
+pub use shot::{Background, Shot, Transitions};

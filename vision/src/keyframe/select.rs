@@ -1,0 +1,234 @@
+//! The choice of key frames in two stages.
+
+use ga_image::plane::{Plane, PlaneView, SizeError};
+use ga_image::quality::{Information, MutualInformation};
+
+use super::difference::at_rest;
+use super::fade::Level;
+use super::layout::Layout;
+use super::shot::{Shot, Transitions};
+
+/// The strict thresholds of the first stage: the least difference of the background and of the
+/// region of objects from the last candidate, relative to the contrast of the frames.
+const BACKGROUND: f32 = 0.12;
+const OBJECT: f32 = 0.25;
+
+/// A candidate also differs from the last one so many times more than two frames usually do.
+const RATIO: f32 = 3.0;
+
+/// The least time between two candidates of a shot, in seconds.
+const APART: f64 = 0.4;
+
+/// The change by which a frame is certainly not of the same shot.
+const OTHER_SHOT: f32 = 0.3;
+
+/// So many frames with a change below [`CALM`] let a candidate be taken from a picture that has
+/// come to rest.
+const CALM_FRAMES: usize = 4;
+const CALM: f32 = 0.02;
+
+/// The difference from the last candidate that such a picture has.
+const SETTLED: f32 = 0.04;
+
+/// A frame is nearly black below this root mean square of red, and below this fraction of the
+/// brightest frame.
+const BLACK: f32 = 6.0;
+const BLACK_FRACTION: f32 = 0.12;
+
+/// Pictures whose levels have less information than this, in bits, are even.
+const EVEN_BITS: f64 = 0.05;
+
+/// Why a frame is a key frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// It is the first clear frame of its shot.
+    Shot,
+    /// The background differs from the key frame before it.
+    Background,
+    /// The objects differ, and the background does not.
+    Action,
+}
+
+/// A frame that passed the first stage.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Candidate {
+    /// Its number.
+    pub index: usize,
+    /// When it is shown, in seconds after the first frame.
+    pub time_seconds: f64,
+    /// What differs from the candidate before it.
+    pub reason: Reason,
+    /// How much is new: 1 − I(A; B) / min(H(A), H(B)) from the candidate before it, 0 to 1.
+    pub novelty: f64,
+    level: Level,
+}
+
+/// A chosen frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KeyFrame {
+    /// Its number.
+    pub index: usize,
+    /// When it is shown, in seconds after the first frame.
+    pub time_seconds: f64,
+    /// Why it was chosen.
+    pub reason: Reason,
+    /// How much is new in it, from 0 to 1; see [`novelty`].
+    pub score: f64,
+}
+
+/// How much of one picture the other does not say: 1 − I(A; B) / min(H(A), H(B)). Between even
+/// pictures nothing is new where `same` says that they look alike, and everything otherwise.
+#[must_use]
+pub fn novelty(information: Information, same: bool) -> f64 {
+    let least = information.first_bits.min(information.second_bits);
+    if least < EVEN_BITS {
+        return if same { 0.0 } else { 1.0 };
+    }
+    (1.0 - information.mutual_bits() / least).clamp(0.0, 1.0)
+}
+
+/// The first stage, while frames come in. It keeps the luma of one frame.
+#[derive(Debug, Default)]
+pub(super) struct Selector {
+    candidates: Vec<Candidate>,
+    anchor: Plane<f32>,
+    luma: Plane<u8>,
+    changes: Vec<f32>,
+    calm: usize,
+    unsettled: bool,
+}
+
+/// What the first stage knows of a frame.
+pub(super) struct Seen<'a> {
+    pub(super) index: usize,
+    pub(super) time_seconds: f64,
+    pub(super) signature: &'a Plane<f32>,
+    pub(super) level: Level,
+    pub(super) luma: PlaneView<'a, u8>,
+    /// The difference from the frame before it after the motion of the camera.
+    pub(super) change: f32,
+    /// The same at rest.
+    pub(super) change_at_rest: f32,
+    /// Whether a candidate is needed in any case.
+    pub(super) forced: bool,
+}
+
+impl Selector {
+    /// The number of the last candidate.
+    pub(super) fn last(&self) -> Option<usize> {
+        self.candidates.last().map(|candidate| candidate.index)
+    }
+
+    /// Examines the next frame; returns whether it is a candidate.
+    pub(super) fn examine(
+        &mut self,
+        seen: &Seen<'_>,
+        layout: Layout,
+        information: &mut MutualInformation,
+    ) -> Result<bool, SizeError> {
+        let usual = self.usual(seen.change_at_rest);
+        self.calm = if seen.change_at_rest < CALM.max(1.5 * usual) {
+            self.calm + 1
+        } else {
+            0
+        };
+        let Some(last) = self.candidates.last() else {
+            self.take(seen, Reason::Shot, 1.0);
+            return Ok(true);
+        };
+        let difference = at_rest(&self.anchor, seen.signature, layout);
+        let (background, object) = (difference.background(layout), difference.object());
+        let differs = |least: f32, value: f32| value > least.max(RATIO * usual);
+        let apart = seen.time_seconds - last.time_seconds >= APART || seen.change > OTHER_SHOT;
+        let reason = if differs(BACKGROUND, background) {
+            Reason::Background
+        } else {
+            Reason::Action
+        };
+        let far = apart && (reason == Reason::Background || differs(OBJECT, object));
+        let settled = self.unsettled
+            && self.calm >= CALM_FRAMES
+            && (background > SETTLED || object > SETTLED);
+        if !(far || settled || seen.forced) {
+            return Ok(false);
+        }
+        let same = background.max(object) < SETTLED;
+        let new = novelty(information.compare(&self.luma, seen.luma)?, same);
+        self.take(seen, reason, new);
+        Ok(true)
+    }
+
+    fn take(&mut self, seen: &Seen<'_>, reason: Reason, novelty: f64) {
+        self.candidates.push(Candidate {
+            index: seen.index,
+            time_seconds: seen.time_seconds,
+            reason,
+            novelty,
+            level: seen.level,
+        });
+        self.anchor = seen.signature.clone();
+        self.luma = seen.luma.to_plane();
+        self.unsettled = self.calm < CALM_FRAMES;
+    }
+
+    /// The median of the last changes.
+    fn usual(&mut self, change: f32) -> f32 {
+        if self.changes.len() == 15 {
+            self.changes.remove(0);
+        }
+        self.changes.push(change);
+        let mut sorted = self.changes.clone();
+        sorted.sort_unstable_by(f32::total_cmp);
+        sorted[sorted.len() / 2]
+    }
+
+    /// The second stage: of the candidates that are neither blended, faded nor nearly black, the
+    /// first of each shot and those with enough that is new; `budget` keeps the first of each shot
+    /// longest, and the others by what is new in them.
+    pub(super) fn finish(
+        self,
+        transitions: &Transitions,
+        shots: &[Shot],
+        threshold: f64,
+        budget: Option<usize>,
+    ) -> Vec<KeyFrame> {
+        let energy = |level: Level| level.mean.hypot(level.deviation);
+        let levels = self
+            .candidates
+            .iter()
+            .map(|candidate| energy(candidate.level));
+        let dark = BLACK.max(BLACK_FRACTION * levels.fold(0.0, f32::max));
+        let mut chosen: Vec<KeyFrame> = Vec::new();
+        for Shot { frames, .. } in shots {
+            let clear = self.candidates.iter().filter(|candidate| {
+                frames.contains(&candidate.index)
+                    && transitions.is_clear(candidate.index)
+                    && energy(candidate.level) > dark
+            });
+            for (position, candidate) in clear.enumerate() {
+                let reason = if position == 0 {
+                    Reason::Shot
+                } else {
+                    candidate.reason
+                };
+                if position == 0 || candidate.novelty >= threshold {
+                    chosen.push(KeyFrame {
+                        index: candidate.index,
+                        time_seconds: candidate.time_seconds,
+                        reason,
+                        score: candidate.novelty,
+                    });
+                }
+            }
+        }
+        if let Some(budget) = budget {
+            chosen.sort_by(|a, b| {
+                let first = |key: &KeyFrame| key.reason == Reason::Shot;
+                first(b).cmp(&first(a)).then(b.score.total_cmp(&a.score))
+            });
+            chosen.truncate(budget);
+            chosen.sort_unstable_by_key(|key| key.index);
+        }
+        chosen
+    }
+}

@@ -1,0 +1,140 @@
+//! Shots, and whether their background stands still.
+
+use std::ops::Range;
+
+use super::dissolve::Dissolve;
+use super::fade::{Direction, Fade};
+
+/// A shot: the frames from one cut to the next.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Shot {
+    /// Its frames, half-open.
+    pub frames: Range<usize>,
+    /// Whether its background stands still.
+    pub background: Background,
+}
+
+/// Whether the background of a shot stands still.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Background {
+    /// It stands still; objects may move.
+    Static,
+    /// The camera or the background moves.
+    Dynamic,
+}
+
+/// Beyond this difference of the background within half a second it moves.
+const MOVING: f32 = 0.1;
+
+/// The transitions of a video.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Transitions {
+    /// The first frames of shots that follow a hard cut.
+    pub cuts: Vec<usize>,
+    /// Dissolves, whose middle divides two shots.
+    pub dissolves: Vec<Dissolve>,
+    /// Fades. Between one out and one in, the middle of the even frames divides two shots.
+    pub fades: Vec<Fade>,
+}
+
+impl Transitions {
+    /// Removes cuts and dissolves that are parts of other transitions.
+    pub(super) fn reconcile(&mut self) {
+        let Self {
+            cuts,
+            dissolves,
+            fades,
+        } = self;
+        dissolves.retain(|dissolve| {
+            !fades
+                .iter()
+                .any(|fade| overlap(&fade.frames, &dissolve.frames))
+        });
+        cuts.retain(|cut| {
+            let within = |frames: &Range<usize>| (frames.start..=frames.end).contains(cut);
+            !fades.iter().any(|fade| within(&fade.frames))
+                && !dissolves.iter().any(|dissolve| within(&dissolve.frames))
+        });
+    }
+
+    /// Whether a frame is neither blended nor faded.
+    #[must_use]
+    pub fn is_clear(&self, frame: usize) -> bool {
+        !self
+            .dissolves
+            .iter()
+            .any(|dissolve| dissolve.frames.contains(&frame))
+            && !self.fades.iter().any(|fade| fade.frames.contains(&frame))
+    }
+
+    /// The first frames of all shots but the first, in order, with `true` for hard cuts.
+    fn boundaries(&self) -> Vec<(usize, bool)> {
+        let mut boundaries: Vec<(usize, bool)> = self.cuts.iter().map(|cut| (*cut, true)).collect();
+        let middle = |start: usize, end: usize| (start + end).div_ceil(2);
+        for Dissolve { frames, .. } in &self.dissolves {
+            boundaries.push((middle(frames.start, frames.end), false));
+        }
+        for pair in self.fades.windows(2) {
+            if [pair[0].direction, pair[1].direction] == [Direction::Out, Direction::In] {
+                let (start, end) = (
+                    pair[0].frames.end,
+                    pair[1].frames.start.max(pair[0].frames.end),
+                );
+                if !self.cuts.iter().any(|cut| (start..=end).contains(cut)) {
+                    boundaries.push((middle(start, end), false));
+                }
+            }
+        }
+        boundaries.sort_unstable();
+        boundaries.dedup_by_key(|boundary| boundary.0);
+        boundaries
+    }
+
+    /// The shots of a video of so many frames. A boundary less than `least` frames after the one
+    /// before it, or before the end, does not count, and a cut there is removed.
+    ///
+    /// `moving[i]` is the difference of the background from half a second before frame i.
+    pub(super) fn shots(&mut self, moving: &[f32], reach: &[usize], least: usize) -> Vec<Shot> {
+        let count = moving.len();
+        let mut starts = vec![0];
+        for (boundary, hard) in self.boundaries() {
+            let last = starts[starts.len() - 1];
+            let inside = boundary > last && boundary < count;
+            if inside && boundary - last >= least && count - boundary >= least {
+                starts.push(boundary);
+            } else if hard {
+                self.cuts.retain(|cut| *cut != boundary);
+            }
+        }
+        let ends = starts[1..].iter().copied().chain([count]);
+        starts
+            .iter()
+            .zip(ends)
+            .filter(|(start, end)| *start < end)
+            .map(|(start, end)| Shot {
+                frames: *start..end,
+                background: self.background(*start..end, moving, reach),
+            })
+            .collect()
+    }
+
+    /// The median over the frames of a shot decides, without blended and faded ones.
+    fn background(&self, frames: Range<usize>, moving: &[f32], reach: &[usize]) -> Background {
+        let start = frames.start;
+        let within = |frame: &usize| *frame >= start + reach[*frame] && reach[*frame] > 0;
+        let mut differences: Vec<f32> = frames
+            .filter(within)
+            .filter(|frame| self.is_clear(*frame) && self.is_clear(*frame - reach[*frame]))
+            .map(|frame| moving[frame])
+            .collect();
+        differences.sort_unstable_by(f32::total_cmp);
+        match differences.get(differences.len() / 2) {
+            Some(median) if *median > MOVING => Background::Dynamic,
+            _ => Background::Static,
+        }
+    }
+}
+
+fn overlap(a: &Range<usize>, b: &Range<usize>) -> bool {
+    a.start < b.end && b.start < a.end
+}
