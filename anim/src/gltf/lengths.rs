@@ -20,8 +20,8 @@ impl Rigged {
     /// # Errors
     ///
     /// [`RiggedError::Pose`] for another number of factors than joints, [`RiggedError::Length`] for
-    /// a factor that is not positive and finite, [`RiggedError::Uneven`], and where the longer bones
-    /// are not finite.
+    /// a factor that is not positive and finite, [`RiggedError::Uneven`], and where the longer
+    /// bones are not finite.
     ///
     /// # Examples
     ///

@@ -34,8 +34,8 @@
 //!
 //! so T(h − p) at rest. For a root, the motion of the whole skeleton takes the place of T(−p).
 //!
-//! A [`Rigged`] document takes a clip as its animation and keeps its own nodes, meshes and skins. Its
-//! bones can be given [other lengths](Rigged::with_lengths).
+//! A [`Rigged`] document takes a clip as its animation and keeps its own nodes, meshes and skins.
+//! Its bones can be given [other lengths](Rigged::with_lengths).
 
 mod character;
 mod error;

@@ -6,10 +6,15 @@ use std::path::Path;
 use serde_json::Value;
 use tempfile::tempdir;
 
-use crate::common::{assert_failure, assert_success, names, nullcone, number, text};
+use crate::common::{assert_failure, assert_success, names, nullcone, number, program, text};
 
 /// A person who swings arms and legs, in metres times `scale`.
 fn motion(scale: f64) -> String {
+    frames_of_motion(scale, 40, |_| [0.0; 3])
+}
+
+/// So many frames of the same, with a period of 40 and the body moved by so many metres.
+fn frames_of_motion(scale: f64, count: usize, moved: impl Fn(usize) -> [f64; 3]) -> String {
     let limb = |name: &str, parts: [&str; 3], offsets: [[f64; 3]; 4]| {
         let mut text = String::new();
         for (part, [x, y, z]) in parts.iter().zip(offsets) {
@@ -41,7 +46,7 @@ fn motion(scale: f64) -> String {
     };
     let mut text = format!(
         "HIERARCHY\nROOT Hips {{ OFFSET 0 0 0 CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n\
-         {}{}{}{}{}}}\nMOTION\nFrames: 40\nFrame Time: 0.00833333\n",
+         {}{}{}{}{}}}\nMOTION\nFrames: {count}\nFrame Time: 0.00833333\n",
         limb("Left", ["UpLeg", "Leg", "Foot"], leg(0.1)),
         limb("Right", ["UpLeg", "Leg", "Foot"], leg(-0.1)),
         limb("Left", ["Arm", "ForeArm", "Hand"], arm(0.17)),
@@ -57,14 +62,17 @@ fn motion(scale: f64) -> String {
             ]
         ),
     );
-    for frame in 0..40 {
-        let t = f64::from(frame) / 40.0;
+    for frame in 0..count {
+        let t = (frame % 40) as f64 / 40.0;
         let swing = (std::f64::consts::TAU * t).sin();
+        let [x, y, z] = moved(frame);
+        let place = [0.1 * t + x, 0.94 + y, z].map(|c| c * scale);
         let _ = write!(
             text,
-            "{} {} 0 0 0 {}",
-            0.1 * t * scale,
-            0.94 * scale,
+            "{} {} {} 0 0 {}",
+            place[0],
+            place[1],
+            place[2],
             10.0 * swing
         );
         for joint in 0..15 {
@@ -94,6 +102,16 @@ fn row<'a>(report: &'a Value, method: &str, views: u64, noise: f64) -> &'a Value
     let is_wanted =
         |row: &&Value| row["method"] == method && row["views"] == views && row["noise_px"] == noise;
     rows.iter().find(is_wanted).unwrap()
+}
+
+/// The rows but for what differs from run to run.
+fn without_times(report: &Value) -> Vec<Value> {
+    let mut rows = report["rows"].as_array().unwrap().clone();
+    for row in &mut rows {
+        let row = row.as_object_mut().unwrap();
+        assert!(row.remove("milliseconds_per_frame").is_some());
+    }
+    rows
 }
 
 #[test]
@@ -139,16 +157,14 @@ fn rows_have_all_errors_and_grow_with_noise() {
     let svg = std::fs::read_to_string(folder.path().join("p.svg")).unwrap();
     assert!(svg.starts_with("<svg") && svg.contains("not Human3.6M") && svg.contains("m.bvh"));
     assert!(svg.contains("2-D joint error") && svg.contains("MPJPE"));
+    assert!(svg.contains("1 view") && svg.contains("2 views"));
 
-    // The same seed gives the same errors, another one others.
-    let again = report(&evaluate(folder.path(), &arguments));
-    for (a, b) in first["rows"]
-        .as_array()
-        .unwrap()
-        .iter()
-        .zip(again["rows"].as_array().unwrap())
-    {
-        assert_eq!(a["mpjpe_mm"], b["mpjpe_mm"]);
+    // The same seed gives the same errors for any number of threads, another one others.
+    for threads in ["1", "5"] {
+        let mut again = program(folder.path());
+        again.args(["body", "evaluate", "--motion"]).args(arguments);
+        let again = again.env("RAYON_NUM_THREADS", threads).output().unwrap();
+        assert_eq!(without_times(&report(&again)), without_times(&first));
     }
     let other = [
         "m.bvh", "--noise", "2", "--views", "2", "--seed", "9", "--json",
@@ -178,12 +194,73 @@ fn centimetres_are_guessed_and_missing_joints_are_left_out_of_triangulation() {
     let share = number(row(&found, "triangulation", 2, 1.0), "/joints_found");
     assert!((share - 0.64).abs() < 0.08, "{share}");
     assert_eq!(number(row(&found, "clip", 2, 1.0), "/joints_found"), 1.0);
+    // A frame that shows too few joints has no pose by itself, and in a clip it has one.
+    let few = [
+        "cm.bvh",
+        "--noise",
+        "1",
+        "--views",
+        "2",
+        "--missing",
+        "0.9",
+        "--json",
+    ];
+    let few = report(&evaluate(folder.path(), &few));
+    let share = number(row(&few, "single_frame", 2, 1.0), "/joints_found");
+    assert!((0.1..0.9).contains(&share), "{share}");
+    assert_eq!(number(row(&few, "clip", 2, 1.0), "/joints_found"), 1.0);
     let every = [
         "cm.bvh", "--noise", "1", "--views", "2", "--every", "4", "--json",
     ];
     let every = report(&evaluate(folder.path(), &every));
     assert_eq!(number(&every, "/frames"), 10.0);
     assert!((number(&every, "/frames_per_second") - 30.0).abs() < 1e-3);
+}
+
+/// A motion twice as long, of the same frames again, has twice as many independent errors.
+#[test]
+fn each_stretch_has_noise_of_its_own() {
+    let folder = tempdir().unwrap();
+    let text = frames_of_motion(1.0, 240, |_| [0.0; 3]);
+    std::fs::write(folder.path().join("m.bvh"), text).unwrap();
+    let of = |frames: &str| {
+        let arguments = [
+            "m.bvh", "--noise", "2", "--views", "2", "--frames", frames, "--json",
+        ];
+        let report = report(&evaluate(folder.path(), &arguments));
+        (
+            number(&report, "/frames"),
+            number(row(&report, "triangulation", 2, 2.0), "/mpjpe_mm"),
+        )
+    };
+    let ((first, once), (all, twice)) = (of("120"), of("240"));
+    assert_eq!((first, all), (120.0, 240.0));
+    // 120 × 16 distances with a relative deviation of about 0.75.
+    assert!(
+        once != twice && (once / twice - 1.0).abs() < 0.1,
+        "{once} {twice}"
+    );
+}
+
+/// The frames that are taken keep their numbers.
+#[test]
+fn frames_are_named_as_the_file_counts_them() {
+    let folder = tempdir().unwrap();
+    // Cameras look along x; frame 30 is far behind them.
+    let away = |frame: usize| {
+        if frame == 30 {
+            [300.0, 0.0, 1000.0]
+        } else {
+            [0.0; 3]
+        }
+    };
+    let text = frames_of_motion(1.0, 40, away);
+    std::fs::write(folder.path().join("m.bvh"), text).unwrap();
+    let output = evaluate(folder.path(), &["m.bvh", "--views", "2", "--every", "5"]);
+    assert_failure(
+        &output,
+        &["m.bvh", "2 views", "frame 30, view 0, joint \"Hips\""],
+    );
 }
 
 #[test]
@@ -203,6 +280,8 @@ fn tables_have_the_numbers_of_the_paper_beside() {
         "not on Human3.6M",
         "triangulation, 2 views, 2 px of noise",
         "clip, 2 views",
+        "joints found",
+        "      2 px\n",
     ] {
         assert!(table.contains(part), "{part:?} is not in {table}");
     }
@@ -232,7 +311,7 @@ fn what_cannot_be_evaluated_is_named_and_nothing_is_written() {
         // A body of 170 m: the cameras stand in it.
         (
             &["m.bvh", "--metres-per-unit", "100"],
-            &["m.bvh", "frame ", "view 0", "point ", "depth"],
+            &["m.bvh", "frame 1, view 0, joint \"RightFoot\"", "depth"],
         ),
     ];
     for (arguments, parts) in cases {

@@ -12,7 +12,8 @@ use tempfile::{TempDir, tempdir};
 
 use crate::common::{assert_failure, assert_success, names, nullcone, number};
 
-const RATE: f64 = 30.0;
+/// Not the rate of files that state none.
+const RATE: f64 = 25.0;
 const FRAMES: usize = 20;
 /// The walk is in front of the left camera, in metres.
 const PLACE: [f64; 3] = [0.3, -0.9, -4.5];
@@ -122,21 +123,22 @@ fn inputs() -> TempDir {
     folder
 }
 
+/// Runs `body fit` with all that it needs but joints and cameras, into `fitted.glb`.
+fn fit_with(folder: &Path, arguments: &[&str]) -> std::process::Output {
+    let given = ["--character", "mannequin", "--out", "fitted.glb", "--json"];
+    nullcone(folder, [&["body", "fit"], arguments, &given].concat())
+}
+
 fn fit(folder: &Path, joints: &str, rig: &str, more: &[&str]) -> std::process::Output {
-    let given = [
-        "body",
-        "fit",
-        "--joints",
-        joints,
-        "--rig",
-        rig,
-        "--character",
-        "mannequin",
-        "--out",
-        "fitted.glb",
-        "--json",
-    ];
-    nullcone(folder, [&given[..], more].concat())
+    fit_with(
+        folder,
+        &[&["--joints", joints, "--rig", rig], more].concat(),
+    )
+}
+
+fn report(output: &std::process::Output) -> Value {
+    assert_success(output);
+    serde_json::from_slice(&output.stdout).unwrap()
 }
 
 /// The greatest distance of a joint in the file from the truth, in metres.
@@ -161,9 +163,7 @@ fn greatest_error(path: &Path) -> f64 {
 #[test]
 fn the_mannequin_walks_as_it_was_seen() {
     let folder = inputs();
-    let output = fit(folder.path(), "joints.json", "rig.yml", &[]);
-    assert_success(&output);
-    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let report = report(&fit(folder.path(), "joints.json", "rig.yml", &[]));
     assert_eq!(report["frames"], FRAMES);
     assert_eq!(report["joints"].as_array().unwrap().len(), JOINTS.len());
     assert_eq!(report["joints_unseen"], 1);
@@ -180,19 +180,9 @@ fn the_mannequin_walks_as_it_was_seen() {
     std::fs::rename(&fitted, folder.path().join("person.glb")).unwrap();
     let output = fit(folder.path(), "joints.json", "rig.yml", &[]);
     assert_success(&output);
-    let given = [
-        "body",
-        "fit",
-        "--joints",
-        "joints.json",
-        "--rig",
-        "rig.yml",
-        "--character",
-        "person.glb",
-        "--out",
-        "again.glb",
-    ];
-    assert_success(&nullcone(folder.path(), given));
+    let given =
+        "body fit --joints joints.json --rig rig.yml --character person.glb --out again.glb";
+    assert_success(&nullcone(folder.path(), given.split(' ')));
     let again = folder.path().join("again.glb");
     assert_eq!(ga_mesh::gltf::read(&again).unwrap().skins.len(), 1);
     assert!(greatest_error(&again) < 0.01);
@@ -201,9 +191,7 @@ fn the_mannequin_walks_as_it_was_seen() {
 #[test]
 fn one_view_needs_a_camera() {
     let folder = inputs();
-    let output = fit(folder.path(), "one.json", "camera.yml", &[]);
-    assert_success(&output);
-    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let report = report(&fit(folder.path(), "one.json", "camera.yml", &[]));
     assert_eq!(report["views"], 1);
     assert!(number(&report, "/reprojection_rms_px") < 1.0);
 }
@@ -232,16 +220,217 @@ fn bad_input_is_named_and_nothing_is_written() {
     fails("joints.json", "camera.yml", &[], &["camera.yml", "M1"]);
     fails("none.json", "rig.yml", &[], &["none.json"]);
     fails("joints.json", "rig.yml", &["--fps", "0"], &["--fps 0"]);
-    let given = [
-        "body",
-        "fit",
-        "--joints",
-        "joints.json",
-        "--rig",
-        "rig.yml",
-        "--character",
+    let other =
+        "body fit --joints joints.json --rig rig.yml --character mannequin --out fitted.obj";
+    let other = nullcone(folder.path(), other.split(' '));
+    assert_failure(&other, &["fitted.obj", ".glb"]);
+    // A character without a skin.
+    std::fs::write(
+        folder.path().join("box.gltf"),
+        r#"{"asset": {"version": "2.0"}}"#,
+    )
+    .unwrap();
+    let other = "body fit --joints joints.json --rig rig.yml --character box.gltf --out fitted.glb";
+    let other = nullcone(folder.path(), other.split(' '));
+    assert_failure(&other, &["box.gltf", "skin"]);
+    assert!(!folder.path().join("fitted.glb").exists());
+}
+
+/// Three cameras in the world of the walk, at the heights and in the directions of the angles, as
+/// a file of views: of pictures that are not there.
+fn views(folder: &Path) -> Vec<[[f64; 4]; 3]> {
+    let cameras: Vec<[[f64; 4]; 3]> = [0.0_f64, 1.2, 3.0]
+        .map(|angle| {
+            let (s, c) = angle.sin_cos();
+            // x to the right, y down and z forwards, four metres from the place of the walk.
+            let axes = [[c, 0.0, -s], [0.0, -1.0, 0.0], [-s, 0.0, -c]];
+            let eye = [PLACE[0] + 4.0 * s, PLACE[1] + 1.0, PLACE[2] + 4.0 * c];
+            axes.map(|axis| {
+                let along: f64 = axis.iter().zip(eye).map(|(a, x)| a * x).sum();
+                [axis[0], axis[1], axis[2], -along]
+            })
+        })
+        .to_vec();
+    let entries = cameras.iter().enumerate().map(|(index, rows)| {
+        json!({
+            "picture": format!("view-{index:03}.png"),
+            "camera": {"width": 1920, "height": 1080, "fx": 1000, "fy": 1000, "cx": 960, "cy": 540},
+            "rotation": rows.map(|[x, y, z, _]| [x, y, z]),
+            "translation": rows.map(|[.., t]| t),
+        })
+    });
+    let entries: Vec<Value> = entries.collect();
+    let text = json!({ "views": entries }).to_string();
+    std::fs::write(folder.join("views.json"), text).unwrap();
+    cameras
+}
+
+fn seen_by(camera: &[[f64; 4]; 3], [x, y, z]: [f64; 3]) -> [f64; 2] {
+    let [u, v, depth] = camera.map(|[a, b, c, t]| a * x + b * y + c * z + t);
+    [960.0 + 1000.0 * u / depth, 540.0 + 1000.0 * v / depth]
+}
+
+/// The joints in views of these names, `factor` times as far from the ground and each other.
+fn in_views(cameras: &[[[f64; 4]; 3]], names: &[&str], factor: f64) -> String {
+    let views = names.iter().zip(cameras).map(|(name, camera)| {
+        let pixel = |place: &[f64; 3]| {
+            seen_by(
+                camera,
+                [0, 1, 2].map(|k| PLACE[k] + factor * (place[k] - PLACE[k])),
+            )
+        };
+        let frames = truth()
+            .iter()
+            .map(|frame| frame.iter().map(pixel).collect());
+        let frames: Vec<Vec<[f64; 2]>> = frames.collect();
+        json!({"name": name, "frames": frames})
+    });
+    let views: Vec<Value> = views.collect();
+    json!({"version": 1, "frames_per_second": RATE, "deviation_px": 0.05, "joints": JOINTS,
+        "views": views})
+    .to_string()
+}
+
+#[test]
+fn any_number_of_views_belong_to_pictures_by_name_or_in_order() {
+    let folder = inputs();
+    let path = folder.path();
+    let cameras = views(path);
+    let write = |name: &str, text: String| std::fs::write(path.join(name), text).unwrap();
+    let [a, b, c] = [cameras[0], cameras[1], cameras[2]];
+    write("three.json", in_views(&[a, b, c], &["a", "b", "c"], 1.0));
+    write(
+        "named.json",
+        in_views(&[c, a], &["view-002", "view-000.png"], 1.0),
+    );
+    let with = |joints: &str| fit_with(path, &["--joints", joints, "--views", "views.json"]);
+    for (joints, count) in [("three.json", 3), ("named.json", 2)] {
+        let report = report(&with(joints));
+        assert_eq!(report["views"], count);
+        assert_eq!(report["per_view"].as_array().unwrap().len(), count);
+        assert_eq!(
+            number(&report, "/per_view/1/joints_seen"),
+            (FRAMES * JOINTS.len()) as f64
+        );
+        assert!(number(&report, "/per_view/1/reprojection_rms_px") < 0.2);
+        let error = greatest_error(&path.join("fitted.glb"));
+        assert!(error < 0.01, "{joints}: {error} m");
+        std::fs::remove_file(path.join("fitted.glb")).unwrap();
+    }
+    write("two.json", in_views(&[a, b], &["a", "b"], 1.0));
+    write("lost.json", in_views(&[a, b], &["view-000", "front"], 1.0));
+    write(
+        "twice.json",
+        in_views(&[a, b], &["view-000", "view-000.png"], 1.0),
+    );
+    assert_failure(&with("two.json"), &["views.json", "2 views", "3 cameras"]);
+    assert_failure(&with("lost.json"), &["views.json", "\"front\""]);
+    assert_failure(
+        &with("twice.json"),
+        &["views.json", "\"view-000\"", "one picture"],
+    );
+    let rig = fit(path, "three.json", "rig.yml", &[]);
+    assert_failure(&rig, &["rig.yml", "3 views", "--views"]);
+    assert!(!path.join("fitted.glb").exists());
+    // Cameras are needed, and only once.
+    for cameras in [&[][..], &["--rig", "rig.yml", "--views", "views.json"]] {
+        let output = fit_with(path, &[&["--joints", "three.json"], cameras].concat());
+        assert_eq!(output.status.code(), Some(2));
+    }
+}
+
+#[test]
+fn lengths_are_those_of_the_person_on_request() {
+    let folder = inputs();
+    let path = folder.path();
+    let cameras = views(path);
+    let names = ["view-000", "view-001", "view-002"];
+    let text = in_views(&cameras, &names, 1.2);
+    std::fs::write(path.join("large.json"), text).unwrap();
+    let with = |more: &[&str]| {
+        let given = ["--joints", "large.json", "--views", "views.json"];
+        fit_with(path, &[&given, more].concat())
+    };
+    let own = report(&with(&[]));
+    assert!(own.get("length_factors").is_none());
+    // All frames show all joints.
+    let rms = number(&own, "/reprojection_rms_px");
+    let squares = own["per_frame"].as_array().unwrap().iter();
+    let squares = squares.map(|frame| number(frame, "/reprojection_rms_px").powi(2));
+    assert!((rms - (squares.sum::<f64>() / FRAMES as f64).sqrt()).abs() < 1e-9 * rms);
+    assert!(rms > 5.0 && number(&own, "/reprojection_max_px") > rms);
+    for lengths in ["--fit-lengths=size", "--fit-lengths"] {
+        let found = report(&with(&[lengths]));
+        assert!(number(&found, "/reprojection_rms_px") < 0.3, "{lengths}");
+        for bone in ["Hips", "LeftLowerLeg", "RightHand"] {
+            let factor = number(&found, &format!("/length_factors/{bone}"));
+            assert!((factor - 1.2).abs() < 0.01, "{lengths}, {bone}: {factor}");
+        }
+        // The heights of the joints above the ground, in the file.
+        let document = ga_mesh::gltf::read(path.join("fitted.glb")).unwrap();
+        let pose = Player::new(&document).unwrap().pose(Some(0), 0.0).unwrap();
+        for (name, place) in JOINTS.iter().zip(&truth()[0]) {
+            let node = document
+                .nodes
+                .iter()
+                .position(|n| n.name.as_deref() == Some(*name));
+            let height = pose.world[node.unwrap()].translation[1] - PLACE[1];
+            let wanted = 1.2 * (place[1] - PLACE[1]);
+            assert!((height - wanted).abs() < 0.01, "{name}: {height} {wanted}");
+        }
+    }
+    let one = fit(path, "one.json", "camera.yml", &["--fit-lengths"]);
+    assert_failure(&one, &["one.json", "two views"]);
+}
+
+/// What detectors write: COCO's results for each view.
+#[test]
+fn joints_of_detectors_are_fitted() {
+    const COCO: [(usize, &str); 12] = [
+        (5, "LeftUpperArm"),
+        (6, "RightUpperArm"),
+        (7, "LeftLowerArm"),
+        (8, "RightLowerArm"),
+        (9, "LeftHand"),
+        (10, "RightHand"),
+        (11, "LeftUpperLeg"),
+        (12, "RightUpperLeg"),
+        (13, "LeftLowerLeg"),
+        (14, "RightLowerLeg"),
+        (15, "LeftFoot"),
+        (16, "RightFoot"),
     ];
-    let other = [&given[..], &["mannequin", "--out", "fitted.obj"]].concat();
-    assert_failure(&nullcone(folder.path(), other), &["fitted.obj", ".glb"]);
-    assert_eq!(names(folder.path()), before);
+    let folder = inputs();
+    for view in 0..2 {
+        let picture = |frame: usize| {
+            let mut numbers = vec![0.0; 3 * 17];
+            for (joint, name) in COCO {
+                let index = JOINTS.iter().position(|other| *other == name).unwrap();
+                let [u, v] = pixel(truth()[frame][index], view);
+                numbers[3 * joint..3 * joint + 3].copy_from_slice(&[u, v, 1.0]);
+            }
+            // Another person, who is seen less well.
+            let other: Vec<f64> = numbers.iter().map(|x| 0.5 * x).collect();
+            [other, numbers].map(|n| json!({"image_id": frame, "category_id": 1, "keypoints": n}))
+        };
+        let pictures: Vec<Value> = (0..FRAMES).flat_map(picture).collect();
+        let name = ["left.json", "right.json"][view];
+        let text = Value::from(pictures).to_string();
+        std::fs::write(folder.path().join(name), text).unwrap();
+    }
+    let given = "--joints left.json right.json --rig rig.yml --deviation 0.05 --fps 25";
+    let given: Vec<&str> = given.split(' ').collect();
+    let found = report(&fit_with(folder.path(), &given));
+    assert_eq!(found["joints"].as_array().unwrap().len(), 12);
+    let without = found["joints_without_counterpart"].as_array().unwrap();
+    assert_eq!((without.len(), &without[0]), (5, &json!("nose")));
+    assert!(number(&found, "/reprojection_rms_px") < 0.3);
+    let lost = [&given[..], &["--person", "2"]].concat();
+    let lost = fit_with(folder.path(), &lost);
+    assert_failure(&lost, &["picture 0", "person 2", "2 of them"]);
+    let zero = fit_with(
+        folder.path(),
+        &[&given[..5], &["--deviation", "0"]].concat(),
+    );
+    assert_failure(&zero, &["--deviation 0"]);
 }

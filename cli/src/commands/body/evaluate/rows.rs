@@ -1,13 +1,16 @@
 //! The errors of each method under each disturbance.
 
 use std::fmt;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
-use anyhow::Result;
+use anyhow::{Context, Result, anyhow};
 use ga_runtime::cga3::Point;
-use ga_vision::body::evaluation::{Disturbance, Scores, score, simulate, triangulated_points};
-use ga_vision::body::{BodyFit, FittedPose};
-use rayon::prelude::*;
+use ga_vision::body::evaluation::{
+    Disturbance, Scores, SimulationError, score, simulate, triangulated_points,
+};
+use ga_vision::body::{BodyError, BodyFit, ClipError, FittedPose};
+use ga_vision::observation::ObservationError;
 use serde::Serialize;
 
 use super::scene::{Motion, Stretch};
@@ -21,15 +24,12 @@ pub(super) struct Case {
 
 impl fmt::Display for Case {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            noise_px,
-            views,
-            missing,
-        } = self;
-        write!(
-            f,
-            "{views} views, {noise_px} px of noise, {missing} of the joints missing"
-        )
+        let views = if self.views == 1 { "view" } else { "views" };
+        write!(f, "{} {views}, {} px of noise", self.views, self.noise_px)?;
+        match self.missing {
+            0.0 => Ok(()),
+            missing => write!(f, ", {} % of the joints missing", 100.0 * missing),
+        }
     }
 }
 
@@ -76,48 +76,93 @@ pub(super) struct Row {
 /// What a method found in a stretch, and the seconds that it took.
 type Measured = (Scores, f64);
 
-/// The rows of all methods that the number of views allows.
-pub(super) fn measure(motion: &Motion, case: &Case, seed: u64) -> Result<Vec<Row>> {
-    let stretches = motion.stretches.par_iter().enumerate();
-    let measured = stretches.map(|(index, stretch)| {
+/// The rows of all methods that the number of views allows, for each case in turn. Each stretch of
+/// each case is measured on one thread, as many at a time as there are threads; `done` is told how
+/// many are.
+pub(super) fn measure(
+    motion: &Motion,
+    cases: &[Case],
+    seed: u64,
+    done: impl Fn(usize, usize) + Sync,
+) -> Result<Vec<Row>> {
+    let stretches = motion.stretches.len();
+    let all = cases.len() * stretches;
+    let count = AtomicUsize::new(0);
+    let measured = on_single_threads(all, |job| {
+        let (case, index) = (&cases[job / stretches], job % stretches);
         // Noise of its own for each stretch.
         let seed = seed.wrapping_add((index as u64).wrapping_mul(0x9E37_79B9_7F4A_7C15));
-        measure_stretch(motion, stretch, case, seed)
-    });
-    let measured = measured.collect::<Result<Vec<_>>>()?;
-    let rows = Method::ALL
-        .iter()
-        .enumerate()
-        .filter_map(|(method, &name)| {
-            let of_method = measured.iter().map(|stretch| stretch[method]);
-            let of_method = of_method.collect::<Option<Vec<Measured>>>()?;
-            let weights: Vec<f64> = motion
-                .stretches
-                .iter()
-                .map(|s| s.frames.len() as f64)
-                .collect();
-            let mean = |value: &dyn Fn(&Scores) -> Option<f64>| {
-                let values = of_method.iter().zip(&weights);
-                let values = values.filter_map(|((scores, _), w)| Some((value(scores)?, *w)));
-                let (sum, weight) = values.fold((0.0, 0.0), |(s, t), (x, w)| (s + w * x, t + w));
-                (weight > 0.0).then(|| sum / weight)
-            };
-            let millimetres = |value: &dyn Fn(&Scores) -> Option<f64>| mean(value).map(|x| 1e3 * x);
-            let seconds: f64 = of_method.iter().map(|(_, seconds)| seconds).sum();
-            Some(Row {
-                method: name,
-                noise_px: case.noise_px,
-                views: case.views,
-                missing: case.missing,
-                mpjpe_mm: millimetres(&|scores| Some(scores.position_error))?,
-                root_relative_mm: millimetres(&|scores| scores.root_relative_error),
-                aligned_mm: millimetres(&|scores| scores.aligned_error),
-                joint_error_px: mean(&|scores| Some(scores.joint_error_px))?,
-                milliseconds_per_frame: 1e3 * seconds / motion.frame_count() as f64,
-                joints_found: mean(&|scores| Some(scores.found))?,
-            })
-        });
-    Ok(rows.collect())
+        let measured = measure_stretch(motion, &motion.stretches[index], case, seed);
+        done(count.fetch_add(1, Ordering::Relaxed) + 1, all);
+        measured.with_context(|| case.to_string())
+    })?;
+    let of_cases = cases.iter().zip(measured.chunks(stretches.max(1)));
+    Ok(of_cases
+        .flat_map(|(case, measured)| rows_of(motion, case, measured))
+        .collect())
+}
+
+/// The results of jobs 0 to `count`, each of which runs on one thread alone together with all that
+/// it would spread over several: so times that it takes are those of one thread.
+fn on_single_threads<T: Send>(
+    count: usize,
+    job: impl Fn(usize) -> Result<T> + Sync,
+) -> Result<Vec<T>> {
+    let next = AtomicUsize::new(0);
+    let work = || -> Result<Vec<(usize, Result<T>)>> {
+        let alone = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
+        let mut results = Vec::new();
+        loop {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            if index >= count {
+                return Ok(results);
+            }
+            results.push((index, alone.install(|| job(index))));
+        }
+    };
+    let workers = rayon::current_num_threads().min(count);
+    let of_workers = std::thread::scope(|scope| {
+        let running: Vec<_> = (0..workers).map(|_| scope.spawn(work)).collect();
+        running
+            .into_iter()
+            .map(|worker| worker.join().map_err(|_| anyhow!("a thread panicked")))
+            .collect::<Result<Vec<_>>>()
+    })?;
+    let results = of_workers.into_iter().collect::<Result<Vec<_>>>()?;
+    let mut results: Vec<(usize, Result<T>)> = results.into_iter().flatten().collect();
+    results.sort_by_key(|(index, _)| *index);
+    results.into_iter().map(|(_, result)| result).collect()
+}
+
+/// Means over the stretches, each with the weight of its frames.
+fn rows_of(motion: &Motion, case: &Case, measured: &[[Option<Measured>; 3]]) -> Vec<Row> {
+    let stretches = motion.stretches.iter();
+    let weights: Vec<f64> = stretches.map(|s| s.frames.len() as f64).collect();
+    let row = |(method, &name): (usize, &Method)| {
+        let of_method = measured.iter().map(|stretch| stretch[method]);
+        let of_method = of_method.collect::<Option<Vec<Measured>>>()?;
+        let mean = |value: &dyn Fn(&Scores) -> Option<f64>| {
+            let values = of_method.iter().zip(&weights);
+            let values = values.filter_map(|((scores, _), w)| Some((value(scores)?, *w)));
+            let (sum, weight) = values.fold((0.0, 0.0), |(s, t), (x, w)| (s + w * x, t + w));
+            (weight > 0.0).then(|| sum / weight)
+        };
+        let millimetres = |value: &dyn Fn(&Scores) -> Option<f64>| mean(value).map(|x| 1e3 * x);
+        let seconds: f64 = of_method.iter().map(|(_, seconds)| seconds).sum();
+        Some(Row {
+            method: name,
+            noise_px: case.noise_px,
+            views: case.views,
+            missing: case.missing,
+            mpjpe_mm: millimetres(&|scores| Some(scores.position_error))?,
+            root_relative_mm: millimetres(&|scores| scores.root_relative_error),
+            aligned_mm: millimetres(&|scores| scores.aligned_error),
+            joint_error_px: mean(&|scores| Some(scores.joint_error_px))?,
+            milliseconds_per_frame: 1e3 * seconds / motion.frame_count() as f64,
+            joints_found: mean(&|scores| Some(scores.found))?,
+        })
+    };
+    Method::ALL.iter().enumerate().filter_map(row).collect()
 }
 
 /// What each method finds; `None` for triangulation from one view.
@@ -133,7 +178,8 @@ fn measure_stretch(
         missing: case.missing,
         seed,
     };
-    let seen = simulate(&cameras, &stretch.frames, &disturbance)?;
+    let seen = simulate(&cameras, &stretch.frames, &disturbance)
+        .map_err(|error| with_names(error, motion, stretch))?;
     let scores = |found: &[Vec<Option<Point<f64>>>]| score(&cameras, &stretch.frames, found);
 
     let triangulated = if case.views > 1 {
@@ -150,19 +196,55 @@ fn measure_stretch(
 
     let fit = BodyFit::new(&motion.model, &cameras)?;
     let begin = Instant::now();
-    let poses = seen.iter().map(|seen| fit.frame(seen));
-    let poses = poses.collect::<Result<Vec<_>, _>>()?;
-    let single = (scores(&points(&poses))?, begin.elapsed().as_secs_f64());
+    let poses = seen.iter().enumerate().map(|(frame, seen)| {
+        let pose = match fit.frame(seen) {
+            Ok(pose) => Ok(Some(pose)),
+            // A frame that shows too little has no pose of its own.
+            Err(BodyError::TooFewPoints { .. } | BodyError::NoPose | BodyError::Behind { .. }) => {
+                Ok(None)
+            }
+            Err(error) => Err(error),
+        };
+        pose.with_context(|| format!("frame {}", stretch.number_in_file(frame)))
+    });
+    let poses = poses.collect::<Result<Vec<_>>>()?;
+    let seconds = begin.elapsed().as_secs_f64();
+    let single = (scores(&points(&poses, motion))?, seconds);
 
     let begin = Instant::now();
-    let poses = fit.clip(&seen, motion.frames_per_second)?;
-    let clip = (scores(&points(&poses))?, begin.elapsed().as_secs_f64());
+    let poses = fit.clip(&seen, motion.frames_per_second);
+    let seconds = begin.elapsed().as_secs_f64();
+    let poses = poses.map_err(|ClipError { frame, error }| ClipError {
+        frame: stretch.number_in_file(frame),
+        error,
+    })?;
+    let poses: Vec<_> = poses.into_iter().map(Some).collect();
+    let clip = (scores(&points(&poses, motion))?, seconds);
     Ok([triangulated, Some(single), Some(clip)])
 }
 
-fn points(poses: &[FittedPose]) -> Vec<Vec<Option<Point<f64>>>> {
-    let poses = poses.iter();
-    poses
-        .map(|pose| pose.points.iter().copied().map(Some).collect())
-        .collect()
+/// The same with the frame of the file and the name of the joint.
+fn with_names(error: SimulationError, motion: &Motion, stretch: &Stretch) -> anyhow::Error {
+    let SimulationError::Observation { frame, view, error } = &error else {
+        return error.into();
+    };
+    let frame = stretch.number_in_file(*frame);
+    match error.as_ref() {
+        ObservationError::Camera { point, error } => {
+            let points = motion.model.points();
+            let joint = points.get(*point).map_or("", |point| &point.name);
+            anyhow!("frame {frame}, view {view}, joint {joint:?}: {error}")
+        }
+        error => anyhow!("frame {frame}, view {view}: {error}"),
+    }
+}
+
+/// The points of poses; none of a frame without a pose.
+fn points(poses: &[Option<FittedPose>], motion: &Motion) -> Vec<Vec<Option<Point<f64>>>> {
+    let count = motion.model.points().len();
+    let of_pose = |pose: &Option<FittedPose>| match pose {
+        Some(pose) => pose.points.iter().copied().map(Some).collect(),
+        None => vec![None; count],
+    };
+    poses.iter().map(of_pose).collect()
 }

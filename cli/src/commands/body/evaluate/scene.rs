@@ -42,6 +42,9 @@ pub(super) struct Motion {
 pub(super) struct Stretch {
     /// The points of the model in each frame.
     pub(super) frames: Vec<Vec<Point<f64>>>,
+    /// The number of the first frame in the file, from 0, and the step from each to the next.
+    first: usize,
+    every: usize,
     /// The mean of all of them.
     middle: Vector<f64>,
     /// The level direction from there to the cameras: the body moves across rather than in depth.
@@ -76,8 +79,9 @@ impl Motion {
             Ok(points.collect())
         };
         let stretches = stretches(poses.len(), most).into_iter().map(|range| {
+            let first = first + every * range.start;
             let frames = poses[range].iter().map(points);
-            Ok(Stretch::new(frames.collect::<Result<_>>()?))
+            Ok(Stretch::new(frames.collect::<Result<_>>()?, first, every))
         });
         Ok(Self {
             stretches: stretches.collect::<Result<_>>()?,
@@ -94,7 +98,7 @@ impl Motion {
 }
 
 impl Stretch {
-    fn new(frames: Vec<Vec<Point<f64>>>) -> Self {
+    fn new(frames: Vec<Vec<Point<f64>>>, first: usize, every: usize) -> Self {
         let points = || frames.iter().flatten().map(|&point| Vector::from(point));
         let [low, high] = ga_mesh::bounds(points()).unwrap_or_default();
         let size = high - low;
@@ -111,7 +115,14 @@ impl Stretch {
             middle: sum * (1.0 / count.max(1) as f64),
             towards_cameras,
             frames,
+            first,
+            every,
         }
+    }
+
+    /// The number in the file of a frame of the stretch, both from 0.
+    pub(super) fn number_in_file(&self, frame: usize) -> usize {
+        self.first + self.every * frame
     }
 
     /// One camera; two with the baseline between them, side by side; or more in a circle.

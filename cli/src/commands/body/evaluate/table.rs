@@ -75,33 +75,78 @@ pub(super) fn text(report: &Report) -> String {
     }
     let _ = writeln!(
         text,
-        "\nOther errors and times (shape of Cui, figs 9 and 10)\n{:54}{:>14}{:>14}{:>14}",
-        "Method", "root-rel. (mm)", "2-D (px)", "ms a frame"
+        "\nOther errors and times (shape of Cui, figs 9 and 10)\n{:54}{:>14}{:>14}{:>14}{:>14}",
+        "Method", "root-rel. (mm)", "2-D (px)", "ms a frame", "joints found"
     );
     for row in &report.rows {
         let relative = row.root_relative_mm;
         let relative = relative.map_or("-".to_owned(), |error| format!("{error:.2}"));
+        let found = format!("{:.1} %", 100.0 * row.joints_found);
         let _ = writeln!(
             text,
-            "{:54}{relative:>14}{:14.2}{:14.3}",
+            "{:54}{relative:>14}{:14.2}{:14.3}{found:>14}",
             name(row),
             row.joint_error_px,
             row.milliseconds_per_frame
         );
     }
+    let _ = writeln!(
+        text,
+        "Errors are means over the joints found; triangulation needs two views that show a joint."
+    );
+    text += &over_noise(&report.rows);
+    text
+}
+
+/// The mean per joint position errors with a column for each noise.
+fn over_noise(rows: &[Row]) -> String {
+    let mut noises: Vec<f64> = rows.iter().map(|row| row.noise_px).collect();
+    noises.sort_by(f64::total_cmp);
+    noises.dedup();
+    let mut lines: Vec<(String, &Row)> = Vec::new();
+    for row in rows {
+        let line = format!("{}{}", of_method(row), of_missing(row));
+        if !lines.iter().any(|(other, _)| *other == line) {
+            lines.push((line, row));
+        }
+    }
+    let mut text = format!(
+        "\nMPJPE (mm) with the standard deviation of the noise, {MEASURED}\n{:54}",
+        "Method"
+    );
+    for noise in &noises {
+        let _ = write!(text, "{:>10}", format!("{noise} px"));
+    }
+    text.push('\n');
+    for (line, first) in lines {
+        let _ = write!(text, "{line:54}");
+        for noise in &noises {
+            let is_there = |row: &&Row| {
+                let a = (row.method, row.views, row.missing, row.noise_px);
+                a == (first.method, first.views, first.missing, *noise)
+            };
+            let error = rows.iter().find(is_there);
+            let error = error.map_or("-".to_owned(), |row| format!("{:.2}", row.mpjpe_mm));
+            let _ = write!(text, "{error:>10}");
+        }
+        text.push('\n');
+    }
     text
 }
 
 fn name(row: &Row) -> String {
+    let noise = format!(", {} px of noise", row.noise_px);
+    of_method(row) + &noise + &of_missing(row)
+}
+
+fn of_method(row: &Row) -> String {
     let views = if row.views == 1 { "view" } else { "views" };
-    let mut name = format!(
-        "{}, {} {views}, {} px of noise",
-        row.method.name(),
-        row.views,
-        row.noise_px
-    );
-    if row.missing > 0.0 {
-        let _ = write!(name, ", {} % missing", 100.0 * row.missing);
+    format!("{}, {} {views}", row.method.name(), row.views)
+}
+
+fn of_missing(row: &Row) -> String {
+    match row.missing {
+        0.0 => String::new(),
+        missing => format!(", {} % missing", 100.0 * missing),
     }
-    name
 }

@@ -1,71 +1,114 @@
 //! `nullcone body fit`: a character in the pose of a person in views.
 
+mod cameras;
+mod report;
+
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, ensure};
+use clap::ValueEnum;
 use ga_anim::clip::Clip;
 use ga_anim::gltf::{Rigged, character};
+use ga_anim::pose::Pose;
 use ga_anim::skeleton::Skeleton;
 use ga_mannequin::Human;
-use ga_runtime::cga3::{Motor, Rotor};
+use ga_mesh::gltf;
 use ga_vision::body::format::correspondence::correspondence;
 use ga_vision::body::format::{DetectorOptions, JointViews};
-use ga_vision::body::{BodyFit, BodyModel, FittedPose, Observation};
+use ga_vision::body::{BodyFit, BodyModel, FittedPose, Lengths, Observation, fit_lengths};
 use ga_vision::camera::Camera;
-use ga_vision::format::camera::CameraFile;
-use ga_vision::format::rig::RigFile;
-use serde::Serialize;
 
 use crate::figure::Figure;
 use crate::progress::Progress;
 use crate::{model, output};
+use cameras::CameraFiles;
+use report::Report;
 
-/// Fit a character to the joints of a person that one or two calibrated views show.
+/// Fit a character to the joints of a person that calibrated views show, one or more.
 ///
 /// The most likely poses are searched: those in which the character's joints, with bones of its own
 /// lengths, are seen nearest to where the views show them. Frames are fitted together, so that body
 /// and joints do not accelerate more than the clip shows them to; with --independent each is fitted
-/// by itself.
+/// by itself. The character has the size of the person, in metres, or is given it by --fit-lengths.
 ///
 /// The joints are in one file for all views, or in a file or folder of COCO or OpenPose for each
-/// view in the order of the rig. Two views need a stereo rig and one view a camera, in OpenCV's
-/// YAML. The character has the size of the person, in metres.
+/// view. The file for all views is
 ///
-/// The result is binary glTF with the character's skin and one animation. It stands in front of
-/// the first camera, which is at the origin and looks along −z, with x to the right and y up.
+///   {"version": 1, "frames_per_second": 120, "deviation_px": 2, "joints": ["Hips", "Head", …],
+///    "views": [{"name": "left", "frames": [[[640.5, 360.2], null, …], …]},
+///              {"name": "right", "frames": [[[602.1, 360.0], [601.7, 48.3], …], …]}]}
+///
+/// with [u, v] in pixels from the centre of the top left one for each joint in each frame, or null
+/// where the view does not show it, or [u, v, deviation] with its own standard deviation. Joints
+/// have the names of the character's, or those that `nullcone animate` understands.
+///
+/// The cameras are in OpenCV's YAML (--rig), in the order of the views: a stereo rig for two, a
+/// camera for one. For more, --views has the file of `nullcone render --views`: each view belongs
+/// to the picture of its name, with or without the ending, such as the view "view-003" or
+/// view-003.json to view-003.png; where no name is that of a picture, they are in one order.
+///
+/// The result is binary glTF with the character's skin and one animation. With --rig the first
+/// camera is at the origin and looks along −z, with x to the right and y up; with --views the
+/// character stands in the coordinates of that file. To see the frame at 0.5 s:
+///
+///   nullcone skin fitted.glb --animation 0 --time 0.5 --method motor --out frame.obj
+///   nullcone render frame.obj --out frame.png
 ///
 /// For instance
 ///
 ///   nullcone body fit --joints J.json --rig rig.yml --character person.glb --out fitted.glb --json
 ///
 /// prints {"character": "person.glb", "out": "fitted.glb", "views": 2, "frames": …,
-/// "frames_per_second": …, "joints": […], "joints_without_counterpart": […], "reprojection_rms_px":
-/// …, "reprojection_max_px": …, "joints_unseen": …, "frames_with_unseen_joints": …,
-/// "milliseconds_per_frame": …, "per_frame": [{"reprojection_rms_px": …, "joints_unseen": […]},
-/// …]}. joints_without_counterpart are joints of the file that the skeleton does not have;
-/// joints_unseen counts joints that no view shows, over all frames.
+/// "frames_per_second": …, "joints": […], "joints_without_counterpart": […],
+/// "reprojection_rms_px": …, "reprojection_max_px": …, "joints_unseen": …,
+/// "frames_with_unseen_joints": …, "milliseconds_per_frame": …, "per_view": [{"name": …,
+/// "joints_seen": …, "reprojection_rms_px": …}, …], "per_frame": [{"reprojection_rms_px": …,
+/// "joints_unseen": […]}, …]}. joints_without_counterpart are joints of the file that the skeleton
+/// does not have; joints_unseen counts joints that no view shows, over all frames.
+/// milliseconds_per_frame is that of the fit with all threads. --fit-lengths adds "length_factors",
+/// for each joint by how much longer the way from the joint above it has become.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
-    /// The joints in the views.
+    /// The joints in the views: one file, or a file or folder for each view.
     #[arg(long, value_name = "J.json", required = true, num_args = 1..)]
     joints: Vec<PathBuf>,
-    /// The cameras: a stereo rig for two views, a camera for one.
-    #[arg(long, value_name = "rig.yml")]
-    rig: PathBuf,
+    #[command(flatten)]
+    cameras: CameraFiles,
     /// The character: a skinned mesh in glTF, or `mannequin` for the person of `nullcone demo`.
     #[arg(long, value_name = "C.glb|mannequin")]
     character: PathBuf,
     /// The file to be written.
     #[arg(long, value_name = "OUT.glb")]
     out: PathBuf,
+    /// Give the character the lengths of the person, which two views or more show: a factor for the
+    /// whole body (size), or one for each bone (bones, also without a word).
+    #[arg(
+        long,
+        value_enum,
+        value_name = "WHAT",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "bones"
+    )]
+    fit_lengths: Option<FitLengths>,
     /// Frames a second, where the joints do not state it; 30 where nothing does.
     #[arg(long, value_name = "RATE", allow_negative_numbers = true)]
     fps: Option<f64>,
     /// The standard deviation of a detector's joints of confidence 1, for COCO and OpenPose.
-    #[arg(long, value_name = "PX", default_value_t = DetectorOptions::default().deviation_px)]
+    #[arg(
+        long,
+        value_name = "PX",
+        default_value_t = DetectorOptions::default().deviation_px,
+        allow_negative_numbers = true
+    )]
     deviation: f64,
+    /// Which person of each picture, from 0 in the order of the file, for COCO and OpenPose; by
+    /// default the one with the greatest sum of confidences.
+    #[arg(long, value_name = "N")]
+    person: Option<usize>,
     /// Fit each frame by itself.
     #[arg(long)]
     independent: bool,
@@ -74,28 +117,12 @@ pub(crate) struct Arguments {
     json: bool,
 }
 
-/// What is printed.
-#[derive(Serialize)]
-struct Report {
-    character: String,
-    out: String,
-    views: usize,
-    frames: usize,
-    frames_per_second: f64,
-    joints: Vec<String>,
-    joints_without_counterpart: Vec<String>,
-    reprojection_rms_px: f64,
-    reprojection_max_px: f64,
-    joints_unseen: usize,
-    frames_with_unseen_joints: usize,
-    milliseconds_per_frame: f64,
-    per_frame: Vec<FrameReport>,
-}
-
-#[derive(Serialize)]
-struct FrameReport {
-    reprojection_rms_px: f64,
-    joints_unseen: Vec<String>,
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum FitLengths {
+    /// One factor for the whole body.
+    Size,
+    /// A factor for each bone.
+    Bones,
 }
 
 /// The name of the person that the program makes itself.
@@ -109,15 +136,21 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         "--out {}: the fitted character is a file of the kind .glb",
         arguments.out.display()
     );
-    let progress = Progress::new(4, quiet);
+    let deviation = arguments.deviation;
+    ensure!(
+        deviation > 0.0 && deviation.is_finite(),
+        "--deviation {deviation}: a standard deviation in pixels is greater than 0 and finite"
+    );
+    let progress = Progress::new(5, quiet);
     progress.step("reading");
     let options = DetectorOptions {
-        deviation_px: arguments.deviation,
+        deviation_px: deviation,
+        person: arguments.person,
         ..DetectorOptions::default()
     };
     let joints = JointViews::read(&arguments.joints, &options)?;
-    let cameras = cameras(&arguments.rig, joints.views().len())?;
-    let body = Body::read(&arguments.character)?;
+    let cameras = arguments.cameras.read(&joints)?;
+    let mut body = read_character(&arguments.character)?;
     let rate = arguments
         .fps
         .or(joints.frames_per_second())
@@ -126,13 +159,18 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         rate > 0.0 && rate.is_finite(),
         "--fps {rate}: the number of frames per second must be greater than 0 and finite"
     );
-    let matched =
-        Matched::new(&joints, body.skeleton()).with_context(|| names(&arguments.joints))?;
+    let of_joints = || names(&arguments.joints);
+    let mut matched = Matched::new(&joints, body.skeleton()).with_context(of_joints)?;
     let observations: Vec<Observation> = (0..joints.frame_count())
         .filter_map(|frame| joints.observation(frame, &matched.order))
         .collect();
 
-    progress.step("fitting");
+    if let Some(lengths) = arguments.fit_lengths {
+        progress.step("fitting lengths");
+        let fitted = matched.fit_lengths(&body, &cameras, &observations, lengths);
+        body = fitted.with_context(of_joints)?;
+    }
+    progress.step("fitting poses");
     let begin = Instant::now();
     let fitted = fit(
         &matched.model,
@@ -142,18 +180,18 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         arguments.independent,
         &progress,
     )
-    .with_context(|| names(&arguments.joints))?;
+    .with_context(of_joints)?;
     let seconds = begin.elapsed().as_secs_f64();
 
     progress.step("writing");
     let poses = fitted.iter().map(|fit| fit.pose.clone()).collect();
     let clip = Clip::new(1.0 / rate, poses)?;
-    let contents = body
-        .to_glb(&clip)
-        .context("the fitted character cannot be written")?;
+    let document = body.with_clip("fitted", &clip);
+    let document = document.with_context(|| arguments.character.display().to_string())?;
+    let contents = gltf::to_glb(&document).context("the fitted character cannot be written")?;
     ga_files::write(&arguments.out, &contents)?;
     drop(progress);
-    let report = Report::new(arguments, &matched, &fitted, [rate, seconds], cameras.len());
+    let report = Report::new(arguments, &joints, &matched, &fitted, [rate, seconds]);
     match (arguments.json, quiet) {
         (true, _) => output::print_json(&report),
         (false, true) => Ok(()),
@@ -169,75 +207,35 @@ fn names(paths: &[PathBuf]) -> String {
     names.join(", ")
 }
 
-/// The cameras of so many views, in a world with y up.
-fn cameras(path: &Path, views: usize) -> Result<Vec<Camera>> {
-    let found = match views {
-        1 => vec![Camera {
-            intrinsics: CameraFile::read(path)?.intrinsics,
-            world_to_camera: Motor::default(),
-        }],
-        2 => {
-            let rig = RigFile::read(path)?.rig;
-            vec![rig.left, rig.right]
-        }
-        _ => bail!(
-            "{}: the joints are in {views} views, and a rig has one camera or two",
-            path.display()
-        ),
-    };
-    // From y up and z backwards to y down and z forwards.
-    let half_turn_about_x = Rotor::new_unchecked(0.0, 0.0, 0.0, -1.0);
-    let upright = found.into_iter().map(|camera| Camera {
-        world_to_camera: camera.world_to_camera * Motor::from(half_turn_about_x),
-        ..camera
-    });
-    Ok(upright.collect())
-}
-
 /// The character that is fitted.
-enum Body {
-    Made(Box<Figure>),
-    Read(Box<Rigged>),
+fn read_character(path: &Path) -> Result<Rigged> {
+    if path.as_os_str() == MANNEQUIN && !path.exists() {
+        return mannequin();
+    }
+    let shown = || path.display().to_string();
+    let document = gltf::read(path)?;
+    // Without a skin there is no body to be posed.
+    character(&document).with_context(shown)?;
+    Rigged::new(&document).with_context(shown)
 }
 
-impl Body {
-    fn read(path: &Path) -> Result<Self> {
-        if path.as_os_str() == MANNEQUIN && !path.exists() {
-            let Human {
-                mesh,
-                skeleton,
-                weights,
-            } = Human::new();
-            return Ok(Self::Made(Box::new(Figure {
-                name: MANNEQUIN.to_owned(),
-                mesh,
-                skeleton,
-                weights,
-                paint: None,
-            })));
-        }
-        let shown = || path.display().to_string();
-        let document = ga_mesh::gltf::read(path)?;
-        // Without a skin there is no body to be posed.
-        character(&document).with_context(shown)?;
-        let rigged = Rigged::new(&document).with_context(shown)?;
-        Ok(Self::Read(Box::new(rigged)))
-    }
-
-    fn skeleton(&self) -> &Skeleton {
-        match self {
-            Self::Made(figure) => &figure.skeleton,
-            Self::Read(rigged) => rigged.skeleton(),
-        }
-    }
-
-    fn to_glb(&self, clip: &Clip) -> Result<Vec<u8>> {
-        const NAME: &str = "fitted";
-        match self {
-            Self::Made(figure) => model::glb(figure, clip, NAME, None),
-            Self::Read(rigged) => Ok(ga_mesh::gltf::to_glb(&rigged.with_clip(NAME, clip)?)?),
-        }
-    }
+/// The person that the program makes itself, as one from a file.
+fn mannequin() -> Result<Rigged> {
+    let Human {
+        mesh,
+        skeleton,
+        weights,
+    } = Human::new();
+    let rest = Clip::new(1.0, vec![Pose::rest(skeleton.len())])?;
+    let figure = Figure {
+        name: MANNEQUIN.to_owned(),
+        mesh,
+        skeleton,
+        weights,
+        paint: None,
+    };
+    let document = gltf::parse(&model::glb(&figure, &rest, MANNEQUIN, None)?)?;
+    Ok(Rigged::new(&document)?)
 }
 
 /// The joints of a file that a skeleton has.
@@ -246,6 +244,8 @@ struct Matched {
     /// For each point of the model which joint of the file it is.
     order: Vec<Option<usize>>,
     without_counterpart: Vec<String>,
+    /// By the name of the joint, where lengths were fitted.
+    length_factors: Option<BTreeMap<String, f64>>,
 }
 
 impl Matched {
@@ -265,7 +265,34 @@ impl Matched {
             model: BodyModel::of_joints(skeleton.clone(), &of_skeleton)?,
             order,
             without_counterpart,
+            length_factors: None,
         })
+    }
+
+    /// The character with the lengths that the views show. The model then is that of this
+    /// character.
+    fn fit_lengths(
+        &mut self,
+        body: &Rigged,
+        cameras: &[Camera],
+        observations: &[Observation],
+        lengths: FitLengths,
+    ) -> Result<Rigged> {
+        let lengths = match lengths {
+            FitLengths::Size => Lengths::OneFactor,
+            FitLengths::Bones => Lengths::EachBone,
+        };
+        let factors = fit_lengths(&self.model, cameras, observations, lengths)?.factors;
+        let body = body.with_lengths(&factors)?;
+        let points = self.model.points().iter();
+        let names: Vec<String> = points.map(|point| point.name.clone()).collect();
+        self.model = BodyModel::of_joints(body.skeleton().clone(), &names)?;
+        let joints = body.skeleton().joints().iter();
+        let by_name = joints
+            .zip(factors)
+            .map(|(j, factor)| (j.name.clone(), factor));
+        self.length_factors = Some(by_name.collect());
+        Ok(body)
     }
 }
 
@@ -288,74 +315,4 @@ fn fit(
             .with_context(|| format!("frame {frame}"))
     });
     frames.collect()
-}
-
-impl Report {
-    fn new(
-        arguments: &Arguments,
-        matched: &Matched,
-        fitted: &[FittedPose],
-        [frames_per_second, seconds]: [f64; 2],
-        views: usize,
-    ) -> Self {
-        let points = matched.model.points();
-        let per_frame = fitted.iter().map(|fit| FrameReport {
-            reprojection_rms_px: fit.root_mean_square_px,
-            joints_unseen: fit
-                .unseen
-                .iter()
-                .map(|&point| points[point].name.clone())
-                .collect(),
-        });
-        let per_frame: Vec<FrameReport> = per_frame.collect();
-        let residuals = fitted
-            .iter()
-            .flat_map(|fit| fit.residuals_px.iter().flatten().flatten());
-        let (sum, max, count) = residuals.fold((0.0, 0.0_f64, 0_usize), |(sum, max, count), x| {
-            (sum + x * x, max.max(*x), count + 1)
-        });
-        let unseen = per_frame.iter().map(|frame| frame.joints_unseen.len());
-        Self {
-            character: arguments.character.display().to_string(),
-            out: arguments.out.display().to_string(),
-            views,
-            frames: fitted.len(),
-            frames_per_second,
-            joints: points.iter().map(|point| point.name.clone()).collect(),
-            joints_without_counterpart: matched.without_counterpart.clone(),
-            reprojection_rms_px: (sum / count.max(1) as f64).sqrt(),
-            reprojection_max_px: max,
-            joints_unseen: unseen.clone().sum(),
-            frames_with_unseen_joints: unseen.filter(|count| *count > 0).count(),
-            milliseconds_per_frame: 1e3 * seconds / fitted.len().max(1) as f64,
-            per_frame,
-        }
-    }
-
-    fn lines(&self) -> String {
-        let mut lines = format!(
-            "{}: {} frames of {} joints in {} views\n",
-            self.out,
-            self.frames,
-            self.joints.len(),
-            self.views
-        );
-        lines += &format!(
-            "reprojection   {:.2} px RMS, {:.2} px at most\n",
-            self.reprojection_rms_px, self.reprojection_max_px
-        );
-        lines += &format!(
-            "unseen         {} joints in {} frames\n",
-            self.joints_unseen, self.frames_with_unseen_joints
-        );
-        lines += &format!(
-            "time           {:.2} ms a frame\n",
-            self.milliseconds_per_frame
-        );
-        if !self.joints_without_counterpart.is_empty() {
-            let names = self.joints_without_counterpart.join(", ");
-            lines += &format!("not of the skeleton: {names}\n");
-        }
-        lines
-    }
 }
