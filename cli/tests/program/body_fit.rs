@@ -271,7 +271,7 @@ fn seen_by(camera: &[[f64; 4]; 3], [x, y, z]: [f64; 3]) -> [f64; 2] {
 }
 
 /// The joints in views of these names, `factor` times as far from the ground and each other.
-fn in_views(cameras: &[[[f64; 4]; 3]], names: &[&str], factor: f64) -> String {
+fn in_views(cameras: &[[[f64; 4]; 3]], names: &[&str], factor: f64, deviation: f64) -> String {
     let views = names.iter().zip(cameras).map(|(name, camera)| {
         let pixel = |place: &[f64; 3]| {
             seen_by(
@@ -286,7 +286,7 @@ fn in_views(cameras: &[[[f64; 4]; 3]], names: &[&str], factor: f64) -> String {
         json!({"name": name, "frames": frames})
     });
     let views: Vec<Value> = views.collect();
-    json!({"version": 1, "frames_per_second": RATE, "deviation_px": 0.05, "joints": JOINTS,
+    json!({"version": 1, "frames_per_second": RATE, "deviation_px": deviation, "joints": JOINTS,
         "views": views})
     .to_string()
 }
@@ -298,10 +298,13 @@ fn any_number_of_views_belong_to_pictures_by_name_or_in_order() {
     let cameras = views(path);
     let write = |name: &str, text: String| std::fs::write(path.join(name), text).unwrap();
     let [a, b, c] = [cameras[0], cameras[1], cameras[2]];
-    write("three.json", in_views(&[a, b, c], &["a", "b", "c"], 1.0));
+    write(
+        "three.json",
+        in_views(&[a, b, c], &["a", "b", "c"], 1.0, 0.05),
+    );
     write(
         "named.json",
-        in_views(&[c, a], &["view-002", "view-000.png"], 1.0),
+        in_views(&[c, a], &["view-002", "view-000.png"], 1.0, 0.05),
     );
     let with = |joints: &str| fit_with(path, &["--joints", joints, "--views", "views.json"]);
     for (joints, count) in [("three.json", 3), ("named.json", 2)] {
@@ -317,11 +320,14 @@ fn any_number_of_views_belong_to_pictures_by_name_or_in_order() {
         assert!(error < 0.01, "{joints}: {error} m");
         std::fs::remove_file(path.join("fitted.glb")).unwrap();
     }
-    write("two.json", in_views(&[a, b], &["a", "b"], 1.0));
-    write("lost.json", in_views(&[a, b], &["view-000", "front"], 1.0));
+    write("two.json", in_views(&[a, b], &["a", "b"], 1.0, 0.05));
+    write(
+        "lost.json",
+        in_views(&[a, b], &["view-000", "front"], 1.0, 0.05),
+    );
     write(
         "twice.json",
-        in_views(&[a, b], &["view-000", "view-000.png"], 1.0),
+        in_views(&[a, b], &["view-000", "view-000.png"], 1.0, 0.05),
     );
     assert_failure(&with("two.json"), &["views.json", "2 views", "3 cameras"]);
     assert_failure(&with("lost.json"), &["views.json", "\"front\""]);
@@ -345,7 +351,7 @@ fn lengths_are_those_of_the_person_on_request() {
     let path = folder.path();
     let cameras = views(path);
     let names = ["view-000", "view-001", "view-002"];
-    let text = in_views(&cameras, &names, 1.2);
+    let text = in_views(&cameras, &names, 1.2, 0.3);
     std::fs::write(path.join("large.json"), text).unwrap();
     let with = |more: &[&str]| {
         let given = ["--joints", "large.json", "--views", "views.json"];
