@@ -67,7 +67,22 @@ fn main() -> Result<()> {
     let folder = arguments.next().map_or("out".into(), PathBuf::from);
     std::fs::create_dir_all(&folder)?;
     let studio = Studio::new(ROWS)?;
-    println!("{} dots", studio.body.marks().len());
+    let dots = studio.human.dots();
+    let counts = studio
+        .human
+        .skeleton
+        .joints()
+        .iter()
+        .enumerate()
+        .map(|(index, joint)| {
+            let count = dots.iter().filter(|dot| dot.joint == index).count();
+            format!("{} {count}", joint.name)
+        });
+    println!(
+        "{} dots: {}",
+        dots.len(),
+        counts.collect::<Vec<_>>().join(", ")
+    );
     let walk = walk(1);
     let times = (0..FRAMES).map(|frame| walk.duration() * frame as f64 / FRAMES as f64);
     let poses: Vec<Pose> = times.map(|time| walk.sample(time)).collect();
@@ -79,7 +94,9 @@ fn main() -> Result<()> {
         let retarget = Retarget::new(&motion, &human.skeleton, &soles)?;
         let count = motion.frame_count();
         let frames = (0..FRAMES).map(|frame| (2 * frame + 1) * count / (2 * FRAMES));
-        let poses = frames.map(|frame| retarget.pose(frame)).collect::<std::result::Result<Vec<_>, _>>()?;
+        let poses = frames
+            .map(|frame| retarget.pose(frame))
+            .collect::<std::result::Result<Vec<_>, _>>()?;
         measure(&studio, "motion", &poses, &folder)?;
     }
     Ok(())
@@ -113,15 +130,21 @@ fn measure(studio: &Studio, name: &str, poses: &[Pose], folder: &Path) -> Result
             let worst = truth.iter().zip(&found).zip(joints.iter());
             let worst = worst.map(|((a, b), joint)| (1e3 * a.distance(*b), &joint.name));
             let worst = worst.max_by(|a, b| a.0.total_cmp(&b.0)).ok_or("no joint")?;
-            let missing: Vec<&str> =
-                fit.unrecognised.iter().map(|joint| joints[*joint].name.as_str()).collect();
+            let missing: Vec<&str> = fit
+                .unrecognised
+                .iter()
+                .map(|joint| joints[*joint].name.as_str())
+                .collect();
             println!(
                 "  {name} {frame}, {}: {error:.2} mm, {} {:.1} mm; {count} dots, {used} used, \
                  {wrong} wrong, {:.2} px; not recognised {missing:?}; {seen:.2} s {fitting:.3} s",
                 setting.name, worst.1, worst.0, fit.fitted.root_mean_square_px,
             );
             if frame % 3 == 0 && setting.distance == 4.0 {
-                let file = format!("{name}_{frame}_{}.png", setting.name.replace([',', ' '], "_"));
+                let file = format!(
+                    "{name}_{frame}_{}.png",
+                    setting.name.replace([',', ' '], "_")
+                );
                 let picture = studio.view(pose, &cameras[0], setting.shading)?;
                 let both = overlay(studio, &picture, &fit.fitted.pose, &cameras[0])?;
                 png::write(folder.join(file), &both)?;
@@ -129,7 +152,10 @@ fn measure(studio: &Studio, name: &str, poses: &[Pose], folder: &Path) -> Result
         }
         let mean = errors.iter().sum::<f64>() / errors.len() as f64;
         let worst = errors.iter().copied().fold(0.0, f64::max);
-        println!("{name}, {}: MPJPE {mean:.2} mm, worst frame {worst:.2} mm", setting.name);
+        println!(
+            "{name}, {}: MPJPE {mean:.2} mm, worst frame {worst:.2} mm",
+            setting.name
+        );
     }
     Ok(())
 }
@@ -170,17 +196,21 @@ fn overlay(
     let body = studio.draw(pose, camera, &orange, Shading::Lit)?;
     let colours: Plane<[u8; 3]> = Plane::from(&body.colour);
     let width = picture.width();
-    Ok(Plane::from_fn(2 * width, picture.height(), |column, row| {
-        let at = column % width;
-        let under = picture.row(row)[at];
-        if column < width {
-            return under;
-        }
-        let share = OPACITY * f64::from(body.depth.coverages().row(row)[at]);
-        let over = colours.row(row)[at];
-        std::array::from_fn(|k| {
-            let [under, over] = [under[k], over[k]].map(f64::from);
-            (under + (over - under) * share).round() as u8
-        })
-    }))
+    Ok(Plane::from_fn(
+        2 * width,
+        picture.height(),
+        |column, row| {
+            let at = column % width;
+            let under = picture.row(row)[at];
+            if column < width {
+                return under;
+            }
+            let share = OPACITY * f64::from(body.depth.coverages().row(row)[at]);
+            let over = colours.row(row)[at];
+            std::array::from_fn(|k| {
+                let [under, over] = [under[k], over[k]].map(f64::from);
+                (under + (over - under) * share).round() as u8
+            })
+        },
+    ))
 }

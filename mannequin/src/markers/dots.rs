@@ -21,18 +21,18 @@ const RADII: &[(&str, f64)] = &[
 /// The radius on the trunk and the thighs.
 const GREATEST: f64 = 0.0150;
 /// The least distance between centres in radii: seen from the side, dots are still apart.
-const SPACING: f64 = 4.2;
+const SPACING: f64 = 3.5;
 /// Cosine of the greatest angle between the normal at the centre and others of a dot.
 const BEND: f64 = 0.6;
 /// The greatest difference of a joint's weights within a dot.
-const DIFFERENCE: f64 = 0.4;
+const DIFFERENCE: f64 = 0.5;
 /// What is nearer than this beyond the rim, in metres, must not be the other side of the body.
 const BEYOND: f64 = 0.004;
 
 impl Human {
     /// Dots all over the skin, about 600: at any place on the trunk and the limbs, several are seen
     /// from any side. Their radii are 15 mm on trunk and thighs and less on thinner limbs, down to
-    /// 9.5 mm on the hands, and their centres are 4.2 radii apart or more. There are none where the
+    /// 9.5 mm on the hands, and their centres are 3.5 radii apart or more. There are none where the
     /// skin is strongly curved, as at fingers and ears, and at the creases of joints.
     ///
     /// Each dot is as far as possible from those before it (farthest point sampling: Y. Eldar et

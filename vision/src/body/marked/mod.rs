@@ -1,7 +1,7 @@
 //! The pose of a body from coloured dots on its skin.
 //!
 //! A dot in a picture has one of six [hues](crate::marker::Hue), so it alone does not say which
-//! point of the skin it is. It is recognised together with its neighbours, in three steps:
+//! point of the skin it is. It is recognised together with its neighbours, in these steps:
 //!
 //! 1. Where the rays of two views to dots of one hue meet, there is a dot in space, or two dots
 //!    that are taken for one.
@@ -11,7 +11,8 @@
 //! 3. The pose is fitted ([`BodyFit`]) to these dots in all pictures. Then all dots of the body
 //!    that face a camera are projected, the nearest dot of the same hue in the picture is taken for
 //!    each, also where only one view shows it, and the pose is fitted again, with a narrowing gate.
-//!    Parts of which not more dots are found than chance would find are left out.
+//!    Parts of which not more dots are found than chance would find are left out. Limbs that were
+//!    not recognised are searched about the joint by which they hang.
 //!
 //! This is how optical motion capture labels its markers (M. Ringer, J. Lasenby, A procedure for
 //! automatically estimating model parameters in optical motion capture, 2004), with hues as a
@@ -19,6 +20,7 @@
 
 mod assembly;
 mod assignment;
+mod completion;
 mod error;
 mod parts;
 mod space;
@@ -38,6 +40,16 @@ use space::space_dots;
 
 /// The distances from their expected places within which dots are searched, in pixels.
 const GATES: [f64; 5] = [8.0, 5.0, 4.0, 3.0, 3.0];
+
+/// How often limbs are searched that were not recognised.
+const COMPLETIONS: usize = 3;
+
+/// A pose with the dots to which it was fitted.
+struct Labelled {
+    fitted: FittedPose,
+    observation: Observation,
+    assignment: Assignment,
+}
 
 /// What is painted at a point of the skin.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -125,26 +137,36 @@ impl MarkedBody {
     pub fn fit(&self, cameras: &[Camera], dots: &[Vec<Dot>]) -> Result<MarkedFit, MarkedError> {
         check(cameras, dots)?;
         let fit = BodyFit::new(&self.model, cameras)?;
-        let mut assignment = self.recognised(cameras, dots)?;
-        let mut observation = self
-            .observation(cameras, dots, &assignment, None)
+        let first = self.recognised(cameras, dots)?;
+        let observation = self
+            .observation(cameras, dots, &first, None)
             .map_err(pose)?;
-        let mut fitted = fit.frame(&observation)?;
-        for gate in GATES {
-            let next = self.assigned(cameras, dots, &fitted, gate).map_err(pose)?;
-            let is_same = next == assignment;
-            if next.iter().flatten().flatten().count() == 0 {
+        let mut found = Labelled {
+            fitted: fit.frame(&observation)?,
+            observation,
+            assignment: first,
+        };
+        self.refine(&fit, cameras, dots, &mut found, &GATES)?;
+        for _ in 0..COMPLETIONS {
+            let mut more = found.assignment.clone();
+            let fitted = &found.fitted;
+            if !self
+                .complete(cameras, dots, fitted, &mut more)
+                .map_err(pose)?
+            {
                 break;
             }
-            assignment = next;
-            observation = self
-                .observation(cameras, dots, &assignment, Some(&fitted))
+            let seen = self
+                .observation(cameras, dots, &more, Some(fitted))
                 .map_err(pose)?;
-            fitted = fit.frame(&observation)?;
-            if is_same {
-                break;
-            }
+            found.fitted = fit.frame(&seen)?;
+            self.refine(&fit, cameras, dots, &mut found, &GATES[1..])?;
         }
+        let Labelled {
+            fitted,
+            observation,
+            assignment,
+        } = found;
         let is_seen = |joint: usize| {
             assignment.iter().any(|view| {
                 let points = view.iter().zip(&self.strongest);
@@ -162,6 +184,35 @@ impl MarkedBody {
             observation,
             unrecognised,
         })
+    }
+
+    /// Labels all dots anew by where the fitted pose shows them, and fits again, with one gate after
+    /// the other.
+    fn refine(
+        &self,
+        fit: &BodyFit<'_>,
+        cameras: &[Camera],
+        dots: &[Vec<Dot>],
+        found: &mut Labelled,
+        gates: &[f64],
+    ) -> Result<(), MarkedError> {
+        let mut last = f64::INFINITY;
+        for &gate in gates {
+            let next = self
+                .assigned(cameras, dots, &found.fitted, gate)
+                .map_err(pose)?;
+            let is_last = gate == last && next == found.assignment;
+            if is_last || next.iter().flatten().all(Option::is_none) {
+                break;
+            }
+            last = gate;
+            found.observation = self
+                .observation(cameras, dots, &next, Some(&found.fitted))
+                .map_err(pose)?;
+            found.assignment = next;
+            found.fitted = fit.frame(&found.observation)?;
+        }
+        Ok(())
     }
 
     /// The dots of the parts that are recognised in space.
