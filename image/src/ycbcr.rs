@@ -43,14 +43,37 @@ impl YCbCr {
 
     /// Red, green and blue; what is outside their range becomes the nearest number in it.
     #[must_use]
-    pub fn to_rgb(self, [y, cb, cr]: [u8; 3]) -> [u8; 3] {
+    pub fn to_rgb(self, encoded: [u8; 3]) -> [u8; 3] {
+        self.decoded(encoded.map(f32::from)).map(rounded)
+    }
+
+    /// As [`to_rgb`](Self::to_rgb), of the 10-bit numbers of video, from 0 to 1023: in the limited
+    /// range they are four times those of 8 bits.
+    ///
+    /// ```
+    /// use ga_image::ycbcr::YCbCr;
+    ///
+    /// assert_eq!(YCbCr::default().to_rgb_of_ten_bits([940, 512, 512]), [255; 3]);
+    /// ```
+    #[must_use]
+    pub fn to_rgb_of_ten_bits(self, encoded: [u16; 3]) -> [u8; 3] {
+        let scale = match self.range {
+            Range::Limited => 0.25,
+            Range::Full => 255.0 / 1023.0,
+        };
+        let [y, cb, cr] = encoded.map(f32::from);
+        let [cb, cr] = [cb, cr].map(|c| 128.0 + scale * (c - 512.0));
+        self.decoded([scale * y, cb, cr]).map(rounded)
+    }
+
+    fn decoded(self, [y, cb, cr]: [f32; 3]) -> [f32; 3] {
         let [kr, kg, kb] = self.luma.weights();
         let ([black, luma_scale], colour_scale) = self.scales();
-        let y = (f32::from(y) - black) / luma_scale;
-        let [cb, cr] = [cb, cr].map(|c| (f32::from(c) - 128.0) / colour_scale);
+        let y = (y - black) / luma_scale;
+        let [cb, cr] = [cb, cr].map(|c| (c - 128.0) / colour_scale);
         let red = y + 2.0 * (1.0 - kr) * cr;
         let blue = y + 2.0 * (1.0 - kb) * cb;
-        [red, (y - kr * red - kb * blue) / kg, blue].map(rounded)
+        [red, (y - kr * red - kb * blue) / kg, blue]
     }
 
     /// As [`from_rgb`](Self::from_rgb), before rounding; red, green and blue are from 0 to 255.

@@ -9,6 +9,7 @@ mod films;
 mod hostile;
 mod quality;
 mod scaling;
+mod stream;
 mod warp;
 
 use std::path::PathBuf;
