@@ -55,6 +55,51 @@ pub struct Properties {
     pub frame_count: Option<usize>,
 }
 
+impl Frame {
+    /// The frame in red, green and blue, for people to look at. Each pixel takes the stored colour
+    /// differences of the square or pair to which it belongs, without interpolation; a grey video
+    /// stays grey.
+    ///
+    /// ```
+    /// use ga_image::plane::Plane;
+    /// use ga_image::ycbcr::YCbCr;
+    /// use ga_vision::video::{Frame, Planes, Samples};
+    ///
+    /// let luma = Plane::filled(3, 1, 940_u16);
+    /// let samples = Samples::Ten(Planes { luma, ..Planes::default() });
+    /// let frame = Frame { samples, ..Frame::default() };
+    /// assert_eq!(frame.to_rgb(YCbCr::default()).get(2, 0), Some([255; 3]));
+    /// ```
+    #[must_use]
+    pub fn to_rgb(&self, colours: YCbCr) -> Plane<[u8; 3]> {
+        match &self.samples {
+            Samples::Eight(planes) => planes.to_rgb(128, |encoded| colours.to_rgb(encoded)),
+            Samples::Ten(planes) => {
+                planes.to_rgb(512, |encoded| colours.to_rgb_of_ten_bits(encoded))
+            }
+        }
+    }
+}
+
+impl<T: Copy> Planes<T> {
+    fn to_rgb(&self, neutral: T, colour: impl Fn([T; 3]) -> [u8; 3]) -> Plane<[u8; 3]> {
+        let [cb, cr] = &self.differences;
+        let (width, height) = (self.luma.width(), self.luma.height());
+        // 1 or 2 pixels for each stored number.
+        let across = width.div_ceil(cb.width().max(1)).max(1);
+        let down = height.div_ceil(cb.height().max(1)).max(1);
+        let difference =
+            |plane: &Plane<T>, c, r| plane.get(c / across, r / down).unwrap_or(neutral);
+        Plane::from_fn(width, height, |c, r| {
+            colour([
+                self.luma.row(r)[c],
+                difference(cb, c, r),
+                difference(cr, c, r),
+            ])
+        })
+    }
+}
+
 impl Default for Samples {
     /// Without pixels.
     fn default() -> Self {

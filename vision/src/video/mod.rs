@@ -3,11 +3,14 @@
 //! - [`frame`](mod@frame): one frame, with its number and its time, and what all frames of a video
 //!   share.
 //! - [`source`]: where frames come from, and [`open`] for files of any known kind.
+//! - [`images`]: numbered pictures; [`stereo`]: videos of two views.
 //! - [`y4m`]: videos without compression, from files and pipes.
 
 mod error;
 pub mod frame;
+pub mod images;
 pub mod source;
+pub mod stereo;
 pub mod y4m;
 
 pub use error::VideoError;

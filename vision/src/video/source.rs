@@ -4,6 +4,9 @@ use std::fs::File;
 use std::io::{self, Cursor, Read};
 use std::path::{Path, PathBuf};
 
+use ga_image::file::Format;
+
+use super::images::{self, ImageSource};
 use super::y4m::Y4mSource;
 use super::{Frame, Properties, VideoError};
 
@@ -33,7 +36,9 @@ impl<S: Source + ?Sized> Source for Box<S> {
     }
 }
 
-/// Opens a video: a Y4M file, or the standard input with Y4M where `path` is `-`.
+/// Opens a video: a Y4M file, or the standard input with Y4M where `path` is `-`; a folder of
+/// numbered pictures, a pattern such as `frame_%04d.png` or the first picture of a row (see
+/// [`ImageSource`]).
 ///
 /// ```
 /// use ga_image::plane::Plane;
@@ -65,6 +70,9 @@ pub fn open(path: impl AsRef<Path>) -> Result<Box<dyn Source + Send>, VideoError
         let source = Y4mSource::new(io::stdin(), "standard input")?;
         return Ok(Box::new(source));
     }
+    if path.is_dir() || (images::is_pattern(path) && !path.exists()) {
+        return Ok(Box::new(ImageSource::new(path, None)?));
+    }
     let (mut start, mut input) = (Vec::new(), open_file(path)?);
     let limited = input.by_ref().take(START).read_to_end(&mut start);
     limited.map_err(|source| unreadable(path, source))?;
@@ -76,6 +84,7 @@ pub fn open(path: impl AsRef<Path>) -> Result<Box<dyn Source + Send>, VideoError
             source.expect_length(length.map(|file| file.len()));
             Ok(Box::new(source))
         }
+        Some(Kind::Picture) => Ok(Box::new(ImageSource::new(path, None)?)),
         Some(Kind::Mp4) => Err(VideoError::Mp4Feature { file: path.into() }),
         None => Err(VideoError::UnknownFormat {
             file: path.into(),
@@ -89,6 +98,7 @@ const START: u64 = 12;
 
 enum Kind {
     Y4m,
+    Picture,
     Mp4,
 }
 
@@ -98,8 +108,10 @@ impl Kind {
             return Some(Self::Y4m);
         }
         // A box has its length before its name.
-        let is_mp4 = start.get(4..8) == Some(b"ftyp");
-        is_mp4.then_some(Self::Mp4)
+        if start.get(4..8) == Some(b"ftyp") {
+            return Some(Self::Mp4);
+        }
+        Format::detect(start).map(|_| Self::Picture)
     }
 }
 

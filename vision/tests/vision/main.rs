@@ -37,6 +37,7 @@ mod synthetic_scene;
 mod texture;
 mod texture_blend;
 mod two_views;
+mod video;
 mod views;
 
 use ga_runtime::cga3::{Direction, Motor, Point, Rotor, Translator};
