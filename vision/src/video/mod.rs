@@ -4,11 +4,14 @@
 //!   share.
 //! - [`source`]: where frames come from, and [`open`] for files of any known kind.
 //! - [`images`]: numbered pictures; [`stereo`]: videos of two views.
+//! - `mp4`: H.264 in MP4 (feature `mp4`).
 //! - [`y4m`]: videos without compression, from files and pipes.
 
 mod error;
 pub mod frame;
 pub mod images;
+#[cfg(feature = "mp4")]
+pub mod mp4;
 pub mod source;
 pub mod stereo;
 pub mod y4m;

@@ -38,7 +38,7 @@ impl<S: Source + ?Sized> Source for Box<S> {
 
 /// Opens a video: a Y4M file, or the standard input with Y4M where `path` is `-`; a folder of
 /// numbered pictures, a pattern such as `frame_%04d.png` or the first picture of a row (see
-/// [`ImageSource`]).
+/// [`ImageSource`]); H.264 in MP4 with the feature `mp4`.
 ///
 /// ```
 /// use ga_image::plane::Plane;
@@ -85,6 +85,9 @@ pub fn open(path: impl AsRef<Path>) -> Result<Box<dyn Source + Send>, VideoError
             Ok(Box::new(source))
         }
         Some(Kind::Picture) => Ok(Box::new(ImageSource::new(path, None)?)),
+        #[cfg(feature = "mp4")]
+        Some(Kind::Mp4) => Ok(Box::new(super::mp4::Mp4Source::open(path)?)),
+        #[cfg(not(feature = "mp4"))]
         Some(Kind::Mp4) => Err(VideoError::Mp4Feature { file: path.into() }),
         None => Err(VideoError::UnknownFormat {
             file: path.into(),

@@ -1,6 +1,8 @@
 //! Where frames come from.
 
 mod images;
+#[cfg(feature = "mp4")]
+mod mp4;
 mod stereo;
 mod y4m;
 
@@ -67,6 +69,7 @@ fn a_file_of_another_kind_is_named() {
     assert_eq!(absent.frame(), None);
 }
 
+#[cfg(not(feature = "mp4"))]
 #[test]
 fn without_its_feature_mp4_names_the_feature_and_the_pipe() {
     let folder = tempfile::tempdir().unwrap();
