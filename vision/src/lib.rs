@@ -2,6 +2,7 @@
 //! techniques for 3D animation and their application to visual communication", which the modules
 //! cite as "Cui".
 //!
+//! - [`attention`]: which parts of a frame people look at.
 //! - `body`: poses of bodies from their joints in pictures (feature `body`).
 //! - [`camera`]: cameras with lenses; the pixel of a point, and the [ray] of a pixel.
 //! - [`frame`]: frames of reference in types.
@@ -59,6 +60,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod attention;
 #[cfg(feature = "body")]
 pub mod body;
 pub mod calibration;
