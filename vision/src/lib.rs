@@ -29,6 +29,7 @@
 //! - [`ransac`]: models that most observations agree with.
 //! - [`modelling_points`]: points at several levels, with a depth and its deviation.
 //! - [`keyframe`]: cuts, shots and key frames of videos.
+//! - [`quality`]: how much pictures and videos differ from a reference, and where people look.
 //! - [`video`]: frames one after another, as luma and colour differences.
 //! - [`observation`]: simulated observations with noise, for tests and demonstrations.
 //! - [`pose_error`]: how far reconstructed joints are from the true ones.
@@ -85,6 +86,7 @@ pub mod observation;
 pub mod perspective_n_point;
 mod polynomial;
 pub mod pose_error;
+pub mod quality;
 pub mod ransac;
 pub mod rectification;
 pub mod relative_pose;

@@ -30,6 +30,7 @@ mod matcher;
 mod modelling_points;
 mod perspective_n_point;
 mod pose_error;
+mod quality;
 mod rectification;
 mod relative_pose;
 mod space_curve;
