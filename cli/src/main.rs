@@ -29,8 +29,8 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 use commands::{
-    animate, body, capture, clip, contour, curve, demo, draw, expand, mesh, render, skin, stereo,
-    texture,
+    animate, body, capture, clip, contour, curve, demo, draw, expand, mesh, quality, render, skin,
+    stereo, texture,
 };
 
 /// Animation, stereo vision and pictures on conformal geometric algebra.
@@ -56,6 +56,7 @@ enum Command {
     Curve(curve::Arguments),
     Draw(draw::Arguments),
     Mesh(mesh::Arguments),
+    Quality(quality::Arguments),
     Render(render::Arguments),
     Skin(skin::Arguments),
     Stereo(stereo::Arguments),
@@ -75,6 +76,7 @@ fn main() -> ExitCode {
         Command::Curve(arguments) => curve::run(arguments, cli.quiet),
         Command::Draw(arguments) => draw::run(arguments, cli.quiet),
         Command::Mesh(arguments) => mesh::run(arguments, cli.quiet),
+        Command::Quality(arguments) => quality::run(arguments, cli.quiet),
         Command::Render(arguments) => render::run(arguments, cli.quiet),
         Command::Skin(arguments) => skin::run(arguments, cli.quiet),
         Command::Stereo(arguments) => stereo::run(arguments, cli.quiet),

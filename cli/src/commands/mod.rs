@@ -10,6 +10,7 @@ pub(crate) mod demo;
 pub(crate) mod draw;
 pub(crate) mod expand;
 pub(crate) mod mesh;
+pub(crate) mod quality;
 pub(crate) mod render;
 pub(crate) mod skin;
 pub(crate) mod stereo;

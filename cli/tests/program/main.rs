@@ -20,6 +20,7 @@ mod draw;
 mod expand;
 mod mesh;
 mod mesh_subdivide;
+mod quality;
 mod reconstruct;
 mod render;
 mod skin;

@@ -1,0 +1,220 @@
+//! `nullcone quality compare`: a picture or a video against its reference.
+
+mod picture;
+mod plot;
+mod report;
+mod table;
+
+use std::fs::File;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, bail, ensure};
+use ga_image::file::{self, Format};
+use ga_image::grey::Luma;
+use ga_image::plane::Plane;
+use ga_image::quality::{MULTISCALE_LEAST_SIDE, Weights};
+use ga_vision::quality::{ComparisonError, FrameQuality, VideoComparison};
+use ga_vision::video;
+
+use crate::output;
+use crate::progress::Progress;
+use report::{PictureReport, VideoReport};
+
+/// Measure how much a picture or a video differs from its reference.
+///
+/// psnr and attention_psnr are in decibels and null where nothing differs; ms_ssim is null where a
+/// side has less than 176 pixels. Pictures are compared in luma by BT.601; videos in luma as they
+/// store it, and their numbers are means over the frames. For instance
+///
+///   nullcone quality compare reference.png compressed.png --json
+///
+/// prints {"psnr": …, "ssim": …, "ms_ssim": …, "attention_psnr": …, "attention_ssim": …}. For
+/// videos follow the number of frames, PSNR of Cb and Cr, (6 Y + Cb + Cr) / 8, and in "pooled" the
+/// mean, harmonic mean, least value and percentiles of each measure.
+///
+/// One of two videos may come from standard input:
+///
+///   ffmpeg -i small.mp4 -f yuv4mpegpipe - | nullcone quality compare original.y4m - --json
+///
+/// Where a video breaks off, the frames before are reported, and the program fails.
+#[derive(Clone, Debug, clap::Args)]
+#[command(verbatim_doc_comment)]
+pub(crate) struct Arguments {
+    /// The reference: a picture (PNG, JPEG, PGM, PPM, PFM) or a video (Y4M; - for standard input).
+    #[arg(value_name = "REF")]
+    reference: PathBuf,
+    /// What is measured: a picture or a video of the same size.
+    #[arg(value_name = "DIST")]
+    distorted: PathBuf,
+    /// Weights of the pixels, the same for all frames: black does not count, white counts most
+    /// [default: 0.2 + 0.8 A by a model of attention A to contours and motion of the reference].
+    #[arg(long, value_name = "MAP.png")]
+    attention: Option<PathBuf>,
+    /// Write a row for each frame: frame, time_seconds and the measures; inf where nothing differs.
+    #[arg(long, value_name = "FRAMES.csv")]
+    csv: Option<PathBuf>,
+    /// Draw the measures of a video over time.
+    #[arg(long, value_name = "FILE.svg")]
+    plot: Option<PathBuf>,
+    /// Print one JSON object instead of lines.
+    #[arg(long)]
+    json: bool,
+}
+
+impl Arguments {
+    fn names(&self) -> String {
+        let [reference, distorted] = [&self.reference, &self.distorted].map(|p| p.display());
+        format!("{reference} and {distorted}")
+    }
+}
+
+pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+    let paths = [&arguments.reference, &arguments.distorted];
+    ensure!(
+        !paths.iter().all(|path| path.as_os_str() == "-"),
+        "standard input can be one of the two videos only"
+    );
+    match paths.map(|path| is_picture(path)) {
+        // What is missing beside a picture is a picture: its reader says what is wrong.
+        [Some(true), Some(true) | None] | [None, Some(true)] => pictures(arguments, quiet),
+        [Some(true), Some(false)] => bail!(
+            "{} is a picture and {} is not",
+            paths[0].display(),
+            paths[1].display()
+        ),
+        [Some(false), Some(true)] => bail!(
+            "{} is a picture and {} is not",
+            paths[1].display(),
+            paths[0].display()
+        ),
+        _ => videos(arguments, quiet),
+    }
+}
+
+/// Whether a file begins as a picture does; `None` where it cannot be read.
+fn is_picture(path: &Path) -> Option<bool> {
+    let mut start = Vec::new();
+    File::open(path)
+        .ok()?
+        .take(16)
+        .read_to_end(&mut start)
+        .ok()?;
+    Some(Format::detect(&start).is_some_and(|format| format != Format::Y4m))
+}
+
+fn pictures(arguments: &Arguments, quiet: bool) -> Result<()> {
+    ensure!(
+        arguments.plot.is_none(),
+        "--plot draws measures over time, and pictures have none"
+    );
+    let [reference, distorted] =
+        [&arguments.reference, &arguments.distorted].map(|path| file::read(path));
+    let (reference, distorted) = (reference?, distorted?);
+    let size = [reference.width(), reference.height()];
+    let map = read_map(arguments, size)?;
+    let measures = picture::measure(&reference, &distorted, map);
+    let measures = measures.with_context(|| arguments.names())?;
+    let report = PictureReport::new(&measures);
+    if let Some(path) = &arguments.csv {
+        let frame = FrameQuality {
+            index: 0,
+            time_seconds: 0.0,
+            luma: measures,
+            psnr_differences: None,
+        };
+        ga_files::write(path, &table::csv(&[frame])?)?;
+    }
+    if arguments.json {
+        if !quiet && let Some(reason) = too_small(size) {
+            eprintln!("warning: ms_ssim is null: {reason}");
+        }
+        output::print_json(&report)
+    } else if quiet {
+        Ok(())
+    } else {
+        output::print(&report.lines(too_small(size).as_deref()))
+    }
+}
+
+fn videos(arguments: &Arguments, quiet: bool) -> Result<()> {
+    let reference = video::open(&arguments.reference)?;
+    let distorted = video::open(&arguments.distorted)?;
+    let size = reference.properties().size;
+    let range = f64::from((1u32 << reference.properties().bit_depth) - 1);
+    let map = read_map(arguments, size)?;
+    let comparison = VideoComparison::new(reference, distorted, map);
+    let mut comparison = comparison.with_context(|| arguments.names())?;
+
+    let count = comparison.frame_count();
+    let progress = Progress::new(count.unwrap_or(0) as u64, quiet);
+    progress.step("comparing");
+    let mut frames = Vec::new();
+    let failure: Option<ComparisonError> = loop {
+        match comparison.next() {
+            Some(Ok(frame)) => frames.push(frame),
+            Some(Err(error)) => break Some(error),
+            None => break None,
+        }
+        // Where no length is stated, the bar is that of the frames so far.
+        let done = frames.len();
+        progress.at(done as u64, count.unwrap_or(done).max(done) as u64);
+    };
+    drop(progress);
+    let Some(mut report) = VideoReport::new(&frames, range) else {
+        return match failure {
+            Some(error) => Err(error).with_context(|| arguments.names()),
+            None => bail!("{}: the videos have no frames", arguments.names()),
+        };
+    };
+    report.error = failure.as_ref().map(ToString::to_string);
+    report.ms_ssim_reason = too_small(size);
+    if let Some(path) = &arguments.csv {
+        ga_files::write(path, &table::csv(&frames)?)?;
+    }
+    if let Some(path) = &arguments.plot {
+        let svg = plot::svg(&frames, &arguments.distorted);
+        let svg = svg.with_context(|| format!("cannot draw {}", path.display()))?;
+        ga_files::write(path, svg.as_bytes())?;
+    }
+    if arguments.json {
+        output::print_json(&report)?;
+    } else if !quiet {
+        output::print(&report.lines())?;
+    }
+    match failure {
+        Some(error) => {
+            let done = frames.len();
+            Err(error).with_context(|| format!("{}: {done} frames are reported", arguments.names()))
+        }
+        None => Ok(()),
+    }
+}
+
+/// The weights of a picture in grey, as it states them.
+fn read_map(arguments: &Arguments, [width, height]: [usize; 2]) -> Result<Option<Weights>> {
+    let Some(path) = &arguments.attention else {
+        return Ok(None);
+    };
+    let map: Plane = file::read(path)?.to_grey(Luma::Bt601);
+    ensure!(
+        [map.width(), map.height()] == [width, height],
+        "{} has {} × {} pixels, and {} has {width} × {height}",
+        path.display(),
+        map.width(),
+        map.height(),
+        arguments.reference.display()
+    );
+    let weights = Weights::new(map).with_context(|| path.display().to_string())?;
+    Ok(Some(weights))
+}
+
+/// Why there is no MS-SSIM.
+fn too_small([width, height]: [usize; 2]) -> Option<String> {
+    (width.min(height) < MULTISCALE_LEAST_SIDE).then(|| {
+        format!(
+            "{width} × {height} pixels are too few, five scales need {MULTISCALE_LEAST_SIDE} × \
+             {MULTISCALE_LEAST_SIDE}"
+        )
+    })
+}

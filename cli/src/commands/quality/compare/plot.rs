@@ -1,0 +1,121 @@
+//! The measures over time as an SVG picture: decibels above, indices below.
+
+use std::path::Path;
+
+use anyhow::Result;
+use ga_vision::quality::FrameQuality;
+use plotters::coord::Shift;
+use plotters::prelude::*;
+
+use crate::chart::{COLOURS, FINE, shown_small};
+
+/// The size of the picture as it is shown, and the width of the legend.
+const SIZE: (u32, u32) = (1000, 640);
+const LEGEND: u32 = 150;
+const TITLE: u32 = 40;
+
+type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+
+/// A measure over the frames: its name, and its value at a frame where it has a finite one.
+type Measure = (&'static str, fn(&FrameQuality) -> Option<f64>);
+
+const DECIBELS: [Measure; 2] = [
+    ("PSNR", |frame| finite(frame.luma.psnr)),
+    ("attention PSNR", |frame| finite(frame.luma.attention_psnr)),
+];
+
+const INDICES: [Measure; 3] = [
+    ("SSIM", |frame| finite(frame.luma.ssim)),
+    ("attention SSIM", |frame| finite(frame.luma.attention_ssim)),
+    ("MS-SSIM", |frame| frame.luma.ms_ssim),
+];
+
+fn finite(value: f64) -> Option<f64> {
+    value.is_finite().then_some(value)
+}
+
+/// Lines over time. They are interrupted at frames in which nothing differs.
+pub(super) fn svg(frames: &[FrameQuality], distorted: &Path) -> Result<String> {
+    let name = distorted.file_name().unwrap_or(distorted.as_os_str());
+    let title = format!("Quality of {} over time", name.to_string_lossy());
+    let mut text = String::new();
+    {
+        let root = SVGBackend::with_string(&mut text, (SIZE.0 * FINE, SIZE.1 * FINE));
+        let root = root.into_drawing_area();
+        root.fill(&WHITE)?;
+        let font = ("sans-serif", 18 * FINE).into_font();
+        root.draw(&Text::new(title, (fine(16), fine(14)), font))?;
+        let (_, charts) = root.split_vertically(TITLE * FINE);
+        let (above, below) = charts.split_vertically((SIZE.1 - TITLE) / 2 * FINE);
+        draw(&above, "decibels", &DECIBELS, frames)?;
+        draw(&below, "index", &INDICES, frames)?;
+        root.present()?;
+    }
+    Ok(shown_small(&text, SIZE))
+}
+
+fn draw(area: &Area<'_>, unit: &str, measures: &[Measure], frames: &[FrameQuality]) -> Result<()> {
+    let (left, right) = area.split_horizontally((SIZE.0 - LEGEND) * FINE);
+    let values = measures
+        .iter()
+        .flat_map(|(_, value)| frames.iter().filter_map(value));
+    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+        (low.min(value), high.max(value))
+    });
+    // Where nothing differs in any frame, there is no line to make room for.
+    let (low, high) = if low <= high { (low, high) } else { (0.0, 1.0) };
+    let margin = (0.06 * (high - low)).max(1e-3 * high.abs()).max(1e-6);
+    let first = frames.first().map_or(0.0, |frame| frame.time_seconds);
+    let last = frames.last().map_or(1.0, |frame| frame.time_seconds);
+    let last = if last > first { last } else { first + 1.0 };
+    let mut chart = ChartBuilder::on(&left)
+        .margin(10 * FINE)
+        .x_label_area_size(44 * FINE)
+        .y_label_area_size(70 * FINE)
+        .build_cartesian_2d(first..last, low - margin..high + margin)?;
+    chart
+        .configure_mesh()
+        .x_desc("time (s)")
+        .y_desc(unit)
+        .axis_desc_style(("sans-serif", 14 * FINE))
+        .label_style(("sans-serif", 13 * FINE))
+        .light_line_style(WHITE)
+        .bold_line_style(RGBColor(225, 225, 225).stroke_width(FINE))
+        .axis_style(BLACK.stroke_width(FINE))
+        .set_all_tick_mark_size(5 * FINE)
+        .draw()?;
+    let mut line = 0;
+    for ((name, value), colour) in measures.iter().zip(COLOURS) {
+        if !frames.iter().any(|frame| value(frame).is_some()) {
+            continue;
+        }
+        for run in frames.chunk_by(|a, b| value(a).is_some() && value(b).is_some()) {
+            let points: Vec<(f64, f64)> = run
+                .iter()
+                .filter_map(|frame| Some((frame.time_seconds, value(frame)?)))
+                .collect();
+            match points[..] {
+                [] => {}
+                [point] => {
+                    let dot = Circle::new(point, 2 * FINE, colour.filled());
+                    chart.draw_series(std::iter::once(dot))?;
+                }
+                _ => {
+                    let style = colour.stroke_width(2 * FINE);
+                    chart.draw_series(LineSeries::new(points, style))?;
+                }
+            }
+        }
+        let y = fine(24) + fine(22) * line;
+        let ends = vec![(fine(2), y), (fine(26), y)];
+        right.draw(&PathElement::new(ends, colour.stroke_width(3 * FINE)))?;
+        let font = ("sans-serif", 13 * FINE).into_font();
+        right.draw(&Text::new(*name, (fine(34), y - fine(7)), font))?;
+        line += 1;
+    }
+    Ok(())
+}
+
+fn fine(pixels: u32) -> i32 {
+    (pixels * FINE).cast_signed()
+}

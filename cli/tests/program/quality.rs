@@ -1,0 +1,288 @@
+//! `nullcone quality compare`: pictures and videos against their references.
+
+use std::path::Path;
+
+use ga_image::file;
+use ga_image::plane::Plane;
+use ga_image::quality::{Ssim, psnr};
+use ga_image::y4m::{self, Film, Sampling};
+use nullcone_shared_data::shared;
+use serde_json::Value;
+use tempfile::{TempDir, tempdir};
+
+use crate::common::{assert_failure, assert_success, nullcone, number, program, text};
+
+const KEYS: [&str; 5] = [
+    "attention_psnr",
+    "attention_ssim",
+    "ms_ssim",
+    "psnr",
+    "ssim",
+];
+
+fn compare<const N: usize>(folder: &Path, arguments: [&str; N]) -> std::process::Output {
+    let all = [&["quality", "compare"][..], &arguments].concat();
+    nullcone(folder, all)
+}
+
+fn report(output: &std::process::Output) -> Value {
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+fn close(got: f64, expected: f64, tolerance: f64) {
+    assert!((got - expected).abs() <= tolerance, "{got}, not {expected}");
+}
+
+#[test]
+fn the_oracles_pictures_have_its_figures() {
+    let Some(folder) = shared("oracle/vision/seed1") else {
+        return;
+    };
+    let truth: Value =
+        serde_json::from_slice(&std::fs::read(folder.join("truth.json")).unwrap()).unwrap();
+    for row in truth["quality"].as_array().unwrap() {
+        let name = row["file"].as_str().unwrap();
+        // Grey, and the picture in colour that it was made from.
+        for reference in ["gray.png", "base.png"] {
+            let output = compare(
+                &folder,
+                [reference, name, "--attention", "attention.png", "--json"],
+            );
+            assert_success(&output);
+            assert!(output.stderr.is_empty());
+            let report = report(&output);
+            let mut keys: Vec<&String> = report.as_object().unwrap().keys().collect();
+            keys.sort();
+            assert_eq!(keys, KEYS);
+            for (key, expected) in [
+                ("psnr", "psnr"),
+                ("ssim", "ssim"),
+                ("attention_psnr", "wpsnr"),
+                ("attention_ssim", "wssim"),
+            ] {
+                let expected = row[expected].as_f64().unwrap();
+                close(report[key].as_f64().unwrap(), expected, 1e-6);
+            }
+            assert!(report["ms_ssim"].is_number());
+        }
+    }
+}
+
+/// A texture, and the same with errors.
+fn textures(width: usize, height: usize) -> [Plane<u8>; 2] {
+    let a = Plane::from_fn(width, height, |x, y| {
+        ((x * x / 9 + 5 * y + x * y / 7) % 220) as u8
+    });
+    let b = Plane::from_fn(width, height, |x, y| {
+        a.row(y)[x] + ((3 * x + 7 * y) % 11) as u8
+    });
+    [a, b]
+}
+
+#[test]
+fn equal_pictures_have_null_and_one() {
+    let folder = tempdir().unwrap();
+    let [a, _] = textures(200, 180);
+    file::write(folder.path().join("a.png"), &a).unwrap();
+    let output = compare(folder.path(), ["a.png", "a.png", "--json"]);
+    assert_success(&output);
+    let report = report(&output);
+    for key in ["psnr", "attention_psnr"] {
+        assert!(report[key].is_null());
+    }
+    for key in ["ssim", "ms_ssim", "attention_ssim"] {
+        assert_eq!(report[key].as_f64(), Some(1.0), "{key}");
+    }
+    let output = compare(folder.path(), ["a.png", "a.png"]);
+    assert_success(&output);
+    assert!(text(&output.stdout).contains("PSNR              infinite: nothing differs\n"));
+}
+
+#[test]
+fn ms_ssim_of_small_pictures_is_null_with_a_reason() {
+    let folder = tempdir().unwrap();
+    let [a, b] = textures(175, 300);
+    file::write(folder.path().join("a.png"), &a).unwrap();
+    file::write(folder.path().join("b.png"), &b).unwrap();
+    let output = compare(folder.path(), ["a.png", "b.png", "--json"]);
+    assert_success(&output);
+    let object = report(&output);
+    assert_eq!(object.as_object().unwrap().len(), 5);
+    assert!(object["ms_ssim"].is_null());
+    let reason = "175 × 300 pixels are too few, five scales need 176 × 176";
+    assert!(text(&output.stderr).contains(reason));
+    let output = compare(folder.path(), ["a.png", "b.png"]);
+    assert!(text(&output.stdout).contains(reason));
+}
+
+#[test]
+fn deep_pictures_are_compared_with_their_depth() {
+    let folder = tempdir().unwrap();
+    let [a, b] = textures(64, 48).map(|plane| plane.map(|v| 200 * u16::from(v)));
+    file::write(folder.path().join("a.png"), &a).unwrap();
+    file::write(folder.path().join("b.png"), &b).unwrap();
+    let output = compare(folder.path(), ["a.png", "b.png", "--json", "-q"]);
+    assert_success(&output);
+    assert!(output.stderr.is_empty());
+    let got = number(&report(&output), "/psnr");
+    close(got, psnr(&a, &b, 65535.0).unwrap(), 1e-4);
+}
+
+/// Grey videos `a.y4m` and `b.y4m` of so many frames; frame 1 is the same in both.
+fn videos(frames: [usize; 2]) -> TempDir {
+    let folder = tempdir().unwrap();
+    let [a, b] = textures(192, 176);
+    let moved = |plane: &Plane<u8>, index: usize| {
+        let plane = plane.clone();
+        Plane::from_fn(192, 176, move |x, y| {
+            [plane.row(y)[(x + 3 * index) % 192]; 3]
+        })
+    };
+    let film = Film {
+        sampling: Sampling::Grey,
+        ..Film::default()
+    };
+    let write = |name: &str, count: usize, plane: &Plane<u8>| {
+        let frames = (0..count).map(|index| match index {
+            1 => moved(&a, index),
+            _ => moved(plane, index),
+        });
+        y4m::write(folder.path().join(name), frames, film).unwrap();
+    };
+    write("a.y4m", frames[0], &a);
+    write("b.y4m", frames[1], &b);
+    folder
+}
+
+/// The luma of the frames of a grey film.
+fn lumas(path: &Path) -> Vec<Plane<u8>> {
+    let bytes = std::fs::read(path).unwrap();
+    let reader = y4m::Reader::new(&bytes).unwrap();
+    reader.map(|frame| frame.unwrap().luma.to_plane()).collect()
+}
+
+#[test]
+fn videos_are_pooled_and_written_frame_by_frame() {
+    let folder = videos([4, 4]);
+    let [a, b] = ["a.y4m", "b.y4m"].map(|name| lumas(&folder.path().join(name)));
+    let output = compare(
+        folder.path(),
+        [
+            "a.y4m", "b.y4m", "--json", "--csv", "f.csv", "--plot", "q.svg",
+        ],
+    );
+    assert_success(&output);
+    let report = report(&output);
+    assert!(KEYS.iter().all(|key| report.get(key).is_some()));
+    assert_eq!(report["frames"], 4);
+    assert!(report["psnr_cb"].is_null());
+    // Frame 1 has no error, so the mean is infinite, and the harmonic mean is not.
+    assert!(report["psnr"].is_null());
+    let of = |index: usize| psnr(&a[index], &b[index], 255.0).unwrap();
+    let harmonic = 4.0 / (1.0 / of(0) + 1.0 / of(2) + 1.0 / of(3));
+    close(
+        number(&report, "/pooled/psnr/harmonic_mean"),
+        harmonic,
+        1e-9,
+    );
+    let least = of(0).min(of(2)).min(of(3));
+    close(number(&report, "/pooled/psnr/min"), least, 1e-9);
+    let ssim = |index: usize| Ssim::new(255.0).compare(&a[index], &b[index]).unwrap().ssim;
+    let mean = (0..4).map(ssim).sum::<f64>() / 4.0;
+    close(number(&report, "/ssim"), mean, 1e-9);
+    close(number(&report, "/pooled/ssim/mean"), mean, 1e-9);
+    assert!(number(&report, "/pooled/ssim/p95") <= 1.0);
+
+    let mut table = csv::Reader::from_path(folder.path().join("f.csv")).unwrap();
+    let header: Vec<String> = table.headers().unwrap().iter().map(String::from).collect();
+    assert_eq!(header[..4], ["frame", "time_seconds", "psnr", "ssim"]);
+    let rows: Vec<csv::StringRecord> = table.records().map(Result::unwrap).collect();
+    assert_eq!(rows.len(), 4);
+    assert_eq!(
+        (&rows[1][0], &rows[1][1], &rows[1][2]),
+        ("1", "0.04", "inf")
+    );
+    close(rows[2][3].parse().unwrap(), ssim(2), 1e-9);
+    let svg = std::fs::read_to_string(folder.path().join("q.svg")).unwrap();
+    assert!(svg.starts_with("<svg") && svg.contains("Quality of b.y4m over time"));
+
+    let piped = program(folder.path())
+        .args(["quality", "compare", "a.y4m", "-", "--json"])
+        .stdin(std::fs::File::open(folder.path().join("b.y4m")).unwrap())
+        .output()
+        .unwrap();
+    assert_success(&piped);
+    assert_eq!(piped.stdout, output.stdout);
+}
+
+#[test]
+fn frames_before_an_error_are_reported() {
+    let folder = videos([4, 3]);
+    let broken = |what: &[&str]| {
+        let output = compare(
+            folder.path(),
+            ["a.y4m", "b.y4m", "--json", "--csv", "f.csv"],
+        );
+        assert_eq!(output.status.code(), Some(1));
+        let message = text(&output.stderr);
+        assert_eq!(message.lines().count(), 1, "{message}");
+        for part in what {
+            assert!(message.contains(part), "{message}");
+        }
+        let report = report(&output);
+        let frames = report["frames"].as_u64().unwrap() as usize;
+        assert!(message.contains(&format!("{frames} frames are reported")));
+        assert!(report["error"].is_string());
+        let table = std::fs::read_to_string(folder.path().join("f.csv")).unwrap();
+        assert_eq!(table.lines().count(), 1 + frames);
+        frames
+    };
+    assert_eq!(broken(&["the distorted video has no frame 3"]), 3);
+    let path = folder.path().join("b.y4m");
+    let bytes = std::fs::read(&path).unwrap();
+    std::fs::write(&path, &bytes[..bytes.len() - 10]).unwrap();
+    assert_eq!(broken(&["b.y4m", "within frame 2"]), 2);
+}
+
+#[test]
+fn what_cannot_be_compared_is_an_error() {
+    let folder = videos([2, 2]);
+    let [a, _] = textures(40, 30);
+    let write = |name: &str, plane: &Plane<u8>| {
+        file::write(folder.path().join(name), plane).unwrap();
+    };
+    write("a.png", &a);
+    write("wide.png", &Plane::filled(41, 30, 0u8));
+    write("tiny.png", &Plane::filled(10, 10, 0u8));
+    write("black.png", &Plane::filled(40, 30, 0u8));
+    let path = folder.path();
+    let fails = |arguments: &[&str], parts: &[&str]| {
+        let all = [&["quality", "compare"][..], arguments].concat();
+        assert_failure(&nullcone(path, all), parts);
+    };
+    fails(
+        &["a.png", "wide.png"],
+        &["a.png", "wide.png", "40 × 30", "41 × 30"],
+    );
+    fails(&["tiny.png", "tiny.png"], &["10 × 10", "11 × 11"]);
+    fails(
+        &["a.png", "a.y4m"],
+        &["a.png is a picture and a.y4m is not"],
+    );
+    fails(&["a.png", "missing.png"], &["missing.png"]);
+    fails(&["a.png", "a.png", "--plot", "q.svg"], &["--plot"]);
+    fails(&["-", "-"], &["standard input"]);
+    fails(
+        &["a.png", "a.png", "--attention", "wide.png"],
+        &["wide.png", "41 × 30"],
+    );
+    fails(
+        &["a.png", "a.png", "--attention", "black.png"],
+        &["black.png", "all weights are zero"],
+    );
+    fails(
+        &["a.y4m", "b.y4m", "--attention", "a.png"],
+        &["a.png", "192 × 176"],
+    );
+    assert!(!path.join("q.svg").exists());
+}
