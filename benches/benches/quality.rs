@@ -7,6 +7,7 @@ use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};
 use ga_image::plane::Plane;
 use ga_image::quality::{MutualInformation, Ssim};
+use ga_vision::attention::Attention;
 use nullcone_benches::comparison;
 
 const WIDTH: usize = 1920;
@@ -55,6 +56,39 @@ fn similarity(criterion: &mut Criterion) {
     group.bench_function("nullcone", |bench| {
         bench.iter(|| ssim.compare(black_box(&a), &b))
     });
+    group.bench_function("nullcone, five scales", |bench| {
+        bench.iter(|| ssim.multiscale(black_box(&a), &b))
+    });
+    copying(&mut group, &a);
+    group.finish();
+}
+
+/// The map of attention of each frame, from contours and motion, and SSIM weighted by it.
+fn attention(criterion: &mut Criterion) {
+    let [a, b] = frames();
+    // The frame after: the camera has moved by 6 columns and 2 rows.
+    let next = Plane::from_fn(WIDTH, HEIGHT, |column, row| {
+        a.row((row + 2).min(HEIGHT - 1))[(column + 6).min(WIDTH - 1)]
+    });
+    let ssim = Ssim::new(255.0);
+    let mut attention = Attention::new([WIDTH, HEIGHT]).expect("the frame has pixels");
+    let mut group = criterion.benchmark_group("quality/attention-1080p");
+    let mut frames = [&a, &next].into_iter().cycle();
+    group.bench_function("nullcone, map", |bench| {
+        bench.iter(|| {
+            let frame = frames.next().unwrap_or(&a);
+            attention
+                .next(black_box(frame))
+                .map(|weights| weights.plane().get(0, 0))
+        });
+    });
+    group.bench_function("nullcone, map and weighted SSIM", |bench| {
+        bench.iter(|| {
+            let frame = frames.next().unwrap_or(&a);
+            let weights = attention.next(black_box(frame))?;
+            ssim.compare_weighted(frame, &b, weights)
+        });
+    });
     copying(&mut group, &a);
     group.finish();
 }
@@ -62,6 +96,6 @@ fn similarity(criterion: &mut Criterion) {
 criterion_group! {
     name = benches;
     config = comparison::criterion();
-    targets = information, similarity
+    targets = information, similarity, attention
 }
 criterion_main!(benches);
