@@ -33,13 +33,13 @@ pub struct Options {
 }
 
 impl Default for Options {
-    /// Five blocks, shots of one frame or more, key frames of which 60 % are new, as many as there
+    /// Five blocks, shots of one frame or more, key frames of which 30 % are new, as many as there
     /// are.
     fn default() -> Self {
         Self {
             layout: Layout::Five,
             minimum_shot: 1,
-            threshold: 0.6,
+            threshold: 0.3,
             budget: None,
         }
     }
@@ -214,6 +214,7 @@ impl Analyser {
             luma: eight.luma.view(),
             change: measures.change,
             change_at_rest: at_rest_change,
+            mutual_bits: measures.mutual_information_bits,
             forced,
         };
         let candidate = self.selector.examine(&seen, layout, &mut self.information);
@@ -244,11 +245,12 @@ impl Analyser {
             dissolves: self.dissolves.finish(&self.window, layout),
             fades: fades(&levels),
         };
-        transitions.reconcile();
+        transitions.reconcile(&self.changes);
         let shots = transitions.shots(&self.moving, &self.reach, minimum_shot);
+        let flashes = self.cuts.flashes();
         let key_frames = self
             .selector
-            .finish(&transitions, &shots, least_new, budget);
+            .finish(&transitions, &shots, flashes, least_new, budget);
         let thresholds = (0..self.changes.len()).map(|index| threshold(&self.changes, index));
         Analysis {
             thresholds: thresholds.collect(),
@@ -269,7 +271,7 @@ impl Analyser {
         let pair = (self.window.get(index - reach), self.window.get(index));
         let moving = match pair {
             (Some(before), Some(now)) if reach > 0 => {
-                at_rest(before, now, self.options.layout).background(self.options.layout)
+                at_rest(before, now, self.options.layout).surroundings()
             }
             _ => 0.0,
         };

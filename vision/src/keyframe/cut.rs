@@ -11,7 +11,15 @@ pub const AROUND: usize = 8;
 const RATIO: f32 = 3.0;
 
 /// What is added to the usual change, so that the change of a still picture is not zero.
-const STILL: f32 = 0.04;
+pub(super) const STILL: f32 = 0.04;
+
+/// A cut also counts where it exceeds the usual change by this much, and by so many times the median
+/// deviation from it.
+const STEADY: f32 = 0.15;
+const SPREADS: f32 = 9.0;
+
+/// The least frames of the first and of the last shot: less cannot be told from a flash.
+const ENDS: usize = 2;
 
 /// The least change of a cut.
 const LEAST: f32 = 0.3;
@@ -28,13 +36,15 @@ const NEAREST: usize = 3;
 /// the frame before it, after the motion of the camera and after the factor of brightness between
 /// them: independent of contrast and brightness, of flicker, of bars, and of a caption or an object
 /// in less than half of the blocks. A cut is a change of at least 0.3 that is three times the
-/// median of the changes of the 8 frames before and after it, and the greatest within two frames.
+/// median of the changes of the 8 frames before it and of the 8 after it, or by far outside of their
+/// spread, and the greatest within two frames.
 /// Where a frame after it looks like one before it, it is a flash. Measured settings of our own;
 /// Cui, §3.1.2, states a fixed threshold without its value.
 #[derive(Clone, Debug, Default)]
 pub struct CutDetector {
     next: usize,
     suspects: Vec<(usize, f32)>,
+    flashes: Vec<usize>,
 }
 
 impl CutDetector {
@@ -46,9 +56,12 @@ impl CutDetector {
             false => changes.len().saturating_sub(AROUND),
         };
         for index in self.next.max(1)..end {
-            if changes[index] > threshold(changes, index)
-                && !is_flash(window, index, changes[index], layout)
-            {
+            if changes[index] <= threshold(changes, index) {
+                continue;
+            }
+            if is_flash(window, index, changes[index], layout) {
+                self.flashes.push(index);
+            } else if (ENDS..(changes.len() + 1).saturating_sub(ENDS)).contains(&index) {
                 self.suspects.push((index, changes[index]));
             }
         }
@@ -59,6 +72,12 @@ impl CutDetector {
     #[must_use]
     pub fn last(&self) -> Option<usize> {
         self.suspects.last().map(|(index, _)| *index)
+    }
+
+    /// The frames with which a flash begins or ends.
+    #[must_use]
+    pub fn flashes(&self) -> &[usize] {
+        &self.flashes
     }
 
     /// The cuts among the frames examined so far: of suspects that are nearer than three frames,
@@ -80,14 +99,34 @@ impl CutDetector {
     }
 }
 
-/// The change that a frame has to exceed in order to begin a shot.
+/// The change that a frame has to exceed in order to begin a shot: that of the 8 frames before it
+/// and that of the 8 after it, whichever is greater.
 #[must_use]
 pub fn threshold(changes: &[f32], index: usize) -> f32 {
-    let around = index.saturating_sub(AROUND).max(1)..(index + AROUND + 1).min(changes.len());
-    let mut usual: Vec<f32> = around.filter(|i| *i != index).map(|i| changes[i]).collect();
-    usual.sort_unstable_by(f32::total_cmp);
-    let median = usual.get(usual.len() / 2).copied().unwrap_or(0.0);
-    (RATIO * (median + STILL)).max(LEAST)
+    let before = index.saturating_sub(AROUND).max(1)..index;
+    let after = index + 1..(index + AROUND + 1).min(changes.len());
+    [before, after]
+        .into_iter()
+        .map(|frames| one_sided(changes.get(frames).unwrap_or_default()))
+        .fold(LEAST, f32::max)
+}
+
+/// Three times the usual change; where changes are steady, as noise makes them, less is enough.
+fn one_sided(changes: &[f32]) -> f32 {
+    let usual = median(changes.to_vec());
+    let spread = median(
+        changes
+            .iter()
+            .map(|change| (change - usual).abs())
+            .collect(),
+    );
+    (RATIO * (usual + STILL)).min(usual + SPREADS * spread + STEADY)
+}
+
+/// The median, the greater of two; 0 of no values.
+pub(super) fn median(mut values: Vec<f32>) -> f32 {
+    values.sort_unstable_by(f32::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(0.0)
 }
 
 /// Whether a frame after the change looks like one before it.

@@ -3,7 +3,7 @@
 use ga_image::plane::Plane;
 use ga_runtime::batch::{Batch, Work};
 
-use super::layout::{Layout, Rectangle, without_bars};
+use super::layout::{COLUMN_EDGES, Layout, ROW_EDGES, Rectangle, without_bars};
 
 /// The greatest factor of brightness from one frame to the next that counts as flicker.
 const GREATEST_GAIN: f32 = 1.6;
@@ -51,6 +51,14 @@ impl Difference {
                 corners.get(1).copied().unwrap_or(0.0)
             }
         }
+    }
+
+    /// The median over the blocks of the background, the greater of two.
+    #[must_use]
+    pub fn surroundings(&self) -> f32 {
+        let mut blocks = self.blocks.get(1..).unwrap_or_default().to_vec();
+        blocks.sort_unstable_by(f32::total_cmp);
+        blocks.get(blocks.len() / 2).copied().unwrap_or(0.0)
     }
 
     /// The difference of the region of objects.
@@ -106,9 +114,12 @@ impl Work for Comparison<'_> {
         let [mean_a, sigma_a] = moments(self.a, self.part);
         let [mean_b, sigma_b] = moments(self.b, self.part);
         let ratio = (mean_b + 0.5) / (mean_a + 0.5);
-        let gains = [1.0, ratio.clamp(1.0 / GREATEST_GAIN, GREATEST_GAIN)];
+        let gain = ratio.clamp(1.0 / GREATEST_GAIN, GREATEST_GAIN);
+        let gains = [1.0, gain];
+        // Brightness that hardly changes needs no second attempt.
+        let count = if (gain - 1.0).abs() < 0.01 { 1 } else { 2 };
         let mut best = f32::INFINITY;
-        for gain in gains {
+        for gain in gains.into_iter().take(count) {
             let motion = if self.moving {
                 self.motion(gain)
             } else {
@@ -199,18 +210,26 @@ impl Comparison<'_> {
             return sums;
         };
         let part = self.part;
-        let (width, height) = (part.right - part.left, part.bottom - part.top);
-        let fraction =
-            |at: usize, start: usize, length: usize| ((at - start) as f32 + 0.5) / length as f32;
-        for row in rows[0]..rows[1] {
-            let y = fraction(row, part.top, height);
-            let b = &self.b.row(row)[columns[0]..columns[1]];
-            let a = moved(self.a, row, columns, motion);
-            for (index, (a, b)) in a.iter().zip(b).enumerate() {
-                let x = fraction(columns[0] + index, part.left, width);
+        let bands = |edges: &[f32], start: usize, end: usize, range: [usize; 2]| {
+            let place = |edge: &f32| {
+                let at = start as f32 + edge * (end - start) as f32;
+                (at.round() as usize).clamp(range[0], range[1])
+            };
+            edges.iter().map(place).collect::<Vec<usize>>()
+        };
+        let across = bands(&COLUMN_EDGES, part.left, part.right, columns);
+        let down = bands(&ROW_EDGES, part.top, part.bottom, rows);
+        for (vertical, band) in down.windows(2).enumerate() {
+            let y = 0.5 * (ROW_EDGES[vertical] + ROW_EDGES[vertical + 1]);
+            for (horizontal, range) in across.windows(2).enumerate() {
+                let x = 0.5 * (COLUMN_EDGES[horizontal] + COLUMN_EDGES[horizontal + 1]);
                 let block = self.layout.block_at(x, y);
-                sums[block] += (b - gain * a).abs();
-                counts[block] += 1.0;
+                for row in band[0]..band[1] {
+                    let b = &self.b.row(row)[range[0]..range[1]];
+                    let a = moved(self.a, row, [range[0], range[1]], motion);
+                    sums[block] += absolute(a, b, gain);
+                    counts[block] += b.len() as f32;
+                }
             }
         }
         for (sum, count) in sums.iter_mut().zip(&counts) {

@@ -18,19 +18,21 @@ pub const REACH: usize = 40;
 pub const WINDOW: usize = 2 * REACH + 2 * MOTION + 2;
 
 /// The greatest correlation of the two ends.
-const CORRELATION: f32 = 0.5;
+const CORRELATION: f32 = 0.6;
 
 /// The fraction of the first end in the middle.
 const FRACTION: Range<f32> = 0.25..0.75;
 
 /// The greatest residual of the blend.
-const RESIDUAL: f32 = 0.5;
+const RESIDUAL: f32 = 0.6;
 
 /// The least fall of the variance in the middle.
-const DIP: f32 = 0.18;
+const DIP: f32 = 0.12;
 
-/// The least difference of the ends after the motion of the camera.
-const DIFFERENT: f32 = 0.35;
+/// The least difference of the ends after the motion of the camera: of most blocks, and of all. A
+/// title that appears changes only some.
+const DIFFERENT: f32 = 0.45;
+const EVERYWHERE: f32 = 0.22;
 
 /// The least frames of a dissolve.
 const LEAST: usize = 3;
@@ -143,7 +145,13 @@ impl DissolveDetector {
         }
         // The same picture, moved by the camera, is not another one.
         let (first_end, last_end) = (window.get(start)?, window.get(end)?);
-        if after_motion(first_end, last_end, layout).typical() < DIFFERENT {
+        let difference = after_motion(first_end, last_end, layout);
+        let least = difference
+            .blocks
+            .iter()
+            .copied()
+            .fold(f32::INFINITY, f32::min);
+        if difference.typical() < DIFFERENT || least < EVERYWHERE {
             return None;
         }
         let frames = start + first.round() as usize..start + last.round() as usize;
@@ -261,7 +269,7 @@ fn ramp(fractions: &[f32]) -> Option<[f32; 2]> {
         .collect();
     let count = inside.len() as f32;
     let contiguous = inside.windows(2).all(|pair| pair[1][0] - pair[0][0] < 1.5);
-    let falling = inside.windows(2).all(|pair| pair[1][1] < pair[0][1] + 0.02);
+    let falling = inside.windows(2).all(|pair| pair[1][1] < pair[0][1] + 0.05);
     if inside.len() < 2 || !contiguous || !falling {
         return None;
     }

@@ -111,6 +111,8 @@ pub fn fades(levels: &[Level]) -> Vec<Fade> {
         }
         start = end;
     }
+    // Under flicker a fade may be found twice.
+    found.dedup_by(|next, fade| next.frames.start < fade.frames.end);
     found
 }
 

@@ -56,6 +56,10 @@ const fn block(edges: [f32; 4], background: bool) -> Block {
 
 const THIRD: f32 = 1.0 / 3.0;
 
+/// All edges of blocks of both layouts.
+pub(super) const COLUMN_EDGES: [f32; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
+pub(super) const ROW_EDGES: [f32; 6] = [0.0, 0.25, THIRD, 0.5, 0.75, 1.0];
+
 const FIVE: [Block; 5] = [
     block([0.25, 0.25, 0.75, 0.75], false),
     block([0.0, 0.0, 0.5, 0.5], true),
@@ -81,8 +85,8 @@ impl Layout {
         }
     }
 
-    /// The index of the block that each box of a signature belongs to. Where the corners of five
-    /// blocks overlap the middle, boxes belong to the middle.
+    /// The index of the block at a place, in fractions of the frame without bars. Where the corners
+    /// of five blocks overlap the middle, a place belongs to the middle.
     #[must_use]
     pub fn block_at(self, x: f32, y: f32) -> usize {
         let inside = |block: &Block| {

@@ -1,5 +1,7 @@
 //! The choice of key frames in two stages.
 
+use std::collections::VecDeque;
+
 use ga_image::plane::{Plane, PlaneView, SizeError};
 use ga_image::quality::{Information, MutualInformation};
 
@@ -58,7 +60,7 @@ pub struct Candidate {
     pub time_seconds: f64,
     /// What differs from the candidate before it.
     pub reason: Reason,
-    /// How much is new: 1 − I(A; B) / min(H(A), H(B)) from the candidate before it, 0 to 1.
+    /// How much is new since the candidate before it, 0 to 1; see [`novelty`].
     pub novelty: f64,
     level: Level,
 }
@@ -76,15 +78,19 @@ pub struct KeyFrame {
     pub score: f64,
 }
 
-/// How much of one picture the other does not say: 1 − I(A; B) / min(H(A), H(B)). Between even
-/// pictures nothing is new where `same` says that they look alike, and everything otherwise.
+/// How much of a picture another does not say, in comparison with what neighbouring frames say of
+/// each other: 1 − I(A; B) / I, where `usual_bits` is the usual mutual information I of neighbours.
+/// It is 0 for still pictures whatever their noise is, and 1 where nothing is in common. Without
+/// neighbours, min(H(A), H(B)) stands for I. Between even pictures, whose entropies are almost 0,
+/// nothing is new where `same` says that they look alike, and everything otherwise.
 #[must_use]
-pub fn novelty(information: Information, same: bool) -> f64 {
+pub fn novelty(information: Information, usual_bits: Option<f64>, same: bool) -> f64 {
     let least = information.first_bits.min(information.second_bits);
-    if least < EVEN_BITS {
+    let usual = usual_bits.unwrap_or(least).min(least);
+    if usual < EVEN_BITS {
         return if same { 0.0 } else { 1.0 };
     }
-    (1.0 - information.mutual_bits() / least).clamp(0.0, 1.0)
+    (1.0 - information.mutual_bits() / usual).clamp(0.0, 1.0)
 }
 
 /// The first stage, while frames come in. It keeps the luma of one frame.
@@ -93,9 +99,29 @@ pub(super) struct Selector {
     candidates: Vec<Candidate>,
     anchor: Plane<f32>,
     luma: Plane<u8>,
-    changes: Vec<f32>,
+    changes: Recent,
+    bits: Recent,
     calm: usize,
     unsettled: bool,
+}
+
+/// The last 15 numbers.
+#[derive(Clone, Debug, Default)]
+struct Recent(VecDeque<f64>);
+
+impl Recent {
+    fn push(&mut self, value: f64) {
+        if self.0.len() == 15 {
+            self.0.pop_front();
+        }
+        self.0.push_back(value);
+    }
+
+    fn median(&self) -> Option<f64> {
+        let mut sorted: Vec<f64> = self.0.iter().copied().collect();
+        sorted.sort_unstable_by(f64::total_cmp);
+        sorted.get(sorted.len() / 2).copied()
+    }
 }
 
 /// What the first stage knows of a frame.
@@ -109,6 +135,8 @@ pub(super) struct Seen<'a> {
     pub(super) change: f32,
     /// The same at rest.
     pub(super) change_at_rest: f32,
+    /// Mutual information with the frame before it.
+    pub(super) mutual_bits: Option<f64>,
     /// Whether a candidate is needed in any case.
     pub(super) forced: bool,
 }
@@ -126,7 +154,12 @@ impl Selector {
         layout: Layout,
         information: &mut MutualInformation,
     ) -> Result<bool, SizeError> {
-        let usual = self.usual(seen.change_at_rest);
+        let usual_bits = self.bits.median();
+        if let Some(bits) = seen.mutual_bits {
+            self.bits.push(bits);
+        }
+        self.changes.push(f64::from(seen.change_at_rest));
+        let usual = self.changes.median().unwrap_or(0.0) as f32;
         self.calm = if seen.change_at_rest < CALM.max(1.5 * usual) {
             self.calm + 1
         } else {
@@ -153,7 +186,8 @@ impl Selector {
             return Ok(false);
         }
         let same = background.max(object) < SETTLED;
-        let new = novelty(information.compare(&self.luma, seen.luma)?, same);
+        let information = information.compare(&self.luma, seen.luma)?;
+        let new = novelty(information, usual_bits, same);
         self.take(seen, reason, new);
         Ok(true)
     }
@@ -171,24 +205,14 @@ impl Selector {
         self.unsettled = self.calm < CALM_FRAMES;
     }
 
-    /// The median of the last changes.
-    fn usual(&mut self, change: f32) -> f32 {
-        if self.changes.len() == 15 {
-            self.changes.remove(0);
-        }
-        self.changes.push(change);
-        let mut sorted = self.changes.clone();
-        sorted.sort_unstable_by(f32::total_cmp);
-        sorted[sorted.len() / 2]
-    }
-
-    /// The second stage: of the candidates that are neither blended, faded nor nearly black, the
+    /// The second stage: of the candidates that are neither blended, faded, flashes nor black, the
     /// first of each shot and those with enough that is new; `budget` keeps the first of each shot
     /// longest, and the others by what is new in them.
     pub(super) fn finish(
         self,
         transitions: &Transitions,
         shots: &[Shot],
+        flashes: &[usize],
         threshold: f64,
         budget: Option<usize>,
     ) -> Vec<KeyFrame> {
@@ -204,6 +228,8 @@ impl Selector {
                 frames.contains(&candidate.index)
                     && transitions.is_clear(candidate.index)
                     && energy(candidate.level) > dark
+                    && !candidate.level.is_flat()
+                    && !flashes.contains(&candidate.index)
             });
             for (position, candidate) in clear.enumerate() {
                 let reason = if position == 0 {

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::cut::{STILL, median};
 use super::dissolve::Dissolve;
 use super::fade::{Direction, Fade};
 
@@ -24,7 +25,10 @@ pub enum Background {
 }
 
 /// Beyond this difference of the background within half a second it moves.
-const MOVING: f32 = 0.1;
+const MOVING: f32 = 0.12;
+
+/// A cut stands out if its change is so many times that of most other frames.
+const ISOLATED: f32 = 2.5;
 
 /// The transitions of a video.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -38,17 +42,26 @@ pub struct Transitions {
 }
 
 impl Transitions {
-    /// Removes cuts and dissolves that are parts of other transitions.
-    pub(super) fn reconcile(&mut self) {
+    /// Removes cuts and dissolves that are parts of other transitions. A cut that stands out among
+    /// the changes of a dissolve shows that there is none.
+    pub(super) fn reconcile(&mut self, changes: &[f32]) {
         let Self {
             cuts,
             dissolves,
             fades,
         } = self;
         dissolves.retain(|dissolve| {
-            !fades
-                .iter()
-                .any(|fade| overlap(&fade.frames, &dissolve.frames))
+            let frames = &dissolve.frames;
+            let usual = |cut: usize| {
+                let others = (frames.start..=frames.end).filter(|index| *index != cut);
+                let changes = others.filter_map(|index| changes.get(index).copied());
+                median(changes.collect())
+            };
+            let stands_out = |cut: &usize| {
+                (frames.start..=frames.end).contains(cut)
+                    && changes[*cut] > ISOLATED * (usual(*cut) + STILL)
+            };
+            !cuts.iter().any(stands_out) && !fades.iter().any(|fade| overlap(&fade.frames, frames))
         });
         cuts.retain(|cut| {
             let within = |frames: &Range<usize>| (frames.start..=frames.end).contains(cut);
@@ -122,15 +135,13 @@ impl Transitions {
     fn background(&self, frames: Range<usize>, moving: &[f32], reach: &[usize]) -> Background {
         let start = frames.start;
         let within = |frame: &usize| *frame >= start + reach[*frame] && reach[*frame] > 0;
-        let mut differences: Vec<f32> = frames
+        let differences = frames
             .filter(within)
             .filter(|frame| self.is_clear(*frame) && self.is_clear(*frame - reach[*frame]))
-            .map(|frame| moving[frame])
-            .collect();
-        differences.sort_unstable_by(f32::total_cmp);
-        match differences.get(differences.len() / 2) {
-            Some(median) if *median > MOVING => Background::Dynamic,
-            _ => Background::Static,
+            .map(|frame| moving[frame]);
+        match median(differences.collect()) > MOVING {
+            true => Background::Dynamic,
+            false => Background::Static,
         }
     }
 }
