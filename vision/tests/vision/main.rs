@@ -23,6 +23,7 @@ mod feature;
 mod format;
 mod gradient_vector_flow;
 mod homography;
+mod keyframe;
 mod least_squares;
 mod many_views;
 mod marker;

@@ -1,0 +1,216 @@
+//! Cuts, dissolves, fades and key frames of clips whose labels are known.
+
+mod clips;
+mod parts;
+
+use std::ops::Range;
+
+use ga_image::plane::Plane;
+use ga_image::ycbcr::{self, YCbCr};
+use ga_vision::keyframe::evaluation::{Score, score};
+use ga_vision::keyframe::{Analyser, Analysis, Background, Options};
+use ga_vision::video::{self, Frame, Planes, Samples};
+use nullcone_shared_data::shared;
+use serde_json::Value;
+
+use clips::{Clip, Effect, Joins, clip};
+
+/// Analyses frames of grey, whose luma is red.
+fn analysed(frames: &[Plane<u8>], frames_per_second: f64, options: Options) -> Analysis {
+    let colours = YCbCr {
+        range: ycbcr::Range::Full,
+        ..YCbCr::default()
+    };
+    let mut analyser = Analyser::new(options, colours);
+    for (index, luma) in frames.iter().enumerate() {
+        let samples = Samples::Eight(Planes {
+            luma: luma.clone(),
+            ..Planes::default()
+        });
+        let time_seconds = index as f64 / frames_per_second;
+        let frame = Frame {
+            index,
+            time_seconds,
+            samples,
+        };
+        analyser.push(&frame).unwrap();
+    }
+    analyser.finish()
+}
+
+fn of_clip(clip: &Clip) -> Analysis {
+    analysed(&clip.frames, 25.0, Options::default())
+}
+
+fn overlap(a: &Range<usize>, b: &Range<usize>) -> bool {
+    a.start < b.end && b.start < a.end
+}
+
+fn dissolves(found: &Analysis) -> Vec<Range<usize>> {
+    let dissolves = found.transitions.dissolves.iter();
+    dissolves.map(|dissolve| dissolve.frames.clone()).collect()
+}
+
+fn fades(found: &Analysis) -> Vec<Range<usize>> {
+    let fades = found.transitions.fades.iter();
+    fades.map(|fade| fade.frames.clone()).collect()
+}
+
+/// Found intervals that overlap a label, those that do not, and labels without any.
+fn intervals(found: &[Range<usize>], labels: &[Range<usize>]) -> Score {
+    let hit = |label: &&Range<usize>| found.iter().any(|frames| overlap(frames, label));
+    let correct = labels.iter().filter(hit).count();
+    let right = |frames: &&Range<usize>| labels.iter().any(|label| overlap(frames, label));
+    Score {
+        correct,
+        extra: found.len() - found.iter().filter(right).count(),
+        missed: labels.len() - correct,
+    }
+}
+
+fn sum(scores: impl Iterator<Item = Score>) -> Score {
+    scores.fold(Score::default(), |a, b| Score {
+        correct: a.correct + b.correct,
+        extra: a.extra + b.extra,
+        missed: a.missed + b.missed,
+    })
+}
+
+/// How many clips of each kind are made; the variable raises it for a longer run.
+fn seeds() -> Range<u64> {
+    let count = std::env::var("NULLCONE_CLIPS").ok();
+    1000..1000 + count.and_then(|count| count.parse().ok()).unwrap_or(3)
+}
+
+#[test]
+fn cuts_are_found_in_clips_of_every_kind() {
+    for effect in Effect::ALL {
+        let scores = seeds().map(|seed| {
+            let clip = clip(seed, Joins::Cuts, effect);
+            let found = of_clip(&clip);
+            let cuts = score(&found.transitions.cuts, &clip.cuts, 0);
+            let other = dissolves(&found).len() + fades(&found).len();
+            Score {
+                extra: cuts.extra + other,
+                ..cuts
+            }
+        });
+        let total = sum(scores);
+        println!("{effect:?}: {total:?}");
+        // A box that stands over all shots makes the frames more alike.
+        let least = if effect == Effect::Banner { 0.8 } else { 0.93 };
+        assert!(total.f1().unwrap() > least, "{effect:?}: {total:?}");
+    }
+}
+
+#[test]
+fn dissolves_and_fades_are_reported_as_such() {
+    for (joins, effect) in [
+        (Joins::Dissolves, Effect::None),
+        (Joins::Dissolves, Effect::Letterbox),
+        (Joins::Dissolves, Effect::Dark),
+        (Joins::Fades, Effect::None),
+        (Joins::Fades, Effect::Letterbox),
+        (Joins::Fades, Effect::HalfRate),
+    ] {
+        let scores = seeds().map(|seed| {
+            let clip = clip(seed, joins, effect);
+            let found = of_clip(&clip);
+            let dissolves = intervals(&dissolves(&found), &clip.dissolves);
+            let fades = intervals(&fades(&found), &clip.fades);
+            let cuts = score(&found.transitions.cuts, &[], 0);
+            sum([dissolves, fades, cuts].into_iter())
+        });
+        let total = sum(scores);
+        println!("{joins:?} {effect:?}: {total:?}");
+        assert!(
+            total.f1().unwrap() > 0.75,
+            "{joins:?} {effect:?}: {total:?}"
+        );
+    }
+}
+
+#[test]
+fn shots_cover_the_clip_and_key_frames_are_clear() {
+    for seed in seeds() {
+        for joins in [Joins::Cuts, Joins::Dissolves, Joins::Fades] {
+            let clip = clip(seed, joins, Effect::None);
+            let found = of_clip(&clip);
+            let mut next = 0;
+            for shot in &found.shots {
+                assert_eq!(shot.frames.start, next);
+                assert!(shot.frames.end > shot.frames.start);
+                next = shot.frames.end;
+            }
+            assert_eq!(next, clip.frames.len());
+            assert!(!found.key_frames.is_empty());
+            for key in &found.key_frames {
+                assert!(found.transitions.is_clear(key.index), "{key:?}");
+                let luma = clip.frames[key.index].values();
+                let mean = luma.iter().map(|v| f64::from(*v)).sum::<f64>() / luma.len() as f64;
+                assert!(mean > 12.0, "{key:?} is nearly black");
+                assert!((0.0..=1.0).contains(&key.score));
+            }
+            let indices = found.key_frames.iter().map(|key| key.index);
+            assert!(indices.is_sorted_by(|a, b| a < b));
+        }
+    }
+}
+
+#[test]
+fn the_cuts_and_the_dissolve_of_the_oracle_are_exact() {
+    let Some(folder) = shared("oracle/vision/seed1") else {
+        return;
+    };
+    let truth = std::fs::read(folder.join("truth.json")).unwrap();
+    let truth: Value = serde_json::from_slice(&truth).unwrap();
+    let frames = |name: &str| -> Vec<usize> {
+        let list = truth["cuts"][name].as_array().unwrap().iter();
+        list.map(|frame| frame.as_u64().unwrap() as usize).collect()
+    };
+    let found = of_file(&folder.join("cuts.y4m"));
+    assert_eq!(found.transitions.cuts, frames("hard"));
+    let dissolve = frames("dissolve");
+    assert_eq!(dissolves(&found), [dissolve[0]..dissolve[1]]);
+    assert!(found.transitions.fades.is_empty());
+}
+
+fn of_file(path: &std::path::Path) -> Analysis {
+    let mut source = video::open(path).unwrap();
+    let mut analyser = Analyser::new(Options::default(), source.properties().colours);
+    let mut frame = Frame::default();
+    while source.read(&mut frame).unwrap() {
+        analyser.push(&frame).unwrap();
+    }
+    analyser.finish()
+}
+
+#[test]
+fn the_cut_of_a_real_clip_is_exact() {
+    let path = "data/vision/clips/bbb_f265-305_320x180_cut285.y4m";
+    let Some(path) = shared(path) else {
+        return;
+    };
+    let found = of_file(&path);
+    assert_eq!(found.transitions.cuts, [20]);
+    assert!(found.transitions.dissolves.is_empty() && found.transitions.fades.is_empty());
+    assert_eq!(found.shots[1].background, Background::Static);
+    let keys: Vec<usize> = found.key_frames.iter().map(|key| key.index).collect();
+    assert_eq!(keys, [0, 20]);
+}
+
+#[test]
+fn a_budget_and_a_least_shot_are_kept() {
+    let clip = clip(7, Joins::Cuts, Effect::None);
+    let all = of_clip(&clip);
+    let options = Options {
+        budget: Some(1),
+        minimum_shot: 10_000,
+        ..Options::default()
+    };
+    let found = analysed(&clip.frames, 25.0, options);
+    assert!(all.shots.len() > 1);
+    assert_eq!(found.shots.len(), 1);
+    assert!(found.transitions.cuts.is_empty());
+    assert_eq!(found.key_frames.len(), 1);
+}
