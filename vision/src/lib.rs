@@ -31,6 +31,7 @@
 //! - [`keyframe`]: cuts, shots and key frames of videos.
 //! - [`quality`]: how much pictures and videos differ from a reference, and where people look.
 //! - [`video`]: frames one after another, as luma and colour differences.
+//! - [`opinion`]: how well a measure of quality predicts what people say, and tables of ratings.
 //! - [`observation`]: simulated observations with noise, for tests and demonstrations.
 //! - [`pose_error`]: how far reconstructed joints are from the true ones.
 //!
@@ -83,6 +84,7 @@ pub mod matcher;
 pub mod modelling_points;
 mod normalisation;
 pub mod observation;
+pub mod opinion;
 pub mod perspective_n_point;
 mod polynomial;
 pub mod pose_error;

@@ -29,6 +29,7 @@ mod many_views;
 mod marker;
 mod matcher;
 mod modelling_points;
+mod opinion;
 mod perspective_n_point;
 mod pose_error;
 mod quality;

@@ -1,0 +1,286 @@
+//! Fits of logistic curves by variable projection.
+
+use super::super::{OpinionError, Scores};
+use super::simplex::{self, Vertex};
+use super::{Curve, logistic};
+
+/// A curve that was fitted to scores.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fit<C> {
+    /// The curve.
+    pub curve: C,
+    /// The sum of the squared differences from the opinion scores.
+    pub sum_of_squares: f64,
+    /// Place and logarithm of the steepness, in the unit of the scores' range.
+    place: [f64; 2],
+    /// Middle and half of the range of the scores for which the place stands.
+    range: [f64; 2],
+}
+
+/// A logistic function with a straight line, `height · logistic(steepness (x − middle)) + slope x +
+/// constant`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Parts {
+    pub(super) height: f64,
+    pub(super) steepness: f64,
+    pub(super) middle: f64,
+    pub(super) slope: f64,
+    pub(super) constant: f64,
+}
+
+/// The middle of the curve on the grid, in halves of the range of scores: a little beyond it.
+const MIDDLES: usize = 61;
+const FARTHEST_MIDDLE: f64 = 3.0;
+/// The steepness on the grid, for scores from −1 to 1.
+const STEEPNESSES: usize = 28;
+const LEAST_STEEPNESS: f64 = 0.05;
+const GREATEST_STEEPNESS: f64 = 1e5;
+/// The simplex may leave the grid by this much, but the scores must span this part of the logistic
+/// function at least: its height would be lost in rounding otherwise.
+const FARTHEST: f64 = 30.0;
+const LEAST_PART: f64 = 1e-6;
+/// How many local minima of the grid are followed.
+const FOLLOWED: usize = 40;
+/// How often the search from a place begins again.
+const SEARCHES: usize = 8;
+
+/// The curve of least error on the whole grid.
+pub(super) fn everywhere<C: Curve>(
+    scores: &Scores,
+    parameters: usize,
+    curve: impl Fn(Parts) -> C,
+) -> Result<Fit<C>, OpinionError> {
+    let problem = Projection::new(scores, parameters)?;
+    let mut starts = problem.local_minima();
+    starts.truncate(FOLLOWED);
+    let sides = [
+        2.0 * FARTHEST_MIDDLE / MIDDLES as f64,
+        (GREATEST_STEEPNESS / LEAST_STEEPNESS).ln() / STEEPNESSES as f64,
+    ];
+    let followed = starts
+        .into_iter()
+        .map(|(place, _)| problem.follow(place, sides));
+    let best = followed.min_by(|a, b| a.1.total_cmp(&b.1));
+    // The grid has a least value, so that there is at least one start.
+    let place = best.map_or([0.0, 0.0], |(place, _)| place);
+    Ok(problem.fit(place, curve))
+}
+
+/// The curve of least error near another one.
+pub(super) fn near<C: Curve>(
+    scores: &Scores,
+    parameters: usize,
+    start: &Fit<C>,
+    curve: impl Fn(Parts) -> C,
+) -> Result<Fit<C>, OpinionError> {
+    let problem = Projection::new(scores, parameters)?;
+    let ratio = start.range[1] / problem.range[1];
+    let middle = start.range[0] + start.range[1] * start.place[0];
+    let place = [
+        (middle - problem.range[0]) / problem.range[1],
+        start.place[1] - ratio.ln(),
+    ];
+    let (place, _) = problem.follow(place, [0.05, 0.2]);
+    Ok(problem.fit(place, curve))
+}
+
+/// The opinion scores, and the columns on which they depend linearly whatever the logistic function
+/// is.
+struct Projection<'a> {
+    scores: &'a Scores,
+    /// Middle and half of the range of the measure's scores.
+    range: [f64; 2],
+    /// The measure's scores between −1 and 1.
+    objective: Vec<f64>,
+    /// An orthonormal basis of what is linear: the constant, and the straight line where the curve
+    /// has one.
+    basis: Vec<Vec<f64>>,
+    /// The opinion scores without their part in the span of the basis.
+    rest: Vec<f64>,
+}
+
+impl<'a> Projection<'a> {
+    fn new(scores: &'a Scores, parameters: usize) -> Result<Self, OpinionError> {
+        let count = scores.len();
+        if count < parameters {
+            return Err(OpinionError::TooFew {
+                what: "scores",
+                found: count,
+                least: parameters,
+            });
+        }
+        let bound = |start: f64, choose: fn(f64, f64) -> f64| {
+            scores.objective().iter().copied().fold(start, choose)
+        };
+        let (least, greatest) = (
+            bound(f64::INFINITY, f64::min),
+            bound(f64::NEG_INFINITY, f64::max),
+        );
+        let range = [0.5 * least + 0.5 * greatest, 0.5 * greatest - 0.5 * least];
+        let scaled = |x: &f64| (x - range[0]) / range[1];
+        let objective: Vec<f64> = scores.objective().iter().map(scaled).collect();
+        let mut basis = vec![vec![1.0 / (count as f64).sqrt(); count]];
+        if parameters == 5 {
+            let mut line = objective.clone();
+            remove(&basis, &mut line);
+            let length = dot(&line, &line).sqrt();
+            line.iter_mut().for_each(|v| *v /= length);
+            basis.push(line);
+        }
+        let mut rest = scores.subjective().to_vec();
+        remove(&basis, &mut rest);
+        Ok(Self {
+            scores,
+            range,
+            objective,
+            basis,
+            rest,
+        })
+    }
+
+    /// The factor of the logistic function with this middle and logarithm of the steepness for
+    /// which the sum of the squared errors is least, and that sum.
+    fn height(&self, [middle, steepness]: [f64; 2]) -> (f64, f64) {
+        let steepness = steepness.exp();
+        let values = self.objective.iter();
+        let mut column: Vec<f64> = values.map(|x| logistic(steepness * (x - middle))).collect();
+        remove(&self.basis, &mut column);
+        let square = dot(&column, &column);
+        // A column in the span of the basis has no factor.
+        let height = if square > 0.0 {
+            dot(&column, &self.rest) / square
+        } else {
+            0.0
+        };
+        let errors = self.rest.iter().zip(&column).map(|(r, c)| r - height * c);
+        (height, errors.map(|e| e * e).sum())
+    }
+
+    /// The sum of the squared errors, infinite outside of the range of sensible curves.
+    fn sum_of_squares(&self, [middle, steepness]: [f64; 2]) -> f64 {
+        let within = middle.abs() <= FARTHEST
+            && (LEAST_STEEPNESS.ln()..=GREATEST_STEEPNESS.ln()).contains(&steepness);
+        let end = |x: f64| logistic(steepness.exp() * (x - middle));
+        if within && end(1.0) - end(-1.0) > LEAST_PART {
+            self.height([middle, steepness]).1
+        } else {
+            f64::INFINITY
+        }
+    }
+
+    /// The places of a grid whose sum is no greater than at the eight places around them, the least
+    /// sum first.
+    fn local_minima(&self) -> Vec<Vertex> {
+        let middles = self.middles();
+        let steepnesses: Vec<f64> = (0..STEEPNESSES)
+            .map(|k| {
+                let part = k as f64 / (STEEPNESSES - 1) as f64;
+                (1.0 - part) * LEAST_STEEPNESS.ln() + part * GREATEST_STEEPNESS.ln()
+            })
+            .collect();
+        let sums: Vec<Vec<f64>> = middles
+            .iter()
+            .map(|m| {
+                steepnesses
+                    .iter()
+                    .map(|s| self.sum_of_squares([*m, *s]))
+                    .collect()
+            })
+            .collect();
+        let mut minima = Vec::new();
+        for (row, middle) in middles.iter().enumerate() {
+            for (column, steepness) in steepnesses.iter().enumerate() {
+                let sum = sums[row][column];
+                let rows = row.saturating_sub(1)..(row + 2).min(middles.len());
+                let columns = column.saturating_sub(1)..(column + 2).min(STEEPNESSES);
+                if sums[rows]
+                    .iter()
+                    .all(|r| r[columns.clone()].iter().all(|s| *s >= sum))
+                {
+                    minima.push(([*middle, *steepness], sum));
+                }
+            }
+        }
+        minima.sort_by(|a, b| a.1.total_cmp(&b.1));
+        // Where steps of any steepness lie between the same scores, one of them is enough.
+        minima.dedup_by(|a, b| a.1 <= b.1 * (1.0 + 1e-12));
+        minima
+    }
+
+    /// Evenly spaced middles, and the places between two neighbouring scores, where a step may be.
+    fn middles(&self) -> Vec<f64> {
+        let even =
+            (0..MIDDLES).map(|k| FARTHEST_MIDDLE * (2.0 * k as f64 / (MIDDLES - 1) as f64 - 1.0));
+        let mut sorted = self.objective.clone();
+        sorted.sort_by(f64::total_cmp);
+        sorted.dedup();
+        let every = sorted.len().div_ceil(200);
+        let between = sorted.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
+        let mut middles: Vec<f64> = even.chain(between.step_by(every)).collect();
+        middles.sort_by(f64::total_cmp);
+        middles
+    }
+
+    /// The minimum to which a place leads. A search begins again with a new simplex, since the last
+    /// one may have become flat, until that changes nothing.
+    fn follow(&self, place: [f64; 2], mut sides: [f64; 2]) -> Vertex {
+        let function = |place| self.sum_of_squares(place);
+        let mut found = simplex::minimise(function, place, sides);
+        for _ in 0..SEARCHES {
+            sides = sides.map(|side| -0.3 * side);
+            let next = simplex::minimise(function, found.0, sides);
+            let is_same = next.1 >= found.1 * (1.0 - 1e-12);
+            found = next;
+            if is_same {
+                break;
+            }
+        }
+        found
+    }
+
+    fn fit<C: Curve>(&self, place: [f64; 2], curve: impl Fn(Parts) -> C) -> Fit<C> {
+        let (height, _) = self.height(place);
+        let steepness = place[1].exp();
+        let values = self.objective.iter().zip(self.scores.subjective());
+        let left: Vec<f64> = values
+            .map(|(x, y)| y - height * logistic(steepness * (x - place[0])))
+            .collect();
+        let slope = self.basis.get(1).map_or(0.0, |line| {
+            // The line is the scaled scores without their mean, over its length.
+            dot(line, &left) / dot(line, &self.objective)
+        });
+        let count = left.len() as f64;
+        let constant =
+            (left.iter().sum::<f64>() - slope * self.objective.iter().sum::<f64>()) / count;
+        let [middle, half] = self.range;
+        let curve = curve(Parts {
+            height,
+            steepness: steepness / half,
+            middle: middle + half * place[0],
+            slope: slope / half,
+            constant: constant - slope * middle / half,
+        });
+        let pairs = self.scores.objective().iter().zip(self.scores.subjective());
+        Fit {
+            curve,
+            sum_of_squares: pairs.map(|(x, y)| (curve.at(*x) - y).powi(2)).sum(),
+            place,
+            range: self.range,
+        }
+    }
+}
+
+/// Takes away the part in the span of an orthonormal basis, twice for the sake of rounding.
+fn remove(basis: &[Vec<f64>], values: &mut [f64]) {
+    for column in basis.iter().chain(basis) {
+        let part = dot(column, values);
+        values
+            .iter_mut()
+            .zip(column)
+            .for_each(|(v, c)| *v -= part * c);
+    }
+}
+
+fn dot(first: &[f64], second: &[f64]) -> f64 {
+    first.iter().zip(second).map(|(a, b)| a * b).sum()
+}
