@@ -21,6 +21,7 @@ mod expand;
 mod mesh;
 mod mesh_subdivide;
 mod quality;
+mod quality_opinion;
 mod reconstruct;
 mod render;
 mod skin;

@@ -1,0 +1,241 @@
+//! `nullcone quality fit`: how well a measure predicts what people say.
+
+mod plot;
+mod table;
+
+use std::path::PathBuf;
+
+use anyhow::{Context, Result};
+use ga_vision::opinion::Scores;
+use ga_vision::opinion::logistic::{Curve, Fit, Logistic4, Logistic5};
+use ga_vision::opinion::performance::{self, Bootstrap, Interval};
+use serde::Serialize;
+
+use crate::output;
+use crate::progress::Progress;
+use table::Table;
+
+/// Fit opinion scores by a measure of quality, and say how well the measure predicts them.
+///
+/// SCORES.csv has a line of names and the columns objective (the scores of the measure) and
+/// subjective (the mean opinion scores), perhaps also deviation (the standard deviation of each
+/// mean opinion score). Logistic curves with four and five parameters are fitted. Of the prediction
+/// by the curve with five follow the linear correlation (PLCC), the error (RMSE) and the part of
+/// outliers; the rank correlations SROCC and KROCC need no curve. Intervals come from the
+/// bootstrap.
+#[derive(Clone, Debug, clap::Args)]
+pub(crate) struct Arguments {
+    /// The scores.
+    #[arg(value_name = "SCORES.csv")]
+    scores: PathBuf,
+    /// Compare with another measure, whose scores stand in this column, and say whether the
+    /// difference is significant.
+    #[arg(long, value_name = "COLUMN")]
+    against: Option<String>,
+    /// The confidence of the intervals.
+    #[arg(long, value_name = "PART", default_value_t = 0.95)]
+    confidence: f64,
+    /// How often the scores are drawn again for the intervals.
+    #[arg(long, value_name = "N", default_value_t = 1000,
+        value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    draws: u32,
+    /// The seed of the draws.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    seed: u64,
+    /// Print a JSON object.
+    #[arg(long)]
+    json: bool,
+    /// Write a picture of the scores with the fitted curves.
+    #[arg(long, value_name = "FILE.svg")]
+    plot: Option<PathBuf>,
+}
+
+/// A curve in the result.
+#[derive(Serialize)]
+struct CurveReport {
+    parameters: Vec<f64>,
+    sse: f64,
+    plcc: f64,
+    rmse: f64,
+    outlier_ratio: f64,
+}
+
+/// The result. Numbers of the prediction are those of the curve with five parameters.
+#[derive(Serialize)]
+struct Report {
+    scores: usize,
+    logistic4: CurveReport,
+    logistic5: CurveReport,
+    plcc: f64,
+    plcc_interval: [f64; 2],
+    srocc: f64,
+    srocc_interval: [f64; 2],
+    krocc: f64,
+    krocc_interval: [f64; 2],
+    rmse: f64,
+    rmse_interval: [f64; 2],
+    outlier_ratio: f64,
+    outlier_ratio_interval: [f64; 2],
+    confidence: f64,
+    draws: u32,
+    seed: u64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    against: Option<AgainstReport>,
+}
+
+/// The difference to another measure: this one's number minus the other's.
+#[derive(Serialize)]
+struct AgainstReport {
+    column: String,
+    plcc: f64,
+    plcc_difference: f64,
+    plcc_difference_interval: [f64; 2],
+    srocc_difference: f64,
+    srocc_difference_interval: [f64; 2],
+    /// Meng, Rosenthal and Rubin's test of the correlations, and the F test of the errors.
+    correlation_p_value: f64,
+    error_p_value: f64,
+}
+
+pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+    let progress = Progress::new(4, quiet);
+    let path = &arguments.scores;
+    let bytes = std::fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
+    let table = Table::parse(&bytes).with_context(|| path.display().to_string())?;
+    let scores = scores(&table, "objective").with_context(|| path.display().to_string())?;
+    let bootstrap = Bootstrap {
+        draws: arguments.draws as usize,
+        confidence: arguments.confidence,
+        seed: arguments.seed,
+    };
+    progress.step("fitting curves");
+    let four = Logistic4::fit(&scores).with_context(|| path.display().to_string())?;
+    let five = Logistic5::fit(&scores).with_context(|| path.display().to_string())?;
+    progress.step("drawing scores again");
+    let found = performance::with_intervals(&scores, &five, &bootstrap)?;
+    progress.step("comparing the measures");
+    let against = arguments.against.as_deref();
+    let against = against.map(|column| compare(&table, column, (&scores, &five), &bootstrap));
+    let against = against
+        .transpose()
+        .with_context(|| path.display().to_string())?;
+    if let Some(file) = &arguments.plot {
+        progress.step("drawing");
+        let svg = plot::svg(&scores, &four.curve, &five.curve, &found)?;
+        ga_files::write(file, svg.as_bytes())?;
+    }
+    drop(progress);
+    let report = Report {
+        scores: scores.len(),
+        logistic4: curve_report(&scores, &four, &four.curve.parameters),
+        logistic5: curve_report(&scores, &five, &five.curve.parameters),
+        plcc: found.linear_correlation.value,
+        plcc_interval: ends(found.linear_correlation),
+        srocc: found.spearman.value,
+        srocc_interval: ends(found.spearman),
+        krocc: found.kendall.value,
+        krocc_interval: ends(found.kendall),
+        rmse: found.root_mean_square_error.value,
+        rmse_interval: ends(found.root_mean_square_error),
+        outlier_ratio: found.outlier_ratio.value,
+        outlier_ratio_interval: ends(found.outlier_ratio),
+        confidence: arguments.confidence,
+        draws: arguments.draws,
+        seed: arguments.seed,
+        against,
+    };
+    if arguments.json {
+        output::print_json(&report)
+    } else if quiet {
+        Ok(())
+    } else {
+        output::print(&text(&report))
+    }
+}
+
+fn scores(table: &Table, objective: &str) -> Result<Scores> {
+    let scores = Scores::new(table.numbers(objective)?, table.numbers("subjective")?)?;
+    Ok(match table.has("deviation") {
+        true => scores.with_deviations(table.numbers("deviation")?)?,
+        false => scores,
+    })
+}
+
+fn compare(
+    table: &Table,
+    column: &str,
+    (scores, fit): (&Scores, &Fit<Logistic5>),
+    bootstrap: &Bootstrap,
+) -> Result<AgainstReport> {
+    let other = self::scores(table, column)?;
+    let other_fit = Logistic5::fit(&other)?;
+    let found = performance::difference([scores, &other], [fit, &other_fit], bootstrap)?;
+    Ok(AgainstReport {
+        column: column.to_owned(),
+        plcc: performance::of(&other, &other_fit).linear_correlation,
+        plcc_difference: found.linear_correlation.value,
+        plcc_difference_interval: ends(found.linear_correlation),
+        srocc_difference: found.spearman.value,
+        srocc_difference_interval: ends(found.spearman),
+        correlation_p_value: found.correlation_p_value,
+        error_p_value: found.error_p_value,
+    })
+}
+
+fn curve_report<C: Curve>(scores: &Scores, fit: &Fit<C>, parameters: &[f64]) -> CurveReport {
+    let found = performance::of(scores, fit);
+    CurveReport {
+        parameters: parameters.to_vec(),
+        sse: fit.sum_of_squares,
+        plcc: found.linear_correlation,
+        rmse: found.root_mean_square_error,
+        outlier_ratio: found.outlier_ratio,
+    }
+}
+
+fn ends(interval: Interval) -> [f64; 2] {
+    [interval.low, interval.high]
+}
+
+fn text(report: &Report) -> String {
+    let mut text = format!("{} scores\n", report.scores);
+    for (name, curve) in [
+        ("4 parameters", &report.logistic4),
+        ("5 parameters", &report.logistic5),
+    ] {
+        let parameters: Vec<String> = curve.parameters.iter().map(|p| format!("{p:.6}")).collect();
+        let parameters = parameters.join(", ");
+        text += &format!(
+            "logistic curve, {name}: {parameters}; sum of squares {:.6}, PLCC {:.4}\n",
+            curve.sse, curve.plcc
+        );
+    }
+    let percent = 100.0 * report.confidence;
+    text += &format!("{:<14}  {:>8}   {percent} % interval\n", "measure", "value");
+    for (name, value, [low, high]) in [
+        ("PLCC", report.plcc, report.plcc_interval),
+        ("SROCC", report.srocc, report.srocc_interval),
+        ("KROCC", report.krocc, report.krocc_interval),
+        ("RMSE", report.rmse, report.rmse_interval),
+        (
+            "outlier ratio",
+            report.outlier_ratio,
+            report.outlier_ratio_interval,
+        ),
+    ] {
+        text += &format!("{name:<14}  {value:>8.4}   {low:.4} to {high:.4}\n");
+    }
+    if let Some(against) = &report.against {
+        let [low, high] = against.plcc_difference_interval;
+        text += &format!(
+            "against {}: PLCC {:.4}, difference {:+.4} ({low:+.4} to {high:+.4}), p = {:.3e} by \
+             the correlations, {:.3e} by the errors\n",
+            against.column,
+            against.plcc,
+            against.plcc_difference,
+            against.correlation_p_value,
+            against.error_p_value
+        );
+    }
+    text
+}

@@ -1,0 +1,93 @@
+//! Scores with fitted curves as a picture, in the shape of Cui's fig. 12.
+
+use anyhow::Result;
+use ga_vision::opinion::Scores;
+use ga_vision::opinion::logistic::{Curve, Logistic4, Logistic5};
+use ga_vision::opinion::performance::{Interval, Performance};
+use plotters::prelude::*;
+
+use crate::chart::{COLOURS, FINE, shown_small};
+
+const SIZE: (u32, u32) = (720, 520);
+/// Straight lines that make a curve.
+const PIECES: usize = 400;
+
+pub(super) fn svg(
+    scores: &Scores,
+    four: &Logistic4,
+    five: &Logistic5,
+    found: &Performance<Interval>,
+) -> Result<String> {
+    let x = range(scores.objective());
+    let y = range(scores.subjective());
+    let mut text = String::new();
+    {
+        let root = SVGBackend::with_string(&mut text, (SIZE.0 * FINE, SIZE.1 * FINE));
+        let root = root.into_drawing_area();
+        root.fill(&WHITE)?;
+        let font = |size: u32| ("sans-serif", size * FINE).into_font();
+        let caption = format!(
+            "PLCC {:.4}, SROCC {:.4}, RMSE {:.4}, {} scores",
+            found.linear_correlation.value,
+            found.spearman.value,
+            found.root_mean_square_error.value,
+            scores.len()
+        );
+        let mut chart = ChartBuilder::on(&root)
+            .caption(caption, font(17))
+            .margin(14 * FINE)
+            .x_label_area_size(44 * FINE)
+            .y_label_area_size(54 * FINE)
+            .build_cartesian_2d(x[0]..x[1], y[0]..y[1])?;
+        chart
+            .configure_mesh()
+            .light_line_style(TRANSPARENT)
+            .bold_line_style(RGBColor(225, 225, 225).stroke_width(FINE))
+            .axis_style(RGBColor(90, 90, 90).stroke_width(FINE))
+            .label_style(font(13))
+            .axis_desc_style(font(14))
+            .x_desc("objective score")
+            .y_desc("mean opinion score")
+            .draw()?;
+        let pairs = scores.objective().iter().zip(scores.subjective());
+        chart
+            .draw_series(pairs.map(|(x, y)| {
+                Circle::new((*x, *y), 3 * FINE as i32, COLOURS[0].mix(0.7).filled())
+            }))?;
+        let curves: [(&str, RGBColor, &dyn Fn(f64) -> f64); 2] = [
+            ("logistic, 4 parameters", COLOURS[2], &|x| four.at(x)),
+            ("logistic, 5 parameters", COLOURS[1], &|x| five.at(x)),
+        ];
+        for (name, colour, at) in curves {
+            let points = (0..=PIECES).map(|k| {
+                let place = x[0] + (x[1] - x[0]) * k as f64 / PIECES as f64;
+                (place, at(place).clamp(y[0], y[1]))
+            });
+            chart
+                .draw_series(LineSeries::new(points, colour.stroke_width(2 * FINE)))?
+                .label(name)
+                .legend(move |(x, y)| {
+                    let end = x + 22 * FINE as i32;
+                    PathElement::new([(x, y), (end, y)], colour.stroke_width(2 * FINE))
+                });
+        }
+        chart
+            .configure_series_labels()
+            .position(SeriesLabelPosition::UpperLeft)
+            .margin(12 * FINE)
+            .legend_area_size(28 * FINE)
+            .label_font(font(13))
+            .background_style(WHITE.mix(0.85))
+            .draw()?;
+        root.present()?;
+    }
+    Ok(shown_small(&text, SIZE))
+}
+
+/// The range of an axis: that of the numbers and a twentieth more on both sides.
+fn range(values: &[f64]) -> [f64; 2] {
+    let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+    let greatest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let margin = 0.05 * (greatest - least);
+    [least - margin, greatest + margin]
+}

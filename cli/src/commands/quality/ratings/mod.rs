@@ -1,0 +1,225 @@
+//! `nullcone quality ratings`: what people say about a video.
+
+mod plot;
+mod table;
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use anyhow::{Context, Result};
+use ga_vision::opinion::ratings::{MeanOpinion, Ratings};
+use serde::Serialize;
+
+use crate::output;
+
+/// Evaluate a table of ratings: mean opinion scores with intervals, groups, agreement, screening.
+///
+/// TABLE.csv has a line of names, a row for each rater and a column for each question. A column
+/// rater has the raters' names; a column group, such as expert and lay, is compared by the test of
+/// Welch. A rating may be missing. Raters who answer without order are found by the rule of ITU-R
+/// BT.500; with --screen they are left out.
+#[derive(Clone, Debug, clap::Args)]
+pub(crate) struct Arguments {
+    /// The ratings.
+    #[arg(value_name = "TABLE.csv")]
+    table: PathBuf,
+    /// The confidence of the intervals.
+    #[arg(long, value_name = "PART", default_value_t = 0.95)]
+    confidence: f64,
+    /// Leave out the raters who are rejected by the screening.
+    #[arg(long)]
+    screen: bool,
+    /// Print a JSON object.
+    #[arg(long)]
+    json: bool,
+    /// Write a picture of the opinions and of how many people gave which rating.
+    #[arg(long, value_name = "FILE.svg")]
+    plot: Option<PathBuf>,
+}
+
+#[derive(Serialize)]
+struct Report {
+    raters: usize,
+    questions: Vec<QuestionReport>,
+    agreement: AgreementReport,
+    screening: Vec<ScreeningReport>,
+    rejected: Vec<String>,
+    /// Whether the rejected raters were left out.
+    screened: bool,
+    confidence: f64,
+}
+
+#[derive(Serialize)]
+struct QuestionReport {
+    question: String,
+    #[serde(flatten)]
+    opinion: OpinionReport,
+    /// How many people gave each rating.
+    counts: BTreeMap<String, usize>,
+    groups: BTreeMap<String, OpinionReport>,
+    /// The differences between two groups.
+    differences: Vec<DifferenceReport>,
+}
+
+#[derive(Serialize)]
+struct OpinionReport {
+    mean_opinion_score: f64,
+    interval: Option<[f64; 2]>,
+    standard_deviation: Option<f64>,
+    ratings: usize,
+}
+
+#[derive(Serialize)]
+struct DifferenceReport {
+    first: String,
+    second: String,
+    difference: f64,
+    p_value: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct AgreementReport {
+    krippendorff_alpha_interval: Option<f64>,
+    krippendorff_alpha_ordinal: Option<f64>,
+    kendall_w: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct ScreeningReport {
+    rater: String,
+    above: usize,
+    below: usize,
+    ratings: usize,
+    correlation: Option<f64>,
+    rejected: bool,
+}
+
+pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+    let path = &arguments.table;
+    let bytes = std::fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
+    let all = table::parse(&bytes).with_context(|| path.display().to_string())?;
+    let screening = all.screening();
+    let rejected: Vec<usize> = (0..screening.len())
+        .filter(|rater| screening[*rater].is_rejected)
+        .collect();
+    let ratings = match arguments.screen {
+        true => all.without(&rejected)?,
+        false => all.clone(),
+    };
+    let questions = (0..ratings.questions().len())
+        .map(|question| question_report(&ratings, question, arguments.confidence))
+        .collect::<Result<Vec<_>>>()?;
+    let agreement = ratings.agreement();
+    let name = |rater: usize| all.raters()[rater].name.clone();
+    let report = Report {
+        raters: ratings.raters().len(),
+        questions,
+        agreement: AgreementReport {
+            krippendorff_alpha_interval: agreement.alpha_interval,
+            krippendorff_alpha_ordinal: agreement.alpha_ordinal,
+            kendall_w: agreement.concordance,
+        },
+        screening: screening
+            .iter()
+            .enumerate()
+            .map(|(rater, found)| ScreeningReport {
+                rater: name(rater),
+                above: found.above,
+                below: found.below,
+                ratings: found.ratings,
+                correlation: found.correlation,
+                rejected: found.is_rejected,
+            })
+            .collect(),
+        rejected: rejected.iter().map(|rater| name(*rater)).collect(),
+        screened: arguments.screen,
+        confidence: arguments.confidence,
+    };
+    if let Some(file) = &arguments.plot {
+        let svg = plot::svg(&ratings, arguments.confidence)?;
+        ga_files::write(file, svg.as_bytes())?;
+    }
+    if arguments.json {
+        output::print_json(&report)
+    } else if quiet {
+        Ok(())
+    } else {
+        output::print(&text(&report))
+    }
+}
+
+fn question_report(ratings: &Ratings, question: usize, confidence: f64) -> Result<QuestionReport> {
+    let opinion = |group| ratings.mean_opinion(question, group, confidence);
+    let mut counts = BTreeMap::new();
+    for rating in ratings.of_question(question, None) {
+        *counts.entry(rating.to_string()).or_default() += 1;
+    }
+    let names = ratings.groups();
+    let (mut groups, mut differences) = (BTreeMap::new(), Vec::new());
+    for (place, first) in names.iter().enumerate() {
+        if ratings.of_question(question, Some(first)).is_empty() {
+            continue;
+        }
+        groups.insert((*first).to_owned(), opinion_report(opinion(Some(first))?));
+        for second in &names[place + 1..] {
+            if let Some(found) = ratings.group_difference(question, [first, second]) {
+                differences.push(DifferenceReport {
+                    first: (*first).to_owned(),
+                    second: (*second).to_owned(),
+                    difference: found.difference,
+                    p_value: found.p_value,
+                });
+            }
+        }
+    }
+    Ok(QuestionReport {
+        question: ratings.questions()[question].clone(),
+        opinion: opinion_report(opinion(None)?),
+        counts,
+        groups,
+        differences,
+    })
+}
+
+fn opinion_report(opinion: MeanOpinion) -> OpinionReport {
+    let mean = opinion.mean;
+    OpinionReport {
+        mean_opinion_score: mean,
+        interval: opinion.half_width.map(|half| [mean - half, mean + half]),
+        standard_deviation: opinion.deviation,
+        ratings: opinion.ratings,
+    }
+}
+
+fn text(report: &Report) -> String {
+    let opinion = |o: &OpinionReport| match o.interval {
+        Some([low, high]) => format!("{:.2} ({low:.2} to {high:.2})", o.mean_opinion_score),
+        None => format!("{:.2}", o.mean_opinion_score),
+    };
+    let mut text = format!("{} raters\n", report.raters);
+    for question in &report.questions {
+        text += &format!("{}: {}", question.question, opinion(&question.opinion));
+        for (group, found) in &question.groups {
+            text += &format!("; {group} {}", opinion(found));
+        }
+        for difference in &question.differences {
+            if let Some(p) = difference.p_value {
+                text += &format!("; p = {p:.3}");
+            }
+        }
+        text.push('\n');
+    }
+    let number = |value: Option<f64>| value.map_or("none".to_owned(), |v| format!("{v:.3}"));
+    text += &format!(
+        "agreement: Krippendorff's alpha {} (interval), {} (ordinal), Kendall's W {}\n",
+        number(report.agreement.krippendorff_alpha_interval),
+        number(report.agreement.krippendorff_alpha_ordinal),
+        number(report.agreement.kendall_w)
+    );
+    let rejected = match report.rejected.as_slice() {
+        [] => "none".to_owned(),
+        names => names.join(", "),
+    };
+    let done = if report.screened { "left out" } else { "found" };
+    text + &format!("raters without order {done} (ITU-R BT.500): {rejected}\n")
+}

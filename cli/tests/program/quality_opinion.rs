@@ -1,0 +1,192 @@
+//! `nullcone quality fit` and `nullcone quality ratings`: people's judgement.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use serde_json::Value;
+use tempfile::tempdir;
+
+use crate::common::{assert_failure, assert_success, names, nullcone, text};
+
+fn run(folder: &Path, arguments: &[&str]) -> std::process::Output {
+    nullcone(folder, ["quality"].iter().chain(arguments))
+}
+
+fn json(output: &std::process::Output) -> Value {
+    assert_success(output);
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+/// The table of the shared scores with one measure, and what SciPy found for it.
+fn table() -> Option<(String, Value)> {
+    let path = nullcone_shared_data::shared("oracle/vision/seed1/truth.json")?;
+    let truth: Value = serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap();
+    let [first, .., last] = truth["logistic_vqeghd3"].as_array().unwrap().as_slice() else {
+        panic!("there are several measures");
+    };
+    let mut csv = "clip,Objective,subjective,worse\n".to_owned();
+    let rows = last["mos"].as_array().unwrap().iter().enumerate();
+    for (row, mos) in rows {
+        writeln!(csv, "{row},{},{mos},{}", last["x"][row], first["x"][row]).unwrap();
+    }
+    Some((csv, last.clone()))
+}
+
+#[test]
+fn a_measure_is_fitted_as_scipy_fits_it() {
+    let Some((csv, truth)) = table() else { return };
+    let folder = tempdir().unwrap();
+    std::fs::write(folder.path().join("scores.csv"), csv).unwrap();
+    let arguments = [
+        "fit",
+        "scores.csv",
+        "--json",
+        "--draws",
+        "200",
+        "--plot",
+        "fit.svg",
+    ];
+    let found = json(&run(
+        folder.path(),
+        &[&arguments[..], &["--against", "worse"]].concat(),
+    ));
+    let number = |value: &Value| value.as_f64().unwrap();
+    for curve in ["logistic4", "logistic5"] {
+        let (found, truth) = (&found[curve], &truth[curve]);
+        assert!(number(&found["sse"]) <= (1.0 + 1e-6) * number(&truth["sse"]));
+        assert!(number(&found["plcc"]) > number(&truth["plcc"]) - 1e-6);
+        let parameters = found["parameters"].as_array().unwrap().len();
+        assert_eq!(parameters, truth["params"].as_array().unwrap().len());
+    }
+    for rank in ["srocc", "krocc"] {
+        assert!((number(&found[rank]) - number(&truth[rank])).abs() < 1e-12);
+    }
+    assert_eq!(found["plcc"], found["logistic5"]["plcc"]);
+    for key in ["plcc", "srocc", "krocc", "outlier_ratio"] {
+        let ends = found[&format!("{key}_interval")].as_array().unwrap();
+        assert!(number(&ends[0]) <= number(&found[key]), "{key}");
+        assert!(number(&found[key]) <= number(&ends[1]), "{key}");
+    }
+    assert!(number(&found["rmse"]) > 0.0);
+    assert!(number(&found["against"]["plcc_difference"]) > 0.1);
+    assert!(number(&found["against"]["correlation_p_value"]) < 1e-3);
+    let svg = std::fs::read_to_string(folder.path().join("fit.svg")).unwrap();
+    assert!(svg.starts_with("<svg") && svg.matches("<circle").count() >= 63);
+    // Text for people, and the same numbers for the same seed.
+    let output = run(folder.path(), &["fit", "scores.csv"]);
+    let lines = text(&output.stdout);
+    assert!(
+        lines.contains("63 scores") && lines.contains("SROCC"),
+        "{lines}"
+    );
+    let again = json(&run(
+        folder.path(),
+        &[&arguments[..], &["--against", "worse"]].concat(),
+    ));
+    assert_eq!(found, again);
+}
+
+#[test]
+fn wrong_scores_are_named_and_nothing_is_written() {
+    let folder = tempdir().unwrap();
+    for (csv, message) in [
+        (
+            "objective,subjective\n1,2\n2,nan\n",
+            "line 3, column subjective: \"nan\" is not a finite number",
+        ),
+        (
+            "objective,mos\n1,2\n",
+            "there is no column subjective; the first line names objective, mos",
+        ),
+        (
+            "objective,subjective\n1,2\n2,3\n3,5\n4,4\n",
+            "4 scores are too few; at least 5 are needed",
+        ),
+        (
+            "objective,subjective\n1,2\n1,3\n1,4\n1,5\n1,1\n",
+            "all numbers of the column objective are equal",
+        ),
+        (
+            "objective,subjective\n1,2\n2\n",
+            "found record with 1 fields",
+        ),
+    ] {
+        std::fs::write(folder.path().join("scores.csv"), csv).unwrap();
+        let output = run(folder.path(), &["fit", "scores.csv", "--plot", "fit.svg"]);
+        assert_failure(&output, &[message]);
+        assert_eq!(names(folder.path()), ["scores.csv"]);
+    }
+}
+
+const RATINGS: &str = "rater,group,A,B\n\
+    1,expert,4,5\n2,expert,5,5\n3,lay,3,4\n4,lay,2,\n5,lay,4,4\n";
+
+#[test]
+fn ratings_are_evaluated_by_question_and_group() {
+    let folder = tempdir().unwrap();
+    std::fs::write(folder.path().join("table.csv"), RATINGS).unwrap();
+    let arguments = ["ratings", "table.csv", "--json", "--plot", "ratings.svg"];
+    let found = json(&run(folder.path(), &arguments));
+    assert_eq!(found["raters"], 5);
+    let first = &found["questions"][0];
+    assert_eq!(first["question"], "A");
+    assert_eq!(first["mean_opinion_score"], 3.6);
+    assert_eq!(first["groups"]["expert"]["mean_opinion_score"], 4.5);
+    assert_eq!(first["groups"]["lay"]["ratings"], 3);
+    assert_eq!(first["counts"]["4"], 2);
+    let difference = &first["differences"][0];
+    assert_eq!(
+        (&difference["first"], &difference["difference"]),
+        (&"expert".into(), &1.5.into())
+    );
+    // A missing rating does not count.
+    assert_eq!(found["questions"][1]["ratings"], 4);
+    assert_eq!(
+        found["questions"][1]["groups"]["lay"]["interval"],
+        serde_json::json!([4.0, 4.0])
+    );
+    assert_eq!(found["rejected"], serde_json::json!([]));
+    let svg = std::fs::read_to_string(folder.path().join("ratings.svg")).unwrap();
+    assert!(svg.contains("Raters by rating") && svg.contains("expert"));
+    let output = run(folder.path(), &["ratings", "table.csv", "--screen"]);
+    let lines = text(&output.stdout);
+    assert!(lines.contains("A: 3.60 (2.18 to 5.02)"), "{lines}");
+}
+
+#[test]
+fn raters_may_have_no_names() {
+    let folder = tempdir().unwrap();
+    std::fs::write(folder.path().join("table.csv"), "A,B\n4,5\n5,3\n").unwrap();
+    let found = json(&run(folder.path(), &["ratings", "table.csv", "--json"]));
+    assert_eq!(found["screening"][1]["rater"], "2");
+    assert_eq!(found["questions"].as_array().unwrap().len(), 2);
+    std::fs::write(folder.path().join("table.csv"), "who,A\nAda,5\nBob,3\n").unwrap();
+    let found = json(&run(folder.path(), &["ratings", "table.csv", "--json"]));
+    assert_eq!(found["screening"][1]["rater"], "Bob");
+}
+
+#[test]
+fn wrong_ratings_are_named_and_nothing_is_written() {
+    let folder = tempdir().unwrap();
+    for (csv, message) in [
+        (
+            "rater,A\n1,4\n",
+            "1 raters are too few; at least 2 are needed",
+        ),
+        (
+            "rater,A\n1,4\n2,good\n",
+            "line 3, column A: \"good\" is not a finite number",
+        ),
+        ("rater,A\n1,4\n1,5\n", "the rater 1 occurs twice"),
+        (
+            "rater,A,B\n1,4,\n2,5,\n",
+            "0 ratings of a question are too few",
+        ),
+        ("rater,group\n1,lay\n2,lay\n", "0 questions are too few"),
+    ] {
+        std::fs::write(folder.path().join("table.csv"), csv).unwrap();
+        let output = run(folder.path(), &["ratings", "table.csv", "--plot", "r.svg"]);
+        assert_failure(&output, &[message]);
+        assert_eq!(names(folder.path()), ["table.csv"]);
+    }
+}
