@@ -53,6 +53,9 @@ pub enum LengthsError {
 
 /// The standard deviation of the logarithm of a bone's factor.
 const PROPORTIONS: f64 = 0.1;
+/// The search ends with a step that changes the residuals by no more than this in the mean. They
+/// are in standard deviations, so that such a step says nothing, even where residuals are small.
+const INSIGNIFICANT: f64 = 1e-4;
 /// How many frames are used, spread over all of them.
 const FRAMES: usize = 32;
 
@@ -140,7 +143,9 @@ pub fn fit_lengths(
         lengths,
     };
     let settings = Settings {
+        steps: 300,
         relative_tolerance: 1e-6,
+        absolute_tolerance: INSIGNIFICANT,
         loss: fit.likelihood().loss,
         ..Settings::default()
     };

@@ -224,6 +224,22 @@ fn frames_without_their_root_or_with_few_joints_have_fewer_scores() {
     ));
 }
 
+/// A joint that is too deep by a metre is where it should be for the camera in front of it, and 50 px
+/// beside that for one a metre to the side.
+#[test]
+fn joint_errors_are_means_over_all_views() {
+    let intrinsics = Intrinsics::new([1000.0, 1000.0], [0.0, 0.0]).unwrap();
+    let camera = |x: f64| Camera {
+        intrinsics,
+        world_to_camera: Translator::from_displacement([-x, 0.0, 0.0]).into(),
+    };
+    let truth = vec![vec![Point::new(0.0, 0.0, 4.0)]];
+    let found = vec![vec![Some(Point::new(0.0, 0.0, 5.0))]];
+    let scores = score(&[camera(0.0), camera(1.0)], &truth, &found).unwrap();
+    assert!((scores.joint_error_px - 25.0).abs() < 1e-9, "{scores:?}");
+    assert_eq!(scores.position_error, 1.0);
+}
+
 /// The noise of a view says nothing about that of another view or frame.
 #[test]
 fn noise_is_independent_between_views_and_frames() {
