@@ -30,7 +30,7 @@ use clap::{Parser, Subcommand};
 
 use commands::{
     animate, body, capture, clip, contour, curve, demo, draw, expand, mesh, quality, render, skin,
-    stereo, texture,
+    stereo, texture, video,
 };
 
 /// Animation, stereo vision and pictures on conformal geometric algebra.
@@ -61,6 +61,7 @@ enum Command {
     Skin(skin::Arguments),
     Stereo(stereo::Arguments),
     Texture(texture::Arguments),
+    Video(video::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -81,6 +82,7 @@ fn main() -> ExitCode {
         Command::Skin(arguments) => skin::run(arguments, cli.quiet),
         Command::Stereo(arguments) => stereo::run(arguments, cli.quiet),
         Command::Texture(arguments) => texture::run(arguments, cli.quiet),
+        Command::Video(arguments) => video::run(arguments, cli.quiet),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

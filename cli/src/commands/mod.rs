@@ -15,3 +15,4 @@ pub(crate) mod render;
 pub(crate) mod skin;
 pub(crate) mod stereo;
 pub(crate) mod texture;
+pub(crate) mod video;

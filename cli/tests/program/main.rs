@@ -30,3 +30,4 @@ mod stereo_calibrate;
 mod stereo_cameras;
 mod stereo_pose;
 mod texture;
+mod video;

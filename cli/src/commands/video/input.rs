@@ -1,0 +1,106 @@
+//! Reading and analysing a video.
+
+use std::path::Path;
+
+use anyhow::{Context, Error, Result};
+use clap::ValueEnum;
+use ga_image::plane::Plane;
+use ga_image::y4m;
+use ga_vision::keyframe::layout::Layout;
+use ga_vision::keyframe::{Analyser, Analysis, Options};
+use ga_vision::video::{self, Frame, Properties};
+
+use super::spool::Spool;
+use crate::progress::Progress;
+
+/// The blocks into which frames are divided.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Blocks {
+    /// Objects in the middle, background in the four corners.
+    Five,
+    /// Cui's: objects below the middle, background at the left, above and at the right.
+    Paper,
+}
+
+impl From<Blocks> for Layout {
+    fn from(blocks: Blocks) -> Self {
+        match blocks {
+            Blocks::Five => Self::Five,
+            Blocks::Paper => Self::Paper,
+        }
+    }
+}
+
+/// A video as far as it could be read.
+pub(super) struct Analysed {
+    pub(super) analysis: Analysis,
+    pub(super) properties: Properties,
+    /// Why it could not be read further.
+    pub(super) failure: Option<Error>,
+}
+
+impl Analysed {
+    /// Frames in a second: as stated, or from the times of the frames.
+    pub(super) fn rate(&self) -> [u32; 2] {
+        self.properties.frames_per_second.unwrap_or_else(|| {
+            let frames = &self.analysis.frames;
+            let seconds = frames.last().map_or(0.0, |frame| frame.time_seconds);
+            let rate = (frames.len().saturating_sub(1)) as f64 / seconds;
+            // A cast from float saturates.
+            match rate.is_finite() && rate > 0.0 {
+                true => [(1000.0 * rate).round() as u32, 1000],
+                false => [25, 1],
+            }
+        })
+    }
+}
+
+/// Analyses a video; `-` is Y4M from standard input. Pictures of frames that may become key frames
+/// go to the spool, where there is one.
+pub(super) fn analyse(
+    path: &Path,
+    options: Options,
+    mut spool: Option<&mut Spool>,
+    progress: &Progress,
+) -> Result<Analysed> {
+    let mut source = video::open(path)?;
+    let properties = *source.properties();
+    let mut analyser = Analyser::new(options, properties.colours);
+    let mut frame = Frame::default();
+    let mut count = 0_u64;
+    let failure = loop {
+        match source.read(&mut frame) {
+            Ok(true) => {}
+            Ok(false) => break None,
+            Err(error) if count == 0 => return Err(error.into()),
+            Err(error) => break Some(error.into()),
+        }
+        let candidate = analyser.push(&frame);
+        let candidate = candidate.with_context(|| path.display().to_string())?;
+        if let Some(spool) = spool.as_deref_mut().filter(|_| candidate) {
+            spool.keep(count as usize, &rgb(&frame, &properties))?;
+        }
+        count += 1;
+        if count % 16 == 0 {
+            progress.at(
+                count,
+                properties.frame_count.map_or(2 * count, |all| all as u64),
+            );
+        }
+    };
+    Ok(Analysed {
+        analysis: analyser.finish(),
+        properties,
+        failure,
+    })
+}
+
+fn rgb(frame: &Frame, properties: &Properties) -> Plane<[u8; 3]> {
+    let planes = frame.samples.eight_bits();
+    let [cb, cr] = &planes.differences;
+    let frame = y4m::Frame {
+        luma: planes.luma.view(),
+        differences: [cb.view(), cr.view()],
+    };
+    frame.to_rgb(properties.colours)
+}

@@ -1,0 +1,189 @@
+//! The cuts, shots and key frames of a video.
+
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, ensure};
+use ga_image::png;
+use ga_vision::keyframe::{Options, scenes};
+
+use super::input::{Analysed, Blocks, analyse};
+use super::report::Report;
+use super::spool::Spool;
+use super::{page, plot, sheet};
+use crate::output;
+use crate::progress::Progress;
+
+/// Find cuts, dissolves, fades, shots and key frames of a video.
+///
+/// Shots are divided at cuts and in the middle of dissolves. The background of a shot is static or
+/// dynamic. Key frames are chosen in two stages: frames whose background, or whose objects, differ
+/// from the last candidate, and of these the ones that have little mutual information with it; the
+/// first clear frame of each shot is always one. No key frame is nearly black or blended.
+///
+/// --json prints {"frames": 720, "cuts": [285, …], "dissolves": [{"start", "end"}, …],
+/// "fades": [{"start", "end", "direction", "colour"}, …], "shots": [{"start", "end",
+/// "background"}, …], "key_frames": [{"index", "time", "reason", "score"}, …]}. Frames are counted
+/// from 0, intervals are half-open, a cut is the first frame of the new shot, times are in seconds.
+///
+/// For instance
+///
+///   nullcone video keyframes film.y4m --out keys --contact-sheet sheet.png --plot curves.svg
+///   ffmpeg -i film.mp4 -f yuv4mpegpipe -pix_fmt yuv420p - | nullcone video keyframes - --json
+#[derive(Clone, Debug, clap::Args)]
+#[command(verbatim_doc_comment)]
+pub(super) struct Arguments {
+    /// The video; - is Y4M from standard input.
+    #[arg(value_name = "FILE")]
+    video: PathBuf,
+    /// Write the key frames as PNG into this folder.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Print one JSON object instead of lines.
+    #[arg(long)]
+    json: bool,
+    /// Choose at most so many key frames: the first of each shot, then those with most that is new.
+    #[arg(long, value_name = "COUNT")]
+    budget: Option<usize>,
+    /// The least part that is new in a key frame, from 0 to 1, by mutual information with the
+    /// candidate before it.
+    #[arg(long, value_name = "PART", default_value_t = Options::default().threshold)]
+    threshold: f64,
+    /// How frames are divided into blocks.
+    #[arg(long, value_enum, default_value_t = Blocks::Five)]
+    layout: Blocks,
+    /// The least frames of a shot.
+    #[arg(long, value_name = "FRAMES", default_value_t = 1)]
+    min_shot: usize,
+    /// Write the shots as a table (.csv) or as an edit decision list (.edl); may be repeated.
+    #[arg(long, value_name = "FILE")]
+    scenes: Vec<PathBuf>,
+    /// Write the differences and the mutual information of all frames as a chart, as Cui's fig. 6.
+    #[arg(long, value_name = "FILE.svg")]
+    plot: Option<PathBuf>,
+    /// Write the key frames side by side as one picture.
+    #[arg(long, value_name = "FILE.png")]
+    contact_sheet: Option<PathBuf>,
+    /// Write a page with charts, shots and key frames that needs no other file.
+    #[arg(long, value_name = "FILE.html")]
+    report: Option<PathBuf>,
+}
+
+pub(super) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+    arguments.check()?;
+    let progress = Progress::new(1, quiet);
+    progress.step("analysing");
+    let options = Options {
+        layout: arguments.layout.into(),
+        minimum_shot: arguments.min_shot,
+        threshold: arguments.threshold,
+        budget: arguments.budget,
+    };
+    let pictures =
+        arguments.out.is_some() || arguments.contact_sheet.is_some() || arguments.report.is_some();
+    let mut spool = pictures.then(Spool::new).transpose()?;
+    let analysed = analyse(&arguments.video, options, spool.as_mut(), &progress)?;
+    let report = Report::new(&analysed.analysis);
+    if analysed.failure.is_none() {
+        progress.step("writing");
+        let files = arguments.files(&analysed, &report, spool.as_mut())?;
+        ga_files::write_together(files.iter().map(|(path, bytes)| (path, &bytes[..])))?;
+    }
+    drop(progress);
+    if arguments.json {
+        output::print_json(&report)?;
+    } else if !quiet {
+        output::print(&report.text())?;
+    }
+    // What was analysed before an error is reported, without files.
+    analysed.failure.map_or(Ok(()), Err)
+}
+
+impl Arguments {
+    fn check(&self) -> Result<()> {
+        ensure!(
+            (0.0..=1.0).contains(&self.threshold),
+            "--threshold {}: it must be from 0 to 1",
+            self.threshold
+        );
+        for path in &self.scenes {
+            let ending = path.extension().and_then(OsStr::to_str);
+            ensure!(
+                matches!(ending, Some("csv" | "edl")),
+                "--scenes {}: its name must end in .csv or .edl",
+                path.display()
+            );
+        }
+        for (name, path, ending) in [
+            ("plot", &self.plot, "svg"),
+            ("contact-sheet", &self.contact_sheet, "png"),
+            ("report", &self.report, "html"),
+        ] {
+            let Some(path) = path else { continue };
+            ensure!(
+                path.extension().is_some_and(|found| found == ending),
+                "--{name} {}: its name must end in .{ending}",
+                path.display()
+            );
+        }
+        Ok(())
+    }
+
+    /// The name of the video, without folders.
+    fn title(&self) -> String {
+        let name = self.video.file_name().filter(|name| *name != "-");
+        name.map_or("standard input".into(), |name| {
+            name.to_string_lossy().into_owned()
+        })
+    }
+
+    /// The files that were asked for.
+    fn files(
+        &self,
+        analysed: &Analysed,
+        report: &Report,
+        spool: Option<&mut Spool>,
+    ) -> Result<Vec<(PathBuf, Vec<u8>)>> {
+        let mut files = Vec::new();
+        let title = self.title();
+        for path in &self.scenes {
+            let shots = &analysed.analysis.shots;
+            let text = match path.extension().is_some_and(|ending| ending == "edl") {
+                true => scenes::edl(shots, analysed.rate(), &title),
+                false => scenes::csv(shots, analysed.rate()),
+            };
+            files.push((path.clone(), text.into_bytes()));
+        }
+        if let Some(path) = &self.plot {
+            let svg = plot::svg(&analysed.analysis, &title)?;
+            files.push((path.clone(), svg.into_bytes()));
+        }
+        let Some(spool) = spool else {
+            return Ok(files);
+        };
+        if let Some(folder) = &self.out {
+            for key in &report.key_frames {
+                if let Some(picture) = spool.picture(key.index)? {
+                    let bytes = png::encode(&picture).context("cannot encode a key frame")?;
+                    files.push((key_path(folder, key.index), bytes));
+                }
+            }
+        }
+        if self.contact_sheet.is_some() || self.report.is_some() {
+            let sheet = sheet::draw(report, spool, &title)?;
+            let bytes = png::encode(&sheet).context("cannot encode the contact sheet")?;
+            if let Some(path) = &self.report {
+                let page = page::html(analysed, report, &bytes, &title)?;
+                files.push((path.clone(), page.into_bytes()));
+            }
+            if let Some(path) = &self.contact_sheet {
+                files.push((path.clone(), bytes));
+            }
+        }
+        Ok(files)
+    }
+}
+
+fn key_path(folder: &Path, index: usize) -> PathBuf {
+    folder.join(format!("frame_{index:06}.png"))
+}

@@ -1,0 +1,105 @@
+//! Found cuts against labelled ones.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result};
+use ga_vision::keyframe::evaluation::score;
+use serde::{Deserialize, Serialize};
+
+use crate::output;
+
+/// Compare found cuts with labelled ones: precision, recall and F1.
+///
+/// Each found cut is paired with at most one label that is at most --tolerance frames away, and
+/// each label with at most one cut. --json prints {"correct", "extra", "missed", "precision",
+/// "recall", "f1"}; a quotient without a denominator is null.
+#[derive(Clone, Debug, clap::Args)]
+#[command(verbatim_doc_comment)]
+pub(super) struct Arguments {
+    /// What nullcone video keyframes --json printed, or any JSON object with "cuts".
+    #[arg(value_name = "FOUND.json")]
+    found: PathBuf,
+    /// The first frames of the shots after the labelled cuts, a number a line.
+    #[arg(value_name = "LABELS.csv")]
+    labels: PathBuf,
+    /// How far a cut may be from its label, in frames.
+    #[arg(long, value_name = "FRAMES", default_value_t = 0)]
+    tolerance: usize,
+    /// Print one JSON object instead of lines.
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Deserialize)]
+struct Found {
+    cuts: Vec<usize>,
+}
+
+#[derive(Serialize)]
+struct Scores {
+    correct: usize,
+    extra: usize,
+    missed: usize,
+    precision: Option<f64>,
+    recall: Option<f64>,
+    f1: Option<f64>,
+}
+
+pub(super) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+    let found: Found = serde_json::from_slice(&read(&arguments.found)?)
+        .with_context(|| arguments.found.display().to_string())?;
+    let labels = labels(&arguments.labels)?;
+    let scored = score(&found.cuts, &labels, arguments.tolerance);
+    let scores = Scores {
+        correct: scored.correct,
+        extra: scored.extra,
+        missed: scored.missed,
+        precision: scored.precision(),
+        recall: scored.recall(),
+        f1: scored.f1(),
+    };
+    if arguments.json {
+        return output::print_json(&scores);
+    }
+    if quiet {
+        return Ok(());
+    }
+    let shown = |value: Option<f64>| value.map_or("none".into(), |value| format!("{value:.4}"));
+    output::print(&format!(
+        "{} correct, {} extra, {} missed\nprecision {}, recall {}, F1 {}\n",
+        scores.correct,
+        scores.extra,
+        scores.missed,
+        shown(scores.precision),
+        shown(scores.recall),
+        shown(scores.f1)
+    ))
+}
+
+fn read(path: &Path) -> Result<Vec<u8>> {
+    std::fs::read(path).with_context(|| format!("cannot read {}", path.display()))
+}
+
+/// The numbers of the first column; empty lines do not count.
+fn labels(path: &Path) -> Result<Vec<usize>> {
+    let bytes = read(path)?;
+    let mut reader = csv::ReaderBuilder::new()
+        .has_headers(false)
+        .flexible(true)
+        .trim(csv::Trim::All)
+        .from_reader(&bytes[..]);
+    let mut labels = Vec::new();
+    for record in reader.records() {
+        let record = record.with_context(|| path.display().to_string())?;
+        let word = record.get(0).unwrap_or_default();
+        let line = record.position().map_or(0, csv::Position::line);
+        let number = word.parse().with_context(|| {
+            format!(
+                "{}: line {line}: {word:?} is not a frame number",
+                path.display()
+            )
+        })?;
+        labels.push(number);
+    }
+    Ok(labels)
+}

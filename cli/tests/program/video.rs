@@ -1,0 +1,222 @@
+//! `nullcone video`: clips whose cuts are known.
+
+use std::path::Path;
+use std::process::Stdio;
+
+use ga_image::file;
+use ga_image::plane::Plane;
+use ga_image::y4m::{self, Film};
+use nullcone_shared_data::shared;
+use serde_json::{Value, json};
+use tempfile::tempdir;
+
+use crate::common::{assert_failure, assert_success, names, nullcone, number, program, text};
+
+/// Three pictures for 30 frames each, at 25 frames in a second: stripes, checks, and rings from
+/// which the camera moves away.
+fn write_clip(path: &Path) {
+    let frames = (0..90usize).map(|index| {
+        Plane::from_fn(128, 72, |column, row| {
+            let (x, y) = (column + 2 * (index % 30), row);
+            let level = match index / 30 {
+                0 => 60 + 120 * (column / 16 % 2),
+                1 => 30 + 150 * ((column / 32 + row / 12) % 2),
+                _ => 40 + (x * x + 3 * y * y) / 150 % 180,
+            } as u8;
+            [level, level / 2 + 40, 200 - level / 2]
+        })
+    });
+    y4m::write(path, frames, Film::default()).unwrap();
+}
+
+fn json_of(folder: &Path, arguments: &[&str]) -> Value {
+    let output = nullcone(folder, arguments);
+    assert_success(&output);
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+#[test]
+fn key_frames_are_reported_and_written() {
+    let folder = tempdir().unwrap();
+    write_clip(&folder.path().join("clip.y4m"));
+    let arguments = [
+        "video",
+        "keyframes",
+        "clip.y4m",
+        "--json",
+        "--out",
+        "keys",
+        "--contact-sheet",
+        "sheet.png",
+        "--plot",
+        "plot.svg",
+        "--scenes",
+        "scenes.csv",
+        "--scenes",
+        "scenes.edl",
+        "--report",
+        "report.html",
+    ];
+    let report = json_of(folder.path(), &arguments);
+    let keys: Vec<&String> = report.as_object().unwrap().keys().collect();
+    let expected = [
+        "cuts",
+        "dissolves",
+        "fades",
+        "frames",
+        "key_frames",
+        "shots",
+    ];
+    let mut sorted = keys.clone();
+    sorted.sort();
+    assert_eq!(sorted, expected);
+    assert_eq!(report["frames"], 90);
+    assert_eq!(report["cuts"], json!([30, 60]));
+    assert_eq!(report["dissolves"], json!([]));
+    assert_eq!(report["fades"], json!([]));
+    let shots = json!([
+        {"start": 0, "end": 30, "background": "static"},
+        {"start": 30, "end": 60, "background": "static"},
+        {"start": 60, "end": 90, "background": "dynamic"},
+    ]);
+    assert_eq!(report["shots"], shots);
+    let indices = report["key_frames"].as_array().unwrap().iter();
+    let indices: Vec<u64> = indices.map(|key| key["index"].as_u64().unwrap()).collect();
+    assert!(
+        [0, 30, 60].iter().all(|index| indices.contains(index)),
+        "{indices:?}"
+    );
+    assert!((number(&report, "/key_frames/1/time") - 1.2).abs() < 1e-9);
+    assert_eq!(report["key_frames"][0]["reason"], "shot");
+
+    let pictures = names(&folder.path().join("keys"));
+    let expected: Vec<String> = indices
+        .iter()
+        .map(|i| format!("frame_{i:06}.png"))
+        .collect();
+    assert_eq!(pictures, expected);
+    let picture = file::read(folder.path().join("keys/frame_000030.png")).unwrap();
+    assert_eq!([picture.width(), picture.height()], [128, 72]);
+    let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    assert_eq!(read("scenes.csv").lines().count(), 4);
+    assert!(read("scenes.csv").contains("\n2,30,60,00:00:01:05,00:00:02:10,30,static\n"));
+    assert!(read("scenes.edl").contains("003  AX       V     C        00:00:02:10 00:00:03:15"));
+    assert!(read("plot.svg").contains("mutual information"));
+    let page = read("report.html");
+    assert!(page.contains("<svg") && page.contains("data:image/png;base64,iVBOR"));
+    assert!(!page.contains("src=\"http"));
+}
+
+#[test]
+fn standard_input_is_a_video_too() {
+    let folder = tempdir().unwrap();
+    let clip = folder.path().join("clip.y4m");
+    write_clip(&clip);
+    let mut command = program(folder.path());
+    command.args([
+        "video",
+        "keyframes",
+        "-",
+        "--json",
+        "--budget",
+        "2",
+        "--out",
+        "keys",
+    ]);
+    command.stdin(Stdio::from(std::fs::File::open(&clip).unwrap()));
+    let output = command.output().unwrap();
+    assert_success(&output);
+    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(report["cuts"], json!([30, 60]));
+    assert_eq!(report["key_frames"].as_array().unwrap().len(), 2);
+    assert_eq!(names(&folder.path().join("keys")).len(), 2);
+}
+
+#[test]
+fn cuts_are_scored_against_labels() {
+    let folder = tempdir().unwrap();
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    write("found.json", "{\"cuts\": [10, 40, 70]}");
+    write("labels.csv", "11\n40\n\n90\n100\n");
+    let arguments = [
+        "video",
+        "score",
+        "found.json",
+        "labels.csv",
+        "--tolerance",
+        "1",
+        "--json",
+    ];
+    let scores = json_of(folder.path(), &arguments);
+    assert_eq!(
+        [&scores["correct"], &scores["extra"], &scores["missed"]],
+        [2, 1, 2]
+    );
+    assert!((number(&scores, "/precision") - 2.0 / 3.0).abs() < 1e-12);
+    assert!((number(&scores, "/recall") - 0.5).abs() < 1e-12);
+    assert!((number(&scores, "/f1") - 4.0 / 7.0).abs() < 1e-12);
+    write("labels.csv", "11\nforty\n");
+    let output = nullcone(folder.path(), &arguments[..4]);
+    assert_failure(&output, &["labels.csv", "line 2", "forty"]);
+    write("found.json", "{\"cuts\": [-1]}");
+    let output = nullcone(folder.path(), &arguments[..4]);
+    assert_failure(&output, &["found.json"]);
+}
+
+#[test]
+fn shots_are_counted_over_clips() {
+    let folder = tempdir().unwrap();
+    for name in ["a.y4m", "b.y4m"] {
+        write_clip(&folder.path().join(name));
+    }
+    let table = json_of(
+        folder.path(),
+        &["video", "statistics", "a.y4m", "b.y4m", "--json"],
+    );
+    assert_eq!(table["clips"][1]["file"], "b.y4m");
+    assert_eq!(table["clips"][0]["shots"], 3);
+    let total = &table["total"];
+    assert_eq!(
+        [&total["shots"], &total["static"], &total["dynamic"]],
+        [6, 4, 2]
+    );
+    assert!((number(&table, "/total/static_proportion") - 2.0 / 3.0).abs() < 1e-12);
+}
+
+#[test]
+fn a_truncated_clip_is_reported_as_far_as_it_goes() {
+    let folder = tempdir().unwrap();
+    let clip = folder.path().join("clip.y4m");
+    write_clip(&clip);
+    let bytes = std::fs::read(&clip).unwrap();
+    let cut = bytes.len() / 2 + 100;
+    std::fs::write(&clip, &bytes[..cut]).unwrap();
+    let arguments = ["video", "keyframes", "clip.y4m", "--json", "--out", "keys"];
+    let output = nullcone(folder.path(), arguments);
+    assert_eq!(output.status.code(), Some(1));
+    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(report["frames"], 45);
+    assert_eq!(report["cuts"], json!([30]));
+    assert!(
+        text(&output.stderr).contains("frame 45"),
+        "{}",
+        text(&output.stderr)
+    );
+    assert!(!folder.path().join("keys").exists());
+    std::fs::write(&clip, &bytes[..40]).unwrap();
+    assert_failure(&nullcone(folder.path(), arguments), &["clip.y4m"]);
+    let wrong = ["video", "keyframes", "clip.y4m", "--plot", "plot.png"];
+    assert_failure(&nullcone(folder.path(), wrong), &["--plot", ".svg"]);
+}
+
+#[test]
+fn the_oracle_has_two_cuts_and_a_dissolve() {
+    let Some(clip) = shared("oracle/vision/seed1/cuts.y4m") else {
+        return;
+    };
+    let folder = tempdir().unwrap();
+    let arguments = ["video", "keyframes", clip.to_str().unwrap(), "--json"];
+    let report = json_of(folder.path(), &arguments);
+    assert_eq!(report["cuts"], json!([31, 38]));
+    assert_eq!(report["dissolves"], json!([{"start": 66, "end": 74}]));
+}
