@@ -33,8 +33,8 @@ impl<'a> Reader<'a> {
     /// # Errors
     ///
     /// [`DecodeError::Syntax`] when it is wrong, [`DecodeError::Claim`] when the file is too short
-    /// for one frame, [`DecodeError::Unsupported`] for other samplings than those of [`Sampling`] and
-    /// for other depths than 8 bits.
+    /// for one frame, [`DecodeError::Unsupported`] for other samplings than those of [`Sampling`]
+    /// and for other depths than 8 bits.
     pub fn new(bytes: &'a [u8]) -> Result<Self, DecodeError> {
         let Some(end) = bytes.iter().position(|byte| *byte == b'\n') else {
             return Err(syntax(0, "the first line does not end"));

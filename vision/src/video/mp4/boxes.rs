@@ -1,5 +1,5 @@
-//! The boxes of an MP4 file. Crate re_mp4 reads what is in them; the tree is walked here, since that
-//! crate does not end on boxes of length 0 and trusts the numbers of one box in another.
+//! The boxes of an MP4 file. Crate re_mp4 reads what is in them; the tree is walked here, since
+//! that crate does not end on boxes of length 0 and trusts the numbers of one box in another.
 
 use std::fs::File;
 use std::io::{self, Cursor, Read, Seek, SeekFrom};
