@@ -5,11 +5,19 @@ use ga_runtime::cga3::{Direction, Motor, Point, Rotor, Translator};
 use ga_runtime::geometry::RotationPath;
 use ga_runtime::vga3::Vector;
 
+use super::branched::Above;
 use super::model::{BodyModel, BodyPoint};
 use super::skinned::Skinned;
 
 /// The columns of the translation, which come first.
 pub(super) const TRANSLATION: usize = 3;
+
+/// The standard deviation of a joint's rotation from rest in radians, where nothing else is known:
+/// about that of a human's limbs. It is weak beside pixels and decides what they leave open.
+const LIMB: f64 = 1.0;
+/// That of joints of the trunk, which carry more than a third of the body's points and several ends,
+/// and of bones that begin where their parent does: pelvis and shoulders hardly deform.
+const TRUNK: f64 = 0.3;
 
 /// The unknowns of a joint's rotation.
 #[derive(Clone, Copy, Debug, Default)]
@@ -43,6 +51,10 @@ pub(super) struct Chain<'a> {
     pub(super) count: usize,
     /// For each point, what moves it, from the root on.
     movers: Vec<Vec<Mover>>,
+    /// For each unknown the one above it, where those that move a point are always one chain.
+    pub(super) above: Option<Above>,
+    /// For each joint the standard deviation of its rotation from rest in radians.
+    pub(super) deviations: Vec<f64>,
     /// The points that follow several joints by a blend of motors.
     skinned: Option<Skinned>,
 }
@@ -59,6 +71,8 @@ pub(super) struct State {
 pub(super) struct Places {
     /// For each joint the rotation of its bone from rest.
     rotors: Vec<Rotor<f64>>,
+    /// For each joint the axes of its unknowns.
+    axes: Vec<[Vector<f64>; 3]>,
     heads: Vec<Vector<f64>>,
     /// For each point, where each of its joints would take it.
     parts: Vec<Vec<Vector<f64>>>,
@@ -95,8 +109,11 @@ impl<'a> Chain<'a> {
                 axis: axis.unwrap_or_default(),
             }
         });
+        let columns: Vec<Columns> = columns.collect();
         Self {
-            columns: columns.collect(),
+            above: above(model, &movers, &columns),
+            deviations: deviations(model, &movers),
+            columns,
             offsets: offsets.collect(),
             levers: levers.collect(),
             skinned: Skinned::new(model),
@@ -153,25 +170,6 @@ impl<'a> Chain<'a> {
         }
     }
 
-    /// The state nearest to a pose: the total rotations of the bones are those of the pose, and the
-    /// first joint is where it is in the pose.
-    pub(super) fn state_of(&self, pose: &Pose) -> State {
-        let joints = self.model.skeleton().joints();
-        let mut state = self.rest();
-        for (index, (own, joint)) in pose.joints.iter().zip(joints).enumerate() {
-            let rotor = match joint.parent {
-                Some(_) => own.rotor(),
-                None => pose.root.rotor() * own.rotor(),
-            };
-            state.rotors[index] = rotor.along(RotationPath::Short);
-        }
-        let head = joints[0].head;
-        let root = pose.joints.first().copied().unwrap_or_default();
-        let moved = (pose.root * root).transform(Point::from(head));
-        state.translation = Vector::from(moved) - Vector::from(head);
-        state
-    }
-
     pub(super) fn pose_of(&self, state: &State) -> Pose {
         let joints = self.model.skeleton().joints().iter().zip(&state.rotors);
         Pose {
@@ -186,8 +184,20 @@ impl<'a> Chain<'a> {
         let joints = self.model.skeleton().joints();
         let mut rotors: Vec<Rotor<f64>> = Vec::with_capacity(joints.len());
         let mut heads: Vec<Vector<f64>> = Vec::with_capacity(joints.len());
+        let mut axes: Vec<[Vector<f64>; 3]> = Vec::with_capacity(joints.len());
         for (index, joint) in joints.iter().enumerate() {
             let (own, offset) = (state.rotors[index], self.offsets[index]);
+            let above = joint
+                .parent
+                .map_or(Rotor::default(), |parent| rotors[parent]);
+            let columns = self.columns[index];
+            axes.push([0, 1, 2].map(|k| {
+                if k < columns.count {
+                    rotated(above, columns.direction(k))
+                } else {
+                    Vector::default()
+                }
+            }));
             let (rotor, head) = match joint.parent {
                 Some(parent) => (
                     rotors[parent] * own,
@@ -213,6 +223,7 @@ impl<'a> Chain<'a> {
         }
         let mut places = Places {
             rotors,
+            axes,
             heads,
             parts,
             points,
@@ -261,10 +272,7 @@ impl<'a> Chain<'a> {
             let lever = carries.iter().fold(Vector::default(), |sum, &part| {
                 sum + (places.parts[point][part] - head) * (joints[part].1 / total)
             });
-            let parent = self.model.skeleton().joints()[*joint].parent;
-            let above = parent.map_or(Rotor::default(), |parent| places.rotors[parent]);
-            for k in 0..columns.count {
-                let axis = rotated(above, columns.direction(k));
+            for (k, axis) in places.axes[*joint][..columns.count].iter().enumerate() {
                 rows.push((columns.first + k, axis.cross(lever)));
             }
         }
@@ -321,6 +329,65 @@ fn unit(k: usize) -> Vector<f64> {
 
 fn weights(point: &BodyPoint) -> f64 {
     point.joints.iter().map(|(_, weight)| weight).sum()
+}
+
+/// The unknown above each, where the joints that move a point are always one chain.
+fn above(model: &BodyModel, movers: &[Vec<Mover>], columns: &[Columns]) -> Option<Above> {
+    let joints = model.skeleton().joints();
+    let with_columns = |joint: usize| {
+        let above = std::iter::successors(Some(joint), |&joint| joints[joint].parent);
+        above.skip(1).find(|&joint| columns[joint].count > 0)
+    };
+    for movers in movers {
+        let own = movers.iter().map(|mover| mover.joint);
+        let own: Vec<usize> = own.filter(|&joint| columns[joint].count > 0).collect();
+        if own
+            .windows(2)
+            .any(|pair| with_columns(pair[1]) != Some(pair[0]))
+        {
+            return None;
+        }
+        if own
+            .first()
+            .is_some_and(|&joint| with_columns(joint).is_some())
+        {
+            return None;
+        }
+    }
+    let mut above: Above = (0..TRANSLATION).map(|k| k.checked_sub(1)).collect();
+    for (joint, own) in columns.iter().enumerate() {
+        let before = with_columns(joint).map_or(TRANSLATION - 1, |above| {
+            columns[above].first + columns[above].count - 1
+        });
+        above.extend((0..own.count).map(|k| match k {
+            0 => Some(before),
+            _ => Some(own.first + k - 1),
+        }));
+    }
+    Some(above)
+}
+
+/// The standard deviations of rotations from rest.
+fn deviations(model: &BodyModel, movers: &[Vec<Mover>]) -> Vec<f64> {
+    let joints = model.skeleton().joints();
+    let of_joint = |joint: usize| {
+        let carried = movers
+            .iter()
+            .filter(|m| m.iter().any(|m| m.joint == joint))
+            .count();
+        let is_below = |end: usize| {
+            std::iter::successors(Some(end), |&end| joints[end].parent).any(|above| above == joint)
+        };
+        let is_end = |end: usize| joints.iter().all(|other| other.parent != Some(end));
+        let ends = (0..joints.len())
+            .filter(|&end| is_end(end) && is_below(end))
+            .count();
+        let is_trunk = 3 * carried > movers.len() && ends > 1;
+        let parent = joints[joint].parent;
+        let is_branch = parent.is_some_and(|parent| joints[parent].head == joints[joint].head);
+        if is_trunk || is_branch { TRUNK } else { LIMB }
+    };
+    (0..joints.len()).map(of_joint).collect()
 }
 
 /// The joints that move a point, from the root on. A joint does not move what is at its own head.

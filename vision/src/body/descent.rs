@@ -1,10 +1,10 @@
-//! The most likely pose of one frame, by damped Gauss–Newton steps.
+//! The least cost near a state, by damped Gauss–Newton steps.
 
 use nalgebra_035::{Cholesky, DVector};
 
-use super::Observation;
-use super::chain::State;
-use super::likelihood::{Likelihood, Normal};
+use super::branched;
+use super::chain::{Chain, State};
+use super::likelihood::Normal;
 
 const FIRST_DAMPING: f64 = 1e-3;
 const LEAST_DAMPING: f64 = 1e-9;
@@ -20,29 +20,39 @@ pub(super) struct Found {
     pub(super) cost: f64,
 }
 
+/// A cost of states.
+pub(super) trait Cost {
+    fn chain(&self) -> &Chain<'_>;
+
+    /// `None` where a state has no cost.
+    fn cost(&self, state: &State) -> Option<f64>;
+
+    /// The equations of a step from a state; `None` where the cost is.
+    fn linearise(&self, state: &State, normal: &mut Normal) -> Option<()>;
+}
+
 /// Descends from a state in at most so many steps (K. Levenberg, 1944; D. W. Marquardt, 1963).
-/// `None` where a camera does not see the points there.
+/// `None` where the start has no cost.
 pub(super) fn descend(
-    likelihood: &Likelihood<'_>,
-    observation: &Observation,
+    of: &impl Cost,
     start: State,
     steps: usize,
     normal: &mut Normal,
 ) -> Option<Found> {
-    likelihood.linearise(&start, observation, normal)?;
+    of.linearise(&start, normal)?;
     let mut best = Found {
         state: start,
         cost: normal.cost,
     };
     let mut damping = FIRST_DAMPING;
     for _ in 0..steps {
-        let step = solve(normal, damping);
+        let step = solve(of.chain(), normal, damping);
         let promise = step
             .as_ref()
             .map_or(f64::INFINITY, |step| -normal.gradient.dot(step));
         let next = step.and_then(|step| {
-            let state = likelihood.chain.stepped(&best.state, step.as_slice())?;
-            let cost = likelihood.cost(&state, observation)?;
+            let state = of.chain().stepped(&best.state, step.as_slice())?;
+            let cost = of.cost(&state)?;
             Some(Found { state, cost })
         });
         match next {
@@ -52,7 +62,7 @@ pub(super) fn descend(
                     break;
                 }
                 damping = (damping * 0.1).max(LEAST_DAMPING);
-                likelihood.linearise(&best.state, observation, normal)?;
+                of.linearise(&best.state, normal)?;
             }
             _ if promise <= TOLERANCE || damping >= GREATEST_DAMPING => break,
             _ => damping *= 10.0,
@@ -61,7 +71,21 @@ pub(super) fn descend(
     Some(best)
 }
 
-fn solve(normal: &Normal, damping: f64) -> Option<DVector<f64>> {
+/// The logarithm of the determinant of the equations; 0 where they are singular.
+pub(super) fn log_determinant(chain: &Chain<'_>, normal: &Normal) -> f64 {
+    let mut matrix = normal.matrix.clone();
+    for k in 0..matrix.nrows() {
+        if matrix[(k, k)] <= 0.0 {
+            matrix[(k, k)] = 1.0;
+        }
+    }
+    match &chain.above {
+        Some(above) => branched::factor(&mut matrix, above).unwrap_or(0.0),
+        None => Cholesky::new(matrix).map_or(0.0, |factor| factor.ln_determinant()),
+    }
+}
+
+fn solve(chain: &Chain<'_>, normal: &Normal, damping: f64) -> Option<DVector<f64>> {
     let mut matrix = normal.matrix.clone();
     for k in 0..matrix.nrows() {
         let diagonal = matrix[(k, k)];
@@ -72,6 +96,14 @@ fn solve(normal: &Normal, damping: f64) -> Option<DVector<f64>> {
             1.0
         };
     }
-    let step = Cholesky::new(matrix)?.solve(&normal.gradient);
+    let step = match &chain.above {
+        Some(above) => {
+            branched::factor(&mut matrix, above)?;
+            let mut step = normal.gradient.clone();
+            branched::solve(&matrix, above, &mut step);
+            step
+        }
+        None => Cholesky::new(matrix)?.solve(&normal.gradient),
+    };
     step.iter().all(|x| x.is_finite()).then(|| -step)
 }

@@ -2,13 +2,14 @@
 
 use ga_anim::pose::Pose;
 use ga_runtime::cga3::Point;
+use ga_runtime::vga3::Vector;
 use rayon::prelude::*;
 
 use super::chain::{Chain, State};
-use super::clip;
-use super::descent::{Found, descend};
-use super::likelihood::{Likelihood, Normal};
-use super::start::starts;
+use super::clip::{self, tracks};
+use super::descent::{Found, descend, log_determinant};
+use super::likelihood::{Likelihood, Near, Normal, Observed};
+use super::start::{Links, Start, WRONG, starts};
 use super::{BodyError, BodyModel, ClipError, Observation};
 use crate::camera::Camera;
 use crate::least_squares::Loss;
@@ -19,11 +20,18 @@ const FEW: usize = 10;
 /// The distance from its pixel, in standard deviations, from which on a point counts less. One in
 /// ninety is as far away by Gaussian noise.
 const OUTLIER: f64 = 3.0;
+/// How many places of the points are drawn from which a fit begins.
+const SAMPLES: usize = 8;
+/// Poses are the same whose points are nowhere farther apart, in metres.
+const SAME: f64 = 0.01;
+/// A probability that does not matter.
+const NEGLIGIBLE: f64 = 1e-3;
 
 /// Fits of the poses of a body to what views show, prepared for many frames.
 #[derive(Clone, Debug)]
 pub struct BodyFit<'a> {
     likelihood: Likelihood<'a>,
+    links: Links,
 }
 
 /// Frames that follow one another.
@@ -65,7 +73,8 @@ impl<'a> BodyFit<'a> {
             cameras,
             loss: Loss::Huber(OUTLIER),
         };
-        Ok(Self { likelihood })
+        let links = Links::new(&likelihood.chain);
+        Ok(Self { likelihood, links })
     }
 
     /// The same with another loss of the distances from the pixels, which are in standard
@@ -76,14 +85,20 @@ impl<'a> BodyFit<'a> {
         self
     }
 
-    /// The most likely pose for what the views show at one time.
+    /// The pose for what the views show at one time.
     ///
-    /// It begins where points are that two views or more determine, at the pose that anim's
-    /// whole-pose fit finds for them. With one view it begins at rest, in the orientations in which
-    /// rest explains the view best, and takes the best of what it finds. From there it descends by
-    /// damped Gauss–Newton steps.
+    /// It begins at places of the points that fit the pixels and the lengths of bones together: the
+    /// most likely ones, and others drawn as likely as they are, since a bone that points towards
+    /// the views is seen almost as one that points away from them. From each it descends by damped
+    /// Gauss–Newton steps. The pose found is the one nearest to the mean of these poses, each as
+    /// likely as it is: its points have the least expected squared error. Where the views do not
+    /// agree on a point and the lengths of bones say which is wrong, that one is left out.
     ///
-    /// Joints rotate from rest by 1 rad in the mean, as a human's do: where the pixels leave a
+    /// With one view it begins at rest, in the orientations in which rest explains the view best,
+    /// and takes the best of what it finds.
+    ///
+    /// Joints rotate from rest with a standard deviation of 1 rad, as a human's limbs do, and of
+    /// 0.3 rad in the trunk and between bones that begin in one place: where the pixels leave a
     /// rotation open, such as the twist of a bone with nothing beside it, it stays at rest.
     ///
     /// # Errors
@@ -95,7 +110,9 @@ impl<'a> BodyFit<'a> {
     /// The state of [`frame`](Self::frame).
     pub(super) fn state(&self, observation: &Observation) -> Result<State, BodyError> {
         self.check(observation)?;
-        Ok(self.search(observation, &mut self.normal())?.state)
+        let normal = &mut self.normal();
+        let found = self.search(observation, SAMPLES, normal)?;
+        Ok(self.expected(&found, normal))
     }
 
     pub(super) fn likelihood(&self) -> &Likelihood<'a> {
@@ -133,8 +150,11 @@ impl<'a> BodyFit<'a> {
         for (frame, observation) in observations.iter().enumerate() {
             self.check(observation).map_err(of_frame(frame))?;
         }
-        let states = self.one_by_one(observations)?;
-        let states = clip::smooth(&self.likelihood, observations, states, frames_per_second);
+        let smoothed = tracks::smoothed(observations);
+        let states = self.one_by_one(&smoothed)?;
+        let single = self.by_themselves(observations, &states);
+        let likelihood = &self.likelihood;
+        let states = clip::smooth(likelihood, observations, states, &single, frames_per_second);
         let frames = observations.iter().zip(&states).enumerate();
         frames
             .map(|(frame, (observation, state))| {
@@ -147,22 +167,119 @@ impl<'a> BodyFit<'a> {
         Normal::new(self.likelihood.chain.count)
     }
 
-    /// The best state that is found from all starts.
-    fn search(&self, observation: &Observation, normal: &mut Normal) -> Result<Found, BodyError> {
+    fn observed<'o>(&'o self, observation: &'o Observation) -> Observed<'o, 'a> {
+        Observed {
+            likelihood: &self.likelihood,
+            observation,
+        }
+    }
+
+    /// The best states that are found from all starts, first the one of the least cost, each with
+    /// the logarithm of the determinant of its equations.
+    fn search(
+        &self,
+        observation: &Observation,
+        samples: usize,
+        normal: &mut Normal,
+    ) -> Result<Vec<(Found, f64)>, BodyError> {
         let Likelihood { chain, cameras, .. } = &self.likelihood;
-        let starts = starts(chain, cameras, observation)?;
-        let mut best: Option<Found> = None;
+        let starts = starts(chain, &self.links, cameras, observation, samples)?;
+        let mut all: Vec<(Found, Vec<Vector<f64>>, f64)> = Vec::with_capacity(starts.len());
         let mut error = BodyError::NoPose;
+        // Samples stand for all poses, others only for the best one.
+        let is_sampled = starts.iter().all(|start| start.places.is_some());
         for start in starts {
-            match descend(&self.likelihood, observation, start.clone(), STEPS, normal) {
-                Some(found) if best.as_ref().is_none_or(|best| found.cost < best.cost) => {
-                    best = Some(found);
+            match self.descend_from(&start, observation, normal) {
+                Some(found) => {
+                    let points = chain.places(&found.state).points;
+                    let determinant = log_determinant(chain, normal);
+                    let same = all.iter_mut().find(|(_, other, _)| is_same(other, &points));
+                    match same {
+                        Some(same) if found.cost < same.0.cost => {
+                            *same = (found, points, determinant)
+                        }
+                        Some(_) => {}
+                        None => all.push((found, points, determinant)),
+                    }
                 }
-                Some(_) => {}
-                None => error = self.likelihood.unseen(&start, observation),
+                None => error = self.likelihood.unseen(&start.state, observation),
             }
         }
-        best.ok_or(error)
+        all.sort_by(|a, b| a.0.cost.total_cmp(&b.0.cost));
+        if all.is_empty() {
+            return Err(error);
+        }
+        if !is_sampled {
+            all.truncate(1);
+        }
+        Ok(all
+            .into_iter()
+            .map(|(found, _, determinant)| (found, determinant))
+            .collect())
+    }
+
+    /// The best state near to a start: first one whose points are at their places, and from there
+    /// the most likely one, without views that are wrong.
+    fn descend_from(
+        &self,
+        start: &Start,
+        observation: &Observation,
+        normal: &mut Normal,
+    ) -> Option<Found> {
+        let state = start.state.clone();
+        let Some(places) = &start.places else {
+            return descend(&self.observed(observation), state, STEPS, normal);
+        };
+        let near = Near {
+            likelihood: &self.likelihood,
+            places: &places.points,
+        };
+        let near = descend(&near, state, FEW, normal)?.state;
+        if places.wrong.is_empty() {
+            return descend(&self.observed(observation), near, STEPS, normal);
+        }
+        let mut right = observation.clone();
+        for &(view, point) in &places.wrong {
+            right.views[view][point] = None;
+        }
+        let mut found = descend(&self.observed(&right), near, STEPS, normal)?;
+        found.cost += WRONG * places.wrong.len() as f64;
+        Some(found)
+    }
+
+    /// The state whose points are nearest to their means over several states, each as likely as it
+    /// is with those around it: integrals of Gaussians (P. Laplace).
+    fn expected(&self, found: &[(Found, f64)], normal: &mut Normal) -> State {
+        let Likelihood { chain, .. } = &self.likelihood;
+        let best = &found[0].0;
+        let logarithm = |(found, determinant): &(Found, f64)| -0.5 * (found.cost + determinant);
+        let greatest = found
+            .iter()
+            .map(logarithm)
+            .fold(f64::NEG_INFINITY, f64::max);
+        let weights: Vec<f64> = found
+            .iter()
+            .map(|f| (logarithm(f) - greatest).exp())
+            .collect();
+        let total: f64 = weights.iter().sum();
+        let main = weights
+            .iter()
+            .position(|weight| *weight > (1.0 - NEGLIGIBLE) * total);
+        if let Some(main) = main {
+            return found[main].0.state.clone();
+        }
+        let mut means = vec![Some(Vector::default()); chain.model.points().len()];
+        for ((found, _), weight) in found.iter().zip(&weights) {
+            for (mean, place) in means.iter_mut().zip(chain.places(&found.state).points) {
+                *mean = mean.map(|mean| mean + place * (weight / total));
+            }
+        }
+        let near = Near {
+            likelihood: &self.likelihood,
+            places: &means,
+        };
+        let found = descend(&near, best.state.clone(), FEW, normal);
+        found.map_or_else(|| best.state.clone(), |found| found.state)
     }
 
     /// The states of all frames by themselves.
@@ -191,11 +308,26 @@ impl<'a> BodyFit<'a> {
         Ok(filled.collect())
     }
 
+    /// The states that explain each frame best near to given ones.
+    fn by_themselves(&self, observations: &[Observation], states: &[State]) -> Vec<State> {
+        let frames = observations.par_iter().zip(states);
+        let found = frames.map_init(
+            || self.normal(),
+            |normal, (observation, state)| {
+                let found = descend(&self.observed(observation), state.clone(), FEW, normal);
+                found.map_or_else(|| state.clone(), |found| found.state)
+            },
+        );
+        found.collect()
+    }
+
     /// Frames one after the other, each near to the one before where that is as good. Frames
     /// without a pose of their own have that of the one before.
     fn stretch(&self, first: usize, observations: &[Observation]) -> Stretch {
         /// A cost for each coordinate of a pixel that is no longer that of noise.
         const BAD: f64 = 3.0;
+        /// How often all poses are searched.
+        const SEARCHED: usize = 8;
         let normal = &mut self.normal();
         let mut states: Vec<Option<State>> = Vec::with_capacity(observations.len());
         let mut last: Option<State> = None;
@@ -203,12 +335,14 @@ impl<'a> BodyFit<'a> {
         for (index, observation) in observations.iter().enumerate() {
             let near = last
                 .clone()
-                .and_then(|last| descend(&self.likelihood, observation, last, FEW, normal));
+                .and_then(|last| descend(&self.observed(observation), last, FEW, normal));
             let count = observation.views.iter().flatten().flatten().count();
-            let is_good = |found: &Found| found.cost <= BAD * (2 * count) as f64;
+            // With one view the frame before decides between poses that explain a view equally well.
+            let is_search = index % SEARCHED == 0 && self.likelihood.cameras.len() > 1;
+            let is_good = |found: &Found| !is_search && found.cost <= BAD * (2 * count) as f64;
             let found = match near {
                 Some(near) if is_good(&near) => Some(near),
-                near => match (self.search(observation, normal), near) {
+                near => match (self.search(observation, 0, normal).map(least), near) {
                     (Ok(found), Some(near)) if near.cost <= found.cost => Some(near),
                     (Ok(found), _) => Some(found),
                     (Err(error), near) => {
@@ -301,4 +435,12 @@ impl<'a> BodyFit<'a> {
             root_mean_square_px: (sum / f64::from(count.max(1))).sqrt(),
         })
     }
+}
+
+fn least(mut found: Vec<(Found, f64)>) -> Found {
+    found.swap_remove(0).0
+}
+
+fn is_same(a: &[Vector<f64>], b: &[Vector<f64>]) -> bool {
+    a.iter().zip(b).all(|(a, b)| a.distance(*b) < SAME)
 }

@@ -4,13 +4,10 @@ use ga_runtime::vga3::Vector;
 use nalgebra_035::{DMatrix, DVector};
 
 use super::chain::{Chain, Places, State, rotation_vector};
+use super::descent::Cost;
 use super::{BodyError, JointPixel, Observation};
 use crate::camera::Camera;
 use crate::least_squares::Loss;
-
-/// The standard deviation of a joint's rotation from rest in radians, where nothing else is known:
-/// about that of a human's limbs. It is weak beside pixels and decides what they leave open.
-const ROTATION_FROM_REST: f64 = 1.0;
 
 /// The negative logarithm of a likelihood, doubled, and the equations of a step from there.
 #[derive(Clone, Debug)]
@@ -134,9 +131,9 @@ impl Likelihood<'_> {
 
     /// The residuals of joints from rest, each with its column and its derivative.
     pub(super) fn rest_residuals(&self, state: &State, mut add: impl FnMut(usize, f64, f64)) {
-        let slope = 1.0 / ROTATION_FROM_REST;
         for (joint, (columns, rotor)) in self.chain.columns.iter().zip(&state.rotors).enumerate() {
             if !self.chain.is_root(joint) {
+                let slope = 1.0 / self.chain.deviations[joint];
                 let vector = rotation_vector(*rotor);
                 for k in 0..columns.count {
                     add(
@@ -154,8 +151,10 @@ impl Likelihood<'_> {
         let rotating = joints
             .enumerate()
             .filter(|(joint, (columns, _))| columns.count > 0 && !self.chain.is_root(*joint));
-        let squares = rotating.map(|(_, (_, rotor))| rotation_vector(*rotor).length_squared());
-        squares.sum::<f64>() / ROTATION_FROM_REST.powi(2)
+        let squares = rotating.map(|(joint, (_, rotor))| {
+            rotation_vector(*rotor).length_squared() / self.chain.deviations[joint].powi(2)
+        });
+        squares.sum()
     }
 
     /// Rotations of joints are near rest. That of the whole body is not.
@@ -165,6 +164,71 @@ impl Likelihood<'_> {
             normal.matrix[(row, row)] += slope * slope;
             normal.gradient[row] += residual * slope;
         });
+    }
+}
+
+/// The cost of states for an observation.
+pub(super) struct Observed<'l, 'a> {
+    pub(super) likelihood: &'l Likelihood<'a>,
+    pub(super) observation: &'l Observation,
+}
+
+impl Cost for Observed<'_, '_> {
+    fn chain(&self) -> &Chain<'_> {
+        &self.likelihood.chain
+    }
+
+    fn cost(&self, state: &State) -> Option<f64> {
+        self.likelihood.cost(state, self.observation)
+    }
+
+    fn linearise(&self, state: &State, normal: &mut Normal) -> Option<()> {
+        self.likelihood.linearise(state, self.observation, normal)
+    }
+}
+
+/// The squared distances of points from given places in units of `DISTANCE`, beside the rotations
+/// from rest.
+pub(super) struct Near<'l, 'a> {
+    pub(super) likelihood: &'l Likelihood<'a>,
+    pub(super) places: &'l [Option<Vector<f64>>],
+}
+
+/// A distance in metres that counts as much as a rotation from rest by a standard deviation.
+const DISTANCE: f64 = 1e-3;
+
+impl Cost for Near<'_, '_> {
+    fn chain(&self) -> &Chain<'_> {
+        &self.likelihood.chain
+    }
+
+    fn cost(&self, state: &State) -> Option<f64> {
+        let found = self.chain().places(state);
+        let pairs = found.points.iter().zip(self.places);
+        let squares =
+            pairs.filter_map(|(found, place)| Some((*found - (*place)?).length_squared()));
+        let cost = squares.sum::<f64>() / (DISTANCE * DISTANCE) + self.likelihood.prior_cost(state);
+        cost.is_finite().then_some(cost)
+    }
+
+    fn linearise(&self, state: &State, normal: &mut Normal) -> Option<()> {
+        normal.cost = self.cost(state)?;
+        normal.matrix.fill(0.0);
+        normal.gradient.fill(0.0);
+        let weight = 1.0 / (DISTANCE * DISTANCE);
+        let found = self.chain().places(state);
+        for (point, (place, goal)) in found.points.iter().zip(self.places).enumerate() {
+            let Some(goal) = goal else { continue };
+            let error = PointError {
+                gradient: (*place - *goal) * weight,
+                matrix: [0, 1, 2].map(|row| {
+                    Vector::from([0, 1, 2].map(|k| if k == row { weight } else { 0.0 }))
+                }),
+            };
+            normal.add(&found, self.chain(), point, &error);
+        }
+        self.likelihood.add_prior(state, normal);
+        Some(())
     }
 }
 

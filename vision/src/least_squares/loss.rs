@@ -12,6 +12,9 @@ pub enum Loss {
     Huber(f64),
     /// `ρ = h² ln(1 + s²/h²)`: an outlier hardly counts.
     Cauchy(f64),
+    /// `ρ = h² s² / (h² + s²)`: what is far away does not count (S. Geman, D. McClure, "Statistical
+    /// methods for tomographic image reconstruction", 1987).
+    GemanMcClure(f64),
 }
 
 impl Loss {
@@ -28,6 +31,10 @@ impl Loss {
             Self::Cauchy(scale) => {
                 let ratio = squared / (scale * scale);
                 (scale * scale * ratio.ln_1p(), 1.0 / (1.0 + ratio))
+            }
+            Self::GemanMcClure(scale) => {
+                let near = 1.0 / (1.0 + squared / (scale * scale));
+                (squared * near, near * near)
             }
         }
     }

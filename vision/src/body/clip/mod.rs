@@ -2,6 +2,7 @@
 
 mod band;
 mod differences;
+pub(super) mod tracks;
 mod variances;
 mod window;
 
@@ -16,12 +17,14 @@ const CORE: usize = 192;
 /// …and how many more it has on either side, which the frames of the core hardly depend on.
 const MARGIN: usize = 48;
 
-/// The most likely states of all frames from those of the frames by themselves. Stretches of the
+/// The most likely states of all frames from states that are near, and from those of the frames by
+/// themselves, which show the accelerations beside errors that are independent. Stretches of the
 /// clip are computed independently of each other.
 pub(super) fn smooth(
     likelihood: &Likelihood<'_>,
     observations: &[Observation],
     states: Vec<State>,
+    single: &[State],
     frames_per_second: f64,
 ) -> Vec<State> {
     let count = states.len();
@@ -35,6 +38,7 @@ pub(super) fn smooth(
             likelihood,
             &observations[from..to],
             states[from..to].to_vec(),
+            &single[from..to],
             frames_per_second,
         );
         found.truncate(end - from);

@@ -17,18 +17,20 @@ const HALVINGS: usize = 6;
 /// likelihood of a frame then is within some thousandths of the greatest.
 const TOLERANCE: f64 = 1e-3;
 
-/// The most likely states, from those of the frames by themselves.
+/// The most likely states, from states that are near, with variances from those of the frames by
+/// themselves.
 pub(super) fn fit(
     likelihood: &Likelihood<'_>,
     observations: &[Observation],
     mut states: Vec<State>,
+    single: &[State],
     frames_per_second: f64,
 ) -> Vec<State> {
     if states.len() < 3 {
         return states;
     }
     let chain = &likelihood.chain;
-    let variances = variances(chain, &states, frames_per_second);
+    let variances = variances(chain, single, frames_per_second);
     let mut normal = Normal::new(chain.count);
     for _ in 0..STEPS {
         let linear = linearise(likelihood, observations, &states, &variances, &mut normal);

@@ -90,22 +90,46 @@ fn single_frames_are_better_than_triangulation() {
         (raw[0] - 36.8).abs() < 2.0 && (raw[1] - 34.2).abs() < 2.0,
         "{raw:?}"
     );
-    assert!(
-        fitted[0] < 0.75 * raw[0] && fitted[1] < 0.75 * raw[1],
-        "{fitted:?}"
-    );
+    assert!(fitted[0] <= 23.0 && fitted[1] <= 19.0, "{fitted:?}");
+}
+
+/// The fits of every 60th frame by itself, and the truth.
+fn single_frames(recording: &Recording, missing: f64) -> (Vec<Vec<Point<f64>>>, Vec<FittedPose>) {
+    let frames = (0..recording.bvh.frame_count()).step_by(60);
+    let truth: Vec<_> = frames.map(|frame| recording.truth(frame)).collect();
+    let fits = truth.iter().enumerate().map(|(frame, points)| {
+        let cameras = rig(std::slice::from_ref(points), 2);
+        let fit = BodyFit::new(&recording.model, &cameras).unwrap();
+        let observed = seen(&cameras, points, 2.0, missing, frame as u64);
+        fit.frame(&observed).unwrap()
+    });
+    let fits = fits.collect();
+    (truth, fits)
+}
+
+#[test]
+fn missing_joints_follow_from_others() {
+    let Some(recording) = recording() else { return };
+    let (truth, fits) = single_frames(&recording, 0.2);
+    let found = of_fits(&truth, &fits);
+    assert!(found[0] <= 40.0 && found[1] <= 37.0, "{found:?}");
 }
 
 #[test]
 fn clips_are_better_than_single_frames() {
     let Some(recording) = recording() else { return };
-    let truth: Vec<_> = (0..240).map(|frame| recording.truth(frame)).collect();
-    let cameras = rig(&truth, 2);
-    let fit = BodyFit::new(&recording.model, &cameras).unwrap();
-    let frames = truth.iter().enumerate();
-    let observed = frames.map(|(k, points)| seen(&cameras, points, 2.0, 0.0, k as u64));
-    let observed: Vec<_> = observed.collect();
-    let fits = fit.clip(&observed, 120.0).unwrap();
-    let found = of_fits(&truth, &fits);
-    assert!(found[0] <= 15.0, "{found:?}");
+    for (seed, first) in [0, 600, 1200, 2300].into_iter().enumerate() {
+        let truth: Vec<_> = (first..first + 240).map(|f| recording.truth(f)).collect();
+        let cameras = rig(&truth, 2);
+        let fit = BodyFit::new(&recording.model, &cameras).unwrap();
+        let frames = truth.iter().zip((1000 * seed as u64)..);
+        let observed = frames.map(|(points, seed)| seen(&cameras, points, 2.0, 0.0, seed));
+        let observed: Vec<_> = observed.collect();
+        let fits = fit.clip(&observed, 120.0).unwrap();
+        let found = of_fits(&truth, &fits);
+        assert!(
+            found[0] <= 15.0 && found[1] <= 10.0,
+            "from {first}: {found:?}"
+        );
+    }
 }

@@ -1,9 +1,17 @@
 //! Where a fit begins: at points that are triangulated one by one, or at rest in front of a camera.
 
-use ga_anim::inverse_kinematics::{Marker, PoseFit, PoseFitSettings, Target};
-use ga_anim::pose::Pose;
 use ga_runtime::cga3::{Direction, Point, Rotor};
 use ga_runtime::vga3::Vector;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+
+mod assembly;
+mod candidates;
+mod depths;
+mod links;
+
+use depths::{Depths, Places};
+pub(super) use links::{Link, Links};
 
 use super::chain::{Chain, State, rotated};
 use super::{BodyError, Observation};
@@ -14,13 +22,18 @@ use crate::triangulation::{TriangulationError, triangulate_views};
 const NEEDED: usize = 3;
 /// How many of the starts in front of one camera are followed.
 const FOLLOWED: usize = 6;
-/// The whole-pose fit only needs to come near.
-const NEAR: PoseFitSettings = PoseFitSettings {
-    root_motion: true,
-    align_first: true,
-    iterations: 10,
-    tolerance: 1e-2,
-};
+/// The seed of the places that are drawn: equal pixels give equal poses.
+const SEED: u64 = 0;
+
+/// The cost of a view that is wrong about a point: that of an error of six standard deviations.
+pub(super) const WRONG: f64 = 36.0;
+
+/// A state from which a fit begins.
+pub(super) struct Start {
+    pub(super) state: State,
+    /// Where the points should be, as far as that is known, and which views are wrong.
+    pub(super) places: Option<Places>,
+}
 
 /// The states from which a fit begins.
 ///
@@ -28,9 +41,11 @@ const NEAR: PoseFitSettings = PoseFitSettings {
 /// [`BodyError::TooFewPoints`], [`BodyError::Behind`].
 pub(super) fn starts(
     chain: &Chain<'_>,
+    links: &Links,
     cameras: &[Camera],
     observation: &Observation,
-) -> Result<Vec<State>, BodyError> {
+    samples: usize,
+) -> Result<Vec<Start>, BodyError> {
     let seen = distinct_seen(chain, observation);
     if seen < NEEDED {
         let needed = NEEDED;
@@ -39,9 +54,34 @@ pub(super) fn starts(
     let targets = triangulated(chain, cameras, observation)?;
     let count = targets.iter().filter(|target| target.weight > 0.0).count();
     if count >= NEEDED {
-        return Ok(vec![near(chain, &targets)?]);
+        let places = targets
+            .iter()
+            .map(|target| (target.weight > 0.0).then(|| target.position.into()));
+        let places: Vec<Option<Vector<f64>>> = places.collect();
+        let depths = Depths::new(links, cameras, observation, &places, WRONG);
+        let mut all = vec![depths.best()];
+        if samples > 0 {
+            let random = &mut ChaCha8Rng::seed_from_u64(SEED);
+            all.extend(depths.samples(samples, random));
+        }
+        let starts = all.into_iter().filter_map(|places| {
+            let state = assembly::assemble(chain, links, &places.points)?;
+            Some(Start {
+                state,
+                places: Some(places),
+            })
+        });
+        let starts: Vec<Start> = starts.collect();
+        if !starts.is_empty() {
+            return Ok(starts);
+        }
     }
-    Ok(in_front(chain, cameras, observation))
+    let states = in_front(chain, cameras, observation).into_iter();
+    let starts = states.map(|state| Start {
+        state,
+        places: None,
+    });
+    Ok(starts.collect())
 }
 
 /// How many places at rest are seen in some view.
@@ -55,20 +95,11 @@ fn distinct_seen(chain: &Chain<'_>, observation: &Observation) -> usize {
     (0..points.len()).filter(is_first).count()
 }
 
-/// The pose near to triangulated points.
-fn near(chain: &Chain<'_>, targets: &[Target]) -> Result<State, BodyError> {
-    let skeleton = chain.model.skeleton();
-    let markers = chain.model.points().iter().map(|point| {
-        let strongest = point.joints.iter().max_by(|a, b| a.1.total_cmp(&b.1));
-        Marker {
-            joint: strongest.map_or(0, |(joint, _)| *joint),
-            at_rest: point.at_rest,
-        }
-    });
-    let mut pose = Pose::rest(skeleton.len());
-    let mut fit = PoseFit::new(skeleton, chain.model.limits(), markers.collect())?;
-    fit.solve(targets, &mut pose, &NEAR)?;
-    Ok(chain.state_of(&pose))
+/// A triangulated point.
+#[derive(Clone, Copy, Debug)]
+struct Target {
+    position: Point<f64>,
+    weight: f64,
 }
 
 /// The points that two views or more determine, with weights by their precision; weight 0 for all
@@ -131,14 +162,14 @@ pub(super) fn size<'o>(
     cameras: &[Camera],
     observations: impl Iterator<Item = &'o Observation>,
 ) -> Option<f64> {
-    let pairs = bones(chain);
+    let pairs = Links::new(chain).links;
     let mut ratios: Vec<f64> = Vec::new();
     for observation in observations {
         let Ok(targets) = triangulated(chain, cameras, observation) else {
             continue;
         };
-        for &(from, to, length) in &pairs {
-            let [from, to] = [from, to].map(|point| targets[point]);
+        for &Link { points, length } in &pairs {
+            let [from, to] = points.map(|point| targets[point]);
             if from.weight > 0.0 && to.weight > 0.0 {
                 ratios.push(from.position.distance(to.position) / length);
             }
@@ -147,38 +178,6 @@ pub(super) fn size<'o>(
     let middle = ratios.len() / 2;
     ratios.sort_by(f64::total_cmp);
     ratios.get(middle).copied().filter(|ratio| *ratio > 0.0)
-}
-
-/// Pairs of points whose distance no rotation changes, and this distance at rest: those of one
-/// joint, and the ends of a bone.
-fn bones(chain: &Chain<'_>) -> Vec<(usize, usize, f64)> {
-    let joints = chain.model.skeleton().joints();
-    let points = chain.model.points();
-    // For each point of one joint the joint about which it rotates first.
-    let pivot = |point: usize| {
-        let [(joint, _)] = points[point].joints[..] else {
-            return None;
-        };
-        let mut above = Some(joint);
-        while let Some(joint) = above.filter(|&joint| joints[joint].head == points[point].at_rest) {
-            above = joints[joint].parent;
-        }
-        above
-    };
-    let pivots: Vec<Option<usize>> = (0..points.len()).map(pivot).collect();
-    let mut found = Vec::new();
-    for (to, above) in pivots.iter().enumerate() {
-        let Some(above) = *above else { continue };
-        for from in 0..points.len() {
-            let is_pivot = points[from].at_rest == joints[above].head;
-            let is_beside = from < to && pivots[from] == Some(above);
-            let length = Vector::from(points[from].at_rest).distance(points[to].at_rest.into());
-            if (is_pivot || is_beside) && length > 0.0 {
-                found.push((from, to, length));
-            }
-        }
-    }
-    found
 }
 
 /// The body at rest, in the orientations and at the place that best explain the view that sees most
