@@ -9,6 +9,8 @@ mod body;
 mod body_evaluation;
 #[cfg(feature = "body")]
 mod body_format;
+#[cfg(feature = "body")]
+mod body_pictures;
 mod calibration;
 mod camera;
 mod capture;
@@ -19,6 +21,7 @@ mod contour;
 mod dense;
 mod diagnosis;
 mod disparity;
+mod dot;
 mod feature;
 mod format;
 mod gradient_vector_flow;
@@ -36,6 +39,8 @@ mod quality;
 mod rectification;
 mod relative_pose;
 mod space_curve;
+#[cfg(feature = "body")]
+mod studio;
 mod surface;
 mod synthetic_scene;
 mod texture;
