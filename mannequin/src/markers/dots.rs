@@ -30,7 +30,7 @@ const DIFFERENCE: f64 = 0.5;
 const BEYOND: f64 = 0.004;
 
 impl Human {
-    /// Dots all over the skin, about 600: at any place on the trunk and the limbs, several are seen
+    /// Dots all over the skin, about 480: at any place on the trunk and the limbs, several are seen
     /// from any side. Their radii are 15 mm on trunk and thighs and less on thinner limbs, down to
     /// 9.5 mm on the hands, and their centres are 3.5 radii apart or more. There are none where the
     /// skin is strongly curved, as at fingers and ears, and at the creases of joints.
