@@ -27,6 +27,9 @@ pub enum Background {
 /// Beyond this difference of the background within half a second it moves.
 const MOVING: f32 = 0.12;
 
+/// The last step from or to an even frame, so many frames beside a fade, is not a cut.
+const NEAR_FADE: usize = 3;
+
 /// A cut stands out if its change is so many times that of most other frames.
 const ISOLATED: f32 = 2.5;
 
@@ -64,9 +67,11 @@ impl Transitions {
             !cuts.iter().any(stands_out) && !fades.iter().any(|fade| overlap(&fade.frames, frames))
         });
         cuts.retain(|cut| {
-            let within = |frames: &Range<usize>| (frames.start..=frames.end).contains(cut);
-            !fades.iter().any(|fade| within(&fade.frames))
-                && !dissolves.iter().any(|dissolve| within(&dissolve.frames))
+            let within = |frames: &Range<usize>, margin: usize| {
+                (frames.start.saturating_sub(margin)..=frames.end + margin).contains(cut)
+            };
+            !fades.iter().any(|fade| within(&fade.frames, NEAR_FADE))
+                && !dissolves.iter().any(|dissolve| within(&dissolve.frames, 0))
         });
     }
 
