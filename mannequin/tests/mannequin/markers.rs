@@ -139,3 +139,52 @@ fn the_marked_texture_is_grey_but_for_the_markers() {
     let plain = HUMAN.marked_texture(64, &[], &[]);
     assert!(plain.values().iter().all(|[r, g, b]| r == g && g == b));
 }
+
+static DOTS: LazyLock<Vec<Marker>> = LazyLock::new(|| HUMAN.dots());
+
+#[test]
+fn dots_are_apart_and_on_every_limb() {
+    let mut names: Vec<&String> = DOTS.iter().map(|dot| &dot.name).collect();
+    names.sort();
+    names.dedup();
+    assert_eq!(names.len(), DOTS.len());
+    for (index, dot) in DOTS.iter().enumerate() {
+        for other in &DOTS[..index] {
+            let distance = Vector::from(dot.centre).distance(other.centre.into());
+            let least = 1.75 * (dot.radius + other.radius);
+            assert!(
+                distance >= least - 1e-12,
+                "{}, {}: {distance}",
+                dot.name,
+                other.name
+            );
+        }
+    }
+    for bone in [
+        "UpperLeg", "LowerLeg", "UpperArm", "LowerArm", "Hand", "Foot",
+    ] {
+        for side in ["Left", "Right"] {
+            let joint = joint(&format!("{side}{bone}"));
+            let count = DOTS.iter().filter(|dot| dot.joint == joint).count();
+            assert!(count >= 6, "{side}{bone}: {count}");
+        }
+    }
+}
+
+#[test]
+fn dots_lie_on_the_skin_with_its_normal() {
+    for dot in DOTS.iter() {
+        let (centre, middle) = (Vector::from(dot.centre), Vector::from(dot.middle));
+        let normal = Vector::from(dot.normal);
+        assert!((normal.length() - 1.0).abs() < 1e-12);
+        assert!(centre.distance(middle) < 0.5 * dot.radius, "{}", dot.name);
+        let sum: f64 = dot.weights.iter().map(|influence| influence.weight).sum();
+        assert!((sum - 1.0).abs() < 1e-9, "{}: {sum}", dot.name);
+        // A ray along the normal leaves the body, so no skin is in front of the dot at once.
+        let front = centre + normal * (0.3 * dot.radius);
+        let near = positions().into_iter().map(Vector::from).filter(|place| {
+            (*place - front).dot(normal) > 0.0 && place.distance(front) < 0.5 * dot.radius
+        });
+        assert_eq!(near.count(), 0, "{}", dot.name);
+    }
+}
