@@ -1,7 +1,7 @@
 //! A skeleton as a function of its rotations, with derivatives.
 
 use ga_anim::pose::Pose;
-use ga_runtime::cga3::{Direction, Motor, Point, Rotor, Translator};
+use ga_runtime::cga3::{Direction, Motor, Rotor, Translator};
 use ga_runtime::geometry::RotationPath;
 use ga_runtime::vga3::Vector;
 
