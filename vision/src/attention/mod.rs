@@ -8,7 +8,8 @@
 //! where Y is luma, v the motion since the frame before in each block, v_global the motion of most
 //! blocks (that of the camera), G a Gaussian and N the normalisation of maps by Itti, Koch and
 //! Niebur ("A model of saliency-based visual attention for rapid scene analysis", 1998), which
-//! promotes maps with few strong peaks. A lies between 0 and 1. For a picture alone, and the first
+//! promotes maps with few strong peaks; here the region around the greatest that lies above half of
+//! it is one peak. A lies between 0 and 1. For a picture alone, and the first
 //! frame, A = N(G ∗ |∇Y|).
 //!
 //! Everything is computed on the picture reduced to at most 480 columns and rows, in cells of 8 × 8

@@ -4,23 +4,20 @@ use ga_image::plane::Plane;
 use ga_runtime::batch::{Batch, Work};
 
 /// Itti's N: the map divided by its greatest number, or by `least` where that is larger, times
-/// (M − m)², where M is the greatest number then and m the mean of the other local maxima.
+/// (M − m)², where M is the greatest number then and m the mean of the local maxima elsewhere: not
+/// in the region around the greatest that lies above M / 2. So a long contour, or a large object,
+/// does not compete with itself.
 pub(super) fn normalised(map: Plane, least: f32) -> Plane {
     let greatest = map.values().iter().copied().fold(0.0, f32::max);
     let unit = greatest.max(least);
     let mut map = map.map(|value| (value / unit).max(0.0));
     let greatest = greatest / unit;
-    let (mut sum, mut count, mut found) = (0.0, 0, false);
+    let region = region_of_greatest(&map, 0.5 * greatest);
+    let (mut sum, mut count) = (0.0, 0);
     for row in 0..map.height() {
         for column in 0..map.width() {
-            let value = map.row(row)[column];
-            if !is_local_maximum(&map, column, row) {
-                continue;
-            }
-            if value == greatest && !found {
-                found = true;
-            } else {
-                sum += value;
+            if !region.row(row)[column] && is_local_maximum(&map, column, row) {
+                sum += map.row(row)[column];
                 count += 1;
             }
         }
@@ -31,6 +28,31 @@ pub(super) fn normalised(map: Plane, least: f32) -> Plane {
         *value *= factor;
     }
     map
+}
+
+/// The cells above a level that are connected with the first greatest one, also by corners.
+fn region_of_greatest(map: &Plane, level: f32) -> Plane<bool> {
+    let [width, height] = [map.width(), map.height()];
+    let mut region = Plane::filled(width, height, false);
+    let values = map.values();
+    let greatest = (0..values.len()).reduce(|a, b| if values[b] > values[a] { b } else { a });
+    let mut open: Vec<usize> = greatest.into_iter().collect();
+    while let Some(cell) = open.pop() {
+        if region.values()[cell] {
+            continue;
+        }
+        region.values_mut()[cell] = true;
+        let [column, row] = [cell % width, cell / width];
+        for row in row.saturating_sub(1)..(row + 2).min(height) {
+            for column in column.saturating_sub(1)..(column + 2).min(width) {
+                let cell = row * width + column;
+                if values[cell] > level && !region.values()[cell] {
+                    open.push(cell);
+                }
+            }
+        }
+    }
+    region
 }
 
 /// Whether no neighbour is greater and one is less.
@@ -120,6 +142,20 @@ mod tests {
         // Below the least unit: 4 / 16 and the others in proportion.
         let weak = normalised(map, 16.0);
         assert_eq!(weak.get(1, 1), Some(0.25f32.powi(2) * factor * 0.25));
+    }
+
+    /// A ridge of equal numbers is one peak, and a second one competes with it.
+    #[test]
+    fn a_long_ridge_does_not_compete_with_itself() {
+        let mut map = Plane::filled(9, 6, 0.0);
+        for row in 0..6 {
+            map.row_mut(row)[2] = 4.0;
+        }
+        assert_eq!(normalised(map.clone(), 0.0).get(2, 3), Some(1.0));
+        for row in 0..6 {
+            map.row_mut(row)[6] = 3.0;
+        }
+        assert_eq!(normalised(map, 0.0).get(2, 3), Some(0.0625));
     }
 
     #[test]
