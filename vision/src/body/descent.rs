@@ -9,9 +9,15 @@ use super::likelihood::Normal;
 const FIRST_DAMPING: f64 = 1e-3;
 const LEAST_DAMPING: f64 = 1e-9;
 const GREATEST_DAMPING: f64 = 1e9;
-/// The search ends where a step promises to lower the cost by no more than this: the likelihood
-/// then is within a thousandth of the greatest.
-const TOLERANCE: f64 = 1e-6;
+
+/// How far a cost is followed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Search {
+    /// The greatest number of steps.
+    pub(super) steps: usize,
+    /// The search ends where a step promises to lower the cost by no more than this.
+    pub(super) tolerance: f64,
+}
 
 /// A state and its cost.
 #[derive(Clone, Debug)]
@@ -31,12 +37,12 @@ pub(super) trait Cost {
     fn linearise(&self, state: &State, normal: &mut Normal) -> Option<()>;
 }
 
-/// Descends from a state in at most so many steps (K. Levenberg, 1944; D. W. Marquardt, 1963).
-/// `None` where the start has no cost.
+/// Descends from a state (K. Levenberg, 1944; D. W. Marquardt, 1963). `None` where the start has no
+/// cost.
 pub(super) fn descend(
     of: &impl Cost,
     start: State,
-    steps: usize,
+    search: Search,
     normal: &mut Normal,
 ) -> Option<Found> {
     of.linearise(&start, normal)?;
@@ -45,7 +51,7 @@ pub(super) fn descend(
         cost: normal.cost,
     };
     let mut damping = FIRST_DAMPING;
-    for _ in 0..steps {
+    for _ in 0..search.steps {
         let step = solve(of.chain(), normal, damping);
         let promise = step
             .as_ref()
@@ -58,13 +64,13 @@ pub(super) fn descend(
         match next {
             Some(next) if next.cost <= best.cost => {
                 best = next;
-                if promise <= TOLERANCE {
+                if promise <= search.tolerance {
                     break;
                 }
                 damping = (damping * 0.1).max(LEAST_DAMPING);
                 of.linearise(&best.state, normal)?;
             }
-            _ if promise <= TOLERANCE || damping >= GREATEST_DAMPING => break,
+            _ if promise <= search.tolerance || damping >= GREATEST_DAMPING => break,
             _ => damping *= 10.0,
         }
     }

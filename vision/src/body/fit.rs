@@ -7,21 +7,34 @@ use rayon::prelude::*;
 
 use super::chain::{Chain, State};
 use super::clip::{self, tracks};
-use super::descent::{Found, descend, log_determinant};
+use super::descent::{Found, Search, descend, log_determinant};
 use super::likelihood::{Likelihood, Near, Normal, Observed};
 use super::start::{Links, Start, WRONG, starts};
 use super::{BodyError, BodyModel, ClipError, Observation};
 use crate::camera::Camera;
 use crate::least_squares::Loss;
 
-/// The greatest number of steps from a start, and from one that is near.
-const STEPS: usize = 100;
-const FEW: usize = 10;
+/// From a start to the most likely pose, whose likelihood then is within a thousandth of the
+/// greatest; and from one that is near.
+const FAR: Search = Search {
+    steps: 100,
+    tolerance: 1e-6,
+};
+const NEAR: Search = Search { steps: 10, ..FAR };
+/// From drawn places of the points to a pose that is about as likely as any around it: farther
+/// searches make the mean of such poses no better.
+const DRAWN: Search = Search {
+    steps: 5,
+    tolerance: 0.1,
+};
+const TO_PLACES: Search = Search { steps: 2, ..DRAWN };
 /// The distance from its pixel, in standard deviations, from which on a point counts less. One in
 /// ninety is as far away by Gaussian noise.
 const OUTLIER: f64 = 3.0;
 /// How many places of the points are drawn from which a fit begins.
-const SAMPLES: usize = 8;
+const SAMPLES: usize = 12;
+/// Frames of a clip within this time, in seconds, show one pose, for which rest counts once.
+const ONE_POSE: f64 = 0.15;
 /// Poses are the same whose points are nowhere farther apart, in metres.
 const SAME: f64 = 0.01;
 /// A probability that does not matter.
@@ -32,6 +45,16 @@ const NEGLIGIBLE: f64 = 1e-3;
 pub struct BodyFit<'a> {
     likelihood: Likelihood<'a>,
     links: Links,
+}
+
+/// A state that was found from a start.
+struct Candidate {
+    found: Found,
+    points: Vec<Vector<f64>>,
+    /// The logarithm of the determinant of the equations there.
+    determinant: f64,
+    /// The views that are wrong, each with a point.
+    wrong: Vec<(usize, usize)>,
 }
 
 /// Frames that follow one another.
@@ -72,6 +95,7 @@ impl<'a> BodyFit<'a> {
             chain: Chain::new(model),
             cameras,
             loss: Loss::Huber(OUTLIER),
+            rest: 1.0,
         };
         let links = Links::new(&likelihood.chain);
         Ok(Self { likelihood, links })
@@ -97,8 +121,8 @@ impl<'a> BodyFit<'a> {
     /// With one view it begins at rest, in the orientations in which rest explains the view best,
     /// and takes the best of what it finds.
     ///
-    /// Joints rotate from rest with a standard deviation of 1 rad, as a human's limbs do, and of
-    /// 0.3 rad in the trunk and between bones that begin in one place: where the pixels leave a
+    /// Joints rotate from rest with a standard deviation of 0.7 rad, as a human's limbs do, and of
+    /// 0.2 rad in the trunk and between bones that begin in one place: where the pixels leave a
     /// rotation open, such as the twist of a bone with nothing beside it, it stays at rest.
     ///
     /// # Errors
@@ -112,7 +136,7 @@ impl<'a> BodyFit<'a> {
         self.check(observation)?;
         let normal = &mut self.normal();
         let found = self.search(observation, SAMPLES, normal)?;
-        Ok(self.expected(&found, normal))
+        Ok(self.expected(&found, observation, normal))
     }
 
     pub(super) fn likelihood(&self) -> &Likelihood<'a> {
@@ -153,8 +177,17 @@ impl<'a> BodyFit<'a> {
         let smoothed = tracks::smoothed(observations);
         let states = self.one_by_one(&smoothed)?;
         let single = self.by_themselves(observations, &states);
-        let likelihood = &self.likelihood;
-        let states = clip::smooth(likelihood, observations, states, &single, frames_per_second);
+        let likelihood = Likelihood {
+            rest: 1.0 / (ONE_POSE * frames_per_second).max(1.0),
+            ..self.likelihood.clone()
+        };
+        let states = clip::smooth(
+            &likelihood,
+            observations,
+            states,
+            &single,
+            frames_per_second,
+        );
         let frames = observations.iter().zip(&states).enumerate();
         frames
             .map(|(frame, (observation, state))| {
@@ -174,48 +207,45 @@ impl<'a> BodyFit<'a> {
         }
     }
 
-    /// The best states that are found from all starts, first the one of the least cost, each with
-    /// the logarithm of the determinant of its equations.
+    /// The best states that are found from all starts, first the one of the least cost.
     fn search(
         &self,
         observation: &Observation,
         samples: usize,
         normal: &mut Normal,
-    ) -> Result<Vec<(Found, f64)>, BodyError> {
+    ) -> Result<Vec<Candidate>, BodyError> {
         let Likelihood { chain, cameras, .. } = &self.likelihood;
         let starts = starts(chain, &self.links, cameras, observation, samples)?;
-        let mut all: Vec<(Found, Vec<Vector<f64>>, f64)> = Vec::with_capacity(starts.len());
+        let mut all: Vec<Candidate> = Vec::with_capacity(starts.len());
         let mut error = BodyError::NoPose;
         // Samples stand for all poses, others only for the best one.
         let is_sampled = starts.iter().all(|start| start.places.is_some());
         for start in starts {
-            match self.descend_from(&start, observation, normal) {
-                Some(found) => {
-                    let points = chain.places(&found.state).points;
-                    let determinant = log_determinant(chain, normal);
-                    let same = all.iter_mut().find(|(_, other, _)| is_same(other, &points));
-                    match same {
-                        Some(same) if found.cost < same.0.cost => {
-                            *same = (found, points, determinant)
-                        }
-                        Some(_) => {}
-                        None => all.push((found, points, determinant)),
-                    }
-                }
-                None => error = self.likelihood.unseen(&start.state, observation),
+            let Some(found) = self.descend_from(&start, observation, normal) else {
+                error = self.likelihood.unseen(&start.state, observation);
+                continue;
+            };
+            let candidate = Candidate {
+                points: chain.places(&found.state).points,
+                determinant: log_determinant(chain, normal),
+                wrong: start.places.map_or_else(Vec::new, |places| places.wrong),
+                found,
+            };
+            let same = |other: &&mut Candidate| is_same(&other.points, &candidate.points);
+            match all.iter_mut().find(same) {
+                Some(same) if candidate.found.cost < same.found.cost => *same = candidate,
+                Some(_) => {}
+                None => all.push(candidate),
             }
         }
-        all.sort_by(|a, b| a.0.cost.total_cmp(&b.0.cost));
+        all.sort_by(|a, b| a.found.cost.total_cmp(&b.found.cost));
         if all.is_empty() {
             return Err(error);
         }
         if !is_sampled {
             all.truncate(1);
         }
-        Ok(all
-            .into_iter()
-            .map(|(found, _, determinant)| (found, determinant))
-            .collect())
+        Ok(all)
     }
 
     /// The best state near to a start: first one whose points are at their places, and from there
@@ -228,31 +258,34 @@ impl<'a> BodyFit<'a> {
     ) -> Option<Found> {
         let state = start.state.clone();
         let Some(places) = &start.places else {
-            return descend(&self.observed(observation), state, STEPS, normal);
+            return descend(&self.observed(observation), state, FAR, normal);
         };
         let near = Near {
             likelihood: &self.likelihood,
             places: &places.points,
         };
-        let near = descend(&near, state, FEW, normal)?.state;
+        let near = descend(&near, state, TO_PLACES, normal)?.state;
         if places.wrong.is_empty() {
-            return descend(&self.observed(observation), near, STEPS, normal);
+            return descend(&self.observed(observation), near, DRAWN, normal);
         }
-        let mut right = observation.clone();
-        for &(view, point) in &places.wrong {
-            right.views[view][point] = None;
-        }
-        let mut found = descend(&self.observed(&right), near, STEPS, normal)?;
+        let right = without(observation, &places.wrong);
+        let mut found = descend(&self.observed(&right), near, DRAWN, normal)?;
         found.cost += WRONG * places.wrong.len() as f64;
         Some(found)
     }
 
     /// The state whose points are nearest to their means over several states, each as likely as it
-    /// is with those around it: integrals of Gaussians (P. Laplace).
-    fn expected(&self, found: &[(Found, f64)], normal: &mut Normal) -> State {
-        let Likelihood { chain, .. } = &self.likelihood;
-        let best = &found[0].0;
-        let logarithm = |(found, determinant): &(Found, f64)| -0.5 * (found.cost + determinant);
+    /// is with those around it: integrals of Gaussians (P. Laplace). Where there is only one, it is
+    /// the most likely state.
+    fn expected(
+        &self,
+        found: &[Candidate],
+        observation: &Observation,
+        normal: &mut Normal,
+    ) -> State {
+        let chain = &self.likelihood.chain;
+        let best = &found[0].found;
+        let logarithm = |c: &Candidate| -0.5 * (c.found.cost + c.determinant);
         let greatest = found
             .iter()
             .map(logarithm)
@@ -265,20 +298,22 @@ impl<'a> BodyFit<'a> {
         let main = weights
             .iter()
             .position(|weight| *weight > (1.0 - NEGLIGIBLE) * total);
-        if let Some(main) = main {
-            return found[main].0.state.clone();
+        if let Some(Candidate { found, wrong, .. }) = main.map(|main| &found[main]) {
+            let right = without(observation, wrong);
+            let nearest = descend(&self.observed(&right), found.state.clone(), FAR, normal);
+            return nearest.map_or_else(|| found.state.clone(), |found| found.state);
         }
         let mut means = vec![Some(Vector::default()); chain.model.points().len()];
-        for ((found, _), weight) in found.iter().zip(&weights) {
-            for (mean, place) in means.iter_mut().zip(chain.places(&found.state).points) {
-                *mean = mean.map(|mean| mean + place * (weight / total));
+        for (candidate, weight) in found.iter().zip(&weights) {
+            for (mean, place) in means.iter_mut().zip(&candidate.points) {
+                *mean = mean.map(|mean| mean + *place * (weight / total));
             }
         }
         let near = Near {
             likelihood: &self.likelihood,
             places: &means,
         };
-        let found = descend(&near, best.state.clone(), FEW, normal);
+        let found = descend(&near, best.state.clone(), NEAR, normal);
         found.map_or_else(|| best.state.clone(), |found| found.state)
     }
 
@@ -314,7 +349,7 @@ impl<'a> BodyFit<'a> {
         let found = frames.map_init(
             || self.normal(),
             |normal, (observation, state)| {
-                let found = descend(&self.observed(observation), state.clone(), FEW, normal);
+                let found = descend(&self.observed(observation), state.clone(), NEAR, normal);
                 found.map_or_else(|| state.clone(), |found| found.state)
             },
         );
@@ -335,7 +370,7 @@ impl<'a> BodyFit<'a> {
         for (index, observation) in observations.iter().enumerate() {
             let near = last
                 .clone()
-                .and_then(|last| descend(&self.observed(observation), last, FEW, normal));
+                .and_then(|last| descend(&self.observed(observation), last, NEAR, normal));
             let count = observation.views.iter().flatten().flatten().count();
             // With one view the frame before decides between poses that explain a view equally well.
             let is_search = index % SEARCHED == 0 && self.likelihood.cameras.len() > 1;
@@ -437,8 +472,17 @@ impl<'a> BodyFit<'a> {
     }
 }
 
-fn least(mut found: Vec<(Found, f64)>) -> Found {
-    found.swap_remove(0).0
+fn least(mut found: Vec<Candidate>) -> Found {
+    found.swap_remove(0).found
+}
+
+/// An observation without some points of views.
+fn without(observation: &Observation, wrong: &[(usize, usize)]) -> Observation {
+    let mut right = observation.clone();
+    for &(view, point) in wrong {
+        right.views[view][point] = None;
+    }
+    right
 }
 
 fn is_same(a: &[Vector<f64>], b: &[Vector<f64>]) -> bool {

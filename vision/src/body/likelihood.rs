@@ -59,6 +59,8 @@ pub(super) struct Likelihood<'a> {
     pub(super) chain: Chain<'a>,
     pub(super) cameras: &'a [Camera],
     pub(super) loss: Loss,
+    /// How much it counts that joints are near rest.
+    pub(super) rest: f64,
 }
 
 impl Likelihood<'_> {
@@ -133,7 +135,7 @@ impl Likelihood<'_> {
     pub(super) fn rest_residuals(&self, state: &State, mut add: impl FnMut(usize, f64, f64)) {
         for (joint, (columns, rotor)) in self.chain.columns.iter().zip(&state.rotors).enumerate() {
             if !self.chain.is_root(joint) {
-                let slope = 1.0 / self.chain.deviations[joint];
+                let slope = self.rest.sqrt() / self.chain.deviations[joint];
                 let vector = rotation_vector(*rotor);
                 for k in 0..columns.count {
                     add(
@@ -154,7 +156,7 @@ impl Likelihood<'_> {
         let squares = rotating.map(|(joint, (_, rotor))| {
             rotation_vector(*rotor).length_squared() / self.chain.deviations[joint].powi(2)
         });
-        squares.sum()
+        self.rest * squares.sum::<f64>()
     }
 
     /// Rotations of joints are near rest. That of the whole body is not.

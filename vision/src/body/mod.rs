@@ -5,7 +5,7 @@
 //! | --- | --- |
 //! | [`BodyModel`] | a skeleton, the points of the body that are observed, limits of the joints |
 //! | [`Observation`] | for each view the pixels of these points, as far as they were seen |
-//! | [`BodyFit`] | the most likely poses, of a frame by itself or of a clip |
+//! | [`BodyFit`] | the expected pose of a frame by itself, the most likely poses of a clip |
 //! | [`FittedPose`] | motors, points and what remains in the pictures |
 //! | [`marked`] | bodies with coloured dots on their skin, in pictures |
 //! | [`format`](mod@format) | files of joints in pictures: COCO's, OpenPose's and our own |

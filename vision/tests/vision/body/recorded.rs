@@ -90,7 +90,7 @@ fn single_frames_are_better_than_triangulation() {
         (raw[0] - 36.8).abs() < 2.0 && (raw[1] - 34.2).abs() < 2.0,
         "{raw:?}"
     );
-    assert!(fitted[0] <= 23.0 && fitted[1] <= 19.0, "{fitted:?}");
+    assert!(fitted[0] <= 22.0 && fitted[1] <= 18.0, "{fitted:?}");
 }
 
 /// The fits of every 60th frame by itself, and the truth.
@@ -122,14 +122,16 @@ fn clips_are_better_than_single_frames() {
         let truth: Vec<_> = (first..first + 240).map(|f| recording.truth(f)).collect();
         let cameras = rig(&truth, 2);
         let fit = BodyFit::new(&recording.model, &cameras).unwrap();
-        let frames = truth.iter().zip((1000 * seed as u64)..);
-        let observed = frames.map(|(points, seed)| seen(&cameras, points, 2.0, 0.0, seed));
-        let observed: Vec<_> = observed.collect();
-        let fits = fit.clip(&observed, 120.0).unwrap();
-        let found = of_fits(&truth, &fits);
+        let found = [0.0, 0.2].map(|missing| {
+            let frames = truth.iter().zip((1000 * seed as u64)..);
+            let observed = frames.map(|(points, seed)| seen(&cameras, points, 2.0, missing, seed));
+            let observed: Vec<_> = observed.collect();
+            of_fits(&truth, &fit.clip(&observed, 120.0).unwrap())
+        });
         assert!(
-            found[0] <= 15.0 && found[1] <= 10.0,
+            found[0][0] <= 15.0 && found[0][1] <= 10.0,
             "from {first}: {found:?}"
         );
+        assert!(found[1][0] <= 1.5 * found[0][0], "from {first}: {found:?}");
     }
 }
