@@ -47,7 +47,7 @@ pub struct Stream<R> {
     line: Vec<u8>,
     /// The number of the next frame.
     frame: usize,
-    /// Whether there is nothing more to read: the film has ended or was found to be wrong.
+    /// Whether there is nothing more to read: the film has ended, or an error was returned.
     has_ended: bool,
 }
 
@@ -185,15 +185,15 @@ impl<R: Read> Stream<R> {
     /// Any [`StreamError`] except [`Header`](StreamError::Header) for the first line. What the
     /// planes then hold is not specified.
     pub fn read<T: Number>(&mut self, planes: [&mut Plane<T>; 3]) -> Result<bool, StreamError> {
+        if self.has_ended {
+            return Ok(false);
+        }
+        self.has_ended = true;
         if T::BIT_DEPTH != self.header.bit_depth {
             return Err(StreamError::Depth {
                 bit_depth: self.header.bit_depth,
             });
         }
-        if self.has_ended {
-            return Ok(false);
-        }
-        self.has_ended = true;
         if !self.begin_frame()? {
             return Ok(false);
         }
