@@ -18,6 +18,8 @@ pub struct Y4mSource<R> {
     file: PathBuf,
     /// The number of the next frame.
     next: usize,
+    /// Whether there is nothing more to read: the video has ended, or an error was returned.
+    has_ended: bool,
 }
 
 impl<R: Read> Y4mSource<R> {
@@ -52,6 +54,7 @@ impl<R: Read> Y4mSource<R> {
             properties: properties(&header),
             file,
             next: 0,
+            has_ended: false,
         })
     }
 
@@ -86,6 +89,10 @@ impl<R: Read> Source for Y4mSource<R> {
     }
 
     fn read(&mut self, frame: &mut Frame) -> Result<bool, VideoError> {
+        if self.has_ended {
+            return Ok(false);
+        }
+        self.has_ended = true;
         let stream = &mut self.stream;
         let outcome;
         if self.properties.bit_depth == 8 {
@@ -105,6 +112,7 @@ impl<R: Read> Source for Y4mSource<R> {
                 frame.time_seconds =
                     self.next as f64 * f64::from(denominator) / f64::from(numerator);
                 self.next += 1;
+                self.has_ended = false;
                 Ok(true)
             }
             Ok(false) if self.next == 0 => Err(VideoError::Empty {
