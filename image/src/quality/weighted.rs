@@ -62,7 +62,8 @@ impl Weights {
             range: &mut range,
             finite: &mut finite,
         });
-        if !(finite && range[0] >= 0.0) && !plane.is_empty() {
+        let is_sound = finite && range[0] >= 0.0;
+        if !is_sound && !plane.is_empty() {
             let sound = |weight: &f32| weight.is_finite() && *weight >= 0.0;
             let index = plane.values().iter().position(|weight| !sound(weight));
             let index = index.unwrap_or_default();

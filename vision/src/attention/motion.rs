@@ -243,7 +243,7 @@ impl<'a> Frames<'a> {
             return 0.0;
         }
         // The global motion may lie between whole pixels.
-        let [low, high] = [f32::floor, f32::ceil].map(|round| global.map(|part| round(part)));
+        let [low, high] = [f32::floor, f32::ceil].map(|round| global.map(round));
         let mut with_all = None;
         for x in [low[0], high[0]] {
             for y in [low[1], high[1]] {

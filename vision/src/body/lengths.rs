@@ -147,7 +147,6 @@ pub fn fit_lengths(
         relative_tolerance: 1e-6,
         absolute_tolerance: INSIGNIFICANT,
         loss: fit.likelihood().loss,
-        ..Settings::default()
     };
     let start = Unknowns { logarithms, poses };
     let found = minimise(&problem, start, &settings)?.state;

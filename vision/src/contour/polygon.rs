@@ -105,7 +105,7 @@ pub(super) fn distance_to(corners: &[[f64; 2]], point: [f64; 2]) -> (f64, [f64; 
     let mut best = (f64::INFINITY, point);
     for (a, b) in edges(corners) {
         let [along, across] = [b, point].map(|end| way(a, end));
-        let square = along | along;
+        let square = along.norm_squared();
         let share = (along | across) / square;
         // An edge without a length has its place as the nearest one.
         let part = if square > 0.0 {

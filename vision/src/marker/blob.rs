@@ -270,8 +270,8 @@ impl Incline {
             .map(|(pixel, value)| (pixel.map(|c| c as f64), value))
             .collect();
         let count = values.len() as f64;
-        let mean =
-            |part: &dyn Fn(&([f64; 2], f64)) -> f64| values.iter().map(part).sum::<f64>() / count;
+        type Part<'a> = &'a dyn Fn(&([f64; 2], f64)) -> f64;
+        let mean = |part: Part<'_>| values.iter().map(part).sum::<f64>() / count;
         let origin = [mean(&|(at, _)| at[0]), mean(&|(at, _)| at[1])];
         let value = mean(&|(_, value)| *value);
         let product =

@@ -81,7 +81,7 @@ pub(super) fn analyse(
             spool.keep(count as usize, &rgb(&frame, &properties))?;
         }
         count += 1;
-        if count % 16 == 0 {
+        if count.is_multiple_of(16) {
             progress.at(
                 count,
                 properties.frame_count.map_or(2 * count, |all| all as u64),

@@ -84,5 +84,5 @@ fn limits(ratings: &[f64]) -> Option<[f64; 2]> {
     } else {
         20.0_f64.sqrt()
     };
-    (deviation > 0.0).then(|| [mean - factor * deviation, mean + factor * deviation])
+    (deviation > 0.0).then_some([mean - factor * deviation, mean + factor * deviation])
 }

@@ -153,7 +153,7 @@ impl Scene {
         } else {
             0.0
         };
-        let angle = random.between(0.0, 6.28);
+        let angle = random.between(0.0, std::f32::consts::TAU);
         let objects = (0..random.index(0..4)).map(|_| Object {
             texture: texture(random),
             level: random.between(40.0, 220.0),
@@ -293,7 +293,7 @@ fn affected(frames: Vec<Plane<f32>>, clip: Clip, effect: Effect, random: &mut Ra
                     if inside { 240.0 } else { value }
                 }
                 Effect::Banner if row >= 74 => {
-                    let letter = mixed((column / 5 * 37 + row / 5) as u64) % 6 == 0;
+                    let letter = mixed((column / 5 * 37 + row / 5) as u64).is_multiple_of(6);
                     if letter { 220.0 } else { 30.0 }
                 }
                 Effect::Flicker => value * gain,

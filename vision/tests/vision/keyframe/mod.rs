@@ -171,7 +171,7 @@ fn the_cuts_and_the_dissolve_of_the_oracle_are_exact() {
     let found = of_file(&folder.join("cuts.y4m"));
     assert_eq!(found.transitions.cuts, frames("hard"));
     let dissolve = frames("dissolve");
-    assert_eq!(dissolves(&found), [dissolve[0]..dissolve[1]]);
+    assert_eq!(dissolves(&found), vec![dissolve[0]..dissolve[1]; 1]);
     assert!(found.transitions.fades.is_empty());
 }
 

@@ -189,7 +189,7 @@ impl Source for Timed {
 fn frames_at_different_times_are_not_a_pair() {
     let timed = |times: &[f64]| {
         let bytes = levels([4, 2], &[0, 1, 2], Film::default());
-        Box::new(Timed(video(bytes), times.to_vec().into_iter()))
+        Box::new(Timed(video(bytes), Vec::from(times).into_iter()))
     };
     let left = timed(&[0.0, 0.04, 0.08]);
     let right = timed(&[0.0, 0.041, 0.12]);

@@ -108,8 +108,7 @@ fn pictures(arguments: &Arguments, quiet: bool) -> Result<()> {
         arguments.plot.is_none(),
         "--plot draws measures over time, and pictures have none"
     );
-    let [reference, distorted] =
-        [&arguments.reference, &arguments.distorted].map(|path| file::read(path));
+    let [reference, distorted] = [&arguments.reference, &arguments.distorted].map(file::read);
     let (reference, distorted) = (reference?, distorted?);
     let size = [reference.width(), reference.height()];
     let map = read_map(arguments, size)?;

@@ -54,15 +54,16 @@ pub(super) fn svg(
             .draw_series(pairs.map(|(x, y)| {
                 Circle::new((*x, *y), 3 * FINE as i32, COLOURS[0].mix(0.7).filled())
             }))?;
-        let curves: [(&str, RGBColor, &dyn Fn(f64) -> f64); 2] = [
-            ("logistic, 4 parameters", COLOURS[2], &|x| four.at(x)),
-            ("logistic, 5 parameters", COLOURS[1], &|x| five.at(x)),
-        ];
-        for (name, colour, at) in curves {
-            let points = (0..=PIECES).map(|k| {
-                let place = x[0] + (x[1] - x[0]) * k as f64 / PIECES as f64;
-                (place, at(place).clamp(y[0], y[1]))
-            });
+        let places = (0..=PIECES).map(|k| x[0] + (x[1] - x[0]) * k as f64 / PIECES as f64);
+        let places: Vec<f64> = places.collect();
+        let by_four: Vec<f64> = places.iter().map(|x| four.at(*x)).collect();
+        let by_five: Vec<f64> = places.iter().map(|x| five.at(*x)).collect();
+        for (name, colour, values) in [
+            ("logistic, 4 parameters", COLOURS[2], by_four),
+            ("logistic, 5 parameters", COLOURS[1], by_five),
+        ] {
+            let shown = values.into_iter().map(|value| value.clamp(y[0], y[1]));
+            let points = places.iter().copied().zip(shown);
             chart
                 .draw_series(LineSeries::new(points, colour.stroke_width(2 * FINE)))?
                 .label(name)
