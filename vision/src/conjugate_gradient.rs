@@ -1,5 +1,5 @@
-//! Linear equations with a symmetric positive definite matrix that is too large to be stored, by the
-//! method of conjugate gradients.
+//! Linear equations with a symmetric positive definite matrix that is too large to be stored, by
+//! the method of conjugate gradients.
 
 /// When the search ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,9 +26,9 @@ pub struct NotConverged {
 /// even where it has not converged.
 ///
 /// `image` writes `A x` for its first argument x to its second one. `precondition` writes an
-/// approximation of `A⁻¹ r` for its first argument r, linear in r with a symmetric positive definite
-/// matrix, or r itself. The matrix A may be singular where b lies in its image (M. Hestenes and E.
-/// Stiefel, "Methods of conjugate gradients for solving linear systems", 1952).
+/// approximation of `A⁻¹ r` for its first argument r, linear in r with a symmetric positive
+/// definite matrix, or r itself. The matrix A may be singular where b lies in its image (M.
+/// Hestenes and E. Stiefel, "Methods of conjugate gradients for solving linear systems", 1952).
 ///
 /// ```
 /// use ga_vision::conjugate_gradient::{Settings, solve};

@@ -3,7 +3,7 @@
 //! - [`Reader`]: the frames of a film whose bytes are in memory, 8 bits for each number.
 //! - [`Stream`]: the frames of a film that is read as it comes, from a file or a pipe, with 8 or 10
 //!   bits for each number; [`Header`]: what its first line says.
-//! - [`encode`](fn@encode) and [`write`]: films of 8 bits.
+//! - [`encode`](fn@encode) and [`write`](fn@write): films of 8 bits.
 //!
 //! The reader is our own: the crate `y4m` multiplies the sizes of the header without a check, and
 //! does not read the range of the numbers.

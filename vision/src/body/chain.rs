@@ -15,8 +15,8 @@ pub(super) const TRANSLATION: usize = 3;
 /// The standard deviation of a joint's rotation from rest in radians, where nothing else is known:
 /// about that of a human's limbs. It is weak beside pixels and decides what they leave open.
 const LIMB: f64 = 0.7;
-/// That of joints of the trunk, which carry more than a third of the body's points and several ends,
-/// and of bones that begin where their parent does: pelvis and shoulders hardly deform.
+/// That of joints of the trunk, which carry more than a third of the body's points and several
+/// ends, and of bones that begin where their parent does: pelvis and shoulders hardly deform.
 const TRUNK: f64 = 0.2;
 
 /// The unknowns of a joint's rotation.

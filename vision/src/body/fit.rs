@@ -372,7 +372,8 @@ impl<'a> BodyFit<'a> {
                 .clone()
                 .and_then(|last| descend(&self.observed(observation), last, NEAR, normal));
             let count = observation.views.iter().flatten().flatten().count();
-            // With one view the frame before decides between poses that explain a view equally well.
+            // With one view the frame before decides between poses that explain a view equally
+            // well.
             let is_search = index % SEARCHED == 0 && self.likelihood.cameras.len() > 1;
             let is_good = |found: &Found| !is_search && found.cost <= BAD * (2 * count) as f64;
             let found = match near {

@@ -13,8 +13,8 @@ const RATIO: f32 = 3.0;
 /// What is added to the usual change, so that the change of a still picture is not zero.
 pub(super) const STILL: f32 = 0.04;
 
-/// A cut also counts where it exceeds the usual change by this much, and by so many times the median
-/// deviation from it.
+/// A cut also counts where it exceeds the usual change by this much, and by so many times the
+/// median deviation from it.
 const STEADY: f32 = 0.15;
 const SPREADS: f32 = 9.0;
 
@@ -36,10 +36,10 @@ const NEAREST: usize = 3;
 /// the frame before it, after the motion of the camera and after the factor of brightness between
 /// them: independent of contrast and brightness, of flicker, of bars, and of a caption or an object
 /// in less than half of the blocks. A cut is a change of at least 0.3 that is three times the
-/// median of the changes of the 8 frames before it and of the 8 after it, or by far outside of their
-/// spread, and the greatest within two frames.
-/// Where a frame after it looks like one before it, it is a flash. Measured settings of our own;
-/// Cui, §3.1.2, states a fixed threshold without its value.
+/// median of the changes of the 8 frames before it and of the 8 after it, or by far outside of
+/// their spread, and the greatest within two frames. Where a frame after it looks like one before
+/// it, it is a flash. Measured settings of our own; Cui, §3.1.2, states a fixed threshold without
+/// its value.
 #[derive(Clone, Debug, Default)]
 pub struct CutDetector {
     next: usize,

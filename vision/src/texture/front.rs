@@ -32,8 +32,8 @@ pub(super) struct Front {
 }
 
 /// How far pixels around a texel have a part in its colour by the spline, how far by the cubic, and
-/// how far those that decide it. For a texel larger than a pixel its own extents beyond half a pixel
-/// are added.
+/// how far those that decide it. For a texel larger than a pixel its own extents beyond half a
+/// pixel are added.
 const REACH: [f64; 3] = [4.0, 1.5, 0.75];
 
 /// A neighbour belongs to the same surface if it is no more than this many pixels away from the

@@ -54,7 +54,8 @@ impl View {
         &self.name
     }
 
-    /// Fails where the camera is behind a closed surface. In a room, whose walls face it, it may be.
+    /// Fails where the camera is behind a closed surface. In a room, whose walls face it, it may
+    /// be.
     pub(super) fn check_place(
         &self,
         triangles: impl Iterator<Item = [Vector<f64>; 3]>,

@@ -224,8 +224,8 @@ fn frames_without_their_root_or_with_few_joints_have_fewer_scores() {
     ));
 }
 
-/// A joint that is too deep by a metre is where it should be for the camera in front of it, and 50 px
-/// beside that for one a metre to the side.
+/// A joint that is too deep by a metre is where it should be for the camera in front of it, and 50
+/// px beside that for one a metre to the side.
 #[test]
 fn joint_errors_are_means_over_all_views() {
     let intrinsics = Intrinsics::new([1000.0, 1000.0], [0.0, 0.0]).unwrap();

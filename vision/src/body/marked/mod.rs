@@ -186,8 +186,8 @@ impl MarkedBody {
         })
     }
 
-    /// Labels all dots anew by where the fitted pose shows them, and fits again, with one gate after
-    /// the other.
+    /// Labels all dots anew by where the fitted pose shows them, and fits again, with one gate
+    /// after the other.
     fn refine(
         &self,
         fit: &BodyFit<'_>,

@@ -57,9 +57,9 @@ pub(super) struct Depths {
 const SUSPICIOUS: f64 = 16.0;
 
 impl Depths {
-    /// The candidates of points that two views or more show around the places where these agree, and
-    /// of others along their rays. Where they do not fit together, each of the views may be wrong,
-    /// which costs `wrong`.
+    /// The candidates of points that two views or more show around the places where these agree,
+    /// and of others along their rays. Where they do not fit together, each of the views may be
+    /// wrong, which costs `wrong`.
     pub(super) fn new(
         links: &Links,
         cameras: &[Camera],

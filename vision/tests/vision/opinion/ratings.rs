@@ -101,8 +101,8 @@ fn who_answers_without_order_is_rejected() {
     rows.extend(["55555"; 4]);
     let calm = table(&rows);
     assert!(calm.screening().iter().all(|rater| !rater.is_rejected));
-    // Ten ratings around 5 for each question, each by two raters, and one rater 3 off both ways: the
-    // standard deviation is 1.28, and the kurtosis 2.9.
+    // Ten ratings around 5 for each question, each by two raters, and one rater 3 off both ways:
+    // the standard deviation is 1.28, and the kurtosis 2.9.
     let pattern = ['3', '4', '4', '5', '5', '5', '5', '6', '6', '7'];
     let ordinary: Vec<String> = (0..20)
         .map(|rater| {
