@@ -17,8 +17,9 @@
 pub fn pearson(first: &[f64], second: &[f64]) -> Option<f64> {
     let count = first.len().min(second.len());
     let (first, second) = (centred(&first[..count])?, centred(&second[..count])?);
-    let product: f64 = first.iter().zip(&second).map(|(a, b)| a * b).sum();
-    Some((product / norm(&first) / norm(&second)).clamp(-1.0, 1.0))
+    let sum = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let squares = sum(&first, &first) * sum(&second, &second);
+    Some((sum(&first, &second) / squares.sqrt()).clamp(-1.0, 1.0))
 }
 
 /// The rank correlation coefficient of C. Spearman (SROCC): [`pearson`] of the [`ranks`].
@@ -66,7 +67,7 @@ pub fn kendall(first: &[f64], second: &[f64]) -> Option<f64> {
     // Of the pairs that are equal in neither row, those that are not exchanged have the same order.
     let in_order = all + tied_in_both - tied_in_first - tied_in_second - exchanged;
     let difference = in_order as f64 - exchanged as f64;
-    Some((difference / (first as f64).sqrt() / (second as f64).sqrt()).clamp(-1.0, 1.0))
+    Some((difference / (first as f64 * second as f64).sqrt()).clamp(-1.0, 1.0))
 }
 
 /// The rank of each number among all, from 1 for the least; equal numbers share the mean of their
@@ -95,15 +96,12 @@ pub fn ranks(values: &[f64]) -> Vec<f64> {
 fn centred(values: &[f64]) -> Option<Vec<f64>> {
     let different = values.windows(2).any(|pair| pair[0] != pair[1]);
     different.then(|| {
-        // Scaled, so that neither sums nor squares overflow or vanish.
+        // Scaled by a power of two, so that neither sums nor squares overflow or vanish.
         let greatest = values.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+        let greatest = greatest.log2().floor().min(1023.0).exp2();
         let mean = values.iter().map(|v| v / greatest).sum::<f64>() / values.len() as f64;
         values.iter().map(|v| v / greatest - mean).collect()
     })
-}
-
-fn norm(values: &[f64]) -> f64 {
-    values.iter().map(|v| v * v).sum::<f64>().sqrt()
 }
 
 /// How many pairs so many things have.

@@ -88,3 +88,12 @@ fn there_is_none_without_variation() {
         assert!((of(&[0.0, 2.0], &[3.0, 1.0]).unwrap() + 1.0).abs() < 1e-15);
     }
 }
+
+#[test]
+fn numbers_at_the_ends_of_the_range_are_correlated() {
+    let places = [1.0, 2.0, 3.0];
+    for values in [[-f64::MAX, 0.0, f64::MAX], [0.0, 5e-324, 1e-323]] {
+        assert_eq!(pearson(&values, &places), Some(1.0));
+        assert_eq!(pearson(&places, &values), Some(1.0));
+    }
+}
