@@ -73,7 +73,10 @@ fn curves(criterion: &mut Criterion) {
     });
 }
 
-fn views() -> Result<(StereoRig, [Vec<[f64; 2]>; 2]), Box<dyn Error>> {
+/// The pixels of a contour.
+type Pixels = Vec<[f64; 2]>;
+
+fn views() -> Result<(StereoRig, [Pixels; 2]), Box<dyn Error>> {
     let intrinsics = Intrinsics::new([800.0, 800.0], [320.0, 240.0])?;
     let identity = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let rig = StereoRig::from_matrices(intrinsics, intrinsics, identity, [-0.2, 0.0, 0.0])?;
