@@ -35,7 +35,7 @@ pub(super) fn align(
     const FINE: f64 = 0.003;
     /// Steps may lead so many pixels away from the feature.
     const FARTHEST: f64 = 3.0;
-    const LEAST_CORRELATION: f64 = 0.8;
+    const LEAST_CORRELATION: f64 = 0.95;
     let (left_scale, right_scale) = (&left_scales[left.scale], &right_scales[right.scale]);
     let middle = left.place.map(f64::round);
     let patch = Patch::new(left_scale, middle)?;
