@@ -241,3 +241,118 @@ fn error_of(found: [f64; 2], pixel: &JointPixel) -> [f64; 2] {
 fn squared([u, v]: [f64; 2]) -> f64 {
     u * u + v * v
 }
+
+#[cfg(test)]
+mod tests {
+    use ga_anim::skeleton::{Joint, Skeleton};
+    use ga_runtime::cga3::{Motor, Rotor};
+
+    use super::*;
+    use crate::body::BodyModel;
+    use crate::camera::Intrinsics;
+
+    /// A trunk with an arm of two bones and a head.
+    fn model() -> BodyModel {
+        let joint = |name: &str, parent, head| Joint {
+            name: name.to_owned(),
+            parent,
+            head,
+            tail: head,
+        };
+        let joints = vec![
+            joint("hips", None, [0.0, 0.0, 3.0]),
+            joint("chest", Some(0), [0.0, 0.5, 3.1]),
+            joint("elbow", Some(1), [0.4, 0.6, 2.9]),
+            joint("hand", Some(2), [0.7, 0.5, 2.8]),
+            joint("head", Some(1), [-0.1, 0.8, 3.0]),
+        ];
+        BodyModel::of_distinct_joints(Skeleton::new(joints).unwrap()).unwrap()
+    }
+
+    fn state(chain: &Chain<'_>) -> State {
+        let number = |k: usize| ((7 * k + 3) % 11) as f64 / 11.0 - 0.5;
+        State {
+            translation: Vector::new(0.1, -0.2, 0.05),
+            rotors: (0..chain.columns.len())
+                .map(|k| [number(k), number(k + 4), number(k + 9)])
+                .map(|vector| Rotor::from_rotation_vector(vector).unwrap())
+                .collect(),
+        }
+    }
+
+    /// The cost along each unknown, by central differences.
+    fn slopes(cost: &impl Cost, state: &State) -> Vec<f64> {
+        const STEP: f64 = 1e-5;
+        let chain = cost.chain();
+        let at = |k: usize, sign: f64| {
+            let mut step = vec![0.0; chain.count];
+            step[k] = sign * STEP;
+            cost.cost(&chain.stepped(state, &step).unwrap()).unwrap()
+        };
+        (0..chain.count)
+            .map(|k| (at(k, 1.0) - at(k, -1.0)) / (2.0 * STEP))
+            .collect()
+    }
+
+    fn check(cost: &impl Cost, state: &State) {
+        let mut normal = Normal::new(cost.chain().count);
+        cost.linearise(state, &mut normal).unwrap();
+        let found = cost.cost(state).unwrap();
+        assert!((normal.cost - found).abs() < 1e-12 * found);
+        let expected = slopes(cost, state);
+        let size = expected.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+        for (k, expected) in expected.iter().enumerate() {
+            let found = 2.0 * normal.gradient[k];
+            assert!(
+                (found - expected).abs() < 1e-6 * size,
+                "{k}: {found} {expected}"
+            );
+        }
+    }
+
+    #[test]
+    fn gradients_are_the_slopes_of_the_costs() {
+        let model = model();
+        let intrinsics = Intrinsics::new([500.0; 2], [320.0, 240.0]).unwrap();
+        let cameras = [Camera {
+            intrinsics,
+            world_to_camera: Motor::default(),
+        }];
+        for loss in [Loss::Squares, Loss::Huber(3.0), Loss::GemanMcClure(40.0)] {
+            let likelihood = Likelihood {
+                chain: Chain::new(&model),
+                cameras: &cameras,
+                loss,
+                rest: 0.5,
+            };
+            let state = state(&likelihood.chain);
+            let places = likelihood.chain.places(&state).points;
+            let pixels = places.iter().enumerate().map(|(k, place)| {
+                let seen = cameras[0].project((*place).into()).unwrap();
+                // One point is not seen, and one is seen far from where it is.
+                (k != 2).then(|| JointPixel {
+                    position: [seen[0] + 1.5, seen[1] - if k == 3 { 60.0 } else { 0.5 }],
+                    deviation: 1.0 + 0.5 * k as f64,
+                })
+            });
+            let observation = Observation {
+                views: vec![pixels.collect()],
+            };
+            let observed = Observed {
+                likelihood: &likelihood,
+                observation: &observation,
+            };
+            check(&observed, &state);
+            let goals: Vec<_> = places
+                .iter()
+                .enumerate()
+                .map(|(k, place)| (k != 1).then(|| *place + Vector::new(0.01, -0.02, 0.03)))
+                .collect();
+            let near = Near {
+                likelihood: &likelihood,
+                places: &goals,
+            };
+            check(&near, &state);
+        }
+    }
+}

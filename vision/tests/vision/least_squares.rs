@@ -167,6 +167,26 @@ fn an_outlier_counts_less() {
     // Three numbers within the scale h pull by 3 m, the outlier by h.
     assert!((with(Loss::Huber(1.5)) - 0.5).abs() < 1e-9);
     assert!(with(Loss::Cauchy(1.0)).abs() < 0.02);
+    // Where Σ ρ′(m − x) vanishes between -0.5 and 0.5, by bisection.
+    let balanced = |pull: fn(f64) -> f64| {
+        let sum = |m: f64| numbers.0.iter().map(|x| pull(m - x)).sum::<f64>();
+        let [mut low, mut high] = [-0.5, 0.5];
+        for _ in 0..60 {
+            let middle = (low + high) / 2.0;
+            *(if sum(middle) < 0.0 {
+                &mut low
+            } else {
+                &mut high
+            }) = middle;
+        }
+        low
+    };
+    // With h² = 9: ρ = 9 ln(1 + s²/9), and ρ = 9 s² / (9 + s²).
+    let cauchy = balanced(|s| 18.0 * s / (9.0 + s * s));
+    assert!((with(Loss::Cauchy(3.0)) - cauchy).abs() < 1e-6);
+    let geman_mcclure = balanced(|s| 162.0 * s / (9.0 + s * s).powi(2));
+    assert!((with(Loss::GemanMcClure(3.0)) - geman_mcclure).abs() < 1e-6);
+    assert!(geman_mcclure.abs() < 1e-3 && cauchy > 0.01);
 }
 
 #[test]
