@@ -244,41 +244,8 @@ fn squared([u, v]: [f64; 2]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use ga_anim::skeleton::{Joint, Skeleton};
-    use ga_runtime::cga3::{Motor, Rotor};
-
     use super::*;
-    use crate::body::BodyModel;
-    use crate::camera::Intrinsics;
-
-    /// A trunk with an arm of two bones and a head.
-    fn model() -> BodyModel {
-        let joint = |name: &str, parent, head| Joint {
-            name: name.to_owned(),
-            parent,
-            head,
-            tail: head,
-        };
-        let joints = vec![
-            joint("hips", None, [0.0, 0.0, 3.0]),
-            joint("chest", Some(0), [0.0, 0.5, 3.1]),
-            joint("elbow", Some(1), [0.4, 0.6, 2.9]),
-            joint("hand", Some(2), [0.7, 0.5, 2.8]),
-            joint("head", Some(1), [-0.1, 0.8, 3.0]),
-        ];
-        BodyModel::of_distinct_joints(Skeleton::new(joints).unwrap()).unwrap()
-    }
-
-    fn state(chain: &Chain<'_>) -> State {
-        let number = |k: usize| ((7 * k + 3) % 11) as f64 / 11.0 - 0.5;
-        State {
-            translation: Vector::new(0.1, -0.2, 0.05),
-            rotors: (0..chain.columns.len())
-                .map(|k| [number(k), number(k + 4), number(k + 9)])
-                .map(|vector| Rotor::from_rotation_vector(vector).unwrap())
-                .collect(),
-        }
-    }
+    use crate::body::example;
 
     /// The cost along each unknown, by central differences.
     fn slopes(cost: &impl Cost, state: &State) -> Vec<f64> {
@@ -312,12 +279,8 @@ mod tests {
 
     #[test]
     fn gradients_are_the_slopes_of_the_costs() {
-        let model = model();
-        let intrinsics = Intrinsics::new([500.0; 2], [320.0, 240.0]).unwrap();
-        let cameras = [Camera {
-            intrinsics,
-            world_to_camera: Motor::default(),
-        }];
+        let model = example::model();
+        let cameras = [example::camera(0.0)];
         for loss in [Loss::Squares, Loss::Huber(3.0), Loss::GemanMcClure(40.0)] {
             let likelihood = Likelihood {
                 chain: Chain::new(&model),
@@ -325,7 +288,7 @@ mod tests {
                 loss,
                 rest: 0.5,
             };
-            let state = state(&likelihood.chain);
+            let state = example::state(&likelihood.chain, 0);
             let places = likelihood.chain.places(&state).points;
             let pixels = places.iter().enumerate().map(|(k, place)| {
                 let seen = cameras[0].project((*place).into()).unwrap();

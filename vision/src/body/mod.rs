@@ -73,6 +73,8 @@ mod clip;
 mod descent;
 mod error;
 pub mod evaluation;
+#[cfg(test)]
+mod example;
 mod fit;
 pub mod format;
 mod lengths;

@@ -75,3 +75,57 @@ fn mean_square(chain: &Chain<'_>, states: &[State], kind: usize, lag: usize) -> 
     let components = components(chain, kind) * count;
     (!few && components > 0).then(|| sum / components as f64)
 }
+
+#[cfg(test)]
+mod tests {
+    use ga_runtime::cga3::Rotor;
+    use ga_runtime::vga3::Vector;
+
+    use super::*;
+    use crate::body::example;
+
+    /// A body that accelerates by the same amount in each frame, and whose first joint rotates about
+    /// one axis likewise.
+    fn accelerated(chain: &Chain<'_>, count: usize) -> Vec<State> {
+        let frame = |t: usize| {
+            let half = 0.5 * (t * t) as f64;
+            let mut state = chain.rest();
+            state.translation = Vector::new(0.02, -0.01, 0.03) * half;
+            state.rotors[1] =
+                Rotor::from_rotation_vector([0.0, 0.004 * half, 0.0]).expect("finite");
+            state
+        };
+        (0..count).map(frame).collect()
+    }
+
+    #[test]
+    fn second_differences_of_an_acceleration_grow_with_the_square_of_the_time() {
+        let model = example::model();
+        let chain = Chain::new(&model);
+        let states = accelerated(&chain, 20);
+        for lag in [1, 2, 3, 5] {
+            let squared = (lag as f64).powi(4);
+            for (kind, sum) in [(0, 14e-4), (2, 16e-6)] {
+                let found = mean_square(&chain, &states, kind, lag).unwrap();
+                let expected = sum * squared / 3.0;
+                assert!((found - expected).abs() < 1e-9 * expected, "{kind} {lag}");
+            }
+        }
+        assert!(mean_square(&chain, &states, 0, 6).is_none());
+    }
+
+    #[test]
+    fn an_acceleration_is_told_from_errors() {
+        let model = example::model();
+        let chain = Chain::new(&model);
+        // Over two frames the mean square is 16 times that over one: (16 − 1) / (6 − 1).
+        let found = variances(&chain, &accelerated(&chain, 20), 30.0);
+        assert!((found[0] - 3.0 * 14e-4 / 3.0).abs() < 1e-12);
+        assert!((found[2] - 3.0 * 16e-6 / 3.0).abs() < 1e-12);
+        // A joint that rests has the least variance.
+        assert_eq!(found[3], LEAST);
+        // Two frames show no acceleration: the usual ones, 5 m/s² and 20 rad/s².
+        let usual = variances(&chain, &accelerated(&chain, 2), 10.0);
+        assert!((usual[0] - 0.0025).abs() < 1e-15 && (usual[2] - 0.04).abs() < 1e-15);
+    }
+}

@@ -137,3 +137,64 @@ fn linearise(
     }
     Some((couplings, gradient, cost))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::body::JointPixel;
+    use crate::body::example;
+    use crate::least_squares::Loss;
+
+    #[test]
+    fn the_gradient_of_a_clip_is_the_slope_of_its_cost() {
+        const STEP: f64 = 1e-5;
+        let model = example::model();
+        let cameras = [example::camera(0.0), example::camera(0.5)];
+        let likelihood = Likelihood {
+            chain: crate::body::chain::Chain::new(&model),
+            cameras: &cameras,
+            loss: Loss::Squares,
+            rest: 0.5,
+        };
+        let chain = &likelihood.chain;
+        let states: Vec<State> = (0..4).map(|seed| example::state(chain, seed)).collect();
+        let pixel = |k: usize| JointPixel {
+            position: [300.0 + 10.0 * k as f64, 250.0],
+            deviation: 20.0,
+        };
+        let views = vec![(0..5).map(|k| (k != 3).then(|| pixel(k))).collect(); 2];
+        let observations = vec![Observation { views }; 4];
+        let variances = [0.5_f64, 0.0, 0.7, 0.6, 0.9, 0.8];
+        let variances: Vec<f64> = (0..kinds(chain)).map(|k| variances[k].max(0.4)).collect();
+        let cost =
+            |states: &[State]| total_cost(&likelihood, &observations, states, &variances).unwrap();
+        let mut normal = Normal::new(chain.count);
+        let (_, gradient, found) =
+            linearise(&likelihood, &observations, &states, &variances, &mut normal).unwrap();
+        assert!((found - cost(&states)).abs() < 1e-12 * found);
+        // The second differences alone: the costs of frames do not depend on the variances.
+        let halved: Vec<f64> = variances.iter().map(|v| v / 2.0).collect();
+        let with_halved = total_cost(&likelihood, &observations, &states, &halved).unwrap();
+        let infinite = vec![f64::INFINITY; variances.len()];
+        let frames = total_cost(&likelihood, &observations, &states, &infinite).unwrap();
+        assert!((with_halved - frames - 2.0 * (found - frames)).abs() < 1e-9 * found);
+        let size = gradient.iter().map(|g| g.amax()).fold(0.0, f64::max);
+        for frame in 0..4 {
+            for k in 0..chain.count {
+                let at = |sign: f64| {
+                    let mut step = vec![0.0; chain.count];
+                    step[k] = sign * STEP;
+                    let mut states = states.clone();
+                    states[frame] = chain.stepped(&states[frame], &step).unwrap();
+                    cost(&states)
+                };
+                let slope = (at(1.0) - at(-1.0)) / (2.0 * STEP);
+                let found = 2.0 * gradient[frame][k];
+                assert!(
+                    (found - slope).abs() < 1e-6 * size,
+                    "{frame} {k}: {found} {slope}"
+                );
+            }
+        }
+    }
+}

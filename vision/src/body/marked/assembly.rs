@@ -92,3 +92,24 @@ fn pivots(skeleton: &Skeleton, [from, to]: [usize; 2]) -> Vec<Point<f64>> {
         .map(|joint| joints[joint].head.into())
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::body::example;
+
+    #[test]
+    fn pivots_are_the_joints_on_the_way() {
+        let model = example::model();
+        let skeleton = model.skeleton();
+        let way = |from, to| pivots(skeleton, [from, to]);
+        let heads = |joints: &[usize]| -> Vec<Point<f64>> {
+            let heads = joints.iter().map(|&k| skeleton.joints()[k].head.into());
+            heads.collect()
+        };
+        // From the hand up to the chest, which both arm and head have, and to the head.
+        assert_eq!(way(3, 4), heads(&[3, 2, 4]));
+        assert_eq!(way(0, 3), heads(&[1, 2, 3]));
+        assert_eq!(way(2, 2), heads(&[]));
+    }
+}

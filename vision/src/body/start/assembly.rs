@@ -150,3 +150,19 @@ fn depth_below(chain: &Chain<'_>, joint: usize, other: usize) -> Option<usize> {
     }
     None
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::body::example;
+
+    #[test]
+    fn depths_count_the_joints_between() {
+        let model = example::model();
+        let chain = Chain::new(&model);
+        assert_eq!(depth_below(&chain, 3, 1), Some(2));
+        assert_eq!(depth_below(&chain, 2, 2), Some(0));
+        assert_eq!(depth_below(&chain, 1, 3), None);
+        assert_eq!(depth_below(&chain, 4, 2), None);
+    }
+}

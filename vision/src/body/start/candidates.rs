@@ -197,3 +197,43 @@ impl Candidates {
         costs
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::body::example;
+
+    #[test]
+    fn candidates_cost_what_their_pixels_say() {
+        let cameras = [example::camera(0.0), example::camera(1.0)];
+        let place = Vector::new(0.2, -0.1, 3.5);
+        let pixels = cameras.each_ref().map(|camera| {
+            let [u, v] = camera.project(place.into()).unwrap();
+            // A little up and down: nothing that a motion of the point explains.
+            let sign = if camera == &cameras[0] { 0.1 } else { -0.1 };
+            JointPixel {
+                position: [u, v + sign],
+                deviation: 0.2,
+            }
+        });
+        let sights = [(&cameras[0], pixels[0]), (&cameras[1], pixels[1])];
+        let found = Candidates::around(place, &sights).unwrap();
+        let cost_at = |at: Vector<f64>| -> f64 {
+            let of_view = sights.iter().map(|(camera, pixel)| {
+                let seen = camera.project(at.into()).unwrap();
+                let [u, v] = [0, 1].map(|k| seen[k] - pixel.position[k]);
+                (u * u + v * v) / 0.04
+            });
+            of_view.sum()
+        };
+        let costs: Vec<f64> = found.all.iter().map(|candidate| candidate.cost).collect();
+        let least = costs.iter().copied().fold(f64::INFINITY, f64::min);
+        assert!((least - 0.5).abs() < 0.01);
+        for candidate in &found.all {
+            // The projection is not linear.
+            let expected = cost_at(candidate.place);
+            let error = (candidate.cost - expected).abs();
+            assert!(error < 0.05 * expected, "{} {expected}", candidate.cost);
+        }
+    }
+}
