@@ -7,7 +7,7 @@ use ga_image::ycbcr::YCbCr;
 use super::cut::{CutDetector, threshold};
 use super::difference::{after_motion, at_rest, moments};
 use super::dissolve::{DissolveDetector, REACH, WINDOW};
-use super::fade::{Level, fades};
+use super::fade::{FadeDetector, Level};
 use super::layout::{Layout, Rectangle};
 use super::select::{KeyFrame, Seen, Selector};
 use super::shot::{Shot, Transitions};
@@ -126,6 +126,7 @@ pub struct Analyser {
     window: Window,
     cuts: CutDetector,
     dissolves: DissolveDetector,
+    fades: FadeDetector,
     selector: Selector,
     information: MutualInformation,
     previous: Plane<u8>,
@@ -145,6 +146,7 @@ impl Analyser {
             window: Window::new(WINDOW),
             cuts: CutDetector::default(),
             dissolves: DissolveDetector::default(),
+            fades: FadeDetector::default(),
             selector: Selector::default(),
             information: MutualInformation::new(),
             previous: Plane::default(),
@@ -239,11 +241,10 @@ impl Analyser {
             budget,
         } = self.options;
         self.cuts.advance(&self.changes, &self.window, layout, true);
-        let levels: Vec<Level> = self.frames.iter().map(|frame| frame.level).collect();
         let mut transitions = Transitions {
             cuts: self.cuts.cuts(),
             dissolves: self.dissolves.finish(&self.window, layout),
-            fades: fades(&levels),
+            fades: self.fades.finish(&self.window),
         };
         transitions.reconcile(&self.changes);
         let shots = transitions.shots(&self.moving, &self.reach, minimum_shot);
@@ -285,6 +286,7 @@ impl Analyser {
         self.cuts
             .advance(&self.changes, &self.window, layout, false);
         self.dissolves.advance(&self.window, layout);
+        self.fades.advance(&self.window);
         let dissolve = self
             .dissolves
             .found()
@@ -300,12 +302,6 @@ impl Analyser {
 }
 
 fn level(signature: &Plane<f32>) -> Level {
-    let part = Rectangle {
-        left: 0,
-        top: 0,
-        right: signature.width(),
-        bottom: signature.height(),
-    };
-    let [mean, deviation] = moments(signature, part);
+    let [mean, deviation] = moments(signature, Rectangle::of(signature));
     Level { mean, deviation }
 }

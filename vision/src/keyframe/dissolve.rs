@@ -1,11 +1,12 @@
 //! Dissolves: shots that are blended into each other.
 
+use std::collections::VecDeque;
 use std::ops::Range;
 
 use ga_image::plane::Plane;
 
 use super::difference::{after_motion, moments};
-use super::layout::{Layout, Rectangle, without_bars};
+use super::layout::{CELL_COUNT, Layout, Rectangle, cell, without_bars};
 use super::window::Window;
 
 /// The distances of the two ends from the middle that are tried, in frames.
@@ -18,21 +19,24 @@ pub const REACH: usize = 40;
 pub const WINDOW: usize = 2 * REACH + 2 * MOTION + 2;
 
 /// The greatest correlation of the two ends.
-const CORRELATION: f32 = 0.6;
+const CORRELATION: f32 = 0.8;
 
 /// The fraction of the first end in the middle.
 const FRACTION: Range<f32> = 0.25..0.75;
 
 /// The greatest residual of the blend.
-const RESIDUAL: f32 = 0.6;
+const RESIDUAL: f32 = 0.55;
 
 /// The least fall of the variance in the middle.
 const DIP: f32 = 0.12;
 
 /// The least difference of the ends after the motion of the camera: of most blocks, and of all. A
 /// title that appears changes only some.
-const DIFFERENT: f32 = 0.45;
-const EVERYWHERE: f32 = 0.22;
+const DIFFERENT: f32 = 0.36;
+const EVERYWHERE: f32 = 0.13;
+
+/// So many pairs of ends, and one for so many frames, have to say that there is a dissolve.
+const PAIRS: usize = 3;
 
 /// The least frames of a dissolve.
 const LEAST: usize = 3;
@@ -40,19 +44,46 @@ const LEAST: usize = 3;
 /// So many frames before the first end, and after the second, say how the camera moves there.
 const MOTION: usize = 5;
 
+/// The least change in the middle of a dissolve, in comparison with that between its ends.
+const CHANGES: f32 = 0.85;
+
+/// The farthest motion over which this is measured, in boxes.
+const FARTHEST: f32 = 5.0;
+
+/// A frame with a greater residual is a flash.
+const FLASH: f32 = 1.0;
+
+/// The greatest root mean square of the distances of fractions from their line.
+const BENT: f32 = 0.08;
+
+/// The part of cells in which the variance falls, at least.
+const MOST: f32 = 0.5;
+
+/// The part of cells that a blend need not explain.
+const LEFT_OUT: f32 = 0.3;
+
+/// The standard deviation of a picture that is flat.
+const FLAT: f32 = 2.0;
+
 /// Finds dissolves while frames come in.
 ///
-/// The middle frame of a dissolve is a blend α A + (1 − α) B of the frames A and B at its ends,
-/// each moved as the camera moved before and after. A place is reported if the ends are different
-/// pictures, if a blend with α between ¼ and ¾ explains the middle, if the variance falls there, as
-/// it does in means of pictures that are not alike, and if α falls steadily from end to end. The
-/// line through α is 1 at the first frame of the dissolve and 0 after its last. Settings of our
-/// own, measured on real and on synthetic clips.
+/// The middle frame of a dissolve is a blend u A + v B of the frames A and B at its ends, each moved
+/// as the camera moved before and after. The brightness u + v is free, so that flicker does not
+/// count, and so are the three tenths of the picture that are explained worst, where captions and
+/// logos are. A place is reported if the ends are different pictures, if a blend with a fraction
+/// α = u / (u + v) between ¼ and ¾ explains the middle, if the variance falls in most cells of the
+/// picture, as it does in means of pictures that are not alike, if α falls steadily from end to
+/// end, if other ends say so too, and if the middle itself changes after the motion of the camera. The line through α is 1 at
+/// the first frame of the dissolve and 0 after its last. Settings of our own, measured on synthetic
+/// clips.
 #[derive(Clone, Debug, Default)]
 pub struct DissolveDetector {
-    deviations: Vec<f32>,
+    contrasts: VecDeque<Contrast>,
+    first: usize,
     next: usize,
     found: Vec<Dissolve>,
+    /// For each, how many pairs of ends say so.
+    pairs: Vec<usize>,
 }
 
 /// A dissolve with how well it is explained.
@@ -68,19 +99,21 @@ impl DissolveDetector {
     /// Examines the frames for which enough later frames are known, after the last frame of the
     /// window was added to it.
     pub fn advance(&mut self, window: &Window, layout: Layout) {
-        let end = window.end();
-        for index in self.deviations.len()..end {
-            let deviation = window.get(index).and_then(|signature| {
-                Some(moments(signature, without_bars(signature, signature)?)[1])
-            });
-            self.deviations.push(deviation.unwrap_or(0.0));
+        while self.first + self.contrasts.len() < window.end() {
+            let index = self.first + self.contrasts.len();
+            let contrast = window.get(index).map(Contrast::of).unwrap_or_default();
+            if self.contrasts.len() == WINDOW {
+                self.contrasts.pop_front();
+                self.first += 1;
+            }
+            self.contrasts.push_back(contrast);
         }
-        while self.next + REACH + MOTION < end {
+        while self.next + REACH + MOTION < window.end() {
             self.examine(self.next, window, layout);
         }
     }
 
-    /// The dissolves found so far, in order.
+    /// The dissolves that were found so far, in order; some may turn out to be none.
     #[must_use]
     pub fn found(&self) -> &[Dissolve] {
         &self.found
@@ -89,10 +122,14 @@ impl DissolveDetector {
     /// Examines the last frames and gives all dissolves.
     #[must_use]
     pub fn finish(mut self, window: &Window, layout: Layout) -> Vec<Dissolve> {
-        while self.next < self.deviations.len() {
+        while self.next < window.end() {
             self.examine(self.next, window, layout);
         }
-        self.found
+        let found = self.found.into_iter().zip(self.pairs);
+        found
+            .filter(|(dissolve, pairs)| *pairs >= PAIRS.max(dissolve.frames.len() / PAIRS))
+            .map(|(dissolve, _)| dissolve)
+            .collect()
     }
 
     fn examine(&mut self, middle: usize, window: &Window, layout: Layout) {
@@ -101,15 +138,23 @@ impl DissolveDetector {
             let Some(dissolve) = self.blend(middle, half, window, layout) else {
                 continue;
             };
-            match self.found.last_mut() {
-                Some(other) if other.frames.end > dissolve.frames.start => {
+            match (self.found.last_mut(), self.pairs.last_mut()) {
+                (Some(other), Some(pairs)) if other.frames.end > dissolve.frames.start => {
+                    *pairs += 1;
                     if dissolve.residual < other.residual {
                         *other = dissolve;
                     }
                 }
-                _ => self.found.push(dissolve),
+                _ => {
+                    self.found.push(dissolve);
+                    self.pairs.push(1);
+                }
             }
         }
+    }
+
+    fn contrast(&self, index: usize) -> Option<&Contrast> {
+        self.contrasts.get(index.checked_sub(self.first)?)
     }
 
     /// The dissolve around a middle between two ends, if it is one.
@@ -121,24 +166,22 @@ impl DissolveDetector {
         layout: Layout,
     ) -> Option<Dissolve> {
         let (start, end) = (middle.checked_sub(half)?, middle + half);
-        let deviation = |index: usize| self.deviations.get(index).copied();
-        let [a, m, b] = [deviation(start)?, deviation(middle)?, deviation(end)?];
-        // A flat end is a fade.
-        if a.min(b) < 2.0 || 2.0 * m * m > (1.0 - DIP) * (a * a + b * b) {
+        let [first, last] = [self.contrast(start)?, self.contrast(end)?];
+        if !self.contrast(middle)?.falls_between(first, last) {
             return None;
         }
         let ends = Ends::new([start, end], window, layout)?;
         if ends.correlation() > CORRELATION {
             return None;
         }
-        let [fraction, residual] = ends.fraction(window.get(middle)?, middle);
+        let Blend { fraction, residual } = ends.blend(window.get(middle)?, middle);
         if !FRACTION.contains(&fraction) || residual > RESIDUAL {
             return None;
         }
-        let fractions: Option<Vec<f32>> = (start..=end)
-            .map(|index| Some(ends.fraction(window.get(index)?, index)[0]))
+        let blends: Option<Vec<Blend>> = (start..=end)
+            .map(|index| Some(ends.blend(window.get(index)?, index)))
             .collect();
-        let [first, last] = ramp(&fractions?)?;
+        let [first, last] = ramp(&blends?)?;
         // Both ends are outside of the blended frames.
         if first < 0.5 || last > 2.0 * half as f32 - 0.5 {
             return None;
@@ -155,7 +198,65 @@ impl DissolveDetector {
             return None;
         }
         let frames = start + first.round() as usize..start + last.round() as usize;
-        (frames.len() >= LEAST).then_some(Dissolve { frames, residual })
+        let apart = difference.typical() / frames.len() as f32;
+        let changes = || ends.change(&frames, window, layout) > CHANGES * apart;
+        (frames.len() >= LEAST && changes()).then_some(Dissolve { frames, residual })
+    }
+}
+
+/// The mean of a signature, its standard deviation, and the variance within each of its cells.
+#[derive(Clone, Debug)]
+struct Contrast {
+    mean: f32,
+    deviation: f32,
+    cells: [f32; CELL_COUNT],
+}
+
+impl Default for Contrast {
+    fn default() -> Self {
+        Self {
+            mean: 0.0,
+            deviation: 0.0,
+            cells: [0.0; CELL_COUNT],
+        }
+    }
+}
+
+impl Contrast {
+    fn of(signature: &Plane<f32>) -> Self {
+        let Some(part) = without_bars(signature, signature) else {
+            return Self::default();
+        };
+        let [mean, deviation] = moments(signature, part);
+        let whole = Rectangle::of(signature);
+        let mut cells = [0.0; CELL_COUNT];
+        for (index, variance) in cells.iter_mut().enumerate() {
+            let [_, deviation] = moments(signature, cell(whole, index));
+            *variance = deviation * deviation;
+        }
+        Self {
+            mean,
+            deviation,
+            cells,
+        }
+    }
+
+    /// Whether the variance is less than that of both ends in most cells that have any, after the
+    /// brightness was made that of the ends. A flat end belongs to a fade.
+    fn falls_between(&self, first: &Self, last: &Self) -> bool {
+        if first.deviation.min(last.deviation) < FLAT {
+            return false;
+        }
+        let gain = (self.mean + 0.5) / (0.5 * (first.mean + last.mean) + 0.5);
+        let least = (1.0 - DIP) * (gain * gain).clamp(0.4, 2.5);
+        let (mut lower, mut all) = (0, 0);
+        for (middle, (a, b)) in self.cells.iter().zip(first.cells.iter().zip(&last.cells)) {
+            if a.max(*b) > FLAT * FLAT {
+                all += 1;
+                lower += usize::from(2.0 * middle < least * (a + b));
+            }
+        }
+        lower as f32 > MOST * all as f32
     }
 }
 
@@ -191,32 +292,63 @@ impl<'a> Ends<'a> {
         })
     }
 
-    /// The fraction of the first end in the picture of a frame by least squares, and the root mean
-    /// square of what remains, relative to half the difference of the ends. Every second box of
+    /// How the picture of a frame is blended from both ends, each moved to its place: u A + v B by
+    /// least squares, where u + v is the brightness and u / (u + v) the fraction of the first end.
+    /// The cells that are explained worst are left out: captions and logos. Every second box of
     /// every second row counts, where both moved ends have boxes.
-    fn fraction(&self, picture: &Plane<f32>, index: usize) -> [f32; 2] {
+    fn blend(&self, picture: &Plane<f32>, index: usize) -> Blend {
         let moved = [0, 1].map(|end| {
             let frames = index as f32 - self.at[end] as f32;
             self.velocities[end].map(|velocity| velocity * frames)
         });
-        let (mut squared, mut along, mut rest) = (1e-6, 0.0, 0.0);
-        for row in (self.part.top..self.part.bottom).step_by(2) {
-            let line = picture.row(row);
-            for column in (self.part.left..self.part.right).step_by(2) {
-                let ends = [0, 1].map(|end| {
-                    let (x, y) = (column as f32 - moved[end][0], row as f32 - moved[end][1]);
-                    self.between(self.pictures[end], x, y)
-                });
-                let [Some(a), Some(b)] = ends else { continue };
-                let (difference, value) = (a - b, line[column] - b);
-                squared += difference * difference;
-                along += value * difference;
-                rest += value * value;
+        let mut cells = [Products::default(); CELL_COUNT];
+        for (index, products) in cells.iter_mut().enumerate() {
+            let place = cell(self.part, index);
+            for row in (place.top..place.bottom).step_by(2) {
+                let line = picture.row(row);
+                for column in (place.left..place.right).step_by(2) {
+                    let ends = [0, 1].map(|end| {
+                        let (x, y) = (column as f32 - moved[end][0], row as f32 - moved[end][1]);
+                        self.between(self.pictures[end], x, y)
+                    });
+                    if let [Some(a), Some(b)] = ends {
+                        products.add(a, b, line[column]);
+                    }
+                }
             }
         }
-        let fraction = along / squared;
-        let rest: f32 = rest - fraction * along;
-        [fraction, 2.0 * (rest.max(0.0) / squared).sqrt()]
+        let mut kept: Vec<&Products> = cells.iter().filter(|cell| cell.count > 0.0).collect();
+        let mut weights = Products::fit(&kept);
+        let most = (kept.len() as f32 * (1.0 - LEFT_OUT)).ceil() as usize;
+        for _ in 0..2 {
+            kept = cells.iter().filter(|cell| cell.count > 0.0).collect();
+            kept.sort_by(|a, b| a.mean_rest(weights).total_cmp(&b.mean_rest(weights)));
+            kept.truncate(most);
+            weights = Products::fit(&kept);
+        }
+        let gain = (weights[0] + weights[1]).max(0.1);
+        let rest: f32 = kept.iter().map(|cell| cell.rest(weights)).sum();
+        let squared = Products::difference(&kept);
+        Blend {
+            fraction: weights[0] / gain,
+            residual: 2.0 * (rest.max(0.0) / squared.max(1e-6)).sqrt() / gain,
+        }
+    }
+
+    /// The change from frame to frame in the middle of a dissolve, after the motion of the camera.
+    /// A camera that moves over one scene shows different pictures at its two ends, but in the
+    /// middle nothing other than motion.
+    fn change(&self, frames: &Range<usize>, window: &Window, layout: Layout) -> f32 {
+        let speeds = self.velocities.iter();
+        let speed = speeds
+            .map(|[x, y]| x.abs().max(1.25 * y.abs()))
+            .fold(0.1, f32::max);
+        let span = (frames.len() / 3).min((FARTHEST / speed) as usize).max(1);
+        let start = (frames.start + frames.end - span) / 2;
+        match (window.get(start), window.get(start + span)) {
+            (Some(a), Some(b)) => after_motion(a, b, layout).typical() / span as f32,
+            _ => 0.0,
+        }
     }
 
     /// The bilinear value between boxes, where all of them belong to the picture.
@@ -240,35 +372,114 @@ impl<'a> Ends<'a> {
         Some(mix(upper) + t * (mix(lower) - mix(upper)))
     }
 
-    /// The correlation of both ends.
+    /// The correlation of both ends where they differ most: a logo or a box that stands over both
+    /// shots is left out.
     fn correlation(&self) -> f32 {
         let [a, b] = self.pictures;
-        let [[mean_a, sigma_a], [mean_b, sigma_b]] = [a, b].map(|end| moments(end, self.part));
-        let columns = self.part.left..self.part.right;
-        let (mut sum, mut count) = (0.0, 0.0);
-        for row in self.part.top..self.part.bottom {
-            let pairs = a.row(row)[columns.clone()]
-                .iter()
-                .zip(&b.row(row)[columns.clone()]);
-            for (a, b) in pairs {
-                sum += (a - mean_a) * (b - mean_b);
-                count += 1.0;
-            }
-        }
-        sum / (count * sigma_a * sigma_b).max(1e-6)
+        let mut cells: Vec<[f64; 6]> = (0..CELL_COUNT)
+            .map(|index| {
+                let place = cell(self.part, index);
+                let mut sums = [0.0; 6];
+                for row in place.top..place.bottom {
+                    let columns = place.left..place.right;
+                    for (a, b) in a.row(row)[columns.clone()].iter().zip(&b.row(row)[columns]) {
+                        let (a, b) = (f64::from(*a), f64::from(*b));
+                        let terms = [1.0, a, b, a * a, a * b, b * b];
+                        sums.iter_mut()
+                            .zip(terms)
+                            .for_each(|(sum, term)| *sum += term);
+                    }
+                }
+                sums
+            })
+            .filter(|sums| sums[0] > 0.0)
+            .collect();
+        let apart = |[count, .., aa, ab, bb]: &[f64; 6]| (aa - 2.0 * ab + bb) / count;
+        cells.sort_by(|first, second| apart(second).total_cmp(&apart(first)));
+        cells.truncate((cells.len() as f32 * (1.0 - LEFT_OUT)).ceil() as usize);
+        let sum = |term: usize| cells.iter().map(|sums| sums[term]).sum::<f64>();
+        let [count, a, b, aa, ab, bb] = [0, 1, 2, 3, 4, 5].map(sum);
+        let variances = (aa - a * a / count) * (bb - b * b / count);
+        ((ab - a * b / count) / variances.max(1e-9).sqrt()) as f32
+    }
+}
+
+/// How a picture is blended from two.
+#[derive(Clone, Copy, Debug)]
+struct Blend {
+    /// The fraction of the first.
+    fraction: f32,
+    /// The root mean square of what the blend does not explain, relative to half the difference of
+    /// the two pictures.
+    residual: f32,
+}
+
+/// Sums of products of the values a and b of both ends and of the value p of a picture.
+#[derive(Clone, Copy, Debug, Default)]
+struct Products {
+    count: f32,
+    aa: f32,
+    ab: f32,
+    bb: f32,
+    pa: f32,
+    pb: f32,
+    pp: f32,
+}
+
+impl Products {
+    fn add(&mut self, a: f32, b: f32, p: f32) {
+        self.count += 1.0;
+        self.aa += a * a;
+        self.ab += a * b;
+        self.bb += b * b;
+        self.pa += p * a;
+        self.pb += p * b;
+        self.pp += p * p;
+    }
+
+    /// The weights u and v for which u a + v b is nearest to p over all.
+    fn fit(all: &[&Self]) -> [f32; 2] {
+        let sum = |value: fn(&Self) -> f32| -> f64 {
+            all.iter().map(|cell| f64::from(value(cell))).sum()
+        };
+        let (aa, ab, bb) = (sum(|c| c.aa), sum(|c| c.ab), sum(|c| c.bb));
+        let (pa, pb) = (sum(|c| c.pa), sum(|c| c.pb));
+        let determinant = (aa * bb - ab * ab).max(1e-9 * (aa * bb).max(1e-9));
+        let u = (pa * bb - pb * ab) / determinant;
+        let v = (pb * aa - pa * ab) / determinant;
+        [u as f32, v as f32]
+    }
+
+    /// The sum of (p − u a − v b)².
+    fn rest(&self, [u, v]: [f32; 2]) -> f32 {
+        let explained = u * (2.0 * self.pa - u * self.aa) + v * (2.0 * self.pb - v * self.bb);
+        (self.pp - explained + 2.0 * u * v * self.ab).max(0.0)
+    }
+
+    fn mean_rest(&self, weights: [f32; 2]) -> f32 {
+        self.rest(weights) / self.count
+    }
+
+    /// The sum of (a − b)² over all, after both were made equally bright.
+    fn difference(all: &[&Self]) -> f32 {
+        let sum = |value: fn(&Self) -> f32| -> f64 {
+            all.iter().map(|cell| f64::from(value(cell))).sum()
+        };
+        let (aa, ab, bb) = (sum(|c| c.aa), sum(|c| c.ab), sum(|c| c.bb));
+        ((aa + bb) * (1.0 - ab / (aa * bb).max(1e-12).sqrt())) as f32
     }
 }
 
 /// Where the line through falling fractions is 1 and 0, if they fall steadily.
-fn ramp(fractions: &[f32]) -> Option<[f32; 2]> {
-    let inside: Vec<[f32; 2]> = fractions
+fn ramp(blends: &[Blend]) -> Option<[f32; 2]> {
+    let inside: Vec<[f32; 2]> = blends
         .iter()
         .enumerate()
-        .filter(|(_, fraction)| (0.12..0.88).contains(*fraction))
-        .map(|(index, fraction)| [index as f32, *fraction])
+        .filter(|(_, blend)| (0.12..0.88).contains(&blend.fraction) && blend.residual < FLASH)
+        .map(|(index, blend)| [index as f32, blend.fraction])
         .collect();
     let count = inside.len() as f32;
-    let contiguous = inside.windows(2).all(|pair| pair[1][0] - pair[0][0] < 1.5);
+    let contiguous = inside.windows(2).all(|pair| pair[1][0] - pair[0][0] < 2.5);
     let falling = inside.windows(2).all(|pair| pair[1][1] < pair[0][1] + 0.05);
     if inside.len() < 2 || !contiguous || !falling {
         return None;
@@ -281,5 +492,10 @@ fn ramp(fractions: &[f32]) -> Option<[f32; 2]> {
         terms.sum::<f32>()
     };
     let slope = product(1) / product(0);
-    (slope < -1e-3).then(|| [1.0, 0.0].map(|level| mean[0] + (level - mean[1]) / slope))
+    let rest = inside
+        .iter()
+        .map(|p| p[1] - mean[1] - slope * (p[0] - mean[0]));
+    let rest = (rest.map(|rest| rest * rest).sum::<f32>() / count).sqrt();
+    let steady = slope < -1e-3 && rest < BENT;
+    steady.then(|| [1.0, 0.0].map(|level| mean[0] + (level - mean[1]) / slope))
 }

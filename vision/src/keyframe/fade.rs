@@ -1,6 +1,14 @@
 //! Fades from and to black or white.
 
+use std::collections::VecDeque;
 use std::ops::Range;
+
+use ga_image::plane::Plane;
+
+use super::cut::median;
+use super::difference::moments;
+use super::layout::{CELL_COUNT, Rectangle, cell, without_bars};
+use super::window::Window;
 
 /// The greatest standard deviation of a frame without a picture, in numbers of 8 bits.
 const FLAT: f32 = 1.5;
@@ -10,6 +18,33 @@ const BLACK: f32 = 16.0;
 
 /// The least frames of a fade.
 const LEAST: usize = 4;
+
+/// No fade is longer, in frames.
+const LONGEST: usize = 600;
+
+/// The least contrast that a fade reaches.
+const LEAST_RISE: f32 = 4.5;
+
+/// A frame without a picture has at most this part of the usual deviation, where that is less than
+/// the greatest; the deviation that rounding leaves counts in no case.
+const FLAT_PART: f32 = 0.1;
+const FLATTEST: f32 = 0.4;
+
+/// Frames of this number say what is usual.
+const USUAL: usize = 60;
+
+/// The rise goes on if it does within so many frames.
+const AHEAD: usize = 4;
+
+/// So many frames before and after a frame show where the bars are.
+const AROUND: usize = 40;
+
+/// So many cells of a frame count, those that are nearest to its level. A caption or a station
+/// label lies in the others.
+const MOST: usize = CELL_COUNT * 2 / 3;
+
+/// How different the rises of cells with little and with much contrast may be.
+const UNEVEN: f32 = 0.3;
 
 /// A fade, as a half-open interval of frames.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -63,32 +98,126 @@ impl Level {
     }
 }
 
+/// Finds fades while frames come in, for whole frames and for most of each frame, so that neither
+/// bars nor captions hide them.
+#[derive(Clone, Debug, Default)]
+pub struct FadeDetector {
+    extents: VecDeque<Option<Rectangle<usize>>>,
+    whole: Vec<Level>,
+    most: Vec<Level>,
+    cells: Vec<[u8; CELL_COUNT]>,
+}
+
+impl FadeDetector {
+    /// Measures the frames for which enough later frames are known, after the last frame of the
+    /// window was added to it.
+    pub fn advance(&mut self, window: &Window) {
+        let last = window.end().checked_sub(1);
+        if let Some(signature) = last.and_then(|last| window.get(last)) {
+            if self.extents.len() > 2 * AROUND {
+                self.extents.pop_front();
+            }
+            self.extents.push_back(without_bars(signature, signature));
+        }
+        self.measure_before(window.end().saturating_sub(AROUND), window);
+    }
+
+    /// Measures the frames before one that were not measured yet. What is black in all of the
+    /// frames around one is a bar.
+    fn measure_before(&mut self, end: usize, window: &Window) {
+        let first = window.end() - self.extents.len();
+        while self.whole.len() < end {
+            let index = self.whole.len();
+            let near =
+                index.saturating_sub(AROUND).max(first)..window.end().min(index + AROUND + 1);
+            let extents = near.filter_map(|frame| self.extents[frame - first]);
+            let part = extents.reduce(Rectangle::around);
+            let Some(signature) = window.get(index) else {
+                return;
+            };
+            self.measure(signature, part.unwrap_or(Rectangle::of(signature)));
+        }
+    }
+
+    fn measure(&mut self, signature: &Plane<f32>, part: Rectangle<usize>) {
+        let [mean, deviation] = moments(signature, part);
+        self.whole.push(Level { mean, deviation });
+        // Means over cells have little noise.
+        let cells: [f32; CELL_COUNT] =
+            std::array::from_fn(|index| moments(signature, cell(part, index))[0]);
+        let mut means = cells;
+        means.sort_unstable_by(f32::total_cmp);
+        let mean = means[CELL_COUNT / 2];
+        let mut apart = cells.map(|other| (other - mean).abs());
+        apart.sort_unstable_by(f32::total_cmp);
+        let kept = &apart[..MOST];
+        let squares: f32 = kept.iter().map(|value| value * value).sum();
+        let deviation = (squares / MOST as f32).sqrt();
+        self.most.push(Level { mean, deviation });
+        self.cells.push(cells.map(|mean| mean.round() as u8));
+    }
+
+    /// Measures the last frames and gives all fades.
+    #[must_use]
+    pub fn finish(mut self, window: &Window) -> Vec<Fade> {
+        self.measure_before(window.end(), window);
+        let mut found = fades(&self.whole);
+        for fade in fades(&self.most) {
+            let known = |other: &Fade| overlap(&other.frames, &fade.frames);
+            if self.is_even(&fade) && !found.iter().any(known) {
+                found.push(fade);
+            }
+        }
+        found.sort_by_key(|fade| fade.frames.start);
+        found
+    }
+
+    /// Whether all of the picture fades alike. Where the camera comes to an object from an even
+    /// background, the contrast rises too, but in one cell after another.
+    fn is_even(&self, fade: &Fade) -> bool {
+        let (flat, full) = match fade.direction {
+            Direction::In => (fade.frames.start, fade.frames.end - 1),
+            Direction::Out => (fade.frames.end - 1, fade.frames.start),
+        };
+        let level = self.most[flat].mean;
+        let contrasts = |frame: usize| {
+            let mut apart = self.cells[frame].map(|cell| (f32::from(cell) - level).abs());
+            apart.sort_unstable_by(f32::total_cmp);
+            [apart[CELL_COUNT / 4], apart[2 * CELL_COUNT / 3]]
+        };
+        let [low, high] = contrasts(full);
+        let (mut apart, mut count) = (0.0, 0.0);
+        for frame in fade.frames.clone() {
+            let [a, b] = contrasts(frame);
+            let [a, b] = [a / low.max(1.0), b / high.max(1.0)];
+            if (0.2..0.8).contains(&b) {
+                apart += (a - b).abs();
+                count += 1.0;
+            }
+        }
+        count > 0.0 && apart < UNEVEN * count
+    }
+}
+
 /// The fades of a video, in order.
 #[must_use]
 pub fn fades(levels: &[Level]) -> Vec<Fade> {
+    let flat = flat(levels);
     let mut found = Vec::new();
     let mut start = 0;
     while start < levels.len() {
-        if !levels[start].is_flat() {
+        if !flat[start] {
             start += 1;
             continue;
         }
-        let length = levels[start..]
-            .iter()
-            .take_while(|level| level.is_flat())
-            .count();
+        let length = flat[start..].iter().take_while(|flat| **flat).count();
         let end = start + length;
-        let flat = levels[start].mean;
-        let colour = match flat < BLACK {
+        let colour = match levels[start].mean < BLACK {
             true => Colour::Black,
             false => Colour::White,
         };
-        let backwards: Vec<f32> = levels[..start]
-            .iter()
-            .rev()
-            .map(|level| level.contrast(flat))
-            .collect();
-        if let Some(length) = ramp(&backwards) {
+        let backwards = levels[..start].iter().rev().take(LONGEST).copied();
+        if let Some(length) = rise(backwards, levels[start].mean) {
             let end = if end == levels.len() { end } else { start };
             found.push(Fade {
                 frames: start - length..end,
@@ -96,12 +225,8 @@ pub fn fades(levels: &[Level]) -> Vec<Fade> {
                 colour,
             });
         }
-        let flat = levels[end - 1].mean;
-        let forwards: Vec<f32> = levels[end..]
-            .iter()
-            .map(|level| level.contrast(flat))
-            .collect();
-        if let Some(length) = ramp(&forwards) {
+        let forwards = levels[end..].iter().take(LONGEST).copied();
+        if let Some(length) = rise(forwards, levels[end - 1].mean) {
             let start = if start == 0 { 0 } else { end };
             found.push(Fade {
                 frames: start..end + length,
@@ -116,22 +241,65 @@ pub fn fades(levels: &[Level]) -> Vec<Fade> {
     found
 }
 
+/// Which frames have no picture: their deviation is small, also in comparison with that of the
+/// frames around them.
+fn flat(levels: &[Level]) -> Vec<bool> {
+    let usual: Vec<f32> = levels
+        .chunks(USUAL)
+        .map(|chunk| {
+            let mut sorted: Vec<f32> = chunk.iter().map(|level| level.deviation).collect();
+            sorted.sort_unstable_by(f32::total_cmp);
+            sorted[sorted.len() * 3 / 4]
+        })
+        .collect();
+    let is_flat = |(index, level): (usize, &Level)| {
+        let chunk = index / USUAL;
+        let near = &usual[chunk.saturating_sub(1)..(chunk + 2).min(usual.len())];
+        let usual = near.iter().copied().fold(0.0, f32::max);
+        level.deviation < FLAT.min(FLAT_PART * usual).max(FLATTEST)
+    };
+    levels.iter().enumerate().map(is_flat).collect()
+}
+
+/// The number of frames in which pictures rise from a flat level. Flicker of a bright level changes
+/// its brightness from frame to frame, but not its deviation.
+fn rise(levels: impl Iterator<Item = Level> + Clone, flat: f32) -> Option<usize> {
+    let contrast: Vec<f32> = levels.clone().map(|level| level.contrast(flat)).collect();
+    ramp(&smoothed(&contrast)).or_else(|| {
+        let deviation: Vec<f32> = levels.map(|level| level.deviation).collect();
+        ramp(&smoothed(&deviation))
+    })
+}
+
+/// The median of each number and up to two on each side, as many on both.
+fn smoothed(values: &[f32]) -> Vec<f32> {
+    (0..values.len())
+        .map(|index| {
+            let reach = 2.min(index).min(values.len() - 1 - index);
+            median(values[index - reach..=index + reach].to_vec())
+        })
+        .collect()
+}
+
 /// The number of frames in which the contrast rises from almost nothing, where it rises steadily
 /// and not at once.
 fn ramp(contrast: &[f32]) -> Option<usize> {
     let mut length = 0;
     for index in 0..contrast.len() {
-        let later = contrast[(index + 3).min(contrast.len() - 1)];
+        let ahead = AHEAD.min(contrast.len() - 1 - index);
         let slope = contrast[index] / (index + 1) as f32;
         length = index + 1;
         // What is left of the rise is slower by far than what was.
-        if later - contrast[index] < 0.25 * slope * 3.0_f32.min((contrast.len() - 1 - index) as f32)
-        {
+        if contrast[index + ahead] - contrast[index] < 0.25 * slope * ahead as f32 {
             break;
         }
     }
     let rise = *contrast.get(length.checked_sub(1)?)?;
     let steps = contrast[..length].windows(2).map(|pair| pair[1] - pair[0]);
     let greatest = steps.fold(contrast[0], f32::max);
-    (length >= LEAST && rise > 3.0 * FLAT && greatest < 0.5 * rise).then_some(length)
+    (length >= LEAST && rise > LEAST_RISE && greatest < 0.5 * rise).then_some(length)
+}
+
+fn overlap(a: &Range<usize>, b: &Range<usize>) -> bool {
+    a.start < b.end && b.start < a.end
 }

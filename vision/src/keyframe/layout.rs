@@ -21,6 +21,28 @@ pub struct Rectangle<T> {
     pub bottom: T,
 }
 
+impl Rectangle<usize> {
+    /// All of a signature.
+    pub(super) fn of(signature: &Plane<f32>) -> Self {
+        Self {
+            left: 0,
+            top: 0,
+            right: signature.width(),
+            bottom: signature.height(),
+        }
+    }
+
+    /// The least rectangle around two.
+    pub(super) fn around(self, other: Self) -> Self {
+        Self {
+            left: self.left.min(other.left),
+            top: self.top.min(other.top),
+            right: self.right.max(other.right),
+            bottom: self.bottom.max(other.bottom),
+        }
+    }
+}
+
 /// A block of a layout.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Block {
@@ -75,6 +97,10 @@ const PAPER: [Block; 4] = [
     block([0.75, 0.0, 1.0, 1.0], true),
 ];
 
+/// Cells of a part of a signature, columns and rows, for what has to hold in most of the picture.
+const CELLS: [usize; 2] = [8, 6];
+pub(super) const CELL_COUNT: usize = CELLS[0] * CELLS[1];
+
 impl Layout {
     /// The blocks: the region of objects first, then the background.
     #[must_use]
@@ -94,6 +120,21 @@ impl Layout {
             (place.left..place.right).contains(&x) && (place.top..place.bottom).contains(&y)
         };
         self.blocks().iter().position(inside).unwrap_or(0)
+    }
+}
+
+/// A cell of a part of a signature: the boxes from its left to its right and from its top to its
+/// bottom.
+pub(super) fn cell(part: Rectangle<usize>, index: usize) -> Rectangle<usize> {
+    let (column, row) = (index % CELLS[0], index / CELLS[0]);
+    let along = |start: usize, end: usize, index: usize, count: usize| {
+        start + index * (end - start) / count
+    };
+    Rectangle {
+        left: along(part.left, part.right, column, CELLS[0]),
+        top: along(part.top, part.bottom, row, CELLS[1]),
+        right: along(part.left, part.right, column + 1, CELLS[0]),
+        bottom: along(part.top, part.bottom, row + 1, CELLS[1]),
     }
 }
 

@@ -49,15 +49,22 @@ pub(crate) enum Joins {
     Fades,
 }
 
-/// A clip as red, which is luma without colour differences, with its labels.
+/// A clip as red, which is luma without colour differences.
 pub(crate) struct Clip {
     pub(crate) frames: Vec<Plane<u8>>,
+    pub(crate) labels: Labels,
+}
+
+/// The transitions of a clip.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Labels {
     pub(crate) cuts: Vec<usize>,
     pub(crate) dissolves: Vec<Range<usize>>,
     pub(crate) fades: Vec<Range<usize>>,
 }
 
 /// Reproducible random numbers (splitmix64).
+#[derive(Clone)]
 pub(crate) struct Random(u64);
 
 impl Random {
@@ -200,8 +207,20 @@ impl Scene {
     }
 }
 
+/// A clip before an effect: its frames, its labels, and the state of the random numbers after it.
+pub(crate) struct Base {
+    pub(crate) frames: Vec<Plane<f32>>,
+    pub(crate) labels: Labels,
+    pub(crate) random: Random,
+}
+
 /// A clip with some shots, all of whose transitions are of one kind.
 pub(crate) fn clip(seed: u64, joins: Joins, effect: Effect) -> Clip {
+    base(seed, joins).with(effect)
+}
+
+/// The same before the effect.
+pub(crate) fn base(seed: u64, joins: Joins) -> Base {
     let mut random = Random::new(seed);
     let shots = random.index(2..6);
     let mut frames: Vec<Plane<f32>> = Vec::new();
@@ -253,24 +272,33 @@ pub(crate) fn clip(seed: u64, joins: Joins, effect: Effect) -> Clip {
         }
         scene = next;
     }
-    let clip = Clip {
-        frames: Vec::new(),
+    let labels = Labels {
         cuts,
         dissolves,
         fades,
     };
-    affected(frames, clip, effect, &mut random)
+    Base {
+        frames,
+        labels,
+        random,
+    }
 }
 
-fn blended(a: &Plane<f32>, b: &Plane<f32>, part: f32) -> Plane<f32> {
+pub(crate) fn blended(a: &Plane<f32>, b: &Plane<f32>, part: f32) -> Plane<f32> {
     let pairs = a.values().iter().zip(b.values());
     let values = pairs.map(|(a, b)| a + part * (b - a)).collect();
     Plane::from_values(SIZE[0], SIZE[1], values).unwrap()
 }
 
-fn affected(frames: Vec<Plane<f32>>, clip: Clip, effect: Effect, random: &mut Random) -> Clip {
-    let labels = clip.cuts.clone();
-    let near_cut = |frame: usize| labels.iter().any(|cut| cut.abs_diff(frame) < 6);
+impl Base {
+    /// The clip with an effect.
+    pub(crate) fn with(&self, effect: Effect) -> Clip {
+        affected(&self.frames, &self.labels, effect, &mut self.random.clone())
+    }
+}
+
+fn affected(frames: &[Plane<f32>], labels: &Labels, effect: Effect, random: &mut Random) -> Clip {
+    let near_cut = |frame: usize| labels.cuts.iter().any(|cut| cut.abs_diff(frame) < 6);
     let mut caption = (0, 0, 0);
     let finished = frames.iter().enumerate().map(|(index, frame)| {
         if index >= caption.1 {
@@ -311,14 +339,16 @@ fn affected(frames: Vec<Plane<f32>>, clip: Clip, effect: Effect, random: &mut Ra
     if effect != Effect::HalfRate {
         return Clip {
             frames: finished,
-            ..clip
+            labels: labels.clone(),
         };
     }
     let half = |range: &Range<usize>| range.start.div_ceil(2)..range.end.div_ceil(2);
     Clip {
         frames: finished.into_iter().step_by(2).collect(),
-        cuts: clip.cuts.iter().map(|cut| cut.div_ceil(2)).collect(),
-        dissolves: clip.dissolves.iter().map(half).collect(),
-        fades: clip.fades.iter().map(half).collect(),
+        labels: Labels {
+            cuts: labels.cuts.iter().map(|cut| cut.div_ceil(2)).collect(),
+            dissolves: labels.dissolves.iter().map(half).collect(),
+            fades: labels.fades.iter().map(half).collect(),
+        },
     }
 }
