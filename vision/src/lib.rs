@@ -20,6 +20,7 @@
 //! - [`surface`]: points, triangles and meshes from disparity maps.
 //! - [`texture`]: textures of meshes from calibrated views.
 //! - [`least_squares`]: nonlinear least squares over any unknowns, with covariances.
+//! - [`comfort`]: how comfortable stereoscopic video is to watch.
 //! - [`conjugate_gradient`]: linear equations whose matrix is too large to be stored.
 //! - [`feature`]: corners, descriptors and matches of two views.
 //! - [`relative_pose`]: the motion between two cameras from pairs of pixels.
@@ -69,6 +70,7 @@ pub mod calibration;
 pub mod camera;
 pub mod capture;
 pub mod chessboard;
+pub mod comfort;
 pub mod conjugate_gradient;
 pub mod contour;
 pub mod diagnosis;
