@@ -66,7 +66,17 @@ impl YCbCr {
         self.decoded([scale * y, cb, cr]).map(rounded)
     }
 
-    fn decoded(self, [y, cb, cr]: [f32; 3]) -> [f32; 3] {
+    /// Red, green and blue, from 0 to 255, of numbers that need not be whole, such as means: without
+    /// rounding, and outside of 0 to 255 where the numbers stand for no colour.
+    ///
+    /// ```
+    /// use ga_image::ycbcr::YCbCr;
+    ///
+    /// let [red, green, blue] = YCbCr::default().decoded([125.5, 128.0, 128.0]);
+    /// assert!((red - 127.5).abs() < 1e-4 && red == blue && (green - red).abs() < 1e-4);
+    /// ```
+    #[must_use]
+    pub fn decoded(self, [y, cb, cr]: [f32; 3]) -> [f32; 3] {
         let [kr, kg, kb] = self.luma.weights();
         let ([black, luma_scale], colour_scale) = self.scales();
         let y = (y - black) / luma_scale;

@@ -6,10 +6,21 @@
 //! Angles are those at which a viewer sees the picture on a screen; see [`Viewing`]. Where a frame
 //! does not show what is needed, a row has no score and says why: see [`Missing`].
 
+mod frame;
+mod geometry;
+mod matching;
+mod parallax;
+mod photometry;
 mod row;
 mod scale;
+mod sharpness;
 mod viewing;
 
+pub use frame::{FrameMeasures, FrameMeter};
+pub use geometry::Geometry;
+pub use matching::Match;
+pub use parallax::{Histogram, Parallax};
+pub use photometry::Photometry;
 pub use row::{Dimension, Missing, Row, Unit};
 pub use scale::{Level, SIZE, Scale, Score};
 pub use viewing::{Viewing, ViewingError};

@@ -33,7 +33,7 @@
 //! # Ok::<(), ga_vision::diagnosis::DiagnosisError>(())
 //! ```
 
-mod row_model;
+pub(crate) mod row_model;
 
 use crate::feature::PixelPair;
 use crate::ransac::Search;

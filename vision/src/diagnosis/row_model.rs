@@ -12,7 +12,7 @@ const ON_ONE_LINE: f64 = 1e-10;
 
 /// `v_left = a u_right + b v_right + c`, in pixels from the middle of the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct RowModel {
+pub(crate) struct RowModel {
     a: f64,
     b: f64,
     c: f64,
@@ -20,38 +20,40 @@ pub(super) struct RowModel {
 
 impl RowModel {
     /// The number of pairs that determine it.
-    pub(super) const NEEDED: usize = 3;
+    pub(crate) const NEEDED: usize = 3;
 
     /// Two views of one scene do not have rows that run backwards, or that are squeezed to a small
     /// part of the picture.
-    pub(super) fn is_plausible(&self) -> bool {
+    pub(crate) fn is_plausible(&self) -> bool {
         self.b > 0.1 && (0.2..5.0).contains(&self.zoom())
     }
 
-    pub(super) fn rotation(&self) -> f64 {
+    pub(crate) fn rotation(&self) -> f64 {
         (-self.a).atan2(self.b)
     }
 
-    pub(super) fn zoom(&self) -> f64 {
+    pub(crate) fn zoom(&self) -> f64 {
         1.0 / self.a.hypot(self.b)
     }
 
     /// The row in the right view, in its middle column, of the middle row of the left view.
-    pub(super) fn vertical_offset(&self) -> f64 {
+    pub(crate) fn vertical_offset(&self) -> f64 {
         -self.c / self.b
     }
 }
 
 /// Pairs of points from the middle of the picture.
-pub(super) struct Rows {
+pub(crate) struct Rows {
     /// `[u_right, v_right, v_left]`.
     pairs: Vec<[f64; 3]>,
     /// Half of the longer side, by which coordinates are divided in systems of equations.
     scale: f64,
+    /// What each pair counts in a fit.
+    weights: Vec<f64>,
 }
 
 impl Rows {
-    pub(super) fn new(pairs: &[PixelPair], size: [usize; 2]) -> Result<Self, DiagnosisError> {
+    pub(crate) fn new(pairs: &[PixelPair], size: [usize; 2]) -> Result<Self, DiagnosisError> {
         if pairs.len() < RowModel::NEEDED {
             return Err(DiagnosisError::TooFew {
                 found: pairs.len(),
@@ -71,6 +73,7 @@ impl Rows {
         let rows = Self {
             pairs: rows,
             scale: middle_u.max(middle_v).max(1.0),
+            weights: vec![1.0; pairs.len()],
         };
         let all: Vec<usize> = (0..pairs.len()).collect();
         match rows.fitted(&all) {
@@ -79,14 +82,20 @@ impl Rows {
         }
     }
 
+    /// Lets a pair count for this much in a fit; all count for 1 before.
+    pub(crate) fn set_weight(&mut self, index: usize, weight: f64) {
+        self.weights[index] = weight;
+    }
+
     /// The model that fits some pairs best; `None` where they do not determine one.
-    pub(super) fn fitted(&self, chosen: &[usize]) -> Option<RowModel> {
+    pub(crate) fn fitted(&self, chosen: &[usize]) -> Option<RowModel> {
         let (mut moments, mut target) = (Matrix3::zeros(), Vector3::zeros());
         for &index in chosen {
             let [u, v, row] = self.pairs[index].map(|x| x / self.scale);
             let place = Vector3::new(u, v, 1.0);
-            moments += place * place.transpose();
-            target += place * row;
+            let weight = self.weights[index];
+            moments += weight * place * place.transpose();
+            target += weight * row * place;
         }
         let eigenvalues = moments.symmetric_eigenvalues();
         let (least, most) = (eigenvalues.min(), eigenvalues.max());
@@ -103,12 +112,12 @@ impl Rows {
     }
 
     /// How far the model is from the row of a pair, in pixels.
-    pub(super) fn residual(&self, model: &RowModel, index: usize) -> f64 {
+    pub(crate) fn residual(&self, model: &RowModel, index: usize) -> f64 {
         let [u, v, row] = self.pairs[index];
         model.a * u + model.b * v + model.c - row
     }
 
-    pub(super) fn agreeing(&self, model: &RowModel, threshold: f64) -> Vec<usize> {
+    pub(crate) fn agreeing(&self, model: &RowModel, threshold: f64) -> Vec<usize> {
         (0..self.pairs.len())
             .filter(|&index| self.residual(model, index).abs() < threshold)
             .collect()

@@ -49,13 +49,16 @@ pub fn red(samples: &Samples, colours: YCbCr) -> Plane<f32> {
 #[must_use]
 pub fn box_means<S: Sample>(plane: PlaneView<'_, S>, size: [usize; 2]) -> Plane<f32> {
     let mut means = Plane::filled(size[0], size[1], 0.0);
-    if !plane.is_empty() {
-        Batch::new().run(BoxMeans {
-            plane,
-            means: &mut means,
-        });
-    }
+    box_means_into(plane, &mut means);
     means
+}
+
+/// As [`box_means`], written to a plane with as many columns and rows as there are boxes. A plane
+/// without pixels leaves it as it is.
+pub fn box_means_into<S: Sample>(plane: PlaneView<'_, S>, means: &mut Plane<f32>) {
+    if !plane.is_empty() {
+        Batch::new().run(BoxMeans { plane, means });
+    }
 }
 
 /// The numbers of planes: 8 bits, or 10 bits in 16.
