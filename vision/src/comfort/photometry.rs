@@ -63,12 +63,11 @@ impl Colours {
             return None;
         }
         let channel_offsets =
-            [0, 1, 2].map(|channel| self.median(|[left, right]| right[channel] - left[channel]));
+            [0, 1, 2].map(|channel| self.channel_median(channel, |left, right| right - left));
+        // Half a code keeps black from having no ratio.
         let channel_ratios = [0, 1, 2].map(|channel| {
-            // Half a code keeps black from having no ratio.
-            self.median(|[left, right]| {
-                (right[channel] + 0.5).max(0.5) / (left[channel] + 0.5).max(0.5)
-            })
+            let code = |value: f64| value.max(0.0) + 0.5;
+            self.channel_median(channel, |left, right| code(right) / code(left))
         });
         let offset_codes = middle(channel_offsets);
         let ratio = middle(channel_ratios);
@@ -91,6 +90,25 @@ impl Colours {
             })
         });
         a.hypot(b)
+    }
+
+    /// The median of a number for the left and the right value of a channel. Surroundings in which
+    /// pixels may have been cut off at black or white are left out, unless few others remain.
+    fn channel_median(&mut self, channel: usize, number: impl Fn(f64, f64) -> f64) -> f64 {
+        const UNCUT: std::ops::RangeInclusive<f64> = 32.0..=223.0;
+        const LEAST: usize = 12;
+        self.numbers.clear();
+        for pair in &self.pairs {
+            let [left, right] = pair.map(|codes| codes[channel]);
+            if UNCUT.contains(&left) && UNCUT.contains(&right) {
+                self.numbers.push(number(left, right));
+            }
+        }
+        if self.numbers.len() >= LEAST.max(self.pairs.len() / 4) {
+            self.numbers.sort_unstable_by(f64::total_cmp);
+            return percentile(&self.numbers, 0.5);
+        }
+        self.median(|[left, right]| number(left[channel], right[channel]))
     }
 
     fn median(&mut self, number: impl Fn([[f64; 3]; 2]) -> f64) -> f64 {

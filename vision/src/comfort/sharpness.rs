@@ -20,7 +20,8 @@ const FLOOR: f64 = 100.0;
 ///
 /// Sharpness is the root mean square of slopes, divided by the contrast. Contrast is how much the
 /// means of luma around the points differ from each other, which blur hardly changes: a view of
-/// less contrast has smaller slopes and is not less sharp.
+/// less contrast has smaller slopes and is not less sharp. Contrasts that differ by less than 7 %
+/// count as equal.
 pub(super) fn measure(
     views: [&Plane<u8>; 2],
     matches: &[Match],
@@ -40,14 +41,9 @@ pub(super) fn measure(
         return None;
     }
     let slopes = median(memory);
-    let [left, right] = [0, 1].map(|side| {
-        memory.clear();
-        memory.extend(matches.iter().map(|found| found.luma[side]));
-        contrast(memory)
-    });
-    let ratio = (right / left).log2();
-    let sharpness = slopes - if ratio.is_finite() { ratio } else { 0.0 };
-    sharpness.is_finite().then_some(sharpness)
+    let [left, right] = [0, 1].map(|side| contrast(matches, side));
+    let contrast = (right / left).log2();
+    Some(slopes - contrast).filter(|sharpness| sharpness.is_finite())
 }
 
 fn median(numbers: &mut [f64]) -> f64 {
@@ -55,12 +51,14 @@ fn median(numbers: &mut [f64]) -> f64 {
     percentile(numbers, 0.5)
 }
 
-/// The mean absolute deviation of numbers from their median; at least one level, below which it is
-/// noise.
-fn contrast(numbers: &mut [f64]) -> f64 {
-    let middle = median(numbers);
-    let sum: f64 = numbers.iter().map(|number| (number - middle).abs()).sum();
-    (sum / numbers.len() as f64).max(1.0)
+/// The mean absolute difference of luma of neighbouring matches; at least one level, below which it
+/// is noise.
+fn contrast(matches: &[Match], side: usize) -> f64 {
+    let differences = matches
+        .windows(2)
+        .map(|pair| (pair[1].luma[side] - pair[0].luma[side]).abs());
+    let count = matches.len().saturating_sub(1).max(1);
+    (differences.sum::<f64>() / count as f64).max(1.0)
 }
 
 /// The sum of the squared slopes around a pixel, in squared levels for two pixels; `None` near the

@@ -19,7 +19,7 @@ use reduced::{RADIUS, Reduced};
 use search::{Reach, Scores};
 
 /// The views are reduced to at most so many columns for the search.
-const WIDEST: usize = 480;
+const WIDEST: usize = 320;
 
 /// A point is searched within this share of the columns to either side, and of the rows.
 const REACH: [f64; 2] = [0.2, 0.06];
@@ -32,7 +32,7 @@ const FINE_RADIUS: [usize; 2] = [RADIUS, 7];
 const FARTHEST: f32 = 2.5;
 
 /// Surroundings correlate at least so much, when searched and when aligned at full size.
-const LEAST_CORRELATION: [f32; 2] = [0.6, 0.7];
+const LEAST_CORRELATION: [f32; 2] = [0.6, 0.5];
 
 /// A point that both views show.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
