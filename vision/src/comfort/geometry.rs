@@ -12,6 +12,10 @@ use crate::ransac::Search;
 const LEAST_POINTS: usize = 12;
 const LEAST_SHARE: f64 = 0.4;
 
+/// Points agree whose rows are so near to what a smooth function says, as a share of the columns.
+/// At first they may be farther from one of the first degree.
+const THRESHOLDS: [f64; 2] = [0.0015, 0.006];
+
 /// How the rows of two views differ.
 ///
 /// If the right camera is displaced vertically, rotated about its axis and has another focal length,
@@ -48,40 +52,49 @@ pub(super) fn fit(matches: &[Match], size: [usize; 2], agrees: &mut Vec<bool>) -
             right: found.right,
         })
         .collect();
-    let mut rows = Rows::new(&pairs, size).ok()?;
-    let threshold = threshold(size);
+    let mut fit = Fit {
+        matches,
+        rows: Rows::new(&pairs, size).ok()?,
+        enough: (LEAST_SHARE * matches.len() as f64).max(LEAST_POINTS as f64) as usize,
+    };
+    let [near, far] = THRESHOLDS.map(|share| (share * size[0] as f64).max(1.0));
     let search = Search {
-        threshold,
+        threshold: far,
         confidence: 0.999,
         least_samples: 30,
         samples: 300,
         seed: 1,
     };
-    let mut model = search.run(&rows, 1).first()?.model;
-    let enough = (LEAST_SHARE * matches.len() as f64).max(LEAST_POINTS as f64);
-    for _ in 0..5 {
-        let chosen = rows.agreeing(&model, threshold);
-        if (chosen.len() as f64) < enough {
-            return None;
-        }
-        let spread = spread(&rows, &model, &chosen);
-        for &index in &chosen {
-            let weight = weight(rows.residual(&model, index), spread, &matches[index]);
-            rows.set_weight(index, weight);
-        }
-        model = rows.fitted(&chosen).filter(RowModel::is_plausible)?;
+    let mut model = search.run(&fit.rows, 1).first()?.model;
+    model = fit.refined(model, far)?;
+    let second = fit.second_degree(&model, far, size);
+    if second.is_none() {
+        model = fit.refined(model, near)?;
     }
-    let chosen = rows.agreeing(&model, threshold);
-    for &index in &chosen {
-        agrees[index] = true;
+    let mut differences = Vec::new();
+    for (index, agrees) in agrees.iter_mut().enumerate() {
+        let more = second
+            .as_ref()
+            .map_or(0.0, |second| second.at(&matches[index]));
+        let residual = fit.rows.residual(&model, index);
+        *agrees = (residual + more).abs() < near;
+        if *agrees {
+            // The residual is the row of the model in the left view less the measured one.
+            let [left, right] = [matches[index].left[1], matches[index].right[1]];
+            differences.push((right - left - residual - more).abs());
+        }
     }
+    if differences.len() < fit.enough {
+        return None;
+    }
+    differences.sort_unstable_by(f64::total_cmp);
     let geometry = Geometry {
         shift_px: model.vertical_offset(),
         // The model counts from the u axis towards the v axis, which points down.
         rotation_degrees: -model.rotation().to_degrees(),
         zoom_percent: 100.0 * (model.zoom() - 1.0),
-        deviation_px: deviation(matches, &chosen, &rows, &model, size)?,
-        agreeing: chosen.len(),
+        deviation_px: percentile(&differences, 0.95),
+        agreeing: differences.len(),
     };
     let numbers = [
         geometry.shift_px,
@@ -92,20 +105,118 @@ pub(super) fn fit(matches: &[Match], size: [usize; 2], agrees: &mut Vec<bool>) -
     numbers.iter().all(|x| x.is_finite()).then_some(geometry)
 }
 
-/// Rows that differ by more pixels from the model do not agree.
-fn threshold(size: [usize; 2]) -> f64 {
-    (0.0015 * size[0] as f64).max(1.0)
+/// Matches and their rows.
+struct Fit<'a> {
+    matches: &'a [Match],
+    rows: Rows,
+    /// How many matches must agree.
+    enough: usize,
 }
 
-/// The standard deviation of residuals, from the median of their absolute values.
-fn spread(rows: &Rows, model: &RowModel, chosen: &[usize]) -> f64 {
+impl Fit<'_> {
+    /// The model that fits the matches best that are within a threshold of it.
+    fn refined(&mut self, mut model: RowModel, threshold: f64) -> Option<RowModel> {
+        const STEPS: usize = 5;
+        for _ in 0..STEPS {
+            let chosen = self.rows.agreeing(&model, threshold);
+            if chosen.len() < self.enough {
+                return None;
+            }
+            let spread = self.spread(&model, &chosen);
+            for &index in &chosen {
+                let residual = self.rows.residual(&model, index);
+                let weight = weight(residual, spread, &self.matches[index]);
+                self.rows.set_weight(index, weight);
+            }
+            model = self.rows.fitted(&chosen).filter(RowModel::is_plausible)?;
+        }
+        Some(model)
+    }
+
+    /// The standard deviation of residuals, from the median of their absolute values.
+    fn spread(&self, model: &RowModel, chosen: &[usize]) -> f64 {
+        let residual = |&index: &usize| self.rows.residual(model, index).abs();
+        median_deviation(chosen.iter().map(residual).collect())
+    }
+
+    /// What a function of the second degree explains of the rows that the model does not, where it
+    /// clearly explains something.
+    fn second_degree(
+        &self,
+        model: &RowModel,
+        threshold: f64,
+        size: [usize; 2],
+    ) -> Option<SecondDegree> {
+        const STEPS: usize = 5;
+        const LEAST_MATCHES: usize = 40;
+        let chosen = self.rows.agreeing(model, threshold);
+        if chosen.len() < LEAST_MATCHES {
+            return None;
+        }
+        let mut second = SecondDegree::zero(size);
+        // Residuals have the opposite sign of what is to be explained.
+        let left = |second: &SecondDegree, index: usize| {
+            -self.rows.residual(model, index) - second.at(&self.matches[index])
+        };
+        for _ in 0..STEPS {
+            let residuals = chosen.iter().map(|&index| left(&second, index).abs());
+            let spread = median_deviation(residuals.collect());
+            let mut moments = SMatrix::<f64, 6, 6>::zeros();
+            let mut target = SVector::<f64, 6>::zeros();
+            for &index in &chosen {
+                let found = &self.matches[index];
+                let weight = weight(left(&second, index), spread, found);
+                let terms = second.terms(found);
+                moments.ger(weight, &terms, &terms, 1.0);
+                target.axpy(-weight * self.rows.residual(model, index), &terms, 1.0);
+            }
+            second.factors = moments.cholesky()?.solve(&target);
+        }
+        // Twice what the information criterion of Schwarz asks for three more numbers, for errors
+        // of the distribution of Laplace, whose scale is the mean of their absolute values.
+        let sum = |second: &SecondDegree| -> f64 {
+            let cut = |&index: &usize| left(second, index).abs().min(threshold);
+            chosen.iter().map(cut).sum()
+        };
+        let count = chosen.len() as f64;
+        let gain = count * (sum(&SecondDegree::zero(size)) / sum(&second)).ln();
+        (gain > 3.0 * count.ln()).then_some(second)
+    }
+}
+
+/// A function of the second degree of the place in the right view.
+struct SecondDegree {
+    /// Of 1, u, v, uv, u² and v².
+    factors: SVector<f64, 6>,
+    middle: [f64; 2],
+    /// Half of the columns, the unit of u and v.
+    scale: f64,
+}
+
+impl SecondDegree {
+    fn zero(size: [usize; 2]) -> Self {
+        Self {
+            factors: SVector::zeros(),
+            middle: size.map(|side| 0.5 * (side as f64 - 1.0)),
+            scale: 0.5 * size[0].max(1) as f64,
+        }
+    }
+
+    fn terms(&self, found: &Match) -> SVector<f64, 6> {
+        let [u, v] = [0, 1].map(|axis| (found.right[axis] - self.middle[axis]) / self.scale);
+        SVector::from([1.0, u, v, u * v, u * u, v * v])
+    }
+
+    fn at(&self, found: &Match) -> f64 {
+        self.factors.dot(&self.terms(found))
+    }
+}
+
+/// The standard deviation of errors, from the median of their absolute values.
+fn median_deviation(mut absolute: Vec<f64>) -> f64 {
     const LEAST: f64 = 0.02;
-    let residuals = chosen
-        .iter()
-        .map(|&index| rows.residual(model, index).abs());
-    let mut residuals: Vec<f64> = residuals.collect();
-    residuals.sort_by(f64::total_cmp);
-    (1.4826 * percentile(&residuals, 0.5)).max(LEAST)
+    absolute.sort_unstable_by(f64::total_cmp);
+    (1.4826 * percentile(&absolute, 0.5)).max(LEAST)
 }
 
 /// The weight of a match: less for uncertain ones, and for those far from the model (S. Geman and
@@ -114,56 +225,4 @@ fn weight(residual: f64, spread: f64, found: &Match) -> f64 {
     let variance = found.deviation[1].powi(2) + spread * spread;
     let distance = residual * residual / (4.0 * variance);
     1.0 / (variance * (1.0 + distance).powi(2))
-}
-
-/// The 95th percentile of the absolute vertical differences that a smooth function has at matches.
-fn deviation(
-    matches: &[Match],
-    chosen: &[usize],
-    rows: &Rows,
-    model: &RowModel,
-    size: [usize; 2],
-) -> Option<f64> {
-    let spread = spread(rows, model, chosen);
-    let scale = 0.5 * size[0].max(1) as f64;
-    let middle = size.map(|side| 0.5 * (side as f64 - 1.0));
-    let terms = |index: usize| {
-        let [u, v] = [0, 1].map(|axis| (matches[index].right[axis] - middle[axis]) / scale);
-        SVector::<f64, 6>::from([1.0, u, v, u * v, u * u, v * v])
-    };
-    // The second degree is fitted to what the first one leaves.
-    let (mut moments, mut target) = (SMatrix::<f64, 6, 6>::zeros(), SVector::<f64, 6>::zeros());
-    for &index in chosen {
-        let residual = -rows.residual(model, index);
-        let (terms, weight) = (terms(index), weight(residual, spread, &matches[index]));
-        moments.ger(weight, &terms, &terms, 1.0);
-        target.axpy(weight * residual, &terms, 1.0);
-    }
-    let second = moments.cholesky().map(|moments| moments.solve(&target));
-    let (mut before, mut after) = (0.0, 0.0);
-    for &index in chosen {
-        let residual = -rows.residual(model, index);
-        let left = second.map_or(residual, |second| residual - second.dot(&terms(index)));
-        before += weight(residual, spread, &matches[index]) * residual * residual;
-        after += weight(residual, spread, &matches[index]) * left * left;
-    }
-    // Twice what the information criterion of Schwarz asks for three more numbers.
-    let count = chosen.len() as f64;
-    let is_clear = chosen.len() >= 40 && count * (before / after).ln() > 6.0 * count.ln();
-    let second = second.filter(|_| is_clear);
-    let mut differences: Vec<f64> = chosen
-        .iter()
-        .map(|&index| {
-            let more = second.map_or(0.0, |second| second.dot(&terms(index)));
-            (difference(&matches[index], rows, model, index) - more).abs()
-        })
-        .collect();
-    differences.sort_by(f64::total_cmp);
-    Some(percentile(&differences, 0.95))
-}
-
-/// The vertical difference that the model has at a match.
-fn difference(found: &Match, rows: &Rows, model: &RowModel, index: usize) -> f64 {
-    // The residual is the row of the model in the left view less the measured one.
-    found.right[1] - (found.left[1] + rows.residual(model, index))
 }

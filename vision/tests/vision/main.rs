@@ -16,6 +16,7 @@ mod camera;
 mod capture;
 mod capture_surface;
 mod chessboard;
+mod comfort;
 mod conjugate_gradient;
 mod contour;
 mod dense;

@@ -1,0 +1,8 @@
+//! The comfort of stereoscopic video: closed forms, pictures with known defects, and real ones.
+
+mod clip;
+mod defects;
+mod degenerate;
+mod inputs;
+mod oracle;
+mod scores;
