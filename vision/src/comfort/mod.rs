@@ -6,8 +6,10 @@
 //! Angles are those at which a viewer sees the picture on a screen; see [`Viewing`]. Where a frame
 //! does not show what is needed, a row has no score and says why: see [`Missing`].
 
+pub mod asynchrony;
 mod frame;
 mod geometry;
+mod jackknife;
 mod matching;
 mod parallax;
 mod photometry;
