@@ -16,6 +16,7 @@ mod photometry;
 mod row;
 mod scale;
 mod sharpness;
+pub mod stereoscopy;
 mod viewing;
 
 pub use frame::{FrameMeasures, FrameMeter};
