@@ -7,23 +7,32 @@
 //! does not show what is needed, a row has no score and says why: see [`Missing`].
 
 pub mod asynchrony;
+mod change;
+mod deviation;
+mod error;
 mod frame;
 mod geometry;
 mod jackknife;
 mod matching;
+pub mod monitor;
 mod parallax;
 mod photometry;
+mod record;
 mod row;
 mod scale;
 mod sharpness;
 pub mod stereoscopy;
+mod summary;
 mod viewing;
 
+pub use error::ComfortError;
 pub use frame::{FrameMeasures, FrameMeter};
 pub use geometry::Geometry;
 pub use matching::Match;
 pub use parallax::{Histogram, Parallax};
 pub use photometry::Photometry;
+pub use record::Record;
 pub use row::{Dimension, Missing, Row, Unit};
 pub use scale::{Level, SIZE, Scale, Score};
+pub use summary::{RowSummary, Summary, meaning};
 pub use viewing::{Viewing, ViewingError};
