@@ -6,6 +6,7 @@
 //! Angles are those at which a viewer sees the picture on a screen; see [`Viewing`]. Where a frame
 //! does not show what is needed, a row has no score and says why: see [`Missing`].
 
+pub mod align;
 pub mod asynchrony;
 mod change;
 mod deviation;
