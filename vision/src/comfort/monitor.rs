@@ -19,8 +19,8 @@ use crate::video::{Frame, Properties, Samples};
 pub struct Options {
     /// The eyes before the screen.
     pub viewing: Viewing,
-    /// How the views lie in a frame; `None` for two videos. Views in one frame that are parts of one
-    /// picture are an error.
+    /// How the views lie in a frame; `None` for two videos. Views in one frame that are parts of
+    /// one picture are an error.
     pub layout: Option<Layout>,
     /// The number of threads: 1, or 2 for any other number. Results do not depend on it.
     pub threads: usize,

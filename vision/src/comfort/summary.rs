@@ -3,8 +3,8 @@
 use super::stereoscopy::Stereoscopy;
 use super::{Dimension, Level, Record};
 
-/// The rows of the table over all frames, as the last column of Cui, table 6. It holds sums only, so
-/// that a video may be of any length.
+/// The rows of the table over all frames, as the last column of Cui, table 6. It holds sums only,
+/// so that a video may be of any length.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Summary {
     /// The number of frames.

@@ -17,6 +17,7 @@ mod capture;
 mod capture_surface;
 mod chessboard;
 mod comfort;
+mod comfort_over_time;
 mod conjugate_gradient;
 mod contour;
 mod dense;

@@ -123,8 +123,8 @@ fn compare(colours: &[[f32; 3]], start: usize, end: usize) -> Option<Cues> {
     })
 }
 
-/// How much greater the step of luma to a pixel is than those beside it: a border cuts through a texture,
-/// within which steps are alike.
+/// How much greater the step of luma to a pixel is than those beside it: a border cuts through a
+/// texture, within which steps are alike.
 fn rise(colours: &[[f32; 3]], place: usize) -> f64 {
     let step = |place: usize| f64::from((colours[place - 1][0] - colours[place][0]).abs());
     match place >= 2 && place + 1 < colours.len() {

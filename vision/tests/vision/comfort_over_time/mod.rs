@@ -1,0 +1,6 @@
+//! What needs several frames, or the depth of a shot: delays, the order of the eyes, the monitor.
+
+mod asynchrony;
+mod monitor;
+mod scene;
+mod stereoscopy;
