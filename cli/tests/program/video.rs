@@ -104,6 +104,7 @@ fn key_frames_are_reported_and_written() {
     assert!(read("plot.svg").contains("mutual information"));
     let page = read("report.html");
     assert!(page.contains("<svg") && page.contains("data:image/png;base64,iVBOR"));
+    assert!(page.contains("Cuts at frames 30, 60."));
     assert!(!page.contains("src=\"http"));
 }
 
@@ -207,6 +208,86 @@ fn a_truncated_clip_is_reported_as_far_as_it_goes() {
     assert_failure(&nullcone(folder.path(), arguments), &["clip.y4m"]);
     let wrong = ["video", "keyframes", "clip.y4m", "--plot", "plot.png"];
     assert_failure(&nullcone(folder.path(), wrong), &["--plot", ".svg"]);
+}
+
+#[test]
+fn statistics_of_the_clips_before_an_error_are_reported() {
+    let folder = tempdir().unwrap();
+    let [whole, cut] = ["a.y4m", "b.y4m"].map(|name| folder.path().join(name));
+    write_clip(&whole);
+    let bytes = std::fs::read(&whole).unwrap();
+    std::fs::write(&cut, &bytes[..bytes.len() / 2 + 100]).unwrap();
+    for (second, clips, frames) in [("b.y4m", 2, 135), ("absent.y4m", 1, 90)] {
+        let arguments = ["video", "statistics", "a.y4m", second, "a.y4m", "--json"];
+        let output = nullcone(folder.path(), arguments);
+        assert_eq!(output.status.code(), Some(1));
+        let table: Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!(table["clips"].as_array().unwrap().len(), clips);
+        assert_eq!(table["total"]["frames"], frames);
+        let message = text(&output.stderr);
+        assert!(message.contains(second), "{message}");
+    }
+    let output = nullcone(
+        folder.path(),
+        ["video", "statistics", "absent.y4m", "--json"],
+    );
+    assert_failure(&output, &["absent.y4m"]);
+}
+
+#[test]
+fn an_empty_clip_and_pictures_of_two_sizes_are_errors() {
+    let folder = tempdir().unwrap();
+    std::fs::write(
+        folder.path().join("empty.y4m"),
+        "YUV4MPEG2 W128 H72 F25:1\n",
+    )
+    .unwrap();
+    let arguments = ["video", "keyframes", "empty.y4m", "--json", "--out", "keys"];
+    assert_failure(&nullcone(folder.path(), arguments), &["empty.y4m"]);
+    std::fs::create_dir(folder.path().join("row")).unwrap();
+    for index in 0..6_usize {
+        let size = if index < 4 { [40, 30] } else { [30, 40] };
+        let picture = Plane::from_fn(size[0], size[1], |column, row| {
+            [(5 * column) as u8, (5 * row) as u8, 90]
+        });
+        let path = folder.path().join(format!("row/{index:03}.png"));
+        std::fs::write(path, ga_image::png::encode(&picture).unwrap()).unwrap();
+    }
+    let output = nullcone(
+        folder.path(),
+        ["video", "keyframes", "row", "--json", "--out", "keys"],
+    );
+    assert_eq!(output.status.code(), Some(1));
+    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(report["frames"], 4);
+    assert!(
+        text(&output.stderr).contains("004.png"),
+        "{}",
+        text(&output.stderr)
+    );
+    assert!(!folder.path().join("keys").exists());
+}
+
+#[test]
+fn odd_sizes_and_two_runs_are_the_same() {
+    let folder = tempdir().unwrap();
+    let frames = (0..30usize).map(|index| {
+        Plane::from_fn(67, 41, |column, row| {
+            let level = if index < 15 {
+                3 * column
+            } else {
+                200 - 4 * row
+            } as u8;
+            [level, level, level]
+        })
+    });
+    y4m::write(folder.path().join("odd.y4m"), frames, Film::default()).unwrap();
+    let arguments = ["video", "keyframes", "odd.y4m", "--json"];
+    let [first, second] = [0, 1].map(|_| nullcone(folder.path(), arguments));
+    assert_success(&first);
+    assert_eq!(first.stdout, second.stdout);
+    let report: Value = serde_json::from_slice(&first.stdout).unwrap();
+    assert_eq!(report["cuts"], json!([15]));
 }
 
 #[test]

@@ -73,9 +73,9 @@ const FLAT: f32 = 2.0;
 /// logos are. A place is reported if the ends are different pictures, if a blend with a fraction
 /// α = u / (u + v) between ¼ and ¾ explains the middle, if the variance falls in most cells of the
 /// picture, as it does in means of pictures that are not alike, if α falls steadily from end to
-/// end, if other ends say so too, and if the middle itself changes after the motion of the camera. The line through α is 1 at
-/// the first frame of the dissolve and 0 after its last. Settings of our own, measured on synthetic
-/// clips.
+/// end, if other ends say so too, and if the middle itself changes after the motion of the camera.
+/// The line through α is 1 at the first frame of the dissolve and 0 after its last. Settings of our
+/// own, measured on synthetic clips.
 #[derive(Clone, Debug, Default)]
 pub struct DissolveDetector {
     contrasts: VecDeque<Contrast>,
@@ -229,9 +229,16 @@ impl Contrast {
         };
         let [mean, deviation] = moments(signature, part);
         let whole = Rectangle::of(signature);
+        // The boxes beside a bar contain a part of it.
+        let inside = Rectangle {
+            left: part.left + usize::from(part.left > whole.left),
+            top: part.top + usize::from(part.top > whole.top),
+            right: part.right - usize::from(part.right < whole.right),
+            bottom: part.bottom - usize::from(part.bottom < whole.bottom),
+        };
         let mut cells = [0.0; CELL_COUNT];
         for (index, variance) in cells.iter_mut().enumerate() {
-            let [_, deviation] = moments(signature, cell(whole, index));
+            let [_, deviation] = moments(signature, cell(whole, index).within(inside));
             *variance = deviation * deviation;
         }
         Self {

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use anyhow::{Context, Error, Result};
+use anyhow::{Error, Result};
 use clap::ValueEnum;
 use ga_image::plane::Plane;
 use ga_image::y4m;
@@ -75,8 +75,10 @@ pub(super) fn analyse(
             Err(error) if count == 0 => return Err(error.into()),
             Err(error) => break Some(error.into()),
         }
-        let candidate = analyser.push(&frame);
-        let candidate = candidate.with_context(|| path.display().to_string())?;
+        let candidate = match analyser.push(&frame) {
+            Ok(candidate) => candidate,
+            Err(error) => break Some(Error::new(error).context(path.display().to_string())),
+        };
         if let Some(spool) = spool.as_deref_mut().filter(|_| candidate) {
             spool.keep(count as usize, &rgb(&frame, &properties))?;
         }

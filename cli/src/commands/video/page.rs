@@ -39,6 +39,7 @@ pub(super) fn html(
         report.key_frames.len()
     );
     page += &plot::svg(analysis, title)?;
+    page += &transitions(report);
     page += "\n<h2>Shots</h2>\n<table><tr><th>shot</th><th>from</th><th>to</th><th>frames</th>\
              <th>background</th></tr>\n";
     let rate = analysed.rate();
@@ -62,6 +63,22 @@ pub(super) fn html(
         BASE64_STANDARD.encode(sheet_png)
     );
     Ok(page)
+}
+
+/// A sentence about the cuts, dissolves and fades; the chart shades the latter two.
+fn transitions(report: &Report) -> String {
+    let blended = report.blended();
+    let shaded = match blended.is_empty() {
+        true => String::new(),
+        false => format!(" Shaded: {}.", blended.join("; ")),
+    };
+    let cuts = report.cuts.iter().map(usize::to_string);
+    let cuts = match report.cuts.len() {
+        0 => "No cuts".into(),
+        1..=40 => format!("Cuts at frames {}", cuts.collect::<Vec<_>>().join(", ")),
+        count => format!("{count} cuts"),
+    };
+    format!("\n<p>{cuts}.{shaded}</p>")
 }
 
 fn escaped(text: &str) -> String {

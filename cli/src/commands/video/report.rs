@@ -10,7 +10,7 @@ use serde::Serialize;
 #[derive(Serialize)]
 pub(super) struct Report {
     pub(super) frames: usize,
-    cuts: Vec<usize>,
+    pub(super) cuts: Vec<usize>,
     dissolves: Vec<Interval>,
     fades: Vec<FadeReport>,
     shots: Vec<ShotReport>,
@@ -95,6 +95,22 @@ impl Report {
         }
     }
 
+    /// The dissolves and fades in words.
+    pub(super) fn blended(&self) -> Vec<String> {
+        let dissolves = self.dissolves.iter();
+        let dissolves =
+            dissolves.map(|Interval { start, end }| format!("dissolve {start} to {end}"));
+        let fades = self.fades.iter().map(|fade| {
+            let way = if fade.direction == "in" { "from" } else { "to" };
+            let (direction, colour) = (fade.direction, fade.colour);
+            format!(
+                "fade {direction} {way} {colour}, {} to {}",
+                fade.start, fade.end
+            )
+        });
+        dissolves.chain(fades).collect()
+    }
+
     pub(super) fn text(&self) -> String {
         let mut text = format!(
             "{} frames, {} shots, {} cuts, {} dissolves, {} fades, {} key frames\n",
@@ -106,16 +122,8 @@ impl Report {
             self.key_frames.len()
         );
         // Writing to a string does not fail.
-        for Interval { start, end } in &self.dissolves {
-            let _ = writeln!(text, "dissolve {start} to {end}");
-        }
-        for fade in &self.fades {
-            let way = if fade.direction == "in" { "from" } else { "to" };
-            let _ = writeln!(
-                text,
-                "fade {} {way} {}, {} to {}",
-                fade.direction, fade.colour, fade.start, fade.end
-            );
+        for line in self.blended() {
+            let _ = writeln!(text, "{line}");
         }
         for shot in &self.shots {
             let _ = writeln!(

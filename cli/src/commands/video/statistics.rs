@@ -15,7 +15,8 @@ use crate::progress::Progress;
 ///
 /// --json prints {"clips": [{"file", "frames", "shots", "static", "dynamic",
 /// "static_proportion"}, …], "total": {"frames", "shots", "static", "dynamic",
-/// "static_proportion"}}.
+/// "static_proportion"}}. Where a video cannot be read to its end, the frames and videos before that
+/// are counted, and the error follows.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(super) struct Arguments {
@@ -85,29 +86,37 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     };
     let progress = Progress::new(arguments.videos.len() as u64, quiet);
     let (mut clips, mut frames, mut total) = (Vec::new(), 0, Statistics::default());
+    let mut failure = None;
     for path in &arguments.videos {
         progress.step("analysing");
-        let analysed = analyse(path, options, None, &progress)?;
-        if let Some(failure) = analysed.failure {
-            return Err(failure);
-        }
+        let analysed = match analyse(path, options, None, &progress) {
+            Ok(analysed) => analysed,
+            Err(error) => {
+                failure = Some(error);
+                break;
+            }
+        };
         let statistics = Statistics::of(&analysed.analysis.shots);
         let count = analysed.analysis.frames.len();
         clips.push(Row::new(Some(path.clone()), count, statistics));
         frames += count;
         total = total + statistics;
+        failure = analysed.failure;
+        if failure.is_some() {
+            break;
+        }
     }
     drop(progress);
     let table = Table {
         clips,
         total: Row::new(None, frames, total),
     };
-    if arguments.json {
-        return output::print_json(&table);
+    if !table.clips.is_empty() && arguments.json {
+        output::print_json(&table)?;
+    } else if !table.clips.is_empty() && !quiet {
+        let lines = table.clips.iter().chain([&table.total]).map(Row::line);
+        output::print(&lines.collect::<String>())?;
     }
-    if quiet {
-        return Ok(());
-    }
-    let lines = table.clips.iter().chain([&table.total]).map(Row::line);
-    output::print(&lines.collect::<String>())
+    // What was analysed before an error is reported.
+    failure.map_or(Ok(()), Err)
 }

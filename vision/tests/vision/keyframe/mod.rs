@@ -139,6 +139,16 @@ fn fades_are_reported_as_such_in_clips_of_every_kind() {
     }
 }
 
+/// Clips with cameras that move fast over their scenes: what they show at the ends of a second has
+/// nothing in common, as at the ends of a dissolve.
+#[test]
+fn a_moving_camera_is_not_a_dissolve() {
+    for seed in [314_264, 418_993, 837_909] {
+        let found = of_clip(&clip(seed, Joins::Cuts, Effect::None));
+        assert_eq!(dissolves(&found), vec![], "{seed}");
+    }
+}
+
 /// Photographs under a moving camera, and shots of a film. No setting was measured on them.
 #[test]
 fn transitions_between_real_pictures_are_found() {
