@@ -117,7 +117,7 @@ impl Ssim {
                 sums[0] += sum(ssim);
                 sums[1] += sum(structure);
                 let weights = &weights.row(row + RADIUS)[column + RADIUS..][..ssim.len()];
-                let [value, weight] = weighted_sums(weights, |index| ssim[index]);
+                let [value, weight] = weighted_sums(weights, ssim);
                 weighted[0] += value;
                 weighted[1] += weight;
             });
@@ -363,15 +363,19 @@ fn along_row(
     weights: &[f32; RADIUS + 1],
     means: &mut [Columns; TILE / LANES],
 ) {
-    let columns = |start: usize| {
-        let numbers = wide[start..].first_chunk::<LANES>();
-        Columns::from_array(numbers.copied().unwrap_or_default())
-    };
     for (i, mean) in means.iter_mut().enumerate() {
-        let middle = LANES * i + RADIUS;
-        let mut sum = Columns::splat(weights[0]) * columns(middle);
-        for (d, &weight) in weights.iter().enumerate().skip(1) {
-            sum += Columns::splat(weight) * (columns(middle - d) + columns(middle + d));
+        // One check for all neighbours.
+        let Some(window) = wide[LANES * i..].first_chunk::<{ LANES + 2 * RADIUS }>() else {
+            return;
+        };
+        let columns = |start: usize| {
+            let numbers = window[start..].first_chunk::<LANES>();
+            Columns::from_array(numbers.copied().unwrap_or_default())
+        };
+        let mut sum = Columns::splat(weights[0]) * columns(RADIUS);
+        for d in 1..=RADIUS {
+            let pair = columns(RADIUS - d) + columns(RADIUS + d);
+            sum += Columns::splat(weights[d]) * pair;
         }
         *mean = sum;
     }

@@ -145,20 +145,21 @@ pub fn weighted_psnr<'a, P: Pixel>(
 
 /// Σ w v and Σ w. The sums are taken in double precision, in eight parts.
 #[inline(always)]
-pub(super) fn weighted_sums(weights: &[f32], values: impl Fn(usize) -> f32) -> [f64; 2] {
+pub(super) fn weighted_sums(weights: &[f32], values: &[f32]) -> [f64; 2] {
     let mut sums = [[0.0; 8]; 2];
-    let (pieces, rest) = weights.as_chunks::<8>();
-    for (piece, weights) in pieces.iter().enumerate() {
+    let ((weights, weights_rest), (values, values_rest)) =
+        (weights.as_chunks::<8>(), values.as_chunks::<8>());
+    for (weights, values) in weights.iter().zip(values) {
         for lane in 0..8 {
             let weight = f64::from(weights[lane]);
-            sums[0][lane] += weight * f64::from(values(8 * piece + lane));
+            sums[0][lane] += weight * f64::from(values[lane]);
             sums[1][lane] += weight;
         }
     }
     let mut total = sums.map(|sums| sums.iter().sum::<f64>());
-    for (index, weight) in rest.iter().enumerate() {
+    for (weight, value) in weights_rest.iter().zip(values_rest) {
         let weight = f64::from(*weight);
-        total[0] += weight * f64::from(values(8 * pieces.len() + index));
+        total[0] += weight * f64::from(*value);
         total[1] += weight;
     }
     total
@@ -185,7 +186,7 @@ impl<P: Pixel> Work for WeightedError<'_, '_, P> {
                     *square += difference * difference;
                 }
             }
-            let [errors, weight] = weighted_sums(weights, |column| squares[column]);
+            let [errors, weight] = weighted_sums(weights, &squares);
             self.sums[0] += errors;
             self.sums[1] += weight;
         }
@@ -207,9 +208,19 @@ impl Work for Extremes<'_, '_> {
         let (pieces, rest) = self.values.as_chunks::<8>();
         for piece in pieces {
             for lane in 0..8 {
-                least[lane] = least[lane].min(piece[lane]);
-                greatest[lane] = greatest[lane].max(piece[lane]);
-                zeros[lane] += 0.0 * piece[lane];
+                // Comparisons need fewer instructions than the minimum of numbers that may be NaN.
+                let value = piece[lane];
+                least[lane] = if value < least[lane] {
+                    value
+                } else {
+                    least[lane]
+                };
+                greatest[lane] = if value > greatest[lane] {
+                    value
+                } else {
+                    greatest[lane]
+                };
+                zeros[lane] += 0.0 * value;
             }
         }
         for value in rest {
