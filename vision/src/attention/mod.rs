@@ -19,6 +19,7 @@
 mod motion;
 mod reduction;
 mod saliency;
+mod search;
 
 use ga_image::filter::{Border, Gaussian, Gradient};
 use ga_image::plane::{Plane, PlaneView, SizeError};
@@ -153,8 +154,11 @@ impl Attention {
 /// The mean of |∇Y| in each cell, in levels a reduced pixel.
 fn contours(picture: &Plane<u8>) -> Plane {
     let [dx, dy] = Gradient::Sobel.of(picture, Border::Mirror);
-    // Sobel's weights sum up to eight times the slope.
-    let slope = |dx: i16, dy: i16| 0.125 * f32::from(dx).hypot(f32::from(dy));
+    // Sobel's weights sum up to eight times the slope. The squares are exact.
+    let slope = |dx: i16, dy: i16| {
+        let [dx, dy] = [f32::from(dx), f32::from(dy)];
+        0.125 * (dx * dx + dy * dy).sqrt()
+    };
     let [columns, rows] = cells(picture);
     let mut sums = Plane::filled(columns, rows, 0.0);
     for (row, (dx, dy)) in dx.rows().zip(dy.rows()).enumerate() {

@@ -4,10 +4,8 @@ use ga_image::plane::Plane;
 use ga_runtime::batch::{Batch, Work};
 
 use super::reduction::reduced;
+use super::search::Elimination;
 use super::{CELL, cells};
-
-/// The range of the search at half the size of the reduced picture, in its pixels.
-const RANGE: isize = 8;
 
 /// How far the best of the candidates is refined, in reduced pixels.
 const REFINEMENT: isize = 2;
@@ -19,7 +17,7 @@ const NOISE: u32 = 2;
 /// Pixels of a block.
 const AREA: u32 = (CELL * CELL) as u32;
 
-type Vector = [isize; 2];
+pub(super) type Vector = [isize; 2];
 
 /// |v − v_global| in reduced pixels, for each cell.
 ///
@@ -91,18 +89,26 @@ fn coarse(previous: &Plane<u8>, current: &Plane<u8>, [columns, rows]: [usize; 2]
         return vec![[0; 2]; columns * rows];
     }
     let frames = Frames::new(&previous, &current);
-    let mut motions = Vec::with_capacity(columns * rows);
+    let elimination = Elimination::new(&frames);
+    let mut found: Vec<Vector> = Vec::with_capacity(columns * rows);
     for row in 0..rows {
         for column in 0..columns {
             // Around the middle of the cell, which is 4 × 4 pixels here.
             let corner = [column, row].map(|cell| (cell * CELL / 2).saturating_sub(CELL / 4));
             let place = frames.place(corner);
-            let mut best = ([0; 2], frames.error(place, [0; 2]).unwrap_or(u32::MAX));
-            frames.search(place, [0; 2], RANGE, &mut best);
-            motions.push(best.0.map(|part| 2 * part));
+            let cell = found.len();
+            let before = |distance: usize| {
+                let place = cell.checked_sub(distance);
+                place.and_then(|place| found.get(place)).copied()
+            };
+            let guesses = [1, columns].map(|distance| before(distance).unwrap_or_default());
+            found.push(elimination.search(place, guesses));
         }
     }
-    motions
+    found
+        .into_iter()
+        .map(|motion| motion.map(|part| 2 * part))
+        .collect()
 }
 
 /// No motion, and those of the cell and of its four neighbours.
@@ -147,16 +153,16 @@ fn global(blocks: &[Block]) -> [f32; 2] {
 }
 
 /// Two frames of one size, with at least as many columns and rows as a block.
-struct Frames<'a> {
-    previous: &'a Plane<u8>,
-    current: &'a Plane<u8>,
+pub(super) struct Frames<'a> {
+    pub(super) previous: &'a Plane<u8>,
+    pub(super) current: &'a Plane<u8>,
     /// The last places where a block may begin.
-    last: [usize; 2],
+    pub(super) last: [usize; 2],
 }
 
 impl<'a> Frames<'a> {
     #[inline(always)]
-    fn new(previous: &'a Plane<u8>, current: &'a Plane<u8>) -> Self {
+    pub(super) fn new(previous: &'a Plane<u8>, current: &'a Plane<u8>) -> Self {
         Self {
             previous,
             current,
@@ -206,7 +212,7 @@ impl<'a> Frames<'a> {
     /// The sum of absolute differences between a block and its place before a motion, or `None`
     /// where that was not wholly within the frame.
     #[inline(always)]
-    fn error(&self, place: [usize; 2], motion: Vector) -> Option<u32> {
+    pub(super) fn error(&self, place: [usize; 2], motion: Vector) -> Option<u32> {
         let column = place[0].checked_add_signed(-motion[0])?;
         let row = place[1].checked_add_signed(-motion[1])?;
         if column > self.last[0] || row > self.last[1] {
@@ -215,15 +221,16 @@ impl<'a> Frames<'a> {
         let width = self.current.width();
         let now = &self.current.values()[place[1] * width + place[0]..];
         let before = &self.previous.values()[row * width + column..];
-        let mut sum = 0;
+        // Eight differences are less than 2¹⁶.
+        let mut sums = [0u16; CELL];
         for line in 0..CELL {
             let now = now[line * width..].first_chunk::<CELL>()?;
             let before = before[line * width..].first_chunk::<CELL>()?;
-            for (now, before) in now.iter().zip(before) {
-                sum += u32::from(now.abs_diff(*before));
+            for column in 0..CELL {
+                sums[column] += u16::from(now[column].abs_diff(before[column]));
             }
         }
-        Some(sum)
+        Some(sums.into_iter().map(u32::from).sum())
     }
 
     /// The sum of absolute differences of a block from its mean.
@@ -260,5 +267,57 @@ impl<'a> Frames<'a> {
         let certainty = (2.0 * gain - 0.5).clamp(0.0, 1.0);
         let [x, y] = [0, 1].map(|axis| block.motion[axis] as f32 - global[axis]);
         certainty * x.hypot(y)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_motions_of_neighbours_are_candidates() {
+        // The cell in column c and row r has found [c, r].
+        let coarse: Vec<Vector> = (0..12).map(|cell| [cell % 4, cell / 4]).collect();
+        let inside = candidates(&coarse, [4, 3], [2, 1]);
+        assert_eq!(inside, [[0, 0], [2, 1], [1, 1], [3, 1], [2, 0], [2, 2]]);
+        let corner = candidates(&coarse, [4, 3], [3, 2]);
+        assert_eq!(corner, [[0, 0], [3, 2], [2, 2], [3, 2], [3, 1], [3, 2]]);
+    }
+
+    /// A texture that has moved by a pixel to the right.
+    #[test]
+    fn a_block_moves_with_all_between_two_whole_pixels() {
+        let [previous, current] = [0, 1].map(|moved| {
+            let level = |column: usize, row: usize| {
+                let (x, y) = (column + 40 - moved, row);
+                (x * x / 3 + 7 * y * y + 11 * x * y) as u8
+            };
+            Plane::from_fn(40, 40, level)
+        });
+        let frames = Frames::new(&previous, &current);
+        let place = [16, 16];
+        let block = Block {
+            place,
+            motion: [1, 0],
+            error: 0,
+            texture: frames.texture(place),
+        };
+        assert_eq!(frames.error(place, [1, 0]), Some(0));
+        // The camera has moved by half a pixel: the next whole one explains the block.
+        assert_eq!(frames.deviation(&block, [0.5, 0.0]), 0.0);
+        assert!(frames.deviation(&block, [-0.5, 0.0]) > 0.5);
+    }
+
+    #[test]
+    fn blocks_without_texture_and_without_a_match_have_no_motion() {
+        let block = |texture, error| Block {
+            place: [0, 0],
+            motion: [1, 1],
+            error,
+            texture,
+        };
+        assert!(block(NOISE * AREA, 0).has_motion());
+        assert!(!block(NOISE * AREA - 1, 0).has_motion());
+        assert!(!block(NOISE * AREA, NOISE * AREA).has_motion());
     }
 }
