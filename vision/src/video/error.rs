@@ -11,11 +11,21 @@ use ga_image::y4m::StreamError;
 /// error remains valid. The file of the standard input is called so.
 #[derive(Debug, thiserror::Error)]
 pub enum VideoError {
-    /// The operating system could not open or read the file.
+    /// The operating system could not open the file, or not read its beginning.
     #[error("cannot read {}: {source}", file.display())]
     Open {
         /// The file.
         file: PathBuf,
+        /// What the operating system said.
+        source: io::Error,
+    },
+    /// The operating system could not read a frame.
+    #[error("{}: frame {frame} cannot be read: {source}", file.display())]
+    Read {
+        /// The file.
+        file: PathBuf,
+        /// The frame.
+        frame: usize,
         /// What the operating system said.
         source: io::Error,
     },
@@ -34,8 +44,8 @@ pub enum VideoError {
     /// The program was built without the feature `mp4`.
     #[error(
         "{file}: MP4 is read where the program is built with the feature `mp4`; without it, let \
-         ffmpeg decode: ffmpeg -i {file} -f yuv4mpegpipe -pix_fmt yuv420p - | nullcone video \
-         keyframes -",
+         ffmpeg write to standard input, such as: ffmpeg -i {file} -f yuv4mpegpipe -pix_fmt \
+         yuv420p - | nullcone video keyframes -",
         file = file.display()
     )]
     Mp4Feature {
@@ -190,7 +200,8 @@ impl VideoError {
     #[must_use]
     pub fn frame(&self) -> Option<usize> {
         match self {
-            Self::Truncated { frame, .. }
+            Self::Read { frame, .. }
+            | Self::Truncated { frame, .. }
             | Self::Size { frame, .. }
             | Self::Y4m { frame, .. }
             | Self::Picture { frame, .. }

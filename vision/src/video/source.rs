@@ -62,8 +62,8 @@ impl<S: Source + ?Sized> Source for Box<S> {
 ///
 /// # Errors
 ///
-/// [`VideoError::Open`] when it cannot be read, [`VideoError::UnknownFormat`] when it is of
-/// another kind, and those of its format.
+/// [`VideoError::Open`] when it cannot be read, [`VideoError::Empty`] for a file without bytes,
+/// [`VideoError::UnknownFormat`] when it is of another kind, and those of its format.
 pub fn open(path: impl AsRef<Path>) -> Result<Box<dyn Source + Send>, VideoError> {
     let path = path.as_ref();
     if path.as_os_str() == "-" {
@@ -89,6 +89,7 @@ pub fn open(path: impl AsRef<Path>) -> Result<Box<dyn Source + Send>, VideoError
         Some(Kind::Mp4) => Ok(Box::new(super::mp4::Mp4Source::open(path)?)),
         #[cfg(not(feature = "mp4"))]
         Some(Kind::Mp4) => Err(VideoError::Mp4Feature { file: path.into() }),
+        None if start.is_empty() => Err(VideoError::Empty { file: path.into() }),
         None => Err(VideoError::UnknownFormat {
             file: path.into(),
             start: start[..start.len().min(8)].to_vec(),

@@ -68,6 +68,11 @@ impl<R: Read> Y4mSource<R> {
         let (file, frame) = (self.file.clone(), self.next);
         match problem {
             StreamError::Truncated { .. } => VideoError::Truncated { file, frame },
+            StreamError::Read { source, .. } => VideoError::Read {
+                file,
+                frame,
+                source,
+            },
             StreamError::Size { size, first, .. } => VideoError::Size {
                 file,
                 frame,

@@ -1,7 +1,6 @@
 //! The boxes of an MP4 file. Crate re_mp4 reads what is in them; the tree is walked here, since
 //! that crate does not end on boxes of length 0 and trusts the numbers of one box in another.
 
-use std::fs::File;
 use std::io::{self, Cursor, Read, Seek, SeekFrom};
 
 use re_mp4::ReadBox;
@@ -93,7 +92,10 @@ impl Index {
 
     /// Finds the index in a file of `length` bytes and reads it; the error within says why the file
     /// has none.
-    pub(super) fn read(file: &mut File, length: u64) -> io::Result<Result<Self, String>> {
+    pub(super) fn read(
+        file: &mut (impl Read + Seek),
+        length: u64,
+    ) -> io::Result<Result<Self, String>> {
         let mut at = 0;
         while at + HEADER as u64 <= length {
             file.seek(SeekFrom::Start(at))?;

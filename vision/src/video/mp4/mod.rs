@@ -26,9 +26,9 @@ use super::{Frame, Planes, Properties, Samples, Source, VideoError};
 /// Samples are read and decoded one after another. Frames come in the order in which they are
 /// shown, each at its own time; those that the edit list leaves out are decoded, not returned. Of
 /// an unreadable file, all frames that are shown before the first one that is lost are returned.
-pub struct Mp4Source {
+pub struct Mp4Source<R = File> {
     path: PathBuf,
-    file: File,
+    file: R,
     /// Bytes of the file.
     length: u64,
     /// Samples in the order of decoding.
@@ -67,10 +67,26 @@ impl Mp4Source {
     ///
     /// # Errors
     ///
-    /// [`VideoError::Open`] when it cannot be read, [`VideoError::Mp4`] when the index is wrong or
+    /// As [`new`](Self::new).
+    pub fn open(path: impl AsRef<Path>) -> Result<Self, VideoError> {
+        let path = path.as_ref();
+        let file = File::open(path).map_err(|source| VideoError::Open {
+            file: path.into(),
+            source,
+        })?;
+        Self::new(file, path)
+    }
+}
+
+impl<R: Read + Seek> Mp4Source<R> {
+    /// Reads the index, and begins to decode. `path` is the name for errors.
+    ///
+    /// # Errors
+    ///
+    /// [`VideoError::Open`] when the index cannot be read, [`VideoError::Mp4`] when it is wrong or
     /// the video is of a kind that is not decoded, [`VideoError::Interlaced`],
     /// [`VideoError::Empty`].
-    pub fn open(path: impl AsRef<Path>) -> Result<Self, VideoError> {
+    pub fn new(mut file: R, path: impl AsRef<Path>) -> Result<Self, VideoError> {
         let path = path.as_ref();
         let unreadable = |source| VideoError::Open {
             file: path.into(),
@@ -80,8 +96,7 @@ impl Mp4Source {
             file: path.into(),
             problem,
         };
-        let mut file = File::open(path).map_err(unreadable)?;
-        let length = file.metadata().map_err(unreadable)?.len();
+        let length = file.seek(SeekFrom::End(0)).map_err(unreadable)?;
         let index = Index::read(&mut file, length).map_err(unreadable)?;
         let index = index.map_err(wrong)?;
         let (configuration, table) = read_index(index.root(), length).map_err(wrong)?;
@@ -230,7 +245,11 @@ impl Mp4Source {
         let frame = last.saturating_sub(self.shown.start);
         match self.failure.take() {
             Some(Failure::Truncated) => VideoError::Truncated { file, frame },
-            Some(Failure::Read(source)) => VideoError::Open { file, source },
+            Some(Failure::Read(source)) => VideoError::Read {
+                file,
+                frame,
+                source,
+            },
             Some(Failure::Decoding(problem)) => VideoError::Decoding {
                 file,
                 frame,
@@ -249,7 +268,7 @@ impl Mp4Source {
     }
 }
 
-impl Source for Mp4Source {
+impl<R: Read + Seek> Source for Mp4Source<R> {
     fn properties(&self) -> &Properties {
         &self.properties
     }

@@ -70,7 +70,8 @@ impl Sequence {
             if chroma == 3 {
                 bits.take(1)?;
             }
-            bit_depth = 8 + bits.unsigned()?.max(bits.unsigned()?);
+            // More than 14 bits are not allowed, and a wrong number must not overflow.
+            bit_depth = 8 + bits.unsigned()?.max(bits.unsigned()?).min(8);
             bits.take(1)?;
             if bits.take(1)? == 1 {
                 bits.skip_scaling(if chroma == 3 { 12 } else { 8 })?;
@@ -223,5 +224,39 @@ impl Bits {
             }
         }
         Some(colours)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The bytes of ones and zeros, after the header of a unit and the profile 100.
+    fn unit(bits: &str) -> Vec<u8> {
+        let bits: Vec<u8> = bits.bytes().map(|bit| bit - b'0').collect();
+        let bytes = bits.chunks(8).map(|bits| {
+            let places = bits.iter().enumerate();
+            places.map(|(place, bit)| bit << (7 - place)).sum::<u8>()
+        });
+        [0x67, 100, 0, 31].into_iter().chain(bytes).collect()
+    }
+
+    /// The greatest number that the code has: 2³² − 2.
+    #[test]
+    fn no_number_overflows() {
+        let greatest = format!("{}1{}", "0".repeat(31), "1".repeat(31));
+        // The number of the set, 4:2:0, the depth of luma, and that of colour differences, no
+        // transform bypass, no lists, 4 bits of a frame number, order of frames by type 2.
+        let start = ["1", "010", &greatest, &greatest, "0", "0", "1", "011"].concat();
+        let size = ["1", "0", &greatest, &greatest, "0", "0"].concat();
+        for cropping in ["0".to_owned(), format!("1{}", greatest.repeat(4))] {
+            let end = format!("{cropping}00000000");
+            let found = Sequence::read(&unit(&[&start[..], &size, &end].concat()));
+            if let Some(found) = found {
+                assert!(found.bit_depth > 8 && found.size[0] > 1 << 32);
+            } else {
+                assert!(cropping.len() > 1);
+            }
+        }
     }
 }

@@ -6,12 +6,50 @@ mod mp4;
 mod stereo;
 mod y4m;
 
+use std::io::{self, Cursor, Read, Seek, SeekFrom};
+use std::ops::Range;
 use std::path::Path;
 
 use ga_image::plane::Plane;
 use ga_image::y4m::{self as film, Film};
 use ga_vision::video::{Frame, Source, VideoError, open};
 use nullcone_shared_data::shared;
+
+/// Bytes of which a range cannot be read.
+struct Failing {
+    bytes: Cursor<Vec<u8>>,
+    unreadable: Range<usize>,
+}
+
+impl Failing {
+    /// From a place on.
+    fn new(bytes: Vec<u8>, place: usize) -> Self {
+        Self::with_hole(bytes, place..usize::MAX)
+    }
+
+    fn with_hole(bytes: Vec<u8>, unreadable: Range<usize>) -> Self {
+        let bytes = Cursor::new(bytes);
+        Self { bytes, unreadable }
+    }
+}
+
+impl Read for Failing {
+    fn read(&mut self, target: &mut [u8]) -> io::Result<usize> {
+        let place = self.bytes.position() as usize;
+        if self.unreadable.contains(&place) {
+            return Err(io::Error::other("the disk is broken"));
+        }
+        let readable = self.unreadable.start.checked_sub(place);
+        let count = target.len().min(readable.unwrap_or(usize::MAX));
+        self.bytes.read(&mut target[..count])
+    }
+}
+
+impl Seek for Failing {
+    fn seek(&mut self, place: SeekFrom) -> io::Result<u64> {
+        self.bytes.seek(place)
+    }
+}
 
 /// All frames until the end or an error.
 fn frames(source: &mut dyn Source) -> (Vec<Frame>, Result<(), VideoError>) {
@@ -64,6 +102,9 @@ fn a_file_of_another_kind_is_named() {
         message.contains("notes.txt: not a video of a known format"),
         "{message}"
     );
+    std::fs::write(&path, "").unwrap();
+    let empty = open(&path).err().unwrap();
+    assert!(matches!(empty, VideoError::Empty { .. }), "{empty}");
     let absent = open(folder.path().join("absent.y4m")).err().unwrap();
     assert!(matches!(absent, VideoError::Open { .. }), "{absent}");
     assert_eq!(absent.frame(), None);

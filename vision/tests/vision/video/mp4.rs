@@ -14,7 +14,7 @@ use openh264::formats::YUVSlices;
 use proptest::prelude::*;
 use tempfile::TempDir;
 
-use super::{count, frames};
+use super::{Failing, count, frames};
 
 /// Columns and rows of the small files: no multiples of 16, so that there is cropping.
 const SIZE: [usize; 2] = [66, 50];
@@ -293,6 +293,78 @@ fn files_may_end_anywhere() {
         message.contains("the file ends before its index"),
         "{message}"
     );
+}
+
+/// The operating system cannot read bytes from a place on: the frames before them are returned, and
+/// the error names the first of the others.
+#[test]
+fn an_error_while_reading_names_the_frame() {
+    let bytes = file(&Settings::default(), true);
+    let start = bytes.windows(4).position(|name| name == b"mdat").unwrap() + 4;
+    let mut most = 0;
+    for place in (start..bytes.len()).step_by(5) {
+        let reader = Failing::new(bytes.clone(), place);
+        let mut source = Mp4Source::new(reader, "clip.mp4").unwrap();
+        let (found, end) = frames(&mut source);
+        check(&found, &LEVELS[..found.len()]);
+        assert!(found.len() >= most && found.len() < LEVELS.len());
+        most = found.len();
+        let error = end.unwrap_err();
+        assert!(
+            matches!(error, VideoError::Read { frame, .. } if frame == most),
+            "{error}"
+        );
+        assert_eq!(error.frame(), Some(most));
+        assert!(error.to_string().starts_with("clip.mp4: frame"), "{error}");
+    }
+    assert_eq!(most, LEVELS.len() - 1);
+    // The index itself cannot be read.
+    let error = Mp4Source::new(Failing::new(bytes, start / 2), "clip.mp4").err();
+    assert!(matches!(error, Some(VideoError::Open { .. })));
+}
+
+/// Pictures that are decoded before others that are shown earlier: none is returned in the place of
+/// one that is lost.
+#[test]
+fn frames_before_a_lost_one_are_those_of_the_whole_clip() {
+    let Some(path) = shared("data/vision/clips/bbb_1080p_npm.mp4") else {
+        return;
+    };
+    let bytes = std::fs::read(&path).unwrap();
+    let index = bytes.windows(4).position(|name| name == b"moov").unwrap() - 4;
+    for place in (200_000..400_000).step_by(40_000) {
+        let reader = Failing::with_hole(bytes.clone(), place..index);
+        let mut broken = Mp4Source::new(reader, "clip.mp4").unwrap();
+        let mut whole = open(&path).unwrap();
+        let [mut found, mut expected] = [Frame::default(), Frame::default()];
+        let mut count = 0;
+        let error = loop {
+            match broken.read(&mut found) {
+                Ok(has_frame) => assert!(has_frame),
+                Err(error) => break error,
+            }
+            assert!(whole.read(&mut expected).unwrap());
+            assert!(found == expected, "frame {count} before {place}");
+            count += 1;
+        };
+        assert!(count > 0);
+        assert!(matches!(error, VideoError::Read { frame, .. } if frame == count));
+    }
+}
+
+/// An edit of 3 ms ends within the second unit of 1/600 s, and shows its frame.
+#[test]
+fn an_edit_shows_the_frame_in_which_it_ends() {
+    let folder = tempfile::tempdir().unwrap();
+    let settings = Settings {
+        durations: vec![1; LEVELS.len()],
+        edit: Some([0, 3]),
+        ..Settings::default()
+    };
+    let path = write(&folder, &file(&settings, true));
+    let (found, end) = frames(&mut Mp4Source::open(&path).unwrap());
+    assert!(end.is_ok());
+    assert_eq!(found.len(), 2);
 }
 
 #[test]

@@ -8,7 +8,7 @@ use ga_image::ycbcr::{Range, YCbCr};
 use ga_vision::video::y4m::Y4mSource;
 use ga_vision::video::{Frame, Samples, Source, VideoError, open};
 
-use super::{frames, levels};
+use super::{Failing, frames, levels};
 
 #[test]
 fn frames_have_numbers_times_and_planes() {
@@ -160,6 +160,27 @@ fn videos_may_end_anywhere() {
             Err(VideoError::Empty { .. }) => assert_eq!(length, header),
             Err(error) => assert_eq!(error.frame(), Some(found.len())),
         }
+    }
+}
+
+/// The operating system cannot read bytes from a place on.
+#[test]
+fn an_error_while_reading_names_the_frame() {
+    let bytes = levels([3, 3], &[0, 50], Film::default());
+    let frame = 6 + 9 + 2 * 4;
+    let header = bytes.len() - 2 * frame;
+    for place in 0..bytes.len() {
+        let outcome = Y4mSource::new(Failing::new(bytes.clone(), place), "film.y4m");
+        if place < header {
+            assert!(matches!(outcome, Err(VideoError::Open { .. })), "{place}");
+            continue;
+        }
+        let (found, end) = frames(&mut outcome.unwrap());
+        assert_eq!(found.len(), (place - header) / frame);
+        let error = end.unwrap_err();
+        let expected = format!("frame {} cannot be read: the disk is broken", found.len());
+        assert_eq!(error.to_string(), format!("film.y4m: {expected}"));
+        assert_eq!(error.frame(), Some(found.len()));
     }
 }
 
