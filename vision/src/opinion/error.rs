@@ -65,6 +65,12 @@ pub enum OpinionError {
         /// The number.
         value: f64,
     },
+    /// A question has no ratings.
+    #[error("the question {question} has no ratings")]
+    Unanswered {
+        /// The question.
+        question: String,
+    },
     /// A name stands for two raters or two questions.
     #[error("the {what} {name} occurs twice")]
     Repeated {

@@ -8,6 +8,7 @@ use statrs::distribution::{ContinuousCDF, FisherSnedecor, Normal};
 use super::correlation::{kendall, pearson, spearman};
 use super::logistic::{Curve, Fit};
 use super::{OpinionError, Scores};
+use crate::quality::percentile;
 
 /// How well a measure predicts opinion scores.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -232,26 +233,20 @@ impl Bootstrap {
     fn interval(&self, value: f64, mut drawn: Vec<f64>) -> Interval {
         drawn.sort_by(f64::total_cmp);
         let tail = 0.5 * (1.0 - self.confidence);
+        let end = |share| match drawn.is_empty() {
+            true => value,
+            false => percentile(&drawn, share),
+        };
         Interval {
             value,
-            low: quantile(&drawn, tail).unwrap_or(value),
-            high: quantile(&drawn, 1.0 - tail).unwrap_or(value),
+            low: end(tail),
+            high: end(1.0 - tail),
         }
     }
 }
 
 /// How often a draw is repeated for which nothing is found.
 const REPETITIONS: usize = 100;
-
-/// The number below which a part of sorted numbers lies, between two of them by a straight line.
-fn quantile(sorted: &[f64], part: f64) -> Option<f64> {
-    let place = part * sorted.len().checked_sub(1)? as f64;
-    let (low, high) = (
-        sorted[place.floor() as usize],
-        sorted[place.ceil() as usize],
-    );
-    Some(low + (high - low) * place.fract())
-}
 
 fn predictions<C: Curve>(scores: &Scores, fit: &Fit<C>) -> Vec<f64> {
     scores
@@ -307,4 +302,33 @@ fn error_p_value(first: f64, second: f64, count: usize) -> f64 {
     let ratio = first.min(second) / first.max(second);
     let distribution = FisherSnedecor::new(degrees, degrees);
     distribution.map_or(1.0, |d| (2.0 * d.cdf(ratio)).min(1.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Both tails together have what the confidence leaves.
+    #[test]
+    fn an_interval_leaves_out_equal_parts_at_both_ends() {
+        let bootstrap = Bootstrap {
+            confidence: 0.9,
+            ..Bootstrap::default()
+        };
+        let drawn = (0..=100).rev().map(f64::from).collect();
+        let found = bootstrap.interval(40.0, drawn);
+        assert!((found.low - 5.0).abs() < 1e-9 && (found.high - 95.0).abs() < 1e-9);
+        assert_eq!(found.value, 40.0);
+        assert_eq!(bootstrap.interval(40.0, Vec::new()).low, 40.0);
+    }
+
+    /// With two degrees of freedom each, the distribution function of F is x / (1 + x).
+    #[test]
+    fn the_test_of_the_errors_has_two_sides() {
+        for variances in [[1.0, 3.0], [3.0, 1.0]] {
+            let p = error_p_value(variances[0], variances[1], 3);
+            assert!((p - 0.5).abs() < 1e-9, "{p}");
+        }
+        assert_eq!(error_p_value(2.0, 2.0, 3), 1.0);
+    }
 }

@@ -55,8 +55,9 @@ impl Ratings {
     ///
     /// # Errors
     ///
-    /// [`OpinionError::TooFew`] for fewer than two raters, no question, or a question without
-    /// ratings; [`OpinionError::Ragged`], [`OpinionError::Rating`], [`OpinionError::Repeated`].
+    /// [`OpinionError::TooFew`] for fewer than two raters, or no question;
+    /// [`OpinionError::Unanswered`], [`OpinionError::Ragged`], [`OpinionError::Rating`],
+    /// [`OpinionError::Repeated`].
     pub fn new(questions: Vec<String>, raters: Vec<Rater>) -> Result<Self, OpinionError> {
         let too_few = |what, found, least| Err(OpinionError::TooFew { what, found, least });
         if raters.len() < 2 {
@@ -85,9 +86,10 @@ impl Ratings {
                 }
             }
         }
-        for question in 0..questions.len() {
-            if raters.iter().all(|rater| rater.ratings[question].is_none()) {
-                return too_few("ratings of a question", 0, 1);
+        for (place, question) in questions.iter().enumerate() {
+            if raters.iter().all(|rater| rater.ratings[place].is_none()) {
+                let question = question.clone();
+                return Err(OpinionError::Unanswered { question });
             }
         }
         Ok(Self { questions, raters })
