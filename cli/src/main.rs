@@ -12,6 +12,7 @@ mod figure_file;
 mod model;
 mod output;
 mod overlay;
+mod page;
 mod pipeline;
 mod progress;
 mod recording;
