@@ -28,6 +28,18 @@ pub(crate) fn print_json(object: &impl Serialize) -> Result<()> {
     print(&(serde_json::to_string_pretty(object)? + "\n"))
 }
 
+/// Writes those texts for which there is a place, all of them or none.
+pub(crate) fn write_texts<const N: usize>(texts: [(Option<&Path>, &str); N]) -> Result<()> {
+    let files = texts.into_iter();
+    let files = files.filter_map(|(path, text)| Some((path?, text.as_bytes())));
+    Ok(ga_files::write_together(files)?)
+}
+
+/// A part as per cent, without the digits that only rounding makes: 0.57 is 57.
+pub(crate) fn percent(part: f64) -> f64 {
+    (part * 1e8).round() / 1e6
+}
+
 /// Fails early where a folder cannot take these files.
 pub(crate) fn check_place(folder: &Path, names: &[&str]) -> Result<()> {
     if let Some(existing) = folder.ancestors().find(|path| path.exists()) {

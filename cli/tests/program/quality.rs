@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD;
 use ga_image::file;
 use ga_image::plane::Plane;
 use ga_image::quality::{Ssim, psnr};
@@ -168,7 +170,7 @@ fn videos_are_pooled_and_written_frame_by_frame() {
     let output = compare(
         folder.path(),
         [
-            "a.y4m", "b.y4m", "--json", "--csv", "f.csv", "--plot", "q.svg",
+            "a.y4m", "b.y4m", "--json", "--csv", "f.csv", "--plot", "q.svg", "--report", "q.html",
         ],
     );
     assert_success(&output);
@@ -206,6 +208,14 @@ fn videos_are_pooled_and_written_frame_by_frame() {
     let svg = std::fs::read_to_string(folder.path().join("q.svg")).unwrap();
     assert!(svg.starts_with("<svg") && svg.contains("Quality of b.y4m over time"));
 
+    let page = page(folder.path(), "q.html");
+    assert!(page.contains(svg.trim_end()) && page.contains("4 frames. Reference: a.y4m."));
+    // The mean over the frames is infinite, since one has no error.
+    assert!(page.contains("<td>PSNR</td><td>infinite: nothing differs in a frame</td>"));
+    let worst = (0..4).min_by(|a, b| ssim(*a).total_cmp(&ssim(*b))).unwrap();
+    let row = format!("attention SSIM</th></tr>\n<tr><td>{worst}</td><td>");
+    assert!(page.contains(&row), "{page}");
+
     let piped = program(folder.path())
         .args(["quality", "compare", "a.y4m", "-", "--json"])
         .stdin(std::fs::File::open(folder.path().join("b.y4m")).unwrap())
@@ -215,13 +225,135 @@ fn videos_are_pooled_and_written_frame_by_frame() {
     assert_eq!(piped.stdout, output.stdout);
 }
 
+/// A page that is whole, and needs no other file.
+fn page(folder: &Path, name: &str) -> String {
+    let page = std::fs::read_to_string(folder.join(name)).unwrap();
+    assert!(page.starts_with("<!DOCTYPE html>") && page.ends_with("</html>\n"));
+    let links = page.matches("http").count();
+    assert_eq!(
+        links,
+        page.matches("xmlns=\"http://www.w3.org/2000/svg\"").count()
+    );
+    page
+}
+
+#[test]
+fn a_report_of_pictures_shows_where_they_differ() {
+    let folder = tempdir().unwrap();
+    let [a, b] = textures(60, 50);
+    let left = Plane::from_fn(
+        60,
+        50,
+        |x, y| if x < 30 { a.row(y)[x] } else { b.row(y)[x] },
+    );
+    file::write(folder.path().join("a & b.png"), &a).unwrap();
+    file::write(folder.path().join("c.png"), &left).unwrap();
+    let output = compare(
+        folder.path(),
+        ["a & b.png", "c.png", "--report", "q.html", "--csv", "f.csv"],
+    );
+    assert_success(&output);
+    let page = page(folder.path(), "q.html");
+    assert!(page.contains("Reference: a &amp; b.png."));
+    assert!(page.contains("none: 60 × 50 pixels are too few"));
+    let start = page.find("data:image/png;base64,").unwrap() + 22;
+    let end = page[start..].find('"').unwrap();
+    let map = BASE64_STANDARD.decode(&page[start..start + end]).unwrap();
+    let map = file::decode(&map).unwrap();
+    let map: Plane<u8> = map.to_grey(ga_image::grey::Luma::Bt601);
+    assert_eq!((map.width(), map.height()), (60, 50));
+    assert!((0..20).all(|x| map.row(25)[x] == 255) && map.row(25)[45] < 255);
+    // One of the files has no place: none is written.
+    let output = compare(
+        folder.path(),
+        [
+            "a & b.png",
+            "c.png",
+            "--csv",
+            "g.csv",
+            "--report",
+            "c.png/q.html",
+        ],
+    );
+    assert_eq!(output.status.code(), Some(1));
+    assert!(!folder.path().join("g.csv").exists());
+}
+
+/// A depth of 16 bits beside one of 8: what is less than a level of 8 bits counts.
+#[test]
+fn pictures_of_different_depth_are_compared_as_the_deeper_one() {
+    let folder = tempdir().unwrap();
+    let [a, _] = textures(64, 48);
+    let deep = a.map(|v| 257 * u16::from(v) + 100);
+    file::write(folder.path().join("a.png"), &a).unwrap();
+    file::write(folder.path().join("b.png"), &deep).unwrap();
+    for pair in [["a.png", "b.png"], ["b.png", "a.png"]] {
+        let output = compare(folder.path(), [pair[0], pair[1], "--json"]);
+        assert_success(&output);
+        let expected = 20.0 * (65535.0f64 / 100.0).log10();
+        close(number(&report(&output), "/psnr"), expected, 1e-2);
+    }
+}
+
+#[test]
+fn ten_bits_have_a_range_of_1023() {
+    let folder = tempdir().unwrap();
+    let write = |name: &str, level: u16| {
+        let mut bytes = b"YUV4MPEG2 W16 H12 F25:1 Cmono10\nFRAME\n".to_vec();
+        bytes.extend(
+            [level; 16 * 12]
+                .iter()
+                .flat_map(|level| level.to_le_bytes()),
+        );
+        std::fs::write(folder.path().join(name), bytes).unwrap();
+    };
+    write("a.y4m", 500);
+    write("b.y4m", 503);
+    let output = compare(folder.path(), ["a.y4m", "b.y4m", "--json"]);
+    assert_success(&output);
+    let report = report(&output);
+    for key in ["/psnr", "/attention_psnr", "/psnr_of_mean_mse"] {
+        close(number(&report, key), 20.0 * (1023.0f64 / 3.0).log10(), 1e-4);
+    }
+}
+
+/// Cb differs by 1 and Cr by 2, in 4:4:4.
+#[test]
+fn colour_differences_have_their_own_figures() {
+    let folder = tempdir().unwrap();
+    let write = |name: &str, levels: [u8; 3]| {
+        let mut bytes = b"YUV4MPEG2 W16 H12 F25:1 C444\nFRAME\n".to_vec();
+        bytes.extend(levels.iter().flat_map(|level| [*level; 16 * 12]));
+        std::fs::write(folder.path().join(name), bytes).unwrap();
+    };
+    write("a.y4m", [50, 100, 150]);
+    write("b.y4m", [54, 101, 152]);
+    let arguments = ["a.y4m", "b.y4m", "--json", "--csv", "f.csv"];
+    let output = compare(folder.path(), arguments);
+    assert_success(&output);
+    let report = report(&output);
+    let of = |difference: f64| 20.0 * (255.0 / difference).log10();
+    close(number(&report, "/psnr"), of(4.0), 1e-9);
+    close(number(&report, "/psnr_of_mean_mse"), of(4.0), 1e-9);
+    close(number(&report, "/psnr_cb"), of(1.0), 1e-9);
+    close(number(&report, "/psnr_cr"), of(2.0), 1e-9);
+    let weighted = (6.0 * of(4.0) + of(1.0) + of(2.0)) / 8.0;
+    close(number(&report, "/psnr_6_1_1"), weighted, 1e-9);
+    let mut table = csv::Reader::from_path(folder.path().join("f.csv")).unwrap();
+    let row = table.records().next().unwrap().unwrap();
+    close(row[7].parse().unwrap(), of(1.0), 1e-9);
+    close(row[8].parse().unwrap(), of(2.0), 1e-9);
+}
+
 #[test]
 fn frames_before_an_error_are_reported() {
     let folder = videos([4, 3]);
     let broken = |what: &[&str]| {
         let output = compare(
             folder.path(),
-            ["a.y4m", "b.y4m", "--json", "--csv", "f.csv"],
+            [
+                "a.y4m", "b.y4m", "--json", "--csv", "f.csv", "--report", "q.html",
+            ],
         );
         assert_eq!(output.status.code(), Some(1));
         let message = text(&output.stderr);
@@ -235,6 +367,9 @@ fn frames_before_an_error_are_reported() {
         assert!(report["error"].is_string());
         let table = std::fs::read_to_string(folder.path().join("f.csv")).unwrap();
         assert_eq!(table.lines().count(), 1 + frames);
+        let page = page(folder.path(), "q.html");
+        let error = report["error"].as_str().unwrap();
+        assert!(page.contains(&format!("were not compared to their ends: {error}</p>")));
         frames
     };
     assert_eq!(broken(&["the distorted video has no frame 3"]), 3);
@@ -272,6 +407,7 @@ fn what_cannot_be_compared_is_an_error() {
     fails(&["a.png", "missing.png"], &["missing.png"]);
     fails(&["a.png", "a.png", "--plot", "q.svg"], &["--plot"]);
     fails(&["-", "-"], &["standard input"]);
+    fails(&["a.png", "-"], &["a.png is a picture and - is not"]);
     fails(
         &["a.png", "a.png", "--attention", "wide.png"],
         &["wide.png", "41 × 30"],

@@ -45,6 +45,8 @@ fn a_measure_is_fitted_as_scipy_fits_it() {
         "200",
         "--plot",
         "fit.svg",
+        "--report",
+        "fit.html",
     ];
     let found = json(&run(
         folder.path(),
@@ -70,8 +72,19 @@ fn a_measure_is_fitted_as_scipy_fits_it() {
     assert!(number(&found["rmse"]) > 0.0);
     assert!(number(&found["against"]["plcc_difference"]) > 0.1);
     assert!(number(&found["against"]["correlation_p_value"]) < 1e-3);
+    let of_errors = &found["against"]["error_p_value"];
+    assert!(number(of_errors) < 1e-3 && *of_errors != found["against"]["correlation_p_value"]);
     let svg = std::fs::read_to_string(folder.path().join("fit.svg")).unwrap();
     assert!(svg.starts_with("<svg") && svg.matches("<circle").count() >= 63);
+    let page = std::fs::read_to_string(folder.path().join("fit.html")).unwrap();
+    assert!(page.contains(svg.trim_end()) && page.ends_with("</html>\n"));
+    let [low, high] = [0, 1].map(|k| number(&found["srocc_interval"][k]));
+    let row = format!(
+        "<td>SROCC</td><td>{:.4}</td><td>{low:.4} to {high:.4}</td>",
+        number(&found["srocc"])
+    );
+    assert!(page.contains(&row), "{page}");
+    assert!(page.contains("Against the measure worse"));
     // Text for people, and the same numbers for the same seed.
     let output = run(folder.path(), &["fit", "scores.csv"]);
     let lines = text(&output.stdout);
@@ -112,7 +125,17 @@ fn wrong_scores_are_named_and_nothing_is_written() {
         ),
     ] {
         std::fs::write(folder.path().join("scores.csv"), csv).unwrap();
-        let output = run(folder.path(), &["fit", "scores.csv", "--plot", "fit.svg"]);
+        let output = run(
+            folder.path(),
+            &[
+                "fit",
+                "scores.csv",
+                "--plot",
+                "fit.svg",
+                "--report",
+                "f.html",
+            ],
+        );
         assert_failure(&output, &[message]);
         assert_eq!(names(folder.path()), ["scores.csv"]);
     }
@@ -125,7 +148,15 @@ const RATINGS: &str = "rater,group,A,B\n\
 fn ratings_are_evaluated_by_question_and_group() {
     let folder = tempdir().unwrap();
     std::fs::write(folder.path().join("table.csv"), RATINGS).unwrap();
-    let arguments = ["ratings", "table.csv", "--json", "--plot", "ratings.svg"];
+    let arguments = [
+        "ratings",
+        "table.csv",
+        "--json",
+        "--plot",
+        "ratings.svg",
+        "--report",
+        "ratings.html",
+    ];
     let found = json(&run(folder.path(), &arguments));
     assert_eq!(found["raters"], 5);
     let first = &found["questions"][0];
@@ -148,9 +179,43 @@ fn ratings_are_evaluated_by_question_and_group() {
     assert_eq!(found["rejected"], serde_json::json!([]));
     let svg = std::fs::read_to_string(folder.path().join("ratings.svg")).unwrap();
     assert!(svg.contains("Raters by rating") && svg.contains("expert"));
+    let page = std::fs::read_to_string(folder.path().join("ratings.html")).unwrap();
+    assert!(page.contains(svg.trim_end()) && page.ends_with("</html>\n"));
+    assert!(
+        page.contains("<td></td><td>expert</td><td>4.500</td>"),
+        "{page}"
+    );
+    assert!(page.contains("<td>A</td><td>expert − lay</td><td>+1.500</td>"));
     let output = run(folder.path(), &["ratings", "table.csv", "--screen"]);
     let lines = text(&output.stdout);
     assert!(lines.contains("A: 3.60 (2.18 to 5.02)"), "{lines}");
+}
+
+/// One of 13 raters answers high and low in turn, beyond two standard deviations of the others.
+#[test]
+fn screening_leaves_out_who_answers_without_order() {
+    let folder = tempdir().unwrap();
+    let mut csv = "rater,A,B,C,D\n".to_owned();
+    for (place, rating) in [2, 2, 2, 3, 3, 3, 3, 3, 3, 4, 4, 4].iter().enumerate() {
+        writeln!(csv, "r{place},{rating},{rating},{rating},{rating}").unwrap();
+    }
+    csv += "random,5,1,5,1\n";
+    std::fs::write(folder.path().join("table.csv"), csv).unwrap();
+    for (screen, raters, mean) in [(false, 13, 41.0 / 13.0), (true, 12, 3.0)] {
+        let arguments = ["ratings", "table.csv", "--json", "--screen"];
+        let found = json(&run(folder.path(), &arguments[..3 + usize::from(screen)]));
+        assert_eq!(found["rejected"], serde_json::json!(["random"]));
+        assert_eq!(
+            (&found["raters"], &found["screened"]),
+            (&raters.into(), &screen.into())
+        );
+        let got = found["questions"][0]["mean_opinion_score"]
+            .as_f64()
+            .unwrap();
+        assert!((got - mean).abs() < 1e-12, "{got}");
+        // All raters are listed, also those who are left out.
+        assert_eq!(found["screening"].as_array().unwrap().len(), 13);
+    }
 }
 
 #[test]
@@ -178,14 +243,21 @@ fn wrong_ratings_are_named_and_nothing_is_written() {
             "line 3, column A: \"good\" is not a finite number",
         ),
         ("rater,A\n1,4\n1,5\n", "the rater 1 occurs twice"),
-        (
-            "rater,A,B\n1,4,\n2,5,\n",
-            "0 ratings of a question are too few",
-        ),
+        ("rater,A,B\n1,4,\n2,5,\n", "the question B has no ratings"),
         ("rater,group\n1,lay\n2,lay\n", "0 questions are too few"),
     ] {
         std::fs::write(folder.path().join("table.csv"), csv).unwrap();
-        let output = run(folder.path(), &["ratings", "table.csv", "--plot", "r.svg"]);
+        let output = run(
+            folder.path(),
+            &[
+                "ratings",
+                "table.csv",
+                "--plot",
+                "r.svg",
+                "--report",
+                "r.html",
+            ],
+        );
         assert_failure(&output, &[message]);
         assert_eq!(names(folder.path()), ["table.csv"]);
     }

@@ -1,10 +1,12 @@
 //! `nullcone quality compare`: a picture or a video against its reference.
 
+mod page;
 mod picture;
 mod plot;
 mod report;
 mod table;
 
+use std::borrow::Cow;
 use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -41,7 +43,8 @@ use report::{PictureReport, VideoReport};
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
-    /// The reference: a picture (PNG, JPEG, PGM, PPM, PFM) or a video (Y4M; - for standard input).
+    /// The reference: a picture (PNG, JPEG, PGM, PPM, PFM) or a video (Y4M, - for Y4M on standard
+    /// input, a folder of numbered pictures; MP4 where the program is built with feature mp4).
     #[arg(value_name = "REF")]
     reference: PathBuf,
     /// What is measured: a picture or a video of the same size.
@@ -57,6 +60,10 @@ pub(crate) struct Arguments {
     /// Draw the measures of a video over time.
     #[arg(long, value_name = "FILE.svg")]
     plot: Option<PathBuf>,
+    /// Write a page with the measures that needs no other file: of a video with charts over time,
+    /// of a picture with a map of SSIM.
+    #[arg(long, value_name = "FILE.html")]
+    report: Option<PathBuf>,
     /// Print one JSON object instead of lines.
     #[arg(long)]
     json: bool,
@@ -67,7 +74,18 @@ impl Arguments {
         let [reference, distorted] = [&self.reference, &self.distorted].map(|p| p.display());
         format!("{reference} and {distorted}")
     }
+
+    /// The last part of the path of what is measured.
+    fn distorted_name(&self) -> Cow<'_, str> {
+        let path = &self.distorted;
+        path.file_name()
+            .unwrap_or(path.as_os_str())
+            .to_string_lossy()
+    }
 }
+
+/// Files that are written together, each with its place.
+type Files<'a> = Vec<(&'a Path, Vec<u8>)>;
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let paths = [&arguments.reference, &arguments.distorted];
@@ -94,6 +112,9 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
 
 /// Whether a file begins as a picture does; `None` where it cannot be read.
 fn is_picture(path: &Path) -> Option<bool> {
+    if path.as_os_str() == "-" {
+        return Some(false);
+    }
     let mut start = Vec::new();
     File::open(path)
         .ok()?
@@ -115,6 +136,8 @@ fn pictures(arguments: &Arguments, quiet: bool) -> Result<()> {
     let measures = picture::measure(&reference, &distorted, map);
     let measures = measures.with_context(|| arguments.names())?;
     let report = PictureReport::new(&measures);
+    let reason = too_small(size);
+    let mut files = Files::new();
     if let Some(path) = &arguments.csv {
         let frame = FrameQuality {
             index: 0,
@@ -122,17 +145,23 @@ fn pictures(arguments: &Arguments, quiet: bool) -> Result<()> {
             luma: measures,
             psnr_differences: None,
         };
-        ga_files::write(path, &table::csv(&[frame])?)?;
+        files.push((path, table::csv(&[frame])?));
     }
+    if let Some(path) = &arguments.report {
+        let map = picture::similarity_png(&reference, &distorted)?;
+        let page = page::of_pictures(arguments, &report, reason.as_deref(), &map);
+        files.push((path, page.into_bytes()));
+    }
+    write(&files)?;
     if arguments.json {
-        if !quiet && let Some(reason) = too_small(size) {
+        if !quiet && let Some(reason) = reason {
             eprintln!("warning: ms_ssim is null: {reason}");
         }
         output::print_json(&report)
     } else if quiet {
         Ok(())
     } else {
-        output::print(&report.lines(too_small(size).as_deref()))
+        output::print(&report.lines(reason.as_deref()))
     }
 }
 
@@ -168,14 +197,7 @@ fn videos(arguments: &Arguments, quiet: bool) -> Result<()> {
     };
     report.error = failure.as_ref().map(ToString::to_string);
     report.ms_ssim_reason = too_small(size);
-    if let Some(path) = &arguments.csv {
-        ga_files::write(path, &table::csv(&frames)?)?;
-    }
-    if let Some(path) = &arguments.plot {
-        let svg = plot::svg(&frames, &arguments.distorted);
-        let svg = svg.with_context(|| format!("cannot draw {}", path.display()))?;
-        ga_files::write(path, svg.as_bytes())?;
-    }
+    write(&video_files(arguments, &report, &frames)?)?;
     if arguments.json {
         output::print_json(&report)?;
     } else if !quiet {
@@ -188,6 +210,33 @@ fn videos(arguments: &Arguments, quiet: bool) -> Result<()> {
         }
         None => Ok(()),
     }
+}
+
+fn video_files<'a>(
+    arguments: &'a Arguments,
+    report: &VideoReport,
+    frames: &[FrameQuality],
+) -> Result<Files<'a>> {
+    let mut files = Files::new();
+    if let Some(path) = &arguments.csv {
+        files.push((path, table::csv(frames)?));
+    }
+    if let Some(path) = &arguments.plot {
+        let svg = plot::svg(frames, &arguments.distorted);
+        let svg = svg.with_context(|| format!("cannot draw {}", path.display()))?;
+        files.push((path, svg.into_bytes()));
+    }
+    if let Some(path) = &arguments.report {
+        let page = page::of_videos(arguments, report, frames);
+        let page = page.with_context(|| format!("cannot draw {}", path.display()))?;
+        files.push((path, page.into_bytes()));
+    }
+    Ok(files)
+}
+
+fn write(files: &Files<'_>) -> Result<()> {
+    let files = files.iter().map(|(path, bytes)| (*path, bytes.as_slice()));
+    Ok(ga_files::write_together(files)?)
 }
 
 /// The weights of a picture in grey, as it states them.

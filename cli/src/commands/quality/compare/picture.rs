@@ -1,9 +1,11 @@
 //! The measures of two pictures.
 
+use anyhow::{Context, Result};
 use ga_image::grey::Luma;
 use ga_image::picture::Picture;
 use ga_image::plane::Plane;
-use ga_image::quality::{WeightError, Weights};
+use ga_image::png;
+use ga_image::quality::{Ssim, WeightError, Weights};
 use ga_image::sample::Pixel;
 use ga_vision::quality::{Measures, Meter};
 
@@ -22,6 +24,15 @@ pub(super) fn measure(
             [reference, distorted].map(|picture| picture.to_grey(Luma::Bt601));
         compare(&reference, &distorted, &seen, map, 1.0)
     }
+}
+
+/// SSIM around each pixel as a grey picture: negative values are black, 1 is white.
+pub(super) fn similarity_png(reference: &Picture, distorted: &Picture) -> Result<Vec<u8>> {
+    let [reference, distorted]: [Plane; 2] =
+        [reference, distorted].map(|picture| picture.to_grey(Luma::Bt601));
+    let map = Ssim::new(1.0).map(&reference, &distorted)?;
+    let levels = map.map(|ssim| (255.0 * ssim.clamp(0.0, 1.0)).round() as u8);
+    png::encode(&levels).context("cannot encode the map of SSIM")
 }
 
 fn compare<P: Pixel>(

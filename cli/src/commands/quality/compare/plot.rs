@@ -4,17 +4,14 @@ use std::path::Path;
 
 use anyhow::Result;
 use ga_vision::quality::FrameQuality;
-use plotters::coord::Shift;
 use plotters::prelude::*;
 
-use crate::chart::{COLOURS, FINE, shown_small};
+use crate::chart::{Area, COLOURS, FINE, Mark, draw_legend, shown_small};
 
 /// The size of the picture as it is shown, and the width of the legend.
 const SIZE: (u32, u32) = (1000, 640);
 const LEGEND: u32 = 150;
 const TITLE: u32 = 40;
-
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 /// A measure over the frames: its name, and its value at a frame where it has a finite one.
 type Measure = (&'static str, fn(&FrameQuality) -> Option<f64>);
@@ -84,7 +81,7 @@ fn draw(area: &Area<'_>, unit: &str, measures: &[Measure], frames: &[FrameQualit
         .axis_style(BLACK.stroke_width(FINE))
         .set_all_tick_mark_size(5 * FINE)
         .draw()?;
-    let mut line = 0;
+    let mut legend = Vec::new();
     for ((name, value), colour) in measures.iter().zip(COLOURS) {
         if !frames.iter().any(|frame| value(frame).is_some()) {
             continue;
@@ -106,14 +103,9 @@ fn draw(area: &Area<'_>, unit: &str, measures: &[Measure], frames: &[FrameQualit
                 }
             }
         }
-        let y = fine(24) + fine(22) * line;
-        let ends = vec![(fine(2), y), (fine(26), y)];
-        right.draw(&PathElement::new(ends, colour.stroke_width(3 * FINE)))?;
-        let font = ("sans-serif", 13 * FINE).into_font();
-        right.draw(&Text::new(*name, (fine(34), y - fine(7)), font))?;
-        line += 1;
+        legend.push((Mark::Line, colour, (*name).to_owned()));
     }
-    Ok(())
+    draw_legend(&right, &legend)
 }
 
 fn fine(pixels: u32) -> i32 {

@@ -1,7 +1,5 @@
 //! What is printed. Infinite numbers are null in JSON.
 
-use std::fmt::Write;
-
 use ga_vision::quality::{FrameQuality, Measures, Pooled};
 use serde::Serialize;
 
@@ -20,7 +18,7 @@ pub(super) struct PictureReport {
 pub(super) struct VideoReport {
     #[serde(flatten)]
     means: PictureReport,
-    frames: usize,
+    pub(super) frames: usize,
     /// PSNR of the mean of the squared errors of all frames.
     psnr_of_mean_mse: f64,
     psnr_cb: Option<f64>,
@@ -67,28 +65,69 @@ impl PictureReport {
         }
     }
 
+    /// As text; `reason` says why there is no MS-SSIM.
+    pub(super) fn rows(&self, reason: Option<&str>) -> [Row; 5] {
+        let ms_ssim = match self.ms_ssim {
+            Some(value) => Row::index("MS-SSIM", value),
+            None => Row {
+                name: "MS-SSIM",
+                number: "none".to_owned(),
+                rest: format!(": {}", reason.unwrap_or("it is not defined")),
+            },
+        };
+        [
+            Row::decibels("PSNR", self.psnr, EQUAL),
+            Row::index("SSIM", self.ssim),
+            ms_ssim,
+            Row::decibels("attention PSNR", self.attention_psnr, EQUAL),
+            Row::index("attention SSIM", self.attention_ssim),
+        ]
+    }
+
     /// As lines; `reason` says why there is no MS-SSIM.
     pub(super) fn lines(&self, reason: Option<&str>) -> String {
-        let ms_ssim = match (self.ms_ssim, reason) {
-            (Some(index), _) => format!("{index:10.6}"),
-            (None, reason) => format!("      none: {}", reason.unwrap_or("it is not defined")),
-        };
-        format!(
-            "PSNR            {}\nSSIM            {:10.6}\nMS-SSIM         {ms_ssim}\n\
-             attention PSNR  {}\nattention SSIM  {:10.6}\n",
-            decibels(self.psnr),
-            self.ssim,
-            decibels(self.attention_psnr),
-            self.attention_ssim
-        )
+        self.rows(reason).iter().map(Row::line).collect()
     }
 }
 
-fn decibels(psnr: f64) -> String {
-    if psnr.is_finite() {
-        format!("{psnr:10.4} dB")
-    } else {
-        "  infinite: nothing differs".to_owned()
+/// Why a PSNR is infinite.
+const EQUAL: &str = "nothing differs";
+const EQUAL_FRAME: &str = "nothing differs in a frame";
+
+/// A measure as text.
+pub(super) struct Row {
+    pub(super) name: &'static str,
+    number: String,
+    /// The unit, or a remark.
+    rest: String,
+}
+
+impl Row {
+    fn index(name: &'static str, value: f64) -> Self {
+        Self {
+            name,
+            number: format!("{value:.6}"),
+            rest: String::new(),
+        }
+    }
+
+    /// `equal` says what it means that the number is infinite.
+    fn decibels(name: &'static str, value: f64, equal: &str) -> Self {
+        let (number, rest) = if value.is_finite() {
+            (format!("{value:.4}"), " dB".to_owned())
+        } else {
+            ("infinite".to_owned(), format!(": {equal}"))
+        };
+        Self { name, number, rest }
+    }
+
+    /// The number with its unit.
+    pub(super) fn value(&self) -> String {
+        format!("{}{}", self.number, self.rest)
+    }
+
+    fn line(&self) -> String {
+        format!("{:16}{:>10}{}\n", self.name, self.number, self.rest)
     }
 }
 
@@ -137,48 +176,67 @@ impl VideoReport {
         })
     }
 
-    /// As lines: the means, then a table.
-    pub(super) fn lines(&self) -> String {
-        let mut lines = format!("{} frames, means:\n", self.frames);
-        lines += &self.means.lines(self.ms_ssim_reason.as_deref());
-        // Writing to a string does not fail.
+    /// The means over the frames as text.
+    pub(super) fn rows(&self) -> Vec<Row> {
+        let means = &self.means;
+        let mut rows = Vec::from(means.rows(self.ms_ssim_reason.as_deref()));
+        // A mean is infinite where one frame has no error.
+        rows[0] = Row::decibels("PSNR", means.psnr, EQUAL_FRAME);
+        rows[3] = Row::decibels("attention PSNR", means.attention_psnr, EQUAL_FRAME);
         for (name, psnr) in [
             ("PSNR of Cb", self.psnr_cb),
             ("PSNR of Cr", self.psnr_cr),
             ("PSNR 6:1:1", self.psnr_6_1_1),
         ] {
-            if let Some(psnr) = psnr {
-                let _ = writeln!(lines, "{name:16}{}", decibels(psnr));
-            }
+            rows.extend(psnr.map(|psnr| Row::decibels(name, psnr, EQUAL_FRAME)));
         }
-        let _ = writeln!(
-            lines,
-            "PSNR of mean MSE{}\n\n{:16}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}",
-            decibels(self.psnr_of_mean_mse),
-            "over frames",
-            "harmonic",
-            "least",
-            "5 %",
-            "25 %",
-            "50 %",
-            "75 %",
-            "95 %"
-        );
+        let all = Row::decibels("PSNR of mean MSE", self.psnr_of_mean_mse, EQUAL);
+        rows.push(all);
+        rows
+    }
+
+    /// Over the frames: the name of each measure, and numbers as [`POOLED`] names them.
+    pub(super) fn pooled_rows(&self) -> Vec<[String; 8]> {
         let pooled = &self.pooled;
-        for (name, pooled) in [
+        let measures = [
             ("PSNR", Some(&pooled.psnr)),
             ("SSIM", Some(&pooled.ssim)),
             ("MS-SSIM", pooled.ms_ssim.as_ref()),
             ("attention PSNR", Some(&pooled.attention_psnr)),
             ("attention SSIM", Some(&pooled.attention_ssim)),
-        ] {
-            if let Some(pooled) = pooled {
-                let _ = writeln!(lines, "{name:16}{}", pooled.columns());
-            }
+        ];
+        let rows = measures.into_iter().filter_map(|(name, pooled)| {
+            let [a, b, c, d, e, f, g] = pooled?.numbers();
+            Some([name.to_owned(), a, b, c, d, e, f, g])
+        });
+        rows.collect()
+    }
+
+    /// As lines: the means, then a table.
+    pub(super) fn lines(&self) -> String {
+        let mut lines = format!("{} frames, means:\n", self.frames);
+        lines.extend(self.rows().iter().map(Row::line));
+        lines.push('\n');
+        let names = POOLED.map(String::from);
+        for [name, numbers @ ..] in std::iter::once(names).chain(self.pooled_rows()) {
+            let columns = numbers.map(|number| format!("{number:>10}"));
+            lines += &format!("{name:16}{}\n", columns.concat());
         }
         lines
     }
 }
+
+/// The columns of the table of pooled measures.
+pub(super) const POOLED: [&str; 8] = [
+    "over frames",
+    "harmonic",
+    "least",
+    "5 %",
+    "25 %",
+    "50 %",
+    "75 %",
+    "95 %",
+];
 
 impl PooledReport {
     fn new(pooled: Pooled) -> Self {
@@ -195,18 +253,15 @@ impl PooledReport {
         }
     }
 
-    fn columns(&self) -> String {
+    fn numbers(&self) -> [String; 7] {
         let harmonic = self.harmonic_mean.unwrap_or(f64::NAN);
         let numbers = [
             harmonic, self.min, self.p5, self.p25, self.p50, self.p75, self.p95,
         ];
-        let column = |number: f64| {
-            if number.is_nan() {
-                format!("{:>10}", "-")
-            } else {
-                format!("{number:10.4}")
-            }
-        };
-        numbers.into_iter().map(column).collect()
+        numbers.map(|number| match number {
+            _ if number.is_nan() => "-".to_owned(),
+            _ if number.is_infinite() => "infinite".to_owned(),
+            _ => format!("{number:.4}"),
+        })
     }
 }

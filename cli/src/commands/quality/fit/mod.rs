@@ -1,5 +1,6 @@
 //! `nullcone quality fit`: how well a measure predicts what people say.
 
+mod page;
 mod plot;
 mod table;
 
@@ -48,6 +49,9 @@ pub(crate) struct Arguments {
     /// Write a picture of the scores with the fitted curves.
     #[arg(long, value_name = "FILE.svg")]
     plot: Option<PathBuf>,
+    /// Write a page with the picture and all numbers that needs no other file.
+    #[arg(long, value_name = "FILE.html")]
+    report: Option<PathBuf>,
 }
 
 /// A curve in the result.
@@ -81,6 +85,23 @@ struct Report {
     seed: u64,
     #[serde(skip_serializing_if = "Option::is_none")]
     against: Option<AgainstReport>,
+}
+
+impl Report {
+    /// What the measure is worth: names, numbers and intervals.
+    fn measures(&self) -> [(&'static str, f64, [f64; 2]); 5] {
+        [
+            ("PLCC", self.plcc, self.plcc_interval),
+            ("SROCC", self.srocc, self.srocc_interval),
+            ("KROCC", self.krocc, self.krocc_interval),
+            ("RMSE", self.rmse, self.rmse_interval),
+            (
+                "outlier ratio",
+                self.outlier_ratio,
+                self.outlier_ratio_interval,
+            ),
+        ]
+    }
 }
 
 /// The difference to another measure: this one's number minus the other's.
@@ -119,12 +140,6 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let against = against
         .transpose()
         .with_context(|| path.display().to_string())?;
-    if let Some(file) = &arguments.plot {
-        progress.step("drawing");
-        let svg = plot::svg(&scores, &four.curve, &five.curve, &found)?;
-        ga_files::write(file, svg.as_bytes())?;
-    }
-    drop(progress);
     let report = Report {
         scores: scores.len(),
         logistic4: curve_report(&scores, &four, &four.curve.parameters),
@@ -144,6 +159,16 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         seed: arguments.seed,
         against,
     };
+    if arguments.plot.is_some() || arguments.report.is_some() {
+        progress.step("drawing");
+        let svg = plot::svg(&scores, &four.curve, &five.curve, &found)?;
+        let page = page::html(arguments, &report, &svg);
+        output::write_texts([
+            (arguments.plot.as_deref(), &svg),
+            (arguments.report.as_deref(), &page),
+        ])?;
+    }
+    drop(progress);
     if arguments.json {
         output::print_json(&report)
     } else if quiet {
@@ -210,19 +235,9 @@ fn text(report: &Report) -> String {
             curve.sse, curve.plcc
         );
     }
-    let percent = 100.0 * report.confidence;
+    let percent = output::percent(report.confidence);
     text += &format!("{:<14}  {:>8}   {percent} % interval\n", "measure", "value");
-    for (name, value, [low, high]) in [
-        ("PLCC", report.plcc, report.plcc_interval),
-        ("SROCC", report.srocc, report.srocc_interval),
-        ("KROCC", report.krocc, report.krocc_interval),
-        ("RMSE", report.rmse, report.rmse_interval),
-        (
-            "outlier ratio",
-            report.outlier_ratio,
-            report.outlier_ratio_interval,
-        ),
-    ] {
+    for (name, value, [low, high]) in report.measures() {
         text += &format!("{name:<14}  {value:>8.4}   {low:.4} to {high:.4}\n");
     }
     if let Some(against) = &report.against {

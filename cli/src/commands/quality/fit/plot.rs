@@ -6,9 +6,10 @@ use ga_vision::opinion::logistic::{Curve, Logistic4, Logistic5};
 use ga_vision::opinion::performance::{Interval, Performance};
 use plotters::prelude::*;
 
-use crate::chart::{COLOURS, FINE, shown_small};
+use crate::chart::{COLOURS, FINE, Mark, draw_legend, shown_small};
 
-const SIZE: (u32, u32) = (720, 520);
+const SIZE: (u32, u32) = (900, 520);
+const LEGEND: u32 = 190;
 /// Straight lines that make a curve.
 const PIECES: usize = 400;
 
@@ -33,7 +34,8 @@ pub(super) fn svg(
             found.root_mean_square_error.value,
             scores.len()
         );
-        let mut chart = ChartBuilder::on(&root)
+        let (left, right) = root.split_horizontally((SIZE.0 - LEGEND) * FINE);
+        let mut chart = ChartBuilder::on(&left)
             .caption(caption, font(17))
             .margin(14 * FINE)
             .x_label_area_size(44 * FINE)
@@ -46,6 +48,7 @@ pub(super) fn svg(
             .axis_style(RGBColor(90, 90, 90).stroke_width(FINE))
             .label_style(font(13))
             .axis_desc_style(font(14))
+            .set_all_tick_mark_size(5 * FINE)
             .x_desc("objective score")
             .y_desc("mean opinion score")
             .draw()?;
@@ -58,28 +61,17 @@ pub(super) fn svg(
         let places: Vec<f64> = places.collect();
         let by_four: Vec<f64> = places.iter().map(|x| four.at(*x)).collect();
         let by_five: Vec<f64> = places.iter().map(|x| five.at(*x)).collect();
+        let mut legend = vec![(Mark::Dot, COLOURS[0], "scores".to_owned())];
         for (name, colour, values) in [
             ("logistic, 4 parameters", COLOURS[2], by_four),
             ("logistic, 5 parameters", COLOURS[1], by_five),
         ] {
             let shown = values.into_iter().map(|value| value.clamp(y[0], y[1]));
             let points = places.iter().copied().zip(shown);
-            chart
-                .draw_series(LineSeries::new(points, colour.stroke_width(2 * FINE)))?
-                .label(name)
-                .legend(move |(x, y)| {
-                    let end = x + 22 * FINE as i32;
-                    PathElement::new([(x, y), (end, y)], colour.stroke_width(2 * FINE))
-                });
+            chart.draw_series(LineSeries::new(points, colour.stroke_width(2 * FINE)))?;
+            legend.push((Mark::Line, colour, name.to_owned()));
         }
-        chart
-            .configure_series_labels()
-            .position(SeriesLabelPosition::UpperLeft)
-            .margin(12 * FINE)
-            .legend_area_size(28 * FINE)
-            .label_font(font(13))
-            .background_style(WHITE.mix(0.85))
-            .draw()?;
+        draw_legend(&right, &legend)?;
         root.present()?;
     }
     Ok(shown_small(&text, SIZE))

@@ -1,5 +1,7 @@
 //! `nullcone quality ratings`: what people say about a video.
 
+mod classes;
+mod page;
 mod plot;
 mod table;
 
@@ -35,6 +37,9 @@ pub(crate) struct Arguments {
     /// Write a picture of the opinions and of how many people gave which rating.
     #[arg(long, value_name = "FILE.svg")]
     plot: Option<PathBuf>,
+    /// Write a page with the picture and all numbers that needs no other file.
+    #[arg(long, value_name = "FILE.html")]
+    report: Option<PathBuf>,
 }
 
 #[derive(Serialize)]
@@ -135,9 +140,13 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         screened: arguments.screen,
         confidence: arguments.confidence,
     };
-    if let Some(file) = &arguments.plot {
+    if arguments.plot.is_some() || arguments.report.is_some() {
         let svg = plot::svg(&ratings, arguments.confidence)?;
-        ga_files::write(file, svg.as_bytes())?;
+        let page = page::html(arguments, &report, &svg);
+        output::write_texts([
+            (arguments.plot.as_deref(), &svg),
+            (arguments.report.as_deref(), &page),
+        ])?;
     }
     if arguments.json {
         output::print_json(&report)
@@ -203,13 +212,13 @@ fn text(report: &Report) -> String {
             text += &format!("; {group} {}", opinion(found));
         }
         for difference in &question.differences {
+            let DifferenceReport { first, second, .. } = difference;
             if let Some(p) = difference.p_value {
-                text += &format!("; p = {p:.3}");
+                text += &format!("; {first} against {second}: p = {p:.3}");
             }
         }
         text.push('\n');
     }
-    let number = |value: Option<f64>| value.map_or("none".to_owned(), |v| format!("{v:.3}"));
     text += &format!(
         "agreement: Krippendorff's alpha {} (interval), {} (ordinal), Kendall's W {}\n",
         number(report.agreement.krippendorff_alpha_interval),
@@ -222,4 +231,9 @@ fn text(report: &Report) -> String {
     };
     let done = if report.screened { "left out" } else { "found" };
     text + &format!("raters without order {done} (ITU-R BT.500): {rejected}\n")
+}
+
+/// A number that may not exist.
+fn number(value: Option<f64>) -> String {
+    value.map_or_else(|| "none".to_owned(), |value| format!("{value:.3}"))
 }

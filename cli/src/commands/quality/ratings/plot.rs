@@ -3,92 +3,158 @@
 
 use anyhow::Result;
 use ga_vision::opinion::ratings::Ratings;
-use plotters::coord::Shift;
 use plotters::prelude::*;
+use plotters::style::FontTransform;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use crate::chart::{COLOURS, FINE, shown_small};
+use super::classes::{classes, scale};
+use crate::chart::{Area, COLOURS, FINE, Mark, draw_legend, shortened, shown_small};
+use crate::output::percent;
 
-const SIZE: (u32, u32) = (820, 640);
+/// The size of the picture as it is shown, without the names of the questions.
+const SIZE: (u32, u32) = (900, 600);
+const LEGEND: u32 = 170;
+/// The space beside the charts that no question takes.
+const BESIDE: u32 = 80;
+/// About the width of a letter.
+const LETTER: u32 = 7;
 /// Half the width of a bar, where questions are 1 apart.
 const HALF_BAR: f64 = 0.32;
-
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+/// The most letters of a name that are shown.
+const QUESTION: usize = 22;
+const GROUP: usize = 18;
 
 pub(super) fn svg(ratings: &Ratings, confidence: f64) -> Result<String> {
+    let names = Names::new(ratings);
+    let size = (SIZE.0, SIZE.1 + 2 * names.height);
     let mut text = String::new();
     {
-        let root = SVGBackend::with_string(&mut text, (SIZE.0 * FINE, SIZE.1 * FINE));
+        let root = SVGBackend::with_string(&mut text, (size.0 * FINE, size.1 * FINE));
         let root = root.into_drawing_area();
         root.fill(&WHITE)?;
-        let (above, below) = root.split_vertically(SIZE.1 * FINE / 2);
-        draw_opinions(&above, ratings, confidence)?;
-        draw_counts(&below, ratings)?;
+        let (above, below) = root.split_vertically(size.1 * FINE / 2);
+        draw_opinions(&above, ratings, &names, confidence)?;
+        draw_counts(&below, ratings, &names)?;
         root.present()?;
     }
-    Ok(shown_small(&text, SIZE))
+    Ok(shown_small(&text, size))
 }
 
 fn font<'a>(size: u32) -> FontDesc<'a> {
     ("sans-serif", size * FINE).into_font()
 }
 
-/// The values of the ratings that occur, in rising order.
-fn scale(ratings: &Ratings) -> Vec<f64> {
-    let raters = ratings.raters().iter();
-    let mut values: Vec<f64> = raters
-        .flat_map(|r| r.ratings.iter().flatten().copied())
-        .collect();
-    values.sort_by(f64::total_cmp);
-    values.dedup();
-    values
+/// The names of the questions as they are shown under their places.
+struct Names {
+    names: Vec<String>,
+    /// Whether they stand upright, as they are too long to lie beside each other.
+    upright: bool,
+    /// The height that they take.
+    height: u32,
 }
 
-/// The names of questions under their places.
-fn label(ratings: &Ratings) -> impl Fn(&f64) -> String {
-    |place| {
-        let question = place.round();
-        let is_place = (place - question).abs() < 1e-9 && question >= 0.0;
-        let name = is_place.then(|| ratings.questions().get(question as usize));
-        name.flatten().cloned().unwrap_or_default()
+impl Names {
+    fn new(ratings: &Ratings) -> Self {
+        let questions = ratings.questions();
+        let names: Vec<String> = questions.iter().map(|q| shortened(q, QUESTION)).collect();
+        let longest = names.iter().map(|name| name.chars().count()).max();
+        let longest = LETTER * longest.unwrap_or(0) as u32;
+        let upright = longest * names.len() as u32 > SIZE.0 - LEGEND - BESIDE;
+        Self {
+            names,
+            upright,
+            height: if upright { longest + 12 } else { 26 },
+        }
+    }
+
+    fn style(&self) -> TextStyle<'static> {
+        let (font, place) = match self.upright {
+            true => (
+                font(13).transform(FontTransform::Rotate90),
+                Pos::new(HPos::Left, VPos::Center),
+            ),
+            false => (font(13), Pos::new(HPos::Center, VPos::Top)),
+        };
+        TextStyle::from(font).pos(place)
+    }
+}
+
+/// A chart over the questions, with its axes.
+struct Chart<'a> {
+    caption: String,
+    unit: &'a str,
+    range: [f64; 2],
+    /// The most numbers beside the axis.
+    numbers: usize,
+}
+
+type Context<'a> = ChartContext<
+    'a,
+    SVGBackend<'a>,
+    Cartesian2d<plotters::coord::types::RangedCoordf64, plotters::coord::types::RangedCoordf64>,
+>;
+
+impl Chart<'_> {
+    fn draw<'a>(&self, area: &Area<'a>, names: &Names) -> Result<Context<'a>> {
+        let count = names.names.len();
+        let [low, high] = self.range;
+        let mut chart = ChartBuilder::on(area)
+            .caption(&self.caption, font(17))
+            .margin(12 * FINE)
+            .x_label_area_size(names.height * FINE)
+            .y_label_area_size(52 * FINE)
+            .build_cartesian_2d(-0.5..count as f64 - 0.5, low..high)?;
+        chart
+            .configure_mesh()
+            .disable_x_mesh()
+            .x_labels(0)
+            .y_labels(self.numbers)
+            .y_label_formatter(&|value| ((value * 1e6).round() / 1e6).to_string())
+            .light_line_style(TRANSPARENT)
+            .bold_line_style(RGBColor(225, 225, 225).stroke_width(FINE))
+            .axis_style(RGBColor(90, 90, 90).stroke_width(FINE))
+            .label_style(font(13))
+            .axis_desc_style(font(14))
+            .y_desc(self.unit)
+            .set_tick_mark_size(LabelAreaPosition::Left, 5 * FINE)
+            .draw()?;
+        // The labels of the library cannot begin at the axis when they are upright.
+        let style = names.style();
+        let labels = names.names.iter().enumerate().map(|(question, name)| {
+            let below = (0, 8 * FINE as i32);
+            let text = Text::new(name.clone(), below, style.clone());
+            EmptyElement::at((question as f64, low)) + text
+        });
+        chart.draw_series(labels)?;
+        Ok(chart)
     }
 }
 
 /// A dot with its interval for each question and group.
-fn draw_opinions(area: &Area<'_>, ratings: &Ratings, confidence: f64) -> Result<()> {
+fn draw_opinions(area: &Area<'_>, ratings: &Ratings, names: &Names, confidence: f64) -> Result<()> {
     let scale = scale(ratings);
     let (least, greatest) = (scale[0], scale[scale.len() - 1]);
     let margin = 0.08 * (greatest - least).max(1.0);
-    let count = ratings.questions().len();
-    let caption = format!(
-        "Mean opinion scores with {} % intervals",
-        100.0 * confidence
-    );
-    let mut chart = ChartBuilder::on(area)
-        .caption(caption, font(17))
-        .margin(12 * FINE)
-        .x_label_area_size(26 * FINE)
-        .y_label_area_size(48 * FINE)
-        .build_cartesian_2d(-0.5..count as f64 - 0.5, least - margin..greatest + margin)?;
-    chart
-        .configure_mesh()
-        .disable_x_mesh()
-        .x_labels(2 * count + 1)
-        .x_label_formatter(&label(ratings))
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(RGBColor(225, 225, 225).stroke_width(FINE))
-        .axis_style(RGBColor(90, 90, 90).stroke_width(FINE))
-        .label_style(font(13))
-        .axis_desc_style(font(14))
-        .y_desc("rating")
-        .draw()?;
+    let (left, right) = area.split_horizontally((SIZE.0 - LEGEND) * FINE);
+    let chart = Chart {
+        caption: format!(
+            "Mean opinion scores with {} % intervals",
+            percent(confidence)
+        ),
+        unit: "rating",
+        range: [least - margin, greatest + margin],
+        numbers: 8,
+    };
+    let mut chart = chart.draw(&left, names)?;
     let groups = ratings.groups();
     let shown: Vec<Option<&str>> = std::iter::once(None)
         .chain(groups.iter().map(|group| Some(*group)))
         .collect();
+    let mut legend = Vec::new();
     for (place, group) in shown.iter().enumerate() {
         let colour = COLOURS[place % COLOURS.len()];
         let offset = HALF_BAR * (2.0 * (place as f64 + 0.5) / shown.len() as f64 - 1.0);
-        let found: Vec<(f64, f64, f64)> = (0..count)
+        let found: Vec<(f64, f64, f64)> = (0..ratings.questions().len())
             .filter_map(|question| {
                 let opinion = ratings.mean_opinion(question, *group, confidence).ok()?;
                 let half = opinion.half_width.unwrap_or(0.0);
@@ -103,70 +169,51 @@ fn draw_opinions(area: &Area<'_>, ratings: &Ratings, confidence: f64) -> Result<
                 colour.stroke_width(2 * FINE),
             )
         }))?;
-        chart
-            .draw_series(
-                found
-                    .iter()
-                    .map(|(x, mean, _)| Circle::new((*x, *mean), 4 * FINE as i32, colour.filled())),
-            )?
-            .label(group.unwrap_or("all"))
-            .legend(move |(x, y)| {
-                Circle::new((x + 11 * FINE as i32, y), 4 * FINE as i32, colour.filled())
-            });
+        let dots = found.iter();
+        let dots =
+            dots.map(|(x, mean, _)| Circle::new((*x, *mean), 4 * FINE as i32, colour.filled()));
+        chart.draw_series(dots)?;
+        legend.push((Mark::Dot, colour, shortened(group.unwrap_or("all"), GROUP)));
     }
     if !groups.is_empty() {
-        legend(&mut chart)?;
+        draw_legend(&right, &legend)?;
     }
     Ok(())
 }
 
-/// A bar for each question, with a part for each rating.
-fn draw_counts(area: &Area<'_>, ratings: &Ratings) -> Result<()> {
-    let scale = scale(ratings);
+/// A bar for each question, with a part for each rating, or each class of ratings.
+fn draw_counts(area: &Area<'_>, ratings: &Ratings, names: &Names) -> Result<()> {
+    let classes = classes(&scale(ratings));
     let count = ratings.questions().len();
-    let people = ratings.raters().len() as f64;
-    let mut chart = ChartBuilder::on(area)
-        .caption("Raters by rating", font(17))
-        .margin(12 * FINE)
-        .x_label_area_size(26 * FINE)
-        .y_label_area_size(48 * FINE)
-        .build_cartesian_2d(-0.5..count as f64 + 0.2, 0.0..1.05 * people)?;
-    chart
-        .configure_mesh()
-        .disable_x_mesh()
-        .x_labels(2 * count + 1)
-        .x_label_formatter(&label(ratings))
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(RGBColor(225, 225, 225).stroke_width(FINE))
-        .axis_style(RGBColor(90, 90, 90).stroke_width(FINE))
-        .label_style(font(13))
-        .axis_desc_style(font(14))
-        .y_desc("raters")
-        .draw()?;
+    let people = ratings.raters().len();
+    let (left, right) = area.split_horizontally((SIZE.0 - LEGEND) * FINE);
+    let chart = Chart {
+        caption: "Raters by rating".to_owned(),
+        unit: "raters",
+        range: [0.0, 1.05 * people as f64],
+        // People are counted in whole numbers.
+        numbers: (people + 1).min(11),
+    };
+    let mut chart = chart.draw(&left, names)?;
     let mut tops = vec![0.0; count];
-    for (place, value) in scale.iter().enumerate() {
-        let part = place as f64 / (scale.len() - 1).max(1) as f64;
+    let mut legend = Vec::new();
+    for (place, class) in classes.iter().enumerate() {
+        let part = place as f64 / (classes.len() - 1).max(1) as f64;
         let colour = shade(part);
-        let bars: Vec<[(f64, f64); 2]> = (0..count)
-            .map(|question| {
-                let given = ratings.of_question(question, None);
-                let found = given.iter().filter(|rating| *rating == value).count() as f64;
-                let (x, bottom) = (question as f64, tops[question]);
-                tops[question] += found;
-                [(x - HALF_BAR, bottom), (x + HALF_BAR, bottom + found)]
-            })
-            .collect();
-        let bars = bars
-            .into_iter()
-            .map(|bar| Rectangle::new(bar, colour.filled()));
-        let series = chart.draw_series(bars)?;
-        series.label(value.to_string()).legend(move |(x, y)| {
-            let half = 5 * FINE as i32;
-            let right = x + 16 * FINE as i32;
-            Rectangle::new([(x + half, y - half), (right, y + half)], colour.filled())
+        let bars = (0..count).map(|question| {
+            let found = class.count(&ratings.of_question(question, None)) as f64;
+            let (x, bottom) = (question as f64, tops[question]);
+            tops[question] += found;
+            let corners = [(x - HALF_BAR, bottom), (x + HALF_BAR, bottom + found)];
+            Rectangle::new(corners, colour.filled())
         });
+        let bars: Vec<_> = bars.collect();
+        chart.draw_series(bars)?;
+        legend.push((Mark::Bar, colour, class.name()));
     }
-    legend(&mut chart)
+    // The greatest rating on top, as in the bars.
+    legend.reverse();
+    draw_legend(&right, &legend)
 }
 
 /// From the colour of the least rating to that of the greatest, through a light grey.
@@ -177,22 +224,4 @@ fn shade(part: f64) -> RGBColor {
     };
     let mix = |channel: u8| (224.0 + (f64::from(channel) - 224.0) * strength).round() as u8;
     RGBColor(mix(end.0), mix(end.1), mix(end.2))
-}
-
-fn legend<'a>(
-    chart: &mut ChartContext<
-        'a,
-        SVGBackend<'a>,
-        Cartesian2d<plotters::coord::types::RangedCoordf64, plotters::coord::types::RangedCoordf64>,
-    >,
-) -> Result<()> {
-    chart
-        .configure_series_labels()
-        .position(SeriesLabelPosition::UpperRight)
-        .margin(6 * FINE)
-        .legend_area_size(22 * FINE)
-        .label_font(font(13))
-        .background_style(WHITE.mix(0.85))
-        .draw()?;
-    Ok(())
 }
