@@ -137,6 +137,10 @@ fn errors_name_the_frame() {
         "frame 1 does not begin with a line FRAME"
     );
     assert_eq!(
+        message::<u8>(&film("FRAMES\n5678")),
+        "frame 1 does not begin with a line FRAME"
+    );
+    assert_eq!(
         message::<u8>(&film("YUV4MPEG2 W4 H2 Cmono\nFRAME\n12345678")),
         "frame 1 has 4 × 2 pixels, the first has 2 × 2"
     );

@@ -17,6 +17,8 @@ struct Memory {
     properties: Properties,
     frames: Vec<Samples>,
     next: usize,
+    /// Seconds from each frame to the next.
+    step_seconds: f64,
     /// The frame that cannot be read.
     broken: Option<usize>,
 }
@@ -35,6 +37,7 @@ impl Memory {
             },
             frames,
             next: 0,
+            step_seconds: 0.04,
             broken: None,
         }
     }
@@ -57,7 +60,7 @@ impl Source for Memory {
         };
         *frame = Frame {
             index: self.next,
-            time_seconds: 0.04 * self.next as f64,
+            time_seconds: self.step_seconds * self.next as f64,
             samples: samples.clone(),
         };
         self.next += 1;
@@ -85,13 +88,14 @@ fn planes(seed: usize) -> Planes<u8> {
 fn pair(count: usize) -> [Vec<Planes<u8>>; 2] {
     let reference: Vec<_> = (0..count).map(planes).collect();
     let changed = |(index, planes): (usize, &Planes<u8>)| {
-        let change = |plane: &Plane<u8>| match index {
+        let change = |plane: &Plane<u8>, bits: u8| match index {
             1 => plane.clone(),
-            _ => plane.map(|v| v ^ (1 + index as u8)),
+            _ => plane.map(|v| v ^ (bits + index as u8)),
         };
+        let [cb, cr] = &planes.differences;
         Planes {
-            luma: change(&planes.luma),
-            differences: planes.differences.each_ref().map(change),
+            luma: change(&planes.luma, 1),
+            differences: [change(cb, 1), change(cr, 4)],
         }
     };
     let distorted = reference.iter().enumerate().map(changed).collect();
@@ -110,7 +114,9 @@ fn compared(reference: Memory, distorted: Memory) -> Vec<FrameQuality> {
 #[test]
 fn frames_of_videos_have_the_measures_of_their_planes() {
     let [reference, distorted] = pair(4);
-    let found = compared(eight(&reference), eight(&distorted));
+    let mut slower = eight(&distorted);
+    slower.step_seconds = 0.05;
+    let found = compared(eight(&reference), slower);
     assert_eq!(found.len(), 4);
     let mut meter = Meter::new(SIZE, 255.0).unwrap();
     for (index, frame) in found.iter().enumerate() {
@@ -138,6 +144,7 @@ fn frames_of_videos_have_the_measures_of_their_planes() {
             cr,
             psnr(&a.differences[1], &b.differences[1], 255.0).unwrap()
         );
+        assert!(index == 1 || cb > cr);
         let weighted = (6.0 * frame.luma.psnr + cb + cr) / 8.0;
         assert_eq!(frame.psnr_6_1_1(), Some(weighted));
     }
@@ -239,6 +246,12 @@ fn videos_of_other_lengths_and_broken_ones_give_the_frames_before() {
         .unwrap();
     let message = "the videos differ in size: 48 × 32 pixels and 32 × 48 pixels";
     assert_eq!(error.to_string(), message);
+
+    let mut other = eight(&distorted);
+    other.properties.sampling = Sampling::Full;
+    let error = VideoComparison::new(eight(&reference), other, None);
+    let message = "the videos differ in sampling: Quarter and Full";
+    assert_eq!(error.err().unwrap().to_string(), message);
 }
 
 #[test]
