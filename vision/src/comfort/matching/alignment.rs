@@ -53,7 +53,8 @@ pub(super) fn align<T: Copy + Into<f32>, const RADIUS: usize>(
         let step = template.solve([along_x / gain, along_y / gain]);
         offset = [offset[0] - step[0], offset[1] - step[1]];
         let moved = (offset[0] - start[0]).hypot(offset[1] - start[1]);
-        if !(moved <= farthest) {
+        // A step that is not a number leads nowhere.
+        if moved.is_nan() || moved > farthest {
             return None;
         }
         if step[0].hypot(step[1]) < FINE {
@@ -171,9 +172,8 @@ impl Template {
         // One sum for each column, which are independent of each other. Columns beyond the
         // surroundings are zero.
         let mut lanes = [[0.0_f32; WIDEST]; 5];
-        for row in 0..side {
-            for column in 0..WIDEST {
-                let sample = samples[row][column];
+        for (row, line) in samples.iter().enumerate().take(side) {
+            for (column, sample) in line.iter().enumerate() {
                 lanes[0][column] += sample;
                 lanes[1][column] += sample * sample;
                 lanes[2][column] += sample * self.levels[row][column];
