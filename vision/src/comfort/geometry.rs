@@ -18,9 +18,9 @@ const THRESHOLDS: [f64; 2] = [0.0015, 0.006];
 
 /// How the rows of two views differ.
 ///
-/// If the right camera is displaced vertically, rotated about its axis and has another focal length,
-/// then v_left = a u_right + b v_right + c for points at any depth, which is fitted to matches: see
-/// [`diagnosis`](crate::diagnosis). Parallax plays no part.
+/// If the right camera is displaced vertically, rotated about its axis and has another focal
+/// length, then v_left = a u_right + b v_right + c for points at any depth, which is fitted to
+/// matches: see [`diagnosis`](crate::diagnosis). Parallax plays no part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Geometry {
     /// By how many pixels the middle of the left view is lower in the right view.

@@ -92,12 +92,12 @@ impl Level {
 ///
 /// - BSkyB, "Technical guidelines for the creation and delivery of 3D programmes": a budget of 3 %
 ///   of the width, from −1 % to +2 %, on screens of 46 to 70 inches.
-/// - M. Lambooij, W. IJsselsteijn and I. Heynderickx, "Visual discomfort in stereoscopic displays: a
-///   review", Proceedings of SPIE 6490, 2007: conflicts of accommodation and convergence are of
+/// - M. Lambooij, W. IJsselsteijn and I. Heynderickx, "Visual discomfort in stereoscopic displays:
+///   a review", Proceedings of SPIE 6490, 2007: conflicts of accommodation and convergence are of
 ///   minor importance up to one degree of disparity.
-/// - S. Nagata, 2002: the 84th percentile of what viewers fuse, crossed and uncrossed. Where the parallax at which lines
-///   of sight become parallel is a smaller angle, that is the limit l of over-divergence, and c is
-///   at most three quarters of it, which is our choice.
+/// - S. Nagata, 2002: the 84th percentile of what viewers fuse, crossed and uncrossed. Where the
+///   parallax at which lines of sight become parallel is a smaller angle, that is the limit l of
+///   over-divergence, and c is at most three quarters of it, which is our choice.
 /// - F. L. Kooi and A. Toet, "Visual comfort of binocular and 3D displays", Displays 25, 2004,
 ///   found that nearly all differences between the views reduce comfort, and give thresholds for
 ///   them. The limits of brightness, the difference of size and the vertical deviation are of their

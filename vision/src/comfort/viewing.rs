@@ -10,8 +10,8 @@ const INCH: f64 = 0.0254;
 /// whole width of the screen, whatever its aspect.
 ///
 /// A point that the left eye sees at x_L and the right eye at x_R, in shares of the picture's
-/// width, has the *parallax* P = x_R − x_L. It is negative, or crossed, for what appears in front of
-/// the screen, zero on it, and positive, or uncrossed, behind it.
+/// width, has the *parallax* P = x_R − x_L. It is negative, or crossed, for what appears in front
+/// of the screen, zero on it, and positive, or uncrossed, behind it.
 ///
 /// ```
 /// use ga_vision::comfort::Viewing;
@@ -128,7 +128,8 @@ impl Viewing {
     }
 
     /// By how much the eyes converge less on a point of this parallax than on the screen, in
-    /// degrees; negative in front of the screen. The parallax is in per cent of the picture's width.
+    /// degrees; negative in front of the screen. The parallax is in per cent of the picture's
+    /// width.
     ///
     /// Eyes at a distance e from each other converge by 2 atan(e / 2D) on the middle of a screen at
     /// the distance D, and by 2 atan((e − P) / 2D) on a point straight ahead whose images on the
