@@ -54,7 +54,10 @@ impl ChangeDetector {
         let exceeds = |index: usize, change: f32, least: f32| {
             let mut usual: Vec<f32> = self.usual.iter().map(|changes| changes[index]).collect();
             usual.sort_unstable_by(f32::total_cmp);
-            let usual = usual.get(usual.len() / 2).copied().unwrap_or(0.0);
+            let usual = usual
+                .get(usual.len().saturating_sub(1) / 2)
+                .copied()
+                .unwrap_or(0.0);
             change > least.max(RATIO * (usual + STILL))
         };
         let change = Change {

@@ -302,7 +302,7 @@ impl Monitor {
     }
 }
 
-/// The order of the eyes, for each part of the video between changes of both views.
+/// The order of the eyes, for each part of the video between abrupt changes of the left view.
 #[derive(Debug, Default)]
 struct Order {
     /// The number of frames so far.
@@ -322,9 +322,9 @@ const PARTS: usize = 64;
 impl Order {
     /// Whether the order of the eyes has to be examined in the next frame.
     fn begin_frame(&mut self, changes: [Change; 2]) -> bool {
-        // Exchanged views change both pictures, and so does a cut.
-        let begins = changes.iter().all(|change| change.is_abrupt)
-            || changes.iter().any(|change| change.is_cut);
+        // Exchanged views change the left picture as well as the right one, and so does a cut. What
+        // happens to the right one alone leaves the order as it is.
+        let begins = changes[0].is_abrupt || changes.iter().any(|change| change.is_cut);
         if begins && self.frames > 0 {
             let verdict = (self.current.verdict(), self.current.evidence());
             self.before.push_back(verdict);
