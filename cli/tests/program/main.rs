@@ -31,3 +31,4 @@ mod stereo_cameras;
 mod stereo_pose;
 mod texture;
 mod video;
+mod video_comfort;

@@ -1,5 +1,6 @@
-//! `nullcone video`: the shots and key frames of videos.
+//! `nullcone video`: the shots and key frames of videos, and the comfort of stereoscopic ones.
 
+mod comfort;
 mod input;
 mod keyframes;
 mod page;
@@ -13,7 +14,7 @@ mod statistics;
 use anyhow::Result;
 use clap::Subcommand;
 
-/// Videos: cuts, shots, key frames, and how well cuts are found.
+/// Videos: cuts, shots, key frames, how well cuts are found, and the comfort of two views.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct Arguments {
     #[command(subcommand)]
@@ -22,6 +23,8 @@ pub(crate) struct Arguments {
 
 #[derive(Clone, Debug, Subcommand)]
 enum Command {
+    Align(comfort::align::Arguments),
+    Comfort(comfort::Arguments),
     Keyframes(keyframes::Arguments),
     Score(score::Arguments),
     Statistics(statistics::Arguments),
@@ -29,6 +32,8 @@ enum Command {
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     match &arguments.command {
+        Command::Align(arguments) => comfort::align::run(arguments, quiet),
+        Command::Comfort(arguments) => comfort::run(arguments, quiet),
         Command::Keyframes(arguments) => keyframes::run(arguments, quiet),
         Command::Score(arguments) => score::run(arguments, quiet),
         Command::Statistics(arguments) => statistics::run(arguments, quiet),
