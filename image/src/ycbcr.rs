@@ -66,8 +66,8 @@ impl YCbCr {
         self.decoded([scale * y, cb, cr]).map(rounded)
     }
 
-    /// Red, green and blue, from 0 to 255, of numbers that need not be whole, such as means: without
-    /// rounding, and outside of 0 to 255 where the numbers stand for no colour.
+    /// Red, green and blue, from 0 to 255, of numbers that need not be whole, such as means:
+    /// without rounding, and outside of 0 to 255 where the numbers stand for no colour.
     ///
     /// ```
     /// use ga_image::ycbcr::YCbCr;

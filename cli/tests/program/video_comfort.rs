@@ -84,7 +84,7 @@ fn each_frame_is_a_line_with_all_rows() {
         "--summary",
         "summary.json",
     ];
-    let output = nullcone(folder.path(), &arguments);
+    let output = nullcone(folder.path(), arguments);
     assert_success(&output);
     let found = lines(&output.stdout);
     assert_eq!(found.len(), 10);
@@ -120,10 +120,10 @@ fn each_frame_is_a_line_with_all_rows() {
 
     let one = nullcone(
         folder.path(),
-        &[&arguments[..6], &["--threads", "1"]].concat(),
+        [&arguments[..6], &["--threads", "1"]].concat(),
     );
     assert_eq!(one.stdout, output.stdout);
-    let table = nullcone(folder.path(), &[&arguments[..5], &["--csv"]].concat());
+    let table = nullcone(folder.path(), [&arguments[..5], &["--csv"]].concat());
     assert_success(&table);
     assert_eq!(text(&table.stdout).lines().count(), 11);
     let plain = nullcone(folder.path(), &arguments[..5]);
@@ -138,7 +138,7 @@ fn two_files_are_the_same_as_two_halves() {
     let whole = |i| side_by_side(&view(i, 0, 0), &view(i, 2, 10));
     write(&folder.path().join("whole.y4m"), 5, whole);
     let arguments = ["video", "comfort", "left.y4m", "right.y4m", "--json"];
-    let pair = nullcone(folder.path(), &arguments);
+    let pair = nullcone(folder.path(), arguments);
     let arguments = [
         "video",
         "comfort",
@@ -147,7 +147,7 @@ fn two_files_are_the_same_as_two_halves() {
         "side-by-side",
         "--json",
     ];
-    let whole = nullcone(folder.path(), &arguments);
+    let whole = nullcone(folder.path(), arguments);
     assert_success(&pair);
     assert_eq!(pair.stdout, whole.stdout);
 }
@@ -222,7 +222,7 @@ fn aligned_video_is_green() {
     let clip = |i| side_by_side(&view(i, 0, 0), &view(i, 3, 30));
     write(&folder.path().join("clip.y4m"), 6, clip);
     let align = ["video", "align", "clip.y4m", "--out", "aligned.y4m"];
-    assert_success(&nullcone(folder.path(), &align));
+    assert_success(&nullcone(folder.path(), align));
     let arguments = [
         "video",
         "comfort",
@@ -231,7 +231,7 @@ fn aligned_video_is_green() {
         "side-by-side",
         "--json",
     ];
-    let output = nullcone(folder.path(), &arguments);
+    let output = nullcone(folder.path(), arguments);
     assert_success(&output);
     let found = lines(&output.stdout);
     assert_eq!(found.len(), 6);
@@ -241,6 +241,6 @@ fn aligned_video_is_green() {
             assert!(score.is_some_and(|score| score <= 7), "{name} {line}");
         }
     }
-    let stream = nullcone(folder.path(), &["video", "align", "-", "--out", "a.y4m"]);
+    let stream = nullcone(folder.path(), ["video", "align", "-", "--out", "a.y4m"]);
     assert_failure(&stream, &["read twice"]);
 }

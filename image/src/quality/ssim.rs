@@ -373,9 +373,9 @@ fn along_row(
             Columns::from_array(numbers.copied().unwrap_or_default())
         };
         let mut sum = Columns::splat(weights[0]) * columns(RADIUS);
-        for d in 1..=RADIUS {
+        for (d, weight) in weights.iter().enumerate().skip(1) {
             let pair = columns(RADIUS - d) + columns(RADIUS + d);
-            sum += Columns::splat(weights[d]) * pair;
+            sum += Columns::splat(*weight) * pair;
         }
         *mean = sum;
     }

@@ -150,7 +150,7 @@ mod tests {
         let mut state = 17 + kind;
         let mut random = |levels: u32| {
             state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            (u64::from(state) * u64::from(levels) >> 32) as u8
+            ((u64::from(state) * u64::from(levels)) >> 32) as u8
         };
         let noise = Plane::from_fn(size[0] + 20, size[1] + 20, |_, _| random(1 + 16 * kind));
         let [first, second] = [[0, 0], [5, 3]].map(|[left, top]| {

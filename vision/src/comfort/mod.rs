@@ -2,9 +2,9 @@
 //! much depth there is between them.
 //!
 //! Each quantity is a row of Cui, table 6, a [`Dimension`]. Its raw number, in a stated unit, gives
-//! a [`Score`] from 0 to 15 by the limits of a [`Scale`]: green up to 7, orange up to 13, red above.
-//! Angles are those at which a viewer sees the picture on a screen; see [`Viewing`]. Where a frame
-//! does not show what is needed, a row has no score and says why: see [`Missing`].
+//! a [`Score`] from 0 to 15 by the limits of a [`Scale`]: green up to 7, orange up to 13, red
+//! above. Angles are those at which a viewer sees the picture on a screen; see [`Viewing`]. Where a
+//! frame does not show what is needed, a row has no score and says why: see [`Missing`].
 
 pub mod align;
 pub mod asynchrony;

@@ -67,15 +67,15 @@ const FLAT: f32 = 2.0;
 
 /// Finds dissolves while frames come in.
 ///
-/// The middle frame of a dissolve is a blend u A + v B of the frames A and B at its ends, each moved
-/// as the camera moved before and after. The brightness u + v is free, so that flicker does not
-/// count, and so are the three tenths of the picture that are explained worst, where captions and
-/// logos are. A place is reported if the ends are different pictures, if a blend with a fraction
-/// α = u / (u + v) between ¼ and ¾ explains the middle, if the variance falls in most cells of the
-/// picture, as it does in means of pictures that are not alike, if α falls steadily from end to
-/// end, if other ends say so too, and if the middle itself changes after the motion of the camera.
-/// The line through α is 1 at the first frame of the dissolve and 0 after its last. Settings of our
-/// own, measured on synthetic clips.
+/// The middle frame of a dissolve is a blend u A + v B of the frames A and B at its ends, each
+/// moved as the camera moved before and after. The brightness u + v is free, so that flicker does
+/// not count, and so are the three tenths of the picture that are explained worst, where captions
+/// and logos are. A place is reported if the ends are different pictures, if a blend with a
+/// fraction α = u / (u + v) between ¼ and ¾ explains the middle, if the variance falls in most
+/// cells of the picture, as it does in means of pictures that are not alike, if α falls steadily
+/// from end to end, if other ends say so too, and if the middle itself changes after the motion of
+/// the camera. The line through α is 1 at the first frame of the dissolve and 0 after its last.
+/// Settings of our own, measured on synthetic clips.
 #[derive(Clone, Debug, Default)]
 pub struct DissolveDetector {
     contrasts: VecDeque<Contrast>,

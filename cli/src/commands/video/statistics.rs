@@ -13,10 +13,9 @@ use crate::progress::Progress;
 
 /// Count the shots with static and with dynamic background of videos, as in Cui's table 1.
 ///
-/// --json prints {"clips": [{"file", "frames", "shots", "static", "dynamic",
-/// "static_proportion"}, …], "total": {"frames", "shots", "static", "dynamic",
-/// "static_proportion"}}. Where a video cannot be read to its end, the frames and videos before that
-/// are counted, and the error follows.
+/// --json prints {"clips": [{"file", "frames", "shots", "static", "dynamic", "static_proportion"},
+/// …], "total": {"frames", "shots", "static", "dynamic", "static_proportion"}}. Where a video
+/// cannot be read to its end, the frames and videos before that are counted, and the error follows.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(super) struct Arguments {

@@ -84,8 +84,8 @@ mod tests {
     use super::*;
     use crate::body::example;
 
-    /// A body that accelerates by the same amount in each frame, and whose first joint rotates about
-    /// one axis likewise.
+    /// A body that accelerates by the same amount in each frame, and whose first joint rotates
+    /// about one axis likewise.
     fn accelerated(chain: &Chain<'_>, count: usize) -> Vec<State> {
         let frame = |t: usize| {
             let half = 0.5 * (t * t) as f64;
