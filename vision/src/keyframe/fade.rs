@@ -162,9 +162,11 @@ impl FadeDetector {
     pub fn finish(mut self, window: &Window) -> Vec<Fade> {
         self.measure_before(window.end(), window);
         let mut found = fades(&self.whole);
+        found.retain(|fade| self.unevenness(fade).is_none_or(|uneven| uneven < UNEVEN));
         for fade in fades(&self.most) {
             let known = |other: &Fade| overlap(&other.frames, &fade.frames);
-            if self.is_even(&fade) && !found.iter().any(known) {
+            let even = self.unevenness(&fade).is_some_and(|uneven| uneven < UNEVEN);
+            if even && !found.iter().any(known) {
                 found.push(fade);
             }
         }
@@ -172,9 +174,10 @@ impl FadeDetector {
         found
     }
 
-    /// Whether all of the picture fades alike. Where the camera comes to an object from an even
-    /// background, the contrast rises too, but in one cell after another.
-    fn is_even(&self, fade: &Fade) -> bool {
+    /// How differently the parts of the picture with little and with much contrast fade, where most
+    /// of the picture takes part. Where the camera comes to an object from an even background, the
+    /// contrast rises as well, but in one cell after another.
+    fn unevenness(&self, fade: &Fade) -> Option<f32> {
         let (flat, full) = match fade.direction {
             Direction::In => (fade.frames.start, fade.frames.end - 1),
             Direction::Out => (fade.frames.end - 1, fade.frames.start),
@@ -195,7 +198,7 @@ impl FadeDetector {
                 count += 1.0;
             }
         }
-        count > 0.0 && apart < UNEVEN * count
+        (count > 0.0).then(|| apart / count)
     }
 }
 

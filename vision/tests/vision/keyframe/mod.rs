@@ -14,7 +14,7 @@ use ga_vision::video::{self, Frame, Planes, Samples};
 use nullcone_shared_data::shared;
 use serde_json::Value;
 
-use clips::{Base, Clip, Effect, Joins, base, clip};
+use clips::{Base, Clip, Effect, Joins, SIZE, base, clip};
 use splices::Material;
 
 /// Analyses frames of grey, whose luma is red.
@@ -146,6 +146,43 @@ fn a_moving_camera_is_not_a_dissolve() {
     for seed in [314_264, 418_993, 837_909] {
         let found = of_clip(&clip(seed, Joins::Cuts, Effect::None));
         assert_eq!(dissolves(&found), vec![], "{seed}");
+    }
+}
+
+/// A frame in which the picture fills a third.
+#[test]
+fn fades_are_found_between_wide_bars() {
+    let scores = seeds().map(|seed| {
+        let Clip { frames, labels } = clip(seed, Joins::Fades, Effect::None);
+        let barred = frames.iter().map(|frame| {
+            Plane::from_fn(SIZE[0], SIZE[1], |column, row| {
+                let inside = (25..135).contains(&column) && (22..68).contains(&row);
+                frame.get(column, row).filter(|_| inside).unwrap_or(0)
+            })
+        });
+        let found = analysed(&barred.collect::<Vec<_>>(), 25.0, Options::default());
+        intervals(&fades(&found), &labels.fades)
+    });
+    let total = sum(scores);
+    assert!(total.f1().unwrap() > 0.9, "{total:?}");
+}
+
+/// The contrast rises as steadily as in a fade.
+#[test]
+fn a_camera_that_comes_from_an_even_sky_is_not_a_fade() {
+    for seed in seeds() {
+        let scene = &clip(seed, Joins::Cuts, Effect::None).frames[0];
+        for speed in [6, 8, 11] {
+            let frames = (0..90usize).map(|time| {
+                let left = SIZE[0].saturating_sub(speed * time.saturating_sub(20));
+                Plane::from_fn(SIZE[0], SIZE[1], |column, row| {
+                    let column = column.checked_sub(left);
+                    column.map_or(120, |column| scene.get(column, row).unwrap())
+                })
+            });
+            let found = analysed(&frames.collect::<Vec<_>>(), 25.0, Options::default());
+            assert_eq!(fades(&found), vec![], "{seed} {speed}");
+        }
     }
 }
 
