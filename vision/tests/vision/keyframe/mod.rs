@@ -2,6 +2,7 @@
 
 mod clips;
 mod parts;
+mod selection;
 mod splices;
 
 use std::ops::Range;
