@@ -71,6 +71,10 @@ impl FrameMeasures {
 
     /// A row of the table, for eyes before a screen. `None` for what one frame alone does not show:
     /// asynchrony, parallax deviation and stereoscopy.
+    ///
+    /// The raw number of [`Dimension::FocalGap`] is the difference of sharpness; its score is the
+    /// greater one of those of sharpness and of size, the latter by
+    /// [`Geometry::zoom_percent`].
     #[must_use]
     pub fn row(&self, dimension: Dimension, viewing: &Viewing) -> Option<Row> {
         let photometry = self.photometry.as_ref();
