@@ -156,14 +156,12 @@ fn motion_that_shows_no_delay_gives_none() {
 #[test]
 fn unrelated_motion_gives_no_delay() {
     let mut random = Random(4);
-    let paths = [walk(&mut random, 40), walk(&mut random, 40)];
+    let (of_left, of_right) = (walk(&mut random, 40), walk(&mut random, 40));
     let mut meter = AsynchronyMeter::default();
     let mut found = Vec::new();
-    for frame in 0..40 {
-        let [left, right] = [0, 1].map(|eye| {
-            let [u, v] = paths[eye][frame];
-            grey(SIZE, |x, y| texture(10 + eye as u64, x + u, y + v))
-        });
+    for places in of_left.into_iter().zip(of_right) {
+        let view = |seed, [u, v]: [f64; 2]| grey(SIZE, |x, y| texture(seed, x + u, y + v));
+        let (left, right) = (view(10, places.0), view(11, places.1));
         found.extend(meter.push(&left, &right));
     }
     found.extend(meter.finish());
