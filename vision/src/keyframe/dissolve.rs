@@ -230,15 +230,9 @@ impl Contrast {
         let [mean, deviation] = moments(signature, part);
         let whole = Rectangle::of(signature);
         // The boxes beside a bar contain a part of it.
-        let inside = Rectangle {
-            left: part.left + usize::from(part.left > whole.left),
-            top: part.top + usize::from(part.top > whole.top),
-            right: part.right - usize::from(part.right < whole.right),
-            bottom: part.bottom - usize::from(part.bottom < whole.bottom),
-        };
         let mut cells = [0.0; CELL_COUNT];
         for (index, variance) in cells.iter_mut().enumerate() {
-            let [_, deviation] = moments(signature, cell(whole, index).within(inside));
+            let [_, deviation] = moments(signature, cell(whole, index));
             *variance = deviation * deviation;
         }
         Self {

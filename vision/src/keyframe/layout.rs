@@ -32,17 +32,6 @@ impl Rectangle<usize> {
         }
     }
 
-    /// The part of it that lies in another rectangle; of no width or height where there is none.
-    pub(super) fn within(self, other: Self) -> Self {
-        let (left, top) = (self.left.max(other.left), self.top.max(other.top));
-        Self {
-            left,
-            top,
-            right: self.right.min(other.right).max(left),
-            bottom: self.bottom.min(other.bottom).max(top),
-        }
-    }
-
     /// The least rectangle around two.
     pub(super) fn around(self, other: Self) -> Self {
         Self {

@@ -7,7 +7,7 @@ use ga_image::quality::{Information, MutualInformation};
 
 use super::difference::at_rest;
 use super::fade::Level;
-use super::layout::Layout;
+use super::layout::{Layout, without_bars};
 use super::shot::{Shot, Transitions};
 
 /// The strict thresholds of the first stage: the least difference of the background and of the
@@ -60,7 +60,8 @@ pub struct Candidate {
     pub time_seconds: f64,
     /// What differs from the candidate before it.
     pub reason: Reason,
-    /// How much is new since the candidate before it, 0 to 1; see [`novelty`].
+    /// How much is new since the candidate before it, 0 to 1; see [`novelty`]. Where only objects
+    /// act, how much is new in their region.
     pub novelty: f64,
     level: Level,
 }
@@ -74,7 +75,8 @@ pub struct KeyFrame {
     pub time_seconds: f64,
     /// Why it was chosen.
     pub reason: Reason,
-    /// How much is new in it, from 0 to 1; see [`novelty`].
+    /// How much is new in it, from 0 to 1; see [`novelty`]. Where only objects act, how much is new
+    /// in their region.
     pub score: f64,
 }
 
@@ -85,12 +87,16 @@ pub struct KeyFrame {
 /// nothing is new where `same` says that they look alike, and everything otherwise.
 #[must_use]
 pub fn novelty(information: Information, usual_bits: Option<f64>, same: bool) -> f64 {
-    let least = information.first_bits.min(information.second_bits);
+    let least = least_bits(information);
     let usual = usual_bits.unwrap_or(least).min(least);
     if usual < EVEN_BITS {
         return if same { 0.0 } else { 1.0 };
     }
     (1.0 - information.mutual_bits() / usual).clamp(0.0, 1.0)
+}
+
+fn least_bits(information: Information) -> f64 {
+    information.first_bits.min(information.second_bits)
 }
 
 /// The first stage, while frames come in. It keeps the luma of one frame.
@@ -186,10 +192,38 @@ impl Selector {
             return Ok(false);
         }
         let same = background.max(object) < SETTLED;
-        let information = information.compare(&self.luma, seen.luma)?;
-        let new = novelty(information, usual_bits, same);
+        let whole = information.compare(&self.luma, seen.luma)?;
+        let mut new = novelty(whole, usual_bits, same);
+        if reason == Reason::Action && object > SETTLED {
+            // Most of the picture stands still, and hides what is new in the region of objects.
+            if let Some([before, now]) = self.objects(seen, layout) {
+                let inside = information.compare(before, now)?;
+                let share = least_bits(inside) / least_bits(whole).max(EVEN_BITS);
+                let usual_bits = usual_bits.map(|bits| bits * share);
+                new = new.max(novelty(inside, usual_bits, false));
+            }
+        }
         self.take(seen, reason, new);
         Ok(true)
+    }
+
+    /// The region of objects in the last candidate and in a frame.
+    fn objects<'a>(&'a self, seen: &'a Seen<'_>, layout: Layout) -> Option<[PlaneView<'a, u8>; 2]> {
+        let inside = without_bars(&self.anchor, seen.signature)?;
+        let place = layout.blocks().first()?.place;
+        let range = |[from, to]: [usize; 2], [near, far]: [f32; 2], boxes: usize, side: usize| {
+            let scale = side as f32 / boxes as f32;
+            let at = |part: f32| (scale * (from as f32 + part * (to - from) as f32)) as usize;
+            (at(near), at(far) - at(near))
+        };
+        let (boxes, luma) = (&self.anchor, seen.luma);
+        let edges = ([inside.left, inside.right], [place.left, place.right]);
+        let (left, width) = range(edges.0, edges.1, boxes.width(), luma.width());
+        let edges = ([inside.top, inside.bottom], [place.top, place.bottom]);
+        let (top, height) = range(edges.0, edges.1, boxes.height(), luma.height());
+        let before = self.luma.view().part(left, top, width, height)?;
+        let now = luma.part(left, top, width, height)?;
+        (!now.is_empty()).then_some([before, now])
     }
 
     fn take(&mut self, seen: &Seen<'_>, reason: Reason, novelty: f64) {
